@@ -1,0 +1,22 @@
+# Every library that sprung stands on; docs/dependencies.md gives the reason for each.
+include(GoogleTest)
+find_package(Threads REQUIRED)
+find_package(GTest REQUIRED)
+find_package(Eigen3 REQUIRED NO_MODULE)
+find_package(spdlog REQUIRED)
+find_package(yaml-cpp REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(nlohmann_json REQUIRED)
+include(FindLcmThreeWays)
+
+find_path(MUJOCO_INCLUDE_DIR mujoco/mujoco.h REQUIRED)
+find_library(MUJOCO_LIBRARY mujoco REQUIRED)
+add_library(sprung_mujoco INTERFACE)
+target_include_directories(sprung_mujoco SYSTEM INTERFACE ${MUJOCO_INCLUDE_DIR})
+target_link_libraries(sprung_mujoco INTERFACE ${MUJOCO_LIBRARY})
+
+# msgpack-cxx pulls in Boost headers by default; sprung needs none of them.
+find_path(MSGPACK_INCLUDE_DIR msgpack.hpp REQUIRED)
+add_library(sprung_msgpack INTERFACE)
+target_compile_definitions(sprung_msgpack INTERFACE MSGPACK_NO_BOOST)
+target_include_directories(sprung_msgpack SYSTEM INTERFACE ${MSGPACK_INCLUDE_DIR})

@@ -1,0 +1,37 @@
+# One place for flags and for the three kinds of target, so that a folder's CMakeLists.txt is a list of files.
+
+add_library(sprung_flags INTERFACE)
+target_compile_options(sprung_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Werror
+  # The same source must give the same bits in every process and on every CPU: no fused multiply-add.
+  -ffp-contract=off)
+target_include_directories(sprung_flags INTERFACE ${CMAKE_SOURCE_DIR})
+if(SPRUNG_SANITIZE)
+  target_compile_options(sprung_flags INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer -O1)
+  target_link_options(sprung_flags INTERFACE -fsanitize=address,undefined)
+endif()
+
+# sprung_library(NAME SOURCES a.cpp ... LINK x ...): a static library; headers are found from the top folder.
+function(sprung_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  add_library(${name} STATIC ${ARG_SOURCES})
+  target_link_libraries(${name} PUBLIC sprung_flags ${ARG_LINK})
+endfunction()
+
+# sprung_program(NAME SOURCES a_main.cpp ... LINK x ...): a program in build/<preset>/bin.
+function(sprung_program name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE sprung_flags ${ARG_LINK})
+endfunction()
+
+# sprung_tests(NAME SOURCES a_test.cpp ... LINK x ...): a GoogleTest program; every case becomes a ctest.
+function(sprung_tests name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+  target_link_libraries(${name} PRIVATE sprung_flags ${ARG_LINK} GTest::gmock GTest::gtest_main)
+  target_compile_definitions(${name} PRIVATE
+    SPRUNG_SOURCE_DIR="${CMAKE_SOURCE_DIR}" SPRUNG_BIN_DIR="${CMAKE_BINARY_DIR}/bin")
+  gtest_discover_tests(${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
+endfunction()

@@ -1,0 +1,62 @@
+#pragma once
+/// The CAN drive bridge without its process: frames and a time in, frames and a status out. Boot, SDO client, heartbeat and
+/// safety are state machines stepped by time; no thread, clock, socket, log or allocation after construction.
+///
+/// One tick, whatever the clock:
+///   begin_tick(t, out)   NMT, SDO, heartbeat frames that are due, then SYNC last on every bus
+///   receive(bus, f, t)   for every frame that comes in, at any time
+///   all_answered()       every operational drive has answered this SYNC (else the shell waits until its deadline)
+///   end_sampling(t, s)   true once cyclic operation began: s is DRIVE_STATE(k), k counts from 0
+///   command(c, t)        DRIVE_COMMAND(k) came in: checked, stored, or refused and counted
+///   emit_setpoints(t, o) RPDOs of this cycle: the command if it is good, else what safety says
+#include <cstdint>
+#include <memory>
+
+#include "drivers/can/can_frame.h"
+#include "robots/robot_config.h"
+#include "signals/signals.h"
+
+namespace sprung {
+
+struct BridgeOptions {
+  WatchdogConfig watchdogs;  ///< which set of robot.yaml applies
+};
+
+class BridgeCore {
+ public:
+  /// @throws std::invalid_argument on an unknown profile, naming it and those there are.
+  BridgeCore(const RobotConfig& robot, const BridgeOptions& options);
+  ~BridgeCore();
+  BridgeCore(const BridgeCore&) = delete;
+  BridgeCore& operator=(const BridgeCore&) = delete;
+
+  void begin_tick(std::int64_t time_us, FrameBatch& out) noexcept;
+  void receive(int bus, const CanFrame& frame, std::int64_t time_us) noexcept;
+  bool all_answered() const noexcept;
+  /// @return false while booting: then there is no cycle, no DRIVE_STATE and nothing to command.
+  bool end_sampling(std::int64_t time_us, DriveState& out) noexcept;
+  /// Refuses what is not finite, out of limits, not of this cycle's size, older than what it has, or expired.
+  bool command(const DriveCommand& command, std::int64_t time_us) noexcept;
+  void emit_setpoints(std::int64_t time_us, FrameBatch& out) noexcept;
+
+  /// Estop and clear act at once; others are not the bridge's.
+  OperatorReply operator_command(const OperatorCommand& command, std::int64_t time_us) noexcept;
+  /// Shell's own counters, for the safety rules on overruns and for SAFETY_STATE.
+  void count_overrun(std::int64_t time_us) noexcept;
+  void count_good_cycle() noexcept;
+  void count_missed_cycle() noexcept;
+  /// Orderly end: damping until slow or `shutdown_s` over, then drives off. Keep ticking until shut_down().
+  void begin_shutdown(std::int64_t time_us) noexcept;
+  bool shut_down() const noexcept;
+
+  const SafetyState& safety() const noexcept;
+  /// One line for people about where boot stands, e.g. "knee: waiting for boot-up". Static or internal storage.
+  const char* boot_detail() const noexcept;
+  bool operational() const noexcept;  ///< cyclic operation has begun
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace sprung

@@ -1,0 +1,49 @@
+#pragma once
+/// One classic CAN frame with an 11-bit identifier.
+#include <array>
+#include <cstdint>
+
+namespace sprung {
+
+struct CanFrame {
+  std::uint32_t id = 0;              ///< 0..0x7FF
+  std::uint8_t length = 0;           ///< 0..8
+  std::array<std::uint8_t, 8> data{};
+  bool error = false;                ///< SocketCAN error frame, or the end-of-tick mark of the lock-step link
+  bool operator==(const CanFrame& other) const noexcept {
+    return id == other.id && length == other.length && data == other.data && error == other.error;
+  }
+};
+
+/// A frame on one of the robot's buses.
+struct BusFrame {
+  int bus = 0;
+  CanFrame frame;
+};
+
+/// Frames of one step, in order. Fixed capacity, so that a step allocates nothing; overflow is counted, never silent.
+class FrameBatch {
+ public:
+  static constexpr int kCapacity = 512;
+  void clear() noexcept { size_ = 0; }
+  bool push(int bus, const CanFrame& frame) noexcept {
+    if (size_ == kCapacity) {
+      ++overflow_;
+      return false;
+    }
+    frames_[static_cast<std::size_t>(size_++)] = {bus, frame};
+    return true;
+  }
+  int size() const noexcept { return size_; }
+  int overflow() const noexcept { return overflow_; }
+  const BusFrame& operator[](int i) const noexcept { return frames_[static_cast<std::size_t>(i)]; }
+  const BusFrame* begin() const noexcept { return frames_.data(); }
+  const BusFrame* end() const noexcept { return frames_.data() + size_; }
+
+ private:
+  std::array<BusFrame, kCapacity> frames_{};
+  int size_ = 0;
+  int overflow_ = 0;
+};
+
+}  // namespace sprung

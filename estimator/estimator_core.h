@@ -1,0 +1,31 @@
+#pragma once
+/// Joint torque from motor current and encoder, without a torque sensor. Pure: no I/O, clock, log or heap in step.
+///
+///   motor-side torque  = R Kt i - tau_f          (S0 eq. 6 as printed: the papers' "joint torque")
+///   gear output torque = R Kt i - tau_f - R^2 I qdd   (errata E6: the inertia term is 40-80 times the friction in a jump)
+///
+/// qdd comes from a steady-state Kalman filter on the encoder, not from differences. tau_f is Coulomb, sgn(0) = 0 (E5).
+/// Sign: positive torque accelerates the joint toward +q. Joint space through each leg's transmission.
+#include <memory>
+
+#include "robots/robot_config.h"
+#include "signals/signals.h"
+
+namespace sprung {
+
+class EstimatorCore {
+ public:
+  explicit EstimatorCore(const RobotConfig& robot);
+  ~EstimatorCore();
+  EstimatorCore(const EstimatorCore&) = delete;
+  EstimatorCore& operator=(const EstimatorCore&) = delete;
+
+  /// JOINT_STATE(k) from DRIVE_STATE(k). `out` must have been sized for this robot. dt is the difference of utime.
+  void step(const DriveState& in, JointState& out) noexcept;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace sprung

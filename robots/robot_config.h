@@ -1,0 +1,147 @@
+#pragma once
+/// All that the stack knows about a robot: robots/<name>/robot.yaml, read once and validated (robots/robot_loader.h).
+/// The plant's own values live in sim.yaml and model.xml and are read by sprung-sim-drives alone.
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace sprung {
+
+/// One CAN bus. `can` is a bus address: socketcan:can0, udp:239.74.163.2:43113 or memory:.
+struct BusConfig {
+  std::string name;
+  std::string can;
+};
+
+/// Expected 0x1018 identity; 0 = not checked.
+struct IdentityConfig {
+  std::uint32_t vendor = 0;
+  std::uint32_t product = 0;
+  std::uint32_t revision = 0;
+  std::uint32_t serial = 0;
+};
+
+/// One drive with motor and gear. Actuator space: output side of the gear, after direction and offset.
+struct ActuatorConfig {
+  std::string name;
+  int bus = 0;                         ///< index into RobotConfig::buses
+  int node = 0;                        ///< CANopen node id, 1..126
+  std::string profile;                 ///< drivers/profiles/<profile>
+  IdentityConfig identity;
+  double gear_ratio = 0.0;             ///< motor turns per output turn, > 0
+  double direction = 1.0;              ///< +1 or -1: sign of the motor's own forward in actuator space
+  double torque_constant_Nm_A = 0.0;   ///< motor side, > 0
+  double rated_current_A = 0.0;        ///< > 0; with the torque constant gives 0x6076
+  double encoder_counts_per_turn = 0;  ///< of the motor shaft
+  double offset_rad = 0.0;             ///< actuator position at encoder count zero
+  bool referenced = false;             ///< torque is refused until true
+  double torque_limit_Nm = 0.0;        ///< gear output side
+  double speed_limit_rad_s = 0.0;
+  double position_stiffness_Nm_rad = 0.0;   ///< drive's position loop, in joint units; the profile converts
+  double position_damping_Nm_s_rad = 0.0;
+  double safety_damping_Nm_s_rad = 0.0;     ///< bridge's damping
+};
+
+struct JointConfig {
+  std::string name;
+  double position_min_rad = 0.0;
+  double position_max_rad = 0.0;
+  double armature_kg_m2 = 0.0;          ///< ratio^2 * rotor inertia, joint side
+  double coulomb_friction_Nm = 0.0;     ///< identified (or the paper's), joint side
+  std::string friction_source;          ///< log and hash, or paper
+};
+
+/// Uniform description of a link; centre of mass from the proximal joint.
+struct LinkConfig {
+  double length_m = 0.0;
+  double mass_kg = 0.0;
+  double com_m = 0.0;
+  double inertia_kg_m2 = 0.0;  ///< about its own centre of mass
+};
+
+struct LegConfig {
+  std::string name;
+  std::string kinematics;       ///< "two_link": hip and knee in the x-z plane, frame of facts E1 (papers' y is our z)
+  std::vector<int> joints;      ///< indices into RobotConfig::joints, proximal first
+  std::vector<int> actuators;   ///< indices into RobotConfig::actuators, same length
+  /// joint = transmission * actuator, row-major joints x actuators.
+  std::vector<double> transmission;
+  std::vector<LinkConfig> links;  ///< thigh, shank
+  double contact_on_N = 0.0;      ///< vertical foot force above which contact is declared
+  double contact_off_N = 0.0;     ///< below which it is lost
+  double contact_rise_s = 0.0;    ///< must last this long
+  double contact_fall_s = 0.0;
+};
+
+struct WatchdogConfig {
+  double command_hold_s = 0.020;       ///< DRIVE_COMMAND stale: hold, then damping
+  double command_stop_s = 0.200;       ///< then quick stop, latched
+  double leg_command_s = 0.020;        ///< leg controller: then damping
+  double joint_state_s = 0.020;        ///< leg controller: wall time without JOINT_STATE, then damping
+  int silent_cycles = 2;               ///< a drive's missing answers that are held
+  int overruns_in_row = 10;
+  double heartbeat_s = 0.005;          ///< bridge's producer and drives' producers
+  double heartbeat_consumer_s = 0.020; ///< in the drives, for the bridge's heartbeat
+  double drive_heartbeat_s = 0.100;    ///< in the bridge, for the drives' heartbeats
+};
+
+struct StiffnessConfig {
+  std::array<double, 3> stiffness_N_m{};  ///< x, y, z
+  std::array<double, 3> damping_N_s_m{};
+  double velocity_feedforward = 0.0;      ///< share of desired foot velocity in the damping term
+};
+
+/// Curve of the leg's length (hip to foot, straight down) in a jump: one Bezier of any degree.
+struct JumpCurveConfig {
+  double duration_s = 0.0;
+  std::vector<double> lengths_m;  ///< control points
+};
+
+/// Everything that differs between `paper` and `best`.
+struct PresetConfig {
+  std::string name;
+  double friction_compensation = 1.0;   ///< share of the identified friction
+  double friction_smoothing_rad_s = 0.05;  ///< tanh(w / this)
+  double stand_length_m = 0.0;
+  double sit_length_m = 0.0;
+  double rise_time_s = 0.0;             ///< sit or unknown pose to stand
+  double crouch_time_s = 0.0;
+  double settle_time_s = 0.0;           ///< stand still before and after a jump
+  double recover_time_s = 0.0;          ///< landing to stand
+  double landing_hold_s = 0.0;          ///< compliance after touchdown before recovering
+  double landing_length_m = 0.0;
+  double flight_timeout_s = 0.0;
+  double thrust_timeout_s = 0.0;
+  double hybrid_switch_s = 0.0;         ///< earliest switch to compliance, since thrust began
+  JumpCurveConfig jump_curve;
+  StiffnessConfig torque_jump;          ///< torque mode: whole jump
+  StiffnessConfig hybrid_landing;       ///< hybrid mode: from the switch on
+};
+
+/// A process that `sprung up` starts, in order; real-time priority 0 = none, cpu -1 = any.
+struct ProcessConfig {
+  std::string program;
+  int priority = 0;
+  int cpu = -1;
+};
+
+struct RobotConfig {
+  std::string name;
+  std::string folder;              ///< where robot.yaml is
+  double cycle_s = 0.0;
+  std::vector<BusConfig> buses;
+  std::vector<ActuatorConfig> actuators;
+  std::vector<JointConfig> joints;
+  std::vector<LegConfig> legs;
+  WatchdogConfig watchdogs;             ///< on the robot, and in lock-step
+  WatchdogConfig simulation_watchdogs;  ///< real time with --sim on a shared machine
+  std::vector<PresetConfig> presets;
+  std::vector<ProcessConfig> processes;
+  std::int64_t hash = 0;                ///< of the file's bytes and the preset's name
+
+  /// @throws std::invalid_argument naming the presets there are.
+  const PresetConfig& preset(const std::string& preset_name) const;
+};
+
+}  // namespace sprung

@@ -1,0 +1,194 @@
+#pragma once
+/// The values that cores exchange: plain structs, one for each channel of lcmtypes/README.md, where every field's unit and
+/// frame is stated. Vectors are sized once (by the constructors' counts) so that a step allocates nothing.
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "signals/modes.h"
+#include "signals/stamp.h"
+
+namespace sprung {
+
+inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+using Vec3 = std::array<double, 3>;
+
+struct ActuatorState {
+  double measured_position_rad = kNaN;       ///< output side of the gear, sign and offset applied
+  double measured_link_position_rad = kNaN;  ///< NaN where there is no link encoder
+  double measured_velocity_rad_s = kNaN;     ///< NaN unless the drive sends it
+  double measured_current_A = kNaN;
+  double measured_supply_V = kNaN;
+  std::int32_t fault_code = 0;
+  std::int32_t age_cycles = 0;
+  PowerState power_state = PowerState::kUnknown;
+  DriveMode shown_mode = DriveMode::kDisabled;
+  bool referenced = false;
+};
+
+struct DriveState {
+  Stamp stamp;
+  std::vector<ActuatorState> actuators;
+  SafetyLevel safety = SafetyLevel::kDisabled;
+  DriveState() = default;
+  explicit DriveState(std::size_t actuator_count) : actuators(actuator_count) {}
+};
+
+struct ActuatorCommand {
+  double commanded_torque_Nm = 0.0;
+  double commanded_position_rad = kNaN;
+  double commanded_velocity_rad_s = 0.0;
+  double commanded_damping_Nm_s_rad = 0.0;
+  DriveMode mode = DriveMode::kDisabled;
+};
+
+struct DriveCommand {
+  Stamp stamp;
+  std::vector<ActuatorCommand> actuators;
+  std::int64_t valid_until_utime_us = 0;
+  std::int64_t used_joint_state_seq = -1;
+  std::int64_t used_leg_command_seq = -1;
+  DriveCommand() = default;
+  explicit DriveCommand(std::size_t actuator_count) : actuators(actuator_count) {}
+};
+
+struct EstimatedJoint {
+  double estimated_position_rad = kNaN;
+  double estimated_velocity_rad_s = kNaN;
+  double estimated_acceleration_rad_s2 = kNaN;
+  double motor_side_torque_Nm = kNaN;
+  double gear_output_torque_Nm = kNaN;
+  double gear_output_torque_bound_Nm = kNaN;
+  double friction_torque_Nm = kNaN;
+  double external_torque_Nm = kNaN;
+  JointStatus status = JointStatus::kStarting;
+  bool drive_enabled = false;
+};
+
+struct EstimatedLeg {
+  Vec3 estimated_foot_in_hip_m{kNaN, kNaN, kNaN};
+  Vec3 estimated_foot_velocity_m_s{kNaN, kNaN, kNaN};
+  Vec3 foot_force_N{kNaN, kNaN, kNaN};
+  double contact_confidence = 0.0;
+  bool contact = false;
+};
+
+struct JointState {
+  Stamp stamp;
+  std::vector<EstimatedJoint> joints;
+  std::vector<EstimatedLeg> legs;
+  SafetyLevel safety = SafetyLevel::kDisabled;
+  std::int64_t used_drive_state_seq = -1;
+  JointState() = default;
+  JointState(std::size_t joint_count, std::size_t leg_count) : joints(joint_count), legs(leg_count) {}
+};
+
+struct DesiredLeg {
+  Vec3 desired_foot_in_hip_m{kNaN, kNaN, kNaN};
+  Vec3 desired_foot_velocity_m_s{0, 0, 0};
+  Vec3 desired_foot_acceleration_m_s2{0, 0, 0};
+  Vec3 stiffness_N_m{0, 0, 0};
+  Vec3 damping_N_s_m{0, 0, 0};
+  Vec3 feedforward_force_N{0, 0, 0};
+  double friction_compensation = 0.0;
+  double velocity_feedforward = 0.0;
+  LegPhase phase = LegPhase::kIdle;
+  ControlMode control_mode = ControlMode::kDisabled;
+};
+
+struct LegCommand {
+  Stamp stamp;
+  std::vector<DesiredLeg> legs;
+  std::int64_t used_joint_state_seq = -1;
+  LegCommand() = default;
+  explicit LegCommand(std::size_t leg_count) : legs(leg_count) {}
+};
+
+struct MotionLeg {
+  LegPhase phase = LegPhase::kIdle;
+  double phase_time_s = 0.0;
+};
+
+struct MotionState {
+  Stamp stamp;
+  std::vector<MotionLeg> legs;
+  MotionPhase state = MotionPhase::kIdle;
+  std::int32_t jumps_done = 0;
+  std::int32_t jumps_left = 0;
+  double jump_height_scale = 1.0;
+  JumpMode jump_mode = JumpMode::kHybrid;
+  const char* last_transition = "";  ///< points to static text
+  MotionState() = default;
+  explicit MotionState(std::size_t leg_count) : legs(leg_count) {}
+};
+
+struct SafetyState {
+  Stamp stamp;
+  SafetyLevel level = SafetyLevel::kDisabled;
+  SafetyCause cause = SafetyCause::kStarting;
+  bool latched = false;
+  std::int32_t actuator = -1;
+  std::int64_t since_seq = -1;
+  std::int64_t commands_refused = 0;
+  std::int64_t overruns = 0;
+  std::int64_t missed_cycles = 0;
+  std::array<char, 160> detail{};  ///< zero-terminated; fixed size so that a cycle allocates nothing
+};
+
+struct OperatorCommand {
+  Stamp stamp;
+  std::int64_t request_id = 0;
+  std::int64_t apply_at_seq = -1;
+  OperatorKind kind = OperatorKind::kNone;
+  JumpMode jump_mode = JumpMode::kHybrid;
+  std::int32_t jump_count = 1;
+  double jump_height_m = 0.0;
+};
+
+struct OperatorReply {
+  Stamp stamp;
+  std::int64_t request_id = 0;
+  std::int64_t took_effect_at_seq = -1;
+  OperatorOutcome outcome = OperatorOutcome::kRefused;
+  const char* from = "";    ///< static text
+  const char* reason = "";  ///< static text
+};
+
+struct SimControl {
+  Stamp stamp;
+  std::int64_t apply_at_seq = -1;
+  std::array<double, 6> wrench_on_base{};
+  double duration_s = 0.0;
+  SimControlKind kind = SimControlKind::kWrench;
+  std::int32_t actuator = -1;
+  double value = 0.0;
+};
+
+struct TrueJoint {
+  double true_position_rad = kNaN;
+  double true_velocity_rad_s = kNaN;
+  double true_acceleration_rad_s2 = kNaN;
+  double true_motor_torque_Nm = kNaN;
+  double true_gear_output_torque_Nm = kNaN;
+  double true_friction_torque_Nm = kNaN;
+};
+
+struct TrueLeg {
+  Vec3 true_foot_in_world_m{};
+  Vec3 true_contact_force_N{};
+};
+
+struct SimTruth {
+  Stamp stamp;
+  std::vector<TrueJoint> joints;
+  std::vector<TrueLeg> legs;
+  Vec3 base_in_world_m{};
+  Vec3 base_velocity_m_s{};
+  std::array<double, 4> base_quaternion_wxyz{1, 0, 0, 0};
+  SimTruth() = default;
+  SimTruth(std::size_t joint_count, std::size_t leg_count) : joints(joint_count), legs(leg_count) {}
+};
+
+}  // namespace sprung
