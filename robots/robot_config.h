@@ -1,6 +1,7 @@
 #pragma once
-/// All that the stack knows about a robot: robots/<name>/robot.yaml, read once and validated (robots/robot_loader.h).
-/// The plant's own values live in sim.yaml and model.xml and are read by sprung-sim-drives alone.
+/// All that the stack knows about a robot: robots/<name>/robot.yaml, read once and validated
+/// (robots/robot_loader.h). The plant's own values live in sim.yaml and model.xml and are read by
+/// sprung-sim-drives alone.
 #include <array>
 #include <cstdint>
 #include <string>
@@ -25,9 +26,9 @@ struct IdentityConfig {
 /// One drive with motor and gear. Actuator space: output side of the gear, after direction and offset.
 struct ActuatorConfig {
   std::string name;
-  int bus = 0;                         ///< index into RobotConfig::buses
-  int node = 0;                        ///< CANopen node id, 1..126
-  std::string profile;                 ///< drivers/profiles/<profile>
+  int bus = 0;          ///< index into RobotConfig::buses
+  int node = 0;         ///< CANopen node id, 1..126
+  std::string profile;  ///< drivers/profiles/<profile>
   IdentityConfig identity;
   double gear_ratio = 0.0;             ///< motor turns per output turn, > 0
   double direction = 1.0;              ///< +1 or -1: sign of the motor's own forward in actuator space
@@ -38,18 +39,18 @@ struct ActuatorConfig {
   bool referenced = false;             ///< torque is refused until true
   double torque_limit_Nm = 0.0;        ///< gear output side
   double speed_limit_rad_s = 0.0;
-  double position_stiffness_Nm_rad = 0.0;   ///< drive's position loop, in joint units; the profile converts
+  double position_stiffness_Nm_rad = 0.0;  ///< drive's position loop, in joint units; the profile converts
   double position_damping_Nm_s_rad = 0.0;
-  double safety_damping_Nm_s_rad = 0.0;     ///< bridge's damping
+  double safety_damping_Nm_s_rad = 0.0;  ///< bridge's damping
 };
 
 struct JointConfig {
   std::string name;
   double position_min_rad = 0.0;
   double position_max_rad = 0.0;
-  double armature_kg_m2 = 0.0;          ///< ratio^2 * rotor inertia, joint side
-  double coulomb_friction_Nm = 0.0;     ///< identified (or the paper's), joint side
-  std::string friction_source;          ///< log and hash, or paper
+  double armature_kg_m2 = 0.0;       ///< ratio^2 * rotor inertia, joint side
+  double coulomb_friction_Nm = 0.0;  ///< identified (or the paper's), joint side
+  std::string friction_source;       ///< log and hash, or paper
 };
 
 /// Uniform description of a link; centre of mass from the proximal joint.
@@ -62,9 +63,10 @@ struct LinkConfig {
 
 struct LegConfig {
   std::string name;
-  std::string kinematics;       ///< "two_link": hip and knee in the x-z plane, frame of facts E1 (papers' y is our z)
-  std::vector<int> joints;      ///< indices into RobotConfig::joints, proximal first
-  std::vector<int> actuators;   ///< indices into RobotConfig::actuators, same length
+  std::string
+      kinematics;  ///< "two_link": hip and knee in the x-z plane, frame of facts E1 (papers' y is our z)
+  std::vector<int> joints;     ///< indices into RobotConfig::joints, proximal first
+  std::vector<int> actuators;  ///< indices into RobotConfig::actuators, same length
   /// joint = transmission * actuator, row-major joints x actuators.
   std::vector<double> transmission;
   std::vector<LinkConfig> links;  ///< thigh, shank
@@ -75,21 +77,21 @@ struct LegConfig {
 };
 
 struct WatchdogConfig {
-  double command_hold_s = 0.020;       ///< DRIVE_COMMAND stale: hold, then damping
-  double command_stop_s = 0.200;       ///< then quick stop, latched
-  double leg_command_s = 0.020;        ///< leg controller: then damping
-  double joint_state_s = 0.020;        ///< leg controller: wall time without JOINT_STATE, then damping
-  int silent_cycles = 2;               ///< a drive's missing answers that are held
+  double command_hold_s = 0.020;  ///< DRIVE_COMMAND stale: hold, then damping
+  double command_stop_s = 0.200;  ///< then quick stop, latched
+  double leg_command_s = 0.020;   ///< leg controller: then damping
+  double joint_state_s = 0.020;   ///< leg controller: wall time without JOINT_STATE, then damping
+  int silent_cycles = 2;          ///< a drive's missing answers that are held
   int overruns_in_row = 10;
-  double heartbeat_s = 0.005;          ///< bridge's producer and drives' producers
-  double heartbeat_consumer_s = 0.020; ///< in the drives, for the bridge's heartbeat
-  double drive_heartbeat_s = 0.100;    ///< in the bridge, for the drives' heartbeats
+  double heartbeat_s = 0.005;           ///< bridge's producer and drives' producers
+  double heartbeat_consumer_s = 0.020;  ///< in the drives, for the bridge's heartbeat
+  double drive_heartbeat_s = 0.100;     ///< in the bridge, for the drives' heartbeats
 };
 
 struct StiffnessConfig {
   std::array<double, 3> stiffness_N_m{};  ///< x, y, z
   std::array<double, 3> damping_N_s_m{};
-  double velocity_feedforward = 0.0;      ///< share of desired foot velocity in the damping term
+  double velocity_feedforward = 0.0;  ///< share of desired foot velocity in the damping term
 };
 
 /// Curve of the leg's length (hip to foot, straight down) in a jump: one Bezier of any degree.
@@ -101,22 +103,22 @@ struct JumpCurveConfig {
 /// Everything that differs between `paper` and `best`.
 struct PresetConfig {
   std::string name;
-  double friction_compensation = 1.0;   ///< share of the identified friction
+  double friction_compensation = 1.0;      ///< share of the identified friction
   double friction_smoothing_rad_s = 0.05;  ///< tanh(w / this)
   double stand_length_m = 0.0;
   double sit_length_m = 0.0;
-  double rise_time_s = 0.0;             ///< sit or unknown pose to stand
+  double rise_time_s = 0.0;  ///< sit or unknown pose to stand
   double crouch_time_s = 0.0;
-  double settle_time_s = 0.0;           ///< stand still before and after a jump
-  double recover_time_s = 0.0;          ///< landing to stand
-  double landing_hold_s = 0.0;          ///< compliance after touchdown before recovering
+  double settle_time_s = 0.0;   ///< stand still before and after a jump
+  double recover_time_s = 0.0;  ///< landing to stand
+  double landing_hold_s = 0.0;  ///< compliance after touchdown before recovering
   double landing_length_m = 0.0;
   double flight_timeout_s = 0.0;
   double thrust_timeout_s = 0.0;
-  double hybrid_switch_s = 0.0;         ///< earliest switch to compliance, since thrust began
+  double hybrid_switch_s = 0.0;  ///< earliest switch to compliance, since thrust began
   JumpCurveConfig jump_curve;
-  StiffnessConfig torque_jump;          ///< torque mode: whole jump
-  StiffnessConfig hybrid_landing;       ///< hybrid mode: from the switch on
+  StiffnessConfig torque_jump;     ///< torque mode: whole jump
+  StiffnessConfig hybrid_landing;  ///< hybrid mode: from the switch on
 };
 
 /// A process that `sprung up` starts, in order; real-time priority 0 = none, cpu -1 = any.
@@ -128,7 +130,7 @@ struct ProcessConfig {
 
 struct RobotConfig {
   std::string name;
-  std::string folder;              ///< where robot.yaml is
+  std::string folder;  ///< where robot.yaml is
   double cycle_s = 0.0;
   std::vector<BusConfig> buses;
   std::vector<ActuatorConfig> actuators;
@@ -138,7 +140,7 @@ struct RobotConfig {
   WatchdogConfig simulation_watchdogs;  ///< real time with --sim on a shared machine
   std::vector<PresetConfig> presets;
   std::vector<ProcessConfig> processes;
-  std::int64_t hash = 0;                ///< of the file's bytes and the preset's name
+  std::int64_t hash = 0;  ///< of the file's bytes and the preset's name
 
   /// @throws std::invalid_argument naming the presets there are.
   const PresetConfig& preset(const std::string& preset_name) const;

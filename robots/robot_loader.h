@@ -13,10 +13,12 @@ struct ConfigError : std::runtime_error {
 };
 
 /// @param robot a name (looked up in the robots folder) or a folder that holds robot.yaml.
-/// @throws ConfigError on unknown or missing keys, missing or wrong units, values out of range, two drives on one node id.
+/// @throws ConfigError on unknown or missing keys, missing or wrong units, values out of range, two drives on
+/// one node id.
 RobotConfig load_robot(const std::string& robot);
 
-/// Folder of a robot by name or path: $SPRUNG_ROBOTS, else robots/ beside the program's build tree or the source tree.
+/// Folder of a robot by name or path: $SPRUNG_ROBOTS, else robots/ beside the program's build tree or the
+/// source tree.
 /// @throws ConfigError naming the folders looked in and the robots found there.
 std::string robot_folder(const std::string& robot);
 

@@ -50,9 +50,9 @@ enum class SafetyCause : std::int8_t {
 
 enum class JointStatus : std::int8_t {
   kOk = 0,
-  kStarting = 1,       ///< filter not settled
-  kStale = 2,          ///< drive did not answer lately
-  kSaturated = 3,      ///< drive at its torque limit
+  kStarting = 1,   ///< filter not settled
+  kStale = 2,      ///< drive did not answer lately
+  kSaturated = 3,  ///< drive at its torque limit
   kNotReferenced = 4,
   kFault = 5,
 };
@@ -75,8 +75,8 @@ enum class LegPhase : std::int8_t {
 
 /// State of the robot's motion state machine.
 enum class MotionPhase : std::int8_t {
-  kIdle = 0,     ///< drives off
-  kRising = 1,   ///< drives enabling, then moving to the stand
+  kIdle = 0,    ///< drives off
+  kRising = 1,  ///< drives enabling, then moving to the stand
   kStanding = 2,
   kCrouch = 3,
   kThrust = 4,
@@ -88,13 +88,27 @@ enum class MotionPhase : std::int8_t {
 
 enum class JumpMode : std::int8_t { kPosition = 0, kTorque = 1, kHybrid = 2 };
 
-enum class OperatorKind : std::int8_t { kNone = 0, kStand = 1, kJump = 2, kStop = 3, kEstop = 4, kClear = 5, kSit = 6 };
+enum class OperatorKind : std::int8_t {
+  kNone = 0,
+  kStand = 1,
+  kJump = 2,
+  kStop = 3,
+  kEstop = 4,
+  kClear = 5,
+  kSit = 6
+};
 
 enum class OperatorOutcome : std::int8_t { kAccepted = 0, kRefused = 1, kDone = 2, kFailed = 3 };
 
 enum class ProcessState : std::int8_t { kStarting = 0, kReady = 1, kRunning = 2, kStopping = 3 };
 
-enum class SimControlKind : std::int8_t { kWrench = 0, kReset = 1, kSuspend = 2, kDriveFault = 3, kDriveSilent = 4 };
+enum class SimControlKind : std::int8_t {
+  kWrench = 0,
+  kReset = 1,
+  kSuspend = 2,
+  kDriveFault = 3,
+  kDriveSilent = 4
+};
 
 const char* name(DriveMode value) noexcept;
 const char* name(PowerState value) noexcept;

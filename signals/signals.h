@@ -1,6 +1,7 @@
 #pragma once
-/// The values that cores exchange: plain structs, one for each channel of lcmtypes/README.md, where every field's unit and
-/// frame is stated. Vectors are sized once (by the constructors' counts) so that a step allocates nothing.
+/// The values that cores exchange: plain structs, one for each channel of lcmtypes/README.md, where every
+/// field's unit and frame is stated. Vectors are sized once (by the constructors' counts) so that a step
+/// allocates nothing.
 #include <array>
 #include <cstdint>
 #include <limits>

@@ -6,10 +6,10 @@
 namespace sprung {
 
 struct CanFrame {
-  std::uint32_t id = 0;              ///< 0..0x7FF
-  std::uint8_t length = 0;           ///< 0..8
+  std::uint32_t id = 0;     ///< 0..0x7FF
+  std::uint8_t length = 0;  ///< 0..8
   std::array<std::uint8_t, 8> data{};
-  bool error = false;                ///< SocketCAN error frame, or the end-of-tick mark of the lock-step link
+  bool error = false;  ///< SocketCAN error frame, or the end-of-tick mark of the lock-step link
   bool operator==(const CanFrame& other) const noexcept {
     return id == other.id && length == other.length && data == other.data && error == other.error;
   }
@@ -21,7 +21,8 @@ struct BusFrame {
   CanFrame frame;
 };
 
-/// Frames of one step, in order. Fixed capacity, so that a step allocates nothing; overflow is counted, never silent.
+/// Frames of one step, in order. Fixed capacity, so that a step allocates nothing; overflow is counted, never
+/// silent.
 class FrameBatch {
  public:
   static constexpr int kCapacity = 512;

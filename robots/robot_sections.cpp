@@ -1,0 +1,221 @@
+#include "robots/robot_sections.h"
+
+#include <algorithm>
+
+namespace sprung::robot_sections {
+
+namespace {
+
+/// Position of `wanted` among named things. @throws ConfigError naming those there are.
+template <class Named>
+int index_of(const std::vector<Named>& things, const std::string& wanted, const YamlMap& map,
+             const std::string& key) {
+  std::string known;
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    if (things[i].name == wanted) {
+      return static_cast<int>(i);
+    }
+    known += (known.empty() ? "" : ", ") + things[i].name;
+  }
+  map.fail(key, "'" + wanted + "' is not known; there are: " + known);
+}
+
+template <class Named>
+std::vector<int> indices_of(const std::vector<Named>& things, const YamlMap& map, const std::string& key) {
+  std::vector<int> indices;
+  for (const std::string& wanted : map.texts(key)) {
+    indices.push_back(index_of(things, wanted, map, key));
+  }
+  return indices;
+}
+
+IdentityConfig read_identity(const YamlMap& map) {
+  const std::int64_t top = 0xFFFFFFFF;
+  IdentityConfig identity;
+  identity.vendor = static_cast<std::uint32_t>(map.integer("vendor", 0, top));
+  identity.product = static_cast<std::uint32_t>(map.integer("product", 0, top));
+  identity.revision = static_cast<std::uint32_t>(map.integer_or("revision", 0, top, 0));
+  identity.serial = static_cast<std::uint32_t>(map.integer_or("serial", 0, top, 0));
+  map.finish();
+  return identity;
+}
+
+LinkConfig read_link(const YamlMap& map) {
+  LinkConfig link;
+  link.length_m = map.quantity("length", "m", 0.01, 2.0);
+  link.mass_kg = map.quantity("mass", "kg", 0.0, 100.0);
+  link.com_m = map.quantity("com", "m", -1.0, 2.0);
+  link.inertia_kg_m2 = map.quantity("inertia", "kg m^2", 0.0, 10.0);
+  map.finish();
+  return link;
+}
+
+std::vector<double> read_transmission(const YamlMap& map, std::size_t count) {
+  std::vector<double> flat;
+  const auto rows = map.matrix("transmission", -10.0, 10.0);
+  for (const auto& row : rows) {
+    flat.insert(flat.end(), row.begin(), row.end());
+  }
+  if (rows.size() != count || flat.size() != count * count) {
+    map.fail("transmission",
+             "expected " + std::to_string(count) + " rows of " + std::to_string(count) + " numbers");
+  }
+  return flat;
+}
+
+std::array<double, 3> read_axes(const YamlMap& map, const std::string& unit, double high) {
+  const std::array<double, 3> axes{map.quantity("x", unit, 0, high), map.quantity("y", unit, 0, high),
+                                   map.quantity("z", unit, 0, high)};
+  map.finish();
+  return axes;
+}
+
+StiffnessConfig read_stiffness(const YamlMap& map) {
+  StiffnessConfig config;
+  config.stiffness_N_m = read_axes(map.map("stiffness"), "N/m", 1e5);
+  config.damping_N_s_m = read_axes(map.map("damping"), "N s/m", 1e4);
+  config.velocity_feedforward = map.quantity("velocity_feedforward", "", 0, 1);
+  map.finish();
+  return config;
+}
+
+JumpCurveConfig read_jump_curve(const YamlMap& map) {
+  JumpCurveConfig curve;
+  curve.duration_s = map.quantity("duration", "s", 0.02, 5.0);
+  curve.lengths_m = map.quantities("lengths", "m", 0.05, 3.0);
+  if (curve.lengths_m.size() < 2 || curve.lengths_m.size() > 17) {
+    map.fail("lengths", "expected 2 to 17 control points, found " + std::to_string(curve.lengths_m.size()));
+  }
+  map.finish();
+  return curve;
+}
+
+}  // namespace
+
+BusConfig read_bus(const YamlMap& map) {
+  BusConfig bus{map.text("name"), map.text("can")};
+  const bool known = bus.can.rfind("socketcan:", 0) == 0 || bus.can.rfind("udp:", 0) == 0 ||
+                     bus.can.rfind("memory:", 0) == 0;
+  if (!known) {
+    map.fail("can", "expected socketcan:IFACE, udp:GROUP:PORT or memory:NAME, found '" + bus.can + "'");
+  }
+  map.finish();
+  return bus;
+}
+
+ActuatorConfig read_actuator(const YamlMap& map, const std::vector<BusConfig>& buses) {
+  ActuatorConfig a;
+  a.name = map.text("name");
+  a.bus = index_of(buses, map.text("bus"), map, "bus");
+  a.node = static_cast<int>(map.integer("node", 1, 126));
+  a.profile = map.text("profile");
+  a.identity = read_identity(map.map("identity"));
+  a.gear_ratio = map.quantity("gear_ratio", "", 1, 1000);
+  a.direction = static_cast<double>(map.integer("direction", -1, 1));
+  if (a.direction == 0.0) {
+    map.fail("direction", "expected 1 or -1, found 0");
+  }
+  a.torque_constant_Nm_A = map.quantity("torque_constant", "Nm/A", 1e-4, 10);
+  a.rated_current_A = map.quantity("rated_current", "A", 0.01, 1000);
+  a.encoder_counts_per_turn = static_cast<double>(map.integer("encoder_counts", 16, 1 << 24));
+  a.offset_rad = map.quantity("offset", "rad", -100, 100);
+  a.referenced = map.flag("referenced");
+  a.torque_limit_Nm = map.quantity("torque_limit", "Nm", 0.01, 2000);
+  a.speed_limit_rad_s = map.quantity("speed_limit", "rad/s", 0.01, 200);
+  const YamlMap loop = map.map("position_loop");
+  a.position_stiffness_Nm_rad = loop.quantity("stiffness", "Nm/rad", 0, 1e5);
+  a.position_damping_Nm_s_rad = loop.quantity("damping", "Nm s/rad", 0, 1e4);
+  loop.finish();
+  a.safety_damping_Nm_s_rad = map.quantity("safety_damping", "Nm s/rad", 0, 1000);
+  map.finish();
+  return a;
+}
+
+JointConfig read_joint(const YamlMap& map) {
+  JointConfig joint;
+  joint.name = map.text("name");
+  const YamlMap position = map.map("position");
+  joint.position_min_rad = position.quantity("min", "rad", -10, 10);
+  joint.position_max_rad = position.quantity("max", "rad", -10, 10);
+  if (joint.position_max_rad <= joint.position_min_rad) {
+    position.fail("max", "must be above min");
+  }
+  position.finish();
+  joint.armature_kg_m2 = map.quantity("armature", "kg m^2", 0, 50);
+  joint.coulomb_friction_Nm = map.quantity("coulomb_friction", "Nm", 0, 500);
+  joint.friction_source = map.text("friction_source");
+  map.finish();
+  return joint;
+}
+
+LegConfig read_leg(const YamlMap& map, const RobotConfig& robot) {
+  LegConfig leg;
+  leg.name = map.text("name");
+  leg.kinematics = map.text("kinematics");
+  leg.joints = indices_of(robot.joints, map, "joints");
+  leg.actuators = indices_of(robot.actuators, map, "actuators");
+  if (leg.joints.size() != leg.actuators.size()) {
+    map.fail("actuators", "a leg needs as many actuators as joints");
+  }
+  leg.transmission = read_transmission(map, leg.joints.size());
+  for (const YamlMap& link : map.list("links")) {
+    leg.links.push_back(read_link(link));
+  }
+  const YamlMap contact = map.map("contact");
+  leg.contact_on_N = contact.quantity("on", "N", 0.1, 1e4);
+  leg.contact_off_N = contact.quantity("off", "N", 0.0, leg.contact_on_N);
+  leg.contact_rise_s = contact.quantity("rise", "s", 0, 1);
+  leg.contact_fall_s = contact.quantity("fall", "s", 0, 1);
+  contact.finish();
+  map.finish();
+  return leg;
+}
+
+WatchdogConfig read_watchdogs(const YamlMap& map) {
+  WatchdogConfig w;
+  w.command_hold_s = map.quantity("command_hold", "s", 0, 1);
+  w.command_stop_s = map.quantity("command_stop", "s", w.command_hold_s, 10);
+  w.leg_command_s = map.quantity("leg_command", "s", 0, 1);
+  w.joint_state_s = map.quantity("joint_state", "s", 0, 1);
+  w.silent_cycles = static_cast<int>(map.integer("silent_cycles", 0, 1000));
+  w.overruns_in_row = static_cast<int>(map.integer("overruns_in_row", 1, 1000));
+  w.heartbeat_s = map.quantity("heartbeat", "s", 0.001, 1);
+  w.heartbeat_consumer_s = map.quantity("heartbeat_consumer", "s", 2 * w.heartbeat_s, 10);
+  w.drive_heartbeat_s = map.quantity("drive_heartbeat", "s", 2 * w.heartbeat_s, 10);
+  map.finish();
+  return w;
+}
+
+PresetConfig read_preset(const std::string& name, const YamlMap& map) {
+  PresetConfig p;
+  p.name = name;
+  p.friction_compensation = map.quantity("friction_compensation", "", 0, 1);
+  p.friction_smoothing_rad_s = map.quantity("friction_smoothing", "rad/s", 1e-4, 10);
+  p.stand_length_m = map.quantity("stand_length", "m", 0.01, 3);
+  p.sit_length_m = map.quantity("sit_length", "m", 0.01, p.stand_length_m);
+  p.rise_time_s = map.quantity("rise_time", "s", 0.1, 30);
+  p.crouch_time_s = map.quantity("crouch_time", "s", 0.05, 30);
+  p.settle_time_s = map.quantity("settle_time", "s", 0, 30);
+  p.recover_time_s = map.quantity("recover_time", "s", 0.05, 30);
+  p.landing_hold_s = map.quantity("landing_hold", "s", 0, 30);
+  p.landing_length_m = map.quantity("landing_length", "m", 0.01, 3);
+  p.flight_timeout_s = map.quantity("flight_timeout", "s", 0.01, 10);
+  p.thrust_timeout_s = map.quantity("thrust_timeout", "s", 0.01, 10);
+  p.hybrid_switch_s = map.quantity("hybrid_switch", "s", 0, 10);
+  p.jump_curve = read_jump_curve(map.map("jump_curve"));
+  p.torque_jump = read_stiffness(map.map("torque_jump"));
+  p.hybrid_landing = read_stiffness(map.map("hybrid_landing"));
+  map.finish();
+  return p;
+}
+
+ProcessConfig read_process(const YamlMap& map) {
+  ProcessConfig process;
+  process.program = map.text("program");
+  process.priority = static_cast<int>(map.integer("priority", 0, 98));
+  process.cpu = static_cast<int>(map.integer("cpu", -1, 1023));
+  map.finish();
+  return process;
+}
+
+}  // namespace sprung::robot_sections

@@ -1,0 +1,144 @@
+#include "robots/robot_loader.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+namespace sprung {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+std::string shipped_text() {
+  std::ifstream in(std::string(SPRUNG_SOURCE_DIR) + "/robots/single_leg/robot.yaml");
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+/// A folder with the shipped robot.yaml after one change; gone at the end.
+class ChangedRobot : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() / ("sprung_robot_" + std::to_string(getpid()));
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string complaint(const std::string& from, const std::string& to) {
+    std::string text = shipped_text();
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    text.replace(at, from.size(), to);
+    std::ofstream(folder_ / "robot.yaml") << text;
+    try {
+      load_robot(folder_.string());
+    } catch (const ConfigError& error) {
+      return error.what();
+    }
+    return "nothing was refused";
+  }
+  fs::path folder_;
+};
+
+TEST(RobotLoader, ShippedSingleLegIsValid) {
+  const RobotConfig robot = load_robot("single_leg");
+  EXPECT_EQ(robot.name, "single_leg");
+  EXPECT_DOUBLE_EQ(robot.cycle_s, 0.001);
+  ASSERT_EQ(robot.actuators.size(), 2u);
+  EXPECT_EQ(robot.actuators[1].node, 2);
+  EXPECT_EQ(robot.actuators[0].identity.vendor, 0x9Au);
+  ASSERT_EQ(robot.legs.size(), 1u);
+  EXPECT_EQ(robot.legs[0].joints, (std::vector<int>{0, 1}));
+  EXPECT_EQ(robot.legs[0].links[1].length_m, 0.422);
+  EXPECT_EQ(robot.preset("paper").jump_curve.lengths_m.size(), 7u);
+  EXPECT_EQ(robot.watchdogs.heartbeat_consumer_s, 0.020);
+}
+
+TEST(RobotLoader, FrictionIsThePapersUntilIdentified) {
+  for (const JointConfig& joint : load_robot("single_leg").joints) {
+    EXPECT_DOUBLE_EQ(joint.coulomb_friction_Nm, 1.79) << joint.name;
+    EXPECT_THAT(joint.friction_source, HasSubstr("S0"));
+  }
+}
+
+TEST(RobotLoader, UnknownRobotNamesThoseThereAre) {
+  try {
+    load_robot("nobody");
+    FAIL() << "an unknown robot was accepted";
+  } catch (const ConfigError& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("no robot 'nobody'"), HasSubstr("single_leg")));
+  }
+}
+
+TEST(RobotLoader, UnknownPresetNamesThoseThereAre) {
+  EXPECT_THAT(
+      [] { (void)load_robot("single_leg").preset("worst"); },
+      testing::ThrowsMessage<std::invalid_argument>(AllOf(HasSubstr("worst"), HasSubstr("paper, best"))));
+}
+
+TEST_F(ChangedRobot, UnknownKeyIsRefused) {
+  EXPECT_THAT(complaint("gear_ratio: 100 ", "gear_ratio: 100\n    gear_color: red "),
+              HasSubstr("gear_color' is unknown"));
+}
+
+TEST_F(ChangedRobot, MissingKeyIsRefused) {
+  EXPECT_THAT(complaint("    gear_ratio: 100  ", "    # "), HasSubstr("actuators[0].gear_ratio' is missing"));
+}
+
+TEST_F(ChangedRobot, MissingUnitIsRefused) {
+  EXPECT_THAT(complaint("torque_limit: 171.6 Nm", "torque_limit: 171.6"), HasSubstr("unit is missing"));
+}
+
+TEST_F(ChangedRobot, WrongUnitIsRefused) {
+  EXPECT_THAT(complaint("torque_limit: 171.6 Nm", "torque_limit: 171.6 N"), HasSubstr("wrong unit 'N'"));
+}
+
+TEST_F(ChangedRobot, ImpossibleValueIsRefused) {
+  EXPECT_THAT(complaint("gear_ratio: 100 ", "gear_ratio: 0 "), HasSubstr("out of range"));
+  EXPECT_THAT(complaint("direction: 1\n", "direction: 0\n"), HasSubstr("expected 1 or -1"));
+}
+
+TEST_F(ChangedRobot, TwoDrivesOnOneNodeIdAreRefused) {
+  EXPECT_THAT(complaint("node: 2", "node: 1"),
+              AllOf(HasSubstr("hip_motor and knee_motor share node id 1"), HasSubstr("bus leg")));
+}
+
+TEST_F(ChangedRobot, UnknownNamesAreRefusedWithTheKnownOnes) {
+  EXPECT_THAT(complaint("joints: [hip, knee]", "joints: [hip, ankle]"),
+              AllOf(HasSubstr("'ankle' is not known"), HasSubstr("hip, knee")));
+  EXPECT_THAT(complaint("bus: leg", "bus: arm"), HasSubstr("'arm' is not known"));
+}
+
+TEST_F(ChangedRobot, NamesThatStandTwiceAreRefused) {
+  EXPECT_THAT(complaint("name: knee_motor", "name: hip_motor"), HasSubstr("'hip_motor' stands twice"));
+}
+
+TEST_F(ChangedRobot, LooseJointIsRefused) {
+  EXPECT_THAT(complaint("joints: [hip, knee]", "joints: [hip, hip]"), HasSubstr("exactly one leg"));
+}
+
+TEST_F(ChangedRobot, TransmissionOfWrongSizeIsRefused) {
+  EXPECT_THAT(complaint("transmission: [[1, 0], [0, 1]]", "transmission: [[1, 0]]"),
+              HasSubstr("2 rows of 2 numbers"));
+}
+
+TEST_F(ChangedRobot, UnknownBusKindIsRefused) {
+  EXPECT_THAT(complaint("udp:239.74.163.2:43113", "tcp:x"), HasSubstr("socketcan:IFACE"));
+}
+
+TEST_F(ChangedRobot, JointLimitsInWrongOrderAreRefused) {
+  EXPECT_THAT(complaint("max: 3.7 rad", "max: -3.7 rad"), HasSubstr("must be above min"));
+}
+
+TEST_F(ChangedRobot, HashFollowsTheFile) {
+  EXPECT_EQ(complaint("gear_ratio: 100 ", "gear_ratio: 101 "), "nothing was refused");
+  EXPECT_NE(load_robot(folder_.string()).hash, load_robot("single_leg").hash);
+}
+
+}  // namespace
+}  // namespace sprung

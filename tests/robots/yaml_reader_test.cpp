@@ -1,0 +1,106 @@
+#include "robots/yaml_reader.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "robots/robot_loader.h"
+
+namespace sprung {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+YamlMap parse(const std::string& text) { return YamlMap::parse(text, "test.yaml"); }
+
+template <class Action>
+std::string complaint(Action action) {
+  try {
+    action();
+  } catch (const ConfigError& error) {
+    return error.what();
+  }
+  return "nothing was refused";
+}
+
+TEST(YamlReader, QuantityIsReadWithItsUnit) {
+  EXPECT_DOUBLE_EQ(parse("mass: 4.13 kg").quantity("mass", "kg", 0, 10), 4.13);
+  EXPECT_DOUBLE_EQ(parse("ratio: 100").quantity("ratio", "", 0, 1000), 100.0);
+  EXPECT_DOUBLE_EQ(parse("w: -1e-2 kg m^2").quantity("w", "kg m^2", -1, 1), -0.01);
+}
+
+TEST(YamlReader, MillisecondsAreSeconds) {
+  EXPECT_DOUBLE_EQ(parse("t: 20 ms").quantity("t", "s", 0, 1), 0.020);
+}
+
+TEST(YamlReader, MissingKeyIsNamedWithFileAndLine) {
+  EXPECT_THAT(complaint([] { (void)parse("a: 1").quantity("b", "", 0, 1); }),
+              AllOf(HasSubstr("test.yaml:1"), HasSubstr("'b' is missing")));
+}
+
+TEST(YamlReader, MissingUnitIsRefused) {
+  EXPECT_THAT(complaint([] { (void)parse("a: 1\nmass: 4.13").quantity("mass", "kg", 0, 10); }),
+              AllOf(HasSubstr("test.yaml:2"), HasSubstr("unit is missing"), HasSubstr("'kg'")));
+}
+
+TEST(YamlReader, WrongUnitIsRefused) {
+  EXPECT_THAT(complaint([] { (void)parse("torque: 3 N").quantity("torque", "Nm", 0, 10); }),
+              AllOf(HasSubstr("wrong unit 'N'"), HasSubstr("'Nm'")));
+  EXPECT_THAT(complaint([] { (void)parse("ratio: 3 N").quantity("ratio", "", 0, 10); }),
+              HasSubstr("wrong unit 'N'"));
+}
+
+TEST(YamlReader, OutOfRangeIsRefusedWithTheRange) {
+  EXPECT_THAT(complaint([] { (void)parse("mass: -1 kg").quantity("mass", "kg", 0, 10); }),
+              AllOf(HasSubstr("out of range"), HasSubstr("0 to 10 kg")));
+}
+
+TEST(YamlReader, WhatIsNoNumberIsRefused) {
+  for (const char* text : {"a: x", "a: nan kg", "a: inf kg", "a: 3kg", "a: [1, 2]", "a: ''"}) {
+    EXPECT_THAT(complaint([&] { (void)parse(text).quantity("a", "kg", 0, 10); }), HasSubstr("expected"))
+        << text;
+  }
+}
+
+TEST(YamlReader, UnknownKeyIsRefusedWithTheKnownOnes) {
+  const YamlMap map = parse("a: 1\nzz: 2");
+  (void)map.quantity("a", "", 0, 1);
+  EXPECT_THAT(complaint([&] { map.finish(); }),
+              AllOf(HasSubstr("test.yaml:2"), HasSubstr("'zz' is unknown"), HasSubstr("known here: a")));
+}
+
+TEST(YamlReader, KeyThatStandsTwiceIsRefused) {
+  const YamlMap map = parse("a: 1\na: 2");
+  (void)map.quantity("a", "", 0, 3);
+  EXPECT_THAT(complaint([&] { map.finish(); }), HasSubstr("'a' stands twice"));
+}
+
+TEST(YamlReader, NestedKeysAreNamedByTheirPath) {
+  EXPECT_THAT(complaint([] { (void)parse("legs:\n  - {name: x}").list("legs")[0].text("kinematics"); }),
+              HasSubstr("'legs[0].kinematics' is missing"));
+}
+
+TEST(YamlReader, IntegersMayBeHexadecimal) {
+  EXPECT_EQ(parse("v: 0x9A").integer("v", 0, 255), 0x9A);
+  EXPECT_THAT(complaint([] { (void)parse("v: 1.5").integer("v", 0, 255); }), HasSubstr("whole number"));
+  EXPECT_THAT(complaint([] { (void)parse("v: 256").integer("v", 0, 255); }), HasSubstr("out of range"));
+}
+
+TEST(YamlReader, FlagsAreTrueOrFalse) {
+  EXPECT_TRUE(parse("f: true").flag("f"));
+  EXPECT_THAT(complaint([] { (void)parse("f: yes").flag("f"); }), HasSubstr("true or false"));
+}
+
+TEST(YamlReader, BrokenYamlNamesTheLine) {
+  EXPECT_THAT(complaint([] { (void)parse("a: 1\nb: [1, 2"); }), HasSubstr("no YAML"));
+  EXPECT_THAT(complaint([] { (void)parse("- 1\n- 2"); }), HasSubstr("map of keys"));
+  EXPECT_THAT(complaint([] { (void)YamlMap::load("/nowhere/robot.yaml"); }), HasSubstr("cannot be read"));
+}
+
+TEST(YamlReader, MatrixRowsMustBeLists) {
+  EXPECT_EQ(parse("m: [[1, 0], [0.01, 1]]").matrix("m", -1, 1)[1][0], 0.01);
+  EXPECT_THAT(complaint([] { (void)parse("m: [1, 0]").matrix("m", -1, 1); }), HasSubstr("list of rows"));
+}
+
+}  // namespace
+}  // namespace sprung
