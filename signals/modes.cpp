@@ -208,6 +208,8 @@ const char* name(OperatorOutcome value) noexcept {
       return "done";
     case OperatorOutcome::kFailed:
       return "failed";
+    case OperatorOutcome::kQueued:
+      return "queued";
   }
   return "unknown";
 }

@@ -98,7 +98,7 @@ enum class OperatorKind : std::int8_t {
   kSit = 6
 };
 
-enum class OperatorOutcome : std::int8_t { kAccepted = 0, kRefused = 1, kDone = 2, kFailed = 3 };
+enum class OperatorOutcome : std::int8_t { kAccepted = 0, kRefused = 1, kDone = 2, kFailed = 3, kQueued = 4 };
 
 enum class ProcessState : std::int8_t { kStarting = 0, kReady = 1, kRunning = 2, kStopping = 3 };
 

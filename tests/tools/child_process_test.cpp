@@ -1,0 +1,55 @@
+#include "tools/launcher/child_process.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <thread>
+
+namespace sprung {
+namespace {
+
+int wait_for(ChildProcess& child) {
+  while (!child.ended()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return *child.ended();
+}
+
+TEST(ChildProcess, ExitStatusIsReported) {
+  ChildProcess child("/bin/sh", {"-c", "exit 7"});
+  EXPECT_EQ(wait_for(child), 7);
+}
+
+TEST(ChildProcess, DeathBySignalIsReported) {
+  ChildProcess child("/bin/sleep", {"1000"});
+  child.signal(SIGKILL);
+  EXPECT_EQ(wait_for(child), 128 + SIGKILL);
+}
+
+TEST(ChildProcess, MissingProgramIsNamed) {
+  EXPECT_THAT(
+      [] { ChildProcess("/nowhere/sprung-x", {}); },
+      testing::ThrowsMessage<std::runtime_error>(testing::HasSubstr("cannot start /nowhere/sprung-x")));
+}
+
+TEST(ChildProcess, StopIsPolite) {
+  ChildProcess child("/bin/sleep", {"1000"});
+  EXPECT_EQ(child.stop(5.0), 128 + SIGTERM);
+}
+
+TEST(ChildProcess, StopEndsWhatWillNotListen) {
+  ChildProcess child("/bin/sh", {"-c", "trap '' TERM; while :; do sleep 0.01; done"});
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  EXPECT_EQ(child.stop(0.05), 128 + SIGKILL);
+}
+
+TEST(ChildProcess, HasItsOwnProcessGroup) {
+  ChildProcess child("/bin/sleep", {"1000"});
+  EXPECT_NE(getpgid(child.pid()), getpgid(0));
+  child.stop(1.0);
+}
+
+}  // namespace
+}  // namespace sprung

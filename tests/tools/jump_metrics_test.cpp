@@ -1,0 +1,97 @@
+#include "tools/experiments/jump_metrics.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "robots/robot_loader.h"
+
+namespace sprung {
+namespace {
+
+/// Plays a made-up jump of known height through the metrics.
+class JumpMetricsTest : public testing::Test {
+ protected:
+  void cycle(MotionPhase phase, double hip_height_m, double ground_force_N, double knee_torque_Nm = 0.0,
+             double knee_output_Nm = 0.0) {
+    motion_.state = phase;
+    truth_.stamp.utime_us += 1000;
+    truth_.base_in_world_m[2] = hip_height_m;
+    truth_.legs[0].true_contact_force_N[2] = ground_force_N;
+    truth_.joints[1].true_gear_output_torque_Nm = knee_output_Nm;
+    joints_.joints[0].motor_side_torque_Nm = 3.0;
+    joints_.joints[1].motor_side_torque_Nm = knee_torque_Nm;
+    joints_.joints[1].estimated_position_rad = knee_rad_;
+    metrics_.add(motion_, joints_, truth_);
+  }
+  void jump(int flight_cycles = 200) {
+    cycle(MotionPhase::kStanding, 0.40, 50);
+    for (int i = 0; i < 100; ++i) cycle(MotionPhase::kThrust, 0.35 + 0.001 * i, 150, i == 5 ? -120.0 : 40.0);
+    for (int i = 0; i < flight_cycles; ++i) cycle(MotionPhase::kFlight, i == 90 ? 0.65 : 0.50, 0);
+    for (int i = 0; i < 200; ++i)
+      cycle(MotionPhase::kLanding, 0.38, 80, i == 7 ? 25.0 : 10.0, i == 9 ? -60.0 : 20.0);
+  }
+
+  RobotConfig robot_ = load_robot("single_leg");
+  JumpMetrics metrics_{robot_};
+  MotionState motion_{1};
+  JointState joints_{2, 1};
+  SimTruth truth_{2, 1};
+  double knee_rad_ = 1.5;
+};
+
+TEST_F(JumpMetricsTest, HeightIsTheRiseAboveLiftOff) {
+  jump();
+  cycle(MotionPhase::kStanding, 0.45, 50);
+  ASSERT_EQ(metrics_.jumps().size(), 1u);
+  const JumpResult& result = metrics_.jumps()[0];
+  EXPECT_TRUE(result.upright);
+  EXPECT_NEAR(result.height_mm, 150.0, 1e-9);
+  EXPECT_NEAR(result.touchdown_time_ms, 300.0, 1e-9);
+}
+
+TEST_F(JumpMetricsTest, PeaksAreAbsoluteAndApartForJumpAndLanding) {
+  jump();
+  const JumpResult& result = metrics_.jumps()[0];
+  EXPECT_DOUBLE_EQ(result.peak_knee_torque_Nm, 120.0);
+  EXPECT_DOUBLE_EQ(result.peak_hip_torque_Nm, 3.0);
+  EXPECT_DOUBLE_EQ(result.landing_knee_torque_Nm, 25.0);
+  EXPECT_DOUBLE_EQ(result.landing_knee_output_torque_Nm, 60.0);
+}
+
+TEST_F(JumpMetricsTest, FoldedLegIsNoJump) {
+  knee_rad_ = robot_.joints[1].position_max_rad;
+  jump();
+  cycle(MotionPhase::kStanding, 0.45, 50);
+  EXPECT_FALSE(metrics_.jumps()[0].upright);
+  EXPECT_TRUE(std::isnan(metrics_.jumps()[0].height_mm));
+}
+
+TEST_F(JumpMetricsTest, UnfinishedJumpHasNoHeight) {
+  jump();
+  EXPECT_FALSE(metrics_.jumps()[0].upright);
+  EXPECT_TRUE(std::isnan(metrics_.jumps()[0].height_mm));
+}
+
+TEST_F(JumpMetricsTest, ShortHopIsNoFlight) {
+  jump(10);
+  EXPECT_TRUE(std::isnan(metrics_.jumps()[0].touchdown_time_ms));
+}
+
+TEST_F(JumpMetricsTest, EveryJumpIsListed) {
+  jump();
+  cycle(MotionPhase::kCrouch, 0.45, 50);
+  jump();
+  cycle(MotionPhase::kStanding, 0.45, 50);
+  EXPECT_EQ(metrics_.jumps().size(), 2u);
+  EXPECT_TRUE(metrics_.jumps()[0].upright);
+}
+
+TEST(JumpMetrics, RobotWithoutAKneeIsRefused) {
+  RobotConfig robot = load_robot("single_leg");
+  robot.joints[1].name = "ankle";
+  EXPECT_THROW(JumpMetrics{robot}, std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace sprung

@@ -1,0 +1,66 @@
+#pragma once
+/// The whole robot in one process: the same cores as the separate processes, called in the same order on the
+/// same frames, so that a run here and a lock-step run of separate processes agree bit for bit (design
+/// section 4). For experiments, sweeps and tests.
+#include <cstdint>
+#include <string>
+
+#include "controller/controller_core.h"
+#include "drivers/bridge/bridge_core.h"
+#include "drivers/sim/sim_core.h"
+#include "estimator/estimator_core.h"
+#include "planner/planner_core.h"
+#include "robots/robot_config.h"
+#include "signals/signals.h"
+
+namespace sprung {
+
+class InProcessRobot {
+ public:
+  /// @throws ConfigError, std::invalid_argument as the cores do.
+  InProcessRobot(const RobotConfig& robot, const std::string& preset, const SimOptions& sim);
+
+  /// One SYNC and all that follows from it. @return true when it was a cycle, false while the drives boot.
+  bool tick();
+  /// Ticks until cycle 0 has run. @throws std::runtime_error with the bridge's boot detail after `limit_s` of
+  /// message time.
+  void boot(double limit_s = 5.0);
+
+  /// To planner or bridge, by kind. Takes effect at command.apply_at_seq or in the next cycle.
+  void submit(const OperatorCommand& command);
+  /// Replies in order; false when there is none left.
+  bool next_reply(OperatorReply& out);
+
+  std::int64_t cycle() const { return drive_state_.stamp.seq; }
+  const DriveState& drive_state() const { return drive_state_; }
+  const JointState& joint_state() const { return joint_state_; }
+  const LegCommand& leg_command() const { return leg_command_; }
+  const MotionState& motion_state() const { return motion_state_; }
+  const DriveCommand& drive_command() const { return drive_command_; }
+  const SimTruth& truth() const { return sim_.truth(); }
+  const BridgeCore& bridge() const { return bridge_; }
+  SimCore& sim() { return sim_; }
+
+ private:
+  void exchange_frames();
+  void run_cores();
+
+  const std::int64_t cycle_us_;
+  std::int64_t time_us_ = 0;
+  BridgeCore bridge_;
+  SimCore sim_;
+  EstimatorCore estimator_;
+  PlannerCore planner_;
+  ControllerCore controller_;
+  DriveState drive_state_;
+  JointState joint_state_;
+  LegCommand leg_command_;  ///< of the last cycle when the controller reads it
+  MotionState motion_state_;
+  DriveCommand drive_command_;
+  FrameBatch to_drives_;
+  FrameBatch from_drives_;
+  OperatorReply bridge_reply_;
+  bool has_bridge_reply_ = false;
+};
+
+}  // namespace sprung

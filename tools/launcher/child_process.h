@@ -1,0 +1,32 @@
+#pragma once
+/// One child of the launcher. It gets its own process group, so that Ctrl-C reaches the launcher alone and
+/// the stop order holds, and it dies with the launcher whatever happens to that.
+#include <sys/types.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sprung {
+
+class ChildProcess {
+ public:
+  /// @throws std::runtime_error when the program cannot be started, naming it.
+  ChildProcess(const std::string& path, const std::vector<std::string>& arguments);
+
+  pid_t pid() const { return pid_; }
+  /// Exit status when it has ended: 0..255, or 128 + signal; nullopt while it runs.
+  std::optional<int> ended();
+  void signal(int number);
+  /// SIGTERM, wait, SIGKILL after patience_s. @return exit status as in ended().
+  int stop(double patience_s);
+
+ private:
+  pid_t pid_ = -1;
+  std::optional<int> status_;
+};
+
+/// Folder of the running program: siblings are started from there, whatever PATH says.
+std::string program_folder();
+
+}  // namespace sprung
