@@ -1,7 +1,7 @@
 #pragma once
-/// The simulated robot without its process: full CANopen drives in front of a MuJoCo plant. Frames and a time in, frames
-/// and the truth out. The same core serves lock-step and in-process runs (frames given with the times at which they act)
-/// and real time (frames given as they arrive).
+/// The simulated robot without its process: full CANopen drives in front of a MuJoCo plant. Frames and a time
+/// in, frames and the truth out. The same core serves lock-step and in-process runs (frames given with the
+/// times at which they act) and real time (frames given as they arrive).
 ///
 /// The plant is held still until the first SYNC that finds every drive NMT-operational: that SYNC is cycle 0.
 #include <cstdint>
@@ -17,7 +17,8 @@ namespace sprung {
 
 struct SimOptions {
   std::uint64_t seed = 1;
-  /// Changes values of sim.yaml for this run: friction_scale, mass_scale, kt_scale, ground_stiffness, ... (docs in sim.yaml).
+  /// Changes values of sim.yaml for this run: friction_scale, mass_scale, kt_scale, ground_stiffness, ...
+  /// (docs in sim.yaml).
   std::map<std::string, double> plant;
   bool truth = true;  ///< fill SIM_TRUTH; must change nothing else
 };
@@ -34,14 +35,15 @@ class SimCore {
   void receive(int bus, const CanFrame& frame, std::int64_t time_us) noexcept;
   /// Steps drives and plant up to and including time_us; what the drives sent is appended to out.
   void advance_to(std::int64_t time_us, FrameBatch& out) noexcept;
-  /// When the master's i-th frame of a burst acts: SYNC at the tick, answers and set-points after it by the bus schedule
-  /// (55 + 10 n us a frame at 1 Mbit/s) and the configured compute time. Used by lock-step and in-process shells.
+  /// When the master's i-th frame of a burst acts: SYNC at the tick, answers and set-points after it by the
+  /// bus schedule (55 + 10 n us a frame at 1 Mbit/s) and the configured compute time. Used by lock-step and
+  /// in-process shells.
   void receive_burst(const FrameBatch& burst, std::int64_t last_sync_us, std::int64_t sync_us) noexcept;
 
   void control(const SimControl& control) noexcept;
   std::int64_t cycle() const noexcept;     ///< of the last SYNC; -1 before cycle 0
   const SimTruth& truth() const noexcept;  ///< at the last SYNC
-  bool failed() const noexcept;            ///< a MuJoCo warning or a number that is not finite: the run is void
+  bool failed() const noexcept;  ///< a MuJoCo warning or a number that is not finite: the run is void
   const char* failure() const noexcept;
 
  private:

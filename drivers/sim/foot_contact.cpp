@@ -1,0 +1,35 @@
+#include "drivers/sim/foot_contact.h"
+
+#include <mujoco/mujoco.h>
+
+namespace sprung::sim {
+namespace {
+
+mjfCollision& plane_sphere() { return mjCOLLISIONFUNC[mjGEOM_PLANE][mjGEOM_SPHERE]; }
+
+mjfCollision mujocos_own() {
+  static const mjfCollision own = plane_sphere();
+  return own;
+}
+
+int contact_at_lowest_point(const mjModel* model, const mjData* data, mjContact* contacts, int plane,
+                            int sphere, mjtNum margin) {
+  const int count = mujocos_own()(model, data, contacts, plane, sphere, margin);
+  for (int i = 0; i < count; ++i) {
+    const mjtNum* normal = contacts[i].frame;
+    mju_addScl3(contacts[i].pos, data->geom_xpos + 3 * sphere, normal, -model->geom_size[3 * sphere]);
+  }
+  return count;
+}
+
+void keep_silent(const char* /*message*/) {}
+
+}  // namespace
+
+void use_foot_contact() {
+  mujocos_own();  // remembered before it is replaced
+  plane_sphere() = contact_at_lowest_point;
+  mju_user_warning = keep_silent;
+}
+
+}  // namespace sprung::sim

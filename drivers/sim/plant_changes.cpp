@@ -1,0 +1,89 @@
+#include "drivers/sim/sim_config.h"
+#include "robots/robot_loader.h"
+
+namespace sprung::sim {
+namespace {
+
+struct Change {
+  const char* key;
+  double low;
+  double high;
+  void (*apply)(SimConfig& config, double value);
+};
+
+template <typename Action>
+void each_joint(SimConfig& config, Action action) {
+  for (PlantJointConfig& joint : config.plant.joints) action(joint);
+}
+
+template <typename Action>
+void each_drive(SimConfig& config, Action action) {
+  for (SimDriveConfig& drive : config.drives) action(drive);
+}
+
+void scale_mass(SimConfig& config, double scale) {
+  for (PlantBodyConfig& body : config.plant.bodies) body.mass_kg *= scale;
+}
+
+void scale_friction(SimConfig& config, double scale) {
+  each_joint(config, [scale](PlantJointConfig& joint) {
+    joint.friction.coulomb_Nm *= scale;
+    joint.friction.breakaway_Nm *= scale;
+    joint.friction.viscous_Nm_s_rad *= scale;
+    joint.friction.load_share *= scale;
+  });
+}
+
+void scale_armature(SimConfig& config, double scale) {
+  each_joint(config, [scale](PlantJointConfig& joint) { joint.armature_kg_m2 *= scale; });
+}
+
+/// What `--plant` may change, in SI units (times in us where the key says so), sorted by key.
+constexpr Change kChanges[] = {
+    {"armature_scale", 0.01, 100, scale_armature},
+    {"compute_time_us", 0, 1e5, [](SimConfig& c, double v) { c.timing.compute_s = 1e-6 * v; }},
+    {"floor_height", -10, 10, [](SimConfig& c, double v) { c.plant.floor_height_m = v; }},
+    {"friction_scale", 0, 100, scale_friction},
+    {"ground_damping", 0, 1e6, [](SimConfig& c, double v) { c.plant.contact.damping_N_s_m = v; }},
+    {"ground_friction", 0, 10, [](SimConfig& c, double v) { c.plant.contact.friction = v; }},
+    {"ground_stiffness", 1, 1e7, [](SimConfig& c, double v) { c.plant.contact.stiffness_N_m = v; }},
+    {"kt_scale", 0.1, 10,
+     [](SimConfig& c, double v) {
+       each_drive(c, [v](SimDriveConfig& drive) { drive.torque_constant_Nm_A *= v; });
+     }},
+    {"mass_scale", 0.1, 10, scale_mass},
+    {"noise_scale", 0, 100,
+     [](SimConfig& c, double v) {
+       each_drive(c, [v](SimDriveConfig& drive) { drive.torque_noise_Nm *= v; });
+     }},
+    {"peak_torque", 0.001, 1e4,
+     [](SimConfig& c, double v) { each_drive(c, [v](SimDriveConfig& drive) { drive.peak_torque_Nm = v; }); }},
+    {"rail_x_locked", 0, 1, [](SimConfig& c, double v) { c.plant.rail_x_locked = v != 0.0; }},
+    {"sync_jitter_us", 0, 1000, [](SimConfig& c, double v) { c.timing.sync_jitter_s = 1e-6 * v; }},
+    {"torque_loop_Hz", 1, 1e4,
+     [](SimConfig& c, double v) { each_drive(c, [v](SimDriveConfig& drive) { drive.torque_loop_Hz = v; }); }},
+};
+
+const Change& find_change(const std::string& key) {
+  std::string known;
+  for (const Change& change : kChanges) {
+    if (key == change.key) return change;
+    known += std::string(known.empty() ? "" : ", ") + change.key;
+  }
+  throw ConfigError("--plant " + key + ": unknown key; there are " + known);
+}
+
+}  // namespace
+
+void apply_plant_changes(const std::map<std::string, double>& changes, SimConfig& config) {
+  for (const auto& [key, value] : changes) {
+    const Change& change = find_change(key);
+    if (!(value >= change.low && value <= change.high)) {
+      throw ConfigError("--plant " + key + ": found " + std::to_string(value) + ", expected " +
+                        std::to_string(change.low) + " to " + std::to_string(change.high));
+    }
+    change.apply(config, value);
+  }
+}
+
+}  // namespace sprung::sim

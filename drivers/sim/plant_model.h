@@ -1,0 +1,47 @@
+#pragma once
+/// model.xml as a MuJoCo model with sim.yaml's values written into it, and where in it the robot's parts are.
+/// Start-up only.
+#include <mujoco/mujoco.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "drivers/sim/sim_config.h"
+
+namespace sprung::sim {
+
+struct ModelDeleter {
+  void operator()(mjModel* model) const noexcept { mj_deleteModel(model); }
+};
+struct DataDeleter {
+  void operator()(mjData* data) const noexcept { mj_deleteData(data); }
+};
+using ModelPtr = std::unique_ptr<mjModel, ModelDeleter>;
+using DataPtr = std::unique_ptr<mjData, DataDeleter>;
+
+/// Generalised mass that holds a degree of freedom still: 500 N move it by 2.5 um in 10 ms. Exact to that,
+/// and unlike an equality constraint it adds no row to the solver.
+inline constexpr double kLockedMass = 1e9;
+
+/// Names that model.xml must have: a body `base`, a geom `floor`, a joint for each of robot.yaml's, a sphere
+/// `<leg>_foot` for each leg, and a base that hangs on a free joint or on slides of which `rail_z` is
+/// vertical.
+struct PlantIndex {
+  int base_body = -1;
+  int height_qpos = -1;         ///< of the base
+  std::vector<int> joint_qpos;  ///< of RobotConfig::joints
+  std::vector<int> joint_dof;
+  std::vector<int> foot_geom;  ///< of RobotConfig::legs
+};
+
+struct PlantModel {
+  ModelPtr model;
+  PlantIndex index;
+};
+
+/// Settings that make friction stick and a contact a real spring: facts physics 1-4.
+/// @throws ConfigError when model.xml cannot be read or lacks a name.
+PlantModel load_plant_model(const RobotConfig& robot, const PlantConfig& config);
+
+}  // namespace sprung::sim

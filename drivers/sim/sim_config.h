@@ -1,0 +1,83 @@
+#pragma once
+/// robots/<name>/sim.yaml: the true plant and the simulated drives, as read by SimCore alone. Start-up only.
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "robots/robot_config.h"
+
+namespace sprung::sim {
+
+/// Friction of one joint, output side:
+/// (coulomb + (breakaway - coulomb) exp(-(w / stribeck_speed)^2) + load_share |gear output torque|) and
+/// viscous w.
+struct FrictionConfig {
+  double coulomb_Nm = 0.0;
+  double breakaway_Nm = 0.0;
+  double stribeck_speed_rad_s = 1.0;
+  double viscous_Nm_s_rad = 0.0;
+  double load_share = 0.0;  ///< of the gear output torque's magnitude
+};
+
+struct PlantJointConfig {
+  std::string name;             ///< of the joint in robot.yaml and in model.xml
+  double initial_rad = 0.0;     ///< pose before cycle 0 and after a reset
+  double armature_kg_m2 = 0.0;  ///< ratio^2 * inertia of rotor and wave generator
+  double stop_min_rad = 0.0;    ///< mechanical end stops
+  double stop_max_rad = 0.0;
+  FrictionConfig friction;
+};
+
+/// A body's inertia in model.xml is scaled along with its mass.
+struct PlantBodyConfig {
+  std::string name;
+  double mass_kg = 0.0;
+};
+
+struct ContactConfig {
+  double stiffness_N_m = 0.0;
+  double damping_N_s_m = 0.0;
+  double friction = 0.0;  ///< Coulomb coefficient, foot on floor
+};
+
+struct PlantConfig {
+  double step_s = 0.0;
+  bool rail_x_locked = false;  ///< only where model.xml has a joint `rail_x`
+  double floor_height_m = 0.0;
+  std::vector<PlantBodyConfig> bodies;
+  std::vector<PlantJointConfig> joints;  ///< in the order of RobotConfig::joints
+  ContactConfig contact;
+};
+
+/// True values of one drive and motor; what the stack believes is in robot.yaml.
+struct SimDriveConfig {
+  std::string actuator;
+  double torque_constant_Nm_A = 0.0;  ///< motor side
+  double torque_loop_Hz = 0.0;        ///< first-order bandwidth of the current loop
+  double peak_torque_Nm = 0.0;        ///< gear output side, what the power stage can give
+  double torque_noise_Nm = 0.0;       ///< rms of the torque shown in 0x6077, gear output side
+  double supply_V = 0.0;
+  double quick_stop_damping_Nm_s_rad = 0.0;
+};
+
+struct TimingConfig {
+  double compute_s = 0.0;      ///< from the last answer to the first set-point on the bus
+  double sync_jitter_s = 0.0;  ///< rms of the instant at which an encoder is read
+};
+
+struct SimConfig {
+  PlantConfig plant;
+  std::vector<SimDriveConfig> drives;  ///< in the order of RobotConfig::actuators
+  TimingConfig timing;
+};
+
+/// Reads sim.yaml in robot.folder, then applies the `--plant` changes. @throws ConfigError with file, line
+/// and reason.
+SimConfig load_sim_config(const RobotConfig& robot, const std::map<std::string, double>& changes);
+
+/// `--plant key=value`. @throws ConfigError on an unknown key, naming those there are, or a value out of
+/// range.
+void apply_plant_changes(const std::map<std::string, double>& changes, SimConfig& config);
+
+}  // namespace sprung::sim
