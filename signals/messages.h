@@ -1,9 +1,9 @@
 #pragma once
-/// Signals to LCM messages and back, bit for bit (NaN too). Pure: no transport, clock or log. In place: once a message or a
-/// signal has its size, converting into it allocates nothing (texts aside).
+/// Signals to LCM messages and back, bit for bit (NaN too). Pure: no transport, clock or log. In place: once
+/// a message or a signal has its size, converting into it allocates nothing (texts aside).
 ///
-/// to_message fills every field. from_message returns false, and leaves `out` unspecified, when a count differs from the
-/// vectors it comes with or an enumeration holds a value that this build does not know.
+/// to_message fills every field. from_message returns false, and leaves `out` unspecified, when a count
+/// differs from the vectors it comes with or an enumeration holds a value that this build does not know.
 #include <cstdint>
 
 #include "signals/signals.h"

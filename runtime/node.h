@@ -1,0 +1,168 @@
+#pragma once
+/// A process's place on the LCM network. One LCM object publishes (the node's own thread only), another
+/// receives in a thread that always drains, through a receive guard, into slots and queues.
+///
+///   Node node(options);
+///   Slot<DriveState> drive_states{DriveState(n)};
+///   node.subscribe(channels::kDriveState, CountLimits::exactly(n), drive_states);
+///   auto joint_states = node.publisher<JointState>(channels::kJointState);
+///   node.start();
+///   while (!stop_requested()) {
+///     node.wait_for_input(node.utime_us() + 50'000);
+///     ...; joint_states.publish(out); process.publish_status_if_due();
+///   }
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "runtime/input_event.h"
+#include "runtime/input_queue.h"
+#include "runtime/message_layout.h"
+#include "runtime/receive_guard.h"
+#include "runtime/session_clock.h"
+#include "runtime/slot.h"
+#include "signals/messages.h"
+
+namespace sprung {
+
+inline constexpr const char* kDefaultLcmUrl = "udpm://239.255.76.67:7667?ttl=0&recv_buf_size=4194304";
+
+struct NodeOptions {
+  std::string lcm_url = kDefaultLcmUrl;
+  std::int64_t session = 0;         ///< sent with every message; only this one is accepted, 0 = any (tools)
+  std::int64_t epoch_us = 0;        ///< see SessionClock
+  std::vector<std::string> inject;  ///< see FaultInjection
+};
+
+class Node;
+
+/// Sends one kind of signal. Holds its message and buffer, so a cycle allocates nothing beyond LCM itself.
+template <class Signal>
+class Publisher {
+ public:
+  void publish(const Signal& signal);
+
+ private:
+  friend class Node;
+  Publisher(Node* node, const char* channel) : node_(node), channel_(channel) {}
+  Node* node_;
+  std::string channel_;
+  MessageOf<Signal> message_{};
+};
+
+class Node {
+ public:
+  /// @throws std::runtime_error when LCM cannot start, saying what to do; std::invalid_argument on a bad
+  /// injection.
+  explicit Node(const NodeOptions& options);
+  ~Node();  ///< stops and joins the receiving thread
+  Node(const Node&) = delete;
+  Node& operator=(const Node&) = delete;
+
+  /// Subscriptions come before start(). Slot and queue must outlive the node's receiving thread (declare them
+  /// first, or call stop()). Signal is one of signals.h.
+  template <class Signal>
+  void subscribe(const char* channel, const CountLimits& limits, Slot<Signal>& slot) {
+    slot.wake(&event_);
+    on_signal<Signal>(channel, limits, [&slot](const Signal& signal) { slot.push(signal); });
+  }
+  template <class Signal>
+  void subscribe(const char* channel, const CountLimits& limits, InputQueue<Signal>& queue) {
+    queue.wake(&event_);
+    on_signal<Signal>(channel, limits, [&queue](const Signal& signal) { queue.push(signal); });
+  }
+  /// M is a message type: for messages with texts (SAFETY_STATE, MOTION_STATE, OPERATOR_REPLY,
+  /// PROCESS_STATUS) and tools.
+  template <class M>
+  void subscribe_message(const char* channel, const CountLimits& limits, InputQueue<M>& queue) {
+    queue.wake(&event_);
+    on_message<M>(channel, limits, [&queue](const M& message) { queue.push(message); });
+  }
+  /// Checked and decoded; `handle` runs in the receiving thread and must be short.
+  template <class M>
+  void on_message(const char* channel, const CountLimits& limits, std::function<void(const M&)> handle);
+  template <class Signal>
+  void on_signal(const char* channel, const CountLimits& limits, std::function<void(const Signal&)> handle);
+
+  void start();  ///< receiving begins
+  void stop();   ///< receiving ends; the destructor does it too
+
+  template <class Signal>
+  Publisher<Signal> publisher(const char* channel) {
+    return Publisher<Signal>(this, channel);
+  }
+  /// A message that the caller has filled; `session` is set here.
+  template <class M>
+  void publish_message(const char* channel, M& message);
+
+  /// Sleeps until something came in, a stop was requested, or utime_us() reaches the deadline.
+  /// @return true when something came in or a stop was requested.
+  bool wait_for_input(std::int64_t deadline_utime_us);
+  int event_fd() const noexcept {
+    return event_.fd();
+  }  ///< readable when something came in; then call clear_event()
+  void clear_event() noexcept { event_.clear(); }  ///< before looking at the inputs
+
+  std::int64_t utime_us() const noexcept { return clock_.utime_us(); }
+  const SessionClock& clock() const noexcept { return clock_; }
+  std::int64_t session() const noexcept { return session_; }
+
+  std::int64_t refused_messages() const;  ///< by all receive guards
+  std::string last_refusal() const;       ///< of the guard that refused last; empty when none did
+  std::int64_t send_failures() const noexcept { return send_failures_; }
+
+ private:
+  using Handler = std::function<void(ReceiveGuard&, const void* data, std::size_t size)>;
+  struct Impl;
+  void add(const char* channel, const MessageLayout& layout, const CountLimits& limits, Handler handler);
+  void send(const char* channel, std::int64_t seq);  ///< buffer_
+
+  SessionClock clock_;
+  std::int64_t session_;
+  InputEvent event_;
+  std::vector<std::uint8_t> buffer_;
+  std::int64_t send_failures_ = 0;
+  std::unique_ptr<Impl> impl_;
+};
+
+template <class Signal>
+void Publisher<Signal>::publish(const Signal& signal) {
+  to_message(signal, node_->session(), message_);
+  node_->publish_message(channel_.c_str(), message_);
+}
+
+template <class M>
+void Node::publish_message(const char* channel, M& message) {
+  message.session = session_;
+  const int size = message.getEncodedSize();
+  buffer_.resize(static_cast<std::size_t>(size));
+  message.encode(buffer_.data(), 0, size);
+  send(channel, message.seq);
+}
+
+template <class M>
+void Node::on_message(const char* channel, const CountLimits& limits, std::function<void(const M&)> handle) {
+  add(channel, layout_of<M>(), limits,
+      [message = M(), handle = std::move(handle)](ReceiveGuard& guard, const void* data,
+                                                  std::size_t size) mutable {
+        if (guard.decode(data, size, message) == Refusal::kNone) handle(message);
+      });
+}
+
+template <class Signal>
+void Node::on_signal(const char* channel, const CountLimits& limits,
+                     std::function<void(const Signal&)> handle) {
+  using M = MessageOf<Signal>;
+  add(channel, layout_of<M>(), limits,
+      [message = M(), signal = Signal(), handle = std::move(handle)](ReceiveGuard& guard, const void* data,
+                                                                     std::size_t size) mutable {
+        if (guard.decode(data, size, message) != Refusal::kNone) return;
+        if (from_message(message, signal)) return handle(signal);
+        guard.refuse(Refusal::kBadValue, 0, 0);
+      });
+}
+
+}  // namespace sprung

@@ -1,0 +1,40 @@
+#pragma once
+/// Options that every process of the stack has; `sprung up` gives them all.
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "robots/robot_config.h"
+#include "runtime/command_line.h"
+#include "runtime/node.h"
+#include "runtime/real_time.h"
+
+namespace sprung {
+
+enum class ClockMode { kLockstep, kRealTime };
+const char* name(ClockMode mode) noexcept;  ///< "lockstep", "realtime": the option's own words
+
+struct ProcessOptions {
+  std::string robot = "single_leg";  ///< --robot: a name or a folder
+  std::string preset = "best";       ///< --preset
+  std::string clock = "realtime";    ///< --clock lockstep|realtime
+  std::string rt_policy = "warn";    ///< --rt-policy enforce|warn|off
+  int priority = 0;                  ///< --priority
+  int cpu = -1;                      ///< --cpu
+  bool simulation = false;  ///< --simulation: robot.yaml's simulation_watchdogs apply (real time only)
+  NodeOptions node;         ///< --session, --epoch-us, --lcm-url, --inject
+
+  ClockMode clock_mode() const noexcept;
+  RealTimeRequest real_time() const noexcept;  ///< policy off in lock-step: there is no deadline to meet
+};
+
+/// Adds the options above to a command. `options` must outlive the command line.
+void add_process_options(CommandLine& line, ProcessOptions& options);
+
+/// Which set of robot.yaml applies: simulation_watchdogs in real time with --simulation, else watchdogs.
+const WatchdogConfig& watchdogs_for(const RobotConfig& robot, const ProcessOptions& options) noexcept;
+
+/// Of the robot file and the preset in force, for PROCESS_STATUS.
+std::int64_t configuration_hash(const RobotConfig& robot, const std::string& preset) noexcept;
+
+}  // namespace sprung
