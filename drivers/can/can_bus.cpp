@@ -1,0 +1,42 @@
+#include "drivers/can/can_bus.h"
+
+#include <charconv>
+#include <stdexcept>
+
+#include "drivers/can/memory_bus.h"
+#include "drivers/can/socketcan_bus.h"
+#include "drivers/can/udp_bus.h"
+
+namespace sprung {
+namespace {
+
+std::unique_ptr<CanBus> open_udp(const std::string& address, const std::string& rest) {
+  const std::size_t colon = rest.rfind(':');
+  int port = 0;
+  if (colon != std::string::npos) {
+    const char* end = rest.data() + rest.size();
+    const auto [last, error] = std::from_chars(rest.data() + colon + 1, end, port);
+    if (error == std::errc() && last == end && port > 0 && port < 65536) {
+      return std::make_unique<UdpBus>(rest.substr(0, colon), port);
+    }
+  }
+  throw std::invalid_argument("CAN bus '" + address +
+                              "': expected udp:GROUP:PORT, e.g. udp:239.74.163.2:43113");
+}
+
+}  // namespace
+
+std::unique_ptr<CanBus> open_can_bus(const std::string& address) {
+  const std::size_t colon = address.find(':');
+  const std::string kind = address.substr(0, colon);
+  const std::string rest = colon == std::string::npos ? "" : address.substr(colon + 1);
+  if (colon != std::string::npos) {
+    if (kind == "socketcan" && !rest.empty()) return std::make_unique<SocketCanBus>(rest);
+    if (kind == "udp") return open_udp(address, rest);
+    if (kind == "memory") return std::make_unique<MemoryBus>(MemoryMedium::named(rest));
+  }
+  throw std::invalid_argument("CAN bus '" + address +
+                              "': expected socketcan:INTERFACE, udp:GROUP:PORT or memory:NAME");
+}
+
+}  // namespace sprung

@@ -1,0 +1,36 @@
+#pragma once
+/// SocketCAN error frames (CanFrame::error): class bits in `id`, details in `data` (linux/can/error.h, facts
+/// canopen 5).
+#include "drivers/can/can_frame.h"
+
+namespace sprung {
+
+inline constexpr std::uint32_t kCanErrorTxTimeout = 0x001;
+inline constexpr std::uint32_t kCanErrorController = 0x004;  ///< details in data[1]
+inline constexpr std::uint32_t kCanErrorBusOff = 0x040;
+inline constexpr std::uint32_t kCanErrorRestarted = 0x100;
+inline constexpr std::uint8_t kControllerPassive = 0x30;  ///< data[1]: receive or transmit error passive
+
+/// What a shell gives to BridgeCore::receive when a bus cannot send (ENOBUFS, link down): the same as bus
+/// off.
+inline CanFrame bus_lost_frame() noexcept {
+  CanFrame frame;
+  frame.id = kCanErrorBusOff;
+  frame.length = 8;
+  frame.error = true;
+  return frame;
+}
+
+/// Bus off, transmit time-out or error passive: nothing sent on this bus can be relied on.
+inline bool tells_bus_lost(const CanFrame& frame) noexcept {
+  if (!frame.error) return false;
+  if ((frame.id & (kCanErrorBusOff | kCanErrorTxTimeout)) != 0) return true;
+  return (frame.id & kCanErrorController) != 0 && (frame.data[1] & kControllerPassive) != 0;
+}
+
+/// The controller came back on the bus.
+inline bool tells_bus_restarted(const CanFrame& frame) noexcept {
+  return frame.error && (frame.id & kCanErrorRestarted) != 0;
+}
+
+}  // namespace sprung

@@ -1,0 +1,221 @@
+#include "drivers/can/udp_bus.h"
+
+#include <arpa/inet.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+
+namespace sprung {
+namespace {
+
+constexpr int kBatch = 32;
+constexpr int kReceiveBuffer_bytes =
+    4 << 20;  // what the kernel's limit allows of it: bursts must not be dropped
+
+[[noreturn]] void fail(const std::string& what) {
+  throw std::runtime_error("udp bus: " + what + ": " + std::strerror(errno));
+}
+
+void set_option(int fd, int level, int option, int value, const char* what) {
+  if (::setsockopt(fd, level, option, &value, sizeof value) != 0) fail(what);
+}
+
+sockaddr_in address_of(in_addr host, int port) {
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_addr = host;
+  address.sin_port = htons(static_cast<std::uint16_t>(port));
+  return address;
+}
+
+in_addr loopback() {
+  in_addr address{};
+  address.s_addr = htonl(INADDR_LOOPBACK);
+  return address;
+}
+
+/// A socket that closes itself, also when a constructor throws half-way.
+class Socket {
+ public:
+  Socket() : fd_(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)) {
+    if (fd_ < 0) fail("cannot open a socket");
+  }
+  ~Socket() { ::close(fd_); }
+  Socket(const Socket&) = delete;
+  Socket& operator=(const Socket&) = delete;
+  int fd() const noexcept { return fd_; }
+
+ private:
+  int fd_;
+};
+
+/// The loop device carries our frames; the default interface, where there is one, those of tools that do not
+/// choose.
+void join(int fd, in_addr group) {
+  ip_mreq request{group, loopback()};
+  if (::setsockopt(fd, IPPROTO_IP, IP_ADD_MEMBERSHIP, &request, sizeof request) != 0) {
+    fail("cannot join the group on the loop device (ip link set lo up)");
+  }
+  request.imr_interface.s_addr = htonl(INADDR_ANY);
+  (void)::setsockopt(fd, IPPROTO_IP, IP_ADD_MEMBERSHIP, &request, sizeof request);
+}
+
+}  // namespace
+
+struct UdpBus::Sockets {
+  Socket receiver;
+  Socket sender;  ///< its own port, so that our frames can be told from those of others
+  sockaddr_in group{};
+  std::uint16_t own_port = 0;
+  std::uint32_t kernel_drops = 0;
+
+  std::array<UdpDatagram, kBatch> datagrams;
+  std::array<iovec, kBatch> vectors{};
+  std::array<mmsghdr, kBatch> messages{};
+  std::array<sockaddr_in, kBatch> sources{};
+  alignas(cmsghdr) std::array<std::array<char, CMSG_SPACE(sizeof(std::uint32_t))>, kBatch> controls{};
+
+  Sockets(in_addr group_address, int port) : group(address_of(group_address, port)) {
+    open_receiver(group_address);
+    open_sender();
+  }
+
+  void open_receiver(in_addr group_address) {
+    set_option(receiver.fd(), SOL_SOCKET, SO_REUSEADDR, 1, "SO_REUSEADDR");
+    set_option(receiver.fd(), SOL_SOCKET, SO_REUSEPORT, 1, "SO_REUSEPORT");
+    set_option(receiver.fd(), SOL_SOCKET, SO_RCVBUF, kReceiveBuffer_bytes, "SO_RCVBUF");
+    set_option(receiver.fd(), SOL_SOCKET, SO_RXQ_OVFL, 1, "SO_RXQ_OVFL");
+    if (::bind(receiver.fd(), reinterpret_cast<const sockaddr*>(&group), sizeof group) != 0)
+      fail("cannot bind");
+    join(receiver.fd(), group_address);
+  }
+
+  void open_sender() {
+    set_option(sender.fd(), IPPROTO_IP, IP_MULTICAST_TTL, 0, "IP_MULTICAST_TTL");
+    set_option(sender.fd(), IPPROTO_IP, IP_MULTICAST_LOOP, 1, "IP_MULTICAST_LOOP");
+    const in_addr interface = loopback();
+    if (::setsockopt(sender.fd(), IPPROTO_IP, IP_MULTICAST_IF, &interface, sizeof interface) != 0)
+      fail("IP_MULTICAST_IF");
+    sockaddr_in local = address_of(loopback(), 0);
+    if (::bind(sender.fd(), reinterpret_cast<const sockaddr*>(&local), sizeof local) != 0)
+      fail("cannot bind");
+    socklen_t size = sizeof local;
+    if (::getsockname(sender.fd(), reinterpret_cast<sockaddr*>(&local), &size) != 0)
+      fail("cannot read own port");
+    own_port = local.sin_port;
+  }
+
+  void prepare(int i, bool receiving) noexcept {
+    const auto at = static_cast<std::size_t>(i);
+    UdpDatagram& datagram = datagrams[at];
+    vectors[at] = {datagram.bytes.data(), receiving ? UdpDatagram::kCapacity : datagram.size};
+    msghdr& header = messages[at].msg_hdr;
+    header = {};
+    header.msg_iov = &vectors[at];
+    header.msg_iovlen = 1;
+    header.msg_name = receiving ? &sources[at] : &group;
+    header.msg_namelen = sizeof(sockaddr_in);
+    if (receiving) {
+      header.msg_control = controls[at].data();
+      header.msg_controllen = controls[at].size();
+    }
+  }
+};
+
+UdpBus::UdpBus(const std::string& group, int port) : group_(group), port_(port) {
+  in_addr address{};
+  if (::inet_pton(AF_INET, group.c_str(), &address) != 1 || !IN_MULTICAST(ntohl(address.s_addr))) {
+    throw std::invalid_argument("udp bus: '" + group +
+                                "' is no IPv4 multicast address (224.0.0.0 to 239.255.255.255)");
+  }
+  sockets_ = std::make_unique<Sockets>(address, port);
+}
+
+UdpBus::~UdpBus() = default;
+
+int UdpBus::fd() const noexcept { return sockets_->receiver.fd(); }
+
+std::string UdpBus::describe() const { return "udp:" + group_ + ":" + std::to_string(port_); }
+
+bool UdpBus::send(const CanFrame* frames, int count) noexcept {
+  std::array<StampedFrame, kBatch> stamped;
+  bool all = true;
+  for (int done = 0; done < count; done += kBatch) {
+    const int batch = std::min(kBatch, count - done);
+    for (int i = 0; i < batch; ++i) stamped[static_cast<std::size_t>(i)] = {frames[done + i], 0.0};
+    all = send_stamped(stamped.data(), batch) && all;
+  }
+  return all;
+}
+
+bool UdpBus::send_stamped(const StampedFrame* frames, int count) noexcept {
+  int done = 0;
+  while (done < count) {
+    const int batch = std::min(kBatch, count - done);
+    for (int i = 0; i < batch; ++i) {
+      encode_datagram(frames[done + i], sockets_->datagrams[static_cast<std::size_t>(i)]);
+      sockets_->prepare(i, false);
+    }
+    const int sent = ::sendmmsg(sockets_->sender.fd(), sockets_->messages.data(),
+                                static_cast<unsigned>(batch), MSG_DONTWAIT);
+    if (sent <= 0) break;
+    done += sent;
+  }
+  counters_.sent += done;
+  counters_.send_failed += count - done;
+  return done == count;
+}
+
+int UdpBus::receive(CanFrame* frames, int max) noexcept {
+  std::array<StampedFrame, kBatch> stamped;
+  int count = 0;
+  while (count < max) {
+    const int wanted = std::min(kBatch, max - count);
+    const int got = receive_stamped(stamped.data(), wanted);
+    for (int i = 0; i < got; ++i) frames[count++] = stamped[static_cast<std::size_t>(i)].frame;
+    if (got < wanted) break;
+  }
+  return count;
+}
+
+int UdpBus::read_batch(int max) noexcept {
+  const int batch = std::min(kBatch, max);
+  for (int i = 0; i < batch; ++i) sockets_->prepare(i, true);
+  return ::recvmmsg(sockets_->receiver.fd(), sockets_->messages.data(), static_cast<unsigned>(batch),
+                    MSG_DONTWAIT, nullptr);
+}
+
+bool UdpBus::take(int i, StampedFrame& frame) noexcept {
+  const auto at = static_cast<std::size_t>(i);
+  mmsghdr& message = sockets_->messages[at];
+  for (cmsghdr* c = CMSG_FIRSTHDR(&message.msg_hdr); c != nullptr; c = CMSG_NXTHDR(&message.msg_hdr, c)) {
+    if (c->cmsg_level != SOL_SOCKET || c->cmsg_type != SO_RXQ_OVFL) continue;
+    std::uint32_t drops = 0;
+    std::memcpy(&drops, CMSG_DATA(c), sizeof drops);
+    counters_.dropped += static_cast<std::uint32_t>(drops - sockets_->kernel_drops);
+    sockets_->kernel_drops = drops;
+  }
+  const sockaddr_in& source = sockets_->sources[at];
+  if (source.sin_port == sockets_->own_port && source.sin_addr.s_addr == htonl(INADDR_LOOPBACK)) return false;
+  if (decode_datagram(sockets_->datagrams[at].bytes.data(), message.msg_len, frame)) return true;
+  ++counters_.malformed;
+  return false;
+}
+
+int UdpBus::receive_stamped(StampedFrame* frames, int max) noexcept {
+  int count = 0;
+  while (count < max) {
+    const int got = read_batch(max - count);
+    if (got <= 0) break;
+    for (int i = 0; i < got; ++i) count += take(i, frames[count]) ? 1 : 0;
+  }
+  counters_.received += count;
+  return count;
+}
+
+}  // namespace sprung

@@ -1,0 +1,112 @@
+#include <gtest/gtest.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include "drivers/can/lockstep_link.h"
+
+namespace sprung {
+namespace {
+
+constexpr char kGroup[] = "239.74.163.78";
+int test_port() { return 20000 + ::getpid() % 20000; }
+
+LockstepLink link(std::vector<LinkFault> faults = {}) {
+  return LockstepLink(std::make_unique<UdpBus>(kGroup, test_port()), std::move(faults));
+}
+
+FrameBatch batch_of(std::int64_t tick, int count) {
+  FrameBatch batch;
+  for (int i = 0; i < count; ++i) {
+    CanFrame frame;
+    frame.id = static_cast<std::uint32_t>(0x100 + i);
+    frame.length = 1;
+    frame.data[0] = static_cast<std::uint8_t>(tick & 0xFF);
+    batch.push(0, frame);
+    batch.push(1, frame);  // another bus's: not for this link
+  }
+  return batch;
+}
+
+LinkEvent wait_event(LockstepLink& of, int timeout_ms) {
+  LinkEvent event = of.poll();
+  while (event == LinkEvent::kNothing) {
+    pollfd wait{of.fd(), POLLIN, 0};
+    if (::poll(&wait, 1, timeout_ms) <= 0) break;
+    event = of.poll();
+  }
+  return event;
+}
+
+/// The bridge's and the drives' side of one tick, each as its shell would do it. @return how often the bridge
+/// sent again.
+int exchange(LockstepLink& bridge, LockstepLink& drives, std::int64_t tick, int question, int answer,
+             int& steps) {
+  bridge.add(batch_of(tick, question), 0);
+  bridge.send_burst(tick);
+  for (int resends = 0; resends < 10; ++resends) {
+    for (LinkEvent event = wait_event(drives, 20); event != LinkEvent::kNothing; event = drives.poll()) {
+      if (event == LinkEvent::kRepeat) {
+        drives.resend();
+        continue;
+      }
+      ++steps;
+      EXPECT_EQ(drives.tick(), tick);
+      EXPECT_EQ(drives.frames().size(), static_cast<std::size_t>(question));
+      drives.add(batch_of(tick, answer), 0);
+      drives.send_answer(drives.tick());
+    }
+    if (wait_event(bridge, 20) == LinkEvent::kComplete) return resends;
+    bridge.resend();
+  }
+  ADD_FAILURE() << "no answer for tick " << tick;
+  return 10;
+}
+
+TEST(LockstepLink, BurstsAndAnswersArriveWholeWithEmptyAnswersSeen) {
+  LockstepLink bridge = link(), drives = link();
+  int steps = 0;
+  for (std::int64_t tick = 0; tick < 50; ++tick) {
+    const int answer = static_cast<int>(tick % 4);
+    exchange(bridge, drives, tick, 3, answer, steps);
+    EXPECT_EQ(bridge.tick(), tick);
+    ASSERT_EQ(bridge.frames().size(), static_cast<std::size_t>(answer));
+    for (int i = 0; i < answer; ++i)
+      EXPECT_EQ(bridge.frames()[static_cast<std::size_t>(i)], batch_of(tick, 4)[2 * i].frame);
+  }
+  EXPECT_EQ(steps, 50);
+}
+
+TEST(LockstepLink, LostAndRepeatedFramesChangeNothingAndStepNothingTwice) {
+  using Kind = LinkFault::Kind;
+  LockstepLink bridge = link({{1, 0, Kind::kDrop}, {2, 2, Kind::kDrop}, {3, 1, Kind::kRepeat}});
+  LockstepLink drives = link({{4, 0, Kind::kDrop}, {5, 2, Kind::kDrop}, {6, 2, Kind::kRepeat}});
+  int steps = 0;
+  int resends = 0;
+  for (std::int64_t tick = 0; tick < 8; ++tick) {
+    resends += exchange(bridge, drives, tick, 3, 2, steps);
+    ASSERT_EQ(bridge.tick(), tick);
+    ASSERT_EQ(bridge.frames().size(), 2U);
+    EXPECT_EQ(bridge.frames()[1], batch_of(tick, 2)[2].frame);
+  }
+  EXPECT_EQ(steps, 8) << "the drives must step once a tick";
+  EXPECT_GE(resends, 4);
+  EXPECT_GE(drives.counters().resent, 2);
+}
+
+TEST(LockstepLink, FramesOfOtherToolsAreIgnoredAndCounted) {
+  LockstepLink bridge = link(), drives = link();
+  UdpBus tool(kGroup, test_port());
+  const CanFrame frame = batch_of(0, 1)[0].frame;
+  tool.send(&frame, 1);
+  EXPECT_EQ(wait_event(drives, 50), LinkEvent::kNothing);
+  EXPECT_EQ(drives.counters().unstamped, 1);
+}
+
+TEST(LockstepLink, BurstBeyondTheLimitIsCutAndCounted) {
+  LockstepLink bridge = link(), drives = link();
+  for (int i = 0; i < 5; ++i) bridge.add(batch_of(0, 250), 0);
+  EXPECT_EQ(bridge.counters().overflow, 5 * 250 - (kMaxBurst - 1));
+}
+
+}  // namespace
+}  // namespace sprung

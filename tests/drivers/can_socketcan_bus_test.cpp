@@ -1,0 +1,47 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "drivers/can/can_errors.h"
+#include "drivers/can/socketcan_bus.h"
+
+namespace sprung {
+namespace {
+
+// The machine that builds may have no CAN in its kernel; tests/vm runs real frames. Both refusals say what to
+// do.
+TEST(SocketCanBus, MissingInterfaceGivesAnErrorThatSaysWhatToDo) {
+  try {
+    SocketCanBus bus("nosuchcan9");
+    FAIL() << "opened an interface that does not exist";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("socketcan:nosuchcan9"));
+    EXPECT_THAT(error.what(),
+                testing::AnyOf(testing::HasSubstr("modprobe can-raw"), testing::HasSubstr("ip link")));
+  }
+}
+
+TEST(CanErrors, BusOffPassiveAndTimeOutMeanTheBusIsLost) {
+  EXPECT_TRUE(tells_bus_lost(bus_lost_frame()));
+  CanFrame frame = bus_lost_frame();
+  frame.id = kCanErrorTxTimeout;
+  EXPECT_TRUE(tells_bus_lost(frame));
+  frame.id = kCanErrorController;
+  EXPECT_FALSE(tells_bus_lost(frame));
+  frame.data[1] = 0x20;
+  EXPECT_TRUE(tells_bus_lost(frame));
+  frame.error = false;
+  EXPECT_FALSE(tells_bus_lost(frame)) << "a data frame with the same id";
+}
+
+TEST(CanErrors, RestartIsToldByItsOwnClass) {
+  CanFrame frame = bus_lost_frame();
+  EXPECT_FALSE(tells_bus_restarted(frame));
+  frame.id = kCanErrorRestarted;
+  EXPECT_TRUE(tells_bus_restarted(frame));
+  EXPECT_FALSE(tells_bus_lost(frame));
+}
+
+}  // namespace
+}  // namespace sprung
