@@ -1,1 +1,150 @@
+/// The signals of every cycle: drives, joints, legs, and the simulation's truth.
 #include "signals/messages.h"
+
+#include "signals/message_fields.h"
+
+namespace sprung {
+namespace {
+
+using fields::read;
+using fields::write;
+
+const auto kActuatorState = [](auto& way, auto& m, auto& s) {
+  way(m.measured_position_rad, s.measured_position_rad);
+  way(m.measured_link_position_rad, s.measured_link_position_rad);
+  way(m.measured_velocity_rad_s, s.measured_velocity_rad_s);
+  way(m.measured_current_A, s.measured_current_A);
+  way(m.measured_supply_V, s.measured_supply_V);
+  way(m.fault_code, s.fault_code);
+  way(m.age_cycles, s.age_cycles);
+  way(m.power_state, s.power_state);
+  way(m.shown_mode, s.shown_mode);
+  way(m.referenced, s.referenced);
+};
+
+const auto kDriveState = [](auto& way, auto& m, auto& s) {
+  fields::stamp(way, m, s);
+  way.elements(m.n, m.actuators, s.actuators, kActuatorState);
+  way(m.safety, s.safety);
+};
+
+const auto kActuatorCommand = [](auto& way, auto& m, auto& s) {
+  way(m.commanded_torque_Nm, s.commanded_torque_Nm);
+  way(m.commanded_position_rad, s.commanded_position_rad);
+  way(m.commanded_velocity_rad_s, s.commanded_velocity_rad_s);
+  way(m.commanded_damping_Nm_s_rad, s.commanded_damping_Nm_s_rad);
+  way(m.mode, s.mode);
+};
+
+const auto kDriveCommand = [](auto& way, auto& m, auto& s) {
+  fields::stamp(way, m, s);
+  way.elements(m.n, m.actuators, s.actuators, kActuatorCommand);
+  way(m.valid_until_utime, s.valid_until_utime_us);
+  way(m.used_joint_state_seq, s.used_joint_state_seq);
+  way(m.used_leg_command_seq, s.used_leg_command_seq);
+};
+
+const auto kEstimatedJoint = [](auto& way, auto& m, auto& s) {
+  way(m.estimated_position_rad, s.estimated_position_rad);
+  way(m.estimated_velocity_rad_s, s.estimated_velocity_rad_s);
+  way(m.estimated_acceleration_rad_s2, s.estimated_acceleration_rad_s2);
+  way(m.motor_side_torque_Nm, s.motor_side_torque_Nm);
+  way(m.gear_output_torque_Nm, s.gear_output_torque_Nm);
+  way(m.gear_output_torque_bound_Nm, s.gear_output_torque_bound_Nm);
+  way(m.friction_torque_Nm, s.friction_torque_Nm);
+  way(m.external_torque_Nm, s.external_torque_Nm);
+  way(m.status, s.status);
+  way(m.drive_enabled, s.drive_enabled);
+};
+
+const auto kEstimatedLeg = [](auto& way, auto& m, auto& s) {
+  way(m.estimated_foot_in_hip_m, s.estimated_foot_in_hip_m);
+  way(m.estimated_foot_velocity_m_s, s.estimated_foot_velocity_m_s);
+  way(m.foot_force_N, s.foot_force_N);
+  way(m.contact_confidence, s.contact_confidence);
+  way(m.contact, s.contact);
+};
+
+const auto kJointState = [](auto& way, auto& m, auto& s) {
+  fields::stamp(way, m, s);
+  way.elements(m.n_joints, m.joints, s.joints, kEstimatedJoint);
+  way.elements(m.n_legs, m.legs, s.legs, kEstimatedLeg);
+  way(m.safety, s.safety);
+  way(m.used_drive_state_seq, s.used_drive_state_seq);
+};
+
+const auto kDesiredLeg = [](auto& way, auto& m, auto& s) {
+  way(m.desired_foot_in_hip_m, s.desired_foot_in_hip_m);
+  way(m.desired_foot_velocity_m_s, s.desired_foot_velocity_m_s);
+  way(m.desired_foot_acceleration_m_s2, s.desired_foot_acceleration_m_s2);
+  way(m.stiffness_N_m, s.stiffness_N_m);
+  way(m.damping_N_s_m, s.damping_N_s_m);
+  way(m.feedforward_force_N, s.feedforward_force_N);
+  way(m.friction_compensation, s.friction_compensation);
+  way(m.velocity_feedforward, s.velocity_feedforward);
+  way(m.phase, s.phase);
+  way(m.control_mode, s.control_mode);
+};
+
+const auto kLegCommand = [](auto& way, auto& m, auto& s) {
+  fields::stamp(way, m, s);
+  way.elements(m.n_legs, m.legs, s.legs, kDesiredLeg);
+  way(m.used_joint_state_seq, s.used_joint_state_seq);
+};
+
+const auto kTrueJoint = [](auto& way, auto& m, auto& s) {
+  way(m.true_position_rad, s.true_position_rad);
+  way(m.true_velocity_rad_s, s.true_velocity_rad_s);
+  way(m.true_acceleration_rad_s2, s.true_acceleration_rad_s2);
+  way(m.true_motor_torque_Nm, s.true_motor_torque_Nm);
+  way(m.true_gear_output_torque_Nm, s.true_gear_output_torque_Nm);
+  way(m.true_friction_torque_Nm, s.true_friction_torque_Nm);
+};
+
+const auto kTrueLeg = [](auto& way, auto& m, auto& s) {
+  way(m.true_foot_in_world_m, s.true_foot_in_world_m);
+  way(m.true_contact_force_N, s.true_contact_force_N);
+};
+
+const auto kSimTruth = [](auto& way, auto& m, auto& s) {
+  fields::stamp(way, m, s);
+  way.elements(m.n_joints, m.joints, s.joints, kTrueJoint);
+  way.elements(m.n_legs, m.legs, s.legs, kTrueLeg);
+  way(m.base_in_world_m, s.base_in_world_m);
+  way(m.base_velocity_m_s, s.base_velocity_m_s);
+  way(m.base_quaternion_wxyz, s.base_quaternion_wxyz);
+};
+
+}  // namespace
+
+void to_message(const DriveState& in, std::int64_t session, sprung_msgs::drive_state_t& out) {
+  write(kDriveState, in, session, out);
+}
+void to_message(const DriveCommand& in, std::int64_t session, sprung_msgs::drive_command_t& out) {
+  write(kDriveCommand, in, session, out);
+}
+void to_message(const JointState& in, std::int64_t session, sprung_msgs::joint_state_t& out) {
+  write(kJointState, in, session, out);
+}
+void to_message(const LegCommand& in, std::int64_t session, sprung_msgs::leg_command_t& out) {
+  write(kLegCommand, in, session, out);
+}
+void to_message(const SimTruth& in, std::int64_t session, sprung_msgs::sim_truth_t& out) {
+  write(kSimTruth, in, session, out);
+}
+
+bool from_message(const sprung_msgs::drive_state_t& in, DriveState& out) {
+  return read(kDriveState, in, out);
+}
+bool from_message(const sprung_msgs::drive_command_t& in, DriveCommand& out) {
+  return read(kDriveCommand, in, out);
+}
+bool from_message(const sprung_msgs::joint_state_t& in, JointState& out) {
+  return read(kJointState, in, out);
+}
+bool from_message(const sprung_msgs::leg_command_t& in, LegCommand& out) {
+  return read(kLegCommand, in, out);
+}
+bool from_message(const sprung_msgs::sim_truth_t& in, SimTruth& out) { return read(kSimTruth, in, out); }
+
+}  // namespace sprung

@@ -1,0 +1,102 @@
+#pragma once
+/// How one field of a signal becomes a field of its message, and back. Each pair of structs lists its fields
+/// once, for both ways, so that the two cannot differ. For signals/messages*.cpp only.
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <vector>
+
+#include "signals/modes.h"
+#include "signals/stamp.h"
+
+namespace sprung::fields {
+
+/// Last value of each enumeration that crosses the wire: beyond it is unknown here.
+constexpr DriveMode last(DriveMode) { return DriveMode::kPosition; }
+constexpr PowerState last(PowerState) { return PowerState::kFault; }
+constexpr SafetyLevel last(SafetyLevel) { return SafetyLevel::kDisabled; }
+constexpr SafetyCause last(SafetyCause) { return SafetyCause::kImplausible; }
+constexpr JointStatus last(JointStatus) { return JointStatus::kFault; }
+constexpr ControlMode last(ControlMode) { return ControlMode::kCompliance; }
+constexpr LegPhase last(LegPhase) { return LegPhase::kStance; }
+constexpr MotionPhase last(MotionPhase) { return MotionPhase::kSitting; }
+constexpr JumpMode last(JumpMode) { return JumpMode::kHybrid; }
+constexpr OperatorKind last(OperatorKind) { return OperatorKind::kSit; }
+constexpr OperatorOutcome last(OperatorOutcome) { return OperatorOutcome::kFailed; }
+constexpr ProcessState last(ProcessState) { return ProcessState::kStopping; }
+constexpr SimControlKind last(SimControlKind) { return SimControlKind::kDriveSilent; }
+
+/// Signal to message.
+struct ToMessage {
+  template <class T, std::enable_if_t<std::is_arithmetic_v<T> && !std::is_same_v<T, bool>, int> = 0>
+  void operator()(T& message, const T& signal) {
+    message = signal;
+  }
+  void operator()(std::int8_t& message, const bool& signal) { message = signal ? 1 : 0; }
+  template <class E, std::enable_if_t<std::is_enum_v<E>, int> = 0>
+  void operator()(std::int8_t& message, const E& signal) {
+    message = static_cast<std::int8_t>(signal);
+  }
+  template <std::size_t N>
+  void operator()(double (&message)[N], const std::array<double, N>& signal) {
+    std::copy(signal.begin(), signal.end(), message);
+  }
+  template <class M, class S, class Fields>
+  void elements(std::int32_t& count, std::vector<M>& message, const std::vector<S>& signal, Fields each) {
+    count = static_cast<std::int32_t>(signal.size());
+    message.resize(signal.size());
+    for (std::size_t i = 0; i < signal.size(); ++i) each(*this, message[i], signal[i]);
+  }
+};
+
+/// Message to signal; `good` turns false on what this build does not know.
+struct FromMessage {
+  bool good = true;
+  template <class T, std::enable_if_t<std::is_arithmetic_v<T> && !std::is_same_v<T, bool>, int> = 0>
+  void operator()(const T& message, T& signal) {
+    signal = message;
+  }
+  void operator()(const std::int8_t& message, bool& signal) { signal = message != 0; }
+  template <class E, std::enable_if_t<std::is_enum_v<E>, int> = 0>
+  void operator()(const std::int8_t& message, E& signal) {
+    good = good && message >= 0 && message <= static_cast<std::int8_t>(last(E{}));
+    signal = static_cast<E>(message);
+  }
+  template <std::size_t N>
+  void operator()(const double (&message)[N], std::array<double, N>& signal) {
+    std::copy(message, message + N, signal.begin());
+  }
+  template <class M, class S, class Fields>
+  void elements(const std::int32_t& count, const std::vector<M>& message, std::vector<S>& signal,
+                Fields each) {
+    good = good && count >= 0 && static_cast<std::size_t>(count) == message.size();
+    if (!good) return;
+    signal.resize(message.size());
+    for (std::size_t i = 0; i < message.size(); ++i) each(*this, message[i], signal[i]);
+  }
+};
+
+template <class Way, class M, class S>
+void stamp(Way& way, M& message, S& signal) {
+  way(message.utime, signal.stamp.utime_us);
+  way(message.seq, signal.stamp.seq);
+}
+
+/// The two ways, given a list of fields: a callable (way, message, signal).
+template <class Fields, class S, class M>
+void write(const Fields& list, const S& in, std::int64_t session, M& out) {
+  ToMessage way;
+  out.session = session;
+  list(way, out, in);
+}
+
+template <class Fields, class M, class S>
+bool read(const Fields& list, const M& in, S& out) {
+  FromMessage way;
+  list(way, in, out);
+  return way.good;
+}
+
+}  // namespace sprung::fields
