@@ -1,11 +1,15 @@
 #pragma once
-/// Joint torque from motor current and encoder, without a torque sensor. Pure: no I/O, clock, log or heap in step.
+/// Joint torque from motor current and encoder, without a torque sensor. Pure: no I/O, clock, log or heap in
+/// step.
 ///
 ///   motor-side torque  = R Kt i - tau_f          (S0 eq. 6 as printed: the papers' "joint torque")
-///   gear output torque = R Kt i - tau_f - R^2 I qdd   (errata E6: the inertia term is 40-80 times the friction in a jump)
+///   gear output torque = R Kt i - tau_f - R^2 I qdd   (errata E6: the inertia term is 40-80 times the
+///   friction in a jump)
 ///
-/// qdd comes from a steady-state Kalman filter on the encoder, not from differences. tau_f is Coulomb, sgn(0) = 0 (E5).
-/// Sign: positive torque accelerates the joint toward +q. Joint space through each leg's transmission.
+/// qdd comes from a steady-state Kalman filter on encoder and motor torque, not from differences. tau_f is
+/// Coulomb, sgn(0) = 0 (E5). Joint status, NaN torques and `starting` are the answer to silent drives and
+/// numbers that are not finite. Sign: positive torque accelerates the joint toward +q. Joint space through
+/// each leg's transmission.
 #include <memory>
 
 #include "robots/robot_config.h"
@@ -15,12 +19,17 @@ namespace sprung {
 
 class EstimatorCore {
  public:
+  /// Holds a silent drive for robot.watchdogs.silent_cycles, or for those of the given set; then its joint is
+  /// stale.
   explicit EstimatorCore(const RobotConfig& robot);
+  EstimatorCore(const RobotConfig& robot, const WatchdogConfig& watchdogs);
   ~EstimatorCore();
   EstimatorCore(const EstimatorCore&) = delete;
   EstimatorCore& operator=(const EstimatorCore&) = delete;
 
-  /// JOINT_STATE(k) from DRIVE_STATE(k). `out` must have been sized for this robot. dt is the difference of utime.
+  /// JOINT_STATE(k) from DRIVE_STATE(k). `out` must have been sized for this robot. dt is the difference of
+  /// utime. A repeated seq gives the same answer again; a seq or time that goes back, or a gap above 20 ms,
+  /// starts the filters anew.
   void step(const DriveState& in, JointState& out) noexcept;
 
  private:

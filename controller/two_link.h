@@ -1,0 +1,32 @@
+#pragma once
+/// Hip and knee in the x-z plane. theta1: thigh angle from +x, positive downward (pi/2 is straight down);
+/// theta2: knee flexion, so that the absolute shank angle is theta1 - theta2. With theta2 > 0 and the foot
+/// under the hip the knee is behind. Equations: facts/papers "Verified equations and errata", E1, E3, E4, and
+/// the leg dynamics M, V, G.
+#include "controller/leg_kinematics.h"
+
+namespace sprung {
+
+class TwoLink final : public LegKinematics {
+ public:
+  /// @throws std::invalid_argument unless there are two joints and two links of positive length.
+  explicit TwoLink(const LegConfig& leg);
+
+  int joint_count() const noexcept override { return 2; }
+  Eigen::Vector3d foot_in_hip_m(const JointVector& position_rad) const noexcept override;
+  LegJacobian jacobian(const JointVector& position_rad) const noexcept override;
+  /// Unreachable also when the foot is out of the leg's plane by more than 1 um.
+  InverseResult inverse(const Eigen::Vector3d& foot_in_hip_m,
+                        const JointVector& near_rad) const noexcept override;
+  JointVector gravity_torque_Nm(const JointVector& position_rad) const noexcept override;
+  JointVector inverse_dynamics_Nm(const JointVector& position_rad, const JointVector& velocity_rad_s,
+                                  const JointVector& acceleration_rad_s2) const noexcept override;
+  /// Of both links, zero at the height of the hip.
+  double potential_energy_J(const JointVector& position_rad) const noexcept;
+
+ private:
+  LinkConfig thigh_;
+  LinkConfig shank_;
+};
+
+}  // namespace sprung

@@ -1,0 +1,100 @@
+#include "estimator/drive_sampler.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sprung {
+namespace {
+
+/// CiA 402 torque actual value 0x6077 comes in thousandths of the rated torque.
+constexpr double kCurrentStep = 1e-3;
+/// The drive counts as limited this close to its torque limit.
+constexpr double kSaturatedAt = 0.99;
+constexpr double kPi = 3.14159265358979323846;
+
+double torque_per_A(const ActuatorConfig& a) noexcept { return a.gear_ratio * a.torque_constant_Nm_A; }
+
+bool finite(const ActuatorState& s) noexcept {
+  return std::isfinite(s.measured_position_rad) && std::isfinite(s.measured_current_A);
+}
+
+/// Of a drive that answers; silence is the joint estimator's to count.
+JointStatus drive_status(const ActuatorState& s, const ActuatorConfig& a) noexcept {
+  if (s.power_state == PowerState::kFault || s.power_state == PowerState::kFaultReactionActive) {
+    return JointStatus::kFault;
+  }
+  if (!s.referenced) return JointStatus::kNotReferenced;
+  const bool limited = std::abs(s.measured_current_A) * torque_per_A(a) >= kSaturatedAt * a.torque_limit_Nm;
+  return limited ? JointStatus::kSaturated : JointStatus::kOk;
+}
+
+bool drive_enabled(const ActuatorState& s) noexcept {
+  return s.power_state == PowerState::kOperationEnabled &&
+         (s.shown_mode == DriveMode::kTorque || s.shown_mode == DriveMode::kPosition);
+}
+
+}  // namespace
+
+DriveSampler::DriveSampler(const RobotConfig& robot, const LegConfig& leg)
+    : indices_(leg.actuators), transmission_(leg) {
+  JointVector quantisation(transmission_.size());
+  for (std::size_t i = 0; i < indices_.size(); ++i) {
+    const ActuatorConfig& a = robot.actuators.at(static_cast<std::size_t>(indices_[i]));
+    actuators_.push_back(a);
+    quantisation[static_cast<int>(i)] = 0.5 * kCurrentStep * a.rated_current_A * torque_per_A(a);
+  }
+  quantisation_Nm_ = transmission_.joint_torque_bound(quantisation);
+}
+
+const ActuatorState& DriveSampler::state(const std::vector<ActuatorState>& actuators, int i) const noexcept {
+  return actuators[static_cast<std::size_t>(indices_[static_cast<std::size_t>(i)])];
+}
+
+void DriveSampler::sample(const std::vector<ActuatorState>& actuators,
+                          std::vector<JointSample>& samples) const noexcept {
+  const int n = transmission_.size();
+  JointVector position(n), torque(n);
+  for (int i = 0; i < n; ++i) {
+    const ActuatorState& s = state(actuators, i);
+    // 0 * NaN is NaN: without this a drive would spoil joints that it does not move.
+    position[i] = finite(s) ? s.measured_position_rad : 0.0;
+    torque[i] =
+        finite(s) ? torque_per_A(actuators_[static_cast<std::size_t>(i)]) * s.measured_current_A : 0.0;
+  }
+  const JointVector joint_position = transmission_.joint_from_actuator(position);
+  const JointVector joint_torque = transmission_.joint_torque(torque);
+  for (int j = 0; j < n; ++j) {
+    JointSample& out = samples[static_cast<std::size_t>(j)];
+    out = joint_sample(j, actuators);
+    out.measured_position_rad = joint_position[j];
+    out.motor_torque_Nm = joint_torque[j];
+    out.current_quantisation_Nm = quantisation_Nm_[j];
+  }
+}
+
+JointSample DriveSampler::joint_sample(int joint,
+                                       const std::vector<ActuatorState>& actuators) const noexcept {
+  JointSample out;
+  out.fresh = out.drive_enabled = true;
+  for (int i = 0; i < transmission_.size(); ++i) {
+    if (!transmission_.couples(joint, i)) continue;
+    const ActuatorState& s = state(actuators, i);
+    out.fresh = out.fresh && s.age_cycles == 0 && finite(s);
+    out.drive_enabled = out.drive_enabled && drive_enabled(s);
+    // The wire values are in order of harm.
+    out.drive_status = std::max(out.drive_status, drive_status(s, actuators_[static_cast<std::size_t>(i)]));
+  }
+  return out;
+}
+
+double DriveSampler::encoder_step_rad(int joint) const noexcept {
+  const int n = transmission_.size();
+  JointVector step(n);
+  for (int i = 0; i < n; ++i) {
+    const ActuatorConfig& a = actuators_[static_cast<std::size_t>(i)];
+    step[i] = 2.0 * kPi / (a.encoder_counts_per_turn * a.gear_ratio);
+  }
+  return transmission_.joint_from_actuator(step).cwiseAbs()[joint];
+}
+
+}  // namespace sprung

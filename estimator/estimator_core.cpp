@@ -1,0 +1,62 @@
+#include "estimator/estimator_core.h"
+
+#include <vector>
+
+#include "estimator/leg_estimator.h"
+
+namespace sprung {
+namespace {
+
+/// After a longer gap in message time the filters' prediction is worth nothing; the watchdogs have acted by
+/// then.
+constexpr double kLongestGap_s = 0.020;
+
+}  // namespace
+
+struct EstimatorCore::Impl {
+  Impl(const RobotConfig& robot, const WatchdogConfig& watchdogs)
+      : actuator_count(robot.actuators.size()),
+        cycle_s(robot.cycle_s),
+        last(robot.joints.size(), robot.legs.size()) {
+    for (const LegConfig& leg : robot.legs) legs.emplace_back(robot, leg, watchdogs.silent_cycles);
+  }
+
+  /// Time since the last cycle; starts anew on the first one, on a gap and when the bridge was restarted.
+  double advance(const Stamp& stamp) noexcept {
+    const double dt_s = 1e-6 * static_cast<double>(stamp.utime_us - last.stamp.utime_us);
+    if (started && stamp.seq > last.stamp.seq && dt_s > 0.0 && dt_s <= kLongestGap_s) return dt_s;
+    for (LegEstimator& leg : legs) leg.reset();
+    started = true;
+    return cycle_s;
+  }
+
+  std::size_t actuator_count;
+  double cycle_s;
+  std::vector<LegEstimator> legs;
+  JointState last;
+  bool started = false;
+};
+
+EstimatorCore::EstimatorCore(const RobotConfig& robot) : EstimatorCore(robot, robot.watchdogs) {}
+
+EstimatorCore::EstimatorCore(const RobotConfig& robot, const WatchdogConfig& watchdogs)
+    : impl_(std::make_unique<Impl>(robot, watchdogs)) {}
+
+EstimatorCore::~EstimatorCore() = default;
+
+void EstimatorCore::step(const DriveState& in, JointState& out) noexcept {
+  JointState& last = impl_->last;
+  const bool repeated = impl_->started && in.stamp.seq == last.stamp.seq;
+  if (!repeated && in.actuators.size() == impl_->actuator_count) {
+    const double dt_s = impl_->advance(in.stamp);
+    for (std::size_t i = 0; i < impl_->legs.size(); ++i) {
+      impl_->legs[i].step(in.actuators, dt_s, last.joints, last.legs[i]);
+    }
+    last.stamp = in.stamp;
+    last.used_drive_state_seq = in.stamp.seq;
+  }
+  last.safety = in.safety;
+  out = last;
+}
+
+}  // namespace sprung

@@ -1,0 +1,40 @@
+#pragma once
+/// One leg: joints, foot, foot force and contact. Pure: no heap after construction.
+#include <memory>
+#include <vector>
+
+#include "controller/leg_kinematics.h"
+#include "estimator/contact_detector.h"
+#include "estimator/drive_sampler.h"
+#include "estimator/joint_estimator.h"
+
+namespace sprung {
+
+class LegEstimator {
+ public:
+  /// @throws std::invalid_argument on kinematics, transmission or contact settings that cannot be.
+  LegEstimator(const RobotConfig& robot, const LegConfig& leg, int longest_coast_cycles);
+
+  void reset() noexcept;
+  /// Writes this leg's entries of `joints` (all of the robot's) and `out`. What is not known stays NaN.
+  void step(const std::vector<ActuatorState>& actuators, double dt_s, std::vector<EstimatedJoint>& joints,
+            EstimatedLeg& out) noexcept;
+
+ private:
+  void step_joints(double dt_s, std::vector<EstimatedJoint>& joints) noexcept;
+  /// Force that, beside the drives, explains the leg's motion: external torque = M qdd + V + G - gear output
+  /// torque (positive accelerates the joint toward +q), force on the foot = J^-T external torque. The hip's
+  /// own acceleration is not known and left out (errata E16): the error is at most the leg's own weight in
+  /// flight.
+  void write_force(std::vector<EstimatedJoint>& joints, EstimatedLeg& out, double& vertical_bound_N) noexcept;
+
+  std::vector<int> joints_;  ///< indices of this leg's joints in the robot
+  DriveSampler sampler_;
+  std::unique_ptr<LegKinematics> kinematics_;
+  ContactDetector contact_;
+  std::vector<JointEstimator> estimators_;
+  std::vector<JointSample> samples_;
+  JointVector position_rad_, velocity_rad_s_, acceleration_rad_s2_, output_torque_Nm_;
+};
+
+}  // namespace sprung
