@@ -1,25 +1,45 @@
 #pragma once
 /// Leg controller: desired foot motion to drive set-points. Pure: no I/O, clock, log or heap in step.
+#include <cstdint>
 #include <memory>
 
+#include "controller/torque_limits.h"
 #include "robots/robot_config.h"
 #include "signals/signals.h"
 
 namespace sprung {
 
+/// Why the last DRIVE_COMMAND is what it is.
+enum class CommandBasis : std::int8_t {
+  kCommanded = 0,     ///< as LEG_COMMAND asks, after limits
+  kNoCommand = 1,     ///< none yet: disabled, or damping where drives are already enabled
+  kCommandStale = 2,  ///< LEG_COMMAND older than leg_command_s, from the future, or of another robot: damping
+  kJointNotReady = 3,  ///< a joint is stale, in fault, starting or not referenced: damping
+  kNotFinite = 4,      ///< damping
+  kUnreachable = 5,    ///< a desired foot cannot be reached: damping
+  kSafety = 6,         ///< the bridge is not operational: damping, or disabled
+  kInputsStopped = 7,  ///< no JOINT_STATE: damping
+};
+
+const char* name(CommandBasis value) noexcept;
+
 class ControllerCore {
  public:
+  /// @throws std::invalid_argument on kinematics, transmission or smoothing that cannot be.
   ControllerCore(const RobotConfig& robot, const PresetConfig& preset, const WatchdogConfig& watchdogs);
   ~ControllerCore();
   ControllerCore(const ControllerCore&) = delete;
   ControllerCore& operator=(const ControllerCore&) = delete;
 
-  /// DRIVE_COMMAND(k) from JOINT_STATE(k) and the newest LEG_COMMAND of seq <= k-1 (nullptr: none yet), extrapolated by its
-  /// derivatives to now. Stale, non-finite or unsafe input gives a damping command.
+  /// DRIVE_COMMAND(k) from JOINT_STATE(k) and the newest LEG_COMMAND of seq <= k-1 (nullptr: none yet),
+  /// extrapolated by its derivatives to now. Stale, non-finite or unsafe input gives a damping command.
   void step(const JointState& state, const LegCommand* command, DriveCommand& out) noexcept;
 
   /// What to send when JOINT_STATE itself has stopped: damping at the last cycle's stamp.
   void inputs_stopped(DriveCommand& out) noexcept;
+
+  CommandBasis basis() const noexcept;  ///< of the last command
+  LimitCounts limits() const noexcept;  ///< of all legs together: which safety limits acted, and how often
 
  private:
   struct Impl;

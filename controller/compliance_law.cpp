@@ -1,0 +1,25 @@
+#include "controller/compliance_law.h"
+
+#include <cmath>
+
+namespace sprung {
+
+JointVector compliance_torque_Nm(const LegKinematics& kinematics, const DesiredLeg& desired,
+                                 const FootMotion& foot, const LegMotion& leg, const JointVector& coulomb_Nm,
+                                 double smoothing_rad_s) noexcept {
+  const LegJacobian jacobian = kinematics.jacobian(leg.position_rad);
+  const Eigen::Vector3d error_m = foot.position_m - kinematics.foot_in_hip_m(leg.position_rad);
+  const Eigen::Vector3d slip_m_s =
+      desired.velocity_feedforward * foot.velocity_m_s - jacobian * leg.velocity_rad_s;
+  const Eigen::Vector3d force_N = to_eigen(desired.stiffness_N_m).cwiseProduct(error_m) +
+                                  to_eigen(desired.damping_N_s_m).cwiseProduct(slip_m_s) -
+                                  to_eigen(desired.feedforward_force_N);
+  JointVector torque = jacobian.transpose() * force_N + kinematics.gravity_torque_Nm(leg.position_rad);
+  for (int j = 0; j < torque.size(); ++j) {
+    torque[j] +=
+        desired.friction_compensation * coulomb_Nm[j] * std::tanh(leg.velocity_rad_s[j] / smoothing_rad_s);
+  }
+  return torque;
+}
+
+}  // namespace sprung

@@ -1,0 +1,161 @@
+#include "controller/controller_core.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <vector>
+
+#include "controller/leg_controller.h"
+
+namespace sprung {
+namespace {
+
+/// Longest time that one step may account for; a longer gap only makes fades and rates slower.
+constexpr double kLongestStep_s = 0.020;
+
+std::int64_t to_us(double seconds) noexcept { return static_cast<std::int64_t>(seconds * 1e6 + 0.5); }
+
+/// Saturated is no reason to let go: the drive still does what it can.
+bool ready(const EstimatedJoint& joint) noexcept {
+  return joint.status == JointStatus::kOk || joint.status == JointStatus::kSaturated;
+}
+
+CommandBasis basis_of(LegOutcome outcome) noexcept {
+  switch (outcome) {
+    case LegOutcome::kOk:
+      return CommandBasis::kCommanded;
+    case LegOutcome::kUnreachable:
+      return CommandBasis::kUnreachable;
+    case LegOutcome::kNotFinite:
+      break;
+  }
+  return CommandBasis::kNotFinite;
+}
+
+}  // namespace
+
+const char* name(CommandBasis value) noexcept {
+  switch (value) {
+    case CommandBasis::kCommanded:
+      return "commanded";
+    case CommandBasis::kNoCommand:
+      return "no leg command yet";
+    case CommandBasis::kCommandStale:
+      return "leg command stale";
+    case CommandBasis::kJointNotReady:
+      return "joint not ready";
+    case CommandBasis::kNotFinite:
+      return "not finite";
+    case CommandBasis::kUnreachable:
+      return "foot out of reach";
+    case CommandBasis::kSafety:
+      return "safety";
+    case CommandBasis::kInputsStopped:
+      return "joint state stopped";
+  }
+  return "unknown";
+}
+
+struct ControllerCore::Impl {
+  Impl(const RobotConfig& robot, const PresetConfig& preset, const WatchdogConfig& watchdogs)
+      : cycle_s(robot.cycle_s),
+        leg_command_us(to_us(watchdogs.leg_command_s)),
+        valid_us(to_us(watchdogs.command_hold_s + robot.cycle_s)) {
+    if (!(preset.friction_smoothing_rad_s > 0.0)) {
+      throw std::invalid_argument("preset '" + preset.name + "': friction_smoothing must be positive");
+    }
+    for (const LegConfig& leg : robot.legs) legs.emplace_back(robot, leg, preset.friction_smoothing_rad_s);
+  }
+
+  CommandBasis check(const JointState& state, const LegCommand* command) const noexcept {
+    if (state.safety != SafetyLevel::kOperational) return CommandBasis::kSafety;
+    if (command == nullptr) return CommandBasis::kNoCommand;
+    const std::int64_t age_us = state.stamp.utime_us - command->stamp.utime_us;
+    if (age_us < 0 || age_us > leg_command_us || command->legs.size() != legs.size()) {
+      return CommandBasis::kCommandStale;
+    }
+    return CommandBasis::kCommanded;
+  }
+
+  /// A leg that is to be without power needs no joint that is ready; all others do.
+  CommandBasis run(const JointState& state, const LegCommand& command, double dt_s,
+                   DriveCommand& out) noexcept {
+    const bool wanted = std::any_of(command.legs.begin(), command.legs.end(), [](const DesiredLeg& leg) {
+      return leg.control_mode != ControlMode::kDisabled;
+    });
+    if (wanted && !std::all_of(state.joints.begin(), state.joints.end(), ready))
+      return CommandBasis::kJointNotReady;
+    const double age_s = 1e-6 * static_cast<double>(state.stamp.utime_us - command.stamp.utime_us);
+    CommandBasis worst = CommandBasis::kCommanded;
+    for (std::size_t i = 0; i < legs.size(); ++i) {
+      worst = std::max(worst, basis_of(legs[i].step(state.joints, command.legs[i], age_s, dt_s, out)));
+    }
+    return worst;
+  }
+
+  void fall_back(const JointState& state, DriveCommand& out) noexcept {
+    const bool any_enabled = std::any_of(state.joints.begin(), state.joints.end(),
+                                         [](const EstimatedJoint& joint) { return joint.drive_enabled; });
+    // No start of this process may turn a drive on that is off, and none may drop a leg that is held.
+    const bool power_off =
+        state.safety == SafetyLevel::kDisabled || (basis == CommandBasis::kNoCommand && !any_enabled);
+    for (LegController& leg : legs) power_off ? leg.disable(out) : leg.damp(out);
+  }
+
+  double advance(const Stamp& stamp) noexcept {
+    const double dt_s = 1e-6 * static_cast<double>(stamp.utime_us - last.utime_us);
+    const bool usable = last.seq >= 0 && stamp.seq > last.seq && dt_s > 0.0;
+    last = stamp;
+    return usable ? std::min(dt_s, kLongestStep_s) : cycle_s;
+  }
+
+  void stamp_command(DriveCommand& out) const noexcept {
+    out.stamp = last;
+    out.valid_until_utime_us = last.utime_us + valid_us;
+    out.used_joint_state_seq = last.seq;
+  }
+
+  double cycle_s;
+  std::int64_t leg_command_us;
+  std::int64_t valid_us;
+  std::vector<LegController> legs;
+  Stamp last;
+  CommandBasis basis = CommandBasis::kNoCommand;
+};
+
+ControllerCore::ControllerCore(const RobotConfig& robot, const PresetConfig& preset,
+                               const WatchdogConfig& watchdogs)
+    : impl_(std::make_unique<Impl>(robot, preset, watchdogs)) {}
+
+ControllerCore::~ControllerCore() = default;
+
+void ControllerCore::step(const JointState& state, const LegCommand* command, DriveCommand& out) noexcept {
+  const double dt_s = impl_->advance(state.stamp);
+  impl_->stamp_command(out);
+  out.used_leg_command_seq = command != nullptr ? command->stamp.seq : -1;
+  impl_->basis = impl_->check(state, command);
+  if (impl_->basis == CommandBasis::kCommanded) impl_->basis = impl_->run(state, *command, dt_s, out);
+  if (impl_->basis != CommandBasis::kCommanded) impl_->fall_back(state, out);
+}
+
+void ControllerCore::inputs_stopped(DriveCommand& out) noexcept {
+  impl_->stamp_command(out);
+  out.used_leg_command_seq = -1;
+  impl_->basis = CommandBasis::kInputsStopped;
+  for (LegController& leg : impl_->legs) leg.damp(out);
+}
+
+CommandBasis ControllerCore::basis() const noexcept { return impl_->basis; }
+
+LimitCounts ControllerCore::limits() const noexcept {
+  LimitCounts sum;
+  for (const LegController& leg : impl_->legs) {
+    sum.soft_stop += leg.limits().soft_stop;
+    sum.torque += leg.limits().torque;
+    sum.rate += leg.limits().rate;
+    sum.position += leg.limits().position;
+    sum.velocity += leg.limits().velocity;
+  }
+  return sum;
+}
+
+}  // namespace sprung

@@ -1,0 +1,180 @@
+#include "controller/leg_controller.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sprung {
+namespace {
+
+constexpr double kFade_s = 0.020;          // facts B2: switch over 20-30 ms
+constexpr double kFadeSpeed_rad_s = 3.0;   // mean, a quarter of what the joints can do
+constexpr double kPeakToMeanOfFade = 1.5;  // of the cubic
+
+template <class T>
+std::vector<T> pick(const std::vector<T>& all, const std::vector<int>& indices) {
+  std::vector<T> out;
+  for (int i : indices) out.push_back(all.at(static_cast<std::size_t>(i)));
+  return out;
+}
+
+}  // namespace
+
+LegController::LegController(const RobotConfig& robot, const LegConfig& leg, double friction_smoothing_rad_s)
+    : joint_indices_(leg.joints),
+      actuator_indices_(leg.actuators),
+      joints_(pick(robot.joints, leg.joints)),
+      actuators_(pick(robot.actuators, leg.actuators)),
+      kinematics_(make_leg_kinematics(leg)),
+      transmission_(leg),
+      friction_smoothing_rad_s_(friction_smoothing_rad_s),
+      limiters_(actuators_.begin(), actuators_.end()) {
+  const int n = transmission_.size();
+  for (JointVector* v :
+       {&coulomb_Nm_, &offset_, &motor_torque_Nm_, &measured_.position_rad, &measured_.velocity_rad_s}) {
+    v->setZero(n);
+  }
+  for (int j = 0; j < n; ++j) coulomb_Nm_[j] = joints_[static_cast<std::size_t>(j)].coulomb_friction_Nm;
+}
+
+LegOutcome LegController::step(const std::vector<EstimatedJoint>& joints, const DesiredLeg& desired,
+                               double desired_age_s, double dt_s, DriveCommand& out) noexcept {
+  if (desired.control_mode == ControlMode::kDisabled) {
+    disable(out);
+    return LegOutcome::kOk;
+  }
+  if (desired.control_mode == ControlMode::kDamping) {
+    damp(out);
+    return LegOutcome::kOk;
+  }
+  if (!read(joints)) return LegOutcome::kNotFinite;
+  entering_ = entering_ || !all_enabled_ || desired.control_mode != mode_;
+  mode_ = desired.control_mode;
+  fade_.advance(dt_s);
+  const FootMotion foot = extrapolate(desired, desired_age_s);
+  if (!foot.position_m.allFinite() || !foot.velocity_m_s.allFinite()) return LegOutcome::kNotFinite;
+  const LegOutcome outcome =
+      mode_ == ControlMode::kPosition ? position(foot, out) : compliance(desired, foot, dt_s, out);
+  entering_ = outcome != LegOutcome::kOk;
+  return outcome;
+}
+
+bool LegController::read(const std::vector<EstimatedJoint>& joints) noexcept {
+  all_enabled_ = true;
+  for (int j = 0; j < transmission_.size(); ++j) {
+    const EstimatedJoint& joint =
+        joints[static_cast<std::size_t>(joint_indices_[static_cast<std::size_t>(j)])];
+    measured_.position_rad[j] = joint.estimated_position_rad;
+    measured_.velocity_rad_s[j] = joint.estimated_velocity_rad_s;
+    motor_torque_Nm_[j] = joint.motor_side_torque_Nm + joint.friction_torque_Nm;
+    all_enabled_ = all_enabled_ && joint.drive_enabled;
+  }
+  return measured_.position_rad.allFinite() && measured_.velocity_rad_s.allFinite() &&
+         motor_torque_Nm_.allFinite();
+}
+
+LegOutcome LegController::position(const FootMotion& foot, DriveCommand& out) noexcept {
+  const InverseResult inverse = kinematics_->inverse(foot.position_m, measured_.position_rad);
+  if (!inverse.reachable) return LegOutcome::kUnreachable;
+  if (entering_) enter_position(inverse.position_rad);
+  const DampedInverse to_joints = damped_inverse(kinematics_->jacobian(inverse.position_rad));
+  JointVector position_rad = inverse.position_rad + fade_.share() * offset_;
+  JointVector velocity_rad_s = to_joints.matrix.transpose() * foot.velocity_m_s + fade_.rate_1_s() * offset_;
+  if (!all_enabled_) {
+    position_rad = measured_.position_rad;
+    velocity_rad_s.setZero();
+  }
+  clamp_to_limits(position_rad, velocity_rad_s);
+  const JointVector position = transmission_.actuator_from_joint(position_rad);
+  const JointVector velocity = transmission_.actuator_from_joint(velocity_rad_s);
+  fill(out, DriveMode::kPosition);
+  for (int i = 0; i < transmission_.size(); ++i) {
+    const double fastest = actuators_[static_cast<std::size_t>(i)].speed_limit_rad_s;
+    command(out, i).commanded_position_rad = position[i];
+    command(out, i).commanded_velocity_rad_s = std::clamp(velocity[i], -fastest, fastest);
+    if (std::abs(velocity[i]) > fastest) ++counts_.velocity;
+  }
+  return LegOutcome::kOk;
+}
+
+void LegController::enter_position(const JointVector& desired_rad) noexcept {
+  offset_ = measured_.position_rad - desired_rad;
+  fade_.start(std::max(kFade_s, kPeakToMeanOfFade * offset_.cwiseAbs().maxCoeff() / kFadeSpeed_rad_s));
+}
+
+void LegController::clamp_to_limits(JointVector& position_rad, JointVector& velocity_rad_s) noexcept {
+  for (int j = 0; j < position_rad.size(); ++j) {
+    const JointConfig& joint = joints_[static_cast<std::size_t>(j)];
+    const double low = joint.position_min_rad + kPositionMargin_rad;
+    const double high = joint.position_max_rad - kPositionMargin_rad;
+    // A joint that already is beyond must not be pulled back at once: enabling would kick. It may only not go
+    // further.
+    const double inside = std::clamp(position_rad[j], std::min(low, measured_.position_rad[j]),
+                                     std::max(high, measured_.position_rad[j]));
+    if (inside == position_rad[j]) continue;
+    ++counts_.position;
+    position_rad[j] = inside;
+    velocity_rad_s[j] = 0.0;
+  }
+}
+
+LegOutcome LegController::compliance(const DesiredLeg& desired, const FootMotion& foot, double dt_s,
+                                     DriveCommand& out) noexcept {
+  JointVector torque =
+      compliance_torque_Nm(*kinematics_, desired, foot, measured_, coulomb_Nm_, friction_smoothing_rad_s_);
+  if (!torque.allFinite()) return LegOutcome::kNotFinite;
+  if (entering_) enter_compliance(torque);
+  torque += fade_.share() * offset_;
+  for (int j = 0; j < torque.size(); ++j) {
+    const ActuatorConfig& a = actuators_[static_cast<std::size_t>(j)];
+    torque[j] = with_soft_stop(torque[j], joints_[static_cast<std::size_t>(j)], measured_.position_rad[j],
+                               measured_.velocity_rad_s[j], a.position_stiffness_Nm_rad,
+                               a.position_damping_Nm_s_rad, counts_);
+  }
+  if (!all_enabled_) torque.setZero();
+  const JointVector actuator_Nm = transmission_.actuator_torque(torque);
+  fill(out, DriveMode::kTorque);
+  for (int i = 0; i < transmission_.size(); ++i) {
+    TorqueLimiter& limiter = limiters_[static_cast<std::size_t>(i)];
+    command(out, i).commanded_torque_Nm = limiter.limit(actuator_Nm[i], dt_s, counts_);
+  }
+  return LegOutcome::kOk;
+}
+
+void LegController::enter_compliance(const JointVector& law_Nm) noexcept {
+  const JointVector there_Nm = (all_enabled_ ? 1.0 : 0.0) * motor_torque_Nm_;
+  offset_ = there_Nm - law_Nm;
+  fade_.start(kFade_s);
+  const JointVector actuator_Nm = transmission_.actuator_torque(there_Nm);
+  for (int i = 0; i < transmission_.size(); ++i) {
+    limiters_[static_cast<std::size_t>(i)].start_from(actuator_Nm[i]);
+  }
+}
+
+void LegController::damp(DriveCommand& out) noexcept {
+  mode_ = ControlMode::kDamping;
+  entering_ = true;
+  fill(out, DriveMode::kDamping);
+  for (int i = 0; i < transmission_.size(); ++i) {
+    command(out, i).commanded_damping_Nm_s_rad =
+        actuators_[static_cast<std::size_t>(i)].safety_damping_Nm_s_rad;
+  }
+}
+
+void LegController::disable(DriveCommand& out) noexcept {
+  mode_ = ControlMode::kDisabled;
+  entering_ = true;
+  fill(out, DriveMode::kDisabled);
+}
+
+ActuatorCommand& LegController::command(DriveCommand& out, int i) const noexcept {
+  return out.actuators[static_cast<std::size_t>(actuator_indices_[static_cast<std::size_t>(i)])];
+}
+
+void LegController::fill(DriveCommand& out, DriveMode mode) const noexcept {
+  for (int i = 0; i < transmission_.size(); ++i) {
+    command(out, i) = ActuatorCommand{};
+    command(out, i).mode = mode;
+  }
+}
+
+}  // namespace sprung

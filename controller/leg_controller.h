@@ -1,0 +1,74 @@
+#pragma once
+/// One leg's drive set-points from its desired foot motion. Pure: no heap after construction, never throws in
+/// step.
+///
+/// Bumpless, by what fades out over 20 ms after a change of mode:
+///   to position    the difference between measured and desired joint positions (longer where 20 ms would
+///   need more than
+///                  3 rad/s), so that the first set-point is the measured position;
+///   to compliance  the difference between the torque measured at the motor and the law's own, so that the
+///   first set-point
+///                  is the torque that is there. Stiffness and damping act in full at once: a ramp of them
+///                  would slow the jumps of preset `paper`, which switch in flight (hybrid) or while standing
+///                  still before the thrust (torque), where this offset is small.
+/// While not all of the leg's drives are enabled, set-points are the measured position or no torque: enabling
+/// never kicks.
+#include <memory>
+#include <vector>
+
+#include "controller/compliance_law.h"
+#include "controller/fade.h"
+#include "controller/torque_limits.h"
+#include "controller/transmission.h"
+
+namespace sprung {
+
+enum class LegOutcome { kOk, kNotFinite, kUnreachable };
+
+class LegController {
+ public:
+  /// @throws std::invalid_argument on kinematics or a transmission that cannot be.
+  LegController(const RobotConfig& robot, const LegConfig& leg, double friction_smoothing_rad_s);
+
+  /// Writes this leg's entries of `out`; unless kOk they are to be overwritten with damping.
+  /// @param desired_age_s from the command's time to now.
+  LegOutcome step(const std::vector<EstimatedJoint>& joints, const DesiredLeg& desired, double desired_age_s,
+                  double dt_s, DriveCommand& out) noexcept;
+  /// Damping (or no power) instead of a step; the next mode starts anew.
+  void damp(DriveCommand& out) noexcept;
+  void disable(DriveCommand& out) noexcept;
+
+  const LimitCounts& limits() const noexcept { return counts_; }
+
+ private:
+  bool read(const std::vector<EstimatedJoint>& joints) noexcept;
+  LegOutcome position(const FootMotion& foot, DriveCommand& out) noexcept;
+  LegOutcome compliance(const DesiredLeg& desired, const FootMotion& foot, double dt_s,
+                        DriveCommand& out) noexcept;
+  void enter_position(const JointVector& desired_rad) noexcept;
+  void enter_compliance(const JointVector& law_Nm) noexcept;
+  void clamp_to_limits(JointVector& position_rad, JointVector& velocity_rad_s) noexcept;
+  ActuatorCommand& command(DriveCommand& out, int i) const noexcept;
+  void fill(DriveCommand& out, DriveMode mode) const noexcept;
+
+  std::vector<int> joint_indices_;
+  std::vector<int> actuator_indices_;
+  std::vector<JointConfig> joints_;
+  std::vector<ActuatorConfig> actuators_;
+  std::unique_ptr<LegKinematics> kinematics_;
+  Transmission transmission_;
+  JointVector coulomb_Nm_;
+  double friction_smoothing_rad_s_;
+
+  ControlMode mode_ = ControlMode::kDisabled;  ///< of the last step
+  bool all_enabled_ = false;
+  bool entering_ = true;  ///< this step is the mode's first with enabled drives
+  Fade fade_;
+  JointVector offset_;  ///< what fades: rad in position mode, Nm in compliance
+  LegMotion measured_;
+  JointVector motor_torque_Nm_;
+  std::vector<TorqueLimiter> limiters_;
+  LimitCounts counts_;
+};
+
+}  // namespace sprung
