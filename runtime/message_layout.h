@@ -22,7 +22,6 @@
 namespace sprung {
 
 inline constexpr std::size_t kSessionOffset = 8;
-inline constexpr std::size_t kUtimeOffset = 16;
 inline constexpr std::size_t kSeqOffset = 24;
 inline constexpr std::size_t kCountsOffset = 32;
 
@@ -46,6 +45,30 @@ struct CountLimits {
 /// Layout of message type M; known for every type included above. Start-up only: it builds prototypes.
 template <class M>
 MessageLayout layout_of();
+template <>
+MessageLayout layout_of<sprung_msgs::drive_state_t>();
+template <>
+MessageLayout layout_of<sprung_msgs::drive_command_t>();
+template <>
+MessageLayout layout_of<sprung_msgs::joint_state_t>();
+template <>
+MessageLayout layout_of<sprung_msgs::leg_command_t>();
+template <>
+MessageLayout layout_of<sprung_msgs::motion_state_t>();
+template <>
+MessageLayout layout_of<sprung_msgs::can_trace_t>();
+template <>
+MessageLayout layout_of<sprung_msgs::sim_truth_t>();
+template <>
+MessageLayout layout_of<sprung_msgs::sim_control_t>();
+template <>
+MessageLayout layout_of<sprung_msgs::operator_command_t>();
+template <>
+MessageLayout layout_of<sprung_msgs::operator_reply_t>();
+template <>
+MessageLayout layout_of<sprung_msgs::safety_state_t>();
+template <>
+MessageLayout layout_of<sprung_msgs::process_status_t>();
 
 /// Big-endian numbers as LCM encodes them; the caller has checked that the bytes are there.
 std::int64_t read_int64(const std::uint8_t* data, std::size_t offset) noexcept;

@@ -3,7 +3,8 @@
 /// and a wall time in, a decision out. Wall time decides only when to give up on a partner that has gone
 /// silent.
 ///
-/// Lock-step. Cycles are answered strictly in order; a cycle is skipped only when it cannot come any more. A
+/// Lock-step. Cycles are answered strictly in order; a cycle is skipped only when it cannot come any more
+/// (its sender is two cycles further, or silent about it for `patience`). A
 /// responder with a partner (the leg controller: LEG_COMMAND) answers k >= 1 only with the partner's k-1. A
 /// repeated input that was answered already asks for the stored answers again: the bridge repeats
 /// DRIVE_STATE(k) after 50 ms, and so every lost message of the ring is repaired without stepping anything
@@ -71,10 +72,11 @@ class LockstepResponder : public Responder {
   ResponderDecision decide(const ResponderView& view) noexcept override;
 
  private:
-  std::optional<std::int64_t> next_input(const ResponderView& view) noexcept;
-  bool waited_enough(std::int64_t now_us, std::int64_t patience_us) noexcept;
-  ResponderDecision answer(std::int64_t seq) noexcept;
-  ResponderDecision wait() const noexcept;
+  bool input_is_here(const ResponderView& view) noexcept;
+  bool partner_is_here(const ResponderView& view) noexcept;
+  bool waited(std::int64_t now_us, std::int64_t patience_us) noexcept;
+  ResponderDecision wait(std::int64_t now_us) const noexcept;
+  ResponderDecision restart() noexcept;
 
   LockstepTiming timing_;
   std::int64_t expected_ = 0;  ///< next cycle to answer

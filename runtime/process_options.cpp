@@ -1,0 +1,46 @@
+#include "runtime/process_options.h"
+
+namespace sprung {
+
+const char* name(ClockMode mode) noexcept { return mode == ClockMode::kLockstep ? "lockstep" : "realtime"; }
+
+ClockMode ProcessOptions::clock_mode() const noexcept {
+  return clock == name(ClockMode::kLockstep) ? ClockMode::kLockstep : ClockMode::kRealTime;
+}
+
+RealTimeRequest ProcessOptions::real_time() const noexcept {
+  if (clock_mode() == ClockMode::kLockstep || rt_policy == "off") return {RealTimePolicy::kOff, 0, -1};
+  return {rt_policy == "enforce" ? RealTimePolicy::kEnforce : RealTimePolicy::kWarn, priority, cpu};
+}
+
+void add_process_options(CommandLine& line, ProcessOptions& options) {
+  line.option("--robot", options.robot, "robot, by name or folder");
+  line.option("--preset", options.preset, "which of the robot's presets");
+  line.option("--session", options.node.session, "number of this session; messages of others are refused",
+              Need::kRequired);
+  line.option("--epoch-us", options.node.epoch_us, "CLOCK_MONOTONIC when the session began, us; 0 = at boot");
+  line.option("--lcm-url", options.node.lcm_url, "on-robot LCM network");
+  line.choice("--clock", options.clock, {"lockstep", "realtime"}, "who paces the cycle");
+  line.choice("--rt-policy", options.rt_policy, {"enforce", "warn", "off"},
+              "when real-time scheduling is refused");
+  line.option("--priority", options.priority, "SCHED_FIFO priority, 0 = normal scheduling");
+  line.option("--cpu", options.cpu, "pin to this CPU, -1 = any");
+  line.option("--inject", options.node.inject,
+              "link fault: drop-rx|drop-tx|repeat-tx:CHANNEL:SEQ (for tests)");
+  line.flag("--simulation", options.simulation,
+            "real time on a shared machine: the robot's simulation_watchdogs");
+}
+
+const WatchdogConfig& watchdogs_for(const RobotConfig& robot, const ProcessOptions& options) noexcept {
+  const bool longer = options.simulation && options.clock_mode() == ClockMode::kRealTime;
+  return longer ? robot.simulation_watchdogs : robot.watchdogs;
+}
+
+// FNV-1a, continued from the file's hash over the preset's name.
+std::int64_t configuration_hash(const RobotConfig& robot, const std::string& preset) noexcept {
+  auto hash = static_cast<std::uint64_t>(robot.hash) ^ 0xcbf29ce484222325U;
+  for (const char c : preset) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
+  return static_cast<std::int64_t>(hash);
+}
+
+}  // namespace sprung

@@ -1,0 +1,108 @@
+#include "runtime/receive_guard.h"
+
+#include <utility>
+
+namespace sprung {
+
+const char* name(Refusal value) noexcept {
+  switch (value) {
+    case Refusal::kNone:
+      return "accepted";
+    case Refusal::kTooShort:
+      return "too short";
+    case Refusal::kWrongHash:
+      return "wrong hash";
+    case Refusal::kWrongSession:
+      return "wrong session";
+    case Refusal::kBadCount:
+      return "bad count";
+    case Refusal::kWrongLength:
+      return "wrong length";
+    case Refusal::kNotDecodable:
+      return "not decodable";
+    case Refusal::kBadValue:
+      return "bad value";
+    case Refusal::kCount_:
+      break;
+  }
+  return "unknown";
+}
+
+ReceiveGuard::ReceiveGuard(std::string channel, const MessageLayout& layout, const CountLimits& limits,
+                           std::int64_t session)
+    : channel_(std::move(channel)), layout_(layout), limits_(limits), session_(session) {}
+
+Refusal ReceiveGuard::check(const void* data, std::size_t size) noexcept {
+  std::int64_t found = 0;
+  std::int64_t expected = 0;
+  const Refusal refusal = inspect(static_cast<const std::uint8_t*>(data), size, found, expected);
+  if (refusal != Refusal::kNone) refuse(refusal, found, expected);
+  return refusal;
+}
+
+Refusal ReceiveGuard::inspect(const std::uint8_t* bytes, std::size_t size, std::int64_t& found,
+                              std::int64_t& expected) const noexcept {
+  const auto differ = [&](std::int64_t is, std::int64_t should) {
+    found = is;
+    expected = should;
+    return is != should;
+  };
+  const std::size_t header = kCountsOffset + 4 * static_cast<std::size_t>(layout_.counts);
+  if (size < header) {
+    differ(static_cast<std::int64_t>(size), static_cast<std::int64_t>(header));
+    return Refusal::kTooShort;
+  }
+  if (differ(read_int64(bytes, 0), layout_.hash)) return Refusal::kWrongHash;
+  if (session_ != 0 && differ(read_int64(bytes, kSessionOffset), session_)) return Refusal::kWrongSession;
+  std::size_t length = layout_.fixed_size;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(layout_.counts); ++i) {
+    const std::int32_t count = read_int32(bytes, kCountsOffset + 4 * i);
+    differ(count, limits_.most[i]);
+    if (count < limits_.least[i] || count > limits_.most[i]) return Refusal::kBadCount;
+    length += static_cast<std::size_t>(count) * layout_.element_size[i];
+  }
+  differ(static_cast<std::int64_t>(size), static_cast<std::int64_t>(length));
+  const bool fits = layout_.strings == 0 ? size == length : strings_fit(bytes, size, length);
+  return fits ? Refusal::kNone : Refusal::kWrongLength;
+}
+
+// A length of zero throws in LCM's decoder, and the smallest negative one makes it read 2 GB past the buffer.
+bool ReceiveGuard::strings_fit(const std::uint8_t* bytes, std::size_t size,
+                               std::size_t position) const noexcept {
+  for (int i = 0; i < layout_.strings; ++i) {
+    if (position > size || size - position < 4) return false;
+    const std::int32_t length = read_int32(bytes, position);  // with the terminating zero
+    position += 4;
+    if (length < 1 || static_cast<std::size_t>(length) > size - position) return false;
+    position += static_cast<std::size_t>(length);
+    if (bytes[position - 1] != 0) return false;
+  }
+  return position == size;
+}
+
+void ReceiveGuard::refuse(Refusal why, std::int64_t found, std::int64_t expected) noexcept {
+  ++refused_[static_cast<std::size_t>(why)];
+  const std::lock_guard<std::mutex> lock(last_mutex_);
+  last_ = why;
+  last_found_ = found;
+  last_expected_ = expected;
+}
+
+std::int64_t ReceiveGuard::refused() const noexcept {
+  std::int64_t sum = 0;
+  for (const auto& count : refused_) sum += count.load();
+  return sum;
+}
+
+std::int64_t ReceiveGuard::refused(Refusal why) const noexcept {
+  return refused_[static_cast<std::size_t>(why)].load();
+}
+
+std::string ReceiveGuard::last_refusal() const {
+  const std::lock_guard<std::mutex> lock(last_mutex_);
+  if (last_ == Refusal::kNone) return "";
+  return channel_ + " refused: " + name(last_) + ", found " + std::to_string(last_found_) + ", expected " +
+         std::to_string(last_expected_);
+}
+
+}  // namespace sprung

@@ -1,0 +1,63 @@
+#include "runtime/stop_request.h"
+
+#include <sys/prctl.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <system_error>
+
+#include "runtime/input_event.h"
+
+namespace sprung {
+namespace {
+
+std::atomic<bool> requested{false};
+std::atomic<InputEvent*> event{nullptr};  // made once and kept: a signal may come at any time
+
+extern "C" void on_stop_signal(int) {
+  const int saved_errno = errno;
+  request_stop();
+  errno = saved_errno;
+}
+
+}  // namespace
+
+void install_stop_signals() {
+  if (event.load() == nullptr) event = new InputEvent();
+  struct sigaction action = {};
+  action.sa_handler = on_stop_signal;
+  sigemptyset(&action.sa_mask);
+  action.sa_flags = SA_RESTART;
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+  action.sa_handler = SIG_IGN;
+  sigaction(SIGPIPE, &action, nullptr);
+}
+
+bool stop_requested() noexcept { return requested.load(); }
+
+int stop_fd() noexcept {
+  const InputEvent* const made = event.load();
+  return made == nullptr ? -1 : made->fd();
+}
+
+void request_stop() noexcept {
+  requested = true;
+  if (InputEvent* const made = event.load(); made != nullptr) made->signal();
+}
+
+void clear_stop_request() noexcept {
+  requested = false;
+  if (InputEvent* const made = event.load(); made != nullptr) made->clear();
+}
+
+void stop_with_parent(int parent_pid) {
+  if (parent_pid == 0) parent_pid = getppid();
+  if (prctl(PR_SET_PDEATHSIG, SIGTERM) != 0)
+    throw std::system_error(errno, std::generic_category(), "PR_SET_PDEATHSIG");
+  if (getppid() != parent_pid) request_stop();  // it ended before the line above
+}
+
+}  // namespace sprung
