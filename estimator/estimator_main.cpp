@@ -1,0 +1,70 @@
+/// sprung-torque-estimator: DRIVE_STATE(k) in, JOINT_STATE(k) out.
+#include <optional>
+
+#include "estimator/estimator_core.h"
+#include "lcmtypes/channels.h"
+#include "runtime/answer_store.h"
+#include "runtime/process.h"
+#include "runtime/responder_loop.h"
+
+namespace sprung {
+namespace {
+
+class EstimatorShell : public ResponderShell {
+ public:
+  explicit EstimatorShell(Process& process)
+      : robot_(process.robot()),
+        drive_states_(in_),
+        answers_(out_),
+        joint_states_(process.node().publisher<JointState>(channels::kJointState)) {
+    restart();
+    process.node().subscribe(channels::kDriveState, CountLimits::exactly(robot_.actuators.size()),
+                             drive_states_);
+  }
+
+  ResponderView look() override { return {drive_states_.held(), {}, drive_states_.take_repeated(), 0}; }
+
+  std::optional<Stamp> step(std::int64_t seq) override {
+    if (!drive_states_.get(seq, in_)) return std::nullopt;
+    core_->step(in_, out_);
+    answers_.keep(out_);
+    joint_states_.publish(out_);
+    return in_.stamp;
+  }
+
+  void resend(std::int64_t seq) override {
+    for (const std::int64_t stored : {seq - 1, seq}) {
+      if (const JointState* answer = answers_.find(stored)) joint_states_.publish(*answer);
+    }
+  }
+
+  void restart() override {
+    core_.emplace(robot_);
+    answers_.clear();
+  }
+
+ private:
+  const RobotConfig& robot_;
+  DriveState in_{robot_.actuators.size()};
+  JointState out_{robot_.joints.size(), robot_.legs.size()};
+  Slot<DriveState> drive_states_;
+  AnswerStore<JointState> answers_;
+  Publisher<JointState> joint_states_;
+  std::optional<EstimatorCore> core_;
+};
+
+int estimate(Process& process) {
+  EstimatorShell shell(process);
+  const auto responder = make_responder(process, {});
+  return run_responder(process, *responder, shell);
+}
+
+}  // namespace
+}  // namespace sprung
+
+int main(int argc, char** argv) {
+  return sprung::run_process(
+      argc, argv,
+      {"sprung-torque-estimator", "Joint torque, motion and contact from the drives' measurements."},
+      sprung::estimate);
+}
