@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -39,6 +40,7 @@ struct ToMessage {
   void operator()(std::int8_t& message, const E& signal) {
     message = static_cast<std::int8_t>(signal);
   }
+  void operator()(std::string& message, const std::string& signal) { message = signal; }
   template <std::size_t N>
   void operator()(double (&message)[N], const std::array<double, N>& signal) {
     std::copy(signal.begin(), signal.end(), message);
@@ -64,6 +66,7 @@ struct FromMessage {
     good = good && message >= 0 && message <= static_cast<std::int8_t>(last(E{}));
     signal = static_cast<E>(message);
   }
+  void operator()(const std::string& message, std::string& signal) { signal = message; }
   template <std::size_t N>
   void operator()(const double (&message)[N], std::array<double, N>& signal) {
     std::copy(message, message + N, signal.begin());
