@@ -1,0 +1,34 @@
+#pragma once
+/// Bus time of classic CAN at 1 Mbit/s, and when a burst's frames act (facts canopen 6.1).
+#include <cstdint>
+#include <vector>
+
+#include "drivers/can/can_frame.h"
+
+namespace sprung::sim {
+
+/// Longest time on the wire: 55 + 10 n us for n data bytes, stuffing and pause included.
+constexpr std::int64_t frame_us(const CanFrame& frame) noexcept { return 55 + 10 * frame.length; }
+
+/// After a SYNC: the drives' answers, the stack's compute time, then the burst's frames one after the other
+/// on each bus.
+class BusSchedule {
+ public:
+  BusSchedule(std::size_t buses, std::int64_t compute_us)
+      : compute_us_(compute_us), answers_us_(buses), free_us_(buses) {}
+  void start_answers(int bus) noexcept { answers_us_[static_cast<std::size_t>(bus)] = 0; }
+  void add_answer(const BusFrame& answer) noexcept {
+    answers_us_[static_cast<std::size_t>(answer.bus)] += frame_us(answer.frame);
+  }
+  /// A burst begins: when each bus is free for it.
+  void start_burst(std::int64_t last_sync_us) noexcept;
+  /// When this frame of the burst acts, that is at its end on the wire; never later than sync_us.
+  std::int64_t acts_us(const BusFrame& frame, std::int64_t sync_us) noexcept;
+
+ private:
+  std::int64_t compute_us_;
+  std::vector<std::int64_t> answers_us_;  ///< bus time of the answers to the last SYNC
+  std::vector<std::int64_t> free_us_;
+};
+
+}  // namespace sprung::sim

@@ -1,0 +1,101 @@
+#include "drivers/sim/drive_train.h"
+
+#include "drivers/sim/hash_noise.h"
+#include "robots/robot_loader.h"
+
+namespace sprung::sim {
+namespace {
+
+/// Noise sources of actuator i: torque 2 i, instant of sampling 2 i + 1.
+std::uint64_t torque_signal(std::size_t actuator) noexcept { return 2 * actuator; }
+std::uint64_t jitter_signal(std::size_t actuator) noexcept { return 2 * actuator + 1; }
+
+}  // namespace
+
+DriveTrain::DriveTrain(const RobotConfig& robot, const SimConfig& config, std::uint64_t seed)
+    : actuators_(robot.actuators),
+      plant_(robot, config.plant),
+      transmission_(robot),
+      seed_(seed),
+      jitter_s_(config.timing.sync_jitter_s),
+      joint_rad_(robot.joints.size()),
+      joint_rad_s_(robot.joints.size()),
+      joint_Nm_(robot.joints.size()),
+      actuator_rad_(actuators_.size()),
+      actuator_rad_s_(actuators_.size()),
+      actuator_Nm_(actuators_.size()) {
+  for (std::size_t i = 0; i < actuators_.size(); ++i) {
+    if (actuators_[i].profile != "gold") {
+      throw ConfigError(robot.name + ": no simulated drive for profile '" + actuators_[i].profile +
+                        "'; there is gold");
+    }
+    const GoldDriveConfig drive{actuators_[i], config.drives[i], config.plant.step_s, seed, torque_signal(i)};
+    drives_.push_back(std::make_unique<GoldDrive>(drive));
+  }
+  read_plant();
+}
+
+void DriveTrain::read_plant() noexcept {
+  for (std::size_t j = 0; j < joint_rad_.size(); ++j) {
+    joint_rad_[j] = plant_.position_rad(j);
+    joint_rad_s_[j] = plant_.velocity_rad_s(j);
+  }
+  transmission_.to_actuators(joint_rad_, actuator_rad_);
+  transmission_.to_actuators(joint_rad_s_, actuator_rad_s_);
+}
+
+double DriveTrain::shaft_rad(std::size_t actuator, double late_s) const noexcept {
+  const double output_rad = actuator_rad_[actuator] + actuator_rad_s_[actuator] * late_s;
+  return (output_rad - actuators_[actuator].offset_rad) * actuators_[actuator].direction;
+}
+
+void DriveTrain::open(FrameBatch* out) noexcept {
+  for (auto& drive : drives_) drive->outbox().open(out);
+}
+
+void DriveTrain::receive(int bus, const CanFrame& frame, std::int64_t time_us) noexcept {
+  for (std::size_t i = 0; i < drives_.size(); ++i) {
+    if (actuators_[i].bus == bus) drives_[i]->receive(frame, time_us);
+  }
+}
+
+void DriveTrain::sample(int bus, double late_s, std::int64_t cycle) noexcept {
+  for (std::size_t i = 0; i < drives_.size(); ++i) {
+    if (actuators_[i].bus != bus) continue;
+    const double jitter_s = jitter_s_ * hash_noise(seed_, jitter_signal(i), cycle);
+    drives_[i]->sample(shaft_rad(i, late_s + jitter_s), cycle);
+  }
+}
+
+void DriveTrain::step_drives(std::int64_t time_us) noexcept {
+  for (std::size_t i = 0; i < drives_.size(); ++i) drives_[i]->step(shaft_rad(i, 0.0), time_us);
+}
+
+void DriveTrain::step_plant() noexcept {
+  for (std::size_t i = 0; i < drives_.size(); ++i) {
+    actuator_Nm_[i] = actuators_[i].direction * drives_[i]->motor_torque_Nm();
+  }
+  transmission_.torques_to_joints(actuator_Nm_, joint_Nm_);
+  plant_.step(joint_Nm_);
+  read_plant();
+}
+
+void DriveTrain::reset_plant() noexcept {
+  plant_.reset();
+  read_plant();
+  for (auto& drive : drives_) drive->forget_motion();
+}
+
+bool DriveTrain::all_operational() const noexcept {
+  for (const auto& drive : drives_) {
+    if (!drive->operational()) return false;
+  }
+  return true;
+}
+
+GoldDrive* DriveTrain::drive(int actuator) noexcept {
+  const bool exists = actuator >= 0 && actuator < static_cast<int>(drives_.size());
+  return exists ? drives_[static_cast<std::size_t>(actuator)].get() : nullptr;
+}
+
+}  // namespace sprung::sim

@@ -1,0 +1,33 @@
+#pragma once
+/// Object dictionary of a simulated Elmo Gold drive, after its EDS (facts canopen 1.5, 1.6, 3). Of the EDS
+/// only what a torque or position stream over CANopen touches, plus sprung's own gain objects.
+#include <cstdint>
+
+#include "drivers/sim/object_dictionary.h"
+
+namespace sprung::sim {
+
+/// Values that a real drive has from its commissioning.
+struct GoldCommissioning {
+  int node = 1;
+  std::uint32_t vendor = 0x9A;         ///< EDS "CANeds Gold V002"
+  std::uint32_t product = 0x00030923;  ///< the same
+  std::uint32_t revision = 0;
+  std::uint32_t serial = 1;
+  std::uint32_t rated_current_mA = 0;
+  std::uint32_t rated_torque_mNm = 0;     ///< motor side
+  std::uint32_t max_motor_speed_rpm = 0;  ///< 0x6080
+  std::uint32_t supply_mV = 0;
+};
+
+ObjectDictionary gold_dictionary(const GoldCommissioning& commissioning);
+
+/// Objects that canopen/objects.h does not name, since the bridge has no use for them.
+inline constexpr std::uint16_t kTorqueDemand = 0x6074;    ///< per mille of rated torque
+inline constexpr std::uint16_t kVelocityActual = 0x606C;  ///< counts/s
+inline constexpr std::uint16_t kMaxMotorSpeed = 0x6080;   ///< rpm
+inline constexpr std::uint16_t kTorqueOffset = 0x60B2;    ///< per mille of rated torque
+inline constexpr std::uint16_t kFollowingError = 0x60F4;  ///< counts
+inline constexpr int kErrorHistoryLength = 16;            ///< facts canopen 1.3
+
+}  // namespace sprung::sim

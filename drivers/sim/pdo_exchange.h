@@ -1,0 +1,60 @@
+#pragma once
+/// Process data at run time: RPDOs into the dictionary, TPDOs out of it, by SYNC or by event (facts
+/// canopen 1.5).
+#include <array>
+#include <cstdint>
+
+#include "drivers/sim/outbox.h"
+#include "drivers/sim/pdo_map.h"
+
+namespace sprung::sim {
+
+/// Told of every object that the master wrote, by SDO or RPDO.
+class WriteListener {
+ public:
+  virtual ~WriteListener() = default;
+  virtual void written(canopen::ObjectId id) noexcept = 0;
+};
+
+class PdoExchange {
+ public:
+  PdoExchange(ObjectDictionary& dictionary, WriteListener& listener, Outbox& outbox) noexcept;
+
+  /// After a change of the configuration, and when the device becomes operational: every event TPDO is sent
+  /// once.
+  void configure() noexcept;
+  /// @return false on an RPDO that is too short: it is not applied, and an emergency is due.
+  bool receive(const CanFrame& frame) noexcept;
+  /// Sends what is due by SYNC, then applies what waited for it.
+  void sync() noexcept;
+  /// Sends event TPDOs that changed or whose timer is up.
+  void send_events(std::int64_t time_us) noexcept;
+
+ private:
+  struct Receive {
+    PdoMap map;
+    CanFrame waiting;
+    bool has_waiting = false;
+  };
+  struct Transmit {
+    PdoMap map;
+    CanFrame last;
+    bool sent = false;
+    int syncs = 0;
+    std::int64_t last_us = 0;
+    std::int64_t inhibit_us = 0;
+    std::int64_t event_us = 0;  ///< 0 = no timer
+  };
+  void apply(const PdoMap& map, const CanFrame& frame) noexcept;
+  CanFrame pack(const PdoMap& map) const noexcept;
+  bool due_by_sync(Transmit& pdo, const CanFrame& frame) noexcept;
+  void send(Transmit& pdo, const CanFrame& frame) noexcept;
+
+  ObjectDictionary& dictionary_;
+  WriteListener& listener_;
+  Outbox& outbox_;
+  std::array<Receive, canopen::kPdoCount> receive_;
+  std::array<Transmit, canopen::kPdoCount> transmit_;
+};
+
+}  // namespace sprung::sim

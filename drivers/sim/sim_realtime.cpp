@@ -1,0 +1,92 @@
+#include <poll.h>
+#include <time.h>
+
+#include <array>
+
+#include "drivers/can/bus_addresses.h"
+#include "drivers/sim/sim_shell.h"
+#include "runtime/stop_request.h"
+
+namespace sprung {
+
+namespace {
+
+constexpr std::int64_t kStep_us = 1'000;  // how far the plant may lag behind the clock between frames
+
+class RealTimeSim {
+ public:
+  RealTimeSim(Process& process, const SimProgramOptions& options)
+      : process_(process), core_(process.robot(), options.sim), shell_(process, core_, options.sim.truth) {
+    for (const std::string& address : bus_addresses(process.robot(), options.can)) {
+      buses_.push_back(open_can_bus(address));
+      fds_.push_back({buses_.back()->fd(), POLLIN, 0});
+    }
+  }
+
+  int run() {
+    process_.node().start();
+    process_.set_state(ProcessState::kReady);
+    std::int64_t deadline_us = now_us();
+    while (!stop_requested()) {
+      wait_until(deadline_us);
+      process_.statistics().begin_cycle(now_us());
+      shell_.take_controls();
+      receive();
+      advance(now_us());
+      shell_.publish();
+      process_.statistics().end_cycle(now_us());
+      process_.publish_status_if_due();
+      if (now_us() >= deadline_us) {
+        deadline_us += ((now_us() - deadline_us) / kStep_us + 1) * kStep_us;
+      }
+    }
+    return 0;
+  }
+
+ private:
+  std::int64_t now_us() const { return process_.node().utime_us(); }
+
+  void wait_until(std::int64_t deadline_us) {
+    const std::int64_t left_us = deadline_us - now_us();
+    if (left_us > 0) {
+      const timespec left{0, left_us * 1000};
+      ppoll(fds_.data(), fds_.size(), &left, nullptr);
+    }
+  }
+
+  void receive() {
+    for (std::size_t bus = 0; bus < buses_.size(); ++bus) {
+      for (int count = 0;
+           (count = buses_[bus]->receive(received_.data(), static_cast<int>(received_.size()))) > 0;) {
+        const std::int64_t time_us = now_us();
+        for (int i = 0; i < count; ++i) {
+          core_.receive(static_cast<int>(bus), received_[static_cast<std::size_t>(i)], time_us);
+        }
+      }
+    }
+  }
+
+  void advance(std::int64_t time_us) {
+    answers_.clear();
+    core_.advance_to(time_us, answers_);
+    for (const BusFrame& frame : answers_) {
+      buses_[static_cast<std::size_t>(frame.bus)]->send(&frame.frame, 1);
+    }
+  }
+
+  Process& process_;
+  SimCore core_;
+  SimShell shell_;
+  std::vector<std::unique_ptr<CanBus>> buses_;
+  std::vector<pollfd> fds_;
+  std::array<CanFrame, 64> received_{};
+  FrameBatch answers_;
+};
+
+}  // namespace
+
+int run_sim_realtime(Process& process, const SimProgramOptions& options) {
+  return RealTimeSim(process, options).run();
+}
+
+}  // namespace sprung

@@ -1,0 +1,54 @@
+#include "drivers/sim/sim_shell.h"
+
+#include <cstdlib>
+#include <stdexcept>
+
+#include "lcmtypes/channels.h"
+
+namespace sprung {
+
+std::map<std::string, double> parse_plant(const std::vector<std::string>& texts) {
+  std::map<std::string, double> plant;
+  for (const std::string& text : texts) {
+    const std::size_t equals = text.find('=');
+    const std::string number = equals == std::string::npos ? "" : text.substr(equals + 1);
+    char* end = nullptr;
+    const double value = std::strtod(number.c_str(), &end);
+    if (number.empty() || *end != '\0') {
+      throw std::invalid_argument("--plant " + text +
+                                  ": expected KEY=NUMBER, for example friction_scale=1.2");
+    }
+    plant[text.substr(0, equals)] = value;
+  }
+  return plant;
+}
+
+SimShell::SimShell(Process& process, SimCore& core, bool truth)
+    : process_(process),
+      core_(core),
+      truth_(truth),
+      truths_(process.node().publisher<SimTruth>(channels::kSimTruth)) {
+  process.node().subscribe(channels::kSimControl, CountLimits::none(), controls_);
+}
+
+void SimShell::take_controls() {
+  while (const std::optional<SimControl> control = controls_.pop()) {
+    core_.control(*control);
+  }
+}
+
+void SimShell::publish() {
+  if (core_.failed()) {
+    throw std::runtime_error(std::string("the simulated plant failed, the run is void: ") + core_.failure());
+  }
+  if (truth_ && core_.cycle() > published_cycle_) {
+    truths_.publish(core_.truth());
+  }
+  if (core_.cycle() >= 0 && published_cycle_ < 0) {
+    process_.set_state(ProcessState::kRunning);
+  }
+  published_cycle_ = core_.cycle();
+  process_.status().stamp = core_.truth().stamp;
+}
+
+}  // namespace sprung

@@ -1,0 +1,44 @@
+#pragma once
+/// What the simulated drives' process does around the core in each clock.
+#include <map>
+#include <string>
+#include <vector>
+
+#include "drivers/sim/sim_core.h"
+#include "runtime/process.h"
+
+namespace sprung {
+
+struct SimProgramOptions {
+  std::vector<std::string> can;    ///< BUS=ADDRESS, instead of robot.yaml's
+  std::vector<std::string> plant;  ///< KEY=VALUE
+  SimOptions sim;
+};
+
+/// @throws std::invalid_argument on a text that is no KEY=NUMBER.
+std::map<std::string, double> parse_plant(const std::vector<std::string>& texts);
+
+/// SIM_TRUTH out, SIM_CONTROL in; refuses to go on when the plant has failed.
+class SimShell {
+ public:
+  SimShell(Process& process, SimCore& core, bool truth);
+  void take_controls();
+  /// SIM_TRUTH once a cycle. @throws std::runtime_error when the plant failed.
+  void publish();
+
+ private:
+  Process& process_;
+  SimCore& core_;
+  const bool truth_;
+  InputQueue<SimControl> controls_;
+  Publisher<SimTruth> truths_;
+  std::int64_t published_cycle_ = -1;
+};
+
+/// The bridge's SYNC is the tick. When it stays away for a second of wall time, time goes on by the wall
+/// clock, so that the drives' own watchdogs see that their master is gone.
+int run_sim_lockstep(Process& process, const SimProgramOptions& options);
+/// Own absolute timer; SYNC only samples.
+int run_sim_realtime(Process& process, const SimProgramOptions& options);
+
+}  // namespace sprung
