@@ -1,0 +1,51 @@
+#include "planner/jump_curve.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace sprung {
+namespace {
+
+constexpr double kSameLength_m = 1e-6;
+
+/// Control points above the crouch (first half) or the landing length (second).
+std::vector<double> excess(const PresetConfig& preset) {
+  std::vector<double> points = preset.jump_curve.lengths_m;
+  const std::size_t first_half = (points.size() + 1) / 2;
+  const double crouch = preset.jump_curve.lengths_m.empty() ? 0.0 : preset.jump_curve.lengths_m.front();
+  for (std::size_t i = 0; i < points.size(); ++i)
+    points[i] -= i < first_half ? crouch : preset.landing_length_m;
+  return points;
+}
+
+}  // namespace
+
+double jump_scale(double height_m) noexcept {
+  if (height_m == 0.0) return 1.0;
+  const bool possible = height_m >= kLowestJump_m && height_m <= kHighestJump_m;
+  return possible ? std::sqrt(height_m / kNominalJumpHeight_m) : std::nan("");
+}
+
+JumpCurve::JumpCurve(const PresetConfig& preset)
+    : at_unit_(preset.jump_curve.lengths_m, preset.jump_curve.duration_s),
+      excess_(excess(preset), preset.jump_curve.duration_s),
+      crouch_length_m_(preset.jump_curve.lengths_m.front()) {
+  if (std::abs(at_unit_.end() - preset.landing_length_m) > kSameLength_m) {
+    throw std::invalid_argument("preset '" + preset.name + "': jump_curve must end at landing_length");
+  }
+}
+
+void JumpCurve::scale(double factor) noexcept { factor_ = factor; }
+
+FootPoint JumpCurve::at(double time_s) const noexcept {
+  const CurvePoint unit = at_unit_.at(time_s);
+  const CurvePoint extra = excess_.at(time_s);
+  const double more = factor_ - 1.0;
+  FootPoint out;
+  out.position_m = {0.0, 0.0, -(unit.value + more * extra.value)};
+  out.velocity_m_s = {0.0, 0.0, -(unit.rate_1_s + more * extra.rate_1_s)};
+  out.acceleration_m_s2 = {0.0, 0.0, -(unit.acceleration_1_s2 + more * extra.acceleration_1_s2)};
+  return out;
+}
+
+}  // namespace sprung

@@ -1,0 +1,36 @@
+#include "planner/leg_gains.h"
+
+namespace sprung {
+
+bool compliant(const JumpProgress& jump, const PresetConfig& preset) noexcept {
+  const bool airborne_or_pushing = jump.phase == MotionPhase::kThrust || jump.phase == MotionPhase::kFlight;
+  const bool landing = jump.phase == MotionPhase::kLanding;
+  switch (jump.mode) {
+    case JumpMode::kPosition:
+      return false;
+    case JumpMode::kTorque:
+      return airborne_or_pushing || landing ||
+             (jump.phase == MotionPhase::kCrouch && jump.in_phase_s >= preset.crouch_time_s);
+    case JumpMode::kHybrid:
+      return landing || (airborne_or_pushing && jump.since_thrust_s >= preset.hybrid_switch_s);
+  }
+  return false;
+}
+
+void set_control(const JumpProgress& jump, const PresetConfig& preset, DesiredLeg& out) noexcept {
+  out.feedforward_force_N = {0.0, 0.0, 0.0};
+  out.friction_compensation = preset.friction_compensation;
+  if (!compliant(jump, preset)) {
+    out.control_mode = ControlMode::kPosition;
+    out.stiffness_N_m = out.damping_N_s_m = {0.0, 0.0, 0.0};
+    out.velocity_feedforward = 0.0;
+    return;
+  }
+  const StiffnessConfig& gains = jump.mode == JumpMode::kTorque ? preset.torque_jump : preset.hybrid_landing;
+  out.control_mode = ControlMode::kCompliance;
+  out.stiffness_N_m = gains.stiffness_N_m;
+  out.damping_N_s_m = gains.damping_N_s_m;
+  out.velocity_feedforward = gains.velocity_feedforward;
+}
+
+}  // namespace sprung

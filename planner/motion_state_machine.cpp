@@ -1,0 +1,92 @@
+#include "planner/motion_state_machine.h"
+
+#include <algorithm>
+
+namespace sprung {
+namespace {
+
+using E = MotionEvent;
+using P = MotionPhase;
+
+const MotionTable kTransitions{{
+    {P::kIdle, E::kStandRequested, P::kRising, "stand requested"},
+    {P::kRising, E::kEnableTimeout, P::kIdle, "drives were not enabled within the time-out"},
+    {P::kRising, E::kRisen, P::kStanding, "stand reached"},
+    {P::kStanding, E::kJumpRequested, P::kCrouch, "jump requested"},
+    {P::kCrouch, E::kCrouched, P::kThrust, "crouched and settled"},
+    {P::kCrouch, E::kStopped, P::kRecover, "stopped by the operator before the thrust"},
+    {P::kThrust, E::kLiftOff, P::kFlight, "lift-off: contact lost"},
+    {P::kThrust, E::kThrustTimeout, P::kLanding, "thrust time-out: no lift-off measured"},
+    {P::kFlight, E::kTouchdown, P::kLanding, "touchdown: contact"},
+    {P::kFlight, E::kFlightTimeout, P::kLanding, "flight time-out: no touchdown measured"},
+    {P::kLanding, E::kLandingHeld, P::kRecover, "landing held"},
+    {P::kRecover, E::kRecovered, P::kStanding, "stand reached again"},
+    {P::kRecover, E::kNextJump, P::kCrouch, "next jump"},
+    {P::kStanding, E::kSitRequested, P::kSitting, "sit requested"},
+    {P::kSitting, E::kSat, P::kIdle, "sat down, drives off"},
+    {std::nullopt, E::kSafetyLost, P::kIdle, "safety is not operational"},
+    {std::nullopt, E::kDriveLost, P::kIdle, "a drive is in fault or no longer enabled"},
+    {std::nullopt, E::kFootLost, P::kIdle, "a measured foot position is missing where a move begins"},
+    {std::nullopt, E::kRestarted, P::kIdle, "cycle count went back: the bridge was restarted"},
+}};
+
+}  // namespace
+
+const char* name(MotionEvent value) noexcept {
+  switch (value) {
+    case E::kStandRequested:
+      return "stand requested";
+    case E::kEnableTimeout:
+      return "enable time-out";
+    case E::kRisen:
+      return "risen";
+    case E::kJumpRequested:
+      return "jump requested";
+    case E::kCrouched:
+      return "crouched";
+    case E::kStopped:
+      return "stopped";
+    case E::kLiftOff:
+      return "lift-off";
+    case E::kThrustTimeout:
+      return "thrust time-out";
+    case E::kTouchdown:
+      return "touchdown";
+    case E::kFlightTimeout:
+      return "flight time-out";
+    case E::kLandingHeld:
+      return "landing held";
+    case E::kRecovered:
+      return "recovered";
+    case E::kNextJump:
+      return "next jump";
+    case E::kSitRequested:
+      return "sit requested";
+    case E::kSat:
+      return "sat";
+    case E::kSafetyLost:
+      return "safety lost";
+    case E::kDriveLost:
+      return "drive lost";
+    case E::kFootLost:
+      return "foot lost";
+    case E::kRestarted:
+      return "restarted";
+  }
+  return "unknown";
+}
+
+const MotionTable& motion_transitions() noexcept { return kTransitions; }
+
+const MotionTransition* MotionStateMachine::process_event(MotionEvent event) noexcept {
+  const auto* row = std::find_if(kTransitions.begin(), kTransitions.end(), [&](const MotionTransition& t) {
+    const bool from_here = t.from ? *t.from == state_ : state_ != MotionPhase::kIdle;
+    return from_here && t.event == event;
+  });
+  if (row == kTransitions.end()) return nullptr;
+  state_ = row->to;
+  last_ = row;
+  return row;
+}
+
+}  // namespace sprung

@@ -1,0 +1,194 @@
+#include "planner/planner_core.h"
+
+#include <cmath>
+
+#include "planner/motion.h"
+#include "planner/operator_desk.h"
+
+namespace sprung {
+namespace {
+
+constexpr int kMostJumps = 100;
+
+/// A request that has been accepted and has not ended.
+struct Active {
+  std::int64_t request_id = 0;
+  OperatorKind kind = OperatorKind::kNone;  ///< kNone: there is none
+};
+
+bool known(JumpMode mode) noexcept {
+  return mode == JumpMode::kPosition || mode == JumpMode::kTorque || mode == JumpMode::kHybrid;
+}
+
+bool can_stand(const JointState& in) noexcept {
+  for (const EstimatedJoint& joint : in.joints) {
+    if (joint.status != JointStatus::kOk && joint.status != JointStatus::kSaturated) return false;
+  }
+  for (const EstimatedLeg& leg : in.legs) {
+    if (!std::isfinite(leg.estimated_foot_in_hip_m[0])) return false;
+  }
+  return true;
+}
+
+const char* busy(MotionPhase state) noexcept {
+  switch (state) {
+    case MotionPhase::kRising:
+      return "busy: rising";
+    case MotionPhase::kSitting:
+      return "busy: sitting down";
+    case MotionPhase::kIdle:
+      return "not standing: stand first";
+    default:
+      return "busy: jumping";
+  }
+}
+
+/// nullptr: fine.
+const char* jump_mistake(const OperatorCommand& c) noexcept {
+  if (!known(c.jump_mode)) return "jump mode must be position, torque or hybrid";
+  if (c.jump_count < 1 || c.jump_count > kMostJumps) return "jump count must be 1 to 100";
+  if (std::isnan(jump_scale(c.jump_height_m)))
+    return "jump height must be 0.02 to 0.22 m, or 0 for the robot file's own";
+  return nullptr;
+}
+
+}  // namespace
+
+struct PlannerCore::Impl {
+  Impl(const RobotConfig& robot, const PresetConfig& preset) : motion(robot, preset) {}
+
+  void step(const JointState& in) noexcept;
+  void execute(const OperatorCommand& command, const JointState& in) noexcept;
+  void stand(const OperatorCommand& command, const JointState& in) noexcept;
+  void jump(const OperatorCommand& command, const JointState& in) noexcept;
+  void sit(const OperatorCommand& command, const JointState& in) noexcept;
+  void stop(const OperatorCommand& command) noexcept;
+  void end_requests() noexcept;
+
+  void accept(const OperatorCommand& command, Active& as) noexcept {
+    as = {command.request_id, command.kind};
+    desk.reply(command.request_id, OperatorOutcome::kAccepted, "", now);
+    note = "";
+  }
+  void accept_as_done(const OperatorCommand& command, const char* reason) noexcept {
+    desk.reply(command.request_id, OperatorOutcome::kAccepted, "", now);
+    desk.reply(command.request_id, OperatorOutcome::kDone, reason, now);
+  }
+  void refuse(const OperatorCommand& command, const char* reason) noexcept {
+    desk.reply(command.request_id, OperatorOutcome::kRefused, reason, now);
+    note = reason;
+  }
+  void end(Active& request, OperatorOutcome outcome, const char* reason) noexcept {
+    if (request.kind != OperatorKind::kNone) desk.reply(request.request_id, outcome, reason, now);
+    request = {};
+  }
+
+  Motion motion;
+  OperatorDesk desk;
+  Active moving;    ///< stand, jump or sit
+  Active stopping;  ///< stop
+  Stamp now;
+  bool started = false;
+  const char* note = "";  ///< last refusal, until the next transition
+};
+
+void PlannerCore::Impl::step(const JointState& in) noexcept {
+  const bool restarted = started && in.stamp.seq < now.seq;
+  started = true;
+  now = in.stamp;
+  const char* before = motion.last_transition();
+  const MotionPhase state_before = motion.state();
+  OperatorCommand command;
+  if (restarted) {
+    motion.restart(in);
+    while (desk.take_any(command)) refuse(command, "the bridge was restarted: send it again");
+  }
+  motion.update(in);
+  end_requests();
+  while (desk.take_due(now.seq, command)) execute(command, in);
+  if (motion.state() != state_before || motion.last_transition() != before) note = "";
+}
+
+void PlannerCore::Impl::execute(const OperatorCommand& command, const JointState& in) noexcept {
+  switch (command.kind) {
+    case OperatorKind::kStand:
+      return stand(command, in);
+    case OperatorKind::kJump:
+      return jump(command, in);
+    case OperatorKind::kSit:
+      return sit(command, in);
+    case OperatorKind::kStop:
+      return stop(command);
+    case OperatorKind::kEstop:
+    case OperatorKind::kClear:
+      return;  // the bridge's own, and it answers them
+    case OperatorKind::kNone:
+      break;
+  }
+  refuse(command, "unknown command");
+}
+
+void PlannerCore::Impl::stand(const OperatorCommand& command, const JointState& in) noexcept {
+  if (motion.state() == MotionPhase::kStanding) return accept_as_done(command, "already standing");
+  if (motion.state() != MotionPhase::kIdle) return refuse(command, busy(motion.state()));
+  if (in.safety != SafetyLevel::kOperational)
+    return refuse(command, "safety is not operational: clear it first");
+  if (!can_stand(in)) return refuse(command, "a joint is not ready: see its status");
+  if (motion.stand(in)) accept(command, moving);
+}
+
+void PlannerCore::Impl::jump(const OperatorCommand& command, const JointState& in) noexcept {
+  if (motion.state() != MotionPhase::kStanding) return refuse(command, busy(motion.state()));
+  if (const char* mistake = jump_mistake(command)) return refuse(command, mistake);
+  const JumpRequest request{command.jump_mode, command.jump_count, jump_scale(command.jump_height_m)};
+  if (motion.jump(in, request)) accept(command, moving);
+}
+
+void PlannerCore::Impl::sit(const OperatorCommand& command, const JointState& in) noexcept {
+  if (motion.state() == MotionPhase::kIdle) return accept_as_done(command, "already down, drives off");
+  if (motion.state() != MotionPhase::kStanding) return refuse(command, busy(motion.state()));
+  if (motion.sit(in)) accept(command, moving);
+}
+
+void PlannerCore::Impl::stop(const OperatorCommand& command) noexcept {
+  if (motion.state() == MotionPhase::kIdle) return accept_as_done(command, "nothing moves");
+  if (motion.state() == MotionPhase::kStanding) return accept_as_done(command, "standing");
+  if (motion.state() == MotionPhase::kSitting) return refuse(command, busy(motion.state()));
+  if (stopping.kind != OperatorKind::kNone) return refuse(command, "already stopping");
+  motion.stop();
+  accept(command, stopping);
+}
+
+/// Requests end where the motion rests: standing, or idle.
+void PlannerCore::Impl::end_requests() noexcept {
+  const char* why = motion.last_transition();
+  if (motion.state() == MotionPhase::kIdle) {
+    const bool sat = moving.kind == OperatorKind::kSit && motion.sat();
+    end(moving, sat ? OperatorOutcome::kDone : OperatorOutcome::kFailed, why);
+    end(stopping, OperatorOutcome::kFailed, why);
+  } else if (motion.state() == MotionPhase::kStanding) {
+    const char* failure = moving.kind == OperatorKind::kJump ? motion.jump_failure() : nullptr;
+    end(moving, failure != nullptr ? OperatorOutcome::kFailed : OperatorOutcome::kDone,
+        failure != nullptr ? failure : why);
+    end(stopping, OperatorOutcome::kDone, why);
+  }
+}
+
+PlannerCore::PlannerCore(const RobotConfig& robot, const PresetConfig& preset)
+    : impl_(std::make_unique<Impl>(robot, preset)) {}
+
+PlannerCore::~PlannerCore() = default;
+
+bool PlannerCore::submit(const OperatorCommand& command) noexcept { return impl_->desk.submit(command); }
+
+void PlannerCore::step(const JointState& in, LegCommand& leg_out, MotionState& motion_out) noexcept {
+  impl_->step(in);
+  impl_->motion.write(in, leg_out);
+  impl_->motion.write(motion_out);
+  motion_out.stamp = in.stamp;
+  if (impl_->note[0] != '\0') motion_out.last_transition = impl_->note;
+}
+
+bool PlannerCore::next_reply(OperatorReply& out) noexcept { return impl_->desk.next_reply(out); }
+
+}  // namespace sprung
