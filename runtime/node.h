@@ -62,8 +62,8 @@ class Node {
   Node(const Node&) = delete;
   Node& operator=(const Node&) = delete;
 
-  /// Subscriptions come before start(). Slot and queue must outlive the node's receiving thread (declare them
-  /// first, or call stop()). Signal is one of signals.h.
+  /// Subscriptions come before start(). Slots and queues must outlive receiving: see Receiving below.
+  /// Signal is one of signals.h whose message has no texts.
   template <class Signal>
   void subscribe(const char* channel, const CountLimits& limits, Slot<Signal>& slot) {
     slot.wake(&event_);
@@ -126,6 +126,19 @@ class Node {
   std::vector<std::uint8_t> buffer_;
   std::int64_t send_failures_ = 0;
   std::unique_ptr<Impl> impl_;
+};
+
+/// Receives as long as it lives. Declare it after the slots and queues, so that receiving ends before they
+/// do.
+class Receiving {
+ public:
+  explicit Receiving(Node& node) : node_(node) { node_.start(); }
+  ~Receiving() { node_.stop(); }
+  Receiving(const Receiving&) = delete;
+  Receiving& operator=(const Receiving&) = delete;
+
+ private:
+  Node& node_;
 };
 
 template <class Signal>

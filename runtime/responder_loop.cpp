@@ -43,15 +43,6 @@ void act(Process& process, ResponderShell& shell, const ResponderDecision& decis
   }
 }
 
-/// Receiving ends before the shell's slots do, however the loop ends.
-struct Receiving {
-  explicit Receiving(Node& its_node) : node(its_node) { node.start(); }
-  ~Receiving() { node.stop(); }
-  Receiving(const Receiving&) = delete;
-  Receiving& operator=(const Receiving&) = delete;
-  Node& node;
-};
-
 }  // namespace
 
 std::unique_ptr<Responder> make_responder(const Process& process, const ResponderRole& role) {
