@@ -33,7 +33,12 @@ class PlannerShell : public ResponderShell {
 
   void between_cycles() override {
     while (const auto command = commands_.pop()) {
-      if (is_motion(command->kind) && !core_->submit(*command)) refuse(*command);
+      if (!is_motion(command->kind)) continue;
+      if (!core_->submit(*command)) {
+        reply(*command, OperatorOutcome::kRefused, "too many commands wait");
+      } else if (command->apply_at_seq > process_.status().stamp.seq + 1) {
+        reply(*command, OperatorOutcome::kQueued, "waits for its cycle");
+      }
     }
   }
 
@@ -62,14 +67,14 @@ class PlannerShell : public ResponderShell {
   }
 
  private:
-  void refuse(const OperatorCommand& command) {
-    OperatorReply reply;
-    reply.stamp = {process_.node().utime_us(), process_.status().stamp.seq};
-    reply.request_id = command.request_id;
-    reply.outcome = OperatorOutcome::kRefused;
-    reply.from = "planner";
-    reply.reason = "too many commands wait";
-    replies_.publish(reply);
+  void reply(const OperatorCommand& command, OperatorOutcome outcome, const char* reason) {
+    OperatorReply answer;
+    answer.stamp = {process_.node().utime_us(), process_.status().stamp.seq};
+    answer.request_id = command.request_id;
+    answer.outcome = outcome;
+    answer.from = "planner";
+    answer.reason = reason;
+    replies_.publish(answer);
   }
 
   Process& process_;
