@@ -1,0 +1,9 @@
+#pragma once
+/// Counts heap allocations of this test program; link allocation_count.cpp into it.
+#include <cstdint>
+
+namespace sprung::test {
+
+std::int64_t allocation_count() noexcept;
+
+}  // namespace sprung::test
