@@ -1,6 +1,7 @@
 #pragma once
-/// The CAN drive bridge without its process: frames and a time in, frames and a status out. Boot, SDO client, heartbeat and
-/// safety are state machines stepped by time; no thread, clock, socket, log or allocation after construction.
+/// The CAN drive bridge without its process: frames and a time in, frames and a status out. Boot, SDO client,
+/// heartbeat and safety are state machines stepped by time; no thread, clock, socket, log or allocation after
+/// construction.
 ///
 /// One tick, whatever the clock:
 ///   begin_tick(t, out)   NMT, SDO, heartbeat frames that are due, then SYNC last on every bus
@@ -50,7 +51,8 @@ class BridgeCore {
   bool shut_down() const noexcept;
 
   const SafetyState& safety() const noexcept;
-  /// One line for people about where boot stands, e.g. "knee: waiting for boot-up". Static or internal storage.
+  /// One line for people about where boot stands, e.g. "knee: waiting for boot-up". Static or internal
+  /// storage.
   const char* boot_detail() const noexcept;
   bool operational() const noexcept;  ///< cyclic operation has begun
 

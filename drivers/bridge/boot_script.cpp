@@ -1,0 +1,57 @@
+#include "drivers/bridge/boot_script.h"
+
+#include "drivers/canopen/objects.h"
+#include "drivers/cia402/words.h"
+
+namespace sprung {
+namespace {
+
+using canopen::ObjectId;
+using Kind = BootStep::Kind;
+
+void verify_identity(const IdentityConfig& identity, std::vector<BootStep>& script) {
+  const std::uint32_t expected[] = {identity.vendor, identity.product, identity.revision, identity.serial};
+  for (std::uint8_t sub = 1; sub <= 4; ++sub) {
+    const std::uint32_t value = expected[sub - 1];
+    if (value != 0) script.push_back({Kind::kVerify, {{canopen::kIdentity, sub}, 4, value, false}});
+  }
+}
+
+/// The order that drives accept: invalid, type, no map, entries, map, valid.
+void remap(const PdoSetting& pdo, int node, std::vector<BootStep>& script) {
+  const auto number = static_cast<std::uint16_t>(pdo.number);
+  const auto communication = static_cast<std::uint16_t>(
+      (pdo.transmit ? canopen::kTpdoCommunication : canopen::kRpdoCommunication) + number);
+  const auto mapping =
+      static_cast<std::uint16_t>((pdo.transmit ? canopen::kTpdoMapping : canopen::kRpdoMapping) + number);
+  const std::uint32_t cob_id = pdo.transmit ? canopen::tpdo_id(pdo.number, node) | canopen::kPdoNoRtr
+                                            : canopen::rpdo_id(pdo.number, node);
+  const auto add = [&script](ObjectId object, int size, std::uint32_t value) {
+    script.push_back({Kind::kWriteAndVerify, {object, size, value, false}});
+  };
+  add({communication, 1}, 4, cob_id | canopen::kPdoInvalid);
+  if (pdo.entries.empty()) return;
+  add({communication, 2}, 1, pdo.transmission_type);
+  add({mapping, 0}, 1, 0);
+  std::uint8_t sub = 0;
+  for (const canopen::MapEntry& entry : pdo.entries)
+    add({mapping, ++sub}, 4, canopen::encode_map_entry(entry));
+  add({mapping, 0}, 1, sub);
+  add({communication, 1}, 4, cob_id);
+}
+
+}  // namespace
+
+std::vector<BootStep> make_boot_script(const IdentityConfig& identity, const DriveProfile& profile,
+                                       int node) {
+  std::vector<BootStep> script;
+  verify_identity(identity, script);
+  // A drive that a former bridge left enabled loses its power before anything is changed.
+  script.push_back({Kind::kWrite, {{canopen::kControlWord, 0}, 2, cia402::kDisableVoltageWord, false}});
+  for (const DriveSetting& setting : profile.settings()) script.push_back({Kind::kWriteAndVerify, setting});
+  for (const PdoSetting& pdo : profile.pdos()) remap(pdo, node, script);
+  script.push_back({Kind::kShowMode, {{canopen::kModeDisplay, 0}, 1, 0, true}});
+  return script;
+}
+
+}  // namespace sprung

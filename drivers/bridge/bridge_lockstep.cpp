@@ -1,0 +1,193 @@
+#include <poll.h>
+
+#include <cmath>
+
+#include "drivers/bridge/bridge_shell.h"
+#include "drivers/bridge/patience.h"
+#include "drivers/can/bus_addresses.h"
+#include "drivers/can/lockstep_link.h"
+#include "runtime/log.h"
+#include "runtime/stop_request.h"
+
+namespace sprung {
+
+namespace {
+
+/// SYNC is the only tick; the wall clock only decides when to ask again and when to go on without an answer.
+class LockstepBridge {
+ public:
+  LockstepBridge(Process& process, const BridgeProgramOptions& options)
+      : process_(process),
+        options_(options),
+        cycle_us_(std::llround(process.robot().cycle_s * 1e6)),
+        core_(process.robot(), BridgeOptions{process.watchdogs()}),
+        shell_(process, core_),
+        state_(process.robot().actuators.size()),
+        command_(process.robot().actuators.size()),
+        last_tick_(options.cycles) {
+    for (const std::string& address : bus_addresses(process.robot(), options.can)) {
+      links_.emplace_back(open_udp_bus(address));
+    }
+  }
+
+  int run() {
+    const Receiving receiving(process_.node());
+    process_.set_state(ProcessState::kReady);
+    const std::int64_t started_us = wall_us();
+    for (std::int64_t tick = 1; !core_.shut_down(); ++tick) {
+      run_tick(tick);
+      follow_stop();
+      process_.publish_status_if_due();
+      if (options_.speed > 0.0) {
+        const double due_us = static_cast<double>(tick * cycle_us_) / options_.speed;
+        wait(started_us + static_cast<std::int64_t>(due_us), false);
+      }
+    }
+    return 0;
+  }
+
+ private:
+  std::int64_t wall_us() const { return process_.node().utime_us(); }
+
+  void run_tick(std::int64_t tick) {
+    time_us_ = tick * cycle_us_;
+    process_.statistics().begin_cycle(wall_us());
+    shell_.serve_operators(time_us_);
+    core_.begin_tick(time_us_, out_);
+    shell_.trace(out_, true, time_us_);
+    exchange(tick);
+    if (core_.end_sampling(time_us_, state_)) {
+      run_cycle();
+    } else {
+      shell_.publish_boot();
+    }
+    core_.emit_setpoints(time_us_, out_);
+    process_.statistics().end_cycle(wall_us());
+  }
+
+  /// Sends the burst of this tick on every bus and takes the drives' answers.
+  void exchange(std::int64_t tick) {
+    for (std::size_t bus = 0; bus < links_.size(); ++bus) {
+      links_[bus].add(out_, static_cast<int>(bus));
+      links_[bus].send_burst(tick);
+    }
+    out_.clear();
+    drives_.begin(wall_us());
+    for (std::size_t bus = 0; bus < links_.size(); ++bus) {
+      if (!await_answer(bus, tick)) {
+        drives_.gave_up();
+        core_.count_missed_cycle();
+        process_.status().detail = "the drives do not answer on " + links_[bus].bus().describe();
+      }
+    }
+  }
+
+  bool await_answer(std::size_t bus, std::int64_t tick) {
+    LockstepLink& link = links_[bus];
+    while (true) {
+      for (LinkEvent event = link.poll(); event != LinkEvent::kNothing; event = link.poll()) {
+        if (event == LinkEvent::kComplete && link.tick() == tick) {
+          take_answer(static_cast<int>(bus), link.frames());
+          drives_.answered();
+          return true;
+        }
+      }
+      if (drives_.over(wall_us())) {
+        return false;
+      }
+      if (drives_.repeat_due(wall_us())) {
+        link.resend();
+      }
+      pollfd fd{link.fd(), POLLIN, 0};
+      poll(&fd, 1, milliseconds_until(drives_.wake_us()));
+    }
+  }
+
+  void take_answer(int bus, const std::vector<CanFrame>& frames) {
+    for (const CanFrame& frame : frames) {
+      core_.receive(bus, frame, time_us_);
+      shell_.trace(bus, frame, false, time_us_);
+    }
+  }
+
+  void run_cycle() {
+    if (state_.stamp.seq == 0) {
+      process_.set_state(ProcessState::kRunning);
+      process_.status().detail.clear();
+    }
+    shell_.publish_cycle(state_);
+    chain_.begin(wall_us());
+    while (!take_command()) {
+      if (chain_.over(wall_us())) {
+        chain_.gave_up();
+        core_.count_missed_cycle();
+        process_.status().detail = "no DRIVE_COMMAND for a cycle: this run is not deterministic";
+        return;
+      }
+      if (chain_.repeat_due(wall_us())) {
+        shell_.repeat_drive_state();
+      }
+      wait(chain_.wake_us(), true);
+      shell_.serve_operators(time_us_);
+    }
+    chain_.answered();
+    core_.count_good_cycle();
+  }
+
+  bool take_command() {
+    if (shell_.take_command(command_)) {
+      core_.command(command_, time_us_);
+    }
+    return shell_.has_command(state_.stamp.seq);
+  }
+
+  /// A stop brings the drives to rest first; the chain of processes still runs meanwhile.
+  void follow_stop() {
+    const bool at_end = last_tick_ > 0 && state_.stamp.seq + 1 >= last_tick_;
+    if ((stop_requested() || at_end) && !stopping_) {
+      stopping_ = true;
+      drives_.gave_up();  // nobody may be left to answer: do not wait for the long first time
+      chain_.gave_up();
+      core_.begin_shutdown(time_us_);
+    }
+  }
+
+  int milliseconds_until(std::int64_t wall_deadline_us) const {
+    const std::int64_t left_us = wall_deadline_us - wall_us();
+    return left_us <= 0 ? 0 : static_cast<int>(left_us / 1000 + 1);
+  }
+
+  void wait(std::int64_t wall_deadline_us, bool for_input) {
+    if (for_input) {
+      process_.node().wait_for_input(wall_deadline_us);
+      return;
+    }
+    for (int left_ms = milliseconds_until(wall_deadline_us); left_ms > 1 && !stop_requested();
+         left_ms = milliseconds_until(wall_deadline_us)) {
+      poll(nullptr, 0, left_ms - 1);
+    }
+  }
+
+  Process& process_;
+  const BridgeProgramOptions& options_;
+  const std::int64_t cycle_us_;
+  BridgeCore core_;
+  BridgeShell shell_;
+  std::vector<LockstepLink> links_;
+  FrameBatch out_;
+  DriveState state_;
+  DriveCommand command_;
+  Patience drives_;
+  Patience chain_;
+  const std::int64_t last_tick_;
+  std::int64_t time_us_ = 0;
+  bool stopping_ = false;
+};
+
+}  // namespace
+
+int run_bridge_lockstep(Process& process, const BridgeProgramOptions& options) {
+  return LockstepBridge(process, options).run();
+}
+
+}  // namespace sprung

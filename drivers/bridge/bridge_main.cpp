@@ -1,0 +1,21 @@
+/// sprung-can-bridge: CAN drives on one side, DRIVE_STATE and DRIVE_COMMAND on the other.
+#include "drivers/bridge/bridge_shell.h"
+
+int main(int argc, char** argv) {
+  sprung::BridgeProgramOptions options;
+  const auto more_options = [&](sprung::CommandLine& line) {
+    line.option("--can", options.can,
+                "BUS=ADDRESS instead of robot.yaml's, e.g. leg=socketcan:can0; may be repeated");
+    line.option("--cycles", options.cycles,
+                "bring the drives to rest and end after that many cycles, 0 = never");
+    line.option("--speed", options.speed,
+                "lock-step: at most so many times real time, 0 = as fast as it goes");
+  };
+  const auto body = [&](sprung::Process& process) {
+    return process.lockstep() ? sprung::run_bridge_lockstep(process, options)
+                              : sprung::run_bridge_realtime(process, options);
+  };
+  return sprung::run_process(argc, argv,
+                             {"sprung-can-bridge", "Drives on CAN to LCM and back, with the robot's safety."},
+                             body, more_options);
+}

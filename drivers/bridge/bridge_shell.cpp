@@ -1,0 +1,104 @@
+#include "drivers/bridge/bridge_shell.h"
+
+#include <algorithm>
+
+#include "lcmtypes/channels.h"
+
+namespace sprung {
+
+namespace {
+
+constexpr std::int64_t kSafetyInterval_us = 100'000;
+constexpr std::size_t kTraceCapacity =
+    256;  // CAN_TRACE's own limit: four buses of 15 frames a cycle fit four times
+
+bool differs(const SafetyState& a, const SafetyState& b) {
+  return a.level != b.level || a.cause != b.cause || a.latched != b.latched;
+}
+
+}  // namespace
+
+BridgeShell::BridgeShell(Process& process, BridgeCore& core)
+    : process_(process),
+      core_(core),
+      last_state_(process.robot().actuators.size()),
+      commands_(DriveCommand(process.robot().actuators.size())),
+      drive_states_(process.node().publisher<DriveState>(channels::kDriveState)),
+      safety_states_(process.node().publisher<SafetyState>(channels::kSafetyState)),
+      replies_(process.node().publisher<OperatorReply>(channels::kOperatorReply)) {
+  process.node().subscribe(channels::kDriveCommand, CountLimits::exactly(process.robot().actuators.size()),
+                           commands_);
+  process.node().subscribe(channels::kOperatorCommand, CountLimits::none(), operators_);
+  trace_.frames.reserve(kTraceCapacity);
+}
+
+void BridgeShell::publish_cycle(const DriveState& state) {
+  last_state_ = state;
+  drive_states_.publish(state);
+  publish_safety_if_due(state.stamp.utime_us);
+  trace_.utime = state.stamp.utime_us;
+  trace_.seq = state.stamp.seq;
+  trace_.n = static_cast<std::int32_t>(trace_.frames.size());
+  process_.node().publish_message(channels::kCanTrace, trace_);
+  trace_.frames.clear();
+  process_.status().stamp = state.stamp;
+}
+
+void BridgeShell::repeat_drive_state() { drive_states_.publish(last_state_); }
+
+void BridgeShell::publish_boot() {
+  publish_safety_if_due(process_.node().utime_us());
+  process_.status().detail = core_.boot_detail();
+  trace_.frames.clear();  // CAN_TRACE has one message a cycle, and there is none yet
+}
+
+void BridgeShell::publish_safety_if_due(std::int64_t now_us) {
+  const SafetyState& safety = core_.safety();
+  if (differs(safety, last_safety_) || now_us >= next_safety_us_ ||
+      next_safety_us_ - now_us > kSafetyInterval_us) {
+    safety_states_.publish(safety);
+    last_safety_ = safety;
+    next_safety_us_ = now_us + kSafetyInterval_us;
+  }
+}
+
+void BridgeShell::trace(const FrameBatch& frames, bool sent, std::int64_t time_us) {
+  for (const BusFrame& frame : frames) {
+    trace(frame.bus, frame.frame, sent, time_us);
+  }
+}
+
+void BridgeShell::trace(int bus, const CanFrame& frame, bool sent, std::int64_t time_us) {
+  if (trace_.frames.size() == kTraceCapacity) {
+    ++trace_lost_;
+    process_.status().detail = "CAN_TRACE is full: " + std::to_string(trace_lost_) + " frames not in it";
+    return;
+  }
+  trace_.frames.emplace_back();
+  sprung_msgs::traced_frame_t& traced = trace_.frames.back();
+  traced.utime = time_us;
+  traced.can_id = static_cast<std::int32_t>(frame.id);
+  traced.bus = static_cast<std::int8_t>(bus);
+  traced.sent = sent ? 1 : 0;
+  traced.dlc = static_cast<std::int8_t>(frame.length);
+  std::copy(frame.data.begin(), frame.data.end(), traced.data);
+}
+
+void BridgeShell::serve_operators(std::int64_t time_us) {
+  while (const std::optional<OperatorCommand> command = operators_.pop()) {
+    if (command->kind == OperatorKind::kEstop || command->kind == OperatorKind::kClear) {
+      replies_.publish(core_.operator_command(*command, time_us));
+      publish_safety_if_due(time_us);
+    }
+  }
+}
+
+bool BridgeShell::take_command(DriveCommand& out) {
+  if (!commands_.newest(out) || out.stamp.seq <= last_command_seq_) {
+    return false;
+  }
+  last_command_seq_ = out.stamp.seq;
+  return true;
+}
+
+}  // namespace sprung

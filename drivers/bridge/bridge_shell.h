@@ -1,0 +1,57 @@
+#pragma once
+/// What the bridge's process does in both clocks around the core: publish the cycle, keep the trace, serve
+/// operators, take DRIVE_COMMANDs. The clocks themselves are bridge_lockstep.cpp and bridge_realtime.cpp.
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "drivers/bridge/bridge_core.h"
+#include "runtime/process.h"
+
+namespace sprung {
+
+struct BridgeProgramOptions {
+  std::vector<std::string> can;  ///< BUS=ADDRESS, instead of robot.yaml's
+  std::int64_t cycles = 0;       ///< end after that many, 0 = never
+  double speed = 0.0;            ///< lock-step only: at most so many times real time, 0 = as fast as it goes
+};
+
+class BridgeShell {
+ public:
+  BridgeShell(Process& process, BridgeCore& core);
+
+  void publish_cycle(const DriveState& state);
+  /// The last DRIVE_STATE again, for whoever lost it or whose answer was lost.
+  void repeat_drive_state();
+  /// SAFETY_STATE while no cycle runs yet: on change and at 10 Hz of wall time.
+  void publish_boot();
+  void trace(const FrameBatch& frames, bool sent, std::int64_t time_us);
+  void trace(int bus, const CanFrame& frame, bool sent, std::int64_t time_us);
+  void serve_operators(std::int64_t time_us);
+  /// @return true when a DRIVE_COMMAND newer than the last taken has come in.
+  bool take_command(DriveCommand& out);
+  /// Whether DRIVE_COMMAND(seq) or a newer one was taken.
+  bool has_command(std::int64_t seq) const { return last_command_seq_ >= seq; }
+
+ private:
+  void publish_safety_if_due(std::int64_t now_us);
+
+  Process& process_;
+  BridgeCore& core_;
+  DriveState last_state_;
+  Slot<DriveCommand> commands_;
+  InputQueue<OperatorCommand> operators_;
+  Publisher<DriveState> drive_states_;
+  Publisher<SafetyState> safety_states_;
+  Publisher<OperatorReply> replies_;
+  sprung_msgs::can_trace_t trace_;
+  SafetyState last_safety_;
+  std::int64_t next_safety_us_ = 0;
+  std::int64_t last_command_seq_ = -1;
+  std::int64_t trace_lost_ = 0;
+};
+
+int run_bridge_lockstep(Process& process, const BridgeProgramOptions& options);
+int run_bridge_realtime(Process& process, const BridgeProgramOptions& options);
+
+}  // namespace sprung

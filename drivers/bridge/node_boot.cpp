@@ -1,0 +1,157 @@
+#include "drivers/bridge/node_boot.h"
+
+#include "drivers/canopen/objects.h"
+
+namespace sprung {
+namespace {
+
+using canopen::NmtCommand;
+using canopen::SdoClient;
+using canopen::SdoStatus;
+using Kind = BootStep::Kind;
+
+constexpr std::int64_t kBootUpTimeout_us =
+    500'000;  // [design choice] drives that reset take tenths of a second
+constexpr std::int64_t kStartTimeout_us = 500'000;  // then NMT start is sent again
+
+}  // namespace
+
+NodeBoot::NodeBoot(const char* drive, int node, std::vector<BootStep> script)
+    : drive_(drive), node_(node), script_(std::move(script)) {
+  print(detail_, "%s: not yet reset", drive_);
+}
+
+void NodeBoot::enter(BootState state, std::int64_t time_us) noexcept {
+  state_ = state;
+  since_us_ = time_us;
+}
+
+void NodeBoot::restart() noexcept {
+  state_ = BootState::kReset;
+  start_due_ = false;
+}
+
+void NodeBoot::start() noexcept {
+  if (state_ != BootState::kConfigured) return;
+  state_ = BootState::kStarted;
+  start_due_ = true;
+  print(detail_, "%s: waiting for its first sample", drive_);
+}
+
+void NodeBoot::confirm_operational() noexcept {
+  if (state_ != BootState::kStarted || start_due_) return;
+  state_ = BootState::kOperational;
+  print(detail_, "%s: operational", drive_);
+}
+
+void NodeBoot::on_heartbeat(canopen::NmtState state, std::int64_t time_us) noexcept {
+  const bool awaited = state_ == BootState::kWaitBootUp || state_ == BootState::kProbe;
+  if (awaited && state == canopen::NmtState::kBootUp) {
+    enter(BootState::kConfigure, time_us);
+    at_ = 0;
+    reading_back_ = false;
+  } else if (state == canopen::NmtState::kBootUp &&
+             (state_ == BootState::kConfigure || state_ == BootState::kStarted || configured())) {
+    restart();  // it reset itself half-way: what was written is gone
+  }
+}
+
+bool NodeBoot::step(std::int64_t time_us, SdoClient& sdo, CanFrame& out) noexcept {
+  switch (state_) {
+    case BootState::kReset:
+      sdo.finish();
+      out = canopen::nmt_frame(NmtCommand::kResetCommunication, node_);
+      enter(BootState::kWaitBootUp, time_us);
+      if (!unanswered_) print(detail_, "%s: waiting for boot-up of node %d", drive_, node_);
+      return true;
+    case BootState::kWaitBootUp:
+      if (time_us - since_us_ < kBootUpTimeout_us) return false;
+      enter(BootState::kProbe, time_us);
+      sdo.read({canopen::kDeviceType, 0});
+      return sdo.step(time_us, out);
+    case BootState::kProbe:
+      return step_probe(time_us, sdo, out);
+    case BootState::kConfigure:
+      return step_script(time_us, sdo, out);
+    case BootState::kStarted:
+      if (!start_due_ && time_us - since_us_ < kStartTimeout_us) return false;
+      start_due_ = false;
+      since_us_ = time_us;
+      out = canopen::nmt_frame(NmtCommand::kStart, node_);
+      return true;
+    case BootState::kConfigured:
+    case BootState::kOperational:
+    case BootState::kRefused:
+      break;
+  }
+  return false;
+}
+
+bool NodeBoot::step_probe(std::int64_t time_us, SdoClient& sdo, CanFrame& out) noexcept {
+  if (sdo.step(time_us, out)) return true;
+  if (sdo.status() == SdoStatus::kBusy) return false;
+  const bool silent = sdo.status() == SdoStatus::kTimeout;
+  sdo.finish();
+  enter(silent ? BootState::kReset : BootState::kConfigure, time_us);
+  at_ = 0;
+  reading_back_ = false;
+  unanswered_ = silent;
+  if (silent) print(detail_, "%s: node %d does not answer; power, cabling, node id, bus?", drive_, node_);
+  return false;
+}
+
+bool NodeBoot::step_script(std::int64_t time_us, SdoClient& sdo, CanFrame& out) noexcept {
+  if (sdo.status() != SdoStatus::kBusy && sdo.status() != SdoStatus::kIdle) take_answer(sdo);
+  if (state_ != BootState::kConfigure) return false;
+  if (sdo.idle()) ask(sdo);
+  const bool send = sdo.step(time_us, out);
+  if (sdo.status() == SdoStatus::kTimeout) take_answer(sdo);
+  return send;
+}
+
+void NodeBoot::ask(SdoClient& sdo) noexcept {
+  const BootStep& step = script_[at_];
+  const bool write = (step.kind == Kind::kWrite || step.kind == Kind::kWriteAndVerify) && !reading_back_;
+  if (write) {
+    sdo.write(step.setting.object, step.setting.value, step.setting.size);
+  } else {
+    sdo.read(step.setting.object);
+  }
+  print(detail_, "%s: configuring %zu of %zu, %s", drive_, at_ + 1, script_.size(),
+        canopen::object_name(step.setting.object.index));
+}
+
+void NodeBoot::take_answer(SdoClient& sdo) noexcept {
+  const BootStep& step = script_[at_];
+  const SdoStatus status = sdo.status();
+  sdo.finish();
+  if (status == SdoStatus::kTimeout) {
+    state_ = BootState::kReset;
+    print(detail_, "%s: no answer about object 0x%04X:%02X; beginning again", drive_,
+          step.setting.object.index, step.setting.object.sub);
+  } else if (status == SdoStatus::kAborted) {
+    state_ = BootState::kRefused;
+    print_abort(detail_, drive_, step.setting.object, sdo.abort_code());
+  } else if (step.kind == Kind::kShowMode) {
+    mode_display_ = static_cast<std::int8_t>(sdo.value() & 0xFF);
+    next_step();
+  } else if (step.kind == Kind::kWrite) {
+    next_step();
+  } else if (step.kind == Kind::kWriteAndVerify && !reading_back_) {
+    reading_back_ = true;
+  } else if (low_bytes(sdo.value(), step.setting.size) != low_bytes(step.setting.value, step.setting.size)) {
+    state_ = BootState::kRefused;
+    print_difference(detail_, drive_, step.setting, sdo.value());
+  } else {
+    next_step();
+  }
+}
+
+void NodeBoot::next_step() noexcept {
+  reading_back_ = false;
+  if (++at_ < script_.size()) return;
+  state_ = BootState::kConfigured;
+  print(detail_, "%s: configured, waiting for the others", drive_);
+}
+
+}  // namespace sprung

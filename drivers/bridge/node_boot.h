@@ -1,0 +1,66 @@
+#pragma once
+/// Brings one drive from unknown to NMT operational (master start-up order of facts canopen 1.6). Stepped by
+/// time. A drive that differs from what robot.yaml says is refused and stays so until restart().
+#include <cstdint>
+#include <vector>
+
+#include "drivers/bridge/boot_script.h"
+#include "drivers/bridge/detail_text.h"
+#include "drivers/canopen/sdo_client.h"
+
+namespace sprung {
+
+enum class BootState : std::int8_t {
+  kReset,       ///< reset communication is to be sent
+  kWaitBootUp,  ///< for the boot-up frame, or a time-out
+  kProbe,       ///< no boot-up frame: ask for the device type
+  kConfigure,   ///< running the script
+  kConfigured,  ///< waits for start()
+  kStarted,     ///< NMT start sent, not confirmed
+  kOperational,
+  kRefused,
+};
+
+class NodeBoot {
+ public:
+  NodeBoot(const char* drive, int node, std::vector<BootStep> script);
+
+  /// What is due now. At most one frame a call. @return true when `out` has to be sent.
+  bool step(std::int64_t time_us, canopen::SdoClient& sdo, CanFrame& out) noexcept;
+  void on_heartbeat(canopen::NmtState state, std::int64_t time_us) noexcept;
+  /// All drives are configured: NMT start is due.
+  void start() noexcept;
+  /// The drive answered a SYNC, which only an operational one does.
+  void confirm_operational() noexcept;
+  void restart() noexcept;
+
+  BootState state() const noexcept { return state_; }
+  bool configured() const noexcept { return state_ == BootState::kConfigured; }
+  bool started() const noexcept { return state_ == BootState::kStarted || state_ == BootState::kOperational; }
+  bool operational() const noexcept { return state_ == BootState::kOperational; }
+  bool refused() const noexcept { return state_ == BootState::kRefused; }
+  std::int8_t mode_display() const noexcept { return mode_display_; }
+  const DetailText& detail() const noexcept { return detail_; }
+
+ private:
+  void enter(BootState state, std::int64_t time_us) noexcept;
+  bool step_probe(std::int64_t time_us, canopen::SdoClient& sdo, CanFrame& out) noexcept;
+  bool step_script(std::int64_t time_us, canopen::SdoClient& sdo, CanFrame& out) noexcept;
+  void ask(canopen::SdoClient& sdo) noexcept;
+  void take_answer(canopen::SdoClient& sdo) noexcept;
+  void next_step() noexcept;
+
+  const char* drive_;
+  int node_;
+  std::vector<BootStep> script_;
+  BootState state_ = BootState::kReset;
+  std::int64_t since_us_ = 0;
+  std::size_t at_ = 0;
+  bool reading_back_ = false;
+  bool start_due_ = false;
+  bool unanswered_ = false;  ///< keeps the sentence about it through the next reset
+  std::int8_t mode_display_ = 0;
+  DetailText detail_{};
+};
+
+}  // namespace sprung

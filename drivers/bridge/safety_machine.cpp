@@ -1,0 +1,117 @@
+#include "drivers/bridge/safety_machine.h"
+
+namespace sprung {
+namespace {
+
+constexpr double kShutdownDamping_s =
+    1.0;  // [design choice] a leg at 12 Nm s/rad has come to rest well before
+
+Trouble trouble_of(SafetyCause cause, const char* detail) noexcept {
+  Trouble trouble;
+  trouble.cause = cause;
+  print(trouble.detail, "%s", detail);
+  return trouble;
+}
+
+Trouble command_trouble(const SafetyInputs& inputs) noexcept {
+  Trouble trouble;
+  if (inputs.command_refused && inputs.refusal != nullptr) {
+    trouble.cause = SafetyCause::kCommandRefused;
+    trouble.detail = *inputs.refusal;
+  } else {
+    trouble.cause = SafetyCause::kCommandStale;
+    print(trouble.detail, "no good DRIVE_COMMAND for %.0f ms", 1e3 * inputs.command_age_s);
+  }
+  return trouble;
+}
+
+}  // namespace
+
+SafetyMachine::SafetyMachine(const WatchdogConfig& watchdogs) : watchdogs_(watchdogs) {
+  enter(SafetyLevel::kDisabled, false, trouble_of(SafetyCause::kStarting, "drives are being configured"), 0,
+        -1);
+}
+
+void SafetyMachine::enter(SafetyLevel level, bool latched, const Trouble& trouble, std::int64_t time_us,
+                          std::int64_t cycle) noexcept {
+  if (level != state_.level) since_us_ = time_us;
+  if (trouble.cause != state_.cause) state_.since_seq = cycle;
+  state_.level = level;
+  state_.cause = trouble.cause;
+  state_.latched = latched;
+  state_.actuator = trouble.actuator;
+  state_.detail = trouble.detail;
+}
+
+void SafetyMachine::latch(SafetyLevel level, const Trouble& trouble, const SafetyInputs& inputs) noexcept {
+  enter(level, true, trouble, inputs.time_us, inputs.cycle);
+}
+
+void SafetyMachine::emergency_stop(std::int64_t time_us, std::int64_t cycle) noexcept {
+  enter(SafetyLevel::kDisabled, true,
+        trouble_of(SafetyCause::kEmergencyStop, "emergency stop by the operator"), time_us, cycle);
+}
+
+void SafetyMachine::refuse_drive(const Trouble& trouble, std::int64_t time_us, std::int64_t cycle) noexcept {
+  if (state_.latched) return;
+  enter(SafetyLevel::kDisabled, true, trouble, time_us, cycle);
+}
+
+void SafetyMachine::begin_shutdown(std::int64_t time_us, std::int64_t cycle) noexcept {
+  const bool powered = state_.level <= SafetyLevel::kDamping;
+  if (!powered && state_.latched) return;  // a stop under way ends without power anyway
+  enter(powered ? SafetyLevel::kDamping : SafetyLevel::kDisabled, true,
+        trouble_of(SafetyCause::kShutdown, "orderly shutdown"), time_us, cycle);
+}
+
+void SafetyMachine::clear(std::int64_t time_us, std::int64_t cycle) noexcept {
+  enter(SafetyLevel::kDisabled, false, trouble_of(SafetyCause::kStarting, "cleared by the operator"), time_us,
+        cycle);
+}
+
+void SafetyMachine::update(const SafetyInputs& inputs) noexcept {
+  if (state_.latched) {
+    worsen(inputs);
+  } else if (inputs.bus != nullptr) {
+    latch(SafetyLevel::kQuickStop, *inputs.bus, inputs);
+  } else if (inputs.drive != nullptr) {
+    latch(SafetyLevel::kDamping, *inputs.drive, inputs);
+  } else if (!inputs.armed) {
+    enter(SafetyLevel::kDisabled, false,
+          trouble_of(SafetyCause::kStarting, "waiting for a DRIVE_COMMAND with every mode disabled"),
+          inputs.time_us, inputs.cycle);
+  } else {
+    follow_commands(inputs);
+  }
+}
+
+void SafetyMachine::worsen(const SafetyInputs& inputs) noexcept {
+  if (state_.level != SafetyLevel::kDamping) return;
+  if (inputs.bus != nullptr) {
+    latch(SafetyLevel::kQuickStop, *inputs.bus, inputs);
+  } else if (state_.cause == SafetyCause::kShutdown) {
+    if (inputs.slow || since_s(inputs.time_us) >= kShutdownDamping_s) {
+      state_.level = SafetyLevel::kDisabled;
+      since_us_ = inputs.time_us;
+    }
+  } else if (since_s(inputs.time_us) >= watchdogs_.command_stop_s) {
+    state_.level = SafetyLevel::kQuickStop;
+    since_us_ = inputs.time_us;
+  }
+}
+
+void SafetyMachine::follow_commands(const SafetyInputs& inputs) noexcept {
+  if (inputs.command_age_s > watchdogs_.command_stop_s) {
+    latch(SafetyLevel::kQuickStop, command_trouble(inputs), inputs);
+  } else if (inputs.command_age_s > watchdogs_.command_hold_s) {
+    enter(SafetyLevel::kDamping, false, command_trouble(inputs), inputs.time_us, inputs.cycle);
+  } else if (inputs.overruns_in_row >= watchdogs_.overruns_in_row) {
+    enter(SafetyLevel::kDamping, false,
+          trouble_of(SafetyCause::kOverruns, "too many cycles in a row overran"), inputs.time_us,
+          inputs.cycle);
+  } else {
+    enter(SafetyLevel::kOperational, false, trouble_of(SafetyCause::kNone, ""), inputs.time_us, inputs.cycle);
+  }
+}
+
+}  // namespace sprung

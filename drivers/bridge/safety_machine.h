@@ -1,0 +1,78 @@
+#pragma once
+/// What the robot may do, and why (design section 8): the bridge's part of the table. Pure; stepped by time.
+///
+///   cause                                    level                                       latched
+///   starting, no arming command yet          disabled                                    no
+///   command stale > command_hold             damping                                     no
+///   command stale > command_stop             quick stop                                  yes
+///   drive fault, silence, implausible value  damping, after command_stop quick stop      yes
+///   bus lost                                 quick stop                                  yes
+///   overruns in a row                        damping, until a cycle is in time again     no
+///   a drive differs from robot.yaml          disabled                                    yes
+///   emergency stop                           disabled                                    yes
+///   shutdown                                 damping until slow or 1 s, then disabled    yes
+///
+/// A latched state only gets worse, until clear(). The cause stays the first one, unless a worse level brings
+/// its own.
+#include <cstdint>
+
+#include "drivers/bridge/detail_text.h"
+#include "robots/robot_config.h"
+#include "signals/signals.h"
+
+namespace sprung {
+
+/// One reason to stop, with the sentence for people.
+struct Trouble {
+  SafetyCause cause = SafetyCause::kNone;
+  int actuator = -1;
+  DetailText detail{};
+};
+
+struct SafetyInputs {
+  std::int64_t time_us = 0;
+  std::int64_t cycle = -1;
+  bool armed = false;            ///< a good command with every mode disabled came since start, clear or latch
+  double command_age_s = 0.0;    ///< of the last good command, 0 = of this cycle
+  bool command_refused = false;  ///< commands do come, but are refused
+  const DetailText* refusal = nullptr;
+  const Trouble* drive = nullptr;  ///< fault, silence, implausible value; nullptr = none
+  const Trouble* bus = nullptr;    ///< bus lost; nullptr = none
+  int overruns_in_row = 0;
+  bool slow = false;  ///< all actuators nearly at rest; ends the damping of a shutdown
+};
+
+class SafetyMachine {
+ public:
+  explicit SafetyMachine(const WatchdogConfig& watchdogs);
+
+  void update(const SafetyInputs& inputs) noexcept;
+  /// At once; also before cyclic operation.
+  void emergency_stop(std::int64_t time_us, std::int64_t cycle) noexcept;
+  void refuse_drive(const Trouble& trouble, std::int64_t time_us, std::int64_t cycle) noexcept;
+  void begin_shutdown(std::int64_t time_us, std::int64_t cycle) noexcept;
+  /// Forgets a latched cause; the caller has made sure that it is gone.
+  void clear(std::int64_t time_us, std::int64_t cycle) noexcept;
+
+  SafetyLevel level() const noexcept { return state_.level; }
+  SafetyCause cause() const noexcept { return state_.cause; }
+  bool latched() const noexcept { return state_.latched; }
+  /// Level, cause, latched, actuator, since_seq and detail; the bridge fills the counters.
+  const SafetyState& state() const noexcept { return state_; }
+
+ private:
+  void enter(SafetyLevel level, bool latched, const Trouble& trouble, std::int64_t time_us,
+             std::int64_t cycle) noexcept;
+  void latch(SafetyLevel level, const Trouble& trouble, const SafetyInputs& inputs) noexcept;
+  void worsen(const SafetyInputs& inputs) noexcept;
+  void follow_commands(const SafetyInputs& inputs) noexcept;
+  double since_s(std::int64_t time_us) const noexcept {
+    return 1e-6 * static_cast<double>(time_us - since_us_);
+  }
+
+  WatchdogConfig watchdogs_;
+  SafetyState state_;
+  std::int64_t since_us_ = 0;
+};
+
+}  // namespace sprung

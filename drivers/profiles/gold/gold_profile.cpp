@@ -1,0 +1,191 @@
+#include "drivers/profiles/gold/gold_profile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "drivers/canopen/objects.h"
+#include "drivers/cia402/words.h"
+#include "drivers/profiles/gold/gold_units.h"
+
+namespace sprung::gold {
+namespace {
+
+using canopen::ObjectId;
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr std::int16_t kPowerOff = 2;         ///< 0x6007: disable voltage when the bridge's heartbeat is lost
+constexpr std::int16_t kSlowDownThenOff = 2;  ///< 0x605A: quick stop ramp, then switch on disabled
+constexpr int kLargestMaxTorque = 50000;      ///< EDS limit of 0x6072
+constexpr std::uint8_t kSamplePdo = 0, kSetpointPdo = 0, kDisplayPdo = 1, kControlPdo = 1;
+
+/// Rounded to nearest, half away from zero; saturating, since wrapping would reverse a torque. Not a number
+/// gives 0.
+std::int32_t to_integer(double value, double low, double high) noexcept {
+  if (std::isnan(value)) return 0;
+  return static_cast<std::int32_t>(std::llround(std::clamp(value, low, high)));
+}
+
+/// A configuration value in whole units of its object.
+std::uint32_t to_object(double value, const ActuatorConfig& actuator, const char* what) {
+  if (!(value >= 0.0 && value <= std::numeric_limits<std::uint32_t>::max())) {
+    throw std::invalid_argument("actuator '" + actuator.name + "': " + what +
+                                " does not fit the drive's object");
+  }
+  return static_cast<std::uint32_t>(std::llround(value));
+}
+
+/// 0x60C2: seconds = value * 10^exponent, value 1..255.
+struct InterpolationPeriod {
+  std::uint8_t value = 0;
+  std::int8_t exponent = 0;
+};
+
+InterpolationPeriod interpolation_period(double cycle_s) {
+  for (const int exponent : {-3, -4, -5, -6, -2}) {
+    const double value = cycle_s / std::pow(10.0, exponent);
+    const double whole = std::round(value);
+    if (whole >= 1.0 && whole <= 255.0 && std::abs(value - whole) < 1e-6) {
+      return {static_cast<std::uint8_t>(whole), static_cast<std::int8_t>(exponent)};
+    }
+  }
+  throw std::invalid_argument("cycle of " + std::to_string(cycle_s) +
+                              " s cannot be told to a Gold drive (0x60C2)");
+}
+
+DriveSetting u8(ObjectId object, std::uint8_t value) { return {object, 1, value, false}; }
+DriveSetting i8(ObjectId object, std::int8_t value) {
+  return {object, 1, static_cast<std::uint8_t>(value), true};
+}
+DriveSetting u16(ObjectId object, std::uint32_t value) { return {object, 2, value & 0xFFFF, false}; }
+DriveSetting i16(ObjectId object, std::int16_t value) {
+  return {object, 2, static_cast<std::uint16_t>(value), true};
+}
+DriveSetting u32(ObjectId object, std::uint32_t value) { return {object, 4, value, false}; }
+
+std::int16_t get_i16(const std::uint8_t* bytes) noexcept {
+  return static_cast<std::int16_t>(static_cast<std::uint16_t>(canopen::get_le(bytes, 2)));
+}
+std::int32_t get_i32(const std::uint8_t* bytes) noexcept {
+  return static_cast<std::int32_t>(canopen::get_le(bytes, 4));
+}
+
+}  // namespace
+
+GoldProfile::GoldProfile(const ActuatorConfig& actuator, const DriveTiming& timing)
+    : actuator_(actuator), timing_(timing) {
+  rated_torque_mNm_ =
+      to_object(1e3 * actuator.torque_constant_Nm_A * actuator.rated_current_A, actuator, "rated torque");
+  if (rated_torque_mNm_ == 0 || !(actuator.gear_ratio > 0.0) || !(actuator.encoder_counts_per_turn > 0.0)) {
+    throw std::invalid_argument("actuator '" + actuator.name +
+                                "': rated torque, gear ratio or encoder counts are zero");
+  }
+  rated_torque_Nm_ = 1e-3 * rated_torque_mNm_;
+  counts_per_rad_ = actuator.direction * actuator.encoder_counts_per_turn * actuator.gear_ratio / (2.0 * kPi);
+  const double permille = 1e3 * actuator.torque_limit_Nm / (actuator.gear_ratio * rated_torque_Nm_);
+  max_torque_permille_ =
+      to_integer(permille, 0.0, std::min<int>(kLargestMaxTorque, std::numeric_limits<std::int16_t>::max()));
+  (void)interpolation_period(timing.cycle_s);  // refuse now rather than while booting
+}
+
+std::vector<DriveSetting> GoldProfile::settings() const {
+  const InterpolationPeriod period = interpolation_period(timing_.cycle_s);
+  const std::uint32_t consumer =
+      to_object(1e3 * timing_.heartbeat_consumer_s, actuator_, "heartbeat consumer time");
+  return {
+      u16({canopen::kHeartbeatProducer, 0},
+          to_object(1e3 * timing_.heartbeat_s, actuator_, "heartbeat period")),
+      u32({canopen::kHeartbeatConsumer, 1},
+          (static_cast<std::uint32_t>(canopen::kBridgeNode) << 16) | consumer),
+      i16({canopen::kAbortConnectionOption, 0}, kPowerOff),
+      i16({canopen::kQuickStopOption, 0}, kSlowDownThenOff),
+      u32({canopen::kRatedCurrent, 0},
+          to_object(1e3 * actuator_.rated_current_A, actuator_, "rated current")),
+      u32({canopen::kRatedTorque, 0}, rated_torque_mNm_),
+      u16({canopen::kMaxTorque, 0}, static_cast<std::uint32_t>(max_torque_permille_)),
+      u8({canopen::kInterpolationPeriod, 1}, period.value),
+      i8({canopen::kInterpolationPeriod, 2}, period.exponent),
+      u32({canopen::kSyncPeriod, 0}, to_object(1e6 * timing_.cycle_s, actuator_, "cycle")),
+      u32({canopen::kPositionGains, kStiffnessSub},
+          to_object(actuator_.position_stiffness_Nm_rad / kStiffnessUnit_Nm_rad, actuator_,
+                    "position stiffness")),
+      u32({canopen::kPositionGains, kDampingSub},
+          to_object(actuator_.position_damping_Nm_s_rad / kDampingUnit_Nm_s_rad, actuator_,
+                    "position damping")),
+  };
+}
+
+std::vector<PdoSetting> GoldProfile::pdos() const {
+  std::vector<PdoSetting> pdos = {
+      {true,
+       kSamplePdo,
+       canopen::kTypeEverySync,
+       {{{canopen::kPositionActual, 0}, 32},
+        {{canopen::kTorqueActual, 0}, 16},
+        {{canopen::kStatusWord, 0}, 16}}},
+      {true, kDisplayPdo, canopen::kTypeEvent, {{{canopen::kModeDisplay, 0}, 8}}},
+      {false,
+       kSetpointPdo,
+       canopen::kTypeEvent,
+       {{{canopen::kTargetTorque, 0}, 16}, {{canopen::kTargetPosition, 0}, 32}, {{canopen::kMode, 0}, 8}}},
+      {false, kControlPdo, canopen::kTypeEvent, {{{canopen::kControlWord, 0}, 16}}},
+  };
+  for (int number = 2; number < canopen::kPdoCount; ++number) {
+    pdos.push_back({true, number, canopen::kTypeEvent, {}});
+    pdos.push_back({false, number, canopen::kTypeEvent, {}});
+  }
+  return pdos;
+}
+
+canopen::ObjectId GoldProfile::supply_voltage_object() const noexcept { return {canopen::kSupplyVoltage, 0}; }
+
+bool GoldProfile::decode_sample(const CanFrame& frame, DriveSample& sample) const noexcept {
+  if (frame.id != canopen::tpdo_id(kSamplePdo, actuator_.node) || frame.length != 8) return false;
+  sample.measured_position_rad = get_i32(&frame.data[0]) / counts_per_rad_ + actuator_.offset_rad;
+  sample.measured_current_A = actuator_.direction * 1e-3 * get_i16(&frame.data[4]) * rated_torque_Nm_ /
+                              actuator_.torque_constant_Nm_A;
+  sample.status_word = static_cast<std::uint16_t>(canopen::get_le(&frame.data[6], 2));
+  return true;
+}
+
+bool GoldProfile::decode_mode_display(const CanFrame& frame, std::int8_t& code) const noexcept {
+  if (frame.id != canopen::tpdo_id(kDisplayPdo, actuator_.node) || frame.length != 1) return false;
+  code = static_cast<std::int8_t>(frame.data[0]);
+  return true;
+}
+
+DriveMode GoldProfile::shown_mode(std::int8_t code) const noexcept {
+  if (code == cia402::kModeCyclicPosition) return DriveMode::kPosition;
+  if (code == cia402::kModeCyclicTorque) return DriveMode::kTorque;
+  return DriveMode::kDisabled;
+}
+
+CanFrame GoldProfile::encode_setpoint(const DriveSetpoint& setpoint) const noexcept {
+  const double limit = max_torque_permille_;
+  const double permille =
+      1e3 * actuator_.direction * setpoint.commanded_torque_Nm / (actuator_.gear_ratio * rated_torque_Nm_);
+  const double counts = (setpoint.commanded_position_rad - actuator_.offset_rad) * counts_per_rad_;
+  const bool position = setpoint.mode == DriveMode::kPosition;
+  CanFrame frame;
+  frame.id = canopen::rpdo_id(kSetpointPdo, actuator_.node);
+  frame.length = 7;
+  canopen::put_le(&frame.data[0], static_cast<std::uint32_t>(to_integer(permille, -limit, limit)), 2);
+  canopen::put_le(&frame.data[2],
+                  static_cast<std::uint32_t>(to_integer(counts, std::numeric_limits<std::int32_t>::min(),
+                                                        std::numeric_limits<std::int32_t>::max())),
+                  4);
+  frame.data[6] =
+      static_cast<std::uint8_t>(position ? cia402::kModeCyclicPosition : cia402::kModeCyclicTorque);
+  return frame;
+}
+
+CanFrame GoldProfile::encode_control_word(std::uint16_t word) const noexcept {
+  CanFrame frame;
+  frame.id = canopen::rpdo_id(kControlPdo, actuator_.node);
+  frame.length = 2;
+  canopen::put_le(&frame.data[0], word, 2);
+  return frame;
+}
+
+}  // namespace sprung::gold
