@@ -180,8 +180,8 @@ const char* BridgeCore::Impl::why_not_clear(std::int64_t time_us) noexcept {
   }
   if (booting) return "a drive is not operational; it is being configured again, then clear once more";
   for (auto& node : nodes) {
-    if (node->powered()) return "drives are still stopping";
     if (node->silent()) return "a drive does not answer";
+    if (node->powered()) return "drives are still stopping";
   }
   const bool by_command =
       safety.cause() == SafetyCause::kCommandStale || safety.cause() == SafetyCause::kCommandRefused;

@@ -96,8 +96,12 @@ bool NodeBoot::step_probe(std::int64_t time_us, SdoClient& sdo, CanFrame& out) n
   at_ = 0;
   reading_back_ = false;
   unanswered_ = silent;
-  if (silent) print(detail_, "%s: node %d does not answer; power, cabling, node id, bus?", drive_, node_);
-  return false;
+  if (silent) {
+    print(detail_, "%s: node %d does not answer; power, cabling, node id, bus?", drive_, node_);
+    return false;
+  }
+  out = canopen::nmt_frame(NmtCommand::kEnterPreOperational, node_);  // it may not have heard the reset
+  return true;
 }
 
 bool NodeBoot::step_script(std::int64_t time_us, SdoClient& sdo, CanFrame& out) noexcept {

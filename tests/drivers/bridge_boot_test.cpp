@@ -1,0 +1,149 @@
+// Start-up of one drive, request by request (facts canopen 1.5 and 1.6).
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "drivers/canopen/objects.h"
+#include "tests/support/bridge_bench.h"
+
+namespace sprung {
+namespace {
+
+using ::testing::HasSubstr;
+using namespace canopen;
+using testing::BridgeBench;
+using testing::FakeDrive;
+
+std::vector<std::vector<int>> writes(const FakeDrive& drive) {
+  std::vector<std::vector<int>> found;
+  for (const CanFrame& frame : drive.received) {
+    const bool write = frame.id != kNmtId && decode_sdo_request(frame).kind == SdoKind::kDownload;
+    if (write) found.push_back({frame.data.begin(), frame.data.end()});
+  }
+  return found;
+}
+
+TEST(Boot, FirstResetsThenReadsTheIdentityThenTakesPowerAway) {
+  BridgeBench bench;
+  ASSERT_TRUE(bench.boot());
+  const std::vector<CanFrame>& received = bench.drives[0].received;
+  EXPECT_EQ(received[0], nmt_frame(NmtCommand::kResetCommunication, 1));
+  EXPECT_EQ(received[1], sdo_read_request(1, {kIdentity, 1}));
+  EXPECT_EQ(received[2], sdo_read_request(1, {kIdentity, 2}));
+  EXPECT_EQ(received[3], sdo_write_request(1, {kControlWord, 0}, 0, 2));
+  EXPECT_EQ(received.back(), nmt_frame(NmtCommand::kStart, 1));
+}
+
+TEST(Boot, RemapsWithTheBytesAndOrderThatDrivesAccept) {
+  BridgeBench bench;
+  ASSERT_TRUE(bench.boot());
+  const std::vector<std::vector<int>> expected = {
+      {0x23, 0x00, 0x18, 0x01, 0x81, 0x01, 0x00, 0xC0}, {0x2F, 0x00, 0x18, 0x02, 0x01, 0, 0, 0},
+      {0x2F, 0x00, 0x1A, 0x00, 0x00, 0, 0, 0},          {0x23, 0x00, 0x1A, 0x01, 0x20, 0x00, 0x64, 0x60},
+      {0x23, 0x00, 0x1A, 0x02, 0x10, 0x00, 0x77, 0x60}, {0x23, 0x00, 0x1A, 0x03, 0x10, 0x00, 0x41, 0x60},
+      {0x2F, 0x00, 0x1A, 0x00, 0x03, 0, 0, 0},          {0x23, 0x00, 0x18, 0x01, 0x81, 0x01, 0x00, 0x40}};
+  const auto found = writes(bench.drives[0]);
+  const auto at = std::search(found.begin(), found.end(), expected.begin(), expected.end());
+  EXPECT_NE(at, found.end());
+}
+
+TEST(Boot, EveryWriteButTheControlWordIsReadBack) {
+  BridgeBench bench;
+  ASSERT_TRUE(bench.boot());
+  const std::vector<CanFrame>& received = bench.drives[1].received;
+  for (std::size_t i = 0; i + 1 < received.size(); ++i) {
+    const SdoMessage request = decode_sdo_request(received[i]);
+    if (received[i].id == kNmtId || request.kind != SdoKind::kDownload ||
+        request.object.index == kControlWord)
+      continue;
+    EXPECT_EQ(received[i + 1], sdo_read_request(2, request.object)) << std::hex << request.object.index;
+  }
+}
+
+TEST(Boot, LeavesTheSettingsOfTheRobotsFileInTheDrive) {
+  BridgeBench bench;
+  ASSERT_TRUE(bench.boot());
+  auto& objects = bench.drives[0].objects;
+  EXPECT_EQ((objects[{kHeartbeatConsumer, 1}]), 0x007F0014U);
+  EXPECT_EQ((objects[{kHeartbeatProducer, 0}]), 5U);
+  EXPECT_EQ((objects[{kAbortConnectionOption, 0}]), 2U);
+  EXPECT_EQ((objects[{kMaxTorque, 0}]), 5571U);
+  EXPECT_EQ((objects[{0x1402, 1}]), 0x80000401U) << "RPDO3 is disabled";
+  EXPECT_EQ((objects[{0x1803, 1}]), 0xC0000481U) << "TPDO4 is disabled";
+}
+
+TEST(Boot, WrongIdentityIsRefusedAndNamed) {
+  BridgeBench bench;
+  bench.drives[1].objects[{kIdentity, 1}] = 0xFB;
+  EXPECT_FALSE(bench.boot(500));
+  EXPECT_EQ(bench.bridge->safety().cause, SafetyCause::kDriveRefused);
+  EXPECT_TRUE(bench.bridge->safety().latched);
+  EXPECT_EQ(bench.bridge->safety().actuator, 1);
+  EXPECT_EQ(bench.detail(), "knee_motor: object 0x1018:01 identity: expected 0x9A, found 0xFB");
+  EXPECT_TRUE(writes(bench.drives[1]).empty())
+      << "nothing is written to a device that is not the one expected";
+  EXPECT_EQ(bench.drives[0].nmt, NmtState::kPreOperational);
+}
+
+TEST(Boot, SettingThatTheDriveClampsIsRefusedAndNamed) {
+  BridgeBench bench;
+  bench.drives[1].clamped[{kMaxTorque, 0}] = 5000;
+  EXPECT_FALSE(bench.boot(500));
+  EXPECT_EQ(bench.detail(), "knee_motor: object 0x6072:00 max torque: expected 5571, found 5000");
+}
+
+TEST(Boot, SettingThatTheDriveAbortsIsRefusedWithItsReason) {
+  BridgeBench bench;
+  bench.drives[0].aborts[{kPositionGains, 1}] = kAbortNoObject;
+  EXPECT_FALSE(bench.boot(500));
+  EXPECT_EQ(bench.detail(),
+            "hip_motor: object 0x2F01:01 position gains: refused by the drive (no such object)");
+}
+
+TEST(Boot, RefusedDriveIsTriedAgainAfterClear) {
+  BridgeBench bench;
+  bench.drives[1].clamped[{kMaxTorque, 0}] = 5000;
+  EXPECT_FALSE(bench.boot(500));
+  bench.drives[1].clamped.clear();
+  EXPECT_EQ(bench.ask(OperatorKind::kClear).outcome, OperatorOutcome::kAccepted);
+  EXPECT_TRUE(bench.boot(500));
+}
+
+TEST(Boot, DriveWithoutBootUpFrameIsProbed) {
+  BridgeBench bench;
+  bench.drives[0].boots_silently = true;
+  ASSERT_TRUE(bench.boot(1500));
+  EXPECT_EQ(bench.drives[0].received[1], sdo_read_request(1, {kDeviceType, 0}));
+  EXPECT_EQ(bench.drives[0].received[2], nmt_frame(NmtCommand::kEnterPreOperational, 1));
+}
+
+TEST(Boot, DriveThatRestartsHalfWayIsConfiguredFromTheBeginning) {
+  BridgeBench bench;
+  bench.run(40);
+  const std::size_t half_way = writes(bench.drives[0]).size();
+  ASSERT_GT(half_way, 3U);
+  bench.bridge->receive(0, heartbeat_frame(1, NmtState::kBootUp), bench.time_us);
+  ASSERT_TRUE(bench.boot());
+  EXPECT_EQ(bench.drives[0].resets, 2);
+}
+
+TEST(Boot, SilenceInTheMiddleBeginsAgain) {
+  BridgeBench bench;
+  bench.run(40);
+  bench.drives[1].dead = true;
+  bench.run(300);
+  bench.drives[1].dead = false;
+  EXPECT_TRUE(bench.boot(3000));
+}
+
+TEST(Boot, EmergencyStopWhileBootingIsKept) {
+  BridgeBench bench;
+  bench.run(10);
+  bench.ask(OperatorKind::kEstop);
+  ASSERT_TRUE(bench.boot());
+  bench.run(50);
+  EXPECT_EQ(bench.bridge->safety().cause, SafetyCause::kEmergencyStop);
+  EXPECT_TRUE(bench.bridge->safety().latched);
+}
+
+}  // namespace
+}  // namespace sprung

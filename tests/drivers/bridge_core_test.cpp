@@ -1,0 +1,272 @@
+#include "drivers/bridge/bridge_core.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "drivers/canopen/objects.h"
+#include "drivers/cia402/words.h"
+#include "tests/support/bridge_bench.h"
+
+namespace sprung {
+namespace {
+
+using testing::BridgeBench;
+using testing::FakeDrive;
+using ::testing::HasSubstr;
+using testing::two_drive_robot;
+
+bool any_enabled(const BridgeBench& bench) {
+  for (const FakeDrive& drive : bench.drives) {
+    if (drive.power == PowerState::kOperationEnabled) return true;
+  }
+  return false;
+}
+
+TEST(BridgeCore, UnknownProfileIsRefusedAtOnce) {
+  RobotConfig robot = two_drive_robot();
+  robot.actuators[1].profile = "silver";
+  try {
+    const BridgeCore bridge(robot, {});
+    FAIL() << "accepted an unknown profile";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_THAT(error.what(), HasSubstr("no drive profile 'silver'; there are: gold"));
+  }
+}
+
+TEST(BridgeCore, SyncIsTheLastFrameOfEveryTickOnEveryBus) {
+  RobotConfig robot = two_drive_robot();
+  robot.buses.push_back({"other", "memory:other"});
+  BridgeBench bench(robot);
+  for (int i = 0; i < 200; ++i) {
+    bench.tick();
+    const int size = bench.last_begin.size();
+    ASSERT_GE(size, 2);
+    for (int bus = 0; bus < 2; ++bus) {
+      EXPECT_EQ(bench.last_begin[size - 2 + bus].frame, canopen::sync_frame());
+      EXPECT_EQ(bench.last_begin[size - 2 + bus].bus, bus);
+    }
+  }
+}
+
+TEST(BridgeCore, HeartbeatOfNode127NeverPausesLongerThanItsPeriod) {
+  BridgeBench bench;
+  std::int64_t last_us = 0;
+  for (int i = 0; i < 500; ++i) {
+    bench.tick();
+    if (bench.sent(0x77F).empty()) continue;
+    EXPECT_LE(bench.time_us - last_us, 5000);
+    last_us = bench.time_us;
+  }
+  EXPECT_GE(last_us, 495000);
+}
+
+TEST(BridgeCore, CycleZeroIsTheFirstSyncThatAllDrivesAnswer) {
+  BridgeBench bench;
+  EXPECT_FALSE(bench.bridge->operational());
+  ASSERT_TRUE(bench.boot());
+  EXPECT_EQ(bench.state.stamp.seq, 0);
+  EXPECT_EQ(bench.state.stamp.utime_us, bench.time_us);
+  bench.tick();
+  EXPECT_EQ(bench.state.stamp.seq, 1);
+  EXPECT_STREQ(bench.bridge->boot_detail(), "all drives operational");
+}
+
+TEST(BridgeCore, NoDriveIsStartedBeforeAllAreConfigured) {
+  BridgeBench bench;
+  bench.drives[1].dead = true;
+  bench.run(1500);
+  EXPECT_EQ(bench.drives[0].nmt, canopen::NmtState::kPreOperational);
+  EXPECT_THAT(bench.bridge->boot_detail(), HasSubstr("knee_motor: node 2 does not answer"));
+  bench.drives[1].dead = false;
+  EXPECT_TRUE(bench.boot());
+}
+
+TEST(BridgeCore, MeasuredValuesAreInActuatorSpace) {
+  BridgeBench bench;
+  ASSERT_TRUE(bench.boot());
+  bench.drives[0].position_counts = 131072 * 25;  // a quarter turn of the output
+  bench.drives[1].position_counts = 131072 * 25;
+  bench.drives[1].torque_permille = 500;
+  bench.tick();
+  EXPECT_NEAR(bench.state.actuators[0].measured_position_rad, std::acos(0.0) + 0.1, 1e-9);
+  EXPECT_NEAR(bench.state.actuators[1].measured_position_rad, -std::acos(0.0) + 0.1, 1e-9);
+  EXPECT_NEAR(bench.state.actuators[1].measured_current_A, -3.5, 1e-9);
+  EXPECT_TRUE(std::isnan(bench.state.actuators[0].measured_velocity_rad_s));
+  EXPECT_TRUE(std::isnan(bench.state.actuators[0].measured_link_position_rad));
+}
+
+TEST(BridgeCore, SupplyVoltageIsUnknownUntilReadInTheBackground) {
+  BridgeBench bench;
+  ASSERT_TRUE(bench.boot());
+  EXPECT_TRUE(std::isnan(bench.state.actuators[0].measured_supply_V));
+  bench.run(100);
+  EXPECT_DOUBLE_EQ(bench.state.actuators[0].measured_supply_V, 48.0);
+  bench.drives[0].objects[{canopen::kSupplyVoltage, 0}] = 36000;
+  bench.run(1100);
+  EXPECT_DOUBLE_EQ(bench.state.actuators[0].measured_supply_V, 36.0);
+}
+
+TEST(BridgeCore, NothingIsEnabledBeforeACommandWithEveryModeDisabled) {
+  BridgeBench bench;
+  bench.command_all(DriveMode::kTorque, 5.0);
+  ASSERT_TRUE(bench.boot());
+  bench.run(200);
+  EXPECT_FALSE(any_enabled(bench));
+  EXPECT_EQ(bench.state.safety, SafetyLevel::kDisabled);
+  EXPECT_THAT(bench.detail(), HasSubstr("every mode disabled"));
+}
+
+TEST(BridgeCore, EnabledDriveGetsItsTorqueAndShowsItsModeOnlyWhenConfirmed) {
+  BridgeBench bench;
+  ASSERT_TRUE(bench.boot());
+  bench.enable();
+  ASSERT_TRUE(any_enabled(bench));
+  EXPECT_EQ(bench.state.safety, SafetyLevel::kOperational);
+  EXPECT_EQ(bench.state.actuators[0].shown_mode, DriveMode::kTorque);
+  bench.command_all(DriveMode::kTorque, 30.8);
+  bench.tick();
+  EXPECT_EQ(bench.drives[0].target_torque_permille, 1000);
+  EXPECT_EQ(bench.drives[1].target_torque_permille, -1000);
+}
+
+TEST(BridgeCore, TorqueModeCarriesTheMeasuredPositionForTheHandOver) {
+  BridgeBench bench;
+  ASSERT_TRUE(bench.boot());
+  bench.enable();
+  bench.drives[0].position_counts = 4321;
+  bench.tick();
+  EXPECT_EQ(bench.drives[0].target_position_counts, 4321);
+  bench.command_all(DriveMode::kPosition, 0.0, 0.2);
+  bench.tick();
+  EXPECT_EQ(bench.drives[0].mode, 8);
+  EXPECT_NEAR(bench.drives[0].target_position_counts, 0.1 * 131072 * 100 / (4 * std::acos(0.0)), 1.0);
+  bench.tick();
+  EXPECT_EQ(bench.state.actuators[0].shown_mode, DriveMode::kPosition);
+}
+
+TEST(BridgeCore, DriveThatIsNotReferencedStaysWithoutTorque) {
+  RobotConfig robot = two_drive_robot();
+  robot.actuators[1].referenced = false;
+  BridgeBench bench(robot);
+  ASSERT_TRUE(bench.boot());
+  bench.enable();
+  EXPECT_EQ(bench.drives[0].power, PowerState::kOperationEnabled);
+  EXPECT_NE(bench.drives[1].power, PowerState::kOperationEnabled);
+  EXPECT_FALSE(bench.state.actuators[1].referenced);
+}
+
+TEST(BridgeCore, DisabledCommandTakesTheTorqueAwayInOneCycle) {
+  BridgeBench bench;
+  ASSERT_TRUE(bench.boot());
+  bench.enable();
+  bench.command_all(DriveMode::kDisabled);
+  bench.tick();
+  EXPECT_FALSE(any_enabled(bench));
+}
+
+TEST(BridgeCore, DampingModeOpposesTheMeasuredMotion) {
+  BridgeBench bench;
+  ASSERT_TRUE(bench.boot());
+  bench.enable(DriveMode::kDamping);
+  for (ActuatorCommand& actuator : bench.command.actuators) actuator.commanded_damping_Nm_s_rad = 10.0;
+  for (int i = 0; i < 50; ++i) {
+    bench.drives[0].position_counts += 2086;  // 1 rad/s
+    bench.tick();
+  }
+  EXPECT_NEAR(bench.drives[0].target_torque_permille, -1000.0 * 10.0 / 30.8, 2.0);
+  EXPECT_EQ(bench.drives[1].target_torque_permille, 0);
+}
+
+TEST(BridgeCore, ControlWordIsRepeatedAtTenHertz) {
+  BridgeBench bench;
+  ASSERT_TRUE(bench.boot());
+  bench.enable();
+  int words = 0;
+  for (int i = 0; i < 1000; ++i) {
+    bench.tick();
+    words += static_cast<int>(bench.sent(0x301).size());
+  }
+  EXPECT_EQ(words, 10);
+}
+
+TEST(BridgeCore, FaultAtStartIsResetWithoutAnybodysHelp) {
+  BridgeBench bench;
+  bench.drives[0].power = PowerState::kFault;
+  ASSERT_TRUE(bench.boot());
+  bench.run(100);
+  EXPECT_EQ(bench.drives[0].power, PowerState::kSwitchOnDisabled);
+  EXPECT_EQ(bench.bridge->safety().latched, false);
+}
+
+TEST(BridgeCore, RepeatedClearIsAnsweredButNotExecutedAgain) {
+  BridgeBench bench;
+  ASSERT_TRUE(bench.boot());
+  bench.run(5);
+  bench.ask(OperatorKind::kEstop);
+  bench.run(5);
+  OperatorCommand clear;
+  clear.kind = OperatorKind::kClear;
+  clear.request_id = 77;
+  EXPECT_EQ(bench.bridge->operator_command(clear, bench.time_us).outcome, OperatorOutcome::kAccepted);
+  bench.run(5);
+  bench.ask(OperatorKind::kEstop);
+  bench.run(5);
+  EXPECT_EQ(bench.bridge->operator_command(clear, bench.time_us).outcome, OperatorOutcome::kAccepted);
+  bench.run(5);
+  EXPECT_TRUE(bench.bridge->safety().latched) << "the old request cleared a newer stop";
+}
+
+TEST(BridgeCore, MotionRequestsAreNotTheBridges) {
+  BridgeBench bench;
+  EXPECT_EQ(bench.ask(OperatorKind::kJump).outcome, OperatorOutcome::kRefused);
+}
+
+TEST(BridgeCore, ShutdownDampsThenSwitchesOff) {
+  BridgeBench bench;
+  ASSERT_TRUE(bench.boot());
+  bench.enable();
+  for (int i = 0; i < 20; ++i) {
+    bench.drives[0].position_counts += 2086;
+    bench.tick();
+  }
+  bench.bridge->begin_shutdown(bench.time_us);
+  bench.drives[0].position_counts += 2086;
+  bench.tick();
+  EXPECT_TRUE(any_enabled(bench));
+  EXPECT_LT(bench.drives[0].target_torque_permille, -300);
+  EXPECT_FALSE(bench.bridge->shut_down());
+  for (int i = 0; i < 1000 && !bench.bridge->shut_down(); ++i) bench.tick();
+  EXPECT_TRUE(bench.bridge->shut_down());
+  EXPECT_FALSE(any_enabled(bench));
+  EXPECT_EQ(bench.ask(OperatorKind::kClear).outcome, OperatorOutcome::kRefused);
+}
+
+TEST(BridgeCore, ShutdownWhileBootingIsImmediate) {
+  BridgeBench bench;
+  bench.tick();
+  EXPECT_FALSE(bench.bridge->shut_down());
+  bench.bridge->begin_shutdown(bench.time_us);
+  EXPECT_TRUE(bench.bridge->shut_down());
+}
+
+TEST(BridgeCore, SameInputsGiveTheSameFrames) {
+  BridgeBench first, second;
+  for (int i = 0; i < 600; ++i) {
+    for (BridgeBench* bench : {&first, &second}) {
+      bench->command_all(i > 300 ? DriveMode::kTorque : DriveMode::kDisabled, 3.7);
+      bench->drives[0].position_counts = i * i;
+      bench->tick();
+    }
+    ASSERT_EQ(first.last_begin.size(), second.last_begin.size());
+    ASSERT_EQ(first.last_setpoints.size(), second.last_setpoints.size());
+    for (int f = 0; f < first.last_setpoints.size(); ++f) {
+      ASSERT_EQ(first.last_setpoints[f].frame, second.last_setpoints[f].frame);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace sprung

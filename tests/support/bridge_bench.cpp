@@ -1,0 +1,111 @@
+#include "tests/support/bridge_bench.h"
+
+namespace sprung::testing {
+
+RobotConfig two_drive_robot() {
+  RobotConfig robot;
+  robot.name = "two_drives";
+  robot.cycle_s = 0.001;
+  robot.buses = {{"leg", "memory:leg"}};
+  for (const int node : {1, 2}) {
+    ActuatorConfig actuator;
+    actuator.name = node == 1 ? "hip_motor" : "knee_motor";
+    actuator.node = node;
+    actuator.profile = "gold";
+    actuator.identity = {0x9A, 0x00030923, 0, 0};
+    actuator.gear_ratio = 100;
+    actuator.direction = node == 1 ? 1.0 : -1.0;
+    actuator.torque_constant_Nm_A = 0.044;
+    actuator.rated_current_A = 7.0;
+    actuator.encoder_counts_per_turn = 131072;
+    actuator.offset_rad = 0.1;
+    actuator.referenced = true;
+    actuator.torque_limit_Nm = 171.6;
+    actuator.speed_limit_rad_s = 12;
+    actuator.position_stiffness_Nm_rad = 503;
+    actuator.position_damping_Nm_s_rad = 29.7;
+    actuator.safety_damping_Nm_s_rad = 12;
+    robot.actuators.push_back(actuator);
+  }
+  return robot;
+}
+
+BridgeBench::BridgeBench(const RobotConfig& config)
+    : robot(config),
+      bridge(std::make_unique<BridgeCore>(config, BridgeOptions{config.watchdogs})),
+      command(config.actuators.size()),
+      state(config.actuators.size()) {
+  for (const ActuatorConfig& actuator : robot.actuators)
+    drives.emplace_back(actuator.node, actuator.identity);
+  command_all(DriveMode::kDisabled);
+}
+
+void BridgeBench::deliver(const FrameBatch& batch) {
+  answers_.clear();
+  for (const BusFrame& item : batch) {
+    for (FakeDrive& drive : drives) drive.receive(item.frame, answers_);
+  }
+  for (const CanFrame& frame : answers_) bridge->receive(0, frame, time_us);
+}
+
+void BridgeBench::tick() {
+  time_us += 1000;
+  last_begin.clear();
+  bridge->begin_tick(time_us, last_begin);
+  deliver(last_begin);
+  answers_.clear();
+  for (FakeDrive& drive : drives) drive.tick(time_us, answers_);
+  for (const CanFrame& frame : answers_) bridge->receive(0, frame, time_us);
+  in_cycle = bridge->end_sampling(time_us, state);
+  if (in_cycle && !mute_commands) {
+    command.stamp = state.stamp;
+    command.valid_until_utime_us = time_us + 5000;
+    last_command_accepted = bridge->command(command, time_us);
+  }
+  last_setpoints.clear();
+  bridge->emit_setpoints(time_us, last_setpoints);
+  deliver(last_setpoints);
+}
+
+void BridgeBench::run(int ticks) {
+  for (int i = 0; i < ticks; ++i) tick();
+}
+
+bool BridgeBench::boot(int ticks) {
+  for (int i = 0; i < ticks && !bridge->operational(); ++i) tick();
+  return bridge->operational();
+}
+
+void BridgeBench::enable(DriveMode mode) {
+  command_all(DriveMode::kDisabled);
+  run(3);
+  command_all(mode, 0.0, state.actuators[0].measured_position_rad);
+  run(20);
+}
+
+OperatorReply BridgeBench::ask(OperatorKind kind) {
+  OperatorCommand request;
+  request.kind = kind;
+  request.request_id = next_request++;
+  return bridge->operator_command(request, time_us);
+}
+
+void BridgeBench::command_all(DriveMode mode, double torque_Nm, double position_rad) {
+  for (ActuatorCommand& actuator : command.actuators) {
+    actuator.mode = mode;
+    actuator.commanded_torque_Nm = torque_Nm;
+    actuator.commanded_position_rad = position_rad;
+  }
+}
+
+std::vector<CanFrame> BridgeBench::sent(std::uint32_t id) const {
+  std::vector<CanFrame> frames;
+  for (const FrameBatch* batch : {&last_begin, &last_setpoints}) {
+    for (const BusFrame& item : *batch) {
+      if (item.frame.id == id) frames.push_back(item.frame);
+    }
+  }
+  return frames;
+}
+
+}  // namespace sprung::testing

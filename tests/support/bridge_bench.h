@@ -1,0 +1,53 @@
+#pragma once
+/// Bridge core and fake drives, tick by tick, as a shell would call them. Every tick sends one DRIVE_COMMAND, unless muted.
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "drivers/bridge/bridge_core.h"
+#include "tests/support/fake_drive.h"
+
+namespace sprung::testing {
+
+/// Two joints like single_leg's, written here so that tests do not depend on the robot's file.
+RobotConfig two_drive_robot();
+
+class BridgeBench {
+ public:
+  explicit BridgeBench(const RobotConfig& robot = two_drive_robot());
+
+  void tick();
+  void run(int ticks);
+  /// @return false when the bridge is not operational after `ticks`.
+  bool boot(int ticks = 2000);
+  /// Arms with disabled commands, then commands `mode` until the drives are enabled.
+  void enable(DriveMode mode = DriveMode::kTorque);
+  OperatorReply ask(OperatorKind kind);
+  /// Sets every actuator's command.
+  void command_all(DriveMode mode, double torque_Nm = 0.0, double position_rad = 0.0);
+
+  std::string detail() const { return bridge->safety().detail.data(); }
+  /// Frames that the bridge sent in the last tick and are of this identifier.
+  std::vector<CanFrame> sent(std::uint32_t id) const;
+
+  RobotConfig robot;
+  std::unique_ptr<BridgeCore> bridge;
+  std::vector<FakeDrive> drives;
+  DriveCommand command;
+  DriveState state;
+  FrameBatch last_begin, last_setpoints;
+  bool mute_commands = false;
+  bool in_cycle = false;  ///< the last tick gave a DRIVE_STATE
+  bool last_command_accepted = false;
+  std::int64_t time_us = 0;
+  std::int64_t next_request = 1;
+
+ private:
+  void deliver(const FrameBatch& batch);
+
+  std::vector<CanFrame> answers_;
+};
+
+}  // namespace sprung::testing
