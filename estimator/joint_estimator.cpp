@@ -7,9 +7,8 @@
 namespace sprung {
 namespace {
 
-// Trade: lag of the output torque is 2 / bandwidth = 2.7 ms; sampling jitter of 1 us at 10 rad/s makes 3 Nm
-// on 0.6 kg m^2, and grows with the power 2.5 of the bandwidth. Encoder quantisation alone would allow three
-// times as much.
+// 120 Hz: RMS error of the gear output torque in tests/estimator's push-off, right model, without and with 1 us of sampling
+// jitter: 60 Hz 2.8 and 2.8 Nm, 90 Hz 2.0 and 2.1, 120 Hz 1.6 and 2.1, 160 Hz 1.3 and 3.1, 220 Hz 1.1 and 6.2.
 constexpr double kBandwidth_rad_s = 2.0 * 3.14159265358979 * 120.0;
 constexpr double kLag_s = 2.0 / kBandwidth_rad_s;
 /// Steeper than the controller's compensation, since an estimate may follow the sign that a feedback must

@@ -11,9 +11,9 @@ inline constexpr double kFrictionUncertainty = 3.0;
 /// Motor constant and driver calibration: 48 V winding "derived, unverified" in robot.yaml; magnets lose 0.1
 /// %/K.
 inline constexpr double kTorqueConstantUncertainty = 0.05;
-/// Rotor and wave generator are from memory (facts C3, [M]); the plants that fit the papers ask for up
-/// to 1.35 times.
-inline constexpr double kArmatureUncertainty = 0.30;
+/// Rotor and wave generator are from memory (facts C3, [M]); the plants that fit the papers ask for 0.72 and 0.81 kg m^2
+/// where the data sheets give 0.6 (facts C2).
+inline constexpr double kArmatureUncertainty = 0.35;
 
 struct TorqueBoundInput {
   double motor_torque_Nm = 0.0;          ///< joint side, R Kt i
