@@ -1,0 +1,185 @@
+#include "controller/controller_core.h"
+
+#include <cmath>
+#include <random>
+#include <stdexcept>
+#include <string>
+
+#include "tests/controller/controller_fixture.h"
+#include "tests/support/allocation_count.h"
+
+namespace sprung {
+namespace {
+
+class ControllerCoreTest : public ControllerFixture {
+ protected:
+  void expect_damping(CommandBasis basis) {
+    EXPECT_TRUE(all(DriveMode::kDamping));
+    EXPECT_EQ(core_.basis(), basis) << name(core_.basis());
+    for (std::size_t i = 0; i < 2; ++i) {
+      EXPECT_EQ(out_.actuators[i].commanded_damping_Nm_s_rad, robot_.actuators[i].safety_damping_Nm_s_rad);
+    }
+  }
+};
+
+TEST_F(ControllerCoreTest, StampsWhatItUsedAndHowLongItHolds) {
+  cycle();
+  EXPECT_EQ(out_.stamp.seq, 101);
+  EXPECT_EQ(out_.used_joint_state_seq, 101);
+  EXPECT_EQ(out_.used_leg_command_seq, 100);
+  EXPECT_EQ(out_.valid_until_utime_us, 101000 + 20000 + 1000);
+  EXPECT_EQ(core_.basis(), CommandBasis::kCommanded);
+}
+
+TEST_F(ControllerCoreTest, BeforeTheFirstCommandNothingIsSwitchedOnOrDropped) {
+  core_.step(state_, nullptr, out_);
+  expect_damping(CommandBasis::kNoCommand);
+  for (EstimatedJoint& joint : state_.joints) joint.drive_enabled = false;
+  core_.step(state_, nullptr, out_);
+  EXPECT_TRUE(all(DriveMode::kDisabled));
+}
+
+TEST_F(ControllerCoreTest, DisabledAndDampingArePassedOn) {
+  want(ControlMode::kDisabled);
+  cycle();
+  EXPECT_TRUE(all(DriveMode::kDisabled));
+  want(ControlMode::kDamping);
+  cycle();
+  expect_damping(CommandBasis::kCommanded);
+}
+
+TEST_F(ControllerCoreTest, DisabledNeedsNoReadyJoint) {
+  want(ControlMode::kDisabled);
+  state_.joints[0].status = JointStatus::kStale;
+  cycle();
+  EXPECT_TRUE(all(DriveMode::kDisabled));
+}
+
+TEST_F(ControllerCoreTest, OldCommandIsDampingAfterTheWatchdogsTime) {
+  cycle();
+  const LegCommand old = command_;
+  state_.stamp.utime_us = old.stamp.utime_us + 20000;
+  core_.step(state_, &old, out_);
+  EXPECT_TRUE(all(DriveMode::kPosition));
+  state_.stamp.utime_us += 1;
+  core_.step(state_, &old, out_);
+  expect_damping(CommandBasis::kCommandStale);
+}
+
+TEST_F(ControllerCoreTest, CommandFromTheFutureOrOfAnotherRobotIsDamping) {
+  command_.stamp = {state_.stamp.utime_us + 1000, 99};
+  core_.step(state_, &command_, out_);
+  expect_damping(CommandBasis::kCommandStale);
+  LegCommand two_legs(2);
+  two_legs.stamp = state_.stamp;
+  core_.step(state_, &two_legs, out_);
+  expect_damping(CommandBasis::kCommandStale);
+}
+
+TEST_F(ControllerCoreTest, JointsThatAreNotReadyAreDamped) {
+  for (JointStatus status :
+       {JointStatus::kStarting, JointStatus::kStale, JointStatus::kNotReferenced, JointStatus::kFault}) {
+    state_.joints[1].status = status;
+    cycle();
+    expect_damping(CommandBasis::kJointNotReady);
+  }
+  state_.joints[1].status = JointStatus::kSaturated;
+  cycle();
+  EXPECT_TRUE(all(DriveMode::kPosition));
+}
+
+TEST_F(ControllerCoreTest, NumbersThatAreNotFiniteAreDamping) {
+  state_.joints[0].estimated_velocity_rad_s = kNaN;
+  cycle();
+  expect_damping(CommandBasis::kNotFinite);
+  state_.joints[0].estimated_velocity_rad_s = 0.0;
+  for (ControlMode mode : {ControlMode::kPosition, ControlMode::kCompliance}) {
+    want(mode);
+    command_.legs[0].desired_foot_in_hip_m[0] = kNaN;
+    cycle();
+    expect_damping(CommandBasis::kNotFinite);
+    command_.legs[0].desired_foot_in_hip_m[0] = 0.0;
+  }
+  command_.legs[0].stiffness_N_m[2] = kNaN;
+  cycle();
+  expect_damping(CommandBasis::kNotFinite);
+}
+
+TEST_F(ControllerCoreTest, FootOutOfReachIsDamping) {
+  command_.legs[0].desired_foot_in_hip_m = {0.0, 0.0, -0.9};
+  cycle();
+  expect_damping(CommandBasis::kUnreachable);
+}
+
+TEST_F(ControllerCoreTest, SafetyComesFirst) {
+  for (SafetyLevel level : {SafetyLevel::kDamping, SafetyLevel::kQuickStop}) {
+    state_.safety = level;
+    cycle();
+    expect_damping(CommandBasis::kSafety);
+  }
+  state_.safety = SafetyLevel::kDisabled;
+  cycle();
+  EXPECT_TRUE(all(DriveMode::kDisabled));
+}
+
+TEST_F(ControllerCoreTest, StoppedInputsAreDampingAtTheLastStamp) {
+  cycle();
+  core_.inputs_stopped(out_);
+  expect_damping(CommandBasis::kInputsStopped);
+  EXPECT_EQ(out_.stamp.seq, 101);
+  EXPECT_EQ(out_.valid_until_utime_us, 122000);
+}
+
+TEST_F(ControllerCoreTest, AfterDampingThePositionBeginsAtTheMeasuredPoseAgain) {
+  cycles(50);
+  state_.joints[0].status = JointStatus::kStale;
+  cycle();
+  set_joints(measured() + pair(0.1, -0.1));
+  cycle();
+  EXPECT_TRUE(all(DriveMode::kPosition));
+  EXPECT_LT((commanded_position() - measured()).norm(), 1e-9);
+}
+
+TEST_F(ControllerCoreTest, SmoothingMustBePositive) {
+  PresetConfig preset = robot_.preset("paper");
+  preset.friction_smoothing_rad_s = 0.0;
+  EXPECT_THROW(ControllerCore(robot_, preset, robot_.watchdogs), std::invalid_argument);
+}
+
+TEST_F(ControllerCoreTest, EveryBasisHasAName) {
+  for (int i = 0; i <= static_cast<int>(CommandBasis::kInputsStopped); ++i) {
+    EXPECT_STRNE(name(static_cast<CommandBasis>(i)), "unknown");
+  }
+}
+
+TEST_F(ControllerCoreTest, RandomStatesNeverExceedLimitsNorAllocateNorDifferBetweenTwins) {
+  ControllerCore twin(robot_, robot_.preset("paper"), robot_.watchdogs);
+  DriveCommand twin_out(2);
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  for (int k = 0; k < 3000; ++k) {
+    if (k % 50 == 0) want(k % 100 == 0 ? ControlMode::kPosition : ControlMode::kCompliance);
+    set_joints(pair(1.7 + 1.9 * unit(random), 1.3 + 1.3 * unit(random)), 100.0 * unit(random));
+    state_.joints[0].estimated_velocity_rad_s = 12.0 * unit(random);
+    command_.legs[0].desired_foot_in_hip_m = {0.2 * unit(random), 0.0, -0.4 + 0.2 * unit(random)};
+    command_.legs[0].desired_foot_velocity_m_s = {0.0, 0.0, 5.0 * unit(random)};
+    const std::int64_t before = test::allocation_count();
+    cycle();
+    ASSERT_EQ(test::allocation_count(), before);
+    twin.step(state_, &command_, twin_out);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const ActuatorCommand& a = out_.actuators[i];
+      ASSERT_LE(std::abs(a.commanded_torque_Nm), robot_.actuators[i].torque_limit_Nm);
+      ASSERT_LE(std::abs(a.commanded_velocity_rad_s), robot_.actuators[i].speed_limit_rad_s);
+      ASSERT_EQ(a.mode, twin_out.actuators[i].mode);
+      ASSERT_EQ(a.commanded_torque_Nm, twin_out.actuators[i].commanded_torque_Nm);
+      if (a.mode == DriveMode::kPosition) {
+        ASSERT_TRUE(std::isfinite(a.commanded_position_rad));
+        ASSERT_EQ(a.commanded_position_rad, twin_out.actuators[i].commanded_position_rad);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace sprung

@@ -1,0 +1,131 @@
+#include "controller/leg_controller.h"
+
+#include <cmath>
+
+#include "tests/controller/controller_fixture.h"
+
+namespace sprung {
+namespace {
+
+class LegControllerTest : public ControllerFixture {};
+
+TEST_F(LegControllerTest, PositionModeSendsTheInverseWithItsSpeed) {
+  command_.legs[0].desired_foot_velocity_m_s = {0.0, 0.0, 0.2};
+  for (int k = 0; k < 40; ++k) cycle();
+  EXPECT_TRUE(all(DriveMode::kPosition));
+  const Eigen::Vector3d foot = leg_->foot_in_hip_m(commanded_position());
+  EXPECT_NEAR(foot.z(), -0.45 + 0.2 * 0.001, 1e-9);  // extrapolated by one cycle
+  const JointVector rate =
+      pair(out_.actuators[0].commanded_velocity_rad_s, out_.actuators[1].commanded_velocity_rad_s);
+  EXPECT_NEAR((leg_->jacobian(commanded_position()) * rate).z(), 0.2, 1e-9);
+}
+
+TEST_F(LegControllerTest, PositionBeginsAtTheMeasuredPoseAndGoesOverSmoothly) {
+  command_.legs[0].desired_foot_in_hip_m = {0.0, 0.0, -0.44};
+  cycle();
+  EXPECT_LT((commanded_position() - measured()).norm(), 1e-9);
+  JointVector before = commanded_position();
+  for (int k = 0; k < 60; ++k) {
+    cycle();
+    EXPECT_LT((commanded_position() - before).norm(), 6e-3);
+    before = commanded_position();
+  }
+  EXPECT_NEAR(leg_->foot_in_hip_m(before).z(), -0.44, 1e-9);
+}
+
+TEST_F(LegControllerTest, FarTargetIsApproachedNoFasterThanALimit) {
+  command_.legs[0].desired_foot_in_hip_m = {0.0, 0.0, -0.25};
+  cycle();
+  JointVector before = commanded_position();
+  for (int k = 0; k < 400; ++k) {
+    cycle();
+    EXPECT_LT((commanded_position() - before).cwiseAbs().maxCoeff(), 3.1e-3);
+    before = commanded_position();
+  }
+  EXPECT_NEAR(leg_->foot_in_hip_m(before).z(), -0.25, 1e-9);
+}
+
+TEST_F(LegControllerTest, ComplianceBeginsWithTheTorqueThatIsThere) {
+  set_joints(measured(), 14.0);
+  want(ControlMode::kCompliance);
+  command_.legs[0].desired_foot_in_hip_m = {0.0, 0.0, -0.46};
+  cycle();
+  EXPECT_TRUE(all(DriveMode::kTorque));
+  EXPECT_NEAR(commanded_torque()[0], 14.0, 1e-9);
+  EXPECT_NEAR(commanded_torque()[1], 14.0, 1e-9);
+  cycles(30);
+  const JointVector law = leg_->jacobian(measured()).transpose() * Eigen::Vector3d(0.0, 0.0, -62.8) +
+                          leg_->gravity_torque_Nm(measured());
+  EXPECT_LT((commanded_torque() - law).norm(), 1e-9);
+}
+
+TEST_F(LegControllerTest, StepOfTheSetPointIsNotSlowedOnceInCompliance) {
+  want(ControlMode::kCompliance);
+  cycles(40);
+  const double before = commanded_torque()[1];
+  command_.legs[0].desired_foot_in_hip_m = {0.0, 0.0, -0.47};
+  cycle();
+  const double lever = leg_->jacobian(measured())(2, 1);
+  EXPECT_NEAR(commanded_torque()[1] - before, lever * 6280.0 * -0.02, 1e-9);
+  EXPECT_EQ(core_.limits().rate, 0);
+}
+
+TEST_F(LegControllerTest, DrivesThatAreNotEnabledGetTheMeasuredPositionOrNoTorque) {
+  state_.joints[1].drive_enabled = false;
+  command_.legs[0].desired_foot_in_hip_m = {0.0, 0.0, -0.40};
+  command_.legs[0].desired_foot_velocity_m_s = {0.0, 0.0, 1.0};
+  for (int k = 0; k < 30; ++k) {
+    state_.joints[1].estimated_position_rad += 0.001;
+    cycle();
+    EXPECT_TRUE(all(DriveMode::kPosition));
+    EXPECT_LT((commanded_position() - measured()).norm(), 1e-12);
+    EXPECT_EQ(out_.actuators[1].commanded_velocity_rad_s, 0.0);
+  }
+  want(ControlMode::kCompliance);
+  cycle();
+  EXPECT_EQ(commanded_torque().norm(), 0.0);
+  state_.joints[1].drive_enabled = true;
+  const double law_Nm = 6280.0 * 0.05 * 0.2;
+  cycle();
+  EXPECT_LT(commanded_torque().norm(), 0.1 * law_Nm);
+}
+
+TEST_F(LegControllerTest, PositionStaysInsideTheJointLimits) {
+  robot_.joints[1].position_max_rad = 1.5;
+  ControllerCore core(robot_, robot_.preset("paper"), robot_.watchdogs);
+  set_joints(leg_->inverse({0.0, 0.0, -0.55}, pair(2.0, 1.0)).position_rad);
+  command_.legs[0].desired_foot_in_hip_m = {0.0, 0.0, -0.40};
+  for (int k = 0; k < 800; ++k) {
+    command_.stamp = state_.stamp;
+    state_.stamp = {state_.stamp.utime_us + 1000, state_.stamp.seq + 1};
+    core.step(state_, &command_, out_);
+    ASSERT_LE(out_.actuators[1].commanded_position_rad, 1.5 - kPositionMargin_rad);
+  }
+  EXPECT_GT(core.limits().position, 0);
+}
+
+TEST_F(LegControllerTest, TorqueAndSoftStopLimitsActLastAndAreCounted) {
+  want(ControlMode::kCompliance);
+  cycles(40);
+  command_.legs[0].desired_foot_in_hip_m = {0.0, 0.0, -0.60};
+  command_.legs[0].stiffness_N_m = {90000.0, 0.0, 90000.0};
+  cycles(5);
+  EXPECT_NEAR(std::abs(commanded_torque()[1]), robot_.actuators[1].torque_limit_Nm, 1e-9);
+  EXPECT_GT(core_.limits().torque, 0);
+  EXPECT_GT(core_.limits().rate, 0);
+  EXPECT_EQ(core_.limits().soft_stop, 0);
+  set_joints(pair(1.7, 0.06));
+  cycle();
+  EXPECT_GT(core_.limits().soft_stop, 0);
+}
+
+TEST_F(LegControllerTest, BeltLegGetsActuatorSetPoints) {
+  robot_.legs[0].transmission = {1.0, 0.0, 0.01, 1.0};
+  ControllerCore core(robot_, robot_.preset("paper"), robot_.watchdogs);
+  command_.stamp = {state_.stamp.utime_us - 1000, state_.stamp.seq - 1};
+  core.step(state_, &command_, out_);
+  EXPECT_NEAR(out_.actuators[1].commanded_position_rad, measured()[1] - 0.01 * measured()[0], 1e-9);
+}
+
+}  // namespace
+}  // namespace sprung
