@@ -45,6 +45,9 @@ class LockstepLink {
   /// The last burst or answer again, with all its frames.
   void resend() noexcept;
 
+  /// A plain frame outside any burst, for tools and for drives whose master is gone.
+  void send_unstamped(const CanFrame& frame) noexcept { bus_->send(&frame, 1); }
+
   /// Reads what has come in, up to the first event; call until kNothing. Never blocks; wait with poll() on
   /// fd().
   LinkEvent poll() noexcept;

@@ -29,7 +29,7 @@ class LockstepSim {
   }
 
   int run() {
-    process_.node().start();
+    const Receiving receiving(process_.node());
     process_.set_state(ProcessState::kReady);
     heard_us_ = wall_us();
     while (!stop_requested()) {

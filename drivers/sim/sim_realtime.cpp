@@ -24,7 +24,7 @@ class RealTimeSim {
   }
 
   int run() {
-    process_.node().start();
+    const Receiving receiving(process_.node());
     process_.set_state(ProcessState::kReady);
     std::int64_t deadline_us = now_us();
     while (!stop_requested()) {

@@ -29,6 +29,8 @@ PaperJump paper_figures(JumpMode mode) {
 
 constexpr double kLeastHybridHeight_mm = 150.0;  // what this stack promises on its own plant
 
+constexpr std::int64_t kStandCycle = 100;  // the estimator has settled by then
+
 ReportRow row(JumpMode mode, const char* quantity, const char* unit, double value,
               std::optional<double> paper) {
   return {std::string("jump.") + name(mode) + "." + quantity, unit, value, paper, std::nullopt, std::nullopt};
@@ -78,7 +80,7 @@ RunScript jump_script(const RobotConfig& robot, const std::string& preset, const
                         p.landing_hold_s + p.recover_time_s;
   RunScript script{robot, preset, sim, {}, 0};
   const auto cycles = [&](double seconds) { return std::llround(seconds / robot.cycle_s); };
-  script.commands.push_back(scripted(OperatorKind::kStand, 10));
+  script.commands.push_back(scripted(OperatorKind::kStand, kStandCycle));
   script.commands.push_back(scripted(OperatorKind::kJump, cycles(stand_s)));
   script.commands.back().jump_mode = mode;
   script.commands.back().jump_count = count;

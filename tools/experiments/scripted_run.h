@@ -2,13 +2,13 @@
 /// A run that anyone can repeat: commands at fixed cycles, a seed, a number of cycles. The in-process and the
 /// separate-process runner give the observer the same values, bit for bit.
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "drivers/sim/sim_core.h"
 #include "robots/robot_config.h"
 #include "signals/signals.h"
+#include "tools/client/cycle_record.h"
 
 namespace sprung {
 
@@ -19,17 +19,6 @@ struct RunScript {
   std::vector<OperatorCommand> commands;  ///< request_id and apply_at_seq set
   std::int64_t cycles = 0;                ///< cycles 0 .. cycles-1 are run
 };
-
-/// What one cycle produced.
-struct CycleRecord {
-  const DriveState& drive_state;
-  const JointState& joint_state;
-  const MotionState& motion_state;
-  const DriveCommand& drive_command;
-  const SimTruth& truth;
-};
-using CycleObserver = std::function<void(const CycleRecord&)>;
-using ReplyObserver = std::function<void(const OperatorReply&)>;
 
 /// @throws std::runtime_error when the drives do not boot or the plant fails.
 void run_in_process(const RunScript& script, const CycleObserver& on_cycle, const ReplyObserver& on_reply);

@@ -1,0 +1,36 @@
+#include "drivers/can/bus_addresses.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace sprung {
+
+std::vector<std::string> bus_addresses(const RobotConfig& robot, const std::vector<std::string>& can) {
+  std::vector<std::string> addresses;
+  for (const BusConfig& bus : robot.buses) {
+    addresses.push_back(bus.can);
+  }
+  for (const std::string& text : can) {
+    const std::size_t equals = text.find('=');
+    const auto named = [&](const BusConfig& bus) { return bus.name == text.substr(0, equals); };
+    const auto bus = std::find_if(robot.buses.begin(), robot.buses.end(), named);
+    if (equals == std::string::npos || bus == robot.buses.end()) {
+      throw std::invalid_argument("--can " + text +
+                                  ": expected BUS=ADDRESS with one of the robot's buses, for example " +
+                                  robot.buses.front().name + "=socketcan:can0");
+    }
+    addresses[static_cast<std::size_t>(bus - robot.buses.begin())] = text.substr(equals + 1);
+  }
+  return addresses;
+}
+
+std::unique_ptr<UdpBus> open_udp_bus(const std::string& address) {
+  if (address.rfind("udp:", 0) != 0) {
+    throw std::invalid_argument("lock-step runs over a udp: bus, not " + address +
+                                ": use --clock realtime there");
+  }
+  std::unique_ptr<CanBus> bus = open_can_bus(address);
+  return std::unique_ptr<UdpBus>(static_cast<UdpBus*>(bus.release()));
+}
+
+}  // namespace sprung

@@ -1,0 +1,20 @@
+#pragma once
+/// Which address each of a robot's buses has in this run.
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "drivers/can/udp_bus.h"
+#include "robots/robot_config.h"
+
+namespace sprung {
+
+/// Addresses by bus index: robot.yaml's, or the override. @param overrides BUS=ADDRESS.
+/// @throws std::invalid_argument naming what is no bus of this robot.
+std::vector<std::string> bus_addresses(const RobotConfig& robot, const std::vector<std::string>& overrides);
+
+/// Lock-step needs a bus whose datagrams can be numbered. @throws std::invalid_argument unless the address is
+/// udp:GROUP:PORT.
+std::unique_ptr<UdpBus> open_udp_bus(const std::string& address);
+
+}  // namespace sprung

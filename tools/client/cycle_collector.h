@@ -1,0 +1,63 @@
+#pragma once
+/// Puts the messages of each cycle together again, in order: for experiments on separate processes. Nothing
+/// waits for it, so it keeps deep queues; a cycle of which a message was lost on the way is counted, never
+/// made up.
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "robots/robot_config.h"
+#include "runtime/node.h"
+#include "tools/client/cycle_record.h"
+#include "tools/launcher/run_file.h"
+
+namespace sprung {
+
+class CycleCollector {
+ public:
+  /// Listens from here on. `truth`: wait for SIM_TRUTH too (there must be simulated drives).
+  CycleCollector(const RunInfo& info, const RobotConfig& robot);
+
+  /// Hands over every cycle that is complete by now. @return how many.
+  int collect(const CycleObserver& on_cycle, const ReplyObserver& on_reply);
+  /// Sleeps until something comes in, at most that long.
+  void wait(double seconds) {
+    node_.wait_for_input(node_.utime_us() + static_cast<std::int64_t>(seconds * 1e6));
+  }
+
+  std::int64_t last_cycle() const { return next_ - 1; }  ///< handed over or given up
+  std::int64_t lost_cycles() const { return lost_; }
+  std::int64_t overruns() const { return overruns_; }            ///< as the bridge counts them
+  std::int64_t missed_cycles() const { return missed_cycles_; }  ///< without a DRIVE_COMMAND
+
+ private:
+  struct Cycle {
+    DriveState drive_state;
+    JointState joint_state;
+    MotionState motion_state;
+    DriveCommand drive_command;
+    SimTruth truth;
+    unsigned parts = 0;
+  };
+  void take_all(const ReplyObserver& on_reply);
+  Cycle& cycle(std::int64_t seq);
+  template <class Signal>
+  void take(InputQueue<Signal>& queue, Signal Cycle::*member, unsigned part);
+
+  RobotConfig robot_;
+  InputQueue<DriveState> drive_states_;
+  InputQueue<JointState> joint_states_;
+  InputQueue<DriveCommand> drive_commands_;
+  InputQueue<SimTruth> truths_;
+  InputQueue<sprung_msgs::motion_state_t> motions_;
+  InputQueue<sprung_msgs::operator_reply_t> replies_;
+  InputQueue<sprung_msgs::safety_state_t> safeties_;
+  std::map<std::int64_t, Cycle> pending_;
+  std::int64_t next_ = -1;  ///< -1: the first that comes
+  std::int64_t lost_ = 0;
+  std::int64_t overruns_ = 0;
+  std::int64_t missed_cycles_ = 0;
+  Node node_;
+};
+
+}  // namespace sprung

@@ -1,0 +1,19 @@
+#pragma once
+/// What one cycle of the whole stack produced, whichever way it was run.
+#include <functional>
+
+#include "signals/signals.h"
+
+namespace sprung {
+
+struct CycleRecord {
+  const DriveState& drive_state;
+  const JointState& joint_state;
+  const MotionState& motion_state;
+  const DriveCommand& drive_command;
+  const SimTruth& truth;
+};
+using CycleObserver = std::function<void(const CycleRecord&)>;
+using ReplyObserver = std::function<void(const OperatorReply&)>;
+
+}  // namespace sprung

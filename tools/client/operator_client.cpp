@@ -1,0 +1,76 @@
+#include "tools/client/operator_client.h"
+
+#include <algorithm>
+#include <random>
+
+#include "lcmtypes/channels.h"
+#include "runtime/stop_request.h"
+
+namespace sprung {
+
+namespace {
+
+constexpr std::int64_t kSendAgain_us = 100'000;
+
+std::int64_t random_id() {
+  std::random_device device;
+  return static_cast<std::int64_t>((static_cast<std::uint64_t>(device()) << 31) ^ device()) &
+         0x7FFFFFFFFFFFFFFF;
+}
+
+bool ends(OperatorOutcome outcome) {
+  return outcome != OperatorOutcome::kAccepted && outcome != OperatorOutcome::kQueued;
+}
+
+}  // namespace
+
+OperatorClient::OperatorClient(const RunInfo& info)
+    : node_(NodeOptions{info.lcm_url, info.session, info.epoch_us, {}}),
+      commands_(node_.publisher<OperatorCommand>(channels::kOperatorCommand)) {
+  node_.subscribe_message(channels::kOperatorReply, CountLimits::none(), replies_);
+  node_.start();
+}
+
+std::optional<OperatorAnswer> OperatorClient::next_answer(std::int64_t request_id) {
+  while (const auto reply = replies_.pop()) {
+    if (reply->request_id == request_id) {
+      return OperatorAnswer{static_cast<OperatorOutcome>(reply->outcome), reply->took_effect_at_seq,
+                            reply->from, reply->reason};
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<OperatorAnswer> OperatorClient::send(OperatorCommand& command, double patience_s) {
+  if (command.request_id == 0) {
+    command.request_id = random_id();
+  }
+  const std::int64_t end_us = node_.utime_us() + static_cast<std::int64_t>(patience_s * 1e6);
+  std::int64_t send_us = 0;
+  while (node_.utime_us() < end_us && !stop_requested()) {
+    if (node_.utime_us() >= send_us) {
+      command.stamp.utime_us = node_.utime_us();
+      commands_.publish(command);
+      send_us = node_.utime_us() + kSendAgain_us;
+    }
+    if (auto answer = next_answer(command.request_id)) {
+      return answer;
+    }
+    node_.wait_for_input(std::min(send_us, end_us));
+  }
+  return std::nullopt;
+}
+
+std::optional<OperatorAnswer> OperatorClient::wait_done(std::int64_t request_id, double patience_s) {
+  const std::int64_t end_us = node_.utime_us() + static_cast<std::int64_t>(patience_s * 1e6);
+  while (node_.utime_us() < end_us && !stop_requested()) {
+    const auto answer = next_answer(request_id);
+    if (answer && ends(answer->outcome)) {
+      return answer;
+    }
+    node_.wait_for_input(end_us);
+  }
+  return std::nullopt;
+}
+
+}  // namespace sprung

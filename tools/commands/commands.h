@@ -1,0 +1,15 @@
+#pragma once
+/// The subcommands of `sprung`, one file each; every function adds its own to the command line.
+#include "runtime/command_line.h"
+
+namespace sprung::commands {
+
+void add_up(CommandLine& sprung);
+void add_down(CommandLine& sprung);
+void add_motion(CommandLine& sprung);  ///< stand, sit, jump, stop
+void add_safety(CommandLine& sprung);  ///< estop, clear
+void add_status(CommandLine& sprung);
+void add_record(CommandLine& sprung);
+void add_experiment(CommandLine& sprung);
+
+}  // namespace sprung::commands

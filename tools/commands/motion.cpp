@@ -1,0 +1,146 @@
+#include <cstdio>
+#include <memory>
+
+#include "robots/robot_loader.h"
+#include "tools/client/cycle_collector.h"
+#include "tools/client/operator_client.h"
+#include "tools/commands/commands.h"
+#include "tools/experiments/jump_table.h"
+
+namespace sprung::commands {
+
+namespace {
+
+constexpr double kAnswer_s = 3.0;
+constexpr double kDone_s = 120.0;
+constexpr double kLook_s = 0.05;
+constexpr int kSettleTurns = 20;  // after `done`, for what is still on the way
+
+struct MotionRequest {
+  std::string instance = "default";
+  std::string robot;
+  bool no_wait = false;
+  bool report = false;
+  std::int64_t at_seq = -1;
+  double height_mm = 0.0;
+  std::string mode = "hybrid";
+  int count = 1;
+};
+
+JumpMode jump_mode(const std::string& text) {
+  if (text == "position") {
+    return JumpMode::kPosition;
+  }
+  return text == "torque" ? JumpMode::kTorque : JumpMode::kHybrid;
+}
+
+int say(const char* what, const std::optional<OperatorAnswer>& answer) {
+  if (!answer) {
+    std::fprintf(stderr, "%s: no answer. Is it running? See: sprung status\n", what);
+    return kExitFailed;
+  }
+  const bool bad =
+      answer->outcome == OperatorOutcome::kRefused || answer->outcome == OperatorOutcome::kFailed;
+  std::fprintf(bad ? stderr : stdout, "%s: %s%s%s", what, name(answer->outcome),
+               answer->reason.empty() ? "" : ": ", answer->reason.c_str());
+  std::fprintf(bad ? stderr : stdout, answer->took_effect_at_seq >= 0 ? " (cycle %lld)\n" : "\n",
+               static_cast<long long>(answer->took_effect_at_seq));
+  std::fflush(stdout);
+  return bad ? kExitFailed : kExitDone;
+}
+
+int run_motion(const char* what, OperatorCommand command, const MotionRequest& request) {
+  OperatorClient client(require_running(request.instance, request.robot));
+  command.apply_at_seq = request.at_seq;
+  const std::optional<OperatorAnswer> answer = client.send(command, kAnswer_s);
+  const int status = say(what, answer);
+  const bool under_way = answer && status == kExitDone && answer->outcome != OperatorOutcome::kDone;
+  if (!under_way || request.no_wait) {
+    return status;
+  }
+  return say(what, client.wait_done(command.request_id, kDone_s));
+}
+
+/// Measures while the robot jumps: needs SIM_TRUTH, so simulated drives.
+int run_reported_jump(const OperatorCommand& order, const MotionRequest& request) {
+  const RunInfo info = require_running(request.instance, request.robot);
+  if (!info.simulation) {
+    throw WrongUse("--report measures with SIM_TRUTH: it needs simulated drives");
+  }
+  const RobotConfig robot = load_robot(info.robot_folder);
+  JumpMetrics metrics(robot);
+  CycleCollector collector(info, robot);
+  OperatorClient client(info);
+  OperatorCommand command = order;
+  command.apply_at_seq = request.at_seq;
+  int status = say("jump", client.send(command, kAnswer_s));
+  const auto measure = [&](const CycleRecord& cycle) {
+    metrics.add(cycle.motion_state, cycle.joint_state, cycle.truth);
+  };
+  std::optional<OperatorAnswer> done;
+  int turns_left = static_cast<int>(kDone_s / kLook_s);
+  while (status == kExitDone && !done && turns_left-- > 0) {
+    done = client.wait_done(command.request_id, kLook_s);
+    collector.collect(measure, [](const OperatorReply&) {});
+  }
+  for (int i = 0; i < kSettleTurns && status == kExitDone; ++i) {
+    collector.wait(kLook_s);
+    collector.collect(measure, [](const OperatorReply&) {});
+  }
+  status = status == kExitDone ? say("jump", done) : status;
+  std::printf("%scycles %lld, without a command %lld, overruns %lld, lost on the way to this table %lld\n",
+              jump_table(metrics.jumps()).c_str(), static_cast<long long>(collector.last_cycle() + 1),
+              static_cast<long long>(collector.missed_cycles()), static_cast<long long>(collector.overruns()),
+              static_cast<long long>(collector.lost_cycles()));
+  return status;
+}
+
+void add_simple(CommandLine& sprung, const char* what, const char* help, OperatorKind kind) {
+  const auto request = std::make_shared<MotionRequest>();
+  CommandLine& command = sprung.subcommand(what, help);
+  command.option("--instance", request->instance, "which run");
+  command.option("--robot", request->robot, "refuse unless this robot is up");
+  command.option("--at", request->at_seq, "cycle in which it shall take effect, -1 = the next");
+  command.flag("--no-wait", request->no_wait, "return when it is accepted, not when it is done");
+  command.example(std::string("sprung ") + what);
+  command.action([=] {
+    OperatorCommand order;
+    order.kind = kind;
+    return run_motion(what, order, *request);
+  });
+}
+
+void add_jump(CommandLine& sprung) {
+  const auto request = std::make_shared<MotionRequest>();
+  CommandLine& jump = sprung.subcommand("jump", "Jump on the spot; the robot must stand.");
+  jump.option("--height", request->height_mm,
+              "mm that the hip shall rise above lift-off, 0 = the preset's own");
+  jump.choice("--mode", request->mode, {"position", "torque", "hybrid"},
+              "control through thrust, flight and landing");
+  jump.option("--count", request->count, "how many, one after the other");
+  jump.option("--instance", request->instance, "which run");
+  jump.option("--robot", request->robot, "refuse unless this robot is up");
+  jump.option("--at", request->at_seq, "cycle in which it shall take effect, -1 = the next");
+  jump.flag("--no-wait", request->no_wait, "return when it is accepted, not when it is done");
+  jump.flag("--report", request->report, "simulated drives: measure the jumps and print a table");
+  jump.example("sprung jump --height 150 --mode hybrid --count 3");
+  jump.action([=] {
+    OperatorCommand order;
+    order.kind = OperatorKind::kJump;
+    order.jump_height_m = request->height_mm * 1e-3;
+    order.jump_mode = jump_mode(request->mode);
+    order.jump_count = request->count;
+    return request->report ? run_reported_jump(order, *request) : run_motion("jump", order, *request);
+  });
+}
+
+}  // namespace
+
+void add_motion(CommandLine& sprung) {
+  add_simple(sprung, "stand", "Switch the drives on and rise to the stand.", OperatorKind::kStand);
+  add_simple(sprung, "sit", "Lower the body, then switch the drives off.", OperatorKind::kSit);
+  add_jump(sprung);
+  add_simple(sprung, "stop", "Finish the phase that runs, then stand.", OperatorKind::kStop);
+}
+
+}  // namespace sprung::commands

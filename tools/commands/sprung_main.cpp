@@ -1,0 +1,19 @@
+/// sprung: the operator's and the engineer's one command.
+#include "runtime/stop_request.h"
+#include "tools/commands/commands.h"
+
+int main(int argc, char** argv) {
+  using namespace sprung::commands;
+  sprung::install_stop_signals();
+  sprung::CommandLine line("sprung", "Virtual springs for geared, torque-sensorless legged robots.");
+  line.example(
+      "sprung up single_leg --sim      then, in a second terminal: sprung stand; sprung jump; sprung down");
+  add_up(line);
+  add_down(line);
+  add_motion(line);
+  add_safety(line);
+  add_status(line);
+  add_record(line);
+  add_experiment(line);
+  return line.run(argc, argv);
+}

@@ -1,0 +1,174 @@
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "lcmtypes/channels.h"
+#include "runtime/node.h"
+#include "runtime/stop_request.h"
+#include "tools/commands/commands.h"
+#include "tools/launcher/run_file.h"
+
+namespace sprung::commands {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::int64_t kListen_us = 1'200'000;  // PROCESS_STATUS comes twice a second
+
+/// What could be heard of a running robot in about a second.
+struct Heard {
+  std::map<std::string, sprung_msgs::process_status_t> processes;
+  std::optional<sprung_msgs::safety_state_t> safety;
+  std::optional<sprung_msgs::motion_state_t> motion;
+};
+
+Heard listen(const RunInfo& info) {
+  InputQueue<sprung_msgs::process_status_t> processes(256);
+  InputQueue<sprung_msgs::safety_state_t> safeties(1024);
+  InputQueue<sprung_msgs::motion_state_t> motions(1 << 16);
+  Heard heard;
+  Node node({info.lcm_url, info.session, info.epoch_us, {}});
+  node.subscribe_message(channels::kProcessStatus, CountLimits::none(), processes);
+  node.subscribe_message(channels::kSafetyState, CountLimits::none(), safeties);
+  node.subscribe_message(channels::kMotionState, CountLimits::up_to(64), motions);
+  node.start();
+  const std::int64_t end_us = node.utime_us() + kListen_us;
+  while (node.utime_us() < end_us && !stop_requested()) {
+    node.wait_for_input(end_us);
+    while (auto status = processes.pop()) {
+      heard.processes[status->process] = *status;
+    }
+    while (auto safety = safeties.pop()) {
+      heard.safety = *safety;
+    }
+    while (auto motion = motions.pop()) {
+      heard.motion = *motion;
+    }
+  }
+  return heard;
+}
+
+/// "dead" when the launcher's child is gone, "silent" when it says nothing.
+std::string state_of(const RunningProcess& process, const Heard& heard) {
+  const std::string stat = "/proc/" + std::to_string(process.pid) + "/stat";
+  char state = 'X';
+  if (FILE* file = std::fopen(stat.c_str(), "r")) {
+    if (std::fscanf(file, "%*d %*[^)]) %c", &state) != 1) {
+      state = 'X';
+    }
+    std::fclose(file);
+  }
+  if (state == 'X' || state == 'Z') {
+    return "dead";
+  }
+  const auto found = heard.processes.find(process.program);
+  if (found == heard.processes.end()) {
+    return process.program == "lcm-logger" ? "running" : "silent";
+  }
+  return name(static_cast<ProcessState>(found->second.state));
+}
+
+Json process_json(const RunningProcess& process, const Heard& heard) {
+  Json out{{"name", process.program},
+           {"state", state_of(process, heard)},
+           {"pid", process.pid},
+           {"rate_hz", nullptr},
+           {"overruns", nullptr}};
+  const auto found = heard.processes.find(process.program);
+  if (found != heard.processes.end()) {
+    const auto& status = found->second;
+    out["rate_hz"] = status.loop_period_us > 0 ? Json(1e6 / status.loop_period_us) : Json(nullptr);
+    out["overruns"] = status.overruns;
+    out["cycles"] = status.cycles;
+    out["refused_messages"] = status.refused_messages;
+    out["real_time"] = status.real_time;
+    out["detail"] = status.detail;
+  }
+  return out;
+}
+
+Json status_json(const RunInfo& info, const Heard& heard) {
+  Json out{{"robot", info.robot},
+           {"preset", info.preset},
+           {"clock", info.clock},
+           {"simulation", info.simulation},
+           {"instance", info.instance},
+           {"lcm_url", info.lcm_url},
+           {"log", info.log}};
+  out["processes"] = Json::array();
+  for (const RunningProcess& process : info.processes) {
+    out["processes"].push_back(process_json(process, heard));
+  }
+  out["safety"] = {{"state", "unknown"}, {"cause", "the bridge says nothing"}};
+  if (heard.safety) {
+    out["safety"] = {{"state", heard.safety->level_name},
+                     {"cause", heard.safety->cause_name},
+                     {"detail", heard.safety->detail},
+                     {"latched", heard.safety->latched},
+                     {"overruns", heard.safety->overruns},
+                     {"missed_cycles", heard.safety->missed_cycles},
+                     {"commands_refused", heard.safety->commands_refused}};
+  }
+  out["motion"] = {{"state", "unknown"}, {"legs", Json::array()}};
+  if (heard.motion) {
+    out["motion"]["state"] = heard.motion->state_name;
+    out["motion"]["last_transition"] = heard.motion->last_transition;
+    for (const auto& leg : heard.motion->legs) {
+      out["motion"]["legs"].push_back(
+          {{"phase", name(static_cast<LegPhase>(leg.phase))}, {"phase_time_s", leg.phase_time_s}});
+    }
+  }
+  return out;
+}
+
+std::string text_of(const Json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
+
+void print_table(const Json& status) {
+  std::printf("%s, clock %s, preset %s%s\n", text_of(status["robot"]).c_str(),
+              text_of(status["clock"]).c_str(), text_of(status["preset"]).c_str(),
+              status["simulation"].get<bool>() ? ", simulated drives" : "");
+  std::printf("%-26s %-9s %8s %9s %9s  %s\n", "process", "state", "pid", "rate Hz", "overruns", "real time");
+  for (const Json& process : status["processes"]) {
+    char rate[32] = "-";
+    if (process["rate_hz"].is_number()) {
+      std::snprintf(rate, sizeof rate, "%.0f", process["rate_hz"].get<double>());
+    }
+    std::printf("%-26s %-9s %8s %9s %9s  %s\n", text_of(process["name"]).c_str(),
+                text_of(process["state"]).c_str(), process["pid"].dump().c_str(), rate,
+                process["overruns"].is_number() ? process["overruns"].dump().c_str() : "-",
+                process.contains("real_time") ? text_of(process["real_time"]).c_str() : "");
+  }
+  std::printf("safety  %s, cause %s", text_of(status["safety"]["state"]).c_str(),
+              text_of(status["safety"]["cause"]).c_str());
+  if (status["safety"].contains("detail") && !text_of(status["safety"]["detail"]).empty()) {
+    std::printf(": %s", text_of(status["safety"]["detail"]).c_str());
+  }
+  std::printf("\nmotion  %s\n", text_of(status["motion"]["state"]).c_str());
+}
+
+int run_status(const std::string& instance, bool as_json) {
+  const RunInfo info = require_running(instance, "");
+  const Json status = status_json(info, listen(info));
+  if (as_json) {
+    std::printf("%s\n", status.dump(1).c_str());
+  } else {
+    print_table(status);
+  }
+  return kExitDone;
+}
+
+}  // namespace
+
+void add_status(CommandLine& sprung) {
+  const auto instance = std::make_shared<std::string>("default");
+  const auto as_json = std::make_shared<bool>(false);
+  CommandLine& status = sprung.subcommand("status", "Processes, safety and motion of the robot that is up.");
+  status.option("--instance", *instance, "which run");
+  status.flag("--json", *as_json, "one JSON object");
+  status.example("sprung status --json");
+  status.action([=] { return run_status(*instance, *as_json); });
+}
+
+}  // namespace sprung::commands

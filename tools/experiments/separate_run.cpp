@@ -1,0 +1,99 @@
+#include "tools/experiments/separate_run.h"
+
+#include <unistd.h>
+
+#include <random>
+#include <stdexcept>
+
+#include "tools/client/cycle_collector.h"
+#include "tools/client/operator_client.h"
+#include "tools/launcher/launcher.h"
+
+namespace sprung {
+
+namespace {
+
+constexpr double kAnswer_s = 5.0;
+constexpr int kSilentTurns = 60;  // turns of 50 ms without a cycle after which none will come
+
+std::string plant_text(const std::string& key, double value) {
+  char text[96];
+  std::snprintf(text, sizeof text, "%s=%.17g", key.c_str(), value);
+  return text;
+}
+
+LaunchRequest launch_request(const RunScript& script, const SeparateOptions& options) {
+  LaunchRequest request;
+  request.robot = script.robot.folder;
+  request.preset = script.preset;
+  request.clock = "lockstep";
+  request.simulation = true;
+  request.seed = script.sim.seed;
+  request.truth = true;
+  request.cycles = script.cycles;
+  request.lcm_url = lcm_url_on_port(random_port());
+  request.inject = options.inject;
+  request.instance = "experiment-" + std::to_string(getpid());
+  for (const BusConfig& bus : script.robot.buses) {
+    request.can.push_back(bus.name + "=udp:239.74.163.2:" + std::to_string(random_port()));
+  }
+  for (const auto& [key, value] : script.sim.plant) {
+    request.plant.push_back(plant_text(key, value));
+  }
+  return request;
+}
+
+/// Queued before the bridge begins to tick, so that no command can come too late for its cycle.
+void queue_commands(const RunScript& script, const RunInfo& info) {
+  OperatorClient client(info);
+  for (OperatorCommand command : script.commands) {
+    const auto answer = client.send(command, kAnswer_s);
+    if (!answer || answer->outcome != OperatorOutcome::kQueued) {
+      throw std::runtime_error("the planner did not queue a command: " +
+                               (answer ? answer->reason : "no answer"));
+    }
+  }
+}
+
+void refuse_early_end(Launcher& launcher, std::int64_t last_cycle, std::int64_t cycles) {
+  for (const Launcher::Ended& ended : launcher.newly_ended()) {
+    if (ended.status != 0) {
+      throw std::runtime_error(ended.program + " ended with status " + std::to_string(ended.status) +
+                               " at cycle " + std::to_string(last_cycle) + " of " + std::to_string(cycles));
+    }
+  }
+}
+
+}  // namespace
+
+int random_port() {
+  std::random_device device;
+  return 20000 + static_cast<int>(device() % 40000);
+}
+
+void run_separate(const RunScript& script, const CycleObserver& on_cycle, const ReplyObserver& on_reply,
+                  const SeparateOptions& options) {
+  Launcher launcher(launch_request(script, options), script.robot);
+  launcher.start_all_but_bridge();
+  CycleCollector collector(launcher.info(), script.robot);
+  queue_commands(script, launcher.info());
+  launcher.start_bridge();
+  const auto until_last = [&](const CycleRecord& cycle) {
+    if (cycle.drive_state.stamp.seq < script.cycles) {
+      on_cycle(cycle);
+    }
+  };
+  for (int silent = 0; collector.last_cycle() < script.cycles - 1 && silent < kSilentTurns; ++silent) {
+    collector.wait(0.05);
+    silent = collector.collect(until_last, on_reply) > 0 ? 0 : silent;
+    refuse_early_end(launcher, collector.last_cycle(), script.cycles);
+  }
+  if (collector.lost_cycles() > 0 || collector.last_cycle() < script.cycles - 1) {
+    throw std::runtime_error("messages of " + std::to_string(collector.lost_cycles()) +
+                             " cycles were lost on the way here, last cycle " +
+                             std::to_string(collector.last_cycle()) + " of " + std::to_string(script.cycles) +
+                             ": the machine is overloaded; try again");
+  }
+}
+
+}  // namespace sprung

@@ -1,0 +1,23 @@
+#pragma once
+/// The same script as run_in_process, on the real processes in lock-step over LCM and the user-space CAN bus.
+#include <string>
+#include <vector>
+
+#include "tools/experiments/scripted_run.h"
+
+namespace sprung {
+
+struct SeparateOptions {
+  std::vector<std::string> inject;  ///< PROGRAM=SPEC, tests of the links
+};
+
+/// Own LCM port and CAN port each time, so that runs on one machine never meet.
+/// @throws std::runtime_error when a process ends early, or when messages were lost on the way to the
+/// observer.
+void run_separate(const RunScript& script, const CycleObserver& on_cycle, const ReplyObserver& on_reply,
+                  const SeparateOptions& options = {});
+
+/// A UDP port that is unlikely to be used by anyone else.
+int random_port();
+
+}  // namespace sprung

@@ -1,0 +1,96 @@
+#include "tools/launcher/launch_plan.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace sprung {
+
+namespace {
+
+constexpr const char* kBridge = "sprung-can-bridge";
+constexpr const char* kSimDrives = "sprung-sim-drives";
+
+void add_each(std::vector<std::string>& arguments, const std::string& option,
+              const std::vector<std::string>& values) {
+  for (const std::string& value : values) {
+    arguments.insert(arguments.end(), {option, value});
+  }
+}
+
+void add_injections(PlannedProcess& process, const LaunchRequest& request) {
+  for (const std::string& text : request.inject) {
+    const std::string prefix = process.program + "=";
+    if (text.rfind(prefix, 0) == 0) {
+      process.arguments.insert(process.arguments.end(), {"--inject", text.substr(prefix.size())});
+    }
+  }
+}
+
+PlannedProcess plan_process(const ProcessConfig& config, const LaunchRequest& request,
+                            const RobotConfig& robot, std::int64_t session, std::int64_t epoch_us) {
+  PlannedProcess process{config.program, {}};
+  process.arguments = {"--robot",     robot.folder,
+                       "--preset",    request.preset,
+                       "--session",   std::to_string(session),
+                       "--epoch-us",  std::to_string(epoch_us),
+                       "--lcm-url",   request.lcm_url,
+                       "--clock",     request.clock,
+                       "--priority",  std::to_string(config.priority),
+                       "--cpu",       std::to_string(config.cpu),
+                       "--rt-policy", request.rt_policy};
+  if (request.simulation) {
+    process.arguments.push_back("--simulation");
+  }
+  add_injections(process, request);
+  return process;
+}
+
+void add_bridge_options(PlannedProcess& bridge, const LaunchRequest& request) {
+  add_each(bridge.arguments, "--can", request.can);
+  add_each(bridge.arguments, "--cycles", {std::to_string(request.cycles)});
+  add_each(bridge.arguments, "--speed", {std::to_string(request.speed)});
+}
+
+void add_simulation_options(PlannedProcess& sim, const LaunchRequest& request) {
+  add_each(sim.arguments, "--can", request.can);
+  add_each(sim.arguments, "--seed", {std::to_string(request.seed)});
+  add_each(sim.arguments, "--plant", request.plant);
+  if (!request.truth) {
+    sim.arguments.push_back("--no-truth");
+  }
+}
+
+void refuse_contradictions(const LaunchRequest& request, const RobotConfig& robot) {
+  (void)robot.preset(request.preset);
+  if (request.clock == "lockstep" && !request.simulation) {
+    throw std::invalid_argument("--clock lockstep needs --sim: real drives do not wait");
+  }
+  if (!request.simulation && (!request.plant.empty() || request.seed != 1)) {
+    throw std::invalid_argument("--plant and --seed are the simulation's: add --sim");
+  }
+  const auto is_bridge = [](const ProcessConfig& process) { return process.program == kBridge; };
+  if (!std::any_of(robot.processes.begin(), robot.processes.end(), is_bridge)) {
+    throw std::invalid_argument("robot " + robot.name + " lists no " + kBridge + " among its processes");
+  }
+}
+
+}  // namespace
+
+std::vector<PlannedProcess> plan_processes(const LaunchRequest& request, const RobotConfig& robot,
+                                           std::int64_t session, std::int64_t epoch_us) {
+  refuse_contradictions(request, robot);
+  std::vector<PlannedProcess> plan;
+  if (request.simulation) {
+    plan.push_back(plan_process({kSimDrives, 50, -1}, request, robot, session, epoch_us));
+    add_simulation_options(plan.back(), request);
+  }
+  for (const ProcessConfig& config : robot.processes) {
+    plan.push_back(plan_process(config, request, robot, session, epoch_us));
+  }
+  const auto others_first = [](const PlannedProcess& process) { return process.program != kBridge; };
+  const auto bridge = std::stable_partition(plan.begin(), plan.end(), others_first);
+  add_bridge_options(*bridge, request);
+  return plan;
+}
+
+}  // namespace sprung

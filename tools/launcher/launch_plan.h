@@ -1,0 +1,41 @@
+#pragma once
+/// Which processes a robot needs and with which arguments: pure, so that it can be tested without starting
+/// any.
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "robots/robot_config.h"
+
+namespace sprung {
+
+/// What `sprung up` was asked for.
+struct LaunchRequest {
+  std::string robot;  ///< name or folder
+  std::string preset = "best";
+  std::string clock = "realtime";  ///< realtime or lockstep
+  bool simulation = false;
+  std::vector<std::string> can;  ///< BUS=ADDRESS
+  std::string lcm_url;
+  std::string rt_policy = "warn";
+  std::uint64_t seed = 1;
+  std::vector<std::string> plant;   ///< KEY=VALUE
+  std::vector<std::string> inject;  ///< PROGRAM=SPEC, for tests of the links
+  bool truth = true;
+  double speed = 0.0;       ///< lock-step pace, 0 = as fast as it goes
+  std::int64_t cycles = 0;  ///< the bridge ends after that many, 0 = never
+  std::string log_folder;   ///< empty = no recording
+  std::string instance = "default";
+};
+
+struct PlannedProcess {
+  std::string program;
+  std::vector<std::string> arguments;
+};
+
+/// In order of start; the bridge comes last. @throws std::invalid_argument where the request contradicts
+/// itself.
+std::vector<PlannedProcess> plan_processes(const LaunchRequest& request, const RobotConfig& robot,
+                                           std::int64_t session, std::int64_t epoch_us);
+
+}  // namespace sprung
