@@ -13,6 +13,7 @@ FrictionConfig read_friction(const YamlMap& map) {
   friction.stribeck_speed_rad_s = map.quantity("stribeck_speed", "rad/s", 1e-4, 100);
   friction.viscous_Nm_s_rad = map.quantity("viscous", "Nm s/rad", 0, 1000);
   friction.load_share = map.quantity("load_share", "", 0, 0.9);
+  map.finish();
   return friction;
 }
 
@@ -22,9 +23,11 @@ PlantJointConfig read_joint(const YamlMap& map) {
   const YamlMap stops = map.map("stops");
   joint.stop_min_rad = stops.quantity("min", "rad", -10, 10);
   joint.stop_max_rad = stops.quantity("max", "rad", joint.stop_min_rad, 10);
+  stops.finish();
   joint.initial_rad = map.quantity("initial", "rad", joint.stop_min_rad, joint.stop_max_rad);
   joint.armature_kg_m2 = map.quantity("armature", "kg m^2", 1e-6, 100);
   joint.friction = read_friction(map.map("friction"));
+  map.finish();
   return joint;
 }
 
@@ -37,6 +40,7 @@ SimDriveConfig read_drive(const YamlMap& map) {
   drive.torque_noise_Nm = map.quantity("torque_noise", "Nm", 0, 100);
   drive.supply_V = map.quantity("supply", "V", 0, 1000);
   drive.quick_stop_damping_Nm_s_rad = map.quantity("quick_stop_damping", "Nm s/rad", 0, 1000);
+  map.finish();
   return drive;
 }
 
@@ -52,12 +56,15 @@ PlantConfig read_plant(const YamlMap& map) {
   plant.floor_height_m = map.quantity("floor_height", "m", -10, 10);
   for (const YamlMap& body : map.list("bodies")) {
     plant.bodies.push_back({body.text("name"), body.quantity("mass", "kg", 1e-4, 1000)});
+    body.finish();
   }
   for (const YamlMap& joint : map.list("joints")) plant.joints.push_back(read_joint(joint));
   const YamlMap contact = map.map("contact");
   plant.contact.stiffness_N_m = contact.quantity("stiffness", "N/m", 1, 1e7);
   plant.contact.damping_N_s_m = contact.quantity("damping", "N s/m", 0, 1e6);
   plant.contact.friction = contact.quantity("friction", "", 0, 10);
+  contact.finish();
+  map.finish();
   return plant;
 }
 
@@ -92,6 +99,7 @@ SimConfig load_sim_config(const RobotConfig& robot, const std::map<std::string, 
   const YamlMap timing = file.map("timing");
   config.timing.compute_s = timing.quantity("compute_time", "s", 0, 0.1);
   config.timing.sync_jitter_s = 1e-6 * timing.quantity("sync_jitter", "us", 0, 1000);
+  timing.finish();
   file.finish();
   config.plant.joints = in_robot_order(
       config.plant.joints, robot.joints, [](const PlantJointConfig& j) { return j.name; }, plant, "joints");

@@ -1,0 +1,139 @@
+#include "drivers/sim/sim_config.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+#include "robots/robot_loader.h"
+
+namespace sprung::sim {
+namespace {
+
+class SimConfigTest : public testing::Test {
+ protected:
+  /// The shipped sim.yaml with one text replaced, read from a folder of its own.
+  SimConfig load_with(const std::string& from, const std::string& to) {
+    std::ifstream shipped(robot_.folder + "/sim.yaml");
+    std::stringstream text;
+    text << shipped.rdbuf();
+    std::string changed = text.str();
+    const std::size_t at = changed.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    changed.replace(at, from.size(), to);
+    RobotConfig robot = robot_;
+    robot.folder =
+        testing::TempDir() + "sim_config_" + testing::UnitTest::GetInstance()->current_test_info()->name();
+    std::filesystem::create_directories(robot.folder);
+    std::ofstream(robot.folder + "/sim.yaml") << changed;
+    return load_sim_config(robot, {});
+  }
+  std::string refusal(const std::string& from, const std::string& to) {
+    try {
+      load_with(from, to);
+    } catch (const ConfigError& error) {
+      return error.what();
+    }
+    return "accepted";
+  }
+  RobotConfig robot_ = load_robot(std::string(SPRUNG_SOURCE_DIR) + "/robots/single_leg");
+};
+
+TEST_F(SimConfigTest, ShippedFileIsPlantJ3) {
+  const SimConfig config = load_sim_config(robot_, {});
+  EXPECT_EQ(config.plant.step_s, 0.25e-3);
+  EXPECT_TRUE(config.plant.rail_x_locked);
+  ASSERT_EQ(config.plant.joints.size(), 2U);
+  EXPECT_EQ(config.plant.joints[1].name, "knee");
+  EXPECT_EQ(config.plant.joints[1].armature_kg_m2, 0.81);
+  EXPECT_EQ(config.plant.joints[1].friction.coulomb_Nm, 7.3);
+  EXPECT_EQ(config.plant.contact.stiffness_N_m, 8200);
+  ASSERT_EQ(config.drives.size(), 2U);
+  EXPECT_EQ(config.drives[0].torque_loop_Hz, 94);
+  EXPECT_NEAR(config.timing.compute_s, 0.3e-3, 1e-15);
+}
+
+TEST_F(SimConfigTest, UnknownKeyIsRefusedWithFileAndLineWhereverItStands) {
+  const std::vector<std::pair<std::string, std::string>> changes = {
+      {"\nplant:", "\nceiling: 3\nplant:"},
+      {"  floor_height:", "  ceiling: 3 m\n  floor_height:"},
+      {"      initial: 2.3595 rad", "      initial: 2.3595 rad\n      ceiling: 3"},
+      {"{name: base,", "{name: base, ceiling: 3,"},
+      {"{min: 0.02 rad,", "{ceiling: 3, min: 0.02 rad,"},
+      {"{coulomb:", "{ceiling: 3, coulomb:"},
+      {"contact: {", "contact: {ceiling: 3, "},
+      {"    supply:", "    ceiling: 3\n    supply:"},
+      {"  sync_jitter: 0", "  ceiling: 3\n  sync_jitter: 0"}};
+  for (const auto& [from, to] : changes) {
+    const std::string error = refusal(from, to);
+    EXPECT_NE(error.find("sim.yaml:"), std::string::npos) << to << ": " << error;
+    EXPECT_NE(error.find("ceiling"), std::string::npos) << to << ": " << error;
+  }
+}
+
+TEST_F(SimConfigTest, WrongUnitIsRefused) {
+  EXPECT_NE(refusal("mass: 4.13 kg", "mass: 4.13 g").find("kg"), std::string::npos);
+}
+
+TEST_F(SimConfigTest, BreakawayBelowCoulombIsRefused) {
+  EXPECT_NE(refusal("breakaway: 7.3 Nm", "breakaway: 7.2 Nm").find("breakaway"), std::string::npos);
+}
+
+TEST_F(SimConfigTest, RailIsLockedOrFree) {
+  EXPECT_FALSE(load_with("rail_x: locked", "rail_x: free").plant.rail_x_locked);
+  EXPECT_NE(refusal("rail_x: locked", "rail_x: loose").find("locked or free"), std::string::npos);
+}
+
+TEST_F(SimConfigTest, EveryJointAndDriveIsListedOnce) {
+  EXPECT_NE(refusal("- name: knee", "- name: hip").find("exactly once"), std::string::npos);
+  EXPECT_NE(refusal("- actuator: knee_motor", "- actuator: ankle_motor").find("knee_motor"),
+            std::string::npos);
+}
+
+TEST_F(SimConfigTest, AnotherRobotsFileIsRefused) {
+  EXPECT_NE(refusal("robot: single_leg", "robot: pegasus").find("pegasus"), std::string::npos);
+}
+
+TEST_F(SimConfigTest, PlantChangesAct) {
+  const SimConfig config = load_sim_config(robot_, {{"friction_scale", 1.2},
+                                                    {"mass_scale", 0.9},
+                                                    {"kt_scale", 1.05},
+                                                    {"ground_stiffness", 20000},
+                                                    {"armature_scale", 2.0},
+                                                    {"floor_height", 0.1},
+                                                    {"noise_scale", 0.0},
+                                                    {"sync_jitter_us", 5.0},
+                                                    {"rail_x_locked", 0.0},
+                                                    {"torque_loop_Hz", 155.0},
+                                                    {"peak_torque", 160.0},
+                                                    {"ground_damping", 50.0},
+                                                    {"ground_friction", 0.4},
+                                                    {"compute_time_us", 500.0}});
+  EXPECT_NEAR(config.plant.joints[0].friction.coulomb_Nm, 8.76, 1e-12);
+  EXPECT_NEAR(config.plant.bodies[0].mass_kg, 3.717, 1e-12);
+  EXPECT_NEAR(config.drives[1].torque_constant_Nm_A, 0.0462, 1e-12);
+  EXPECT_EQ(config.plant.contact.stiffness_N_m, 20000);
+  EXPECT_EQ(config.plant.contact.damping_N_s_m, 50);
+  EXPECT_EQ(config.plant.contact.friction, 0.4);
+  EXPECT_NEAR(config.plant.joints[1].armature_kg_m2, 1.62, 1e-12);
+  EXPECT_EQ(config.plant.floor_height_m, 0.1);
+  EXPECT_EQ(config.drives[0].torque_noise_Nm, 0.0);
+  EXPECT_EQ(config.drives[0].torque_loop_Hz, 155.0);
+  EXPECT_EQ(config.drives[0].peak_torque_Nm, 160.0);
+  EXPECT_NEAR(config.timing.sync_jitter_s, 5e-6, 1e-18);
+  EXPECT_NEAR(config.timing.compute_s, 5e-4, 1e-18);
+  EXPECT_FALSE(config.plant.rail_x_locked);
+}
+
+TEST_F(SimConfigTest, PlantChangesOutOfRangeAreRefused) {
+  for (const double value : {-1.0, 1000.0, std::nan("")}) {
+    EXPECT_THROW(load_sim_config(robot_, {{"friction_scale", value}}), ConfigError) << value;
+  }
+}
+
+}  // namespace
+}  // namespace sprung::sim

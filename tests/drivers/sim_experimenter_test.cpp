@@ -1,0 +1,98 @@
+#include <gtest/gtest.h>
+
+#include "drivers/sim/experimenter.h"
+#include "robots/robot_loader.h"
+
+namespace sprung::sim {
+namespace {
+
+class ExperimenterTest : public testing::Test {
+ protected:
+  static SimControl make(SimControlKind kind, std::int64_t at, int actuator = -1, double value = 0.0) {
+    SimControl control;
+    control.kind = kind;
+    control.apply_at_seq = at;
+    control.actuator = actuator;
+    control.value = value;
+    return control;
+  }
+  double foot_x() {
+    SimTruth truth(2, 1);
+    train_.plant().fill_truth(truth);
+    return truth.legs[0].true_foot_in_world_m[0];
+  }
+  void run(int steps) {
+    while (steps-- > 0) {
+      train_.step_plant();
+      experimenter_.after_step();
+    }
+  }
+  RobotConfig robot_ = load_robot(std::string(SPRUNG_SOURCE_DIR) + "/robots/single_leg");
+  DriveTrain train_{robot_, load_sim_config(robot_, {}), 1};
+  Experimenter experimenter_{train_};
+};
+
+TEST_F(ExperimenterTest, WaitsForItsCycle) {
+  experimenter_.add(make(SimControlKind::kDriveFault, 5, 1));
+  experimenter_.start_cycle(4);
+  EXPECT_NE(train_.drive(1)->power_state(), PowerState::kFaultReactionActive);
+  experimenter_.start_cycle(5);
+  EXPECT_EQ(train_.drive(1)->power_state(), PowerState::kFaultReactionActive);
+}
+
+TEST_F(ExperimenterTest, PushesAFootForItsTimeOnly) {
+  experimenter_.add(make(SimControlKind::kSuspend, 0, -1, 1.0));
+  experimenter_.start_cycle(0);
+  run(4000);
+  SimControl pull = make(SimControlKind::kWrench, 1, 0);
+  pull.wrench_on_base = {60, 0, 0, 0, 0, 0};
+  pull.duration_s = 0.1;
+  experimenter_.add(pull);
+  experimenter_.start_cycle(1);
+  const double before_m = foot_x();
+  run(400);
+  const double pulled_m = foot_x();
+  EXPECT_GT(pulled_m, before_m + 0.01);
+  run(4000);  // friction stops it
+  const double stopped_m = foot_x();
+  run(400);
+  EXPECT_NEAR(foot_x(), stopped_m, 1e-4);
+}
+
+TEST_F(ExperimenterTest, WhatDoesNotExistIsIgnored) {
+  experimenter_.add(make(SimControlKind::kDriveFault, 0, 7));
+  experimenter_.add(make(SimControlKind::kDriveSilent, 0, -1, 1.0));
+  SimControl push = make(SimControlKind::kWrench, 0, 9);
+  push.duration_s = 1.0;
+  experimenter_.add(push);
+  experimenter_.start_cycle(0);
+  run(10);
+  EXPECT_FALSE(train_.plant().failed());
+}
+
+TEST_F(ExperimenterTest, KeepsALimitedNumber) {
+  for (std::size_t i = 0; i < Experimenter::kCapacity; ++i) {
+    ASSERT_TRUE(experimenter_.add(make(SimControlKind::kReset, 100)));
+  }
+  EXPECT_FALSE(experimenter_.add(make(SimControlKind::kReset, 100)));
+  experimenter_.start_cycle(100);
+  EXPECT_TRUE(experimenter_.add(make(SimControlKind::kReset, 100)));
+}
+
+TEST_F(ExperimenterTest, ResetEndsPushAndSuspension) {
+  experimenter_.add(make(SimControlKind::kSuspend, 0, -1, 1.0));
+  SimControl push = make(SimControlKind::kWrench, 0);
+  push.wrench_on_base = {0, 0, 500, 0, 0, 0};
+  push.duration_s = 10.0;
+  experimenter_.add(push);
+  experimenter_.add(make(SimControlKind::kReset, 0));
+  experimenter_.start_cycle(0);
+  run(40);
+  SimTruth truth(2, 1);
+  train_.plant().fill_truth(truth);
+  EXPECT_LT(truth.base_in_world_m[2], 0.31);
+  EXPECT_LT(truth.base_velocity_m_s[2], 0.0);  // sags
+}
+
+}  // namespace
+}  // namespace sprung::sim
