@@ -70,7 +70,11 @@ void CommandLine::option(const std::string& name, std::int64_t& value, const std
   impl_->add(name, value, help, need);
 }
 void CommandLine::option(const std::string& name, std::uint64_t& value, const std::string& help, Need need) {
-  impl_->add(name, value, help, need);
+  // Without this check CLI11 takes -1 for the largest number.
+  const auto not_negative = [](const std::string& text) {
+    return text.find('-') == std::string::npos ? std::string() : "must not be negative: " + text;
+  };
+  impl_->add(name, value, help, need)->check(not_negative);
 }
 void CommandLine::option(const std::string& name, double& value, const std::string& help, Need need) {
   impl_->add(name, value, help, need);

@@ -1,5 +1,6 @@
 #include "runtime/receive_guard.h"
 
+#include <cstring>
 #include <utility>
 
 namespace sprung {
@@ -74,8 +75,10 @@ bool ReceiveGuard::strings_fit(const std::uint8_t* bytes, std::size_t size,
     const std::int32_t length = read_int32(bytes, position);  // with the terminating zero
     position += 4;
     if (length < 1 || static_cast<std::size_t>(length) > size - position) return false;
-    position += static_cast<std::size_t>(length);
-    if (bytes[position - 1] != 0) return false;
+    const std::size_t end = position + static_cast<std::size_t>(length);
+    if (std::memchr(bytes + position, 0, end - position) != bytes + end - 1)
+      return false;  // one zero, and last
+    position = end;
   }
   return position == size;
 }

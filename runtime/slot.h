@@ -23,6 +23,11 @@ struct HeldSeqs {
   int count = 0;
   bool has(std::int64_t seq) const noexcept { return std::find(begin(), end(), seq) != end(); }
   std::int64_t newest(std::int64_t if_empty) const noexcept { return count == 0 ? if_empty : *(end() - 1); }
+  void add(std::int64_t seq) noexcept {
+    int place = count++;
+    for (; place > 0 && seqs[place - 1] > seq; --place) seqs[place] = seqs[place - 1];
+    seqs[place] = seq;
+  }
   const std::int64_t* begin() const noexcept { return seqs.data(); }
   const std::int64_t* end() const noexcept { return seqs.data() + count; }
 };
@@ -127,9 +132,8 @@ HeldSeqs Slot<T>::held() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   HeldSeqs held;
   for (int i = 0; i < kDepth; ++i) {
-    if (used_[i]) held.seqs[held.count++] = values_[i].stamp.seq;
+    if (used_[i]) held.add(values_[i].stamp.seq);
   }
-  std::sort(held.seqs.begin(), held.seqs.begin() + held.count);
   return held;
 }
 

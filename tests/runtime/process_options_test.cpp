@@ -1,0 +1,77 @@
+#include "runtime/process_options.h"
+
+#include <gtest/gtest.h>
+
+namespace sprung {
+namespace {
+
+ProcessOptions parsed(std::vector<const char*> words) {
+  ProcessOptions options;
+  CommandLine line("process", "A process.");
+  add_process_options(line, options);
+  words.insert(words.begin(), "process");
+  EXPECT_EQ(line.run(static_cast<int>(words.size()), words.data()), kExitDone);
+  return options;
+}
+
+TEST(ProcessOptions, DefaultsAreTheRobotsOwnNetworkAndClock) {
+  const ProcessOptions options = parsed({"--session", "5"});
+  EXPECT_EQ(options.robot, "single_leg");
+  EXPECT_EQ(options.node.session, 5);
+  EXPECT_EQ(options.node.lcm_url, kDefaultLcmUrl);
+  EXPECT_EQ(options.clock_mode(), ClockMode::kRealTime);
+  EXPECT_EQ(options.real_time().policy, RealTimePolicy::kWarn);
+}
+
+TEST(ProcessOptions, ReadsAllThatTheLauncherGives) {
+  const ProcessOptions options = parsed(
+      {"--robot",   "x",       "--preset", "paper",       "--session",   "-7",          "--epoch-us",  "99",
+       "--lcm-url", "memq://", "--clock",  "realtime",    "--rt-policy", "enforce",     "--priority",  "45",
+       "--cpu",     "1",       "--inject", "drop-rx:A:1", "--inject",    "drop-tx:B:2", "--simulation"});
+  EXPECT_EQ(options.robot, "x");
+  EXPECT_EQ(options.preset, "paper");
+  EXPECT_EQ(options.node.session, -7);
+  EXPECT_EQ(options.node.epoch_us, 99);
+  EXPECT_EQ(options.node.lcm_url, "memq://");
+  EXPECT_EQ(options.node.inject.size(), 2U);
+  EXPECT_TRUE(options.simulation);
+  const RealTimeRequest request = options.real_time();
+  EXPECT_EQ(request.policy, RealTimePolicy::kEnforce);
+  EXPECT_EQ(request.priority, 45);
+  EXPECT_EQ(request.cpu, 1);
+}
+
+TEST(ProcessOptions, LockstepAsksForNoRealTime) {
+  const ProcessOptions options = parsed({"--session", "5", "--clock", "lockstep", "--rt-policy", "enforce"});
+  EXPECT_EQ(options.clock_mode(), ClockMode::kLockstep);
+  EXPECT_EQ(options.real_time().policy, RealTimePolicy::kOff);
+}
+
+TEST(ProcessOptions, PolicyOffAsksForNothing) {
+  EXPECT_EQ(parsed({"--session", "5", "--rt-policy", "off"}).real_time().policy, RealTimePolicy::kOff);
+}
+
+TEST(ProcessOptions, LongerWatchdogsOnlyForSimulationInRealTime) {
+  RobotConfig robot;
+  robot.watchdogs.joint_state_s = 1.0;
+  robot.simulation_watchdogs.joint_state_s = 2.0;
+  ProcessOptions options;
+  EXPECT_EQ(watchdogs_for(robot, options).joint_state_s, 1.0);
+  options.simulation = true;
+  EXPECT_EQ(watchdogs_for(robot, options).joint_state_s, 2.0);
+  options.clock = "lockstep";
+  EXPECT_EQ(watchdogs_for(robot, options).joint_state_s, 1.0);
+}
+
+TEST(ProcessOptions, ConfigurationHashKnowsFileAndPreset) {
+  RobotConfig robot;
+  robot.hash = 1;
+  const std::int64_t paper = configuration_hash(robot, "paper");
+  EXPECT_EQ(configuration_hash(robot, "paper"), paper);
+  EXPECT_NE(configuration_hash(robot, "best"), paper);
+  robot.hash = 2;
+  EXPECT_NE(configuration_hash(robot, "paper"), paper);
+}
+
+}  // namespace
+}  // namespace sprung
