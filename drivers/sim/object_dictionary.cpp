@@ -59,16 +59,25 @@ ObjectDictionary::ObjectDictionary(std::vector<ObjectEntry> entries) : entries_(
       throw std::invalid_argument("object " + std::to_string(entries_[i].id.index) + " is listed twice");
     }
   }
-  for (const ObjectEntry& entry : entries_) values_.push_back(entry.initial);
+  std::size_t size = 1;
+  while (size < 2 * entries_.size()) size *= 2;
+  slots_.assign(size, -1);
+  for (const ObjectEntry& entry : entries_) {
+    slots_[slot(entry.id)] = static_cast<int>(values_.size());
+    values_.push_back(entry.initial);
+  }
 }
 
-int ObjectDictionary::find(canopen::ObjectId id) const noexcept {
-  ObjectEntry wanted;
-  wanted.id = id;
-  const auto found = std::lower_bound(entries_.begin(), entries_.end(), wanted, before);
-  if (found == entries_.end() || !(found->id == id)) return -1;
-  return static_cast<int>(found - entries_.begin());
+/// Where the object is, or the free slot where it would be. The drives' loops ask 4000 times a second for some twenty.
+std::size_t ObjectDictionary::slot(canopen::ObjectId id) const noexcept {
+  constexpr std::uint32_t kGolden = 0x9E3779B1;  // Knuth's multiplicative hash
+  const std::size_t mask = slots_.size() - 1;
+  std::size_t at = (key(id) * kGolden >> 16) & mask;
+  while (slots_[at] >= 0 && !(entry(slots_[at]).id == id)) at = (at + 1) & mask;
+  return at;
 }
+
+int ObjectDictionary::find(canopen::ObjectId id) const noexcept { return slots_[slot(id)]; }
 
 std::int64_t ObjectDictionary::get(canopen::ObjectId id) const noexcept { return value(find(id)); }
 

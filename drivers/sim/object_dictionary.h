@@ -55,8 +55,10 @@ class ObjectDictionary {
 
  private:
   std::uint32_t missing(canopen::ObjectId id) const noexcept;
+  std::size_t slot(canopen::ObjectId id) const noexcept;
 
   std::vector<ObjectEntry> entries_;  ///< sorted by index and sub-index
+  std::vector<int> slots_;  ///< hash table of positions, -1 = free; a power of two, at most half full
   std::vector<std::int64_t> values_;
 };
 
