@@ -5,9 +5,10 @@
 
 namespace sprung {
 
-/// facts E12: the papers' own experiments need 7.3 Nm of true friction where the bench gave 1.79; until
-/// friction is identified under load, its error may be three times its value, moving or at rest.
-inline constexpr double kFrictionUncertainty = 3.0;
+/// Until friction is identified under load: the papers' own experiments need 7.3 Nm where their bench gave 1.79 (facts E12, C2),
+/// as the catalogue's back-driving torque of such a gear does (E13, 7.26 Nm). The error may be (7.3 - 1.79) / 1.79 = 3.1 times
+/// the value, moving or at rest.
+inline constexpr double kFrictionUncertainty = 3.2;
 /// Motor constant and driver calibration: 48 V winding "derived, unverified" in robot.yaml; magnets lose 0.1
 /// %/K.
 inline constexpr double kTorqueConstantUncertainty = 0.05;

@@ -27,7 +27,7 @@ TEST(TorqueBoundTest, EveryTermAddsItsShareWhateverItsSign) {
   in.lag_s = 0.002;
   in.current_quantisation_Nm = 0.25;
   const TorqueBound bound = torque_bound(joint(), in);
-  EXPECT_NEAR(bound.static_Nm, 6.0 + 5.0 + 0.25, 1e-12);
+  EXPECT_NEAR(bound.static_Nm, 2.0 * kFrictionUncertainty + 100.0 * kTorqueConstantUncertainty + 0.25, 1e-12);
   EXPECT_NEAR(bound.dynamic_Nm, 0.5 * (kArmatureUncertainty * 200.0 + 2.0 * 3.0) + 2.0, 1e-12);
   EXPECT_DOUBLE_EQ(bound.total_Nm(), bound.static_Nm + bound.dynamic_Nm);
 }
