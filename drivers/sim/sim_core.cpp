@@ -77,6 +77,7 @@ void SimCore::Impl::step_until(std::int64_t time_us) noexcept {
 
 void SimCore::Impl::advance_to(std::int64_t time_us, FrameBatch& out) noexcept {
   if (plant_us < 0) plant_us = std::min(time_us, frames.next_us()) / step_us * step_us;
+  time_us = std::max(time_us, plant_us);
   train.open(&out);
   while (frames.next_us() <= time_us) {
     step_until(frames.next_us());

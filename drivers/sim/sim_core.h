@@ -33,7 +33,8 @@ class SimCore {
 
   /// A frame from the master that acts at time_us (>= the last advance_to); kept until then.
   void receive(int bus, const CanFrame& frame, std::int64_t time_us) noexcept;
-  /// Steps drives and plant up to and including time_us; what the drives sent is appended to out.
+  /// Steps drives and plant up to and including time_us; what the drives sent is appended to out. Time never goes back:
+  /// an earlier time_us, or a frame that came too late, acts at the present.
   void advance_to(std::int64_t time_us, FrameBatch& out) noexcept;
   /// When the master's i-th frame of a burst acts: SYNC at the tick, answers and set-points after it by the
   /// bus schedule (55 + 10 n us a frame at 1 Mbit/s) and the configured compute time. Used by lock-step and
