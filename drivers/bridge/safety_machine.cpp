@@ -1,5 +1,8 @@
 #include "drivers/bridge/safety_machine.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace sprung {
 namespace {
 
@@ -44,7 +47,11 @@ void SafetyMachine::enter(SafetyLevel level, bool latched, const Trouble& troubl
 }
 
 void SafetyMachine::latch(SafetyLevel level, const Trouble& trouble, const SafetyInputs& inputs) noexcept {
-  enter(level, true, trouble, inputs.time_us, inputs.cycle);
+  enter(std::max(level, state_.level), true, trouble, inputs.time_us, inputs.cycle);
+}
+
+bool SafetyMachine::lasted(double duration_s, std::int64_t time_us) const noexcept {
+  return time_us - since_us_ >= std::llround(1e6 * duration_s);
 }
 
 void SafetyMachine::emergency_stop(std::int64_t time_us, std::int64_t cycle) noexcept {
@@ -90,11 +97,11 @@ void SafetyMachine::worsen(const SafetyInputs& inputs) noexcept {
   if (inputs.bus != nullptr) {
     latch(SafetyLevel::kQuickStop, *inputs.bus, inputs);
   } else if (state_.cause == SafetyCause::kShutdown) {
-    if (inputs.slow || since_s(inputs.time_us) >= kShutdownDamping_s) {
+    if (inputs.slow || lasted(kShutdownDamping_s, inputs.time_us)) {
       state_.level = SafetyLevel::kDisabled;
       since_us_ = inputs.time_us;
     }
-  } else if (since_s(inputs.time_us) >= watchdogs_.command_stop_s) {
+  } else if (lasted(watchdogs_.command_stop_s, inputs.time_us)) {
     state_.level = SafetyLevel::kQuickStop;
     since_us_ = inputs.time_us;
   }

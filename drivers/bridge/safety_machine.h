@@ -66,9 +66,7 @@ class SafetyMachine {
   void latch(SafetyLevel level, const Trouble& trouble, const SafetyInputs& inputs) noexcept;
   void worsen(const SafetyInputs& inputs) noexcept;
   void follow_commands(const SafetyInputs& inputs) noexcept;
-  double since_s(std::int64_t time_us) const noexcept {
-    return 1e-6 * static_cast<double>(time_us - since_us_);
-  }
+  bool lasted(double duration_s, std::int64_t time_us) const noexcept;  ///< the level in force
 
   WatchdogConfig watchdogs_;
   SafetyState state_;

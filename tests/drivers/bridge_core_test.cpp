@@ -8,6 +8,7 @@
 
 #include "drivers/canopen/objects.h"
 #include "drivers/cia402/words.h"
+#include "tests/support/allocation_count.h"
 #include "tests/support/bridge_bench.h"
 
 namespace sprung {
@@ -250,6 +251,55 @@ TEST(BridgeCore, ShutdownWhileBootingIsImmediate) {
   EXPECT_FALSE(bench.bridge->shut_down());
   bench.bridge->begin_shutdown(bench.time_us);
   EXPECT_TRUE(bench.bridge->shut_down());
+}
+
+TEST(BridgeCore, StepsAllocateNothingAfterConstruction) {
+  const RobotConfig robot = two_drive_robot();
+  BridgeCore bridge(robot, {robot.watchdogs});
+  DriveState state(2);
+  DriveCommand command(2);
+  FrameBatch out;
+  CanFrame sample = canopen::heartbeat_frame(1, canopen::NmtState::kBootUp);
+  const std::int64_t before = test::allocation_count();
+  for (int i = 1; i < 3000; ++i) {
+    const std::int64_t time_us = 1000 * i;
+    out.clear();
+    bridge.begin_tick(time_us, out);
+    for (const BusFrame& item : out) {
+      if (item.frame.id != 0x601) continue;
+      const canopen::SdoMessage request = canopen::decode_sdo_request(item.frame);
+      const bool read = request.kind == canopen::SdoKind::kUpload;
+      bridge.receive(0,
+                     read ? canopen::sdo_read_reply(1, request.object, 0x9A, 4)
+                          : canopen::sdo_write_reply(1, request.object),
+                     time_us);
+    }
+    bridge.receive(0, sample, time_us);
+    bridge.end_sampling(time_us, state);
+    bridge.command(command, time_us);
+    bridge.emit_setpoints(time_us, out);
+    bridge.safety();
+  }
+  EXPECT_EQ(test::allocation_count(), before);
+}
+
+TEST(BridgeCore, CyclesAllocateNothing) {
+  BridgeBench bench;
+  ASSERT_TRUE(bench.boot());
+  bench.enable();
+  FrameBatch out;
+  const std::int64_t before = test::allocation_count();
+  for (int i = 0; i < 1000; ++i) {
+    bench.time_us += 1000;
+    out.clear();
+    bench.bridge->begin_tick(bench.time_us, out);
+    bench.bridge->end_sampling(bench.time_us, bench.state);
+    bench.command.stamp = bench.state.stamp;
+    bench.bridge->command(bench.command, bench.time_us);
+    bench.bridge->emit_setpoints(bench.time_us, out);
+    bench.bridge->safety();
+  }
+  EXPECT_EQ(test::allocation_count(), before);
 }
 
 TEST(BridgeCore, SameInputsGiveTheSameFrames) {
