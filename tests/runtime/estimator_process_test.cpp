@@ -1,53 +1,24 @@
 /// The real sprung-torque-estimator, started as a child and fed with DRIVE_STATEs over LCM.
 #include <gtest/gtest.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <csignal>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "lcmtypes/channels.h"
 #include "runtime/node.h"
 #include "runtime/process_status.h"
+#include "tests/runtime/child.h"
 #include "tests/runtime/lcm_network.h"
-
-extern char** environ;
 
 namespace sprung {
 namespace {
 
+using test::Child;
+
 constexpr std::int64_t kSession = 4711;
 constexpr std::int64_t kLong_us = 20'000'000;
-
-/// A child process; killed if it still runs at the end.
-class Child {
- public:
-  explicit Child(std::vector<std::string> words) {
-    std::vector<char*> arguments;
-    for (std::string& word : words) arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    EXPECT_EQ(posix_spawn(&pid_, arguments[0], nullptr, nullptr, arguments.data(), environ), 0);
-  }
-  ~Child() {
-    if (pid_ > 0) kill(pid_, SIGKILL), waitpid(pid_, nullptr, 0);
-  }
-  Child(const Child&) = delete;
-  Child& operator=(const Child&) = delete;
-  void signal(int number) const { kill(pid_, number); }
-  /// @return exit status as waitpid gives it.
-  int wait() {
-    int status = -1;
-    waitpid(std::exchange(pid_, -1), &status, 0);
-    return status;
-  }
-
- private:
-  pid_t pid_ = -1;
-};
 
 class EstimatorProcessTest : public ::testing::Test {
  protected:
