@@ -2,6 +2,8 @@
 
 #include <mujoco/mujoco.h>
 
+#include "drivers/sim/mujoco_row.h"
+
 namespace sprung::sim {
 namespace {
 
@@ -17,7 +19,7 @@ int contact_at_lowest_point(const mjModel* model, const mjData* data, mjContact*
   const int count = mujocos_own()(model, data, contacts, plane, sphere, margin);
   for (int i = 0; i < count; ++i) {
     const mjtNum* normal = contacts[i].frame;
-    mju_addScl3(contacts[i].pos, data->geom_xpos + 3 * sphere, normal, -model->geom_size[3 * sphere]);
+    mju_addScl3(contacts[i].pos, row(data->geom_xpos, sphere, 3), normal, -*row(model->geom_size, sphere, 3));
   }
   return count;
 }

@@ -17,7 +17,7 @@ struct TimedFrame {
 
 class FrameQueue {
  public:
-  static constexpr std::size_t kCapacity = 4 * FrameBatch::kCapacity;
+  static constexpr std::size_t kCapacity = std::size_t{4} * FrameBatch::kCapacity;
   static constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
   FrameQueue() { frames_.reserve(kCapacity); }
   /// @return false when full: the frame is lost.

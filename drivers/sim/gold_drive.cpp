@@ -61,8 +61,8 @@ double GoldDrive::per_mille_to_Nm(double per_mille) const noexcept {
 
 double GoldDrive::interpolation_period_s() const noexcept {
   double period_s = object(canopen::kInterpolationPeriod, 1);
-  for (double exponent = object(canopen::kInterpolationPeriod, 2); exponent < 0.0; exponent += 1.0)
-    period_s *= 0.1;
+  const auto exponent = dictionary_.get({canopen::kInterpolationPeriod, 2});
+  for (std::int64_t power = exponent; power < 0; ++power) period_s *= 0.1;
   return std::max(period_s, config_.step_s);
 }
 

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drivers/sim/mujoco_row.h"
+
 namespace sprung::sim {
 namespace {
 
-/// Beyond the stick speed of the solver (1e-7 rad/s); below it the load share would chatter with the sign of
-/// noise.
+/// Such friction is written into the model at every step; plain Coulomb friction once, at load.
 bool depends_on_motion(const FrictionConfig& friction) noexcept {
   return friction.load_share > 0.0 || friction.breakaway_Nm > friction.coulomb_Nm;
 }
@@ -70,7 +71,7 @@ void Plant::touch_floor() noexcept {
   mj_kinematics(model_.get(), data_.get());
   double lowest_m = mjMAXVAL;
   for (const int geom : index_.foot_geom) {
-    lowest_m = std::min(lowest_m, data_->geom_xpos[3 * geom + 2] - model_->geom_size[3 * geom]);
+    lowest_m = std::min(lowest_m, row(data_->geom_xpos, geom, 3)[2] - row(model_->geom_size, geom, 3)[0]);
   }
   data_->qpos[index_.height_qpos] += config_.floor_height_m - lowest_m;
 }
@@ -105,7 +106,7 @@ void Plant::push_feet() noexcept {
   for (std::size_t leg = 0; leg < foot_wrench_.size(); ++leg) {
     const int geom = index_.foot_geom[leg];
     mj_applyFT(model_.get(), data_.get(), foot_wrench_[leg].data(), foot_wrench_[leg].data() + 3,
-               data_->geom_xpos + 3 * geom, model_->geom_bodyid[geom], data_->qfrc_applied);
+               row(data_->geom_xpos, geom, 3), model_->geom_bodyid[geom], data_->qfrc_applied);
   }
 }
 
@@ -127,7 +128,7 @@ void Plant::check() noexcept {
 }
 
 void Plant::set_base_wrench(const std::array<double, 6>& wrench) noexcept {
-  std::copy(wrench.begin(), wrench.end(), data_->xfrc_applied + 6 * index_.base_body);
+  std::copy(wrench.begin(), wrench.end(), row(data_->xfrc_applied, index_.base_body, 6));
 }
 
 void Plant::set_foot_wrench(int leg, const std::array<double, 6>& wrench) noexcept {
@@ -142,7 +143,7 @@ void Plant::suspend(double height_m) noexcept {
     model_->dof_armature[first + static_cast<int>(i)] = kLockedMass;
     data_->qvel[first + static_cast<int>(i)] = 0.0;
   }
-  if (height_m > 0.0) data_->qpos[index_.height_qpos] += height_m - data_->xpos[3 * index_.base_body + 2];
+  if (height_m > 0.0) data_->qpos[index_.height_qpos] += height_m - row(data_->xpos, index_.base_body, 3)[2];
   mj_forward(model_.get(), data_.get());
 }
 
@@ -184,15 +185,15 @@ void Plant::fill_truth(SimTruth& truth) noexcept {
   }
   for (std::size_t leg = 0; leg < index_.foot_geom.size(); ++leg) {
     const int geom = index_.foot_geom[leg];
-    truth.legs[leg].true_foot_in_world_m = vec3(data_->geom_xpos + 3 * geom);
+    truth.legs[leg].true_foot_in_world_m = vec3(row(data_->geom_xpos, geom, 3));
     truth.legs[leg].true_contact_force_N = contact_force_N(geom);
   }
   const int base = index_.base_body;
   mjtNum velocity[6];
   mj_objectVelocity(model_.get(), data_.get(), mjOBJ_BODY, base, velocity, 0);
-  truth.base_in_world_m = vec3(data_->xpos + 3 * base);
+  truth.base_in_world_m = vec3(row(data_->xpos, base, 3));
   truth.base_velocity_m_s = vec3(velocity + 3);
-  std::copy(data_->xquat + 4 * base, data_->xquat + 4 * base + 4, truth.base_quaternion_wxyz.begin());
+  std::copy(row(data_->xquat, base, 4), row(data_->xquat, base, 4) + 4, truth.base_quaternion_wxyz.begin());
 }
 
 Vec3 Plant::contact_force_N(int geom) const noexcept {

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "drivers/sim/foot_contact.h"
+#include "drivers/sim/mujoco_row.h"
 #include "robots/robot_loader.h"
 
 namespace sprung::sim {
@@ -54,7 +55,7 @@ void write_masses(mjModel& model, const PlantConfig& config) {
     const int id = require(model, mjOBJ_BODY, body.name);
     const double scale = body.mass_kg / model.body_mass[id];
     model.body_mass[id] = body.mass_kg;
-    for (int axis = 0; axis < 3; ++axis) model.body_inertia[3 * id + axis] *= scale;
+    for (int axis = 0; axis < 3; ++axis) row(model.body_inertia, id, 3)[axis] *= scale;
   }
 }
 
@@ -66,14 +67,14 @@ void write_joints(mjModel& model, const PlantIndex& index, const PlantConfig& co
     model.dof_armature[dof] = joint.armature_kg_m2;
     model.dof_damping[dof] = joint.friction.viscous_Nm_s_rad;
     model.dof_frictionloss[dof] = joint.friction.breakaway_Nm;
-    model.dof_solref[mjNREF * dof] = -1.0;
-    model.dof_solref[mjNREF * dof + 1] = -1.0 / config.step_s;
-    model.dof_solimp[mjNIMP * dof] = model.dof_solimp[mjNIMP * dof + 1] = kStickImpedance;
+    row(model.dof_solref, dof, mjNREF)[0] = -1.0;
+    row(model.dof_solref, dof, mjNREF)[1] = -1.0 / config.step_s;
+    row(model.dof_solimp, dof, mjNIMP)[0] = row(model.dof_solimp, dof, mjNIMP)[1] = kStickImpedance;
     model.jnt_limited[id] = 1;
-    model.jnt_range[2 * id] = joint.stop_min_rad;
-    model.jnt_range[2 * id + 1] = joint.stop_max_rad;
-    model.jnt_solref[mjNREF * id] = kStopTime_s;
-    model.jnt_solref[mjNREF * id + 1] = 1.0;
+    row(model.jnt_range, id, 2)[0] = joint.stop_min_rad;
+    row(model.jnt_range, id, 2)[1] = joint.stop_max_rad;
+    row(model.jnt_solref, id, mjNREF)[0] = kStopTime_s;
+    row(model.jnt_solref, id, mjNREF)[1] = 1.0;
   }
 }
 
@@ -85,20 +86,20 @@ void write_rail(mjModel& model, const PlantConfig& config) {
 
 void write_floor(mjModel& model, const PlantConfig& config) {
   const int floor = require(model, mjOBJ_GEOM, "floor");
-  model.geom_pos[3 * floor + 2] = config.floor_height_m;
+  row(model.geom_pos, floor, 3)[2] = config.floor_height_m;
   model.geom_sameframe[floor] = 0;  // else geom_pos is ignored: facts physics 9
 }
 
 /// Needs the final masses' body_invweight0. The feet's values alone count (priority), whatever the floor has.
 void write_contact(mjModel& model, const PlantIndex& index, const ContactConfig& contact) {
   for (const int geom : index.foot_geom) {
-    const double inverse_mass = model.body_invweight0[2 * model.geom_bodyid[geom]];
+    const double inverse_mass = row(model.body_invweight0, model.geom_bodyid[geom], 2)[0];
     const double scale = (1.0 - kContactImpedance) * inverse_mass;
     model.geom_priority[geom] = 1;
-    model.geom_friction[3 * geom] = contact.friction;
-    model.geom_solimp[mjNIMP * geom] = model.geom_solimp[mjNIMP * geom + 1] = kContactImpedance;
-    model.geom_solref[mjNREF * geom] = -contact.stiffness_N_m * scale;
-    model.geom_solref[mjNREF * geom + 1] = -contact.damping_N_s_m * scale;
+    row(model.geom_friction, geom, 3)[0] = contact.friction;
+    row(model.geom_solimp, geom, mjNIMP)[0] = row(model.geom_solimp, geom, mjNIMP)[1] = kContactImpedance;
+    row(model.geom_solref, geom, mjNREF)[0] = -contact.stiffness_N_m * scale;
+    row(model.geom_solref, geom, mjNREF)[1] = -contact.damping_N_s_m * scale;
   }
 }
 
