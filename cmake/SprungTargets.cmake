@@ -25,13 +25,14 @@ function(sprung_program name)
   target_link_libraries(${name} PRIVATE sprung_flags ${ARG_LINK})
 endfunction()
 
-# sprung_tests(NAME SOURCES a_test.cpp ... LINK x ...): a GoogleTest program; every case becomes a ctest.
+# sprung_tests(NAME SOURCES a_test.cpp ... LINK x ... [ALONE]): a GoogleTest program; every case becomes a ctest. ALONE: no
+# other test runs beside them.
 function(sprung_tests name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "ALONE" "" "SOURCES;LINK" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
   target_link_libraries(${name} PRIVATE sprung_flags ${ARG_LINK} GTest::gmock GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE
     SPRUNG_SOURCE_DIR="${CMAKE_SOURCE_DIR}" SPRUNG_BIN_DIR="${CMAKE_BINARY_DIR}/bin")
-  gtest_discover_tests(${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
+  gtest_discover_tests(${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300 RUN_SERIAL ${ARG_ALONE})
 endfunction()

@@ -26,7 +26,7 @@ class LockstepBridge {
         command_(process.robot().actuators.size()),
         last_tick_(options.cycles) {
     for (const std::string& address : bus_addresses(process.robot(), options.can)) {
-      links_.emplace_back(open_udp_bus(address));
+      links_.emplace_back(open_udp_bus(address), parse_burst_faults(options.inject_can));
     }
   }
 
@@ -97,6 +97,7 @@ class LockstepBridge {
       }
       if (drives_.repeat_due(wall_us())) {
         link.resend();
+        count_repeat();
       }
       pollfd fd{link.fd(), POLLIN, 0};
       poll(&fd, 1, milliseconds_until(drives_.wake_us()));
@@ -126,6 +127,7 @@ class LockstepBridge {
       }
       if (chain_.repeat_due(wall_us())) {
         shell_.repeat_drive_state();
+        count_repeat();
       }
       wait(chain_.wake_us(), true);
       shell_.serve_operators(time_us_);
@@ -140,6 +142,9 @@ class LockstepBridge {
     }
     return shell_.has_command(state_.stamp.seq);
   }
+
+  /// PROCESS_STATUS shows them as gaps: something was lost, or somebody was slow.
+  void count_repeat() { ++process_.status().sequence_gaps; }
 
   /// A stop brings the drives to rest first; the chain of processes still runs meanwhile.
   void follow_stop() {

@@ -4,6 +4,8 @@
 int main(int argc, char** argv) {
   sprung::BridgeProgramOptions options;
   const auto more_options = [&](sprung::CommandLine& line) {
+    line.option("--inject-can", options.inject_can,
+                "test of the lock-step link: can-drop:TICK:INDEX or can-repeat:TICK:INDEX");
     line.option("--can", options.can,
                 "BUS=ADDRESS instead of robot.yaml's, e.g. leg=socketcan:can0; may be repeated");
     line.option("--cycles", options.cycles,

@@ -12,6 +12,7 @@ namespace sprung {
 
 struct BridgeProgramOptions {
   std::vector<std::string> can;  ///< BUS=ADDRESS, instead of robot.yaml's
+  std::vector<std::string> inject_can;  ///< lock-step: faults of the CAN link, see parse_burst_faults
   std::int64_t cycles = 0;       ///< end after that many, 0 = never
   double speed = 0.0;            ///< lock-step only: at most so many times real time, 0 = as fast as it goes
 };

@@ -1,6 +1,9 @@
 #include "drivers/can/bus_addresses.h"
 
 #include <algorithm>
+#include <cinttypes>
+#include <cstdio>
+#include <cstring>
 #include <stdexcept>
 
 namespace sprung {
@@ -22,6 +25,25 @@ std::vector<std::string> bus_addresses(const RobotConfig& robot, const std::vect
     addresses[static_cast<std::size_t>(bus - robot.buses.begin())] = text.substr(equals + 1);
   }
   return addresses;
+}
+
+std::vector<BurstFault> parse_burst_faults(const std::vector<std::string>& texts) {
+  std::vector<BurstFault> faults;
+  for (const std::string& text : texts) {
+    char kind[16] = "";
+    BurstFault fault;
+    int end = 0;
+    const int found =
+        std::sscanf(text.c_str(), "can-%15[a-z]:%" SCNd64 ":%d%n", kind, &fault.tick, &fault.index, &end);
+    const bool known = std::strcmp(kind, "drop") == 0 || std::strcmp(kind, "repeat") == 0;
+    if (found != 3 || !known || end != static_cast<int>(text.size())) {
+      throw std::invalid_argument("--inject-can " + text +
+                                  ": expected can-drop:TICK:INDEX or can-repeat:TICK:INDEX");
+    }
+    fault.kind = std::strcmp(kind, "drop") == 0 ? BurstFault::Kind::kDrop : BurstFault::Kind::kRepeat;
+    faults.push_back(fault);
+  }
+  return faults;
 }
 
 std::unique_ptr<UdpBus> open_udp_bus(const std::string& address) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "drivers/can/lockstep_link.h"
 #include "drivers/can/udp_bus.h"
 #include "robots/robot_config.h"
 
@@ -16,5 +17,9 @@ std::vector<std::string> bus_addresses(const RobotConfig& robot, const std::vect
 /// Lock-step needs a bus whose datagrams can be numbered. @throws std::invalid_argument unless the address is
 /// udp:GROUP:PORT.
 std::unique_ptr<UdpBus> open_udp_bus(const std::string& address);
+
+/// Tests of the lock-step link. @param texts can-drop:TICK:INDEX or can-repeat:TICK:INDEX, acting on this program's own frames.
+/// @throws std::invalid_argument naming the two forms.
+std::vector<BurstFault> parse_burst_faults(const std::vector<std::string>& texts);
 
 }  // namespace sprung

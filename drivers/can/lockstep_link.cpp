@@ -4,7 +4,7 @@
 
 namespace sprung {
 
-LockstepLink::LockstepLink(std::unique_ptr<UdpBus> bus, std::vector<LinkFault> faults)
+LockstepLink::LockstepLink(std::unique_ptr<UdpBus> bus, std::vector<BurstFault> faults)
     : bus_(std::move(bus)), faults_(std::move(faults)) {
   outgoing_.reserve(kMaxBurst);
   stored_.reserve(kMaxBurst);
@@ -46,15 +46,15 @@ void LockstepLink::send(std::int64_t tick) noexcept {
 
 bool LockstepLink::touched_by_faults(std::int64_t tick) const noexcept {
   return std::any_of(faults_.begin(), faults_.end(),
-                     [tick](const LinkFault& fault) { return fault.tick == tick; });
+                     [tick](const BurstFault& fault) { return fault.tick == tick; });
 }
 
 void LockstepLink::send_with_faults(std::int64_t tick) noexcept {
   for (std::size_t i = 0; i < stored_.size(); ++i) {
     int copies = 1;
-    for (const LinkFault& fault : faults_) {
+    for (const BurstFault& fault : faults_) {
       if (fault.tick != tick || fault.index != static_cast<int>(i)) continue;
-      copies = fault.kind == LinkFault::Kind::kDrop ? 0 : 2;
+      copies = fault.kind == BurstFault::Kind::kDrop ? 0 : 2;
     }
     for (int copy = 0; copy < copies; ++copy) bus_->send_stamped(&stored_[i], 1);
   }

@@ -16,7 +16,7 @@
 namespace sprung {
 
 /// For tests of the link itself: what happens to one frame of one burst, the first time it is sent.
-struct LinkFault {
+struct BurstFault {
   enum class Kind : std::int8_t { kDrop, kRepeat };
   std::int64_t tick = 0;
   int index = 0;
@@ -35,7 +35,7 @@ enum class LinkEvent : std::int8_t { kNothing, kComplete, kRepeat };
 
 class LockstepLink {
  public:
-  explicit LockstepLink(std::unique_ptr<UdpBus> bus, std::vector<LinkFault> faults = {});
+  explicit LockstepLink(std::unique_ptr<UdpBus> bus, std::vector<BurstFault> faults = {});
 
   /// Collects frames of the next burst: those of `batch` that are for this link's bus.
   void add(const FrameBatch& batch, int bus) noexcept;
@@ -67,7 +67,7 @@ class LockstepLink {
   bool touched_by_faults(std::int64_t tick) const noexcept;
 
   std::unique_ptr<UdpBus> bus_;
-  std::vector<LinkFault> faults_;
+  std::vector<BurstFault> faults_;
   std::vector<CanFrame> outgoing_;
   std::vector<StampedFrame> stored_;  ///< last burst sent
   BurstAssembler assembler_;

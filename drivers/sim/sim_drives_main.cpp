@@ -5,6 +5,8 @@ int main(int argc, char** argv) {
   sprung::SimProgramOptions options;
   bool no_truth = false;
   const auto more_options = [&](sprung::CommandLine& line) {
+    line.option("--inject-can", options.inject_can,
+                "test of the lock-step link: can-drop:TICK:INDEX or can-repeat:TICK:INDEX");
     line.option("--can", options.can, "BUS=ADDRESS instead of robot.yaml's; may be repeated");
     line.option("--seed", options.sim.seed, "of every noise");
     line.option("--plant", options.plant,

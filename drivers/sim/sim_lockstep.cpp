@@ -23,7 +23,7 @@ class LockstepSim {
         core_(process.robot(), options.sim),
         shell_(process, core_, options.sim.truth) {
     for (const std::string& address : bus_addresses(process.robot(), options.can)) {
-      links_.emplace_back(open_udp_bus(address));
+      links_.emplace_back(open_udp_bus(address), parse_burst_faults(options.inject_can));
       fds_.push_back({links_.back().fd(), POLLIN, 0});
     }
   }

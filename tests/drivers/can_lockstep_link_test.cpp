@@ -10,7 +10,7 @@ namespace {
 constexpr char kGroup[] = "239.74.163.78";
 int test_port() { return 20000 + ::getpid() % 20000; }
 
-LockstepLink link(std::vector<LinkFault> faults = {}) {
+LockstepLink link(std::vector<BurstFault> faults = {}) {
   return LockstepLink(std::make_unique<UdpBus>(kGroup, test_port()), std::move(faults));
 }
 
@@ -77,7 +77,7 @@ TEST(LockstepLink, BurstsAndAnswersArriveWholeWithEmptyAnswersSeen) {
 }
 
 TEST(LockstepLink, LostAndRepeatedFramesChangeNothingAndStepNothingTwice) {
-  using Kind = LinkFault::Kind;
+  using Kind = BurstFault::Kind;
   LockstepLink bridge = link({{1, 0, Kind::kDrop}, {2, 2, Kind::kDrop}, {3, 1, Kind::kRepeat}});
   LockstepLink drives = link({{4, 0, Kind::kDrop}, {5, 2, Kind::kDrop}, {6, 2, Kind::kRepeat}});
   int steps = 0;

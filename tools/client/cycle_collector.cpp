@@ -21,6 +21,7 @@ CycleCollector::CycleCollector(const RunInfo& info, const RobotConfig& robot)
       motions_(kQueue),
       replies_(kQueue),
       safeties_(kQueue),
+      statuses_(kQueue),
       node_(NodeOptions{info.lcm_url, info.session, info.epoch_us, {}}) {
   const std::size_t actuators = robot.actuators.size();
   const std::size_t joints = robot.joints.size();
@@ -32,6 +33,7 @@ CycleCollector::CycleCollector(const RunInfo& info, const RobotConfig& robot)
   node_.subscribe_message(channels::kMotionState, CountLimits::exactly(legs), motions_);
   node_.subscribe_message(channels::kOperatorReply, CountLimits::none(), replies_);
   node_.subscribe_message(channels::kSafetyState, CountLimits::none(), safeties_);
+  node_.subscribe_message(channels::kProcessStatus, CountLimits::none(), statuses_);
   node_.start();
 }
 
@@ -72,6 +74,11 @@ void CycleCollector::take_all(const ReplyObserver& on_reply) {
   while (auto message = safeties_.pop()) {
     overruns_ = message->overruns;
     missed_cycles_ = message->missed_cycles;
+  }
+  while (auto message = statuses_.pop()) {
+    if (message->process == "sprung-can-bridge") {
+      repeats_ = message->sequence_gaps;
+    }
   }
 }
 

@@ -29,6 +29,7 @@ class CycleCollector {
   std::int64_t lost_cycles() const { return lost_; }
   std::int64_t overruns() const { return overruns_; }            ///< as the bridge counts them
   std::int64_t missed_cycles() const { return missed_cycles_; }  ///< without a DRIVE_COMMAND
+  std::int64_t repeats() const { return repeats_; }  ///< lock-step: what the bridge had to ask for again
 
  private:
   struct Cycle {
@@ -52,11 +53,13 @@ class CycleCollector {
   InputQueue<sprung_msgs::motion_state_t> motions_;
   InputQueue<sprung_msgs::operator_reply_t> replies_;
   InputQueue<sprung_msgs::safety_state_t> safeties_;
+  InputQueue<sprung_msgs::process_status_t> statuses_;
   std::map<std::int64_t, Cycle> pending_;
   std::int64_t next_ = -1;  ///< -1: the first that comes
   std::int64_t lost_ = 0;
   std::int64_t overruns_ = 0;
   std::int64_t missed_cycles_ = 0;
+  std::int64_t repeats_ = 0;
   Node node_;
 };
 

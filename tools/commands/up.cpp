@@ -65,6 +65,7 @@ int run_up(const LaunchRequest& request) {
   announce(request, launcher, static_cast<double>(monotonic_us() - started_us) * 1e-6);
   const int status = watch_over(launcher, request.cycles > 0);
   std::printf("%s: stopping, drives first\n", launcher.info().robot.c_str());
+  std::fflush(stdout);
   launcher.stop();
   if (!launcher.info().log.empty()) {
     std::printf("log: %s\n", launcher.info().log.c_str());

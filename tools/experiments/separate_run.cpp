@@ -71,8 +71,8 @@ int random_port() {
   return 20000 + static_cast<int>(device() % 40000);
 }
 
-void run_separate(const RunScript& script, const CycleObserver& on_cycle, const ReplyObserver& on_reply,
-                  const SeparateOptions& options) {
+SeparateResult run_separate(const RunScript& script, const CycleObserver& on_cycle,
+                            const ReplyObserver& on_reply, const SeparateOptions& options) {
   Launcher launcher(launch_request(script, options), script.robot);
   launcher.start_all_but_bridge();
   CycleCollector collector(launcher.info(), script.robot);
@@ -94,6 +94,10 @@ void run_separate(const RunScript& script, const CycleObserver& on_cycle, const 
                              std::to_string(collector.last_cycle()) + " of " + std::to_string(script.cycles) +
                              ": the machine is overloaded; try again");
   }
+  launcher.stop();
+  collector.wait(0.05);
+  collector.collect(until_last, on_reply);
+  return {collector.repeats()};
 }
 
 }  // namespace sprung

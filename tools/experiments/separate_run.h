@@ -11,11 +11,15 @@ struct SeparateOptions {
   std::vector<std::string> inject;  ///< PROGRAM=SPEC, tests of the links
 };
 
+struct SeparateResult {
+  std::int64_t repeats = 0;  ///< what the bridge had to ask for again: lost, or late by 50 ms
+};
+
 /// Own LCM port and CAN port each time, so that runs on one machine never meet.
 /// @throws std::runtime_error when a process ends early, or when messages were lost on the way to the
 /// observer.
-void run_separate(const RunScript& script, const CycleObserver& on_cycle, const ReplyObserver& on_reply,
-                  const SeparateOptions& options = {});
+SeparateResult run_separate(const RunScript& script, const CycleObserver& on_cycle,
+                            const ReplyObserver& on_reply, const SeparateOptions& options = {});
 
 /// A UDP port that is unlikely to be used by anyone else.
 int random_port();

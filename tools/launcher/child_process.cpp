@@ -8,6 +8,7 @@
 
 #include <cerrno>
 #include <chrono>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <stdexcept>
@@ -85,6 +86,9 @@ int ChildProcess::stop(double patience_s) {
 }
 
 std::string program_folder() {
+  if (const char* folder = std::getenv("SPRUNG_PROGRAMS")) {
+    return folder;
+  }
   return std::filesystem::read_symlink("/proc/self/exe").parent_path().string();
 }
 

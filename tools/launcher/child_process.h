@@ -26,7 +26,7 @@ class ChildProcess {
   std::optional<int> status_;
 };
 
-/// Folder of the running program: siblings are started from there, whatever PATH says.
+/// Where the stack's programs are: $SPRUNG_PROGRAMS, else the folder of the running program, whatever PATH says.
 std::string program_folder();
 
 }  // namespace sprung

@@ -21,7 +21,9 @@ void add_injections(PlannedProcess& process, const LaunchRequest& request) {
   for (const std::string& text : request.inject) {
     const std::string prefix = process.program + "=";
     if (text.rfind(prefix, 0) == 0) {
-      process.arguments.insert(process.arguments.end(), {"--inject", text.substr(prefix.size())});
+      const std::string spec = text.substr(prefix.size());
+      const bool on_can = spec.rfind("can-", 0) == 0;
+      process.arguments.insert(process.arguments.end(), {on_can ? "--inject-can" : "--inject", spec});
     }
   }
 }

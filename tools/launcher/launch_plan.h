@@ -19,8 +19,9 @@ struct LaunchRequest {
   std::string lcm_url;
   std::string rt_policy = "warn";
   std::uint64_t seed = 1;
-  std::vector<std::string> plant;   ///< KEY=VALUE
-  std::vector<std::string> inject;  ///< PROGRAM=SPEC, for tests of the links
+  std::vector<std::string> plant;  ///< KEY=VALUE
+  std::vector<std::string>
+      inject;  ///< PROGRAM=SPEC, for tests of the links; SPEC of CAN bursts begins with can-
   bool truth = true;
   double speed = 0.0;       ///< lock-step pace, 0 = as fast as it goes
   std::int64_t cycles = 0;  ///< the bridge ends after that many, 0 = never

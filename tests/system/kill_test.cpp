@@ -1,0 +1,131 @@
+/// SIGKILL in the middle of a jump: the drives are damped and then off, with the cause named, and nothing switches them on again.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <poll.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+#include "drivers/can/can_bus.h"
+#include "drivers/canopen/protocol.h"
+#include "lcmtypes/channels.h"
+#include "runtime/node.h"
+#include "tests/system/system_fixture.h"
+
+namespace sprung {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Everything that the safety of a run shows, as it comes.
+class Witness {
+ public:
+  Witness(const RunInfo& info, std::size_t actuators, std::size_t legs)
+      : drive_states_(DriveState(actuators)),
+        node_(NodeOptions{info.lcm_url, info.session, info.epoch_us, {}}) {
+    node_.subscribe(channels::kDriveState, CountLimits::exactly(actuators), drive_states_);
+    node_.subscribe_message(channels::kSafetyState, CountLimits::none(), safeties_);
+    node_.subscribe_message(channels::kMotionState, CountLimits::exactly(legs), motions_);
+    node_.start();
+  }
+  ~Witness() { node_.stop(); }
+
+  void look() {
+    node_.wait_for_input(node_.utime_us() + 20'000);
+    while (auto safety = safeties_.pop()) {
+      levels.push_back(static_cast<SafetyLevel>(safety->level));
+      cause = static_cast<SafetyCause>(safety->cause);
+      latched = safety->latched != 0;
+    }
+    while (auto motion = motions_.pop()) phase = static_cast<MotionPhase>(motion->state);
+    DriveState state;
+    if (drive_states_.newest(state)) {
+      enabled = false;
+      for (const ActuatorState& actuator : state.actuators) {
+        enabled = enabled || actuator.power_state == PowerState::kOperationEnabled;
+      }
+    }
+  }
+  template <class Condition>
+  bool until(Condition condition, double patience_s = 30.0) {
+    const auto end = Clock::now() + std::chrono::duration<double>(patience_s);
+    while (!condition()) {
+      if (Clock::now() > end) return false;
+      look();
+    }
+    return true;
+  }
+  bool saw(SafetyLevel level) const { return std::find(levels.begin(), levels.end(), level) != levels.end(); }
+
+  std::vector<SafetyLevel> levels;
+  SafetyCause cause = SafetyCause::kNone;
+  MotionPhase phase = MotionPhase::kIdle;
+  bool latched = false;
+  bool enabled = false;
+
+ private:
+  Slot<DriveState> drive_states_;
+  InputQueue<sprung_msgs::safety_state_t> safeties_{4096};
+  InputQueue<sprung_msgs::motion_state_t> motions_{1 << 16};
+  Node node_;
+};
+
+class Kill : public SystemTest, public testing::WithParamInterface<const char*> {
+ protected:
+  void jump_into(Witness& witness) {
+    ASSERT_EQ(sprung("stand").status, 0);
+    ASSERT_EQ(sprung("jump --no-wait").status, 0);
+    ASSERT_TRUE(witness.until(
+        [&] { return witness.phase == MotionPhase::kThrust || witness.phase == MotionPhase::kFlight; }));
+    ASSERT_TRUE(witness.until([&] { return witness.enabled; }));
+  }
+  /// Slow enough in lock-step that the kill falls into the jump.
+  std::string pace() const { return std::string(GetParam()) == "lockstep" ? "--speed 1" : ""; }
+};
+
+TEST_P(Kill, DeadControllerIsDampedThenOffAndStaysOff) {
+  up(GetParam(), pace());
+  Witness witness(info(), robot_.actuators.size(), robot_.legs.size());
+  jump_into(witness);
+  kill_program("sprung-leg-controller");
+  EXPECT_TRUE(witness.until([&] { return witness.saw(SafetyLevel::kDamping); })) << "never damped";
+  EXPECT_TRUE(witness.until([&] { return !witness.enabled; })) << "never off";
+  EXPECT_TRUE(witness.until([&] { return witness.latched; }));
+  EXPECT_EQ(witness.cause, SafetyCause::kCommandStale);
+  for (int i = 0; i < 50; ++i) {
+    witness.look();
+    ASSERT_FALSE(witness.enabled) << "something switched the drives on again";
+  }
+  EXPECT_NE(sprung("stand").status, 0);
+}
+
+TEST_P(Kill, DeadBridgeIsNoticedByTheDrivesThemselves) {
+  up(GetParam(), pace());
+  Witness witness(info(), robot_.actuators.size(), robot_.legs.size());
+  jump_into(witness);
+  const std::unique_ptr<CanBus> bus = open_can_bus(can_address());
+  kill_program("sprung-can-bridge");
+  std::vector<bool> gave_up(robot_.actuators.size(), false);
+  const auto end = Clock::now() + std::chrono::seconds(30);
+  while (std::find(gave_up.begin(), gave_up.end(), false) != gave_up.end() && Clock::now() < end) {
+    pollfd fd{bus->fd(), POLLIN, 0};
+    poll(&fd, 1, 100);
+    CanFrame frame;
+    while (bus->receive(&frame, 1) == 1) {
+      for (std::size_t i = 0; i < gave_up.size(); ++i) {
+        const bool emergency = frame.id == 0x80u + static_cast<unsigned>(robot_.actuators[i].node);
+        const int code = frame.data[0] | frame.data[1] << 8;
+        gave_up[i] = gave_up[i] || (emergency && code == 0x8130);  // heartbeat lost, facts canopen 2.5
+      }
+    }
+  }
+  for (std::size_t i = 0; i < gave_up.size(); ++i) {
+    EXPECT_TRUE(gave_up[i]) << robot_.actuators[i].name << " sent no heartbeat emergency";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(BothClocks, Kill, testing::Values("lockstep", "realtime"),
+                         [](const testing::TestParamInfo<const char*>& clock) { return clock.param; });
+
+}  // namespace
+}  // namespace sprung

@@ -1,0 +1,125 @@
+/// The proof of the seams: separate processes in lock-step and one process give the same bits, with noise on and a jump inside,
+/// also when datagrams are lost or come twice on every path.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "signals/messages.h"
+#include "tests/system/system_fixture.h"
+#include "tools/experiments/jump_experiment.h"
+#include "tools/experiments/separate_run.h"
+
+namespace sprung {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+template <class Signal>
+void append(const Signal& signal, Bytes& bytes) {
+  MessageOf<Signal> message;
+  to_message(signal, 0, message);
+  const std::size_t at = bytes.size();
+  bytes.resize(at + static_cast<std::size_t>(message.getEncodedSize()));
+  message.encode(bytes.data() + at, 0, message.getEncodedSize());
+}
+
+/// Every cycle's encoded messages, by channel.
+struct Recording {
+  std::vector<Bytes> drive_commands;
+  std::vector<Bytes> others;  ///< DRIVE_STATE, JOINT_STATE, MOTION_STATE, SIM_TRUTH
+  bool flew = false;
+
+  void add(const CycleRecord& cycle) {
+    drive_commands.emplace_back();
+    append(cycle.drive_command, drive_commands.back());
+    MotionState motion = cycle.motion_state;
+    motion.last_transition = "";  // texts are not collected
+    others.emplace_back();
+    append(cycle.drive_state, others.back());
+    append(cycle.joint_state, others.back());
+    append(motion, others.back());
+    append(cycle.truth, others.back());
+    flew = flew || cycle.motion_state.state == MotionPhase::kFlight;
+  }
+};
+
+class Lockstep : public SystemTest {
+ protected:
+  RunScript script() const {
+    return jump_script(robot_, "best", SimOptions{3, {}, true}, JumpMode::kHybrid, 1);
+  }
+  /// @param least_repeats proof that the injected losses happened: each makes the bridge ask again.
+  Recording separate(const std::vector<std::string>& inject = {}, std::int64_t least_repeats = 0) const {
+    Recording recording;
+    const SeparateResult result = run_separate(
+        script(), [&](const CycleRecord& cycle) { recording.add(cycle); }, [](const OperatorReply&) {},
+        SeparateOptions{inject});
+    EXPECT_GE(result.repeats, least_repeats);
+    return recording;
+  }
+  Recording in_process(const RunScript& run) const {
+    Recording recording;
+    run_in_process(
+        run, [&](const CycleRecord& cycle) { recording.add(cycle); }, [](const OperatorReply&) {});
+    return recording;
+  }
+  void expect_same(const Recording& a, const Recording& b) const {
+    ASSERT_EQ(a.drive_commands.size(), b.drive_commands.size());
+    for (std::size_t k = 0; k < a.drive_commands.size(); ++k) {
+      ASSERT_EQ(a.drive_commands[k], b.drive_commands[k]) << "DRIVE_COMMAND differs first in cycle " << k;
+      ASSERT_EQ(a.others[k], b.others[k]) << "another channel differs first in cycle " << k;
+    }
+  }
+};
+
+TEST_F(Lockstep, SeparateProcessesGiveTheBitsOfOneProcess) {
+  const Recording one = in_process(script());
+  ASSERT_GE(one.drive_commands.size(), 2000u);
+  ASSERT_TRUE(one.flew);
+  expect_same(one, separate());
+}
+
+TEST_F(Lockstep, LostAndRepeatedLcmMessagesChangeNoBit) {
+  const Recording one = in_process(script());
+  expect_same(
+      one,
+      separate(
+          {"sprung-can-bridge=drop-tx:DRIVE_STATE:300", "sprung-can-bridge=repeat-tx:DRIVE_STATE:310",
+           "sprung-torque-estimator=drop-rx:DRIVE_STATE:320",
+           "sprung-torque-estimator=drop-tx:JOINT_STATE:330",
+           "sprung-torque-estimator=repeat-tx:JOINT_STATE:340",
+           "sprung-leg-controller=drop-rx:JOINT_STATE:350", "sprung-motion-planner=drop-rx:JOINT_STATE:360",
+           "sprung-motion-planner=drop-tx:LEG_COMMAND:370", "sprung-motion-planner=repeat-tx:LEG_COMMAND:380",
+           "sprung-leg-controller=drop-rx:LEG_COMMAND:390",
+           "sprung-leg-controller=drop-tx:DRIVE_COMMAND:3500",
+           "sprung-leg-controller=repeat-tx:DRIVE_COMMAND:3510",
+           "sprung-can-bridge=drop-rx:DRIVE_COMMAND:3520"},
+          9));
+}
+
+TEST_F(Lockstep, LostAndRepeatedCanDatagramsChangeNoBit) {
+  const Recording one = in_process(script());
+  expect_same(one, separate({"sprung-can-bridge=can-drop:5:0", "sprung-can-bridge=can-drop:600:0",
+                             "sprung-can-bridge=can-drop:601:2", "sprung-can-bridge=can-repeat:602:1",
+                             "sprung-sim-drives=can-drop:7:0", "sprung-sim-drives=can-drop:610:0",
+                             "sprung-sim-drives=can-drop:611:1", "sprung-sim-drives=can-repeat:612:0"},
+                            6));
+}
+
+TEST_F(Lockstep, TruthSwitchedOffChangesNoBit) {
+  RunScript blind = script();
+  blind.sim.truth = false;
+  const Recording with = in_process(script());
+  const Recording without = in_process(blind);
+  EXPECT_EQ(with.drive_commands, without.drive_commands);
+}
+
+TEST_F(Lockstep, AnotherSeedIsAnotherRun) {
+  RunScript other = script();
+  other.sim.seed = 4;
+  EXPECT_NE(in_process(script()).drive_commands, in_process(other).drive_commands);
+}
+
+}  // namespace
+}  // namespace sprung

@@ -1,0 +1,119 @@
+/// The operator's command line against real processes, as a person types it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/system/system_fixture.h"
+
+namespace sprung {
+namespace {
+
+using testing::HasSubstr;
+
+class Operator : public SystemTest {};
+
+TEST_F(Operator, WithNothingRunningEveryCommandSaysHowToStart) {
+  for (const char* command : {"stand", "jump", "sit", "stop", "estop", "clear", "status", "down", "record"}) {
+    const CommandResult result = sprung(command);
+    EXPECT_EQ(result.status, 1) << command;
+    EXPECT_THAT(result.output, HasSubstr("sprung up single_leg --sim")) << command;
+  }
+}
+
+TEST_F(Operator, WrongUseIsStatusTwo) {
+  EXPECT_EQ(sprung("jump --hight 3").status, 2);
+  EXPECT_EQ(sprung("jmup").status, 2);
+  EXPECT_EQ(sprung("jump --mode wild").status, 2);
+  EXPECT_EQ(sprung("").status, 2);
+}
+
+TEST_F(Operator, HelpHasAnExample) {
+  for (const char* command :
+       {"up", "down", "stand", "jump", "stop", "estop", "clear", "status", "record", "experiment jump"}) {
+    const CommandResult result = sprung(std::string(command) + " --help");
+    EXPECT_EQ(result.status, 0) << command;
+    EXPECT_THAT(result.output, HasSubstr(std::string("sprung ") + command)) << command;
+  }
+}
+
+TEST_F(Operator, UnknownRobotAndPresetAreNamed) {
+  EXPECT_THAT(sprung("up nobody --sim").output, HasSubstr("single_leg"));
+  EXPECT_THAT(sprung("up single_leg --sim --preset worst").output, HasSubstr("paper, best"));
+  EXPECT_THAT(sprung("up single_leg --clock lockstep").output, HasSubstr("needs --sim"));
+  EXPECT_THAT(sprung("experiment jump --plant no_such_value=1").output, HasSubstr("friction_scale"));
+}
+
+TEST_F(Operator, StandJumpAndDown) {
+  up("lockstep");
+  EXPECT_THAT(sprung("jump").output, HasSubstr("refused"));
+  const CommandResult stand = sprung("stand");
+  EXPECT_EQ(stand.status, 0) << stand.output;
+  const CommandResult jump = sprung("jump --count 2 --report");
+  EXPECT_EQ(jump.status, 0) << jump.output;
+  EXPECT_THAT(jump.output, HasSubstr("   2 "));
+  EXPECT_THAT(jump.output, HasSubstr("yes"));
+  EXPECT_EQ(sprung("jump --height 1000").status, 1);
+  const CommandResult down = sprung("down");
+  EXPECT_EQ(down.status, 0) << down.output;
+  EXPECT_EQ(wait_for_up(), 0);
+}
+
+TEST_F(Operator, WrongRobotAndSecondUpAreRefused) {
+  up("lockstep", "--speed 1");
+  EXPECT_THAT(sprung("stand --robot pegasus").output, HasSubstr("single_leg is up, not pegasus"));
+  const CommandResult second = sprung("up single_leg --sim");
+  EXPECT_EQ(second.status, 1);
+  EXPECT_THAT(second.output, HasSubstr("is up already"));
+}
+
+TEST_F(Operator, StatusIsJsonWithTheAgreedKeys) {
+  up("lockstep", "--speed 1");
+  const auto json = nlohmann::json::parse(sprung("status --json").output);
+  EXPECT_EQ(json["robot"], "single_leg");
+  EXPECT_EQ(json["clock"], "lockstep");
+  EXPECT_EQ(json["safety"]["state"], "operational");
+  EXPECT_EQ(json["motion"]["state"], "idle");
+  EXPECT_EQ(json["motion"]["legs"].size(), 1u);
+  ASSERT_EQ(json["processes"].size(), 5u);
+  for (const auto& process : json["processes"]) {
+    EXPECT_EQ(process["state"], "running") << process["name"];
+    EXPECT_TRUE(process["rate_hz"].is_number()) << process["name"];
+    EXPECT_GT(process["pid"], 0);
+  }
+}
+
+TEST_F(Operator, EmergencyStopLatchesUntilClearAndTorqueStaysOff) {
+  up("lockstep", "--speed 4");
+  ASSERT_EQ(sprung("stand").status, 0);
+  ASSERT_EQ(sprung("estop").status, 0);
+  auto json = nlohmann::json::parse(sprung("status --json").output);
+  EXPECT_EQ(json["safety"]["state"], "disabled");
+  EXPECT_EQ(json["safety"]["cause"], "emergency stop");
+  EXPECT_EQ(json["motion"]["state"], "idle");
+  EXPECT_THAT(sprung("stand").output, HasSubstr("refused"));
+  const CommandResult clear = sprung("clear");
+  EXPECT_EQ(clear.status, 0) << clear.output;
+  json = nlohmann::json::parse(sprung("status --json").output);
+  EXPECT_EQ(json["safety"]["state"], "operational");
+  EXPECT_EQ(json["motion"]["state"], "idle");
+  const CommandResult stand = sprung("stand");
+  EXPECT_EQ(stand.status, 0) << stand.output;
+}
+
+TEST_F(Operator, CtrlCEndsEveryProcess) {
+  up("lockstep", "--speed 1");
+  up_process().signal(SIGINT);
+  EXPECT_EQ(wait_for_up(), 0);  // TearDown checks that nothing is left
+}
+
+TEST_F(Operator, DeathOfTheLauncherEndsEveryProcess) {
+  up("lockstep", "--speed 1");
+  up_process().signal(SIGKILL);
+  wait_for_up();
+  EXPECT_TRUE(all_end(20.0));  // a bridge brings its drives to rest first
+}
+
+}  // namespace
+}  // namespace sprung

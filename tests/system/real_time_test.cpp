@@ -1,0 +1,41 @@
+/// The same binaries in real time. Nothing here depends on how fast this machine is: overruns are read, not judged.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/system/system_fixture.h"
+
+namespace sprung {
+namespace {
+
+class RealTime : public SystemTest {};
+
+TEST_F(RealTime, TenSecondsAtOneKilohertzReportTheirOverruns) {
+  up("realtime");
+  EXPECT_EQ(sprung("stand").status, 0);
+  nlohmann::json json;
+  std::int64_t cycles = 0;
+  while (cycles < 10'000) {
+    json = nlohmann::json::parse(sprung("status --json").output);
+    ASSERT_EQ(json["safety"]["state"], "operational") << json.dump(1);
+    for (const auto& process : json["processes"]) {
+      if (process["name"] == "sprung-can-bridge") cycles = process["cycles"];
+    }
+  }
+  std::printf("%lld cycles: %s overruns, %s without a command\n", static_cast<long long>(cycles),
+              json["safety"]["overruns"].dump().c_str(), json["safety"]["missed_cycles"].dump().c_str());
+  EXPECT_TRUE(json["safety"]["overruns"].is_number());
+  RecordProperty("overruns", json["safety"]["overruns"].dump());
+}
+
+TEST_F(RealTime, LegJumpsFromTheCommandLine) {
+  up("realtime");
+  ASSERT_EQ(sprung("stand").status, 0);
+  const CommandResult jump = sprung("jump --report");
+  EXPECT_EQ(jump.status, 0) << jump.output;
+  EXPECT_THAT(jump.output, testing::HasSubstr("upright"));
+}
+
+}  // namespace
+}  // namespace sprung

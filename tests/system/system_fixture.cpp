@@ -1,0 +1,116 @@
+#include "tests/system/system_fixture.h"
+
+#include <signal.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+
+#include "tools/experiments/separate_run.h"
+#include "tools/launcher/launcher.h"
+
+namespace sprung {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+std::string read_all(const std::filesystem::path& path) {
+  std::ifstream in(path);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+bool runs(std::int64_t pid) {
+  std::ifstream stat("/proc/" + std::to_string(pid) + "/stat");
+  std::string id, program, state;
+  return stat >> id >> program >> state && state != "Z";
+}
+
+}  // namespace
+
+void SystemTest::SetUp() {
+  folder_ = std::filesystem::temp_directory_path() / ("sprung_system_" + std::to_string(getpid()));
+  std::filesystem::create_directories(folder_);
+  setenv("SPRUNG_PROGRAMS", SPRUNG_BIN_DIR, 1);
+  setenv("SPRUNG_RUN_DIR", folder_.c_str(), 1);
+  can_address_ = "udp:239.74.163.2:" + std::to_string(random_port());
+  lcm_url_ = lcm_url_on_port(random_port());
+}
+
+void SystemTest::TearDown() {
+  if (up_) {
+    up_->stop(20.0);
+  }
+  for (const RunningProcess& process : started_) {
+    EXPECT_FALSE(runs(process.pid)) << process.program << " was left behind";
+  }
+  if (HasFailure() && up_) {
+    std::printf("sprung up said:\n%s\n", read_all(folder_ / "up.txt").c_str());
+  }
+  std::filesystem::remove_all(folder_);
+}
+
+CommandResult SystemTest::sprung(const std::string& arguments) const {
+  const std::filesystem::path file = folder_ / "output.txt";
+  const int raw =
+      std::system((SPRUNG_BIN_DIR "/sprung " + arguments + " > " + file.string() + " 2>&1").c_str());
+  return {WIFEXITED(raw) ? WEXITSTATUS(raw) : 128 + WTERMSIG(raw), read_all(file)};
+}
+
+void SystemTest::up(const std::string& clock, const std::string& more) {
+  const std::string command = "exec " SPRUNG_BIN_DIR "/sprung up single_leg --sim --clock " + clock +
+                              " --no-record --lcm-url '" + lcm_url_ + "' --can leg=" + can_address_ + " " +
+                              more + " > " + (folder_ / "up.txt").string() + " 2>&1";
+  up_ = std::make_unique<ChildProcess>("/bin/sh", std::vector<std::string>{"-c", command});
+  while (read_all(folder_ / "up.txt").find("is up") == std::string::npos) {
+    if (up_->ended()) {
+      throw std::runtime_error("sprung up ended: " + read_all(folder_ / "up.txt"));
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  started_ = info().processes;
+}
+
+int SystemTest::wait_for_up(double patience_s) {
+  const auto end = Clock::now() + std::chrono::duration<double>(patience_s);
+  while (!up_->ended()) {
+    if (Clock::now() > end) {
+      ADD_FAILURE() << "sprung up did not end";
+      return -1;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return *up_->ended();
+}
+
+bool SystemTest::all_end(double patience_s) const {
+  const auto end = Clock::now() + std::chrono::duration<double>(patience_s);
+  const auto any_runs = [&] {
+    return std::any_of(started_.begin(), started_.end(),
+                       [](const RunningProcess& process) { return runs(process.pid); });
+  };
+  while (any_runs() && Clock::now() < end) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  return !any_runs();
+}
+
+RunInfo SystemTest::info() const { return require_running("default", "single_leg"); }
+
+void SystemTest::kill_program(const std::string& program) const {
+  for (const RunningProcess& process : info().processes) {
+    if (process.program == program) {
+      kill(static_cast<pid_t>(process.pid), SIGKILL);
+      return;
+    }
+  }
+  FAIL() << "no process " << program;
+}
+
+}  // namespace sprung

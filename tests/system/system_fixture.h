@@ -1,0 +1,51 @@
+#pragma once
+/// Real processes for tests: own run folder, LCM port and CAN port each time, so that two runs on one machine never meet.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "robots/robot_loader.h"
+#include "tools/launcher/child_process.h"
+#include "tools/launcher/run_file.h"
+
+namespace sprung {
+
+struct CommandResult {
+  int status = -1;
+  std::string output;  ///< standard output and error together
+};
+
+class SystemTest : public testing::Test {
+ protected:
+  void SetUp() override;
+  void TearDown() override;  ///< ends what still runs; fails when a process was left behind
+
+  /// `sprung ARGUMENTS` to its end.
+  CommandResult sprung(const std::string& arguments) const;
+  /// `sprung up single_leg --sim ...` in the background, until the robot is up.
+  void up(const std::string& clock, const std::string& more = "");
+  /// Waits for `sprung up` to end by itself or after a signal.
+  int wait_for_up(double patience_s = 20.0);
+  ChildProcess& up_process() { return *up_; }
+
+  /// Whether every process of the run is gone within that time.
+  bool all_end(double patience_s) const;
+
+  RunInfo info() const;
+  void kill_program(const std::string& program) const;
+  std::string can_address() const { return can_address_; }
+
+  std::filesystem::path folder_;
+  RobotConfig robot_ = load_robot("single_leg");
+
+ private:
+  std::string can_address_;
+  std::string lcm_url_;
+  std::vector<RunningProcess> started_;
+  std::unique_ptr<ChildProcess> up_;
+};
+
+}  // namespace sprung
