@@ -1,6 +1,7 @@
 #include "controller/controller_core.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <vector>
 
@@ -12,7 +13,7 @@ namespace {
 /// Longest time that one step may account for; a longer gap only makes fades and rates slower.
 constexpr double kLongestStep_s = 0.020;
 
-std::int64_t to_us(double seconds) noexcept { return static_cast<std::int64_t>(seconds * 1e6 + 0.5); }
+std::int64_t to_us(double seconds) noexcept { return std::llround(seconds * 1e6); }
 
 /// Saturated is no reason to let go: the drive still does what it can.
 bool ready(const EstimatedJoint& joint) noexcept {

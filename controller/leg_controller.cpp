@@ -13,6 +13,7 @@ constexpr double kPeakToMeanOfFade = 1.5;  // of the cubic
 template <class T>
 std::vector<T> pick(const std::vector<T>& all, const std::vector<int>& indices) {
   std::vector<T> out;
+  out.reserve(indices.size());
   for (int i : indices) out.push_back(all.at(static_cast<std::size_t>(i)));
   return out;
 }
