@@ -23,8 +23,8 @@ ContactEstimate ContactDetector::step(double vertical_force_N, double force_boun
     reset();
     return {};
   }
-  const bool beyond = contact_ ? vertical_force_N + force_bound_N < params_.off_N
-                               : vertical_force_N - force_bound_N > params_.on_N;
+  const bool beyond =
+      contact_ ? vertical_force_N < params_.off_N : vertical_force_N - force_bound_N > params_.on_N;
   const double delay_s = contact_ ? params_.fall_s : params_.rise_s;
   constexpr double kRounding_s = 1e-9;  // message times are whole microseconds
   // The sample that crosses starts the clock, so that a delay of n cycles takes n more samples.

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "estimator/coulomb_friction.h"
+#include "estimator/torque_bound.h"
 
 namespace sprung {
 namespace {
@@ -30,7 +31,6 @@ JointEstimator::JointEstimator(const JointConfig& joint, double cycle_s, double 
 
 void JointEstimator::reset() noexcept {
   state_ = {};
-  bound_ = {kNaN, kNaN};
   motor_torque_Nm_ = output_torque_Nm_ = kNaN;
   input_rad_s2_ = 0.0;
   fresh_samples_ = 0;
@@ -114,13 +114,13 @@ void JointEstimator::write_torques(double dt_s, EstimatedJoint& out) noexcept {
   output_torque_Nm_ = out.gear_output_torque_Nm;
   TorqueBoundInput in;
   in.motor_torque_Nm = motor_torque_Nm_;
+  in.friction_torque_Nm = out.friction_torque_Nm;
   in.acceleration_rad_s2 = out.estimated_acceleration_rad_s2;
   in.acceleration_std_rad_s2 = acceleration_std_rad_s2_;
   in.output_torque_rate_Nm_s = dt_s > 0.0 ? change_Nm / dt_s : 0.0;
   in.lag_s = kLag_s;
   in.current_quantisation_Nm = quantisation_Nm_;
-  bound_ = torque_bound(joint_, in);
-  out.gear_output_torque_bound_Nm = bound_.total_Nm();
+  out.gear_output_torque_bound_Nm = torque_bound_Nm(joint_, in);
 }
 
 }  // namespace sprung

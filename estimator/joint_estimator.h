@@ -1,6 +1,5 @@
 #pragma once
 /// One joint's motion and torques from its motor. Pure: no heap after construction, never throws in step.
-#include "estimator/torque_bound.h"
 #include "estimator/tracking_filter.h"
 #include "robots/robot_config.h"
 #include "signals/signals.h"
@@ -30,9 +29,6 @@ class JointEstimator {
   /// fill.
   void step(const JointSample& sample, double dt_s, EstimatedJoint& out) noexcept;
 
-  /// Share of the bound that only motion causes; for contact. NaN when the torque is.
-  double dynamic_bound_Nm() const noexcept { return bound_.dynamic_Nm; }
-
  private:
   void start(const JointSample& sample) noexcept;
   void track(const JointSample& sample, double dt_s) noexcept;
@@ -46,7 +42,6 @@ class JointEstimator {
   double acceleration_std_rad_s2_;
   int longest_coast_cycles_;
   TrackingState state_;
-  TorqueBound bound_;
   double motor_torque_Nm_ = kNaN;
   double input_rad_s2_ = 0.0;
   double output_torque_Nm_ = kNaN;

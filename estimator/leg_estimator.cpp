@@ -63,8 +63,9 @@ void LegEstimator::write_force(std::vector<EstimatedJoint>& joints, EstimatedLeg
   vertical_bound_N = 0.0;
   for (std::size_t j = 0; j < joints_.size(); ++j) {
     const int i = static_cast<int>(j);
-    joints[static_cast<std::size_t>(joints_[j])].external_torque_Nm = external_Nm[i];
-    vertical_bound_N += std::abs(to_force(2, i)) * estimators_[j].dynamic_bound_Nm();
+    EstimatedJoint& joint = joints[static_cast<std::size_t>(joints_[j])];
+    joint.external_torque_Nm = external_Nm[i];
+    vertical_bound_N += std::abs(to_force(2, i)) * joint.gear_output_torque_bound_Nm;
   }
 }
 

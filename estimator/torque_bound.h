@@ -7,10 +7,9 @@ namespace sprung {
 
 /// Until friction is identified under load: the papers' own experiments need 7.3 Nm where their bench gave 1.79 (facts E12, C2),
 /// as the catalogue's back-driving torque of such a gear does (E13, 7.26 Nm). The error may be (7.3 - 1.79) / 1.79 = 3.1 times
-/// the value, moving or at rest.
+/// the value, while moving; at rest friction may have either sign, and Coulomb's own value is unknown as well.
 inline constexpr double kFrictionUncertainty = 3.2;
-/// Motor constant and driver calibration: 48 V winding "derived, unverified" in robot.yaml; magnets lose 0.1
-/// %/K.
+/// Motor constant and driver calibration: 48 V winding "derived, unverified" in robot.yaml.
 inline constexpr double kTorqueConstantUncertainty = 0.05;
 /// Rotor and wave generator are from memory (facts C3, [M]); the plants that fit the papers ask for 0.72 and 0.81 kg m^2
 /// where the data sheets give 0.6 (facts C2).
@@ -18,6 +17,7 @@ inline constexpr double kArmatureUncertainty = 0.35;
 
 struct TorqueBoundInput {
   double motor_torque_Nm = 0.0;          ///< joint side, R Kt i
+  double friction_torque_Nm = 0.0;       ///< of the model: less than Coulomb's at rest
   double acceleration_rad_s2 = 0.0;      ///< estimated
   double acceleration_std_rad_s2 = 0.0;  ///< from the encoder's noise through the filter
   double output_torque_rate_Nm_s = 0.0;  ///< of the estimate itself
@@ -25,12 +25,6 @@ struct TorqueBoundInput {
   double current_quantisation_Nm = 0.0;  ///< half a step of the drive's current, joint side
 };
 
-struct [[nodiscard]] TorqueBound {
-  double static_Nm = 0.0;   ///< friction, torque constant, quantisation: there also at rest
-  double dynamic_Nm = 0.0;  ///< armature, noise and lag: only while it moves
-  double total_Nm() const noexcept { return static_Nm + dynamic_Nm; }
-};
-
-TorqueBound torque_bound(const JointConfig& joint, const TorqueBoundInput& in) noexcept;
+double torque_bound_Nm(const JointConfig& joint, const TorqueBoundInput& in) noexcept;
 
 }  // namespace sprung
