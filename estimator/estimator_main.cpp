@@ -14,6 +14,7 @@ class EstimatorShell : public ResponderShell {
  public:
   explicit EstimatorShell(Process& process)
       : robot_(process.robot()),
+        watchdogs_(process.watchdogs()),
         drive_states_(in_),
         answers_(out_),
         joint_states_(process.node().publisher<JointState>(channels::kJointState)) {
@@ -39,12 +40,13 @@ class EstimatorShell : public ResponderShell {
   }
 
   void restart() override {
-    core_.emplace(robot_);
+    core_.emplace(robot_, watchdogs_);
     answers_.clear();
   }
 
  private:
   const RobotConfig& robot_;
+  const WatchdogConfig& watchdogs_;
   DriveState in_{robot_.actuators.size()};
   JointState out_{robot_.joints.size(), robot_.legs.size()};
   Slot<DriveState> drive_states_;

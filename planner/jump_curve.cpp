@@ -1,5 +1,6 @@
 #include "planner/jump_curve.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -7,6 +8,7 @@ namespace sprung {
 namespace {
 
 constexpr double kSameLength_m = 1e-6;
+constexpr int kSearchSteps = 200;  // for the longest leg: a millisecond of a 0.2 s curve
 
 /// Control points above the crouch (first half) or the landing length (second).
 std::vector<double> excess(const PresetConfig& preset) {
@@ -20,10 +22,10 @@ std::vector<double> excess(const PresetConfig& preset) {
 
 }  // namespace
 
-double jump_scale(double height_m) noexcept {
+double jump_scale(const JumpCurveConfig& curve, double height_m) noexcept {
   if (height_m == 0.0) return 1.0;
-  const bool possible = height_m >= kLowestJump_m && height_m <= kHighestJump_m;
-  return possible ? std::sqrt(height_m / kNominalJumpHeight_m) : std::nan("");
+  const bool possible = height_m >= kLowestJump_m && height_m <= kHighestJump * curve.height_m;
+  return possible ? std::sqrt(height_m / curve.height_m) : std::nan("");
 }
 
 JumpCurve::JumpCurve(const PresetConfig& preset)
@@ -33,9 +35,16 @@ JumpCurve::JumpCurve(const PresetConfig& preset)
   if (std::abs(at_unit_.end() - preset.landing_length_m) > kSameLength_m) {
     throw std::invalid_argument("preset '" + preset.name + "': jump_curve must end at landing_length");
   }
+  scale(1.0);
 }
 
-void JumpCurve::scale(double factor) noexcept { factor_ = factor; }
+void JumpCurve::scale(double factor) noexcept {
+  factor_ = factor;
+  longest_m_ = crouch_length_m_;
+  for (int i = 0; i <= kSearchSteps; ++i) {
+    longest_m_ = std::max(longest_m_, -at(duration_s() * i / kSearchSteps).position_m[2]);
+  }
+}
 
 FootPoint JumpCurve::at(double time_s) const noexcept {
   const CurvePoint unit = at_unit_.at(time_s);

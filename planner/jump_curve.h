@@ -7,15 +7,14 @@
 
 namespace sprung {
 
-/// The robot file's own curve jumps this high (facts A2 and C2: 184 to 188 mm), rounded.
-inline constexpr double kNominalJumpHeight_m = 0.18;
 inline constexpr double kLowestJump_m = 0.02;
-inline constexpr double kHighestJump_m = 0.22;
+/// Times the height of the robot file's own curve: higher would leave the range in which the square root below was checked.
+inline constexpr double kHighestJump = 1.1;
 
-/// Take-off speed goes with the square root of the height, and so does the curve's amplitude: sqrt(height /
-/// nominal).
-/// @return 1 for height 0 (the file's own curve), NaN outside [0.02, 0.22] m.
-double jump_scale(double height_m) noexcept;
+/// Take-off speed goes with the square root of the height, and so does the curve's amplitude: sqrt(height / height of the robot
+/// file's own curve).
+/// @return 1 for height 0 (the file's own curve), NaN outside 0.02 m to 1.1 times that height.
+double jump_scale(const JumpCurveConfig& curve, double height_m) noexcept;
 
 class JumpCurve {
  public:
@@ -28,6 +27,7 @@ class JumpCurve {
   double factor() const noexcept { return factor_; }
   double duration_s() const noexcept { return at_unit_.duration_s(); }
   double crouch_length_m() const noexcept { return crouch_length_m_; }
+  double longest_m() const noexcept { return longest_m_; }  ///< of the whole curve, as scaled
   /// Foot straight under the hip; after the curve it rests at the landing length.
   FootPoint at(double time_s) const noexcept;
 
@@ -37,6 +37,7 @@ class JumpCurve {
   Bezier excess_;
   double crouch_length_m_;
   double factor_ = 1.0;
+  double longest_m_ = 0.0;
 };
 
 }  // namespace sprung

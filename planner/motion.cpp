@@ -11,6 +11,11 @@ bool all_enabled(const JointState& in) noexcept {
                      [](const EstimatedJoint& j) { return j.drive_enabled; });
 }
 
+bool all_settled(const JointState& in) noexcept {
+  return std::none_of(in.joints.begin(), in.joints.end(),
+                      [](const EstimatedJoint& j) { return j.status == JointStatus::kStarting; });
+}
+
 bool any_fault(const JointState& in) noexcept {
   return std::any_of(in.joints.begin(), in.joints.end(),
                      [](const EstimatedJoint& j) { return j.status == JointStatus::kFault; });
@@ -81,7 +86,8 @@ bool Motion::sit(const JointState& in) noexcept { return process(MotionEvent::kS
 
 void Motion::restart(const JointState& in) noexcept {
   process(MotionEvent::kRestarted, in);
-  phase_began_us_ = move_began_us_ = thrust_began_us_ = now_us_ = in.stamp.utime_us;  // the old times mean nothing now
+  phase_began_us_ = move_began_us_ = thrust_began_us_ = now_us_ =
+      in.stamp.utime_us;  // the old times mean nothing now
 }
 
 bool Motion::process(MotionEvent event, const JointState& in) noexcept {
@@ -118,6 +124,7 @@ void Motion::enter(MotionPhase from, const JointState& in) noexcept {
     case MotionPhase::kThrust:
       thrust_began_us_ = now_us_;
       contact_seen_ = any_contact(in);
+      longest_m_ = 0.0;
       break;
     case MotionPhase::kRecover:
       if (from == MotionPhase::kLanding) {
@@ -183,7 +190,7 @@ bool Motion::lost(const JointState& in) noexcept {
 void Motion::update_rising(const JointState& in) noexcept {
   if (!enabled_) {
     if (in_phase_s() >= kEnableTimeout_s) process(MotionEvent::kEnableTimeout, in);
-    if (!all_enabled(in) || state() != MotionPhase::kRising) return;
+    if (!all_enabled(in) || !all_settled(in) || state() != MotionPhase::kRising) return;
     for (std::size_t i = 0; i < moves_.size(); ++i) departure_m_[i] = in.legs[i].estimated_foot_in_hip_m;
     if (!std::all_of(departure_m_.begin(), departure_m_.end(), finite)) {
       process(MotionEvent::kFootLost, in);
@@ -208,9 +215,22 @@ void Motion::update_thrust(const JointState& in) noexcept {
   contact_seen_ = contact_seen_ || contact;
   if (contact_seen_ && !contact) {
     process(MotionEvent::kLiftOff, in);
+  } else if (drawn_in_again(in)) {
+    process(MotionEvent::kRetracting, in);
   } else if (in_phase_s() >= preset_.thrust_timeout_s && process(MotionEvent::kThrustTimeout, in)) {
     jump_failure_ = last_transition();
   }
+}
+
+/// Measured, and sure where the force estimate is not: in a thrust the rotors' inertia hides the ground force (errata E6), but
+/// a leg that is shorter again than it was cannot push any more.
+bool Motion::drawn_in_again(const JointState& in) noexcept {
+  double length_m = 0.0;
+  for (const EstimatedLeg& leg : in.legs) length_m = std::max(length_m, -leg.estimated_foot_in_hip_m[2]);
+  longest_m_ = std::max(longest_m_, length_m);
+  const bool extended =
+      longest_m_ > curve_.crouch_length_m() + kExtended * (curve_.longest_m() - curve_.crouch_length_m());
+  return extended && length_m < longest_m_ - kDrawnIn_m;
 }
 
 void Motion::update_flight(const JointState& in) noexcept {

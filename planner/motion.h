@@ -18,6 +18,10 @@ inline constexpr double kEnableTimeout_s = 1.5;
 /// can look like it.
 inline constexpr double kTouchdownGuard_s = 0.05;
 
+/// A thrust has ended when the leg, once extended by this share of its stroke, is shorter again by this length.
+inline constexpr double kExtended = 0.5;
+inline constexpr double kDrawnIn_m = 0.005;
+
 struct JumpRequest {
   JumpMode mode = JumpMode::kHybrid;
   int count = 1;
@@ -60,6 +64,7 @@ class Motion {
   void update_rising(const JointState& in) noexcept;
   void update_crouch(const JointState& in) noexcept;
   void update_thrust(const JointState& in) noexcept;
+  bool drawn_in_again(const JointState& in) noexcept;
   void update_flight(const JointState& in) noexcept;
   void update_recover(const JointState& in) noexcept;
   bool lost(const JointState& in) noexcept;
@@ -83,6 +88,7 @@ class Motion {
   std::int64_t thrust_began_us_ = 0;
   bool enabled_ = false;       ///< all drives have been since the stand was requested
   bool contact_seen_ = false;  ///< since the thrust began
+  double longest_m_ = 0.0;     ///< measured leg, since the thrust began
   bool stop_ = false;
   JumpRequest request_;
   int jumps_done_ = 0;

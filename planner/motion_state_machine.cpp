@@ -16,6 +16,7 @@ const MotionTable kTransitions{{
     {P::kCrouch, E::kCrouched, P::kThrust, "crouched and settled"},
     {P::kCrouch, E::kStopped, P::kRecover, "stopped by the operator before the thrust"},
     {P::kThrust, E::kLiftOff, P::kFlight, "lift-off: contact lost"},
+    {P::kThrust, E::kRetracting, P::kFlight, "lift-off: the leg is drawn in again"},
     {P::kThrust, E::kThrustTimeout, P::kLanding, "thrust time-out: no lift-off measured"},
     {P::kFlight, E::kTouchdown, P::kLanding, "touchdown: contact"},
     {P::kFlight, E::kFlightTimeout, P::kLanding, "flight time-out: no touchdown measured"},
@@ -48,6 +49,8 @@ const char* name(MotionEvent value) noexcept {
       return "stopped";
     case E::kLiftOff:
       return "lift-off";
+    case E::kRetracting:
+      return "retracting";
     case E::kThrustTimeout:
       return "thrust time-out";
     case E::kTouchdown:

@@ -16,6 +16,7 @@ enum class MotionEvent : std::int8_t {
   kCrouched,
   kStopped,
   kLiftOff,
+  kRetracting,
   kThrustTimeout,
   kTouchdown,
   kFlightTimeout,
@@ -39,7 +40,7 @@ struct MotionTransition {
   const char* reason;  ///< static text for people
 };
 
-using MotionTable = std::array<MotionTransition, 19>;
+using MotionTable = std::array<MotionTransition, 20>;
 const MotionTable& motion_transitions() noexcept;
 
 class MotionStateMachine {

@@ -20,9 +20,13 @@ bool known(JumpMode mode) noexcept {
   return mode == JumpMode::kPosition || mode == JumpMode::kTorque || mode == JumpMode::kHybrid;
 }
 
+/// An estimator that still settles is fine: rising waits for it.
 bool can_stand(const JointState& in) noexcept {
   for (const EstimatedJoint& joint : in.joints) {
-    if (joint.status != JointStatus::kOk && joint.status != JointStatus::kSaturated) return false;
+    const JointStatus status = joint.status;
+    const bool fine =
+        status == JointStatus::kOk || status == JointStatus::kSaturated || status == JointStatus::kStarting;
+    if (!fine) return false;
   }
   for (const EstimatedLeg& leg : in.legs) {
     if (!std::isfinite(leg.estimated_foot_in_hip_m[0])) return false;
@@ -44,18 +48,19 @@ const char* busy(MotionPhase state) noexcept {
 }
 
 /// nullptr: fine.
-const char* jump_mistake(const OperatorCommand& c) noexcept {
+const char* jump_mistake(const OperatorCommand& c, const JumpCurveConfig& curve) noexcept {
   if (!known(c.jump_mode)) return "jump mode must be position, torque or hybrid";
   if (c.jump_count < 1 || c.jump_count > kMostJumps) return "jump count must be 1 to 100";
-  if (std::isnan(jump_scale(c.jump_height_m)))
-    return "jump height must be 0.02 to 0.22 m, or 0 for the robot file's own";
+  if (std::isnan(jump_scale(curve, c.jump_height_m)))
+    return "jump height must be 0.02 m to 1.1 times the robot file's own, or 0 for that";
   return nullptr;
 }
 
 }  // namespace
 
 struct PlannerCore::Impl {
-  Impl(const RobotConfig& robot, const PresetConfig& preset) : motion(robot, preset) {}
+  Impl(const RobotConfig& robot, const PresetConfig& preset)
+      : jump_curve(preset.jump_curve), motion(robot, preset) {}
 
   void step(const JointState& in) noexcept;
   void execute(const OperatorCommand& command, const JointState& in) noexcept;
@@ -83,6 +88,7 @@ struct PlannerCore::Impl {
     request = {};
   }
 
+  const JumpCurveConfig jump_curve;  ///< the robot file's own
   Motion motion;
   OperatorDesk desk;
   Active moving;    ///< stand, jump or sit
@@ -139,8 +145,9 @@ void PlannerCore::Impl::stand(const OperatorCommand& command, const JointState& 
 
 void PlannerCore::Impl::jump(const OperatorCommand& command, const JointState& in) noexcept {
   if (motion.state() != MotionPhase::kStanding) return refuse(command, busy(motion.state()));
-  if (const char* mistake = jump_mistake(command)) return refuse(command, mistake);
-  const JumpRequest request{command.jump_mode, command.jump_count, jump_scale(command.jump_height_m)};
+  if (const char* mistake = jump_mistake(command, jump_curve)) return refuse(command, mistake);
+  const JumpRequest request{command.jump_mode, command.jump_count,
+                            jump_scale(jump_curve, command.jump_height_m)};
   if (motion.jump(in, request)) accept(command, moving);
 }
 

@@ -98,6 +98,7 @@ struct StiffnessConfig {
 struct JumpCurveConfig {
   double duration_s = 0.0;
   std::vector<double> lengths_m;  ///< control points
+  double height_m = 0.0;          ///< that it jumps to, as measured; other heights scale from here
 };
 
 /// Everything that differs between `paper` and `best`.

@@ -86,6 +86,7 @@ JumpCurveConfig read_jump_curve(const YamlMap& map) {
   if (curve.lengths_m.size() < 2 || curve.lengths_m.size() > 17) {
     map.fail("lengths", "expected 2 to 17 control points, found " + std::to_string(curve.lengths_m.size()));
   }
+  curve.height_m = map.quantity("height", "m", 0.01, 2.0);
   map.finish();
   return curve;
 }

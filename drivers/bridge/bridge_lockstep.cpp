@@ -112,10 +112,7 @@ class LockstepBridge {
   }
 
   void run_cycle() {
-    if (state_.stamp.seq == 0) {
-      process_.set_state(ProcessState::kRunning);
-      process_.status().detail.clear();
-    }
+    shell_.follow_start();
     shell_.publish_cycle(state_);
     chain_.begin(wall_us());
     while (!take_command()) {

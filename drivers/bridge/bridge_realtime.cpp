@@ -74,7 +74,7 @@ class RealTimeBridge {
     wait_until(answers_us, [this] { return core_.all_answered(); });
     if (core_.end_sampling(now_us(), state_)) {
       shell_.publish_cycle(state_);
-      follow_start();
+      shell_.follow_start();
       wait_until(deadline_us + cycle_us_, [this] { return shell_.has_command(state_.stamp.seq); });
       if (!shell_.has_command(state_.stamp.seq)) {
         core_.count_missed_cycle();
@@ -85,14 +85,6 @@ class RealTimeBridge {
     core_.emit_setpoints(now_us(), out_);
     send();
     process_.statistics().end_cycle(now_us());
-  }
-
-  void follow_start() {
-    if (!running_) {
-      running_ = true;
-      process_.set_state(ProcessState::kRunning);
-      process_.status().detail.clear();
-    }
   }
 
   void send() {
@@ -162,7 +154,6 @@ class RealTimeBridge {
   std::array<CanFrame, 64> received_{};
   DriveState state_;
   DriveCommand command_;
-  bool running_ = false;
   bool stopping_ = false;
 };
 

@@ -44,6 +44,14 @@ void BridgeShell::publish_cycle(const DriveState& state) {
   process_.status().stamp = state.stamp;
 }
 
+void BridgeShell::follow_start() {
+  const bool waiting = process_.status().state == ProcessState::kReady;
+  if (waiting && core_.safety().level == SafetyLevel::kOperational) {
+    process_.set_state(ProcessState::kRunning);
+    process_.status().detail.clear();
+  }
+}
+
 void BridgeShell::repeat_drive_state() { drive_states_.publish(last_state_); }
 
 void BridgeShell::publish_boot() {

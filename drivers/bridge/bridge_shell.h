@@ -11,10 +11,10 @@
 namespace sprung {
 
 struct BridgeProgramOptions {
-  std::vector<std::string> can;  ///< BUS=ADDRESS, instead of robot.yaml's
+  std::vector<std::string> can;         ///< BUS=ADDRESS, instead of robot.yaml's
   std::vector<std::string> inject_can;  ///< lock-step: faults of the CAN link, see parse_burst_faults
-  std::int64_t cycles = 0;       ///< end after that many, 0 = never
-  double speed = 0.0;            ///< lock-step only: at most so many times real time, 0 = as fast as it goes
+  std::int64_t cycles = 0;              ///< end after that many, 0 = never
+  double speed = 0.0;  ///< lock-step only: at most so many times real time, 0 = as fast as it goes
 };
 
 class BridgeShell {
@@ -22,6 +22,8 @@ class BridgeShell {
   BridgeShell(Process& process, BridgeCore& core);
 
   void publish_cycle(const DriveState& state);
+  /// `running` on PROCESS_STATUS once safety lets the robot move: that is what `sprung up` waits for.
+  void follow_start();
   /// The last DRIVE_STATE again, for whoever lost it or whose answer was lost.
   void repeat_drive_state();
   /// SAFETY_STATE while no cycle runs yet: on change and at 10 Hz of wall time.

@@ -1,5 +1,8 @@
 #include "drivers/can/can_bus.h"
 
+#include <time.h>
+
+#include <algorithm>
 #include <charconv>
 #include <stdexcept>
 
@@ -8,6 +11,14 @@
 #include "drivers/can/udp_bus.h"
 
 namespace sprung {
+
+int CanBus::receive_timed(CanFrame* frames, std::int64_t* arrival_us, int max) noexcept {
+  const int count = receive(frames, max);
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  std::fill_n(arrival_us, count, std::int64_t{now.tv_sec} * 1'000'000 + now.tv_nsec / 1000);
+  return count;
+}
 namespace {
 
 std::unique_ptr<CanBus> open_udp(const std::string& address, const std::string& rest) {

@@ -28,6 +28,9 @@ class CanBus {
   virtual bool send(const CanFrame* frames, int count) noexcept = 0;
   /// @return frames read now, 0..max; never this endpoint's own.
   virtual int receive(CanFrame* frames, int max) noexcept = 0;
+  /// The same with each frame's arrival at the kernel, us on CLOCK_MONOTONIC; back ends without kernel time stamps give the
+  /// time of reading. Sampling jitter is what hurts an encoder's derivative most, and a process wakes up late.
+  virtual int receive_timed(CanFrame* frames, std::int64_t* arrival_us, int max) noexcept;
   /// For poll(), readable when receive() may return something; -1 where there is no such descriptor.
   virtual int fd() const noexcept = 0;
   /// Address for people, e.g. "udp:239.74.163.2:43113".

@@ -2,6 +2,7 @@
 
 #include <arpa/inet.h>
 #include <sys/socket.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -16,6 +17,19 @@ namespace {
 constexpr int kBatch = 32;
 constexpr int kReceiveBuffer_bytes =
     4 << 20;  // what the kernel's limit allows of it: bursts must not be dropped
+
+/// Drop counter and arrival time.
+constexpr std::size_t kControl_bytes = CMSG_SPACE(sizeof(std::uint32_t)) + CMSG_SPACE(sizeof(timespec));
+
+std::int64_t to_us(const timespec& time) noexcept {
+  return std::int64_t{time.tv_sec} * 1'000'000 + time.tv_nsec / 1000;
+}
+
+std::int64_t read_clock_us(clockid_t clock) noexcept {
+  timespec now{};
+  ::clock_gettime(clock, &now);
+  return to_us(now);
+}
 
 [[noreturn]] void fail(const std::string& what) {
   throw std::runtime_error("udp bus: " + what + ": " + std::strerror(errno));
@@ -78,7 +92,8 @@ struct UdpBus::Sockets {
   std::array<iovec, kBatch> vectors{};
   std::array<mmsghdr, kBatch> messages{};
   std::array<sockaddr_in, kBatch> sources{};
-  alignas(cmsghdr) std::array<std::array<char, CMSG_SPACE(sizeof(std::uint32_t))>, kBatch> controls{};
+  alignas(cmsghdr) std::array<std::array<char, kControl_bytes>, kBatch> controls{};
+  std::int64_t utc_offset_us = 0;  ///< CLOCK_REALTIME minus CLOCK_MONOTONIC when the batch was read
 
   Sockets(in_addr group_address, int port) : group(address_of(group_address, port)) {
     open_receiver(group_address);
@@ -90,6 +105,7 @@ struct UdpBus::Sockets {
     set_option(receiver.fd(), SOL_SOCKET, SO_REUSEPORT, 1, "SO_REUSEPORT");
     set_option(receiver.fd(), SOL_SOCKET, SO_RCVBUF, kReceiveBuffer_bytes, "SO_RCVBUF");
     set_option(receiver.fd(), SOL_SOCKET, SO_RXQ_OVFL, 1, "SO_RXQ_OVFL");
+    set_option(receiver.fd(), SOL_SOCKET, SO_TIMESTAMPNS, 1, "SO_TIMESTAMPNS");
     if (::bind(receiver.fd(), reinterpret_cast<const sockaddr*>(&group), sizeof group) != 0)
       fail("cannot bind");
     join(receiver.fd(), group_address);
@@ -171,13 +187,18 @@ bool UdpBus::send_stamped(const StampedFrame* frames, int count) noexcept {
   return done == count;
 }
 
-int UdpBus::receive(CanFrame* frames, int max) noexcept {
+int UdpBus::receive(CanFrame* frames, int max) noexcept { return receive_timed(frames, nullptr, max); }
+
+int UdpBus::receive_timed(CanFrame* frames, std::int64_t* arrival_us, int max) noexcept {
   std::array<StampedFrame, kBatch> stamped;
   int count = 0;
   while (count < max) {
     const int wanted = std::min(kBatch, max - count);
     const int got = receive_stamped(stamped.data(), wanted);
-    for (int i = 0; i < got; ++i) frames[count++] = stamped[static_cast<std::size_t>(i)].frame;
+    for (int i = 0; i < got; ++i, ++count) {
+      frames[count] = stamped[static_cast<std::size_t>(i)].frame;
+      if (arrival_us != nullptr) arrival_us[count] = stamped[static_cast<std::size_t>(i)].arrival_us;
+    }
     if (got < wanted) break;
   }
   return count;
@@ -186,25 +207,42 @@ int UdpBus::receive(CanFrame* frames, int max) noexcept {
 int UdpBus::read_batch(int max) noexcept {
   const int batch = std::min(kBatch, max);
   for (int i = 0; i < batch; ++i) sockets_->prepare(i, true);
+  sockets_->utc_offset_us = read_clock_us(CLOCK_REALTIME) - read_clock_us(CLOCK_MONOTONIC);
   return ::recvmmsg(sockets_->receiver.fd(), sockets_->messages.data(), static_cast<unsigned>(batch),
                     MSG_DONTWAIT, nullptr);
+}
+
+std::int64_t UdpBus::read_controls(int i) noexcept {
+  std::int64_t arrival_us = 0;
+  msghdr& header = sockets_->messages[static_cast<std::size_t>(i)].msg_hdr;
+  for (cmsghdr* c = CMSG_FIRSTHDR(&header); c != nullptr; c = CMSG_NXTHDR(&header, c)) {
+    if (c->cmsg_level != SOL_SOCKET) continue;
+    if (c->cmsg_type == SO_RXQ_OVFL) {
+      std::uint32_t drops = 0;
+      std::memcpy(&drops, CMSG_DATA(c), sizeof drops);
+      counters_.dropped += static_cast<std::uint32_t>(drops - sockets_->kernel_drops);
+      sockets_->kernel_drops = drops;
+    } else if (c->cmsg_type == SCM_TIMESTAMPNS) {
+      timespec arrival{};
+      std::memcpy(&arrival, CMSG_DATA(c), sizeof arrival);
+      arrival_us = to_us(arrival) - sockets_->utc_offset_us;
+    }
+  }
+  return arrival_us;
 }
 
 bool UdpBus::take(int i, StampedFrame& frame) noexcept {
   const auto at = static_cast<std::size_t>(i);
   mmsghdr& message = sockets_->messages[at];
-  for (cmsghdr* c = CMSG_FIRSTHDR(&message.msg_hdr); c != nullptr; c = CMSG_NXTHDR(&message.msg_hdr, c)) {
-    if (c->cmsg_level != SOL_SOCKET || c->cmsg_type != SO_RXQ_OVFL) continue;
-    std::uint32_t drops = 0;
-    std::memcpy(&drops, CMSG_DATA(c), sizeof drops);
-    counters_.dropped += static_cast<std::uint32_t>(drops - sockets_->kernel_drops);
-    sockets_->kernel_drops = drops;
-  }
+  const std::int64_t arrival_us = read_controls(i);
   const sockaddr_in& source = sockets_->sources[at];
   if (source.sin_port == sockets_->own_port && source.sin_addr.s_addr == htonl(INADDR_LOOPBACK)) return false;
-  if (decode_datagram(sockets_->datagrams[at].bytes.data(), message.msg_len, frame)) return true;
-  ++counters_.malformed;
-  return false;
+  if (!decode_datagram(sockets_->datagrams[at].bytes.data(), message.msg_len, frame)) {
+    ++counters_.malformed;
+    return false;
+  }
+  frame.arrival_us = arrival_us;
+  return true;
 }
 
 int UdpBus::receive_stamped(StampedFrame* frames, int max) noexcept {

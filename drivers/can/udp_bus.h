@@ -21,6 +21,7 @@ class UdpBus final : public CanBus {
 
   bool send(const CanFrame* frames, int count) noexcept override;
   int receive(CanFrame* frames, int max) noexcept override;
+  int receive_timed(CanFrame* frames, std::int64_t* arrival_us, int max) noexcept override;
   int fd() const noexcept override;
   std::string describe() const override;
 
@@ -31,6 +32,7 @@ class UdpBus final : public CanBus {
   struct Sockets;
   int read_batch(int max) noexcept;
   bool take(int i, StampedFrame& frame) noexcept;
+  std::int64_t read_controls(int i) noexcept;  ///< counts drops; arrival, us on CLOCK_MONOTONIC
 
   std::string group_;
   int port_ = 0;

@@ -3,6 +3,7 @@
 /// canopen 7.1). Pure; never throws.
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 #include "drivers/can/can_frame.h"
 
@@ -13,6 +14,8 @@ namespace sprung {
 struct StampedFrame {
   CanFrame frame;
   double timestamp = 0.0;
+  std::int64_t arrival_us =
+      0;  ///< of a received one at the kernel, CLOCK_MONOTONIC; not part of the datagram
 };
 
 struct UdpDatagram {

@@ -1,6 +1,7 @@
 #include <poll.h>
 #include <time.h>
 
+#include <algorithm>
 #include <array>
 
 #include "drivers/can/bus_addresses.h"
@@ -12,6 +13,7 @@ namespace sprung {
 namespace {
 
 constexpr std::int64_t kStep_us = 1'000;  // how far the plant may lag behind the clock between frames
+constexpr std::int64_t kLag_us = 300;     // keeps room for a frame that has arrived and was not read yet
 
 class RealTimeSim {
  public:
@@ -32,7 +34,7 @@ class RealTimeSim {
       process_.statistics().begin_cycle(now_us());
       shell_.take_controls();
       receive();
-      advance(now_us());
+      advance(std::max(now_us() - kLag_us, newest_frame_us_));
       shell_.publish();
       process_.statistics().end_cycle(now_us());
       process_.publish_status_if_due();
@@ -54,13 +56,16 @@ class RealTimeSim {
     }
   }
 
+  /// Frames act when they reached the kernel, as they would in a drive, not when this process woke up.
   void receive() {
     for (std::size_t bus = 0; bus < buses_.size(); ++bus) {
+      const int capacity = static_cast<int>(received_.size());
       for (int count = 0;
-           (count = buses_[bus]->receive(received_.data(), static_cast<int>(received_.size()))) > 0;) {
-        const std::int64_t time_us = now_us();
-        for (int i = 0; i < count; ++i) {
-          core_.receive(static_cast<int>(bus), received_[static_cast<std::size_t>(i)], time_us);
+           (count = buses_[bus]->receive_timed(received_.data(), arrivals_us_.data(), capacity)) > 0;) {
+        for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+          const std::int64_t acts_us = arrivals_us_[i] - process_.node().clock().epoch_us();
+          core_.receive(static_cast<int>(bus), received_[i], acts_us);
+          newest_frame_us_ = std::max(newest_frame_us_, acts_us);
         }
       }
     }
@@ -80,6 +85,8 @@ class RealTimeSim {
   std::vector<std::unique_ptr<CanBus>> buses_;
   std::vector<pollfd> fds_;
   std::array<CanFrame, 64> received_{};
+  std::array<std::int64_t, 64> arrivals_us_{};
+  std::int64_t newest_frame_us_ = 0;
   FrameBatch answers_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -17,13 +18,14 @@ class JumpCurveTest : public testing::Test {
 };
 
 TEST_F(JumpCurveTest, ScaleGoesWithTheRootOfTheHeight) {
-  EXPECT_EQ(jump_scale(0.0), 1.0);
-  EXPECT_EQ(jump_scale(kNominalJumpHeight_m), 1.0);
-  EXPECT_NEAR(jump_scale(kNominalJumpHeight_m / 4.0), 0.5, 1e-15);
-  EXPECT_TRUE(std::isnan(jump_scale(0.019)));
-  EXPECT_TRUE(std::isnan(jump_scale(0.221)));
-  EXPECT_TRUE(std::isnan(jump_scale(-0.1)));
-  EXPECT_TRUE(std::isnan(jump_scale(std::nan(""))));
+  const JumpCurveConfig& curve = preset_.jump_curve;
+  EXPECT_EQ(jump_scale(curve, 0.0), 1.0);
+  EXPECT_EQ(jump_scale(curve, curve.height_m), 1.0);
+  EXPECT_NEAR(jump_scale(curve, curve.height_m / 4.0), 0.5, 1e-15);
+  EXPECT_TRUE(std::isnan(jump_scale(curve, 0.019)));
+  EXPECT_TRUE(std::isnan(jump_scale(curve, kHighestJump * curve.height_m + 0.001)));
+  EXPECT_TRUE(std::isnan(jump_scale(curve, -0.1)));
+  EXPECT_TRUE(std::isnan(jump_scale(curve, std::nan(""))));
 }
 
 TEST_F(JumpCurveTest, AtScaleOneItIsTheFilesOwnCurve) {
@@ -39,7 +41,7 @@ TEST_F(JumpCurveTest, AtScaleOneItIsTheFilesOwnCurve) {
 TEST_F(JumpCurveTest, EveryScaleBeginsAtTheCrouchAndEndsAtTheLandingLength) {
   JumpCurve curve(preset_);
   for (double height : {0.02, 0.1, 0.22}) {
-    curve.scale(jump_scale(height));
+    curve.scale(jump_scale(preset_.jump_curve, height));
     EXPECT_NEAR(curve.at(0.0).position_m[2], -0.35, 1e-12);
     EXPECT_NEAR(curve.at(0.2).position_m[2], -0.478, 1e-12);
     EXPECT_NEAR(curve.at(1.0).position_m[2], -0.478, 1e-12);
@@ -50,15 +52,25 @@ TEST_F(JumpCurveTest, EveryAllowedJumpIsWithinTheLegsReach) {
   const double reach = robot_.legs[0].links[0].length_m + robot_.legs[0].links[1].length_m;
   for (const PresetConfig& preset : robot_.presets) {
     JumpCurve curve(preset);
-    curve.scale(jump_scale(kHighestJump_m));
+    curve.scale(jump_scale(preset.jump_curve, kHighestJump * preset.jump_curve.height_m));
     for (double t = 0.0; t <= 0.2; t += 0.001) EXPECT_LT(-curve.at(t).position_m[2], 0.98 * reach);
+  }
+}
+
+TEST_F(JumpCurveTest, LongestLegIsTheTopOfTheScaledCurve) {
+  JumpCurve curve(preset_);
+  for (double factor : {0.4, 1.0}) {
+    curve.scale(factor);
+    double top_m = 0.0;
+    for (double t = 0.0; t <= 0.2; t += 1e-5) top_m = std::max(top_m, -curve.at(t).position_m[2]);
+    EXPECT_NEAR(curve.longest_m(), top_m, 1e-5);
   }
 }
 
 TEST_F(JumpCurveTest, HigherJumpsExtendFaster) {
   JumpCurve low(preset_), high(preset_);
-  low.scale(jump_scale(0.05));
-  high.scale(jump_scale(0.2));
+  low.scale(jump_scale(preset_.jump_curve, 0.05));
+  high.scale(jump_scale(preset_.jump_curve, 0.2));
   EXPECT_LT(high.at(0.08).velocity_m_s[2], low.at(0.08).velocity_m_s[2]);
 }
 

@@ -38,6 +38,16 @@ TEST_F(MotionTest, StandHoldsTheMeasuredFootUntilEveryDriveIsEnabled) {
   EXPECT_EQ(desired().desired_foot_in_hip_m, (Vec3{0.0, 0.0, -preset_.stand_length_m}));
 }
 
+TEST_F(MotionTest, StandWaitsForAnEstimatorThatStillSettles) {
+  state_.joints[0].status = JointStatus::kStarting;
+  send(OperatorKind::kStand);
+  run(0.3);
+  EXPECT_EQ(motion_.state, MotionPhase::kRising);
+  EXPECT_EQ(desired().desired_foot_in_hip_m, state_.legs[0].estimated_foot_in_hip_m);
+  state_.joints[0].status = JointStatus::kOk;
+  EXPECT_NEAR(run_until(MotionPhase::kStanding), preset_.rise_time_s, 0.003);
+}
+
 TEST_F(MotionTest, DrivesThatStayOffEndTheStand) {
   set_enabled(false);
   const std::int64_t id = send(OperatorKind::kStand);
@@ -105,6 +115,32 @@ TEST_F(MotionTest, ContactDuringTheCurveIsNoTouchdown) {
   set_contact(false);
   run(0.3);
   EXPECT_EQ(motion_.state, MotionPhase::kFlight);
+}
+
+TEST_F(MotionTest, LegThatIsDrawnInAgainHasLiftedOff) {
+  stand_up();
+  jump_to(MotionPhase::kThrust);
+  const double longest_m = -state_.legs[0].estimated_foot_in_hip_m[2] + 0.2;
+  for (double length_m = longest_m - 0.2; length_m < longest_m; length_m += 0.002) {
+    set_foot({0.0, 0.0, -length_m});
+    cycle();
+    ASSERT_EQ(motion_.state, MotionPhase::kThrust);
+  }
+  set_foot({0.0, 0.0, -(longest_m - 0.012)});
+  cycle();
+  EXPECT_EQ(motion_.state, MotionPhase::kFlight);
+  EXPECT_STREQ(motion_.last_transition, "lift-off: the leg is drawn in again");
+}
+
+TEST_F(MotionTest, ShortDipEarlyInTheThrustIsNoLiftOff) {
+  stand_up();
+  jump_to(MotionPhase::kThrust);
+  const double crouch_m = preset_.jump_curve.lengths_m.front();
+  for (const double length_m : {crouch_m, crouch_m + 0.03, crouch_m - 0.01}) {
+    set_foot({0.0, 0.0, -length_m});
+    cycle();
+  }
+  EXPECT_EQ(motion_.state, MotionPhase::kThrust);
 }
 
 TEST_F(MotionTest, ThrustWithoutLiftOffEndsInTheLandingAndFailsTheJump) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "planner/jump_curve.h"
 #include "tests/planner/planner_fixture.h"
 #include "tests/support/allocation_count.h"
 
@@ -21,10 +22,10 @@ TEST_F(PlannerCoreTest, JumpIsRefusedUnlessStanding) {
 
 TEST_F(PlannerCoreTest, ImpossibleJumpsAreRefusedWithTheRange) {
   stand_up();
-  for (double height : {0.01, 0.23, -0.1, kNaN}) {
+  for (double height : {0.01, 0.01 + kHighestJump * preset_.jump_curve.height_m, -0.1, kNaN}) {
     const std::int64_t id = send_jump(JumpMode::kHybrid, 1, height);
     cycle();
-    EXPECT_EQ(last_reason(id), "jump height must be 0.02 to 0.22 m, or 0 for the robot file's own");
+    EXPECT_EQ(last_reason(id), "jump height must be 0.02 m to 1.1 times the robot file's own, or 0 for that");
   }
   for (int count : {0, -1, 101}) {
     const std::int64_t id = send_jump(JumpMode::kHybrid, count);
@@ -39,7 +40,7 @@ TEST_F(PlannerCoreTest, ImpossibleJumpsAreRefusedWithTheRange) {
 
 TEST_F(PlannerCoreTest, HeightSetsTheScale) {
   stand_up();
-  send_jump(JumpMode::kTorque, 1, 0.045);
+  send_jump(JumpMode::kTorque, 1, preset_.jump_curve.height_m / 4);
   cycle();
   EXPECT_NEAR(motion_.jump_height_scale, 0.5, 1e-12);
   EXPECT_EQ(motion_.jump_mode, JumpMode::kTorque);
@@ -58,8 +59,7 @@ TEST_F(PlannerCoreTest, StandNeedsSafetyAndReadyJoints) {
   cycle();
   EXPECT_EQ(last_reason(id), "safety is not operational: clear it first");
   state_.safety = SafetyLevel::kOperational;
-  for (JointStatus status :
-       {JointStatus::kStarting, JointStatus::kStale, JointStatus::kNotReferenced, JointStatus::kFault}) {
+  for (JointStatus status : {JointStatus::kStale, JointStatus::kNotReferenced, JointStatus::kFault}) {
     state_.joints[1].status = status;
     id = send(OperatorKind::kStand);
     cycle();
