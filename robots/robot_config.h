@@ -41,7 +41,8 @@ struct ActuatorConfig {
   double speed_limit_rad_s = 0.0;
   double position_stiffness_Nm_rad = 0.0;  ///< drive's position loop, in joint units; the profile converts
   double position_damping_Nm_s_rad = 0.0;
-  double safety_damping_Nm_s_rad = 0.0;  ///< bridge's damping
+  std::uint16_t position_gains_object = 0;  ///< where the drive takes these gains; 0 = its own tuning stays
+  double safety_damping_Nm_s_rad = 0.0;     ///< bridge's damping
 };
 
 struct JointConfig {

@@ -126,6 +126,7 @@ ActuatorConfig read_actuator(const YamlMap& map, const std::vector<BusConfig>& b
   const YamlMap loop = map.map("position_loop");
   a.position_stiffness_Nm_rad = loop.quantity("stiffness", "Nm/rad", 0, 1e5);
   a.position_damping_Nm_s_rad = loop.quantity("damping", "Nm s/rad", 0, 1e4);
+  a.position_gains_object = static_cast<std::uint16_t>(loop.integer("object", 0, 0xFFFF));
   loop.finish();
   a.safety_damping_Nm_s_rad = map.quantity("safety_damping", "Nm s/rad", 0, 1000);
   map.finish();

@@ -1,12 +1,14 @@
 #include <poll.h>
 #include <time.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "drivers/bridge/bridge_shell.h"
 #include "drivers/can/bus_addresses.h"
 #include "drivers/can/can_bus.h"
+#include "drivers/canopen/protocol.h"
 #include "runtime/log.h"
 #include "runtime/stop_request.h"
 
@@ -94,6 +96,12 @@ class RealTimeBridge {
         if (frame.bus == static_cast<int>(bus)) {
           sending_[static_cast<std::size_t>(count++)] = frame.frame;
         }
+      }
+      // The queue to the bus is first in, first out: SYNC must not wait behind heartbeats, its jitter is the encoders' noise.
+      const auto sent = sending_.begin() + count;
+      const auto sync = std::find_if(sending_.begin(), sent, [](const CanFrame& f) { return f.id == canopen::kSyncId; });
+      if (sync != sent) {
+        std::rotate(sending_.begin(), sync, sync + 1);
       }
       if (count > 0) {
         buses_[bus]->send(sending_.data(), count);

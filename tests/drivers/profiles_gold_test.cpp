@@ -76,6 +76,14 @@ TEST(GoldSettings, ImpossibleActuatorsAreRefused) {
   EXPECT_THROW(gold::GoldProfile(config, kTiming).settings(), std::invalid_argument);
 }
 
+TEST(GoldSettings, GainsAreWrittenOnlyWhereTheDriveHasAnObjectForThem) {
+  ActuatorConfig config = actuator();
+  config.position_gains_object = 0x2F01;
+  const std::size_t with = gold::GoldProfile(config, kTiming).settings().size();
+  config.position_gains_object = 0;
+  EXPECT_EQ(gold::GoldProfile(config, kTiming).settings().size() + 2, with);
+}
+
 TEST(GoldPdos, EveryPdoIsMappedOrDisabled) {
   const gold::GoldProfile profile(actuator(), kTiming);
   int transmit = 0, disabled = 0;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <poll.h>
 
+#include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
 
@@ -22,8 +23,10 @@ class Witness {
  public:
   Witness(const RunInfo& info, std::size_t actuators, std::size_t legs)
       : drive_states_(DriveState(actuators)),
+        drive_commands_(DriveCommand(actuators)),
         node_(NodeOptions{info.lcm_url, info.session, info.epoch_us, {}}) {
     node_.subscribe(channels::kDriveState, CountLimits::exactly(actuators), drive_states_);
+    node_.subscribe(channels::kDriveCommand, CountLimits::exactly(actuators), drive_commands_);
     node_.subscribe_message(channels::kSafetyState, CountLimits::none(), safeties_);
     node_.subscribe_message(channels::kMotionState, CountLimits::exactly(legs), motions_);
     node_.start();
@@ -55,6 +58,12 @@ class Witness {
     }
     return true;
   }
+  bool all_commanded(DriveMode mode) const {
+    DriveCommand command;
+    return drive_commands_.newest(command) &&
+           std::all_of(command.actuators.begin(), command.actuators.end(),
+                       [&](const ActuatorCommand& actuator) { return actuator.mode == mode; });
+  }
   bool saw(SafetyLevel level) const { return std::find(levels.begin(), levels.end(), level) != levels.end(); }
 
   std::vector<SafetyLevel> levels;
@@ -65,6 +74,7 @@ class Witness {
 
  private:
   Slot<DriveState> drive_states_;
+  Slot<DriveCommand> drive_commands_;
   InputQueue<sprung_msgs::safety_state_t> safeties_{4096};
   InputQueue<sprung_msgs::motion_state_t> motions_{1 << 16};
   Node node_;
@@ -96,6 +106,25 @@ TEST_P(Kill, DeadControllerIsDampedThenOffAndStaysOff) {
     witness.look();
     ASSERT_FALSE(witness.enabled) << "something switched the drives on again";
   }
+  EXPECT_NE(sprung("stand").status, 0);
+}
+
+TEST_P(Kill, DeadPlannerLeavesADampedRobot) {
+  up(GetParam(), pace());
+  Witness witness(info(), robot_.actuators.size(), robot_.legs.size());
+  jump_into(witness);
+  kill_program("sprung-motion-planner");
+  EXPECT_TRUE(witness.until([&] { return witness.all_commanded(DriveMode::kDamping); })) << "never damped";
+  EXPECT_NE(sprung("stand").status, 0);
+}
+
+TEST_P(Kill, DeadEstimatorIsDampedAndNothingMovesAgain) {
+  up(GetParam(), pace());
+  Witness witness(info(), robot_.actuators.size(), robot_.legs.size());
+  jump_into(witness);
+  kill_program("sprung-torque-estimator");
+  EXPECT_TRUE(witness.until(
+      [&] { return witness.saw(SafetyLevel::kDamping) || witness.all_commanded(DriveMode::kDamping); }));
   EXPECT_NE(sprung("stand").status, 0);
 }
 

@@ -91,15 +91,16 @@ int CycleCollector::collect(const CycleObserver& on_cycle, const ReplyObserver& 
     if (first->second.parts != kEveryPart && !hopeless) {
       break;
     }
+    const bool joined_inside = next_ < 0 && first->second.parts != kEveryPart;
     if (next_ >= 0) {
       lost_ += first->first - next_;
     }
-    next_ = first->first + 1;
+    next_ = joined_inside ? -1 : first->first + 1;
     if (first->second.parts == kEveryPart) {
       const Cycle& c = first->second;
       on_cycle({c.drive_state, c.joint_state, c.motion_state, c.drive_command, c.truth});
       ++handed_over;
-    } else {
+    } else if (!joined_inside) {
       ++lost_;
     }
     pending_.erase(first);

@@ -93,7 +93,7 @@ std::vector<DriveSetting> GoldProfile::settings() const {
   const InterpolationPeriod period = interpolation_period(timing_.cycle_s);
   const std::uint32_t consumer =
       to_object(1e3 * timing_.heartbeat_consumer_s, actuator_, "heartbeat consumer time");
-  return {
+  std::vector<DriveSetting> settings = {
       u16({canopen::kHeartbeatProducer, 0},
           to_object(1e3 * timing_.heartbeat_s, actuator_, "heartbeat period")),
       u32({canopen::kHeartbeatConsumer, 1},
@@ -107,13 +107,20 @@ std::vector<DriveSetting> GoldProfile::settings() const {
       u8({canopen::kInterpolationPeriod, 1}, period.value),
       i8({canopen::kInterpolationPeriod, 2}, period.exponent),
       u32({canopen::kSyncPeriod, 0}, to_object(1e6 * timing_.cycle_s, actuator_, "cycle")),
-      u32({canopen::kPositionGains, kStiffnessSub},
-          to_object(actuator_.position_stiffness_Nm_rad / kStiffnessUnit_Nm_rad, actuator_,
-                    "position stiffness")),
-      u32({canopen::kPositionGains, kDampingSub},
-          to_object(actuator_.position_damping_Nm_s_rad / kDampingUnit_Nm_s_rad, actuator_,
-                    "position damping")),
   };
+  add_position_gains(settings);
+  return settings;
+}
+
+void GoldProfile::add_position_gains(std::vector<DriveSetting>& settings) const {
+  const std::uint16_t object = actuator_.position_gains_object;
+  if (object == 0) return;
+  settings.push_back(
+      u32({object, kStiffnessSub}, to_object(actuator_.position_stiffness_Nm_rad / kStiffnessUnit_Nm_rad,
+                                             actuator_, "position stiffness")));
+  settings.push_back(u32(
+      {object, kDampingSub},
+      to_object(actuator_.position_damping_Nm_s_rad / kDampingUnit_Nm_s_rad, actuator_, "position damping")));
 }
 
 std::vector<PdoSetting> GoldProfile::pdos() const {

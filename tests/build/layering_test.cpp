@@ -1,0 +1,106 @@
+/// Cores take values and a time and return values and a status. With LCM in /usr/include a wrong include still compiles, so the
+/// walls between cores and shells are checked here, by reading the sources.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <string>
+#include <vector>
+
+namespace sprung {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Folders whose files are cores, and the files in them that are shells.
+const std::vector<std::string> kCoreFolders = {
+    "signals",        "estimator",        "controller",     "planner",     "drivers/canopen",
+    "drivers/cia402", "drivers/profiles", "drivers/bridge", "drivers/sim", "tools/inprocess"};
+const std::regex kShell(R"((_main|_shell|_lockstep|_realtime)\.(h|cpp)$)");
+const std::regex kMessages(R"(signals/messages|signals/message_fields)");
+
+/// What would bring a clock, a socket, a log, a thread or LCM into a core.
+const std::regex kForbidden(
+    R"(#include\s+[<"](lcm/|spdlog/|CLI/|runtime/|chrono|thread|mutex|condition_variable|sys/socket|sys/time|time\.h|ctime|poll\.h|unistd\.h|iostream|fstream|random|drivers/can/(can_bus|udp_bus|socketcan_bus|lockstep_link)))");
+const std::regex kMessageHeader(R"(#include\s+[<"]sprung_msgs/)");
+/// The plant's and the robot's files are read once, when a core is built.
+const std::regex kReadsFiles(R"((sim_config|plant_model|plant|foot_contact)\.(h|cpp)$)");
+
+bool is_source(const fs::path& path) { return path.extension() == ".h" || path.extension() == ".cpp"; }
+
+std::vector<fs::path> cores() {
+  std::vector<fs::path> found;
+  for (const std::string& folder : kCoreFolders) {
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(SPRUNG_SOURCE_DIR) / folder)) {
+      if (is_source(entry.path()) && !std::regex_search(entry.path().string(), kShell))
+        found.push_back(entry.path());
+    }
+  }
+  return found;
+}
+
+/// Lines of a file that match.
+std::string lines_with(const fs::path& path, const std::regex& pattern) {
+  std::ifstream in(path);
+  std::string line, found;
+  for (int number = 1; std::getline(in, line); ++number) {
+    if (std::regex_search(line, pattern))
+      found += path.string() + ":" + std::to_string(number) + ": " + line + "\n";
+  }
+  return found;
+}
+
+TEST(Layering, ThereAreCoresToCheck) { EXPECT_GT(cores().size(), 100u); }
+
+TEST(Layering, NoCoreReachesTransportClockLogOrThreads) {
+  std::string found;
+  for (const fs::path& path : cores()) {
+    if (!std::regex_search(path.string(), kReadsFiles)) found += lines_with(path, kForbidden);
+  }
+  EXPECT_EQ(found, "");
+}
+
+TEST(Layering, OnlyTheConversionsKnowMessages) {
+  std::string found;
+  for (const fs::path& path : cores()) {
+    if (!std::regex_search(path.string(), kMessages)) found += lines_with(path, kMessageHeader);
+  }
+  EXPECT_EQ(found, "");
+}
+
+TEST(Layering, OnlySimulationReadsThePlant) {
+  const std::regex plant(R"(sim\.yaml|model\.xml|drivers/sim/)");
+  std::string found;
+  for (const char* folder :
+       {"estimator", "controller", "planner", "drivers/bridge", "drivers/profiles", "runtime", "robots"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(SPRUNG_SOURCE_DIR) / folder)) {
+      if (is_source(entry.path())) found += lines_with(entry.path(), plant);
+    }
+  }
+  found = std::regex_replace(found, std::regex(R"([^\n]*: *//[^\n]*\n)"), "");  // comments may name it
+  EXPECT_EQ(found, "");
+}
+
+TEST(Layering, HeavyHeadersStayInOneFile) {
+  const std::vector<std::pair<std::string, std::string>> owners = {
+      {R"(#include\s+<CLI/)", "runtime/command_line.cpp"},
+      {R"(#include\s+<spdlog/)", "runtime/log.cpp"},
+      {R"(#include\s+<yaml-cpp/)", "robots/yaml_reader.cpp"},
+      {R"(#include\s+<msgpack)", "drivers/can/udp_datagram.cpp"}};
+  for (const auto& [pattern, owner] : owners) {
+    for (const char* folder :
+         {"runtime", "robots", "drivers", "estimator", "controller", "planner", "tools", "signals"}) {
+      for (const auto& entry : fs::recursive_directory_iterator(fs::path(SPRUNG_SOURCE_DIR) / folder)) {
+        const bool owns = entry.path() == fs::path(SPRUNG_SOURCE_DIR) / owner;
+        if (is_source(entry.path()) && !owns) {
+          EXPECT_EQ(lines_with(entry.path(), std::regex(pattern)), "");
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace sprung
