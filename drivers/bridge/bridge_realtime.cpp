@@ -8,6 +8,7 @@
 #include "drivers/bridge/bridge_shell.h"
 #include "drivers/can/bus_addresses.h"
 #include "drivers/can/can_bus.h"
+#include "drivers/can/can_errors.h"
 #include "drivers/canopen/protocol.h"
 #include "runtime/log.h"
 #include "runtime/stop_request.h"
@@ -71,8 +72,9 @@ class RealTimeBridge {
     shell_.serve_operators(now_us());
     core_.begin_tick(now_us(), out_);
     send();
+    const auto window_us = static_cast<std::int64_t>(kAnswerShare * static_cast<double>(cycle_us_));
     const std::int64_t answers_us =
-        deadline_us + static_cast<std::int64_t>(kAnswerShare * static_cast<double>(cycle_us_));
+        std::max(deadline_us, now_us()) + window_us;  // in full also after a late start
     wait_until(answers_us, [this] { return core_.all_answered(); });
     if (core_.end_sampling(now_us(), state_)) {
       shell_.publish_cycle(state_);
@@ -99,12 +101,14 @@ class RealTimeBridge {
       }
       // The queue to the bus is first in, first out: SYNC must not wait behind heartbeats, its jitter is the encoders' noise.
       const auto sent = sending_.begin() + count;
-      const auto sync = std::find_if(sending_.begin(), sent, [](const CanFrame& f) { return f.id == canopen::kSyncId; });
+      const auto sync =
+          std::find_if(sending_.begin(), sent, [](const CanFrame& f) { return f.id == canopen::kSyncId; });
       if (sync != sent) {
         std::rotate(sending_.begin(), sync, sync + 1);
       }
-      if (count > 0) {
-        buses_[bus]->send(sending_.data(), count);
+      if (count > 0 && !buses_[bus]->send(sending_.data(), count)) {
+        core_.receive(static_cast<int>(bus), bus_lost_frame(),
+                      now_us());  // ENOBUFS or link down: design section 8
       }
     }
     shell_.trace(out_, true, now_us());

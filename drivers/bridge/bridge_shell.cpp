@@ -9,6 +9,7 @@ namespace sprung {
 namespace {
 
 constexpr std::int64_t kSafetyInterval_us = 100'000;
+constexpr std::uint32_t kErrorFlag = 0x20000000;  // as SocketCAN marks error frames
 constexpr std::size_t kTraceCapacity =
     256;  // CAN_TRACE's own limit: four buses of 15 frames a cycle fit four times
 
@@ -36,12 +37,20 @@ void BridgeShell::publish_cycle(const DriveState& state) {
   last_state_ = state;
   drive_states_.publish(state);
   publish_safety_if_due(state.stamp.utime_us);
-  trace_.utime = state.stamp.utime_us;
-  trace_.seq = state.stamp.seq;
+  publish_trace(state.stamp);
+  process_.status().stamp = state.stamp;
+}
+
+void BridgeShell::publish_trace(const Stamp& stamp) {
+  trace_.utime = stamp.utime_us;
+  trace_.seq = stamp.seq;
   trace_.n = static_cast<std::int32_t>(trace_.frames.size());
   process_.node().publish_message(channels::kCanTrace, trace_);
   trace_.frames.clear();
-  process_.status().stamp = state.stamp;
+  if (trace_lost_ > reported_lost_) {
+    process_.status().detail = "CAN_TRACE is full: " + std::to_string(trace_lost_) + " frames not in it";
+    reported_lost_ = trace_lost_;
+  }
 }
 
 void BridgeShell::follow_start() {
@@ -57,7 +66,9 @@ void BridgeShell::repeat_drive_state() { drive_states_.publish(last_state_); }
 void BridgeShell::publish_boot() {
   publish_safety_if_due(process_.node().utime_us());
   process_.status().detail = core_.boot_detail();
-  trace_.frames.clear();  // CAN_TRACE has one message a cycle, and there is none yet
+  if (!trace_.frames.empty()) {
+    publish_trace(Stamp{trace_.frames.front().utime, -1});
+  }
 }
 
 void BridgeShell::publish_safety_if_due(std::int64_t now_us) {
@@ -79,13 +90,12 @@ void BridgeShell::trace(const FrameBatch& frames, bool sent, std::int64_t time_u
 void BridgeShell::trace(int bus, const CanFrame& frame, bool sent, std::int64_t time_us) {
   if (trace_.frames.size() == kTraceCapacity) {
     ++trace_lost_;
-    process_.status().detail = "CAN_TRACE is full: " + std::to_string(trace_lost_) + " frames not in it";
     return;
   }
   trace_.frames.emplace_back();
   sprung_msgs::traced_frame_t& traced = trace_.frames.back();
   traced.utime = time_us;
-  traced.can_id = static_cast<std::int32_t>(frame.id);
+  traced.can_id = static_cast<std::int32_t>(frame.id | (frame.error ? kErrorFlag : 0u));
   traced.bus = static_cast<std::int8_t>(bus);
   traced.sent = sent ? 1 : 0;
   traced.dlc = static_cast<std::int8_t>(frame.length);
@@ -102,7 +112,8 @@ void BridgeShell::serve_operators(std::int64_t time_us) {
 }
 
 bool BridgeShell::take_command(DriveCommand& out) {
-  if (!commands_.newest(out) || out.stamp.seq <= last_command_seq_) {
+  // A controller that outlived an earlier bridge may still send that one's cycles.
+  if (!commands_.newest_at_or_before(last_state_.stamp.seq, out) || out.stamp.seq <= last_command_seq_) {
     return false;
   }
   last_command_seq_ = out.stamp.seq;

@@ -38,6 +38,7 @@ class BridgeShell {
 
  private:
   void publish_safety_if_due(std::int64_t now_us);
+  void publish_trace(const Stamp& stamp);
 
   Process& process_;
   BridgeCore& core_;
@@ -52,6 +53,7 @@ class BridgeShell {
   std::int64_t next_safety_us_ = 0;
   std::int64_t last_command_seq_ = -1;
   std::int64_t trace_lost_ = 0;
+  std::int64_t reported_lost_ = 0;
 };
 
 int run_bridge_lockstep(Process& process, const BridgeProgramOptions& options);

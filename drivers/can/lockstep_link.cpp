@@ -1,8 +1,13 @@
 #include "drivers/can/lockstep_link.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace sprung {
+
+namespace {
+constexpr std::size_t kOutsiders = 64;
+}
 
 LockstepLink::LockstepLink(std::unique_ptr<UdpBus> bus, std::vector<BurstFault> faults)
     : bus_(std::move(bus)), faults_(std::move(faults)) {
@@ -66,12 +71,15 @@ void LockstepLink::resend() noexcept {
   bus_->send_stamped(stored_.data(), static_cast<int>(stored_.size()));
 }
 
+std::vector<CanFrame> LockstepLink::take_outsiders() noexcept { return std::exchange(outsiders_, {}); }
+
 LinkEvent LockstepLink::poll() noexcept {
   StampedFrame stamped;
   while (bus_->receive_stamped(&stamped, 1) == 1) {
     BurstStamp stamp;
     if (!decode_stamp(stamped.timestamp, stamp)) {
       ++counters_.unstamped;
+      if (outsiders_.size() < kOutsiders) outsiders_.push_back(stamped.frame);
       continue;
     }
     const BurstEvent event = assembler_.add(stamp, stamped.frame);

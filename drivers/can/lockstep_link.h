@@ -48,6 +48,10 @@ class LockstepLink {
   /// A plain frame outside any burst, for tools and for drives whose master is gone.
   void send_unstamped(const CanFrame& frame) noexcept { bus_->send(&frame, 1); }
 
+  /// Plain frames of others since the last call, the first 64: they are no part of a lock-step run, but drives whose master is
+  /// gone may answer them.
+  std::vector<CanFrame> take_outsiders() noexcept;
+
   /// Reads what has come in, up to the first event; call until kNothing. Never blocks; wait with poll() on
   /// fd().
   LinkEvent poll() noexcept;
@@ -72,6 +76,7 @@ class LockstepLink {
   std::vector<StampedFrame> stored_;  ///< last burst sent
   BurstAssembler assembler_;
   std::vector<CanFrame> received_;
+  std::vector<CanFrame> outsiders_;
   LinkCounters counters_;
 };
 

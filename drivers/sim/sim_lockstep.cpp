@@ -109,10 +109,18 @@ class LockstepSim {
     if (!running_free_) {
       running_free_ = true;
       free_us_ = tick_ * cycle_us_;
+      for (LockstepLink& link : links_) {
+        (void)link.take_outsiders();  // of the time when there was a master
+      }
       process_.status().detail = "no SYNC for a second: time goes on by the wall clock";
       log_warn(process_.status().detail);
     }
     free_us_ += kFreeStep_us;
+    for (std::size_t bus = 0; bus < links_.size(); ++bus) {
+      for (const CanFrame& frame : links_[bus].take_outsiders()) {
+        core_.receive(static_cast<int>(bus), frame, free_us_);
+      }
+    }
     advance(free_us_);
     for (const BusFrame& frame : answers_) {
       links_[static_cast<std::size_t>(frame.bus)].send_unstamped(frame.frame);

@@ -100,6 +100,10 @@ TEST(LockstepLink, FramesOfOtherToolsAreIgnoredAndCounted) {
   tool.send(&frame, 1);
   EXPECT_EQ(wait_event(drives, 50), LinkEvent::kNothing);
   EXPECT_EQ(drives.counters().unstamped, 1);
+  const std::vector<CanFrame> outsiders = drives.take_outsiders();
+  ASSERT_EQ(outsiders.size(), 1u);
+  EXPECT_EQ(outsiders[0].id, frame.id);
+  EXPECT_TRUE(drives.take_outsiders().empty());
 }
 
 TEST(LockstepLink, BurstBeyondTheLimitIsCutAndCounted) {

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "drivers/can/can_bus.h"
-#include "drivers/canopen/protocol.h"
+#include "drivers/cia402/words.h"
 #include "lcmtypes/channels.h"
 #include "runtime/node.h"
 #include "tests/system/system_fixture.h"
@@ -128,29 +128,87 @@ TEST_P(Kill, DeadEstimatorIsDampedAndNothingMovesAgain) {
   EXPECT_NE(sprung("stand").status, 0);
 }
 
-TEST_P(Kill, DeadBridgeIsNoticedByTheDrivesThemselves) {
+TEST_P(Kill, DeadPlannerOfAnIdleRobotSwitchesNothingOn) {
+  up(GetParam(), pace());
+  Witness witness(info(), robot_.actuators.size(), robot_.legs.size());
+  kill_program("sprung-motion-planner");
+  for (int i = 0; i < 100; ++i) {
+    witness.look();
+    ASSERT_FALSE(witness.enabled);
+  }
+  ASSERT_EQ(sprung("estop").status, 0);
+  ASSERT_EQ(sprung("clear").status, 0);
+  for (int i = 0; i < 100; ++i) {
+    witness.look();
+    ASSERT_FALSE(witness.enabled) << "clear switched the drives on";
+  }
+}
+
+/// What a drive says on the bus when its master is gone.
+class BusWitness {
+ public:
+  BusWitness(const std::string& address, const RobotConfig& robot)
+      : bus_(open_can_bus(address)),
+        robot_(robot),
+        emergency_(robot.actuators.size(), 0),
+        status_(robot.actuators.size(), -1) {}
+
+  /// Waits for every drive's heartbeat emergency, then asks each for its status word.
+  bool every_drive_gave_up() {
+    return until([&] { return std::count(emergency_.begin(), emergency_.end(), 0x8130) == drives(); });
+  }
+  bool every_drive_is_off() {
+    return until([&] {
+      ask_status();
+      return std::all_of(status_.begin(), status_.end(), [](int word) {
+        return word >= 0 &&
+               cia402::decode_status(static_cast<std::uint16_t>(word)) != PowerState::kOperationEnabled;
+      });
+    });
+  }
+
+ private:
+  std::ptrdiff_t drives() const { return static_cast<std::ptrdiff_t>(robot_.actuators.size()); }
+  void ask_status() {
+    for (const ActuatorConfig& actuator : robot_.actuators) {
+      const CanFrame question{0x600u + static_cast<unsigned>(actuator.node), 8, {0x40, 0x41, 0x60, 0x00}};
+      bus_->send(&question, 1);
+    }
+  }
+  template <class Condition>
+  bool until(Condition condition) {
+    const auto end = Clock::now() + std::chrono::seconds(30);
+    while (!condition()) {
+      if (Clock::now() > end) return false;
+      pollfd fd{bus_->fd(), POLLIN, 0};
+      poll(&fd, 1, 50);
+      for (CanFrame frame; bus_->receive(&frame, 1) == 1;) take(frame);
+    }
+    return true;
+  }
+  void take(const CanFrame& frame) {
+    for (std::size_t i = 0; i < emergency_.size(); ++i) {
+      const auto node = static_cast<unsigned>(robot_.actuators[i].node);
+      if (frame.id == 0x80u + node) emergency_[i] = frame.data[0] | frame.data[1] << 8;
+      const bool answer = frame.id == 0x580u + node && frame.data[1] == 0x41 && frame.data[2] == 0x60;
+      if (answer) status_[i] = frame.data[4] | frame.data[5] << 8;
+    }
+  }
+
+  std::unique_ptr<CanBus> bus_;
+  const RobotConfig& robot_;
+  std::vector<int> emergency_;
+  std::vector<int> status_;
+};
+
+TEST_P(Kill, DeadBridgeIsNoticedByTheDrivesWhichSwitchOff) {
   up(GetParam(), pace());
   Witness witness(info(), robot_.actuators.size(), robot_.legs.size());
   jump_into(witness);
-  const std::unique_ptr<CanBus> bus = open_can_bus(can_address());
+  BusWitness drives(can_address(), robot_);
   kill_program("sprung-can-bridge");
-  std::vector<bool> gave_up(robot_.actuators.size(), false);
-  const auto end = Clock::now() + std::chrono::seconds(30);
-  while (std::find(gave_up.begin(), gave_up.end(), false) != gave_up.end() && Clock::now() < end) {
-    pollfd fd{bus->fd(), POLLIN, 0};
-    poll(&fd, 1, 100);
-    CanFrame frame;
-    while (bus->receive(&frame, 1) == 1) {
-      for (std::size_t i = 0; i < gave_up.size(); ++i) {
-        const bool emergency = frame.id == 0x80u + static_cast<unsigned>(robot_.actuators[i].node);
-        const int code = frame.data[0] | frame.data[1] << 8;
-        gave_up[i] = gave_up[i] || (emergency && code == 0x8130);  // heartbeat lost, facts canopen 2.5
-      }
-    }
-  }
-  for (std::size_t i = 0; i < gave_up.size(); ++i) {
-    EXPECT_TRUE(gave_up[i]) << robot_.actuators[i].name << " sent no heartbeat emergency";
-  }
+  EXPECT_TRUE(drives.every_drive_gave_up()) << "no EMCY 0x8130, heartbeat lost";
+  EXPECT_TRUE(drives.every_drive_is_off());
 }
 
 INSTANTIATE_TEST_SUITE_P(BothClocks, Kill, testing::Values("lockstep", "realtime"),

@@ -34,7 +34,7 @@ TEST_F(Operator, HelpHasAnExample) {
        {"up", "down", "stand", "jump", "stop", "estop", "clear", "status", "record", "experiment jump"}) {
     const CommandResult result = sprung(std::string(command) + " --help");
     EXPECT_EQ(result.status, 0) << command;
-    EXPECT_THAT(result.output, HasSubstr(std::string("sprung ") + command)) << command;
+    EXPECT_THAT(result.output, HasSubstr("xample")) << command;
   }
 }
 

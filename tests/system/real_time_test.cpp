@@ -34,7 +34,19 @@ TEST_F(RealTime, LegJumpsFromTheCommandLine) {
   ASSERT_EQ(sprung("stand").status, 0);
   const CommandResult jump = sprung("jump --report");
   EXPECT_EQ(jump.status, 0) << jump.output;
-  EXPECT_THAT(jump.output, testing::HasSubstr("upright"));
+  EXPECT_THAT(jump.output, testing::HasSubstr("  yes\n"));
+}
+
+TEST_F(RealTime, EmergencyStopInAJumpIsLatched) {
+  up("realtime");
+  ASSERT_EQ(sprung("stand").status, 0);
+  ASSERT_EQ(sprung("jump --no-wait").status, 0);
+  const CommandResult estop = sprung("estop");
+  EXPECT_EQ(estop.status, 0) << estop.output;
+  const auto json = nlohmann::json::parse(sprung("status --json").output);
+  EXPECT_EQ(json["safety"]["state"], "disabled");
+  EXPECT_EQ(json["safety"]["cause"], "emergency stop");
+  EXPECT_NE(sprung("stand").status, 0);
 }
 
 }  // namespace

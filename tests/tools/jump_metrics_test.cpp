@@ -73,6 +73,14 @@ TEST_F(JumpMetricsTest, UnfinishedJumpHasNoHeight) {
   EXPECT_TRUE(std::isnan(metrics_.jumps()[0].height_mm));
 }
 
+TEST_F(JumpMetricsTest, LegThatNeverLandsHasNoLandingTorque) {
+  cycle(MotionPhase::kStanding, 0.40, 50);
+  for (int i = 0; i < 100; ++i) cycle(MotionPhase::kThrust, 0.35 + 0.001 * i, i < 80 ? 150 : 0, 40.0);
+  EXPECT_DOUBLE_EQ(metrics_.jumps()[0].peak_knee_torque_Nm, 40.0);
+  EXPECT_TRUE(std::isnan(metrics_.jumps()[0].landing_knee_torque_Nm));
+  EXPECT_TRUE(std::isnan(metrics_.jumps()[0].landing_knee_output_torque_Nm));
+}
+
 TEST_F(JumpMetricsTest, ShortHopIsNoFlight) {
   jump(10);
   EXPECT_TRUE(std::isnan(metrics_.jumps()[0].touchdown_time_ms));

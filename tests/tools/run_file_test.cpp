@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -14,7 +15,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-class RunFile : public testing::Test {
+class RunFileTest : public testing::Test {
  protected:
   void SetUp() override {
     folder_ = std::filesystem::temp_directory_path() / ("sprung_run_" + std::to_string(getpid()));
@@ -36,8 +37,9 @@ class RunFile : public testing::Test {
   std::filesystem::path folder_;
 };
 
-TEST_F(RunFile, WhatIsWrittenIsReadBack) {
-  write_run_file(sample());
+TEST_F(RunFileTest, WhatIsWrittenIsReadBack) {
+  RunFile file("default");
+  file.write(sample());
   const auto info = read_run_file("default");
   ASSERT_TRUE(info);
   EXPECT_EQ(info->robot, "single_leg");
@@ -46,37 +48,63 @@ TEST_F(RunFile, WhatIsWrittenIsReadBack) {
   EXPECT_EQ(info->processes[0].pid, 12);
 }
 
-TEST_F(RunFile, NothingRunningSaysHowToStart) {
+TEST_F(RunFileTest, NothingRunningSaysHowToStart) {
   EXPECT_THAT([] { require_running("default", ""); },
               testing::ThrowsMessage<NotRunning>(
                   AllOf(HasSubstr("no robot is up"), HasSubstr("sprung up single_leg --sim"))));
 }
 
-TEST_F(RunFile, AnotherRobotIsNamed) {
-  write_run_file(sample());
+TEST_F(RunFileTest, AnotherRobotIsNamed) {
+  RunFile file("default");
+  file.write(sample());
   EXPECT_EQ(require_running("default", "single_leg").robot, "single_leg");
   EXPECT_THAT([] { require_running("default", "pegasus"); },
               testing::ThrowsMessage<NotRunning>(HasSubstr("robot single_leg is up, not pegasus")));
 }
 
-TEST_F(RunFile, FileOfADeadLauncherIsNoRun) {
-  RunInfo info = sample();
-  info.launcher_pid = 0x3FFFFFFF;
-  write_run_file(info);
-  EXPECT_FALSE(read_run_file("default"));
-  EXPECT_FALSE(std::filesystem::exists(run_file_path("default")));
+TEST_F(RunFileTest, SecondLauncherIsRefusedAndTheFirstStaysKnown) {
+  RunFile file("default");
+  file.write(sample());
+  EXPECT_THAT([] { RunFile second("default"); },
+              testing::ThrowsMessage<std::runtime_error>(HasSubstr("robot single_leg is up already")));
+  EXPECT_TRUE(read_run_file("default"));
 }
 
-TEST_F(RunFile, BrokenFileIsNoRun) {
-  write_run_file(sample());
+TEST_F(RunFileTest, EndOfTheLauncherEndsTheRun) {
+  { RunFile(std::string("default")).write(sample()); }
+  EXPECT_FALSE(read_run_file("default"));
+  RunFile next("default");
+  EXPECT_FALSE(read_run_file("default"));  // nothing written yet
+}
+
+TEST_F(RunFileTest, DeathOfTheLauncherEndsTheRunThoughItsFileStays) {
+  const pid_t child = fork();
+  if (child == 0) {
+    RunFile file("default");
+    file.write(sample());
+    _exit(0);  // no destructor, as after SIGKILL
+  }
+  waitpid(child, nullptr, 0);
+  EXPECT_TRUE(std::filesystem::exists(run_file_path("default")));
+  EXPECT_FALSE(read_run_file("default"));
+  RunFile next("default");
+  next.write(sample());
+  EXPECT_TRUE(read_run_file("default"));
+}
+
+TEST_F(RunFileTest, BrokenFileIsNoRunAndIsNotRemoved) {
+  RunFile file("default");
+  file.write(sample());
   std::ofstream(run_file_path("default")) << "{\"instance\": 3";
   EXPECT_FALSE(read_run_file("default"));
+  EXPECT_TRUE(std::filesystem::exists(run_file_path("default")));
 }
 
-TEST_F(RunFile, InstancesAreApart) {
+TEST_F(RunFileTest, InstancesAreApart) {
+  RunFile file("second");
   RunInfo info = sample();
   info.instance = "second";
-  write_run_file(info);
+  file.write(info);
   EXPECT_FALSE(read_run_file("default"));
   EXPECT_TRUE(read_run_file("second"));
 }

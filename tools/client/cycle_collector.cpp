@@ -7,7 +7,7 @@ namespace sprung {
 namespace {
 
 constexpr std::size_t kQueue = 1 << 18;  // four minutes at 1 kHz
-constexpr std::int64_t kGiveUp = 100;     // cycles after which a missing message will not come any more
+constexpr std::int64_t kGiveUp = 100;    // cycles after which a missing message will not come any more
 constexpr unsigned kEveryPart = 0b11111;
 
 }  // namespace

@@ -11,6 +11,7 @@ namespace sprung {
 namespace {
 
 constexpr std::int64_t kSendAgain_us = 100'000;
+constexpr std::int64_t kAskAgain_us = 500'000;
 
 std::int64_t random_id() {
   std::random_device device;
@@ -54,6 +55,7 @@ std::optional<OperatorAnswer> OperatorClient::send(OperatorCommand& command, dou
       send_us = node_.utime_us() + kSendAgain_us;
     }
     if (auto answer = next_answer(command.request_id)) {
+      next_ask_us_ = node_.utime_us() + kAskAgain_us;
       return answer;
     }
     node_.wait_for_input(std::min(send_us, end_us));
@@ -61,14 +63,22 @@ std::optional<OperatorAnswer> OperatorClient::send(OperatorCommand& command, dou
   return std::nullopt;
 }
 
-std::optional<OperatorAnswer> OperatorClient::wait_done(std::int64_t request_id, double patience_s) {
-  const std::int64_t end_us = node_.utime_us() + static_cast<std::int64_t>(patience_s * 1e6);
+std::optional<OperatorAnswer> OperatorClient::wait_done(const OperatorCommand& command, double patience_s) {
+  const auto patience_us = static_cast<std::int64_t>(patience_s * 1e6);
+  std::int64_t end_us = node_.utime_us() + patience_us;
   while (node_.utime_us() < end_us && !stop_requested()) {
-    const auto answer = next_answer(request_id);
-    if (answer && ends(answer->outcome)) {
-      return answer;
+    if (const auto answer = next_answer(command.request_id)) {
+      if (ends(answer->outcome)) {
+        return answer;
+      }
+      end_us = node_.utime_us() + patience_us;  // it is alive and at work
+      continue;
     }
-    node_.wait_for_input(end_us);
+    if (node_.utime_us() >= next_ask_us_) {
+      commands_.publish(command);
+      next_ask_us_ = node_.utime_us() + kAskAgain_us;
+    }
+    node_.wait_for_input(std::min(next_ask_us_, end_us));
   }
   return std::nullopt;
 }

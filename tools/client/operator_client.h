@@ -24,13 +24,14 @@ class OperatorClient {
   /// Sends with a new request id unless one is set. @return the first answer (accepted, refused or queued);
   /// nullopt when nobody answered in patience_s of wall time.
   std::optional<OperatorAnswer> send(OperatorCommand& command, double patience_s);
-  /// Waits for `done` or `failed` (or a refusal) of this request. nullopt on a stop request or after
-  /// patience_s.
-  std::optional<OperatorAnswer> wait_done(std::int64_t request_id, double patience_s);
+  /// Waits for `done` or `failed` (or a refusal) of a command that was sent; asks again twice a second, in case the answer was
+  /// lost. nullopt on a stop request, or when patience_s passed without any answer.
+  std::optional<OperatorAnswer> wait_done(const OperatorCommand& command, double patience_s);
 
  private:
   std::optional<OperatorAnswer> next_answer(std::int64_t request_id);
   InputQueue<sprung_msgs::operator_reply_t> replies_{256};
+  std::int64_t next_ask_us_ = 0;
   Node node_;
   Publisher<OperatorCommand> commands_;
 };

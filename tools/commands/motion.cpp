@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "robots/robot_loader.h"
+#include "runtime/stop_request.h"
 #include "tools/client/cycle_collector.h"
 #include "tools/client/operator_client.h"
 #include "tools/commands/commands.h"
@@ -12,7 +13,7 @@ namespace sprung::commands {
 namespace {
 
 constexpr double kAnswer_s = 3.0;
-constexpr double kDone_s = 120.0;
+constexpr double kSilence_s = 5.0;  // without any answer from the planner, which is asked twice a second
 constexpr double kLook_s = 0.05;
 constexpr int kSettleTurns = 20;  // after `done`, for what is still on the way
 
@@ -36,7 +37,9 @@ JumpMode jump_mode(const std::string& text) {
 
 int say(const char* what, const std::optional<OperatorAnswer>& answer) {
   if (!answer) {
-    std::fprintf(stderr, "%s: no answer. Is it running? See: sprung status\n", what);
+    std::fprintf(stderr, "%s: %s\n", what,
+                 stop_requested() ? "not waited for; the robot goes on. To end it: sprung stop"
+                                  : "no answer from the motion planner. See: sprung status");
     return kExitFailed;
   }
   const bool bad =
@@ -58,7 +61,7 @@ int run_motion(const char* what, OperatorCommand command, const MotionRequest& r
   if (!under_way || request.no_wait) {
     return status;
   }
-  return say(what, client.wait_done(command.request_id, kDone_s));
+  return say(what, client.wait_done(command, kSilence_s));
 }
 
 /// Measures while the robot jumps: needs SIM_TRUTH, so simulated drives.
@@ -78,10 +81,10 @@ int run_reported_jump(const OperatorCommand& order, const MotionRequest& request
     metrics.add(cycle.motion_state, cycle.joint_state, cycle.truth);
   };
   std::optional<OperatorAnswer> done;
-  int turns_left = static_cast<int>(kDone_s / kLook_s);
-  while (status == kExitDone && !done && turns_left-- > 0) {
-    done = client.wait_done(command.request_id, kLook_s);
-    collector.collect(measure, [](const OperatorReply&) {});
+  int silent_turns = 0;
+  while (status == kExitDone && !done && !stop_requested() && silent_turns++ < kSilence_s / kLook_s) {
+    done = client.wait_done(command, kLook_s);
+    silent_turns = collector.collect(measure, [](const OperatorReply&) {}) > 0 ? 0 : silent_turns;
   }
   for (int i = 0; i < kSettleTurns && status == kExitDone; ++i) {
     collector.wait(kLook_s);

@@ -31,7 +31,10 @@ double ground_force_N(const SimTruth& truth) {
   return force_N;
 }
 
-void raise(double& peak, double value) { peak = std::max(peak, std::abs(value)); }
+/// NaN is no peak yet.
+void raise(double& peak, double value) {
+  peak = std::isnan(peak) ? std::abs(value) : std::max(peak, std::abs(value));
+}
 
 }  // namespace
 

@@ -16,12 +16,12 @@ namespace sprung {
 struct JumpResult {
   double height_mm = kNaN;
   double touchdown_time_ms = kNaN;
-  double peak_hip_torque_Nm = 0.0;  ///< motor side, thrust start to touchdown
-  double peak_knee_torque_Nm = 0.0;
-  double peak_knee_output_torque_Nm = 0.0;     ///< truth, the same span
-  double landing_knee_torque_Nm = 0.0;         ///< motor side, 0.3 s from touchdown
-  double landing_knee_output_torque_Nm = 0.0;  ///< truth, the same span
-  double lowest_hip_m = kNaN;                  ///< after touchdown
+  double peak_hip_torque_Nm = kNaN;  ///< motor side, thrust start to touchdown
+  double peak_knee_torque_Nm = kNaN;
+  double peak_knee_output_torque_Nm = kNaN;     ///< truth, the same span
+  double landing_knee_torque_Nm = kNaN;         ///< motor side, 0.3 s from touchdown
+  double landing_knee_output_torque_Nm = kNaN;  ///< truth, the same span
+  double lowest_hip_m = kNaN;                   ///< after touchdown
   bool upright = false;
 };
 

@@ -5,6 +5,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "runtime/stop_request.h"
 #include "tools/client/cycle_collector.h"
 #include "tools/client/operator_client.h"
 #include "tools/launcher/launcher.h"
@@ -64,6 +65,20 @@ void refuse_early_end(Launcher& launcher, std::int64_t last_cycle, std::int64_t 
   }
 }
 
+/// In a deterministic run every cycle is there and was made from its own inputs: nobody gave up waiting.
+void refuse_nondeterministic(const CycleRecord& cycle, std::int64_t expected_seq) {
+  const DriveCommand& command = cycle.drive_command;
+  const std::int64_t seq = cycle.drive_state.stamp.seq;
+  const bool own_inputs = command.used_joint_state_seq == seq && command.used_leg_command_seq == seq - 1;
+  if (seq != expected_seq || !own_inputs) {
+    throw std::runtime_error("this run is not deterministic: cycle " + std::to_string(seq) + " (expected " +
+                             std::to_string(expected_seq) + ") used JOINT_STATE " +
+                             std::to_string(command.used_joint_state_seq) + " and LEG_COMMAND " +
+                             std::to_string(command.used_leg_command_seq) +
+                             "; the machine is overloaded, try again");
+  }
+}
+
 }  // namespace
 
 int random_port() {
@@ -78,17 +93,24 @@ SeparateResult run_separate(const RunScript& script, const CycleObserver& on_cyc
   CycleCollector collector(launcher.info(), script.robot);
   queue_commands(script, launcher.info());
   launcher.start_bridge();
+  std::int64_t next = 0;
   const auto until_last = [&](const CycleRecord& cycle) {
     if (cycle.drive_state.stamp.seq < script.cycles) {
+      refuse_nondeterministic(cycle, next++);
       on_cycle(cycle);
     }
   };
-  for (int silent = 0; collector.last_cycle() < script.cycles - 1 && silent < kSilentTurns; ++silent) {
+  for (int silent = 0;
+       collector.last_cycle() < script.cycles - 1 && silent < kSilentTurns && !stop_requested(); ++silent) {
     collector.wait(0.05);
     silent = collector.collect(until_last, on_reply) > 0 ? 0 : silent;
     refuse_early_end(launcher, collector.last_cycle(), script.cycles);
   }
-  if (collector.lost_cycles() > 0 || collector.last_cycle() < script.cycles - 1) {
+  if (stop_requested()) {
+    throw std::runtime_error("stopped by the operator at cycle " + std::to_string(collector.last_cycle()));
+  }
+  if (collector.missed_cycles() > 0 || collector.lost_cycles() > 0 ||
+      collector.last_cycle() < script.cycles - 1) {
     throw std::runtime_error("messages of " + std::to_string(collector.lost_cycles()) +
                              " cycles were lost on the way here, last cycle " +
                              std::to_string(collector.last_cycle()) + " of " + std::to_string(script.cycles) +

@@ -24,10 +24,6 @@ constexpr double kReady_s = 10.0;
 constexpr double kStop_s = 3.0;  // a bridge may damp its robot for half a second first
 
 RunInfo describe(const LaunchRequest& request, const RobotConfig& robot) {
-  if (const std::optional<RunInfo> other = read_run_file(request.instance)) {
-    throw std::runtime_error("robot " + other->robot + " is up already as instance '" + other->instance +
-                             "'. Use it, or end it with: sprung down");
-  }
   RunInfo info;
   info.instance = request.instance;
   info.robot = robot.name;
@@ -71,18 +67,16 @@ std::string lcm_url_on_port(int port) {
 Launcher::Launcher(const LaunchRequest& request, const RobotConfig& robot)
     : request_(request),
       robot_(robot),
+      run_file_(request.instance),
       info_(describe(request, robot)),
       plan_(plan_processes(request_, robot_, info_.session, info_.epoch_us)),
       node_(NodeOptions{request.lcm_url, info_.session, info_.epoch_us, {}}) {
   node_.subscribe_message(channels::kProcessStatus, CountLimits::none(), statuses_);
   node_.start();
-  write_run_file(info_);
+  run_file_.write(info_);
 }
 
-Launcher::~Launcher() {
-  stop();
-  remove_run_file(info_.instance);
-}
+Launcher::~Launcher() { stop(); }
 
 void Launcher::start_all_but_bridge() {
   start_recorder();
@@ -116,7 +110,7 @@ void Launcher::start(const PlannedProcess& planned) {
       planned.program == kRecorder ? "/usr/bin/lcm-logger" : program_folder() + "/" + planned.program;
   children_.push_back({planned.program, std::make_unique<ChildProcess>(path, planned.arguments), false});
   info_.processes.push_back({planned.program, children_.back().process->pid()});
-  write_run_file(info_);
+  run_file_.write(info_);
 }
 
 ProcessState Launcher::state_of(const std::string& program) {

@@ -19,7 +19,7 @@ namespace sprung {
 
 class Launcher {
  public:
-  /// Writes the run file. @throws std::runtime_error when the instance runs already.
+  /// Takes the instance and writes its run file. @throws std::runtime_error when the instance runs already.
   Launcher(const LaunchRequest& request, const RobotConfig& robot);
   ~Launcher();  ///< stops whatever still runs and removes the run file
   Launcher(const Launcher&) = delete;
@@ -58,6 +58,7 @@ class Launcher {
 
   LaunchRequest request_;
   RobotConfig robot_;
+  RunFile run_file_;
   RunInfo info_;
   std::vector<PlannedProcess> plan_;
   InputQueue<sprung_msgs::process_status_t> statuses_{256};

@@ -1,13 +1,17 @@
 #include "tools/launcher/run_file.h"
 
-#include <signal.h>
+#include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 namespace sprung {
 
@@ -15,6 +19,8 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 namespace {
+
+constexpr int kLockTries = 20;
 
 fs::path run_folder() {
   if (const char* folder = std::getenv("SPRUNG_RUN_DIR")) {
@@ -64,7 +70,22 @@ RunInfo from_json(const Json& in) {
   return info;
 }
 
-bool alive(std::int64_t pid) { return pid > 0 && (kill(static_cast<pid_t>(pid), 0) == 0 || errno == EPERM); }
+std::string lock_path(const std::string& instance) { return (run_folder() / (instance + ".lock")).string(); }
+
+int open_lock(const std::string& instance, int flags) {
+  return open(lock_path(instance).c_str(), flags | O_CLOEXEC, 0644);
+}
+
+/// Whether a launcher lives: its lock cannot be had.
+bool held(const std::string& instance) {
+  const int lock = open_lock(instance, O_RDONLY);
+  if (lock < 0) {
+    return false;
+  }
+  const bool taken = flock(lock, LOCK_SH | LOCK_NB) != 0;
+  close(lock);
+  return taken;
+}
 
 }  // namespace
 
@@ -72,34 +93,53 @@ std::string run_file_path(const std::string& instance) {
   return (run_folder() / (instance + ".json")).string();
 }
 
-void write_run_file(const RunInfo& info) {
-  const fs::path path = run_file_path(info.instance);
-  fs::create_directories(path.parent_path());
-  const fs::path draft = path.string() + "." + std::to_string(getpid());
-  std::ofstream(draft) << to_json(info).dump(1) << "\n";
-  fs::rename(draft, path);
+RunFile::RunFile(const std::string& instance) : instance_(instance) {
+  fs::create_directories(run_folder());
+  lock_ = open_lock(instance, O_RDWR | O_CREAT);
+  if (lock_ < 0) {
+    throw std::runtime_error("cannot write " + lock_path(instance) + ": " + std::strerror(errno));
+  }
+  // A reader's look at the lock takes a moment: do not mistake it for a launcher.
+  for (int tries = 0; flock(lock_, LOCK_EX | LOCK_NB) != 0; ++tries) {
+    if (tries == kLockTries) {
+      close(lock_);
+      const std::optional<RunInfo> other = read_run_file(instance);
+      throw std::runtime_error("robot " + (other ? other->robot : "(starting)") +
+                               " is up already as instance '" + instance +
+                               "'. Use it, or end it with: sprung down");
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
 }
 
-void remove_run_file(const std::string& instance) {
+RunFile::~RunFile() {
   std::error_code ignored;
-  fs::remove(run_file_path(instance), ignored);
+  fs::remove(run_file_path(instance_), ignored);
+  close(lock_);
+}
+
+void RunFile::write(const RunInfo& info) {
+  const fs::path path = run_file_path(instance_);
+  const fs::path draft = path.string() + "." + std::to_string(getpid());
+  std::ofstream out(draft);
+  out << to_json(info).dump(1) << "\n";
+  out.close();
+  if (!out) {
+    throw std::runtime_error("cannot write " + draft.string() + ": is the disk full?");
+  }
+  fs::rename(draft, path);
 }
 
 std::optional<RunInfo> read_run_file(const std::string& instance) {
   std::ifstream in(run_file_path(instance));
-  if (!in) {
+  if (!in || !held(instance)) {
     return std::nullopt;
   }
   try {
-    RunInfo info = from_json(Json::parse(in));
-    if (alive(info.launcher_pid)) {
-      return info;
-    }
+    return from_json(Json::parse(in));
   } catch (const Json::exception&) {
-    // A file that is no run file tells of no run; it is removed like a stale one.
+    return std::nullopt;
   }
-  remove_run_file(instance);
-  return std::nullopt;
 }
 
 RunInfo require_running(const std::string& instance, const std::string& robot) {

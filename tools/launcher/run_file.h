@@ -35,11 +35,26 @@ struct NotRunning : std::runtime_error {
 };
 
 std::string run_file_path(const std::string& instance);
-/// Written whole or not at all (rename).
-void write_run_file(const RunInfo& info);
-void remove_run_file(const std::string& instance);
-/// nullopt where there is none, where it is unreadable, or where its launcher is gone (a stale file is
-/// removed).
+
+/// The right to be `sprung up` of an instance: a lock that the kernel releases when its holder ends, however that happens. Its
+/// file holds the run's description for the others.
+class RunFile {
+ public:
+  /// @throws std::runtime_error when another launcher holds the instance, naming its robot.
+  explicit RunFile(const std::string& instance);
+  ~RunFile();  ///< removes the description, then lets go
+  RunFile(const RunFile&) = delete;
+  RunFile& operator=(const RunFile&) = delete;
+
+  /// Written whole or not at all. @throws std::runtime_error when it cannot be written.
+  void write(const RunInfo& info);
+
+ private:
+  std::string instance_;
+  int lock_ = -1;
+};
+
+/// nullopt where nobody holds the instance, or its description is not there yet.
 std::optional<RunInfo> read_run_file(const std::string& instance);
 /// @param robot empty = any. @throws NotRunning when nothing runs as `instance` or another robot does.
 RunInfo require_running(const std::string& instance, const std::string& robot);
