@@ -107,6 +107,7 @@ void BridgeCore::Impl::update_safety(std::int64_t time_us, bool command_due) noe
   inputs.slow =
       all_nodes([](const DriveNode& n) { return std::abs(n.filtered_velocity_rad_s()) < kSlow_rad_s; });
   safety.update(inputs);
+  for (auto& node : nodes) node->faults_seen();
   bus_trouble_new = false;
   if (safety.latched()) gate.disarm();
 }

@@ -82,7 +82,11 @@ void DriveNode::receive_heartbeat(const CanFrame& frame, std::int64_t time_us) n
 
 void DriveNode::receive_emergency(const CanFrame& frame) noexcept {
   canopen::Emergency emergency;
-  if (canopen::decode_emergency(frame, emergency)) emergency_ = emergency;
+  if (!canopen::decode_emergency(frame, emergency)) return;
+  emergency_withdrawn_ = emergency.code == 0;
+  if (emergency_withdrawn_) return;
+  emergency_ = emergency;
+  emergency_seen_ = false;
 }
 
 void DriveNode::receive_process_data(const CanFrame& frame, std::int64_t time_us) noexcept {
@@ -92,6 +96,7 @@ void DriveNode::receive_process_data(const CanFrame& frame, std::int64_t time_us
   }
   if (!boot_.started() || !profile_->decode_sample(frame, sample_)) return;
   power_state_ = cia402::decode_status(sample_.status_word);
+  power_.observe(power_state_);
   if (!answered_) implausible_ = !tracker_.add(sample_.measured_position_rad, sync_us_) || implausible_;
   answered_ = true;
   sampled_ = true;
@@ -109,6 +114,7 @@ void DriveNode::begin_sampling(std::int64_t sync_us) noexcept {
   sync_us_ = sync_us;
   answered_ = false;
   implausible_ = false;
+  if (emergency_withdrawn_ && emergency_seen_) emergency_ = {};
 }
 
 void DriveNode::end_sampling() noexcept { age_cycles_ = answered_ ? 0 : age_cycles_ + 1; }
@@ -149,6 +155,9 @@ bool DriveNode::trouble(std::int64_t time_us, bool ignore_faults, Trouble& out) 
     out.cause = SafetyCause::kDriveFault;
     print(out.detail, "%s: drive fault 0x%04X (%s), state %s", drive, emergency_.code,
           canopen::emergency_text(emergency_.code), sprung::name(power_state_));
+  } else if (power_.lost_power() && !ignore_faults) {
+    out.cause = SafetyCause::kDriveFault;
+    print(out.detail, "%s: lost its power by itself", drive);
   } else if (silent()) {
     out.cause = SafetyCause::kDriveSilent;
     print(out.detail, "%s: did not answer SYNC for %d cycles", drive, age_cycles_);
@@ -175,19 +184,23 @@ void DriveNode::reset_faults(bool reset) noexcept {
 
 void DriveNode::restart() noexcept {
   boot_.restart();
+  power_ = PowerControl();
   tracker_.reset();
   mode_display_known_ = false;
   emergency_ = {};
 }
 
 PowerTarget DriveNode::target(SafetyLevel level, const ActuatorCommand& command) const noexcept {
+  // Damping keeps what has torque and enables nothing.
+  const PowerTarget kept =
+      power_state_ == PowerState::kOperationEnabled ? PowerTarget::kEnabled : PowerTarget::kOff;
   switch (level) {
     case SafetyLevel::kOperational: {
-      const bool wanted = command.mode != DriveMode::kDisabled && actuator_.referenced;
-      return wanted ? PowerTarget::kEnabled : PowerTarget::kOff;
+      if (command.mode == DriveMode::kDisabled || !actuator_.referenced) return PowerTarget::kOff;
+      return command.mode == DriveMode::kDamping ? kept : PowerTarget::kEnabled;
     }
-    case SafetyLevel::kDamping:  // keeps what has torque, enables nothing
-      return power_state_ == PowerState::kOperationEnabled ? PowerTarget::kEnabled : PowerTarget::kOff;
+    case SafetyLevel::kDamping:
+      return kept;
     case SafetyLevel::kQuickStop:
       return PowerTarget::kQuickStop;
     case SafetyLevel::kDisabled:
@@ -197,7 +210,8 @@ PowerTarget DriveNode::target(SafetyLevel level, const ActuatorCommand& command)
 }
 
 DriveSetpoint DriveNode::setpoint(SafetyLevel level, const ActuatorCommand& command) const noexcept {
-  const double velocity_rad_s = tracker_.filtered_velocity_rad_s();
+  // Without a sample of this cycle nothing is known of the motion: an old velocity might drive, not damp.
+  const double velocity_rad_s = answered_ ? tracker_.filtered_velocity_rad_s() : 0.0;
   DriveSetpoint setpoint{0.0, sample_.measured_position_rad, DriveMode::kTorque};
   if (level == SafetyLevel::kQuickStop)
     setpoint.mode = sent_mode_;  // no change of mode in a drive's own stop

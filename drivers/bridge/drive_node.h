@@ -32,6 +32,8 @@ class DriveNode {
   void emit(std::int64_t time_us, SafetyLevel level, const ActuatorCommand& command,
             FrameBatch& out) noexcept;
 
+  /// Faults have been judged: one that the drive has withdrawn may now be forgotten.
+  void faults_seen() noexcept { emergency_seen_ = true; }
   /// Fault-reset edges until the fault is gone.
   void reset_faults(bool reset) noexcept;
   void restart() noexcept;
@@ -72,6 +74,8 @@ class DriveNode {
   DriveMode sent_mode_ = DriveMode::kTorque;
   PowerState power_state_ = PowerState::kUnknown;
   canopen::Emergency emergency_;
+  bool emergency_seen_ = false;       ///< by faults_seen()
+  bool emergency_withdrawn_ = false;  ///< forgotten by the next begin_sampling() after it was seen
   canopen::NmtState nmt_state_ = canopen::NmtState::kUnknown;
   std::int64_t heartbeat_us_ = 0;
   std::int64_t next_supply_us_ = 0;

@@ -23,8 +23,10 @@ bool PositionTracker::add(double measured_position_rad, std::int64_t time_us) no
     velocity_rad_s_ = 0.0;
     return true;
   }
+  // A step that cannot be is no motion to damp.
+  if (!(std::abs(step_rad) <= kSpeedFactor * speed_limit_rad_s_ * dt_s + kSlack_rad)) return false;
   velocity_rad_s_ += (step_rad / dt_s - velocity_rad_s_) * dt_s / (kTimeConstant_s + dt_s);
-  return std::abs(step_rad) <= kSpeedFactor * speed_limit_rad_s_ * dt_s + kSlack_rad;
+  return true;
 }
 
 }  // namespace sprung

@@ -11,7 +11,7 @@ class PositionTracker {
   explicit PositionTracker(double speed_limit_rad_s) : speed_limit_rad_s_(speed_limit_rad_s) {}
 
   /// @param time_us of the SYNC that sampled. @return false when the step from the last position is
-  /// implausible.
+  /// implausible; the velocity stays as it was, the next step counts from here.
   bool add(double measured_position_rad, std::int64_t time_us) noexcept;
   void reset() noexcept { known_ = false; }
   double filtered_velocity_rad_s() const noexcept { return velocity_rad_s_; }

@@ -17,6 +17,15 @@ void PowerControl::set_target(PowerTarget target, std::int64_t time_us) noexcept
   target_ = target;
 }
 
+void PowerControl::reset_faults(bool reset) noexcept {
+  reset_faults_ = reset;
+  if (reset) lost_power_ = reached_enabled_ = false;
+}
+
+void PowerControl::observe(PowerState state) noexcept {
+  lost_power_ = lost_power_ || (reached_enabled_ && state != PowerState::kOperationEnabled);
+}
+
 std::uint16_t PowerControl::next_word(PowerState state, std::int64_t time_us) noexcept {
   if (state == PowerState::kFault && reset_faults_) {
     return time_us - sent_us_ < kFaultResetStep_us ? sent_word_ : cia402::fault_reset_word(sent_word_);
@@ -27,6 +36,11 @@ std::uint16_t PowerControl::next_word(PowerState state, std::int64_t time_us) no
 }
 
 bool PowerControl::step(PowerState state, std::int64_t time_us, std::uint16_t& word) noexcept {
+  const bool wants_enabled = target_ == PowerTarget::kEnabled;
+  // Only a state seen after it was wanted counts: one sampled before may still be on its way down.
+  const bool reached = reached_enabled_ || (wanted_enabled_ && state == PowerState::kOperationEnabled);
+  reached_enabled_ = wants_enabled && reached;
+  wanted_enabled_ = wants_enabled;
   word = next_word(state, time_us);
   if (sent_any_ && word == sent_word_ && time_us - sent_us_ < kRepeat_us) return false;
   sent_any_ = true;

@@ -171,7 +171,8 @@ TEST(BridgeCore, DisabledCommandTakesTheTorqueAwayInOneCycle) {
 TEST(BridgeCore, DampingModeOpposesTheMeasuredMotion) {
   BridgeBench bench;
   ASSERT_TRUE(bench.boot());
-  bench.enable(DriveMode::kDamping);
+  bench.enable();
+  bench.command_all(DriveMode::kDamping);
   for (ActuatorCommand& actuator : bench.command.actuators) actuator.commanded_damping_Nm_s_rad = 10.0;
   for (int i = 0; i < 50; ++i) {
     bench.drives[0].position_counts += 2086;  // 1 rad/s
@@ -179,6 +180,21 @@ TEST(BridgeCore, DampingModeOpposesTheMeasuredMotion) {
   }
   EXPECT_NEAR(bench.drives[0].target_torque_permille, -1000.0 * 10.0 / 30.8, 2.0);
   EXPECT_EQ(bench.drives[1].target_torque_permille, 0);
+  bench.drives[0].mute_samples = true;
+  bench.tick();
+  EXPECT_EQ(bench.drives[0].target_torque_permille, 0) << "nothing is known of its motion in this cycle";
+}
+
+TEST(BridgeCore, DampingModeEnablesNothing) {
+  BridgeBench bench;
+  ASSERT_TRUE(bench.boot());
+  bench.enable(DriveMode::kDamping);
+  EXPECT_FALSE(any_enabled(bench));
+  bench.enable();
+  ASSERT_TRUE(any_enabled(bench));
+  bench.command_all(DriveMode::kDamping);
+  bench.run(50);
+  EXPECT_TRUE(any_enabled(bench)) << "what has torque keeps it";
 }
 
 TEST(BridgeCore, ControlWordIsRepeatedAtTenHertz) {

@@ -84,6 +84,16 @@ TEST(PositionTracker, FirstSampleIsNoMotionAndAJumpIsImplausible) {
   EXPECT_TRUE(tracker.add(-50.0, 3000));
 }
 
+TEST(PositionTracker, ImplausibleStepDoesNotTouchTheVelocity) {
+  PositionTracker tracker(12.0);
+  for (int i = 0; i < 100; ++i) tracker.add(0.003 * i, 1000 * i);
+  const double before_rad_s = tracker.filtered_velocity_rad_s();
+  EXPECT_FALSE(tracker.add(50.0, 100'000));
+  EXPECT_EQ(tracker.filtered_velocity_rad_s(), before_rad_s);
+  EXPECT_TRUE(tracker.add(50.003, 101'000)) << "goes on from where it is now";
+  EXPECT_NEAR(tracker.filtered_velocity_rad_s(), 3.0, 1e-6);
+}
+
 TEST(DetailText, DifferencesShowQuantitiesInDecimalAndIdentitiesInHexadecimal) {
   DetailText text{};
   print_difference(text, "hip", {{canopen::kMaxTorque, 0}, 2, 5571, false}, 5000);

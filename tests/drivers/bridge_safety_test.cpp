@@ -194,6 +194,59 @@ TEST_F(BridgeSafety, FaultThatCannotBeResetLatchesAgain) {
   EXPECT_TRUE(latched());
 }
 
+TEST_F(BridgeSafety, DriveThatLosesItsPowerByItselfStopsTheRobotAndStaysOff) {
+  for (const PowerState state :
+       {PowerState::kSwitchOnDisabled, PowerState::kReadyToSwitchOn, PowerState::kSwitchedOn}) {
+    SCOPED_TRACE(name(state));
+    const int enabled_before = bench_.drives[1].enabled_count;
+    bench_.drives[1].lose_power(state);
+    bench_.tick();
+    EXPECT_EQ(level(), SafetyLevel::kDamping);
+    EXPECT_EQ(cause(), SafetyCause::kDriveFault);
+    EXPECT_TRUE(latched());
+    EXPECT_EQ(bench_.detail(), "knee_motor: lost its power by itself");
+    EXPECT_EQ(bench_.drives[0].power, PowerState::kOperationEnabled) << "the healthy one damps";
+    bench_.run(205);
+    EXPECT_EQ(level(), SafetyLevel::kQuickStop);
+    bench_.run(600);
+    EXPECT_EQ(powered(), 0);
+    EXPECT_EQ(bench_.drives[1].enabled_count, enabled_before) << "it was enabled again";
+    EXPECT_EQ(bench_.ask(OperatorKind::kClear).outcome, OperatorOutcome::kAccepted);
+    bench_.enable();
+    EXPECT_EQ(enabled(), 2);
+    EXPECT_FALSE(latched());
+  }
+}
+
+TEST_F(BridgeSafety, PowerLostWhileACommandIsStaleIsLatchedToo) {
+  bench_.mute_commands = true;
+  bench_.run(50);
+  EXPECT_EQ(cause(), SafetyCause::kCommandStale);
+  bench_.drives[0].lose_power();
+  bench_.tick();
+  EXPECT_EQ(cause(), SafetyCause::kDriveFault);
+  EXPECT_TRUE(latched());
+}
+
+TEST_F(BridgeSafety, PowerTakenAndGivenByCommandsIsNotLost) {
+  for (int i = 0; i < 40; ++i) {
+    bench_.command_all(i % 4 < 2 ? DriveMode::kDisabled : DriveMode::kTorque);
+    bench_.run(i % 7 + 1);
+    EXPECT_FALSE(latched()) << bench_.detail();
+  }
+}
+
+TEST_F(BridgeSafety, EmergencyThatIsWithdrawnInTheSameCycleStillStopsTheRobot) {
+  bench_.drives[1].passing_emergency = 0x8130;
+  bench_.tick();
+  EXPECT_EQ(cause(), SafetyCause::kDriveFault);
+  EXPECT_TRUE(latched());
+  EXPECT_THAT(bench_.detail(), HasSubstr("knee_motor: drive fault 0x8130"));
+  EXPECT_EQ(bench_.state.actuators[1].fault_code, 0x8130);
+  bench_.tick();
+  EXPECT_EQ(bench_.state.actuators[1].fault_code, 0) << "it was withdrawn";
+}
+
 TEST_F(BridgeSafety, SilenceIsHeldForTwoCyclesThenStopsTheRobot) {
   bench_.drives[0].mute_samples = true;
   bench_.run(2);
@@ -236,6 +289,31 @@ TEST_F(BridgeSafety, PositionThatJumpsIsImplausible) {
   bench_.tick();
   EXPECT_EQ(cause(), SafetyCause::kImplausible);
   EXPECT_THAT(bench_.detail(), HasSubstr("knee_motor: measured position jumped"));
+}
+
+TEST_F(BridgeSafety, DampingIsNotFedByAPositionThatJumps) {
+  for (int i = 0; i < 50; ++i) {
+    bench_.drives[0].position_counts += 2086;  // 1 rad/s
+    bench_.tick();
+  }
+  bench_.drives[0].position_counts += 131072 * 20;
+  bench_.tick();
+  EXPECT_EQ(level(), SafetyLevel::kDamping);
+  EXPECT_NEAR(bench_.drives[0].target_torque_permille, -1000.0 * 12.0 / 30.8, 3.0);
+}
+
+TEST_F(BridgeSafety, DriveThatDidNotAnswerIsNotDampedByItsLastVelocity) {
+  bench_.mute_commands = true;
+  for (int i = 0; i < 50; ++i) {
+    bench_.drives[0].position_counts += 2086;  // 1 rad/s
+    bench_.tick();
+  }
+  EXPECT_EQ(level(), SafetyLevel::kDamping);
+  EXPECT_LT(bench_.drives[0].target_torque_permille, -300);
+  bench_.drives[0].mute_samples = true;
+  bench_.tick();
+  EXPECT_EQ(bench_.drives[0].power, PowerState::kOperationEnabled);
+  EXPECT_EQ(bench_.drives[0].target_torque_permille, 0);
 }
 
 TEST_F(BridgeSafety, BusOffIsAQuickStopUntilFramesComeAgain) {

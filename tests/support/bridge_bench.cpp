@@ -60,7 +60,7 @@ void BridgeBench::tick() {
   in_cycle = bridge->end_sampling(time_us, state);
   if (in_cycle && !mute_commands) {
     command.stamp = state.stamp;
-    command.valid_until_utime_us = time_us + 5000;
+    command.valid_until_utime_us = time_us + 21000;  // as the controller: command_hold and a cycle
     last_command_accepted = bridge->command(command, time_us);
   }
   last_setpoints.clear();

@@ -99,6 +99,11 @@ void FakeDrive::tick(std::int64_t time_us, std::vector<CanFrame>& out) {
     pending_emergency = 0;
     power = PowerState::kFault;
   }
+  if (passing_emergency != 0) {
+    out.push_back(emergency_frame(node_, {passing_emergency, 1}));
+    out.push_back(emergency_frame(node_, {0, 0}));
+    passing_emergency = 0;
+  }
   quick_stop_cycles_ = power == PowerState::kQuickStopActive ? quick_stop_cycles_ + 1 : 0;
   if (quick_stop_cycles_ > 100 && !stuck_in_quick_stop) power = PowerState::kSwitchOnDisabled;
   const auto period = objects.find({kHeartbeatProducer, 0});

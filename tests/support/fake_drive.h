@@ -21,6 +21,8 @@ class FakeDrive {
   void receive(const CanFrame& frame, std::vector<CanFrame>& out);
   /// Its own heartbeat, when switched on by 0x1017.
   void tick(std::int64_t time_us, std::vector<CanFrame>& out);
+  /// As a drive does when it misses the master's heartbeat (0x6007) or its safe-torque-off input opens.
+  void lose_power(PowerState to = PowerState::kSwitchOnDisabled) { power = to; }
 
   using Key = std::pair<std::uint16_t, std::uint8_t>;
   std::map<Key, std::uint32_t> objects;
@@ -36,6 +38,7 @@ class FakeDrive {
   std::int32_t target_position_counts = 0;
   std::int8_t mode = 0;
   std::uint16_t pending_emergency = 0;  ///< sent at the next tick
+  std::uint16_t passing_emergency = 0;  ///< sent at the next tick together with the frame that withdraws it
   bool dead = false;                    ///< neither hears nor speaks
   bool mute_samples = false;            ///< does not answer SYNC
   bool mute_heartbeat = false;
