@@ -25,7 +25,7 @@ constexpr LegPhase last(LegPhase) { return LegPhase::kStance; }
 constexpr MotionPhase last(MotionPhase) { return MotionPhase::kSitting; }
 constexpr JumpMode last(JumpMode) { return JumpMode::kHybrid; }
 constexpr OperatorKind last(OperatorKind) { return OperatorKind::kSit; }
-constexpr OperatorOutcome last(OperatorOutcome) { return OperatorOutcome::kFailed; }
+constexpr OperatorOutcome last(OperatorOutcome) { return OperatorOutcome::kQueued; }
 constexpr ProcessState last(ProcessState) { return ProcessState::kStopping; }
 constexpr SimControlKind last(SimControlKind) { return SimControlKind::kDriveSilent; }
 

@@ -91,7 +91,7 @@ TEST(EventMessages, OperatorReplyKeepsItsNumbersAndTexts) {
   signal.stamp = {10, 20};
   signal.request_id = 42;
   signal.took_effect_at_seq = 21;
-  signal.outcome = OperatorOutcome::kFailed;
+  signal.outcome = OperatorOutcome::kQueued;
   signal.from = "planner";
   signal.reason = "no contact";
   sprung_msgs::operator_reply_t message{};
@@ -101,7 +101,7 @@ TEST(EventMessages, OperatorReplyKeepsItsNumbersAndTexts) {
   EXPECT_EQ(back.stamp.seq, 20);
   EXPECT_EQ(back.request_id, 42);
   EXPECT_EQ(back.took_effect_at_seq, 21);
-  EXPECT_EQ(back.outcome, OperatorOutcome::kFailed);
+  EXPECT_EQ(back.outcome, OperatorOutcome::kQueued);
   EXPECT_STREQ(back.from, "planner");
   EXPECT_STREQ(back.reason, "no contact");
 }

@@ -29,7 +29,7 @@ TEST(Modes, EveryValueHasItsOwnName) {
   expect_distinct_names(MotionPhase::kSitting);
   expect_distinct_names(JumpMode::kHybrid);
   expect_distinct_names(OperatorKind::kSit);
-  expect_distinct_names(OperatorOutcome::kFailed);
+  expect_distinct_names(OperatorOutcome::kQueued);
   expect_distinct_names(ProcessState::kStopping);
 }
 
