@@ -53,6 +53,11 @@ LegPhase leg_phase(MotionPhase phase) noexcept {
   return LegPhase::kIdle;
 }
 
+bool is_loss(MotionEvent event) noexcept {
+  return event == MotionEvent::kSafetyLost || event == MotionEvent::kDriveLost ||
+         event == MotionEvent::kFootLost;
+}
+
 bool on_curve(MotionPhase phase) noexcept {
   return phase == MotionPhase::kThrust || phase == MotionPhase::kFlight || phase == MotionPhase::kLanding;
 }
@@ -86,6 +91,7 @@ bool Motion::sit(const JointState& in) noexcept { return process(MotionEvent::kS
 
 void Motion::restart(const JointState& in) noexcept {
   process(MotionEvent::kRestarted, in);
+  lost_ = false;
   phase_began_us_ = move_began_us_ = thrust_began_us_ = now_us_ =
       in.stamp.utime_us;  // the old times mean nothing now
 }
@@ -96,6 +102,7 @@ bool Motion::process(MotionEvent event, const JointState& in) noexcept {
   const MotionPhase from = state();
   if (machine_.process_event(event) == nullptr) return false;
   phase_began_us_ = now_us_;
+  lost_ = is_loss(event);
   enter(from, in);
   return true;
 }
@@ -271,7 +278,11 @@ void Motion::write(const JointState& in, LegCommand& out) const noexcept {
     leg.desired_foot_in_hip_m = foot.position_m;
     leg.desired_foot_velocity_m_s = foot.velocity_m_s;
     leg.desired_foot_acceleration_m_s2 = foot.acceleration_m_s2;
-    if (state() != MotionPhase::kIdle) set_control(progress(), preset_, leg);
+    if (state() != MotionPhase::kIdle) {
+      set_control(progress(), preset_, leg);
+    } else if (sinking()) {
+      leg.control_mode = ControlMode::kDamping;
+    }
   }
 }
 

@@ -18,6 +18,10 @@ inline constexpr double kEnableTimeout_s = 1.5;
 /// can look like it.
 inline constexpr double kTouchdownGuard_s = 0.05;
 
+/// How long legs are damped after safety, a drive or the foot was lost: a standing leg then sinks instead of
+/// falling. Only after that is it without power.
+inline constexpr double kSinkTime_s = 1.0;
+
 /// A thrust has ended when the leg, once extended by this share of its stroke, is shorter again by this length.
 inline constexpr double kExtended = 0.5;
 inline constexpr double kDrawnIn_m = 0.005;
@@ -71,6 +75,7 @@ class Motion {
   void move_all(double length_m, double duration_s) noexcept;
   void note_departure(const JointState& in) noexcept;
   FootPoint path(std::size_t leg) const noexcept;
+  bool sinking() const noexcept { return lost_ && in_phase_s() < kSinkTime_s; }
   JumpProgress progress() const noexcept;
   double in_phase_s() const noexcept { return since(phase_began_us_); }
   double since(std::int64_t utime_us) const noexcept {
@@ -86,6 +91,7 @@ class Motion {
   std::int64_t phase_began_us_ = 0;
   std::int64_t move_began_us_ = 0;
   std::int64_t thrust_began_us_ = 0;
+  bool lost_ = false;          ///< idle because something was lost, not by sitting down or a restart
   bool enabled_ = false;       ///< all drives have been since the stand was requested
   bool contact_seen_ = false;  ///< since the thrust began
   double longest_m_ = 0.0;     ///< measured leg, since the thrust began

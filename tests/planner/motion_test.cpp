@@ -55,6 +55,7 @@ TEST_F(MotionTest, DrivesThatStayOffEndTheStand) {
   EXPECT_EQ(motion_.state, MotionPhase::kRising);
   run(0.02);
   EXPECT_EQ(motion_.state, MotionPhase::kIdle);
+  EXPECT_EQ(desired().control_mode, ControlMode::kDisabled);
   EXPECT_EQ(outcomes(id), "accepted failed");
   EXPECT_EQ(last_reason(id), "drives were not enabled within the time-out");
 }
@@ -67,6 +68,7 @@ TEST_F(MotionTest, MissingFootEndsTheStand) {
   set_enabled(true);
   cycle();
   EXPECT_EQ(motion_.state, MotionPhase::kIdle);
+  EXPECT_EQ(desired().control_mode, ControlMode::kDamping);
   EXPECT_EQ(outcomes(id), "accepted failed");
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "planner/jump_curve.h"
+#include "planner/motion.h"
 #include "tests/planner/planner_fixture.h"
 #include "tests/support/allocation_count.h"
 
@@ -139,7 +140,7 @@ TEST_F(PlannerCoreTest, StopWhileNothingMovesIsDone) {
   EXPECT_EQ(outcomes(id), "accepted done");
 }
 
-TEST_F(PlannerCoreTest, LostSafetyOrDriveIsIdleAtOnceInEveryPhase) {
+TEST_F(PlannerCoreTest, LostSafetyOrDriveIsIdleAtOnceInEveryPhaseAndTheLegSinks) {
   for (MotionPhase phase : {MotionPhase::kStanding, MotionPhase::kThrust, MotionPhase::kFlight,
                             MotionPhase::kLanding, MotionPhase::kRecover}) {
     for (int what = 0; what < 3; ++what) {
@@ -150,7 +151,7 @@ TEST_F(PlannerCoreTest, LostSafetyOrDriveIsIdleAtOnceInEveryPhase) {
       if (what == 2) state_.joints[0].status = JointStatus::kFault;
       cycle();
       EXPECT_EQ(motion_.state, MotionPhase::kIdle) << name(phase);
-      EXPECT_EQ(desired().control_mode, ControlMode::kDisabled);
+      EXPECT_EQ(desired().control_mode, ControlMode::kDamping) << name(phase);
       EXPECT_STRNE(motion_.last_transition, "");
       if (phase != MotionPhase::kStanding) {
         EXPECT_EQ(outcomes(jump_id_), "accepted failed");
@@ -161,6 +162,40 @@ TEST_F(PlannerCoreTest, LostSafetyOrDriveIsIdleAtOnceInEveryPhase) {
       set_contact(true);
     }
   }
+}
+
+TEST_F(PlannerCoreTest, LegSinksForASecondAndIsThenWithoutPower) {
+  stand_up();
+  state_.safety = SafetyLevel::kDamping;  // one stall, not latched
+  cycle();
+  state_.safety = SafetyLevel::kOperational;
+  run(kSinkTime_s - 0.001);
+  EXPECT_EQ(motion_.state, MotionPhase::kIdle);
+  EXPECT_EQ(desired().control_mode, ControlMode::kDamping);
+  cycle();
+  EXPECT_EQ(desired().control_mode, ControlMode::kDisabled);
+  run(2.0);
+  EXPECT_EQ(desired().control_mode, ControlMode::kDisabled);
+}
+
+TEST_F(PlannerCoreTest, StandCatchesALegThatSinks) {
+  stand_up();
+  state_.safety = SafetyLevel::kDamping;
+  cycle();
+  state_.safety = SafetyLevel::kOperational;
+  run(0.3);
+  set_foot({0.01, 0.0, -0.40});
+  const std::int64_t id = send(OperatorKind::kStand);
+  cycle();
+  EXPECT_EQ(desired().control_mode, ControlMode::kPosition);
+  EXPECT_EQ(desired().desired_foot_in_hip_m, (Vec3{0.01, 0.0, -0.40}));
+  run_until(MotionPhase::kStanding);
+  EXPECT_EQ(outcomes(id), "accepted done");
+  const std::int64_t sit = send(OperatorKind::kSit);
+  run_until(MotionPhase::kSitting);
+  run_until(MotionPhase::kIdle);
+  EXPECT_EQ(outcomes(sit), "accepted done");
+  EXPECT_EQ(desired().control_mode, ControlMode::kDisabled);  // sitting down is no loss
 }
 
 TEST_F(PlannerCoreTest, StalledDriveDoesNotEndTheMotionByItself) {
@@ -179,8 +214,19 @@ TEST_F(PlannerCoreTest, RestartedBridgeIsIdleAndDropsWhatWaited) {
   state_.stamp = {500, -1};
   cycle();
   EXPECT_EQ(motion_.state, MotionPhase::kIdle);
+  EXPECT_EQ(desired().control_mode, ControlMode::kDisabled);
   EXPECT_EQ(outcomes(waiting), "refused");
   EXPECT_GE(motion_.legs[0].phase_time_s, 0.0);
+}
+
+TEST_F(PlannerCoreTest, RestartedBridgeEndsTheSinking) {
+  stand_up();
+  state_.joints[1].status = JointStatus::kFault;
+  cycle();
+  EXPECT_EQ(desired().control_mode, ControlMode::kDamping);
+  state_.stamp = {500, -1};
+  cycle();
+  EXPECT_EQ(desired().control_mode, ControlMode::kDisabled);
 }
 
 TEST_F(PlannerCoreTest, CommandTakesEffectInItsCycle) {
