@@ -36,6 +36,10 @@ JointVector Transmission::actuator_torque(const JointVector& joint_torque_Nm) co
   return to_joint_.transpose() * joint_torque_Nm;
 }
 
+JointVector Transmission::joint_motion_bound(const JointVector& actuator_bound) const noexcept {
+  return to_joint_.cwiseAbs() * actuator_bound;
+}
+
 JointVector Transmission::joint_torque_bound(const JointVector& actuator_bound_Nm) const noexcept {
   return to_actuator_.transpose().cwiseAbs() * actuator_bound_Nm;
 }

@@ -22,6 +22,8 @@ class Transmission {
   bool couples(int joint, int actuator) const noexcept {
     return to_joint_(joint, actuator) != 0.0 || to_actuator_(actuator, joint) != 0.0;
   }
+  /// Bounds add up, whatever the signs of T: |T| * actuator bound.
+  JointVector joint_motion_bound(const JointVector& actuator_bound) const noexcept;
   /// Bounds add up: |T^-T| * actuator bound.
   JointVector joint_torque_bound(const JointVector& actuator_bound_Nm) const noexcept;
 

@@ -94,7 +94,7 @@ double DriveSampler::encoder_step_rad(int joint) const noexcept {
     const ActuatorConfig& a = actuators_[static_cast<std::size_t>(i)];
     step[i] = 2.0 * kPi / (a.encoder_counts_per_turn * a.gear_ratio);
   }
-  return transmission_.joint_from_actuator(step).cwiseAbs()[joint];
+  return transmission_.joint_motion_bound(step)[joint];
 }
 
 }  // namespace sprung

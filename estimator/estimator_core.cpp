@@ -5,18 +5,12 @@
 #include "estimator/leg_estimator.h"
 
 namespace sprung {
-namespace {
-
-/// After a longer gap in message time the filters' prediction is worth nothing; the watchdogs have acted by
-/// then.
-constexpr double kLongestGap_s = 0.020;
-
-}  // namespace
 
 struct EstimatorCore::Impl {
   Impl(const RobotConfig& robot, const WatchdogConfig& watchdogs)
       : actuator_count(robot.actuators.size()),
         cycle_s(robot.cycle_s),
+        longest_gap_s(watchdogs.joint_state_s),
         last(robot.joints.size(), robot.legs.size()) {
     for (const LegConfig& leg : robot.legs) legs.emplace_back(robot, leg, watchdogs.silent_cycles);
   }
@@ -24,7 +18,7 @@ struct EstimatorCore::Impl {
   /// Time since the last cycle; starts anew on the first one, on a gap and when the bridge was restarted.
   double advance(const Stamp& stamp) noexcept {
     const double dt_s = 1e-6 * static_cast<double>(stamp.utime_us - last.stamp.utime_us);
-    if (started && stamp.seq > last.stamp.seq && dt_s > 0.0 && dt_s <= kLongestGap_s) return dt_s;
+    if (started && stamp.seq > last.stamp.seq && dt_s > 0.0 && dt_s <= longest_gap_s) return dt_s;
     for (LegEstimator& leg : legs) leg.reset();
     started = true;
     return cycle_s;
@@ -32,6 +26,7 @@ struct EstimatorCore::Impl {
 
   std::size_t actuator_count;
   double cycle_s;
+  double longest_gap_s;
   std::vector<LegEstimator> legs;
   JointState last;
   bool started = false;

@@ -19,8 +19,9 @@ namespace sprung {
 
 class EstimatorCore {
  public:
-  /// Holds a silent drive for robot.watchdogs.silent_cycles, or for those of the given set; then its joint is
-  /// stale.
+  /// Of robot.watchdogs, or of the given set: a drive that is silent for longer than silent_cycles makes its
+  /// joint stale; a gap in message time above joint_state starts the filters anew, since their prediction is
+  /// worth nothing then.
   explicit EstimatorCore(const RobotConfig& robot);
   EstimatorCore(const RobotConfig& robot, const WatchdogConfig& watchdogs);
   ~EstimatorCore();
@@ -28,7 +29,7 @@ class EstimatorCore {
   EstimatorCore& operator=(const EstimatorCore&) = delete;
 
   /// JOINT_STATE(k) from DRIVE_STATE(k). `out` must have been sized for this robot. dt is the difference of
-  /// utime. A repeated seq gives the same answer again; a seq or time that goes back, or a gap above 20 ms,
+  /// utime. A repeated seq gives the same answer again; a seq or time that goes back, or a gap above joint_state,
   /// starts the filters anew.
   void step(const DriveState& in, JointState& out) noexcept;
 

@@ -44,6 +44,14 @@ TEST(TransmissionTest, BoundsAreNeverNegative) {
   EXPECT_DOUBLE_EQ(bound[1], 2.0);
 }
 
+TEST(TransmissionTest, MotionBoundsAddUpWhereMotionsCancel) {
+  LegConfig leg = belt_leg();
+  leg.transmission = {1.0, 0.0, -1.0, 1.0};
+  const JointVector bound = Transmission(leg).joint_motion_bound(pair(0.5, 0.25));
+  EXPECT_DOUBLE_EQ(bound[0], 0.5);
+  EXPECT_DOUBLE_EQ(bound[1], 0.75);
+}
+
 TEST(TransmissionTest, KnowsWhichDriveMovesWhichJoint) {
   LegConfig leg = belt_leg();
   EXPECT_TRUE(Transmission(leg).couples(1, 0));

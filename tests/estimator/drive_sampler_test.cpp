@@ -84,5 +84,13 @@ TEST_F(DriveSamplerTest, EncoderStepIsSeenThroughTheGear) {
   EXPECT_NEAR(sampler.encoder_step_rad(0), 6.283185307 / 131072.0 / 100.0, 1e-15);
 }
 
+TEST_F(DriveSamplerTest, EncoderStepsOfAParallelogramAddUpAndDoNotCancel) {
+  robot_.legs[0].transmission = {1.0, 0.0, -1.0, 1.0};
+  const DriveSampler sampler(robot_, robot_.legs[0]);
+  const double step_rad = 6.283185307 / 131072.0 / 100.0;
+  EXPECT_NEAR(sampler.encoder_step_rad(0), step_rad, 1e-15);
+  EXPECT_NEAR(sampler.encoder_step_rad(1), 2.0 * step_rad, 1e-15);
+}
+
 }  // namespace
 }  // namespace sprung

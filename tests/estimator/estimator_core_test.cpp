@@ -157,6 +157,21 @@ TEST_F(EstimatorCoreTest, RestartAndGapBeginAnewInsteadOfJumping) {
   EXPECT_DOUBLE_EQ(out_.joints[0].estimated_position_rad, 1.5);
 }
 
+TEST_F(EstimatorCoreTest, HowLongAGapIsBridgedComesFromTheGivenWatchdogs) {
+  const double longest_s = robot_.simulation_watchdogs.joint_state_s;
+  ASSERT_GT(longest_s, robot_.watchdogs.joint_state_s);
+  EstimatorCore patient(robot_, robot_.simulation_watchdogs);
+  const auto step_after = [&](std::int64_t gap_us) {
+    ++drives_.stamp.seq;
+    drives_.stamp.utime_us += gap_us;
+    patient.step(drives_, out_);
+    return out_.joints[0].status;
+  };
+  for (int k = 0; k < 50; ++k) step_after(1000);
+  EXPECT_EQ(step_after(std::llround(longest_s * 1e6)), JointStatus::kOk);
+  EXPECT_EQ(step_after(std::llround(longest_s * 1e6) + 1), JointStatus::kStarting);
+}
+
 TEST_F(EstimatorCoreTest, StateOfAnotherRobotIsNotUsed) {
   cycles(50);
   const DriveState other(3);
