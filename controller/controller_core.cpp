@@ -50,8 +50,6 @@ const char* name(CommandBasis value) noexcept {
       return "foot out of reach";
     case CommandBasis::kSafety:
       return "safety";
-    case CommandBasis::kInputsStopped:
-      return "joint state stopped";
   }
   return "unknown";
 }
@@ -96,9 +94,8 @@ struct ControllerCore::Impl {
   void fall_back(const JointState& state, DriveCommand& out) noexcept {
     const bool any_enabled = std::any_of(state.joints.begin(), state.joints.end(),
                                          [](const EstimatedJoint& joint) { return joint.drive_enabled; });
-    // No start of this process may turn a drive on that is off, and none may drop a leg that is held.
-    const bool power_off =
-        state.safety == SafetyLevel::kDisabled || (basis == CommandBasis::kNoCommand && !any_enabled);
+    // Nothing that goes wrong may turn a drive on that is off, nor drop a leg that is held.
+    const bool power_off = state.safety == SafetyLevel::kDisabled || !any_enabled;
     for (LegController& leg : legs) power_off ? leg.disable(out) : leg.damp(out);
   }
 
@@ -136,13 +133,6 @@ void ControllerCore::step(const JointState& state, const LegCommand* command, Dr
   impl_->basis = impl_->check(state, command);
   if (impl_->basis == CommandBasis::kCommanded) impl_->basis = impl_->run(state, *command, dt_s, out);
   if (impl_->basis != CommandBasis::kCommanded) impl_->fall_back(state, out);
-}
-
-void ControllerCore::inputs_stopped(DriveCommand& out) noexcept {
-  impl_->stamp_command(out);
-  out.used_leg_command_seq = -1;
-  impl_->basis = CommandBasis::kInputsStopped;
-  for (LegController& leg : impl_->legs) leg.damp(out);
 }
 
 CommandBasis ControllerCore::basis() const noexcept { return impl_->basis; }

@@ -9,16 +9,16 @@
 
 namespace sprung {
 
-/// Why the last DRIVE_COMMAND is what it is.
+/// Why the last DRIVE_COMMAND is what it is. All but kCommanded give damping; but no power where safety has
+/// disabled the robot, or where no drive is enabled: nothing that goes wrong may switch a drive on.
 enum class CommandBasis : std::int8_t {
-  kCommanded = 0,     ///< as LEG_COMMAND asks, after limits
-  kNoCommand = 1,     ///< none yet: disabled, or damping where drives are already enabled
-  kCommandStale = 2,  ///< LEG_COMMAND older than leg_command_s, from the future, or of another robot: damping
-  kJointNotReady = 3,  ///< a joint is stale, in fault, starting or not referenced: damping
-  kNotFinite = 4,      ///< damping
-  kUnreachable = 5,    ///< a desired foot cannot be reached: damping
-  kSafety = 6,         ///< the bridge is not operational: damping, or disabled
-  kInputsStopped = 7,  ///< no JOINT_STATE: damping
+  kCommanded = 0,      ///< as LEG_COMMAND asks, after limits
+  kNoCommand = 1,      ///< none yet
+  kCommandStale = 2,   ///< LEG_COMMAND older than leg_command_s, from the future, or of another robot
+  kJointNotReady = 3,  ///< a joint is stale, in fault, starting or not referenced
+  kNotFinite = 4,
+  kUnreachable = 5,  ///< a desired foot cannot be reached
+  kSafety = 6,       ///< the bridge is not operational
 };
 
 const char* name(CommandBasis value) noexcept;
@@ -32,11 +32,8 @@ class ControllerCore {
   ControllerCore& operator=(const ControllerCore&) = delete;
 
   /// DRIVE_COMMAND(k) from JOINT_STATE(k) and the newest LEG_COMMAND of seq <= k-1 (nullptr: none yet),
-  /// extrapolated by its derivatives to now. Stale, non-finite or unsafe input gives a damping command.
+  /// extrapolated by its derivatives to now. Stale, non-finite or unsafe input gives a damping command, or none of power: see CommandBasis.
   void step(const JointState& state, const LegCommand* command, DriveCommand& out) noexcept;
-
-  /// What to send when JOINT_STATE itself has stopped: damping at the last cycle's stamp.
-  void inputs_stopped(DriveCommand& out) noexcept;
 
   CommandBasis basis() const noexcept;  ///< of the last command
   LimitCounts limits() const noexcept;  ///< of all legs together: which safety limits acted, and how often

@@ -1,14 +1,19 @@
 /// sprung-leg-controller: JOINT_STATE(k) and LEG_COMMAND(k-1) in, DRIVE_COMMAND(k) out.
 #include <optional>
 
+#include "controller/command_report.h"
 #include "controller/controller_core.h"
 #include "lcmtypes/channels.h"
 #include "runtime/answer_store.h"
+#include "runtime/log.h"
 #include "runtime/process.h"
 #include "runtime/responder_loop.h"
 
 namespace sprung {
 namespace {
+
+/// A basis that changes to and fro in every cycle must not fill the log.
+constexpr std::int64_t kLogInterval_us = 100'000;
 
 class ControllerShell : public ResponderShell {
  public:
@@ -35,6 +40,7 @@ class ControllerShell : public ResponderShell {
     core_->step(in_, commanded ? &command_ : nullptr, out_);
     answers_.keep(out_);
     drive_commands_.publish(out_);
+    report();
     return in_.stamp;
   }
 
@@ -49,12 +55,18 @@ class ControllerShell : public ResponderShell {
     answers_.clear();
   }
 
-  void inputs_stopped() override {
-    core_->inputs_stopped(out_);
-    drive_commands_.publish(out_);
+ private:
+  /// After the command has left: this may make texts.
+  void report() {
+    const std::int64_t now_us = process_.node().utime_us();
+    const auto news = report_.update(core_->basis(), core_->limits(), now_us);
+    if (news == CommandReport::News::kNone) return;
+    process_.status().detail = report_.text();
+    if (news != CommandReport::News::kBasis || !log_limit_.allow(now_us)) return;
+    const bool as_asked = core_->basis() == CommandBasis::kCommanded;
+    as_asked ? log_info(report_.text()) : log_warn(report_.text());
   }
 
- private:
   Process& process_;
   const RobotConfig& robot_ = process_.robot();
   JointState in_{robot_.joints.size(), robot_.legs.size()};
@@ -65,13 +77,14 @@ class ControllerShell : public ResponderShell {
   AnswerStore<DriveCommand> answers_;
   Publisher<DriveCommand> drive_commands_;
   std::optional<ControllerCore> core_;
+  CommandReport report_;
+  LogLimit log_limit_{kLogInterval_us};
 };
 
 int control(Process& process) {
   ControllerShell shell(process);
   ResponderRole role;
   role.has_partner = true;
-  role.answers_stop = true;
   const auto responder = make_responder(process, role);
   return run_responder(process, *responder, shell);
 }

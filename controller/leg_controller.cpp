@@ -9,6 +9,8 @@ namespace {
 constexpr double kFade_s = 0.020;          // facts B2: switch over 20-30 ms
 constexpr double kFadeSpeed_rad_s = 3.0;   // mean, a quarter of what the joints can do
 constexpr double kPeakToMeanOfFade = 1.5;  // of the cubic
+constexpr double kLongestPreload_rad =
+    0.1;  // 50 Nm at the position loop of facts C2: a standing leg needs less
 
 template <class T>
 std::vector<T> pick(const std::vector<T>& all, const std::vector<int>& indices) {
@@ -49,12 +51,13 @@ LegOutcome LegController::step(const std::vector<EstimatedJoint>& joints, const 
   }
   if (!read(joints)) return LegOutcome::kNotFinite;
   entering_ = entering_ || !all_enabled_ || desired.control_mode != mode_;
+  const bool was_compliant = mode_ == ControlMode::kCompliance;
   mode_ = desired.control_mode;
   fade_.advance(dt_s);
   const FootMotion foot = extrapolate(desired, desired_age_s);
   if (!foot.position_m.allFinite() || !foot.velocity_m_s.allFinite()) return LegOutcome::kNotFinite;
-  const LegOutcome outcome =
-      mode_ == ControlMode::kPosition ? position(foot, out) : compliance(desired, foot, dt_s, out);
+  const LegOutcome outcome = mode_ == ControlMode::kPosition ? position(foot, was_compliant, out)
+                                                             : compliance(desired, foot, dt_s, out);
   entering_ = outcome != LegOutcome::kOk;
   return outcome;
 }
@@ -73,10 +76,10 @@ bool LegController::read(const std::vector<EstimatedJoint>& joints) noexcept {
          motor_torque_Nm_.allFinite();
 }
 
-LegOutcome LegController::position(const FootMotion& foot, DriveCommand& out) noexcept {
+LegOutcome LegController::position(const FootMotion& foot, bool was_compliant, DriveCommand& out) noexcept {
   const InverseResult inverse = kinematics_->inverse(foot.position_m, measured_.position_rad);
   if (!inverse.reachable) return LegOutcome::kUnreachable;
-  if (entering_) enter_position(inverse.position_rad);
+  if (entering_) enter_position(inverse.position_rad, was_compliant);
   const DampedInverse to_joints = damped_inverse(kinematics_->jacobian(inverse.position_rad));
   JointVector position_rad = inverse.position_rad + fade_.share() * offset_;
   JointVector velocity_rad_s = to_joints.matrix.transpose() * foot.velocity_m_s + fade_.rate_1_s() * offset_;
@@ -97,9 +100,22 @@ LegOutcome LegController::position(const FootMotion& foot, DriveCommand& out) no
   return LegOutcome::kOk;
 }
 
-void LegController::enter_position(const JointVector& desired_rad) noexcept {
+void LegController::enter_position(const JointVector& desired_rad, bool was_compliant) noexcept {
   offset_ = measured_.position_rad - desired_rad;
+  if (was_compliant && all_enabled_) offset_ += held_by_stiffness_rad();
   fade_.start(std::max(kFade_s, kPeakToMeanOfFade * offset_.cwiseAbs().maxCoeff() / kFadeSpeed_rad_s));
+}
+
+/// How far beyond the measured position a set-point must be for the drives' position loops, torque = stiffness
+/// * (set-point - measured), to give the torque that the motors give now. Zero where the stiffness is unknown.
+JointVector LegController::held_by_stiffness_rad() const noexcept {
+  JointVector beyond_rad = transmission_.actuator_torque(motor_torque_Nm_);
+  for (int i = 0; i < beyond_rad.size(); ++i) {
+    const double stiffness = actuators_[static_cast<std::size_t>(i)].position_stiffness_Nm_rad;
+    const double needed_rad = stiffness > 0.0 ? beyond_rad[i] / stiffness : 0.0;
+    beyond_rad[i] = std::clamp(needed_rad, -kLongestPreload_rad, kLongestPreload_rad);
+  }
+  return transmission_.joint_from_actuator(beyond_rad);
 }
 
 void LegController::clamp_to_limits(JointVector& position_rad, JointVector& velocity_rad_s) noexcept {

@@ -5,7 +5,9 @@
 /// Bumpless, by what fades out over 20 ms after a change of mode:
 ///   to position    the difference between measured and desired joint positions (longer where 20 ms would
 ///   need more than
-///                  3 rad/s), so that the first set-point is the measured position;
+///                  3 rad/s), so that the first set-point is the measured position; coming from compliance also
+///                  what the drive's own stiffness needs to give the torque that is there, so that a loaded
+///                  leg does not sag in the first cycles;
 ///   to compliance  the difference between the torque measured at the motor and the law's own, so that the
 ///   first set-point
 ///                  is the torque that is there. Stiffness and damping act in full at once: a ramp of them
@@ -42,10 +44,11 @@ class LegController {
 
  private:
   bool read(const std::vector<EstimatedJoint>& joints) noexcept;
-  LegOutcome position(const FootMotion& foot, DriveCommand& out) noexcept;
+  LegOutcome position(const FootMotion& foot, bool was_compliant, DriveCommand& out) noexcept;
   LegOutcome compliance(const DesiredLeg& desired, const FootMotion& foot, double dt_s,
                         DriveCommand& out) noexcept;
-  void enter_position(const JointVector& desired_rad) noexcept;
+  void enter_position(const JointVector& desired_rad, bool was_compliant) noexcept;
+  JointVector held_by_stiffness_rad() const noexcept;
   void enter_compliance(const JointVector& law_Nm) noexcept;
   void clamp_to_limits(JointVector& position_rad, JointVector& velocity_rad_s) noexcept;
   ActuatorCommand& command(DriveCommand& out, int i) const noexcept;

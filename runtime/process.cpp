@@ -69,8 +69,9 @@ void Process::publish_status() {
   status_.utc_offset_us = node_.clock().utc_offset_us();
   status_.cycles = statistics_.cycles();
   status_.loop = statistics_.summarize();
-  status_.refused_messages = node_.refused_messages();
-  if (const std::string refusal = node_.last_refusal(); !refusal.empty()) status_.detail = refusal;
+  const std::int64_t refused = node_.refused_messages();
+  if (refused != status_.refused_messages) status_.detail = node_.last_refusal();  // old ones hide nothing
+  status_.refused_messages = refused;
   publisher_.publish(status_);
 }
 

@@ -70,25 +70,18 @@ ResponderDecision LockstepResponder::restart() noexcept {
 }
 
 ResponderDecision RealTimeResponder::decide(const ResponderView& view) noexcept {
-  if (view.inputs.count == 0) return idle(view.now_us);
+  const ResponderDecision wait{ResponderAction::kWait, -1, view.now_us + kIdleWait_us};
+  if (view.inputs.count == 0) return wait;
   const std::int64_t newest = view.inputs.newest(0);
   if (answered_ && fell_back(view, *answered_)) {
     answered_.reset();
     ++counters_.restarts;
     return {ResponderAction::kRestart, -1, 0};
   }
-  if (answered_ && newest <= *answered_) return idle(view.now_us);
+  if (answered_ && newest <= *answered_) return wait;
   if (answered_) counters_.skipped_inputs += newest - *answered_ - 1;
   answered_ = newest;
-  stopped_at_us_ = view.now_us + timing_.input_timeout_us;
   return {ResponderAction::kStep, newest, 0};
-}
-
-ResponderDecision RealTimeResponder::idle(std::int64_t now_us) noexcept {
-  if (!timing_.answers_stop || !answered_) return {ResponderAction::kWait, -1, now_us + kIdleWait_us};
-  if (now_us < stopped_at_us_) return {ResponderAction::kWait, -1, stopped_at_us_};
-  stopped_at_us_ = now_us + timing_.stopped_interval_us;
-  return {ResponderAction::kInputsStopped, *answered_, 0};
 }
 
 }  // namespace sprung

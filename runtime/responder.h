@@ -12,8 +12,8 @@
 /// for `short_patience`, until it is there in time again.
 ///
 /// Real time. The newest input is answered at once with the partner's newest of seq <= k-1; gaps are counted.
-/// When no input came for `input_timeout` after the first, the shell is asked for its stopped-inputs answer,
-/// again every `stopped_interval`.
+/// When no input comes, nothing is answered: to a responder that is silent the bridge itself reacts
+/// (command_hold, command_stop).
 #include <cstdint>
 #include <optional>
 
@@ -30,11 +30,10 @@ struct ResponderView {
 };
 
 enum class ResponderAction {
-  kWait,          ///< until something comes in or wait_until_us
-  kStep,          ///< answer input `seq` with the partner's newest value of seq <= seq - 1
-  kResend,        ///< send the stored answers of seq - 1 and seq again
-  kRestart,       ///< the bridge began anew: fresh core, forget stored answers; then decide again
-  kInputsStopped  ///< real time: no input any more
+  kWait,    ///< until something comes in or wait_until_us
+  kStep,    ///< answer input `seq` with the partner's newest value of seq <= seq - 1
+  kResend,  ///< send the stored answers of seq - 1 and seq again
+  kRestart  ///< the bridge began anew: fresh core, forget stored answers; then decide again
 };
 
 struct ResponderDecision {
@@ -84,23 +83,12 @@ class LockstepResponder : public Responder {
   std::optional<std::int64_t> give_up_us_;  ///< when waiting for something in particular
 };
 
-struct RealTimeTiming {
-  std::int64_t input_timeout_us = 20'000;    ///< robot.yaml joint_state
-  std::int64_t stopped_interval_us = 5'000;  ///< five cycles
-  bool answers_stop = false;  ///< whether the shell has a stopped-inputs answer (leg controller)
-};
-
 class RealTimeResponder : public Responder {
  public:
-  explicit RealTimeResponder(const RealTimeTiming& timing) noexcept : timing_(timing) {}
   ResponderDecision decide(const ResponderView& view) noexcept override;
 
  private:
-  ResponderDecision idle(std::int64_t now_us) noexcept;
-
-  RealTimeTiming timing_;
   std::optional<std::int64_t> answered_;
-  std::int64_t stopped_at_us_ = 0;  ///< when the next stopped-inputs answer is due
 };
 
 }  // namespace sprung

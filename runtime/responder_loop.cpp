@@ -1,7 +1,6 @@
 #include "runtime/responder_loop.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "runtime/log.h"
 #include "runtime/stop_request.h"
@@ -11,8 +10,6 @@ namespace {
 
 /// Status is looked at this often when nothing else wakes the loop.
 constexpr std::int64_t kLongestWait_us = 100'000;
-
-std::int64_t to_us(double seconds) { return std::llround(seconds * 1e6); }
 
 void step(Process& process, ResponderShell& shell, std::int64_t seq) {
   process.statistics().begin_cycle(process.node().utime_us());
@@ -38,8 +35,6 @@ void act(Process& process, ResponderShell& shell, const ResponderDecision& decis
     case ResponderAction::kRestart:
       log_warn("cycles began anew: starting over");
       return shell.restart();
-    case ResponderAction::kInputsStopped:
-      return shell.inputs_stopped();
   }
 }
 
@@ -51,11 +46,7 @@ std::unique_ptr<Responder> make_responder(const Process& process, const Responde
     timing.has_partner = role.has_partner;
     return std::make_unique<LockstepResponder>(timing);
   }
-  RealTimeTiming timing;
-  timing.input_timeout_us = to_us(process.watchdogs().joint_state_s);
-  timing.stopped_interval_us = to_us(5.0 * process.robot().cycle_s);
-  timing.answers_stop = role.answers_stop;
-  return std::make_unique<RealTimeResponder>(timing);
+  return std::make_unique<RealTimeResponder>();
 }
 
 int run_responder(Process& process, Responder& responder, ResponderShell& shell) {

@@ -20,16 +20,14 @@ class ResponderShell {
   virtual void resend(
       std::int64_t seq) = 0;   ///< publish the stored answers of seq - 1 and seq, as far as they are stored
   virtual void restart() = 0;  ///< fresh core, no stored answers
-  virtual void inputs_stopped() {}  ///< only where ResponderRole::answers_stop
   virtual void between_cycles() {}  ///< operator commands and the like; called once a turn, before look()
 };
 
 struct ResponderRole {
-  bool has_partner = false;   ///< lock-step waits for the partner's seq - 1
-  bool answers_stop = false;  ///< real time: inputs_stopped() is called when inputs stop
+  bool has_partner = false;  ///< lock-step waits for the partner's seq - 1
 };
 
-/// Lock-step or real-time responder, with the process' own watchdog times.
+/// Lock-step or real-time responder, as the process' clock asks.
 std::unique_ptr<Responder> make_responder(const Process& process, const ResponderRole& role);
 
 /// Starts the node; publishes kReady, kRunning from the first answer on, and status. @return 0 after a stop

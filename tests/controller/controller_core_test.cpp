@@ -66,6 +66,41 @@ TEST_F(ControllerCoreTest, OldCommandIsDampingAfterTheWatchdogsTime) {
   expect_damping(CommandBasis::kCommandStale);
 }
 
+TEST_F(ControllerCoreTest, NothingThatGoesWrongSwitchesAnIdleRobotOn) {
+  const auto expect_off = [this](CommandBasis basis) {
+    EXPECT_EQ(core_.basis(), basis) << name(core_.basis());
+    EXPECT_TRUE(all(DriveMode::kDisabled)) << name(basis);
+  };
+  for (EstimatedJoint& joint : state_.joints) joint.drive_enabled = false;
+  core_.step(state_, nullptr, out_);
+  expect_off(CommandBasis::kNoCommand);
+  cycle();
+  EXPECT_TRUE(all(DriveMode::kPosition));  // as LEG_COMMAND asks: this is how a drive is switched on
+  const LegCommand dead_planners = command_;
+  state_.stamp.utime_us += 30000;
+  core_.step(state_, &dead_planners, out_);
+  expect_off(CommandBasis::kCommandStale);
+  state_.joints[0].status = JointStatus::kFault;
+  cycle();
+  expect_off(CommandBasis::kJointNotReady);
+  state_.joints[0].status = JointStatus::kOk;
+  command_.legs[0].desired_foot_in_hip_m = {0.0, 0.0, -0.9};
+  cycle();
+  expect_off(CommandBasis::kUnreachable);
+  state_.safety = SafetyLevel::kDamping;
+  cycle();
+  expect_off(CommandBasis::kSafety);
+}
+
+TEST_F(ControllerCoreTest, LegThatOneDriveHoldsIsDampedNotDropped) {
+  cycle();
+  state_.joints[0].drive_enabled = false;
+  const LegCommand dead_planners = command_;
+  state_.stamp.utime_us += 30000;
+  core_.step(state_, &dead_planners, out_);
+  expect_damping(CommandBasis::kCommandStale);
+}
+
 TEST_F(ControllerCoreTest, CommandFromTheFutureOrOfAnotherRobotIsDamping) {
   command_.stamp = {state_.stamp.utime_us + 1000, 99};
   core_.step(state_, &command_, out_);
@@ -122,14 +157,6 @@ TEST_F(ControllerCoreTest, SafetyComesFirst) {
   EXPECT_TRUE(all(DriveMode::kDisabled));
 }
 
-TEST_F(ControllerCoreTest, StoppedInputsAreDampingAtTheLastStamp) {
-  cycle();
-  core_.inputs_stopped(out_);
-  expect_damping(CommandBasis::kInputsStopped);
-  EXPECT_EQ(out_.stamp.seq, 101);
-  EXPECT_EQ(out_.valid_until_utime_us, 122000);
-}
-
 TEST_F(ControllerCoreTest, AfterDampingThePositionBeginsAtTheMeasuredPoseAgain) {
   cycles(50);
   state_.joints[0].status = JointStatus::kStale;
@@ -147,7 +174,7 @@ TEST_F(ControllerCoreTest, SmoothingMustBePositive) {
 }
 
 TEST_F(ControllerCoreTest, EveryBasisHasAName) {
-  for (int i = 0; i <= static_cast<int>(CommandBasis::kInputsStopped); ++i) {
+  for (int i = 0; i <= static_cast<int>(CommandBasis::kSafety); ++i) {
     EXPECT_STRNE(name(static_cast<CommandBasis>(i)), "unknown");
   }
 }

@@ -45,6 +45,59 @@ TEST_F(LegControllerTest, FarTargetIsApproachedNoFasterThanALimit) {
   EXPECT_NEAR(leg_->foot_in_hip_m(before).z(), -0.25, 1e-9);
 }
 
+TEST_F(LegControllerTest, PositionAfterComplianceBeginsWithTheTorqueThatIsThere) {
+  for (const double torque_Nm : {14.0, -20.0}) {
+    want(ControlMode::kCompliance);
+    cycles(40);
+    set_joints(measured(), torque_Nm);
+    want(ControlMode::kPosition);
+    cycle();
+    for (int i = 0; i < 2; ++i) {
+      const double loop_Nm = robot_.actuators[static_cast<std::size_t>(i)].position_stiffness_Nm_rad *
+                             (commanded_position()[i] - measured()[i]);
+      EXPECT_NEAR(loop_Nm, torque_Nm, 1e-6);
+    }
+    cycles(60);
+    EXPECT_NEAR(leg_->foot_in_hip_m(commanded_position()).z(), -0.45, 1e-9);  // and that fades
+  }
+}
+
+TEST_F(LegControllerTest, TorqueThatPositionBeginsWithIsBoundedAndSeenThroughTheBelt) {
+  robot_.legs[0].transmission = {1.0, 0.0, -1.0, 1.0};
+  robot_.actuators[0].position_stiffness_Nm_rad = 0.0;  // unknown: measured position as it was
+  ControllerCore core(robot_, robot_.preset("paper"), robot_.watchdogs);
+  const auto enter_with = [&](double torque_Nm) {
+    for (const ControlMode mode : {ControlMode::kCompliance, ControlMode::kPosition}) {
+      want(mode);
+      set_joints(measured(), torque_Nm);
+      command_.stamp = state_.stamp;
+      state_.stamp = {state_.stamp.utime_us + 1000, state_.stamp.seq + 1};
+      core.step(state_, &command_, out_);
+    }
+  };
+  const JointVector there_rad = pair(measured()[0], measured()[1] + measured()[0]);
+  enter_with(10.0);
+  EXPECT_NEAR(commanded_position()[0], there_rad[0], 1e-9);
+  EXPECT_NEAR(commanded_position()[1], there_rad[1] + 10.0 / robot_.actuators[1].position_stiffness_Nm_rad,
+              1e-9);
+  enter_with(150.0);
+  EXPECT_NEAR(commanded_position()[1], there_rad[1] + 0.1, 1e-9);
+}
+
+TEST_F(LegControllerTest, PositionFromIdleBeginsAtTheMeasuredPositionWhateverTheMotorShows) {
+  set_joints(measured(), 14.0);
+  cycle();
+  EXPECT_LT((commanded_position() - measured()).norm(), 1e-9);
+  want(ControlMode::kCompliance);
+  cycles(40);
+  for (EstimatedJoint& joint : state_.joints) joint.drive_enabled = false;
+  want(ControlMode::kPosition);
+  cycles(2);
+  for (EstimatedJoint& joint : state_.joints) joint.drive_enabled = true;
+  cycle();
+  EXPECT_LT((commanded_position() - measured()).norm(), 1e-9);
+}
+
 TEST_F(LegControllerTest, ComplianceBeginsWithTheTorqueThatIsThere) {
   set_joints(measured(), 14.0);
   want(ControlMode::kCompliance);
