@@ -1,6 +1,7 @@
 /// What runs in every cycle around a core allocates nothing once it has its size (LCM itself aside).
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <vector>
 
 #include "runtime/answer_store.h"
@@ -65,6 +66,23 @@ TEST_F(CycleAllocationTest, TheCounterCounts) {
   const std::vector<double> some(100);
   EXPECT_GT(test::allocation_count(), before) << some.size();
 }
+
+#ifndef __SANITIZE_ADDRESS__
+TEST_F(CycleAllocationTest, TheCounterCountsWhatEigenAndCLibrariesTake) {
+  void* volatile kept = nullptr;  // so that nothing is optimised away
+  const auto counts = [&kept](auto allocate) {
+    const std::int64_t before = test::allocation_count();
+    kept = allocate();
+    const bool counted = test::allocation_count() == before + 1;
+    std::free(kept);
+    return counted;
+  };
+  EXPECT_TRUE(counts([] { return std::malloc(100); }));
+  EXPECT_TRUE(counts([] { return std::calloc(10, 10); }));
+  EXPECT_TRUE(counts([] { return std::aligned_alloc(64, 128); }));
+  EXPECT_TRUE(counts([] { return std::realloc(nullptr, 100); }));
+}
+#endif
 
 }  // namespace
 }  // namespace sprung
