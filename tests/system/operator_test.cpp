@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <lcm/lcm-cpp.hpp>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "tests/system/system_fixture.h"
 
@@ -100,6 +102,24 @@ TEST_F(Operator, EmergencyStopLatchesUntilClearAndTorqueStaysOff) {
   EXPECT_EQ(json["motion"]["state"], "idle");
   const CommandResult stand = sprung("stand");
   EXPECT_EQ(stand.status, 0) << stand.output;
+}
+
+TEST_F(Operator, RecordWritesAnLcmLogOfEveryChannel) {
+  up("lockstep", "--speed 1");
+  const std::string file = (folder_ / "record.lcm").string();
+  const std::string command = "exec " SPRUNG_BIN_DIR "/sprung record " + file + " > /dev/null";
+  ChildProcess record("/bin/sh", {"-c", command});
+  usleep(1'500'000);
+  record.signal(SIGINT);
+  while (!record.ended()) usleep(10'000);
+  EXPECT_EQ(*record.ended(), 0);
+  lcm::LogFile log(file, "r");
+  ASSERT_TRUE(log.good());
+  std::set<std::string> channels;
+  while (const lcm::LogEvent* event = log.readNextEvent()) channels.insert(event->channel);
+  EXPECT_THAT(channels, testing::IsSupersetOf({"DRIVE_STATE", "JOINT_STATE", "LEG_COMMAND", "DRIVE_COMMAND",
+                                               "MOTION_STATE", "SAFETY_STATE", "CAN_TRACE", "SIM_TRUTH",
+                                               "PROCESS_STATUS"}));
 }
 
 TEST_F(Operator, CtrlCEndsEveryProcess) {

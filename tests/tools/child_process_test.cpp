@@ -34,6 +34,12 @@ TEST(ChildProcess, MissingProgramIsNamed) {
       testing::ThrowsMessage<std::runtime_error>(testing::HasSubstr("cannot start /nowhere/sprung-x")));
 }
 
+TEST(SystemProgram, IsFoundInThePathOrThePackageIsNamed) {
+  EXPECT_THAT(system_program("sh", "dash"), testing::EndsWith("/sh"));
+  EXPECT_THAT([] { system_program("no-such-program", "its-package"); },
+              testing::ThrowsMessage<std::runtime_error>(testing::HasSubstr("apt-get install its-package")));
+}
+
 TEST(ChildProcess, StopIsPolite) {
   ChildProcess child("/bin/sleep", {"1000"});
   EXPECT_EQ(child.stop(5.0), 128 + SIGTERM);

@@ -20,7 +20,8 @@ int run_record(const std::string& instance, const std::string& path) {
   const RunInfo info = require_running(instance, "");
   const std::string file =
       path.empty() ? info.robot + "-" + std::to_string(std::time(nullptr)) + ".lcm" : path;
-  ChildProcess logger("/usr/bin/lcm-logger", {"--lcm-url=" + info.lcm_url, "-q", "-f", file});
+  ChildProcess logger(system_program("lcm-logger", "liblcm-bin"),
+                      {"--lcm-url=" + info.lcm_url, "-q", "-f", file});
   std::printf("recording %s with lcm-logger; Ctrl-C ends it\n", file.c_str());
   std::fflush(stdout);
   while (!stop_requested() && !logger.ended() && read_run_file(instance)) {

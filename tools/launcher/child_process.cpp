@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <sstream>
 #include <stdexcept>
 #include <thread>
 
@@ -83,6 +84,18 @@ int ChildProcess::stop(double patience_s) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   return *status_;
+}
+
+std::string system_program(const std::string& name, const std::string& package) {
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path != nullptr ? path : "");
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    const std::string candidate = folder + "/" + name;
+    if (access(candidate.c_str(), X_OK) == 0) {
+      return candidate;
+    }
+  }
+  throw std::runtime_error(name + " is not installed: run ./setup, or apt-get install " + package);
 }
 
 std::string program_folder() {

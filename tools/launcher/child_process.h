@@ -26,6 +26,9 @@ class ChildProcess {
   std::optional<int> status_;
 };
 
+/// A program of the system, from $PATH. @throws std::runtime_error naming it and saying what to install.
+std::string system_program(const std::string& name, const std::string& package);
+
 /// Where the stack's programs are: $SPRUNG_PROGRAMS, else the folder of the running program, whatever PATH says.
 std::string program_folder();
 

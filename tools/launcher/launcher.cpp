@@ -106,8 +106,8 @@ void Launcher::start_recorder() {
 }
 
 void Launcher::start(const PlannedProcess& planned) {
-  const std::string path =
-      planned.program == kRecorder ? "/usr/bin/lcm-logger" : program_folder() + "/" + planned.program;
+  const std::string path = planned.program == kRecorder ? system_program(kRecorder, "liblcm-bin")
+                                                        : program_folder() + "/" + planned.program;
   children_.push_back({planned.program, std::make_unique<ChildProcess>(path, planned.arguments), false});
   info_.processes.push_back({planned.program, children_.back().process->pid()});
   run_file_.write(info_);
