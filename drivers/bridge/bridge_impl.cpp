@@ -54,13 +54,17 @@ void BridgeCore::Impl::refuse_drives(std::int64_t time_us) noexcept {
     const NodeBoot& boot = nodes[i]->boot();
     if (boot.refused()) {
       safety.refuse_drive({SafetyCause::kDriveRefused, static_cast<int>(i), boot.detail()}, time_us, cycle);
+      return;  // one at a time: the detail has room for one
     }
   }
 }
 
 /// Drives often come up with a fault (facts canopen 2.5), so cyclic operation begins with resetting them.
 void BridgeCore::Impl::begin_cycle(std::int64_t time_us) noexcept {
-  if (!cyclic) recover(time_us);
+  if (!cyclic) {
+    recover(time_us);
+    bus_trouble_new = bus_trouble_new && any_bus_lost();  // what booting has got over is no trouble
+  }
   cyclic = true;
   ++cycle;
 }
@@ -70,9 +74,14 @@ void BridgeCore::Impl::recover(std::int64_t time_us) noexcept {
   recover_until_us = time_us + kRecovery_us;
 }
 
-double BridgeCore::Impl::command_age_s(bool command_due) const noexcept {
+bool BridgeCore::Impl::any_bus_lost() const noexcept {
+  return std::find(bus_lost.begin(), bus_lost.end(), true) != bus_lost.end();
+}
+
+/// Before this cycle's command is due, that of the cycle before counts as new.
+double BridgeCore::Impl::command_age_s(std::int64_t time_us, bool command_due) const noexcept {
   if (!gate.any()) return 0.0;
-  const std::int64_t age_us = sync_us - good_sync_us - (command_due ? 0 : cycle_us);
+  const std::int64_t age_us = command_due ? time_us - good_sync_us : sync_us - good_sync_us - cycle_us;
   return 1e-6 * static_cast<double>(std::max<std::int64_t>(age_us, 0));
 }
 
@@ -98,7 +107,8 @@ void BridgeCore::Impl::update_safety(std::int64_t time_us, bool command_due) noe
   inputs.time_us = time_us;
   inputs.cycle = cycle;
   inputs.armed = gate.armed() && !recovering;
-  inputs.command_age_s = command_age_s(command_due);
+  inputs.command_age_s = command_age_s(time_us, command_due);
+  inputs.command_expired = command_due && gate.any() && time_us > gate.last().valid_until_utime_us;
   inputs.command_refused = gate.last_was_refused();
   inputs.refusal = &gate.detail();
   inputs.drive = !safety.latched() && find_trouble(time_us, drive_trouble) ? &drive_trouble : nullptr;
@@ -114,13 +124,12 @@ void BridgeCore::Impl::update_safety(std::int64_t time_us, bool command_due) noe
 
 const char* BridgeCore::Impl::why_not_clear(std::int64_t time_us) noexcept {
   if (shutting_down) return "the bridge is shutting down";
-  if (std::find(bus_lost.begin(), bus_lost.end(), true) != bus_lost.end())
-    return "a bus is lost; see SAFETY_STATE";
+  if (any_bus_lost()) return "a bus is lost; see SAFETY_STATE";
   bool booting = false;
   for (auto& node : nodes) {
     if (!node->lost(time_us)) continue;
     booting = true;
-    if (node->boot().operational()) node->restart();
+    if (node->boot().operational() || node->boot().refused()) node->restart();
   }
   if (booting) return "a drive is not operational; it is being configured again, then clear once more";
   for (auto& node : nodes) {
@@ -129,7 +138,7 @@ const char* BridgeCore::Impl::why_not_clear(std::int64_t time_us) noexcept {
   }
   const bool by_command =
       safety.cause() == SafetyCause::kCommandStale || safety.cause() == SafetyCause::kCommandRefused;
-  if (by_command && command_age_s(false) > watchdogs.command_hold_s)
+  if (by_command && command_age_s(time_us, false) > watchdogs.command_hold_s)
     return "no good DRIVE_COMMAND is coming in";
   return nullptr;
 }

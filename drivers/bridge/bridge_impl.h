@@ -28,7 +28,8 @@ struct BridgeCore::Impl {
   void recover(std::int64_t time_us) noexcept;
   void update_safety(std::int64_t time_us, bool command_due) noexcept;
   bool find_trouble(std::int64_t time_us, Trouble& out) const noexcept;
-  double command_age_s(bool command_due) const noexcept;
+  bool any_bus_lost() const noexcept;
+  double command_age_s(std::int64_t time_us, bool command_due) const noexcept;
   const char* clear(std::int64_t time_us) noexcept;
   const char* why_not_clear(std::int64_t time_us) noexcept;
   OperatorReply reply(const OperatorCommand& command, const char* refusal) noexcept;

@@ -9,6 +9,7 @@ namespace {
 constexpr double kTorqueTolerance = 1.001;
 constexpr double kDampingFactor = 10.0;
 constexpr double kPositionReach_rad = 20.0;
+constexpr std::int64_t kLongestValidity_us = 1'000'000;  // [design choice] far above any command_hold
 
 bool is_known(DriveMode mode) noexcept {
   return mode >= DriveMode::kDisabled && mode <= DriveMode::kPosition;
@@ -48,9 +49,15 @@ bool CommandGate::judge(const DriveCommand& command, std::int64_t cycle, std::in
           static_cast<long long>(any_ ? last_.stamp.seq : -1));
     return false;
   }
-  if (command.valid_until_utime_us < time_us) {
+  const std::int64_t valid_until_us = std::max<std::int64_t>(command.valid_until_utime_us, 0);
+  if (valid_until_us < time_us) {
     print(detail_, "command of cycle %lld came %lld us after it expired", static_cast<long long>(seq),
-          static_cast<long long>(time_us - command.valid_until_utime_us));
+          static_cast<long long>(time_us - valid_until_us));
+    return false;
+  }
+  if (valid_until_us - time_us > kLongestValidity_us) {
+    print(detail_, "command of cycle %lld says that it is valid for more than a second",
+          static_cast<long long>(seq));
     return false;
   }
   for (std::size_t i = 0; i < actuators_.size(); ++i) {

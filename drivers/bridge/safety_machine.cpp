@@ -8,6 +8,8 @@ namespace {
 
 constexpr double kShutdownDamping_s =
     1.0;  // [design choice] a leg at 12 Nm s/rad has come to rest well before
+// [design choice] a standing leg starts from rest: it must get the time to begin to sink, else it is dropped
+constexpr double kSlowLongEnough_s = 0.3;
 
 Trouble trouble_of(SafetyCause cause, const char* detail) noexcept {
   Trouble trouble;
@@ -60,7 +62,10 @@ void SafetyMachine::emergency_stop(std::int64_t time_us, std::int64_t cycle) noe
 }
 
 void SafetyMachine::refuse_drive(const Trouble& trouble, std::int64_t time_us, std::int64_t cycle) noexcept {
-  if (state_.latched) return;
+  if (state_.latched) {
+    if (cycle >= 0) state_.detail = trouble.detail;  // what to mend before clear can succeed
+    return;
+  }
   enter(SafetyLevel::kDisabled, true, trouble, time_us, cycle);
 }
 
@@ -69,6 +74,7 @@ void SafetyMachine::begin_shutdown(std::int64_t time_us, std::int64_t cycle) noe
   if (!powered && state_.latched) return;  // a stop under way ends without power anyway
   enter(powered ? SafetyLevel::kDamping : SafetyLevel::kDisabled, true,
         trouble_of(SafetyCause::kShutdown, "orderly shutdown"), time_us, cycle);
+  slow_since_us_ = time_us;
 }
 
 void SafetyMachine::clear(std::int64_t time_us, std::int64_t cycle) noexcept {
@@ -97,7 +103,9 @@ void SafetyMachine::worsen(const SafetyInputs& inputs) noexcept {
   if (inputs.bus != nullptr) {
     latch(SafetyLevel::kQuickStop, *inputs.bus, inputs);
   } else if (state_.cause == SafetyCause::kShutdown) {
-    if (inputs.slow || lasted(kShutdownDamping_s, inputs.time_us)) {
+    if (!inputs.slow) slow_since_us_ = inputs.time_us;
+    const bool slow_long_enough = inputs.time_us - slow_since_us_ >= std::llround(1e6 * kSlowLongEnough_s);
+    if (slow_long_enough || lasted(kShutdownDamping_s, inputs.time_us)) {
       state_.level = SafetyLevel::kDisabled;
       since_us_ = inputs.time_us;
     }
@@ -110,7 +118,7 @@ void SafetyMachine::worsen(const SafetyInputs& inputs) noexcept {
 void SafetyMachine::follow_commands(const SafetyInputs& inputs) noexcept {
   if (inputs.command_age_s > watchdogs_.command_stop_s) {
     latch(SafetyLevel::kQuickStop, command_trouble(inputs), inputs);
-  } else if (inputs.command_age_s > watchdogs_.command_hold_s) {
+  } else if (inputs.command_age_s > watchdogs_.command_hold_s || inputs.command_expired) {
     enter(SafetyLevel::kDamping, false, command_trouble(inputs), inputs.time_us, inputs.cycle);
   } else if (inputs.overruns_in_row >= watchdogs_.overruns_in_row) {
     enter(SafetyLevel::kDamping, false,

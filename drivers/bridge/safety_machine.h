@@ -3,14 +3,15 @@
 ///
 ///   cause                                    level                                       latched
 ///   starting, no arming command yet          disabled                                    no
-///   command stale > command_hold             damping                                     no
+///   command stale > command_hold, or expired damping                                     no
 ///   command stale > command_stop             quick stop                                  yes
 ///   drive fault, silence, implausible value  damping, after command_stop quick stop      yes
 ///   bus lost                                 quick stop                                  yes
 ///   overruns in a row                        damping, until a cycle is in time again     no
 ///   a drive differs from robot.yaml          disabled                                    yes
 ///   emergency stop                           disabled                                    yes
-///   shutdown                                 damping until slow or 1 s, then disabled    yes
+///   shutdown                                 damping until slow for 0.3 s, or 1 s,       yes
+///                                            then disabled
 ///
 /// A latched state only gets worse, until clear(). The cause stays the first one, unless a worse level brings
 /// its own.
@@ -34,12 +35,13 @@ struct SafetyInputs {
   std::int64_t cycle = -1;
   bool armed = false;            ///< a good command with every mode disabled came since start, clear or latch
   double command_age_s = 0.0;    ///< of the last good command, 0 = of this cycle
+  bool command_expired = false;  ///< it may not be emitted any more, however young it is
   bool command_refused = false;  ///< commands do come, but are refused
   const DetailText* refusal = nullptr;
   const Trouble* drive = nullptr;  ///< fault, silence, implausible value; nullptr = none
   const Trouble* bus = nullptr;    ///< bus lost; nullptr = none
   int overruns_in_row = 0;
-  bool slow = false;  ///< all actuators nearly at rest; ends the damping of a shutdown
+  bool slow = false;  ///< all actuators nearly at rest; for a while ends the damping of a shutdown
 };
 
 class SafetyMachine {
@@ -47,7 +49,8 @@ class SafetyMachine {
   explicit SafetyMachine(const WatchdogConfig& watchdogs);
 
   void update(const SafetyInputs& inputs) noexcept;
-  /// At once; also before cyclic operation.
+  /// At once; also before cyclic operation. A drive refused while something else is latched only explains
+  /// itself in the detail.
   void emergency_stop(std::int64_t time_us, std::int64_t cycle) noexcept;
   void refuse_drive(const Trouble& trouble, std::int64_t time_us, std::int64_t cycle) noexcept;
   void begin_shutdown(std::int64_t time_us, std::int64_t cycle) noexcept;
@@ -71,6 +74,7 @@ class SafetyMachine {
   WatchdogConfig watchdogs_;
   SafetyState state_;
   std::int64_t since_us_ = 0;
+  std::int64_t slow_since_us_ = 0;  ///< while damping for a shutdown
 };
 
 }  // namespace sprung

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "drivers/can/can_errors.h"
 #include "drivers/canopen/objects.h"
 #include "tests/support/bridge_bench.h"
 
@@ -133,6 +134,26 @@ TEST(Boot, SilenceInTheMiddleBeginsAgain) {
   bench.run(300);
   bench.drives[1].dead = false;
   EXPECT_TRUE(bench.boot(3000));
+}
+
+TEST(Boot, BusErrorThatIsGoneByTheFirstCycleIsForgotten) {
+  BridgeBench bench;
+  bench.run(10);
+  bench.bridge->receive(0, bus_lost_frame(), bench.time_us);
+  ASSERT_TRUE(bench.boot());
+  EXPECT_FALSE(bench.bridge->safety().latched) << bench.detail();
+  bench.enable();
+  EXPECT_EQ(bench.state.safety, SafetyLevel::kOperational);
+}
+
+TEST(Boot, BusThatIsLostInTheFirstCycleIsNotForgotten) {
+  RobotConfig robot = testing::two_drive_robot();
+  robot.buses.push_back({"other", "memory:other"});
+  BridgeBench bench(robot);
+  bench.run(10);
+  bench.bridge->receive(1, bus_lost_frame(), bench.time_us);
+  ASSERT_TRUE(bench.boot());
+  EXPECT_EQ(bench.bridge->safety().cause, SafetyCause::kBusLost);
 }
 
 TEST(Boot, EmergencyStopWhileBootingIsKept) {

@@ -72,6 +72,13 @@ TEST_F(CommandGateTest, SequenceMustGrowAndNotRunAhead) {
 TEST_F(CommandGateTest, ExpiredAndMisshapenCommandsAreRefused) {
   EXPECT_FALSE(accept(command(5, DriveMode::kDisabled), 5, 10'001));
   EXPECT_THAT(detail(), HasSubstr("came 1 us after it expired"));
+  for (const std::int64_t absurd : {std::numeric_limits<std::int64_t>::min(), std::int64_t{1'005'001},
+                                    std::numeric_limits<std::int64_t>::max()}) {
+    DriveCommand bad = command(5, DriveMode::kDisabled);
+    bad.valid_until_utime_us = absurd;
+    EXPECT_FALSE(accept(bad)) << absurd;
+  }
+  EXPECT_THAT(detail(), HasSubstr("valid for more than a second"));
   DriveCommand wide = command(5, DriveMode::kDisabled);
   wide.actuators.emplace_back();
   EXPECT_FALSE(accept(wide));

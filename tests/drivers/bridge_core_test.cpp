@@ -99,6 +99,53 @@ TEST(BridgeCore, MeasuredValuesAreInActuatorSpace) {
   EXPECT_TRUE(std::isnan(bench.state.actuators[0].measured_link_position_rad));
 }
 
+class StallBeforeEmit : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(bench_.boot());
+    bench_.enable();
+    bench_.command_all(DriveMode::kTorque, 30.8);
+    bench_.run(5);
+    ASSERT_EQ(bench_.drives[0].target_torque_permille, 1000);
+  }
+  /// Torque set-point of drive 1 when the shell stands still between command() and emit_setpoints().
+  int torque_after(std::int64_t stall_us, std::int64_t valid_us) {
+    bench_.time_us += 1000;
+    FrameBatch out;
+    bench_.bridge->begin_tick(bench_.time_us, out);
+    for (const BusFrame& item : out) {
+      std::vector<CanFrame> answers;
+      for (FakeDrive& drive : bench_.drives) drive.receive(item.frame, answers);
+      for (const CanFrame& answer : answers) bench_.bridge->receive(0, answer, bench_.time_us);
+    }
+    EXPECT_TRUE(bench_.bridge->end_sampling(bench_.time_us, bench_.state));
+    bench_.command.stamp = bench_.state.stamp;
+    bench_.command.valid_until_utime_us = bench_.time_us + valid_us;
+    EXPECT_TRUE(bench_.bridge->command(bench_.command, bench_.time_us));
+    out.clear();
+    bench_.bridge->emit_setpoints(bench_.time_us + stall_us, out);
+    for (const BusFrame& item : out) {
+      if (item.frame.id == 0x201) return static_cast<std::int16_t>(canopen::get_le(&item.frame.data[0], 2));
+    }
+    return -1;
+  }
+  BridgeBench bench_;
+};
+
+TEST_F(StallBeforeEmit, ShortOneStillSendsTheCommand) { EXPECT_EQ(torque_after(19'000, 21'000), 1000); }
+
+TEST_F(StallBeforeEmit, LongerThanTheHoldSendsNoOldTorque) {
+  EXPECT_EQ(torque_after(20'001, 900'000), 0);
+  EXPECT_EQ(bench_.bridge->safety().cause, SafetyCause::kCommandStale);
+  EXPECT_FALSE(bench_.bridge->safety().latched);
+}
+
+TEST_F(StallBeforeEmit, PastItsOwnTimeSendsNoOldTorque) {
+  EXPECT_EQ(torque_after(4'001, 4'000), 0);
+  EXPECT_EQ(bench_.bridge->safety().cause, SafetyCause::kCommandStale);
+  EXPECT_FALSE(bench_.bridge->safety().latched);
+}
+
 TEST(BridgeCore, SupplyVoltageIsUnknownUntilReadInTheBackground) {
   BridgeBench bench;
   ASSERT_TRUE(bench.boot());
@@ -259,6 +306,21 @@ TEST(BridgeCore, ShutdownDampsThenSwitchesOff) {
   EXPECT_TRUE(bench.bridge->shut_down());
   EXPECT_FALSE(any_enabled(bench));
   EXPECT_EQ(bench.ask(OperatorKind::kClear).outcome, OperatorOutcome::kRefused);
+}
+
+TEST(BridgeCore, ShutdownOfAStandingRobotLetsItSinkDamped) {
+  BridgeBench bench;
+  ASSERT_TRUE(bench.boot());
+  bench.enable();
+  bench.run(100);
+  bench.bridge->begin_shutdown(bench.time_us);
+  bench.run(5);
+  for (int i = 0; i < 200; ++i) {
+    bench.drives[0].position_counts -= 2086;  // 1 rad/s
+    bench.tick();
+    ASSERT_TRUE(any_enabled(bench)) << "dropped after " << i << " ms";
+  }
+  EXPECT_GT(bench.drives[0].target_torque_permille, 300);
 }
 
 TEST(BridgeCore, ShutdownWhileBootingIsImmediate) {

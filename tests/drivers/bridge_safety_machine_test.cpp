@@ -126,6 +126,17 @@ TEST_F(SafetyMachineTest, FaultDampsThenQuickStopsAndKeepsItsCause) {
   EXPECT_EQ(machine_.state().since_seq, 2);
 }
 
+TEST_F(SafetyMachineTest, ExpiredCommandDampsHoweverYoungItIs) {
+  update(good_);
+  SafetyInputs inputs = good_;
+  inputs.command_age_s = 0.001;
+  inputs.command_expired = true;
+  update(inputs);
+  expect(Level::kDamping, Cause::kCommandStale, false);
+  update(good_);
+  expect(Level::kOperational, Cause::kNone, false);
+}
+
 TEST_F(SafetyMachineTest, FaultNeverLiftsADisabledRobotToDamping) {
   SafetyInputs inputs;
   inputs.drive = &fault_;
@@ -169,23 +180,42 @@ TEST_F(SafetyMachineTest, RefusedDriveDoesNotHideAnEmergencyStop) {
   expect(Level::kDisabled, Cause::kEmergencyStop, true);
 }
 
-TEST_F(SafetyMachineTest, ShutdownDampsUntilSlow) {
+TEST_F(SafetyMachineTest, ShutdownOfAStandingRobotDampsForThreeTenthsOfASecond) {
   update(good_);
   machine_.begin_shutdown(now_us_, 1);
-  update(good_, 100'000);
-  expect(Level::kDamping, Cause::kShutdown, true);
   SafetyInputs slow = good_;
   slow.slow = true;
-  update(slow);
+  update(slow);  // it stands, and only now begins to sink
+  expect(Level::kDamping, Cause::kShutdown, true);
+  update(slow, 298'000);
+  expect(Level::kDamping, Cause::kShutdown, true);
+  update(slow, 1'000);
+  expect(Level::kDisabled, Cause::kShutdown, true);
+}
+
+TEST_F(SafetyMachineTest, ShutdownDampsUntilSlowForThreeTenthsOfASecond) {
+  update(good_);
+  machine_.begin_shutdown(now_us_, 1);
+  SafetyInputs slow = good_;
+  slow.slow = true;
+  update(slow, 200'000);
+  update(good_, 100'000);  // sinks
+  update(slow, 1'000);
+  update(slow, 298'000);
+  expect(Level::kDamping, Cause::kShutdown, true);
+  update(slow, 1'000);
   expect(Level::kDisabled, Cause::kShutdown, true);
 }
 
 TEST_F(SafetyMachineTest, ShutdownDampsAtMostOneSecond) {
   update(good_);
   machine_.begin_shutdown(now_us_, 1);
-  update(good_, 999'000);
+  SafetyInputs slow = good_;
+  slow.slow = true;
+  update(good_, 900'000);
+  update(slow, 99'000);
   expect(Level::kDamping, Cause::kShutdown, true);
-  update(good_, 1'000);
+  update(slow, 1'000);
   expect(Level::kDisabled, Cause::kShutdown, true);
 }
 

@@ -284,6 +284,24 @@ TEST_F(BridgeSafety, DriveThatLeavesOperationalIsConfiguredAgainByClear) {
   EXPECT_EQ(enabled(), 2);
 }
 
+TEST_F(BridgeSafety, DriveThatIsRefusedWhenConfiguredAgainIsNamedAndTriedAgainByEveryClear) {
+  bench_.drives[0].nmt = canopen::NmtState::kPreOperational;
+  bench_.drives[0].power = PowerState::kSwitchOnDisabled;
+  bench_.drives[0].clamped[{canopen::kMaxTorque, 0}] = 5000;
+  bench_.run(900);
+  for (int resets = 2; resets < 4; ++resets) {
+    EXPECT_THAT(bench_.ask(OperatorKind::kClear).reason, HasSubstr("configured again"));
+    bench_.run(400);
+    EXPECT_EQ(bench_.drives[0].resets, resets);
+    EXPECT_EQ(cause(), SafetyCause::kDriveSilent);
+    EXPECT_EQ(bench_.detail(), "hip_motor: object 0x6072:00 max torque: expected 5571, found 5000");
+  }
+  bench_.drives[0].clamped.clear();
+  bench_.ask(OperatorKind::kClear);
+  bench_.run(400);
+  EXPECT_EQ(bench_.ask(OperatorKind::kClear).outcome, OperatorOutcome::kAccepted);
+}
+
 TEST_F(BridgeSafety, PositionThatJumpsIsImplausible) {
   bench_.drives[1].position_counts += 131072 * 20;
   bench_.tick();
