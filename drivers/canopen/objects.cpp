@@ -41,6 +41,8 @@ constexpr NamedObject kNames[] = {
     {kCurrentActual, "current"},
     {kSupplyVoltage, "supply voltage"},
     {kTargetPosition, "target position"},
+    {kMaxMotorSpeed, "max motor speed"},
+    {kTorqueOffset, "torque offset"},
     {kInterpolationPeriod, "interpolation period"},
     {kSupportedModes, "supported modes"},
 };

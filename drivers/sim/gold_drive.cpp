@@ -153,7 +153,7 @@ double GoldDrive::position_torque_Nm() noexcept {
 double GoldDrive::desired_torque_Nm() noexcept {
   if (state_ == PowerState::kQuickStopActive)
     return -config_.truth.quick_stop_damping_Nm_s_rad * velocity_rad_s_;
-  const double offset_Nm = per_mille_to_Nm(object(kTorqueOffset));
+  const double offset_Nm = per_mille_to_Nm(object(canopen::kTorqueOffset));
   if (position_active_) return offset_Nm + position_torque_Nm();
   if (dictionary_.get({canopen::kModeDisplay, 0}) != cia402::kModeCyclicTorque) return 0.0;
   return offset_Nm + per_mille_to_Nm(object(canopen::kTargetTorque));
@@ -168,7 +168,7 @@ void GoldDrive::drive_motor() noexcept {
   }
   const double set_limit_Nm = per_mille_to_Nm(object(canopen::kMaxTorque));
   const double limit_Nm = std::min(set_limit_Nm, config_.truth.peak_torque_Nm);
-  const double cap_rad_s = object(kMaxMotorSpeed) * kTwoPi / 60.0 / config_.actuator.gear_ratio;
+  const double cap_rad_s = object(canopen::kMaxMotorSpeed) * kTwoPi / 60.0 / config_.actuator.gear_ratio;
   const double desired_Nm = desired_torque_Nm();
   const double torque_Nm = limit_torque(desired_Nm, limit_Nm, velocity_rad_s_, cap_rad_s);
   limited_ = torque_Nm != desired_Nm;

@@ -104,8 +104,8 @@ void add_motion(Table& table, const GoldCommissioning& gold) {
   add(table, canopen::kCurrentActual, 0, kI16, kRo, kT, 0);
   add(table, canopen::kSupplyVoltage, 0, kU32, kRo, kT, gold.supply_mV);
   add(table, canopen::kTargetPosition, 0, kI32, kRw, kR, 0);
-  add(table, kMaxMotorSpeed, 0, kU32, kRw, kNo, gold.max_motor_speed_rpm);
-  add(table, kTorqueOffset, 0, kI16, kRw, kR, 0);
+  add(table, canopen::kMaxMotorSpeed, 0, kU32, kRw, kNo, gold.max_motor_speed_rpm);
+  add(table, canopen::kTorqueOffset, 0, kI16, kRw, kR, 0);
   add(table, canopen::kInterpolationPeriod, 0, kU8, kRo, kNo, 2);
   add(table, canopen::kInterpolationPeriod, 1, kU8, kRw, kNo, 1, 1, 255);
   add(table, canopen::kInterpolationPeriod, 2, kI8, kRw, kNo, -3, -6, -2);

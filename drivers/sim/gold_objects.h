@@ -25,8 +25,6 @@ ObjectDictionary gold_dictionary(const GoldCommissioning& commissioning);
 /// Objects that canopen/objects.h does not name, since the bridge has no use for them.
 inline constexpr std::uint16_t kTorqueDemand = 0x6074;    ///< per mille of rated torque
 inline constexpr std::uint16_t kVelocityActual = 0x606C;  ///< counts/s
-inline constexpr std::uint16_t kMaxMotorSpeed = 0x6080;   ///< rpm
-inline constexpr std::uint16_t kTorqueOffset = 0x60B2;    ///< per mille of rated torque
 inline constexpr std::uint16_t kFollowingError = 0x60F4;  ///< counts
 inline constexpr int kErrorHistoryLength = 16;            ///< facts canopen 1.3
 

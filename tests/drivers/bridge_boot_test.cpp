@@ -62,8 +62,11 @@ TEST(Boot, EveryWriteButTheControlWordIsReadBack) {
 
 TEST(Boot, LeavesTheSettingsOfTheRobotsFileInTheDrive) {
   BridgeBench bench;
+  bench.drives[0].objects[{kTorqueOffset, 0}] = 300;  // left by somebody
   ASSERT_TRUE(bench.boot());
   auto& objects = bench.drives[0].objects;
+  EXPECT_EQ((objects[{kTorqueOffset, 0}]), 0U);
+  EXPECT_EQ((objects[{kMaxMotorSpeed, 0}]), 11459U);
   EXPECT_EQ((objects[{kHeartbeatConsumer, 1}]), 0x007F0014U);
   EXPECT_EQ((objects[{kHeartbeatProducer, 0}]), 5U);
   EXPECT_EQ((objects[{kAbortConnectionOption, 0}]), 2U);

@@ -48,6 +48,8 @@ TEST(GoldSettings, FollowFromTheRobotsFile) {
   EXPECT_EQ(value_of(profile, {canopen::kRatedCurrent, 0}), 7000U);
   EXPECT_EQ(value_of(profile, {canopen::kRatedTorque, 0}), 308U);
   EXPECT_EQ(value_of(profile, {canopen::kMaxTorque, 0}), 5571U);  // 171.6 / 100 / 0.308, per mille
+  EXPECT_EQ(value_of(profile, {canopen::kTorqueOffset, 0}), 0U);
+  EXPECT_EQ(value_of(profile, {canopen::kMaxMotorSpeed, 0}), 11459U);  // 12 rad/s * 100, rpm
   EXPECT_EQ(value_of(profile, {canopen::kSyncPeriod, 0}), 1000U);
   EXPECT_EQ(value_of(profile, {canopen::kPositionGains, gold::kStiffnessSub}), 503000U);
   EXPECT_EQ(value_of(profile, {canopen::kPositionGains, gold::kDampingSub}), 29700U);
@@ -71,6 +73,9 @@ TEST(GoldSettings, ImpossibleActuatorsAreRefused) {
   ActuatorConfig config = actuator();
   config.rated_current_A = 0.0;
   EXPECT_THROW(gold::GoldProfile(config, kTiming), std::invalid_argument);
+  config = actuator();
+  config.speed_limit_rad_s = -1.0;
+  EXPECT_THROW(gold::GoldProfile(config, kTiming).settings(), std::invalid_argument);
   config = actuator();
   config.position_stiffness_Nm_rad = -1.0;
   EXPECT_THROW(gold::GoldProfile(config, kTiming).settings(), std::invalid_argument);

@@ -114,6 +114,15 @@ TEST_F(GoldDriveTest, ClampsByMaxTorqueAndByWhatThePowerStageCan) {
   EXPECT_EQ(status() & 0x800, 0);
 }
 
+TEST_F(GoldDriveTest, TorqueOffsetIsAddedToTheSetpoint) {
+  start(10);
+  EXPECT_EQ(read(canopen::kTorqueOffset, ObjectType::kI16), 0);
+  write(canopen::kTargetTorque, 600, 2);
+  write(canopen::kTorqueOffset, -200, 2);
+  run(100);
+  EXPECT_NEAR(drive_.motor_torque_Nm(), 400 * kPerMille_Nm, 1e-3);
+}
+
 TEST_F(GoldDriveTest, SpeedCapTakesTheTorque) {
   start(10);
   write(canopen::kTargetTorque, 1000, 2);
