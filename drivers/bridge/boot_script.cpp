@@ -32,6 +32,7 @@ void remap(const PdoSetting& pdo, int node, std::vector<BootStep>& script) {
   add({communication, 1}, 4, cob_id | canopen::kPdoInvalid);
   if (pdo.entries.empty()) return;
   add({communication, 2}, 1, pdo.transmission_type);
+  if (pdo.event_timer_ms != 0) add({communication, 5}, 2, pdo.event_timer_ms);
   add({mapping, 0}, 1, 0);
   std::uint8_t sub = 0;
   for (const canopen::MapEntry& entry : pdo.entries)

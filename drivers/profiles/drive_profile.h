@@ -33,6 +33,7 @@ struct PdoSetting {
   int number = 0;         ///< from 0: TPDO1 is 0
   std::uint8_t transmission_type = canopen::kTypeEvent;
   std::vector<canopen::MapEntry> entries;  ///< empty = this PDO is disabled
+  std::uint16_t event_timer_ms = 0;        ///< transmit by event: at least this often; 0 = on change only
 };
 
 /// What a drive says at SYNC.

@@ -67,6 +67,7 @@ TEST(Boot, LeavesTheSettingsOfTheRobotsFileInTheDrive) {
   auto& objects = bench.drives[0].objects;
   EXPECT_EQ((objects[{kTorqueOffset, 0}]), 0U);
   EXPECT_EQ((objects[{kMaxMotorSpeed, 0}]), 11459U);
+  EXPECT_EQ((objects[{0x1801, 5}]), 100U) << "the mode display comes again when a frame of it was lost";
   EXPECT_EQ((objects[{kHeartbeatConsumer, 1}]), 0x007F0014U);
   EXPECT_EQ((objects[{kHeartbeatProducer, 0}]), 5U);
   EXPECT_EQ((objects[{kAbortConnectionOption, 0}]), 2U);

@@ -18,6 +18,7 @@ constexpr double kPi = 3.14159265358979323846;
 constexpr std::int16_t kPowerOff = 2;         ///< 0x6007: disable voltage when the bridge's heartbeat is lost
 constexpr std::int16_t kSlowDownThenOff = 2;  ///< 0x605A: quick stop ramp, then switch on disabled
 constexpr int kLargestMaxTorque = 50000;      ///< EDS limit of 0x6072
+constexpr std::uint16_t kDisplayPeriod_ms = 100;  ///< [design choice] a lost mode display heals after this
 constexpr std::uint8_t kSamplePdo = 0, kSetpointPdo = 0, kDisplayPdo = 1, kControlPdo = 1;
 
 /// Rounded to nearest, half away from zero; saturating, since wrapping would reverse a torque. Not a number
@@ -137,7 +138,7 @@ std::vector<PdoSetting> GoldProfile::pdos() const {
        {{{canopen::kPositionActual, 0}, 32},
         {{canopen::kTorqueActual, 0}, 16},
         {{canopen::kStatusWord, 0}, 16}}},
-      {true, kDisplayPdo, canopen::kTypeEvent, {{{canopen::kModeDisplay, 0}, 8}}},
+      {true, kDisplayPdo, canopen::kTypeEvent, {{{canopen::kModeDisplay, 0}, 8}}, kDisplayPeriod_ms},
       {false,
        kSetpointPdo,
        canopen::kTypeEvent,
