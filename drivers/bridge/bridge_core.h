@@ -46,7 +46,7 @@ class BridgeCore {
   void count_overrun(std::int64_t time_us) noexcept;
   void count_good_cycle() noexcept;
   void count_missed_cycle() noexcept;
-  /// Orderly end: damping until slow or `shutdown_s` over, then drives off. Keep ticking until shut_down().
+  /// Orderly end: damping until slow for 0.3 s, at most 1 s, then drives off. Keep ticking until shut_down().
   void begin_shutdown(std::int64_t time_us) noexcept;
   bool shut_down() const noexcept;
 
