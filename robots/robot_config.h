@@ -81,7 +81,7 @@ struct WatchdogConfig {
   double command_hold_s = 0.020;  ///< DRIVE_COMMAND stale: hold, then damping
   double command_stop_s = 0.200;  ///< then quick stop, latched
   double leg_command_s = 0.020;   ///< leg controller: then damping
-  double joint_state_s = 0.020;   ///< estimator: longest gap between DRIVE_STATEs before its filters start anew
+  double joint_state_s = 0.020;   ///< estimator: a longer gap starts its filters anew
   int silent_cycles = 2;          ///< a drive's missing answers that are held
   int overruns_in_row = 10;
   double heartbeat_s = 0.005;           ///< bridge's producer and drives' producers
