@@ -56,7 +56,7 @@ TEST(CommandReportTest, ChangeOfBasisDoesNotWaitForTheLimits) {
   report.update(CommandBasis::kCommanded, limits, 0);
   limits.rate = 2;
   EXPECT_EQ(report.update(CommandBasis::kSafety, limits, 1), News::kBasis);
-  EXPECT_EQ(report.text(), "safety; limits acted: rate 2");
+  EXPECT_EQ(report.text(), std::string(name(CommandBasis::kSafety)) + "; limits acted: rate 2");
 }
 
 }  // namespace
