@@ -49,7 +49,7 @@ const char* name(CommandBasis value) noexcept {
     case CommandBasis::kUnreachable:
       return "foot out of reach";
     case CommandBasis::kSafety:
-      return "safety";
+      return "safety is not operational";
   }
   return "unknown";
 }

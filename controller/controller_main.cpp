@@ -63,8 +63,10 @@ class ControllerShell : public ResponderShell {
     if (news == CommandReport::News::kNone) return;
     process_.status().detail = report_.text();
     if (news != CommandReport::News::kBasis || !log_limit_.allow(now_us)) return;
-    const bool as_asked = core_->basis() == CommandBasis::kCommanded;
-    as_asked ? log_info(report_.text()) : log_warn(report_.text());
+    // What safety does is the bridge's to say, with its cause.
+    const bool own_doubt =
+        core_->basis() != CommandBasis::kCommanded && core_->basis() != CommandBasis::kSafety;
+    own_doubt ? log_warn("damping or off: " + report_.text()) : log_debug(report_.text());
   }
 
   Process& process_;

@@ -123,6 +123,7 @@ ActuatorConfig read_actuator(const YamlMap& map, const std::vector<BusConfig>& b
   a.referenced = map.flag("referenced");
   a.torque_limit_Nm = map.quantity("torque_limit", "Nm", 0.01, 2000);
   a.speed_limit_rad_s = map.quantity("speed_limit", "rad/s", 0.01, 200);
+  a.speed_limit_object = static_cast<std::uint16_t>(map.integer("speed_limit_object", 0, 0xFFFF));
   const YamlMap loop = map.map("position_loop");
   a.position_stiffness_Nm_rad = loop.quantity("stiffness", "Nm/rad", 0, 1e5);
   a.position_damping_Nm_s_rad = loop.quantity("damping", "Nm s/rad", 0, 1e4);

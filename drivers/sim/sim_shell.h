@@ -10,9 +10,9 @@
 namespace sprung {
 
 struct SimProgramOptions {
-  std::vector<std::string> can;    ///< BUS=ADDRESS, instead of robot.yaml's
+  std::vector<std::string> can;         ///< BUS=ADDRESS, instead of robot.yaml's
   std::vector<std::string> inject_can;  ///< lock-step: faults of the CAN link, see parse_burst_faults
-  std::vector<std::string> plant;  ///< KEY=VALUE
+  std::vector<std::string> plant;       ///< KEY=VALUE
   SimOptions sim;
 };
 

@@ -89,6 +89,13 @@ TEST(GoldSettings, GainsAreWrittenOnlyWhereTheDriveHasAnObjectForThem) {
   EXPECT_EQ(gold::GoldProfile(config, kTiming).settings().size() + 2, with);
 }
 
+TEST(GoldSettings, SpeedCapIsWrittenOnlyWhereTheDriveHasAnObjectForIt) {
+  ActuatorConfig config = actuator();
+  const std::size_t with = gold::GoldProfile(config, kTiming).settings().size();
+  config.speed_limit_object = 0;
+  EXPECT_EQ(gold::GoldProfile(config, kTiming).settings().size() + 1, with);
+}
+
 TEST(GoldPdos, EveryPdoIsMappedOrDisabled) {
   const gold::GoldProfile profile(actuator(), kTiming);
   int transmit = 0, disabled = 0;

@@ -22,6 +22,7 @@ RobotConfig two_drive_robot() {
     actuator.referenced = true;
     actuator.torque_limit_Nm = 171.6;
     actuator.speed_limit_rad_s = 12;
+    actuator.speed_limit_object = 0x6080;
     actuator.position_stiffness_Nm_rad = 503;
     actuator.position_damping_Nm_s_rad = 29.7;
     actuator.position_gains_object = 0x2F01;

@@ -106,17 +106,20 @@ std::vector<DriveSetting> GoldProfile::settings() const {
       u32({canopen::kRatedTorque, 0}, rated_torque_mNm_),
       u16({canopen::kMaxTorque, 0}, static_cast<std::uint32_t>(max_torque_permille_)),
       i16({canopen::kTorqueOffset, 0}, 0),  // what a former master left would be added to every set-point
-      // Second line behind the torque's own limits: [unverified] that a Gold has this object and heeds it in
-      // CST.
-      u32({canopen::kMaxMotorSpeed, 0},
-          to_object(actuator_.speed_limit_rad_s * actuator_.gear_ratio * 60.0 / (2.0 * kPi), actuator_,
-                    "speed limit")),
       u8({canopen::kInterpolationPeriod, 1}, period.value),
       i8({canopen::kInterpolationPeriod, 2}, period.exponent),
       u32({canopen::kSyncPeriod, 0}, to_object(1e6 * timing_.cycle_s, actuator_, "cycle")),
   };
+  add_speed_limit(settings);
   add_position_gains(settings);
   return settings;
+}
+
+/// Second line behind the torque's own limits; unverified that a Gold heeds it in cyclic torque mode.
+void GoldProfile::add_speed_limit(std::vector<DriveSetting>& settings) const {
+  if (actuator_.speed_limit_object == 0) return;
+  const double speed_rpm = actuator_.speed_limit_rad_s * actuator_.gear_ratio * 60.0 / (2.0 * kPi);
+  settings.push_back(u32({actuator_.speed_limit_object, 0}, to_object(speed_rpm, actuator_, "speed limit")));
 }
 
 void GoldProfile::add_position_gains(std::vector<DriveSetting>& settings) const {

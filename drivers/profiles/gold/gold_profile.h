@@ -29,6 +29,7 @@ class GoldProfile final : public DriveProfile {
   int max_torque_permille() const noexcept { return max_torque_permille_; }
 
  private:
+  void add_speed_limit(std::vector<DriveSetting>& settings) const;
   void add_position_gains(std::vector<DriveSetting>& settings) const;
   ActuatorConfig actuator_;
   DriveTiming timing_;
