@@ -27,14 +27,20 @@ function(sprung_program name)
   target_link_libraries(${name} PRIVATE sprung_flags ${ARG_LINK})
 endfunction()
 
-# sprung_tests(NAME SOURCES a_test.cpp ... LINK x ... [ALONE]): a GoogleTest program; every case becomes a ctest. ALONE: no
-# other test runs beside them.
+# sprung_tests(NAME SOURCES a_test.cpp ... LINK x ... [REALTIME filter]): a GoogleTest program; every case becomes a ctest. Cases
+# that match the REALTIME filter run one at a time beside the others: two of them would steal each other's time.
 function(sprung_tests name)
-  cmake_parse_arguments(ARG "ALONE" "" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "" "REALTIME" "SOURCES;LINK" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
   target_link_libraries(${name} PRIVATE sprung_flags ${ARG_LINK} GTest::gmock GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE
     SPRUNG_SOURCE_DIR="${CMAKE_SOURCE_DIR}" SPRUNG_BIN_DIR="${CMAKE_BINARY_DIR}/bin")
-  gtest_discover_tests(${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300 RUN_SERIAL ${ARG_ALONE})
+  set(common TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
+  if(ARG_REALTIME)
+    gtest_discover_tests(${name} TEST_FILTER "${ARG_REALTIME}" TEST_LIST ${name}_realtime ${common} RESOURCE_LOCK realtime)
+    gtest_discover_tests(${name} TEST_FILTER "-${ARG_REALTIME}" ${common})
+  else()
+    gtest_discover_tests(${name} ${common})
+  endif()
 endfunction()

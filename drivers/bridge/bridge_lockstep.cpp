@@ -1,4 +1,5 @@
 #include <poll.h>
+#include <time.h>
 
 #include <cmath>
 
@@ -40,7 +41,7 @@ class LockstepBridge {
       process_.publish_status_if_due();
       if (options_.speed > 0.0) {
         const double due_us = static_cast<double>(tick * cycle_us_) / options_.speed;
-        wait(started_us + static_cast<std::int64_t>(due_us), false);
+        wait_for_pace(started_us + static_cast<std::int64_t>(due_us));
       }
     }
     return 0;
@@ -126,7 +127,7 @@ class LockstepBridge {
         shell_.repeat_drive_state();
         count_repeat();
       }
-      wait(chain_.wake_us(), true);
+      process_.node().wait_for_input(chain_.wake_us());
       shell_.serve_operators(time_us_);
     }
     chain_.answered();
@@ -159,14 +160,13 @@ class LockstepBridge {
     return left_us <= 0 ? 0 : static_cast<int>(left_us / 1000 + 1);
   }
 
-  void wait(std::int64_t wall_deadline_us, bool for_input) {
-    if (for_input) {
-      process_.node().wait_for_input(wall_deadline_us);
-      return;
-    }
-    for (int left_ms = milliseconds_until(wall_deadline_us); left_ms > 1 && !stop_requested();
-         left_ms = milliseconds_until(wall_deadline_us)) {
-      poll(nullptr, 0, left_ms - 1);
+  /// Holds the pace of --speed; a stop request ends it early.
+  void wait_for_pace(std::int64_t wall_deadline_us) const {
+    const std::int64_t left_us = wall_deadline_us - wall_us();
+    if (left_us > 0) {
+      const timespec left{left_us / 1'000'000, left_us % 1'000'000 * 1000};
+      pollfd stop{stop_fd(), POLLIN, 0};
+      ppoll(&stop, stopping_ ? 0 : 1, &left, nullptr);
     }
   }
 

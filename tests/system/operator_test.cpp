@@ -63,7 +63,7 @@ TEST_F(Operator, StandJumpAndDown) {
 }
 
 TEST_F(Operator, WrongRobotAndSecondUpAreRefused) {
-  up("lockstep", "--speed 1");
+  up("lockstep", "--speed 2");
   EXPECT_THAT(sprung("stand --robot pegasus").output, HasSubstr("single_leg is up, not pegasus"));
   const CommandResult second = sprung("up single_leg --sim");
   EXPECT_EQ(second.status, 1);
@@ -71,7 +71,7 @@ TEST_F(Operator, WrongRobotAndSecondUpAreRefused) {
 }
 
 TEST_F(Operator, StatusIsJsonWithTheAgreedKeys) {
-  up("lockstep", "--speed 1");
+  up("lockstep", "--speed 2");
   const auto json = nlohmann::json::parse(sprung("status --json").output);
   EXPECT_EQ(json["robot"], "single_leg");
   EXPECT_EQ(json["clock"], "lockstep");
@@ -105,7 +105,7 @@ TEST_F(Operator, EmergencyStopLatchesUntilClearAndTorqueStaysOff) {
 }
 
 TEST_F(Operator, RecordWritesAnLcmLogOfEveryChannel) {
-  up("lockstep", "--speed 1");
+  up("lockstep", "--speed 2");
   const std::string file = (folder_ / "record.lcm").string();
   const std::string command = "exec " SPRUNG_BIN_DIR "/sprung record " + file + " > /dev/null";
   ChildProcess record("/bin/sh", {"-c", command});
@@ -123,13 +123,13 @@ TEST_F(Operator, RecordWritesAnLcmLogOfEveryChannel) {
 }
 
 TEST_F(Operator, CtrlCEndsEveryProcess) {
-  up("lockstep", "--speed 1");
+  up("lockstep", "--speed 2");
   up_process().signal(SIGINT);
   EXPECT_EQ(wait_for_up(), 0);  // TearDown checks that nothing is left
 }
 
 TEST_F(Operator, DeathOfTheLauncherEndsEveryProcess) {
-  up("lockstep", "--speed 1");
+  up("lockstep", "--speed 2");
   up_process().signal(SIGKILL);
   wait_for_up();
   EXPECT_TRUE(all_end(20.0));  // a bridge brings its drives to rest first

@@ -1,3 +1,4 @@
+#include <chrono>
 #include <cstdio>
 #include <memory>
 
@@ -15,7 +16,8 @@ namespace {
 constexpr double kAnswer_s = 3.0;
 constexpr double kSilence_s = 5.0;  // without any answer from the planner, which is asked twice a second
 constexpr double kLook_s = 0.05;
-constexpr int kSettleTurns = 20;  // after `done`, for what is still on the way
+constexpr std::chrono::milliseconds kSettle{
+    300};  // after `done`: what is still on the way, or waits behind a lost message
 
 struct MotionRequest {
   std::string instance = "default";
@@ -86,7 +88,8 @@ int run_reported_jump(const OperatorCommand& order, const MotionRequest& request
     done = client.wait_done(command, kLook_s);
     silent_turns = collector.collect(measure, [](const OperatorReply&) {}) > 0 ? 0 : silent_turns;
   }
-  for (int i = 0; i < kSettleTurns && status == kExitDone; ++i) {
+  const auto settled = std::chrono::steady_clock::now() + kSettle;
+  while (status == kExitDone && std::chrono::steady_clock::now() < settled) {
     collector.wait(kLook_s);
     collector.collect(measure, [](const OperatorReply&) {});
   }
