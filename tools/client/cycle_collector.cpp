@@ -88,7 +88,8 @@ int CycleCollector::collect(const CycleObserver& on_cycle, const ReplyObserver& 
   while (!pending_.empty()) {
     const auto first = pending_.begin();
     const bool hopeless = pending_.rbegin()->first - first->first > kGiveUp;
-    if (first->second.parts != kEveryPart && !hopeless) {
+    const bool in_turn = next_ < 0 || first->first == next_;
+    if ((first->second.parts != kEveryPart || !in_turn) && !hopeless) {
       break;
     }
     const bool joined_inside = next_ < 0 && first->second.parts != kEveryPart;
