@@ -20,6 +20,9 @@ namespace {
 /// Share of the cycle after which the drives' answers are no longer waited for.
 constexpr double kAnswerShare = 0.5;
 
+constexpr int kFullRead = 64;
+constexpr int kLongestLook = 8;  // a bus that is flooded must not keep the cycle from its deadline
+
 /// Absolute deadlines; a cycle that begins more than one cycle late is an overrun, and the missed ones are
 /// skipped.
 class RealTimeBridge {
@@ -131,8 +134,9 @@ class RealTimeBridge {
 
   void receive() {
     for (std::size_t bus = 0; bus < buses_.size(); ++bus) {
-      for (int count = 0;
-           (count = buses_[bus]->receive(received_.data(), static_cast<int>(received_.size()))) > 0;) {
+      int count = kFullRead;
+      for (int look = 0; look < kLongestLook && count == kFullRead; ++look) {
+        count = buses_[bus]->receive(received_.data(), kFullRead);
         for (int i = 0; i < count; ++i) {
           const CanFrame& frame = received_[static_cast<std::size_t>(i)];
           core_.receive(static_cast<int>(bus), frame, now_us());
@@ -163,7 +167,7 @@ class RealTimeBridge {
   std::vector<pollfd> fds_;
   FrameBatch out_;
   std::array<CanFrame, FrameBatch::kCapacity> sending_{};
-  std::array<CanFrame, 64> received_{};
+  std::array<CanFrame, kFullRead> received_{};
   DriveState state_;
   DriveCommand command_;
   bool stopping_ = false;

@@ -6,8 +6,9 @@
 namespace sprung {
 
 namespace {
+constexpr int kLongestLook = 256;
 constexpr std::size_t kOutsiders = 64;
-}
+}  // namespace
 
 LockstepLink::LockstepLink(std::unique_ptr<UdpBus> bus, std::vector<BurstFault> faults)
     : bus_(std::move(bus)), faults_(std::move(faults)) {
@@ -75,7 +76,8 @@ std::vector<CanFrame> LockstepLink::take_outsiders() noexcept { return std::exch
 
 LinkEvent LockstepLink::poll() noexcept {
   StampedFrame stamped;
-  while (bus_->receive_stamped(&stamped, 1) == 1) {
+  // A tool that floods the bus must not keep us here.
+  for (int i = 0; i < kLongestLook && bus_->receive_stamped(&stamped, 1) == 1; ++i) {
     BurstStamp stamp;
     if (!decode_stamp(stamped.timestamp, stamp)) {
       ++counters_.unstamped;

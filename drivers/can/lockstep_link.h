@@ -52,7 +52,7 @@ class LockstepLink {
   /// gone may answer them.
   std::vector<CanFrame> take_outsiders() noexcept;
 
-  /// Reads what has come in, up to the first event; call until kNothing. Never blocks; wait with poll() on
+  /// Reads what has come in, up to the first event or 256 frames; call until kNothing. Never blocks; wait with poll() on
   /// fd().
   LinkEvent poll() noexcept;
   std::int64_t tick() const noexcept { return assembler_.tick(); }

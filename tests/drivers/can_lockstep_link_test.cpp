@@ -106,6 +106,16 @@ TEST(LockstepLink, FramesOfOtherToolsAreIgnoredAndCounted) {
   EXPECT_TRUE(drives.take_outsiders().empty());
 }
 
+TEST(LockstepLink, FloodOfAToolDoesNotHoldUpTheLook) {
+  LockstepLink drives = link();
+  UdpBus tool(kGroup, test_port());
+  const CanFrame frame = batch_of(0, 1)[0].frame;
+  for (int i = 0; i < 600; ++i) tool.send(&frame, 1);
+  EXPECT_EQ(drives.poll(), LinkEvent::kNothing);
+  EXPECT_LE(drives.counters().unstamped, 256);
+  EXPECT_EQ(drives.take_outsiders().size(), 64u);
+}
+
 TEST(LockstepLink, BurstBeyondTheLimitIsCutAndCounted) {
   LockstepLink bridge = link(), drives = link();
   for (int i = 0; i < 5; ++i) bridge.add(batch_of(0, 250), 0);

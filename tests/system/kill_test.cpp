@@ -157,8 +157,8 @@ class BusWitness {
     return until([&] { return std::count(emergency_.begin(), emergency_.end(), 0x8130) == drives(); });
   }
   bool every_drive_is_off() {
+    ask_status();
     return until([&] {
-      ask_status();
       return std::all_of(status_.begin(), status_.end(), [](int word) {
         return word >= 0 &&
                cia402::decode_status(static_cast<std::uint16_t>(word)) != PowerState::kOperationEnabled;
@@ -169,6 +169,7 @@ class BusWitness {
  private:
   std::ptrdiff_t drives() const { return static_cast<std::ptrdiff_t>(robot_.actuators.size()); }
   void ask_status() {
+    ask_again_ = Clock::now() + std::chrono::milliseconds(100);
     for (const ActuatorConfig& actuator : robot_.actuators) {
       const CanFrame question{0x600u + static_cast<unsigned>(actuator.node), 8, {0x40, 0x41, 0x60, 0x00}};
       bus_->send(&question, 1);
@@ -178,10 +179,17 @@ class BusWitness {
   bool until(Condition condition) {
     const auto end = Clock::now() + std::chrono::seconds(30);
     while (!condition()) {
-      if (Clock::now() > end) return false;
+      if (Clock::now() > end) {
+        for (std::size_t i = 0; i < status_.size(); ++i) {
+          std::printf("%s: emergency %04X, status word %04X\n", robot_.actuators[i].name.c_str(),
+                      emergency_[i], status_[i]);
+        }
+        return false;
+      }
       pollfd fd{bus_->fd(), POLLIN, 0};
       poll(&fd, 1, 50);
       for (CanFrame frame; bus_->receive(&frame, 1) == 1;) take(frame);
+      if (Clock::now() > ask_again_) ask_status();
     }
     return true;
   }
@@ -195,6 +203,7 @@ class BusWitness {
   }
 
   std::unique_ptr<CanBus> bus_;
+  Clock::time_point ask_again_ = Clock::time_point::max();  ///< not before the first question
   const RobotConfig& robot_;
   std::vector<int> emergency_;
   std::vector<int> status_;
