@@ -14,6 +14,8 @@ namespace sprung {
 
 namespace {
 
+constexpr int kAbandoned_ticks = 20;
+
 /// SYNC is the only tick; the wall clock only decides when to ask again and when to go on without an answer.
 class LockstepBridge {
  public:
@@ -35,7 +37,7 @@ class LockstepBridge {
     const Receiving receiving(process_.node());
     process_.set_state(ProcessState::kReady);
     const std::int64_t started_us = wall_us();
-    for (std::int64_t tick = 1; !core_.shut_down(); ++tick) {
+    for (std::int64_t tick = 1; !core_.shut_down() && !abandoned(); ++tick) {
       run_tick(tick);
       follow_stop();
       process_.publish_status_if_due();
@@ -77,6 +79,7 @@ class LockstepBridge {
     for (std::size_t bus = 0; bus < links_.size(); ++bus) {
       if (!await_answer(bus, tick)) {
         drives_.gave_up();
+        ++silent_ticks_;
         core_.count_missed_cycle();
         process_.status().detail = "the drives do not answer on " + links_[bus].bus().describe();
       }
@@ -90,6 +93,7 @@ class LockstepBridge {
         if (event == LinkEvent::kComplete && link.tick() == tick) {
           take_answer(static_cast<int>(bus), link.frames());
           drives_.answered();
+          silent_ticks_ = 0;
           return true;
         }
       }
@@ -144,6 +148,9 @@ class LockstepBridge {
   /// PROCESS_STATUS shows them as gaps: something was lost, or somebody was slow.
   void count_repeat() { ++process_.status().sequence_gaps; }
 
+  /// Stopping, and the drives are gone too: there is nobody left to bring to rest.
+  bool abandoned() const { return stopping_ && silent_ticks_ >= kAbandoned_ticks; }
+
   /// A stop brings the drives to rest first; the chain of processes still runs meanwhile.
   void follow_stop() {
     const bool at_end = last_tick_ > 0 && state_.stamp.seq + 1 >= last_tick_;
@@ -183,6 +190,7 @@ class LockstepBridge {
   Patience chain_;
   const std::int64_t last_tick_;
   std::int64_t time_us_ = 0;
+  int silent_ticks_ = 0;
   bool stopping_ = false;
 };
 
