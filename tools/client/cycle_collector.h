@@ -15,7 +15,7 @@ namespace sprung {
 
 class CycleCollector {
  public:
-  /// Listens from here on. `truth`: wait for SIM_TRUTH too (there must be simulated drives).
+  /// Listens from here on. A cycle is whole with its SIM_TRUTH, so there must be simulated drives.
   CycleCollector(const RunInfo& info, const RobotConfig& robot);
 
   /// Hands over every cycle that is complete by now. @return how many.

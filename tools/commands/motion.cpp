@@ -119,8 +119,9 @@ void add_simple(CommandLine& sprung, const char* what, const char* help, Operato
 void add_jump(CommandLine& sprung) {
   const auto request = std::make_shared<MotionRequest>();
   CommandLine& jump = sprung.subcommand("jump", "Jump on the spot; the robot must stand.");
-  jump.option("--height", request->height_mm,
-              "mm that the hip shall rise above lift-off, 0 = the preset's own");
+  jump.option(
+      "--height", request->height_mm,
+      "rough height in mm: scales the preset's own curve, low jumps come out a third too high; 0 = as it is");
   jump.choice("--mode", request->mode, {"position", "torque", "hybrid"},
               "control through thrust, flight and landing");
   jump.option("--count", request->count, "how many, one after the other");
