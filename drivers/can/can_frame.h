@@ -9,9 +9,11 @@ struct CanFrame {
   std::uint32_t id = 0;     ///< 0..0x7FF
   std::uint8_t length = 0;  ///< 0..8
   std::array<std::uint8_t, 8> data{};
-  bool error = false;  ///< SocketCAN error frame, or the end-of-tick mark of the lock-step link
+  bool error = false;   ///< SocketCAN error frame, or the end-of-tick mark of the lock-step link
+  bool remote = false;  ///< remote request (RTR): node guarding; carries no data
   bool operator==(const CanFrame& other) const noexcept {
-    return id == other.id && length == other.length && data == other.data && error == other.error;
+    return id == other.id && length == other.length && data == other.data && error == other.error &&
+           remote == other.remote;
   }
 };
 
