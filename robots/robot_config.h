@@ -23,6 +23,40 @@ struct IdentityConfig {
   std::uint32_t serial = 0;
 };
 
+/// A node that reads encoders on the link side of gears (design section 2: three 20-bit encoders and a
+/// counter in 64 bits).
+struct EncoderCardConfig {
+  std::string name;
+  int bus = 0;          ///< index into RobotConfig::buses
+  int node = 0;         ///< CANopen node id, 1..126
+  std::string profile;  ///< drivers/profiles/<profile>
+  IdentityConfig identity;
+};
+
+/// Encoder on the link side of an actuator's gear, absolute over its turn.
+struct LinkEncoderConfig {
+  int card = -1;    ///< index into RobotConfig::encoder_cards; -1 = there is none
+  int channel = 0;  ///< on the card, from 0
+  double counts_per_turn = 0.0;
+  double direction = 1.0;   ///< +1 or -1, its own: not the motor's
+  double offset_rad = 0.0;  ///< position at count zero
+};
+
+/// How `sprung home` finds the actuator's zero.
+enum class ReferenceMethod : std::int8_t {
+  kNone,   ///< `referenced` and `offset` of robot.yaml hold
+  kLink,   ///< from the link encoder
+  kIndex,  ///< from the motor encoder's index pulse; the right turn by the jig's position
+  kJig,    ///< the robot stands in its jig: the position is known
+};
+
+struct ReferenceConfig {
+  ReferenceMethod method = ReferenceMethod::kNone;
+  bool absolute_encoder = true;     ///< motor encoder keeps its count without power: a stored zero stays good
+  double jig_position_rad = 0.0;    ///< actuator position in the jig
+  double index_position_rad = 0.0;  ///< actuator position at one of the index pulses
+};
+
 /// One drive with motor and gear. Actuator space: output side of the gear, after direction and offset.
 struct ActuatorConfig {
   std::string name;
@@ -44,6 +78,8 @@ struct ActuatorConfig {
   double position_damping_Nm_s_rad = 0.0;
   std::uint16_t position_gains_object = 0;  ///< where the drive takes these gains; 0 = its own tuning stays
   double safety_damping_Nm_s_rad = 0.0;     ///< bridge's damping
+  LinkEncoderConfig link_encoder;
+  ReferenceConfig reference;
 };
 
 struct JointConfig {
@@ -136,7 +172,9 @@ struct RobotConfig {
   std::string folder;  ///< where robot.yaml is
   double cycle_s = 0.0;
   std::vector<BusConfig> buses;
+  double bit_rate_bit_s = 1e6;  ///< of every bus
   std::vector<ActuatorConfig> actuators;
+  std::vector<EncoderCardConfig> encoder_cards;
   std::vector<JointConfig> joints;
   std::vector<LegConfig> legs;
   WatchdogConfig watchdogs;             ///< on the robot, and in lock-step

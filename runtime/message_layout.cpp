@@ -85,6 +85,12 @@ MessageLayout layout_of<sprung_msgs::motion_state_t>() {
   return with_count(&sprung_msgs::motion_state_t::n_legs, &sprung_msgs::motion_state_t::legs, 2);
 }
 template <>
+MessageLayout layout_of<sprung_msgs::bus_state_t>() {
+  MessageLayout layout = with_count(&sprung_msgs::bus_state_t::n_buses, &sprung_msgs::bus_state_t::buses);
+  add_count(layout, &sprung_msgs::bus_state_t::n_nodes, &sprung_msgs::bus_state_t::nodes, 0);
+  return layout;
+}
+template <>
 MessageLayout layout_of<sprung_msgs::can_trace_t>() {
   return with_count(&sprung_msgs::can_trace_t::n, &sprung_msgs::can_trace_t::frames);
 }

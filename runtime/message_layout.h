@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "sprung_msgs/bus_state_t.hpp"
 #include "sprung_msgs/can_trace_t.hpp"
 #include "sprung_msgs/drive_command_t.hpp"
 #include "sprung_msgs/drive_state_t.hpp"
@@ -55,6 +56,8 @@ template <>
 MessageLayout layout_of<sprung_msgs::leg_command_t>();
 template <>
 MessageLayout layout_of<sprung_msgs::motion_state_t>();
+template <>
+MessageLayout layout_of<sprung_msgs::bus_state_t>();
 template <>
 MessageLayout layout_of<sprung_msgs::can_trace_t>();
 template <>

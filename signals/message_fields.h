@@ -18,16 +18,19 @@ namespace sprung::fields {
 constexpr DriveMode last(DriveMode) { return DriveMode::kPosition; }
 constexpr PowerState last(PowerState) { return PowerState::kFault; }
 constexpr SafetyLevel last(SafetyLevel) { return SafetyLevel::kDisabled; }
-constexpr SafetyCause last(SafetyCause) { return SafetyCause::kImplausible; }
+constexpr SafetyCause last(SafetyCause) { return SafetyCause::kDuplicateNode; }
 constexpr JointStatus last(JointStatus) { return JointStatus::kFault; }
 constexpr ControlMode last(ControlMode) { return ControlMode::kCompliance; }
 constexpr LegPhase last(LegPhase) { return LegPhase::kStance; }
 constexpr MotionPhase last(MotionPhase) { return MotionPhase::kSitting; }
 constexpr JumpMode last(JumpMode) { return JumpMode::kHybrid; }
-constexpr OperatorKind last(OperatorKind) { return OperatorKind::kSit; }
+constexpr OperatorKind last(OperatorKind) { return OperatorKind::kHome; }
 constexpr OperatorOutcome last(OperatorOutcome) { return OperatorOutcome::kQueued; }
 constexpr ProcessState last(ProcessState) { return ProcessState::kStopping; }
-constexpr SimControlKind last(SimControlKind) { return SimControlKind::kDriveSilent; }
+constexpr SimControlKind last(SimControlKind) { return SimControlKind::kNodeFault; }
+constexpr FaultKind last(FaultKind) { return FaultKind::kQueueFull; }
+constexpr BusCondition last(BusCondition) { return BusCondition::kOff; }
+constexpr ReferenceSource last(ReferenceSource) { return ReferenceSource::kJig; }
 
 /// Signal to message.
 struct ToMessage {
@@ -43,6 +46,10 @@ struct ToMessage {
   void operator()(std::string& message, const std::string& signal) { message = signal; }
   template <std::size_t N>
   void operator()(double (&message)[N], const std::array<double, N>& signal) {
+    std::copy(signal.begin(), signal.end(), message);
+  }
+  template <std::size_t N>
+  void operator()(std::uint8_t (&message)[N], const std::array<char, N>& signal) {
     std::copy(signal.begin(), signal.end(), message);
   }
   template <class M, class S, class Fields>
@@ -70,6 +77,11 @@ struct FromMessage {
   template <std::size_t N>
   void operator()(const double (&message)[N], std::array<double, N>& signal) {
     std::copy(message, message + N, signal.begin());
+  }
+  template <std::size_t N>
+  void operator()(const std::uint8_t (&message)[N], std::array<char, N>& signal) {
+    std::copy(message, message + N, signal.begin());
+    signal.back() = '\0';
   }
   template <class M, class S, class Fields>
   void elements(const std::int32_t& count, const std::vector<M>& message, std::vector<S>& signal,

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "signals/signals.h"
+#include "sprung_msgs/bus_state_t.hpp"
 #include "sprung_msgs/drive_command_t.hpp"
 #include "sprung_msgs/drive_state_t.hpp"
 #include "sprung_msgs/joint_state_t.hpp"
@@ -28,6 +29,7 @@ void to_message(const MotionState& in, std::int64_t session, sprung_msgs::motion
 void to_message(const SafetyState& in, std::int64_t session, sprung_msgs::safety_state_t& out);
 void to_message(const OperatorCommand& in, std::int64_t session, sprung_msgs::operator_command_t& out);
 void to_message(const OperatorReply& in, std::int64_t session, sprung_msgs::operator_reply_t& out);
+void to_message(const BusState& in, std::int64_t session, sprung_msgs::bus_state_t& out);
 void to_message(const SimControl& in, std::int64_t session, sprung_msgs::sim_control_t& out);
 void to_message(const SimTruth& in, std::int64_t session, sprung_msgs::sim_truth_t& out);
 
@@ -41,6 +43,7 @@ void to_message(const SimTruth& in, std::int64_t session, sprung_msgs::sim_truth
 [[nodiscard]] bool from_message(const sprung_msgs::operator_command_t& in, OperatorCommand& out);
 /// `from` and `reason` point into `in` and live as long as it.
 [[nodiscard]] bool from_message(const sprung_msgs::operator_reply_t& in, OperatorReply& out);
+[[nodiscard]] bool from_message(const sprung_msgs::bus_state_t& in, BusState& out);
 [[nodiscard]] bool from_message(const sprung_msgs::sim_control_t& in, SimControl& out);
 [[nodiscard]] bool from_message(const sprung_msgs::sim_truth_t& in, SimTruth& out);
 
@@ -73,6 +76,10 @@ struct MessageOfSignal<MotionState> {
 template <>
 struct MessageOfSignal<SafetyState> {
   using Type = sprung_msgs::safety_state_t;
+};
+template <>
+struct MessageOfSignal<BusState> {
+  using Type = sprung_msgs::bus_state_t;
 };
 template <>
 struct MessageOfSignal<OperatorCommand> {

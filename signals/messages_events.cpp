@@ -45,6 +45,8 @@ const auto kOperatorCommand = [](auto& way, auto& m, auto& s) {
   way(m.jump_mode, s.jump_mode);
   way(m.jump_count, s.jump_count);
   way(m.jump_height_m, s.jump_height_m);
+  way(m.actuator, s.actuator);
+  way(m.reference_source, s.reference_source);
 };
 
 const auto kOperatorReply = [](auto& way, auto& m, auto& s) {
@@ -61,7 +63,52 @@ const auto kSimControl = [](auto& way, auto& m, auto& s) {
   way(m.duration_s, s.duration_s);
   way(m.kind, s.kind);
   way(m.actuator, s.actuator);
+  way(m.bus, s.bus);
+  way(m.fault, s.fault);
   way(m.value, s.value);
+};
+
+const auto kBusHealth = [](auto& way, auto& m, auto& s) {
+  way(m.load_share, s.load_share);
+  way(m.sent, s.sent);
+  way(m.received, s.received);
+  way(m.send_failed, s.send_failed);
+  way(m.no_buffers, s.no_buffers);
+  way(m.dropped, s.dropped);
+  way(m.malformed, s.malformed);
+  way(m.unexpected, s.unexpected);
+  way(m.error_frames, s.error_frames);
+  way(m.bus_offs, s.bus_offs);
+  way(m.restarts, s.restarts);
+  way(m.condition, s.condition);
+};
+
+const auto kNodeHealth = [](auto& way, auto& m, auto& s) {
+  way(m.reference_offset_rad, s.reference_offset_rad);
+  way(m.emergencies, s.emergencies);
+  way(m.boot_ups, s.boot_ups);
+  way(m.missing_samples, s.missing_samples);
+  way(m.late_samples, s.late_samples);
+  way(m.short_frames, s.short_frames);
+  way(m.duplicate_samples, s.duplicate_samples);
+  way(m.heartbeat_losses, s.heartbeat_losses);
+  way(m.sdo_failures, s.sdo_failures);
+  way(m.bus, s.bus);
+  way(m.node, s.node);
+  way(m.actuator, s.actuator);
+  way(m.last_emergency_code, s.last_emergency_code);
+  way(m.error_register, s.error_register);
+  way(m.nmt_state, s.nmt_state);
+  way(m.reference_source, s.reference_source);
+  way(m.operational, s.operational);
+  way(m.recovery, s.recovery);
+};
+
+const auto kBusState = [](auto& way, auto& m, auto& s) {
+  fields::stamp(way, m, s);
+  way.elements(m.n_buses, m.buses, s.buses, kBusHealth);
+  way.elements(m.n_nodes, m.nodes, s.nodes, kNodeHealth);
+  way(m.recovering, s.recovering);
 };
 
 }  // namespace
@@ -88,6 +135,9 @@ void to_message(const OperatorReply& in, std::int64_t session, sprung_msgs::oper
 void to_message(const SimControl& in, std::int64_t session, sprung_msgs::sim_control_t& out) {
   write(kSimControl, in, session, out);
 }
+void to_message(const BusState& in, std::int64_t session, sprung_msgs::bus_state_t& out) {
+  write(kBusState, in, session, out);
+}
 
 bool from_message(const sprung_msgs::motion_state_t& in, MotionState& out) {
   out.last_transition = in.last_transition.c_str();
@@ -109,5 +159,6 @@ bool from_message(const sprung_msgs::operator_reply_t& in, OperatorReply& out) {
 bool from_message(const sprung_msgs::sim_control_t& in, SimControl& out) {
   return read(kSimControl, in, out);
 }
+bool from_message(const sprung_msgs::bus_state_t& in, BusState& out) { return read(kBusState, in, out); }
 
 }  // namespace sprung

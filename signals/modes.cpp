@@ -80,6 +80,8 @@ const char* name(SafetyCause value) noexcept {
       return "shutdown";
     case SafetyCause::kImplausible:
       return "implausible";
+    case SafetyCause::kDuplicateNode:
+      return "duplicate node id";
   }
   return "unknown";
 }
@@ -194,6 +196,8 @@ const char* name(OperatorKind value) noexcept {
       return "clear";
     case OperatorKind::kSit:
       return "sit";
+    case OperatorKind::kHome:
+      return "home";
   }
   return "unknown";
 }
@@ -224,6 +228,84 @@ const char* name(ProcessState value) noexcept {
       return "running";
     case ProcessState::kStopping:
       return "stopping";
+  }
+  return "unknown";
+}
+
+const char* name(FaultKind value) noexcept {
+  switch (value) {
+    case FaultKind::kNone:
+      return "none";
+    case FaultKind::kOverCurrent:
+      return "over-current";
+    case FaultKind::kUnderVoltage:
+      return "under-voltage";
+    case FaultKind::kOverTemperature:
+      return "over-temperature";
+    case FaultKind::kEncoderStuck:
+      return "encoder-stuck";
+    case FaultKind::kEncoderJump:
+      return "encoder-jump";
+    case FaultKind::kEncoderNoise:
+      return "encoder-noise";
+    case FaultKind::kCurrentOffset:
+      return "current-offset";
+    case FaultKind::kFramesLost:
+      return "frames-lost";
+    case FaultKind::kFramesLate:
+      return "frames-late";
+    case FaultKind::kFramesDuplicated:
+      return "frames-duplicated";
+    case FaultKind::kFramesFlipped:
+      return "frames-flipped";
+    case FaultKind::kHeartbeatStopped:
+      return "heartbeat-stopped";
+    case FaultKind::kBusOff:
+      return "bus-off";
+    case FaultKind::kErrorPassive:
+      return "error-passive";
+    case FaultKind::kPowerCycle:
+      return "power-cycle";
+    case FaultKind::kDuplicateNode:
+      return "duplicate-node";
+    case FaultKind::kShortPdo:
+      return "short-pdo";
+    case FaultKind::kLinkDown:
+      return "link-down";
+    case FaultKind::kQueueFull:
+      return "queue-full";
+  }
+  return "unknown";
+}
+
+const char* name(BusCondition value) noexcept {
+  switch (value) {
+    case BusCondition::kActive:
+      return "active";
+    case BusCondition::kWarning:
+      return "warning";
+    case BusCondition::kPassive:
+      return "error passive";
+    case BusCondition::kNoBuffers:
+      return "queue full";
+    case BusCondition::kLinkDown:
+      return "link down";
+    case BusCondition::kOff:
+      return "bus off";
+  }
+  return "unknown";
+}
+
+const char* name(ReferenceSource value) noexcept {
+  switch (value) {
+    case ReferenceSource::kConfigured:
+      return "configured";
+    case ReferenceSource::kLink:
+      return "link";
+    case ReferenceSource::kIndex:
+      return "index";
+    case ReferenceSource::kJig:
+      return "jig";
   }
   return "unknown";
 }

@@ -46,6 +46,7 @@ enum class SafetyCause : std::int8_t {
   kEmergencyStop = 9,
   kShutdown = 10,
   kImplausible = 11,
+  kDuplicateNode = 12,  ///< two devices answer for one node id
 };
 
 enum class JointStatus : std::int8_t {
@@ -95,7 +96,8 @@ enum class OperatorKind : std::int8_t {
   kStop = 3,
   kEstop = 4,
   kClear = 5,
-  kSit = 6
+  kSit = 6,
+  kHome = 7,  ///< bridge: reference the actuators
 };
 
 enum class OperatorOutcome : std::int8_t { kAccepted = 0, kRefused = 1, kDone = 2, kFailed = 3, kQueued = 4 };
@@ -106,9 +108,48 @@ enum class SimControlKind : std::int8_t {
   kWrench = 0,
   kReset = 1,
   kSuspend = 2,
-  kDriveFault = 3,
-  kDriveSilent = 4
+  kDriveFault = 3,   ///< actuator's drive: emergency code `value`
+  kDriveSilent = 4,  ///< cable of the actuator's drive
+  kNodeFault =
+      5,  ///< `fault` of the actuator's drive or, with actuator -1, of bus `bus`; for duration_s, 0 = for good
 };
+
+/// Faults on demand (`sprung fault`). `value` where one is given; others ignore it.
+enum class FaultKind : std::int8_t {
+  kNone = 0,
+  kOverCurrent = 1,
+  kUnderVoltage = 2,
+  kOverTemperature = 3,
+  kEncoderStuck = 4,
+  kEncoderJump = 5,        ///< value: rad of the output, once
+  kEncoderNoise = 6,       ///< value: rms rad of the output
+  kCurrentOffset = 7,      ///< value: A
+  kFramesLost = 8,         ///< value: share of the node's (or bus's) frames, 0..1
+  kFramesLate = 9,         ///< value: seconds
+  kFramesDuplicated = 10,  ///< value: share
+  kFramesFlipped = 11,     ///< value: share; one bit of the data
+  kHeartbeatStopped = 12,
+  kBusOff = 13,
+  kErrorPassive = 14,
+  kPowerCycle = 15,
+  kDuplicateNode = 16,  ///< a second device with this node id answers too
+  kShortPdo = 17,       ///< the node's sample comes a byte short
+  kLinkDown = 18,
+  kQueueFull = 19,  ///< ENOBUFS at the master
+};
+
+/// State of one CAN bus as its controller and the bridge's traffic show it; worse is larger.
+enum class BusCondition : std::int8_t {
+  kActive = 0,
+  kWarning = 1,    ///< error counters above 96
+  kPassive = 2,    ///< above 128
+  kNoBuffers = 3,  ///< the interface's queue is full (ENOBUFS)
+  kLinkDown = 4,
+  kOff = 5,  ///< bus off
+};
+
+/// Where `sprung home` takes an actuator's zero from; kConfigured = as robot.yaml says for each.
+enum class ReferenceSource : std::int8_t { kConfigured = 0, kLink = 1, kIndex = 2, kJig = 3 };
 
 const char* name(DriveMode value) noexcept;
 const char* name(PowerState value) noexcept;
@@ -122,5 +163,8 @@ const char* name(JumpMode value) noexcept;
 const char* name(OperatorKind value) noexcept;
 const char* name(OperatorOutcome value) noexcept;
 const char* name(ProcessState value) noexcept;
+const char* name(FaultKind value) noexcept;
+const char* name(BusCondition value) noexcept;
+const char* name(ReferenceSource value) noexcept;
 
 }  // namespace sprung
