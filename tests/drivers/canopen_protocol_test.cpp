@@ -60,14 +60,15 @@ TEST(SdoClient, UnderstandsEveryReplyOfTheServer) {
   EXPECT_EQ(abort.value, kAbortNoObject);
 }
 
-TEST(SdoServer, RefusesSegmentedAndShortFrames) {
-  CanFrame segmented = sdo_write_request(1, {0x1008, 0}, 12, 4);
-  segmented.data[0] = 0x21;
-  EXPECT_EQ(decode_sdo_request(segmented).kind, SdoKind::kInvalid);
-  CanFrame brief = sdo_read_request(1, {0x1008, 0});
-  brief.length = 4;
-  EXPECT_EQ(decode_sdo_request(brief).kind, SdoKind::kInvalid);
-  EXPECT_EQ(decode_sdo_reply(brief).kind, SdoKind::kInvalid);
+TEST(SdoFrames, ShortRemoteAndErrorFramesAreNone) {
+  for (int kind = 0; kind < 3; ++kind) {
+    CanFrame frame = sdo_read_request(1, {0x1008, 0});
+    if (kind == 0) frame.length = 4;
+    frame.remote = kind == 1;
+    frame.error = kind == 2;
+    EXPECT_EQ(decode_sdo_request(frame).kind, SdoKind::kInvalid) << kind;
+    EXPECT_EQ(decode_sdo_reply(frame).kind, SdoKind::kInvalid) << kind;
+  }
 }
 
 TEST(SdoServer, WriteWithoutToldSizeCarriesFourBytes) {
@@ -112,7 +113,7 @@ TEST(Emergency, SurvivesTheWireAndHasAText) {
   ASSERT_TRUE(decode_emergency(emergency_frame(2, {0x8130, 0x11}), found));
   EXPECT_EQ(found.code, 0x8130);
   EXPECT_EQ(found.error_register, 0x11);
-  EXPECT_STREQ(emergency_text(found.code), "heartbeat lost");
+  EXPECT_STREQ(emergency_text(found.code), "life guard or heartbeat lost");
   EXPECT_STREQ(emergency_text(0x4310), "temperature");
   EXPECT_STREQ(emergency_text(0xFF20), "device specific");
 }

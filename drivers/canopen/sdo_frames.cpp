@@ -1,0 +1,184 @@
+#include "drivers/canopen/sdo_frames.h"
+
+#include <algorithm>
+
+namespace sprung::canopen {
+namespace {
+
+// Commands; the upper three bits are the specifier. Expedited ones with the expedited and size-told bits set:
+// n unused bytes go to bits 2-3.
+constexpr std::uint8_t kWriteExpedited = 0x23;
+constexpr std::uint8_t kWriteNoSize = 0x22;
+constexpr std::uint8_t kWriteBegin = 0x21;
+constexpr std::uint8_t kWriteBeginNoSize = 0x20;
+constexpr std::uint8_t kReadRequest = 0x40;
+constexpr std::uint8_t kReadSegment = 0x60;
+constexpr std::uint8_t kReadReplyExpedited = 0x43;
+constexpr std::uint8_t kReadReplyNoSize = 0x42;
+constexpr std::uint8_t kReadReplyBegin = 0x41;
+constexpr std::uint8_t kReadReplyBeginNoSize = 0x40;
+constexpr std::uint8_t kWriteReply = 0x60;
+constexpr std::uint8_t kWriteSegmentReply = 0x20;
+constexpr std::uint8_t kAbort = 0x80;
+
+constexpr std::uint8_t kSpecifierMask = 0xE0;
+constexpr std::uint8_t kUnusedMask = 0x0C;
+constexpr std::uint8_t kToggle = 0x10;
+constexpr std::uint8_t kLast = 0x01;
+
+std::uint8_t with_size(std::uint8_t command, int size) noexcept {
+  return static_cast<std::uint8_t>(command | ((kExpeditedBytes - size) << 2));
+}
+
+std::uint8_t with_toggle(std::uint8_t command, bool toggle) noexcept {
+  return toggle ? static_cast<std::uint8_t>(command | kToggle) : command;
+}
+
+CanFrame sdo_frame(std::uint32_t id, std::uint8_t command, ObjectId object, std::uint32_t value,
+                   int size) noexcept {
+  CanFrame frame;
+  frame.id = id;
+  frame.length = 8;
+  frame.data[0] = command;
+  put_le(&frame.data[1], object.index, 2);
+  frame.data[3] = object.sub;
+  put_le(&frame.data[4], value, size);
+  return frame;
+}
+
+CanFrame segment_frame(std::uint32_t id, bool toggle, const std::uint8_t* bytes, int count,
+                       bool last) noexcept {
+  const int unused = kSegmentBytes - count;
+  CanFrame frame;
+  frame.id = id;
+  frame.length = 8;
+  frame.data[0] = with_toggle(static_cast<std::uint8_t>((unused << 1) | (last ? kLast : 0)), toggle);
+  std::copy(bytes, bytes + count, frame.data.begin() + 1);
+  return frame;
+}
+
+SdoMessage message(SdoKind kind, const CanFrame& frame, int size) noexcept {
+  SdoMessage result;
+  result.kind = kind;
+  result.object = {static_cast<std::uint16_t>(get_le(&frame.data[1], 2)), frame.data[3]};
+  result.size = size;
+  result.value = get_le(&frame.data[4], size == 0 ? kExpeditedBytes : size);
+  return result;
+}
+
+/// The two services that carry a value in their first frame, with and without its size.
+SdoMessage decode_value(SdoKind kind, const CanFrame& frame, std::uint8_t sized,
+                        std::uint8_t unsized) noexcept {
+  const std::uint8_t command = frame.data[0];
+  if ((command & ~kUnusedMask) == sized) {
+    return message(kind, frame, kExpeditedBytes - ((command & kUnusedMask) >> 2));
+  }
+  return message(command == unsized ? kind : SdoKind::kUnsupported, frame, 0);
+}
+
+/// The first frame of a segmented transfer; `value` is the announced size, if there is one.
+SdoMessage begin(SdoKind kind, const CanFrame& frame, bool sized) noexcept {
+  SdoMessage result = message(kind, frame, sized ? kExpeditedBytes : 0);
+  if (!sized) result.value = 0;
+  return result;
+}
+
+SdoMessage segment(SdoKind kind, const CanFrame& frame) noexcept {
+  const std::uint8_t command = frame.data[0];
+  SdoMessage result;
+  result.kind = kind;
+  result.toggle = (command & kToggle) != 0;
+  result.last = (command & kLast) != 0;
+  result.size = kSegmentBytes - ((command >> 1) & 7);
+  return result;
+}
+
+SdoMessage bare_segment(SdoKind kind, const CanFrame& frame) noexcept {
+  SdoMessage result;
+  result.kind = kind;
+  result.toggle = (frame.data[0] & kToggle) != 0;
+  return result;
+}
+
+bool is_sdo(const CanFrame& frame) noexcept { return frame.length == 8 && !frame.remote && !frame.error; }
+
+}  // namespace
+
+CanFrame sdo_read_request(int node, ObjectId object) noexcept {
+  return sdo_frame(sdo_client_id(node), kReadRequest, object, 0, 0);
+}
+
+CanFrame sdo_write_request(int node, ObjectId object, std::uint32_t value, int size) noexcept {
+  return sdo_frame(sdo_client_id(node), with_size(kWriteExpedited, size), object, value, size);
+}
+
+CanFrame sdo_read_segment_request(int node, bool toggle) noexcept {
+  return sdo_frame(sdo_client_id(node), with_toggle(kReadSegment, toggle), {}, 0, 0);
+}
+
+CanFrame sdo_write_begin(int node, ObjectId object, std::size_t size) noexcept {
+  return sdo_frame(sdo_client_id(node), kWriteBegin, object, static_cast<std::uint32_t>(size), 4);
+}
+
+CanFrame sdo_write_segment(int node, bool toggle, const std::uint8_t* bytes, int count, bool last) noexcept {
+  return segment_frame(sdo_client_id(node), toggle, bytes, count, last);
+}
+
+CanFrame sdo_client_abort(int node, ObjectId object, std::uint32_t abort_code) noexcept {
+  return sdo_frame(sdo_client_id(node), kAbort, object, abort_code, 4);
+}
+
+SdoMessage decode_sdo_reply(const CanFrame& frame) noexcept {
+  if (!is_sdo(frame)) return {};
+  const std::uint8_t command = frame.data[0];
+  const int untoggled = command & ~kToggle;
+  if (command == kAbort) return message(SdoKind::kAbort, frame, 4);
+  if (command == kWriteReply) return message(SdoKind::kDownload, frame, 0);
+  if (command == kReadReplyBegin || command == kReadReplyBeginNoSize) {
+    return begin(SdoKind::kUploadBegin, frame, command == kReadReplyBegin);
+  }
+  if ((command & kSpecifierMask) == 0) return segment(SdoKind::kUploadSegment, frame);
+  if (untoggled == kWriteSegmentReply) return bare_segment(SdoKind::kDownloadSegment, frame);
+  return decode_value(SdoKind::kUpload, frame, kReadReplyExpedited, kReadReplyNoSize);
+}
+
+SdoMessage decode_sdo_request(const CanFrame& frame) noexcept {
+  if (!is_sdo(frame)) return {};
+  const std::uint8_t command = frame.data[0];
+  const int untoggled = command & ~kToggle;
+  if (command == kAbort) return message(SdoKind::kAbort, frame, 4);
+  if (command == kReadRequest) return message(SdoKind::kUpload, frame, 0);
+  if (command == kWriteBegin || command == kWriteBeginNoSize) {
+    return begin(SdoKind::kDownloadBegin, frame, command == kWriteBegin);
+  }
+  if ((command & kSpecifierMask) == 0) return segment(SdoKind::kDownloadSegment, frame);
+  if (untoggled == kReadSegment) return bare_segment(SdoKind::kUploadSegment, frame);
+  return decode_value(SdoKind::kDownload, frame, kWriteExpedited, kWriteNoSize);
+}
+
+CanFrame sdo_read_reply(int node, ObjectId object, std::uint32_t value, int size) noexcept {
+  return sdo_frame(sdo_server_id(node), with_size(kReadReplyExpedited, size), object, value, size);
+}
+
+CanFrame sdo_read_begin_reply(int node, ObjectId object, std::size_t size) noexcept {
+  return sdo_frame(sdo_server_id(node), kReadReplyBegin, object, static_cast<std::uint32_t>(size), 4);
+}
+
+CanFrame sdo_read_segment_reply(int node, bool toggle, const std::uint8_t* bytes, int count,
+                                bool last) noexcept {
+  return segment_frame(sdo_server_id(node), toggle, bytes, count, last);
+}
+
+CanFrame sdo_write_reply(int node, ObjectId object) noexcept {
+  return sdo_frame(sdo_server_id(node), kWriteReply, object, 0, 0);
+}
+
+CanFrame sdo_write_segment_reply(int node, bool toggle) noexcept {
+  return sdo_frame(sdo_server_id(node), with_toggle(kWriteSegmentReply, toggle), {}, 0, 0);
+}
+
+CanFrame sdo_server_abort(int node, ObjectId object, std::uint32_t abort_code) noexcept {
+  return sdo_frame(sdo_server_id(node), kAbort, object, abort_code, 4);
+}
+
+}  // namespace sprung::canopen
