@@ -2,6 +2,7 @@
 /// All that differs between makes of drive, behind one interface: what to configure, which PDOs, and how
 /// their bytes become actuator-space values (output side of the gear, sign and offset applied; see
 /// robots/robot_config.h) and back. Pure. Making a profile may throw; its noexcept methods run in the loop.
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -34,6 +35,7 @@ struct PdoSetting {
   std::uint8_t transmission_type = canopen::kTypeEvent;
   std::vector<canopen::MapEntry> entries;  ///< empty = this PDO is disabled
   std::uint16_t event_timer_ms = 0;        ///< transmit by event: at least this often; 0 = on change only
+  std::uint16_t inhibit_100us = 0;         ///< transmit by event: at most this often; 0 = not written
 };
 
 /// What a drive says at SYNC.
@@ -51,15 +53,24 @@ struct DriveSetpoint {
   DriveMode mode = DriveMode::kTorque;  ///< kTorque or kPosition
 };
 
-class DriveProfile {
+/// What every node needs: how to configure it.
+class NodeProfile {
  public:
-  virtual ~DriveProfile() = default;
-  DriveProfile(const DriveProfile&) = delete;
-  DriveProfile& operator=(const DriveProfile&) = delete;
+  virtual ~NodeProfile() = default;
+  NodeProfile(const NodeProfile&) = delete;
+  NodeProfile& operator=(const NodeProfile&) = delete;
 
   virtual std::vector<DriveSetting> settings() const = 0;
-  /// Every PDO of the drive, so that none keeps a default that talks in between.
+  /// Every PDO of the node, so that none keeps a default that talks in between.
   virtual std::vector<PdoSetting> pdos() const = 0;
+
+ protected:
+  NodeProfile() = default;
+};
+
+class DriveProfile : public NodeProfile {
+ public:
+  /// {0, 0} where the drive has none.
   virtual canopen::ObjectId supply_voltage_object() const noexcept = 0;
   virtual double supply_V(std::uint32_t raw) const noexcept = 0;
 
@@ -76,9 +87,29 @@ class DriveProfile {
   DriveProfile() = default;
 };
 
-/// The profile that the actuator names.
+/// What an encoder card says at SYNC.
+struct CardSample {
+  static constexpr int kMaxChannels = 4;
+  int channels = 0;
+  std::array<std::uint32_t, kMaxChannels> counts{};
+  std::uint8_t counter = 0;  ///< of the card's samples, modulo counter_modulus()
+};
+
+class CardProfile : public NodeProfile {
+ public:
+  /// @return false when the frame is not this card's sample (other id or length).
+  virtual bool decode_sample(const CanFrame& frame, CardSample& sample) const noexcept = 0;
+  virtual int channels() const noexcept = 0;
+  virtual int counter_modulus() const noexcept = 0;
+
+ protected:
+  CardProfile() = default;
+};
+
+/// The profile that the actuator or card names.
 /// @throws std::invalid_argument on an unknown profile, naming it and those there are, and on values that the
-/// drive's objects cannot hold.
+/// device's objects cannot hold.
 std::unique_ptr<DriveProfile> make_profile(const ActuatorConfig& actuator, const DriveTiming& timing);
+std::unique_ptr<CardProfile> make_card_profile(const EncoderCardConfig& card, const DriveTiming& timing);
 
 }  // namespace sprung

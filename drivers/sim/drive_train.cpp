@@ -1,7 +1,7 @@
 #include "drivers/sim/drive_train.h"
 
+#include "drivers/sim/device_registry.h"
 #include "drivers/sim/hash_noise.h"
-#include "robots/robot_loader.h"
 
 namespace sprung::sim {
 namespace {
@@ -25,12 +25,8 @@ DriveTrain::DriveTrain(const RobotConfig& robot, const SimConfig& config, std::u
       actuator_rad_s_(actuators_.size()),
       actuator_Nm_(actuators_.size()) {
   for (std::size_t i = 0; i < actuators_.size(); ++i) {
-    if (actuators_[i].profile != "gold") {
-      throw ConfigError(robot.name + ": no simulated drive for profile '" + actuators_[i].profile +
-                        "'; there is gold");
-    }
-    const GoldDriveConfig drive{actuators_[i], config.drives[i], config.plant.step_s, seed, torque_signal(i)};
-    drives_.push_back(std::make_unique<GoldDrive>(drive));
+    drives_.push_back(
+        make_sim_drive({actuators_[i], config.drives[i], config.plant.step_s, seed, torque_signal(i)}));
   }
   read_plant();
 }
@@ -93,7 +89,7 @@ bool DriveTrain::all_operational() const noexcept {
   return true;
 }
 
-GoldDrive* DriveTrain::drive(int actuator) noexcept {
+SimDrive* DriveTrain::drive(int actuator) noexcept {
   const bool exists = actuator >= 0 && actuator < static_cast<int>(drives_.size());
   return exists ? drives_[static_cast<std::size_t>(actuator)].get() : nullptr;
 }

@@ -3,8 +3,8 @@
 #include <memory>
 #include <vector>
 
-#include "drivers/sim/gold_drive.h"
 #include "drivers/sim/plant.h"
+#include "drivers/sim/sim_device.h"
 #include "drivers/sim/transmission.h"
 
 namespace sprung::sim {
@@ -27,7 +27,7 @@ class DriveTrain {
 
   bool all_operational() const noexcept;
   /// @return nullptr where there is no such actuator.
-  GoldDrive* drive(int actuator) noexcept;
+  SimDrive* drive(int actuator) noexcept;
   Plant& plant() noexcept { return plant_; }
   const Plant& plant() const noexcept { return plant_; }
 
@@ -39,7 +39,7 @@ class DriveTrain {
   std::vector<ActuatorConfig> actuators_;
   Plant plant_;
   Transmission transmission_;
-  std::vector<std::unique_ptr<GoldDrive>> drives_;
+  std::vector<std::unique_ptr<SimDrive>> drives_;
   std::uint64_t seed_;
   double jitter_s_;
   std::vector<double> joint_rad_, joint_rad_s_, joint_Nm_;

@@ -28,7 +28,7 @@ void Experimenter::start_cycle(std::int64_t cycle) noexcept {
 }
 
 void Experimenter::act(const SimControl& control) noexcept {
-  GoldDrive* drive = train_.drive(control.actuator);
+  SimDrive* drive = train_.drive(control.actuator);
   switch (control.kind) {
     case SimControlKind::kWrench:
       return push(control);
@@ -39,10 +39,13 @@ void Experimenter::act(const SimControl& control) noexcept {
       return control.value == 0.0 ? train_.plant().release() : train_.plant().suspend(control.value);
     case SimControlKind::kDriveFault:
       if (drive != nullptr)
-        drive->fault(control.value > 0.0 ? static_cast<std::uint16_t>(control.value) : kOverCurrent);
+        drive->raise_fault(control.value > 0.0 ? static_cast<std::uint16_t>(control.value) : kOverCurrent);
       return;
     case SimControlKind::kDriveSilent:
       if (drive != nullptr) drive->outbox().set_cut(control.value != 0.0);
+      return;
+    case SimControlKind::kNodeFault:
+      if (drive != nullptr) drive->set_fault(control.fault, control.value, true);
       return;
   }
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drivers/canopen/protocol.h"
 #include "drivers/sim/bus_schedule.h"
 #include "drivers/sim/drive_train.h"
 #include "drivers/sim/experimenter.h"

@@ -4,7 +4,7 @@
 
 #include "drivers/canopen/objects.h"
 #include "drivers/sim/canopen_device.h"
-#include "drivers/sim/gold_objects.h"
+#include "drivers/profiles/gold/gold_device_objects.h"
 
 namespace sprung::sim {
 namespace {

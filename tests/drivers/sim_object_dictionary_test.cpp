@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "drivers/canopen/objects.h"
-#include "drivers/sim/gold_objects.h"
+#include "drivers/profiles/gold/gold_device_objects.h"
 #include "drivers/sim/object_dictionary.h"
 
 namespace sprung::sim {

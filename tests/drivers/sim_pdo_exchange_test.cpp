@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "drivers/sim/gold_objects.h"
+#include "drivers/profiles/gold/gold_device_objects.h"
 #include "drivers/sim/pdo_exchange.h"
 
 namespace sprung::sim {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "drivers/sim/gold_objects.h"
+#include "drivers/profiles/gold/gold_device_objects.h"
 #include "drivers/sim/pdo_map.h"
 
 namespace sprung::sim {

@@ -8,6 +8,7 @@
 #include "drivers/canopen/objects.h"
 #include "drivers/cia402/words.h"
 #include "drivers/profiles/gold/gold_units.h"
+#include "drivers/profiles/profile_registry.h"
 
 namespace sprung::gold {
 namespace {
@@ -206,3 +207,14 @@ CanFrame GoldProfile::encode_control_word(std::uint16_t word) const noexcept {
 }
 
 }  // namespace sprung::gold
+
+namespace sprung::profiles {
+
+extern const ProfileKind gold_profile_kind{
+    "gold",
+    [](const ActuatorConfig& actuator, const DriveTiming& timing) -> std::unique_ptr<DriveProfile> {
+      return std::make_unique<gold::GoldProfile>(actuator, timing);
+    },
+    nullptr};
+
+}  // namespace sprung::profiles

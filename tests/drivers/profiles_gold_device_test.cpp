@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "drivers/canopen/objects.h"
-#include "drivers/sim/gold_drive.h"
-#include "drivers/sim/gold_objects.h"
+#include "drivers/profiles/gold/gold_device.h"
+#include "drivers/profiles/gold/gold_device_objects.h"
 
 namespace sprung::sim {
 namespace {
@@ -13,8 +13,8 @@ namespace {
 constexpr std::int64_t kTick_us = 250;
 constexpr double kPerMille_Nm = 1e-3 * 0.308 * 100.0;
 
-GoldDriveConfig drive_config() {
-  GoldDriveConfig config;
+SimDriveSetup drive_config() {
+  SimDriveSetup config;
   config.actuator.node = 4;
   config.actuator.gear_ratio = 100.0;
   config.actuator.torque_constant_Nm_A = 0.044;
@@ -195,7 +195,7 @@ TEST_F(GoldDriveTest, FaultPowersOffUntilReset) {
   start(10);
   write(canopen::kTargetTorque, 500, 2);
   run(40);
-  drive_.fault(0x4210);
+  drive_.raise_fault(0x4210);
   run(2);
   EXPECT_EQ(status() & 0x4F, 0x08);
   EXPECT_EQ(drive_.motor_torque_Nm(), 0.0);

@@ -1,11 +1,12 @@
-#include "drivers/sim/gold_drive.h"
+#include "drivers/profiles/gold/gold_device.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "drivers/canopen/objects.h"
+#include "drivers/profiles/gold/gold_device_objects.h"
 #include "drivers/profiles/gold/gold_units.h"
-#include "drivers/sim/gold_objects.h"
+#include "drivers/sim/device_registry.h"
 #include "drivers/sim/hash_noise.h"
 
 namespace sprung::sim {
@@ -18,7 +19,7 @@ constexpr double kQuickStopTime_s = 0.1;
 
 std::uint32_t rounded(double value) { return static_cast<std::uint32_t>(std::lround(value)); }
 
-GoldCommissioning commissioning(const GoldDriveConfig& config) {
+GoldCommissioning commissioning(const SimDriveSetup& config) {
   const ActuatorConfig& actuator = config.actuator;
   GoldCommissioning gold;
   gold.node = actuator.node;
@@ -31,11 +32,11 @@ GoldCommissioning commissioning(const GoldDriveConfig& config) {
 
 }  // namespace
 
-GoldDrive::GoldDrive(const GoldDriveConfig& config)
-    : config_(config),
+GoldDrive::GoldDrive(const SimDriveSetup& config)
+    : SimDrive(config.actuator.bus),
+      config_(config),
       dictionary_(gold_dictionary(commissioning(config))),
-      outbox_(config.actuator.bus),
-      device_(config.actuator.node, dictionary_, *this, outbox_),
+      device_(config.actuator.node, dictionary_, *this, outbox()),
       current_loop_(config.truth.torque_loop_Hz, config.step_s),
       counts_per_rad_(config.actuator.encoder_counts_per_turn * config.actuator.gear_ratio / kTwoPi) {}
 
@@ -196,7 +197,11 @@ void GoldDrive::show_torque(std::int64_t cycle) noexcept {
   show(canopen::kCurrentActual, shown);
 }
 
-void GoldDrive::fault(std::uint16_t code) noexcept {
+void GoldDrive::set_fault(FaultKind kind, double /*value*/, bool on) noexcept {
+  if (on && kind == FaultKind::kOverCurrent) raise_fault(0x2310);
+}
+
+void GoldDrive::raise_fault(std::uint16_t code) noexcept {
   state_ = PowerState::kFaultReactionActive;
   dictionary_.set({canopen::kErrorCode, 0}, code);
   device_.raise(code);
@@ -232,3 +237,14 @@ void GoldDrive::reset() noexcept {
 }
 
 }  // namespace sprung::sim
+
+namespace sprung::profiles {
+
+extern const sim::DeviceKind gold_device_kind{
+    "gold",
+    [](const sim::SimDriveSetup& setup) -> std::unique_ptr<sim::SimDrive> {
+      return std::make_unique<sim::GoldDrive>(setup);
+    },
+    nullptr};
+
+}  // namespace sprung::profiles

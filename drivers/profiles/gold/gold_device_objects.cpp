@@ -1,4 +1,4 @@
-#include "drivers/sim/gold_objects.h"
+#include "drivers/profiles/gold/gold_device_objects.h"
 
 #include "drivers/canopen/objects.h"
 #include "drivers/profiles/gold/gold_units.h"

@@ -7,42 +7,26 @@
 #include "drivers/cia402/words.h"
 #include "drivers/sim/canopen_device.h"
 #include "drivers/sim/motor_control.h"
-#include "drivers/sim/sim_config.h"
+#include "drivers/sim/sim_device.h"
 #include "signals/modes.h"
 
 namespace sprung::sim {
 
-struct GoldDriveConfig {
-  ActuatorConfig actuator;  ///< node, bus, gear, encoder, ratings
-  SimDriveConfig truth;
-  double step_s = 0.0;  ///< of the drive's loops
-  std::uint64_t seed = 0;
-  std::uint64_t signal = 0;  ///< number of this drive's current noise
-};
-
-class GoldDrive final : private DeviceApplication {
+class GoldDrive final : public SimDrive, private DeviceApplication {
  public:
-  explicit GoldDrive(const GoldDriveConfig& config);
-  GoldDrive(const GoldDrive&) = delete;
-  GoldDrive& operator=(const GoldDrive&) = delete;
+  explicit GoldDrive(const SimDriveSetup& config);
 
-  Outbox& outbox() noexcept { return outbox_; }
-  /// SYNC must come after sample().
-  void receive(const CanFrame& frame, std::int64_t time_us) noexcept { device_.receive(frame, time_us); }
-  /// What the encoder and the current sensor show at a SYNC. @param cycle chooses the noise.
-  void sample(double shaft_rad, std::int64_t cycle) noexcept;
-  /// One tick of the drive's loops, `step_s` after the last one.
-  void step(double shaft_rad, std::int64_t time_us) noexcept;
-
-  /// The shaft was put elsewhere: no velocity follows from that.
-  void forget_motion() noexcept { has_counts_ = false; }
-
-  /// True torque of the motor behind its gear, before friction and rotor inertia.
-  double motor_torque_Nm() const noexcept;
-  bool operational() const noexcept { return device_.operational(); }
+  void receive(const CanFrame& frame, std::int64_t time_us) noexcept override {
+    device_.receive(frame, time_us);
+  }
+  void sample(double shaft_rad, std::int64_t cycle) noexcept override;
+  void step(double shaft_rad, std::int64_t time_us) noexcept override;
+  void forget_motion() noexcept override { has_counts_ = false; }
+  double motor_torque_Nm() const noexcept override;
+  bool operational() const noexcept override { return device_.operational(); }
   PowerState power_state() const noexcept { return state_; }
-  /// @param code CiA 301 / 402 error code, e.g. 0x2310 over-current: emergency, power off, state fault.
-  void fault(std::uint16_t code) noexcept;
+  void set_fault(FaultKind kind, double value, bool on) noexcept override;
+  void raise_fault(std::uint16_t code) noexcept override;
 
  private:
   void written(canopen::ObjectId id) noexcept override;
@@ -68,9 +52,8 @@ class GoldDrive final : private DeviceApplication {
   double interpolation_period_s() const noexcept;
   bool powered() const noexcept;
 
-  GoldDriveConfig config_;
+  SimDriveSetup config_;
   ObjectDictionary dictionary_;
-  Outbox outbox_;
   CanopenDevice device_;
   PositionLoop position_loop_;
   CurrentLoop current_loop_;
