@@ -1,12 +1,11 @@
 #include "drivers/can/can_bus.h"
 
-#include <time.h>
-
 #include <algorithm>
 #include <charconv>
 #include <stdexcept>
 
 #include "drivers/can/memory_bus.h"
+#include "drivers/can/receive_controls.h"
 #include "drivers/can/socketcan_bus.h"
 #include "drivers/can/udp_bus.h"
 
@@ -14,11 +13,26 @@ namespace sprung {
 
 int CanBus::receive_timed(CanFrame* frames, std::int64_t* arrival_us, int max) noexcept {
   const int count = receive(frames, max);
-  timespec now{};
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  std::fill_n(arrival_us, count, std::int64_t{now.tv_sec} * 1'000'000 + now.tv_nsec / 1000);
+  std::fill_n(arrival_us, count, monotonic_us());
   return count;
 }
+
+bool CanBus::accept_only(const CanFilter*, int) { return false; }
+
+const char* text(CanSendError error) noexcept {
+  switch (error) {
+    case CanSendError::kNone:
+      return "none";
+    case CanSendError::kNoBuffers:
+      return "the interface's queue is full (ENOBUFS)";
+    case CanSendError::kLinkDown:
+      return "link down";
+    case CanSendError::kOther:
+      break;
+  }
+  return "refused by the kernel";
+}
+
 namespace {
 
 std::unique_ptr<CanBus> open_udp(const std::string& address, const std::string& rest) {

@@ -4,16 +4,23 @@
 #include <linux/can/error.h>
 #include <linux/can/raw.h>
 #include <net/if.h>
-#include <sys/socket.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
 
+#include "drivers/can/receive_controls.h"
+#include "drivers/can/send_confirmations.h"
+
 namespace sprung {
 namespace {
+
+constexpr int kBatch = 32;
+constexpr int kReceiveBuffer_bytes =
+    1 << 20;  // what the kernel's limit allows of it: a stall must not lose frames
 
 /// Everything that says a bus is failing; not CAN_ERR_BUSERROR, which may flood (facts canopen section 5).
 constexpr can_err_mask_t kErrorMask =
@@ -25,16 +32,17 @@ constexpr can_err_mask_t kErrorMask =
 
 can_frame to_kernel(const CanFrame& frame) noexcept {
   can_frame raw{};
-  raw.can_id = frame.id;
+  raw.can_id = frame.id | (frame.remote ? CAN_RTR_FLAG : 0U);
   raw.can_dlc = frame.length;
-  std::copy(frame.data.begin(), frame.data.end(), raw.data);
+  if (!frame.remote) std::copy(frame.data.begin(), frame.data.end(), raw.data);
   return raw;
 }
 
-/// @return false for extended and remote frames: nothing of ours uses them.
+/// @return false for extended frames: nothing of ours uses them.
 bool from_kernel(const can_frame& raw, CanFrame& frame) noexcept {
   frame.error = (raw.can_id & CAN_ERR_FLAG) != 0;
-  if (!frame.error && (raw.can_id & (CAN_EFF_FLAG | CAN_RTR_FLAG)) != 0) return false;
+  if (!frame.error && (raw.can_id & CAN_EFF_FLAG) != 0) return false;
+  frame.remote = !frame.error && (raw.can_id & CAN_RTR_FLAG) != 0;
   frame.id = raw.can_id & (frame.error ? CAN_ERR_MASK : CAN_SFF_MASK);
   frame.length = std::min<std::uint8_t>(raw.can_dlc, 8);
   std::copy(raw.data, raw.data + 8, frame.data.begin());
@@ -43,59 +51,188 @@ bool from_kernel(const can_frame& raw, CanFrame& frame) noexcept {
 
 }  // namespace
 
-SocketCanBus::SocketCanBus(const std::string& interface) : interface_(interface) {
-  fd_ = ::socket(PF_CAN, SOCK_RAW | SOCK_CLOEXEC | SOCK_NONBLOCK, CAN_RAW);
-  if (fd_ < 0) fail(interface, "this kernel has no CAN (modprobe can-raw, or use a udp: bus)");
-  try {
-    configure();
-  } catch (...) {
-    ::close(fd_);
-    throw;
+struct SocketCanBus::Socket {
+  int fd = ::socket(PF_CAN, SOCK_RAW | SOCK_CLOEXEC | SOCK_NONBLOCK, CAN_RAW);
+  KernelDrops drops;
+  SendConfirmations confirmations;
+  std::array<can_frame, kBatch> frames{};
+  std::array<iovec, kBatch> vectors{};
+  std::array<mmsghdr, kBatch> messages{};
+  alignas(cmsghdr) std::array<std::array<char, kReceiveControl_bytes>, kBatch> controls{};
+  std::int64_t utc_offset_us = 0;  ///< CLOCK_REALTIME minus CLOCK_MONOTONIC when the batch was read
+
+  Socket() = default;
+  Socket(const Socket&) = delete;
+  Socket& operator=(const Socket&) = delete;
+  ~Socket() { ::close(fd); }
+
+  void prepare(int i, bool receiving) noexcept {
+    const auto at = static_cast<std::size_t>(i);
+    vectors[at] = {&frames[at], sizeof frames[at]};
+    msghdr& header = messages[at].msg_hdr;
+    header = {};
+    header.msg_iov = &vectors[at];
+    header.msg_iovlen = 1;
+    if (receiving) {
+      header.msg_control = controls[at].data();
+      header.msg_controllen = controls[at].size();
+    }
   }
+  template <class Value>
+  bool set(int level, int option, const Value& value) noexcept {
+    return ::setsockopt(fd, level, option, &value, sizeof value) == 0;
+  }
+};
+
+SocketCanBus::SocketCanBus(const std::string& interface)
+    : interface_(interface), socket_(std::make_unique<Socket>()) {
+  if (socket_->fd < 0) fail(interface, "this kernel has no CAN (modprobe can-raw, or use a udp: bus)");
+  configure();
 }
 
-SocketCanBus::~SocketCanBus() { ::close(fd_); }
+SocketCanBus::~SocketCanBus() = default;
+
+int SocketCanBus::fd() const noexcept { return socket_->fd; }
 
 void SocketCanBus::configure() {
-  const unsigned index = ::if_nametoindex(interface_.c_str());
-  if (index == 0) fail(interface_, "no such interface (ip link show type can)");
-  if (::setsockopt(fd_, SOL_CAN_RAW, CAN_RAW_ERR_FILTER, &kErrorMask, sizeof kErrorMask) != 0) {
+  if (::if_nametoindex(interface_.c_str()) == 0) {
+    fail(interface_, "no such interface (ip link show type can)");
+  }
+  if (!socket_->set(SOL_CAN_RAW, CAN_RAW_ERR_FILTER, kErrorMask)) {
     fail(interface_, "cannot ask for error frames");
   }
-  sockaddr_can address{};
-  address.can_family = AF_CAN;
-  address.can_ifindex = static_cast<int>(index);
-  if (::bind(fd_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
-    fail(interface_, "cannot bind (ip link set " + interface_ + " up)");
-  }
+  if (!socket_->set(SOL_CAN_RAW, CAN_RAW_RECV_OWN_MSGS, 1)) fail(interface_, "cannot ask for confirmations");
+  if (!ask_for_receive_controls(socket_->fd)) fail(interface_, "cannot ask for time stamps");
+  (void)socket_->set(SOL_SOCKET, SO_RCVBUF, kReceiveBuffer_bytes);
+  if (!bind_interface()) fail(interface_, "cannot bind (ip link set " + interface_ + " up)");
 }
 
-bool SocketCanBus::send(const CanFrame* frames, int count) noexcept {
-  for (int i = 0; i < count; ++i) {
-    const can_frame raw = to_kernel(frames[i]);
-    if (::write(fd_, &raw, sizeof raw) != static_cast<ssize_t>(sizeof raw)) {
-      counters_.send_failed += count - i;
-      return false;
-    }
-    ++counters_.sent;
-  }
+bool SocketCanBus::bind_interface() noexcept {
+  sockaddr_can address{};
+  address.can_family = AF_CAN;
+  address.can_ifindex = static_cast<int>(::if_nametoindex(interface_.c_str()));
+  if (address.can_ifindex == 0) return false;  // 0 would bind to every interface
+  return ::bind(socket_->fd, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
+}
+
+bool SocketCanBus::accept_only(const CanFilter* filters, int count) {
+  std::vector<can_filter> raw;  // remote requests pass like data, extended identifiers do not
+  for (int i = 0; i < count; ++i) raw.push_back({filters[i].id, filters[i].mask | CAN_EFF_FLAG});
+  if (raw.empty()) raw.push_back({0, 0});
+  const auto bytes = static_cast<socklen_t>(raw.size() * sizeof(can_filter));
+  if (::setsockopt(socket_->fd, SOL_CAN_RAW, CAN_RAW_FILTER, raw.data(), bytes) != 0) return false;
+  filters_.assign(filters, filters + count);
   return true;
 }
 
-int SocketCanBus::receive(CanFrame* frames, int max) noexcept {
-  int count = 0;
-  can_frame raw{};
-  while (count < max) {
-    const ssize_t got = ::read(fd_, &raw, sizeof raw);
-    if (got < 0) break;
-    if (got == static_cast<ssize_t>(sizeof raw) && from_kernel(raw, frames[count])) {
-      ++count;
+bool SocketCanBus::send(const CanFrame* frames, int count) noexcept {
+  last_send_error_ = CanSendError::kNone;
+  int done = 0;
+  bool tried_again = false;
+  while (done < count) {
+    const int sent = send_batch(frames + done, std::min(kBatch, count - done));
+    if (sent > 0) {
+      done += sent;
+    } else if (const int error = errno; tried_again || !worth_another_try(error)) {
+      count_failure(error, count - done);
+      break;
     } else {
-      ++counters_.malformed;
+      tried_again = true;
     }
+  }
+  counters_.sent += done;
+  return done == count;
+}
+
+int SocketCanBus::send_batch(const CanFrame* frames, int count) noexcept {
+  for (int i = 0; i < count; ++i) {
+    socket_->frames[static_cast<std::size_t>(i)] = to_kernel(frames[i]);
+    socket_->prepare(i, false);
+  }
+  const std::int64_t now_us = monotonic_us();
+  const int sent =
+      ::sendmmsg(socket_->fd, socket_->messages.data(), static_cast<unsigned>(count), MSG_DONTWAIT);
+  const int filter_count = static_cast<int>(filters_.size());
+  for (int i = 0; i < sent; ++i) {
+    if (passes(filters_.data(), filter_count, frames[i].id)) socket_->confirmations.sent(frames[i], now_us);
+  }
+  return sent;
+}
+
+/// A link that went down leaves one error on the socket, which the first call after it gets even when the link is up again;
+/// an interface that was removed has to be bound anew.
+bool SocketCanBus::worth_another_try(int error) noexcept {
+  if (error == ENETDOWN) return true;
+  return (error == ENODEV || error == ENXIO) && bind_interface();
+}
+
+void SocketCanBus::count_failure(int error, int frames) noexcept {
+  counters_.send_failed += frames;
+  if (error == ENOBUFS || error == EAGAIN) {
+    last_send_error_ = CanSendError::kNoBuffers;
+    counters_.no_buffers += frames;
+  } else if (error == ENETDOWN || error == ENODEV || error == ENXIO) {
+    last_send_error_ = CanSendError::kLinkDown;
+    counters_.link_down += frames;
+    socket_->confirmations.forget();
+  } else {
+    last_send_error_ = CanSendError::kOther;
+  }
+}
+
+int SocketCanBus::receive(CanFrame* frames, int max) noexcept { return receive_timed(frames, nullptr, max); }
+
+int SocketCanBus::receive_timed(CanFrame* frames, std::int64_t* arrival_us, int max) noexcept {
+  int count = 0;
+  while (count < max) {
+    const int wanted = std::min(kBatch, max - count);
+    const int got = read_batch(wanted);
+    for (int i = 0; i < got; ++i) {
+      std::int64_t time_us = 0;
+      if (!take(i, frames[count], time_us)) continue;
+      if (arrival_us != nullptr) arrival_us[count] = time_us;
+      ++count;
+    }
+    if (got < wanted) break;
   }
   counters_.received += count;
   return count;
+}
+
+int SocketCanBus::read_batch(int max) noexcept {
+  for (int i = 0; i < max; ++i) socket_->prepare(i, true);
+  socket_->utc_offset_us = utc_minus_monotonic_us();
+  const auto read = [this, max] {
+    return ::recvmmsg(socket_->fd, socket_->messages.data(), static_cast<unsigned>(max), MSG_DONTWAIT,
+                      nullptr);
+  };
+  const int got = read();
+  return got < 0 && errno != EAGAIN ? read() : got;  // see worth_another_try()
+}
+
+bool SocketCanBus::take(int i, CanFrame& frame, std::int64_t& arrival_us) noexcept {
+  const auto at = static_cast<std::size_t>(i);
+  msghdr& header = socket_->messages[at].msg_hdr;
+  arrival_us = read_receive_controls(header, socket_->utc_offset_us, socket_->drops);
+  counters_.dropped = socket_->drops.total;
+  if (socket_->messages[at].msg_len != sizeof(can_frame) || !from_kernel(socket_->frames[at], frame)) {
+    ++counters_.malformed;
+    return false;
+  }
+  if ((header.msg_flags & MSG_CONFIRM) != 0) {
+    count_confirmation(frame, arrival_us);
+    return false;
+  }
+  if (frame.error && (frame.id & CAN_ERR_BUSOFF) != 0) socket_->confirmations.forget();
+  return true;
+}
+
+void SocketCanBus::count_confirmation(const CanFrame& frame, std::int64_t arrival_us) noexcept {
+  ++counters_.confirmed;
+  const std::int64_t waited_us = socket_->confirmations.confirmed(frame, arrival_us);
+  if (waited_us == SendConfirmations::kUnknown) return;
+  counters_.confirmation_us = waited_us;
+  counters_.longest_confirmation_us = std::max(counters_.longest_confirmation_us, waited_us);
 }
 
 }  // namespace sprung

@@ -1,5 +1,10 @@
 #pragma once
-/// CAN through the kernel (linux/can.h): raw socket, error frames delivered, own frames not.
+/// CAN through the kernel (linux/can.h, facts canopen 5): raw socket, error frames delivered. Own frames come back from the
+/// bus as confirmations: they are counted and timed, and never received. An interface that goes down and up again, or is
+/// unplugged and comes back under its name, works again without reopening.
+#include <memory>
+#include <vector>
+
 #include "drivers/can/can_bus.h"
 
 namespace sprung {
@@ -12,14 +17,26 @@ class SocketCanBus final : public CanBus {
 
   bool send(const CanFrame* frames, int count) noexcept override;
   int receive(CanFrame* frames, int max) noexcept override;
-  int fd() const noexcept override { return fd_; }
+  /// Kernel's software stamps: a CAN controller's own clock, where it has one, is not CLOCK_MONOTONIC.
+  int receive_timed(CanFrame* frames, std::int64_t* arrival_us, int max) noexcept override;
+  bool accept_only(const CanFilter* filters, int count) override;
+  int fd() const noexcept override;
   std::string describe() const override { return "socketcan:" + interface_; }
 
  private:
+  struct Socket;
   void configure();
+  bool bind_interface() noexcept;
+  int send_batch(const CanFrame* frames, int count) noexcept;
+  bool worth_another_try(int error) noexcept;
+  void count_failure(int error, int frames) noexcept;
+  int read_batch(int max) noexcept;
+  bool take(int i, CanFrame& frame, std::int64_t& arrival_us) noexcept;
+  void count_confirmation(const CanFrame& frame, std::int64_t arrival_us) noexcept;
 
   std::string interface_;
-  int fd_ = -1;
+  std::vector<CanFilter> filters_;
+  std::unique_ptr<Socket> socket_;
 };
 
 }  // namespace sprung

@@ -2,7 +2,6 @@
 
 #include <arpa/inet.h>
 #include <sys/socket.h>
-#include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -11,25 +10,14 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "drivers/can/receive_controls.h"
+
 namespace sprung {
 namespace {
 
 constexpr int kBatch = 32;
 constexpr int kReceiveBuffer_bytes =
     4 << 20;  // what the kernel's limit allows of it: bursts must not be dropped
-
-/// Drop counter and arrival time.
-constexpr std::size_t kControl_bytes = CMSG_SPACE(sizeof(std::uint32_t)) + CMSG_SPACE(sizeof(timespec));
-
-std::int64_t to_us(const timespec& time) noexcept {
-  return std::int64_t{time.tv_sec} * 1'000'000 + time.tv_nsec / 1000;
-}
-
-std::int64_t read_clock_us(clockid_t clock) noexcept {
-  timespec now{};
-  ::clock_gettime(clock, &now);
-  return to_us(now);
-}
 
 [[noreturn]] void fail(const std::string& what) {
   throw std::runtime_error("udp bus: " + what + ": " + std::strerror(errno));
@@ -86,13 +74,13 @@ struct UdpBus::Sockets {
   Socket sender;  ///< its own port, so that our frames can be told from those of others
   sockaddr_in group{};
   std::uint16_t own_port = 0;
-  std::uint32_t kernel_drops = 0;
+  KernelDrops drops;
 
   std::array<UdpDatagram, kBatch> datagrams;
   std::array<iovec, kBatch> vectors{};
   std::array<mmsghdr, kBatch> messages{};
   std::array<sockaddr_in, kBatch> sources{};
-  alignas(cmsghdr) std::array<std::array<char, kControl_bytes>, kBatch> controls{};
+  alignas(cmsghdr) std::array<std::array<char, kReceiveControl_bytes>, kBatch> controls{};
   std::int64_t utc_offset_us = 0;  ///< CLOCK_REALTIME minus CLOCK_MONOTONIC when the batch was read
 
   Sockets(in_addr group_address, int port) : group(address_of(group_address, port)) {
@@ -104,8 +92,7 @@ struct UdpBus::Sockets {
     set_option(receiver.fd(), SOL_SOCKET, SO_REUSEADDR, 1, "SO_REUSEADDR");
     set_option(receiver.fd(), SOL_SOCKET, SO_REUSEPORT, 1, "SO_REUSEPORT");
     set_option(receiver.fd(), SOL_SOCKET, SO_RCVBUF, kReceiveBuffer_bytes, "SO_RCVBUF");
-    set_option(receiver.fd(), SOL_SOCKET, SO_RXQ_OVFL, 1, "SO_RXQ_OVFL");
-    set_option(receiver.fd(), SOL_SOCKET, SO_TIMESTAMPNS, 1, "SO_TIMESTAMPNS");
+    if (!ask_for_receive_controls(receiver.fd())) fail("cannot ask for time stamps");
     if (::bind(receiver.fd(), reinterpret_cast<const sockaddr*>(&group), sizeof group) != 0)
       fail("cannot bind");
     join(receiver.fd(), group_address);
@@ -207,34 +194,17 @@ int UdpBus::receive_timed(CanFrame* frames, std::int64_t* arrival_us, int max) n
 int UdpBus::read_batch(int max) noexcept {
   const int batch = std::min(kBatch, max);
   for (int i = 0; i < batch; ++i) sockets_->prepare(i, true);
-  sockets_->utc_offset_us = read_clock_us(CLOCK_REALTIME) - read_clock_us(CLOCK_MONOTONIC);
+  sockets_->utc_offset_us = utc_minus_monotonic_us();
   return ::recvmmsg(sockets_->receiver.fd(), sockets_->messages.data(), static_cast<unsigned>(batch),
                     MSG_DONTWAIT, nullptr);
-}
-
-std::int64_t UdpBus::read_controls(int i) noexcept {
-  std::int64_t arrival_us = 0;
-  msghdr& header = sockets_->messages[static_cast<std::size_t>(i)].msg_hdr;
-  for (cmsghdr* c = CMSG_FIRSTHDR(&header); c != nullptr; c = CMSG_NXTHDR(&header, c)) {
-    if (c->cmsg_level != SOL_SOCKET) continue;
-    if (c->cmsg_type == SO_RXQ_OVFL) {
-      std::uint32_t drops = 0;
-      std::memcpy(&drops, CMSG_DATA(c), sizeof drops);
-      counters_.dropped += static_cast<std::uint32_t>(drops - sockets_->kernel_drops);
-      sockets_->kernel_drops = drops;
-    } else if (c->cmsg_type == SCM_TIMESTAMPNS) {
-      timespec arrival{};
-      std::memcpy(&arrival, CMSG_DATA(c), sizeof arrival);
-      arrival_us = to_us(arrival) - sockets_->utc_offset_us;
-    }
-  }
-  return arrival_us;
 }
 
 bool UdpBus::take(int i, StampedFrame& frame) noexcept {
   const auto at = static_cast<std::size_t>(i);
   mmsghdr& message = sockets_->messages[at];
-  const std::int64_t arrival_us = read_controls(i);
+  const std::int64_t arrival_us =
+      read_receive_controls(message.msg_hdr, sockets_->utc_offset_us, sockets_->drops);
+  counters_.dropped = sockets_->drops.total;
   const sockaddr_in& source = sockets_->sources[at];
   if (source.sin_port == sockets_->own_port && source.sin_addr.s_addr == htonl(INADDR_LOOPBACK)) return false;
   if (!decode_datagram(sockets_->datagrams[at].bytes.data(), message.msg_len, frame)) {

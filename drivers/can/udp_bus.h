@@ -32,7 +32,6 @@ class UdpBus final : public CanBus {
   struct Sockets;
   int read_batch(int max) noexcept;
   bool take(int i, StampedFrame& frame) noexcept;
-  std::int64_t read_controls(int i) noexcept;  ///< counts drops; arrival, us on CLOCK_MONOTONIC
 
   std::string group_;
   int port_ = 0;

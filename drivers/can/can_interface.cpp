@@ -1,0 +1,105 @@
+#include "drivers/can/can_interface.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+namespace sprung {
+namespace {
+
+constexpr int kBitRate = 1'000'000;  // the only one that carries three drives at 500 Hz (design section 5)
+constexpr int kLongestQueue = 64;    // frames: 8 ms of a full bus at 1 Mbit/s
+constexpr std::size_t kLongestName = 15;  // IFNAMSIZ - 1
+
+using nlohmann::json;
+
+InterfaceFacts facts_of(const json& link) {
+  InterfaceFacts facts;
+  facts.name = link.value("ifname", "");
+  facts.queue_length = link.value("txqlen", 0);
+  const json flags = link.value("flags", json::array());
+  facts.up = std::find(flags.begin(), flags.end(), "UP") != flags.end();
+  const json info = link.value("linkinfo", json::object());
+  facts.kind = info.value("info_kind", "");
+  const json data = info.value("info_data", json::object());
+  facts.state = data.value("state", "");
+  facts.restart_ms = data.value("restart_ms", 0);
+  facts.bit_rate = data.value("bittiming", json::object()).value("bitrate", 0);
+  return facts;
+}
+
+/// A name that a shell takes as one word.
+bool plain(const std::string& name) {
+  const auto good = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.'; };
+  return !name.empty() && name.size() <= kLongestName && name[0] != '-' &&
+         std::all_of(name.begin(), name.end(), good);
+}
+
+std::string output_of(const std::string& command) {
+  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(::popen(command.c_str(), "r"), ::pclose);
+  std::string text;
+  char part[4096];
+  while (pipe) {
+    const std::size_t got = std::fread(part, 1, sizeof part, pipe.get());
+    if (got == 0) break;
+    text.append(part, got);
+  }
+  return text;
+}
+
+void advise_controller(const InterfaceFacts& facts, std::vector<std::string>& advice) {
+  const std::string set = "ip link set " + facts.name + " type can ";
+  if (facts.bit_rate != kBitRate) {
+    advice.push_back(facts.name + ": bit rate is " + std::to_string(facts.bit_rate) + ", not 1000000 (" +
+                     set + "bitrate 1000000)");
+  }
+  if (facts.restart_ms == 0) {
+    advice.push_back(facts.name + ": after bus-off it stays off for good (" + set + "restart-ms 100)");
+  }
+  if (facts.up && facts.state != "ERROR-ACTIVE") {
+    advice.push_back(facts.name + ": controller is " + facts.state +
+                     " (wiring, termination, a node that answers?)");
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> interface_advice(const InterfaceFacts& facts, int frames_per_cycle) {
+  std::vector<std::string> advice;
+  const std::string set = "ip link set " + facts.name + " ";
+  if (!facts.up) advice.push_back(facts.name + ": is down (" + set + "up)");
+  if (facts.kind != "can") return advice;  // vcan has neither controller nor queue
+  advise_controller(facts, advice);
+  const std::string queue =
+      facts.name + ": transmit queue holds " + std::to_string(facts.queue_length) + " frames";
+  if (facts.queue_length > kLongestQueue) {
+    advice.push_back(queue + ", old set-points would wait in it (" + set + "txqueuelen 32)");
+  } else if (facts.queue_length < frames_per_cycle) {
+    advice.push_back(queue + ", a cycle sends " + std::to_string(frames_per_cycle) + " (" + set +
+                     "txqueuelen 32)");
+  }
+  return advice;
+}
+
+std::optional<InterfaceFacts> parse_interface(const std::string& text) {
+  const json links = json::parse(text, nullptr, false);
+  if (!links.is_array() || links.empty() || !links[0].is_object()) return std::nullopt;
+  try {
+    InterfaceFacts facts = facts_of(links[0]);
+    if (links[0].value("link_type", "") != "can") return std::nullopt;
+    return facts;
+  } catch (const json::exception&) {  // a value of another type than iproute2's
+    return std::nullopt;
+  }
+}
+
+std::optional<InterfaceFacts> read_interface(const std::string& address) {
+  const std::string kind = "socketcan:";
+  if (address.compare(0, kind.size(), kind) != 0 || !plain(address.substr(kind.size()))) return std::nullopt;
+  return parse_interface(output_of("PATH=$PATH:/usr/sbin:/sbin ip -details -json link show dev " +
+                                   address.substr(kind.size()) + " 2>/dev/null"));
+}
+
+}  // namespace sprung

@@ -1,0 +1,132 @@
+#include "drivers/can/can_interface.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace sprung {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+InterfaceFacts good() {
+  InterfaceFacts facts;
+  facts.name = "can0";
+  facts.kind = "can";
+  facts.state = "ERROR-ACTIVE";
+  facts.up = true;
+  facts.bit_rate = 1'000'000;
+  facts.restart_ms = 100;
+  facts.queue_length = 32;
+  return facts;
+}
+
+TEST(InterfaceAdvice, TypicalSetUpNeedsNone) { EXPECT_THAT(interface_advice(good(), 12), IsEmpty()); }
+
+TEST(InterfaceAdvice, LongQueueKeepsOldSetPoints) {
+  InterfaceFacts facts = good();
+  facts.queue_length = 64;
+  EXPECT_THAT(interface_advice(facts, 12), IsEmpty());
+  facts.queue_length = 65;
+  EXPECT_THAT(interface_advice(facts, 12),
+              ElementsAre(AllOf(HasSubstr("65"), HasSubstr("ip link set can0 txqueuelen 32"))));
+}
+
+TEST(InterfaceAdvice, QueueMustHoldACycle) {
+  InterfaceFacts facts = good();
+  facts.queue_length = 12;
+  EXPECT_THAT(interface_advice(facts, 12), IsEmpty());
+  facts.queue_length = 11;
+  EXPECT_THAT(interface_advice(facts, 12), ElementsAre(AllOf(HasSubstr("11"), HasSubstr("12"))));
+}
+
+TEST(InterfaceAdvice, BusOffMustNotBeForGood) {
+  InterfaceFacts facts = good();
+  facts.restart_ms = 0;
+  EXPECT_THAT(interface_advice(facts, 12), ElementsAre(HasSubstr("restart-ms 100")));
+}
+
+TEST(InterfaceAdvice, OtherBitRatesAreNamed) {
+  InterfaceFacts facts = good();
+  facts.bit_rate = 500'000;
+  EXPECT_THAT(interface_advice(facts, 12),
+              ElementsAre(AllOf(HasSubstr("500000"), HasSubstr("bitrate 1000000"))));
+}
+
+TEST(InterfaceAdvice, ControllerInTroubleIsNamedOnlyWhenUp) {
+  InterfaceFacts facts = good();
+  facts.state = "BUS-OFF";
+  EXPECT_THAT(interface_advice(facts, 12), ElementsAre(HasSubstr("BUS-OFF")));
+  facts.state = "STOPPED";
+  facts.up = false;
+  EXPECT_THAT(interface_advice(facts, 12), ElementsAre(HasSubstr("ip link set can0 up")));
+}
+
+TEST(InterfaceAdvice, VirtualInterfaceOnlyHasToBeUp) {
+  InterfaceFacts facts;
+  facts.name = "vcan0";
+  facts.kind = "vcan";
+  facts.queue_length = 1000;
+  facts.up = true;
+  EXPECT_THAT(interface_advice(facts, 12), IsEmpty());
+  facts.up = false;
+  EXPECT_THAT(interface_advice(facts, 12), ElementsAre(HasSubstr("ip link set vcan0 up")));
+}
+
+// As iproute2 6.1 printed them for an emulated SJA1000 and a vcan (tests/vm), shortened.
+constexpr char kSja1000[] =
+    R"([{"ifindex":2,"ifname":"can0","flags":["NOARP","UP","LOWER_UP","ECHO"],"mtu":16,
+  "qdisc":"pfifo_fast","operstate":"UP","txqlen":10,"link_type":"can","linkinfo":{"info_kind":"can","info_data":{
+  "ctrlmode_supported":["LOOPBACK","ONE-SHOT"],"state":"ERROR-ACTIVE","berr_counter":{"tx":0,"rx":0},"restart_ms":100,
+  "bittiming":{"bitrate":1000000,"sample_point":"0.750","tq":125},"clock":8000000}}}])";
+constexpr char kNotSetUp[] = R"([{"ifname":"can1","flags":["NOARP","ECHO"],"txqlen":10,"link_type":"can",
+  "linkinfo":{"info_kind":"can","info_data":{"state":"STOPPED","restart_ms":0}}}])";
+constexpr char kVirtual[] =
+    R"([{"ifname":"vcan0","flags":["NOARP","UP","LOWER_UP"],"txqlen":1000,"link_type":"can",
+  "linkinfo":{"info_kind":"vcan"}}])";
+
+TEST(ParseInterface, ReadsAController) {
+  const std::optional<InterfaceFacts> facts = parse_interface(kSja1000);
+  ASSERT_TRUE(facts);
+  EXPECT_EQ(facts->name, "can0");
+  EXPECT_EQ(facts->kind, "can");
+  EXPECT_EQ(facts->state, "ERROR-ACTIVE");
+  EXPECT_TRUE(facts->up);
+  EXPECT_EQ(facts->bit_rate, 1'000'000);
+  EXPECT_EQ(facts->restart_ms, 100);
+  EXPECT_EQ(facts->queue_length, 10);
+}
+
+TEST(ParseInterface, ControllerThatWasNotSetUpHasNoBitRate) {
+  const std::optional<InterfaceFacts> facts = parse_interface(kNotSetUp);
+  ASSERT_TRUE(facts);
+  EXPECT_FALSE(facts->up);
+  EXPECT_EQ(facts->bit_rate, 0);
+  EXPECT_EQ(facts->state, "STOPPED");
+}
+
+TEST(ParseInterface, ReadsAVirtualInterface) {
+  const std::optional<InterfaceFacts> facts = parse_interface(kVirtual);
+  ASSERT_TRUE(facts);
+  EXPECT_EQ(facts->kind, "vcan");
+  EXPECT_EQ(facts->bit_rate, 0);
+}
+
+TEST(ParseInterface, AnythingElseIsNoCanInterface) {
+  for (const char* text : {"", "[]", "{}", "[1]", "no json", R"([{"ifname":"eth0","link_type":"ether"}])",
+                           R"([{"ifname":7,"link_type":"can"}])", R"([{"link_type":"can","linkinfo":[]}])"}) {
+    EXPECT_FALSE(parse_interface(text)) << text;
+  }
+}
+
+TEST(ReadInterface, OnlySocketCanAddressesThatAreOneWordAreAskedFor) {
+  for (const char* address : {"udp:239.74.163.2:43113", "socketcan:", "socketcan:lo", "socketcan:a;b",
+                              "socketcan:-h", "socketcan:nosuchcan9", "socketcan:a_name_that_is_too_long"}) {
+    EXPECT_FALSE(read_interface(address)) << address;
+  }
+}
+
+}  // namespace
+}  // namespace sprung
