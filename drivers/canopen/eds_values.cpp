@@ -46,16 +46,21 @@ std::string without_blanks(std::string text) {
   return lower_case(text);
 }
 
-/// Removes $NODEID and its plus sign. @return true when it was there.
+/// Removes "$nodeid+" in front, "+$nodeid" behind. @return true when it was there.
 bool take_node(std::string& text) {
-  for (const char* const form : {"$nodeid+", "+$nodeid", "$nodeid"}) {
-    const std::size_t place = text.find(form);
-    if (place == std::string::npos) continue;
-    text.erase(place, std::string(form).size());
-    if (text.empty()) text = "0";
-    return true;
+  const std::string node = "$nodeid";
+  const std::size_t place = text.find(node);
+  if (text == node) {
+    text = "0";
+  } else if (place == 0 && text[node.size()] == '+') {
+    text.erase(0, node.size() + 1);
+  } else if (place != std::string::npos && place > 0 && text[place - 1] == '+' &&
+             place + node.size() == text.size()) {
+    text.erase(place - 1);
+  } else {
+    return false;
   }
-  return false;
+  return true;
 }
 
 /// @return false when the text is not one whole number of at most 63 bits.
