@@ -1,22 +1,26 @@
 # A device profile is one folder under drivers/profiles with a CMakeLists.txt of one call:
 #   sprung_profile(NAME SOURCES a.cpp ... DEVICE_SOURCES b.cpp ...)
-# SOURCES is the bridge's side, DEVICE_SOURCES the simulated device; they define `const ProfileKind NAME_profile_kind` and
-# `const DeviceKind NAME_device_kind` in namespace sprung::profiles (drivers/profiles/profile_registry.h,
+# SOURCES is the bridge's side, DEVICE_SOURCES the simulated device; either may be left out. They define `const ProfileKind
+# NAME_profile_kind` and `const DeviceKind NAME_device_kind` in namespace sprung::profiles (drivers/profiles/profile_registry.h,
 # drivers/sim/device_registry.h). The folders are found, not listed, so that a new one needs no change elsewhere.
 
 function(sprung_profile name)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEVICE_SOURCES" ${ARGN})
-  sprung_library(sprung_profile_${name} SOURCES ${ARG_SOURCES} LINK sprung_canopen sprung_cia402)
-  sprung_library(sprung_device_${name} SOURCES ${ARG_DEVICE_SOURCES} LINK sprung_sim_node)
-  set_property(GLOBAL APPEND PROPERTY SPRUNG_PROFILE_NAMES ${name})
+  if(ARG_SOURCES)
+    sprung_library(sprung_profile_${name} SOURCES ${ARG_SOURCES} LINK sprung_canopen sprung_cia402)
+    set_property(GLOBAL APPEND PROPERTY SPRUNG_PROFILE_NAMES ${name})
+  endif()
+  if(ARG_DEVICE_SOURCES)
+    sprung_library(sprung_device_${name} SOURCES ${ARG_DEVICE_SOURCES} LINK sprung_sim_node)
+    set_property(GLOBAL APPEND PROPERTY SPRUNG_DEVICE_NAMES ${name})
+  endif()
 endfunction()
 
-# sprung_kind_list(OUTPUT TEMPLATE TYPE SUFFIX): a source that lists `TYPE NAME_SUFFIX` of every profile.
+# sprung_kind_list(OUTPUT TEMPLATE TYPE SUFFIX NAME...): a source that lists `TYPE NAME_SUFFIX` of every name.
 function(sprung_kind_list output template type suffix)
-  get_property(names GLOBAL PROPERTY SPRUNG_PROFILE_NAMES)
   set(DECLARATIONS "")
   set(ADDRESSES "")
-  foreach(name IN LISTS names)
+  foreach(name IN LISTS ARGN)
     string(APPEND DECLARATIONS "extern const ${type} ${name}_${suffix};\n")
     string(APPEND ADDRESSES "&profiles::${name}_${suffix}, ")
   endforeach()

@@ -47,6 +47,7 @@ class SimDrive : public SimDevice {
   virtual void forget_motion() noexcept = 0;
   /// True torque of the motor behind its gear, before friction and rotor inertia.
   virtual double motor_torque_Nm() const noexcept = 0;
+  virtual PowerState power_state() const noexcept = 0;
 
  protected:
   using SimDevice::SimDevice;

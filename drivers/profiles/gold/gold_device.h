@@ -24,7 +24,7 @@ class GoldDrive final : public SimDrive, private DeviceApplication {
   void forget_motion() noexcept override { has_counts_ = false; }
   double motor_torque_Nm() const noexcept override;
   bool operational() const noexcept override { return device_.operational(); }
-  PowerState power_state() const noexcept { return state_; }
+  PowerState power_state() const noexcept override { return state_; }
   void set_fault(FaultKind kind, double value, bool on) noexcept override;
   void raise_fault(std::uint16_t code) noexcept override;
 
