@@ -43,7 +43,7 @@ void pack_float64(FixedStream& stream, double value) noexcept {
   stream.write(bytes.data(), bytes.size());
 }
 
-/// Fields that a classic data frame must have, with python-can's defaults for what is missing.
+/// Fields that a classic frame must have, with python-can's defaults for what is missing.
 struct Fields {
   StampedFrame stamped;
   std::uint64_t id = 0;
@@ -51,7 +51,6 @@ struct Fields {
   bool has_id = false;
   bool has_dlc = false;
   bool extended = true;
-  bool remote = false;
   bool fd = false;
 };
 
@@ -72,7 +71,7 @@ bool read_field(std::string_view key, const msgpack::object& value, Fields& fiel
   } else if (key == "is_extended_id") {
     fields.extended = value.as<bool>();
   } else if (key == "is_remote_frame") {
-    fields.remote = value.as<bool>();
+    fields.stamped.frame.remote = value.as<bool>();
   } else if (key == "is_error_frame") {
     fields.stamped.frame.error = value.as<bool>();
   } else if (key == "dlc") {
@@ -98,15 +97,24 @@ bool read_map(const msgpack::object& object, Fields& fields) {
   return true;
 }
 
-bool is_classic_data_frame(const Fields& fields) noexcept {
-  if (!fields.has_id || fields.id > 0x7FF || fields.extended || fields.remote || fields.fd) return false;
-  return !fields.has_dlc || fields.dlc == fields.stamped.frame.length;
+/// A remote frame has the length that it asks for and no data, whatever came along, as in python-can.
+/// @return false when the fields are no classic 11-bit frame.
+bool finish(Fields& fields) noexcept {
+  CanFrame& frame = fields.stamped.frame;
+  if (!fields.has_id || fields.id > 0x7FF || fields.extended || fields.fd) return false;
+  frame.id = static_cast<std::uint32_t>(fields.id);
+  if (!frame.remote) return !fields.has_dlc || fields.dlc == frame.length;
+  if (frame.error || fields.dlc > frame.data.size()) return false;
+  frame.data = {};
+  frame.length = static_cast<std::uint8_t>(fields.dlc);
+  return true;
 }
 
 }  // namespace
 
 void encode_datagram(const StampedFrame& stamped, UdpDatagram& datagram) noexcept {
   const CanFrame& frame = stamped.frame;
+  const std::uint32_t data_size = frame.remote ? 0 : frame.length;
   datagram.size = 0;
   FixedStream stream{datagram};
   Packer packer(stream);
@@ -116,15 +124,15 @@ void encode_datagram(const StampedFrame& stamped, UdpDatagram& datagram) noexcep
   pack_key(packer, "arbitration_id");
   packer.pack_uint32(frame.id);
   pack_flag(packer, "is_extended_id", false);
-  pack_flag(packer, "is_remote_frame", false);
+  pack_flag(packer, "is_remote_frame", frame.remote);
   pack_flag(packer, "is_error_frame", frame.error);
   pack_key(packer, "channel");
   packer.pack_nil();
   pack_key(packer, "dlc");
   packer.pack_uint8(frame.length);
   pack_key(packer, "data");
-  packer.pack_bin(frame.length);
-  packer.pack_bin_body(reinterpret_cast<const char*>(frame.data.data()), frame.length);
+  packer.pack_bin(data_size);
+  packer.pack_bin_body(reinterpret_cast<const char*>(frame.data.data()), data_size);
   pack_flag(packer, "is_fd", false);
   pack_flag(packer, "bitrate_switch", false);
   pack_flag(packer, "error_state_indicator", false);
@@ -137,9 +145,8 @@ bool decode_datagram(const char* bytes, std::size_t size, StampedFrame& frame) n
     std::size_t used = 0;
     const msgpack::object_handle handle = msgpack::unpack(bytes, size, used, nullptr, nullptr, limit);
     Fields fields;
-    if (used != size || !read_map(handle.get(), fields) || !is_classic_data_frame(fields)) return false;
+    if (used != size || !read_map(handle.get(), fields) || !finish(fields)) return false;
     frame = fields.stamped;
-    frame.frame.id = static_cast<std::uint32_t>(fields.id);
     return true;
   } catch (const std::exception&) {
     return false;

@@ -27,7 +27,7 @@ struct UdpDatagram {
 /// The same bytes in the same order as python-can.
 void encode_datagram(const StampedFrame& frame, UdpDatagram& datagram) noexcept;
 
-/// @return false when it is no msgpack map of the known keys, or no classic 11-bit data frame. A frame
+/// @return false when it is no msgpack map of the known keys, or no classic 11-bit frame. A frame
 /// without the key is_extended_id is an extended one, as in python-can.
 bool decode_datagram(const char* bytes, std::size_t size, StampedFrame& frame) noexcept;
 

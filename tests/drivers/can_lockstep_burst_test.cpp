@@ -13,6 +13,7 @@ CanFrame frame_of(std::int64_t tick, int index) {
   CanFrame frame;
   frame.id = static_cast<std::uint32_t>(index + 1);
   frame.length = 1;
+  frame.remote = index % 2 == 1;
   frame.data[0] = static_cast<std::uint8_t>(tick & 0xFF);
   return frame;
 }

@@ -20,7 +20,8 @@ FrameBatch batch_of(std::int64_t tick, int count) {
     CanFrame frame;
     frame.id = static_cast<std::uint32_t>(0x100 + i);
     frame.length = 1;
-    frame.data[0] = static_cast<std::uint8_t>(tick & 0xFF);
+    frame.remote = i == 2;  // node guarding travels in bursts too
+    frame.data[0] = frame.remote ? std::uint8_t{0} : static_cast<std::uint8_t>(tick & 0xFF);
     batch.push(0, frame);
     batch.push(1, frame);  // another bus's: not for this link
   }

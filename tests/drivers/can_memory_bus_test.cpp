@@ -21,7 +21,8 @@ class MemoryBusTest : public testing::Test {
 };
 
 TEST_F(MemoryBusTest, EveryOtherEndpointSeesFramesInOrder) {
-  const CanFrame frames[] = {numbered(1), numbered(2), numbered(3)};
+  CanFrame frames[] = {numbered(1), numbered(2), numbered(3)};
+  frames[1].remote = true;
   EXPECT_TRUE(a_.send(frames, 3));
   for (MemoryBus* bus : {&b_, &c_}) {
     ASSERT_EQ(bus->receive(received_, 8), 3);

@@ -49,6 +49,17 @@ TEST(UdpBus, FramesReachOtherEndpointsAndNotTheSender) {
   EXPECT_EQ(b.counters().received, 40);
 }
 
+TEST(UdpBus, RemoteFramesArriveAndAreNotMalformed) {
+  UdpBus a(kGroup, test_port()), b(kGroup, test_port());
+  std::vector<CanFrame> sent(1);
+  sent[0].id = 0x705;
+  sent[0].length = 1;
+  sent[0].remote = true;
+  ASSERT_TRUE(a.send(sent.data(), 1));
+  EXPECT_EQ(collect(b, 1), sent);
+  EXPECT_EQ(b.counters().malformed, 0);
+}
+
 TEST(UdpBus, TimestampTravelsWithTheFrame) {
   UdpBus a(kGroup, test_port()), b(kGroup, test_port());
   StampedFrame sent;

@@ -60,16 +60,60 @@ TEST(UdpDatagram, EveryFrameSurvives) {
     StampedFrame sent;
     sent.frame.id = random() % 0x800;
     sent.frame.length = static_cast<std::uint8_t>(random() % 9);
-    for (int b = 0; b < sent.frame.length; ++b) {
+    sent.frame.remote = random() % 4 == 0;
+    for (int b = 0; b < sent.frame.length && !sent.frame.remote; ++b) {
       sent.frame.data[static_cast<std::size_t>(b)] = static_cast<std::uint8_t>(random());
     }
-    sent.frame.error = random() % 2 == 0;
+    sent.frame.error = !sent.frame.remote && random() % 2 == 0;
     sent.timestamp = static_cast<double>(random()) * 1048576.0;
     StampedFrame received;
     ASSERT_TRUE(decodes(encoded(sent), received));
     EXPECT_EQ(received.frame, sent.frame);
     EXPECT_EQ(received.timestamp, sent.timestamp);
   }
+}
+
+// python-can sends a remote frame with the length that it asks for and empty data.
+TEST(UdpDatagram, RemoteFrameHasTheBytesOfPythonCan) {
+  StampedFrame guard;
+  guard.frame.id = 0x701;
+  guard.frame.length = 1;
+  guard.frame.remote = true;
+  const std::string expected =
+      "\x8B"
+      "\xA9timestamp\xCB\0\0\0\0\0\0\0\0"
+      "\xAE"
+      "arbitration_id\xCD\x07\x01"
+      "\xAEis_extended_id\xC2"
+      "\xAFis_remote_frame\xC3"
+      "\xAEis_error_frame\xC2"
+      "\xA7"
+      "channel\xC0"
+      "\xA3"
+      "dlc\x01"
+      "\xA4"
+      "data\xC4\x00"
+      "\xA5is_fd\xC2"
+      "\xAE"
+      "bitrate_switch\xC2"
+      "\xB5"
+      "error_state_indicator\xC2"s;
+  EXPECT_EQ(encoded(guard), expected);
+  StampedFrame received;
+  ASSERT_TRUE(decodes(expected, received));
+  EXPECT_EQ(received.frame, guard.frame);
+}
+
+TEST(UdpDatagram, DataOfARemoteFrameIsDropped) {
+  const std::string remote =
+      "\x84\xAE"
+      "arbitration_id\x05\xAEis_extended_id\xC2\xAFis_remote_frame\xC3\xA4"
+      "data\xC4\x01\x2A"s;
+  StampedFrame received;
+  ASSERT_TRUE(decodes(remote, received));
+  EXPECT_TRUE(received.frame.remote);
+  EXPECT_EQ(received.frame.length, 0);
+  EXPECT_EQ(received.frame.data[0], 0);
 }
 
 TEST(UdpDatagram, ReducedMapOfOtherToolsIsUnderstood) {
@@ -120,6 +164,17 @@ TEST(UdpDatagram, WhatIsNoClassicFrameIsRefused) {
               "arbitration_id\xA1x\xAEis_extended_id\xC2"s,
               out))
       << "id is text";
+  EXPECT_FALSE(
+      decodes("\x84\xAE"s
+              "arbitration_id\x05\xAEis_extended_id\xC2\xAFis_remote_frame\xC3\xA3"
+              "dlc\x09"s,
+              out))
+      << "remote frame that asks for 9 bytes";
+  EXPECT_FALSE(
+      decodes("\x84\xAE"s
+              "arbitration_id\x05\xAEis_extended_id\xC2\xAFis_remote_frame\xC3\xAEis_error_frame\xC3"s,
+              out))
+      << "remote and error";
   EXPECT_FALSE(decodes(encoded(example()) + "x", out)) << "something behind the map";
 }
 
