@@ -1,5 +1,6 @@
 #include "drivers/can/receive_controls.h"
 
+#include <cstdlib>
 #include <cstring>
 
 namespace sprung {
@@ -19,7 +20,17 @@ std::int64_t read_clock_us(clockid_t clock) noexcept {
 
 std::int64_t monotonic_us() noexcept { return read_clock_us(CLOCK_MONOTONIC); }
 
-std::int64_t utc_minus_monotonic_us() noexcept { return read_clock_us(CLOCK_REALTIME) - monotonic_us(); }
+void UtcOffset::update() noexcept {
+  const std::int64_t before_us = monotonic_us();
+  const std::int64_t utc_us = read_clock_us(CLOCK_REALTIME);
+  update(before_us, utc_us, monotonic_us());
+}
+
+void UtcOffset::update(std::int64_t before_us, std::int64_t utc_us, std::int64_t after_us) noexcept {
+  const std::int64_t uncertainty_us = (after_us - before_us) / 2 + 1;
+  const std::int64_t offset_us = utc_us - (before_us + after_us) / 2;
+  if (std::abs(offset_us - us_) > uncertainty_us) us_ = offset_us;
+}
 
 bool ask_for_receive_controls(int fd) noexcept {
   const int on = 1;

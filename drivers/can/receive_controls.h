@@ -9,8 +9,19 @@
 namespace sprung {
 
 std::int64_t monotonic_us() noexcept;
-/// CLOCK_REALTIME (in which the kernel stamps) minus CLOCK_MONOTONIC, us.
-std::int64_t utc_minus_monotonic_us() noexcept;
+
+/// CLOCK_REALTIME (in which the kernel stamps) minus CLOCK_MONOTONIC. A process that is interrupted between reading the two clocks
+/// gets a wrong difference; such a reading changes nothing, so stamps keep their order.
+class UtcOffset {
+ public:
+  void update() noexcept;
+  /// @param before_us, after_us CLOCK_MONOTONIC around reading utc_us.
+  void update(std::int64_t before_us, std::int64_t utc_us, std::int64_t after_us) noexcept;
+  std::int64_t us() const noexcept { return us_; }
+
+ private:
+  std::int64_t us_ = 0;
+};
 
 /// Asks for both. @return false with errno set.
 bool ask_for_receive_controls(int fd) noexcept;

@@ -53,13 +53,14 @@ bool from_kernel(const can_frame& raw, CanFrame& frame) noexcept {
 
 struct SocketCanBus::Socket {
   int fd = ::socket(PF_CAN, SOCK_RAW | SOCK_CLOEXEC | SOCK_NONBLOCK, CAN_RAW);
+  std::vector<can_filter> filters{{0, 0}};  ///< as the kernel has them: everything passes
   KernelDrops drops;
   SendConfirmations confirmations;
   std::array<can_frame, kBatch> frames{};
   std::array<iovec, kBatch> vectors{};
   std::array<mmsghdr, kBatch> messages{};
   alignas(cmsghdr) std::array<std::array<char, kReceiveControl_bytes>, kBatch> controls{};
-  std::int64_t utc_offset_us = 0;  ///< CLOCK_REALTIME minus CLOCK_MONOTONIC when the batch was read
+  UtcOffset utc_offset;
 
   Socket() = default;
   Socket(const Socket&) = delete;
@@ -115,14 +116,18 @@ bool SocketCanBus::bind_interface() noexcept {
   return ::bind(socket_->fd, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
 }
 
+bool SocketCanBus::set_filters() noexcept {
+  const auto bytes = static_cast<socklen_t>(socket_->filters.size() * sizeof(can_filter));
+  return ::setsockopt(socket_->fd, SOL_CAN_RAW, CAN_RAW_FILTER, socket_->filters.data(), bytes) == 0;
+}
+
 bool SocketCanBus::accept_only(const CanFilter* filters, int count) {
-  std::vector<can_filter> raw;  // remote requests pass like data, extended identifiers do not
-  for (int i = 0; i < count; ++i) raw.push_back({filters[i].id, filters[i].mask | CAN_EFF_FLAG});
-  if (raw.empty()) raw.push_back({0, 0});
-  const auto bytes = static_cast<socklen_t>(raw.size() * sizeof(can_filter));
-  if (::setsockopt(socket_->fd, SOL_CAN_RAW, CAN_RAW_FILTER, raw.data(), bytes) != 0) return false;
   filters_.assign(filters, filters + count);
-  return true;
+  socket_->filters.clear();  // remote requests pass like data, extended identifiers do not
+  for (const CanFilter& filter : filters_)
+    socket_->filters.push_back({filter.id, filter.mask | CAN_EFF_FLAG});
+  if (socket_->filters.empty()) socket_->filters.push_back({0, 0});
+  return set_filters();
 }
 
 bool SocketCanBus::send(const CanFrame* frames, int count) noexcept {
@@ -159,11 +164,15 @@ int SocketCanBus::send_batch(const CanFrame* frames, int count) noexcept {
   return sent;
 }
 
-/// A link that went down leaves one error on the socket, which the first call after it gets even when the link is up again;
-/// an interface that was removed has to be bound anew.
+/// A link that went down leaves one error on the socket, which the first call after it gets even when the link is up again. An
+/// interface that was removed takes the filters with it, and has to be bound anew.
 bool SocketCanBus::worth_another_try(int error) noexcept {
   if (error == ENETDOWN) return true;
-  return (error == ENODEV || error == ENXIO) && bind_interface();
+  if ((error != ENODEV && error != ENXIO) || !bind_interface() || !set_filters()) return false;
+  int left = 0;
+  socklen_t size = sizeof left;
+  ::getsockopt(socket_->fd, SOL_SOCKET, SO_ERROR, &left, &size);  // reading it clears it
+  return true;
 }
 
 void SocketCanBus::count_failure(int error, int frames) noexcept {
@@ -201,7 +210,7 @@ int SocketCanBus::receive_timed(CanFrame* frames, std::int64_t* arrival_us, int 
 
 int SocketCanBus::read_batch(int max) noexcept {
   for (int i = 0; i < max; ++i) socket_->prepare(i, true);
-  socket_->utc_offset_us = utc_minus_monotonic_us();
+  socket_->utc_offset.update();
   const auto read = [this, max] {
     return ::recvmmsg(socket_->fd, socket_->messages.data(), static_cast<unsigned>(max), MSG_DONTWAIT,
                       nullptr);
@@ -213,7 +222,7 @@ int SocketCanBus::read_batch(int max) noexcept {
 bool SocketCanBus::take(int i, CanFrame& frame, std::int64_t& arrival_us) noexcept {
   const auto at = static_cast<std::size_t>(i);
   msghdr& header = socket_->messages[at].msg_hdr;
-  arrival_us = read_receive_controls(header, socket_->utc_offset_us, socket_->drops);
+  arrival_us = read_receive_controls(header, socket_->utc_offset.us(), socket_->drops);
   counters_.dropped = socket_->drops.total;
   if (socket_->messages[at].msg_len != sizeof(can_frame) || !from_kernel(socket_->frames[at], frame)) {
     ++counters_.malformed;

@@ -27,6 +27,7 @@ class SocketCanBus final : public CanBus {
   struct Socket;
   void configure();
   bool bind_interface() noexcept;
+  bool set_filters() noexcept;
   int send_batch(const CanFrame* frames, int count) noexcept;
   bool worth_another_try(int error) noexcept;
   void count_failure(int error, int frames) noexcept;

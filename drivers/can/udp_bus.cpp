@@ -81,7 +81,7 @@ struct UdpBus::Sockets {
   std::array<mmsghdr, kBatch> messages{};
   std::array<sockaddr_in, kBatch> sources{};
   alignas(cmsghdr) std::array<std::array<char, kReceiveControl_bytes>, kBatch> controls{};
-  std::int64_t utc_offset_us = 0;  ///< CLOCK_REALTIME minus CLOCK_MONOTONIC when the batch was read
+  UtcOffset utc_offset;
 
   Sockets(in_addr group_address, int port) : group(address_of(group_address, port)) {
     open_receiver(group_address);
@@ -194,7 +194,7 @@ int UdpBus::receive_timed(CanFrame* frames, std::int64_t* arrival_us, int max) n
 int UdpBus::read_batch(int max) noexcept {
   const int batch = std::min(kBatch, max);
   for (int i = 0; i < batch; ++i) sockets_->prepare(i, true);
-  sockets_->utc_offset_us = utc_minus_monotonic_us();
+  sockets_->utc_offset.update();
   return ::recvmmsg(sockets_->receiver.fd(), sockets_->messages.data(), static_cast<unsigned>(batch),
                     MSG_DONTWAIT, nullptr);
 }
@@ -203,7 +203,7 @@ bool UdpBus::take(int i, StampedFrame& frame) noexcept {
   const auto at = static_cast<std::size_t>(i);
   mmsghdr& message = sockets_->messages[at];
   const std::int64_t arrival_us =
-      read_receive_controls(message.msg_hdr, sockets_->utc_offset_us, sockets_->drops);
+      read_receive_controls(message.msg_hdr, sockets_->utc_offset.us(), sockets_->drops);
   counters_.dropped = sockets_->drops.total;
   const sockaddr_in& source = sockets_->sources[at];
   if (source.sin_port == sockets_->own_port && source.sin_addr.s_addr == htonl(INADDR_LOOPBACK)) return false;

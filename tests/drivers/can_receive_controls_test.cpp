@@ -58,10 +58,41 @@ TEST(ReceiveControls, DropsAddUpOverTheKernelsWrap) {
   EXPECT_EQ(drops.total, 0xFFFFFFFEll + 5);
 }
 
-TEST(ReceiveControls, OffsetTakesUtcToMonotonic) {
+TEST(UtcOffset, TakesUtcToMonotonic) {
+  UtcOffset offset;
+  offset.update(1000, 5'001'001, 1002);
+  EXPECT_EQ(offset.us(), 5'000'000);
+}
+
+TEST(UtcOffset, InterruptedReadingChangesNothing) {
+  UtcOffset offset;
+  offset.update(1000, 5'001'000, 1000);
+  offset.update(2000, 5'002'001, 9000);
+  EXPECT_EQ(offset.us(), 5'000'000);
+}
+
+TEST(UtcOffset, StepOfTheWallClockIsFollowed) {
+  UtcOffset offset;
+  offset.update(1000, 5'001'000, 1000);
+  offset.update(2000, 9'002'000, 2000);
+  EXPECT_EQ(offset.us(), 9'000'000);
+  offset.update(3000, 9'002'990, 3000);
+  EXPECT_EQ(offset.us(), 8'999'990);
+}
+
+TEST(UtcOffset, BadFirstReadingIsMended) {
+  UtcOffset offset;
+  offset.update(1000, 5'001'000, 9000);
+  offset.update(20'000, 5'020'000, 20'000);
+  EXPECT_EQ(offset.us(), 5'000'000);
+}
+
+TEST(UtcOffset, ReadsTheClocks) {
   timespec utc{};
   clock_gettime(CLOCK_REALTIME, &utc);
-  const std::int64_t converted_us = utc.tv_sec * 1'000'000 + utc.tv_nsec / 1000 - utc_minus_monotonic_us();
+  UtcOffset offset;
+  offset.update();
+  const std::int64_t converted_us = utc.tv_sec * 1'000'000 + utc.tv_nsec / 1000 - offset.us();
   EXPECT_NEAR(static_cast<double>(converted_us), static_cast<double>(monotonic_us()), 5e6)
       << "seconds, not decades, apart";
 }
