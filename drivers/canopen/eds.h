@@ -8,7 +8,8 @@
 ///
 /// Not standard but read: `Unit=` (python-canopen reads it too) and `SprungMap=`, one of R, T, RT: the
 /// directions of PDO in which a device really takes the object, where AccessType cannot say it.
-/// Refused with a message: CompactSubObj, floating point and text types that no drive here has.
+/// Refused with a message: CompactSubObj, floating point and text types that no drive here has, and lists or
+/// counts of objects that differ from the sections (makers' files often need a line or two corrected).
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -68,8 +69,8 @@ struct EdsDevice {
 struct Eds {
   EdsDevice device;
   std::vector<EdsObject> objects;  ///< sorted by index and sub-index
-  std::vector<std::uint16_t>
-      dummies;  ///< objects 0x0001..0x0007 that may fill gaps in an RPDO ([DummyUsage])
+  /// Objects 0x0001..0x0007 that may fill gaps in an RPDO ([DummyUsage]); the index is the type's code.
+  std::vector<std::uint16_t> dummies;
 
   const EdsObject* find(ObjectId id) const noexcept;  ///< nullptr where there is none
   /// For people: "status word", "identity: vendor"; "object 0x2ABC:01" where there is none.
