@@ -78,6 +78,8 @@ struct ActuatorConfig {
   double position_damping_Nm_s_rad = 0.0;
   std::uint16_t position_gains_object = 0;  ///< where the drive takes these gains; 0 = its own tuning stays
   double safety_damping_Nm_s_rad = 0.0;     ///< bridge's damping
+  int pole_pairs = 0;                       ///< of the motor; 0 = the drive's own stays
+  double winding_time_constant_s = 0.0;     ///< thermal, of the motor's winding; 0 = the drive's own stays
   LinkEncoderConfig link_encoder;
   ReferenceConfig reference;
 };

@@ -36,7 +36,7 @@ TEST(MakeProfile, UnknownNameListsTheKnownOnes) {
   ActuatorConfig config = actuator();
   config.profile = "epos9";
   EXPECT_THAT([&] { make_profile(config, kTiming); },
-              ::testing::ThrowsMessage<std::invalid_argument>(::testing::HasSubstr("there are: gold")));
+              ::testing::ThrowsMessage<std::invalid_argument>(::testing::HasSubstr("there are: epos2, gold")));
 }
 
 TEST(GoldSettings, FollowFromTheRobotsFile) {

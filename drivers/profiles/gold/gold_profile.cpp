@@ -9,34 +9,18 @@
 #include "drivers/cia402/words.h"
 #include "drivers/profiles/gold/gold_units.h"
 #include "drivers/profiles/profile_registry.h"
+#include "drivers/profiles/profile_values.h"
 
 namespace sprung::gold {
 namespace {
 
-using canopen::ObjectId;
+using namespace sprung::profiles;
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr std::int16_t kPowerOff = 2;         ///< 0x6007: disable voltage when the bridge's heartbeat is lost
 constexpr std::int16_t kSlowDownThenOff = 2;  ///< 0x605A: quick stop ramp, then switch on disabled
 constexpr int kLargestMaxTorque = 50000;      ///< EDS limit of 0x6072
 constexpr std::uint16_t kDisplayPeriod_ms = 100;  ///< [design choice] a lost mode display heals after this
 constexpr std::uint8_t kSamplePdo = 0, kSetpointPdo = 0, kDisplayPdo = 1, kControlPdo = 1;
-
-/// Rounded to nearest, half away from zero; saturating, since wrapping would reverse a torque. Not a number
-/// gives 0.
-std::int32_t to_integer(double value, double low, double high) noexcept {
-  if (std::isnan(value)) return 0;
-  return static_cast<std::int32_t>(std::llround(std::clamp(value, low, high)));
-}
-
-/// A configuration value in whole units of its object.
-std::uint32_t to_object(double value, const ActuatorConfig& actuator, const char* what) {
-  if (!(value >= 0.0 && value <= std::numeric_limits<std::uint32_t>::max())) {
-    throw std::invalid_argument("actuator '" + actuator.name + "': " + what +
-                                " does not fit the drive's object");
-  }
-  return static_cast<std::uint32_t>(std::llround(value));
-}
 
 /// 0x60C2: seconds = value * 10^exponent, value 1..255.
 struct InterpolationPeriod {
@@ -56,32 +40,14 @@ InterpolationPeriod interpolation_period(double cycle_s) {
                               " s cannot be told to a Gold drive (0x60C2)");
 }
 
-DriveSetting u8(ObjectId object, std::uint8_t value) { return {object, 1, value, false}; }
-DriveSetting i8(ObjectId object, std::int8_t value) {
-  return {object, 1, static_cast<std::uint8_t>(value), true};
-}
-DriveSetting u16(ObjectId object, std::uint32_t value) { return {object, 2, value & 0xFFFF, false}; }
-DriveSetting i16(ObjectId object, std::int16_t value) {
-  return {object, 2, static_cast<std::uint16_t>(value), true};
-}
-DriveSetting u32(ObjectId object, std::uint32_t value) { return {object, 4, value, false}; }
-
-std::int16_t get_i16(const std::uint8_t* bytes) noexcept {
-  return static_cast<std::int16_t>(static_cast<std::uint16_t>(canopen::get_le(bytes, 2)));
-}
-std::int32_t get_i32(const std::uint8_t* bytes) noexcept {
-  return static_cast<std::int32_t>(canopen::get_le(bytes, 4));
-}
-
 }  // namespace
 
 GoldProfile::GoldProfile(const ActuatorConfig& actuator, const DriveTiming& timing)
     : actuator_(actuator), timing_(timing) {
-  rated_torque_mNm_ =
-      to_object(1e3 * actuator.torque_constant_Nm_A * actuator.rated_current_A, actuator, "rated torque");
+  rated_torque_mNm_ = to_object(1e3 * actuator.torque_constant_Nm_A * actuator.rated_current_A,
+                                owner(actuator), "rated torque");
   if (rated_torque_mNm_ == 0 || !(actuator.gear_ratio > 0.0) || !(actuator.encoder_counts_per_turn > 0.0)) {
-    throw std::invalid_argument("actuator '" + actuator.name +
-                                "': rated torque, gear ratio or encoder counts are zero");
+    throw std::invalid_argument(owner(actuator) + ": rated torque, gear ratio or encoder counts are zero");
   }
   rated_torque_Nm_ = 1e-3 * rated_torque_mNm_;
   counts_per_rad_ = actuator.direction * actuator.encoder_counts_per_turn * actuator.gear_ratio / (2.0 * kPi);
@@ -93,23 +59,19 @@ GoldProfile::GoldProfile(const ActuatorConfig& actuator, const DriveTiming& timi
 
 std::vector<DriveSetting> GoldProfile::settings() const {
   const InterpolationPeriod period = interpolation_period(timing_.cycle_s);
-  const std::uint32_t consumer =
-      to_object(1e3 * timing_.heartbeat_consumer_s, actuator_, "heartbeat consumer time");
   std::vector<DriveSetting> settings = {
-      u16({canopen::kHeartbeatProducer, 0},
-          to_object(1e3 * timing_.heartbeat_s, actuator_, "heartbeat period")),
-      u32({canopen::kHeartbeatConsumer, 1},
-          (static_cast<std::uint32_t>(canopen::kBridgeNode) << 16) | consumer),
+      heartbeat_producer(timing_, owner(actuator_)),
+      heartbeat_consumer(timing_, owner(actuator_)),
       i16({canopen::kAbortConnectionOption, 0}, kPowerOff),
       i16({canopen::kQuickStopOption, 0}, kSlowDownThenOff),
       u32({canopen::kRatedCurrent, 0},
-          to_object(1e3 * actuator_.rated_current_A, actuator_, "rated current")),
+          to_object(1e3 * actuator_.rated_current_A, owner(actuator_), "rated current")),
       u32({canopen::kRatedTorque, 0}, rated_torque_mNm_),
       u16({canopen::kMaxTorque, 0}, static_cast<std::uint32_t>(max_torque_permille_)),
       i16({canopen::kTorqueOffset, 0}, 0),  // what a former master left would be added to every set-point
       u8({canopen::kInterpolationPeriod, 1}, period.value),
       i8({canopen::kInterpolationPeriod, 2}, period.exponent),
-      u32({canopen::kSyncPeriod, 0}, to_object(1e6 * timing_.cycle_s, actuator_, "cycle")),
+      u32({canopen::kSyncPeriod, 0}, to_object(1e6 * timing_.cycle_s, owner(actuator_), "cycle")),
   };
   add_speed_limit(settings);
   add_position_gains(settings);
@@ -120,7 +82,8 @@ std::vector<DriveSetting> GoldProfile::settings() const {
 void GoldProfile::add_speed_limit(std::vector<DriveSetting>& settings) const {
   if (actuator_.speed_limit_object == 0) return;
   const double speed_rpm = actuator_.speed_limit_rad_s * actuator_.gear_ratio * 60.0 / (2.0 * kPi);
-  settings.push_back(u32({actuator_.speed_limit_object, 0}, to_object(speed_rpm, actuator_, "speed limit")));
+  settings.push_back(
+      u32({actuator_.speed_limit_object, 0}, to_object(speed_rpm, owner(actuator_), "speed limit")));
 }
 
 void GoldProfile::add_position_gains(std::vector<DriveSetting>& settings) const {
@@ -128,10 +91,10 @@ void GoldProfile::add_position_gains(std::vector<DriveSetting>& settings) const 
   if (object == 0) return;
   settings.push_back(
       u32({object, kStiffnessSub}, to_object(actuator_.position_stiffness_Nm_rad / kStiffnessUnit_Nm_rad,
-                                             actuator_, "position stiffness")));
-  settings.push_back(u32(
-      {object, kDampingSub},
-      to_object(actuator_.position_damping_Nm_s_rad / kDampingUnit_Nm_s_rad, actuator_, "position damping")));
+                                             owner(actuator_), "position stiffness")));
+  settings.push_back(
+      u32({object, kDampingSub}, to_object(actuator_.position_damping_Nm_s_rad / kDampingUnit_Nm_s_rad,
+                                           owner(actuator_), "position damping")));
 }
 
 std::vector<PdoSetting> GoldProfile::pdos() const {

@@ -1,0 +1,73 @@
+#pragma once
+/// What the drive profiles share in turning configuration into object values, and set-points into integers.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "drivers/canopen/objects.h"
+#include "drivers/profiles/drive_profile.h"
+
+namespace sprung::profiles {
+
+inline constexpr double kPi = 3.14159265358979323846;
+
+/// Rounded to nearest, half away from zero; saturating, since wrapping would reverse a torque. Not a number
+/// gives 0.
+inline std::int32_t to_integer(double value, double low, double high) noexcept {
+  if (std::isnan(value)) return 0;
+  return static_cast<std::int32_t>(std::llround(std::clamp(value, low, high)));
+}
+
+/// A configuration value in whole units of its object. @throws std::invalid_argument naming `owner` ("actuator
+/// 'hip'") and `what` when it is not within 0 and `high`.
+inline std::uint32_t to_object(double value, const std::string& owner, const char* what,
+                               double high = std::numeric_limits<std::uint32_t>::max()) {
+  if (!(value >= 0.0 && std::round(value) <= high)) {
+    throw std::invalid_argument(owner + ": " + what + " does not fit the device's object");
+  }
+  return static_cast<std::uint32_t>(std::llround(value));
+}
+
+inline std::string owner(const ActuatorConfig& actuator) { return "actuator '" + actuator.name + "'"; }
+inline std::string owner(const EncoderCardConfig& card) { return "encoder card '" + card.name + "'"; }
+
+inline DriveSetting u8(canopen::ObjectId object, std::uint8_t value) { return {object, 1, value, false}; }
+inline DriveSetting i8(canopen::ObjectId object, std::int8_t value) {
+  return {object, 1, static_cast<std::uint8_t>(value), true};
+}
+inline DriveSetting u16(canopen::ObjectId object, std::uint32_t value) {
+  return {object, 2, value & 0xFFFF, false};
+}
+inline DriveSetting i16(canopen::ObjectId object, std::int16_t value) {
+  return {object, 2, static_cast<std::uint16_t>(value), true};
+}
+inline DriveSetting u32(canopen::ObjectId object, std::uint32_t value) { return {object, 4, value, false}; }
+
+inline std::int16_t get_i16(const std::uint8_t* bytes) noexcept {
+  return static_cast<std::int16_t>(static_cast<std::uint16_t>(canopen::get_le(bytes, 2)));
+}
+inline std::int32_t get_i32(const std::uint8_t* bytes) noexcept {
+  return static_cast<std::int32_t>(canopen::get_le(bytes, 4));
+}
+inline void put_i16(std::uint8_t* bytes, std::int32_t value) noexcept {
+  canopen::put_le(bytes, static_cast<std::uint32_t>(value), 2);
+}
+inline void put_i32(std::uint8_t* bytes, std::int32_t value) noexcept {
+  canopen::put_le(bytes, static_cast<std::uint32_t>(value), 4);
+}
+
+/// The node's heartbeat, and the bridge's that it gives up on: every device has these (CiA 301).
+inline DriveSetting heartbeat_producer(const DriveTiming& timing, const std::string& owner) {
+  return u16({canopen::kHeartbeatProducer, 0},
+             to_object(1e3 * timing.heartbeat_s, owner, "heartbeat period", 0xFFFF));
+}
+inline DriveSetting heartbeat_consumer(const DriveTiming& timing, const std::string& owner) {
+  const std::uint32_t ms =
+      to_object(1e3 * timing.heartbeat_consumer_s, owner, "heartbeat consumer time", 0xFFFF);
+  return u32({canopen::kHeartbeatConsumer, 1}, (static_cast<std::uint32_t>(canopen::kBridgeNode) << 16) | ms);
+}
+
+}  // namespace sprung::profiles
