@@ -24,7 +24,6 @@ void SdoClient::restart() noexcept {
   ++attempts_;
   waiting_ = false;
   toggle_ = false;
-  last_ = false;
   buffer_.rewind();
   segmented_ = kind_ == SdoKind::kDownload && (buffer_.size() == 0 || buffer_.size() > kExpeditedBytes);
 }
