@@ -1,0 +1,67 @@
+#include "tools/canopen/bus_description.h"
+
+#include <algorithm>
+
+#include "tools/canopen/profile_eds.h"
+
+namespace sprung::cantools {
+namespace {
+
+std::shared_ptr<const canopen::Eds> eds_of(const std::string& profile, int node) {
+  const char* text = profile_eds_text(profile);
+  if (text == nullptr) return nullptr;
+  return std::make_shared<canopen::Eds>(canopen::parse_eds(text, profile + ".eds", node));
+}
+
+template <class Device>
+NodeDescription describe(const Device& device) {
+  NodeDescription node;
+  node.bus = device.bus;
+  node.node = device.node;
+  node.name = device.name;
+  node.eds = eds_of(device.profile, device.node);
+  return node;
+}
+
+}  // namespace
+
+const NodeDescription* BusDescription::find(int bus, int node) const noexcept {
+  const auto found = std::find_if(nodes.begin(), nodes.end(), [&](const NodeDescription& candidate) {
+    return candidate.bus == bus && candidate.node == node;
+  });
+  return found == nodes.end() ? nullptr : &*found;
+}
+
+std::string BusDescription::node_name(int bus, int node) const {
+  const NodeDescription* known = find(bus, node);
+  if (known != nullptr) return known->name;
+  if (node == canopen::kBridgeNode && !nodes.empty()) return "bridge";
+  return "node " + std::to_string(node);
+}
+
+DriveTiming drive_timing(const RobotConfig& robot, const WatchdogConfig& watchdogs) {
+  return {robot.cycle_s, watchdogs.heartbeat_s, watchdogs.heartbeat_consumer_s};
+}
+
+std::unique_ptr<NodeProfile> node_profile(const NodeDescription& node, const DriveTiming& timing) {
+  if (node.actuator) return make_profile(*node.actuator, timing);
+  return make_card_profile(node.encoder_card.value(), timing);
+}
+
+BusDescription describe_buses(const RobotConfig& robot) {
+  BusDescription description;
+  for (const BusConfig& bus : robot.buses) description.buses.push_back(bus.name);
+  for (const ActuatorConfig& actuator : robot.actuators) {
+    description.nodes.push_back(describe(actuator));
+    description.nodes.back().actuator = actuator;
+  }
+  for (const EncoderCardConfig& card : robot.encoder_cards) {
+    description.nodes.push_back(describe(card));
+    description.nodes.back().encoder_card = card;
+  }
+  const DriveTiming timing = drive_timing(robot, robot.watchdogs);
+  for (NodeDescription& node : description.nodes) node.pdos = node_profile(node, timing)->pdos();
+  return description;
+}
+
+}  // namespace sprung::cantools

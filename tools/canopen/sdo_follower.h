@@ -1,0 +1,38 @@
+#pragma once
+/// Follows the SDO transfers of one node from outside, so that segments and acknowledgements are told with the object and the
+/// whole value that they belong to. Pure; allocates.
+#include <cstdint>
+#include <vector>
+
+#include "drivers/canopen/sdo_frames.h"
+
+namespace sprung::cantools {
+
+/// What one SDO frame says, with what is known from the frames before it.
+struct SdoEvent {
+  canopen::SdoKind kind = canopen::SdoKind::kInvalid;
+  bool known = false;  ///< whether `object` is: a trace may begin in the middle of a transfer
+  canopen::ObjectId object;
+  bool complete = false;  ///< a value was read, or its write acknowledged
+  std::vector<std::uint8_t>
+      bytes;  ///< the value that is written or was read; of a segment its own part until complete
+  std::uint32_t size = 0;  ///< announced by the beginning of a segmented transfer; 0 = not told
+  std::uint32_t abort_code = 0;
+};
+
+class SdoFollower {
+ public:
+  SdoEvent request(const CanFrame& frame);
+  SdoEvent reply(const CanFrame& frame);
+
+ private:
+  SdoEvent event(const canopen::SdoMessage& message) const;
+  void begin(canopen::ObjectId object);
+
+  bool known_ = false;
+  canopen::ObjectId object_;
+  std::vector<std::uint8_t> bytes_;
+  bool last_ = false;  ///< the segment that is written now ends the value
+};
+
+}  // namespace sprung::cantools
