@@ -12,8 +12,8 @@ constexpr int worst_frame_bits(int data_bytes) noexcept { return 55 + 10 * data_
 /// Fewest: 47 + 8 n, no stuff bit.
 constexpr int bare_frame_bits(int data_bytes) noexcept { return 47 + 8 * data_bytes; }
 
-/// Bits of this very frame, with its CRC-15 and its stuff bits; remote frames too. Not for error frames, which
-/// are no frames on the wire.
+/// Bits of this very frame, with its CRC-15 and its stuff bits; remote frames too. Not for error frames,
+/// which are no frames on the wire.
 int exact_frame_bits(const CanFrame& frame) noexcept;
 
 /// CRC-15 (polynomial 0x4599) as in the frame, over its bits before stuffing.

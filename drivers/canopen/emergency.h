@@ -1,6 +1,6 @@
 #pragma once
-/// EMCY messages, the error register 0x1001 and the error history 0x1003 (CiA 301, facts canopen 1.3 and 2.5).
-/// Pure values.
+/// EMCY messages, the error register 0x1001 and the error history 0x1003 (CiA 301, facts canopen 1.3 and
+/// 2.5). Pure values.
 #include <array>
 #include <cstdint>
 
@@ -17,7 +17,8 @@ struct Emergency {
 CanFrame emergency_frame(int node, const Emergency& emergency) noexcept;
 /// @return false on a frame that has not 8 bytes of data.
 bool decode_emergency(const CanFrame& frame, Emergency& emergency) noexcept;
-/// What a code means: EPOS2's own (facts canopen 2.5), else its CiA 301 class, e.g. "temperature". Static text.
+/// What a code means: EPOS2's own (facts canopen 2.5), else its CiA 301 class ("temperature"). Static
+/// text.
 const char* emergency_text(std::uint16_t code) noexcept;
 
 // Bits of the error register.

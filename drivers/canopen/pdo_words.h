@@ -1,6 +1,6 @@
 #pragma once
-/// What the PDO communication and mapping objects (0x1400, 0x1600, 0x1800, 0x1A00) say, word by word (CiA 301,
-/// facts canopen 1.1 and 1.5). Pure values, for a master that writes them and a device that obeys them.
+/// What the PDO communication and mapping objects (0x1400, 0x1600, 0x1800, 0x1A00) say, word by word (CiA
+/// 301, facts canopen 1.1 and 1.5). Pure values, for a master that writes them and a device that obeys them.
 #include <cstdint>
 
 #include "drivers/canopen/wire.h"
@@ -36,8 +36,8 @@ inline constexpr std::uint8_t kTypeEvent = 255;  ///< TPDO: on change; RPDO: app
 /// 1..240: bound to SYNC, every n-th one.
 constexpr bool is_sync_type(int type) noexcept { return type >= kTypeEverySync && type <= kTypeSyncMax; }
 constexpr bool is_event_type(int type) noexcept { return type == kTypeEventMaker || type == kTypeEvent; }
-/// What our devices offer: 1..240, 254, 255. Not 0 (SYNC, on change), not 241..251 (reserved), not 252 and 253
-/// (sent when asked for by a remote frame). A real EPOS2 may take fewer ([U] facts canopen 1.5).
+/// What our devices offer: 1..240, 254, 255. Not 0 (SYNC, on change), not 241..251 (reserved), not 252 and
+/// 253 (sent when asked for by a remote frame). A real EPOS2 may take fewer ([U] facts canopen 1.5).
 constexpr bool pdo_type_supported(int type) noexcept { return is_sync_type(type) || is_event_type(type); }
 
 /// Inhibit time (sub 3): least time between two PDOs of event type.

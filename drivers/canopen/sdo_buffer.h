@@ -24,7 +24,7 @@ class SdoBuffer {
 
   /// Bytes to send. @return false, leaving it empty, when they are too many.
   bool assign(const std::uint8_t* bytes, std::size_t count) noexcept;
-  /// To be filled in place with bytes to send: data() up to kMaxTransfer, then this. @param size <= kMaxTransfer
+  /// After writing `size` bytes to send straight to data(), at most kMaxTransfer.
   void filled(std::size_t size) noexcept;
   /// Sends from the beginning again.
   void rewind() noexcept { at_ = 0; }

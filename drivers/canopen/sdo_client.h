@@ -26,12 +26,12 @@ class SdoClient {
   void read(ObjectId object) noexcept;
   /// @param size 1..4 bytes of `value`.
   void write(ObjectId object, std::uint32_t value, int size) noexcept;
-  /// Copies the bytes. Up to 4 go expedited, 0 and more than 4 in segments; more than kMaxTransfer end at once
-  /// as kAborted with kAbortMemory, nothing is sent.
+  /// Copies the bytes. Up to 4 go expedited, 0 and more than 4 in segments; more than kMaxTransfer end at
+  /// once as kAborted with kAbortMemory, nothing is sent.
   void write(ObjectId object, const std::uint8_t* bytes, std::size_t count) noexcept;
-  /// Call after each receive() and once a cycle. @return true when `request` has to be sent now: the next frame of
-  /// the transfer, the first one again after a time-out, or an abort to the server. Call again to see whether
-  /// there is more.
+  /// Call after each receive() and once a cycle. @return true when `request` has to be sent now: the next
+  /// frame of the transfer, the first one again after a time-out, or an abort to the server. Call again to
+  /// see whether there is more.
   bool step(std::int64_t time_us, CanFrame& request) noexcept;
   /// A frame of the bus; ignored unless it is this server's answer to what was asked.
   void receive(const CanFrame& frame) noexcept;
@@ -44,8 +44,8 @@ class SdoClient {
   /// The first 4 bytes read, as a number.
   std::uint32_t value() const noexcept { return value_; }
   std::uint32_t abort_code() const noexcept { return value_; }
-  /// What was read; until the next transfer begins. A server that does not tell the size of an expedited value
-  /// gives 4 bytes.
+  /// What was read; until the next transfer begins. A server that does not tell the size of an expedited
+  /// value gives 4 bytes.
   const std::uint8_t* data() const noexcept { return buffer_.data(); }
   std::size_t size() const noexcept { return buffer_.size(); }
 
@@ -75,7 +75,7 @@ class SdoClient {
   std::uint32_t abort_due_ = 0;  ///< to be told to the server at the next step, then the transfer ends
   std::int64_t sent_us_ = 0;
   int attempts_ = 0;
-  bool segmented_ = false;  ///< as far as is known: a server that gives up must be told
+  bool segmented_ = false;  ///< as far as is known; the server must be told when we give up
   bool waiting_ = false;    ///< for a reply
   bool toggle_ = false;
   bool last_ = false;  ///< the segment sent was the last one

@@ -1,6 +1,7 @@
 #pragma once
 /// SDO frames (CiA 301 7.2.4.3, facts canopen 1.4): expedited and segmented, of client and server, byte for
-/// byte. Block transfer is not supported: a server answers it with kAbortCommand, as CiA 301 lets it. Pure values.
+/// byte. Block transfer is not supported: a server answers it with kAbortCommand, as CiA 301 lets it. Pure
+/// values.
 #include <cstddef>
 #include <cstdint>
 
@@ -27,13 +28,11 @@ enum class SdoKind : std::uint8_t {
 /// Request or reply.
 struct SdoMessage {
   SdoKind kind = SdoKind::kInvalid;
-  ObjectId object;  ///< 0:0 in segments, which do not carry it
-  std::uint32_t value =
-      0;  ///< expedited value, abort code, or bytes announced by a kDownloadBegin/kUploadBegin
-  int size =
-      0;  ///< bytes of value, or of data in a segment (0..7, from byte 1); 0 where there are none, or not told
-  bool toggle = false;  ///< segments: alternates, beginning with false
-  bool last = false;    ///< segments with data: none follows
+  ObjectId object;          ///< 0:0 in segments, which do not carry it
+  std::uint32_t value = 0;  ///< expedited value, abort code, or bytes announced at the beginning of segments
+  int size = 0;             ///< bytes of value; of data in a segment, from byte 1; 0 where none, or not told
+  bool toggle = false;      ///< segments: alternates, beginning with false
+  bool last = false;        ///< segments with data: none follows
 };
 
 // Client: request frames to `node`, and what its reply means. `size` and `count` are bytes of value or data.
