@@ -9,6 +9,8 @@
 #include "drivers/can/bus_addresses.h"
 #include "drivers/can/can_bus.h"
 #include "drivers/can/can_errors.h"
+#include "drivers/can/can_filter.h"
+#include "drivers/can/can_interface.h"
 #include "drivers/canopen/protocol.h"
 #include "runtime/log.h"
 #include "runtime/stop_request.h"
@@ -23,6 +25,19 @@ constexpr double kAnswerShare = 0.5;
 constexpr int kFullRead = 64;
 constexpr int kLongestLook = 8;  // a bus that is flooded must not keep the cycle from its deadline
 
+// CiA 301 frames with 11-bit identifier and no stuff bits, the space after them included.
+constexpr double kSync_bits = 47.0;
+constexpr double kAnswer_bits = 111.0;  // 8 bytes, as every profile's TPDO1
+
+constexpr std::int64_t kSendErrorInterval_us = 1'000'000;
+
+/// Nodes that answer SYNC on one bus.
+int count_nodes(const RobotConfig& robot, int bus) {
+  const auto here = [bus](const auto& device) { return device.bus == bus; };
+  return static_cast<int>(std::count_if(robot.actuators.begin(), robot.actuators.end(), here) +
+                          std::count_if(robot.encoder_cards.begin(), robot.encoder_cards.end(), here));
+}
+
 /// Absolute deadlines; a cycle that begins more than one cycle late is an overrun, and the missed ones are
 /// skipped.
 class RealTimeBridge {
@@ -35,11 +50,9 @@ class RealTimeBridge {
         shell_(process, core_),
         state_(process.robot().actuators.size()),
         command_(process.robot().actuators.size()) {
-    for (const std::string& address : bus_addresses(process.robot(), options.can)) {
-      buses_.push_back(open_can_bus(address));
-      fds_.push_back({buses_.back()->fd(), POLLIN, 0});
-    }
+    for (const std::string& address : bus_addresses(process.robot(), options.can)) open_bus(address);
     fds_.push_back({process.node().event_fd(), POLLIN, 0});
+    send_errors_.assign(buses_.size(), LogLimit(kSendErrorInterval_us));
   }
 
   int run() {
@@ -47,7 +60,7 @@ class RealTimeBridge {
     process_.set_state(ProcessState::kReady);
     std::int64_t deadline_us = now_us() + cycle_us_;
     while (!core_.shut_down()) {
-      wait_until(deadline_us, [] { return false; });
+      wait_until(deadline_us, Wake::kOnCommands, [] { return false; });
       count_lateness(deadline_us);
       run_cycle(deadline_us);
       follow_stop();
@@ -58,7 +71,27 @@ class RealTimeBridge {
   }
 
  private:
+  /// What ends a sleep. Frames that come when nothing is done about them before the next deadline wait in the kernel, which has
+  /// stamped them.
+  enum class Wake : std::int8_t { kOnFramesAndCommands, kOnCommands };
+
   std::int64_t now_us() const { return process_.node().utime_us(); }
+
+  void open_bus(const std::string& address) {
+    const int bus = static_cast<int>(buses_.size());
+    buses_.push_back(open_can_bus(address));
+    fds_.push_back({buses_.back()->fd(), POLLIN, 0});
+    const std::vector<CanFilter> filters = bus_filters(process_.robot(), bus);
+    buses_.back()->accept_only(filters.data(), static_cast<int>(filters.size()));
+    const std::optional<InterfaceFacts> facts = read_interface(address);
+    if (!facts) return;
+    const int nodes = count_nodes(process_.robot(), bus);
+    const int frames_per_cycle = 2 + 2 * nodes;  // SYNC, heartbeat, and set-point and control word for each
+    for (const std::string& advice : interface_advice(*facts, frames_per_cycle)) log_warn(advice);
+    if (facts->bit_rate == 0) return;
+    const double wire_us = 1e6 * (kSync_bits + kAnswer_bits * nodes) / facts->bit_rate;
+    wire_us_ = std::max(wire_us_, static_cast<std::int64_t>(wire_us));
+  }
 
   void count_lateness(std::int64_t& deadline_us) {
     const std::int64_t late_us = now_us() - deadline_us;
@@ -78,11 +111,14 @@ class RealTimeBridge {
     const auto window_us = static_cast<std::int64_t>(kAnswerShare * static_cast<double>(cycle_us_));
     const std::int64_t answers_us =
         std::max(deadline_us, now_us()) + window_us;  // in full also after a late start
-    wait_until(answers_us, [this] { return core_.all_answered(); });
+    // The last answer cannot be there before the wire has carried them all: one wake-up instead of one a frame.
+    if (core_.operational()) sleep_until(std::min(now_us() + wire_us_, answers_us), nullptr, 0);
+    wait_until(answers_us, Wake::kOnFramesAndCommands, [this] { return core_.all_answered(); });
     if (core_.end_sampling(now_us(), state_)) {
       shell_.publish_cycle(state_);
       shell_.follow_start();
-      wait_until(deadline_us + cycle_us_, [this] { return shell_.has_command(state_.stamp.seq); });
+      wait_until(deadline_us + cycle_us_, Wake::kOnCommands,
+                 [this] { return shell_.has_command(state_.stamp.seq); });
       if (!shell_.has_command(state_.stamp.seq)) {
         core_.count_missed_cycle();
       }
@@ -96,12 +132,7 @@ class RealTimeBridge {
 
   void send() {
     for (std::size_t bus = 0; bus < buses_.size(); ++bus) {
-      int count = 0;
-      for (const BusFrame& frame : out_) {
-        if (frame.bus == static_cast<int>(bus)) {
-          sending_[static_cast<std::size_t>(count++)] = frame.frame;
-        }
-      }
+      const int count = frames_of_bus(out_, static_cast<int>(bus), sending_.data());
       // The queue to the bus is first in, first out: SYNC must not wait behind heartbeats, its jitter is the encoders' noise.
       const auto sent = sending_.begin() + count;
       const auto sync =
@@ -109,38 +140,59 @@ class RealTimeBridge {
       if (sync != sent) {
         std::rotate(sending_.begin(), sync, sync + 1);
       }
-      if (count > 0 && !buses_[bus]->send(sending_.data(), count)) {
-        core_.receive(static_cast<int>(bus), bus_lost_frame(),
-                      now_us());  // ENOBUFS or link down: design section 8
-      }
+      if (count > 0) send(bus, count);
     }
-    shell_.trace(out_, true, now_us());
     out_.clear();
+  }
+
+  /// The trace holds what the bus took, in the order in which it took it.
+  void send(std::size_t bus, int count) {
+    const std::int64_t before = buses_[bus]->counters().sent;
+    if (!buses_[bus]->send(sending_.data(), count)) report_send_error(bus);
+    const auto taken = static_cast<std::size_t>(buses_[bus]->counters().sent - before);
+    for (std::size_t i = 0; i < taken; ++i) {
+      shell_.trace(static_cast<int>(bus), sending_[i], true, now_us());
+    }
+  }
+
+  /// Design section 8: set-points are lost, so the bus is.
+  void report_send_error(std::size_t bus) {
+    const CanSendError error = buses_[bus]->last_send_error();
+    const CanFrame frame = error == CanSendError::kNoBuffers ? queue_full_frame() : bus_lost_frame();
+    core_.receive(static_cast<int>(bus), frame, now_us());
+    if (send_errors_[bus].allow(now_us())) log_warn(buses_[bus]->describe() + ": " + text(error));
   }
 
   /// Takes frames and commands as they come until `done` or the deadline.
   template <class Done>
-  void wait_until(std::int64_t deadline_us, Done done) {
+  void wait_until(std::int64_t deadline_us, Wake wake, Done done) {
+    const std::size_t unwatched = wake == Wake::kOnCommands ? buses_.size() : 0;
     while (true) {
       receive();
-      const std::int64_t left_us = deadline_us - now_us();
-      if (left_us <= 0 || done()) {
+      if (now_us() >= deadline_us || done()) {
         return;
       }
-      const timespec left{left_us / 1'000'000, left_us % 1'000'000 * 1000};
-      ppoll(fds_.data(), fds_.size(), &left, nullptr);
+      sleep_until(deadline_us, fds_.data() + unwatched, fds_.size() - unwatched);
     }
+  }
+
+  void sleep_until(std::int64_t time_us, pollfd* fds, std::size_t count) {
+    const std::int64_t left_us = time_us - now_us();
+    if (left_us <= 0) return;
+    const timespec left{left_us / 1'000'000, left_us % 1'000'000 * 1000};
+    ppoll(fds, count, &left, nullptr);
   }
 
   void receive() {
     for (std::size_t bus = 0; bus < buses_.size(); ++bus) {
       int count = kFullRead;
       for (int look = 0; look < kLongestLook && count == kFullRead; ++look) {
-        count = buses_[bus]->receive(received_.data(), kFullRead);
-        for (int i = 0; i < count; ++i) {
-          const CanFrame& frame = received_[static_cast<std::size_t>(i)];
-          core_.receive(static_cast<int>(bus), frame, now_us());
-          shell_.trace(static_cast<int>(bus), frame, false, now_us());
+        count = buses_[bus]->receive_timed(received_.data(), arrivals_us_.data(), kFullRead);
+        for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+          const std::int64_t came_us =
+              std::min(arrivals_us_[i] - process_.node().clock().epoch_us(), now_us());
+          core_.receive(static_cast<int>(bus), received_[i], came_us);
+          shell_.trace(static_cast<int>(bus), received_[i], false, came_us);
         }
       }
     }
@@ -168,6 +220,9 @@ class RealTimeBridge {
   FrameBatch out_;
   std::array<CanFrame, FrameBatch::kCapacity> sending_{};
   std::array<CanFrame, kFullRead> received_{};
+  std::array<std::int64_t, kFullRead> arrivals_us_{};
+  std::vector<LogLimit> send_errors_;
+  std::int64_t wire_us_ = 0;  ///< that SYNC and all answers need on the slowest bus; 0 = not known
   DriveState state_;
   DriveCommand command_;
   bool stopping_ = false;

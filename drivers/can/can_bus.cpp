@@ -13,7 +13,7 @@ namespace sprung {
 
 int CanBus::receive_timed(CanFrame* frames, std::int64_t* arrival_us, int max) noexcept {
   const int count = receive(frames, max);
-  std::fill_n(arrival_us, count, monotonic_us());
+  std::fill_n(arrival_us, count, can_clock_us());
   return count;
 }
 

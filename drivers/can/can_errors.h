@@ -9,16 +9,28 @@ inline constexpr std::uint32_t kCanErrorTxTimeout = 0x001;
 inline constexpr std::uint32_t kCanErrorController = 0x004;  ///< details in data[1]
 inline constexpr std::uint32_t kCanErrorBusOff = 0x040;
 inline constexpr std::uint32_t kCanErrorRestarted = 0x100;
-inline constexpr std::uint8_t kControllerPassive = 0x30;  ///< data[1]: receive or transmit error passive
+inline constexpr std::uint8_t kControllerPassive = 0x30;     ///< data[1]: receive or transmit error passive
+inline constexpr std::uint8_t kControllerTxOverflow = 0x02;  ///< data[1]
 
-/// What a shell gives to BridgeCore::receive when a bus cannot send (ENOBUFS, link down): the same as bus
-/// off.
+/// What a shell gives to BridgeCore::receive when a bus cannot send because its link is down: the same as bus off.
 inline CanFrame bus_lost_frame() noexcept {
   CanFrame frame;
   frame.id = kCanErrorBusOff;
   frame.length = 8;
   frame.error = true;
   return frame;
+}
+
+/// What it gives when the interface's queue was full (ENOBUFS): bus off too, since set-points are lost, but told apart.
+inline CanFrame queue_full_frame() noexcept {
+  CanFrame frame = bus_lost_frame();
+  frame.id |= kCanErrorController;
+  frame.data[1] = kControllerTxOverflow;
+  return frame;
+}
+
+inline bool tells_queue_full(const CanFrame& frame) noexcept {
+  return frame.error && (frame.id & kCanErrorController) != 0 && (frame.data[1] & kControllerTxOverflow) != 0;
 }
 
 /// Bus off, transmit time-out or error passive: nothing sent on this bus can be relied on.

@@ -49,4 +49,13 @@ class FrameBatch {
   int overflow_ = 0;
 };
 
+/// @param out at least kCapacity. @return how many of the batch are for `bus`, copied in order.
+inline int frames_of_bus(const FrameBatch& batch, int bus, CanFrame* out) noexcept {
+  int count = 0;
+  for (const BusFrame& frame : batch) {
+    if (frame.bus == bus) out[count++] = frame.frame;
+  }
+  return count;
+}
+
 }  // namespace sprung

@@ -18,12 +18,12 @@ std::int64_t read_clock_us(clockid_t clock) noexcept {
 
 }  // namespace
 
-std::int64_t monotonic_us() noexcept { return read_clock_us(CLOCK_MONOTONIC); }
+std::int64_t can_clock_us() noexcept { return read_clock_us(CLOCK_MONOTONIC); }
 
 void UtcOffset::update() noexcept {
-  const std::int64_t before_us = monotonic_us();
+  const std::int64_t before_us = can_clock_us();
   const std::int64_t utc_us = read_clock_us(CLOCK_REALTIME);
-  update(before_us, utc_us, monotonic_us());
+  update(before_us, utc_us, can_clock_us());
 }
 
 void UtcOffset::update(std::int64_t before_us, std::int64_t utc_us, std::int64_t after_us) noexcept {

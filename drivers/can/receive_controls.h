@@ -8,7 +8,7 @@
 
 namespace sprung {
 
-std::int64_t monotonic_us() noexcept;
+std::int64_t can_clock_us() noexcept;  ///< CLOCK_MONOTONIC: the clock of every arrival time
 
 /// CLOCK_REALTIME (in which the kernel stamps) minus CLOCK_MONOTONIC. A process that is interrupted between reading the two clocks
 /// gets a wrong difference; such a reading changes nothing, so stamps keep their order.

@@ -154,7 +154,7 @@ int SocketCanBus::send_batch(const CanFrame* frames, int count) noexcept {
     socket_->frames[static_cast<std::size_t>(i)] = to_kernel(frames[i]);
     socket_->prepare(i, false);
   }
-  const std::int64_t now_us = monotonic_us();
+  const std::int64_t now_us = can_clock_us();
   const int sent =
       ::sendmmsg(socket_->fd, socket_->messages.data(), static_cast<unsigned>(count), MSG_DONTWAIT);
   const int filter_count = static_cast<int>(filters_.size());

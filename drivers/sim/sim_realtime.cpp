@@ -74,8 +74,9 @@ class RealTimeSim {
   void advance(std::int64_t time_us) {
     answers_.clear();
     core_.advance_to(time_us, answers_);
-    for (const BusFrame& frame : answers_) {
-      buses_[static_cast<std::size_t>(frame.bus)]->send(&frame.frame, 1);
+    for (std::size_t bus = 0; bus < buses_.size(); ++bus) {
+      const int count = frames_of_bus(answers_, static_cast<int>(bus), sending_.data());
+      if (count > 0) buses_[bus]->send(sending_.data(), count);
     }
   }
 
@@ -88,6 +89,7 @@ class RealTimeSim {
   std::array<std::int64_t, 64> arrivals_us_{};
   std::int64_t newest_frame_us_ = 0;
   FrameBatch answers_;
+  std::array<CanFrame, FrameBatch::kCapacity> sending_{};
 };
 
 }  // namespace

@@ -35,6 +35,15 @@ TEST(CanErrors, BusOffPassiveAndTimeOutMeanTheBusIsLost) {
   EXPECT_FALSE(tells_bus_lost(frame)) << "a data frame with the same id";
 }
 
+TEST(CanErrors, FullQueueLosesTheBusButIsToldApart) {
+  EXPECT_TRUE(tells_queue_full(queue_full_frame()));
+  EXPECT_TRUE(tells_bus_lost(queue_full_frame()));
+  EXPECT_FALSE(tells_queue_full(bus_lost_frame()));
+  CanFrame data = queue_full_frame();
+  data.error = false;
+  EXPECT_FALSE(tells_queue_full(data));
+}
+
 TEST(CanErrors, RestartIsToldByItsOwnClass) {
   CanFrame frame = bus_lost_frame();
   EXPECT_FALSE(tells_bus_restarted(frame));
