@@ -62,6 +62,7 @@ void Plant::reset() noexcept {
   std::fill(motor_torque_Nm_.begin(), motor_torque_Nm_.end(), 0.0);
   for (auto& wrench : foot_wrench_) wrench.fill(0.0);
   touch_floor();
+  if (config_.suspended_m > 0.0) suspend(config_.suspended_m);
   mj_forward(model_.get(), data_.get());
   mju_zero(data_->qacc_warmstart, model_->nv);  // else a second life differs in its bits: facts physics 7
   check();

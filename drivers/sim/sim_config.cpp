@@ -53,6 +53,7 @@ PlantConfig read_plant(const YamlMap& map) {
       map.fail("rail_x", "found '" + rail + "', expected locked or free");
     plant.rail_x_locked = rail == "locked";
   }
+  plant.suspended_m = map.quantity_or("suspended", "m", 0.01, 10, 0.0);
   plant.floor_height_m = map.quantity("floor_height", "m", -10, 10);
   for (const YamlMap& body : map.list("bodies")) {
     plant.bodies.push_back({body.text("name"), body.quantity("mass", "kg", 1e-4, 1000)});
