@@ -49,6 +49,7 @@ LegOutcome LegController::step(const std::vector<EstimatedJoint>& joints, const 
     damp(out);
     return LegOutcome::kOk;
   }
+  if (kinematics_ == nullptr) return LegOutcome::kUnreachable;
   if (!read(joints)) return LegOutcome::kNotFinite;
   entering_ = entering_ || !all_enabled_ || desired.control_mode != mode_;
   const bool was_compliant = mode_ == ControlMode::kCompliance;

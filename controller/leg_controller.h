@@ -58,7 +58,7 @@ class LegController {
   std::vector<int> actuator_indices_;
   std::vector<JointConfig> joints_;
   std::vector<ActuatorConfig> actuators_;
-  std::unique_ptr<LegKinematics> kinematics_;
+  std::unique_ptr<LegKinematics> kinematics_;  ///< nullptr: joints alone, no foot to command
   Transmission transmission_;
   JointVector coulomb_Nm_;
   double friction_smoothing_rad_s_;

@@ -24,9 +24,10 @@ double smallest_eigenvalue(const JointMatrix& symmetric) noexcept {
 }  // namespace
 
 std::unique_ptr<LegKinematics> make_leg_kinematics(const LegConfig& leg) {
+  if (leg.kinematics == kNoKinematics) return nullptr;
   if (leg.kinematics == "two_link") return std::make_unique<TwoLink>(leg);
   throw std::invalid_argument("leg '" + leg.name + "': unknown kinematics '" + leg.kinematics +
-                              "', there is: two_link");
+                              "', there are: two_link, " + kNoKinematics);
 }
 
 DampedInverse damped_inverse(const LegJacobian& jacobian) noexcept {

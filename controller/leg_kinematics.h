@@ -50,6 +50,7 @@ class LegKinematics {
                                           const JointVector& acceleration_rad_s2) const noexcept = 0;
 };
 
+/// @return nullptr for joints alone (kNoKinematics).
 /// @throws std::invalid_argument naming the leg on unknown kinematics, or on counts that do not fit them.
 std::unique_ptr<LegKinematics> make_leg_kinematics(const LegConfig& leg);
 

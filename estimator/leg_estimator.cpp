@@ -8,8 +8,10 @@ LegEstimator::LegEstimator(const RobotConfig& robot, const LegConfig& leg, int l
     : joints_(leg.joints),
       sampler_(robot, leg),
       kinematics_(make_leg_kinematics(leg)),
-      contact_({leg.contact_on_N, leg.contact_off_N, leg.contact_rise_s, leg.contact_fall_s}),
       samples_(leg.joints.size()) {
+  if (kinematics_ != nullptr)
+    contact_.emplace(
+        ContactParams{leg.contact_on_N, leg.contact_off_N, leg.contact_rise_s, leg.contact_fall_s});
   const int n = static_cast<int>(joints_.size());
   for (int j = 0; j < n; ++j) {
     const JointConfig& joint =
@@ -22,7 +24,7 @@ LegEstimator::LegEstimator(const RobotConfig& robot, const LegConfig& leg, int l
 
 void LegEstimator::reset() noexcept {
   for (JointEstimator& e : estimators_) e.reset();
-  contact_.reset();
+  if (contact_) contact_->reset();
 }
 
 void LegEstimator::step(const std::vector<ActuatorState>& actuators, double dt_s,
@@ -30,13 +32,17 @@ void LegEstimator::step(const std::vector<ActuatorState>& actuators, double dt_s
   sampler_.sample(actuators, samples_);
   step_joints(dt_s, joints);
   out = EstimatedLeg{};
+  if (kinematics_ != nullptr) step_foot(dt_s, joints, out);
+}
+
+void LegEstimator::step_foot(double dt_s, std::vector<EstimatedJoint>& joints, EstimatedLeg& out) noexcept {
   double vertical_bound_N = kNaN;
   if (position_rad_.allFinite()) {
     out.estimated_foot_in_hip_m = to_vec3(kinematics_->foot_in_hip_m(position_rad_));
     out.estimated_foot_velocity_m_s = to_vec3(kinematics_->jacobian(position_rad_) * velocity_rad_s_);
     if (output_torque_Nm_.allFinite()) write_force(joints, out, vertical_bound_N);
   }
-  const ContactEstimate contact = contact_.step(out.foot_force_N[2], vertical_bound_N, dt_s);
+  const ContactEstimate contact = contact_->step(out.foot_force_N[2], vertical_bound_N, dt_s);
   out.contact = contact.contact;
   out.contact_confidence = contact.confidence;
 }

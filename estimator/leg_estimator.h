@@ -1,6 +1,7 @@
 #pragma once
 /// One leg: joints, foot, foot force and contact. Pure: no heap after construction.
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "controller/leg_kinematics.h"
@@ -21,6 +22,7 @@ class LegEstimator {
             EstimatedLeg& out) noexcept;
 
  private:
+  void step_foot(double dt_s, std::vector<EstimatedJoint>& joints, EstimatedLeg& out) noexcept;
   void step_joints(double dt_s, std::vector<EstimatedJoint>& joints) noexcept;
   /// Force that, beside the drives, explains the leg's motion: external torque = M qdd + V + G - gear output
   /// torque (positive accelerates the joint toward +q), force on the foot = J^-T external torque. The hip's
@@ -30,8 +32,8 @@ class LegEstimator {
 
   std::vector<int> joints_;  ///< indices of this leg's joints in the robot
   DriveSampler sampler_;
-  std::unique_ptr<LegKinematics> kinematics_;
-  ContactDetector contact_;
+  std::unique_ptr<LegKinematics> kinematics_;  ///< nullptr: joints alone
+  std::optional<ContactDetector> contact_;     ///< of the foot, where there is one
   std::vector<JointEstimator> estimators_;
   std::vector<JointSample> samples_;
   JointVector position_rad_, velocity_rad_s_, acceleration_rad_s2_, output_torque_Nm_;

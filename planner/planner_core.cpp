@@ -60,7 +60,7 @@ const char* jump_mistake(const OperatorCommand& c, const JumpCurveConfig& curve)
 
 struct PlannerCore::Impl {
   Impl(const RobotConfig& robot, const PresetConfig& preset)
-      : jump_curve(preset.jump_curve), motion(robot, preset) {}
+      : jump_curve(preset.jump_curve), has_feet(robot.has_feet()), motion(robot, preset) {}
 
   void step(const JointState& in) noexcept;
   void execute(const OperatorCommand& command, const JointState& in) noexcept;
@@ -89,6 +89,7 @@ struct PlannerCore::Impl {
   }
 
   const JumpCurveConfig jump_curve;  ///< the robot file's own
+  const bool has_feet;
   Motion motion;
   OperatorDesk desk;
   Active moving;    ///< stand, jump or sit
@@ -127,6 +128,7 @@ void PlannerCore::Impl::execute(const OperatorCommand& command, const JointState
       return stop(command);
     case OperatorKind::kEstop:
     case OperatorKind::kClear:
+    case OperatorKind::kHome:
       return;  // the bridge's own, and it answers them
     case OperatorKind::kNone:
       break;
@@ -135,6 +137,7 @@ void PlannerCore::Impl::execute(const OperatorCommand& command, const JointState
 }
 
 void PlannerCore::Impl::stand(const OperatorCommand& command, const JointState& in) noexcept {
+  if (!has_feet) return refuse(command, "this robot's legs have no kinematics: it cannot stand");
   if (motion.state() == MotionPhase::kStanding) return accept_as_done(command, "already standing");
   if (motion.state() != MotionPhase::kIdle) return refuse(command, busy(motion.state()));
   if (in.safety != SafetyLevel::kOperational)

@@ -10,8 +10,10 @@
 namespace sprung {
 namespace {
 
-/// Emergency stop and clear are the bridge's.
-bool is_motion(OperatorKind kind) { return kind != OperatorKind::kEstop && kind != OperatorKind::kClear; }
+/// Emergency stop, clear and homing are the bridge's.
+bool is_motion(OperatorKind kind) {
+  return kind != OperatorKind::kEstop && kind != OperatorKind::kClear && kind != OperatorKind::kHome;
+}
 
 class PlannerShell : public ResponderShell {
  public:

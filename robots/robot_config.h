@@ -101,10 +101,15 @@ struct LinkConfig {
   double inertia_kg_m2 = 0.0;  ///< about its own centre of mass
 };
 
+/// LegConfig::kinematics of joints alone: no foot is known, so they can be measured, damped and switched off,
+/// but not told where to go.
+inline constexpr const char* kNoKinematics = "none";
+
 struct LegConfig {
   std::string name;
-  std::string
-      kinematics;  ///< "two_link": hip and knee in the x-z plane, frame of facts E1 (papers' y is our z)
+  /// "two_link": hip and knee in the x-z plane, frame of facts E1 (papers' y is our z). kNoKinematics: `links`
+  /// and `contact_*` are empty.
+  std::string kinematics;
   std::vector<int> joints;     ///< indices into RobotConfig::joints, proximal first
   std::vector<int> actuators;  ///< indices into RobotConfig::actuators, same length
   /// joint = transmission * actuator, row-major joints x actuators.
@@ -185,7 +190,10 @@ struct RobotConfig {
   std::vector<ProcessConfig> processes;
   std::int64_t hash = 0;  ///< of the file's bytes and the preset's name
 
-  /// @throws std::invalid_argument naming the presets there are.
+  /// Every leg has kinematics.
+  bool has_feet() const;
+  /// Of a robot without feet, which needs no presets and may have none: one that moves nothing, whatever the
+  /// name. @throws std::invalid_argument naming the presets there are.
   const PresetConfig& preset(const std::string& preset_name) const;
 };
 

@@ -1,5 +1,6 @@
 #include "robots/robot_loader.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -29,15 +30,39 @@ std::string read_file(const std::string& path) {
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
-/// Two drives on one node id would answer each other's commands.
-void refuse_shared_node_ids(const YamlMap& file, const std::vector<ActuatorConfig>& actuators,
-                            const std::vector<BusConfig>& buses) {
-  for (std::size_t i = 0; i < actuators.size(); ++i) {
+struct NodeName {
+  std::string name;
+  int bus = 0;
+  int node = 0;
+};
+
+/// Two nodes on one id would answer each other's commands.
+void refuse_shared_node_ids(const YamlMap& file, const RobotConfig& robot) {
+  std::vector<NodeName> nodes;
+  for (const ActuatorConfig& actuator : robot.actuators)
+    nodes.push_back({actuator.name, actuator.bus, actuator.node});
+  for (const EncoderCardConfig& card : robot.encoder_cards) nodes.push_back({card.name, card.bus, card.node});
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      if (actuators[i].bus == actuators[j].bus && actuators[i].node == actuators[j].node) {
-        file.fail("actuators", actuators[j].name + " and " + actuators[i].name + " share node id " +
-                                   std::to_string(actuators[i].node) + " on bus " +
-                                   buses[static_cast<std::size_t>(actuators[i].bus)].name);
+      if (nodes[i].bus == nodes[j].bus && nodes[i].node == nodes[j].node) {
+        file.fail(i < robot.actuators.size() ? "actuators" : "encoder_cards",
+                  nodes[j].name + " and " + nodes[i].name + " share node id " +
+                      std::to_string(nodes[i].node) + " on bus " +
+                      robot.buses[static_cast<std::size_t>(nodes[i].bus)].name);
+      }
+    }
+  }
+}
+
+void refuse_shared_channels(const YamlMap& file, const RobotConfig& robot) {
+  for (const ActuatorConfig& a : robot.actuators) {
+    for (const ActuatorConfig& b : robot.actuators) {
+      const bool same =
+          a.link_encoder.card == b.link_encoder.card && a.link_encoder.channel == b.link_encoder.channel;
+      if (&a < &b && a.link_encoder.card >= 0 && same) {
+        file.fail("actuators", a.name + " and " + b.name + " share channel " +
+                                   std::to_string(a.link_encoder.channel) + " of encoder card " +
+                                   robot.encoder_cards[static_cast<std::size_t>(a.link_encoder.card)].name);
       }
     }
   }
@@ -64,7 +89,7 @@ void refuse_loose_joints(const YamlMap& file, const RobotConfig& robot) {
   for (int i = 0; i < static_cast<int>(robot.joints.size()); ++i) {
     if (joints.count(i) != 1) {
       file.fail("legs", "joint " + robot.joints[static_cast<std::size_t>(i)].name +
-                            " must belong to exactly one leg");
+                            " must belong to exactly one leg (kinematics: none for joints alone)");
     }
   }
   for (int i = 0; i < static_cast<int>(robot.actuators.size()); ++i) {
@@ -76,10 +101,38 @@ void refuse_loose_joints(const YamlMap& file, const RobotConfig& robot) {
 }
 
 void refuse_contradictions(const YamlMap& file, const RobotConfig& robot) {
-  refuse_shared_node_ids(file, robot.actuators, robot.buses);
+  refuse_shared_node_ids(file, robot);
+  refuse_shared_channels(file, robot);
   refuse_loose_joints(file, robot);
-  if (robot.presets.empty()) {
+  if (robot.presets.empty() && robot.has_feet()) {
     file.fail("presets", "at least one preset is needed");
+  }
+}
+
+/// Buses, and the nodes on them.
+void read_nodes(const YamlMap& file, RobotConfig& robot) {
+  for (const YamlMap& map : file.list("buses")) {
+    robot.buses.push_back(read_bus(map));
+  }
+  refuse_same_names(file, "buses", robot.buses);
+  robot.bit_rate_bit_s = read_bit_rate(file);
+  if (file.has("encoder_cards")) {
+    for (const YamlMap& map : file.list("encoder_cards")) {
+      robot.encoder_cards.push_back(read_encoder_card(map, robot.buses));
+    }
+    refuse_same_names(file, "encoder_cards", robot.encoder_cards);
+  }
+  for (const YamlMap& map : file.list("actuators")) {
+    robot.actuators.push_back(read_actuator(map, robot));
+  }
+  refuse_same_names(file, "actuators", robot.actuators);
+}
+
+void read_presets(const YamlMap& file, RobotConfig& robot) {
+  if (!robot.has_feet() && !file.has("presets")) return;
+  const YamlMap presets = file.map("presets");
+  for (const auto& [name, map] : presets.entries()) {
+    robot.presets.push_back(read_preset(name, map));
   }
 }
 
@@ -87,14 +140,7 @@ RobotConfig read_robot(const YamlMap& file) {
   RobotConfig robot;
   robot.name = file.text("robot");
   robot.cycle_s = 1.0 / file.quantity("cycle_rate", "Hz", 10, 4000);
-  for (const YamlMap& map : file.list("buses")) {
-    robot.buses.push_back(read_bus(map));
-  }
-  refuse_same_names(file, "buses", robot.buses);
-  for (const YamlMap& map : file.list("actuators")) {
-    robot.actuators.push_back(read_actuator(map, robot.buses));
-  }
-  refuse_same_names(file, "actuators", robot.actuators);
+  read_nodes(file, robot);
   for (const YamlMap& map : file.list("joints")) {
     robot.joints.push_back(read_joint(map));
   }
@@ -105,16 +151,22 @@ RobotConfig read_robot(const YamlMap& file) {
   refuse_same_names(file, "legs", robot.legs);
   robot.watchdogs = read_watchdogs(file.map("watchdogs"));
   robot.simulation_watchdogs = read_watchdogs(file.map("simulation_watchdogs"));
-  const YamlMap presets = file.map("presets");
-  for (const auto& [name, map] : presets.entries()) {
-    robot.presets.push_back(read_preset(name, map));
-  }
+  read_presets(file, robot);
   for (const YamlMap& map : file.list("processes")) {
     robot.processes.push_back(read_process(map));
   }
   file.finish();
   refuse_contradictions(file, robot);
   return robot;
+}
+
+/// What a planner and controller can be made of where there is nothing to preset: any curve, never played.
+PresetConfig still_preset() {
+  PresetConfig still;
+  still.name = "none";
+  still.stand_length_m = still.sit_length_m = still.landing_length_m = 1.0;
+  still.jump_curve = {1.0, {1.0, 1.0}, 1.0};
+  return still;
 }
 
 std::string robots_found(const fs::path& folder) {
@@ -155,7 +207,14 @@ RobotConfig load_robot(const std::string& robot) {
   return config;
 }
 
+bool RobotConfig::has_feet() const {
+  return std::all_of(legs.begin(), legs.end(),
+                     [](const LegConfig& leg) { return leg.kinematics != kNoKinematics; });
+}
+
 const PresetConfig& RobotConfig::preset(const std::string& preset_name) const {
+  static const PresetConfig still = still_preset();
+  if (presets.empty() && !has_feet()) return still;
   std::string known;
   for (const PresetConfig& candidate : presets) {
     if (candidate.name == preset_name) {

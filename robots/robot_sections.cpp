@@ -6,20 +6,6 @@ namespace sprung::robot_sections {
 
 namespace {
 
-/// Position of `wanted` among named things. @throws ConfigError naming those there are.
-template <class Named>
-int index_of(const std::vector<Named>& things, const std::string& wanted, const YamlMap& map,
-             const std::string& key) {
-  std::string known;
-  for (std::size_t i = 0; i < things.size(); ++i) {
-    if (things[i].name == wanted) {
-      return static_cast<int>(i);
-    }
-    known += (known.empty() ? "" : ", ") + things[i].name;
-  }
-  map.fail(key, "'" + wanted + "' is not known; there are: " + known);
-}
-
 template <class Named>
 std::vector<int> indices_of(const std::vector<Named>& things, const YamlMap& map, const std::string& key) {
   std::vector<int> indices;
@@ -27,17 +13,6 @@ std::vector<int> indices_of(const std::vector<Named>& things, const YamlMap& map
     indices.push_back(index_of(things, wanted, map, key));
   }
   return indices;
-}
-
-IdentityConfig read_identity(const YamlMap& map) {
-  const std::int64_t top = 0xFFFFFFFF;
-  IdentityConfig identity;
-  identity.vendor = static_cast<std::uint32_t>(map.integer("vendor", 0, top));
-  identity.product = static_cast<std::uint32_t>(map.integer("product", 0, top));
-  identity.revision = static_cast<std::uint32_t>(map.integer_or("revision", 0, top, 0));
-  identity.serial = static_cast<std::uint32_t>(map.integer_or("serial", 0, top, 0));
-  map.finish();
-  return identity;
 }
 
 LinkConfig read_link(const YamlMap& map) {
@@ -91,6 +66,35 @@ JumpCurveConfig read_jump_curve(const YamlMap& map) {
   return curve;
 }
 
+/// The link encoder and how the zero is found; both may be missing.
+void read_reference_of(const YamlMap& map, const RobotConfig& robot, ActuatorConfig& a) {
+  if (map.has("link_encoder"))
+    a.link_encoder = read_link_encoder(map.map("link_encoder"), robot.encoder_cards);
+  if (!map.has("reference")) return;
+  a.reference = read_reference(map.map("reference"));
+  if (a.reference.method == ReferenceMethod::kLink && a.link_encoder.card < 0) {
+    map.fail("reference", "method link needs a link_encoder");
+  }
+  if (!a.reference.absolute_encoder && a.referenced) {
+    map.fail("referenced",
+             "an incremental encoder forgets its zero without power: say false here, and `sprung home` "
+             "after each start");
+  }
+}
+
+/// Geometry and contact, which joints alone do not have.
+void read_geometry(const YamlMap& map, LegConfig& leg) {
+  for (const YamlMap& link : map.list("links")) {
+    leg.links.push_back(read_link(link));
+  }
+  const YamlMap contact = map.map("contact");
+  leg.contact_on_N = contact.quantity("on", "N", 0.1, 1e4);
+  leg.contact_off_N = contact.quantity("off", "N", 0.0, leg.contact_on_N);
+  leg.contact_rise_s = contact.quantity("rise", "s", 0, 1);
+  leg.contact_fall_s = contact.quantity("fall", "s", 0, 1);
+  contact.finish();
+}
+
 }  // namespace
 
 BusConfig read_bus(const YamlMap& map) {
@@ -104,18 +108,15 @@ BusConfig read_bus(const YamlMap& map) {
   return bus;
 }
 
-ActuatorConfig read_actuator(const YamlMap& map, const std::vector<BusConfig>& buses) {
+ActuatorConfig read_actuator(const YamlMap& map, const RobotConfig& robot) {
   ActuatorConfig a;
   a.name = map.text("name");
-  a.bus = index_of(buses, map.text("bus"), map, "bus");
+  a.bus = index_of(robot.buses, map.text("bus"), map, "bus");
   a.node = static_cast<int>(map.integer("node", 1, 126));
   a.profile = map.text("profile");
   a.identity = read_identity(map.map("identity"));
   a.gear_ratio = map.quantity("gear_ratio", "", 1, 1000);
-  a.direction = static_cast<double>(map.integer("direction", -1, 1));
-  if (a.direction == 0.0) {
-    map.fail("direction", "expected 1 or -1, found 0");
-  }
+  a.direction = read_direction(map);
   a.torque_constant_Nm_A = map.quantity("torque_constant", "Nm/A", 1e-4, 10);
   a.rated_current_A = map.quantity("rated_current", "A", 0.01, 1000);
   a.encoder_counts_per_turn = static_cast<double>(map.integer("encoder_counts", 16, 1 << 24));
@@ -130,6 +131,9 @@ ActuatorConfig read_actuator(const YamlMap& map, const std::vector<BusConfig>& b
   a.position_gains_object = static_cast<std::uint16_t>(loop.integer("object", 0, 0xFFFF));
   loop.finish();
   a.safety_damping_Nm_s_rad = map.quantity("safety_damping", "Nm s/rad", 0, 1000);
+  a.pole_pairs = static_cast<int>(map.integer_or("pole_pairs", 1, 255, 0));
+  a.winding_time_constant_s = map.quantity_or("winding_time_constant", "s", 0.1, 1000, 0.0);
+  read_reference_of(map, robot, a);
   map.finish();
   return a;
 }
@@ -161,15 +165,9 @@ LegConfig read_leg(const YamlMap& map, const RobotConfig& robot) {
     map.fail("actuators", "a leg needs as many actuators as joints");
   }
   leg.transmission = read_transmission(map, leg.joints.size());
-  for (const YamlMap& link : map.list("links")) {
-    leg.links.push_back(read_link(link));
+  if (leg.kinematics != kNoKinematics) {
+    read_geometry(map, leg);
   }
-  const YamlMap contact = map.map("contact");
-  leg.contact_on_N = contact.quantity("on", "N", 0.1, 1e4);
-  leg.contact_off_N = contact.quantity("off", "N", 0.0, leg.contact_on_N);
-  leg.contact_rise_s = contact.quantity("rise", "s", 0, 1);
-  leg.contact_fall_s = contact.quantity("fall", "s", 0, 1);
-  contact.finish();
   map.finish();
   return leg;
 }

@@ -1,12 +1,39 @@
 #pragma once
-/// The sections of robot.yaml, one reader each; used by robot_loader.cpp alone.
+/// The sections of robot.yaml, one reader each; used by robot_loader.cpp alone. What has to do with encoders
+/// and homing is in encoder_sections.cpp.
+#include <string>
+#include <vector>
+
 #include "robots/robot_config.h"
 #include "robots/yaml_reader.h"
 
 namespace sprung::robot_sections {
 
+/// Position of `wanted` among named things. @throws ConfigError naming those there are.
+template <class Named>
+int index_of(const std::vector<Named>& things, const std::string& wanted, const YamlMap& map,
+             const std::string& key) {
+  std::string known;
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    if (things[i].name == wanted) {
+      return static_cast<int>(i);
+    }
+    known += (known.empty() ? "" : ", ") + things[i].name;
+  }
+  map.fail(key, "'" + wanted + "' is not known; there are: " + (known.empty() ? "none" : known));
+}
+
 BusConfig read_bus(const YamlMap& map);
-ActuatorConfig read_actuator(const YamlMap& map, const std::vector<BusConfig>& buses);
+/// Of the whole robot's buses: the standard ones up to 1 Mbit/s; 1 Mbit/s where the key is missing.
+double read_bit_rate(const YamlMap& file);
+IdentityConfig read_identity(const YamlMap& map);
+EncoderCardConfig read_encoder_card(const YamlMap& map, const std::vector<BusConfig>& buses);
+/// @param robot its buses and encoder cards are there already.
+ActuatorConfig read_actuator(const YamlMap& map, const RobotConfig& robot);
+LinkEncoderConfig read_link_encoder(const YamlMap& map, const std::vector<EncoderCardConfig>& cards);
+ReferenceConfig read_reference(const YamlMap& map);
+/// +1 or -1. @throws ConfigError on 0 too.
+double read_direction(const YamlMap& map);
 JointConfig read_joint(const YamlMap& map);
 LegConfig read_leg(const YamlMap& map, const RobotConfig& robot);
 WatchdogConfig read_watchdogs(const YamlMap& map);

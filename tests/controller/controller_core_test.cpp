@@ -208,5 +208,31 @@ TEST_F(ControllerCoreTest, RandomStatesNeverExceedLimitsNorAllocateNorDifferBetw
   }
 }
 
+TEST(ControllerWithoutFeet, DampsAndSwitchesOffButGoesNowhere) {
+  const RobotConfig robot = load_robot("pegasus");
+  ControllerCore core(robot, robot.preset("best"), robot.watchdogs);
+  JointState state(12, 4);
+  state.safety = SafetyLevel::kOperational;
+  for (EstimatedJoint& joint : state.joints)
+    joint = {1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, JointStatus::kOk, true};
+  LegCommand command(4);
+  DriveCommand out(12);
+  const auto step = [&](ControlMode mode) {
+    for (DesiredLeg& leg : command.legs) leg.control_mode = mode;
+    command.stamp = state.stamp;
+    state.stamp = {state.stamp.utime_us + 2000, state.stamp.seq + 1};
+    core.step(state, &command, out);
+    return core.basis();
+  };
+  EXPECT_EQ(step(ControlMode::kDisabled), CommandBasis::kCommanded);
+  for (const ActuatorCommand& a : out.actuators) EXPECT_EQ(a.mode, DriveMode::kDisabled);
+  EXPECT_EQ(step(ControlMode::kDamping), CommandBasis::kCommanded);
+  for (const ActuatorCommand& a : out.actuators) EXPECT_EQ(a.mode, DriveMode::kDamping);
+  for (const ControlMode mode : {ControlMode::kPosition, ControlMode::kCompliance}) {
+    EXPECT_EQ(step(mode), CommandBasis::kUnreachable);
+    for (const ActuatorCommand& a : out.actuators) EXPECT_EQ(a.mode, DriveMode::kDamping);
+  }
+}
+
 }  // namespace
 }  // namespace sprung

@@ -36,6 +36,12 @@ TEST_F(LegKinematicsTest, UnknownKinematicsIsRefusedByName) {
   }
 }
 
+TEST_F(LegKinematicsTest, JointsAloneHaveNone) {
+  LegConfig leg = robot_.legs[0];
+  leg.kinematics = kNoKinematics;
+  EXPECT_EQ(make_leg_kinematics(leg), nullptr);
+}
+
 TEST_F(LegKinematicsTest, DampedInverseInvertsTheTransposedJacobianInTheLegsPlane) {
   const LegJacobian jacobian = leg_->jacobian(joints(2.3, 1.4));
   const DampedInverse inverse = damped_inverse(jacobian);

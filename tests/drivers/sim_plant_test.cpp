@@ -265,5 +265,37 @@ TEST_F(PlantTest, ModelWithoutAJointOfTheRobotIsRefused) {
   EXPECT_THROW(Plant(robot_, config.plant), ConfigError);
 }
 
+/// A robot whose sim.yaml hangs it up: feet in the air, the trunk where it was put, also after a reset.
+TEST(SuspendedPlant, TrunkStaysWhileTheLegsMove) {
+  const RobotConfig robot = load_robot("pegasus");
+  Plant plant(robot, load_sim_config(robot, {}).plant);
+  SimTruth truth(robot.joints.size(), robot.legs.size());
+  std::vector<double> torque_Nm(robot.joints.size(), 20.0);
+  for (int round = 0; round < 2; ++round) {
+    for (int i = 0; i < 2000; ++i) plant.step(torque_Nm);
+    ASSERT_FALSE(plant.failed()) << plant.failure();
+    plant.fill_truth(truth);
+    EXPECT_NEAR(truth.base_in_world_m[2], 0.80, 1e-4);
+    EXPECT_NEAR(truth.base_quaternion_wxyz[0], 1.0, 1e-6);
+    for (const TrueLeg& leg : truth.legs) EXPECT_GT(leg.true_foot_in_world_m[2], 0.1);
+    EXPECT_GT(std::abs(truth.joints[1].true_position_rad - 2.1565), 0.05);
+    plant.reset();
+  }
+}
+
+TEST(SuspendedPlant, LegsAreMirroredAndFeetAreUnderTheHips) {
+  const RobotConfig robot = load_robot("pegasus");
+  Plant plant(robot, load_sim_config(robot, {}).plant);
+  SimTruth truth(robot.joints.size(), robot.legs.size());
+  plant.fill_truth(truth);
+  const double hip_x[] = {0.33, 0.33, -0.33, -0.33}, hip_y[] = {0.20, -0.20, 0.20, -0.20};
+  for (std::size_t leg = 0; leg < 4; ++leg) {
+    const Vec3& foot = truth.legs[leg].true_foot_in_world_m;
+    EXPECT_NEAR(foot[0], hip_x[leg], 1e-3);
+    EXPECT_NEAR(foot[1], hip_y[leg], 1e-9);
+    EXPECT_NEAR(foot[2], 0.80 - 0.50, 1e-3);
+  }
+}
+
 }  // namespace
 }  // namespace sprung::sim

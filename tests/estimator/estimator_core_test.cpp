@@ -199,5 +199,32 @@ TEST_F(EstimatorCoreTest, SameInputsGiveTheSameBitsAndNothingIsAllocated) {
   }
 }
 
+TEST(EstimatorWithoutFeet, EstimatesJointsAndKnowsNoFoot) {
+  const RobotConfig robot = load_robot("pegasus");
+  EstimatorCore core(robot);
+  DriveState drives(12);
+  JointState out(12, 4);
+  for (std::size_t i = 0; i < 12; ++i) {
+    ActuatorState& a = drives.actuators[i];
+    a.measured_position_rad = 0.1 * static_cast<double>(i);
+    a.measured_current_A = 1.0;
+    a.referenced = true;
+  }
+  for (int k = 0; k < 50; ++k) {
+    drives.stamp = {2000 * k, k};
+    core.step(drives, out);
+  }
+  for (std::size_t i = 0; i < 12; ++i) {
+    EXPECT_EQ(out.joints[i].status, JointStatus::kOk) << i;
+    EXPECT_NEAR(out.joints[i].estimated_position_rad, 0.1 * static_cast<double>(i), 1e-9);
+    EXPECT_NEAR(out.joints[i].motor_side_torque_Nm + out.joints[i].friction_torque_Nm, 10.85, 1e-9);
+    EXPECT_TRUE(std::isnan(out.joints[i].external_torque_Nm));
+  }
+  for (const EstimatedLeg& leg : out.legs) {
+    EXPECT_TRUE(std::isnan(leg.estimated_foot_in_hip_m[0]));
+    EXPECT_FALSE(leg.contact);
+  }
+}
+
 }  // namespace
 }  // namespace sprung

@@ -289,5 +289,26 @@ TEST_F(PlannerCoreTest, AllLegsOfARobotDoTheSame) {
   EXPECT_EQ(legs.legs[0].desired_foot_in_hip_m, legs.legs[1].desired_foot_in_hip_m);
 }
 
+TEST(PlannerWithoutFeet, HoldsStillAndRefusesToStandWithItsReason) {
+  const RobotConfig robot = load_robot("pegasus");
+  PlannerCore planner(robot, robot.preset("best"));
+  JointState state(12, 4);
+  state.safety = SafetyLevel::kOperational;
+  for (EstimatedJoint& joint : state.joints) joint.status = JointStatus::kOk;
+  LegCommand legs(4);
+  MotionState motion(4);
+  OperatorCommand stand;
+  stand.kind = OperatorKind::kStand;
+  planner.submit(stand);
+  state.stamp = {2000, 1};
+  planner.step(state, legs, motion);
+  OperatorReply reply;
+  ASSERT_TRUE(planner.next_reply(reply));
+  EXPECT_EQ(reply.outcome, OperatorOutcome::kRefused);
+  EXPECT_STREQ(reply.reason, "this robot's legs have no kinematics: it cannot stand");
+  EXPECT_EQ(motion.state, MotionPhase::kIdle);
+  for (const DesiredLeg& leg : legs.legs) EXPECT_EQ(leg.control_mode, ControlMode::kDisabled);
+}
+
 }  // namespace
 }  // namespace sprung

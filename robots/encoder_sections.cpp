@@ -1,0 +1,98 @@
+#include <algorithm>
+#include <array>
+
+#include "robots/robot_sections.h"
+
+namespace sprung::robot_sections {
+
+namespace {
+
+/// Those of CiA 301 that carry a robot's cycle; slower ones exist.
+constexpr std::array<double, 5> kBitRates_kbit_s{1000, 800, 500, 250, 125};
+constexpr int kMostChannels = 4;  ///< of an encoder card
+constexpr double kFarthest_rad = 100;
+
+/// Index of `map`'s text under `key` in `known`. @throws ConfigError naming them.
+int choice(const YamlMap& map, const std::string& key, const std::vector<std::string>& known) {
+  const std::string found = map.text(key);
+  const auto at = std::find(known.begin(), known.end(), found);
+  if (at != known.end()) {
+    return static_cast<int>(at - known.begin());
+  }
+  std::string names;
+  for (const std::string& name : known) {
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  map.fail(key, "found '" + found + "', expected one of: " + names);
+}
+
+}  // namespace
+
+double read_bit_rate(const YamlMap& file) {
+  const double rate = file.quantity_or("bit_rate", "kbit/s", 0, 1e6, kBitRates_kbit_s.front());
+  if (std::find(kBitRates_kbit_s.begin(), kBitRates_kbit_s.end(), rate) == kBitRates_kbit_s.end()) {
+    file.fail("bit_rate", "expected 1000, 800, 500, 250 or 125 kbit/s");
+  }
+  return 1e3 * rate;
+}
+
+double read_direction(const YamlMap& map) {
+  const auto direction = static_cast<double>(map.integer("direction", -1, 1));
+  if (direction == 0.0) {
+    map.fail("direction", "expected 1 or -1, found 0");
+  }
+  return direction;
+}
+
+IdentityConfig read_identity(const YamlMap& map) {
+  const std::int64_t top = 0xFFFFFFFF;
+  IdentityConfig identity;
+  identity.vendor = static_cast<std::uint32_t>(map.integer("vendor", 0, top));
+  identity.product = static_cast<std::uint32_t>(map.integer("product", 0, top));
+  identity.revision = static_cast<std::uint32_t>(map.integer_or("revision", 0, top, 0));
+  identity.serial = static_cast<std::uint32_t>(map.integer_or("serial", 0, top, 0));
+  map.finish();
+  return identity;
+}
+
+EncoderCardConfig read_encoder_card(const YamlMap& map, const std::vector<BusConfig>& buses) {
+  EncoderCardConfig card;
+  card.name = map.text("name");
+  card.bus = index_of(buses, map.text("bus"), map, "bus");
+  card.node = static_cast<int>(map.integer("node", 1, 126));
+  card.profile = map.text("profile");
+  card.identity = read_identity(map.map("identity"));
+  map.finish();
+  return card;
+}
+
+LinkEncoderConfig read_link_encoder(const YamlMap& map, const std::vector<EncoderCardConfig>& cards) {
+  LinkEncoderConfig encoder;
+  encoder.card = index_of(cards, map.text("card"), map, "card");
+  encoder.channel = static_cast<int>(map.integer("channel", 0, kMostChannels - 1));
+  encoder.counts_per_turn = static_cast<double>(map.integer("counts", 16, 1LL << 32));
+  encoder.direction = read_direction(map);
+  encoder.offset_rad = map.quantity("offset", "rad", -kFarthest_rad, kFarthest_rad);
+  map.finish();
+  return encoder;
+}
+
+ReferenceConfig read_reference(const YamlMap& map) {
+  ReferenceConfig reference;
+  reference.method = static_cast<ReferenceMethod>(choice(map, "method", {"none", "link", "index", "jig"}));
+  reference.absolute_encoder = choice(map, "encoder", {"absolute", "incremental"}) == 0;
+  const bool index = reference.method == ReferenceMethod::kIndex;
+  if (index || reference.method == ReferenceMethod::kJig) {
+    reference.jig_position_rad = map.quantity("jig", "rad", -kFarthest_rad, kFarthest_rad);
+  }
+  if (index) {
+    reference.index_position_rad = map.quantity("index", "rad", -kFarthest_rad, kFarthest_rad);
+  }
+  if (reference.method == ReferenceMethod::kNone && !reference.absolute_encoder) {
+    map.fail("method", "an incremental encoder needs one: link, index or jig, for `sprung home`");
+  }
+  map.finish();
+  return reference;
+}
+
+}  // namespace sprung::robot_sections
