@@ -31,6 +31,7 @@ class RunFileTest : public testing::Test {
     info.session = 0x7123456789ABCDEF;
     info.lcm_url = "udpm://239.255.76.67:7667?ttl=0";
     info.launcher_pid = getpid();
+    info.can = {"leg=socketcan:can1"};
     info.processes = {{"sprung-can-bridge", 12}};
     return info;
   }
@@ -44,6 +45,7 @@ TEST_F(RunFileTest, WhatIsWrittenIsReadBack) {
   ASSERT_TRUE(info);
   EXPECT_EQ(info->robot, "single_leg");
   EXPECT_EQ(info->session, 0x7123456789ABCDEF);
+  EXPECT_EQ(info->can, std::vector<std::string>{"leg=socketcan:can1"});
   ASSERT_EQ(info->processes.size(), 1u);
   EXPECT_EQ(info->processes[0].pid, 12);
 }

@@ -11,5 +11,6 @@ void add_safety(CommandLine& sprung);  ///< estop, clear
 void add_status(CommandLine& sprung);
 void add_record(CommandLine& sprung);
 void add_experiment(CommandLine& sprung);
+void add_can(CommandLine& sprung);  ///< can dump, can export
 
 }  // namespace sprung::commands

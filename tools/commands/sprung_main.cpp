@@ -15,5 +15,6 @@ int main(int argc, char** argv) {
   add_status(line);
   add_record(line);
   add_experiment(line);
+  add_can(line);
   return line.run(argc, argv);
 }

@@ -34,6 +34,7 @@ RunInfo describe(const LaunchRequest& request, const RobotConfig& robot) {
   info.session = random_session();
   info.epoch_us = monotonic_us();
   info.lcm_url = request.lcm_url;
+  info.can = request.can;
   info.launcher_pid = getpid();
   return info;
 }

@@ -43,6 +43,7 @@ Json to_json(const RunInfo& info) {
            {"epoch_us", info.epoch_us},
            {"lcm_url", info.lcm_url},
            {"log", info.log},
+           {"can", info.can},
            {"launcher_pid", info.launcher_pid}};
   out["processes"] = Json::array();
   for (const RunningProcess& process : info.processes) {
@@ -63,6 +64,7 @@ RunInfo from_json(const Json& in) {
   info.epoch_us = in.at("epoch_us");
   info.lcm_url = in.at("lcm_url");
   info.log = in.at("log");
+  info.can = in.at("can").get<std::vector<std::string>>();
   info.launcher_pid = in.at("launcher_pid");
   for (const Json& process : in.at("processes")) {
     info.processes.push_back({process.at("program"), process.at("pid")});

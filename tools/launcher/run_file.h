@@ -24,7 +24,8 @@ struct RunInfo {
   std::int64_t session = 0;
   std::int64_t epoch_us = 0;  ///< CLOCK_MONOTONIC at the session's begin
   std::string lcm_url;
-  std::string log;  ///< LCM log being written, empty = none
+  std::string log;               ///< LCM log being written, empty = none
+  std::vector<std::string> can;  ///< BUS=ADDRESS where it is not robot.yaml's
   std::int64_t launcher_pid = 0;
   std::vector<RunningProcess> processes;
 };
