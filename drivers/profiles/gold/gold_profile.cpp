@@ -20,6 +20,9 @@ constexpr std::int16_t kPowerOff = 2;         ///< 0x6007: disable voltage when 
 constexpr std::int16_t kSlowDownThenOff = 2;  ///< 0x605A: quick stop ramp, then switch on disabled
 constexpr int kLargestMaxTorque = 50000;      ///< EDS limit of 0x6072
 constexpr std::uint16_t kDisplayPeriod_ms = 100;  ///< [design choice] a lost mode display heals after this
+/// [design choice] At most so often (10 ms), so that what a bus has to carry has an end. Unconfirmed for longer, a mode only
+/// shows later: nothing in the loop waits for it.
+constexpr std::uint16_t kDisplayInhibit_100us = 100;
 constexpr std::uint8_t kSamplePdo = 0, kSetpointPdo = 0, kDisplayPdo = 1, kControlPdo = 1;
 
 /// 0x60C2: seconds = value * 10^exponent, value 1..255.
@@ -105,7 +108,12 @@ std::vector<PdoSetting> GoldProfile::pdos() const {
        {{{canopen::kPositionActual, 0}, 32},
         {{canopen::kTorqueActual, 0}, 16},
         {{canopen::kStatusWord, 0}, 16}}},
-      {true, kDisplayPdo, canopen::kTypeEvent, {{{canopen::kModeDisplay, 0}, 8}}, kDisplayPeriod_ms},
+      {true,
+       kDisplayPdo,
+       canopen::kTypeEvent,
+       {{{canopen::kModeDisplay, 0}, 8}},
+       kDisplayPeriod_ms,
+       kDisplayInhibit_100us},
       {false,
        kSetpointPdo,
        canopen::kTypeEvent,
