@@ -82,6 +82,7 @@ TEST(Pegasus, LinkEncodersDoNotWrapWithinTheJointsLimits) {
         << robot.joints[i].name;
     EXPECT_GT(std::max(encoder.offset_rad, end_rad), robot.joints[i].position_max_rad)
         << robot.joints[i].name;
+    EXPECT_LT(robot.joints[i].position_max_rad, 0.5 * turn_rad);
   }
 }
 
