@@ -5,8 +5,6 @@
 namespace sprung::sim {
 namespace {
 
-constexpr int kLastSyncType = 240;
-
 std::uint64_t get_bytes(const std::uint8_t* bytes, int count) noexcept {
   std::uint64_t value = 0;
   for (int i = 0; i < count; ++i) value |= static_cast<std::uint64_t>(bytes[i]) << (8 * i);
@@ -26,31 +24,46 @@ PdoExchange::PdoExchange(ObjectDictionary& dictionary, WriteListener& listener, 
 
 void PdoExchange::configure() noexcept {
   for (int n = 0; n < canopen::kPdoCount; ++n) {
-    const auto i = static_cast<std::size_t>(n);
-    receive_[i] = {resolve_pdo(dictionary_, PdoDirection::kReceive, n), {}, false};
-    Transmit transmit;
-    transmit.map = resolve_pdo(dictionary_, PdoDirection::kTransmit, n);
-    const auto communication = static_cast<std::uint16_t>(canopen::kTpdoCommunication + n);
-    transmit.inhibit_us = 100 * dictionary_.get({communication, 3});
-    transmit.event_us = 1000 * dictionary_.get({communication, 5});
-    transmit_[i] = transmit;
+    configure(PdoDirection::kReceive, n);
+    configure(PdoDirection::kTransmit, n);
   }
 }
 
-bool PdoExchange::receive(const CanFrame& frame) noexcept {
-  bool long_enough = true;
+void PdoExchange::configure(const PdoObject& pdo) noexcept { configure(pdo.direction, pdo.n); }
+
+void PdoExchange::configure(PdoDirection direction, int n) noexcept {
+  const auto i = static_cast<std::size_t>(n);
+  const PdoMap map = resolve_pdo(dictionary_, direction, n);
+  if (direction == PdoDirection::kReceive) {
+    receive_[i] = {map, {}, false};
+    return;
+  }
+  Transmit transmit;
+  transmit.map = map;
+  transmit.kind = n == 0 ? FrameKind::kSample : FrameKind::kOther;
+  const auto communication = static_cast<std::uint16_t>(canopen::kTpdoCommunication + n);
+  transmit.inhibit_us = canopen::kInhibitUnit_us * dictionary_.get_or({communication, 3}, 0);
+  transmit.event_us = 1000 * dictionary_.get_or({communication, 5}, 0);
+  transmit_[i] = transmit;
+}
+
+PdoReception PdoExchange::receive(const CanFrame& frame) noexcept {
+  PdoReception result = PdoReception::kForeign;
   for (Receive& pdo : receive_) {
     if (!pdo.map.valid || pdo.map.count == 0 || pdo.map.cob_id != frame.id) continue;
     if (frame.length < pdo.map.length) {
-      long_enough = false;
-    } else if (pdo.map.type <= kLastSyncType) {
+      result = PdoReception::kTooShort;
+      continue;
+    }
+    if (result == PdoReception::kForeign) result = PdoReception::kTaken;
+    if (pdo.map.type <= canopen::kTypeSyncMax) {
       pdo.waiting = frame;
       pdo.has_waiting = true;
     } else {
       apply(pdo.map, frame);
     }
   }
-  return long_enough;
+  return result;
 }
 
 void PdoExchange::apply(const PdoMap& map, const CanFrame& frame) noexcept {
@@ -80,12 +93,12 @@ CanFrame PdoExchange::pack(const PdoMap& map) const noexcept {
 void PdoExchange::send(Transmit& pdo, const CanFrame& frame) noexcept {
   pdo.last = frame;
   pdo.sent = true;
-  outbox_.send(frame);
+  outbox_.send(frame, pdo.kind);
 }
 
 bool PdoExchange::due_by_sync(Transmit& pdo, const CanFrame& frame) noexcept {
-  if (pdo.map.type > kLastSyncType) return false;
-  if (pdo.map.type == 0) return !pdo.sent || !(frame == pdo.last);  // on change, at SYNC
+  if (pdo.map.type > canopen::kTypeSyncMax) return false;
+  if (pdo.map.type == canopen::kTypeSyncOnChange) return !pdo.sent || !(frame == pdo.last);
   if (++pdo.syncs < pdo.map.type) return false;
   pdo.syncs = 0;
   return true;
@@ -106,7 +119,7 @@ void PdoExchange::sync() noexcept {
 
 void PdoExchange::send_events(std::int64_t time_us) noexcept {
   for (Transmit& pdo : transmit_) {
-    if (!pdo.map.valid || pdo.map.count == 0 || pdo.map.type <= kLastSyncType) continue;
+    if (!pdo.map.valid || pdo.map.count == 0 || pdo.map.type <= canopen::kTypeSyncMax) continue;
     const std::int64_t since_us = time_us - pdo.last_us;
     const CanFrame frame = pack(pdo.map);
     const bool changed = !pdo.sent || (!(frame == pdo.last) && since_us >= pdo.inhibit_us);

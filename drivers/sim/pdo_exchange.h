@@ -16,15 +16,23 @@ class WriteListener {
   virtual void written(canopen::ObjectId id) noexcept = 0;
 };
 
+/// What became of a frame.
+enum class PdoReception : std::uint8_t {
+  kForeign,  ///< none of this device's PDOs
+  kTaken,  ///< one that is too long is taken by its first bytes (CiA 301 leaves it open to complain with 8220)
+  kTooShort,  ///< not applied; an emergency is due
+};
+
 class PdoExchange {
  public:
   PdoExchange(ObjectDictionary& dictionary, WriteListener& listener, Outbox& outbox) noexcept;
 
-  /// After a change of the configuration, and when the device becomes operational: every event TPDO is sent
-  /// once.
+  /// When the device becomes operational: every PDO begins anew, and every event TPDO is sent once.
   void configure() noexcept;
-  /// @return false on an RPDO that is too short: it is not applied, and an emergency is due.
-  bool receive(const CanFrame& frame) noexcept;
+  /// After a change of this PDO's objects: it alone begins anew.
+  void configure(const PdoObject& pdo) noexcept;
+  /// Several RPDOs may share an identifier.
+  PdoReception receive(const CanFrame& frame) noexcept;
   /// Sends what is due by SYNC, then applies what waited for it.
   void sync() noexcept;
   /// Sends event TPDOs that changed or whose timer is up.
@@ -38,6 +46,7 @@ class PdoExchange {
   };
   struct Transmit {
     PdoMap map;
+    FrameKind kind = FrameKind::kOther;
     CanFrame last;
     bool sent = false;
     int syncs = 0;
@@ -45,6 +54,7 @@ class PdoExchange {
     std::int64_t inhibit_us = 0;
     std::int64_t event_us = 0;  ///< 0 = no timer
   };
+  void configure(PdoDirection direction, int n) noexcept;
   void apply(const PdoMap& map, const CanFrame& frame) noexcept;
   CanFrame pack(const PdoMap& map) const noexcept;
   bool due_by_sync(Transmit& pdo, const CanFrame& frame) noexcept;

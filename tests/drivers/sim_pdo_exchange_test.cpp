@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "drivers/profiles/gold/gold_device_objects.h"
 #include "drivers/sim/pdo_exchange.h"
+#include "tests/drivers/sim_node_bench.h"
 
 namespace sprung::sim {
 namespace {
@@ -33,7 +33,7 @@ class PdoExchangeTest : public testing::Test, public WriteListener {
     return count;
   }
 
-  ObjectDictionary dictionary_ = gold_dictionary({});
+  ObjectDictionary dictionary_{load_eds("gold", 1)};
   FrameBatch out_;
   Outbox outbox_{0};
   PdoExchange exchange_{dictionary_, *this, outbox_};
@@ -101,7 +101,7 @@ TEST_F(PdoExchangeTest, InhibitTimeHoldsChangesBackAndTimerRepeats) {
 
 TEST_F(PdoExchangeTest, EventReceptionActsAtOnceAndTellsAfterAllIsWritten) {
   map(0x1400, 255, {0x60710010, 0x607A0020, 0x60600008});
-  EXPECT_TRUE(exchange_.receive({0x201, 7, {0x9C, 0xFF, 1, 0, 0, 0, 8}, false}));
+  EXPECT_EQ(exchange_.receive({0x201, 7, {0x9C, 0xFF, 1, 0, 0, 0, 8}, false}), PdoReception::kTaken);
   EXPECT_EQ(dictionary_.get({0x6071, 0}), -100);
   EXPECT_EQ(dictionary_.get({0x607A, 0}), 1);
   EXPECT_EQ(dictionary_.get({0x6060, 0}), 8);
@@ -110,7 +110,7 @@ TEST_F(PdoExchangeTest, EventReceptionActsAtOnceAndTellsAfterAllIsWritten) {
 
 TEST_F(PdoExchangeTest, SyncReceptionWaitsForSync) {
   map(0x1400, 1, {0x60710010});
-  EXPECT_TRUE(exchange_.receive({0x201, 2, {50, 0}, false}));
+  EXPECT_EQ(exchange_.receive({0x201, 2, {50, 0}, false}), PdoReception::kTaken);
   EXPECT_EQ(dictionary_.get({0x6071, 0}), 0);
   exchange_.sync();
   EXPECT_EQ(dictionary_.get({0x6071, 0}), 50);
@@ -121,24 +121,67 @@ TEST_F(PdoExchangeTest, SyncReceptionWaitsForSync) {
 
 TEST_F(PdoExchangeTest, TooShortIsNotAppliedTooLongIs) {
   map(0x1400, 255, {0x60710010, 0x60600008});
-  EXPECT_FALSE(exchange_.receive({0x201, 2, {50, 0}, false}));
+  EXPECT_EQ(exchange_.receive({0x201, 2, {50, 0}, false}), PdoReception::kTooShort);
   EXPECT_EQ(dictionary_.get({0x6071, 0}), 0);
-  EXPECT_TRUE(exchange_.receive({0x201, 8, {50, 0, 10}, false}));
+  EXPECT_EQ(exchange_.receive({0x201, 8, {50, 0, 10}, false}), PdoReception::kTaken);
   EXPECT_EQ(dictionary_.get({0x6071, 0}), 50);
 }
 
 TEST_F(PdoExchangeTest, DummiesAreSkipped) {
   map(0x1400, 255, {0x00050008, 0x60710010});
-  EXPECT_TRUE(exchange_.receive({0x201, 3, {0xAA, 50, 0}, false}));
+  EXPECT_EQ(exchange_.receive({0x201, 3, {0xAA, 50, 0}, false}), PdoReception::kTaken);
   EXPECT_EQ(dictionary_.get({0x6071, 0}), 50);
   EXPECT_EQ(written_, std::vector<int>{0x6071});
+}
+
+TEST_F(PdoExchangeTest, SeveralPdosMayShareAnIdentifier) {
+  dictionary_.set({0x1401, 1}, 0x201);
+  map(0x1400, 255, {0x60710010});
+  map(0x1401, 255, {0x00050008, 0x00050008, 0x60600008});
+  EXPECT_EQ(exchange_.receive({0x201, 3, {50, 0, 8}, false}), PdoReception::kTaken);
+  EXPECT_EQ(dictionary_.get({0x6071, 0}), 50);
+  EXPECT_EQ(dictionary_.get({0x6060, 0}), 8);
+}
+
+/// One of them that is long enough does not hide that the other one is not.
+TEST_F(PdoExchangeTest, OneOfSeveralThatIsTooShortIsTold) {
+  dictionary_.set({0x1401, 1}, 0x201);
+  map(0x1400, 255, {0x60710010});
+  map(0x1401, 255, {0x607A0020});
+  EXPECT_EQ(exchange_.receive({0x201, 2, {50, 0}, false}), PdoReception::kTooShort);
+  EXPECT_EQ(dictionary_.get({0x6071, 0}), 50);
+}
+
+TEST_F(PdoExchangeTest, ChangingOnePdoDoesNotDisturbTheOthers) {
+  quiet();
+  map(0x1800, 255, {0x60610008});
+  exchange_.send_events(0);
+  ASSERT_EQ(sent(), 1);
+  exchange_.configure({PdoDirection::kReceive, true, 2});
+  exchange_.configure({PdoDirection::kTransmit, false, 1});
+  exchange_.send_events(250);
+  EXPECT_EQ(sent(), 0);
+  exchange_.configure({PdoDirection::kTransmit, false, 0});
+  exchange_.send_events(500);
+  EXPECT_EQ(sent(), 1);
+}
+
+TEST_F(PdoExchangeTest, OnlyTpdo1IsASample) {
+  outbox_.set_fault(FaultKind::kShortPdo, 0.0, true);
+  dictionary_.set({0x1801, 1}, 0x281);
+  map(0x1801, 1, {0x60410010});
+  map(0x1800, 1, {0x60640020});
+  exchange_.sync();
+  ASSERT_EQ(out_.size(), 2);
+  EXPECT_EQ(out_[0].frame.length, 3);
+  EXPECT_EQ(out_[1].frame.length, 2);
 }
 
 TEST_F(PdoExchangeTest, InvalidPdosAndForeignFramesAreIgnored) {
   dictionary_.set({0x1400, 1}, 0x80000201);
   exchange_.configure();
-  EXPECT_TRUE(exchange_.receive({0x201, 0, {}, false}));
-  EXPECT_TRUE(exchange_.receive({0x202, 0, {}, false}));
+  EXPECT_EQ(exchange_.receive({0x201, 0, {}, false}), PdoReception::kForeign);
+  EXPECT_EQ(exchange_.receive({0x202, 0, {}, false}), PdoReception::kForeign);
   EXPECT_TRUE(written_.empty());
 }
 

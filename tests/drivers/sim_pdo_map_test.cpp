@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "drivers/profiles/gold/gold_device_objects.h"
+#include <array>
+
 #include "drivers/sim/pdo_map.h"
+#include "tests/drivers/sim_node_bench.h"
 
 namespace sprung::sim {
 namespace {
@@ -12,9 +14,15 @@ class PdoMapTest : public testing::Test {
   std::uint32_t write(std::uint16_t index, int sub, std::uint32_t value, int size) {
     const canopen::ObjectId id{index, static_cast<std::uint8_t>(sub)};
     if (const std::uint32_t error = check_pdo_write(dictionary_, id, value)) return error;
-    return dictionary_.write(id, value, size);
+    std::array<std::uint8_t, 4> bytes{};
+    canopen::put_le(bytes.data(), value, 4);
+    std::int64_t number = 0;
+    const auto count = static_cast<std::size_t>(size);
+    const std::uint32_t error = dictionary_.check(id, bytes.data(), count, true, number);
+    if (error == 0) dictionary_.accept(id, bytes.data(), count, number);
+    return error;
   }
-  ObjectDictionary dictionary_ = gold_dictionary({});
+  ObjectDictionary dictionary_{load_eds("gold", 1)};
 };
 
 TEST_F(PdoMapTest, RemapsInTheAcceptedOrder) {
@@ -82,26 +90,78 @@ TEST_F(PdoMapTest, ReceptionMayHaveDummies) {
   EXPECT_EQ(pdo.length, 3);
 }
 
+TEST_F(PdoMapTest, OnlyTheDevicesOwnDummiesAreTakenAndOnlyInTheirLength) {
+  ASSERT_EQ(write(0x1400, 1, 0x80000201, 4), 0U);
+  ASSERT_EQ(write(0x1600, 0, 0, 1), 0U);
+  EXPECT_EQ(write(0x1600, 1, 0x00050010, 4), canopen::kAbortNotMappable);
+  EXPECT_EQ(write(0x1600, 1, 0x00060010, 4), canopen::kAbortNoObject);
+}
+
 TEST_F(PdoMapTest, IdentifierIsChangedOnlyWhileInvalidAndWithinItsRange) {
   EXPECT_EQ(write(0x1800, 1, 0x1F0, 4), canopen::kAbortDeviceState);
   EXPECT_EQ(write(0x1800, 1, 0x800001F0, 4), 0U);
   EXPECT_EQ(write(0x1800, 1, 0x1F0, 4), 0U);
-  EXPECT_EQ(write(0x1800, 1, 0x80000080, 4), canopen::kAbortRange);
+  EXPECT_EQ(write(0x1800, 1, 0x80000000, 4), 0U);  // switched off: the identifier does not matter
+  for (const std::uint32_t id : {0x000U, 0x080U, 0x180U, 0x580U, 0x601U, 0x701U, 0x7FFU})
+    EXPECT_EQ(write(0x1800, 1, id, 4), canopen::kAbortRange) << id;
   EXPECT_EQ(write(0x1800, 1, 0xA00001F0, 4), canopen::kAbortRange);  // extended
+  EXPECT_EQ(write(0x1800, 1, 0x200001F0, 4), canopen::kAbortRange);
+  EXPECT_EQ(write(0x1800, 1, 0x57F, 4), 0U);
 }
 
-TEST_F(PdoMapTest, RemoteRequestTypesAreRefused) {
-  EXPECT_EQ(write(0x1800, 2, 240, 1), 0U);
-  EXPECT_EQ(write(0x1800, 2, 241, 1), canopen::kAbortRange);
-  EXPECT_EQ(write(0x1800, 2, 253, 1), canopen::kAbortRange);
-  EXPECT_EQ(write(0x1800, 2, 255, 1), 0U);
+TEST_F(PdoMapTest, ReservedAndRemoteRequestTypesAreRefused) {
+  for (const std::uint32_t type : {0U, 1U, 240U, 254U, 255U})
+    EXPECT_EQ(write(0x1800, 2, type, 1), 0U) << type;
+  for (std::uint32_t type = 241; type <= 253; ++type)
+    EXPECT_EQ(write(0x1800, 2, type, 1), canopen::kAbortRange) << type;
+}
+
+TEST_F(PdoMapTest, InhibitTimeIsChangedOnlyWhileInvalid) {
+  EXPECT_EQ(write(0x1800, 3, 10, 2), canopen::kAbortDeviceState);
+  ASSERT_EQ(write(0x1800, 1, 0x80000181, 4), 0U);
+  EXPECT_EQ(write(0x1800, 3, 10, 2), 0U);
+}
+
+TEST_F(PdoMapTest, EventTimerMayBeChangedAnyTime) { EXPECT_EQ(write(0x1800, 5, 100, 2), 0U); }
+
+TEST(PdoMap, ADeviceNeedNotHaveAllPdos) {
+  const ObjectDictionary card(load_eds("encoder_card", 1));
+  EXPECT_TRUE(resolve_pdo(card, PdoDirection::kTransmit, 0).valid);
+  EXPECT_EQ(resolve_pdo(card, PdoDirection::kTransmit, 0).length, 8);
+  EXPECT_FALSE(resolve_pdo(card, PdoDirection::kTransmit, 1).valid);
+  EXPECT_FALSE(resolve_pdo(card, PdoDirection::kReceive, 0).valid);
+}
+
+/// As in the EDS: all of an EPOS2's reception is on at the start, of transmission TPDO1 only.
+TEST(PdoMap, DefaultsOfAnEpos2AreThoseOfItsEds) {
+  const ObjectDictionary epos(load_eds("epos2", 1));
+  for (int n = 0; n < 4; ++n) {
+    EXPECT_TRUE(resolve_pdo(epos, PdoDirection::kReceive, n).valid) << n;
+    EXPECT_EQ(resolve_pdo(epos, PdoDirection::kTransmit, n).valid, n == 0) << n;
+    EXPECT_EQ(resolve_pdo(epos, PdoDirection::kTransmit, n).cob_id, canopen::tpdo_id(n, 1));
+  }
+  EXPECT_EQ(resolve_pdo(epos, PdoDirection::kReceive, 2).length, 6);  // 6040 + 607A
+}
+
+/// An EPOS2 takes a current set-point both ways.
+TEST(PdoMap, ObjectsOfBothDirectionsAreMappedInBoth) {
+  const ObjectDictionary epos(load_eds("epos2", 1));
+  ASSERT_FALSE(resolve_pdo(epos, PdoDirection::kTransmit, 3).valid);
+  ObjectDictionary quiet = epos;
+  quiet.set({0x1A03, 0}, 0);
+  quiet.set({0x1600, 0}, 0);
+  quiet.set({0x1400, 1}, 0x80000201);
+  EXPECT_EQ(check_pdo_write(quiet, {0x1A03, 1}, 0x20300010), 0U);
+  EXPECT_EQ(check_pdo_write(quiet, {0x1600, 1}, 0x20300010), 0U);
+  EXPECT_EQ(check_pdo_write(quiet, {0x1600, 1}, 0x60780010), canopen::kAbortNotMappable);
 }
 
 TEST_F(PdoMapTest, OtherObjectsAreNotItsBusiness) {
   EXPECT_EQ(check_pdo_write(dictionary_, {0x6071, 0}, 1), 0U);
-  EXPECT_FALSE(configures_pdo({0x6071, 0}));
-  EXPECT_FALSE(configures_pdo({0x1804, 1}));
-  EXPECT_TRUE(configures_pdo({0x1A03, 1}));
+  EXPECT_EQ(pdo_object(0x6071).n, -1);
+  EXPECT_EQ(pdo_object(0x1804).n, -1);
+  EXPECT_EQ(pdo_object(0x1A03).n, 3);
+  EXPECT_TRUE(pdo_object(0x1A03).mapping);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "drivers/profiles/gold/gold_device_objects.h"
 
 #include "drivers/canopen/objects.h"
+#include "drivers/canopen/protocol.h"
 #include "drivers/profiles/gold/gold_units.h"
 
 namespace sprung::sim {
@@ -22,7 +23,7 @@ constexpr auto kI32 = ObjectType::kI32;
 constexpr std::int64_t kModes = (1 << 7) | (1 << 9);
 
 void add(Table& table, int index, int sub, ObjectType type, Access access, Mappable mappable,
-         std::int64_t initial, std::int64_t low = 0, std::int64_t high = 0) {
+         std::int64_t initial, std::int64_t low = kNoLow, std::int64_t high = kNoHigh) {
   const canopen::ObjectId id{static_cast<std::uint16_t>(index), static_cast<std::uint8_t>(sub)};
   table.push_back({id, type, access, mappable, initial, low, high});
 }
@@ -30,7 +31,7 @@ void add(Table& table, int index, int sub, ObjectType type, Access access, Mappa
 void add_communication(Table& table, const GoldCommissioning& gold) {
   add(table, canopen::kDeviceType, 0, kU32, kRo, kNo, 0x00020192);
   add(table, canopen::kErrorRegister, 0, kU8, kRo, kT, 0);
-  add(table, canopen::kErrorHistory, 0, kU8, kRw, kNo, 0, -1, 0);  // only 0 may be written: it clears
+  add(table, canopen::kErrorHistory, 0, kU8, kRw, kNo, 0, 0, 0);  // only 0 may be written: it clears
   for (int sub = 1; sub <= kErrorHistoryLength; ++sub)
     add(table, canopen::kErrorHistory, sub, kU32, kRo, kNo, 0);
   add(table, canopen::kSyncCobId, 0, kU32, kRw, kNo, canopen::kSyncId, 0x80, 0x80);
@@ -123,7 +124,7 @@ ObjectDictionary gold_dictionary(const GoldCommissioning& commissioning) {
   add_pdos(table, commissioning.node);
   add_power(table);
   add_motion(table, commissioning);
-  return ObjectDictionary(std::move(table));
+  return ObjectDictionary(std::move(table), {0x0005});  // its one dummy: 8 bits
 }
 
 }  // namespace sprung::sim
