@@ -59,7 +59,7 @@ void CanopenDevice::receive(const CanFrame& frame, std::int64_t time_us) noexcep
   } else if (frame.id == canopen::sdo_client_id(node_)) {
     if (state_ != NmtState::kStopped) serve(frame, time_us);
   } else if (operational()) {
-    is_sync(frame) ? pdos_.sync() : receive_pdo(frame);
+    is_sync(frame) ? sync() : receive_pdo(frame);
   }
 }
 
@@ -158,6 +158,11 @@ void CanopenDevice::answer_guard(std::int64_t time_us) noexcept {
   const MasterWatch::Change change = watch_.guard(node_, state_, time_us, reply, answers);
   if (answers) outbox_.send(reply, FrameKind::kHeartbeat);
   follow(change);
+}
+
+void CanopenDevice::sync() noexcept {
+  application_.synced();
+  pdos_.sync();
 }
 
 void CanopenDevice::receive_pdo(const CanFrame& frame) noexcept {

@@ -20,6 +20,8 @@ class DeviceApplication : public WriteListener {
   virtual std::uint32_t check_write(canopen::ObjectId /*id*/, std::int64_t /*value*/) noexcept { return 0; }
   /// The same for an SDO read.
   virtual std::uint32_t check_read(canopen::ObjectId /*id*/) noexcept { return 0; }
+  /// SYNC in operational, before the PDOs that it makes due: the moment to sample.
+  virtual void synced() noexcept {}
   /// Operational was left, or the master or the bus is gone: object 0x6007 says what to do.
   virtual void connection_lost() noexcept = 0;
   /// The cause of a communication error is gone.
@@ -81,6 +83,7 @@ class CanopenDevice : private canopen::SdoObjects {
   void restart() noexcept;
   void serve(const CanFrame& frame, std::int64_t time_us) noexcept;
   void answer_guard(std::int64_t time_us) noexcept;
+  void sync() noexcept;
   void receive_pdo(const CanFrame& frame) noexcept;
   void follow(MasterWatch::Change change) noexcept;
   void communication_error(std::uint16_t code) noexcept;
