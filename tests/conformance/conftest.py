@@ -1,0 +1,152 @@
+"""Options and fixtures: one simulated robot a profile and run, or a real drive by --bus."""
+import collections
+
+import canopen
+import pytest
+
+import objects
+import programs
+from wire import PATIENCE_S, Wire
+
+Profile = collections.namedtuple("Profile", "robot actuator")  # where the profile is found in robots/
+PROFILES = {"gold": Profile("single_leg", True), "epos2": Profile("pegasus", True),
+            "encoder_card": Profile("pegasus", False)}
+
+
+def pytest_addoption(parser):
+    parser.addoption("--programs", default=str(programs.TOP / "build/release/bin"), help="folder of sprung's programs")
+    parser.addoption("--bus", help="a real drive: socketcan:can0; needs --read-only, --node and --profile")
+    parser.addoption("--node", type=int, help="its node id")
+    parser.addoption("--profile", choices=sorted(PROFILES), help="which EDS it should agree with")
+    parser.addoption("--read-only", action="store_true", help="read every object, write none")
+
+
+def pytest_configure(config):
+    config.addinivalue_line("markers", "reads_only: changes nothing on the device; may be run on a real drive")
+    option = config.option
+    if option.bus and not (option.read_only and option.node and option.profile):
+        raise pytest.UsageError("--bus names a real drive, which only a read-only scan may touch: "
+                                "add --read-only --node N --profile P")
+
+
+def pytest_collection_modifyitems(config, items):
+    if not config.option.bus:
+        return
+    real = [item for item in items if item.get_closest_marker("reads_only")
+            and item.callspec.params.get("profile", config.option.profile) == config.option.profile]
+    items[:] = real
+
+
+class Device:
+    """A simulated (or real) node on its bus, as python-canopen's master sees it."""
+
+    def __init__(self, profile, wire, node, robot, settings):
+        self.profile, self.wire, self.node = profile, wire, node
+        self.robot, self.settings = robot, settings  # robot.yaml, and the device's part of it
+        self.remote = canopen.BaseNode402(node, objects.dictionary(profile, node))
+        self._connect()
+
+    def _connect(self):
+        self.wire.network.add_node(self.remote)
+        self.sdo = self.remote.sdo
+
+    def nmt(self, command, node=None):
+        self.wire.send(0x000, [command, self.node if node is None else node])
+
+    def reset(self, command=0x81):
+        """NMT reset and the boot-up that must follow; afterwards the device is as after power-on."""
+        mark = self.wire.record.mark()
+        self.nmt(command)
+        boot = self.wire.record.wait_for(
+            lambda f: f.arbitration_id == 0x700 + self.node and bytes(f.data) == b"\0", mark)
+        assert boot is not None, f"no boot-up frame after NMT 0x{command:02X}"
+
+    def reset_communication_after_loss(self):
+        """The first half of the way back after a lost master (facts 2.5); what the master was watched by is off then."""
+        self.reset(0x82)
+
+    def forget_python_state(self):
+        """A new python-canopen node: the old one's cached PDOs are those of the last test."""
+        for pdo in [*self.remote.tpdo.values(), *self.remote.rpdo.values()]:
+            pdo.callbacks.clear()
+        self.wire.network.pop(self.node)
+        self.remote = canopen.BaseNode402(self.node, objects.dictionary(self.profile, self.node))
+        self._connect()
+
+
+class Bench:
+    """One process of simulated drives; its buses and wires."""
+
+    def __init__(self, folder, robot, log):
+        self.robot = programs.robot_file(robot)
+        buses = {bus["name"]: programs.random_bus() for bus in self.robot["buses"]}
+        first = self.robot["buses"][0]["name"]
+        self.first = first
+        self.wire = Wire(buses[first])
+        self.process = programs.start_simulated_drives(folder, robot, buses, log)
+        nodes = [d["node"] for d in self.robot["actuators"] + self.robot.get("encoder_cards", [])
+                 if d["bus"] == first]
+        for node in nodes:
+            boot = self.wire.record.wait_for_id(0x700 + node, patience_s=3 * PATIENCE_S)
+            assert boot is not None, f"node {node} sent no boot-up frame; sprung-sim-drives said:\n{self.process.said()}"
+            assert bytes(boot.data) == b"\0"
+
+    def settings(self, profile):
+        found = self.robot["actuators"] if PROFILES[profile].actuator else self.robot["encoder_cards"]
+        return next(d for d in found if d["bus"] == self.first and d["profile"] == profile)
+
+    def close(self):
+        self.wire.close()
+        assert self.process.stop() == 0, self.process.said()
+
+
+@pytest.fixture(scope="session")
+def benches(request, tmp_path_factory):
+    """@return a function: the bench of a robot, started when it is first needed."""
+    started = {}
+
+    def bench(robot):
+        if robot not in started:
+            log = tmp_path_factory.mktemp("programs") / f"{robot}.log"
+            started[robot] = Bench(request.config.option.programs, robot, log)
+        return started[robot]
+
+    yield bench
+    for one in started.values():
+        one.close()
+
+
+@pytest.fixture(scope="session")
+def devices(request, benches):
+    """@return a function: the device of a profile."""
+    made = {}
+    option = request.config.option
+
+    def real(profile):
+        interface, channel = option.bus.split(":", 1)
+        return Device(profile, Wire({"interface": interface, "channel": channel}), option.node, None, None)
+
+    def simulated(profile):
+        bench = benches(PROFILES[profile].robot)
+        settings = bench.settings(profile)
+        return Device(profile, bench.wire, settings["node"], bench.robot, settings)
+
+    def device(profile):
+        if profile not in made:
+            made[profile] = (real if option.bus else simulated)(profile)
+        return made[profile]
+
+    yield device
+    if option.bus:
+        for one in made.values():
+            one.wire.close()
+
+
+@pytest.fixture
+def device(devices, profile):
+    """The device of the test's parameter `profile`, as after power-on."""
+    one = devices(profile)
+    if one.settings is not None:
+        one.forget_python_state()
+        one.reset()
+    return one

@@ -1,0 +1,73 @@
+"""Starts sprung's real processes on a CAN bus and an LCM network of their own, and leaves none behind."""
+import ctypes
+import os
+import pathlib
+import random
+import signal
+import subprocess
+
+import yaml
+
+TOP = pathlib.Path(__file__).resolve().parents[2]
+_PR_SET_PDEATHSIG = 1
+_LIBC = ctypes.CDLL(None)
+
+
+def random_bus():
+    """python-can's arguments for a bus that nobody else is on; hop limit 0 keeps its frames on this machine."""
+    group = f"239.74.{random.randint(1, 254)}.{random.randint(1, 254)}"
+    return {"interface": "udp_multicast", "channel": group, "port": random.randint(20000, 60000), "hop_limit": 0}
+
+
+def address(bus):
+    """The same bus in sprung's words."""
+    return f"udp:{bus['channel']}:{bus['port']}"
+
+
+def random_lcm_url():
+    return f"udpm://239.255.{random.randint(1, 254)}.{random.randint(1, 254)}:{random.randint(20000, 60000)}?ttl=0"
+
+
+def robot_file(robot):
+    return yaml.safe_load((TOP / "robots" / robot / "robot.yaml").read_text())
+
+
+def _die_with_parent():
+    _LIBC.prctl(_PR_SET_PDEATHSIG, signal.SIGTERM)
+
+
+class Program:
+    """A running program of sprung; what it says goes to a file."""
+
+    def __init__(self, folder, arguments, log, environment=None):
+        self.log = log
+        with open(log, "w", encoding="utf-8") as out:
+            self._process = subprocess.Popen(
+                [str(pathlib.Path(folder) / arguments[0]), *map(str, arguments[1:])], stdout=out,
+                stderr=subprocess.STDOUT, env={**os.environ, **(environment or {})}, preexec_fn=_die_with_parent)
+
+    def running(self):
+        return self._process.poll() is None
+
+    def said(self):
+        return pathlib.Path(self.log).read_text(encoding="utf-8", errors="replace")
+
+    def stop(self, patience_s=20.0):
+        """@return the exit status; a program that does not end by itself is ended, and that is an error."""
+        if self.running():
+            self._process.send_signal(signal.SIGINT)
+        try:
+            return self._process.wait(patience_s)
+        except subprocess.TimeoutExpired:
+            self._process.kill()
+            self._process.wait()
+            raise AssertionError(f"it did not end; it said:\n{self.said()}") from None
+
+
+def start_simulated_drives(folder, robot, buses, log):
+    """sprung-sim-drives alone, in real time, as `sprung up` starts it. @param buses name to python-can's arguments."""
+    arguments = ["sprung-sim-drives", "--robot", TOP / "robots" / robot, "--session", random.getrandbits(40),
+                 "--lcm-url", random_lcm_url(), "--clock", "realtime", "--rt-policy", "off", "--no-truth"]
+    for name, bus in buses.items():
+        arguments += ["--can", f"{name}={address(bus)}"]
+    return Program(folder, arguments, log)

@@ -1,0 +1,202 @@
+"""CiA 402 (facts canopen 2.1-2.3): the way to operation enabled and back, every control word in every state, modes."""
+import time
+
+import pytest
+
+from test_pdo import configure, silence
+from wire import PATIENCE_S, until
+
+DRIVES = ["gold", "epos2"]
+FAULT_RESET = 0x80
+MASTER = 0x7F
+
+OFF, READY, ON, ENABLED = "SWITCH ON DISABLED", "READY TO SWITCH ON", "SWITCHED ON", "OPERATION ENABLED"
+QUICK_STOP, FAULT = "QUICK STOP ACTIVE", "FAULT"
+WAY_TO = {OFF: [0], READY: [0, 6], ON: [0, 6, 7], ENABLED: [0, 6, 7, 15]}
+
+# Typed from facts 2.1: what the low four bits of a control word ask for.
+COMMAND = {0: "voltage off", 1: "voltage off", 2: "quick stop", 3: "quick stop", 4: "voltage off", 5: "voltage off",
+           6: "shutdown", 7: "switch on", 8: "voltage off", 9: "voltage off", 10: "quick stop", 11: "quick stop",
+           12: "voltage off", 13: "voltage off", 14: "shutdown", 15: "enable"}
+# Typed from facts 2.1, transitions 2-12: where each leads; what is not here changes nothing.
+NEXT = {
+    OFF: {"shutdown": READY},
+    READY: {"switch on": ON, "enable": ON, "quick stop": OFF, "voltage off": OFF},  # 0x0F holds switch on as well
+    ON: {"shutdown": READY, "enable": ENABLED, "quick stop": OFF, "voltage off": OFF},
+    ENABLED: {"shutdown": READY, "switch on": ON, "quick stop": QUICK_STOP, "voltage off": OFF},
+    FAULT: {},
+}
+# EPOS2's status words under mask 0x417F (facts 2.2). Those that last only as long as the drive measures or brakes may be missed.
+EPOS2_WORDS = {"start": 0x0000, "not ready": 0x0100, OFF: 0x0140, READY: 0x0121, ON: 0x0123, "refresh": 0x4123,
+               "measure init": 0x4133, ENABLED: 0x0137, QUICK_STOP: 0x0117, "fault reaction, disabled": 0x010F,
+               "fault reaction, enabled": 0x011F, FAULT: 0x0108}
+MODES = {"gold": [8, 10], "epos2": [-3, -1]}
+UNKNOWN_MODE = {"gold": 2, "epos2": 8}
+
+
+class BySdo:
+    """Power states through SDO alone: each answer is newer than the question."""
+
+    def __init__(self, device):
+        self.device = device
+
+    def command(self, word):
+        self.device.sdo[0x6040].raw = word
+
+    def state(self):
+        word = self.device.sdo[0x6041].raw
+        return next(name for name, (mask, bits) in self.masks().items() if word & mask == bits)
+
+    @staticmethod
+    def masks():
+        from canopen.profiles.p402 import State402
+        return State402.SW_MASK
+
+    def reaches(self, state, patience_s=PATIENCE_S):
+        return until(lambda: self.state() == state, patience_s)
+
+    def go(self, state):
+        if state == FAULT:
+            return self.fail()
+        for step, word in enumerate(WAY_TO[state]):
+            self.command(word)
+            assert self.reaches([OFF, READY, ON, ENABLED][step]), f"{word:#x} led to {self.state()}"
+        return None
+
+    def fail(self):
+        """A fault of the drive's own, without touching its insides: the master's heartbeat ends, and 0x6007 says fault."""
+        self.go(ENABLED)
+        lose_heartbeat(self.device, 1)
+        assert self.reaches(FAULT)
+
+    def settled(self):
+        """The state some milliseconds later: all that the drive does at once has been done."""
+        time.sleep(0.005)
+        return self.state()
+
+
+def lose_heartbeat(device, option, time_ms=50):
+    """One heartbeat of a master, and silence. @return the emergency that the device sends then, and both times."""
+    device.sdo[0x6007].raw = option
+    device.sdo[0x1016][1].raw = MASTER << 16 | time_ms
+    mark = device.wire.record.mark()
+    device.wire.send(0x700 + MASTER, b"\x05")
+    emergency = device.wire.record.wait_for_id(0x80 + device.node, mark)
+    assert emergency is not None, "no emergency after the master's heartbeat stopped"
+    return emergency, device.wire.record.wait_for_id(0x700 + MASTER, mark).timestamp
+
+
+@pytest.fixture
+def power(device):
+    one = BySdo(device)
+    assert one.reaches(OFF), f"after power-on: {one.state()}"
+    yield one
+    one.command(0)
+
+
+@pytest.mark.parametrize("profile", DRIVES)
+@pytest.mark.parametrize("state", [OFF, READY, ON, ENABLED, FAULT])
+def test_every_control_word_leads_where_the_table_says(device, power, profile, state):
+    wrong = []
+    for word, command in COMMAND.items():
+        if state != FAULT or word == 0:
+            power.go(state)
+        expected = NEXT[state].get(command, state)
+        power.command(word)
+        # A motor at rest has nothing to brake: quick stop may be over at once.
+        good = {expected, OFF} if expected == QUICK_STOP else {expected}
+        until(lambda good=good: power.state() in good)
+        if power.settled() not in good:
+            wrong.append(f"{word:#06x} ({command}): expected {expected}, found {power.state()}")
+    assert not wrong, f"from {state}:\n" + "\n".join(wrong)
+
+
+@pytest.mark.parametrize("profile", DRIVES)
+def test_fault_is_left_by_a_rising_edge_of_bit_7_only(device, power, profile):
+    power.command(FAULT_RESET)
+    power.fail()
+    device.reset_communication_after_loss()
+    assert power.settled() == FAULT
+    power.command(FAULT_RESET | 0x0F)  # bit 7 was 0: the edge; its other bits command nothing
+    assert power.reaches(OFF)
+
+
+@pytest.mark.parametrize("profile", DRIVES)
+def test_fault_reset_bit_that_was_set_all_the_time_is_no_edge(device, power, profile):
+    power.go(ENABLED)
+    power.command(FAULT_RESET | 0x0F)
+    assert power.settled() == ENABLED  # no command is in such a word
+    lose_heartbeat(device, 1)
+    assert power.reaches(FAULT)
+    device.reset_communication_after_loss()
+    power.command(FAULT_RESET)
+    assert power.settled() == FAULT
+    power.command(0)
+    power.command(FAULT_RESET)
+    assert power.reaches(OFF)
+
+
+@pytest.mark.parametrize("profile", DRIVES)
+@pytest.mark.parametrize("pdo", [False, True], ids=["sdo", "pdo"])
+def test_python_canopens_own_402_node_brings_the_drive_up_and_down(device, profile, pdo):
+    silence(device)
+    remote = device.remote
+    for name in ("TIMEOUT_SWITCH_STATE_SINGLE", "TIMEOUT_SWITCH_STATE_FINAL", "TIMEOUT_CHECK_TPDO"):
+        setattr(remote, name, PATIENCE_S)
+    if pdo:
+        configure(remote.tpdo[1], [0x6064, 0x6041], 1, 0, device.node, True)
+        configure(remote.rpdo[1], [0x6040], 255, 0, device.node, False)
+        configure(remote.rpdo[2], [0x6060], 255, 1, device.node, False)
+    remote.setup_402_state_machine()
+    remote.nmt.state = "OPERATIONAL"
+    device.wire.network.sync.start(0.005)
+    try:
+        for state in (READY, ON, ENABLED, ON, READY, OFF, ENABLED, OFF):
+            remote.state = state
+            assert remote.state == state
+    finally:
+        device.wire.network.sync.stop()
+
+
+@pytest.mark.parametrize("profile", DRIVES)
+def test_mode_counts_when_its_display_confirms_it(device, power, profile):
+    for state in (OFF, ENABLED):
+        power.go(state)
+        for mode in [*MODES[profile], *MODES[profile]]:
+            device.sdo[0x6060].raw = mode
+            assert until(lambda mode=mode: device.sdo[0x6061].raw == mode)
+    try:
+        device.sdo[0x6060].raw = UNKNOWN_MODE[profile]
+    except Exception as error:
+        assert error.code in (0x06090030, 0x06090031), error
+    power.settled()
+    assert device.sdo[0x6061].raw == MODES[profile][-1]
+
+
+@pytest.mark.parametrize("profile", ["epos2"])
+def test_status_words_are_those_of_the_table(device, power, profile):
+    silence(device)
+    configure(device.remote.tpdo[1], [0x6041], 255, 0, device.node, True, inhibit=0)
+    mark = device.wire.record.mark()
+    device.nmt(0x01)
+    power.fail()
+    device.reset_communication_after_loss()
+    configure(device.remote.tpdo[1], [0x6041], 255, 0, device.node, True, inhibit=0)
+    device.nmt(0x01)
+    power.command(0)
+    power.command(FAULT_RESET)
+    assert power.reaches(OFF)
+    words = {int.from_bytes(f.data, "little") & 0x417F for f in device.wire.record.since(mark, 0x180 + device.node)}
+    assert words <= set(EPOS2_WORDS.values()), [f"{word:#06x}" for word in sorted(words)]
+    seen = [name for name, word in EPOS2_WORDS.items() if word in words]
+    print(f"\nepos2: status words seen: {', '.join(seen)}")
+    assert {OFF, READY, ON, "refresh", "measure init", ENABLED, FAULT} <= set(seen), seen
+
+
+@pytest.mark.parametrize("profile", DRIVES)
+def test_remote_bit_says_operational(device, power, profile):
+    assert device.sdo[0x6041].raw & 0x200 == 0
+    device.nmt(0x01)
+    assert until(lambda: device.sdo[0x6041].raw & 0x200)
+    device.nmt(0x80)
+    assert until(lambda: device.sdo[0x6041].raw & 0x200 == 0)

@@ -1,0 +1,101 @@
+"""Every object of a device against its EDS, and against the table typed by hand."""
+import pytest
+
+import objects
+from conftest import PROFILES
+from scan import Scanner
+
+# Values are commands, not parameters: they are not written back.
+ORDERS = {0x1010, 0x1011}
+
+UPLOAD_REQUESTS = {0x40, 0x60, 0x70}
+FIXED = {(0x1000, 0), (0x1018, 1), (0x1018, 2)}
+
+# What is set when a drive is put into a robot (robot.yaml), or is measured: their defaults are not the EDS's.
+COMMISSIONED = {
+    "gold": {},
+    "epos2": {},
+    "encoder_card": {},
+}
+
+HISTORY = "CiA 301: a history refuses everything but 0 with 06090030, whatever its limits"
+
+# (index, sub-index, check): why the device differs from the EDS there. A simulated device must differ as it says.
+EXPLAINED = {
+    "gold": {(0x1003, 0, "1, beyond its limit"): HISTORY},
+    "epos2": {(0x1003, 0, "1, beyond its limit"): HISTORY},
+    "encoder_card": {(0x1003, 0, "1, beyond its limit"): HISTORY},
+}
+
+
+@pytest.fixture
+def scanner(device):
+    one = Scanner(device.wire, device.node)
+    yield one
+    one.close()
+
+
+def conclude(scanner, profile, what, count, must_occur):
+    explained = EXPLAINED[profile]
+    new = [d.line for d in scanner.differences if d.key not in explained]
+    seen = {d.key for d in scanner.differences}
+    print(f"\n{profile}: {what}: {count} objects, {scanner.transfers} transfers, {len(new)} differences, "
+          f"{len(seen & explained.keys())} explained")
+    assert not new, f"{len(new)} differences:\n" + "\n".join(new)
+    if must_occur:
+        assert not explained.keys() - seen, "explained, but not so"
+
+
+def scan_by_reading(device, scanner, profile, wanted):
+    """Sends nothing but SDO upload requests, which is what makes it fit for a real drive."""
+    mark = device.wire.record.mark()
+    for one in wanted.values():
+        scanner.look(one, default_is_known(device, profile, one))
+    scanner.look_beside(objects.from_eds(profile, device.node))
+    sent = [f for f in device.wire.record.since(mark) if f.arbitration_id == 0 or f.arbitration_id >> 7 == 0x600 >> 7]
+    assert all(f.arbitration_id != 0 and f.data[0] in UPLOAD_REQUESTS for f in sent)
+
+
+def default_is_known(device, profile, wanted):
+    """Of a real drive only what nobody can change: others may have set the rest."""
+    if device.settings is None:
+        return wanted.access == "const" or (wanted.index, wanted.sub) in FIXED
+    return (wanted.index, wanted.sub) not in COMMISSIONED[profile]
+
+
+@pytest.mark.reads_only
+@pytest.mark.parametrize("profile", PROFILES)
+def test_every_object_of_the_eds_can_be_read_and_nothing_is_beside_it(device, scanner, profile):
+    wanted = objects.from_eds(profile, device.node)
+    scan_by_reading(device, scanner, profile, wanted)
+    conclude(scanner, profile, "EDS, reading", len(wanted), False)
+
+
+@pytest.mark.reads_only
+@pytest.mark.parametrize("profile", ["epos2", "gold"])
+def test_every_object_typed_by_hand_can_be_read(device, scanner, profile):
+    wanted = objects.from_hand(profile, device.node)
+    scan_by_reading(device, scanner, profile, wanted)
+    conclude(scanner, profile, "table by hand, reading", len(wanted), False)
+
+
+@pytest.mark.parametrize("profile", PROFILES)
+def test_every_object_of_the_eds_keeps_its_access_length_limits_and_mapping(device, scanner, profile):
+    wanted = objects.from_eds(profile, device.node)
+    scanner.silence_pdos(wanted)
+    for one in wanted.values():
+        scanner.touch(one, one.index in ORDERS)
+        scanner.map(one)
+    conclude(scanner, profile, "EDS, writing", len(wanted), True)
+
+
+@pytest.mark.parametrize("profile", ["epos2", "gold"])
+def test_every_object_typed_by_hand_keeps_its_access_length_limits_and_mapping(device, scanner, profile):
+    wanted = objects.from_hand(profile, device.node)
+    scanner.silence_pdos(objects.from_eds(profile, device.node))
+    for one in wanted.values():
+        if one.access is not None:
+            scanner.touch(one, one.index in ORDERS)
+        if one.map is not None:
+            scanner.map(one)
+    conclude(scanner, profile, "table by hand, writing", len(wanted), False)
