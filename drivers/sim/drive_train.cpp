@@ -1,14 +1,22 @@
 #include "drivers/sim/drive_train.h"
 
+#include <cmath>
+
 #include "drivers/sim/device_registry.h"
 #include "drivers/sim/hash_noise.h"
 
 namespace sprung::sim {
 namespace {
 
-/// Noise sources of actuator i: torque 2 i, instant of sampling 2 i + 1.
+/// Noise sources of actuator i: torque 2 i, instant of sampling 2 i + 1; its link encoder's are counted apart.
 std::uint64_t torque_signal(std::size_t actuator) noexcept { return 2 * actuator; }
 std::uint64_t jitter_signal(std::size_t actuator) noexcept { return 2 * actuator + 1; }
+constexpr std::uint64_t kLinkSignals = 1ULL << 33;
+
+void switch_fault(SimDevice& device, FaultKind kind, double value, bool on) noexcept {
+  device.outbox().set_fault(kind, value, on);
+  device.set_fault(kind, value, on);
+}
 
 }  // namespace
 
@@ -16,6 +24,9 @@ DriveTrain::DriveTrain(const RobotConfig& robot, const SimConfig& config, std::u
     : actuators_(robot.actuators),
       plant_(robot, config.plant),
       transmission_(robot),
+      truths_(config.drives),
+      card_truths_(config.cards),
+      card_configs_(robot.encoder_cards),
       seed_(seed),
       jitter_s_(config.timing.sync_jitter_s),
       joint_rad_(robot.joints.size()),
@@ -27,6 +38,11 @@ DriveTrain::DriveTrain(const RobotConfig& robot, const SimConfig& config, std::u
   for (std::size_t i = 0; i < actuators_.size(); ++i) {
     drives_.push_back(
         make_sim_drive({actuators_[i], config.drives[i], config.plant.step_s, seed, torque_signal(i)}));
+    drives_[i]->outbox().set_seed(seed, i);
+  }
+  for (std::size_t i = 0; i < card_configs_.size(); ++i) {
+    cards_.push_back(make_sim_card({card_configs_[i], seed}));
+    cards_[i]->outbox().set_seed(seed, actuators_.size() + i);
   }
   read_plant();
 }
@@ -45,13 +61,27 @@ double DriveTrain::shaft_rad(std::size_t actuator, double late_s) const noexcept
   return (output_rad - actuators_[actuator].offset_rad) * actuators_[actuator].direction;
 }
 
+/// The joint's angle and what the gear's teeth add (facts papers D7).
+double DriveTrain::link_rad(std::size_t actuator, double late_s) const noexcept {
+  const LinkEncoderConfig& encoder = actuators_[actuator].link_encoder;
+  const KinematicErrorConfig& error = truths_[actuator].kinematic_error;
+  const double output_rad = actuator_rad_[actuator] + actuator_rad_s_[actuator] * late_s;
+  const double motor_rad = shaft_rad(actuator, late_s) * actuators_[actuator].gear_ratio;
+  const double error_rad = error.amplitude_rad * std::sin(error.order * motor_rad + error.phase_rad);
+  return (output_rad + error_rad - encoder.offset_rad) * encoder.direction;
+}
+
 void DriveTrain::open(FrameBatch* out) noexcept {
   for (auto& drive : drives_) drive->outbox().open(out);
+  for (auto& card : cards_) card->outbox().open(out);
 }
 
 void DriveTrain::receive(int bus, const CanFrame& frame, std::int64_t time_us) noexcept {
   for (std::size_t i = 0; i < drives_.size(); ++i) {
     if (actuators_[i].bus == bus) drives_[i]->receive(frame, time_us);
+  }
+  for (std::size_t i = 0; i < cards_.size(); ++i) {
+    if (card_configs_[i].bus == bus) cards_[i]->receive(frame, time_us);
   }
 }
 
@@ -61,10 +91,23 @@ void DriveTrain::sample(int bus, double late_s, std::int64_t cycle) noexcept {
     const double jitter_s = jitter_s_ * hash_noise(seed_, jitter_signal(i), cycle);
     drives_[i]->sample(shaft_rad(i, late_s + jitter_s), cycle);
   }
+  sample_links(bus, late_s, cycle);
+}
+
+void DriveTrain::sample_links(int bus, double late_s, std::int64_t cycle) noexcept {
+  for (std::size_t i = 0; i < actuators_.size(); ++i) {
+    const LinkEncoderConfig& encoder = actuators_[i].link_encoder;
+    if (encoder.card < 0) continue;
+    const auto card = static_cast<std::size_t>(encoder.card);
+    if (card_configs_[card].bus != bus) continue;
+    const double noise_rad = card_truths_[card].noise_rad * hash_noise(seed_, kLinkSignals + i, cycle);
+    cards_[card]->sample(encoder.channel, link_rad(i, late_s) + noise_rad, cycle);
+  }
 }
 
 void DriveTrain::step_drives(std::int64_t time_us) noexcept {
   for (std::size_t i = 0; i < drives_.size(); ++i) drives_[i]->step(shaft_rad(i, 0.0), time_us);
+  for (auto& card : cards_) card->step(time_us);
 }
 
 void DriveTrain::step_plant() noexcept {
@@ -86,7 +129,23 @@ bool DriveTrain::all_operational() const noexcept {
   for (const auto& drive : drives_) {
     if (!drive->operational()) return false;
   }
+  for (const auto& card : cards_) {
+    if (!card->operational()) return false;
+  }
   return true;
+}
+
+void DriveTrain::set_fault(int actuator, FaultKind kind, double value, bool on) noexcept {
+  if (SimDrive* found = drive(actuator)) switch_fault(*found, kind, value, on);
+}
+
+void DriveTrain::set_bus_fault(int bus, FaultKind kind, double value, bool on) noexcept {
+  for (std::size_t i = 0; i < drives_.size(); ++i) {
+    if (actuators_[i].bus == bus) switch_fault(*drives_[i], kind, value, on);
+  }
+  for (std::size_t i = 0; i < cards_.size(); ++i) {
+    if (card_configs_[i].bus == bus) switch_fault(*cards_[i], kind, value, on);
+  }
 }
 
 SimDrive* DriveTrain::drive(int actuator) noexcept {

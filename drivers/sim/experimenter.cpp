@@ -10,7 +10,7 @@ constexpr std::uint16_t kOverCurrent = 0x2310;
 }  // namespace
 
 bool Experimenter::add(const SimControl& control) noexcept {
-  if (count_ == kCapacity) return false;
+  if (count_ + running_count_ >= kCapacity) return false;
   waiting_[count_++] = control;
   return true;
 }
@@ -45,15 +45,14 @@ void Experimenter::act(const SimControl& control) noexcept {
       if (drive != nullptr) drive->outbox().set_cut(control.value != 0.0);
       return;
     case SimControlKind::kNodeFault:
-      if (drive != nullptr) drive->set_fault(control.fault, control.value, true);
-      return;
+      return begin_fault(control);
   }
 }
 
 void Experimenter::push(const SimControl& control) noexcept {
   stop_pushing();
   pushed_leg_ = control.actuator;
-  steps_left_ = std::llround(control.duration_s / train_.plant().step_s());
+  steps_left_ = steps(control.duration_s);
   if (steps_left_ <= 0) return;
   if (pushed_leg_ < 0) {
     train_.plant().set_base_wrench(control.wrench_on_base);
@@ -68,8 +67,55 @@ void Experimenter::stop_pushing() noexcept {
   train_.plant().set_foot_wrench(pushed_leg_, {});
 }
 
+std::int64_t Experimenter::steps(double duration_s) const noexcept {
+  return std::llround(duration_s / train_.plant().step_s());
+}
+
+/// A fault that is at work already begins anew.
+void Experimenter::begin_fault(const SimControl& control) noexcept {
+  mend(control);
+  if (control.fault == FaultKind::kNone) return;
+  switch_fault(control, true);
+  const std::int64_t left = steps(control.duration_s);
+  if (left <= 0 && control.fault == FaultKind::kPowerCycle) return switch_fault(control, false);
+  running_[running_count_++] = {control, left > 0 ? left : -1};
+}
+
+void Experimenter::switch_fault(const SimControl& control, bool on) noexcept {
+  if (control.actuator >= 0) return train_.set_fault(control.actuator, control.fault, control.value, on);
+  train_.set_bus_fault(control.bus, control.fault, control.value, on);
+  buses_.set(control.bus, control.fault, on);
+}
+
+/// Ends what is at work on the same target, of the same kind or, for kNone, of any.
+void Experimenter::mend(const SimControl& control) noexcept {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < running_count_; ++i) {
+    const SimControl& other = running_[i].control;
+    const bool target =
+        other.actuator == control.actuator && (control.actuator >= 0 || other.bus == control.bus);
+    const bool kind = control.fault == FaultKind::kNone || control.fault == other.fault;
+    if (target && kind) {
+      switch_fault(other, false);
+    } else {
+      running_[kept++] = running_[i];
+    }
+  }
+  running_count_ = kept;
+}
+
 void Experimenter::after_step() noexcept {
   if (steps_left_ > 0 && --steps_left_ == 0) stop_pushing();
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < running_count_; ++i) {
+    Running& fault = running_[i];
+    if (fault.steps_left > 0 && --fault.steps_left == 0) {
+      switch_fault(fault.control, false);
+    } else {
+      running_[kept++] = fault;
+    }
+  }
+  running_count_ = kept;
 }
 
 }  // namespace sprung::sim

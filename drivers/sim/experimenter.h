@@ -1,39 +1,53 @@
 #pragma once
-/// SIM_CONTROL: what experiments do to the plant and to the drives, at the cycle they name.
+/// SIM_CONTROL: what experiments do to the plant, the nodes and the buses, at the cycle they name.
 #include <array>
 #include <cstdint>
 
+#include "drivers/sim/bus_faults.h"
 #include "drivers/sim/drive_train.h"
 #include "signals/signals.h"
 
 namespace sprung::sim {
 
 /// Meaning of SimControl by kind:
-///   kWrench       wrench_on_base for duration_s; actuator -1 = on the base, n >= 0 = at the foot of leg n
-///   instead kReset        plant to its initial pose at rest; drives keep their state; no wrench, not
-///   suspended kSuspend      base held still; value > 0 = put at that height (m, world) first, 0 = let go, <
-///   0 = held where it is kDriveFault   emergency `value` (e.g. 0x3210; 0 = over-current 0x2310) of the
-///   actuator's drive kDriveSilent  value 1 = cable of the actuator's drive cut (it neither hears nor
-///   speaks), 0 = mended
+///   kWrench       wrench_on_base for duration_s; actuator -1 = on the base, n >= 0 = at the foot of leg n instead
+///   kReset        plant to its initial pose at rest; drives keep their state; no wrench, not suspended
+///   kSuspend      base held still; value > 0 = put at that height (m, world) first, 0 = let go, < 0 = held where it is
+///   kDriveFault   emergency `value` (e.g. 0x3210; 0 = over-current 0x2310) of the actuator's drive
+///   kDriveSilent  value 1 = cable of the actuator's drive cut (it neither hears nor speaks), 0 = mended
+///   kNodeFault    `fault` with `value` of the actuator's drive or, with actuator -1, of every node of `bus` and of the bus itself;
+///                 for duration_s of plant time, 0 = until mended. kNone mends all that was done to this target. A kPowerCycle of
+///                 no duration is off and on again at once.
 class Experimenter {
  public:
   static constexpr std::size_t kCapacity = 64;
-  explicit Experimenter(DriveTrain& train) noexcept : train_(train) {}
-  /// @return false when too many are waiting.
+  Experimenter(DriveTrain& train, BusFaults& buses) noexcept : train_(train), buses_(buses) {}
+  /// @return false when too many are waiting or at work.
   bool add(const SimControl& control) noexcept;
   /// Does what is due, in the order in which it came; at a SYNC.
   void start_cycle(std::int64_t cycle) noexcept;
-  /// Ends wrenches whose time is over; after every step of the plant.
+  /// Ends wrenches and faults whose time is over; after every step of the plant.
   void after_step() noexcept;
 
  private:
+  struct Running {
+    SimControl control;
+    std::int64_t steps_left = 0;  ///< < 0: until mended
+  };
   void act(const SimControl& control) noexcept;
   void push(const SimControl& control) noexcept;
   void stop_pushing() noexcept;
+  void begin_fault(const SimControl& control) noexcept;
+  void switch_fault(const SimControl& control, bool on) noexcept;
+  void mend(const SimControl& control) noexcept;
+  std::int64_t steps(double duration_s) const noexcept;
 
   DriveTrain& train_;
+  BusFaults& buses_;
   std::array<SimControl, kCapacity> waiting_{};
   std::size_t count_ = 0;
+  std::array<Running, kCapacity> running_{};
+  std::size_t running_count_ = 0;
   int pushed_leg_ = -1;  ///< -1 = base
   std::int64_t steps_left_ = 0;
 };

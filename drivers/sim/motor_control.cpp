@@ -41,6 +41,14 @@ double CurrentLoop::step(double target_A) noexcept {
   return current_A_;
 }
 
+bool ThermalLimit::step(double current_A, double continuous_A, double time_constant_s, double dt_s) noexcept {
+  if (continuous_A <= 0.0) return true;
+  const double load = current_A / continuous_A;
+  warmth_ += dt_s / time_constant_s * (load * load - warmth_);
+  limits_ = warmth_ >= (limits_ ? kRelease : 1.0);
+  return limits_;
+}
+
 double limit_torque(double torque, double limit, double velocity_rad_s, double speed_cap_rad_s) noexcept {
   const auto bound = [&](double speed) {
     const double room = (speed_cap_rad_s - speed) / (kCapBand * speed_cap_rad_s);

@@ -42,6 +42,20 @@ class CurrentLoop {
   double current_A_ = 0.0;
 };
 
+/// i2t: the winding's warmth follows (current / continuous current)^2 as a first-order lag; when it reaches 1, only the continuous
+/// current is allowed until it is back below kRelease.
+class ThermalLimit {
+ public:
+  static constexpr double kRelease = 0.95;  ///< [design choice]
+  void reset() noexcept { *this = ThermalLimit(); }
+  /// One tick. @return whether only the continuous current is allowed now.
+  bool step(double current_A, double continuous_A, double time_constant_s, double dt_s) noexcept;
+
+ private:
+  double warmth_ = 0.0;
+  bool limits_ = false;
+};
+
 /// Largest torque in the direction of motion: `limit` up to 90 % of the speed cap, from there straight down
 /// to 0 at the cap and on to braking above it. Against the motion the full limit stays. @return torque within
 /// its bounds.

@@ -144,6 +144,7 @@ void Plant::suspend(double height_m) noexcept {
     model_->dof_armature[first + static_cast<int>(i)] = kLockedMass;
     data_->qvel[first + static_cast<int>(i)] = 0.0;
   }
+  mj_kinematics(model_.get(), data_.get());  // positions may be newer than poses
   if (height_m > 0.0) data_->qpos[index_.height_qpos] += height_m - row(data_->xpos, index_.base_body, 3)[2];
   mj_forward(model_.get(), data_.get());
 }

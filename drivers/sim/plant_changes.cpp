@@ -47,18 +47,27 @@ constexpr Change kChanges[] = {
     {"ground_damping", 0, 1e6, [](SimConfig& c, double v) { c.plant.contact.damping_N_s_m = v; }},
     {"ground_friction", 0, 10, [](SimConfig& c, double v) { c.plant.contact.friction = v; }},
     {"ground_stiffness", 1, 1e7, [](SimConfig& c, double v) { c.plant.contact.stiffness_N_m = v; }},
+    {"kinematic_error_scale", 0, 100,
+     [](SimConfig& c, double v) {
+       each_drive(c, [v](SimDriveConfig& drive) { drive.kinematic_error.amplitude_rad *= v; });
+     }},
     {"kt_scale", 0.1, 10,
      [](SimConfig& c, double v) {
        each_drive(c, [v](SimDriveConfig& drive) { drive.torque_constant_Nm_A *= v; });
      }},
     {"mass_scale", 0.1, 10, scale_mass},
+    {"mode_delay_us", 0, 1e6,
+     [](SimConfig& c, double v) { each_drive(c, [v](SimDriveConfig& d) { d.mode_delay_s = 1e-6 * v; }); }},
     {"noise_scale", 0, 100,
      [](SimConfig& c, double v) {
        each_drive(c, [v](SimDriveConfig& drive) { drive.torque_noise_Nm *= v; });
+       for (SimCardConfig& card : c.cards) card.noise_rad *= v;
      }},
     {"peak_torque", 0.001, 1e4,
      [](SimConfig& c, double v) { each_drive(c, [v](SimDriveConfig& drive) { drive.peak_torque_Nm = v; }); }},
     {"rail_x_locked", 0, 1, [](SimConfig& c, double v) { c.plant.rail_x_locked = v != 0.0; }},
+    {"starts_in_fault", 0, 1,
+     [](SimConfig& c, double v) { each_drive(c, [v](SimDriveConfig& d) { d.starts_in_fault = v != 0.0; }); }},
     {"sync_jitter_us", 0, 1000, [](SimConfig& c, double v) { c.timing.sync_jitter_s = 1e-6 * v; }},
     {"torque_loop_Hz", 1, 1e4,
      [](SimConfig& c, double v) { each_drive(c, [v](SimDriveConfig& drive) { drive.torque_loop_Hz = v; }); }},

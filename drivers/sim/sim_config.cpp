@@ -31,6 +31,36 @@ PlantJointConfig read_joint(const YamlMap& map) {
   return joint;
 }
 
+/// Whether an optional key says `yes`, where it may say `no`.
+bool chosen(const YamlMap& map, const std::string& key, const std::string& yes, const std::string& no,
+            bool otherwise) {
+  if (!map.has(key)) return otherwise;
+  const std::string found = map.text(key);
+  if (found != yes && found != no) map.fail(key, "found '" + found + "', expected " + yes + " or " + no);
+  return found == yes;
+}
+
+KinematicErrorConfig read_kinematic_error(const YamlMap& map) {
+  KinematicErrorConfig error;
+  error.amplitude_rad = map.quantity("amplitude", "rad", 0, 0.1);
+  error.order = map.quantity_or("order", "", 0, 1000, error.order);
+  error.phase_rad = map.quantity_or("phase", "rad", -10, 10, 0.0);
+  map.finish();
+  return error;
+}
+
+void read_optional(const YamlMap& map, SimDriveConfig& drive) {
+  drive.supply_min_V = map.quantity_or("supply_min", "V", 0, drive.supply_V, drive.supply_min_V);
+  drive.supply_max_V = map.quantity_or("supply_max", "V", drive.supply_V, 1000, drive.supply_max_V);
+  drive.absolute_encoder = chosen(map, "encoder", "absolute", "incremental", drive.absolute_encoder);
+  drive.index_angle_rad = map.quantity_or("index_angle", "rad", -10, 10, drive.index_angle_rad);
+  drive.mode_delay_s = map.quantity_or("mode_delay", "s", 0, 1, drive.mode_delay_s);
+  if (map.has("starts_in_fault")) drive.starts_in_fault = map.flag("starts_in_fault");
+  if (map.has("communication_faults"))
+    drive.latches_communication_faults = chosen(map, "communication_faults", "latched", "passing", false);
+  if (map.has("kinematic_error")) drive.kinematic_error = read_kinematic_error(map.map("kinematic_error"));
+}
+
 SimDriveConfig read_drive(const YamlMap& map) {
   SimDriveConfig drive;
   drive.actuator = map.text("actuator");
@@ -40,8 +70,17 @@ SimDriveConfig read_drive(const YamlMap& map) {
   drive.torque_noise_Nm = map.quantity("torque_noise", "Nm", 0, 100);
   drive.supply_V = map.quantity("supply", "V", 0, 1000);
   drive.quick_stop_damping_Nm_s_rad = map.quantity("quick_stop_damping", "Nm s/rad", 0, 1000);
+  read_optional(map, drive);
   map.finish();
   return drive;
+}
+
+SimCardConfig read_card(const YamlMap& map) {
+  SimCardConfig card;
+  card.name = map.text("card");
+  card.noise_rad = map.quantity_or("noise", "rad", 0, 1, 0.0);
+  map.finish();
+  return card;
 }
 
 PlantConfig read_plant(const YamlMap& map) {
@@ -87,6 +126,18 @@ std::vector<Item> in_robot_order(const std::vector<Item>& found, const std::vect
   return ordered;
 }
 
+/// All or none of robot.yaml's.
+std::vector<SimCardConfig> read_cards(const YamlMap& file, const RobotConfig& robot) {
+  std::vector<SimCardConfig> cards;
+  if (file.has("encoder_cards")) {
+    for (const YamlMap& card : file.list("encoder_cards")) cards.push_back(read_card(card));
+  } else {
+    for (const EncoderCardConfig& card : robot.encoder_cards) cards.push_back({card.name});
+  }
+  return in_robot_order(
+      cards, robot.encoder_cards, [](const SimCardConfig& c) { return c.name; }, file, "encoder_cards");
+}
+
 }  // namespace
 
 SimConfig load_sim_config(const RobotConfig& robot, const std::map<std::string, double>& changes) {
@@ -97,6 +148,7 @@ SimConfig load_sim_config(const RobotConfig& robot, const std::map<std::string, 
   const YamlMap plant = file.map("plant");
   config.plant = read_plant(plant);
   for (const YamlMap& drive : file.list("drives")) config.drives.push_back(read_drive(drive));
+  config.cards = read_cards(file, robot);
   const YamlMap timing = file.map("timing");
   config.timing.compute_s = timing.quantity("compute_time", "s", 0, 0.1);
   config.timing.sync_jitter_s = 1e-6 * timing.quantity("sync_jitter", "us", 0, 1000);

@@ -2,6 +2,7 @@
 /// robots/<name>/sim.yaml: the true plant and the simulated drives, as read by SimCore alone. Start-up only.
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,14 @@ struct PlantConfig {
   ContactConfig contact;
 };
 
+/// Of a strain wave gear: what its link encoder sees besides the joint's angle, amplitude sin(order motor angle + phase) (facts
+/// papers D7). The plant has no torsion.
+struct KinematicErrorConfig {
+  double amplitude_rad = 0.0;  ///< of the output
+  double order = 2.0;          ///< per motor turn; the wave generator has two lobes
+  double phase_rad = 0.0;
+};
+
 /// True values of one drive and motor; what the stack believes is in robot.yaml.
 struct SimDriveConfig {
   std::string actuator;
@@ -60,6 +69,21 @@ struct SimDriveConfig {
   double torque_noise_Nm = 0.0;       ///< rms of the torque shown in 0x6077, gear output side
   double supply_V = 0.0;
   double quick_stop_damping_Nm_s_rad = 0.0;
+  // Optional keys of sim.yaml.
+  double supply_min_V = 10.0;    ///< below: under-voltage; range of an EPOS2 50/5's supply [unverified]
+  double supply_max_V = 56.0;    ///< above: over-voltage [unverified]
+  bool absolute_encoder = true;  ///< false: count 0 is where the shaft was at power-on
+  double index_angle_rad = 0.0;  ///< of the motor's shaft, where the encoder's index pulse is
+  double mode_delay_s = 0.0;     ///< from a new 0x6060 to its confirmation in 0x6061 [unverified]
+  bool starts_in_fault = false;  ///< 0x8120 at power-on, as when nobody acknowledges (facts canopen 2.5)
+  std::optional<bool> latches_communication_faults;  ///< instead of the make's own way
+  KinematicErrorConfig kinematic_error;
+};
+
+/// An encoder card.
+struct SimCardConfig {
+  std::string name;
+  double noise_rad = 0.0;  ///< rms of a link encoder's reading
 };
 
 struct TimingConfig {
@@ -70,6 +94,7 @@ struct TimingConfig {
 struct SimConfig {
   PlantConfig plant;
   std::vector<SimDriveConfig> drives;  ///< in the order of RobotConfig::actuators
+  std::vector<SimCardConfig> cards;    ///< in the order of RobotConfig::encoder_cards
   TimingConfig timing;
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "drivers/canopen/protocol.h"
+#include "drivers/sim/bus_faults.h"
 #include "drivers/sim/bus_schedule.h"
 #include "drivers/sim/drive_train.h"
 #include "drivers/sim/experimenter.h"
@@ -25,7 +26,8 @@ struct SimCore::Impl {
       : Impl(robot, options, sim::load_sim_config(robot, options.plant)) {}
   Impl(const RobotConfig& robot, const SimOptions& options, const sim::SimConfig& config)
       : train(robot, config, options.seed),
-        experimenter(train),
+        bus_faults(robot.buses.size()),
+        experimenter(train, bus_faults),
         schedule(robot.buses.size(), microseconds(config.timing.compute_s)),
         step_us(microseconds(config.plant.step_s)),
         with_truth(options.truth),
@@ -34,11 +36,13 @@ struct SimCore::Impl {
   void queue(std::int64_t time_us, int bus, const CanFrame& frame) noexcept;
   void advance_to(std::int64_t time_us, FrameBatch& out) noexcept;
   void act(const sim::TimedFrame& event, FrameBatch& out) noexcept;
+  void deliver(const sim::TimedFrame& event) noexcept;
   void sync(const sim::TimedFrame& event) noexcept;
   void step_until(std::int64_t time_us) noexcept;
   void tick_drives() noexcept;
 
   sim::DriveTrain train;
+  sim::BusFaults bus_faults;
   sim::Experimenter experimenter;
   sim::BusSchedule schedule;
   sim::FrameQueue frames;
@@ -86,14 +90,19 @@ void SimCore::Impl::advance_to(std::int64_t time_us, FrameBatch& out) noexcept {
   }
   step_until(time_us);
   train.open(nullptr);
+  bus_faults.report(out);
 }
 
 void SimCore::Impl::act(const sim::TimedFrame& event, FrameBatch& out) noexcept {
-  if (!is_sync(event.frame)) return train.receive(event.bus, event.frame, event.time_us);
+  if (!is_sync(event.frame)) return deliver(event);
   const int sent_before = out.size();
   sync(event);
   schedule.start_answers(event.bus);
   for (int i = sent_before; i < out.size(); ++i) schedule.add_answer(out[i]);
+}
+
+void SimCore::Impl::deliver(const sim::TimedFrame& event) noexcept {
+  if (bus_faults.delivers(event.bus)) train.receive(event.bus, event.frame, event.time_us);
 }
 
 void SimCore::Impl::sync(const sim::TimedFrame& event) noexcept {
@@ -102,7 +111,8 @@ void SimCore::Impl::sync(const sim::TimedFrame& event) noexcept {
     experimenter.start_cycle(cycle);
   }
   train.sample(event.bus, 1e-6 * static_cast<double>(event.time_us - plant_us), cycle);
-  train.receive(event.bus, event.frame, event.time_us);
+  bus_faults.sync(event.bus);
+  deliver(event);
   if (event.bus != kPacingBus || !with_truth) return;
   truth.stamp = {event.time_us, cycle};
   train.plant().fill_truth(truth);

@@ -98,6 +98,57 @@ TEST_F(SimConfigTest, AnotherRobotsFileIsRefused) {
   EXPECT_NE(refusal("robot: single_leg", "robot: pegasus").find("pegasus"), std::string::npos);
 }
 
+TEST_F(SimConfigTest, OptionalKeysOfADriveHaveTheirDefaults) {
+  const SimDriveConfig drive = load_sim_config(robot_, {}).drives[0];
+  EXPECT_TRUE(drive.absolute_encoder);
+  EXPECT_FALSE(drive.starts_in_fault);
+  EXPECT_FALSE(drive.latches_communication_faults.has_value());
+  EXPECT_EQ(drive.mode_delay_s, 0.0);
+  EXPECT_EQ(drive.kinematic_error.amplitude_rad, 0.0);
+}
+
+TEST_F(SimConfigTest, OptionalKeysOfADriveAreRead) {
+  const SimDriveConfig drive =
+      load_with("    supply: 48 V",
+                "    encoder: incremental\n    index_angle: 1.5 rad\n    mode_delay: 2 ms\n    "
+                "starts_in_fault: true\n"
+                "    communication_faults: latched\n    supply_min: 20 V\n    supply_max: 60 V\n"
+                "    kinematic_error: {amplitude: 0.0003 rad, order: 2, phase: 1 rad}\n    supply: 48 V")
+          .drives[0];
+  EXPECT_FALSE(drive.absolute_encoder);
+  EXPECT_EQ(drive.index_angle_rad, 1.5);
+  EXPECT_NEAR(drive.mode_delay_s, 0.002, 1e-12);
+  EXPECT_TRUE(drive.starts_in_fault);
+  EXPECT_TRUE(drive.latches_communication_faults.value_or(false));
+  EXPECT_EQ(drive.supply_min_V, 20.0);
+  EXPECT_EQ(drive.supply_max_V, 60.0);
+  EXPECT_EQ(drive.kinematic_error.amplitude_rad, 0.0003);
+  EXPECT_EQ(drive.kinematic_error.phase_rad, 1.0);
+}
+
+TEST_F(SimConfigTest, OptionalKeysAreAsStrictAsTheOthers) {
+  const auto refused = [&](const std::string& key) {
+    return refusal("    supply: 48 V", "    " + key + "\n    supply: 48 V");
+  };
+  EXPECT_NE(refused("encoder: resolver").find("absolute or incremental"), std::string::npos);
+  EXPECT_NE(refused("communication_faults: maybe").find("latched or passing"), std::string::npos);
+  EXPECT_NE(refused("supply_min: 50 V").find("supply_min"), std::string::npos);
+  EXPECT_NE(refused("kinematic_error: {order: 2}").find("amplitude"), std::string::npos);
+}
+
+/// Cards of robot.yaml, with noise where sim.yaml gives some.
+TEST_F(SimConfigTest, EncoderCardsAreAllListedOrNone) {
+  robot_.encoder_cards.resize(2);
+  robot_.encoder_cards[0].name = "first";
+  robot_.encoder_cards[1].name = "second";
+  ASSERT_EQ(load_sim_config(robot_, {}).cards.size(), 2U);
+  EXPECT_EQ(load_sim_config(robot_, {}).cards[1].noise_rad, 0.0);
+  const std::string both = "encoder_cards:\n  - {card: second, noise: 0.001 rad}\n  - {card: first}\ntiming:";
+  EXPECT_EQ(load_with("timing:", both).cards[1].noise_rad, 0.001);
+  EXPECT_NE(refusal("timing:", "encoder_cards:\n  - {card: first}\ntiming:").find("second"),
+            std::string::npos);
+}
+
 TEST_F(SimConfigTest, PlantChangesAct) {
   const SimConfig config = load_sim_config(robot_, {{"friction_scale", 1.2},
                                                     {"mass_scale", 0.9},
@@ -112,7 +163,9 @@ TEST_F(SimConfigTest, PlantChangesAct) {
                                                     {"peak_torque", 160.0},
                                                     {"ground_damping", 50.0},
                                                     {"ground_friction", 0.4},
-                                                    {"compute_time_us", 500.0}});
+                                                    {"compute_time_us", 500.0},
+                                                    {"mode_delay_us", 2000.0},
+                                                    {"starts_in_fault", 1.0}});
   EXPECT_NEAR(config.plant.joints[0].friction.coulomb_Nm, 8.76, 1e-12);
   EXPECT_NEAR(config.plant.bodies[0].mass_kg, 3.717, 1e-12);
   EXPECT_NEAR(config.drives[1].torque_constant_Nm_A, 0.0462, 1e-12);
@@ -127,6 +180,8 @@ TEST_F(SimConfigTest, PlantChangesAct) {
   EXPECT_NEAR(config.timing.sync_jitter_s, 5e-6, 1e-18);
   EXPECT_NEAR(config.timing.compute_s, 5e-4, 1e-18);
   EXPECT_FALSE(config.plant.rail_x_locked);
+  EXPECT_NEAR(config.drives[1].mode_delay_s, 2e-3, 1e-15);
+  EXPECT_TRUE(config.drives[1].starts_in_fault);
 }
 
 TEST_F(SimConfigTest, PlantChangesOutOfRangeAreRefused) {

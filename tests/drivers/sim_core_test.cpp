@@ -1,7 +1,9 @@
 #include "drivers/sim/sim_core.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "drivers/can/can_errors.h"
 #include "tests/drivers/sim_test_master.h"
 #include "tests/support/allocation_count.h"
 
@@ -161,6 +163,77 @@ TEST(SimCore, CutCableSilencesADriveThatThenPowersOff) {
   master.ticks(2);
   EXPECT_GT(master.drives[1].tpdo1_count, answers);
   EXPECT_FALSE(master.powered(1));
+}
+
+TEST(SimCore, BusOffSilencesEveryNodeAndIsToldByErrorFrames) {
+  SimMaster master;
+  master.boot();
+  master.enable();
+  master.fault(FaultKind::kBusOff, -1, 0.0, 0.05);
+  master.tick();
+  ASSERT_EQ(master.error_frames.size(), 1U);
+  EXPECT_TRUE(tells_bus_lost(master.error_frames[0]));
+  const int answers = master.drives[1].tpdo1_count;
+  const std::int64_t cycle = master.sim.cycle();
+  master.ticks(40);
+  EXPECT_EQ(master.drives[1].tpdo1_count, answers);
+  EXPECT_EQ(master.sim.cycle(), cycle + 40);  // the plant lives on
+  master.ticks(15);
+  ASSERT_EQ(master.error_frames.size(), 2U);
+  EXPECT_TRUE(tells_bus_restarted(master.error_frames[1]));
+  EXPECT_GT(master.drives[1].tpdo1_count, answers);
+  EXPECT_FALSE(master.powered(1) || master.powered(2));
+  const std::vector<int>& told = master.drives[1].emergencies;
+  EXPECT_NE(std::find(told.begin(), told.end(), 0x81FD), told.end());
+}
+
+TEST(SimCore, FullQueueKeepsTheMastersFramesFromTheNodes) {
+  SimMaster master;
+  master.boot();
+  master.enable();
+  master.fault(FaultKind::kQueueFull, -1, 0.0, 0.01);
+  master.tick();
+  const int answers = master.drives[1].tpdo1_count;
+  master.ticks(5);
+  EXPECT_EQ(master.drives[1].tpdo1_count, answers);
+  EXPECT_EQ(master.error_frames.size(), 6U);
+  EXPECT_TRUE(tells_queue_full(master.error_frames.back()));
+  master.ticks(10);
+  EXPECT_GT(master.drives[1].tpdo1_count, answers);
+  EXPECT_TRUE(master.powered(1));  // shorter than the heartbeat consumer's 20 ms
+}
+
+TEST(SimCore, EncoderNoiseAndLossesAreTheSameInEveryRun) {
+  const auto run = [] {
+    SimMaster master;
+    master.boot();
+    master.fault(FaultKind::kEncoderNoise, 0, 0.001);
+    master.fault(FaultKind::kFramesLost, 1, 0.3);
+    std::vector<DriveAnswer> answers;
+    for (int i = 0; i < 200; ++i) {
+      master.tick();
+      answers.push_back(master.drives[1]);
+      answers.push_back(master.drives[2]);
+    }
+    EXPECT_NEAR(master.drives[2].tpdo1_count, 0.5 * 200, 40);  // neither all SYNCs heard nor all answers sent
+    return answers;
+  };
+  EXPECT_TRUE(run() == run());
+}
+
+TEST(SimCore, PowerCycledDriveBootsAgain) {
+  SimMaster master;
+  master.boot();
+  master.enable();
+  master.fault(FaultKind::kPowerCycle, 1, 0.0, 0.02);
+  master.ticks(10);
+  const int answers = master.drives[2].tpdo1_count;
+  const std::size_t states = master.drives[2].nmt_states.size();
+  master.ticks(20);
+  EXPECT_EQ(master.drives[2].tpdo1_count, answers);
+  ASSERT_EQ(master.drives[2].nmt_states.size(), states + 1);
+  EXPECT_EQ(master.drives[2].nmt_states.back(), 0x00);
+  EXPECT_TRUE(master.powered(1));
 }
 
 TEST(SimCore, ControlActsAtItsCycleAndForItsTime) {

@@ -29,8 +29,75 @@ class ExperimenterTest : public testing::Test {
   }
   RobotConfig robot_ = load_robot(std::string(SPRUNG_SOURCE_DIR) + "/robots/single_leg");
   DriveTrain train_{robot_, load_sim_config(robot_, {}), 1};
-  Experimenter experimenter_{train_};
+  BusFaults buses_{1};
+  Experimenter experimenter_{train_, buses_};
 };
+
+SimControl fault(FaultKind kind, int actuator, int bus, double duration_s) {
+  SimControl control;
+  control.kind = SimControlKind::kNodeFault;
+  control.fault = kind;
+  control.actuator = actuator;
+  control.bus = bus;
+  control.duration_s = duration_s;
+  return control;
+}
+
+TEST_F(ExperimenterTest, FaultOfANodeEndsAfterItsTime) {
+  experimenter_.add(fault(FaultKind::kLinkDown, 1, -1, 0.01));
+  experimenter_.start_cycle(0);
+  EXPECT_TRUE(train_.drive(1)->outbox().cut());
+  EXPECT_FALSE(train_.drive(0)->outbox().cut());
+  run(39);
+  EXPECT_TRUE(train_.drive(1)->outbox().cut());
+  run(1);
+  EXPECT_FALSE(train_.drive(1)->outbox().cut());
+}
+
+TEST_F(ExperimenterTest, FaultOfABusHitsItsNodesAndTheMaster) {
+  experimenter_.add(fault(FaultKind::kBusOff, -1, 0, 0.01));
+  experimenter_.start_cycle(0);
+  EXPECT_TRUE(train_.drive(0)->outbox().cut() && train_.drive(1)->outbox().cut());
+  run(40);
+  EXPECT_FALSE(train_.drive(0)->outbox().cut() || train_.drive(1)->outbox().cut());
+  FrameBatch out;
+  buses_.report(out);
+  EXPECT_EQ(out.size(), 2);  // bus off, restarted
+}
+
+TEST_F(ExperimenterTest, FaultWithoutDurationStandsUntilItIsMended) {
+  experimenter_.add(fault(FaultKind::kLinkDown, 0, -1, 0.0));
+  experimenter_.add(fault(FaultKind::kLinkDown, 1, -1, 0.0));
+  experimenter_.start_cycle(0);
+  run(4000);
+  EXPECT_TRUE(train_.drive(0)->outbox().cut());
+  experimenter_.add(fault(FaultKind::kNone, 0, -1, 0.0));
+  experimenter_.start_cycle(1);
+  EXPECT_FALSE(train_.drive(0)->outbox().cut());
+  EXPECT_TRUE(train_.drive(1)->outbox().cut());
+}
+
+TEST_F(ExperimenterTest, SameFaultAgainBeginsAnew) {
+  experimenter_.add(fault(FaultKind::kLinkDown, 0, -1, 0.01));
+  experimenter_.start_cycle(0);
+  run(30);
+  experimenter_.add(fault(FaultKind::kLinkDown, 0, -1, 0.01));
+  experimenter_.start_cycle(1);
+  run(39);
+  EXPECT_TRUE(train_.drive(0)->outbox().cut());
+  run(1);
+  EXPECT_FALSE(train_.drive(0)->outbox().cut());
+}
+
+TEST_F(ExperimenterTest, FaultsAtWorkCountAgainstTheLimit) {
+  const int capacity = static_cast<int>(Experimenter::kCapacity);
+  for (int i = 0; i < capacity; ++i)
+    ASSERT_TRUE(experimenter_.add(fault(FaultKind::kEncoderStuck, i, -1, 0.01)));
+  experimenter_.start_cycle(0);
+  EXPECT_FALSE(experimenter_.add(fault(FaultKind::kEncoderStuck, 0, -1, 0.0)));
+  run(40);
+  EXPECT_TRUE(experimenter_.add(fault(FaultKind::kEncoderStuck, 0, -1, 0.0)));
+}
 
 TEST_F(ExperimenterTest, WaitsForItsCycle) {
   experimenter_.add(make(SimControlKind::kDriveFault, 5, 1));

@@ -88,5 +88,23 @@ TEST(LimitTorque, BrakesAboveTheCap) {
 
 TEST(LimitTorque, NoCapIsNoCap) { EXPECT_EQ(limit_torque(100.0, 100.0, 50.0, 0.0), 100.0); }
 
+TEST(ThermalLimit, AllowsTheContinuousCurrentForever) {
+  ThermalLimit limit;
+  for (int i = 0; i < 100000; ++i) EXPECT_FALSE(limit.step(1.999, 2.0, 1.0, 0.001));
+}
+
+/// warmth = (current / continuous)^2 (1 - exp(-t / time constant)).
+TEST(ThermalLimit, LimitsWhenWarmAndReleasesWhenCooler) {
+  ThermalLimit limit;
+  int ticks = 0;
+  while (!limit.step(4.0, 2.0, 1.0, 0.001)) ++ticks;
+  EXPECT_NEAR(ticks, 288, 2);
+  ticks = 0;
+  while (limit.step(0.0, 2.0, 1.0, 0.001)) ++ticks;
+  EXPECT_NEAR(ticks, 51, 2);
+  limit.reset();
+  EXPECT_FALSE(limit.step(4.0, 2.0, 1.0, 0.001));
+}
+
 }  // namespace
 }  // namespace sprung::sim

@@ -52,7 +52,9 @@ class SimMaster {
     out_.clear();
     sim.advance_to(sync_us, out_);
     time_us = sync_us;
-    for (const BusFrame& entry : out_) note(entry.frame);
+    for (const BusFrame& entry : out_) {
+      entry.frame.error ? error_frames.push_back(entry.frame) : note(entry.frame);
+    }
   }
   void ticks(int count) {
     while (count-- > 0) tick();
@@ -137,11 +139,23 @@ class SimMaster {
     control.value = value;
     sim.control(control);
   }
+  /// @param actuator -1 = bus 0 and all its nodes.
+  void fault(FaultKind kind, int actuator, double value = 0.0, double duration_s = 0.0) {
+    SimControl control;
+    control.kind = SimControlKind::kNodeFault;
+    control.fault = kind;
+    control.actuator = actuator;
+    control.bus = 0;
+    control.value = value;
+    control.duration_s = duration_s;
+    sim.control(control);
+  }
   bool powered(int node) const { return (drives.at(node).status_word & 0x6F) == 0x27; }
 
   RobotConfig robot;
   SimCore sim;
   std::map<int, DriveAnswer> drives;
+  std::vector<CanFrame> error_frames;
   std::int64_t time_us = 0;
   bool heartbeat = true;
 

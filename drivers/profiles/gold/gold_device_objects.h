@@ -1,6 +1,5 @@
 #pragma once
-/// Object dictionary of a simulated Elmo Gold drive, after its EDS (facts canopen 1.5, 1.6, 3). Of the EDS
-/// only what a torque or position stream over CANopen touches, plus sprung's own gain objects.
+/// Object dictionary of a simulated Elmo Gold drive: gold.eds, and what a real drive has from its commissioning.
 #include <cstdint>
 
 #include "drivers/sim/object_dictionary.h"
@@ -10,8 +9,6 @@ namespace sprung::sim {
 /// Values that a real drive has from its commissioning.
 struct GoldCommissioning {
   int node = 1;
-  std::uint32_t vendor = 0x9A;         ///< EDS "CANeds Gold V002"
-  std::uint32_t product = 0x00030923;  ///< the same
   std::uint32_t revision = 0;
   std::uint32_t serial = 1;
   std::uint32_t rated_current_mA = 0;
@@ -26,6 +23,5 @@ ObjectDictionary gold_dictionary(const GoldCommissioning& commissioning);
 inline constexpr std::uint16_t kTorqueDemand = 0x6074;    ///< per mille of rated torque
 inline constexpr std::uint16_t kVelocityActual = 0x606C;  ///< counts/s
 inline constexpr std::uint16_t kFollowingError = 0x60F4;  ///< counts
-inline constexpr int kErrorHistoryLength = 16;            ///< facts canopen 1.3
 
 }  // namespace sprung::sim
