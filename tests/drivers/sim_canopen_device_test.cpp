@@ -167,6 +167,17 @@ TEST_F(CanopenDeviceTest, SyncMayCarryACounter) {
   EXPECT_EQ(frames(0x183).size(), 2U);
 }
 
+TEST_F(CanopenDeviceTest, ApplicationSamplesBeforeSyncsPdosGo) {
+  map(0x1800, 0x40000183, 1, {0x60640020});
+  receive(canopen::sync_frame());
+  EXPECT_EQ(syncs, 0);  // not operational
+  nmt(NmtCommand::kStart);
+  drop();
+  receive(canopen::sync_frame());
+  ASSERT_EQ(frames(0x183).size(), 1U);
+  EXPECT_EQ(canopen::get_le(frames(0x183)[0].data.data(), 4), 1U);
+}
+
 TEST_F(CanopenDeviceTest, LostHeartbeatRaises8130OnceAndTellsTheApplication) {
   write(canopen::kHeartbeatConsumer, 1, (127U << 16) | 20U, 4);
   drop();

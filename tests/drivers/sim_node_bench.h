@@ -41,6 +41,11 @@ class NodeBench : public DeviceApplication {
     return id.index == refused_index ? refusal : 0;
   }
   void written(canopen::ObjectId id) noexcept override { last_written = id.index; }
+  /// Shows the number of SYNCs as the position, where the device has one.
+  void synced() noexcept override {
+    ++syncs;
+    if (dictionary.has({0x6064, 0})) dictionary.set({0x6064, 0}, syncs);
+  }
   void connection_lost() noexcept override { ++lost; }
   void connection_back() noexcept override { ++back; }
   void reset() noexcept override { ++resets; }
@@ -140,6 +145,7 @@ class NodeBench : public DeviceApplication {
   CanopenDevice node;
   std::int64_t time_us = 0;
   int last_written = 0;
+  int syncs = 0;
   int lost = 0;
   int back = 0;
   int resets = 0;
