@@ -17,7 +17,7 @@ void verify_identity(const IdentityConfig& identity, std::vector<BootStep>& scri
   }
 }
 
-/// The order that drives accept: invalid, type, no map, entries, map, valid.
+/// The order that drives accept: invalid, type, inhibit time, event timer, no map, entries, map, valid.
 void remap(const PdoSetting& pdo, int node, std::vector<BootStep>& script) {
   const auto number = static_cast<std::uint16_t>(pdo.number);
   const auto communication = static_cast<std::uint16_t>(
@@ -32,6 +32,7 @@ void remap(const PdoSetting& pdo, int node, std::vector<BootStep>& script) {
   add({communication, 1}, 4, cob_id | canopen::kPdoInvalid);
   if (pdo.entries.empty()) return;
   add({communication, 2}, 1, pdo.transmission_type);
+  if (pdo.inhibit_100us != 0) add({communication, 3}, 2, pdo.inhibit_100us);
   if (pdo.event_timer_ms != 0) add({communication, 5}, 2, pdo.event_timer_ms);
   add({mapping, 0}, 1, 0);
   std::uint8_t sub = 0;
@@ -43,15 +44,16 @@ void remap(const PdoSetting& pdo, int node, std::vector<BootStep>& script) {
 
 }  // namespace
 
-std::vector<BootStep> make_boot_script(const IdentityConfig& identity, const DriveProfile& profile,
-                                       int node) {
+std::vector<BootStep> make_boot_script(const IdentityConfig& identity, const NodeProfile& profile, int node,
+                                       bool has_power) {
   std::vector<BootStep> script;
   verify_identity(identity, script);
   // A drive that a former bridge left enabled loses its power before anything is changed.
-  script.push_back({Kind::kWrite, {{canopen::kControlWord, 0}, 2, cia402::kDisableVoltageWord, false}});
+  if (has_power)
+    script.push_back({Kind::kWrite, {{canopen::kControlWord, 0}, 2, cia402::kDisableVoltageWord, false}});
   for (const DriveSetting& setting : profile.settings()) script.push_back({Kind::kWriteAndVerify, setting});
   for (const PdoSetting& pdo : profile.pdos()) remap(pdo, node, script);
-  script.push_back({Kind::kShowMode, {{canopen::kModeDisplay, 0}, 1, 0, true}});
+  if (has_power) script.push_back({Kind::kShowMode, {{canopen::kModeDisplay, 0}, 1, 0, true}});
   return script;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What the bridge does to a drive before it may run, as a list of SDO transfers: verify identity, power off,
+/// What the bridge does to a node before it may run, as a list of SDO transfers: verify identity, power off,
 /// write every setting and read it back, remap every PDO (procedure of facts canopen 1.5) and read that back
 /// too. Start-up only.
 #include <cstdint>
@@ -21,6 +21,8 @@ struct BootStep {
   DriveSetting setting;
 };
 
-std::vector<BootStep> make_boot_script(const IdentityConfig& identity, const DriveProfile& profile, int node);
+/// @param has_power a drive: its power is taken away first, and its mode display is read at the end.
+std::vector<BootStep> make_boot_script(const IdentityConfig& identity, const NodeProfile& profile, int node,
+                                       bool has_power);
 
 }  // namespace sprung

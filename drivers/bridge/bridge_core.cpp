@@ -1,7 +1,6 @@
 #include "drivers/bridge/bridge_core.h"
 
 #include "drivers/bridge/bridge_impl.h"
-#include "drivers/can/can_errors.h"
 
 namespace sprung {
 namespace {
@@ -17,53 +16,50 @@ BridgeCore::~BridgeCore() = default;
 
 void BridgeCore::begin_tick(std::int64_t time_us, FrameBatch& out) noexcept {
   Impl& s = *impl_;
+  const int first = out.size();
   s.now_us = time_us;
+  s.buses.begin_cycle(time_us);
   s.step_boot(time_us);
-  for (auto& node : s.nodes) node->step(time_us, out);
+  for (NodeLink* link : s.links) link->step(time_us, out);
   if (time_us + s.cycle_us > s.next_heartbeat_us) {  // rather early than late for the drives' consumers
     s.next_heartbeat_us = time_us + to_us(s.watchdogs.heartbeat_s);
     s.push_on_every_bus(canopen::heartbeat_frame(canopen::kBridgeNode, canopen::NmtState::kOperational), out);
   }
   s.sync_us = time_us;
-  for (auto& node : s.nodes) node->begin_sampling(time_us);
+  for (NodeLink* link : s.links) link->begin_sampling(time_us);
   s.push_on_every_bus(canopen::sync_frame(), out);
+  s.count_sent(out, first);
 }
 
 void BridgeCore::receive(int bus, const CanFrame& frame, std::int64_t time_us) noexcept {
   Impl& s = *impl_;
-  if (bus < 0 || static_cast<std::size_t>(bus) >= s.bus_lost.size()) return;
-  const auto at = static_cast<std::size_t>(bus);
-  if (tells_bus_lost(frame)) {
-    s.bus_lost[at] = true;
-    s.bus_trouble_new = true;
-    s.bus_trouble.cause = SafetyCause::kBusLost;
-    print(s.bus_trouble.detail, "bus %s (%s) is lost", s.robot.buses[at].name.c_str(),
-          s.robot.buses[at].can.c_str());
+  if (bus < 0 || static_cast<std::size_t>(bus) >= s.by_bus_and_node.size()) return;
+  if (frame.error) {
+    s.buses.error_frame(bus, frame, time_us);
     return;
   }
-  if (tells_bus_restarted(frame)) s.bus_lost[at] = false;
-  if (frame.error) return;
-  s.bus_lost[at] = false;  // what arrives shows that the bus works
-  DriveNode* node = s.by_bus_and_node[at][frame.id & 0x7F];
-  if (node != nullptr) node->receive(frame, time_us);
+  NodeLink* node = s.by_bus_and_node[static_cast<std::size_t>(bus)][frame.id & 0x7F];
+  const bool expected = node != nullptr && node->receive(frame, time_us);
+  s.buses.received(bus, frame, expected);
 }
 
 bool BridgeCore::all_answered() const noexcept {
-  return impl_->all_nodes([](const DriveNode& node) { return !node.boot().started() || node.answered(); });
+  return impl_->all_links([](const NodeLink& link) { return !link.boot().started() || link.answered(); });
 }
 
 bool BridgeCore::end_sampling(std::int64_t time_us, DriveState& out) noexcept {
   Impl& s = *impl_;
   s.now_us = time_us;
+  s.judge_samples();
+  s.step_requests(time_us);
   const bool all_sampled =
-      s.all_nodes([](const DriveNode& n) { return n.boot().operational() && n.answered(); });
+      s.all_links([](const NodeLink& link) { return link.boot().operational() && link.answered(); });
   if (!s.cyclic && !all_sampled) return false;
   s.begin_cycle(time_us);
-  for (auto& node : s.nodes) node->end_sampling();
   s.update_safety(time_us, false);
   s.state.stamp = {s.sync_us, s.cycle};
   s.state.safety = s.safety.level();
-  for (std::size_t i = 0; i < s.nodes.size(); ++i) s.nodes[i]->fill(s.state.actuators[i]);
+  for (std::size_t i = 0; i < s.drives.size(); ++i) s.drives[i]->fill(s.state.actuators[i]);
   out.stamp = s.state.stamp;
   out.safety = s.state.safety;
   out.actuators = s.state.actuators;  // same size since construction: copies without allocating
@@ -81,24 +77,64 @@ void BridgeCore::emit_setpoints(std::int64_t time_us, FrameBatch& out) noexcept 
   Impl& s = *impl_;
   s.now_us = time_us;
   if (!s.cyclic) return;
+  const int first = out.size();
   s.update_safety(time_us, true);
-  for (std::size_t i = 0; i < s.nodes.size(); ++i) {
-    s.nodes[i]->emit(time_us, s.safety.level(), s.gate.last().actuators[i], out);
+  for (std::size_t i = 0; i < s.drives.size(); ++i) {
+    s.drives[i]->emit(time_us, s.safety.level(), s.gate.last().actuators[i], out);
   }
+  s.count_sent(out, first);
 }
 
 OperatorReply BridgeCore::operator_command(const OperatorCommand& command, std::int64_t time_us) noexcept {
   Impl& s = *impl_;
   s.now_us = time_us;
-  if (command.kind == OperatorKind::kEstop) {
-    s.safety.emergency_stop(time_us, s.cycle);
-    s.gate.disarm();
-    return s.reply(command, nullptr);
+  switch (command.kind) {
+    case OperatorKind::kEstop:
+      s.safety.emergency_stop(time_us, s.cycle);
+      s.gate.disarm();
+      s.recovery->abort("emergency stop");
+      return s.reply(command, nullptr);
+    case OperatorKind::kClear:
+      return s.clear(command, time_us);
+    case OperatorKind::kHome:
+      return s.home(command, time_us);
+    default:
+      return s.reply(command, "not the bridge's request");
   }
-  if (command.kind != OperatorKind::kClear) return s.reply(command, "not the bridge's request");
-  if (command.request_id != s.last_clear.request_id) s.last_clear = s.reply(command, s.clear(time_us));
-  return s.last_clear;  // a repeated request is answered, not executed: it might clear something newer
 }
+
+bool BridgeCore::next_reply(OperatorReply& out) noexcept {
+  for (LongRequest* request : {&impl_->last_clear, &impl_->last_home}) {
+    if (!request->answer_due) continue;
+    request->answer_due = false;
+    out = request->reply;
+    return true;
+  }
+  return false;
+}
+
+void BridgeCore::send_failed(int bus, SendFailure failure, std::int64_t time_us) noexcept {
+  impl_->now_us = time_us;
+  impl_->buses.send_failed(bus, failure);
+}
+
+void BridgeCore::set_traffic(int bus, const BusTraffic& traffic) noexcept {
+  impl_->buses.set_traffic(bus, traffic);
+}
+
+void BridgeCore::restore_reference(int actuator, const Reference& reference) noexcept {
+  impl_->drives[static_cast<std::size_t>(actuator)]->set_reference(reference);
+}
+
+const Reference& BridgeCore::reference(int actuator) const noexcept {
+  return impl_->drives[static_cast<std::size_t>(actuator)]->reference();
+}
+
+std::int64_t BridgeCore::encoder_counts(int actuator) const noexcept {
+  return impl_->drives[static_cast<std::size_t>(actuator)]->encoder_counts();
+}
+
+std::int64_t BridgeCore::homings() const noexcept { return impl_->homings; }
 
 void BridgeCore::count_overrun(std::int64_t time_us) noexcept {
   impl_->now_us = time_us;
@@ -118,6 +154,7 @@ void BridgeCore::begin_shutdown(std::int64_t time_us) noexcept {
   s.now_us = time_us;
   s.safety.begin_shutdown(time_us, s.cycle);
   s.gate.disarm();
+  s.recovery->abort("the bridge is shutting down");
 }
 
 bool BridgeCore::shut_down() const noexcept {
@@ -125,7 +162,7 @@ bool BridgeCore::shut_down() const noexcept {
   if (!s.shutting_down) return false;
   if (!s.cyclic || s.now_us - s.shutdown_us > kShutdownLimit_us) return true;
   return s.safety.level() != SafetyLevel::kDamping &&
-         s.all_nodes([](const DriveNode& n) { return !n.powered(); });
+         s.all_drives([](const DriveNode& n) { return !n.powered(); });
 }
 
 const SafetyState& BridgeCore::safety() const noexcept {
@@ -135,12 +172,27 @@ const SafetyState& BridgeCore::safety() const noexcept {
   s.published.commands_refused = s.gate.refused();
   s.published.overruns = s.overruns;
   s.published.missed_cycles = s.missed_cycles;
+  for (const auto& drive : s.drives) {
+    if (drive->reference().known || s.published.level != SafetyLevel::kOperational) continue;
+    print(s.published.detail, "%s is not referenced and gets no torque: sprung home", drive->name().c_str());
+    break;
+  }
   return s.published;
 }
 
+const BusState& BridgeCore::bus_state() const noexcept {
+  Impl& s = *impl_;
+  s.bus_state.stamp = {s.now_us, s.cycle};
+  s.bus_state.recovering =
+      s.recovery->kind() == Recovery::Kind::kClear || s.recovery->kind() == Recovery::Kind::kBoot;
+  for (std::size_t i = 0; i < s.bus_state.buses.size(); ++i) s.bus_state.buses[i] = s.buses.health(i);
+  for (std::size_t i = 0; i < s.links.size(); ++i) s.bus_state.nodes[i] = s.links[i]->health();
+  return s.bus_state;
+}
+
 const char* BridgeCore::boot_detail() const noexcept {
-  for (const auto& node : impl_->nodes) {
-    const NodeBoot& boot = node->boot();
+  for (const NodeLink* link : impl_->links) {
+    const NodeBoot& boot = link->boot();
     if (!boot.operational() && !boot.configured()) return boot.detail().data();
   }
   return impl_->cyclic ? "all drives operational" : "all drives configured";

@@ -13,11 +13,19 @@
 #include <cstdint>
 #include <memory>
 
+#include "drivers/bridge/bus_monitor.h"
 #include "drivers/can/can_frame.h"
 #include "robots/robot_config.h"
 #include "signals/signals.h"
 
 namespace sprung {
+
+/// Zero of an actuator: actuator position = what the motor encoder says, at the output + offset.
+struct Reference {
+  double offset_rad = 0.0;
+  bool known = false;
+  ReferenceSource source = ReferenceSource::kConfigured;
+};
 
 struct BridgeOptions {
   WatchdogConfig watchdogs;  ///< which set of robot.yaml applies
@@ -40,8 +48,20 @@ class BridgeCore {
   bool command(const DriveCommand& command, std::int64_t time_us) noexcept;
   void emit_setpoints(std::int64_t time_us, FrameBatch& out) noexcept;
 
-  /// Estop and clear act at once; others are not the bridge's.
+  /// Estop acts at once. Clear and home are accepted or refused, and answered again by next_reply() when they are done
+  /// or have failed; a request that comes twice gets its last answer. Others are not the bridge's.
   OperatorReply operator_command(const OperatorCommand& command, std::int64_t time_us) noexcept;
+  /// Answers that have become due by themselves. @return false when there is none.
+  bool next_reply(OperatorReply& out) noexcept;
+  /// Frames of this cycle did not go out; they are not repeated, newer ones follow.
+  void send_failed(int bus, SendFailure failure, std::int64_t time_us) noexcept;
+  /// What the CAN back end has counted, for bus_state(). Leave it out where it depends on the wall clock.
+  void set_traffic(int bus, const BusTraffic& traffic) noexcept;
+  /// A zero that was found earlier and is still good; before cyclic operation.
+  void restore_reference(int actuator, const Reference& reference) noexcept;
+  const Reference& reference(int actuator) const noexcept;
+  std::int64_t encoder_counts(int actuator) const noexcept;  ///< of the last sample, for the record
+  std::int64_t homings() const noexcept;                     ///< that were done
   /// Shell's own counters, for the safety rules on overruns and for SAFETY_STATE.
   void count_overrun(std::int64_t time_us) noexcept;
   void count_good_cycle() noexcept;
@@ -51,6 +71,7 @@ class BridgeCore {
   bool shut_down() const noexcept;
 
   const SafetyState& safety() const noexcept;
+  const BusState& bus_state() const noexcept;
   /// One line for people about where boot stands, e.g. "knee: waiting for boot-up". Static or internal
   /// storage.
   const char* boot_detail() const noexcept;

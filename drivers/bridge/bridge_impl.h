@@ -1,5 +1,6 @@
 #pragma once
-/// Inside of BridgeCore: its parts, and the rules that join them. For bridge_core.cpp and bridge_impl.cpp only.
+/// Inside of BridgeCore: its parts, and the rules that join them. For bridge_core.cpp, bridge_impl.cpp and
+/// bridge_requests.cpp only.
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -9,6 +10,9 @@
 #include "drivers/bridge/bridge_core.h"
 #include "drivers/bridge/command_gate.h"
 #include "drivers/bridge/drive_node.h"
+#include "drivers/bridge/encoder_card_node.h"
+#include "drivers/bridge/homing.h"
+#include "drivers/bridge/recovery.h"
 #include "drivers/bridge/safety_machine.h"
 
 namespace sprung {
@@ -17,39 +21,72 @@ inline std::int64_t to_us(double seconds) noexcept {
   return static_cast<std::int64_t>(std::llround(1e6 * seconds));
 }
 
+/// An operator's request that takes a while: its last answer, for when it is asked again.
+struct LongRequest {
+  OperatorReply reply;
+  bool answer_due = false;  ///< `reply` has changed by itself
+};
+
 struct BridgeCore::Impl {
   Impl(const RobotConfig& config, const BridgeOptions& bridge_options);
 
+  void add(NodeLink& link);
   void push_on_every_bus(const CanFrame& frame, FrameBatch& out) const noexcept;
-  bool all_nodes(bool (*condition)(const DriveNode&)) const noexcept;
+  void count_sent(const FrameBatch& batch, int first) noexcept;
   void step_boot(std::int64_t time_us) noexcept;
-  void refuse_drives(std::int64_t time_us) noexcept;
+  void refuse_nodes(std::int64_t time_us) noexcept;
+  void judge_samples() noexcept;
   void begin_cycle(std::int64_t time_us) noexcept;
-  void recover(std::int64_t time_us) noexcept;
   void update_safety(std::int64_t time_us, bool command_due) noexcept;
   bool find_trouble(std::int64_t time_us, Trouble& out) const noexcept;
-  bool any_bus_lost() const noexcept;
   double command_age_s(std::int64_t time_us, bool command_due) const noexcept;
-  const char* clear(std::int64_t time_us) noexcept;
-  const char* why_not_clear(std::int64_t time_us) noexcept;
-  OperatorReply reply(const OperatorCommand& command, const char* refusal) noexcept;
+
+  // Requests: bridge_requests.cpp.
+  OperatorReply clear(const OperatorCommand& command, std::int64_t time_us) noexcept;
+  OperatorReply home(const OperatorCommand& command, std::int64_t time_us) noexcept;
+  void step_requests(std::int64_t time_us) noexcept;
+  void finish_clear(Recovery::Result result, std::int64_t time_us) noexcept;
+  void answer(LongRequest& request, OperatorOutcome outcome, const char* reason) noexcept;
+  const char* why_not_clear(std::int64_t time_us) const noexcept;
+  const char* why_not_home() const noexcept;
+  OperatorReply reply(const OperatorCommand& command, const char* refusal) const noexcept;
+
+  template <class Condition>
+  bool all_links(Condition condition) const noexcept {
+    for (const NodeLink* link : links) {
+      if (!condition(*link)) return false;
+    }
+    return true;
+  }
+  template <class Condition>
+  bool all_drives(Condition condition) const noexcept {
+    for (const auto& drive : drives) {
+      if (!condition(*drive)) return false;
+    }
+    return true;
+  }
 
   RobotConfig robot;
   WatchdogConfig watchdogs;
   std::int64_t cycle_us;
-  std::vector<std::unique_ptr<DriveNode>> nodes;
-  std::vector<std::array<DriveNode*, canopen::kMaxNode + 1>> by_bus_and_node;
-  std::vector<bool> bus_lost;
+  std::vector<std::unique_ptr<DriveNode>> drives;
+  std::vector<std::unique_ptr<EncoderCardNode>> cards;
+  std::vector<NodeLink*> links;  ///< drives, then cards
+  std::vector<std::array<NodeLink*, canopen::kMaxNode + 1>> by_bus_and_node;
+  BusMonitor buses;
   CommandGate gate;
   SafetyMachine safety;
   SafetyState published;
   DriveState state;
-  Trouble bus_trouble;
-  bool bus_trouble_new = false;
+  BusState bus_state;
+  std::unique_ptr<Recovery> recovery;
+  std::unique_ptr<Homing> homing;
+  LongRequest last_clear;
+  LongRequest last_home;
+  bool clear_without_work = false;
+  std::int64_t homings = 0;
   bool cyclic = false;
-  bool recovering = false;
   bool shutting_down = false;
-  std::int64_t recover_until_us = 0;
   std::int64_t shutdown_us = 0;
   std::int64_t now_us = 0;
   std::int64_t cycle = -1;
@@ -59,7 +96,6 @@ struct BridgeCore::Impl {
   std::int64_t overruns = 0;
   std::int64_t missed_cycles = 0;
   int overruns_in_row = 0;
-  OperatorReply last_clear;
 };
 
 }  // namespace sprung

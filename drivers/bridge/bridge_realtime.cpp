@@ -8,7 +8,6 @@
 #include "drivers/bridge/bridge_shell.h"
 #include "drivers/can/bus_addresses.h"
 #include "drivers/can/can_bus.h"
-#include "drivers/can/can_errors.h"
 #include "drivers/can/can_filter.h"
 #include "drivers/can/can_interface.h"
 #include "drivers/canopen/protocol.h"
@@ -36,6 +35,17 @@ int count_nodes(const RobotConfig& robot, int bus) {
   const auto here = [bus](const auto& device) { return device.bus == bus; };
   return static_cast<int>(std::count_if(robot.actuators.begin(), robot.actuators.end(), here) +
                           std::count_if(robot.encoder_cards.begin(), robot.encoder_cards.end(), here));
+}
+
+SendFailure failure_of(CanSendError error) {
+  switch (error) {
+    case CanSendError::kNoBuffers:
+      return SendFailure::kNoBuffers;
+    case CanSendError::kLinkDown:
+      return SendFailure::kLinkDown;
+    default:
+      return SendFailure::kOther;
+  }
 }
 
 /// Absolute deadlines; a cycle that begins more than one cycle late is an overrun, and the missed ones are
@@ -114,6 +124,7 @@ class RealTimeBridge {
     // The last answer cannot be there before the wire has carried them all: one wake-up instead of one a frame.
     if (core_.operational()) sleep_until(std::min(now_us() + wire_us_, answers_us), nullptr, 0);
     wait_until(answers_us, Wake::kOnFramesAndCommands, [this] { return core_.all_answered(); });
+    count_traffic();
     if (core_.end_sampling(now_us(), state_)) {
       shell_.publish_cycle(state_);
       shell_.follow_start();
@@ -128,6 +139,12 @@ class RealTimeBridge {
     core_.emit_setpoints(now_us(), out_);
     send();
     process_.statistics().end_cycle(now_us());
+  }
+
+  void count_traffic() {
+    for (std::size_t bus = 0; bus < buses_.size(); ++bus) {
+      shell_.count_traffic(static_cast<int>(bus), buses_[bus]->counters());
+    }
   }
 
   void send() {
@@ -155,11 +172,10 @@ class RealTimeBridge {
     }
   }
 
-  /// Design section 8: set-points are lost, so the bus is.
+  /// Design section 8: this cycle's set-points are lost; when that lasts, the bus is.
   void report_send_error(std::size_t bus) {
     const CanSendError error = buses_[bus]->last_send_error();
-    const CanFrame frame = error == CanSendError::kNoBuffers ? queue_full_frame() : bus_lost_frame();
-    core_.receive(static_cast<int>(bus), frame, now_us());
+    core_.send_failed(static_cast<int>(bus), failure_of(error), now_us());
     if (send_errors_[bus].allow(now_us())) log_warn(buses_[bus]->describe() + ": " + text(error));
   }
 

@@ -8,13 +8,24 @@ namespace sprung {
 
 namespace {
 
-constexpr std::int64_t kSafetyInterval_us = 100'000;
+constexpr std::int64_t kInterval_us = 100'000;    // of what is also published on change
 constexpr std::uint32_t kErrorFlag = 0x20000000;  // as SocketCAN marks error frames
 constexpr std::size_t kTraceCapacity =
     256;  // CAN_TRACE's own limit: four buses of 15 frames a cycle fit four times
 
 bool differs(const SafetyState& a, const SafetyState& b) {
   return a.level != b.level || a.cause != b.cause || a.latched != b.latched;
+}
+
+/// In what somebody waits for; counters alone wait for the next tenth of a second.
+bool differs(const BusState& a, const BusState& b) {
+  const auto same_bus = [](const BusHealth& x, const BusHealth& y) { return x.condition == y.condition; };
+  const auto same_node = [](const NodeHealth& x, const NodeHealth& y) {
+    return x.operational == y.operational;
+  };
+  return a.recovering != b.recovering ||
+         !std::equal(a.buses.begin(), a.buses.end(), b.buses.begin(), b.buses.end(), same_bus) ||
+         !std::equal(a.nodes.begin(), a.nodes.end(), b.nodes.begin(), b.nodes.end(), same_node);
 }
 
 }  // namespace
@@ -26,6 +37,7 @@ BridgeShell::BridgeShell(Process& process, BridgeCore& core)
       commands_(DriveCommand(process.robot().actuators.size())),
       drive_states_(process.node().publisher<DriveState>(channels::kDriveState)),
       safety_states_(process.node().publisher<SafetyState>(channels::kSafetyState)),
+      bus_states_(process.node().publisher<BusState>(channels::kBusState)),
       replies_(process.node().publisher<OperatorReply>(channels::kOperatorReply)) {
   process.node().subscribe(channels::kDriveCommand, CountLimits::exactly(process.robot().actuators.size()),
                            commands_);
@@ -37,6 +49,8 @@ void BridgeShell::publish_cycle(const DriveState& state) {
   last_state_ = state;
   drive_states_.publish(state);
   publish_safety_if_due(state.stamp.utime_us);
+  publish_buses_if_due(state.stamp.utime_us);
+  publish_replies();
   publish_trace(state.stamp);
   process_.status().stamp = state.stamp;
 }
@@ -65,6 +79,8 @@ void BridgeShell::repeat_drive_state() { drive_states_.publish(last_state_); }
 
 void BridgeShell::publish_boot() {
   publish_safety_if_due(process_.node().utime_us());
+  publish_buses_if_due(process_.node().utime_us());
+  publish_replies();
   process_.status().detail = core_.boot_detail();
   if (!trace_.frames.empty()) {
     publish_trace(Stamp{trace_.frames.front().utime, -1});
@@ -73,12 +89,33 @@ void BridgeShell::publish_boot() {
 
 void BridgeShell::publish_safety_if_due(std::int64_t now_us) {
   const SafetyState& safety = core_.safety();
-  if (differs(safety, last_safety_) || now_us >= next_safety_us_ ||
-      next_safety_us_ - now_us > kSafetyInterval_us) {
+  if (differs(safety, last_safety_) || now_us >= next_safety_us_ || next_safety_us_ - now_us > kInterval_us) {
     safety_states_.publish(safety);
     last_safety_ = safety;
-    next_safety_us_ = now_us + kSafetyInterval_us;
+    next_safety_us_ = now_us + kInterval_us;
   }
+}
+
+void BridgeShell::publish_buses_if_due(std::int64_t now_us) {
+  const BusState& buses = core_.bus_state();
+  const bool due = now_us >= next_buses_us_ || next_buses_us_ - now_us > kInterval_us;
+  if (!due && !differs(buses, last_buses_)) {
+    return;
+  }
+  bus_states_.publish(buses);
+  last_buses_ = buses;
+  next_buses_us_ = now_us + kInterval_us;
+}
+
+void BridgeShell::publish_replies() {
+  OperatorReply reply;
+  while (core_.next_reply(reply)) {
+    replies_.publish(reply);
+  }
+}
+
+void BridgeShell::count_traffic(int bus, const CanBusCounters& counters) {
+  core_.set_traffic(bus, {counters.send_failed, counters.no_buffers, counters.dropped, counters.malformed});
 }
 
 void BridgeShell::trace(const FrameBatch& frames, bool sent, std::int64_t time_us) {
@@ -104,7 +141,8 @@ void BridgeShell::trace(int bus, const CanFrame& frame, bool sent, std::int64_t 
 
 void BridgeShell::serve_operators(std::int64_t time_us) {
   while (const std::optional<OperatorCommand> command = operators_.pop()) {
-    if (command->kind == OperatorKind::kEstop || command->kind == OperatorKind::kClear) {
+    const OperatorKind kind = command->kind;
+    if (kind == OperatorKind::kEstop || kind == OperatorKind::kClear || kind == OperatorKind::kHome) {
       replies_.publish(core_.operator_command(*command, time_us));
       publish_safety_if_due(time_us);
     }

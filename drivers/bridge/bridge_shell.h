@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "drivers/bridge/bridge_core.h"
+#include "drivers/can/can_bus.h"
 #include "runtime/process.h"
 
 namespace sprung {
@@ -26,11 +27,13 @@ class BridgeShell {
   void follow_start();
   /// The last DRIVE_STATE again, for whoever lost it or whose answer was lost.
   void repeat_drive_state();
-  /// SAFETY_STATE while no cycle runs yet: on change and at 10 Hz of wall time.
+  /// SAFETY_STATE and BUS_STATE while no cycle runs yet: on change and at 10 Hz of wall time.
   void publish_boot();
   void trace(const FrameBatch& frames, bool sent, std::int64_t time_us);
   void trace(int bus, const CanFrame& frame, bool sent, std::int64_t time_us);
   void serve_operators(std::int64_t time_us);
+  /// What a CAN bus has counted, for BUS_STATE; real time only, since it depends on the wall clock.
+  void count_traffic(int bus, const CanBusCounters& counters);
   /// @return true when a DRIVE_COMMAND newer than the last taken has come in.
   bool take_command(DriveCommand& out);
   /// Whether DRIVE_COMMAND(seq) or a newer one was taken.
@@ -38,6 +41,8 @@ class BridgeShell {
 
  private:
   void publish_safety_if_due(std::int64_t now_us);
+  void publish_buses_if_due(std::int64_t now_us);
+  void publish_replies();
   void publish_trace(const Stamp& stamp);
 
   Process& process_;
@@ -47,10 +52,13 @@ class BridgeShell {
   InputQueue<OperatorCommand> operators_;
   Publisher<DriveState> drive_states_;
   Publisher<SafetyState> safety_states_;
+  Publisher<BusState> bus_states_;
   Publisher<OperatorReply> replies_;
   sprung_msgs::can_trace_t trace_;
   SafetyState last_safety_;
   std::int64_t next_safety_us_ = 0;
+  BusState last_buses_;
+  std::int64_t next_buses_us_ = 0;
   std::int64_t last_command_seq_ = -1;
   std::int64_t trace_lost_ = 0;
   std::int64_t reported_lost_ = 0;

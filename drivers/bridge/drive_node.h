@@ -1,85 +1,104 @@
 #pragma once
-/// One drive as the bridge sees it: boot, samples, faults, heartbeat watch, supply voltage, power. Stepped by
-/// time.
+/// One drive as the bridge sees it: what NodeLink does for every node, and samples, faults, power, modes, supply
+/// voltage and the reference of its position. Stepped by time.
 #include <cstdint>
 #include <memory>
 
-#include "drivers/bridge/node_boot.h"
+#include "drivers/bridge/bridge_core.h"
+#include "drivers/bridge/node_link.h"
 #include "drivers/bridge/position_tracker.h"
 #include "drivers/bridge/power_control.h"
-#include "drivers/bridge/safety_machine.h"
-#include "drivers/profiles/drive_profile.h"
-#include "signals/signals.h"
 
 namespace sprung {
 
-class DriveNode {
+/// Answer to DriveNode::ask_index().
+enum class IndexAnswer : std::int8_t { kNone, kWaiting, kKnown, kFailed };
+
+class DriveNode final : public NodeLink {
  public:
-  DriveNode(const ActuatorConfig& actuator, double cycle_s, const WatchdogConfig& watchdogs);
+  DriveNode(const ActuatorConfig& actuator, int index, double cycle_s, const WatchdogConfig& watchdogs);
 
-  /// Boot frames, then background reads; at most one frame.
-  void step(std::int64_t time_us, FrameBatch& out) noexcept;
-  void receive(const CanFrame& frame, std::int64_t time_us) noexcept;
-  void begin_sampling(std::int64_t sync_us) noexcept;
-  /// Counts an unanswered SYNC.
-  void end_sampling() noexcept;
   void fill(ActuatorState& out) const noexcept;
+  bool trouble(std::int64_t time_us, bool ignore_faults, Trouble& out) const noexcept override;
+  bool faulted() const noexcept override;
+  bool powered() const noexcept override;
+  void reset_faults(bool reset) noexcept override;
+  void restart() noexcept override;
+  NodeHealth health() const noexcept override;
 
-  /// What is wrong with a drive that should be running. @return false when nothing is; `out` is then
-  /// untouched.
-  bool trouble(std::int64_t time_us, bool ignore_faults, Trouble& out) const noexcept;
   /// Set-points of this cycle by level and command, and the control word when it is due.
   void emit(std::int64_t time_us, SafetyLevel level, const ActuatorCommand& command,
             FrameBatch& out) noexcept;
 
-  /// Faults have been judged: one that the drive has withdrawn may now be forgotten.
-  void faults_seen() noexcept { emergency_seen_ = true; }
-  /// Fault-reset edges until the fault is gone.
-  void reset_faults(bool reset) noexcept;
-  void restart() noexcept;
-  void start() noexcept { boot_.start(); }
+  /// Link side of the gear, from the card, once a cycle after end_sampling(); NaN when there is none in this cycle.
+  void set_link_position(double measured_link_position_rad) noexcept;
 
-  const NodeBoot& boot() const noexcept { return boot_; }
-  bool answered() const noexcept { return answered_; }
-  bool silent() const noexcept { return age_cycles_ > watchdogs_.silent_cycles; }
-  bool lost(std::int64_t time_us) const noexcept;  ///< not operational any more, or no heartbeat
-  bool faulted() const noexcept;
-  bool powered() const noexcept;
   double filtered_velocity_rad_s() const noexcept { return tracker_.filtered_velocity_rad_s(); }
+  double measured_link_position_rad() const noexcept { return measured_link_position_rad_; }
+  /// What the encoder says, at the output and without offset. Good when answered().
+  double encoder_position_rad() const noexcept { return tracker_.position_rad(); }
+  std::int64_t encoder_counts() const noexcept;
   const ActuatorConfig& actuator() const noexcept { return actuator_; }
 
+  const Reference& reference() const noexcept { return reference_; }
+  void set_reference(const Reference& reference) noexcept;
+  bool has_index() const noexcept { return profile_->index_counter_object().index != 0; }
+  /// Reads the encoder's count at its last index pulse, in the background.
+  void ask_index() noexcept { index_answer_ = IndexAnswer::kWaiting; }
+  IndexAnswer index_answer() const noexcept { return index_answer_; }
+  /// As encoder_position_rad(), at the last index pulse; when kKnown.
+  double index_position_rad() const noexcept { return index_position_rad_; }
+
+ protected:
+  void take_sample(const CanFrame& frame, std::int64_t time_us, bool late) noexcept override;
+  bool accept_sample() noexcept override;
+  void take_other(const CanFrame& frame) noexcept override;
+  void on_operational(std::int64_t time_us) noexcept override;
+  void on_unasked_boot_up() noexcept override { doubt_reference(); }
+  bool step_background(std::int64_t time_us, canopen::SdoClient& sdo, CanFrame& out) noexcept override;
+
  private:
-  void receive_heartbeat(const CanFrame& frame, std::int64_t time_us) noexcept;
-  void receive_emergency(const CanFrame& frame) noexcept;
-  void receive_process_data(const CanFrame& frame, std::int64_t time_us) noexcept;
-  bool step_supply(std::int64_t time_us, CanFrame& out) noexcept;
+  DriveNode(const ActuatorConfig& actuator, int index, const WatchdogConfig& watchdogs,
+            std::unique_ptr<DriveProfile> profile);
+
+  enum class Reading : std::int8_t { kNothing, kSupply, kMode, kIndex };
+
+  void take_reading(canopen::SdoClient& sdo) noexcept;
+  Reading next_reading(std::int64_t time_us) noexcept;
+  canopen::ObjectId object_of(Reading reading) const noexcept;
+  void doubt_reference() noexcept;
+  bool mode_confirmed() const noexcept;
+  bool own_trouble(Trouble& out) const noexcept;
   cia402::PowerTarget target(SafetyLevel level, const ActuatorCommand& command) const noexcept;
   DriveSetpoint setpoint(SafetyLevel level, const ActuatorCommand& command) const noexcept;
+  double measured_position_rad() const noexcept { return tracker_.position_rad() + reference_.offset_rad; }
 
   ActuatorConfig actuator_;
-  WatchdogConfig watchdogs_;
-  std::unique_ptr<DriveProfile> profile_;
-  canopen::SdoClient sdo_;
-  NodeBoot boot_;
+  std::unique_ptr<DriveProfile> profile_;  ///< decodes without offset: reference_ holds the one in force
   PowerControl power_;
   PositionTracker tracker_;
+  Reference reference_;
   DriveSample sample_;
+  std::int64_t received_us_ = 0;
   bool sampled_ = false;
-  bool answered_ = false;
-  bool implausible_ = false;
-  int age_cycles_ = 0;
-  std::int64_t sync_us_ = 0;
+  bool implausible_ = false;  ///< the sample of this cycle
+  double measured_link_position_rad_ = kNaN;
+  int cycles_apart_ = 0;  ///< motor and link encoder disagree for so many cycles
+  bool apart_ = false;    ///< they disagreed for too long; until the reference is found anew
+
   std::int8_t mode_display_ = 0;
   bool mode_display_known_ = false;  ///< by TPDO since the last boot; else as read while booting
   DriveMode sent_mode_ = DriveMode::kTorque;
+  std::int64_t unconfirmed_us_ = 0;  ///< how long the drive has not shown the mode that it was told
+  std::int64_t confirmed_at_us_ = 0;
+  std::int64_t next_mode_read_us_ = 0;
   PowerState power_state_ = PowerState::kUnknown;
-  canopen::Emergency emergency_;
-  bool emergency_seen_ = false;       ///< by faults_seen()
-  bool emergency_withdrawn_ = false;  ///< forgotten by the next begin_sampling() after it was seen
-  canopen::NmtState nmt_state_ = canopen::NmtState::kUnknown;
-  std::int64_t heartbeat_us_ = 0;
+
+  Reading reading_ = Reading::kNothing;
   std::int64_t next_supply_us_ = 0;
   double measured_supply_V_ = kNaN;
+  IndexAnswer index_answer_ = IndexAnswer::kNone;
+  double index_position_rad_ = 0.0;
 };
 
 }  // namespace sprung

@@ -1,5 +1,7 @@
 #include "drivers/bridge/node_boot.h"
 
+#include <algorithm>
+
 #include "drivers/canopen/objects.h"
 
 namespace sprung {
@@ -18,6 +20,9 @@ constexpr std::int64_t kStartTimeout_us = 500'000;  // then NMT start is sent ag
 
 NodeBoot::NodeBoot(const char* drive, int node, std::vector<BootStep> script)
     : drive_(drive), node_(node), script_(std::move(script)) {
+  settings_ = static_cast<int>(std::count_if(script_.begin(), script_.end(), [](const BootStep& step) {
+    return step.kind == Kind::kWrite || step.kind == Kind::kWriteAndVerify;
+  }));
   print(detail_, "%s: not yet reset", drive_);
 }
 
@@ -91,6 +96,7 @@ bool NodeBoot::step_probe(std::int64_t time_us, SdoClient& sdo, CanFrame& out) n
   if (sdo.step(time_us, out)) return true;
   if (sdo.status() == SdoStatus::kBusy) return false;
   const bool silent = sdo.status() == SdoStatus::kTimeout;
+  if (silent) ++sdo_failures_;
   sdo.finish();
   enter(silent ? BootState::kReset : BootState::kConfigure, time_us);
   at_ = 0;
@@ -129,6 +135,7 @@ void NodeBoot::take_answer(SdoClient& sdo) noexcept {
   const BootStep& step = script_[at_];
   const SdoStatus status = sdo.status();
   sdo.finish();
+  if (status == SdoStatus::kTimeout || status == SdoStatus::kAborted) ++sdo_failures_;
   if (status == SdoStatus::kTimeout) {
     state_ = BootState::kReset;
     print(detail_, "%s: no answer about object 0x%04X:%02X; beginning again", drive_,

@@ -39,6 +39,10 @@ class NodeBoot {
   bool started() const noexcept { return state_ == BootState::kStarted || state_ == BootState::kOperational; }
   bool operational() const noexcept { return state_ == BootState::kOperational; }
   bool refused() const noexcept { return state_ == BootState::kRefused; }
+  /// Past the reset: a boot-up frame now is one that nobody asked for.
+  bool configuring() const noexcept { return state_ == BootState::kConfigure || configured() || started(); }
+  int settings() const noexcept { return settings_; }  ///< objects that the script writes
+  std::int64_t sdo_failures() const noexcept { return sdo_failures_; }
   std::int8_t mode_display() const noexcept { return mode_display_; }
   const DetailText& detail() const noexcept { return detail_; }
 
@@ -58,7 +62,9 @@ class NodeBoot {
   std::size_t at_ = 0;
   bool reading_back_ = false;
   bool start_due_ = false;
-  bool unanswered_ = false;  ///< keeps the sentence about it through the next reset
+  int settings_ = 0;
+  std::int64_t sdo_failures_ = 0;  ///< aborted or unanswered
+  bool unanswered_ = false;        ///< keeps the sentence about it through the next reset
   std::int8_t mode_display_ = 0;
   DetailText detail_{};
 };

@@ -1,5 +1,6 @@
 #include "drivers/bridge/position_tracker.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace sprung {
@@ -7,25 +8,44 @@ namespace {
 
 constexpr double kTimeConstant_s =
     0.004;  // [design choice] 40 Hz: far above the pole of damping / armature, 20 rad/s
-constexpr double kSpeedFactor = 3.0;  // [design choice] over speed_limit
-constexpr double kSlack_rad = 0.3;    // [design choice] for one sampling instant that was off
+constexpr double kSpeedFactor = 3.0;  // [design choice] over speed_limit: impacts are faster than commands
+constexpr double kQuanta = 2.0;       // each of two samples is off by up to one
+
+double seconds(std::int64_t time_us) noexcept { return 1e-6 * static_cast<double>(time_us); }
 
 }  // namespace
 
-bool PositionTracker::add(double measured_position_rad, std::int64_t time_us) noexcept {
-  const double step_rad = measured_position_rad - last_position_rad_;
-  const double dt_s = 1e-6 * static_cast<double>(time_us - last_us_);
-  const bool first = !known_;
-  last_position_rad_ = measured_position_rad;
-  last_us_ = time_us;
-  known_ = true;
-  if (first || !(dt_s > 0.0)) {
-    velocity_rad_s_ = 0.0;
+bool PositionTracker::can_follow(const Sample& before, double position_rad,
+                                 std::int64_t received_us) const noexcept {
+  const double longest_s = seconds(std::max<std::int64_t>(received_us - before.sync_us, 0));
+  return std::abs(position_rad - before.position_rad) <=
+         kSpeedFactor * speed_limit_rad_s_ * longest_s + kQuanta * quantum_rad_;
+}
+
+bool PositionTracker::add(double measured_position_rad, std::int64_t sync_us,
+                          std::int64_t received_us) noexcept {
+  const Sample sample{measured_position_rad, sync_us, true};
+  if (!good_.known) {
+    good_ = sample;
     return true;
   }
-  // A step that cannot be is no motion to damp.
-  if (!(std::abs(step_rad) <= kSpeedFactor * speed_limit_rad_s_ * dt_s + kSlack_rad)) return false;
-  velocity_rad_s_ += (step_rad / dt_s - velocity_rad_s_) * dt_s / (kTimeConstant_s + dt_s);
+  if (!can_follow(good_, measured_position_rad, received_us)) {
+    const bool jumped = rejected_.known && can_follow(rejected_, measured_position_rad, received_us);
+    rejected_ = sample;
+    if (!jumped) return false;
+    good_ = sample;
+    rejected_.known = false;
+    return true;
+  }
+  const double step_rad = measured_position_rad - good_.position_rad;
+  const double dt_s = seconds(sync_us - good_.sync_us);
+  good_ = sample;
+  rejected_.known = false;
+  if (!(dt_s > 0.0)) return true;
+  // A cycle that was sent late is shorter by its time stamps than it was.
+  const double fastest_rad_s = kSpeedFactor * speed_limit_rad_s_;
+  const double speed_rad_s = std::clamp(step_rad / dt_s, -fastest_rad_s, fastest_rad_s);
+  velocity_rad_s_ += (speed_rad_s - velocity_rad_s_) * dt_s / (kTimeConstant_s + dt_s);
   return true;
 }
 

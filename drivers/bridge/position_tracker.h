@@ -1,6 +1,7 @@
 #pragma once
-/// Velocity of one actuator for the bridge's own damping: differences of the measured position through a
-/// first-order low-pass. Pure.
+/// Position and velocity of one actuator for the bridge's own damping. A sample that cannot be (a flipped bit, an
+/// encoder that jumped) is rejected and touches neither; velocity is differences through a first-order low-pass.
+/// Pure.
 #include <cstdint>
 
 namespace sprung {
@@ -8,20 +9,35 @@ namespace sprung {
 class PositionTracker {
  public:
   /// @param speed_limit_rad_s of the actuator; what moves several times faster is no measurement.
-  explicit PositionTracker(double speed_limit_rad_s) : speed_limit_rad_s_(speed_limit_rad_s) {}
+  /// @param quantum_rad of the measured position: encoder counts at the output.
+  PositionTracker(double speed_limit_rad_s, double quantum_rad) noexcept
+      : speed_limit_rad_s_(speed_limit_rad_s), quantum_rad_(quantum_rad) {}
 
-  /// @param time_us of the SYNC that sampled. @return false when the step from the last position is
-  /// implausible; the velocity stays as it was, the next step counts from here.
-  bool add(double measured_position_rad, std::int64_t time_us) noexcept;
-  void reset() noexcept { known_ = false; }
+  /// @param sync_us of the SYNC that sampled. @param received_us when the sample came in: it was taken between the
+  /// two, so no more time than from the last good sample's SYNC until then can lie between the positions.
+  /// @return false when the step from the last good sample is implausible: the sample is kept out. A second one
+  /// beside the first shows that the position itself has jumped: it goes on from there, without a velocity from it.
+  bool add(double measured_position_rad, std::int64_t sync_us, std::int64_t received_us) noexcept;
+  void reset() noexcept { *this = PositionTracker(speed_limit_rad_s_, quantum_rad_); }
+
+  double position_rad() const noexcept {
+    return good_.position_rad;
+  }  ///< last good sample; 0 before the first
   double filtered_velocity_rad_s() const noexcept { return velocity_rad_s_; }
 
  private:
+  struct Sample {
+    double position_rad = 0.0;
+    std::int64_t sync_us = 0;
+    bool known = false;
+  };
+  bool can_follow(const Sample& before, double position_rad, std::int64_t received_us) const noexcept;
+
   double speed_limit_rad_s_;
-  double last_position_rad_ = 0.0;
+  double quantum_rad_;
   double velocity_rad_s_ = 0.0;
-  std::int64_t last_us_ = 0;
-  bool known_ = false;
+  Sample good_;
+  Sample rejected_;  ///< the last one, until a good one came
 };
 
 }  // namespace sprung

@@ -73,6 +73,8 @@ class DriveProfile : public NodeProfile {
   /// {0, 0} where the drive has none.
   virtual canopen::ObjectId supply_voltage_object() const noexcept = 0;
   virtual double supply_V(std::uint32_t raw) const noexcept = 0;
+  /// Where the drive keeps its encoder's count at the last index pulse; {0, 0} where it does not.
+  virtual canopen::ObjectId index_counter_object() const noexcept { return {}; }
 
   /// @return false when the frame is not this drive's sample (other id or length).
   virtual bool decode_sample(const CanFrame& frame, DriveSample& sample) const noexcept = 0;

@@ -1,11 +1,10 @@
-// The small parts of the bridge: power control, position tracker, sentences.
+// The small parts of the bridge: power control, sentences.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
 
 #include "drivers/bridge/detail_text.h"
-#include "drivers/bridge/position_tracker.h"
 #include "drivers/bridge/power_control.h"
 #include "drivers/canopen/objects.h"
 
@@ -54,44 +53,6 @@ TEST(PowerControl, FaultGetsEdgesOnlyWhenAskedTo) {
   EXPECT_EQ(word, cia402::kDisableVoltageWord) << "down again, for another edge";
   power.step(PowerState::kSwitchOnDisabled, 41'000, word);
   EXPECT_EQ(word, cia402::kShutdownWord);
-}
-
-TEST(PositionTracker, VelocitySettlesOnASteadyMotion) {
-  PositionTracker tracker(12.0);
-  double position = 0.5;
-  for (int i = 0; i < 100; ++i) {
-    EXPECT_TRUE(tracker.add(position, 1000 * i));
-    position += 0.003;
-  }
-  EXPECT_NEAR(tracker.filtered_velocity_rad_s(), 3.0, 1e-6);
-}
-
-TEST(PositionTracker, MissedSamplesDoNotDoubleTheVelocity) {
-  PositionTracker tracker(12.0);
-  for (int i = 0; i < 300; ++i) {
-    if (i % 3 != 1) tracker.add(0.003 * i, 1000 * i);
-  }
-  EXPECT_NEAR(tracker.filtered_velocity_rad_s(), 3.0, 1e-6);
-}
-
-TEST(PositionTracker, FirstSampleIsNoMotionAndAJumpIsImplausible) {
-  PositionTracker tracker(12.0);
-  EXPECT_TRUE(tracker.add(100.0, 0));
-  EXPECT_EQ(tracker.filtered_velocity_rad_s(), 0.0);
-  EXPECT_TRUE(tracker.add(100.3, 1000));
-  EXPECT_FALSE(tracker.add(100.9, 2000));
-  tracker.reset();
-  EXPECT_TRUE(tracker.add(-50.0, 3000));
-}
-
-TEST(PositionTracker, ImplausibleStepDoesNotTouchTheVelocity) {
-  PositionTracker tracker(12.0);
-  for (int i = 0; i < 100; ++i) tracker.add(0.003 * i, 1000 * i);
-  const double before_rad_s = tracker.filtered_velocity_rad_s();
-  EXPECT_FALSE(tracker.add(50.0, 100'000));
-  EXPECT_EQ(tracker.filtered_velocity_rad_s(), before_rad_s);
-  EXPECT_TRUE(tracker.add(50.003, 101'000)) << "goes on from where it is now";
-  EXPECT_NEAR(tracker.filtered_velocity_rad_s(), 3.0, 1e-6);
 }
 
 TEST(DetailText, DifferencesShowQuantitiesInDecimalAndIdentitiesInHexadecimal) {

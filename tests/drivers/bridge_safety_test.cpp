@@ -6,52 +6,14 @@
 
 #include "drivers/can/can_errors.h"
 #include "drivers/canopen/objects.h"
-#include "tests/support/bridge_bench.h"
+#include "tests/support/bridge_fixture.h"
 
 namespace sprung {
 namespace {
 
-using testing::BridgeBench;
 using ::testing::HasSubstr;
 
-class BridgeSafety : public ::testing::Test {
- protected:
-  void SetUp() override {
-    ASSERT_TRUE(bench_.boot());
-    bench_.enable();
-    ASSERT_EQ(enabled(), 2);
-    for (auto& drive : bench_.drives) enabled_before_.push_back(drive.enabled_count);
-  }
-
-  int enabled() const {
-    int count = 0;
-    for (const auto& drive : bench_.drives) count += drive.power == PowerState::kOperationEnabled ? 1 : 0;
-    return count;
-  }
-  int powered() const {
-    int count = 0;
-    for (const auto& drive : bench_.drives) {
-      count +=
-          drive.power == PowerState::kOperationEnabled || drive.power == PowerState::kQuickStopActive ? 1 : 0;
-    }
-    return count;
-  }
-  SafetyLevel level() const { return bench_.bridge->safety().level; }
-  SafetyCause cause() const { return bench_.bridge->safety().cause; }
-  bool latched() const { return bench_.bridge->safety().latched; }
-  /// Commands torque for a while: nothing may come on again.
-  void expect_stays_off() {
-    bench_.command_all(DriveMode::kTorque, 5.0);
-    bench_.run(300);
-    EXPECT_EQ(enabled(), 0);
-    for (std::size_t i = 0; i < bench_.drives.size(); ++i) {
-      EXPECT_EQ(bench_.drives[i].enabled_count, enabled_before_[i]) << "drive " << i << " was enabled again";
-    }
-  }
-
-  BridgeBench bench_;
-  std::vector<int> enabled_before_;
-};
+using BridgeSafety = testing::PoweredBridge;
 
 TEST_F(BridgeSafety, StaleCommandIsHeldThenDampedThenStoppedForGood) {
   bench_.command_all(DriveMode::kTorque, 30.8);
@@ -125,34 +87,6 @@ TEST_F(BridgeSafety, EmergencyStopTakesThePowerAtOnceAndStays) {
   expect_stays_off();
 }
 
-TEST_F(BridgeSafety, ClearNeedsADisabledCommandBeforeTorqueComesBack) {
-  bench_.ask(OperatorKind::kEstop);
-  bench_.run(10);
-  bench_.command_all(DriveMode::kTorque, 5.0);
-  EXPECT_EQ(bench_.ask(OperatorKind::kClear).outcome, OperatorOutcome::kAccepted);
-  expect_stays_off();
-  bench_.enable();
-  EXPECT_EQ(enabled(), 2);
-  EXPECT_EQ(level(), SafetyLevel::kOperational);
-}
-
-TEST_F(BridgeSafety, ClearIsRefusedWhileDrivesStillStop) {
-  bench_.mute_commands = true;
-  bench_.run(230);
-  const OperatorReply reply = bench_.ask(OperatorKind::kClear);
-  EXPECT_EQ(reply.outcome, OperatorOutcome::kRefused);
-  EXPECT_STREQ(reply.reason, "drives are still stopping");
-}
-
-TEST_F(BridgeSafety, ClearIsRefusedWhileNobodyCommands) {
-  bench_.mute_commands = true;
-  bench_.run(800);
-  EXPECT_STREQ(bench_.ask(OperatorKind::kClear).reason, "no good DRIVE_COMMAND is coming in");
-  bench_.mute_commands = false;
-  bench_.run(2);
-  EXPECT_EQ(bench_.ask(OperatorKind::kClear).outcome, OperatorOutcome::kAccepted);
-}
-
 TEST_F(BridgeSafety, DriveFaultDampsTheWholeRobotThenStopsIt) {
   bench_.drives[1].pending_emergency = 0x2310;
   bench_.tick();
@@ -167,31 +101,6 @@ TEST_F(BridgeSafety, DriveFaultDampsTheWholeRobotThenStopsIt) {
   EXPECT_EQ(level(), SafetyLevel::kQuickStop);
   bench_.run(600);
   EXPECT_EQ(powered(), 0);
-}
-
-TEST_F(BridgeSafety, ClearResetsTheFaultOfADrive) {
-  bench_.drives[1].pending_emergency = 0x2310;
-  bench_.run(900);
-  EXPECT_EQ(bench_.drives[1].power, PowerState::kFault);
-  EXPECT_EQ(bench_.ask(OperatorKind::kClear).outcome, OperatorOutcome::kAccepted);
-  bench_.run(100);
-  EXPECT_EQ(bench_.drives[1].power, PowerState::kSwitchOnDisabled);
-  EXPECT_EQ(bench_.state.actuators[1].fault_code, 0);
-  EXPECT_FALSE(latched());
-  bench_.enable();
-  EXPECT_EQ(enabled(), 2);
-}
-
-TEST_F(BridgeSafety, FaultThatCannotBeResetLatchesAgain) {
-  bench_.drives[1].pending_emergency = 0x2310;
-  bench_.run(900);
-  EXPECT_EQ(bench_.ask(OperatorKind::kClear).outcome, OperatorOutcome::kAccepted);
-  for (int i = 0; i < 400; ++i) {
-    bench_.drives[1].power = PowerState::kFault;
-    bench_.tick();
-  }
-  EXPECT_EQ(cause(), SafetyCause::kDriveFault);
-  EXPECT_TRUE(latched());
 }
 
 TEST_F(BridgeSafety, DriveThatLosesItsPowerByItselfStopsTheRobotAndStaysOff) {
@@ -211,7 +120,7 @@ TEST_F(BridgeSafety, DriveThatLosesItsPowerByItselfStopsTheRobotAndStaysOff) {
     bench_.run(600);
     EXPECT_EQ(powered(), 0);
     EXPECT_EQ(bench_.drives[1].enabled_count, enabled_before) << "it was enabled again";
-    EXPECT_EQ(bench_.ask(OperatorKind::kClear).outcome, OperatorOutcome::kAccepted);
+    EXPECT_EQ(bench_.ask_and_wait(OperatorKind::kClear).outcome, OperatorOutcome::kDone);
     bench_.enable();
     EXPECT_EQ(enabled(), 2);
     EXPECT_FALSE(latched());
@@ -256,8 +165,6 @@ TEST_F(BridgeSafety, SilenceIsHeldForTwoCyclesThenStopsTheRobot) {
   EXPECT_EQ(level(), SafetyLevel::kDamping);
   EXPECT_EQ(cause(), SafetyCause::kDriveSilent);
   EXPECT_THAT(bench_.detail(), HasSubstr("hip_motor: did not answer SYNC for 3 cycles"));
-  bench_.run(900);
-  EXPECT_STREQ(bench_.ask(OperatorKind::kClear).reason, "a drive does not answer");
 }
 
 TEST_F(BridgeSafety, MissingHeartbeatStopsTheRobot) {
@@ -267,39 +174,6 @@ TEST_F(BridgeSafety, MissingHeartbeatStopsTheRobot) {
   bench_.run(20);
   EXPECT_EQ(cause(), SafetyCause::kDriveSilent);
   EXPECT_THAT(bench_.detail(), HasSubstr("hip_motor: no heartbeat"));
-}
-
-TEST_F(BridgeSafety, DriveThatLeavesOperationalIsConfiguredAgainByClear) {
-  bench_.drives[0].nmt = canopen::NmtState::kPreOperational;
-  bench_.drives[0].power = PowerState::kSwitchOnDisabled;
-  bench_.run(900);
-  EXPECT_EQ(cause(), SafetyCause::kDriveSilent);
-  EXPECT_THAT(bench_.ask(OperatorKind::kClear).reason, HasSubstr("configured again"));
-  bench_.run(400);
-  EXPECT_EQ(bench_.drives[0].resets, 2);
-  EXPECT_EQ(bench_.drives[0].nmt, canopen::NmtState::kOperational);
-  EXPECT_EQ(bench_.ask(OperatorKind::kClear).outcome, OperatorOutcome::kAccepted);
-  expect_stays_off();
-  bench_.enable();
-  EXPECT_EQ(enabled(), 2);
-}
-
-TEST_F(BridgeSafety, DriveThatIsRefusedWhenConfiguredAgainIsNamedAndTriedAgainByEveryClear) {
-  bench_.drives[0].nmt = canopen::NmtState::kPreOperational;
-  bench_.drives[0].power = PowerState::kSwitchOnDisabled;
-  bench_.drives[0].clamped[{canopen::kMaxTorque, 0}] = 5000;
-  bench_.run(900);
-  for (int resets = 2; resets < 4; ++resets) {
-    EXPECT_THAT(bench_.ask(OperatorKind::kClear).reason, HasSubstr("configured again"));
-    bench_.run(400);
-    EXPECT_EQ(bench_.drives[0].resets, resets);
-    EXPECT_EQ(cause(), SafetyCause::kDriveSilent);
-    EXPECT_EQ(bench_.detail(), "hip_motor: object 0x6072:00 max torque: expected 5571, found 5000");
-  }
-  bench_.drives[0].clamped.clear();
-  bench_.ask(OperatorKind::kClear);
-  bench_.run(400);
-  EXPECT_EQ(bench_.ask(OperatorKind::kClear).outcome, OperatorOutcome::kAccepted);
 }
 
 TEST_F(BridgeSafety, PositionThatJumpsIsImplausible) {
@@ -332,19 +206,6 @@ TEST_F(BridgeSafety, DriveThatDidNotAnswerIsNotDampedByItsLastVelocity) {
   bench_.tick();
   EXPECT_EQ(bench_.drives[0].power, PowerState::kOperationEnabled);
   EXPECT_EQ(bench_.drives[0].target_torque_permille, 0);
-}
-
-TEST_F(BridgeSafety, BusOffIsAQuickStopUntilFramesComeAgain) {
-  bench_.bridge->receive(0, bus_lost_frame(), bench_.time_us);
-  for (auto& drive : bench_.drives) drive.mute_samples = drive.mute_heartbeat = true;
-  bench_.tick();
-  EXPECT_EQ(level(), SafetyLevel::kQuickStop);
-  EXPECT_EQ(cause(), SafetyCause::kBusLost);
-  EXPECT_THAT(bench_.detail(), HasSubstr("bus leg (memory:leg) is lost"));
-  EXPECT_STREQ(bench_.ask(OperatorKind::kClear).reason, "a bus is lost; see SAFETY_STATE");
-  for (auto& drive : bench_.drives) drive.mute_samples = drive.mute_heartbeat = false;
-  bench_.run(900);
-  EXPECT_EQ(bench_.ask(OperatorKind::kClear).outcome, OperatorOutcome::kAccepted);
 }
 
 TEST_F(BridgeSafety, OverrunsInARowDampUntilACycleIsInTime) {

@@ -92,6 +92,15 @@ OperatorReply BridgeBench::ask(OperatorKind kind) {
   return bridge->operator_command(request, time_us);
 }
 
+OperatorReply BridgeBench::ask_and_wait(OperatorKind kind, int ticks) {
+  OperatorReply reply = ask(kind);
+  for (int i = 0; i < ticks && reply.outcome == OperatorOutcome::kAccepted; ++i) {
+    tick();
+    bridge->next_reply(reply);
+  }
+  return reply;
+}
+
 void BridgeBench::command_all(DriveMode mode, double torque_Nm, double position_rad) {
   for (ActuatorCommand& actuator : command.actuators) {
     actuator.mode = mode;

@@ -25,6 +25,8 @@ class BridgeBench {
   /// Arms with disabled commands, then commands `mode` until the drives are enabled.
   void enable(DriveMode mode = DriveMode::kTorque);
   OperatorReply ask(OperatorKind kind);
+  /// Asks, and ticks until the request is done, has failed or was refused; at most `ticks`.
+  OperatorReply ask_and_wait(OperatorKind kind, int ticks = 7000);
   /// Sets every actuator's command.
   void command_all(DriveMode mode, double torque_Nm = 0.0, double position_rad = 0.0);
 

@@ -14,6 +14,7 @@ FakeDrive::FakeDrive(int node, const IdentityConfig& identity) : node_(node) {
   objects[{kSupplyVoltage, 0}] = 48000;
   objects[{kModeDisplay, 0}] = 0;
   objects[{kControlWord, 0}] = 0;
+  defaults_ = objects;
 }
 
 void FakeDrive::receive(const CanFrame& frame, std::vector<CanFrame>& out) {
@@ -36,6 +37,7 @@ void FakeDrive::receive_nmt(NmtCommand command, std::vector<CanFrame>& out) {
   if (command == NmtCommand::kStop) nmt = NmtState::kStopped;
   if (command != NmtCommand::kResetCommunication && command != NmtCommand::kResetNode) return;
   ++resets;
+  if (loses_settings_on_reset) objects = defaults_;
   nmt = NmtState::kPreOperational;
   if (!boots_silently) out.push_back(heartbeat_frame(node_, NmtState::kBootUp));
 }
@@ -79,6 +81,7 @@ void FakeDrive::apply_control_word(std::uint16_t word) {
   const PowerState before = power;
   power = cia402::apply_control(power, word, control_word);
   control_word = word;
+  if (stuck_in_fault && before == PowerState::kFault) power = before;
   if (power == PowerState::kOperationEnabled && before != power) ++enabled_count;
 }
 

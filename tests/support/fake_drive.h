@@ -44,6 +44,8 @@ class FakeDrive {
   bool mute_heartbeat = false;
   bool boots_silently = false;       ///< no boot-up frame
   bool stuck_in_quick_stop = false;  ///< never leaves it by itself
+  bool stuck_in_fault = false;
+  bool loses_settings_on_reset = false;  ///< what SDO has written is gone after reset communication
   int resets = 0;
   int enabled_count = 0;  ///< transitions to operation enabled
 
@@ -55,6 +57,7 @@ class FakeDrive {
   void send_sample(std::vector<CanFrame>& out) const;
 
   int node_;
+  std::map<Key, std::uint32_t> defaults_;
   std::int64_t next_heartbeat_us_ = 0;
   int quick_stop_cycles_ = 0;
 };

@@ -58,7 +58,8 @@ void InProcessRobot::boot(double limit_s) {
 }
 
 void InProcessRobot::submit(const OperatorCommand& command) {
-  if (command.kind == OperatorKind::kEstop || command.kind == OperatorKind::kClear) {
+  const OperatorKind kind = command.kind;
+  if (kind == OperatorKind::kEstop || kind == OperatorKind::kClear || kind == OperatorKind::kHome) {
     bridge_reply_ = bridge_.operator_command(command, time_us_);
     has_bridge_reply_ = true;
     return;
@@ -72,7 +73,7 @@ bool InProcessRobot::next_reply(OperatorReply& out) {
     out = bridge_reply_;
     return true;
   }
-  return planner_.next_reply(out);
+  return bridge_.next_reply(out) || planner_.next_reply(out);
 }
 
 }  // namespace sprung

@@ -1,0 +1,154 @@
+#include "drivers/bridge/bus_monitor.h"
+
+#include <algorithm>
+
+#include "drivers/can/can_errors.h"
+#include "drivers/canopen/bus_load.h"
+
+namespace sprung {
+namespace {
+
+constexpr std::int64_t kLoadWindow_us = 1'000'000;
+// [design choice] a kernel that never reports "active again": so long without a new error counts as such
+constexpr std::int64_t kPassiveFades_us = 1'000'000;
+
+// Details of a controller error, data[1] (linux/can/error.h, facts canopen 5).
+constexpr std::uint8_t kReceiveOverflow = 0x01;
+constexpr std::uint8_t kTransmitOverflow = 0x02;
+constexpr std::uint8_t kWarning = 0x0C;
+constexpr std::uint8_t kActiveAgain = 0x40;
+
+}  // namespace
+
+BusMonitor::BusMonitor(const RobotConfig& robot, const WatchdogConfig& watchdogs)
+    : robot_(robot), silent_cycles_(watchdogs.silent_cycles), watches_(robot.buses.size()) {}
+
+void BusMonitor::begin_cycle(std::int64_t time_us) noexcept {
+  if (window_begin_us_ < 0) window_begin_us_ = time_us;
+  const std::int64_t window_us = time_us - window_begin_us_;
+  const bool window_over = window_us >= kLoadWindow_us;
+  for (std::size_t i = 0; i < watches_.size(); ++i) {
+    Watch& watch = watches_[i];
+    watch.failed_cycles = watch.failed_now ? watch.failed_cycles + 1 : 0;
+    const BusCondition condition = watch.health.condition;
+    const bool was_sending = condition == BusCondition::kNoBuffers || condition == BusCondition::kLinkDown;
+    const bool faded = (condition == BusCondition::kPassive || condition == BusCondition::kWarning) &&
+                       time_us - watch.passive_us > kPassiveFades_us;
+    if ((was_sending && !watch.failed_now) || faded) recover(static_cast<int>(i));
+    watch.failed_now = false;
+    if (!window_over) continue;
+    const double bits_s = 1e6 * static_cast<double>(watch.worst_bits) / static_cast<double>(window_us);
+    watch.health.load_share = canopen::load(bits_s, robot_.bit_rate_bit_s);
+    watch.worst_bits = 0;
+  }
+  if (window_over) window_begin_us_ = time_us;
+}
+
+void BusMonitor::sent(int bus, const CanFrame& frame) noexcept {
+  Watch& watch = watches_[static_cast<std::size_t>(bus)];
+  ++watch.health.sent;
+  watch.worst_bits += canopen::worst_frame_bits(frame.length);
+}
+
+void BusMonitor::received(int bus, const CanFrame& frame, bool expected) noexcept {
+  Watch& watch = watches_[static_cast<std::size_t>(bus)];
+  ++watch.health.received;
+  watch.worst_bits += canopen::worst_frame_bits(frame.length);
+  if (!expected) ++watch.health.unexpected;
+  if (watch.health.condition == BusCondition::kOff) recover(bus);  // what arrives shows that the bus works
+}
+
+void BusMonitor::error_frame(int bus, const CanFrame& frame, std::int64_t time_us) noexcept {
+  Watch& watch = watches_[static_cast<std::size_t>(bus)];
+  ++watch.health.error_frames;
+  if (tells_bus_restarted(frame)) {
+    ++watch.health.restarts;
+    recover(bus);
+  }
+  if ((frame.id & kCanErrorController) != 0) controller_error(bus, frame.data[1], time_us);
+  if ((frame.id & kCanErrorTxTimeout) != 0) {
+    watch.failed_now = true;
+    enter(bus, BusCondition::kNoBuffers, true, "does not send: transmit time-out");
+  }
+  const bool queue_full = (frame.id & kCanErrorController) != 0 && (frame.data[1] & kTransmitOverflow) != 0;
+  if ((frame.id & kCanErrorBusOff) != 0 && !queue_full) {
+    ++watch.health.bus_offs;
+    enter(bus, BusCondition::kOff, true, "is off (bus off)");
+  }
+}
+
+void BusMonitor::controller_error(int bus, std::uint8_t detail, std::int64_t time_us) noexcept {
+  Watch& watch = watches_[static_cast<std::size_t>(bus)];
+  const BusCondition condition = watch.health.condition;
+  if ((detail & kReceiveOverflow) != 0) ++watch.health.dropped;
+  if ((detail & kTransmitOverflow) != 0) send_failed(bus, SendFailure::kNoBuffers);
+  if ((detail & kActiveAgain) != 0 && condition <= BusCondition::kPassive) recover(bus);
+  if ((detail & (kWarning | kControllerPassive)) != 0) watch.passive_us = time_us;
+  if ((detail & kControllerPassive) != 0) {
+    enter(bus, BusCondition::kPassive, true, "is error passive");
+  } else if ((detail & kWarning) != 0 && condition <= BusCondition::kPassive) {
+    recover(bus);
+    watch.health.condition = BusCondition::kWarning;
+  }
+}
+
+void BusMonitor::send_failed(int bus, SendFailure failure) noexcept {
+  Watch& watch = watches_[static_cast<std::size_t>(bus)];
+  watch.failed_now = true;
+  if (failure == SendFailure::kLinkDown) {
+    enter(bus, BusCondition::kLinkDown, true, "has no link: interface down");
+  } else {
+    const bool lasts = watch.failed_cycles >= silent_cycles_;
+    enter(bus, BusCondition::kNoBuffers, lasts, "takes no frames: send queue full");
+  }
+}
+
+void BusMonitor::set_traffic(int bus, const BusTraffic& traffic) noexcept {
+  BusHealth& health = watches_[static_cast<std::size_t>(bus)].health;
+  health.send_failed = traffic.send_failed;
+  health.no_buffers = traffic.no_buffers;
+  health.dropped = traffic.dropped;
+  health.malformed = traffic.malformed;
+}
+
+/// A worse condition stays until it is over.
+void BusMonitor::enter(int bus, BusCondition condition, bool lost, const char* what) noexcept {
+  const auto at = static_cast<std::size_t>(bus);
+  Watch& watch = watches_[at];
+  watch.health.condition = std::max(watch.health.condition, condition);
+  if (!lost || watch.lost) return;
+  watch.lost = true;
+  trouble_new_ = true;
+  trouble_.cause = SafetyCause::kBusLost;
+  print(trouble_.detail, "bus %s (%s) is lost: it %s", robot_.buses[at].name.c_str(),
+        robot_.buses[at].can.c_str(), what);
+}
+
+void BusMonitor::recover(int bus) noexcept {
+  Watch& watch = watches_[static_cast<std::size_t>(bus)];
+  watch.health.condition = BusCondition::kActive;
+  watch.lost = false;
+}
+
+bool BusMonitor::any_lost() const noexcept {
+  return std::any_of(watches_.begin(), watches_.end(), [](const Watch& watch) { return watch.lost; });
+}
+
+const char* BusMonitor::what_to_mend() const noexcept {
+  for (const Watch& watch : watches_) {
+    if (!watch.lost) continue;
+    switch (watch.health.condition) {
+      case BusCondition::kOff:
+        return "a bus is off: ip link set INTERFACE type can restart, or give it restart-ms";
+      case BusCondition::kLinkDown:
+        return "a bus has no link: ip link set INTERFACE up";
+      case BusCondition::kPassive:
+        return "a bus is error passive: cable, terminators, bit rate? else clear once more in a second";
+      default:
+        return "a bus takes no frames: nobody acknowledges, or its queue is too short";
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace sprung

@@ -1,0 +1,70 @@
+#pragma once
+/// Condition and counters of every bus, from the frames that pass, the controller's error frames and what the shell
+/// could not send. Pure; stepped by time.
+#include <cstdint>
+#include <vector>
+
+#include "drivers/bridge/safety_machine.h"
+#include "drivers/can/can_frame.h"
+#include "robots/robot_config.h"
+#include "signals/signals.h"
+
+namespace sprung {
+
+/// Why a shell could not send.
+enum class SendFailure : std::int8_t { kNoBuffers, kLinkDown, kOther };
+
+/// What only the CAN back end can count; see BusHealth.
+struct BusTraffic {
+  std::int64_t send_failed = 0;
+  std::int64_t no_buffers = 0;
+  std::int64_t dropped = 0;
+  std::int64_t malformed = 0;
+};
+
+class BusMonitor {
+ public:
+  BusMonitor(const RobotConfig& robot, const WatchdogConfig& watchdogs);
+
+  /// Once a cycle, before its frames: how sending went in the last one, and the load of the last second.
+  void begin_cycle(std::int64_t time_us) noexcept;
+  void sent(int bus, const CanFrame& frame) noexcept;
+  /// A data frame. @param expected it is one that a node of this robot may send.
+  void received(int bus, const CanFrame& frame, bool expected) noexcept;
+  void error_frame(int bus, const CanFrame& frame, std::int64_t time_us) noexcept;
+  /// Frames of this cycle were dropped: newer ones follow, so it is trouble only when it lasts.
+  void send_failed(int bus, SendFailure failure) noexcept;
+  void set_traffic(int bus, const BusTraffic& traffic) noexcept;
+
+  bool lost(int bus) const noexcept { return watches_[static_cast<std::size_t>(bus)].lost; }
+  bool any_lost() const noexcept;
+  /// Why nothing can be mended by us, for people; nullptr when every bus works. Static text.
+  const char* what_to_mend() const noexcept;
+  const BusHealth& health(std::size_t bus) const noexcept { return watches_[bus].health; }
+
+  /// A bus was lost since the last forget_trouble(), whether or not it is back; nullptr = none.
+  const Trouble* trouble() const noexcept { return trouble_new_ ? &trouble_ : nullptr; }
+  void forget_trouble() noexcept { trouble_new_ = false; }
+
+ private:
+  struct Watch {
+    BusHealth health;
+    bool lost = false;
+    bool failed_now = false;  ///< in this cycle
+    int failed_cycles = 0;    ///< in a row, before this one
+    std::int64_t worst_bits = 0;
+    std::int64_t passive_us = 0;  ///< last error frame that said so
+  };
+  void enter(int bus, BusCondition condition, bool lost, const char* what) noexcept;
+  void recover(int bus) noexcept;
+  void controller_error(int bus, std::uint8_t detail, std::int64_t time_us) noexcept;
+
+  const RobotConfig& robot_;
+  int silent_cycles_;
+  std::vector<Watch> watches_;
+  std::int64_t window_begin_us_ = -1;
+  Trouble trouble_;
+  bool trouble_new_ = false;
+};
+
+}  // namespace sprung

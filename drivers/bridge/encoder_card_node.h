@@ -1,0 +1,36 @@
+#pragma once
+/// One encoder card as the bridge sees it: link-side positions of the actuators that name it. Its sample counter
+/// shows samples that were lost, or a card that repeats itself. Stepped by time.
+#include <memory>
+
+#include "drivers/bridge/node_link.h"
+
+namespace sprung {
+
+class EncoderCardNode final : public NodeLink {
+ public:
+  EncoderCardNode(const EncoderCardConfig& card, double cycle_s, const WatchdogConfig& watchdogs);
+
+  /// Position at the output, within half a turn of 0, by the actuator's own link encoder settings. NaN unless this
+  /// SYNC was answered with a new sample.
+  double measured_link_position_rad(const LinkEncoderConfig& encoder) const noexcept;
+
+  bool needs_restart(std::int64_t time_us) const noexcept override;
+  void restart() noexcept override;
+
+ protected:
+  void take_sample(const CanFrame& frame, std::int64_t time_us, bool late) noexcept override;
+  bool accept_sample() noexcept override;
+
+ private:
+  EncoderCardNode(const EncoderCardConfig& card, const WatchdogConfig& watchdogs,
+                  std::unique_ptr<CardProfile> profile);
+
+  std::unique_ptr<CardProfile> profile_;
+  CardSample sample_;
+  bool fresh_ = false;          ///< accepted in this cycle
+  bool counter_known_ = false;  ///< of an accepted sample
+  std::uint8_t last_counter_ = 0;
+};
+
+}  // namespace sprung

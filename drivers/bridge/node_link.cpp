@@ -1,0 +1,254 @@
+#include "drivers/bridge/node_link.h"
+
+#include <cstdarg>
+#include <cstdio>
+
+namespace sprung {
+namespace {
+
+using canopen::NmtState;
+
+constexpr std::int64_t kSdoTimeout_us =
+    100'000;                            // [design choice] an attempt; drives answer within milliseconds
+constexpr int kConflictsOfTwo = 3;      // [design choice] of ten cycles: one may be a late answer
+constexpr int kAnswersAfterBootUp = 2;  // a node that has booted answers no SYNC before it is started
+constexpr int kStartsOfAnother = 2;     // [design choice] one may be a heartbeat that was overtaken
+constexpr double kHeartbeatsOnTheirWay = 2.0;  // sent before NMT start, they lose arbitration to samples
+
+const char* left_text(NmtState state) noexcept {
+  return state == NmtState::kBootUp ? "it has restarted" : canopen::nmt_text(state);
+}
+
+double seconds(std::int64_t time_us) noexcept { return 1e-6 * static_cast<double>(time_us); }
+
+}  // namespace
+
+NodeLink::NodeLink(const NodeSetup& setup, const IdentityConfig& identity, const NodeProfile& profile,
+                   bool has_power)
+    : setup_(setup),
+      sdo_(setup.node, kSdoTimeout_us),
+      boot_(setup_.name.c_str(), setup.node, make_boot_script(identity, profile, setup.node, has_power)) {
+  transmitted_bytes_.fill(-1);
+  for (const PdoSetting& pdo : profile.pdos()) {
+    if (!pdo.transmit || pdo.entries.empty()) continue;
+    int bits = 0;
+    for (const canopen::MapEntry& entry : pdo.entries) bits += entry.bits;
+    transmitted_bytes_[static_cast<std::size_t>(pdo.number)] = (bits + 7) / 8;
+    if (pdo.transmission_type != canopen::kTypeEvent) sample_pdo_ = pdo.number;
+  }
+  health_.bus = setup.bus;
+  health_.node = setup.node;
+  health_.actuator = setup.actuator;
+}
+
+void NodeLink::step(std::int64_t time_us, FrameBatch& out) noexcept {
+  watch_heartbeat(time_us);
+  CanFrame frame;
+  const bool send =
+      boot_.operational() ? step_background(time_us, sdo_, frame) : boot_.step(time_us, sdo_, frame);
+  if (send) out.push(setup_.bus, frame);
+}
+
+bool NodeLink::receive(const CanFrame& frame, std::int64_t time_us) noexcept {
+  if (frame.id == canopen::sdo_server_id(setup_.node)) {
+    sdo_.receive(frame);
+  } else if (frame.id == canopen::heartbeat_id(setup_.node)) {
+    receive_heartbeat(frame, time_us);
+  } else if (frame.id == canopen::emcy_id(setup_.node)) {
+    receive_emergency(frame);
+  } else {
+    return receive_process_data(frame, time_us);
+  }
+  return true;
+}
+
+void NodeLink::receive_heartbeat(const CanFrame& frame, std::int64_t time_us) noexcept {
+  const NmtState state = canopen::heartbeat_state(frame);
+  const bool overtaken =
+      boot_.operational() && state == NmtState::kPreOperational &&
+      seconds(time_us - operational_us_) < kHeartbeatsOnTheirWay * setup_.watchdogs.heartbeat_s;
+  heartbeat_us_ = time_us;
+  if (overtaken) return;
+  follow_unasked_state(state);
+  nmt_state_ = state;
+  boot_.on_heartbeat(state, time_us);
+}
+
+void NodeLink::follow_unasked_state(NmtState state) noexcept {
+  if (state == NmtState::kBootUp && boot_.configuring()) ++health_.boot_ups;
+  if (!boot_.operational()) return;
+  if (state == NmtState::kBootUp) {
+    rebooted_ = true;
+    answers_since_boot_up_ = -1;  // one to the SYNC before may still come
+    on_unasked_boot_up();
+  }
+  if (state == NmtState::kOperational && nmt_state_ != NmtState::kOperational) ++unasked_starts_;
+  if (unasked_starts_ >= kStartsOfAnother) duplicate_ = true;
+}
+
+void NodeLink::receive_emergency(const CanFrame& frame) noexcept {
+  canopen::Emergency emergency;
+  if (!canopen::decode_emergency(frame, emergency)) return;
+  health_.error_register = emergency.error_register;
+  emergency_withdrawn_ = emergency.code == 0;
+  if (emergency_withdrawn_) return;
+  emergency_ = emergency;
+  emergency_seen_ = false;
+  ++health_.emergencies;
+  health_.last_emergency_code = emergency.code;
+}
+
+bool NodeLink::receive_process_data(const CanFrame& frame, std::int64_t time_us) noexcept {
+  const auto pdo = static_cast<int>((frame.id - canopen::kTpdoBase) / 0x100U);
+  const bool transmits = frame.id >= canopen::kTpdoBase && pdo < canopen::kPdoCount &&
+                         frame.id == canopen::tpdo_id(pdo, setup_.node);
+  if (!boot_.started()) return transmits;  // by the node's defaults until it is configured
+  const int bytes = transmits ? transmitted_bytes_[static_cast<std::size_t>(pdo)] : -1;
+  if (bytes < 0) return false;
+  if (frame.length != bytes || frame.remote) {
+    ++health_.short_frames;
+  } else if (pdo == sample_pdo_) {
+    receive_sample(frame, time_us);
+  } else {
+    take_other(frame);
+  }
+  return true;
+}
+
+void NodeLink::receive_sample(const CanFrame& frame, std::int64_t time_us) noexcept {
+  confirm_operational(time_us);
+  if (answered_) {
+    second_answer(frame, time_us);
+    return;
+  }
+  const bool late = !sampling_ || time_us < sync_us_;
+  if (late) {
+    ++health_.late_samples;
+    last_unanswered_ = false;
+  } else {
+    answered_ = true;
+    answer_ = frame;
+  }
+  take_sample(frame, time_us, late);
+}
+
+/// A frame that the bus repeats is harmless; one that differs comes from another SYNC or from another device.
+void NodeLink::second_answer(const CanFrame& frame, std::int64_t time_us) noexcept {
+  if (frame == answer_) {
+    ++health_.duplicate_samples;
+  } else if (sampling_ && last_unanswered_) {
+    ++health_.late_samples;  // the first one was
+    last_unanswered_ = false;
+    answer_ = frame;
+    take_sample(frame, time_us, false);
+  } else {
+    ++health_.duplicate_samples;
+    conflict_ = true;
+  }
+}
+
+void NodeLink::confirm_operational(std::int64_t time_us) noexcept {
+  if (boot_.operational()) return;
+  boot_.confirm_operational();
+  if (!boot_.operational()) return;
+  nmt_state_ = NmtState::kOperational;
+  operational_us_ = heartbeat_us_ = time_us;
+  age_cycles_ = 0;
+  sdo_.finish();
+  on_operational(time_us);
+}
+
+void NodeLink::begin_sampling(std::int64_t sync_us) noexcept {
+  conflicts_ <<= 1;
+  conflicts_[0] = conflict_;
+  if (conflicts_.count() >= kConflictsOfTwo) duplicate_ = true;
+  conflict_ = false;
+  sync_us_ = sync_us;
+  answered_ = false;
+  sampling_ = true;
+  if (emergency_withdrawn_ && emergency_seen_) emergency_ = {};
+}
+
+void NodeLink::end_sampling() noexcept {
+  sampling_ = false;
+  last_unanswered_ = !answered_;
+  const bool good = answered_ && accept_sample();
+  age_cycles_ = good ? 0 : age_cycles_ + 1;
+  if (!good && boot_.operational()) ++health_.missing_samples;
+  if (rebooted_ && answered_ && ++answers_since_boot_up_ >= kAnswersAfterBootUp) duplicate_ = true;
+}
+
+void NodeLink::watch_heartbeat(std::int64_t time_us) noexcept {
+  const bool is_lost =
+      boot_.operational() && seconds(time_us - heartbeat_us_) > setup_.watchdogs.drive_heartbeat_s;
+  if (is_lost && !heartbeat_lost_) ++health_.heartbeat_losses;
+  heartbeat_lost_ = is_lost;
+}
+
+bool NodeLink::lost(std::int64_t time_us) const noexcept {
+  return !boot_.operational() || nmt_state_ != NmtState::kOperational || rebooted_ ||
+         seconds(time_us - heartbeat_us_) > setup_.watchdogs.drive_heartbeat_s;
+}
+
+bool NodeLink::trouble(std::int64_t time_us, bool ignore_faults, Trouble& out) const noexcept {
+  const char* who = setup_.name.c_str();
+  const bool left = nmt_state_ != NmtState::kOperational;
+  out.cause = SafetyCause::kDriveSilent;
+  if (duplicate_) {
+    out.cause = SafetyCause::kDuplicateNode;
+    print(out.detail, "%s: two devices answer as node %d; switch one off or give it another id", who,
+          setup_.node);
+  } else if (emergency_.code != 0 && !ignore_faults) {
+    out.cause = SafetyCause::kDriveFault;
+    print(out.detail, "%s: fault 0x%04X (%s)", who, emergency_.code,
+          canopen::emergency_text(emergency_.code));
+  } else if (left || rebooted_) {
+    print(out.detail, "%s: no longer operational: %s", who,
+          left_text(rebooted_ ? NmtState::kBootUp : nmt_state_));
+  } else if (silent()) {
+    print(out.detail, "%s: did not answer SYNC for %d cycles", who, age_cycles_);
+  } else if (lost(time_us)) {
+    print(out.detail, "%s: no heartbeat", who);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+/// Without a power state machine only a reset of the communication helps: see needs_restart().
+void NodeLink::reset_faults(bool reset) noexcept {
+  if (reset) emergency_ = {};
+}
+
+void NodeLink::restart() noexcept {
+  boot_.restart();
+  sdo_.finish();
+  emergency_ = {};
+  conflicts_.reset();
+  conflict_ = duplicate_ = rebooted_ = heartbeat_lost_ = false;
+  unasked_starts_ = 0;
+  age_cycles_ = 0;
+}
+
+bool NodeLink::needs_restart(std::int64_t time_us) const noexcept {
+  const int code = emergency_.code;
+  const bool communication_fault = (code & 0xFF00) == 0x8100 || code == 0x8210;
+  return lost(time_us) || silent() || duplicate_ || communication_fault;
+}
+
+void NodeLink::set_recovery_text(const char* format, ...) noexcept {
+  std::va_list arguments;
+  va_start(arguments, format);
+  std::vsnprintf(health_.recovery.data(), health_.recovery.size(), format, arguments);
+  va_end(arguments);
+}
+
+NodeHealth NodeLink::health() const noexcept {
+  NodeHealth health = health_;
+  health.sdo_failures += boot_.sdo_failures();
+  health.nmt_state = static_cast<std::int8_t>(nmt_state_);
+  health.operational = boot_.operational() && nmt_state_ == NmtState::kOperational && !rebooted_;
+  return health;
+}
+
+}  // namespace sprung

@@ -1,0 +1,125 @@
+#pragma once
+/// What every node of a bus needs, drive or encoder card: boot, SDO, NMT state and heartbeat watch, emergencies, the
+/// answer to each SYNC, counters. Drives and cards derive from it and say what their process data mean. Stepped by time.
+#include <array>
+#include <bitset>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "drivers/bridge/node_boot.h"
+#include "drivers/bridge/safety_machine.h"
+#include "drivers/profiles/drive_profile.h"
+#include "signals/signals.h"
+
+namespace sprung {
+
+struct NodeSetup {
+  std::string name;
+  int bus = 0;
+  int node = 0;
+  int actuator = -1;  ///< -1 = an encoder card
+  WatchdogConfig watchdogs;
+};
+
+class NodeLink {
+ public:
+  NodeLink(const NodeSetup& setup, const IdentityConfig& identity, const NodeProfile& profile,
+           bool has_power);
+  virtual ~NodeLink() = default;
+  NodeLink(const NodeLink&) = delete;
+  NodeLink& operator=(const NodeLink&) = delete;
+
+  /// Boot frames, then background reads; at most one frame.
+  void step(std::int64_t time_us, FrameBatch& out) noexcept;
+  /// @return false for a frame that this node has no business to send.
+  bool receive(const CanFrame& frame, std::int64_t time_us) noexcept;
+  void begin_sampling(std::int64_t sync_us) noexcept;
+  /// Judges the answer to this SYNC, or counts that there is none.
+  void end_sampling() noexcept;
+
+  /// What is wrong with a node that should be running. @return false when nothing is; `out` is then untouched.
+  virtual bool trouble(std::int64_t time_us, bool ignore_faults, Trouble& out) const noexcept;
+  virtual bool faulted() const noexcept { return emergency_.code != 0; }
+  virtual bool powered() const noexcept { return false; }
+  /// Fault-reset edges until the fault is gone, where the node knows them.
+  virtual void reset_faults(bool reset) noexcept;
+  /// Begins the boot anew: reset communication and the whole script.
+  virtual void restart() noexcept;
+  /// Only a reset of its communication heals this (facts canopen 2.5).
+  virtual bool needs_restart(std::int64_t time_us) const noexcept;
+
+  void start() noexcept { boot_.start(); }
+  /// Faults have been judged: one that the node has withdrawn may now be forgotten.
+  void faults_seen() noexcept { emergency_seen_ = true; }
+
+  const NodeBoot& boot() const noexcept { return boot_; }
+  const std::string& name() const noexcept { return setup_.name; }
+  const NodeSetup& setup() const noexcept { return setup_; }
+  bool answered() const noexcept { return answered_; }
+  int age_cycles() const noexcept { return age_cycles_; }
+  bool silent() const noexcept { return age_cycles_ > setup_.watchdogs.silent_cycles; }
+  bool lost(std::int64_t time_us) const noexcept;  ///< not operational any more, or no heartbeat
+  bool duplicate() const noexcept { return duplicate_; }
+  /// Emergency that stands, or that a node in fault last sent.
+  const canopen::Emergency& emergency() const noexcept { return emergency_; }
+  /// Counters and states; the drive's reference is added by DriveNode.
+  virtual NodeHealth health() const noexcept;
+  /// What a clear did to this node.
+  __attribute__((format(printf, 2, 3))) void set_recovery_text(const char* format, ...) noexcept;
+
+ protected:
+  /// Process data of the sample's own length. @param late it answers an older SYNC than the last.
+  virtual void take_sample(const CanFrame& frame, std::int64_t time_us, bool late) noexcept = 0;
+  /// Judges what take_sample() took, at the end of its cycle. @return false when it is no new measurement.
+  virtual bool accept_sample() noexcept = 0;
+  virtual void take_other(const CanFrame&) noexcept {}
+  virtual void on_operational(std::int64_t) noexcept {}
+  virtual void on_unasked_boot_up() noexcept {}
+  virtual bool step_background(std::int64_t, canopen::SdoClient&, CanFrame&) noexcept { return false; }
+
+  std::int64_t sync_us() const noexcept { return sync_us_; }
+  void count_missing(int samples) noexcept { health_.missing_samples += samples; }
+  void count_sdo_failure() noexcept { ++health_.sdo_failures; }
+
+ private:
+  void receive_heartbeat(const CanFrame& frame, std::int64_t time_us) noexcept;
+  void follow_unasked_state(canopen::NmtState state) noexcept;
+  void receive_emergency(const CanFrame& frame) noexcept;
+  bool receive_process_data(const CanFrame& frame, std::int64_t time_us) noexcept;
+  void receive_sample(const CanFrame& frame, std::int64_t time_us) noexcept;
+  void second_answer(const CanFrame& frame, std::int64_t time_us) noexcept;
+  void confirm_operational(std::int64_t time_us) noexcept;
+  void watch_heartbeat(std::int64_t time_us) noexcept;
+
+  NodeSetup setup_;
+  canopen::SdoClient sdo_;
+  NodeBoot boot_;
+  std::array<int, canopen::kPdoCount> transmitted_bytes_{};  ///< of each TPDO; -1 = disabled
+  int sample_pdo_ = -1;                                      ///< the TPDO that answers SYNC
+  NodeHealth health_;
+
+  std::int64_t sync_us_ = 0;
+  CanFrame answer_;               ///< the first one to this SYNC
+  bool sampling_ = false;         ///< between begin_sampling() and end_sampling()
+  bool answered_ = false;         ///< this SYNC
+  bool last_unanswered_ = false;  ///< the SYNC before, so its answer may still come
+  int age_cycles_ = 0;
+
+  bool conflict_ = false;      ///< two different answers to this SYNC
+  std::bitset<10> conflicts_;  ///< of the last cycles
+  bool rebooted_ = false;      ///< boot-up that nobody asked for, since the last restart()
+  int answers_since_boot_up_ = 0;
+  int unasked_starts_ = 0;  ///< operational again although nobody started it
+  bool duplicate_ = false;
+
+  canopen::Emergency emergency_;
+  bool emergency_seen_ = false;       ///< by faults_seen()
+  bool emergency_withdrawn_ = false;  ///< forgotten by the next begin_sampling() after it was seen
+  canopen::NmtState nmt_state_ = canopen::NmtState::kUnknown;
+  std::int64_t operational_us_ = 0;
+  std::int64_t heartbeat_us_ = 0;
+  bool heartbeat_lost_ = false;
+};
+
+}  // namespace sprung

@@ -1,0 +1,186 @@
+#include "drivers/bridge/recovery.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace sprung {
+namespace {
+
+constexpr std::int64_t kTimeout_us = 5'000'000;  // [design choice] ten resets of a node that does not answer
+constexpr std::int64_t kReset_us = 300'000;      // [design choice] several edges of the fault-reset bit
+constexpr std::int64_t kWatch_us = 500'000;      // [design choice] for the first heartbeats and answers
+
+const char* trouble_of(const NodeLink& node, std::int64_t time_us) noexcept {
+  if (node.duplicate()) return "two devices with this id";
+  if (node.boot().refused()) return "was refused";
+  if (node.silent()) return "silent";
+  return node.lost(time_us) ? "not operational or no heartbeat" : "";
+}
+
+}  // namespace
+
+Recovery::Recovery(std::vector<NodeLink*> nodes) : nodes_(std::move(nodes)), plans_(nodes_.size()) {}
+
+void Recovery::begin(Kind kind, std::int64_t time_us) noexcept {
+  kind_ = kind;
+  begun_us_ = time_us;
+  failed_ = false;
+  reason_ = "";
+  std::fill(plans_.begin(), plans_.end(), Plan{});
+  if (kind == Kind::kFirstCycle) {
+    begin_reset();
+    enter(Phase::kResetting, time_us);
+    return;
+  }
+  enter(Phase::kStopping, time_us);
+}
+
+void Recovery::enter(Phase phase, std::int64_t time_us) noexcept {
+  phase_ = phase;
+  phase_us_ = time_us;
+}
+
+void Recovery::fail(const char* reason) noexcept {
+  if (failed_) return;
+  failed_ = true;
+  reason_ = reason;
+}
+
+void Recovery::abort(const char* reason) noexcept {
+  if (running()) fail(reason);
+}
+
+Recovery::Result Recovery::step(std::int64_t time_us) noexcept {
+  if (!running()) return Result::kNothing;
+  const bool over = !failed_ && step_phase(time_us);
+  if (!over && !failed_ && time_us - begun_us_ > kTimeout_us) {
+    fail(phase_ == Phase::kStopping  ? "a drive does not stop"
+         : phase_ == Phase::kBooting ? "a node does not answer or cannot be configured; see BUS_STATE"
+                                     : "a drive is still in trouble; see BUS_STATE");
+  }
+  if (failed_) return finish(false);
+  return over ? finish(true) : Result::kNothing;
+}
+
+/// One phase's work. @return true when the last one is over.
+bool Recovery::step_phase(std::int64_t time_us) noexcept {
+  switch (phase_) {
+    case Phase::kStopping:
+      if (kind_ == Kind::kClear && !stop_over()) return false;
+      plan_restarts(time_us);
+      enter(Phase::kBooting, time_us);
+      return false;
+    case Phase::kBooting:
+      if (!boots_over()) return false;
+      if (kind_ == Kind::kBoot) return true;
+      begin_reset();
+      enter(Phase::kResetting, time_us);
+      return false;
+    case Phase::kResetting:
+      if (!resets_over(time_us)) return false;
+      if (kind_ == Kind::kFirstCycle) return true;
+      enter(Phase::kWatching, time_us);
+      return false;
+    case Phase::kWatching:
+      break;
+  }
+  if (all_well(time_us)) return true;
+  if (time_us - phase_us_ > kWatch_us) fail("a drive is in trouble again; see BUS_STATE");
+  return false;
+}
+
+/// Of a node that does not answer nothing is known but its last word.
+bool Recovery::stop_over() const noexcept {
+  return std::none_of(nodes_.begin(), nodes_.end(),
+                      [](const NodeLink* node) { return node->powered() && !node->silent(); });
+}
+
+void Recovery::plan_restarts(std::int64_t time_us) noexcept {
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    NodeLink& node = *nodes_[i];
+    Plan& plan = plans_[i];
+    plan.restart = kind_ == Kind::kBoot ? node.boot().refused() : node.needs_restart(time_us);
+    plan.reset = node.faulted();
+    plan.emergency_code = node.emergency().code;
+    plan.trouble = trouble_of(node, time_us);
+    if (plan.restart) node.restart();
+  }
+}
+
+bool Recovery::waits_for(std::size_t i) const noexcept {
+  const NodeBoot& boot = nodes_[i]->boot();
+  const bool booted = kind_ == Kind::kBoot ? boot.configured() || boot.started() : boot.operational();
+  return plans_[i].restart && !booted;
+}
+
+bool Recovery::boots_over() noexcept {
+  bool over = true;
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    if (plans_[i].restart && nodes_[i]->boot().refused())
+      fail("a node differs from robot.yaml; see SAFETY_STATE");
+    over = over && !waits_for(i);
+  }
+  return over;
+}
+
+void Recovery::begin_reset() noexcept {
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    plans_[i].reset = plans_[i].reset || nodes_[i]->faulted();
+    nodes_[i]->reset_faults(true);
+  }
+}
+
+/// Also when time ran out: what is still in fault is trouble again.
+bool Recovery::resets_over(std::int64_t time_us) noexcept {
+  const bool good =
+      std::none_of(nodes_.begin(), nodes_.end(), [](const NodeLink* n) { return n->faulted(); });
+  for (NodeLink* node : nodes_) node->reset_faults(true);
+  if (!good && time_us - phase_us_ < kReset_us) return false;
+  for (NodeLink* node : nodes_) node->reset_faults(false);
+  if (!good && kind_ == Kind::kClear) fail("a drive's fault cannot be reset; see BUS_STATE");
+  return true;
+}
+
+bool Recovery::all_well(std::int64_t time_us) const noexcept {
+  Trouble trouble;
+  return std::none_of(nodes_.begin(), nodes_.end(), [&](const NodeLink* node) {
+    return !node->answered() || node->trouble(time_us, false, trouble);
+  });
+}
+
+Recovery::Result Recovery::finish(bool good) noexcept {
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    if (!good) nodes_[i]->reset_faults(false);
+    if (kind_ != Kind::kFirstCycle) write_text(i);
+  }
+  kind_ = Kind::kNone;
+  return good ? Result::kDone : Result::kFailed;
+}
+
+void Recovery::write_text(std::size_t i) noexcept {
+  const Plan& plan = plans_[i];
+  NodeLink& node = *nodes_[i];
+  std::array<char, 48> before{};
+  if (plan.emergency_code != 0) {
+    std::snprintf(before.data(), before.size(), "fault 0x%04X %.32s", plan.emergency_code,
+                  canopen::emergency_text(static_cast<std::uint16_t>(plan.emergency_code)));
+  } else {
+    std::snprintf(before.data(), before.size(), "%s", *plan.trouble != 0 ? plan.trouble : "fault");
+  }
+  if (!plan.restart && !plan.reset) {
+    node.set_recovery_text("nothing to do");
+  } else if (plan.restart && node.boot().refused()) {
+    node.set_recovery_text("%.95s", node.boot().detail().data());
+  } else if (waits_for(i)) {
+    node.set_recovery_text("no answer on node %d: power, cable?", node.setup().node);
+  } else if (node.faulted()) {
+    node.set_recovery_text("%s: cannot be reset", before.data());
+  } else if (plan.restart) {
+    node.set_recovery_text("%s: reset communication, configured again (%d objects)%s", before.data(),
+                           node.boot().settings(), plan.reset ? ", fault reset" : "");
+  } else {
+    node.set_recovery_text("%s: fault reset", before.data());
+  }
+}
+
+}  // namespace sprung

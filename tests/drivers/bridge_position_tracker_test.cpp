@@ -1,0 +1,96 @@
+#include <gtest/gtest.h>
+
+#include "drivers/bridge/position_tracker.h"
+
+namespace sprung {
+namespace {
+
+constexpr double kSpeedLimit_rad_s = 12.0;
+constexpr double kQuantum_rad = 1e-6;
+// In a cycle of 1 ms nothing moves further than 3 * 12 rad/s * 1 ms and two counts.
+constexpr double kFarthest_rad = 0.036;
+
+class PositionTrackerTest : public ::testing::Test {
+ protected:
+  /// The sample of cycle k, received within it.
+  bool add(double position_rad, int k) { return tracker_.add(position_rad, 1000 * k, 1000 * k); }
+  /// A steady motion at 3 rad/s; @return cycles done.
+  int move(int cycles) {
+    for (int k = 0; k < cycles; ++k) EXPECT_TRUE(add(0.5 + 0.003 * k, k));
+    return cycles;
+  }
+  PositionTracker tracker_{kSpeedLimit_rad_s, kQuantum_rad};
+};
+
+TEST_F(PositionTrackerTest, VelocitySettlesOnASteadyMotion) {
+  move(100);
+  EXPECT_NEAR(tracker_.filtered_velocity_rad_s(), 3.0, 1e-6);
+}
+
+TEST_F(PositionTrackerTest, MissedSamplesDoNotDoubleTheVelocity) {
+  for (int k = 0; k < 300; ++k) {
+    if (k % 3 != 1) add(0.003 * k, k);
+  }
+  EXPECT_NEAR(tracker_.filtered_velocity_rad_s(), 3.0, 1e-6);
+}
+
+TEST_F(PositionTrackerTest, FirstSampleIsNoMotion) {
+  EXPECT_TRUE(add(100.0, 0));
+  EXPECT_EQ(tracker_.filtered_velocity_rad_s(), 0.0);
+  EXPECT_EQ(tracker_.position_rad(), 100.0);
+}
+
+TEST_F(PositionTrackerTest, StepsUpToThriceTheSpeedLimitAreMotion) {
+  EXPECT_TRUE(add(1.0, 0));
+  EXPECT_TRUE(add(1.0 + 0.99 * kFarthest_rad, 1));
+  EXPECT_FALSE(add(1.0 + 2.1 * kFarthest_rad, 2));
+}
+
+TEST_F(PositionTrackerTest, CountsOfACoarseEncoderAreNoJump) {
+  PositionTracker coarse(0.001, 0.01);
+  EXPECT_TRUE(coarse.add(0.0, 0, 0));
+  EXPECT_TRUE(coarse.add(0.02, 1000, 1000));
+  EXPECT_FALSE(coarse.add(0.05, 2000, 2000));
+}
+
+TEST_F(PositionTrackerTest, OneFlippedSampleTouchesNeitherPositionNorVelocity) {
+  const int k = move(100);
+  EXPECT_FALSE(add(50.0, k));
+  EXPECT_NEAR(tracker_.filtered_velocity_rad_s(), 3.0, 1e-6);
+  EXPECT_NEAR(tracker_.position_rad(), 0.5 + 0.003 * (k - 1), 1e-12);
+  EXPECT_TRUE(add(0.5 + 0.003 * (k + 1), k + 1)) << "the motion goes on where it was";
+  EXPECT_NEAR(tracker_.filtered_velocity_rad_s(), 3.0, 1e-6);
+}
+
+TEST_F(PositionTrackerTest, JumpThatStaysIsNewPositionWithoutNewVelocity) {
+  const int k = move(100);
+  EXPECT_FALSE(add(50.0, k));
+  EXPECT_TRUE(add(50.003, k + 1));
+  EXPECT_EQ(tracker_.position_rad(), 50.003);
+  EXPECT_NEAR(tracker_.filtered_velocity_rad_s(), 3.0, 1e-6);
+  EXPECT_TRUE(add(50.006, k + 2));
+  EXPECT_NEAR(tracker_.filtered_velocity_rad_s(), 3.0, 1e-6);
+}
+
+TEST_F(PositionTrackerTest, SamplesThatJumpToAndFroAreAllRejected) {
+  int k = move(10);
+  for (int i = 0; i < 10; ++i) EXPECT_FALSE(add(i % 2 == 0 ? 50.0 : -50.0, k++));
+}
+
+TEST_F(PositionTrackerTest, CycleThatWasSentLateIsNoJumpAndNoSpeed) {
+  EXPECT_TRUE(add(0.0, 0));
+  // SYNC of cycle 1 left 20 ms after its time stamp: the answer shows 21 ms of motion.
+  EXPECT_TRUE(tracker_.add(0.21, 1000, 21'000));
+  EXPECT_LE(tracker_.filtered_velocity_rad_s(), 3.0 * kSpeedLimit_rad_s * 0.2 + 1e-9);
+  EXPECT_FALSE(tracker_.add(1.5, 22'000, 22'100));
+}
+
+TEST_F(PositionTrackerTest, ResetForgetsWhereItWas) {
+  move(10);
+  tracker_.reset();
+  EXPECT_EQ(tracker_.filtered_velocity_rad_s(), 0.0);
+  EXPECT_TRUE(add(-50.0, 11));
+}
+
+}  // namespace
+}  // namespace sprung
