@@ -16,5 +16,6 @@ int main(int argc, char** argv) {
   add_record(line);
   add_experiment(line);
   add_can(line);
+  add_drive(line);
   return line.run(argc, argv);
 }
