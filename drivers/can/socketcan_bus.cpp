@@ -1,6 +1,5 @@
 #include "drivers/can/socketcan_bus.h"
 
-#include <linux/can.h>
 #include <linux/can/error.h>
 #include <linux/can/raw.h>
 #include <net/if.h>
@@ -12,6 +11,7 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "drivers/can/kernel_frame.h"
 #include "drivers/can/receive_controls.h"
 #include "drivers/can/send_confirmations.h"
 
@@ -28,25 +28,6 @@ constexpr can_err_mask_t kErrorMask =
 
 [[noreturn]] void fail(const std::string& interface, const std::string& what) {
   throw std::runtime_error("socketcan:" + interface + ": " + what + ": " + std::strerror(errno));
-}
-
-can_frame to_kernel(const CanFrame& frame) noexcept {
-  can_frame raw{};
-  raw.can_id = frame.id | (frame.remote ? CAN_RTR_FLAG : 0U);
-  raw.can_dlc = frame.length;
-  if (!frame.remote) std::copy(frame.data.begin(), frame.data.end(), raw.data);
-  return raw;
-}
-
-/// @return false for extended frames: nothing of ours uses them.
-bool from_kernel(const can_frame& raw, CanFrame& frame) noexcept {
-  frame.error = (raw.can_id & CAN_ERR_FLAG) != 0;
-  if (!frame.error && (raw.can_id & CAN_EFF_FLAG) != 0) return false;
-  frame.remote = !frame.error && (raw.can_id & CAN_RTR_FLAG) != 0;
-  frame.id = raw.can_id & (frame.error ? CAN_ERR_MASK : CAN_SFF_MASK);
-  frame.length = std::min<std::uint8_t>(raw.can_dlc, 8);
-  std::copy(raw.data, raw.data + 8, frame.data.begin());
-  return true;
 }
 
 }  // namespace

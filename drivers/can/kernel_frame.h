@@ -1,0 +1,13 @@
+#pragma once
+/// The kernel's frame (linux/can.h) and ours. Pure.
+#include <linux/can.h>
+
+#include "drivers/can/can_frame.h"
+
+namespace sprung {
+
+can_frame to_kernel(const CanFrame& frame) noexcept;
+/// @return false for extended frames: nothing of ours uses them.
+bool from_kernel(const can_frame& raw, CanFrame& frame) noexcept;
+
+}  // namespace sprung
