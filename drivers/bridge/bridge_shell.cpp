@@ -1,8 +1,10 @@
 #include "drivers/bridge/bridge_shell.h"
 
 #include <algorithm>
+#include <ctime>
 
 #include "lcmtypes/channels.h"
+#include "runtime/log.h"
 
 namespace sprung {
 
@@ -15,6 +17,15 @@ constexpr std::size_t kTraceCapacity =
 
 bool differs(const SafetyState& a, const SafetyState& b) {
   return a.level != b.level || a.cause != b.cause || a.latched != b.latched;
+}
+
+std::string utc_text() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  gmtime_r(&now, &parts);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
+  return text;
 }
 
 /// In what somebody waits for; counters alone wait for the next tenth of a second.
@@ -43,6 +54,50 @@ BridgeShell::BridgeShell(Process& process, BridgeCore& core)
                            commands_);
   process.node().subscribe(channels::kOperatorCommand, CountLimits::none(), operators_);
   trace_.frames.reserve(kTraceCapacity);
+  if (!process.lockstep()) {
+    restore_references();
+  }
+}
+
+void BridgeShell::restore_references() {
+  const RobotConfig& robot = process_.robot();
+  const std::string path = reference_file(robot.name, process_.options().simulation);
+  if (path.empty()) {
+    return;
+  }
+  try {
+    references_.emplace(path, robot);
+  } catch (const std::exception& error) {
+    log_error(error.what());
+    return;
+  }
+  for (std::size_t i = 0; i < robot.actuators.size(); ++i) {
+    if (const std::optional<Reference> reference = references_->good_for(i)) {
+      core_.restore_reference(static_cast<int>(i), *reference);
+      log_info(robot.actuators[i].name + ": reference restored from " + path);
+    }
+  }
+}
+
+/// Homing happens without power, so a file may take its time here.
+void BridgeShell::store_references() {
+  stored_homings_ = core_.homings();
+  if (!references_) {
+    return;
+  }
+  for (std::size_t i = 0; i < last_state_.actuators.size(); ++i) {
+    const Reference& reference = core_.reference(static_cast<int>(i));
+    const std::optional<Reference> stored = references_->good_for(i);
+    const bool changed = !stored || stored->offset_rad != reference.offset_rad;
+    if (reference.known && reference.source != ReferenceSource::kConfigured && changed) {
+      references_->record(i, reference, core_.encoder_counts(static_cast<int>(i)), utc_text());
+    }
+  }
+  try {
+    references_->save();
+  } catch (const std::exception& error) {
+    log_error(error.what());
+  }
 }
 
 void BridgeShell::publish_cycle(const DriveState& state) {
@@ -111,6 +166,9 @@ void BridgeShell::publish_replies() {
   OperatorReply reply;
   while (core_.next_reply(reply)) {
     replies_.publish(reply);
+  }
+  if (core_.homings() != stored_homings_) {
+    store_references();
   }
 }
 

@@ -2,10 +2,12 @@
 /// What the bridge's process does in both clocks around the core: publish the cycle, keep the trace, serve
 /// operators, take DRIVE_COMMANDs. The clocks themselves are bridge_lockstep.cpp and bridge_realtime.cpp.
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "drivers/bridge/bridge_core.h"
+#include "drivers/bridge/reference_store_shell.h"
 #include "drivers/can/can_bus.h"
 #include "runtime/process.h"
 
@@ -43,6 +45,8 @@ class BridgeShell {
   void publish_safety_if_due(std::int64_t now_us);
   void publish_buses_if_due(std::int64_t now_us);
   void publish_replies();
+  void restore_references();
+  void store_references();
   void publish_trace(const Stamp& stamp);
 
   Process& process_;
@@ -59,6 +63,8 @@ class BridgeShell {
   std::int64_t next_safety_us_ = 0;
   BusState last_buses_;
   std::int64_t next_buses_us_ = 0;
+  std::optional<ReferenceStore> references_;  ///< none in lock-step: a run must not depend on what was before
+  std::int64_t stored_homings_ = 0;
   std::int64_t last_command_seq_ = -1;
   std::int64_t trace_lost_ = 0;
   std::int64_t reported_lost_ = 0;

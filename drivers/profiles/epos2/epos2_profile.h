@@ -21,6 +21,7 @@ class Epos2Profile final : public DriveProfile {
   /// None: the data sheets at hand show no supply voltage.
   canopen::ObjectId supply_voltage_object() const noexcept override { return {0, 0}; }
   double supply_V(std::uint32_t raw) const noexcept override;
+  canopen::ObjectId index_counter_object() const noexcept override { return {0x2021, 0}; }
   bool decode_sample(const CanFrame& frame, DriveSample& sample) const noexcept override;
   bool decode_mode_display(const CanFrame& frame, std::int8_t& code) const noexcept override;
   DriveMode shown_mode(std::int8_t code) const noexcept override;
