@@ -6,16 +6,24 @@ import pytest
 
 import objects
 import programs
-from wire import PATIENCE_S, Wire
+from wire import PATIENCE_S, Wire, until
 
 Profile = collections.namedtuple("Profile", "robot actuator")  # where the profile is found in robots/
 PROFILES = {"gold": Profile("single_leg", True), "epos2": Profile("pegasus", True),
             "encoder_card": Profile("pegasus", False)}
 
+SUMMARY = []  # lines that belong at the end of a run, whatever passed
+
+
+def pytest_terminal_summary(terminalreporter):
+    for line in SUMMARY:
+        terminalreporter.write_line(line)
+
 
 def pytest_addoption(parser):
     parser.addoption("--programs", default=str(programs.TOP / "build/release/bin"), help="folder of sprung's programs")
-    parser.addoption("--bus", help="a real drive: socketcan:can0; needs --read-only, --node and --profile")
+    parser.addoption("--bus", help="a real drive: socketcan:can0, or udp_multicast:GROUP:PORT; "
+                     "needs --read-only, --node and --profile")
     parser.addoption("--node", type=int, help="its node id")
     parser.addoption("--profile", choices=sorted(PROFILES), help="which EDS it should agree with")
     parser.addoption("--read-only", action="store_true", help="read every object, write none")
@@ -86,10 +94,13 @@ class Bench:
         self.process = programs.start_simulated_drives(folder, robot, buses, log)
         nodes = [d["node"] for d in self.robot["actuators"] + self.robot.get("encoder_cards", [])
                  if d["bus"] == first]
-        for node in nodes:
-            boot = self.wire.record.wait_for_id(0x700 + node, patience_s=3 * PATIENCE_S)
-            assert boot is not None, f"node {node} sent no boot-up frame; sprung-sim-drives said:\n{self.process.said()}"
-            assert bytes(boot.data) == b"\0"
+        awaited = {0x700 + node for node in nodes}
+        until(lambda: awaited <= self._booted() or not self.process.running(), 3 * PATIENCE_S)
+        assert awaited <= self._booted(), f"not every node booted; sprung-sim-drives said:\n{self.process.said()}"
+
+    def _booted(self):
+        return {f.arbitration_id for f in self.wire.record.since(0) if f.arbitration_id & 0x700 == 0x700
+                and bytes(f.data) == b"\0"}
 
     def settings(self, profile):
         found = self.robot["actuators"] if PROFILES[profile].actuator else self.robot["encoder_cards"]
@@ -123,8 +134,9 @@ def devices(request, benches):
     option = request.config.option
 
     def real(profile):
-        interface, channel = option.bus.split(":", 1)
-        return Device(profile, Wire({"interface": interface, "channel": channel}), option.node, None, None)
+        interface, channel, *port = option.bus.split(":")
+        more = {"port": int(port[0])} if port else {}
+        return Device(profile, Wire({"interface": interface, "channel": channel, **more}), option.node, None, None)
 
     def simulated(profile):
         bench = benches(PROFILES[profile].robot)

@@ -2,7 +2,9 @@
 import time
 
 import pytest
+from canopen.profiles.p402 import State402
 
+from conftest import SUMMARY
 from test_pdo import configure, silence
 from wire import PATIENCE_S, until
 
@@ -45,12 +47,7 @@ class BySdo:
 
     def state(self):
         word = self.device.sdo[0x6041].raw
-        return next(name for name, (mask, bits) in self.masks().items() if word & mask == bits)
-
-    @staticmethod
-    def masks():
-        from canopen.profiles.p402 import State402
-        return State402.SW_MASK
+        return next(name for name, (mask, bits) in State402.SW_MASK.items() if word & mask == bits)
 
     def reaches(self, state, patience_s=PATIENCE_S):
         return until(lambda: self.state() == state, patience_s)
@@ -189,7 +186,7 @@ def test_status_words_are_those_of_the_table(device, power, profile):
     words = {int.from_bytes(f.data, "little") & 0x417F for f in device.wire.record.since(mark, 0x180 + device.node)}
     assert words <= set(EPOS2_WORDS.values()), [f"{word:#06x}" for word in sorted(words)]
     seen = [name for name, word in EPOS2_WORDS.items() if word in words]
-    print(f"\nepos2: status words seen: {', '.join(seen)}")
+    SUMMARY.append(f"epos2: {len(seen)} of {len(EPOS2_WORDS)} status words seen: {', '.join(seen)}")
     assert {OFF, READY, ON, "refresh", "measure init", ENABLED, FAULT} <= set(seen), seen
 
 

@@ -109,7 +109,16 @@ def test_more_bytes_than_announced_are_refused(device, profile):
     assert ask(device, f"21 {wide} 08") == frame(f"60 {wide}")
     assert ask(device, "00 11 22 33 44 55 66 77") == frame("20")
     assert ask(device, "11 88 99 aa bb cc dd ee")[:2] == "80"
-    assert ask(device, f"21 {wide} 09") == frame(f"80 {wide} {LENGTH_LONG}")
+
+
+@pytest.mark.parametrize("profile", DRIVES)
+def test_more_bytes_than_the_object_has_are_refused_at_the_latest_with_the_last(device, profile):
+    wide = id_text(WIDE[profile])
+    answers = [ask(device, f"21 {wide} 09")]
+    for segment in ("00 11 22 33 44 55 66 77", "1b 88 99"):
+        if answers[-1][:2] != "80":
+            answers.append(ask(device, segment))
+    assert answers[-1] == frame(f"80 {wide} {LENGTH_LONG}")
 
 
 @pytest.mark.parametrize("profile", PROFILES)
