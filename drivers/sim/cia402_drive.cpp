@@ -16,6 +16,7 @@ constexpr std::uint16_t kOverVoltage = 0x3210;
 constexpr std::uint16_t kUnderVoltage = 0x3220;
 constexpr std::uint16_t kOverTemperature = 0x4210;
 constexpr std::uint16_t kErrorPassive = 0x8120;
+constexpr std::uint16_t kMasterLost = 0x8130;
 constexpr std::uint16_t kBusOff = 0x81FD;
 constexpr std::uint16_t kFollowingError = 0x8611;
 
@@ -253,7 +254,9 @@ void Cia402Drive::set_fault(FaultKind kind, double value, bool on) noexcept {
       current_offset_A_ = on ? value : 0.0;
       return;
     case FaultKind::kBusOff:
-      return on ? void() : tell_again(kBusOff);
+    case FaultKind::kLinkDown:
+      if (!on) tell_again();
+      return;
     case FaultKind::kPowerCycle:
       return switch_power(!on);
     default:
@@ -261,11 +264,13 @@ void Cia402Drive::set_fault(FaultKind kind, double value, bool on) noexcept {
   }
 }
 
-/// Back on the bus: nobody has heard the emergency yet.
-void Cia402Drive::tell_again(std::uint16_t code) noexcept {
-  if (!device_.errors().stands(code)) return;
-  device_.clear(code);
-  device_.raise(code);
+/// Back on the bus: a CAN controller repeats what nobody has heard until somebody does.
+void Cia402Drive::tell_again() noexcept {
+  for (const std::uint16_t code : {kBusOff, kMasterLost}) {
+    if (!device_.errors().stands(code)) continue;
+    device_.clear(code);
+    device_.raise(code);
+  }
 }
 
 void Cia402Drive::switch_power(bool on) noexcept {

@@ -40,7 +40,7 @@ class Cia402Drive : public SimDrive, private DeviceApplication {
   void supervise() noexcept;
   void show(double counts) noexcept;
   void show_error_code(std::uint16_t code) noexcept;
-  void tell_again(std::uint16_t code) noexcept;
+  void tell_again() noexcept;
   void forget_communication_fault() noexcept;
   void switch_power(bool on) noexcept;
   double sensor_noise_A(std::int64_t cycle) const noexcept;

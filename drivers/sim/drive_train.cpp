@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "drivers/canopen/nmt.h"
 #include "drivers/sim/device_registry.h"
 #include "drivers/sim/hash_noise.h"
 
@@ -13,7 +14,9 @@ std::uint64_t torque_signal(std::size_t actuator) noexcept { return 2 * actuator
 std::uint64_t jitter_signal(std::size_t actuator) noexcept { return 2 * actuator + 1; }
 constexpr std::uint64_t kLinkSignals = 1ULL << 33;
 
-void switch_fault(SimDevice& device, FaultKind kind, double value, bool on) noexcept {
+void switch_fault(SimDevice& device, int node, FaultKind kind, double value, bool on) noexcept {
+  if (kind == FaultKind::kDuplicateNode && on)  // whoever joins the bus says so
+    device.outbox().send(canopen::heartbeat_frame(node, canopen::NmtState::kBootUp));
   device.outbox().set_fault(kind, value, on);
   device.set_fault(kind, value, on);
 }
@@ -136,15 +139,16 @@ bool DriveTrain::all_operational() const noexcept {
 }
 
 void DriveTrain::set_fault(int actuator, FaultKind kind, double value, bool on) noexcept {
-  if (SimDrive* found = drive(actuator)) switch_fault(*found, kind, value, on);
+  if (SimDrive* found = drive(actuator))
+    switch_fault(*found, actuators_[static_cast<std::size_t>(actuator)].node, kind, value, on);
 }
 
 void DriveTrain::set_bus_fault(int bus, FaultKind kind, double value, bool on) noexcept {
   for (std::size_t i = 0; i < drives_.size(); ++i) {
-    if (actuators_[i].bus == bus) switch_fault(*drives_[i], kind, value, on);
+    if (actuators_[i].bus == bus) switch_fault(*drives_[i], actuators_[i].node, kind, value, on);
   }
   for (std::size_t i = 0; i < cards_.size(); ++i) {
-    if (card_configs_[i].bus == bus) switch_fault(*cards_[i], kind, value, on);
+    if (card_configs_[i].bus == bus) switch_fault(*cards_[i], card_configs_[i].node, kind, value, on);
   }
 }
 

@@ -69,9 +69,15 @@ void Outbox::send(const CanFrame& frame, FrameKind kind) noexcept {
   if (active(FaultKind::kDuplicateNode)) answer_twice(changed, kind);
 }
 
-/// A second device with the same node id: it answers SDO as well, and its heartbeat says that nobody started it.
+/// A second device with the same node id: it answers SDO as well, it samples something else, and its heartbeat says that nobody
+/// started it.
 void Outbox::answer_twice(const CanFrame& frame, FrameKind kind) noexcept {
   if (kind == FrameKind::kSdo) return put(frame);
+  if (kind == FrameKind::kSample) {
+    CanFrame other = frame;
+    other.data[0] = static_cast<std::uint8_t>(~other.data[0]);
+    return put(other);
+  }
   if (kind != FrameKind::kHeartbeat) return;
   const int node = static_cast<int>(frame.id & 0x7F);
   put(canopen::heartbeat_frame(node, canopen::NmtState::kPreOperational));

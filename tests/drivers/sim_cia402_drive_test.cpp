@@ -203,6 +203,24 @@ TEST(Cia402Drive, ModeIsInForceWhenItIsConfirmed) {
   EXPECT_LT(bench.drive->motor_torque_Nm(), kTorque_Nm_A);
 }
 
+TEST(Cia402Drive, LossOfTheMasterIsToldWhenTheLinkIsBack) {
+  DriveBench bench;
+  bench.write(canopen::kHeartbeatConsumer, (127 << 16) | 20, 4, 1);
+  bench.start(kModeCurrent);
+  bench.send(canopen::heartbeat_frame(127, canopen::NmtState::kOperational));
+  const auto link_down = [&](bool on) {
+    bench.drive->outbox().set_fault(FaultKind::kLinkDown, 0.0, on);
+    bench.drive->set_fault(FaultKind::kLinkDown, 0.0, on);
+  };
+  link_down(true);
+  bench.run(0.05);
+  EXPECT_TRUE(bench.emergencies.empty());
+  link_down(false);
+  bench.run(0.001);
+  ASSERT_FALSE(bench.emergencies.empty());
+  EXPECT_EQ(bench.emergencies.back(), 0x8130);
+}
+
 TEST(Cia402Drive, BusOffIsToldWhenTheBusIsBack) {
   DriveBench bench;
   bench.start(kModeCurrent);

@@ -221,6 +221,26 @@ TEST(SimCore, EncoderNoiseAndLossesAreTheSameInEveryRun) {
   EXPECT_TRUE(run() == run());
 }
 
+TEST(SimCore, SecondDeviceOfOneNodeIdBootsAndAnswersToo) {
+  SimMaster master;
+  master.boot();
+  master.ticks(2);
+  const std::size_t states = master.drives[2].nmt_states.size();
+  master.fault(FaultKind::kDuplicateNode, 1, 0.0, 0.02);
+  master.tick();
+  ASSERT_GT(master.drives[2].nmt_states.size(), states);
+  EXPECT_EQ(master.drives[2].nmt_states[states], 0x00);
+  const int answers = master.drives[2].tpdo1_count;
+  const int others = master.drives[1].tpdo1_count;
+  master.ticks(10);
+  EXPECT_EQ(master.drives[2].tpdo1_count, answers + 20);
+  EXPECT_EQ(master.drives[1].tpdo1_count, others + 10);
+  master.ticks(20);
+  const int after = master.drives[2].tpdo1_count;
+  master.ticks(10);
+  EXPECT_EQ(master.drives[2].tpdo1_count, after + 10);
+}
+
 TEST(SimCore, PowerCycledDriveBootsAgain) {
   SimMaster master;
   master.boot();

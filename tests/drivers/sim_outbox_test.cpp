@@ -172,6 +172,11 @@ TEST_F(OutboxTest, ASecondNodeAnswersSdoAndHasAHeartbeatOfItsOwn) {
   ASSERT_EQ(out_.size(), 2);
   EXPECT_EQ(out_[1].frame.id, 0x703U);
   EXPECT_EQ(out_[1].frame.data[0], 0x7F);
+  out_.clear();
+  outbox_.send(frame(1), FrameKind::kSample);
+  ASSERT_EQ(out_.size(), 2);
+  EXPECT_EQ(out_[1].frame.id, out_[0].frame.id);
+  EXPECT_FALSE(out_[1].frame == out_[0].frame);
 }
 
 TEST_F(OutboxTest, KnowsWhichFaultsAreItsOwn) {
