@@ -33,7 +33,8 @@ TEST_F(PegasusBoot, ComesUpOnFourBusesAndEveryNodeAnswersEverySync) {
     }
   }
   EXPECT_EQ(robot_.cycle(), 500);
-  EXPECT_EQ(robot_.bridge().safety().level, SafetyLevel::kOperational) << robot_.bridge().safety().detail.data();
+  EXPECT_EQ(robot_.bridge().safety().level, SafetyLevel::kOperational)
+      << robot_.bridge().safety().detail.data();
 }
 
 TEST_F(PegasusBoot, LinkEncodersShowTheJointsWhateverTheMotorsCount) {
@@ -65,6 +66,25 @@ TEST_F(PegasusBoot, StaysWithoutTorqueAndRefusesToStandWithItsReason) {
     EXPECT_NEAR(a.measured_current_A, 0.0, 0.2);
   }
   EXPECT_EQ(robot_.motion_state().state, MotionPhase::kIdle);
+}
+
+TEST_F(PegasusBoot, HomingTakesTheZeroFromTheLinkEncoders) {
+  robot_.boot();
+  run(0.1);
+  OperatorCommand home;
+  home.kind = OperatorKind::kHome;
+  home.request_id = 2;
+  robot_.submit(home);
+  run(1.0);
+  std::string outcomes;
+  for (OperatorReply reply; robot_.next_reply(reply);)
+    outcomes += std::string(name(reply.outcome)) + " " + reply.reason + "; ";
+  for (std::size_t i = 0; i < 12; ++i) {
+    const ActuatorState& a = robot_.drive_state().actuators[i];
+    EXPECT_TRUE(a.referenced) << outcomes;
+    EXPECT_NEAR(a.measured_position_rad, robot_.truth().joints[i].true_position_rad, 2e-3)
+        << config_.joints[i].name;
+  }
 }
 
 TEST_F(PegasusBoot, TwoRunsAreAlikeBitForBit) {
