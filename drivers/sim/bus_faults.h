@@ -1,6 +1,7 @@
 #pragma once
-/// What a bad bus does to the master's side: frames that do not arrive at the nodes, and the error frames that SocketCAN would give
-/// the bridge (drivers/can/can_errors.h). What it does to the nodes is in their outboxes.
+/// What a bad bus does to the master's side: frames that do not arrive at the nodes, and the error frames
+/// that SocketCAN would give the bridge (drivers/can/can_errors.h). What it does to the nodes is in their
+/// outboxes.
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -14,9 +15,9 @@ class BusFaults {
  public:
   explicit BusFaults(std::size_t buses) : full_(buses), down_(buses) {}
 
-  /// kBusOff: error frame bus off, at its end restarted. kErrorPassive: controller passive, at its end active again.
-  /// kQueueFull, kLinkDown: the master's frames are lost, which a kernel tells by ENOBUFS and ENETDOWN and the bridge's shell by
-  /// frames of its own: these, at each SYNC. Others change nothing here.
+  /// kBusOff: error frame bus off, at its end restarted. kErrorPassive: controller passive, at its end active
+  /// again. kQueueFull, kLinkDown: the master's frames are lost, which a kernel tells by ENOBUFS and ENETDOWN
+  /// and the bridge's shell by frames of its own: these, at each SYNC. Others change nothing here.
   void set(int bus, FaultKind kind, bool on) noexcept;
   /// The master sends SYNC.
   void sync(int bus) noexcept;

@@ -1,6 +1,6 @@
 #pragma once
-/// A simulated CiA 402 drive with its motor, of any make (drive_make.h): CANopen device, power states, position and current loops,
-/// encoder, and the faults that can be asked of it.
+/// A simulated CiA 402 drive with its motor, of any make (drive_make.h): CANopen device, power states,
+/// position and current loops, encoder, and the faults that can be asked of it.
 #include <cstdint>
 #include <memory>
 

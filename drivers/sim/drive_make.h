@@ -1,6 +1,6 @@
 #pragma once
-/// What differs between makes of simulated CiA 402 drives (cia402_drive.h): their objects, units, modes and limits. Angles, speeds
-/// and torques are on the gear's output side, in the motor's own forward direction.
+/// What differs between makes of simulated CiA 402 drives (cia402_drive.h): their objects, units, modes and
+/// limits. Angles, speeds and torques are on the gear's output side, in the motor's own forward direction.
 #include <cstdint>
 
 #include "drivers/sim/canopen_device.h"
@@ -55,7 +55,8 @@ class DriveMake {
   /// 0x605A where the drive does not have it.
   virtual int quick_stop_option() const noexcept { return 2; }
   virtual PowerTimes power_times() const noexcept { return {}; }
-  /// After heartbeat loss, bus off and the like a fault reset is ignored until NMT reset communication (facts canopen 2.5).
+  /// After heartbeat loss, bus off and the like a fault reset is ignored until NMT reset communication (facts
+  /// canopen 2.5).
   virtual bool latches_communication_faults() const noexcept { return false; }
   virtual DevicePolicy policy() const noexcept { return {}; }
   /// Once a tick, also without power: set-point of the current loop within the limits.

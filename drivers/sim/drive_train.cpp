@@ -9,7 +9,8 @@
 namespace sprung::sim {
 namespace {
 
-/// Noise sources of actuator i: torque 2 i, instant of sampling 2 i + 1; its link encoder's are counted apart.
+/// Noise sources of actuator i: torque 2 i, instant of sampling 2 i + 1; its link encoder's are counted
+/// apart.
 std::uint64_t torque_signal(std::size_t actuator) noexcept { return 2 * actuator; }
 std::uint64_t jitter_signal(std::size_t actuator) noexcept { return 2 * actuator + 1; }
 constexpr std::uint64_t kLinkSignals = 1ULL << 33;

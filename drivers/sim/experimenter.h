@@ -10,14 +10,15 @@
 namespace sprung::sim {
 
 /// Meaning of SimControl by kind:
-///   kWrench       wrench_on_base for duration_s; actuator -1 = on the base, n >= 0 = at the foot of leg n instead
+///   kWrench       wrench_on_base for duration_s; actuator -1 = on the base, n >= 0 = at the foot of leg n
 ///   kReset        plant to its initial pose at rest; drives keep their state; no wrench, not suspended
-///   kSuspend      base held still; value > 0 = put at that height (m, world) first, 0 = let go, < 0 = held where it is
+///   kSuspend      base held still; value > 0 = put at that height (m, world) first, 0 = let go,
+///                 < 0 = held where it is
 ///   kDriveFault   emergency `value` (e.g. 0x3210; 0 = over-current 0x2310) of the actuator's drive
 ///   kDriveSilent  value 1 = cable of the actuator's drive cut (it neither hears nor speaks), 0 = mended
-///   kNodeFault    `fault` with `value` of the actuator's drive or, with actuator -1, of every node of `bus` and of the bus itself;
-///                 for duration_s of plant time, 0 = until mended. kNone mends all that was done to this target. A kPowerCycle of
-///                 no duration is off and on again at once.
+///   kNodeFault    `fault` with `value` of the actuator's drive or, with actuator -1, of every node of `bus`
+///                 and of the bus itself; for duration_s of plant time, 0 = until mended. kNone mends all
+///                 that was done to this target. A kPowerCycle of no duration is off and on again at once.
 class Experimenter {
  public:
   static constexpr std::size_t kCapacity = 64;

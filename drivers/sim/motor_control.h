@@ -42,8 +42,8 @@ class CurrentLoop {
   double current_A_ = 0.0;
 };
 
-/// i2t: the winding's warmth follows (current / continuous current)^2 as a first-order lag; when it reaches 1, only the continuous
-/// current is allowed until it is back below kRelease.
+/// i2t: the winding's warmth follows (current / continuous current)^2 as a first-order lag; when it reaches
+/// 1, only the continuous current is allowed until it is back below kRelease.
 class ThermalLimit {
  public:
   static constexpr double kRelease = 0.95;  ///< [design choice]

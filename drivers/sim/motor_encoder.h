@@ -1,6 +1,6 @@
 #pragma once
-/// The encoder on a motor's shaft: counts, index pulse, and its faults. Pure; angles are of the gear's output, in the motor's own
-/// forward direction.
+/// The encoder on a motor's shaft: counts, index pulse, and its faults. Pure; angles are of the gear's
+/// output, in the motor's own forward direction.
 #include <cstdint>
 
 #include "signals/modes.h"

@@ -69,8 +69,8 @@ void Outbox::send(const CanFrame& frame, FrameKind kind) noexcept {
   if (active(FaultKind::kDuplicateNode)) answer_twice(changed, kind);
 }
 
-/// A second device with the same node id: it answers SDO as well, it samples something else, and its heartbeat says that nobody
-/// started it.
+/// A second device with the same node id: it answers SDO as well, it samples something else, and its
+/// heartbeat says that nobody started it.
 void Outbox::answer_twice(const CanFrame& frame, FrameKind kind) noexcept {
   if (kind == FrameKind::kSdo) return put(frame);
   if (kind == FrameKind::kSample) {

@@ -1,9 +1,11 @@
 #pragma once
-/// A drive's own side of CiA 402: power states, option codes, and what the drive does by itself. Pure, stepped once a tick.
+/// A drive's own side of CiA 402: power states, option codes, and what the drive does by itself. Pure,
+/// stepped once a tick.
 ///
-/// The option codes say whether the drive brakes first (not 0) or lets the motor coast (0): 0x605A quick stop, 0x605B shutdown,
-/// 0x605C disable operation, 0x605E fault reaction. Braking ends without power, when slow or after kBrakeTime_s. How a real drive
-/// brakes in a current mode is [unverified].
+/// The option codes say whether the drive brakes first (not 0) or lets the motor coast (0): 0x605A quick
+/// stop, 0x605B shutdown, 0x605C disable operation, 0x605E fault reaction. Braking ends without power, when
+/// slow or after kBrakeTime_s; halt (control bit 8) brakes with power for as long as it is asked, whichever
+/// of 0x605D's ways is chosen. How a real drive brakes in a current mode is [unverified].
 #include <cstdint>
 
 #include "signals/modes.h"
@@ -17,7 +19,8 @@ struct PowerOptions {
   int fault_reaction = 0;
 };
 
-/// Stages of an EPOS2 that CiA 402 does not have; 0 = the drive has none (facts canopen 2.2; lengths [unverified]).
+/// Stages of an EPOS2 that CiA 402 does not have; 0 = the drive has none (facts canopen 2.2; lengths
+/// [unverified]).
 struct PowerTimes {
   double start_s = 0.0;      ///< after power-on and reset: status word 0
   double not_ready_s = 0.0;  ///< then
@@ -37,13 +40,14 @@ class PowerStage {
 
   /// Power on, or NMT reset node.
   void reset() noexcept;
-  /// @param fault_reset_allowed false: a rising edge of bit 7 is ignored, since the fault's cause is still there.
+  /// @param fault_reset_allowed false: a rising edge of bit 7 is ignored, since the fault's cause is still
+  /// there.
   void control(std::uint16_t word, const PowerOptions& options, double velocity_rad_s,
                bool fault_reset_allowed) noexcept;
   /// @param brakes with power, before the fault state; else power off at once.
   void fault(bool brakes, double velocity_rad_s) noexcept;
-  /// What 0x6007 says (facts canopen 2.6): 0 nothing, 1 fault, 2 disable voltage, 3 quick stop. A drive without voltage stays as it
-  /// is.
+  /// What 0x6007 says (facts canopen 2.6): 0 nothing, 1 fault, 2 disable voltage, 3 quick stop. A drive
+  /// without voltage stays as it is.
   void connection_lost(int abort_option, const PowerOptions& options, double velocity_rad_s) noexcept;
   /// Transitions that the drive makes by itself; once a tick.
   void advance(double velocity_rad_s) noexcept;

@@ -52,8 +52,8 @@ struct PlantConfig {
   ContactConfig contact;
 };
 
-/// Of a strain wave gear: what its link encoder sees besides the joint's angle, amplitude sin(order motor angle + phase) (facts
-/// papers D7). The plant has no torsion.
+/// Of a strain wave gear: what its link encoder sees besides the joint's angle, amplitude sin(order motor
+/// angle + phase) (facts papers D7). The plant has no torsion.
 struct KinematicErrorConfig {
   double amplitude_rad = 0.0;  ///< of the output
   double order = 2.0;          ///< per motor turn; the wave generator has two lobes

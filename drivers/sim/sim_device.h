@@ -1,6 +1,6 @@
 #pragma once
-/// Simulated nodes of the robot, whatever their make: what DriveTrain needs of them. Frames and times in, frames and torques out;
-/// no clock, no allocation after construction.
+/// Simulated nodes of the robot, whatever their make: what DriveTrain needs of them. Frames and times in,
+/// frames and torques out; no clock, no allocation after construction.
 #include <cstddef>
 #include <cstdint>
 
@@ -23,8 +23,8 @@ class SimDevice {
   /// SYNC must come after sample().
   virtual void receive(const CanFrame& frame, std::int64_t time_us) noexcept = 0;
   virtual bool operational() const noexcept = 0;
-  /// Starts or ends (duration over, `on` false) a fault; kinds that this device does not know do nothing. Those that act on frames
-  /// were given to the outbox before. @param value as FaultKind says.
+  /// Starts or ends (duration over, `on` false) a fault; kinds that this device does not know do nothing.
+  /// Those that act on frames were given to the outbox before. @param value as FaultKind says.
   virtual void set_fault(FaultKind kind, double value, bool on) noexcept = 0;
   /// An emergency of any code, as from the device's own supervision: power off, state fault.
   virtual void raise_fault(std::uint16_t code) noexcept = 0;

@@ -1,9 +1,10 @@
 #pragma once
-/// One simulated maxon EPOS2 50/5 with its motor (facts canopen 2): modes -3 (current, mA) and -1 (position, qc), i2t, speed cap,
-/// following error, the 12 status words. Objects are those of epos2.eds.
+/// One simulated maxon EPOS2 50/5 with its motor (facts canopen 2): modes -3 (current, mA) and -1 (position,
+/// qc), i2t, speed cap, following error, the 12 status words. Objects are those of epos2.eds.
 ///
-/// Not simulated: modes 1, 3, 6, 7, -2, -4..-6. An EPOS2 takes them; here 0x6061 keeps showing the mode before, so that nobody
-/// mistakes them for working. Neither are software limits (0x607D), Hall sensors, analog and digital inputs, auxiliary encoder.
+/// Not simulated: modes 1, 3, 6, 7, -2, -4..-6. An EPOS2 takes them; here 0x6061 keeps showing the mode
+/// before, so that nobody mistakes them for working. Neither are software limits (0x607D), Hall sensors,
+/// analog and digital inputs, auxiliary encoder.
 #include "drivers/sim/cia402_drive.h"
 
 namespace sprung::sim {

@@ -1,15 +1,19 @@
 #pragma once
-/// Scales of the EPOS2's own numbers, shared by the bridge's profile and the simulated drive. One rule, the same on both sides;
-/// that a real EPOS2's position regulator weighs its gains like this is [unverified]: check on your drive.
+/// Scales of the EPOS2's own numbers, shared by the bridge's profile and the simulated drive. One rule, the
+/// same on both sides; that a real EPOS2's position regulator weighs its gains like this is [unverified]:
+/// check on your drive.
 ///
-/// Position mode -1: target 0x2062 in qc (quadrature counts of the motor encoder, 4 for each pulse of 0x2210:01).
+/// Position mode -1: target 0x2062 in qc (quadrature counts of the motor encoder, 4 for each pulse of
+/// 0x2210:01).
 ///   current_mA = P * 1e-3 * (reference_qc - measured_qc) + D * 1e-5 * (reference_qc_s - measured_qc_s)
-/// The reference goes in a straight line to a new target in one period of the drive's 1 kHz loop (0x60C2 is fixed to 1 ms), so D
-/// acts on the derivative of the error. P = 0x60FB:01, D = :03; I = :02 is not simulated and must be written 0. From a joint's
-/// stiffness [Nm/rad] and damping [Nm s/rad], both at the gear's output, with qc_per_rad = qc of a motor turn * ratio / 2 pi:
+/// The reference goes in a straight line to a new target in one period of the drive's 1 kHz loop (0x60C2 is
+/// fixed to 1 ms), so D acts on the derivative of the error. P = 0x60FB:01, D = :03; I = :02 is not simulated
+/// and must be written 0. From a joint's stiffness [Nm/rad] and damping [Nm s/rad], both at the gear's
+/// output, with qc_per_rad = qc of a motor turn * ratio / 2 pi:
 ///   P = 1e3 * stiffness / (ratio * torque constant) / qc_per_rad / 1e-3
 ///   D = 1e3 * damping / (ratio * torque constant) / qc_per_rad / 1e-5
-/// 0x6065 (maximum following error, qc, default 2000) ends such a soft loop with 0x8611 unless it is raised; 0xFFFFFFFF = never.
+/// 0x6065 (maximum following error, qc, default 2000) ends such a soft loop with 0x8611 unless it is raised;
+/// 0xFFFFFFFF = never.
 #include <cstdint>
 
 namespace sprung::epos2 {

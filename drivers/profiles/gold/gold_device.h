@@ -1,5 +1,6 @@
 #pragma once
-/// One simulated Elmo Gold drive with its motor: torque (CST) and position (CSP) modes, in per mille of the ratings (facts canopen 3).
+/// One simulated Elmo Gold drive with its motor: torque (CST) and position (CSP) modes, in per mille of the
+/// ratings (facts canopen 3).
 #include "drivers/sim/cia402_drive.h"
 
 namespace sprung::sim {
