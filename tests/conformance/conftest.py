@@ -155,6 +155,15 @@ def devices(request, benches):
 
 
 @pytest.fixture
+def own_gold(request, tmp_path):
+    """A Gold of a simulation that this test has for itself."""
+    bench = Bench(request.config.option.programs, "single_leg", tmp_path / "drives.log")
+    settings = bench.settings("gold")
+    yield Device("gold", bench.wire, settings["node"], bench.robot, settings)
+    bench.close()
+
+
+@pytest.fixture
 def device(devices, profile):
     """The device of the test's parameter `profile`, as after power-on."""
     one = devices(profile)

@@ -28,8 +28,16 @@ def random_lcm_url():
     return f"udpm://239.255.{random.randint(1, 254)}.{random.randint(1, 254)}:{random.randint(20000, 60000)}?ttl=0"
 
 
+class _Loader(yaml.SafeLoader):
+    """As YAML 1.2 has it: `on` is a word, not a truth."""
+
+    yaml_implicit_resolvers = {
+        first: [(tag, pattern) for tag, pattern in found if tag != "tag:yaml.org,2002:bool" or first in "tTfF"]
+        for first, found in yaml.SafeLoader.yaml_implicit_resolvers.items()}
+
+
 def robot_file(robot):
-    return yaml.safe_load((TOP / "robots" / robot / "robot.yaml").read_text())
+    return yaml.load((TOP / "robots" / robot / "robot.yaml").read_text(), _Loader)
 
 
 def _die_with_parent():

@@ -1,5 +1,5 @@
-"""A drive made of python-canopen's LocalNode: its SDO server, heartbeat and emergencies, and here what it leaves out: SYNC and
-PDOs (facts canopen 7.3), limits, and the power states of CiA 402 as test_power_states.py has typed them. Its motor never moves."""
+"""Nodes made of python-canopen's LocalNode: its SDO server, heartbeat and emergencies, and here what it leaves out (facts canopen
+7.3): SYNC, PDOs, limits, and for a drive the power states of CiA 402 as test_power_states.py has typed them. Its motor never moves."""
 import canopen
 from canopen import SdoAbortedError
 
@@ -8,43 +8,41 @@ from test_power_states import COMMAND, ENABLED, FAULT, FAULT_RESET, NEXT, OFF, O
 
 STATUS_WORDS = {OFF: 0x0240, READY: 0x0221, ON: 0x0233, ENABLED: 0x0237, FAULT: 0x0208}
 CONTROL, STATUS, MODE, MODE_DISPLAY, POSITION = 0x6040, 0x6041, 0x6060, 0x6061, 0x6064
+SAMPLE = 0x2100  # of an encoder card
 PDO_INVALID, PDO_ID = 1 << 31, 0x7FF
 SYNC_TYPES = range(1, 241)
 
 
-class Drive:
+class Node:
     """@param values instead of the EDS's defaults, {(index, sub): value}; they outlive a reset."""
 
     def __init__(self, wire, node, profile, values):
         self.node = canopen.LocalNode(node, objects.dictionary(profile, node))
-        self.state, self.speaks = OFF, True
+        self.speaks = True
         self.refuses = {}                 # (index, sub): abort code of every write
-        self.prepare = lambda drive: None  # done after each reset: how this drive differs from others
-        self._values = {(STATUS, 0): STATUS_WORDS[OFF], (CONTROL, 0): 0, (POSITION, 0): 0, (0x6079, 0): 48000,
-                        (0x6077, 0): 0, **values}
-        self._last_events = {}
+        self.prepare = lambda node: None  # done after each reset: how this node differs from others
+        self._wire, self._values, self._last_events = wire, values, {}
         self.node.add_write_callback(self._check)
         wire.network.add_node(self.node)
         wire.network.subscribe(0x000, self._on_nmt)
         wire.network.subscribe(0x080, self._on_sync)
         for base in (0x200, 0x300, 0x400, 0x500):
             wire.network.subscribe(base + node, self._on_rpdo)
-        self._wire = wire
         self._restart()
 
     def power_up(self):
-        """Boot-up frame, then pre-operational."""
+        """As when the supply comes: all forgotten, boot-up frame, then pre-operational."""
+        self.speaks = True
+        self._restart()
         self.node.nmt.state = "INITIALISING"
         self.node.nmt.state = "PRE-OPERATIONAL"
 
     def die(self):
-        """No frame of its own any more."""
+        """The supply goes: no frame any more."""
         self.speaks = False
         self.node.nmt.stop_heartbeat()
-
-    def fail(self, code):
-        self._enter(FAULT)
-        self.node.emcy.send(code, 0x03)
+        self._restart()
+        self.node.nmt.state = "STOPPED"
 
     def get(self, index, sub=0):
         variable = self.node.object_dictionary.get_variable(index, sub)
@@ -64,6 +62,8 @@ class Drive:
 
     def _check(self, index, subindex, od, data):
         """What LocalNode does not: limits, and here the reluctance that a test asks for."""
+        if not self.speaks:
+            raise SdoAbortedError(0x08000022)
         if (index, subindex) in self.refuses:
             raise SdoAbortedError(self.refuses[index, subindex])
         value = od.decode_raw(data)
@@ -71,25 +71,13 @@ class Drive:
             raise SdoAbortedError(0x06090031)
         if od.min is not None and value < od.min:
             raise SdoAbortedError(0x06090032)
-        if index == CONTROL:
-            self._control(value)
+        self._written(index, value)
 
-    def _control(self, word):
-        last = self.get(CONTROL)
-        if self.state == FAULT:
-            if word & ~last & FAULT_RESET:
-                self._enter(OFF)
-        elif not word & FAULT_RESET:
-            following = NEXT[self.state].get(COMMAND[word & 0x0F], self.state)
-            self._enter(OFF if following == QUICK_STOP else following)
-
-    def _enter(self, state):
-        self.state = state
-        self.put(STATUS, STATUS_WORDS[state])
+    def _written(self, index, value):
+        pass
 
     def _on_nmt(self, _can_id, data, _timestamp):
         if data[1] in (0, self.node.id) and data[0] in (0x81, 0x82) and self.speaks:
-            self._restart()
             self.power_up()
 
     def _operational(self):
@@ -98,6 +86,8 @@ class Drive:
     def _maps(self, communication, mapping):
         """@return (COB-ID, type, [(index, sub, bytes)]) of every valid PDO."""
         for number in range(4):
+            if communication + number not in self.node.object_dictionary:
+                continue
             cob_id = self.get(communication + number, 1)
             if cob_id & PDO_INVALID:
                 continue
@@ -113,12 +103,15 @@ class Drive:
             for index, sub, size in entries if cob_id == can_id else []:
                 self.node.set_data(index, sub, bytes(data[at:at + size]))
                 at += size
-        self.put(MODE_DISPLAY, self.get(MODE))
         self._send_pdos(lambda kind: kind not in SYNC_TYPES, only_changes=True)
 
     def _on_sync(self, _can_id, _data, _timestamp):
         if self._operational():
+            self._sample()
             self._send_pdos(lambda kind: kind in SYNC_TYPES, only_changes=False)
+
+    def _sample(self):
+        pass
 
     def _send_pdos(self, wanted, only_changes):
         for cob_id, kind, entries in self._maps(0x1800, 0x1A00):
@@ -126,3 +119,49 @@ class Drive:
             if wanted(kind) and not (only_changes and self._last_events.get(cob_id) == data):
                 self._last_events[cob_id] = data
                 self._wire.send(cob_id, data)
+
+
+class Drive(Node):
+    def __init__(self, wire, node, profile, values):
+        self.state = OFF
+        super().__init__(wire, node, profile, {(CONTROL, 0): 0, (MODE_DISPLAY, 0): 0, **values})
+
+    def fail(self, code):
+        self._enter(FAULT)
+        self.node.emcy.send(code, 0x03)
+
+    def _restart(self):
+        super()._restart()
+        self._enter(OFF)
+
+    def _written(self, index, value):
+        if index == CONTROL:
+            self._control(value)
+        if index == MODE:
+            self.put(MODE_DISPLAY, value)
+
+    def _control(self, word):
+        last = self.get(CONTROL)
+        if self.state == FAULT:
+            if word & ~last & FAULT_RESET:
+                self._enter(OFF)
+                self.node.emcy.reset()
+        elif not word & FAULT_RESET:
+            following = NEXT[self.state].get(COMMAND[word & 0x0F], self.state)
+            self._enter(OFF if following == QUICK_STOP else following)
+
+    def _enter(self, state):
+        self.state = state
+        self.put(STATUS, STATUS_WORDS[state])
+
+
+class Card(Node):
+    """Three 20-bit positions and a counter that goes up with each sample."""
+
+    def __init__(self, wire, node, profile, values):
+        self.counter = 0
+        super().__init__(wire, node, profile, values)
+
+    def _sample(self):
+        self.counter = (self.counter + 1) % 16
+        self.put(SAMPLE, self.counter << 60 | 700_000 << 40 | 600_000 << 20 | 500_000)

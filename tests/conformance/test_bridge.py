@@ -1,25 +1,27 @@
-"""sprung-can-bridge against drives made of python-canopen's LocalNode, started by `sprung up` as on a robot."""
+"""sprung-can-bridge against nodes made of python-canopen's LocalNode, started by `sprung up` as on a robot."""
 import json
 import os
 import re
 import subprocess
 
 import pytest
+import yaml
 
 import programs
-from slave import CONTROL, ENABLED, OFF, Drive
+from slave import CONTROL, ENABLED, OFF, POSITION, Card, Drive
 from wire import Wire, until
 
 HIP, KNEE = 1, 2
-COUNTS_PER_RAD = 131072 * 100 / (2 * 3.14159265)  # single_leg's encoder and gear
-START = {HIP: 1.1, KNEE: 1.2}                      # rad, inside the joints' limits
-VENDOR, PRODUCT = 0x9A, 0x00030923
+START_RAD = 1.1  # of every joint: inside the limits
 UP_S = 12.0
+VALUES = {"gold": {(0x1018, 3): 1, (0x1018, 4): 1, (0x6079, 0): 48000, (0x6077, 0): 0},
+          "epos2": {(0x1018, 3): 0x21260000, (0x1018, 4): 1, (0x6078, 0): 0}, "encoder_card": {(0x1018, 4): 1}}
 
 # python answers in about a millisecond, and a shared machine stalls: 400 Hz (the estimator wants 270 at least), and watchdogs to match.
-SLOWER = {"cycle_rate": "400 Hz", "command_hold": "300 ms", "command_stop": "900 ms", "leg_command": "300 ms",
-          "joint_state": "300 ms", "silent_cycles": "120", "overruns_in_row": "60", "heartbeat": "50 ms",
-          "heartbeat_consumer": "2000 ms", "drive_heartbeat": "600 ms"}
+CYCLE_RATE = "400 Hz"
+WATCHDOGS = {"command_hold": "300 ms", "command_stop": "900 ms", "leg_command": "300 ms", "joint_state": "300 ms",
+             "silent_cycles": 120, "overruns_in_row": 60, "heartbeat": "50 ms", "heartbeat_consumer": "2000 ms",
+             "drive_heartbeat": "600 ms"}
 
 # Typed from facts 1.5 and design section 5 for node 1: what is written to the PDOs, in this order.
 REMAP = {
@@ -40,47 +42,80 @@ REMAP = {
     "RPDO3: off": (0x1402, "23 02 14 01 01 04 00 80"),
     "RPDO4: off": (0x1403, "23 03 14 01 01 05 00 80"),
 }
+EPOS2_REMAP = {
+    "TPDO1: position, current, status word; every SYNC": (0x1800, """
+        23 00 18 01 81 01 00 C0 | 2F 00 18 02 01 00 00 00 | 2F 00 1A 00 00 00 00 00 | 23 00 1A 01 20 00 64 60
+        23 00 1A 02 10 00 78 60 | 23 00 1A 03 10 00 41 60 | 2F 00 1A 00 03 00 00 00 | 23 00 18 01 81 01 00 40"""),
+    "TPDO2: mode display; on change, 10 ms apart": (0x1801, """
+        23 01 18 01 81 02 00 C0 | 2F 01 18 02 FF 00 00 00 | 2B 01 18 03 64 00 00 00 | 2F 01 1A 00 00 00 00 00
+        23 01 1A 01 08 00 61 60 | 2F 01 1A 00 01 00 00 00 | 23 01 18 01 81 02 00 40"""),
+    "RPDO1: current, position, mode; on arrival": (0x1400, """
+        23 00 14 01 01 02 00 80 | 2F 00 14 02 FF 00 00 00 | 2F 00 16 00 00 00 00 00 | 23 00 16 01 10 00 30 20
+        23 00 16 02 20 00 62 20 | 23 00 16 03 08 00 60 60 | 2F 00 16 00 03 00 00 00 | 23 00 14 01 01 02 00 00"""),
+    "RPDO4: off": (0x1403, "23 03 14 01 01 05 00 80"),
+}
+CARD_REMAP = {"TPDO1: the sample; every SYNC": (0x1800, """
+        23 00 18 01 84 01 00 C0 | 2F 00 18 02 01 00 00 00 | 2F 00 1A 00 00 00 00 00 | 23 00 1A 01 40 00 00 21
+        2F 00 1A 00 01 00 00 00 | 23 00 18 01 84 01 00 40""")}
+EPOS2_SETTINGS = {  # typed from facts 2.4, 2.6 and robot.yaml: power off when the master is lost; motor 244879
+    (0x6007, 0): 2, (0x605B, 0): 0, (0x605C, 0): 0, (0x605E, 0): 0, (0x2210, 1): 4096, (0x6410, 1): 2120,
+    (0x6410, 3): 12, (0x6410, 5): 526,
+}
 SETTINGS = {  # typed from facts 3 and robot.yaml: object and value that the bridge must have written
     (0x6007, 0): 2, (0x6075, 0): 7000, (0x6076, 0): 308, (0x60C2, 1): 25, (0x60C2, 2): -4, (0x1006, 0): 2500,
     (0x60B2, 0): 0, (0x1017, 0): None, (0x1016, 1): None, (0x6072, 0): None,
 }
 
 
-def slow_robot(folder):
-    """single_leg's robot.yaml with another cycle and other watchdogs."""
-    text = (programs.TOP / "robots/single_leg/robot.yaml").read_text()
-    for key, value in SLOWER.items():
-        text, count = re.subn(rf"^(\s*){key}:[^#\n]*", rf"\g<1>{key}: {value} ", text, flags=re.M)
-        assert count, f"robot.yaml has no {key} any more"
-    folder.mkdir()
-    (folder / "robot.yaml").write_text(text)
-    return folder
+def on_one_bus(robot):
+    """The part of a robot that hangs on its first bus."""
+    bus = robot["buses"][0]["name"]
+    here = [a for a in robot["actuators"] if a["bus"] == bus]
+    names = {a["name"] for a in here}
+    legs = [leg for leg in robot["legs"] if set(leg["actuators"]) <= names]
+    joints = {joint for leg in legs for joint in leg["joints"]}
+    cards = [card for card in robot.get("encoder_cards", []) if card["bus"] == bus]
+    return {**robot, "buses": robot["buses"][:1], "actuators": here, "legs": legs, **({"encoder_cards": cards} if cards else {}),
+            "joints": [joint for joint in robot["joints"] if joint["name"] in joints]}
 
 
 class Robot:
-    """Two python drives on a bus of their own, and `sprung up` in front of them."""
+    """python nodes on a bus of their own as robot.yaml has them, and `sprung up` in front of them."""
 
-    def __init__(self, request, folder):
+    def __init__(self, request, folder, name="single_leg"):
         self._folder = folder
         self._programs = request.config.option.programs
         self._environment = {"SPRUNG_RUN_DIR": str(folder), "SPRUNG_PROGRAMS": self._programs}
         self._bus = programs.random_bus()
         self.wire = Wire(self._bus)
-        self.drives = {node: self._drive(node) for node in (HIP, KNEE)}
+        self.settings = on_one_bus(programs.robot_file(name))
+        self.settings.update(cycle_rate=CYCLE_RATE, watchdogs=WATCHDOGS)
+        self.drives = {a["node"]: self._drive(a) for a in self.settings["actuators"]}
+        self.cards = {c["node"]: self._node(Card, c, {}) for c in self.settings.get("encoder_cards", [])}
         self.up = None
 
-    def _drive(self, node):
-        values = {(0x1018, 1): VENDOR, (0x1018, 2): PRODUCT, (0x1018, 3): 1, (0x1018, 4): 1,
-                  (0x6064, 0): round(START[node] * COUNTS_PER_RAD)}
-        return Drive(self.wire, node, "gold", values)
+    def _node(self, kind, settings, more):
+        identity = {(0x1018, 1): settings["identity"]["vendor"], (0x1018, 2): settings["identity"]["product"]}
+        return kind(self.wire, settings["node"], settings["profile"],
+                    {**VALUES[settings["profile"]], **identity, **more})
+
+    def _drive(self, settings):
+        counts_per_rad = settings["encoder_counts"] * settings["gear_ratio"] / (2 * 3.14159265)
+        return self._node(Drive, settings, {(POSITION, 0): round(START_RAD * counts_per_rad)})
+
+    def _robot_folder(self):
+        folder = self._folder / "robot"
+        folder.mkdir()
+        (folder / "robot.yaml").write_text(yaml.safe_dump(self.settings, sort_keys=False))
+        return folder
 
     def start(self):
-        for drive in self.drives.values():
-            drive.power_up()
+        for node in [*self.drives.values(), *self.cards.values()]:
+            node.power_up()
         self.up = programs.Program(
             self._programs,
-            ["sprung", "up", slow_robot(self._folder / "robot"), "--no-record", "--rt-policy", "off",
-             "--lcm-url", programs.random_lcm_url(), "--can", f"leg={programs.address(self._bus)}"],
+            ["sprung", "up", self._robot_folder(), "--no-record", "--rt-policy", "off",
+             "--lcm-url", programs.random_lcm_url(), "--can", f"{self.settings['buses'][0]['name']}={programs.address(self._bus)}"],
             self._folder / "up.txt", self._environment)
 
     def start_and_wait(self):
@@ -140,6 +175,14 @@ def writes_to_pdo(requests, communication):
     return [text for text in requests if belongs(text)]
 
 
+def check_remap(robot, node, golden):
+    requests = sent_to(robot, node)
+    for what, (communication, text) in golden.items():
+        wanted = [frame.strip() for frame in re.split(r"\||\n", text) if frame.strip()]
+        assert writes_to_pdo(requests, communication) == wanted, what
+    assert all(len(bytes.fromhex(text)) == 8 for text in requests)
+
+
 def test_boot_is_the_sequence_of_the_facts_byte_for_byte(healthy):
     frames = healthy.wire.record.since(0)
     at = {name: next(n for n, f in enumerate(frames) if wanted(f)) for name, wanted in {
@@ -151,10 +194,7 @@ def test_boot_is_the_sequence_of_the_facts_byte_for_byte(healthy):
     assert at["reset"] < at["vendor"] < at["map"] < at["start"] < at["sample"]
     boot = next(n for n, f in enumerate(frames) if n > at["reset"] and f.arbitration_id == 0x701 and f.data == b"\0")
     assert at["reset"] < boot < at["vendor"]
-    requests = sent_to(healthy, HIP)
-    for what, (communication, golden) in REMAP.items():
-        assert writes_to_pdo(requests, communication) == [t.strip() for t in re.split(r"\||\n", golden) if t.strip()], what
-    assert all(len(bytes.fromhex(text)) == 8 for text in requests)
+    check_remap(healthy, HIP, REMAP)
 
 
 def test_every_setting_is_written_read_back_and_right(healthy):
@@ -210,17 +250,45 @@ def test_drive_that_is_not_what_robot_yaml_says_is_refused_by_name(robot, what, 
     assert knee.state == OFF and robot.drives[HIP].state == OFF
 
 
-@pytest.mark.parametrize("what, break_it, cause, words", [
-    ("silent", lambda d: d.die(), "drive silent", ["knee_motor"]),
-    ("failed", lambda d: d.fail(0x2310), "drive fault", ["knee_motor", "current"]),
-], ids=["silent", "over-current"])
-def test_drive_that_fails_in_operation_stops_the_robot_by_name(robot, what, break_it, cause, words):
+def test_leg_of_epos2_drives_and_an_encoder_card_boots(request, tmp_path):
+    """One bus of pegasus: three EPOS2, one card."""
+    leg = Robot(request, tmp_path, "pegasus")
+    try:
+        leg.start_and_wait()
+        check_remap(leg, 1, EPOS2_REMAP)
+        check_remap(leg, 4, CARD_REMAP)
+        for (index, sub), value in EPOS2_SETTINGS.items():
+            assert all(drive.get(index, sub) == value for drive in leg.drives.values()), f"{index:04X}:{sub:02X}"
+        mark = leg.wire.record.mark()
+        for node in (1, 2, 3, 4):
+            assert leg.wire.record.wait_for_id(0x180 + node, mark) is not None
+        assert all(drive.state == OFF for drive in leg.drives.values())
+    finally:
+        leg.close()
+
+
+def stop_sending_heartbeats(drive):
+    drive.node.nmt.stop_heartbeat()
+
+
+@pytest.mark.parametrize("break_it, repair, causes, words", [
+    (lambda d: d.die(), lambda d: d.power_up(), {"drive silent"}, ["knee_motor"]),
+    (lambda d: d.fail(0x2310), lambda d: None, {"drive fault"}, ["knee_motor", "current"]),
+    (lambda d: d.power_up(), lambda d: None, {"drive silent", "drive fault"}, ["knee_motor"]),
+    (stop_sending_heartbeats, lambda d: None, {"drive silent", "drive fault"}, ["knee_motor", "heartbeat"]),
+], ids=["silent", "over-current", "reboots", "no heartbeat"])
+def test_drive_that_fails_in_operation_stops_the_robot_by_name_until_clear(robot, break_it, repair, causes, words):
     robot.start_and_wait()
     robot.wait_for_safety("operational")
     robot.sprung("stand")
     assert until(lambda: all(d.state == ENABLED for d in robot.drives.values()), UP_S)
     break_it(robot.drives[KNEE])
     assert until(lambda: robot.drives[HIP].state == OFF, UP_S), "the healthy drive keeps its power"
-    found = robot.wait_for_safety("quick stop", cause)
+    found = robot.wait_for_safety("quick stop")
     missing = [word for word in words if word.lower() not in found["detail"].lower()]
-    assert found["latched"] and not missing, f"{what}: {found}"
+    assert found["latched"] and found["cause"] in causes and not missing, found
+    repair(robot.drives[KNEE])
+    said = robot.sprung("clear")
+    assert not robot.wait_for_safety("operational")["latched"], said
+    assert all(drive.state == OFF for drive in robot.drives.values()), "clear must not give power back"
+    assert robot.drives[KNEE].get(0x6007) == 2, "a drive that forgot its settings was not configured again"

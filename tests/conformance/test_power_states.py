@@ -172,22 +172,49 @@ def test_mode_counts_when_its_display_confirms_it(device, power, profile):
 
 @pytest.mark.parametrize("profile", ["epos2"])
 def test_status_words_are_those_of_the_table(device, power, profile):
+    """Seen by a TPDO on every change; start and not ready, which come before operational, by SDO."""
+    words = set()
     silence(device)
     configure(device.remote.tpdo[1], [0x6041], 255, 0, device.node, True, inhibit=0)
     mark = device.wire.record.mark()
     device.nmt(0x01)
     power.fail()
     device.reset_communication_after_loss()
-    configure(device.remote.tpdo[1], [0x6041], 255, 0, device.node, True, inhibit=0)
-    device.nmt(0x01)
     power.command(0)
     power.command(FAULT_RESET)
     assert power.reaches(OFF)
-    words = {int.from_bytes(f.data, "little") & 0x417F for f in device.wire.record.since(mark, 0x180 + device.node)}
+    words |= {int.from_bytes(f.data, "little") for f in device.wire.record.since(mark, 0x180 + device.node)}
+    device.reset()
+    while (word := device.sdo[0x6041].raw) & 0x6F != 0x40:
+        words.add(word)
+    words = {word & 0x417F for word in words}
     assert words <= set(EPOS2_WORDS.values()), [f"{word:#06x}" for word in sorted(words)]
     seen = [name for name, word in EPOS2_WORDS.items() if word in words]
     SUMMARY.append(f"epos2: {len(seen)} of {len(EPOS2_WORDS)} status words seen: {', '.join(seen)}")
     assert {OFF, READY, ON, "refresh", "measure init", ENABLED, FAULT} <= set(seen), seen
+
+
+def test_quick_stop_of_a_moving_motor_is_shown_and_ends_without_power(own_gold):
+    """The plant moves once every drive has answered a SYNC in operational: a simulation of its own, not to disturb other tests."""
+    device, power = own_gold, BySdo(own_gold)
+    assert power.reaches(OFF)
+    silence(device)
+    configure(device.remote.tpdo[1], [0x6041], 255, 0, device.node, True)
+    device.nmt(0x01, 0)
+    power.go(ENABLED)
+    device.sdo[0x6060].raw = 10
+    device.sdo[0x6071].raw = 300
+
+    def moves():
+        device.wire.sync()
+        return abs(device.sdo[0x606C].raw) > 100_000  # counts/s: 0.05 rad/s at the joint
+
+    assert until(moves), "a torque moves nothing"
+    mark = device.wire.record.mark()
+    power.command(2)
+    assert power.reaches(OFF)
+    words = [int.from_bytes(f.data, "little") & 0x6F for f in device.wire.record.since(mark, 0x180 + device.node)]
+    assert 0x07 in words, [f"{word:#04x}" for word in words]
 
 
 @pytest.mark.parametrize("profile", DRIVES)
