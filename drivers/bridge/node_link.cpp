@@ -9,10 +9,10 @@ namespace {
 using canopen::NmtState;
 
 constexpr std::int64_t kSdoTimeout_us =
-    100'000;                            // [design choice] an attempt; drives answer within milliseconds
-constexpr int kConflictsOfTwo = 3;      // [design choice] of ten cycles: one may be a late answer
-constexpr int kAnswersAfterBootUp = 2;  // a node that has booted answers no SYNC before it is started
-constexpr int kStartsOfAnother = 2;     // [design choice] one may be a heartbeat that was overtaken
+    100'000;                                  // [design choice] an attempt; drives answer within milliseconds
+constexpr int kConflictsOfTwo = 3;            // [design choice] of ten cycles: one may be a late answer
+constexpr int kContradictionsOfTwo = 2;       // [design choice] one may be a flipped bit
+constexpr double kContradictionsFade = 20.0;  // [design choice] heartbeats
 constexpr double kHeartbeatsOnTheirWay = 2.0;  // sent before NMT start, they lose arbitration to samples
 
 const char* left_text(NmtState state) noexcept {
@@ -68,7 +68,7 @@ void NodeLink::receive_heartbeat(const CanFrame& frame, std::int64_t time_us) no
       boot_.operational() && state == NmtState::kPreOperational &&
       seconds(time_us - operational_us_) < kHeartbeatsOnTheirWay * setup_.watchdogs.heartbeat_s;
   heartbeat_us_ = time_us;
-  if (overtaken) return;
+  if (overtaken || state == NmtState::kUnknown) return;
   follow_unasked_state(state);
   nmt_state_ = state;
   boot_.on_heartbeat(state, time_us);
@@ -79,11 +79,22 @@ void NodeLink::follow_unasked_state(NmtState state) noexcept {
   if (!boot_.operational()) return;
   if (state == NmtState::kBootUp) {
     rebooted_ = true;
-    answers_since_boot_up_ = -1;  // one to the SYNC before may still come
     on_unasked_boot_up();
   }
-  if (state == NmtState::kOperational && nmt_state_ != NmtState::kOperational) ++unasked_starts_;
-  if (unasked_starts_ >= kStartsOfAnother) duplicate_ = true;
+  if (state == NmtState::kOperational || left_) return;
+  left_ = true;
+  answers_since_left_ = -1;  // one to the SYNC before may still come
+}
+
+/// A node that has booted or left operational answers no SYNC: one that does is two.
+void NodeLink::judge_contradiction() noexcept {
+  if (!left_ || !answered_ || ++answers_since_left_ < 1) return;
+  left_ = false;
+  const double since_last_s = seconds(sync_us_ - contradiction_us_);
+  if (since_last_s > kContradictionsFade * setup_.watchdogs.heartbeat_s) contradictions_ = 0;
+  contradiction_us_ = sync_us_;
+  contradictions_ += rebooted_ ? kContradictionsOfTwo : 1;
+  if (contradictions_ >= kContradictionsOfTwo) duplicate_ = true;
 }
 
 void NodeLink::receive_emergency(const CanFrame& frame) noexcept {
@@ -175,24 +186,27 @@ void NodeLink::end_sampling() noexcept {
   const bool good = answered_ && accept_sample();
   age_cycles_ = good ? 0 : age_cycles_ + 1;
   if (!good && boot_.operational()) ++health_.missing_samples;
-  if (rebooted_ && answered_ && ++answers_since_boot_up_ >= kAnswersAfterBootUp) duplicate_ = true;
+  judge_contradiction();
 }
 
 void NodeLink::watch_heartbeat(std::int64_t time_us) noexcept {
-  const bool is_lost =
-      boot_.operational() && seconds(time_us - heartbeat_us_) > setup_.watchdogs.drive_heartbeat_s;
+  const bool is_lost = boot_.operational() && heartbeat_missing(time_us);
   if (is_lost && !heartbeat_lost_) ++health_.heartbeat_losses;
   heartbeat_lost_ = is_lost;
 }
 
 bool NodeLink::lost(std::int64_t time_us) const noexcept {
   return !boot_.operational() || nmt_state_ != NmtState::kOperational || rebooted_ ||
-         seconds(time_us - heartbeat_us_) > setup_.watchdogs.drive_heartbeat_s;
+         heartbeat_missing(time_us);
+}
+
+bool NodeLink::heartbeat_missing(std::int64_t time_us) const noexcept {
+  return seconds(time_us - heartbeat_us_) > setup_.watchdogs.drive_heartbeat_s;
 }
 
 bool NodeLink::trouble(std::int64_t time_us, bool ignore_faults, Trouble& out) const noexcept {
   const char* who = setup_.name.c_str();
-  const bool left = nmt_state_ != NmtState::kOperational;
+  const bool left = (nmt_state_ != NmtState::kOperational || rebooted_) && age_cycles_ > 0;
   out.cause = SafetyCause::kDriveSilent;
   if (duplicate_) {
     out.cause = SafetyCause::kDuplicateNode;
@@ -202,12 +216,12 @@ bool NodeLink::trouble(std::int64_t time_us, bool ignore_faults, Trouble& out) c
     out.cause = SafetyCause::kDriveFault;
     print(out.detail, "%s: fault 0x%04X (%s)", who, emergency_.code,
           canopen::emergency_text(emergency_.code));
-  } else if (left || rebooted_) {
+  } else if (left) {
     print(out.detail, "%s: no longer operational: %s", who,
           left_text(rebooted_ ? NmtState::kBootUp : nmt_state_));
   } else if (silent()) {
     print(out.detail, "%s: did not answer SYNC for %d cycles", who, age_cycles_);
-  } else if (lost(time_us)) {
+  } else if (heartbeat_missing(time_us)) {
     print(out.detail, "%s: no heartbeat", who);
   } else {
     return false;
@@ -226,7 +240,8 @@ void NodeLink::restart() noexcept {
   emergency_ = {};
   conflicts_.reset();
   conflict_ = duplicate_ = rebooted_ = heartbeat_lost_ = false;
-  unasked_starts_ = 0;
+  left_ = false;
+  contradictions_ = 0;
   age_cycles_ = 0;
 }
 

@@ -60,6 +60,8 @@ class NodeLink {
   int age_cycles() const noexcept { return age_cycles_; }
   bool silent() const noexcept { return age_cycles_ > setup_.watchdogs.silent_cycles; }
   bool lost(std::int64_t time_us) const noexcept;  ///< not operational any more, or no heartbeat
+  bool heartbeat_missing(std::int64_t time_us) const noexcept;
+  bool rebooted() const noexcept { return rebooted_; }  ///< by itself, since the last restart()
   bool duplicate() const noexcept { return duplicate_; }
   /// Emergency that stands, or that a node in fault last sent.
   const canopen::Emergency& emergency() const noexcept { return emergency_; }
@@ -89,6 +91,7 @@ class NodeLink {
   bool receive_process_data(const CanFrame& frame, std::int64_t time_us) noexcept;
   void receive_sample(const CanFrame& frame, std::int64_t time_us) noexcept;
   void second_answer(const CanFrame& frame, std::int64_t time_us) noexcept;
+  void judge_contradiction() noexcept;
   void confirm_operational(std::int64_t time_us) noexcept;
   void watch_heartbeat(std::int64_t time_us) noexcept;
 
@@ -109,8 +112,10 @@ class NodeLink {
   bool conflict_ = false;      ///< two different answers to this SYNC
   std::bitset<10> conflicts_;  ///< of the last cycles
   bool rebooted_ = false;      ///< boot-up that nobody asked for, since the last restart()
-  int answers_since_boot_up_ = 0;
-  int unasked_starts_ = 0;  ///< operational again although nobody started it
+  bool left_ = false;          ///< its heartbeat says so; not yet known whether its answers agree
+  int answers_since_left_ = 0;
+  int contradictions_ = 0;  ///< it said that it had left operational, and went on answering
+  std::int64_t contradiction_us_ = 0;
   bool duplicate_ = false;
 
   canopen::Emergency emergency_;

@@ -13,6 +13,7 @@ constexpr std::int64_t kWatch_us = 500'000;      // [design choice] for the firs
 const char* trouble_of(const NodeLink& node, std::int64_t time_us) noexcept {
   if (node.duplicate()) return "two devices with this id";
   if (node.boot().refused()) return "was refused";
+  if (node.rebooted()) return "restarted";
   if (node.silent()) return "silent";
   return node.lost(time_us) ? "not operational or no heartbeat" : "";
 }

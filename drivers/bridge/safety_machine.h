@@ -5,7 +5,8 @@
 ///   starting, no arming command yet          disabled                                    no
 ///   command stale > command_hold, or expired damping                                     no
 ///   command stale > command_stop             quick stop                                  yes
-///   drive fault, silence, implausible value  damping, after command_stop quick stop      yes
+///   drive or card: fault, silence,           damping, after command_stop quick stop      yes
+///   implausible value, two on one node id
 ///   bus lost                                 quick stop                                  yes
 ///   overruns in a row                        damping, until a cycle is in time again     no
 ///   a drive differs from robot.yaml          disabled                                    yes

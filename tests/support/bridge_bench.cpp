@@ -32,6 +32,16 @@ RobotConfig two_drive_robot() {
   return robot;
 }
 
+RobotConfig robot_with_card() {
+  RobotConfig robot = two_drive_robot();
+  robot.encoder_cards = {{"leg_card", 0, 9, "encoder_card", {0x1, 0x2, 0, 0}}};
+  for (int i = 0; i < 2; ++i) {
+    ActuatorConfig& actuator = robot.actuators[static_cast<std::size_t>(i)];
+    actuator.link_encoder = {0, i, 1048576.0, i == 0 ? -1.0 : 1.0, 0.1};
+  }
+  return robot;
+}
+
 BridgeBench::BridgeBench(const RobotConfig& config)
     : robot(config),
       bridge(std::make_unique<BridgeCore>(config, BridgeOptions{config.watchdogs})),
@@ -39,6 +49,7 @@ BridgeBench::BridgeBench(const RobotConfig& config)
       state(config.actuators.size()) {
   for (const ActuatorConfig& actuator : robot.actuators)
     drives.emplace_back(actuator.node, actuator.identity);
+  for (const EncoderCardConfig& card : robot.encoder_cards) cards.emplace_back(card.node, card.identity);
   command_all(DriveMode::kDisabled);
 }
 
@@ -46,7 +57,9 @@ void BridgeBench::deliver(const FrameBatch& batch) {
   answers_.clear();
   for (const BusFrame& item : batch) {
     for (FakeDrive& drive : drives) drive.receive(item.frame, answers_);
+    for (FakeCard& card : cards) card.receive(item.frame, answers_);
   }
+  if (on_answers) on_answers(answers_);
   for (const CanFrame& frame : answers_) bridge->receive(0, frame, time_us);
 }
 
@@ -57,6 +70,8 @@ void BridgeBench::tick() {
   deliver(last_begin);
   answers_.clear();
   for (FakeDrive& drive : drives) drive.tick(time_us, answers_);
+  for (FakeCard& card : cards) card.tick(time_us, answers_);
+  if (on_answers) on_answers(answers_);
   for (const CanFrame& frame : answers_) bridge->receive(0, frame, time_us);
   in_cycle = bridge->end_sampling(time_us, state);
   if (in_cycle && !mute_commands) {

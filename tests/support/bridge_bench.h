@@ -7,12 +7,16 @@
 #include <vector>
 
 #include "drivers/bridge/bridge_core.h"
+#include "tests/support/fake_card.h"
 #include "tests/support/fake_drive.h"
 
 namespace sprung::testing {
 
 /// Two joints like single_leg's, written here so that tests do not depend on the robot's file.
 RobotConfig two_drive_robot();
+
+/// The same with a card that sees both joints from the link side.
+RobotConfig robot_with_card();
 
 class BridgeBench {
  public:
@@ -37,6 +41,9 @@ class BridgeBench {
   RobotConfig robot;
   std::unique_ptr<BridgeCore> bridge;
   std::vector<FakeDrive> drives;
+  std::vector<FakeCard> cards;
+  /// May change what the nodes answer in a tick, before the bridge gets it.
+  std::function<void(std::vector<CanFrame>&)> on_answers;
   DriveCommand command;
   DriveState state;
   FrameBatch last_begin, last_setpoints;

@@ -65,8 +65,10 @@ void FakeDrive::receive_pdo(const CanFrame& frame, std::vector<CanFrame>& out) {
     target_torque_permille = static_cast<std::int16_t>(get_le(&frame.data[0], 2));
     target_position_counts = static_cast<std::int32_t>(get_le(&frame.data[2], 4));
     const auto asked = static_cast<std::int8_t>(frame.data[6]);
-    if (asked == mode) return;
+    if (asked == mode || keeps_mode) return;
     mode = asked;
+    objects[{kModeDisplay, 0}] = frame.data[6];
+    if (mute_mode_display) return;
     CanFrame display;
     display.id = tpdo_id(1, node_);
     display.length = 1;
@@ -85,7 +87,7 @@ void FakeDrive::apply_control_word(std::uint16_t word) {
   if (power == PowerState::kOperationEnabled && before != power) ++enabled_count;
 }
 
-void FakeDrive::send_sample(std::vector<CanFrame>& out) const {
+void FakeDrive::send_sample(std::vector<CanFrame>& out) {
   CanFrame frame;
   frame.id = tpdo_id(0, node_);
   frame.length = 8;
@@ -97,6 +99,13 @@ void FakeDrive::send_sample(std::vector<CanFrame>& out) const {
 
 void FakeDrive::tick(std::int64_t time_us, std::vector<CanFrame>& out) {
   if (dead) return;
+  if (restart_now) {
+    restart_now = false;
+    objects = defaults_;
+    power = PowerState::kSwitchOnDisabled;
+    nmt = NmtState::kPreOperational;
+    out.push_back(heartbeat_frame(node_, NmtState::kBootUp));
+  }
   if (pending_emergency != 0) {
     out.push_back(emergency_frame(node_, {pending_emergency, 1}));
     pending_emergency = 0;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "drivers/can/can_frame.h"
+#include "drivers/canopen/objects.h"
 #include "drivers/canopen/protocol.h"
 #include "robots/robot_config.h"
 #include "signals/modes.h"
@@ -16,6 +17,7 @@ namespace sprung::testing {
 class FakeDrive {
  public:
   FakeDrive(int node, const IdentityConfig& identity);
+  virtual ~FakeDrive() = default;
 
   /// What it answers at once is appended to `out`.
   void receive(const CanFrame& frame, std::vector<CanFrame>& out);
@@ -39,6 +41,7 @@ class FakeDrive {
   std::int8_t mode = 0;
   std::uint16_t pending_emergency = 0;  ///< sent at the next tick
   std::uint16_t passing_emergency = 0;  ///< sent at the next tick together with the frame that withdraws it
+  bool restart_now = false;             ///< power cycle at the next tick: boot-up frame, settings gone
   bool dead = false;                    ///< neither hears nor speaks
   bool mute_samples = false;            ///< does not answer SYNC
   bool mute_heartbeat = false;
@@ -47,14 +50,19 @@ class FakeDrive {
   bool stuck_in_fault = false;
   bool loses_settings_on_reset = false;  ///< what SDO has written is gone after reset communication
   int resets = 0;
-  int enabled_count = 0;  ///< transitions to operation enabled
+  int enabled_count = 0;           ///< transitions to operation enabled
+  bool keeps_mode = false;         ///< does not switch modes any more
+  bool mute_mode_display = false;  ///< its TPDO2 is lost
+
+ protected:
+  virtual void send_sample(std::vector<CanFrame>& out);
+  int node() const { return node_; }
 
  private:
   void receive_nmt(canopen::NmtCommand command, std::vector<CanFrame>& out);
   void receive_sdo(const CanFrame& frame, std::vector<CanFrame>& out);
   void receive_pdo(const CanFrame& frame, std::vector<CanFrame>& out);
   void apply_control_word(std::uint16_t word);
-  void send_sample(std::vector<CanFrame>& out) const;
 
   int node_;
   std::map<Key, std::uint32_t> defaults_;
