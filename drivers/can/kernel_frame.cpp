@@ -6,7 +6,7 @@ namespace sprung {
 
 can_frame to_kernel(const CanFrame& frame) noexcept {
   can_frame raw{};
-  raw.can_id = frame.id | (frame.remote ? CAN_RTR_FLAG : 0U);
+  raw.can_id = frame.id | (frame.remote ? CAN_RTR_FLAG : 0U) | (frame.error ? CAN_ERR_FLAG : 0U);
   raw.can_dlc = frame.length;
   if (!frame.remote) std::copy(frame.data.begin(), frame.data.end(), raw.data);
   return raw;

@@ -6,6 +6,7 @@
 
 namespace sprung {
 
+/// Error frames keep their flag: those of simulated drives must not go out as data frames of a low id.
 can_frame to_kernel(const CanFrame& frame) noexcept;
 /// @return false for extended frames: nothing of ours uses them.
 bool from_kernel(const can_frame& raw, CanFrame& frame) noexcept;

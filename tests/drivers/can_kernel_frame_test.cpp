@@ -47,6 +47,7 @@ TEST(KernelFrame, ErrorFramesKeepTheirClassAndDetails) {
   EXPECT_FALSE(frame.remote);
   EXPECT_EQ(frame.id, static_cast<std::uint32_t>(CAN_ERR_BUSOFF | CAN_ERR_CRTL));
   EXPECT_EQ(frame.data[1], CAN_ERR_CRTL_TX_PASSIVE);
+  EXPECT_EQ(to_kernel(frame).can_id, raw.can_id);
 }
 
 TEST(KernelFrame, ExtendedFramesAreRefused) {
