@@ -11,6 +11,7 @@ void add_safety(CommandLine& sprung);  ///< estop, clear
 void add_status(CommandLine& sprung);
 void add_record(CommandLine& sprung);
 void add_experiment(CommandLine& sprung);
+void add_bench(CommandLine& sprung);  ///< bench can
 void add_can(CommandLine& sprung);    ///< can dump, can export
 void add_drive(CommandLine& sprung);  ///< drive info, read, write, scan, check
 

@@ -15,6 +15,7 @@ int main(int argc, char** argv) {
   add_status(line);
   add_record(line);
   add_experiment(line);
+  add_bench(line);
   add_can(line);
   add_drive(line);
   return line.run(argc, argv);
