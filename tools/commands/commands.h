@@ -14,5 +14,7 @@ void add_experiment(CommandLine& sprung);
 void add_bench(CommandLine& sprung);  ///< bench can
 void add_can(CommandLine& sprung);    ///< can dump, can export
 void add_drive(CommandLine& sprung);  ///< drive info, read, write, scan, check
+void add_fault(CommandLine& sprung);
+void add_home(CommandLine& sprung);
 
 }  // namespace sprung::commands

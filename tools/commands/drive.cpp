@@ -11,8 +11,8 @@
 #include "tools/canopen/object_value.h"
 #include "tools/client/bus_choice.h"
 #include "tools/client/node_inspection.h"
+#include "tools/commands/answers.h"
 #include "tools/commands/commands.h"
-#include "tools/commands/confirm.h"
 
 namespace sprung::commands {
 

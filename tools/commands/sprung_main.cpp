@@ -18,5 +18,7 @@ int main(int argc, char** argv) {
   add_bench(line);
   add_can(line);
   add_drive(line);
+  add_home(line);
+  add_fault(line);
   return line.run(argc, argv);
 }

@@ -4,8 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "lcmtypes/channels.h"
+#include "robots/robot_loader.h"
 #include "runtime/node.h"
 #include "runtime/stop_request.h"
+#include "tools/client/health_report.h"
 #include "tools/commands/commands.h"
 #include "tools/launcher/run_file.h"
 
@@ -20,18 +22,18 @@ constexpr std::int64_t kListen_us = 1'200'000;  // PROCESS_STATUS comes twice a 
 /// What could be heard of a running robot in about a second.
 struct Heard {
   std::map<std::string, sprung_msgs::process_status_t> processes;
-  std::optional<sprung_msgs::safety_state_t> safety;
   std::optional<sprung_msgs::motion_state_t> motion;
+  std::optional<sprung_msgs::safety_state_t> safety;
+  std::optional<sprung_msgs::bus_state_t> buses;
 };
 
-Heard listen(const RunInfo& info) {
+Heard listen(const RunInfo& info, const RobotConfig& robot) {
   InputQueue<sprung_msgs::process_status_t> processes(256);
-  InputQueue<sprung_msgs::safety_state_t> safeties(1024);
   InputQueue<sprung_msgs::motion_state_t> motions(1 << 16);
   Heard heard;
+  HealthListener health(info, robot);
   Node node({info.lcm_url, info.session, info.epoch_us, {}});
   node.subscribe_message(channels::kProcessStatus, CountLimits::none(), processes);
-  node.subscribe_message(channels::kSafetyState, CountLimits::none(), safeties);
   node.subscribe_message(channels::kMotionState, CountLimits::up_to(64), motions);
   node.start();
   const std::int64_t end_us = node.utime_us() + kListen_us;
@@ -40,13 +42,13 @@ Heard listen(const RunInfo& info) {
     while (auto status = processes.pop()) {
       heard.processes[status->process] = *status;
     }
-    while (auto safety = safeties.pop()) {
-      heard.safety = *safety;
-    }
     while (auto motion = motions.pop()) {
       heard.motion = *motion;
     }
   }
+  health.wait(0.0, [] { return true; });
+  heard.safety = health.safety();
+  heard.buses = health.bus();
   return heard;
 }
 
@@ -89,7 +91,7 @@ Json process_json(const RunningProcess& process, const Heard& heard) {
   return out;
 }
 
-Json status_json(const RunInfo& info, const Heard& heard) {
+Json status_json(const RunInfo& info, const RobotConfig& robot, const Heard& heard) {
   Json out{{"robot", info.robot},
            {"preset", info.preset},
            {"clock", info.clock},
@@ -101,16 +103,9 @@ Json status_json(const RunInfo& info, const Heard& heard) {
   for (const RunningProcess& process : info.processes) {
     out["processes"].push_back(process_json(process, heard));
   }
-  out["safety"] = {{"state", "unknown"}, {"cause", "the bridge says nothing"}};
-  if (heard.safety) {
-    out["safety"] = {{"state", heard.safety->level_name},
-                     {"cause", heard.safety->cause_name},
-                     {"detail", heard.safety->detail},
-                     {"latched", heard.safety->latched},
-                     {"overruns", heard.safety->overruns},
-                     {"missed_cycles", heard.safety->missed_cycles},
-                     {"commands_refused", heard.safety->commands_refused}};
-  }
+  out["safety"] = safety_json(heard.safety);
+  out["buses"] = heard.buses ? buses_json(robot, *heard.buses) : Json::array();
+  out["nodes"] = heard.buses ? nodes_json(robot, *heard.buses) : Json::array();
   out["motion"] = {{"state", "unknown"}, {"legs", Json::array()}};
   if (heard.motion) {
     out["motion"]["state"] = heard.motion->state_name;
@@ -124,6 +119,21 @@ Json status_json(const RunInfo& info, const Heard& heard) {
 }
 
 std::string text_of(const Json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
+
+/// Buses in a line each; of the nodes those that have had trouble.
+void print_buses(const Json& status) {
+  for (const Json& bus : status["buses"]) {
+    const long long errors = bus["error_frames"].get<long long>() + bus["send_failed"].get<long long>() +
+                             bus["dropped"].get<long long>() + bus["malformed"].get<long long>();
+    std::printf("bus     %-10s %s, load %.1f %% worst case, %lld errors, %s strange frames\n",
+                text_of(bus["name"]).c_str(), text_of(bus["condition"]).c_str(),
+                100.0 * bus["load_share"].get<double>(), errors, bus["unexpected"].dump().c_str());
+  }
+  for (const Json& node : status["nodes"]) {
+    if (text_of(node["trouble"]).empty()) continue;
+    std::printf("node    %-10s %s\n", text_of(node["name"]).c_str(), text_of(node["trouble"]).c_str());
+  }
+}
 
 void print_table(const Json& status) {
   std::printf("%s, clock %s, preset %s%s\n", text_of(status["robot"]).c_str(),
@@ -146,11 +156,13 @@ void print_table(const Json& status) {
     std::printf(": %s", text_of(status["safety"]["detail"]).c_str());
   }
   std::printf("\nmotion  %s\n", text_of(status["motion"]["state"]).c_str());
+  print_buses(status);
 }
 
 int run_status(const std::string& instance, bool as_json) {
   const RunInfo info = require_running(instance, "");
-  const Json status = status_json(info, listen(info));
+  const RobotConfig robot = load_robot(info.robot_folder);
+  const Json status = status_json(info, robot, listen(info, robot));
   if (as_json) {
     std::printf("%s\n", status.dump(1).c_str());
   } else {
@@ -164,7 +176,8 @@ int run_status(const std::string& instance, bool as_json) {
 void add_status(CommandLine& sprung) {
   const auto instance = std::make_shared<std::string>("default");
   const auto as_json = std::make_shared<bool>(false);
-  CommandLine& status = sprung.subcommand("status", "Processes, safety and motion of the robot that is up.");
+  CommandLine& status =
+      sprung.subcommand("status", "Processes, safety, motion, buses and nodes of the robot that is up.");
   status.option("--instance", *instance, "which run");
   status.flag("--json", *as_json, "one JSON object");
   status.example("sprung status --json");

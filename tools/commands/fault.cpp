@@ -1,0 +1,105 @@
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <memory>
+
+#include "lcmtypes/channels.h"
+#include "robots/robot_loader.h"
+#include "runtime/node.h"
+#include "runtime/stop_request.h"
+#include "tools/client/fault_request.h"
+#include "tools/commands/commands.h"
+#include "tools/launcher/run_file.h"
+
+namespace sprung::commands {
+
+namespace {
+
+constexpr double kSilence_s = 2.0;
+constexpr std::int64_t kLead_cycles = 20;  // so that the message is there before its cycle, also in lock-step
+
+struct Request {
+  FaultRequest fault;
+  double value = std::numeric_limits<double>::quiet_NaN();
+  double after_s = 0.0;
+  std::string instance = "default";
+};
+
+/// Newest cycle of DRIVE_STATE. @throws std::runtime_error when none comes in time.
+std::int64_t next_cycle(Node& node, InputQueue<sprung_msgs::drive_state_t>& states) {
+  const std::int64_t end_us = node.utime_us() + static_cast<std::int64_t>(1e6 * kSilence_s);
+  while (node.utime_us() < end_us && !stop_requested()) {
+    node.wait_for_input(end_us);
+    std::int64_t seq = -1;
+    while (const auto state = states.pop()) seq = state->seq;
+    if (seq >= 0) return seq;
+  }
+  throw std::runtime_error("no DRIVE_STATE comes in, so there is no cycle to name: see sprung status");
+}
+
+int run_fault(Request request) {
+  const RunInfo info = require_running(request.instance, "");
+  if (!info.simulation) {
+    throw std::runtime_error("faults are made by simulated drives, and " + info.robot +
+                             " runs with real ones: sprung down; sprung up " + info.robot + " --sim");
+  }
+  const RobotConfig robot = load_robot(info.robot_folder);
+  if (!std::isnan(request.value)) request.fault.value = request.value;
+  if (request.after_s < 0.0) throw WrongUse("--after must not be negative");
+  SimControl control;
+  try {
+    control = fault_control(robot, request.fault);
+  } catch (const std::invalid_argument& error) {
+    throw WrongUse(error.what());
+  }
+  InputQueue<sprung_msgs::drive_state_t> states(1024);
+  Node node({info.lcm_url, info.session, info.epoch_us, {}});
+  node.subscribe_message(channels::kDriveState, CountLimits::exactly(robot.actuators.size()), states);
+  Publisher<SimControl> controls = node.publisher<SimControl>(channels::kSimControl);
+  node.start();
+  const std::int64_t now = next_cycle(node, states);
+  control.apply_at_seq = now + kLead_cycles + std::llround(request.after_s / robot.cycle_s);
+  control.stamp = {node.utime_us(), now};
+  controls.publish(control);
+  const FaultGuide& guide = guide_of(control.fault);
+  std::printf("%s at %s", request.fault.kind.c_str(), request.fault.target.c_str());
+  if (*guide.value != '\0') std::printf(", %g %s", control.value, guide.value);
+  std::printf(": acts at cycle %lld", static_cast<long long>(control.apply_at_seq));
+  if (control.duration_s > 0.0) std::printf(" for %g s", control.duration_s);
+  std::printf("\n");
+  std::fflush(stdout);
+  std::int64_t seq = now;
+  while (seq < control.apply_at_seq && !stop_requested()) seq = next_cycle(node, states);
+  node.stop();
+  if (seq < control.apply_at_seq) return kExitFailed;
+  std::printf("it acts now. Watch: %s\n", guide.watch);
+  return kExitDone;
+}
+
+std::string all_names() {
+  std::string text;
+  for (const FaultGuide& guide : fault_guides()) {
+    text += (text.empty() ? "" : ", ") + std::string(name(guide.kind));
+    if (*guide.value != '\0') text += std::string(" (--value: ") + guide.value + ")";
+  }
+  return text;
+}
+
+}  // namespace
+
+void add_fault(CommandLine& sprung) {
+  const auto request = std::make_shared<Request>();
+  CommandLine& fault =
+      sprung.subcommand("fault", "Makes a fault in the simulated drives: " + all_names() + ".");
+  fault.option("target", request->fault.target, "joint, actuator or bus", Need::kRequired);
+  fault.choice("kind", request->fault.kind, fault_names(), "which fault; none mends what was made before",
+               Need::kRequired);
+  fault.option("--value", request->value, "how much, where the fault takes a value");
+  fault.option("--after", request->after_s, "seconds from now");
+  fault.option("--for", request->fault.for_s, "seconds that it lasts, 0 = until mended");
+  fault.option("--instance", request->instance, "which run");
+  fault.example("sprung fault knee over-current --after 1\n  sprung fault leg bus-off --for 0.5");
+  fault.action([=] { return run_fault(*request); });
+}
+
+}  // namespace sprung::commands
