@@ -1,4 +1,5 @@
 """Options and fixtures: one simulated robot a profile and run, or a real drive by --bus."""
+
 import collections
 
 import canopen
@@ -6,11 +7,15 @@ import pytest
 
 import objects
 import programs
+from power_states import OFF, BySdo
 from wire import PATIENCE_S, Wire, until
 
 Profile = collections.namedtuple("Profile", "robot actuator")  # where the profile is found in robots/
-PROFILES = {"gold": Profile("single_leg", True), "epos2": Profile("pegasus", True),
-            "encoder_card": Profile("pegasus", False)}
+PROFILES = {
+    "gold": Profile("single_leg", True),
+    "epos2": Profile("pegasus", True),
+    "encoder_card": Profile("pegasus", False),
+}
 
 SUMMARY = []  # lines that belong at the end of a run, whatever passed
 
@@ -21,27 +26,40 @@ def pytest_terminal_summary(terminalreporter):
 
 
 def pytest_addoption(parser):
-    parser.addoption("--programs", default=str(programs.TOP / "build/release/bin"), help="folder of sprung's programs")
-    parser.addoption("--bus", help="a real drive: socketcan:can0, or udp_multicast:GROUP:PORT; "
-                     "needs --read-only, --node and --profile")
+    parser.addoption(
+        "--programs", default=str(programs.TOP / "build/release/bin"), help="folder of sprung's programs"
+    )
+    parser.addoption(
+        "--bus",
+        help="a real drive: socketcan:can0, or udp_multicast:GROUP:PORT; "
+        "needs --read-only, --node and --profile",
+    )
     parser.addoption("--node", type=int, help="its node id")
     parser.addoption("--profile", choices=sorted(PROFILES), help="which EDS it should agree with")
     parser.addoption("--read-only", action="store_true", help="read every object, write none")
 
 
 def pytest_configure(config):
-    config.addinivalue_line("markers", "reads_only: changes nothing on the device; may be run on a real drive")
+    config.addinivalue_line(
+        "markers", "reads_only: changes nothing on the device; may be run on a real drive"
+    )
     option = config.option
     if option.bus and not (option.read_only and option.node and option.profile):
-        raise pytest.UsageError("--bus names a real drive, which only a read-only scan may touch: "
-                                "add --read-only --node N --profile P")
+        raise pytest.UsageError(
+            "--bus names a real drive, which only a read-only scan may touch: "
+            "add --read-only --node N --profile P"
+        )
 
 
 def pytest_collection_modifyitems(config, items):
     if not config.option.bus:
         return
-    real = [item for item in items if item.get_closest_marker("reads_only")
-            and item.callspec.params.get("profile", config.option.profile) == config.option.profile]
+    real = [
+        item
+        for item in items
+        if item.get_closest_marker("reads_only")
+        and item.callspec.params.get("profile", config.option.profile) == config.option.profile
+    ]
     items[:] = real
 
 
@@ -66,11 +84,12 @@ class Device:
         mark = self.wire.record.mark()
         self.nmt(command)
         boot = self.wire.record.wait_for(
-            lambda f: f.arbitration_id == 0x700 + self.node and bytes(f.data) == b"\0", mark)
+            lambda f: f.arbitration_id == 0x700 + self.node and bytes(f.data) == b"\0", mark
+        )
         assert boot is not None, f"no boot-up frame after NMT 0x{command:02X}"
 
     def reset_communication_after_loss(self):
-        """The first half of the way back after a lost master (facts 2.5); what the master was watched by is off then."""
+        """First half of the way back after a lost master (facts 2.5). What watched the master is off then."""
         self.reset(0x82)
 
     def forget_python_state(self):
@@ -92,15 +111,23 @@ class Bench:
         self.first = first
         self.wire = Wire(buses[first])
         self.process = programs.start_simulated_drives(folder, robot, buses, log)
-        nodes = [d["node"] for d in self.robot["actuators"] + self.robot.get("encoder_cards", [])
-                 if d["bus"] == first]
+        nodes = [
+            d["node"]
+            for d in self.robot["actuators"] + self.robot.get("encoder_cards", [])
+            if d["bus"] == first
+        ]
         awaited = {0x700 + node for node in nodes}
         until(lambda: awaited <= self._booted() or not self.process.running(), 3 * PATIENCE_S)
-        assert awaited <= self._booted(), f"not every node booted; sprung-sim-drives said:\n{self.process.said()}"
+        assert awaited <= self._booted(), (
+            f"not every node booted; sprung-sim-drives said:\n{self.process.said()}"
+        )
 
     def _booted(self):
-        return {f.arbitration_id for f in self.wire.record.since(0) if f.arbitration_id & 0x700 == 0x700
-                and bytes(f.data) == b"\0"}
+        return {
+            f.arbitration_id
+            for f in self.wire.record.since(0)
+            if f.arbitration_id & 0x700 == 0x700 and bytes(f.data) == b"\0"
+        }
 
     def settings(self, profile):
         found = self.robot["actuators"] if PROFILES[profile].actuator else self.robot["encoder_cards"]
@@ -136,7 +163,9 @@ def devices(request, benches):
     def real(profile):
         interface, channel, *port = option.bus.split(":")
         more = {"port": int(port[0])} if port else {}
-        return Device(profile, Wire({"interface": interface, "channel": channel, **more}), option.node, None, None)
+        return Device(
+            profile, Wire({"interface": interface, "channel": channel, **more}), option.node, None, None
+        )
 
     def simulated(profile):
         bench = benches(PROFILES[profile].robot)
@@ -171,3 +200,12 @@ def device(devices, profile):
         one.forget_python_state()
         one.reset()
     return one
+
+
+@pytest.fixture
+def power(device):
+    """The power states of `device`, switched off."""
+    one = BySdo(device)
+    assert one.reaches(OFF), f"after power-on: {one.state()}"
+    yield one
+    one.command(0)

@@ -1,4 +1,5 @@
-"""What a device's objects should be like: from its EDS as python-canopen reads it, and from the table typed by hand."""
+"""What a device's objects should be: by its EDS as python-canopen reads it, and by the table typed by hand."""
+
 import configparser
 import csv
 import dataclasses
@@ -11,10 +12,19 @@ HERE = pathlib.Path(__file__).resolve().parent
 PROFILES = HERE.parents[1] / "drivers" / "profiles"
 SILENT = "?"  # the facts do not say
 
-_TYPES = {datatypes.INTEGER8: "i8", datatypes.INTEGER16: "i16", datatypes.INTEGER32: "i32", datatypes.INTEGER64: "i64",
-          datatypes.UNSIGNED8: "u8", datatypes.UNSIGNED16: "u16", datatypes.UNSIGNED32: "u32",
-          datatypes.UNSIGNED64: "u64", datatypes.VISIBLE_STRING: "visible string",
-          datatypes.OCTET_STRING: "octet string", datatypes.DOMAIN: "domain"}
+_TYPES = {
+    datatypes.INTEGER8: "i8",
+    datatypes.INTEGER16: "i16",
+    datatypes.INTEGER32: "i32",
+    datatypes.INTEGER64: "i64",
+    datatypes.UNSIGNED8: "u8",
+    datatypes.UNSIGNED16: "u16",
+    datatypes.UNSIGNED32: "u32",
+    datatypes.UNSIGNED64: "u64",
+    datatypes.VISIBLE_STRING: "visible string",
+    datatypes.OCTET_STRING: "octet string",
+    datatypes.DOMAIN: "domain",
+}
 _ACCESS = {"rww": "rw", "rwr": "rw"}
 _MAP_OF_ACCESS = {"ro": "T", "const": "T", "wo": "R", "rww": "R", "rwr": "T", "rw": "RT"}
 
@@ -22,6 +32,7 @@ _MAP_OF_ACCESS = {"ro": "T", "const": "T", "wo": "R", "rww": "R", "rwr": "T", "r
 @dataclasses.dataclass(frozen=True)
 class Expected:
     """One object. None: not known, not compared (in `low` and `high`: the type's own limit)."""
+
     index: int
     sub: int
     name: str
@@ -80,9 +91,17 @@ def _map_of(variable, override):
 
 
 def _expected(variable, override):
-    return Expected(variable.index, variable.subindex, variable.qualname, _TYPES[variable.data_type],
-                    _ACCESS.get(variable.access_type, variable.access_type), _map_of(variable, override),
-                    variable.default, variable.min, variable.max)
+    return Expected(
+        variable.index,
+        variable.subindex,
+        variable.qualname,
+        _TYPES[variable.data_type],
+        _ACCESS.get(variable.access_type, variable.access_type),
+        _map_of(variable, override),
+        variable.default,
+        variable.min,
+        variable.max,
+    )
 
 
 def from_eds(profile, node):
@@ -115,7 +134,14 @@ def from_hand(profile, node):
             continue
         index, sub = int(row["index"], 16), int(row["sub"])
         found[index, sub] = Expected(
-            index, sub, "by hand", row["type"], None if row["access"] == SILENT else row["access"],
-            None if row["map"] == SILENT else row["map"].replace("-", ""), _number(row["default"], node),
-            _number(row["low"], node), _number(row["high"], node))
+            index,
+            sub,
+            "by hand",
+            row["type"],
+            None if row["access"] == SILENT else row["access"],
+            None if row["map"] == SILENT else row["map"].replace("-", ""),
+            _number(row["default"], node),
+            _number(row["low"], node),
+            _number(row["high"], node),
+        )
     return found

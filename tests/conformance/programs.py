@@ -1,4 +1,5 @@
 """Starts sprung's real processes on a CAN bus and an LCM network of their own, and leaves none behind."""
+
 import ctypes
 import os
 import pathlib
@@ -14,9 +15,14 @@ _LIBC = ctypes.CDLL(None)
 
 
 def random_bus():
-    """python-can's arguments for a bus that nobody else is on; hop limit 0 keeps its frames on this machine."""
+    """python-can's arguments for a bus of our own; hop limit 0 keeps its frames on this machine."""
     group = f"239.74.{random.randint(1, 254)}.{random.randint(1, 254)}"
-    return {"interface": "udp_multicast", "channel": group, "port": random.randint(20000, 60000), "hop_limit": 0}
+    return {
+        "interface": "udp_multicast",
+        "channel": group,
+        "port": random.randint(20000, 60000),
+        "hop_limit": 0,
+    }
 
 
 def address(bus):
@@ -25,15 +31,19 @@ def address(bus):
 
 
 def random_lcm_url():
-    return f"udpm://239.255.{random.randint(1, 254)}.{random.randint(1, 254)}:{random.randint(20000, 60000)}?ttl=0"
+    group = f"239.255.{random.randint(1, 254)}.{random.randint(1, 254)}"
+    return f"udpm://{group}:{random.randint(20000, 60000)}?ttl=0"
 
 
 class _Loader(yaml.SafeLoader):
     """As YAML 1.2 has it: `on` is a word, not a truth."""
 
     yaml_implicit_resolvers = {
-        first: [(tag, pattern) for tag, pattern in found if tag != "tag:yaml.org,2002:bool" or first in "tTfF"]
-        for first, found in yaml.SafeLoader.yaml_implicit_resolvers.items()}
+        first: [
+            (tag, pattern) for tag, pattern in found if tag != "tag:yaml.org,2002:bool" or first in "tTfF"
+        ]
+        for first, found in yaml.SafeLoader.yaml_implicit_resolvers.items()
+    }
 
 
 def robot_file(robot):
@@ -51,8 +61,12 @@ class Program:
         self.log = log
         with open(log, "w", encoding="utf-8") as out:
             self._process = subprocess.Popen(
-                [str(pathlib.Path(folder) / arguments[0]), *map(str, arguments[1:])], stdout=out,
-                stderr=subprocess.STDOUT, env={**os.environ, **(environment or {})}, preexec_fn=_die_with_parent)
+                [str(pathlib.Path(folder) / arguments[0]), *map(str, arguments[1:])],
+                stdout=out,
+                stderr=subprocess.STDOUT,
+                env={**os.environ, **(environment or {})},
+                preexec_fn=_die_with_parent,
+            )
 
     def running(self):
         return self._process.poll() is None
@@ -73,9 +87,23 @@ class Program:
 
 
 def start_simulated_drives(folder, robot, buses, log):
-    """sprung-sim-drives alone, in real time, as `sprung up` starts it. @param buses name to python-can's arguments."""
-    arguments = ["sprung-sim-drives", "--robot", TOP / "robots" / robot, "--session", random.getrandbits(40),
-                 "--lcm-url", random_lcm_url(), "--clock", "realtime", "--rt-policy", "off", "--no-truth"]
+    """sprung-sim-drives alone, in real time, as `sprung up` starts it.
+
+    @param buses name of each bus, and python-can's arguments for it."""
+    arguments = [
+        "sprung-sim-drives",
+        "--robot",
+        TOP / "robots" / robot,
+        "--session",
+        random.getrandbits(40),
+        "--lcm-url",
+        random_lcm_url(),
+        "--clock",
+        "realtime",
+        "--rt-policy",
+        "off",
+        "--no-truth",
+    ]
     for name, bus in buses.items():
         arguments += ["--can", f"{name}={address(bus)}"]
     return Program(folder, arguments, log)

@@ -1,4 +1,5 @@
-"""Looks at every object of a device through python-canopen's SDO client, and says where it is not as expected."""
+"""Looks at every object of a device through python-canopen's SDO client, and says what is not as expected."""
+
 import canopen
 from canopen import SdoAbortedError, SdoCommunicationError
 
@@ -89,7 +90,9 @@ class Scanner:
     def look_beside(self, objects):
         """No object and no sub-index beside those that are known."""
         indexes = {index for index, _ in objects}
-        for index in sorted({i for known in indexes for i in (known - 1, known + 1) if 0x1000 <= i <= 0xFFFF}):
+        for index in sorted(
+            {i for known in indexes for i in (known - 1, known + 1) if 0x1000 <= i <= 0xFFFF}
+        ):
             if index not in indexes:
                 wanted = _Absent(index, 0)
                 self._expect(wanted, "absent index", NO_OBJECT, self.read(index, 0)[0])
@@ -109,7 +112,9 @@ class Scanner:
             self._last_maps["R" if index < 0x1800 else "T"] = index + 0x200
 
     def touch(self, wanted, order):
-        """Access, lengths and limits by writing. @param order an object whose values are commands: not written back."""
+        """Access, lengths and limits by writing.
+
+        @param order its values are commands: they are not written back."""
         if wanted.text:
             if wanted.access in ("ro", "const"):
                 self._expect(wanted, "write of read-only", READ_ONLY, self._put(wanted, b"text"))
@@ -125,7 +130,9 @@ class Scanner:
             self._expect(wanted, "too short", TOO_SHORT, self._put(wanted, data[:-1]))
         self._touch_limits(wanted)
         if wanted.access == "rw":
-            self._expect(wanted, "kept by refused writes", before, self.read(wanted.index, wanted.sub)[1], bytes.hex)
+            self._expect(
+                wanted, "kept by refused writes", before, self.read(wanted.index, wanted.sub)[1], bytes.hex
+            )
 
     def _put(self, wanted, data):
         return self.write(wanted.index, wanted.sub, data)

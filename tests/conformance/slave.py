@@ -1,10 +1,12 @@
-"""Nodes made of python-canopen's LocalNode: its SDO server, heartbeat and emergencies, and here what it leaves out (facts canopen
-7.3): SYNC, PDOs, limits, and for a drive the power states of CiA 402 as test_power_states.py has typed them. Its motor never moves."""
+"""Nodes made of python-canopen's LocalNode: its SDO server, heartbeat and emergencies. Here is what it leaves
+out (facts canopen 7.3): SYNC, PDOs, limits, and for a drive the power states of CiA 402. Its
+motor never moves."""
+
 import canopen
 from canopen import SdoAbortedError
 
 import objects
-from test_power_states import COMMAND, ENABLED, FAULT, FAULT_RESET, NEXT, OFF, ON, QUICK_STOP, READY
+from power_states import COMMAND, ENABLED, FAULT, FAULT_RESET, NEXT, OFF, ON, QUICK_STOP, READY
 
 STATUS_WORDS = {OFF: 0x0240, READY: 0x0221, ON: 0x0233, ENABLED: 0x0237, FAULT: 0x0208}
 CONTROL, STATUS, MODE, MODE_DISPLAY, POSITION = 0x6040, 0x6041, 0x6060, 0x6061, 0x6064
@@ -19,7 +21,7 @@ class Node:
     def __init__(self, wire, node, profile, values):
         self.node = canopen.LocalNode(node, objects.dictionary(profile, node))
         self.speaks = True
-        self.refuses = {}                 # (index, sub): abort code of every write
+        self.refuses = {}  # (index, sub): abort code of every write
         self.prepare = lambda node: None  # done after each reset: how this node differs from others
         self._wire, self._values, self._last_events = wire, values, {}
         self.node.add_write_callback(self._check)
@@ -92,8 +94,11 @@ class Node:
             if cob_id & PDO_INVALID:
                 continue
             entries = [self.get(mapping + number, n + 1) for n in range(self.get(mapping + number, 0))]
-            yield (cob_id & PDO_ID, self.get(communication + number, 2),
-                   [(entry >> 16, entry >> 8 & 0xFF, (entry & 0xFF) // 8) for entry in entries])
+            yield (
+                cob_id & PDO_ID,
+                self.get(communication + number, 2),
+                [(entry >> 16, entry >> 8 & 0xFF, (entry & 0xFF) // 8) for entry in entries],
+            )
 
     def _on_rpdo(self, can_id, data, _timestamp):
         if not self._operational():
@@ -101,7 +106,7 @@ class Node:
         for cob_id, _, entries in self._maps(0x1400, 0x1600):
             at = 0
             for index, sub, size in entries if cob_id == can_id else []:
-                self.node.set_data(index, sub, bytes(data[at:at + size]))
+                self.node.set_data(index, sub, bytes(data[at : at + size]))
                 at += size
         self._send_pdos(lambda kind: kind not in SYNC_TYPES, only_changes=True)
 

@@ -1,10 +1,11 @@
-"""Emergencies with their history (facts canopen 1.3), NMT commands during streaming (1.2), store and restore (1.6)."""
+"""Emergencies and their history (facts canopen 1.3), NMT during streaming (1.2), store and restore (1.6)."""
+
 import canopen
 import pytest
 
 from conftest import PROFILES
-from test_pdo import abort_code, ask_by_sync, configure, silence
-from test_power_states import lose_heartbeat
+from pdos import abort_code, ask_by_sync, configure, silence
+from power_states import lose_heartbeat
 from wire import until
 
 DRIVES = ["gold", "epos2"]
@@ -53,7 +54,9 @@ def test_stop_and_start_during_streaming(device, profile):
     assert ask_by_sync(device, 0x180 + device.node) is not None
     mark = device.wire.record.mark()
     device.nmt(0x02)
-    assert device.wire.record.wait_for(lambda f: f.arbitration_id == 0x700 + device.node and f.data[0] == 4, mark)
+    assert device.wire.record.wait_for(
+        lambda f: f.arbitration_id == 0x700 + device.node and f.data[0] == 4, mark
+    )
     mark = device.wire.record.mark()
     device.wire.sync()
     device.wire.send(0x600 + device.node, bytes.fromhex("40 00 10 00 00 00 00 00"))
@@ -88,7 +91,11 @@ def test_reset_communication_forgets_communication_only(device, profile):
     device.sdo[0x6007].raw = 0
     device.sdo[0x1017].raw = 500
     device.reset(0x82)
-    assert (device.sdo[0x1800][2].raw, device.sdo[0x1A00][1].raw, device.sdo[0x1017].raw) == (255, 0x60410010, 0)
+    assert (device.sdo[0x1800][2].raw, device.sdo[0x1A00][1].raw, device.sdo[0x1017].raw) == (
+        255,
+        0x60410010,
+        0,
+    )
     assert device.sdo[0x6007].raw == 0
 
 
@@ -96,9 +103,15 @@ def test_reset_communication_forgets_communication_only(device, profile):
 def test_broadcast_reaches_every_node(device, profile):
     mark = device.wire.record.mark()
     device.nmt(0x82, 0)
-    nodes = [device.node] if device.settings is None else [
-        d["node"] for d in device.robot["actuators"] + device.robot.get("encoder_cards", [])
-        if d["bus"] == device.settings["bus"]]
+    nodes = (
+        [device.node]
+        if device.settings is None
+        else [
+            d["node"]
+            for d in device.robot["actuators"] + device.robot.get("encoder_cards", [])
+            if d["bus"] == device.settings["bus"]
+        ]
+    )
     for node in nodes:
         boot = device.wire.record.wait_for_id(0x700 + node, mark)
         assert boot is not None and bytes(boot.data) == b"\0", f"node {node}"

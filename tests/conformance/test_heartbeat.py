@@ -1,9 +1,9 @@
-"""Supervision both ways (facts canopen 1.2, 2.6): heartbeats, node guarding, life guarding, and the way back."""
+"""Supervision both ways (facts canopen 1.2, 2.6): heartbeats, node and life guarding, and the way back."""
+
 import pytest
 
-from test_power_states import (ENABLED, FAULT, FAULT_RESET, MASTER, OFF, QUICK_STOP, BySdo, lose_heartbeat,
-                               power)  # noqa: F401 (a fixture)
 from conftest import PROFILES
+from power_states import ENABLED, FAULT, FAULT_RESET, MASTER, OFF, QUICK_STOP, lose_heartbeat
 from wire import PATIENCE_S, until
 
 DRIVES = ["gold", "epos2"]
@@ -22,7 +22,8 @@ def test_heartbeat_comes_at_its_rate_and_tells_the_state(device, profile):
         mark = device.wire.record.mark()
         device.nmt(command)
         told = device.wire.record.wait_for(
-            lambda f, state=state: f.arbitration_id == 0x700 + device.node and f.data[0] == state, mark)
+            lambda f, state=state: f.arbitration_id == 0x700 + device.node and f.data[0] == state, mark
+        )
         assert told is not None, f"state {state:#04x} was never told"
     device.sdo[0x1017].raw = 0
     mark = device.wire.record.mark()
@@ -31,7 +32,9 @@ def test_heartbeat_comes_at_its_rate_and_tells_the_state(device, profile):
 
 @pytest.mark.parametrize("profile", DRIVES)
 @pytest.mark.parametrize("option, states", [(0, {ENABLED}), (1, {FAULT}), (2, {OFF}), (3, {QUICK_STOP, OFF})])
-def test_lost_master_is_an_emergency_and_0x6007_says_what_becomes_of_the_power(device, power, profile, option, states):
+def test_lost_master_is_an_emergency_and_0x6007_says_what_becomes_of_the_power(
+    device, power, profile, option, states
+):
     device.nmt(0x01)
     power.go(ENABLED)
     emergency, last_heard = lose_heartbeat(device, option, 100)
@@ -81,10 +84,23 @@ def test_way_back_is_reset_communication_then_fault_reset(device, power, profile
     power.command(FAULT_RESET)
     assert power.reaches(OFF)
     told = device.wire.record.wait_for(
-        lambda f: f.arbitration_id == 0x80 + device.node and bytes(f.data[:3]) == b"\0\0\0", mark)
+        lambda f: f.arbitration_id == 0x80 + device.node and bytes(f.data[:3]) == b"\0\0\0", mark
+    )
     assert told is not None, "no emergency 0000: error reset"
     assert device.sdo[0x1001].raw == 0
     power.go(ENABLED)
+
+
+@pytest.mark.parametrize("profile", ["epos2"])
+def test_fault_reset_before_reset_communication_is_in_vain(device, power, profile):
+    """As an EPOS4 was seen to behave (facts canopen 2.6); that an EPOS2 does is unverified."""
+    device.nmt(0x01)
+    power.go(ENABLED)
+    lose_heartbeat(device, 1)
+    assert power.reaches(FAULT)
+    power.command(0)
+    power.command(FAULT_RESET)
+    assert power.settled() == FAULT
 
 
 @pytest.mark.parametrize("profile", DRIVES)
@@ -109,7 +125,9 @@ def test_life_guarding_ends_when_the_master_stops_asking(device, profile):
     device.sdo[0x100C].raw = 50
     device.sdo[0x100D].raw = 2
     mark = device.wire.record.mark()
-    assert device.wire.record.wait_for_id(0x80 + device.node, mark, 0.2) is None  # begins with the first question
+    assert (
+        device.wire.record.wait_for_id(0x80 + device.node, mark, 0.2) is None
+    )  # begins with the first question
     task = device.wire.network.send_periodic(0x700 + device.node, b"", 0.02, True)
     task.stop()
     emergency = device.wire.record.wait_for_id(0x80 + device.node, mark)

@@ -1,47 +1,18 @@
 """PDOs (facts canopen 1.5): remapping byte for byte, what is refused, and data that then flows."""
-import canopen
+
 import pytest
 
+from pdos import INVALID, abort_code, ask_by_sync, configure, silence
 from wire import until
 
 DRIVES = ["gold", "epos2"]
-INVALID = 1 << 31
 DEVICE_STATE, NOT_MAPPABLE, TOO_LONG_MAP = 0x08000022, 0x06040041, 0x06040042
 POSITION, STATUS, MODE_DISPLAY, CURRENT = 0x6064, 0x6041, 0x6061, 0x6078
 CONTROL, MODE, TARGET = 0x6040, 0x6060, 0x607A
 
 
-def abort_code(write):
-    try:
-        write()
-    except canopen.SdoAbortedError as error:
-        return error.code
-    return 0
-
-
-def configure(pdo, entries, kind, number, node, transmit, **more):
-    pdo.cob_id = (0x180 if transmit else 0x200) + number * 0x100 + node
-    pdo.enabled, pdo.rtr_allowed, pdo.trans_type = True, not transmit, kind
-    pdo.inhibit_time, pdo.event_timer = more.get("inhibit"), more.get("event")
-    pdo.clear()
-    for index in entries:
-        pdo.add_variable(index)
-    pdo.save()
-
-
-def silence(device):
-    """Only what a test configures may send."""
-    for pdo in [*device.remote.tpdo.values(), *device.remote.rpdo.values()]:
-        record = pdo.com_record
-        record[1].raw = record[1].raw | INVALID
-
-
 def requests_since(device, mark):
     return [bytes(f.data).hex(" ").upper() for f in device.wire.record.since(mark, 0x600 + device.node)]
-
-
-def entry_bytes(index, sub, bits):
-    return (index << 16 | sub << 8 | bits).to_bytes(4, "little").hex(" ").upper()
 
 
 @pytest.mark.parametrize("profile", DRIVES)
@@ -51,9 +22,15 @@ def test_python_canopens_remap_is_the_sequence_of_the_facts(device, profile):
     configure(device.remote.tpdo[1], [POSITION, CURRENT, STATUS], 1, 0, device.node, True, inhibit=10)
     node = f"{0x80 + device.node:02X}"
     assert requests_since(device, mark)[:8] == [
-        f"23 00 18 01 {node} 01 00 C0", "2F 00 18 02 01 00 00 00", "2B 00 18 03 0A 00 00 00",
-        "2F 00 1A 00 00 00 00 00", "23 00 1A 01 20 00 64 60", "23 00 1A 02 10 00 78 60", "23 00 1A 03 10 00 41 60",
-        "2F 00 1A 00 03 00 00 00"]
+        f"23 00 18 01 {node} 01 00 C0",
+        "2F 00 18 02 01 00 00 00",
+        "2B 00 18 03 0A 00 00 00",
+        "2F 00 1A 00 00 00 00 00",
+        "23 00 1A 01 20 00 64 60",
+        "23 00 1A 02 10 00 78 60",
+        "23 00 1A 03 10 00 41 60",
+        "2F 00 1A 00 03 00 00 00",
+    ]
     assert requests_since(device, mark)[8:] == [f"23 00 18 01 {node} 01 00 40"]
     answers = [bytes(f.data) for f in device.wire.record.since(mark, 0x580 + device.node)]
     assert all(answer[0] == 0x60 for answer in answers) and len(answers) == 9
@@ -69,18 +46,14 @@ def test_every_pdo_can_be_remapped(device, profile, number):
         pdo.read()
         assert pdo.enabled and pdo.length in (48, 40)
     device.nmt(0x01)
-    device.wire.send(0x200 + number * 0x100 + device.node, (0).to_bytes(1, "little") + (-77).to_bytes(4, "little", signed=True))
+    device.wire.send(
+        0x200 + number * 0x100 + device.node,
+        (0).to_bytes(1, "little") + (-77).to_bytes(4, "little", signed=True),
+    )
     assert until(lambda: device.sdo[TARGET].raw == -77)
     sample = ask_by_sync(device, 0x180 + number * 0x100 + device.node)
     assert sample is not None and len(sample) == 6
     assert int.from_bytes(sample[:2], "little") & 0x6F == device.sdo[STATUS].raw & 0x6F
-
-
-def ask_by_sync(device, cob_id):
-    mark = device.wire.record.mark()
-    device.wire.sync()
-    found = device.wire.record.wait_for_id(cob_id, mark)
-    return None if found is None else bytes(found.data)
 
 
 @pytest.mark.parametrize("profile", DRIVES)
@@ -90,7 +63,9 @@ def test_map_cannot_change_while_the_pdo_is_valid(device, profile):
     assert abort_code(lambda: setattr(tpdo.map_array[0], "raw", 0)) == DEVICE_STATE
     assert abort_code(lambda: setattr(tpdo.map_array[1], "raw", 0x60640020)) == DEVICE_STATE
     tpdo.com_record[1].raw = tpdo.com_record[1].raw | INVALID
-    assert abort_code(lambda: setattr(tpdo.map_array[1], "raw", 0x60640020)) == DEVICE_STATE  # the count is not 0
+    assert (
+        abort_code(lambda: setattr(tpdo.map_array[1], "raw", 0x60640020)) == DEVICE_STATE
+    )  # the count is not 0
     assert abort_code(lambda: setattr(tpdo.map_array[0], "raw", 0)) == 0
     assert abort_code(lambda: setattr(tpdo.map_array[1], "raw", 0x60640020)) == 0
 
@@ -103,7 +78,9 @@ def test_what_cannot_be_mapped_is_refused(device, profile):
         pdo.map_array[0].raw = 0
     refused = [(tpdo, 0x10170010), (rpdo, 0x60410010), (tpdo, 0x60640010), (rpdo, 0x60070010)]
     for pdo, entry in refused:
-        assert abort_code(lambda pdo=pdo, entry=entry: setattr(pdo.map_array[1], "raw", entry)) == NOT_MAPPABLE, hex(entry)
+        assert (
+            abort_code(lambda pdo=pdo, entry=entry: setattr(pdo.map_array[1], "raw", entry)) == NOT_MAPPABLE
+        ), hex(entry)
     assert abort_code(lambda: setattr(tpdo.map_array[1], "raw", 0x7ABC0010)) == 0x06020000
     for sub in (1, 2, 3):
         tpdo.map_array[sub].raw = 0x60640020
@@ -146,17 +123,20 @@ def test_rpdo_of_type_1_waits_for_sync_and_of_type_255_does_not(device, profile)
 
 @pytest.mark.parametrize("profile", DRIVES)
 def test_event_tpdo_comes_on_change_and_not_faster_than_its_inhibit_time(device, profile):
-    """The word changes six times at once. 100 ms of inhibit time let one frame through for each 100 ms that pass."""
+    """The word changes six times at once; 100 ms of inhibit time let one frame through for each 100 ms."""
     silence(device)
     configure(device.remote.rpdo[1], [CONTROL], 255, 0, device.node, False)
     configure(device.remote.tpdo[1], [STATUS], 255, 0, device.node, True, inhibit=1000)
     mark = device.wire.record.mark()
     device.nmt(0x01)
-    assert device.wire.record.wait_for_id(0x180 + device.node, mark) is not None  # the first, on entering operational
+    assert (
+        device.wire.record.wait_for_id(0x180 + device.node, mark) is not None
+    )  # the first, on entering operational
     for word in (6, 0, 6, 0, 6, 7):
         device.wire.send(0x200 + device.node, word.to_bytes(2, "little"))
     last = device.wire.record.wait_for(
-        lambda f: f.arbitration_id == 0x180 + device.node and f.data[0] & 0x6F == 0x23, mark)
+        lambda f: f.arbitration_id == 0x180 + device.node and f.data[0] & 0x6F == 0x23, mark
+    )
     assert last is not None, "the last change was never told"
     frames = device.wire.record.since(mark, 0x180 + device.node)
     assert len(frames) <= 2 + (frames[-1].timestamp - frames[0].timestamp) / 0.1

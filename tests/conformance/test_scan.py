@@ -1,4 +1,5 @@
 """Every object of a device against its EDS, and against the table typed by hand."""
+
 import pytest
 
 import objects
@@ -13,18 +14,43 @@ FIXED = {(0x1000, 0), (0x1018, 1), (0x1018, 2)}
 
 # Whose value is not the EDS's default: what is set when a drive is put into a robot (robot.yaml) ...
 COMMISSIONED = {
-    "gold": {(0x1018, 3), (0x1018, 4),               # revision and serial number
-             (0x6075, 0), (0x6076, 0), (0x6080, 0)},  # ratings, speed limit
-    "epos2": {(0x1018, 4), (0x2210, 1)},             # serial number, encoder pulses
+    "gold": {
+        (0x1018, 3),
+        (0x1018, 4),  # revision and serial number
+        (0x6075, 0),
+        (0x6076, 0),
+        (0x6080, 0),
+    },  # ratings, speed limit
+    "epos2": {(0x1018, 4), (0x2210, 1)},  # serial number, encoder pulses
     "encoder_card": {(0x1018, 4)},
 }
 # ... and what is measured: states, positions, speeds, currents, supply, time.
-MEASURED = {0x2020, 0x2021, 0x2022, 0x2027, 0x2028, 0x2041, 0x2085, 0x20F4, 0x2100, 0x2101, 0x6041, 0x6062, 0x6063, 0x6064,
-            0x6069, 0x606C, 0x6077, 0x6078, 0x6079, 0x60F4}
+MEASURED = {
+    0x2020,
+    0x2021,
+    0x2022,
+    0x2027,
+    0x2028,
+    0x2041,
+    0x2085,
+    0x20F4,
+    0x2100,
+    0x2101,
+    0x6041,
+    0x6062,
+    0x6063,
+    0x6064,
+    0x6069,
+    0x606C,
+    0x6077,
+    0x6078,
+    0x6079,
+    0x60F4,
+}
 
 HISTORY = "CiA 301: a history refuses everything but 0 with 06090030, whatever its limits"
 
-# (index, sub-index, check): why the device differs from the EDS there. A simulated device must differ as it says.
+# (index, sub-index, check): why the device differs from the EDS there. A simulated device must do so.
 EXPLAINED = {
     "gold": {(0x1003, 0, "1, beyond its limit"): HISTORY},
     "epos2": {(0x1003, 0, "1, beyond its limit"): HISTORY},
@@ -43,8 +69,10 @@ def conclude(scanner, profile, what, count, must_occur):
     explained = EXPLAINED[profile]
     new = [d.line for d in scanner.differences if d.key not in explained]
     seen = {d.key for d in scanner.differences}
-    SUMMARY.append(f"scan of {profile}: {what}: {count} objects, {scanner.transfers} transfers, {len(new)} differences, "
-                   f"{len(seen & explained.keys())} explained")
+    SUMMARY.append(
+        f"scan of {profile}: {what}: {count} objects, {scanner.transfers} transfers, {len(new)} differences, "
+        f"{len(seen & explained.keys())} explained"
+    )
     assert not new, f"{len(new)} differences:\n" + "\n".join(new)
     if must_occur:
         assert not explained.keys() - seen, "explained, but not so"
@@ -56,7 +84,11 @@ def scan_by_reading(device, scanner, profile, wanted):
     for one in wanted.values():
         scanner.look(one, default_is_known(device, profile, one))
     scanner.look_beside(objects.from_eds(profile, device.node))
-    sent = [f for f in device.wire.record.since(mark) if f.arbitration_id == 0 or f.arbitration_id >> 7 == 0x600 >> 7]
+    sent = [
+        f
+        for f in device.wire.record.since(mark)
+        if f.arbitration_id == 0 or f.arbitration_id >> 7 == 0x600 >> 7
+    ]
     assert all(f.arbitration_id != 0 and f.data[0] in UPLOAD_REQUESTS for f in sent)
 
 

@@ -1,4 +1,5 @@
-"""SDO service (facts canopen 1.4): segmented transfers both ways, and the ways in which they go wrong. Frames are typed by hand."""
+"""SDO (facts canopen 1.4): segmented transfers both ways, and how they go wrong. Frames are typed by hand."""
+
 import canopen
 import pytest
 
@@ -8,7 +9,7 @@ from wire import PATIENCE_S
 
 DRIVES = ["gold", "epos2"]
 WIDE = {"gold": 0x2012, "epos2": 0x20C1}  # write-only u64: more than one frame can carry
-NAME = "08 10 00"                           # index and sub-index of the device's name
+NAME = "08 10 00"  # index and sub-index of the device's name
 TOGGLE, TIME_OUT, COMMAND, LENGTH_LONG = "00 00 03 05", "00 00 04 05", "01 00 04 05", "12 00 07 06"
 
 
@@ -92,7 +93,8 @@ def test_transfer_that_is_not_continued_times_out(device, profile):
     mark = device.wire.record.mark()
     assert ask(device, f"40 {NAME}").startswith("41")
     late = device.wire.record.wait_for(
-        lambda f: f.arbitration_id == 0x580 + device.node and f.data[0] == 0x80, mark, 2 * PATIENCE_S)
+        lambda f: f.arbitration_id == 0x580 + device.node and f.data[0] == 0x80, mark, 2 * PATIENCE_S
+    )
     assert late is not None and bytes(late.data).hex(" ") == frame(f"80 {NAME} {TIME_OUT}")
 
 

@@ -1,4 +1,5 @@
 """python-canopen's network with a record of every frame, and waits that end with what they waited for."""
+
 import copy
 import threading
 import time
@@ -12,7 +13,7 @@ canopen.sdo.SdoClient.RESPONSE_TIMEOUT = PATIENCE_S
 
 
 class OneWayBus(UdpMulticastBus):
-    """udp_multicast hands a sender its own frames, as no CAN does, and python-canopen then takes an RPDO of its own for news of it.
+    """udp_multicast hands a sender its own frames, as no CAN does; python-canopen would take them for news.
     Sprung sends from other ports than the bus's, python-can from it."""
 
     def __init__(self, record, **arguments):
@@ -68,8 +69,9 @@ class Record(can.Listener):
                     return None
 
     def wait_for_id(self, can_id, mark=0, patience_s=PATIENCE_S):
-        return self.wait_for(lambda frame: frame.arbitration_id == can_id and not frame.is_remote_frame, mark,
-                             patience_s)
+        return self.wait_for(
+            lambda frame: frame.arbitration_id == can_id and not frame.is_remote_frame, mark, patience_s
+        )
 
 
 def _own_copy(msg):

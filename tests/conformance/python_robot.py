@@ -1,0 +1,147 @@
+"""A robot whose nodes are python-canopen's, with `sprung up` in front of them."""
+
+import json
+import os
+import subprocess
+
+import yaml
+
+import programs
+from slave import POSITION, Card, Drive
+from wire import Wire, until
+
+START_RAD = 1.1  # of every joint: inside the limits
+UP_S = 12.0  # patience with what `sprung` starts
+VALUES = {
+    "gold": {(0x1018, 3): 1, (0x1018, 4): 1, (0x6079, 0): 48000, (0x6077, 0): 0},
+    "epos2": {(0x1018, 3): 0x21260000, (0x1018, 4): 1, (0x6078, 0): 0},
+    "encoder_card": {(0x1018, 4): 1},
+}
+
+# python answers in about a millisecond, and a shared machine stalls: 400 Hz (the estimator wants 270 at least),
+# and watchdogs to match.
+CYCLE_RATE = "400 Hz"
+WATCHDOGS = {
+    "command_hold": "300 ms",
+    "command_stop": "900 ms",
+    "leg_command": "300 ms",
+    "joint_state": "300 ms",
+    "silent_cycles": 120,
+    "overruns_in_row": 60,
+    "heartbeat": "50 ms",
+    "heartbeat_consumer": "2000 ms",
+    "drive_heartbeat": "600 ms",
+}
+
+
+def on_one_bus(robot):
+    """The part of a robot that hangs on its first bus."""
+    bus = robot["buses"][0]["name"]
+    here = [a for a in robot["actuators"] if a["bus"] == bus]
+    names = {a["name"] for a in here}
+    legs = [leg for leg in robot["legs"] if set(leg["actuators"]) <= names]
+    joints = {joint for leg in legs for joint in leg["joints"]}
+    cards = [card for card in robot.get("encoder_cards", []) if card["bus"] == bus]
+    return {
+        **robot,
+        "buses": robot["buses"][:1],
+        "actuators": here,
+        "legs": legs,
+        **({"encoder_cards": cards} if cards else {}),
+        "joints": [joint for joint in robot["joints"] if joint["name"] in joints],
+    }
+
+
+class Robot:
+    """python nodes on a bus of their own as robot.yaml has them, and `sprung up` in front of them."""
+
+    def __init__(self, request, folder, name="single_leg"):
+        self._folder = folder
+        self._programs = request.config.option.programs
+        self._environment = {"SPRUNG_RUN_DIR": str(folder), "SPRUNG_PROGRAMS": self._programs}
+        self._bus = programs.random_bus()
+        self.wire = Wire(self._bus)
+        self.settings = on_one_bus(programs.robot_file(name))
+        self.settings.update(cycle_rate=CYCLE_RATE, watchdogs=WATCHDOGS)
+        self.drives = {a["node"]: self._drive(a) for a in self.settings["actuators"]}
+        self.cards = {c["node"]: self._node(Card, c, {}) for c in self.settings.get("encoder_cards", [])}
+        self.up = None
+
+    def _node(self, kind, settings, more):
+        identity = {(0x1018, 1): settings["identity"]["vendor"], (0x1018, 2): settings["identity"]["product"]}
+        return kind(
+            self.wire,
+            settings["node"],
+            settings["profile"],
+            {**VALUES[settings["profile"]], **identity, **more},
+        )
+
+    def _drive(self, settings):
+        counts_per_rad = settings["encoder_counts"] * settings["gear_ratio"] / (2 * 3.14159265)
+        return self._node(Drive, settings, {(POSITION, 0): round(START_RAD * counts_per_rad)})
+
+    def _robot_folder(self):
+        folder = self._folder / "robot"
+        folder.mkdir()
+        (folder / "robot.yaml").write_text(yaml.safe_dump(self.settings, sort_keys=False))
+        return folder
+
+    def start(self):
+        for node in [*self.drives.values(), *self.cards.values()]:
+            node.power_up()
+        self.up = programs.Program(
+            self._programs,
+            [
+                "sprung",
+                "up",
+                self._robot_folder(),
+                "--no-record",
+                "--rt-policy",
+                "off",
+                "--lcm-url",
+                programs.random_lcm_url(),
+                "--can",
+                f"{self.settings['buses'][0]['name']}={programs.address(self._bus)}",
+            ],
+            self._folder / "up.txt",
+            self._environment,
+        )
+
+    def start_and_wait(self):
+        self.start()
+        assert until(lambda: "is up" in self.up.said() or not self.up.running(), UP_S), self.up.said()
+        assert self.up.running(), self.up.said()
+
+    def sprung(self, *arguments):
+        done = subprocess.run(
+            [f"{self._programs}/sprung", *arguments],
+            capture_output=True,
+            text=True,
+            timeout=30,
+            env={**os.environ, **self._environment},
+            check=False,
+        )
+        return done.stdout + done.stderr
+
+    def safety(self):
+        text = self.sprung("status", "--json")
+        return (
+            json.loads(text)["safety"]
+            if text.startswith("{")
+            else {"state": "none", "cause": text, "detail": ""}
+        )
+
+    def wait_for_safety(self, state, cause=None):
+        """`sprung status` listens for a second: a few tries are enough."""
+        for _ in range(8):
+            found = self.safety()
+            if found["state"] == state and (cause is None or found["cause"] == cause):
+                return found
+        raise AssertionError(f"safety stays {found}; sprung up said:\n{self.up.said()}")
+
+    def close(self):
+        try:
+            if self.up is not None:
+                self.up.stop()
+        finally:
+            self.wire.close()
