@@ -1,0 +1,109 @@
+/// The CAN tools against real processes: a live bus, a log and its exports tell the same story; drives are read, compared and hurt.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/system/system_fixture.h"
+
+namespace sprung {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+class CanTools : public SystemTest {
+ protected:
+  std::string file(const char* name) const { return (folder_ / name).string(); }
+};
+
+TEST_F(CanTools, HelpHasAnExampleAndWrongUseIsTwo) {
+  for (const char* command : {"can dump", "can export", "drive info", "drive read", "drive write",
+                              "drive scan", "drive check", "fault", "home"}) {
+    const CommandResult result = sprung(std::string(command) + " --help");
+    EXPECT_EQ(result.status, 0) << command;
+    EXPECT_THAT(result.output, HasSubstr("xample")) << command;
+  }
+  EXPECT_EQ(sprung("can dump").status, 2);
+  EXPECT_EQ(sprung("can dump single_leg --filter elbow --log /dev/null").status, 1);
+  EXPECT_EQ(sprung("fault knee fire").status, 2);
+  EXPECT_EQ(sprung("fault knee bus-off").status, 1);  // nothing runs
+}
+
+TEST_F(CanTools, LockstepIsHeardOnceAndAnExportReadsAsItsLog) {
+  up("lockstep", "--speed 1");
+  const std::string log = file("trace.lcm");
+  ChildProcess record("/bin/sh", {"-c", "exec " SPRUNG_BIN_DIR "/sprung record " + log + " > /dev/null"});
+  const CommandResult live = sprung("can dump --filter sync --filter 0x181 --count 400 --json");
+  usleep(300'000);
+  record.signal(SIGINT);
+  while (!record.ended()) usleep(10'000);
+  std::istringstream lines(live.output);
+  int syncs = 0, samples = 0;
+  for (std::string line; std::getline(lines, line);) {
+    const auto frame = nlohmann::json::parse(line);
+    (frame["kind"] == "SYNC" ? syncs : samples) += 1;
+    if (frame["kind"] == "TPDO") {
+      EXPECT_EQ(frame["fields"][0]["name"], "position actual");
+    }
+  }
+  EXPECT_EQ(syncs, 200);  // one sample to each SYNC, however often bursts were repeated
+  EXPECT_EQ(samples, 200);
+  ASSERT_EQ(sprung("can export " + log + " -o " + file("trace.candump")).status, 0);
+  EXPECT_EQ(sprung("can dump single_leg --log " + file("trace.candump")).output,
+            sprung("can dump single_leg --log " + log).output);
+  EXPECT_EQ(sprung("can export " + log + " --format pcap -o " + file("trace.pcapng")).status, 0);
+  EXPECT_GT(std::filesystem::file_size(file("trace.pcapng")), 10'000u);
+  const CommandResult read = sprung("drive read single_leg knee_motor 0x6064");
+  EXPECT_EQ(read.status, 1);
+  EXPECT_THAT(read.output, HasSubstr("lock-step"));
+}
+
+TEST_F(CanTools, RealTimeDrivesAnswerBesideTheBridge) {
+  up("realtime");
+  const CommandResult read = sprung("drive read single_leg knee_motor 0x6064 1018:01");
+  EXPECT_EQ(read.status, 0) << read.output;
+  EXPECT_THAT(read.output,
+              testing::AllOf(HasSubstr("position actual"), HasSubstr(" rad"), HasSubstr("0x0000009A")));
+  const auto info = nlohmann::json::parse(sprung("drive info single_leg hip_motor --json").output);
+  EXPECT_EQ(info[0]["NMT state"], "operational");
+  EXPECT_EQ(sprung("drive scan single_leg").status, 0);
+  const CommandResult check = sprung("drive check single_leg");
+  EXPECT_EQ(check.status, 0) << check.output;
+  EXPECT_THAT(sprung("drive write single_leg knee_motor 0x6072 900 --yes").output,
+              HasSubstr("a bridge drives"));
+  EXPECT_EQ(sprung("drive write single_leg knee_motor 0x6072 900 --yes --force").status, 0);
+  const CommandResult changed = sprung("drive check single_leg knee_motor");
+  EXPECT_EQ(changed.status, 1);
+  EXPECT_THAT(changed.output, HasSubstr("DIFFERS"));
+}
+
+TEST_F(CanTools, AFaultIsNamedByStatusAndToldByClear) {
+  up("lockstep", "--speed 2");
+  const CommandResult fault = sprung("fault knee over-current");
+  EXPECT_EQ(fault.status, 0) << fault.output;
+  EXPECT_THAT(fault.output, HasSubstr("acts at cycle"));
+  auto status = nlohmann::json::parse(sprung("status --json").output);
+  EXPECT_EQ(status["safety"]["cause"], "drive fault");
+  EXPECT_EQ(status["buses"][0]["condition"], "active");
+  EXPECT_THAT(status["nodes"][1]["trouble"].get<std::string>(), HasSubstr("0x2310"));
+  const auto clear = nlohmann::json::parse(sprung("clear --json").output);
+  EXPECT_EQ(clear["outcome"], "done");
+  EXPECT_EQ(clear["safety"]["state"], "operational");
+  EXPECT_THAT(clear["nodes"][1]["recovery"].get<std::string>(), HasSubstr("fault reset"));
+  EXPECT_THAT(clear["nodes"][0]["recovery"].get<std::string>(), Not(HasSubstr("fault reset")));
+}
+
+TEST_F(CanTools, HomeAsksAboutTheJigAndSaysWhyNot) {
+  up("lockstep", "--speed 2");
+  EXPECT_EQ(sprung("home --from jig < /dev/null").status, 2);
+  const CommandResult home = sprung("home --from jig --yes");
+  EXPECT_EQ(home.status, 1);
+  EXPECT_THAT(home.output, HasSubstr("no jig position"));
+  EXPECT_EQ(sprung("home elbow").status, 2);
+}
+
+}  // namespace
+}  // namespace sprung
