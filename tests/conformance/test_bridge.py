@@ -196,5 +196,6 @@ def test_drive_that_fails_in_operation_stops_the_robot_by_name_until_clear(
     repair(enduring.drives[KNEE])
     said = enduring.sprung("clear")
     assert not enduring.wait_for_safety("operational")["latched"], said
+    assert "knee_motor" in said, f"clear does not say what it did: {said}"
     assert all(drive.state == OFF for drive in enduring.drives.values()), "clear must not give power back"
     assert enduring.drives[KNEE].get(0x6007) == 2, "a drive that forgot its settings was not configured again"
