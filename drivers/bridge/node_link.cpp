@@ -10,6 +10,7 @@ using canopen::NmtState;
 
 constexpr std::int64_t kSdoTimeout_us =
     100'000;                                  // [design choice] an attempt; drives answer within milliseconds
+constexpr std::int64_t kStampError_us = 200;  // [design choice] between the kernel's stamps and our clock
 constexpr int kConflictsOfTwo = 3;            // [design choice] of ten cycles: one may be a late answer
 constexpr int kContradictionsOfTwo = 2;       // [design choice] one may be a flipped bit
 constexpr double kContradictionsFade = 20.0;  // [design choice] heartbeats
@@ -132,7 +133,7 @@ void NodeLink::receive_sample(const CanFrame& frame, std::int64_t time_us) noexc
     second_answer(frame, time_us);
     return;
   }
-  const bool late = !sampling_ || time_us < sync_us_;
+  const bool late = !sampling_ || time_us < sync_us_ - kStampError_us;
   if (late) {
     ++health_.late_samples;
     last_unanswered_ = false;

@@ -245,7 +245,7 @@ TEST_F(BridgeFaults, SampleThatCameBeforeThisSyncIsLate) {
     CanFrame old = frames.front();
     old.id = kHipSample;
     old.length = 8;
-    bench_.bridge->receive(0, old, bench_.time_us - 100);
+    bench_.bridge->receive(0, old, bench_.time_us - 300);
   };
   bench_.run(3);
   EXPECT_GE(health(0).late_samples, 3);
