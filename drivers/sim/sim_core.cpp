@@ -146,6 +146,11 @@ std::int64_t SimCore::cycle() const noexcept { return impl_->cycle; }
 
 const SimTruth& SimCore::truth() const noexcept { return impl_->truth; }
 
+double SimCore::true_motor_torque_Nm(int actuator) noexcept {
+  const sim::SimDrive* drive = impl_->train.drive(actuator);
+  return drive != nullptr ? drive->motor_torque_Nm() : 0.0;
+}
+
 bool SimCore::failed() const noexcept { return impl_->failure != nullptr || impl_->train.plant().failed(); }
 
 const char* SimCore::failure() const noexcept {

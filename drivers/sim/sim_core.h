@@ -44,6 +44,8 @@ class SimCore {
   void control(const SimControl& control) noexcept;
   std::int64_t cycle() const noexcept;     ///< of the last SYNC; -1 before cycle 0
   const SimTruth& truth() const noexcept;  ///< at the last SYNC
+  /// Of one actuator's motor at its gear's output, now: not what the bus says. For experiments.
+  double true_motor_torque_Nm(int actuator) noexcept;
   bool failed() const noexcept;  ///< a MuJoCo warning or a number that is not finite: the run is void
   const char* failure() const noexcept;
 
