@@ -11,9 +11,11 @@ using canopen::NmtState;
 constexpr std::int64_t kSdoTimeout_us =
     100'000;                                  // [design choice] an attempt; drives answer within milliseconds
 constexpr std::int64_t kStampError_us = 200;  // [design choice] between the kernel's stamps and our clock
-constexpr int kConflictsOfTwo = 3;            // [design choice] of ten cycles: one may be a late answer
-constexpr int kContradictionsOfTwo = 2;       // [design choice] one may be a flipped bit
-constexpr double kContradictionsFade = 20.0;  // [design choice] heartbeats
+constexpr int kConflictsOfTwo = 3;            // [design choice] of ten cycles
+constexpr int kMostOwed =
+    64;  // [design choice] SYNCs whose answers may still come; more would hide a second device for long
+constexpr int kContradictionsOfTwo = 2;        // [design choice] one may be a flipped bit
+constexpr double kContradictionsFade = 20.0;   // [design choice] heartbeats
 constexpr double kHeartbeatsOnTheirWay = 2.0;  // sent before NMT start, they lose arbitration to samples
 
 const char* left_text(NmtState state) noexcept {
@@ -84,7 +86,7 @@ void NodeLink::follow_unasked_state(NmtState state) noexcept {
   }
   if (state == NmtState::kOperational || left_) return;
   left_ = true;
-  answers_since_left_ = -1;  // one to the SYNC before may still come
+  answers_since_left_ = -1 - owed_;  // those to earlier SYNCs may still come
 }
 
 /// A node that has booted or left operational answers no SYNC: one that does is two.
@@ -136,21 +138,22 @@ void NodeLink::receive_sample(const CanFrame& frame, std::int64_t time_us) noexc
   const bool late = !sampling_ || time_us < sync_us_ - kStampError_us;
   if (late) {
     ++health_.late_samples;
-    last_unanswered_ = false;
   } else {
     answered_ = true;
     answer_ = frame;
   }
+  owed_ -= owed_ > 0 ? 1 : 0;
   take_sample(frame, time_us, late);
 }
 
-/// A frame that the bus repeats is harmless; one that differs comes from another SYNC or from another device.
+/// A frame that the bus repeats is harmless. One that differs answers an earlier SYNC, as long as such an answer is owed: a device
+/// that stalls pays late, but never twice. Beyond that there is another device.
 void NodeLink::second_answer(const CanFrame& frame, std::int64_t time_us) noexcept {
   if (frame == answer_) {
     ++health_.duplicate_samples;
-  } else if (sampling_ && last_unanswered_) {
+  } else if (owed_ > 0) {
     ++health_.late_samples;  // the first one was
-    last_unanswered_ = false;
+    --owed_;
     answer_ = frame;
     take_sample(frame, time_us, false);
   } else {
@@ -178,12 +181,12 @@ void NodeLink::begin_sampling(std::int64_t sync_us) noexcept {
   sync_us_ = sync_us;
   answered_ = false;
   sampling_ = true;
+  if (boot_.operational() && owed_ < kMostOwed) ++owed_;
   if (emergency_withdrawn_ && emergency_seen_) emergency_ = {};
 }
 
 void NodeLink::end_sampling() noexcept {
   sampling_ = false;
-  last_unanswered_ = !answered_;
   const bool good = answered_ && accept_sample();
   age_cycles_ = good ? 0 : age_cycles_ + 1;
   if (!good && boot_.operational()) ++health_.missing_samples;

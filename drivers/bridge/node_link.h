@@ -103,10 +103,10 @@ class NodeLink {
   NodeHealth health_;
 
   std::int64_t sync_us_ = 0;
-  CanFrame answer_;               ///< the first one to this SYNC
-  bool sampling_ = false;         ///< between begin_sampling() and end_sampling()
-  bool answered_ = false;         ///< this SYNC
-  bool last_unanswered_ = false;  ///< the SYNC before, so its answer may still come
+  CanFrame answer_;        ///< the first one to this SYNC
+  bool sampling_ = false;  ///< between begin_sampling() and end_sampling()
+  bool answered_ = false;  ///< this SYNC
+  int owed_ = 0;           ///< answers to SYNCs that have not come, as far as they may still come
   int age_cycles_ = 0;
 
   bool conflict_ = false;      ///< two different answers to this SYNC

@@ -272,6 +272,44 @@ TEST_F(BridgeFaults, LateSampleInTheNextWindowIsNoSecondDevice) {
   EXPECT_EQ(health(0).duplicate_samples, 0);
 }
 
+TEST_F(BridgeFaults, AnswersThatComeSeveralCyclesLateTogetherAreNoSecondDevice) {
+  std::vector<CanFrame> held;
+  for (int i = 0; i < 60; ++i) {
+    bend_samples([&held, i](std::vector<CanFrame>& frames, std::size_t at) {
+      held.push_back(frames[at]);
+      frames.erase(frames.begin() + static_cast<std::ptrdiff_t>(at));
+      if (i % 3 != 2) return;  // nothing in two cycles, then all three
+      frames.insert(frames.begin() + static_cast<std::ptrdiff_t>(at), held.begin(), held.end());
+      held.clear();
+    });
+    bench_.drives[0].position_counts += 100;
+    bench_.tick();
+    bench_.on_answers = nullptr;
+  }
+  EXPECT_EQ(level(), SafetyLevel::kOperational) << bench_.detail();
+  EXPECT_EQ(health(0).duplicate_samples, 0);
+  EXPECT_GT(health(0).late_samples, 20);
+}
+
+TEST_F(BridgeFaults, LostAnswersHideASecondDeviceOnlyForAWhile) {
+  for (int i = 0; i < 10; ++i) {
+    bend_samples([](std::vector<CanFrame>& frames, std::size_t at) {
+      frames.erase(frames.begin() + static_cast<std::ptrdiff_t>(at));
+    });
+    bench_.tick();
+    bench_.on_answers = nullptr;
+    bench_.run(3);
+  }
+  bend_samples([](std::vector<CanFrame>& frames, std::size_t i) {
+    if (i > 0 && frames[i - 1].id == kHipSample) return;
+    CanFrame other = frames[i];
+    other.data[0] ^= 0x55;
+    frames.insert(frames.begin() + static_cast<std::ptrdiff_t>(i) + 1, other);
+  });
+  bench_.run(20);
+  EXPECT_EQ(cause(), SafetyCause::kDuplicateNode) << bench_.detail();
+}
+
 TEST_F(BridgeFaults, FramesThatTheBusRepeatsDoNothing) {
   bench_.on_answers = [](std::vector<CanFrame>& frames) {
     const std::vector<CanFrame> again = frames;
