@@ -14,6 +14,7 @@ struct ProfileKind {
   const char* name;  ///< of the folder, as robot.yaml's `profile`
   std::unique_ptr<DriveProfile> (*make_drive)(const ActuatorConfig& actuator, const DriveTiming& timing);
   std::unique_ptr<CardProfile> (*make_card)(const EncoderCardConfig& card, const DriveTiming& timing);
+  const char* (*eds_text)() noexcept;  ///< text of the folder's EDS; nullptr where it has none
 };
 
 /// In the order of the folders' names.

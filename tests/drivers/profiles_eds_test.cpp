@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "drivers/canopen/eds.h"
-#include "sprung_embedded/test_epos2_eds_text.h"
+#include "drivers/profiles/profile_registry.h"
 
 namespace sprung {
 namespace {
@@ -241,7 +241,11 @@ TEST(ProfileEds, IdentityIsTheSameInBothPlaces) {
 }
 
 TEST(ProfileEds, EmbeddedTextIsTheFile) {
-  EXPECT_EQ(embedded::test_epos2_eds_text(), read_file(kTop + "/drivers/profiles/epos2/epos2.eds"));
+  for (const ProfileKind* kind : profile_kinds()) {
+    const std::string name = kind->name;
+    ASSERT_NE(kind->eds_text, nullptr) << name;
+    EXPECT_EQ(kind->eds_text(), read_file(kTop + "/drivers/profiles/" + name + "/" + name + ".eds")) << name;
+  }
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "drivers/profiles/profile_registry.h"
 #include "tools/canopen/object_value.h"
-#include "tools/canopen/profile_eds.h"
 
 namespace sprung::cantools {
 namespace {
@@ -26,7 +26,7 @@ class ObjectValueTest : public testing::Test {
     }
     return "not refused";
   }
-  Eds epos2_ = canopen::parse_eds(profile_eds_text("epos2"), "epos2.eds", 3);
+  Eds epos2_ = canopen::parse_eds(find_profile_kind("epos2")->eds_text(), "epos2.eds", 3);
 };
 
 TEST_F(ObjectValueTest, NumbersHaveSignAndUnit) {

@@ -2,15 +2,15 @@
 
 #include <algorithm>
 
-#include "tools/canopen/profile_eds.h"
+#include "drivers/profiles/profile_registry.h"
 
 namespace sprung::cantools {
 namespace {
 
 std::shared_ptr<const canopen::Eds> eds_of(const std::string& profile, int node) {
-  const char* text = profile_eds_text(profile);
-  if (text == nullptr) return nullptr;
-  return std::make_shared<canopen::Eds>(canopen::parse_eds(text, profile + ".eds", node));
+  const ProfileKind* kind = find_profile_kind(profile);
+  if (kind == nullptr || kind->eds_text == nullptr) return nullptr;
+  return std::make_shared<canopen::Eds>(canopen::parse_eds(kind->eds_text(), profile + ".eds", node));
 }
 
 template <class Device>

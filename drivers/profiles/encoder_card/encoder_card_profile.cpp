@@ -3,6 +3,7 @@
 #include "drivers/profiles/encoder_card/encoder_card_layout.h"
 #include "drivers/profiles/profile_registry.h"
 #include "drivers/profiles/profile_values.h"
+#include "sprung_embedded/encoder_card_eds_text.h"
 
 namespace sprung::encoder_card {
 namespace {
@@ -53,6 +54,7 @@ extern const ProfileKind encoder_card_profile_kind{
     "encoder_card", nullptr,
     [](const EncoderCardConfig& card, const DriveTiming& timing) -> std::unique_ptr<CardProfile> {
       return std::make_unique<encoder_card::EncoderCardProfile>(card, timing);
-    }};
+    },
+    encoder_card_eds_text};
 
 }  // namespace sprung::profiles
