@@ -91,6 +91,7 @@ const auto kNodeHealth = [](auto& way, auto& m, auto& s) {
   way(m.late_samples, s.late_samples);
   way(m.short_frames, s.short_frames);
   way(m.duplicate_samples, s.duplicate_samples);
+  way(m.implausible_samples, s.implausible_samples);
   way(m.heartbeat_losses, s.heartbeat_losses);
   way(m.sdo_failures, s.sdo_failures);
   way(m.bus, s.bus);

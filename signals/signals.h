@@ -161,18 +161,19 @@ struct NodeHealth {
   std::int32_t last_emergency_code = 0;  ///< newest that was not 0, also when it is gone
   std::int32_t error_register = 0;
   std::int64_t emergencies = 0;
-  std::int64_t boot_ups = 0;           ///< that nobody asked for
-  std::int64_t missing_samples = 0;    ///< SYNCs without an answer
-  std::int64_t late_samples = 0;       ///< that came after their cycle
-  std::int64_t short_frames = 0;       ///< process data of the wrong length; ignored
-  std::int64_t duplicate_samples = 0;  ///< a second answer to one SYNC
+  std::int64_t boot_ups = 0;             ///< that nobody asked for
+  std::int64_t missing_samples = 0;      ///< SYNCs without an answer
+  std::int64_t late_samples = 0;         ///< that came after their cycle
+  std::int64_t short_frames = 0;         ///< process data of the wrong length; ignored
+  std::int64_t duplicate_samples = 0;    ///< a second answer to one SYNC
+  std::int64_t implausible_samples = 0;  ///< that cannot be measured positions; kept out
   std::int64_t heartbeat_losses = 0;
   std::int64_t sdo_failures = 0;       ///< aborted or unanswered
   double reference_offset_rad = kNaN;  ///< offset in force; NaN where not referenced
   std::int8_t nmt_state = -1;          ///< CiA 301 state byte; -1 = not known
   ReferenceSource reference_source = ReferenceSource::kConfigured;
   bool operational = false;
-  std::array<char, 96> recovery{};  ///< what the last clear did to this node, zero-terminated
+  std::array<char, 128> recovery{};  ///< what the last clear did to this node, zero-terminated
 };
 
 struct BusState {

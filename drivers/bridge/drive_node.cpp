@@ -103,6 +103,7 @@ void DriveNode::take_sample(const CanFrame& frame, std::int64_t time_us, bool la
 
 bool DriveNode::accept_sample() noexcept {
   implausible_ = !tracker_.add(sample_.measured_position_rad, sync_us(), received_us_);
+  if (implausible_) count_implausible();
   sampled_ = true;
   return true;
 }

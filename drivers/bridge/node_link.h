@@ -82,6 +82,7 @@ class NodeLink {
 
   std::int64_t sync_us() const noexcept { return sync_us_; }
   void count_missing(int samples) noexcept { health_.missing_samples += samples; }
+  void count_implausible() noexcept { ++health_.implausible_samples; }
   void count_sdo_failure() noexcept { ++health_.sdo_failures; }
 
  private:

@@ -171,7 +171,7 @@ void Recovery::write_text(std::size_t i) noexcept {
   if (!plan.restart && !plan.reset) {
     node.set_recovery_text("nothing to do");
   } else if (plan.restart && node.boot().refused()) {
-    node.set_recovery_text("%.95s", node.boot().detail().data());
+    node.set_recovery_text("%.127s", node.boot().detail().data());
   } else if (waits_for(i)) {
     node.set_recovery_text("no answer on node %d: power, cable?", node.setup().node);
   } else if (node.faulted()) {

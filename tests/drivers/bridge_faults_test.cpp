@@ -395,6 +395,7 @@ TEST_F(BridgeFaults, FlippedPositionIsKeptOutOfTheStateAndOfTheDamping) {
   bend_samples([](std::vector<CanFrame>& frames, std::size_t i) { frames[i].data[2] ^= 0x80; });
   bench_.tick();
   EXPECT_EQ(bench_.state.actuators[0].measured_position_rad, before_rad);
+  EXPECT_EQ(health(0).implausible_samples, 1);
   EXPECT_EQ(bench_.drives[0].target_torque_permille, 0);
   bench_.on_answers = nullptr;
   expect_damping(SafetyCause::kImplausible, "hip_motor: measured position jumped");

@@ -54,6 +54,7 @@ std::string node_trouble(const sprung_msgs::node_health_t& node) {
   add(node.late_samples, "late");
   add(node.short_frames, "short");
   add(node.duplicate_samples, "double");
+  add(node.implausible_samples, "implausible");
   add(node.heartbeat_losses, "heartbeat losses");
   add(node.sdo_failures, "failed SDO transfers");
   if (!node.operational) text = std::string("not operational") + (text.empty() ? "" : ", ") + text;
@@ -101,6 +102,7 @@ Json nodes_json(const RobotConfig& robot, const sprung_msgs::bus_state_t& state)
          {"late_samples", node.late_samples},
          {"short_frames", node.short_frames},
          {"duplicate_samples", node.duplicate_samples},
+         {"implausible_samples", node.implausible_samples},
          {"heartbeat_losses", node.heartbeat_losses},
          {"sdo_failures", node.sdo_failures},
          {"reference_source", name(static_cast<ReferenceSource>(node.reference_source))},

@@ -25,6 +25,7 @@ constexpr NodeCounter kNodeCounters[] = {
     {"late_samples", &NodeHealth::late_samples},
     {"short_frames", &NodeHealth::short_frames},
     {"duplicate_samples", &NodeHealth::duplicate_samples},
+    {"implausible_samples", &NodeHealth::implausible_samples},
     {"heartbeat_losses", &NodeHealth::heartbeat_losses},
     {"sdo_failures", &NodeHealth::sdo_failures},
 };
