@@ -66,13 +66,15 @@ void BusMonitor::error_frame(int bus, const CanFrame& frame, std::int64_t time_u
     recover(bus);
   }
   if ((frame.id & kCanErrorController) != 0) controller_error(bus, frame.data[1], time_us);
-  if ((frame.id & kCanErrorTxTimeout) != 0) {
+  if (tells_link_down(frame)) {
+    send_failed(bus, SendFailure::kLinkDown);
+  } else if ((frame.id & kCanErrorTxTimeout) != 0) {
     watch.failed_now = true;
     enter(bus, BusCondition::kNoBuffers, true, "does not send: transmit time-out");
   }
   const bool queue_full = (frame.id & kCanErrorController) != 0 && (frame.data[1] & kTransmitOverflow) != 0;
   if ((frame.id & kCanErrorBusOff) != 0 && !queue_full) {
-    ++watch.health.bus_offs;
+    if (watch.health.condition != BusCondition::kOff) ++watch.health.bus_offs;
     enter(bus, BusCondition::kOff, true, "is off (bus off)");
   }
 }
@@ -96,7 +98,7 @@ void BusMonitor::send_failed(int bus, SendFailure failure) noexcept {
   Watch& watch = watches_[static_cast<std::size_t>(bus)];
   watch.failed_now = true;
   if (failure == SendFailure::kLinkDown) {
-    enter(bus, BusCondition::kLinkDown, true, "has no link: interface down");
+    enter(bus, BusCondition::kLinkDown, true, "has no link (link down)");
   } else {
     const bool lasts = watch.failed_cycles >= silent_cycles_;
     enter(bus, BusCondition::kNoBuffers, lasts, "takes no frames: send queue full");
@@ -116,6 +118,7 @@ void BusMonitor::enter(int bus, BusCondition condition, bool lost, const char* w
   const auto at = static_cast<std::size_t>(bus);
   Watch& watch = watches_[at];
   watch.health.condition = std::max(watch.health.condition, condition);
+  if (lost) watch.loss = std::max(watch.loss, condition);
   if (!lost || watch.lost) return;
   watch.lost = true;
   trouble_new_ = true;
@@ -132,6 +135,25 @@ void BusMonitor::recover(int bus) noexcept {
 
 bool BusMonitor::any_lost() const noexcept {
   return std::any_of(watches_.begin(), watches_.end(), [](const Watch& watch) { return watch.lost; });
+}
+
+const char* BusMonitor::loss(int bus) const noexcept {
+  switch (watches_[static_cast<std::size_t>(bus)].loss) {
+    case BusCondition::kOff:
+      return "bus was off";
+    case BusCondition::kLinkDown:
+      return "bus had no link";
+    case BusCondition::kNoBuffers:
+      return "bus was full";
+    case BusCondition::kPassive:
+      return "bus was passive";
+    default:
+      return nullptr;
+  }
+}
+
+void BusMonitor::forget_losses() noexcept {
+  for (Watch& watch : watches_) watch.loss = BusCondition::kActive;
 }
 
 const char* BusMonitor::what_to_mend() const noexcept {

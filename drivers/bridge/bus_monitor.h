@@ -42,6 +42,10 @@ class BusMonitor {
   const char* what_to_mend() const noexcept;
   const BusHealth& health(std::size_t bus) const noexcept { return watches_[bus].health; }
 
+  /// That the bus was lost since the last forget_losses(), whether or not it is back, e.g. "bus was off"; nullptr = it was not.
+  /// Its nodes have missed the bridge, and may have restarted unheard (facts canopen 5). Static text.
+  const char* loss(int bus) const noexcept;
+  void forget_losses() noexcept;
   /// A bus was lost since the last forget_trouble(), whether or not it is back; nullptr = none.
   const Trouble* trouble() const noexcept { return trouble_new_ ? &trouble_ : nullptr; }
   void forget_trouble() noexcept { trouble_new_ = false; }
@@ -50,8 +54,9 @@ class BusMonitor {
   struct Watch {
     BusHealth health;
     bool lost = false;
-    bool failed_now = false;  ///< in this cycle
-    int failed_cycles = 0;    ///< in a row, before this one
+    BusCondition loss = BusCondition::kActive;  ///< worst one since the last forget_losses()
+    bool failed_now = false;                    ///< in this cycle
+    int failed_cycles = 0;                      ///< in a row, before this one
     std::int64_t worst_bits = 0;
     std::int64_t passive_us = 0;  ///< last error frame that said so
   };

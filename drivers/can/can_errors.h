@@ -12,7 +12,11 @@ inline constexpr std::uint32_t kCanErrorRestarted = 0x100;
 inline constexpr std::uint8_t kControllerPassive = 0x30;     ///< data[1]: receive or transmit error passive
 inline constexpr std::uint8_t kControllerTxOverflow = 0x02;  ///< data[1]
 
-/// What a shell gives to BridgeCore::receive when a bus cannot send because its link is down: the same as bus off.
+/// sprung's own: SocketCAN has no error frame for a link that is down, but refuses to send (ENETDOWN). In data[5], which
+/// belongs to the controller's maker and is 0 in a kernel's transmit time-out.
+inline constexpr std::uint8_t kLinkDownMark = 0x4C;
+
+/// Bus off.
 inline CanFrame bus_lost_frame() noexcept {
   CanFrame frame;
   frame.id = kCanErrorBusOff;
@@ -21,7 +25,8 @@ inline CanFrame bus_lost_frame() noexcept {
   return frame;
 }
 
-/// What it gives when the interface's queue was full (ENOBUFS): bus off too, since set-points are lost, but told apart.
+/// What a simulated bus tells when the interface's queue is full (ENOBUFS): bus off too, since set-points are lost, but
+/// told apart.
 inline CanFrame queue_full_frame() noexcept {
   CanFrame frame = bus_lost_frame();
   frame.id |= kCanErrorController;
@@ -31,6 +36,18 @@ inline CanFrame queue_full_frame() noexcept {
 
 inline bool tells_queue_full(const CanFrame& frame) noexcept {
   return frame.error && (frame.id & kCanErrorController) != 0 && (frame.data[1] & kControllerTxOverflow) != 0;
+}
+
+/// What it tells when the link is down: a transmit time-out with sprung's mark.
+inline CanFrame link_down_frame() noexcept {
+  CanFrame frame = bus_lost_frame();
+  frame.id = kCanErrorTxTimeout;
+  frame.data[5] = kLinkDownMark;
+  return frame;
+}
+
+inline bool tells_link_down(const CanFrame& frame) noexcept {
+  return frame.error && frame.id == kCanErrorTxTimeout && frame.data[5] == kLinkDownMark;
 }
 
 /// Bus off, transmit time-out or error passive: nothing sent on this bus can be relied on.

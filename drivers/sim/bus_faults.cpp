@@ -29,7 +29,7 @@ void BusFaults::set(int bus, FaultKind kind, bool on) noexcept {
 
 void BusFaults::sync(int bus) noexcept {
   if (full_[index(bus)]) tell(bus, queue_full_frame());
-  if (down_[index(bus)]) tell(bus, bus_lost_frame());
+  if (down_[index(bus)]) tell(bus, link_down_frame());
 }
 
 void BusFaults::tell(int bus, const CanFrame& error) noexcept {

@@ -44,6 +44,19 @@ TEST(CanErrors, FullQueueLosesTheBusButIsToldApart) {
   EXPECT_FALSE(tells_queue_full(data));
 }
 
+TEST(CanErrors, LinkThatIsDownLosesTheBusAndIsNoOtherError) {
+  EXPECT_TRUE(tells_link_down(link_down_frame()));
+  EXPECT_TRUE(tells_bus_lost(link_down_frame()));
+  EXPECT_FALSE(tells_queue_full(link_down_frame()));
+  CanFrame time_out = bus_lost_frame();
+  time_out.id = kCanErrorTxTimeout;
+  for (const CanFrame& other : {bus_lost_frame(), queue_full_frame(), time_out})
+    EXPECT_FALSE(tells_link_down(other));
+  CanFrame data = link_down_frame();
+  data.error = false;
+  EXPECT_FALSE(tells_link_down(data));
+}
+
 TEST(CanErrors, RestartIsToldByItsOwnClass) {
   CanFrame frame = bus_lost_frame();
   EXPECT_FALSE(tells_bus_restarted(frame));

@@ -50,6 +50,7 @@ TEST(BusFaults, FullQueueAndDeadLinkLoseTheMastersFramesAndAreToldAtEachSync) {
     faults.report(out);
     ASSERT_EQ(out.size(), 3);
     EXPECT_EQ(tells_queue_full(out[0].frame), kind == FaultKind::kQueueFull);
+    EXPECT_EQ(tells_link_down(out[0].frame), kind == FaultKind::kLinkDown);
     EXPECT_TRUE(tells_bus_lost(out[0].frame));
     faults.set(0, kind, false);
     EXPECT_TRUE(faults.delivers(0));
