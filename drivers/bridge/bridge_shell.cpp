@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <ctime>
 
+#include "drivers/bridge/traced_frame.h"
 #include "lcmtypes/channels.h"
 #include "runtime/log.h"
 
@@ -10,8 +11,7 @@ namespace sprung {
 
 namespace {
 
-constexpr std::int64_t kInterval_us = 100'000;    // of what is also published on change
-constexpr std::uint32_t kErrorFlag = 0x20000000;  // as SocketCAN marks error frames
+constexpr std::int64_t kInterval_us = 100'000;  // of what is also published on change
 constexpr std::size_t kTraceCapacity =
     256;  // CAN_TRACE's own limit: four buses of 15 frames a cycle fit four times
 
@@ -187,14 +187,7 @@ void BridgeShell::trace(int bus, const CanFrame& frame, bool sent, std::int64_t 
     ++trace_lost_;
     return;
   }
-  trace_.frames.emplace_back();
-  sprung_msgs::traced_frame_t& traced = trace_.frames.back();
-  traced.utime = time_us;
-  traced.can_id = static_cast<std::int32_t>(frame.id | (frame.error ? kErrorFlag : 0u));
-  traced.bus = static_cast<std::int8_t>(bus);
-  traced.sent = sent ? 1 : 0;
-  traced.dlc = static_cast<std::int8_t>(frame.length);
-  std::copy(frame.data.begin(), frame.data.end(), traced.data);
+  trace_.frames.push_back(traced_frame(bus, frame, sent, time_us));
 }
 
 void BridgeShell::serve_operators(std::int64_t time_us) {
