@@ -14,7 +14,7 @@ constexpr std::int64_t kStampError_us = 200;  // [design choice] between the ker
 constexpr int kConflictsOfTwo = 3;            // [design choice] of ten cycles
 constexpr int kMostOwed =
     64;  // [design choice] SYNCs whose answers may still come; more would hide a second device for long
-constexpr int kContradictionsOfTwo = 2;        // [design choice] one may be a flipped bit
+constexpr int kContradictionsOfTwo = 2;        // [design choice] one may have been on its way
 constexpr double kContradictionsFade = 20.0;   // [design choice] heartbeats
 constexpr double kHeartbeatsOnTheirWay = 2.0;  // sent before NMT start, they lose arbitration to samples
 
@@ -84,7 +84,10 @@ void NodeLink::follow_unasked_state(NmtState state) noexcept {
     rebooted_ = true;
     on_unasked_boot_up();
   }
-  if (state == NmtState::kOperational || left_) return;
+  // "Stopped" is one flipped bit away from "operational", the others are two and more: it needs a second witness. Another
+  // device that is stopped and answers nothing disturbs nobody.
+  const bool doubtful = state == NmtState::kStopped && !conflict_ && conflicts_.none();
+  if (state == NmtState::kOperational || left_ || doubtful) return;
   left_ = true;
   answers_since_left_ = -1 - owed_;  // those to earlier SYNCs may still come
 }
@@ -246,7 +249,7 @@ void NodeLink::restart() noexcept {
   conflict_ = duplicate_ = rebooted_ = heartbeat_lost_ = false;
   left_ = false;
   contradictions_ = 0;
-  age_cycles_ = 0;
+  age_cycles_ = owed_ = 0;
 }
 
 bool NodeLink::needs_restart(std::int64_t time_us) const noexcept {

@@ -68,7 +68,9 @@ TEST_F(BridgeFaults, HealthyRobotCountsFramesAndNothingElse) {
   for (std::size_t i = 0; i < 2; ++i) {
     const NodeHealth& node = health(i);
     EXPECT_EQ(node.missing_samples + node.late_samples + node.short_frames + node.duplicate_samples, 0);
-    EXPECT_EQ(node.heartbeat_losses + node.boot_ups + node.emergencies + node.sdo_failures, 0);
+    EXPECT_EQ(node.heartbeat_losses + node.boot_ups + node.emergencies + node.sdo_failures +
+                  node.implausible_samples,
+              0);
     EXPECT_EQ(node.nmt_state, 5);
     EXPECT_TRUE(node.operational);
     EXPECT_EQ(node.node, static_cast<int>(i) + 1);
@@ -159,7 +161,7 @@ TEST_F(BridgeFaults, LinkDownLosesTheBusAtOnce) {
   bench_.bridge->send_failed(0, SendFailure::kLinkDown, bench_.time_us);
   EXPECT_EQ(bus().condition, BusCondition::kLinkDown);
   bench_.tick();
-  expect_bus_lost("no link");
+  expect_bus_lost("link down");
   for (int i = 0; i < 700; ++i) {
     bench_.bridge->send_failed(0, SendFailure::kLinkDown, bench_.time_us);
     bench_.tick();
@@ -360,6 +362,50 @@ TEST_F(BridgeFaults, HeartbeatsThatContradictTheAnswersAreASecondDevice) {
   bench_.run(15);
   expect_damping(SafetyCause::kDuplicateNode, "two devices answer as node 1");
   expect_cleared();
+}
+
+/// One bit turns "operational" into "stopped".
+TEST_F(BridgeFaults, HeartbeatsWithAFlippedBitAreNoSecondDevice) {
+  int heartbeats = 0;
+  bench_.on_answers = [&heartbeats](std::vector<CanFrame>& frames) {
+    for (CanFrame& frame : frames) {
+      if (frame.id != 0x701) continue;
+      const unsigned flipped = 1U << (heartbeats++ % 8);
+      frame.data[0] = static_cast<std::uint8_t>(frame.data[0] ^ flipped);
+    }
+  };
+  bench_.run(1000);
+  ASSERT_GT(heartbeats, 100);
+  EXPECT_EQ(level(), SafetyLevel::kOperational) << bench_.detail();
+}
+
+TEST_F(BridgeFaults, StoppedHeartbeatsBesideASecondAnswerAreASecondDevice) {
+  bench_.run(30);
+  int cycles = 0;
+  bench_.on_answers = [&cycles](std::vector<CanFrame>& frames) {
+    std::vector<CanFrame> others;
+    for (const CanFrame& frame : frames) {
+      if (frame.id == 0x701) others.push_back(heartbeat_frame(1, NmtState::kStopped));
+      if (frame.id != kHipSample || ++cycles % 6 != 1) continue;
+      others.push_back(frame);  // too seldom to tell by itself
+      others.back().data[0] ^= 0x55;
+    }
+    frames.insert(frames.end(), others.begin(), others.end());
+  };
+  bench_.run(20);
+  expect_damping(SafetyCause::kDuplicateNode, "two devices answer as node 1");
+  expect_cleared();
+}
+
+TEST_F(BridgeFaults, SecondDeviceIsNoticedWithinTenCycles) {
+  bend_samples([](std::vector<CanFrame>& frames, std::size_t i) {
+    if (i > 0 && frames[i - 1].id == kHipSample) return;
+    CanFrame other = frames[i];
+    other.data[0] = static_cast<std::uint8_t>(~other.data[0]);
+    frames.insert(frames.begin() + static_cast<std::ptrdiff_t>(i) + 1, other);
+  });
+  bench_.run(10);
+  EXPECT_EQ(cause(), SafetyCause::kDuplicateNode);
 }
 
 TEST_F(BridgeFaults, OneFlippedHeartbeatIsNoTrouble) {
