@@ -96,7 +96,10 @@ void BridgeCore::Impl::judge_samples() noexcept {
 void BridgeCore::Impl::begin_cycle(std::int64_t time_us) noexcept {
   if (!cyclic) {
     recovery->begin(Recovery::Kind::kFirstCycle, time_us);
-    if (!buses.any_lost()) buses.forget_trouble();  // what booting has got over is no trouble
+    if (!buses.any_lost()) {  // what booting has got over is no trouble
+      buses.forget_trouble();
+      buses.forget_losses();
+    }
   }
   cyclic = true;
   ++cycle;

@@ -45,6 +45,7 @@ struct BridgeCore::Impl {
   OperatorReply clear(const OperatorCommand& command, std::int64_t time_us) noexcept;
   OperatorReply home(const OperatorCommand& command, std::int64_t time_us) noexcept;
   void step_requests(std::int64_t time_us) noexcept;
+  void doubt_lost_buses() noexcept;
   void finish_clear(Recovery::Result result, std::int64_t time_us) noexcept;
   void answer(LongRequest& request, OperatorOutcome outcome, const char* reason) noexcept;
   const char* why_not_clear(std::int64_t time_us) const noexcept;

@@ -13,12 +13,20 @@ OperatorReply BridgeCore::Impl::clear(const OperatorCommand& command, std::int64
   if (!safety.latched()) {
     clear_without_work = true;
   } else if (cyclic) {
+    doubt_lost_buses();
     recovery->begin(Recovery::Kind::kClear, time_us);
   } else {
     safety.clear(time_us, cycle);
     recovery->begin(Recovery::Kind::kBoot, time_us);
   }
   return last_clear.reply;
+}
+
+void BridgeCore::Impl::doubt_lost_buses() noexcept {
+  for (NodeLink* link : links) {
+    if (const char* loss = buses.loss(link->setup().bus)) link->doubt(loss);
+  }
+  buses.forget_losses();
 }
 
 /// What only somebody else can mend; nullptr when the bridge can try.

@@ -250,12 +250,13 @@ void NodeLink::restart() noexcept {
   left_ = false;
   contradictions_ = 0;
   age_cycles_ = owed_ = 0;
+  bus_loss_ = "";
 }
 
 bool NodeLink::needs_restart(std::int64_t time_us) const noexcept {
   const int code = emergency_.code;
   const bool communication_fault = (code & 0xFF00) == 0x8100 || code == 0x8210;
-  return lost(time_us) || silent() || duplicate_ || communication_fault;
+  return lost(time_us) || silent() || duplicate_ || communication_fault || *bus_loss_ != 0;
 }
 
 void NodeLink::set_recovery_text(const char* format, ...) noexcept {

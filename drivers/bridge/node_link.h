@@ -50,6 +50,9 @@ class NodeLink {
   virtual bool needs_restart(std::int64_t time_us) const noexcept;
 
   void start() noexcept { boot_.start(); }
+  /// Its bus was lost, so it may have let go or restarted unheard; until restart(). @param loss static text, e.g. "bus was off".
+  void doubt(const char* loss) noexcept { bus_loss_ = loss; }
+  const char* bus_loss() const noexcept { return bus_loss_; }  ///< "" = none
   /// Faults have been judged: one that the node has withdrawn may now be forgotten.
   void faults_seen() noexcept { emergency_seen_ = true; }
 
@@ -118,6 +121,7 @@ class NodeLink {
   int contradictions_ = 0;  ///< it said that it had left operational, and went on answering
   std::int64_t contradiction_us_ = 0;
   bool duplicate_ = false;
+  const char* bus_loss_ = "";
 
   canopen::Emergency emergency_;
   bool emergency_seen_ = false;       ///< by faults_seen()

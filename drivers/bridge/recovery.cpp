@@ -103,6 +103,7 @@ void Recovery::plan_restarts(std::int64_t time_us) noexcept {
     plan.restart = kind_ == Kind::kBoot ? node.boot().refused() : node.needs_restart(time_us);
     plan.reset = node.faulted();
     plan.emergency_code = node.emergency().code;
+    plan.bus_loss = node.bus_loss();
     plan.trouble = trouble_of(node, time_us);
     if (plan.restart) node.restart();
   }
@@ -158,16 +159,26 @@ Recovery::Result Recovery::finish(bool good) noexcept {
   return good ? Result::kDone : Result::kFailed;
 }
 
+/// "bus was off, fault 0x8130 life guard or heartbeat lost"
+void Recovery::write_before(const Plan& plan, std::array<char, 64>& out) noexcept {
+  const bool of_bus = *plan.bus_loss != 0;
+  std::array<char, 48> own{};
+  if (plan.emergency_code != 0) {
+    std::snprintf(own.data(), own.size(), "fault 0x%04X %.32s", plan.emergency_code,
+                  canopen::emergency_text(static_cast<std::uint16_t>(plan.emergency_code)));
+  } else {
+    const char* unnamed = of_bus ? "" : "fault";
+    std::snprintf(own.data(), own.size(), "%s", *plan.trouble != 0 ? plan.trouble : unnamed);
+  }
+  std::snprintf(out.data(), out.size(), "%s%s%s", plan.bus_loss, of_bus && own[0] != 0 ? ", " : "",
+                own.data());
+}
+
 void Recovery::write_text(std::size_t i) noexcept {
   const Plan& plan = plans_[i];
   NodeLink& node = *nodes_[i];
-  std::array<char, 48> before{};
-  if (plan.emergency_code != 0) {
-    std::snprintf(before.data(), before.size(), "fault 0x%04X %.32s", plan.emergency_code,
-                  canopen::emergency_text(static_cast<std::uint16_t>(plan.emergency_code)));
-  } else {
-    std::snprintf(before.data(), before.size(), "%s", *plan.trouble != 0 ? plan.trouble : "fault");
-  }
+  std::array<char, 64> before{};
+  write_before(plan, before);
   if (!plan.restart && !plan.reset) {
     node.set_recovery_text("nothing to do");
   } else if (plan.restart && node.boot().refused()) {

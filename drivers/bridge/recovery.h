@@ -2,6 +2,7 @@
 /// Brings a robot back after trouble, without a new process, in the order of facts canopen 2.5: wait until the drives
 /// have stopped; reset the communication of every node that needs it and configure it again; start it; reset faults;
 /// see that all is well. Nodes without trouble are left alone and keep their SYNC. Goes through it over cycles. Pure.
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -39,7 +40,8 @@ class Recovery {
     bool restart = false;
     bool reset = false;  ///< it had a fault to reset
     int emergency_code = 0;
-    const char* trouble = "";  ///< static text
+    const char* bus_loss = "";  ///< static text
+    const char* trouble = "";   ///< static text
   };
 
   void enter(Phase phase, std::int64_t time_us) noexcept;
@@ -52,6 +54,7 @@ class Recovery {
   bool all_well(std::int64_t time_us) const noexcept;
   Result finish(bool good) noexcept;
   void write_text(std::size_t i) noexcept;
+  static void write_before(const Plan& plan, std::array<char, 64>& out) noexcept;
   void fail(const char* reason) noexcept;
   bool waits_for(std::size_t i) const noexcept;
 

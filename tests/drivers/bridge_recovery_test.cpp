@@ -154,6 +154,15 @@ TEST_F(BridgeRecovery, CommunicationFaultsNeedTheCommunicationResetFirst) {
   }
 }
 
+TEST_F(BridgeRecovery, LongestTextIsToldToItsEnd) {
+  bench_.drives[0].pending_emergency = 0x8130;
+  bench_.run(900);
+  ASSERT_EQ(bench_.ask_and_wait(OperatorKind::kClear).outcome, OperatorOutcome::kDone) << bench_.detail();
+  EXPECT_THAT(recovery(0),
+              ::testing::StartsWith("fault 0x8130 life guard or heartbeat lost: reset communication"));
+  EXPECT_THAT(recovery(0), ::testing::EndsWith(" objects), fault reset"));
+}
+
 TEST_F(BridgeRecovery, OtherDrivesKeepTheirSyncMeanwhile) {
   bench_.drives[0].pending_emergency = 0x8130;
   bench_.run(900);
@@ -242,6 +251,66 @@ TEST_F(BridgeRecovery, ControllerThatRestartedMayBeClearedAtOnce) {
   EXPECT_EQ(bench_.bridge->bus_state().buses[0].restarts, 1);
   bench_.enable();
   EXPECT_EQ(enabled(), 2);
+}
+
+/// facts canopen 5: its drives have let go and may have restarted unheard, whatever they say now.
+TEST_F(BridgeRecovery, NodesOfABusThatWasLostAreAllConfiguredAgain) {
+  struct Loss {
+    CanFrame frame;
+    const char* text;
+  };
+  CanFrame passive = bus_lost_frame();
+  passive.id = kCanErrorController;
+  passive.data[1] = kControllerPassive;
+  const Loss losses[] = {{bus_lost_frame(), "bus was off: reset communication, configured again ("},
+                         {link_down_frame(), "bus had no link: reset communication, configured again ("},
+                         {passive, "bus was passive: reset communication, configured again ("}};
+  for (const Loss& loss : losses) {
+    SCOPED_TRACE(loss.text);
+    const int resets = bench_.drives[0].resets;
+    bench_.bridge->receive(0, loss.frame, bench_.time_us);
+    bench_.tick();
+    ASSERT_EQ(cause(), SafetyCause::kBusLost);
+    bench_.run(1200);
+    ASSERT_EQ(bench_.ask_and_wait(OperatorKind::kClear).outcome, OperatorOutcome::kDone) << bench_.detail();
+    for (std::size_t i = 0; i < 2; ++i) {
+      EXPECT_THAT(recovery(i), ::testing::StartsWith(loss.text));
+      EXPECT_EQ(bench_.drives[i].resets, resets + 1);
+    }
+    bench_.enable();
+    ASSERT_EQ(enabled(), 2);
+  }
+  bench_.ask(OperatorKind::kEstop);
+  bench_.run(10);
+  ASSERT_EQ(bench_.ask_and_wait(OperatorKind::kClear).outcome, OperatorOutcome::kDone);
+  EXPECT_EQ(recovery(0), "nothing to do") << "once is enough";
+}
+
+TEST_F(BridgeRecovery, NodesOfOtherBusesAreLeftAlone) {
+  RobotConfig robot = testing::two_drive_robot();
+  robot.buses.push_back({"spare", "memory:spare"});
+  testing::BridgeBench bench(robot);
+  ASSERT_TRUE(bench.boot());
+  bench.enable();
+  CanFrame restarted = bus_lost_frame();
+  restarted.id = kCanErrorRestarted;
+  bench.bridge->receive(1, bus_lost_frame(), bench.time_us);
+  bench.bridge->receive(1, restarted, bench.time_us);
+  bench.run(900);
+  ASSERT_EQ(bench.bridge->safety().cause, SafetyCause::kBusLost);
+  ASSERT_EQ(bench.ask_and_wait(OperatorKind::kClear).outcome, OperatorOutcome::kDone);
+  EXPECT_STREQ(bench.bridge->bus_state().nodes[0].recovery.data(), "nothing to do");
+  EXPECT_EQ(bench.drives[0].resets, 1);
+}
+
+TEST_F(BridgeRecovery, LossOfTheBusAndTheFaultThatStandsAreBothTold) {
+  bench_.bridge->receive(0, bus_lost_frame(), bench_.time_us);
+  bench_.drives[0].pending_emergency = 0x8130;
+  bench_.run(900);
+  ASSERT_EQ(bench_.ask_and_wait(OperatorKind::kClear).outcome, OperatorOutcome::kDone) << bench_.detail();
+  EXPECT_THAT(recovery(0),
+              ::testing::StartsWith("bus was off, fault 0x8130 life guard or heartbeat lost: reset"));
+  EXPECT_THAT(recovery(0), ::testing::EndsWith(" objects), fault reset"));
 }
 
 }  // namespace
