@@ -33,7 +33,8 @@ struct BridgeOptions {
 
 class BridgeCore {
  public:
-  /// @throws std::invalid_argument on an unknown profile, naming it and those there are.
+  /// @throws std::invalid_argument on an unknown profile, naming it and those there are, and on a channel that an encoder
+  /// card has not.
   BridgeCore(const RobotConfig& robot, const BridgeOptions& options);
   ~BridgeCore();
   BridgeCore(const BridgeCore&) = delete;

@@ -35,6 +35,7 @@ BridgeCore::Impl::Impl(const RobotConfig& config, const BridgeOptions& bridge_op
     cards.push_back(std::make_unique<EncoderCardNode>(card, robot.cycle_s, watchdogs));
     add(*cards.back());
   }
+  check_card_channels();
   recovery = std::make_unique<Recovery>(links);
   homing = std::make_unique<Homing>(pointers(drives));
   last_clear.reply.request_id = last_home.reply.request_id = -1;
@@ -51,6 +52,19 @@ void BridgeCore::Impl::add(NodeLink& link) {
     throw std::invalid_argument("'" + link.name() + "' and '" + place->name() + "' have one node id");
   place = &link;
   links.push_back(&link);
+}
+
+/// The loader knows no profiles: it lets pass what any card may have.
+void BridgeCore::Impl::check_card_channels() const {
+  for (const ActuatorConfig& actuator : robot.actuators) {
+    const LinkEncoderConfig& encoder = actuator.link_encoder;
+    if (encoder.card < 0) continue;
+    const EncoderCardNode& card = *cards.at(static_cast<std::size_t>(encoder.card));
+    if (encoder.channel >= 0 && encoder.channel < card.channels()) continue;
+    throw std::invalid_argument("actuator '" + actuator.name + "': encoder card '" + card.name() +
+                                "' has no channel " + std::to_string(encoder.channel) + "; it has " +
+                                std::to_string(card.channels()) + ", counted from 0");
+  }
 }
 
 void BridgeCore::Impl::push_on_every_bus(const CanFrame& frame, FrameBatch& out) const noexcept {

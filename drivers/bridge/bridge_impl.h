@@ -31,6 +31,7 @@ struct BridgeCore::Impl {
   Impl(const RobotConfig& config, const BridgeOptions& bridge_options);
 
   void add(NodeLink& link);
+  void check_card_channels() const;  ///< @throws std::invalid_argument on one that the card has not
   void push_on_every_bus(const CanFrame& frame, FrameBatch& out) const noexcept;
   void count_sent(const FrameBatch& batch, int first) noexcept;
   void step_boot(std::int64_t time_us) noexcept;

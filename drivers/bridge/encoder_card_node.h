@@ -15,6 +15,7 @@ class EncoderCardNode final : public NodeLink {
   /// SYNC was answered with a new sample.
   double measured_link_position_rad(const LinkEncoderConfig& encoder) const noexcept;
 
+  int channels() const noexcept { return profile_->channels(); }
   bool needs_restart(std::int64_t time_us) const noexcept override;
   void restart() noexcept override;
 

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <stdexcept>
 
 #include "tests/support/bridge_fixture.h"
 
@@ -40,6 +41,22 @@ TEST_F(BridgeEncoderCard, IsBootedAndShownAfterTheDrives) {
     EXPECT_NE(canopen::decode_sdo_request(frame).object.index, canopen::kControlWord)
         << "a card has no power";
   }
+}
+
+TEST_F(BridgeEncoderCard, ChannelThatTheCardHasNotIsRefusedAtStart) {
+  RobotConfig robot = testing::robot_with_card();
+  for (const int channel : {3, -1}) {
+    robot.actuators[1].link_encoder.channel = channel;
+    try {
+      const BridgeCore bridge(robot, {});
+      FAIL() << "accepted channel " << channel;
+    } catch (const std::invalid_argument& error) {
+      EXPECT_EQ(error.what(), "actuator 'knee_motor': encoder card 'leg_card' has no channel " +
+                                  std::to_string(channel) + "; it has 3, counted from 0");
+    }
+  }
+  robot.actuators[1].link_encoder.channel = 2;
+  EXPECT_NO_THROW(BridgeCore(robot, {}));
 }
 
 TEST_F(BridgeEncoderCard, NoDriveIsStartedBeforeTheCardIsConfigured) {
