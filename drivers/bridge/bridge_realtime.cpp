@@ -56,7 +56,7 @@ class RealTimeBridge {
       : process_(process),
         cycles_(options.cycles),
         cycle_us_(std::llround(process.robot().cycle_s * 1e6)),
-        core_(process.robot(), BridgeOptions{process.watchdogs()}),
+        core_(with_bus_addresses(process.robot(), options.can), BridgeOptions{process.watchdogs()}),
         shell_(process, core_),
         state_(process.robot().actuators.size()),
         command_(process.robot().actuators.size()) {

@@ -27,6 +27,13 @@ std::vector<std::string> bus_addresses(const RobotConfig& robot, const std::vect
   return addresses;
 }
 
+RobotConfig with_bus_addresses(const RobotConfig& robot, const std::vector<std::string>& can) {
+  RobotConfig used = robot;
+  const std::vector<std::string> addresses = bus_addresses(robot, can);
+  for (std::size_t bus = 0; bus < addresses.size(); ++bus) used.buses[bus].can = addresses[bus];
+  return used;
+}
+
 std::vector<BurstFault> parse_burst_faults(const std::vector<std::string>& texts) {
   std::vector<BurstFault> faults;
   for (const std::string& text : texts) {

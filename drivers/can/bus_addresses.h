@@ -14,6 +14,10 @@ namespace sprung {
 /// @throws std::invalid_argument naming what is no bus of this robot.
 std::vector<std::string> bus_addresses(const RobotConfig& robot, const std::vector<std::string>& overrides);
 
+/// The robot as this run has it: its buses carry the addresses really used, which texts for people then name.
+/// @throws as bus_addresses.
+RobotConfig with_bus_addresses(const RobotConfig& robot, const std::vector<std::string>& overrides);
+
 /// Lock-step needs a bus whose datagrams can be numbered. @throws std::invalid_argument unless the address is
 /// udp:GROUP:PORT.
 std::unique_ptr<UdpBus> open_udp_bus(const std::string& address);

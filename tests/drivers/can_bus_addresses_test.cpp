@@ -25,6 +25,15 @@ TEST(BusAddresses, UnknownBusIsRefusedWithAnExample) {
   }
 }
 
+TEST(BusAddresses, RobotOfARunCarriesTheAddressesReallyUsed) {
+  const RobotConfig robot = load_robot("pegasus");
+  const RobotConfig used = with_bus_addresses(robot, {"hl=socketcan:can7"});
+  ASSERT_EQ(used.buses.size(), robot.buses.size());
+  EXPECT_EQ(used.buses[2].can, "socketcan:can7");
+  EXPECT_EQ(used.buses[2].name, "hl");
+  EXPECT_EQ(used.buses[3].can, robot.buses[3].can);
+}
+
 TEST(OpenUdpBus, OtherBusesCannotRunInLockStep) {
   EXPECT_THAT([] { open_udp_bus("socketcan:can0"); },
               ThrowsMessage<std::invalid_argument>(HasSubstr("--clock realtime")));

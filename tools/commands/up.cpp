@@ -57,6 +57,7 @@ int watch_over(Launcher& launcher, bool ends_by_itself) {
 }
 
 int run_up(const LaunchRequest& request) {
+  if (!(request.patience_s > 0.0)) throw WrongUse("--patience is more than 0 s");
   start_log("sprung");
   Launcher launcher(request, load_robot(request.robot));
   const std::int64_t started_us = monotonic_us();
@@ -95,6 +96,8 @@ void add_up(CommandLine& sprung) {
   up.option("--plant", request->plant,
             "simulation: KEY=VALUE changes the plant, e.g. friction_scale=1.2; may be repeated");
   up.option("--speed", request->speed, "lock-step: at most so many times real time, 0 = no limit");
+  up.option("--patience", request->patience_s,
+            "seconds for each process to get ready, and for the drives; more on a slow machine");
   up.option("--cycles", request->cycles, "end after that many cycles, 0 = never");
   up.option("--log", request->log_folder, "folder of the LCM log");
   up.flag("--no-record", *no_record, "write no log");

@@ -23,9 +23,10 @@ struct LaunchRequest {
   std::vector<std::string>
       inject;  ///< PROGRAM=SPEC, for tests of the links; SPEC of CAN bursts begins with can-
   bool truth = true;
-  double speed = 0.0;       ///< lock-step pace, 0 = as fast as it goes
-  std::int64_t cycles = 0;  ///< the bridge ends after that many, 0 = never
-  std::string log_folder;   ///< empty = no recording
+  double speed = 0.0;        ///< lock-step pace, 0 = as fast as it goes
+  double patience_s = 10.0;  ///< for each process to become ready, and for the drives to become operational
+  std::int64_t cycles = 0;   ///< the bridge ends after that many, 0 = never
+  std::string log_folder;    ///< empty = no recording
   std::string instance = "default";
 };
 

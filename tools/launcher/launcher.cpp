@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <ctime>
 #include <filesystem>
 #include <random>
@@ -20,7 +21,6 @@ namespace {
 
 constexpr const char* kBridge = "sprung-can-bridge";
 constexpr const char* kRecorder = "lcm-logger";
-constexpr double kReady_s = 10.0;
 constexpr double kStop_s = 3.0;  // a bridge may damp its robot for half a second first
 
 RunInfo describe(const LaunchRequest& request, const RobotConfig& robot) {
@@ -88,14 +88,14 @@ void Launcher::start_all_but_bridge() {
   }
   for (const PlannedProcess& planned : plan_) {
     if (planned.program != kBridge) {
-      wait_for(planned.program, ProcessState::kReady, kReady_s);
+      wait_for(planned.program, ProcessState::kReady);
     }
   }
 }
 
 void Launcher::start_bridge() {
   start(plan_.back());
-  wait_for(kBridge, ProcessState::kRunning, kReady_s);
+  wait_for(kBridge, ProcessState::kRunning);
 }
 
 void Launcher::start_recorder() {
@@ -123,16 +123,16 @@ ProcessState Launcher::state_of(const std::string& program) {
                                      : static_cast<ProcessState>(found->second.state);
 }
 
-void Launcher::wait_for(const std::string& program, ProcessState state, double patience_s) {
-  const std::int64_t end_us = node_.utime_us() + static_cast<std::int64_t>(patience_s * 1e6);
+void Launcher::wait_for(const std::string& program, ProcessState state) {
+  const std::int64_t end_us = node_.utime_us() + std::llround(request_.patience_s * 1e6);
   while (state_of(program) < state) {
     refuse_the_dead();
     if (stop_requested()) {
       throw std::runtime_error("stopped while starting");
     }
     if (node_.utime_us() > end_us) {
-      throw std::runtime_error(program + " is not " + name(state) + " after " + std::to_string(patience_s) +
-                               " s: " + last_status_[program].detail);
+      throw std::runtime_error(program + " is not " + name(state) + " after " +
+                               std::to_string(request_.patience_s) + " s: " + last_status_[program].detail);
     }
     node_.wait_for_input(node_.utime_us() + 20'000);
   }

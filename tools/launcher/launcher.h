@@ -51,7 +51,7 @@ class Launcher {
   };
   void start(const PlannedProcess& planned);
   void start_recorder();
-  void wait_for(const std::string& program, ProcessState state, double patience_s);
+  void wait_for(const std::string& program, ProcessState state);
   ProcessState state_of(const std::string& program);
   void stop_one(Child& child, double patience_s);
   void refuse_the_dead();
