@@ -74,10 +74,11 @@ TEST(FaultCounters, NamesWhatGrewAndNothingElse) {
   BusState before(1, 2), after(1, 2);
   before.nodes[0].missing_samples = after.nodes[0].missing_samples = 4;
   after.nodes[1].missing_samples = 3;
+  after.nodes[1].implausible_samples = 1;
   after.buses[0].error_frames = 2;
   after.buses[0].sent = 1000;
-  EXPECT_EQ(grown_counters(before, after), "error_frames 2, missing_samples 3");
-  EXPECT_EQ(trouble_count(after) - trouble_count(before), 5);
+  EXPECT_EQ(grown_counters(before, after), "error_frames 2, missing_samples 3, implausible_samples 1");
+  EXPECT_EQ(trouble_count(after) - trouble_count(before), 6);
   EXPECT_EQ(grown_counters(before, before), "");
 }
 
