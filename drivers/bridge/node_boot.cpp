@@ -49,12 +49,18 @@ void NodeBoot::confirm_operational() noexcept {
   print(detail_, "%s: operational", drive_);
 }
 
+/// The probe may still be under way: its answer is none to the script.
+void NodeBoot::begin_script(std::int64_t time_us) noexcept {
+  enter(BootState::kConfigure, time_us);
+  at_ = 0;
+  reading_back_ = unanswered_ = false;
+  forget_transfer_ = true;
+}
+
 void NodeBoot::on_heartbeat(canopen::NmtState state, std::int64_t time_us) noexcept {
   const bool awaited = state_ == BootState::kWaitBootUp || state_ == BootState::kProbe;
   if (awaited && state == canopen::NmtState::kBootUp) {
-    enter(BootState::kConfigure, time_us);
-    at_ = 0;
-    reading_back_ = false;
+    begin_script(time_us);
   } else if (state == canopen::NmtState::kBootUp &&
              (state_ == BootState::kConfigure || state_ == BootState::kStarted || configured())) {
     restart();  // it reset itself half-way: what was written is gone
@@ -96,21 +102,21 @@ bool NodeBoot::step_probe(std::int64_t time_us, SdoClient& sdo, CanFrame& out) n
   if (sdo.step(time_us, out)) return true;
   if (sdo.status() == SdoStatus::kBusy) return false;
   const bool silent = sdo.status() == SdoStatus::kTimeout;
-  if (silent) ++sdo_failures_;
-  sdo.finish();
-  enter(silent ? BootState::kReset : BootState::kConfigure, time_us);
-  at_ = 0;
-  reading_back_ = false;
-  unanswered_ = silent;
   if (silent) {
+    ++sdo_failures_;
+    unanswered_ = true;
+    enter(BootState::kReset, time_us);
     print(detail_, "%s: node %d does not answer; power, cabling, node id, bus?", drive_, node_);
     return false;
   }
+  begin_script(time_us);
   out = canopen::nmt_frame(NmtCommand::kEnterPreOperational, node_);  // it may not have heard the reset
   return true;
 }
 
 bool NodeBoot::step_script(std::int64_t time_us, SdoClient& sdo, CanFrame& out) noexcept {
+  if (forget_transfer_) sdo.finish();
+  forget_transfer_ = false;
   if (sdo.status() != SdoStatus::kBusy && sdo.status() != SdoStatus::kIdle) take_answer(sdo);
   if (state_ != BootState::kConfigure) return false;
   if (sdo.idle()) ask(sdo);

@@ -48,6 +48,7 @@ class NodeBoot {
 
  private:
   void enter(BootState state, std::int64_t time_us) noexcept;
+  void begin_script(std::int64_t time_us) noexcept;
   bool step_probe(std::int64_t time_us, canopen::SdoClient& sdo, CanFrame& out) noexcept;
   bool step_script(std::int64_t time_us, canopen::SdoClient& sdo, CanFrame& out) noexcept;
   void ask(canopen::SdoClient& sdo) noexcept;
@@ -61,6 +62,7 @@ class NodeBoot {
   std::int64_t since_us_ = 0;
   std::size_t at_ = 0;
   bool reading_back_ = false;
+  bool forget_transfer_ = false;  ///< whatever the SDO client does was asked before the script
   bool start_due_ = false;
   int settings_ = 0;
   std::int64_t sdo_failures_ = 0;  ///< aborted or unanswered

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "drivers/bridge/node_boot.h"
 #include "drivers/can/can_errors.h"
 #include "drivers/canopen/objects.h"
 #include "tests/support/bridge_bench.h"
@@ -119,6 +120,34 @@ TEST(Boot, DriveWithoutBootUpFrameIsProbed) {
   ASSERT_TRUE(bench.boot(1500));
   EXPECT_EQ(bench.drives[0].received[1], sdo_read_request(1, {kDeviceType, 0}));
   EXPECT_EQ(bench.drives[0].received[2], nmt_frame(NmtCommand::kEnterPreOperational, 1));
+}
+
+// Its power came while it was asked: the answer to the probe is none to the script.
+TEST(Boot, BootUpFrameDuringTheProbeBeginsTheScriptAtItsFirstStep) {
+  SdoClient sdo(1, 100'000);
+  NodeBoot boot("hip", 1, {{BootStep::Kind::kVerify, {{kIdentity, 1}, 4, 0x9A, false}}});
+  CanFrame out;
+  ASSERT_TRUE(boot.step(0, sdo, out));
+  ASSERT_TRUE(boot.step(600'000, sdo, out));
+  ASSERT_EQ(out, sdo_read_request(1, {kDeviceType, 0}));
+  boot.on_heartbeat(NmtState::kBootUp, 600'500);
+  sdo.receive(sdo_read_reply(1, {kDeviceType, 0}, 0x20192, 4));
+  ASSERT_TRUE(boot.step(602'000, sdo, out));
+  EXPECT_EQ(out, sdo_read_request(1, {kIdentity, 1})) << boot.detail().data();
+  sdo.receive(sdo_read_reply(1, {kIdentity, 1}, 0x9A, 4));
+  boot.step(604'000, sdo, out);
+  EXPECT_TRUE(boot.configured()) << boot.detail().data();
+}
+
+TEST(Boot, ProbeThatABootUpFrameOvertookDoesNotDelayPowerOff) {
+  SdoClient sdo(1, 100'000);
+  NodeBoot boot("hip", 1, {{BootStep::Kind::kWrite, {{kControlWord, 0}, 2, 0, false}}});
+  CanFrame out;
+  boot.step(0, sdo, out);
+  boot.step(600'000, sdo, out);
+  boot.on_heartbeat(NmtState::kBootUp, 600'500);
+  ASSERT_TRUE(boot.step(602'000, sdo, out)) << "the probe is never answered";
+  EXPECT_EQ(out, sdo_write_request(1, {kControlWord, 0}, 0, 2));
 }
 
 TEST(Boot, DriveThatRestartsHalfWayIsConfiguredFromTheBeginning) {
