@@ -1,5 +1,7 @@
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
+#include <cstdio>
 
 #include "robots/robot_sections.h"
 
@@ -11,6 +13,36 @@ namespace {
 constexpr std::array<double, 5> kBitRates_kbit_s{1000, 800, 500, 250, 125};
 constexpr int kMostChannels = 4;  ///< of an encoder card
 constexpr double kFarthest_rad = 100;
+constexpr double kHalfTurn_rad = 3.14159265358979323846;
+
+using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+struct Range {
+  double min_rad = 0.0;
+  double max_rad = 0.0;
+};
+
+/// Of an actuator, from the row of the inverse transmission that gives its position.
+Range actuator_range(const Eigen::VectorXd& row, const RobotConfig& robot, const LegConfig& leg) {
+  Range range;
+  for (std::size_t k = 0; k < leg.joints.size(); ++k) {
+    const JointConfig& joint = robot.joints[static_cast<std::size_t>(leg.joints[k])];
+    const double share = row[static_cast<Eigen::Index>(k)];
+    range.min_rad += std::min(share * joint.position_min_rad, share * joint.position_max_rad);
+    range.max_rad += std::max(share * joint.position_min_rad, share * joint.position_max_rad);
+  }
+  return range;
+}
+
+void refuse_folded(const YamlMap& file, const ActuatorConfig& actuator, const Range& range) {
+  if (range.min_rad > -kHalfTurn_rad && range.max_rad < kHalfTurn_rad) return;
+  char text[80];
+  std::snprintf(text, sizeof text, " turns from %.6g to %.6g rad", range.min_rad, range.max_rad);
+  file.fail("actuators",
+            "actuator " + actuator.name + text +
+                " within its joints' limits, and a link_encoder tells positions between -3.14159 and "
+                "3.14159 rad: narrow the limits, move the zero, or leave the link_encoder out");
+}
 
 /// Index of `map`'s text under `key` in `known`. @throws ConfigError naming them.
 int choice(const YamlMap& map, const std::string& key, const std::vector<std::string>& known) {
@@ -93,6 +125,21 @@ ReferenceConfig read_reference(const YamlMap& map) {
   }
   map.finish();
   return reference;
+}
+
+void refuse_folded_link_positions(const YamlMap& file, const RobotConfig& robot) {
+  for (const LegConfig& leg : robot.legs) {
+    const auto size = static_cast<Eigen::Index>(leg.actuators.size());
+    const Eigen::FullPivLU<Matrix> lu(Eigen::Map<const Matrix>(leg.transmission.data(), size, size));
+    if (!lu.isInvertible()) continue;  // whoever moves the leg refuses that
+    const Matrix to_actuator = lu.inverse();
+    for (Eigen::Index i = 0; i < size; ++i) {
+      const auto index = static_cast<std::size_t>(leg.actuators[static_cast<std::size_t>(i)]);
+      const ActuatorConfig& actuator = robot.actuators[index];
+      if (actuator.link_encoder.card < 0) continue;
+      refuse_folded(file, actuator, actuator_range(to_actuator.row(i), robot, leg));
+    }
+  }
 }
 
 }  // namespace sprung::robot_sections

@@ -104,6 +104,7 @@ void refuse_contradictions(const YamlMap& file, const RobotConfig& robot) {
   refuse_shared_node_ids(file, robot);
   refuse_shared_channels(file, robot);
   refuse_loose_joints(file, robot);
+  refuse_folded_link_positions(file, robot);
   if (robot.presets.empty() && robot.has_feet()) {
     file.fail("presets", "at least one preset is needed");
   }

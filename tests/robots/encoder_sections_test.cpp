@@ -10,6 +10,7 @@
 #include <set>
 
 #include "robots/robot_loader.h"
+#include "robots/robot_sections.h"
 
 namespace sprung {
 namespace {
@@ -136,6 +137,32 @@ TEST_F(ChangedPegasus, MistakesOfLinkEncodersAreRefused) {
   EXPECT_THAT(complaint("offset: 3.1416 rad}", "offset: 3.1416}"), HasSubstr("unit is missing"));
   EXPECT_THAT(complaint("offset: 3.1416 rad}", "offset: 3.1416 rad, bits: 20}"),
               HasSubstr("bits' is unknown"));
+}
+
+// The bridge knows a link position within half a turn either way of zero.
+TEST_F(ChangedPegasus, JointThatTurnsPastHalfATurnCannotHaveALinkEncoder) {
+  EXPECT_THAT(complaint("max: 3.0 rad", "max: 3.15 rad"),
+              AllOf(HasSubstr("actuator fl_hip_motor"), HasSubstr("from 0.4 to 3.15 rad"),
+                    HasSubstr("link_encoder")));
+  EXPECT_THAT(complaint("min: -0.6 rad", "min: -3.2 rad"), HasSubstr("from -3.2 to 0.6 rad"));
+  EXPECT_EQ(complaint("max: 3.0 rad", "max: 3.14 rad"), "nothing was refused");
+}
+
+TEST_F(ChangedPegasus, RangeOfALinkEncoderIsTheActuatorsNotTheJoints) {
+  // Knee driven from the body: its joint is actuator 2 less actuator 1, so the actuator turns by both ranges.
+  EXPECT_THAT(complaint("[[1, 0, 0], [0, 1, 0], [0, 0, 1]]", "[[1, 0, 0], [0, 1, 0], [0, -1, 1]]"),
+              AllOf(HasSubstr("actuator fl_knee_motor"), HasSubstr("from 0.5 to 5.5 rad")));
+  EXPECT_EQ(complaint("[[1, 0, 0], [0, 1, 0], [0, 0, 1]]", "[[1, 0, 0], [0, 1, 0], [0, 1, 1]]"),
+            "nothing was refused");
+}
+
+TEST(Pegasus, JointWithoutALinkEncoderMayTurnFurther) {
+  const YamlMap file = YamlMap::parse("actuators: none", "robot.yaml");
+  RobotConfig robot = load_robot("pegasus");
+  robot.joints[1].position_max_rad = 9.0;
+  EXPECT_THROW(robot_sections::refuse_folded_link_positions(file, robot), ConfigError);
+  robot.actuators[1].link_encoder.card = -1;
+  EXPECT_NO_THROW(robot_sections::refuse_folded_link_positions(file, robot));
 }
 
 class ChangedReference : public ChangedPegasus {
