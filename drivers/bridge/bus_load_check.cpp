@@ -1,6 +1,7 @@
 #include "drivers/bridge/bus_load_check.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <stdexcept>
 
@@ -37,6 +38,13 @@ bool is_cyclic(const PdoSetting& pdo) {
   return pdo.transmit ? canopen::is_sync_type(pdo.transmission_type) : !is_control_word(pdo);
 }
 
+/// The bridge sends at the beginning of a cycle, rather early than late, and never twice in one (BridgeCore::begin_tick).
+double bridge_heartbeat_s(double heartbeat_s, double cycle_s) {
+  const long long cycle_us = std::llround(1e6 * cycle_s);
+  const long long cycles = std::max(1LL, std::llround(1e6 * heartbeat_s) / cycle_us);
+  return 1e-6 * static_cast<double>(cycles * cycle_us);
+}
+
 class BusSum {
  public:
   BusSum(const RobotConfig& robot, const WatchdogConfig& watchdogs) : robot_(robot), watchdogs_(watchdogs) {
@@ -46,8 +54,15 @@ class BusSum {
   void add_bridge(std::size_t bus) {
     const double sync_bits = canopen::worst_frame_bits(0);
     add(bus, {"SYNC", sync_bits / robot_.cycle_s, sync_bits});
+    const double heartbeat_s = bridge_heartbeat_s(watchdogs_.heartbeat_s, robot_.cycle_s);
+    add(bus, {"bridge's heartbeat", canopen::worst_frame_bits(kHeartbeatBytes) / heartbeat_s, 0.0});
+  }
+
+  void add_drive(std::size_t bus, const ActuatorConfig& drive, const NodeProfile& profile) {
+    add_node(bus, drive.name, profile);
+    const double read_bits = 2.0 * canopen::worst_frame_bits(kFullFrameBytes);
     add(bus,
-        {"bridge's heartbeat", canopen::worst_frame_bits(kHeartbeatBytes) / watchdogs_.heartbeat_s, 0.0});
+        {drive.name + " background reads", read_bits * (kSupplyReadsPerSecond + kModeReadsPerSecond), 0.0});
   }
 
   void add_node(std::size_t bus, const std::string& name, const NodeProfile& profile) {
@@ -59,7 +74,6 @@ class BusSum {
     }
     const double frame = canopen::worst_frame_bits(kFullFrameBytes);
     add(bus, {name + " heartbeat", canopen::worst_frame_bits(kHeartbeatBytes) / watchdogs_.heartbeat_s, 0.0});
-    add(bus, {name + " background reads", 2.0 * frame * kReadsPerSecond, 0.0});
     add(bus, {name + " emergencies", frame * kEmergenciesPerSecond, 0.0});
   }
 
@@ -101,7 +115,7 @@ BusLoadReport bus_load(const RobotConfig& robot, const WatchdogConfig& watchdogs
   BusSum sum(robot, watchdogs);
   for (std::size_t bus = 0; bus < robot.buses.size(); ++bus) sum.add_bridge(bus);
   for (const ActuatorConfig& a : robot.actuators)
-    sum.add_node(static_cast<std::size_t>(a.bus), a.name, *make_profile(a, timing));
+    sum.add_drive(static_cast<std::size_t>(a.bus), a, *make_profile(a, timing));
   for (const EncoderCardConfig& card : robot.encoder_cards)
     sum.add_node(static_cast<std::size_t>(card.bus), card.name, *make_card_profile(card, timing));
   return sum.finish();

@@ -4,8 +4,8 @@
 ///
 /// What counts, sustained for as long as one likes: SYNC; every PDO at SYNC by its type; set-points and, since nothing keeps the
 /// state machine from changing its mind, the control word in every cycle; TPDOs on change at their inhibit rate, in every cycle
-/// where they have none; heartbeats of the nodes and of the bridge; background reads and emergencies at the rates below. Not
-/// counted: error frames, repeats on the wire, and tools that read objects.
+/// where they have none; heartbeats of the nodes, and the bridge's in whole cycles; background reads and emergencies at the rates
+/// below. Not counted: error frames, repeats on the wire, and tools that read objects.
 #include <string>
 #include <vector>
 
@@ -15,7 +15,8 @@ namespace sprung {
 
 /// Above this, frames of low priority wait for more than a cycle (facts canopen 6.3: the usual ceiling is 70-80 %).
 inline constexpr double kMostBusLoad = 0.80;
-inline constexpr double kReadsPerSecond = 1.0;         ///< of each node, one SDO round trip each
+inline constexpr double kSupplyReadsPerSecond = 1.0;  ///< of each drive, one SDO round trip each
+inline constexpr double kModeReadsPerSecond = 20.0;   ///< of a drive that shows another mode than it was told
 inline constexpr double kEmergenciesPerSecond = 10.0;  ///< of each node [design choice]
 
 struct BusContribution {
@@ -39,7 +40,7 @@ struct BusLoadReport {
 /// @param watchdogs in force: they have the heartbeats' times. @throws std::invalid_argument from the profiles.
 BusLoadReport bus_load(const RobotConfig& robot, const WatchdogConfig& watchdogs);
 
-/// "bus fl: 69 % worst case, 48.5 % in every cycle".
+/// "bus fl: 71 % worst case, 48.5 % in every cycle".
 std::string bus_load_text(const RobotConfig& robot, const BusLoad& load);
 
 /// @throws std::invalid_argument when a bus is above kMostBusLoad, naming it, its largest contributions and what helps.

@@ -3,7 +3,9 @@
 
 #include <stdexcept>
 
+#include "drivers/bridge/bridge_core.h"
 #include "drivers/bridge/bus_load_check.h"
+#include "drivers/canopen/protocol.h"
 #include "robots/robot_loader.h"
 
 namespace sprung {
@@ -51,14 +53,49 @@ TEST(BusLoad, EveryFrameIsCountedAtItsWorstRate) {
   EXPECT_DOUBLE_EQ(bits_per_s(bus, "fl_hip_motor RPDO2"), 75 * 500.0);
   EXPECT_DOUBLE_EQ(bits_per_s(bus, "fl_hip_motor TPDO2"), 65 * 100.0);  // inhibit 10 ms
   EXPECT_DOUBLE_EQ(bits_per_s(bus, "fl_hip_motor heartbeat"), 65 * 200.0);
-  EXPECT_DOUBLE_EQ(bits_per_s(bus, "bridge's heartbeat"), 65 * 200.0);
+  EXPECT_DOUBLE_EQ(bits_per_s(bus, "bridge's heartbeat"),
+                   65 * 250.0);  // every second cycle: 5 ms would be late
   EXPECT_DOUBLE_EQ(bits_per_s(bus, "fl_card TPDO1"), 135 * 500.0);
-  EXPECT_DOUBLE_EQ(bits_per_s(bus, "fl_card background reads"), 270.0);
+  // Supply once a second; mode every 50 ms while the drive does not show it.
+  EXPECT_DOUBLE_EQ(bits_per_s(bus, "fl_hip_motor background reads"), 270.0 * 21);
   EXPECT_DOUBLE_EQ(bits_per_s(bus, "fl_card emergencies"), 1350.0);
   double sum = 0.0;
   for (const BusContribution& part : bus.contributions) sum += part.bits_per_s;
   EXPECT_NEAR(bus.share, sum / 1e6, 1e-12);
-  EXPECT_NEAR(bus.share, 0.68848, 1e-9);
+  EXPECT_NEAR(bus.share, 0.70766, 1e-9);
+}
+
+double bridge_heartbeats_per_s(double cycle_s, double heartbeat_s) {
+  RobotConfig robot = load_robot("single_leg");
+  robot.cycle_s = cycle_s;
+  robot.watchdogs.heartbeat_s = heartbeat_s;
+  return bits_per_s(report_of(robot).buses[0], "bridge's heartbeat") / 65.0;
+}
+
+// As many as BridgeCore sends: rather early than late, and never more than one in a cycle.
+TEST(BusLoad, BridgesHeartbeatComesInWholeCycles) {
+  EXPECT_NEAR(bridge_heartbeats_per_s(0.002, 0.005), 250.0, 1e-9);
+  EXPECT_NEAR(bridge_heartbeats_per_s(0.001, 0.005), 200.0, 1e-9);
+  EXPECT_NEAR(bridge_heartbeats_per_s(0.0025, 0.005), 200.0, 1e-9);
+  EXPECT_NEAR(bridge_heartbeats_per_s(0.004, 0.001), 250.0, 1e-9);
+}
+
+TEST(BusLoad, BridgesHeartbeatIsCountedAsItIsSent) {
+  for (const double heartbeat_s : {0.005, 0.0041, 0.002, 0.001}) {
+    RobotConfig robot = load_robot("single_leg");
+    robot.cycle_s = 0.002;
+    robot.watchdogs.heartbeat_s = heartbeat_s;
+    BridgeCore bridge(robot, BridgeOptions{robot.watchdogs});
+    FrameBatch out;
+    int heartbeats = 0;
+    for (std::int64_t time_us = 0; time_us < 1'000'000; time_us += 2000) {
+      out.clear();
+      bridge.begin_tick(time_us, out);
+      for (const BusFrame& f : out) heartbeats += f.frame.id == canopen::heartbeat_id(canopen::kBridgeNode);
+    }
+    const double counted = bits_per_s(report_of(robot).buses[0], "bridge's heartbeat") / 65.0;
+    EXPECT_NEAR(heartbeats, counted, 1.0) << heartbeat_s;
+  }
 }
 
 TEST(BusLoad, ShippedRobotsFit) {
@@ -73,7 +110,7 @@ TEST(BusLoad, PegasusAtAThousandHertzIsRefusedWithTheRemedy) {
   RobotConfig robot = load_robot("pegasus");
   robot.cycle_s = 0.001;
   EXPECT_THAT(refusal(robot),
-              AllOf(HasSubstr("bus fl: 129 %"), HasSubstr("97.0 % in every cycle"), HasSubstr("TPDO1 13.5 %"),
+              AllOf(HasSubstr("bus fl: 130 %"), HasSubstr("97.0 % in every cycle"), HasSubstr("TPDO1 13.5 %"),
                     HasSubstr("Lower cycle_rate"), HasSubstr("80 %")));
 }
 
@@ -82,7 +119,7 @@ TEST(BusLoad, ASlowerBusIsFuller) {
   const double share = report_of(robot).buses[2].share;
   robot.bit_rate_bit_s = 8e5;
   EXPECT_NEAR(report_of(robot).buses[2].share, share / 0.8, 1e-12);
-  EXPECT_THAT(refusal(robot), HasSubstr("bus fl: 86 %"));
+  EXPECT_THAT(refusal(robot), HasSubstr("bus fl: 88 %"));
 }
 
 TEST(BusLoad, OnlyTheBusThatIsTooFullIsNamed) {
@@ -97,8 +134,9 @@ TEST(BusLoad, SlowerHeartbeatsLightenIt) {
   const RobotConfig robot = load_robot("pegasus");
   WatchdogConfig slow = robot.watchdogs;
   slow.heartbeat_s = 0.050;
-  // 5 heartbeats of 65 bits, at 20 instead of 200 a second.
-  EXPECT_NEAR(report_of(robot).buses[0].share - bus_load(robot, slow).buses[0].share, 5 * 65 * 180e-6, 1e-12);
+  // 4 heartbeats of 65 bits at 20 instead of 200 a second, the bridge's instead of 250.
+  EXPECT_NEAR(report_of(robot).buses[0].share - bus_load(robot, slow).buses[0].share,
+              65 * (4 * 180e-6 + 230e-6), 1e-12);
 }
 
 TEST(BusLoad, LargestContributionsComeFirst) {
