@@ -33,7 +33,7 @@ SimShell::SimShell(Process& process, SimCore& core, bool truth)
 
 void SimShell::take_controls() {
   while (const std::optional<SimControl> control = controls_.pop()) {
-    core_.control(*control);
+    if (repeated_.is_new(control->stamp)) core_.control(*control);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "drivers/sim/repeated_controls.h"
 #include "drivers/sim/sim_core.h"
 #include "runtime/process.h"
 
@@ -32,6 +33,7 @@ class SimShell {
   SimCore& core_;
   const bool truth_;
   InputQueue<SimControl> controls_;
+  sim::RepeatedControls repeated_;
   Publisher<SimTruth> truths_;
   std::int64_t published_cycle_ = -1;
 };

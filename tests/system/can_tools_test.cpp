@@ -96,6 +96,26 @@ TEST_F(CanTools, AFaultIsNamedByStatusAndToldByClear) {
   EXPECT_THAT(clear["nodes"][0]["recovery"].get<std::string>(), Not(HasSubstr("fault reset")));
 }
 
+TEST_F(CanTools, RealTimeHomeFromLinkStoresWhatItFound) {
+  setenv("SPRUNG_STATE_DIR", folder_.c_str(), 1);
+  robot_ = load_robot("pegasus");
+  up("realtime");
+  const auto before = nlohmann::json::parse(sprung("status --json").output);
+  EXPECT_TRUE(before["nodes"][0]["reference_offset_rad"].is_null());
+  const CommandResult home = sprung("home --from link");
+  EXPECT_EQ(home.status, 0) << home.output;
+  for (const ActuatorConfig& actuator : robot_.actuators) EXPECT_THAT(home.output, HasSubstr(actuator.name));
+  EXPECT_THAT(home.output, HasSubstr("rad, from link"));
+  EXPECT_THAT(home.output, Not(HasSubstr("not referenced")));
+  const std::filesystem::path stored = folder_ / "pegasus.simulated.reference.yaml";
+  EXPECT_THAT(home.output, HasSubstr("stored by the bridge in " + stored.string()));
+  EXPECT_TRUE(std::filesystem::exists(stored));
+  const auto after = nlohmann::json::parse(sprung("status --json").output);
+  for (std::size_t i = 0; i < robot_.actuators.size(); ++i)
+    EXPECT_EQ(after["nodes"][i]["reference_source"], "link") << robot_.actuators[i].name;
+  unsetenv("SPRUNG_STATE_DIR");
+}
+
 TEST_F(CanTools, HomeAsksAboutTheJigAndSaysWhyNot) {
   up("lockstep", "--speed 2");
   EXPECT_EQ(sprung("home --from jig < /dev/null").status, 2);

@@ -63,10 +63,20 @@ CommandResult SystemTest::sprung(const std::string& arguments) const {
   return {WIFEXITED(raw) ? WEXITSTATUS(raw) : 128 + WTERMSIG(raw), read_all(file)};
 }
 
+std::string SystemTest::can_options() const {
+  std::string options;
+  for (const BusConfig& bus : robot_.buses) {
+    const bool first = &bus == robot_.buses.data();
+    const std::string address = first ? can_address_ : "udp:239.74.163.2:" + std::to_string(random_port());
+    options += " --can " + bus.name + "=" + address;
+  }
+  return options;
+}
+
 void SystemTest::up(const std::string& clock, const std::string& more) {
-  const std::string command = "exec " SPRUNG_BIN_DIR "/sprung up single_leg --sim --clock " + clock +
-                              " --no-record --lcm-url '" + lcm_url_ + "' --can leg=" + can_address_ + " " +
-                              more + " > " + (folder_ / "up.txt").string() + " 2>&1";
+  const std::string command = "exec " SPRUNG_BIN_DIR "/sprung up " + robot_.name + " --sim --clock " + clock +
+                              " --no-record --lcm-url '" + lcm_url_ + "'" + can_options() + " " + more +
+                              " > " + (folder_ / "up.txt").string() + " 2>&1";
   up_ = std::make_unique<ChildProcess>("/bin/sh", std::vector<std::string>{"-c", command});
   while (read_all(folder_ / "up.txt").find("is up") == std::string::npos) {
     if (up_->ended()) {
@@ -101,7 +111,7 @@ bool SystemTest::all_end(double patience_s) const {
   return !any_runs();
 }
 
-RunInfo SystemTest::info() const { return require_running("default", "single_leg"); }
+RunInfo SystemTest::info() const { return require_running("default", robot_.name); }
 
 void SystemTest::kill_program(const std::string& program) const {
   for (const RunningProcess& process : info().processes) {

@@ -25,7 +25,7 @@ class SystemTest : public testing::Test {
 
   /// `sprung ARGUMENTS` to its end.
   CommandResult sprung(const std::string& arguments) const;
-  /// `sprung up single_leg --sim ...` in the background, until the robot is up.
+  /// `sprung up ROBOT --sim ...` of robot_ in the background, until the robot is up.
   void up(const std::string& clock, const std::string& more = "");
   /// Waits for `sprung up` to end by itself or after a signal.
   int wait_for_up(double patience_s = 20.0);
@@ -36,12 +36,13 @@ class SystemTest : public testing::Test {
 
   RunInfo info() const;
   void kill_program(const std::string& program) const;
-  std::string can_address() const { return can_address_; }
+  std::string can_address() const { return can_address_; }  ///< of the robot's first bus
 
   std::filesystem::path folder_;
-  RobotConfig robot_ = load_robot("single_leg");
+  RobotConfig robot_ = load_robot("single_leg");  ///< another one: before up()
 
  private:
+  std::string can_options() const;
   std::string can_address_;
   std::string lcm_url_;
   std::vector<RunningProcess> started_;

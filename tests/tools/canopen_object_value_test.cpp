@@ -59,6 +59,21 @@ TEST_F(ObjectValueTest, TextIsQuotedAndOtherBytesAreDumped) {
 
 TEST_F(ObjectValueTest, WithoutEdsANumberIsUnsigned) { EXPECT_EQ(shown({0x2FFF, 0}, {0xFF, 0xFF}), "65535"); }
 
+TEST_F(ObjectValueTest, SixtyFourBitsHaveNoSignUnlessTheTypeHasOne) {
+  const Bytes bytes{0, 0, 0, 0, 0, 0, 0, 0xF0};
+  EXPECT_EQ(shown({0x2FFF, 0}, bytes), "17293822569102704640");
+  const ObjectValue wide = object_value(nullptr, {0x2FFF, 0}, bytes.data(), bytes.size());
+  EXPECT_TRUE(wide.is_wide);
+  EXPECT_DOUBLE_EQ(as_double(wide), 17293822569102704640.0);
+  canopen::EdsObject described;
+  described.type = canopen::EdsType::kU64;
+  EXPECT_EQ(object_value(&described, {0x2100, 0}, bytes.data(), 8).text, "17293822569102704640");
+  described.type = canopen::EdsType::kI64;
+  const ObjectValue narrow = object_value(&described, {0x2100, 0}, bytes.data(), 8);
+  EXPECT_EQ(narrow.text, "-1152921504606846976");
+  EXPECT_DOUBLE_EQ(as_double(narrow), -1152921504606846976.0);
+}
+
 TEST_F(ObjectValueTest, WritesLittleEndianInTheTypesLength) {
   EXPECT_EQ(written({0x2062, 0}, "-2"), (Bytes{0xFE, 0xFF, 0xFF, 0xFF}));
   EXPECT_EQ(written({0x1017, 0}, "0x0102"), (Bytes{0x02, 0x01}));

@@ -23,6 +23,14 @@ NodeDescription describe(const Device& device) {
   return node;
 }
 
+std::vector<CardChannel> channels_of(const RobotConfig& robot, int card) {
+  std::vector<CardChannel> channels;
+  for (const ActuatorConfig& actuator : robot.actuators) {
+    if (actuator.link_encoder.card == card) channels.push_back({actuator.name, actuator.link_encoder});
+  }
+  return channels;
+}
+
 }  // namespace
 
 const NodeDescription* BusDescription::find(int bus, int node) const noexcept {
@@ -55,11 +63,14 @@ BusDescription describe_buses(const RobotConfig& robot) {
     description.nodes.push_back(describe(actuator));
     description.nodes.back().actuator = actuator;
   }
-  for (const EncoderCardConfig& card : robot.encoder_cards) {
-    description.nodes.push_back(describe(card));
-    description.nodes.back().encoder_card = card;
-  }
   const DriveTiming timing = drive_timing(robot, robot.watchdogs);
+  for (const EncoderCardConfig& card : robot.encoder_cards) {
+    const auto index = static_cast<int>(&card - robot.encoder_cards.data());
+    NodeDescription& node = description.nodes.emplace_back(describe(card));
+    node.encoder_card = card;
+    node.card = make_card_profile(card, timing);
+    node.card_channels = channels_of(robot, index);
+  }
   for (NodeDescription& node : description.nodes) node.pdos = node_profile(node, timing)->pdos();
   return description;
 }

@@ -12,6 +12,12 @@
 
 namespace sprung::cantools {
 
+/// What a channel of an encoder card measures.
+struct CardChannel {
+  std::string actuator;  ///< name
+  LinkEncoderConfig encoder;
+};
+
 struct NodeDescription {
   int bus = 0;
   int node = 0;
@@ -20,6 +26,8 @@ struct NodeDescription {
   std::vector<PdoSetting> pdos;             ///< as the bridge configures them
   std::optional<ActuatorConfig> actuator;   ///< of drives: their joint units
   std::optional<EncoderCardConfig> encoder_card;
+  std::shared_ptr<const CardProfile> card;  ///< of encoder cards: how to read their sample
+  std::vector<CardChannel> card_channels;   ///< those that robot.yaml uses
 };
 
 struct BusDescription {

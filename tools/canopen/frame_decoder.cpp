@@ -1,9 +1,11 @@
 #include "tools/canopen/frame_decoder.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "drivers/canopen/objects.h"
 #include "drivers/canopen/protocol.h"
+#include "tools/canopen/card_fields.h"
 #include "tools/canopen/sdo_text.h"
 #include "tools/canopen/word_texts.h"
 
@@ -16,12 +18,6 @@ constexpr std::uint32_t kLssSlave = 0x7E4;
 constexpr std::uint32_t kFunctionMask = 0x780;
 constexpr std::uint32_t kNodeMask = 0x07F;
 
-std::string format_g(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
-
 std::string bytes_text(const CanFrame& frame) {
   std::string text;
   for (int i = 0; i < frame.length; ++i) {
@@ -32,10 +28,20 @@ std::string bytes_text(const CanFrame& frame) {
   return text.empty() ? "no data" : text;
 }
 
-std::string field_text(const DecodedField& field) {
-  std::string text = field.name + " " + with_unit(field.value);
-  for (const JointValue& value : field.joint) text += " = " + format_g(value.value) + " " + value.unit;
-  return text;
+bool is_same_map(const PdoSetting& setting, const PdoTable& pdo) {
+  if (static_cast<int>(setting.entries.size()) != pdo.count) return false;
+  const auto same = [](const canopen::MapEntry& entry, std::uint32_t word) {
+    return canopen::encode_map_entry(entry) == word;
+  };
+  return std::equal(setting.entries.begin(), setting.entries.end(), pdo.words.begin(), same);
+}
+
+/// Whether the node sends what the bridge wants of it: another map cannot be read as the profile's sample.
+bool is_as_configured(const NodeDescription& node, const PdoTable& pdo) {
+  for (const PdoSetting& setting : node.pdos) {
+    if (setting.transmit == pdo.transmit && setting.number == pdo.number) return is_same_map(setting, pdo);
+  }
+  return false;
 }
 
 /// Which PDO an identifier is by CiA 301's predefined set; false for other identifiers.
@@ -194,30 +200,39 @@ bool FrameDecoder::decode_pdo(const ObservedFrame& observed, DecodedFrame& out) 
     out.text += bytes_text(frame) + " (" + std::to_string(frame.length) + " bytes, the map has " +
                 std::to_string(known->bits() / 8) + ")";
   } else {
-    decode_fields(*known, frame, out);
+    out.fields = decode_fields(*known, frame);
+    out.text += fields_text(out.fields);
   }
   return true;
 }
 
-void FrameDecoder::decode_fields(const PdoTable& pdo, const CanFrame& frame, DecodedFrame& out) const {
+std::vector<DecodedField> FrameDecoder::decode_fields(const PdoTable& pdo, const CanFrame& frame) const {
   const NodeDescription* node = description_.find(pdo.bus, pdo.node);
+  if (node != nullptr && node->card && pdo.count > 0 && is_as_configured(*node, pdo)) {
+    const canopen::MapEntry entry = canopen::decode_map_entry(pdo.words[0]);
+    std::vector<DecodedField> fields = card_fields(*node, entry.object, frame);
+    if (!fields.empty()) return fields;
+  }
+  std::vector<DecodedField> fields;
   std::size_t at = 0;
   for (int i = 0; i < pdo.count; ++i) {
     const canopen::MapEntry entry = canopen::decode_map_entry(pdo.words[static_cast<std::size_t>(i)]);
     const auto bytes = static_cast<std::size_t>(entry.bits / 8);
     if (entry.bits % 8 != 0 || at + bytes > frame.length) break;  // granularity is 8 bit (facts canopen 1.5)
-    DecodedField field{
-        entry.object,
-        object_name(pdo.bus, pdo.node, entry.object),
-        object_value(find(pdo.bus, pdo.node, entry.object), entry.object, &frame.data[at], bytes),
-        {}};
-    if (node != nullptr && node->actuator && field.value.number)
-      field.joint = in_joint_units(*node->actuator, entry.object, field.value.unit,
-                                   static_cast<double>(*field.value.number));
-    out.text += (i == 0 ? "" : ", ") + field_text(field);
-    out.fields.push_back(std::move(field));
+    fields.push_back(decode_field(pdo, entry.object, &frame.data[at], bytes));
     at += bytes;
   }
+  return fields;
+}
+
+DecodedField FrameDecoder::decode_field(const PdoTable& pdo, canopen::ObjectId object,
+                                        const std::uint8_t* bytes, std::size_t count) const {
+  const ObjectValue value = object_value(find(pdo.bus, pdo.node, object), object, bytes, count);
+  DecodedField field{object, object_name(pdo.bus, pdo.node, object), value, {}};
+  const NodeDescription* node = description_.find(pdo.bus, pdo.node);
+  if (node != nullptr && node->actuator && value.number)
+    field.joint = in_joint_units(*node->actuator, object, value.unit, as_double(value));
+  return field;
 }
 
 void FrameDecoder::decode_sdo(const ObservedFrame& observed, bool reply, DecodedFrame& out) {

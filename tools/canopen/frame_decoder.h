@@ -7,8 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "tools/canopen/joint_units.h"
-#include "tools/canopen/object_value.h"
+#include "tools/canopen/decoded_field.h"
 #include "tools/canopen/observed_frame.h"
 #include "tools/canopen/pdo_tables.h"
 #include "tools/canopen/sdo_follower.h"
@@ -32,14 +31,6 @@ enum class FrameKind : std::int8_t {
 /// "NMT", "SDO request": static text.
 const char* name(FrameKind kind) noexcept;
 
-/// One object's value in a PDO or an SDO.
-struct DecodedField {
-  canopen::ObjectId object;
-  std::string name;
-  ObjectValue value;
-  std::vector<JointValue> joint;  ///< PDOs of robot.yaml's drives only
-};
-
 struct DecodedFrame {
   FrameKind kind = FrameKind::kUnknown;
   int node = -1;          ///< -1 = none, or all
@@ -60,7 +51,9 @@ class FrameDecoder {
   void decode_nmt(const ObservedFrame& observed, DecodedFrame& out) const;
   void decode_emergency(const ObservedFrame& observed, DecodedFrame& out) const;
   bool decode_pdo(const ObservedFrame& observed, DecodedFrame& out) const;
-  void decode_fields(const PdoTable& pdo, const CanFrame& frame, DecodedFrame& out) const;
+  std::vector<DecodedField> decode_fields(const PdoTable& pdo, const CanFrame& frame) const;
+  DecodedField decode_field(const PdoTable& pdo, canopen::ObjectId object, const std::uint8_t* bytes,
+                            std::size_t count) const;
   void decode_sdo(const ObservedFrame& observed, bool reply, DecodedFrame& out);
   void decode_heartbeat(const ObservedFrame& observed, DecodedFrame& out);
   void set_node(const ObservedFrame& observed, int node, DecodedFrame& out) const;

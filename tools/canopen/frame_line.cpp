@@ -30,15 +30,20 @@ std::string data_text(const CanFrame& frame) {
 Json field_json(const DecodedField& field) {
   Json out{{"object", canopen::id_text(field.object)},
            {"name", field.name},
-           {"value", nullptr},
+           {"value", number_json(field.value)},
            {"text", field.value.text},
            {"unit", field.value.unit}};
-  if (field.value.number) out["value"] = *field.value.number;
   for (const JointValue& value : field.joint) out["joint"][value.unit] = value.value;
   return out;
 }
 
 }  // namespace
+
+Json number_json(const ObjectValue& value) {
+  if (!value.number) return nullptr;
+  if (value.is_wide) return static_cast<std::uint64_t>(*value.number);
+  return *value.number;
+}
 
 std::string frame_line(const ObservedFrame& observed, const DecodedFrame& decoded, const std::string& bus,
                        std::int64_t begin_us) {

@@ -14,4 +14,7 @@ std::string frame_line(const ObservedFrame& observed, const DecodedFrame& decode
 nlohmann::ordered_json frame_json(const ObservedFrame& observed, const DecodedFrame& decoded,
                                   const std::string& bus, std::int64_t begin_us);
 
+/// null where there is none.
+nlohmann::ordered_json number_json(const ObjectValue& value);
+
 }  // namespace sprung::cantools

@@ -134,9 +134,10 @@ ObjectValue object_value(const EdsObject* described, ObjectId id, const std::uin
                          std::size_t count) {
   const bool numeric = described != nullptr ? canopen::type_bytes(described->type) > 0 : count <= 8;
   if (!numeric || count == 0 || count > 8) return text_value(described, bytes, count);
-  const std::int64_t number =
-      number_of(bytes, count, described != nullptr && canopen::is_signed(described->type));
-  ObjectValue value{number, std::to_string(number), described != nullptr ? described->unit : ""};
+  const bool is_signed = described != nullptr && canopen::is_signed(described->type);
+  const std::int64_t number = number_of(bytes, count, is_signed);
+  ObjectValue value{number, "", described != nullptr ? described->unit : "", !is_signed && count == 8};
+  value.text = value.is_wide ? std::to_string(static_cast<std::uint64_t>(number)) : std::to_string(number);
   const std::string meaning = word_meaning(id, number);
   if (is_code_word(id) || is_hexadecimal(id, described)) {
     value.text = hex(static_cast<std::uint64_t>(number), count);
@@ -144,6 +145,12 @@ ObjectValue object_value(const EdsObject* described, ObjectId id, const std::uin
   }
   if (!meaning.empty()) value.text += " (" + meaning + ")";
   return value;
+}
+
+double as_double(const ObjectValue& value) noexcept {
+  const std::int64_t number = value.number.value_or(0);
+  return value.is_wide ? static_cast<double>(static_cast<std::uint64_t>(number))
+                       : static_cast<double>(number);
 }
 
 std::string with_unit(const ObjectValue& value) {

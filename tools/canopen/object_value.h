@@ -11,10 +11,14 @@
 namespace sprung::cantools {
 
 struct ObjectValue {
-  std::optional<std::int64_t> number;  ///< none for texts and domains
+  std::optional<std::int64_t> number;  ///< none for texts and domains; see is_wide
   std::string text;                    ///< "123", "0x0237 operation enabled", "\"EPOS2\""
   std::string unit;                    ///< "" where there is none
+  bool is_wide = false;                ///< unsigned, of 64 bits: `number` holds the same bits
 };
+
+/// 0 where there is no number.
+double as_double(const ObjectValue& value) noexcept;
 
 /// @param described nullptr where no EDS has the object: then up to 8 bytes are an unsigned number, more are shown as they are.
 ObjectValue object_value(const canopen::EdsObject* described, canopen::ObjectId id, const std::uint8_t* bytes,

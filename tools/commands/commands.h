@@ -1,5 +1,5 @@
 #pragma once
-/// The subcommands of `sprung`, one file each; every function adds its own to the command line.
+/// The subcommands of `sprung`, one file or folder each; every function adds its own to the command line.
 #include "runtime/command_line.h"
 
 namespace sprung::commands {

@@ -16,7 +16,9 @@ namespace sprung::commands {
 namespace {
 
 constexpr double kSilence_s = 2.0;
-constexpr std::int64_t kLead_cycles = 20;  // so that the message is there before its cycle, also in lock-step
+constexpr int kSendings = 3;  // nothing acknowledges it; sim-drives tells a repeat by its stamp
+constexpr std::int64_t kSendingPeriod_us = 20'000;
+constexpr double kLead_s = 0.080;  // in real time the last one still comes before its cycle
 
 struct Request {
   FaultRequest fault;
@@ -37,42 +39,65 @@ std::int64_t next_cycle(Node& node, InputQueue<sprung_msgs::drive_state_t>& stat
   throw std::runtime_error("no DRIVE_STATE comes in, so there is no cycle to name: see sprung status");
 }
 
-int run_fault(Request request) {
-  const RunInfo info = require_running(request.instance, "");
+RunInfo require_simulation(const std::string& instance) {
+  RunInfo info = require_running(instance, "");
   if (!info.simulation) {
     throw std::runtime_error("faults are made by simulated drives, and " + info.robot +
                              " runs with real ones: sprung down; sprung up " + info.robot + " --sim");
   }
-  const RobotConfig robot = load_robot(info.robot_folder);
+  return info;
+}
+
+SimControl control_of(const RobotConfig& robot, Request request) {
   if (!std::isnan(request.value)) request.fault.value = request.value;
   if (request.after_s < 0.0) throw WrongUse("--after must not be negative");
-  SimControl control;
   try {
-    control = fault_control(robot, request.fault);
+    return fault_control(robot, request.fault);
   } catch (const std::invalid_argument& error) {
     throw WrongUse(error.what());
   }
-  InputQueue<sprung_msgs::drive_state_t> states(1024);
-  Node node({info.lcm_url, info.session, info.epoch_us, {}});
-  node.subscribe_message(channels::kDriveState, CountLimits::exactly(robot.actuators.size()), states);
+}
+
+/// All with one stamp, so that it acts once.
+void send(Node& node, InputQueue<sprung_msgs::drive_state_t>& states, const SimControl& control) {
   Publisher<SimControl> controls = node.publisher<SimControl>(channels::kSimControl);
-  node.start();
-  const std::int64_t now = next_cycle(node, states);
-  control.apply_at_seq = now + kLead_cycles + std::llround(request.after_s / robot.cycle_s);
-  control.stamp = {node.utime_us(), now};
-  controls.publish(control);
-  const FaultGuide& guide = guide_of(control.fault);
+  for (int i = 0; i < kSendings; ++i) {
+    controls.publish(control);
+    const std::int64_t next_us = node.utime_us() + kSendingPeriod_us;
+    while (i + 1 < kSendings && node.utime_us() < next_us && !stop_requested()) {
+      node.wait_for_input(next_us);
+      while (states.pop()) continue;
+    }
+  }
+}
+
+void tell(const Request& request, const SimControl& control) {
   std::printf("%s at %s", request.fault.kind.c_str(), request.fault.target.c_str());
+  const FaultGuide& guide = guide_of(control.fault);
   if (*guide.value != '\0') std::printf(", %g %s", control.value, guide.value);
   std::printf(": acts at cycle %lld", static_cast<long long>(control.apply_at_seq));
   if (control.duration_s > 0.0) std::printf(" for %g s", control.duration_s);
   std::printf("\n");
   std::fflush(stdout);
-  std::int64_t seq = now;
+}
+
+int run_fault(const Request& request) {
+  const RunInfo info = require_simulation(request.instance);
+  const RobotConfig robot = load_robot(info.robot_folder);
+  SimControl control = control_of(robot, request);
+  InputQueue<sprung_msgs::drive_state_t> states(1024);
+  Node node({info.lcm_url, info.session, info.epoch_us, {}});
+  node.subscribe_message(channels::kDriveState, CountLimits::exactly(robot.actuators.size()), states);
+  node.start();
+  std::int64_t seq = next_cycle(node, states);
+  control.apply_at_seq = seq + std::llround((kLead_s + request.after_s) / robot.cycle_s);
+  control.stamp = {node.utime_us(), seq};
+  send(node, states, control);
+  tell(request, control);
   while (seq < control.apply_at_seq && !stop_requested()) seq = next_cycle(node, states);
   node.stop();
   if (seq < control.apply_at_seq) return kExitFailed;
-  std::printf("it acts now. Watch: %s\n", guide.watch);
+  std::printf("it acts now. Watch: %s\n", guide_of(control.fault).watch);
   return kExitDone;
 }
 
