@@ -102,8 +102,11 @@ void DriveNode::take_sample(const CanFrame& frame, std::int64_t time_us, bool la
 }
 
 bool DriveNode::accept_sample() noexcept {
-  implausible_ = !tracker_.add(sample_.measured_position_rad, sync_us(), received_us_);
+  const Motion motion = tracker_.add(sample_.measured_position_rad, sync_us(), received_us_);
+  implausible_ = motion != Motion::kGood;
   if (implausible_) count_implausible();
+  // Also an absolute encoder's: what it shows from now on is not the place that the reference was found for.
+  if (motion == Motion::kJumped) lose_reference("reference lost: encoder jumped");
   sampled_ = true;
   return true;
 }
@@ -118,7 +121,12 @@ void DriveNode::on_operational(std::int64_t time_us) noexcept {
 
 /// A count that power keeps stays good; any other begins at zero when the drive does.
 void DriveNode::doubt_reference() noexcept {
-  if (!actuator_.reference.absolute_encoder) reference_.known = false;
+  if (!actuator_.reference.absolute_encoder) lose_reference("reference lost: it may have restarted");
+}
+
+void DriveNode::lose_reference(const char* why) noexcept {
+  if (reference_.known) reference_loss_ = why;
+  reference_.known = false;
 }
 
 std::int64_t DriveNode::encoder_counts() const noexcept {
@@ -127,6 +135,7 @@ std::int64_t DriveNode::encoder_counts() const noexcept {
 
 void DriveNode::set_reference(const Reference& reference) noexcept {
   reference_ = reference;
+  reference_loss_ = "";
   apart_ = false;
   cycles_apart_ = 0;
 }
@@ -140,7 +149,7 @@ void DriveNode::set_link_position(double measured_link_position_rad) noexcept {
   cycles_apart_ = apart ? cycles_apart_ + 1 : 0;
   if (cycles_apart_ < kApartCycles) return;
   apart_ = true;
-  reference_.known = false;
+  lose_reference("reference lost: encoders disagree");
 }
 
 bool DriveNode::powered() const noexcept {
@@ -226,7 +235,7 @@ void DriveNode::restart() noexcept {
   NodeLink::restart();
   power_ = PowerControl();
   power_state_ = PowerState::kUnknown;
-  tracker_.reset();
+  tracker_.resume();
   implausible_ = false;
   unconfirmed_us_ = 0;
   mode_display_known_ = false;

@@ -54,7 +54,8 @@ class DriveNode final : public NodeLink {
   bool accept_sample() noexcept override;
   void take_other(const CanFrame& frame) noexcept override;
   void on_operational(std::int64_t time_us) noexcept override;
-  void on_unasked_boot_up() noexcept override { doubt_reference(); }
+  void on_possible_restart() noexcept override { doubt_reference(); }
+  const char* note() const noexcept override { return reference_loss_; }
   bool step_background(std::int64_t time_us, canopen::SdoClient& sdo, CanFrame& out) noexcept override;
 
  private:
@@ -67,6 +68,7 @@ class DriveNode final : public NodeLink {
   Reading next_reading(std::int64_t time_us) noexcept;
   canopen::ObjectId object_of(Reading reading) const noexcept;
   void doubt_reference() noexcept;
+  void lose_reference(const char* why) noexcept;
   bool mode_confirmed() const noexcept;
   bool own_trouble(Trouble& out) const noexcept;
   cia402::PowerTarget target(SafetyLevel level, const ActuatorCommand& command) const noexcept;
@@ -78,6 +80,7 @@ class DriveNode final : public NodeLink {
   PowerControl power_;
   PositionTracker tracker_;
   Reference reference_;
+  const char* reference_loss_ = "";  ///< static text; "" since it was found
   DriveSample sample_;
   std::int64_t received_us_ = 0;
   bool sampled_ = false;

@@ -2,6 +2,7 @@
 
 #include <cstdarg>
 #include <cstdio>
+#include <cstring>
 
 namespace sprung {
 namespace {
@@ -47,9 +48,17 @@ NodeLink::NodeLink(const NodeSetup& setup, const IdentityConfig& identity, const
 void NodeLink::step(std::int64_t time_us, FrameBatch& out) noexcept {
   watch_heartbeat(time_us);
   CanFrame frame;
-  const bool send =
-      boot_.operational() ? step_background(time_us, sdo_, frame) : boot_.step(time_us, sdo_, frame);
+  const bool send = boot_.operational() ? step_background(time_us, sdo_, frame) : step_boot(time_us, frame);
   if (send) out.push(setup_.bus, frame);
+}
+
+/// One that has to be asked, or reset once more, may have been without supply.
+bool NodeLink::step_boot(std::int64_t time_us, CanFrame& out) noexcept {
+  const BootState before = boot_.state();
+  const bool send = boot_.step(time_us, sdo_, out);
+  const BootState now = boot_.state();
+  if (now != before && (now == BootState::kProbe || now == BootState::kReset)) on_possible_restart();
+  return send;
 }
 
 bool NodeLink::receive(const CanFrame& frame, std::int64_t time_us) noexcept {
@@ -78,12 +87,12 @@ void NodeLink::receive_heartbeat(const CanFrame& frame, std::int64_t time_us) no
 }
 
 void NodeLink::follow_unasked_state(NmtState state) noexcept {
-  if (state == NmtState::kBootUp && boot_.configuring()) ++health_.boot_ups;
-  if (!boot_.operational()) return;
-  if (state == NmtState::kBootUp) {
-    rebooted_ = true;
-    on_unasked_boot_up();
+  if (state == NmtState::kBootUp && boot_.configuring()) {
+    ++health_.boot_ups;
+    on_possible_restart();
   }
+  if (!boot_.operational()) return;
+  rebooted_ = rebooted_ || state == NmtState::kBootUp;
   // "Stopped" is one flipped bit away from "operational", the others are two and more: it needs a second witness. Another
   // device that is stopped and answers nothing disturbs nobody.
   const bool doubtful = state == NmtState::kStopped && !conflict_ && conflicts_.none();
@@ -264,6 +273,9 @@ void NodeLink::set_recovery_text(const char* format, ...) noexcept {
   va_start(arguments, format);
   std::vsnprintf(health_.recovery.data(), health_.recovery.size(), format, arguments);
   va_end(arguments);
+  if (*note() == 0) return;
+  const std::size_t used = std::strlen(health_.recovery.data());
+  std::snprintf(health_.recovery.data() + used, health_.recovery.size() - used, "; %s", note());
 }
 
 NodeHealth NodeLink::health() const noexcept {

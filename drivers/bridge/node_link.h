@@ -80,7 +80,10 @@ class NodeLink {
   virtual bool accept_sample() noexcept = 0;
   virtual void take_other(const CanFrame&) noexcept {}
   virtual void on_operational(std::int64_t) noexcept {}
-  virtual void on_unasked_boot_up() noexcept {}
+  /// Its supply may have been cut: it booted unasked, or a boot did not go straight through.
+  virtual void on_possible_restart() noexcept {}
+  /// Added to what a clear did to it; static text.
+  virtual const char* note() const noexcept { return ""; }
   virtual bool step_background(std::int64_t, canopen::SdoClient&, CanFrame&) noexcept { return false; }
 
   std::int64_t sync_us() const noexcept { return sync_us_; }
@@ -90,6 +93,7 @@ class NodeLink {
 
  private:
   void receive_heartbeat(const CanFrame& frame, std::int64_t time_us) noexcept;
+  bool step_boot(std::int64_t time_us, CanFrame& out) noexcept;
   void follow_unasked_state(canopen::NmtState state) noexcept;
   void receive_emergency(const CanFrame& frame) noexcept;
   bool receive_process_data(const CanFrame& frame, std::int64_t time_us) noexcept;

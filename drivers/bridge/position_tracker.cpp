@@ -10,6 +10,8 @@ constexpr double kTimeConstant_s =
     0.004;  // [design choice] 40 Hz: far above the pole of damping / armature, 20 rad/s
 constexpr double kSpeedFactor = 3.0;  // [design choice] over speed_limit: impacts are faster than commands
 constexpr double kQuanta = 2.0;       // each of two samples is off by up to one
+// [design choice] bits that flip on their way do not show one place so often in a row
+constexpr int kJumpSamples = 5;
 
 double seconds(std::int64_t time_us) noexcept { return 1e-6 * static_cast<double>(time_us); }
 
@@ -22,31 +24,41 @@ bool PositionTracker::can_follow(const Sample& before, double position_rad,
          kSpeedFactor * speed_limit_rad_s_ * longest_s + kQuanta * quantum_rad_;
 }
 
-bool PositionTracker::add(double measured_position_rad, std::int64_t sync_us,
-                          std::int64_t received_us) noexcept {
+Motion PositionTracker::add(double measured_position_rad, std::int64_t sync_us,
+                            std::int64_t received_us) noexcept {
   const Sample sample{measured_position_rad, sync_us, true};
-  if (!good_.known) {
-    good_ = sample;
-    return true;
-  }
-  if (!can_follow(good_, measured_position_rad, received_us)) {
-    const bool jumped = rejected_.known && can_follow(rejected_, measured_position_rad, received_us);
+  if (good_.known && !can_follow(good_, measured_position_rad, received_us)) {
+    const bool beside = rejected_.known && can_follow(rejected_, measured_position_rad, received_us);
     rejected_ = sample;
-    if (!jumped) return false;
+    rejected_beside_ = beside ? rejected_beside_ + 1 : 1;
+    if (rejected_beside_ < kJumpSamples) return Motion::kRejected;
+    forget_rejected();
     good_ = sample;
-    rejected_.known = false;
-    return true;
+    return Motion::kJumped;
   }
   const double step_rad = measured_position_rad - good_.position_rad;
   const double dt_s = seconds(sync_us - good_.sync_us);
+  const bool moves = good_.known && !resumed_ && dt_s > 0.0;
   good_ = sample;
-  rejected_.known = false;
-  if (!(dt_s > 0.0)) return true;
+  resumed_ = false;
+  forget_rejected();
+  if (!moves) return Motion::kGood;
   // A cycle that was sent late is shorter by its time stamps than it was.
   const double fastest_rad_s = kSpeedFactor * speed_limit_rad_s_;
   const double speed_rad_s = std::clamp(step_rad / dt_s, -fastest_rad_s, fastest_rad_s);
   velocity_rad_s_ += (speed_rad_s - velocity_rad_s_) * dt_s / (kTimeConstant_s + dt_s);
-  return true;
+  return Motion::kGood;
+}
+
+void PositionTracker::resume() noexcept {
+  velocity_rad_s_ = 0.0;
+  resumed_ = true;
+  forget_rejected();
+}
+
+void PositionTracker::forget_rejected() noexcept {
+  rejected_.known = false;
+  rejected_beside_ = 0;
 }
 
 }  // namespace sprung

@@ -6,6 +6,13 @@
 
 namespace sprung {
 
+/// What one more sample says.
+enum class Motion : std::int8_t {
+  kGood,
+  kRejected,  ///< further than anything turns: kept out
+  kJumped,    ///< the same place again and again, but not where it was: the position goes on from there
+};
+
 class PositionTracker {
  public:
   /// @param speed_limit_rad_s of the actuator; what moves several times faster is no measurement.
@@ -15,10 +22,11 @@ class PositionTracker {
 
   /// @param sync_us of the SYNC that sampled. @param received_us when the sample came in: it was taken between the
   /// two, so no more time than from the last good sample's SYNC until then can lie between the positions.
-  /// @return false when the step from the last good sample is implausible: the sample is kept out. A second one
-  /// beside the first shows that the position itself has jumped: it goes on from there, without a velocity from it.
-  bool add(double measured_position_rad, std::int64_t sync_us, std::int64_t received_us) noexcept;
-  void reset() noexcept { *this = PositionTracker(speed_limit_rad_s_, quantum_rad_); }
+  /// Several rejected samples in a row that follow one another show that the position itself has jumped; no velocity comes
+  /// from that.
+  Motion add(double measured_position_rad, std::int64_t sync_us, std::int64_t received_us) noexcept;
+  /// The drive begins anew: at rest, but where it was, as far as it cannot have turned in the meantime.
+  void resume() noexcept;
 
   double position_rad() const noexcept {
     return good_.position_rad;
@@ -32,12 +40,15 @@ class PositionTracker {
     bool known = false;
   };
   bool can_follow(const Sample& before, double position_rad, std::int64_t received_us) const noexcept;
+  void forget_rejected() noexcept;
 
   double speed_limit_rad_s_;
   double quantum_rad_;
   double velocity_rad_s_ = 0.0;
   Sample good_;
-  Sample rejected_;  ///< the last one, until a good one came
+  bool resumed_ = false;     ///< no good sample since resume()
+  Sample rejected_;          ///< the last one, until a good one came
+  int rejected_beside_ = 0;  ///< rejected samples in a row, each where the one before was
 };
 
 }  // namespace sprung

@@ -13,7 +13,8 @@ constexpr double kFarthest_rad = 0.036;
 class PositionTrackerTest : public ::testing::Test {
  protected:
   /// The sample of cycle k, received within it.
-  bool add(double position_rad, int k) { return tracker_.add(position_rad, 1000 * k, 1000 * k); }
+  bool add(double position_rad, int k) { return motion(position_rad, k) == Motion::kGood; }
+  Motion motion(double position_rad, int k) { return tracker_.add(position_rad, 1000 * k, 1000 * k); }
   /// A steady motion at 3 rad/s; @return cycles done.
   int move(int cycles) {
     for (int k = 0; k < cycles; ++k) EXPECT_TRUE(add(0.5 + 0.003 * k, k));
@@ -48,9 +49,9 @@ TEST_F(PositionTrackerTest, StepsUpToThriceTheSpeedLimitAreMotion) {
 
 TEST_F(PositionTrackerTest, CountsOfACoarseEncoderAreNoJump) {
   PositionTracker coarse(0.001, 0.01);
-  EXPECT_TRUE(coarse.add(0.0, 0, 0));
-  EXPECT_TRUE(coarse.add(0.02, 1000, 1000));
-  EXPECT_FALSE(coarse.add(0.05, 2000, 2000));
+  EXPECT_EQ(coarse.add(0.0, 0, 0), Motion::kGood);
+  EXPECT_EQ(coarse.add(0.02, 1000, 1000), Motion::kGood);
+  EXPECT_EQ(coarse.add(0.05, 2000, 2000), Motion::kRejected);
 }
 
 TEST_F(PositionTrackerTest, OneFlippedSampleTouchesNeitherPositionNorVelocity) {
@@ -63,13 +64,23 @@ TEST_F(PositionTrackerTest, OneFlippedSampleTouchesNeitherPositionNorVelocity) {
 }
 
 TEST_F(PositionTrackerTest, JumpThatStaysIsNewPositionWithoutNewVelocity) {
-  const int k = move(100);
-  EXPECT_FALSE(add(50.0, k));
-  EXPECT_TRUE(add(50.003, k + 1));
-  EXPECT_EQ(tracker_.position_rad(), 50.003);
+  int k = move(100);
+  for (int i = 0; i < 4; ++i, ++k) {
+    EXPECT_EQ(motion(50.0 + 0.003 * i, k), Motion::kRejected);
+    EXPECT_LT(tracker_.position_rad(), 1.0);
+  }
+  EXPECT_EQ(motion(50.012, k), Motion::kJumped);
+  EXPECT_EQ(tracker_.position_rad(), 50.012);
   EXPECT_NEAR(tracker_.filtered_velocity_rad_s(), 3.0, 1e-6);
-  EXPECT_TRUE(add(50.006, k + 2));
+  EXPECT_TRUE(add(50.015, k + 1));
   EXPECT_NEAR(tracker_.filtered_velocity_rad_s(), 3.0, 1e-6);
+}
+
+TEST_F(PositionTrackerTest, JumpThatDoesNotStayIsNone) {
+  int k = move(100);
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(motion(50.0, k++), Motion::kRejected);
+  EXPECT_TRUE(add(0.5 + 0.003 * k, k)) << "back where it was";
+  EXPECT_EQ(motion(50.0, k + 1), Motion::kRejected) << "counted anew";
 }
 
 TEST_F(PositionTrackerTest, SamplesThatJumpToAndFroAreAllRejected) {
@@ -80,16 +91,20 @@ TEST_F(PositionTrackerTest, SamplesThatJumpToAndFroAreAllRejected) {
 TEST_F(PositionTrackerTest, CycleThatWasSentLateIsNoJumpAndNoSpeed) {
   EXPECT_TRUE(add(0.0, 0));
   // SYNC of cycle 1 left 20 ms after its time stamp: the answer shows 21 ms of motion.
-  EXPECT_TRUE(tracker_.add(0.21, 1000, 21'000));
+  EXPECT_EQ(tracker_.add(0.21, 1000, 21'000), Motion::kGood);
   EXPECT_LE(tracker_.filtered_velocity_rad_s(), 3.0 * kSpeedLimit_rad_s * 0.2 + 1e-9);
-  EXPECT_FALSE(tracker_.add(1.5, 22'000, 22'100));
+  EXPECT_EQ(tracker_.add(1.5, 22'000, 22'100), Motion::kRejected);
 }
 
-TEST_F(PositionTrackerTest, ResetForgetsWhereItWas) {
-  move(10);
-  tracker_.reset();
+TEST_F(PositionTrackerTest, DriveThatBeginsAnewIsAtRestWhereItCanHaveTurned) {
+  move(100);
+  tracker_.resume();
   EXPECT_EQ(tracker_.filtered_velocity_rad_s(), 0.0);
-  EXPECT_TRUE(add(-50.0, 11));
+  EXPECT_TRUE(add(10.0, 1000)) << "0.9 s are long enough for that";
+  EXPECT_EQ(tracker_.filtered_velocity_rad_s(), 0.0) << "not a speed of the samples' gap";
+  tracker_.resume();
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(motion(-50.0, 1100 + i), Motion::kRejected);
+  EXPECT_EQ(motion(-50.0, 1104), Motion::kJumped);
 }
 
 }  // namespace

@@ -68,6 +68,11 @@ TEST(FaultReport, RowOutOfBoundsWhereTheCauseIsAnotherOrTheRobotStaysDown) {
   down.back = false;
   for (const FaultOutcome& bad : {late, other, down})
     EXPECT_FALSE(fault_report(robot, "best", 1, {bad}).ok());
+  // A robot that gets up although its reference must be lost is as wrong.
+  outcome.fault.back = false;
+  EXPECT_FALSE(fault_report(robot, "best", 1, {outcome}).ok());
+  outcome.back = false;
+  EXPECT_TRUE(fault_report(robot, "best", 1, {outcome}).ok());
 }
 
 TEST(FaultCounters, NamesWhatGrewAndNothingElse) {

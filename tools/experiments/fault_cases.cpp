@@ -23,7 +23,7 @@ std::vector<FaultCase> fault_cases(const RobotConfig& robot) {
       {Kind::kOverCurrent, false, 0.0, 0.5, Cause::kDriveFault, at_once_s},
       {Kind::kUnderVoltage, false, 0.0, 0.5, Cause::kDriveFault, at_once_s},
       {Kind::kOverTemperature, false, 0.0, 0.5, Cause::kDriveFault, at_once_s},
-      {Kind::kEncoderJump, false, 0.5, 0.5, Cause::kImplausible, at_once_s},
+      {Kind::kEncoderJump, false, 0.5, 0.5, Cause::kImplausible, at_once_s, false},
       {Kind::kEncoderStuck, false, 0.0, 0.5, Cause::kNone, kUnnoticed_s},
       {Kind::kEncoderNoise, false, 0.001, 0.5, Cause::kNone, kUnnoticed_s},
       {Kind::kCurrentOffset, false, 0.5, 0.5, Cause::kNone, kUnnoticed_s},

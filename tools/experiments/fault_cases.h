@@ -17,6 +17,8 @@ struct FaultCase {
       SafetyCause::kNone;  ///< that must be named; kNone = the robot goes on, the fault is only counted
   double within_s =
       0.0;  ///< from the fault to the reaction, or to the first count; NaN = the bus cannot show it
+  bool back =
+      true;  ///< `clear` and `stand` are enough; else a reference is lost and the joint gets no torque until `home`
 };
 
 /// Limits are worked out from the robot's cycle and watchdogs.

@@ -34,7 +34,8 @@ class FaultRun {
     if (!stand()) throw std::runtime_error("the robot did not stand up before the fault");
     strike();
     clear();
-    outcome_.back = outcome_.cleared && stand();
+    outcome_.referenced = all_referenced();
+    outcome_.back = outcome_.cleared && stand() && outcome_.referenced;
     return outcome_;
   }
 
@@ -53,6 +54,12 @@ class FaultRun {
     return command.request_id;
   }
   bool operational() const { return robot_.bridge().safety().level == SafetyLevel::kOperational; }
+  bool all_referenced() const {
+    bool all = true;
+    for (int i = 0; i < static_cast<int>(config_.actuators.size()); ++i)
+      all = all && robot_.bridge().reference(i).known;
+    return all;
+  }
   bool has_kinematics() const {
     return std::any_of(config_.legs.begin(), config_.legs.end(),
                        [](const LegConfig& leg) { return leg.kinematics != "none"; });
@@ -170,6 +177,7 @@ ExperimentReport fault_report(const RobotConfig& robot, const std::string& prese
   for (const FaultOutcome& outcome : outcomes) {
     const std::string prefix = "faults." + case_name(outcome) + ".";
     const double reached = outcome.cause == outcome.fault.cause ? 1.0 : 0.0;
+    const double expected_back = outcome.fault.back ? 1.0 : 0.0;
     ReportRow detection{prefix + "detection", "ms",         1e3 * outcome.detected_s,
                         std::nullopt,         std::nullopt, std::nullopt};
     if (!std::isnan(outcome.fault.within_s)) detection.high = 1e3 * outcome.fault.within_s;
@@ -177,8 +185,8 @@ ExperimentReport fault_report(const RobotConfig& robot, const std::string& prese
     report.rows.push_back({prefix + "cause_as_expected", "", reached, std::nullopt, 1.0, 1.0});
     report.rows.push_back(
         {prefix + "torque_off", "ms", 1e3 * outcome.torque_off_s, std::nullopt, std::nullopt, std::nullopt});
-    report.rows.push_back(
-        {prefix + "back_after_clear", "", outcome.back ? 1.0 : 0.0, std::nullopt, 1.0, 1.0});
+    report.rows.push_back({prefix + "back_after_clear", "", outcome.back ? 1.0 : 0.0, std::nullopt,
+                           expected_back, expected_back});
   }
   return report;
 }
@@ -195,7 +203,11 @@ std::string fault_table(const std::vector<FaultOutcome>& outcomes) {
              : o.counted.empty() ? "none: not seen on the bus"
                                  : "none: counted only") +
             " | " + name(o.worst) + " | " + milliseconds(reacted ? o.torque_off_s : kNaN) + " | " +
-            o.counted + " | " + o.recovery + " | " + (o.back ? "yes" : "no") + " |\n";
+            o.counted + " | " + o.recovery + " | " +
+            (o.back          ? "yes"
+             : !o.referenced ? "no: not referenced"
+                             : "no") +
+            " |\n";
   }
   return text;
 }

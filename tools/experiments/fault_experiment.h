@@ -22,7 +22,8 @@ struct FaultOutcome {
   bool cleared = false;        ///< `clear` ended with done (also where nothing was latched)
   double clear_s = kNaN;       ///< that it took
   std::string recovery;        ///< what it did to the node, or why it failed
-  bool back = false;           ///< stands again, or is ready where there are no legs
+  bool referenced = true;      ///< every actuator, after the clear
+  bool back = false;  ///< stands again with every actuator referenced, or is ready where there are no legs
 };
 
 /// @throws std::runtime_error where the robot does not even get up before the fault.
