@@ -97,7 +97,9 @@ class RealTimeBridge {
     if (!facts) return;
     const int nodes = count_nodes(process_.robot(), bus);
     const int frames_per_cycle = 2 + 2 * nodes;  // SYNC, heartbeat, and set-point and control word for each
-    for (const std::string& advice : interface_advice(*facts, frames_per_cycle)) log_warn(advice);
+    const int bit_rate = static_cast<int>(std::lround(process_.robot().bit_rate_bit_s));
+    check_bit_rate(*facts, bit_rate);
+    for (const std::string& advice : interface_advice(*facts, frames_per_cycle, bit_rate)) log_warn(advice);
     if (facts->bit_rate == 0) return;
     const double wire_us = 1e6 * (kSync_bits + kAnswer_bits * nodes) / facts->bit_rate;
     wire_us_ = std::max(wire_us_, static_cast<std::int64_t>(wire_us));

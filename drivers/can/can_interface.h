@@ -19,8 +19,12 @@ struct InterfaceFacts {
 
 /// What people should know before the robot moves, one sentence each with the command that mends it; nothing when all is well.
 /// @param frames_per_cycle that one bus gets at once. A long queue is wrong too: a set-point that waits in it is worse than one that
-/// is lost (facts canopen 5).
-std::vector<std::string> interface_advice(const InterfaceFacts& facts, int frames_per_cycle);
+/// is lost (facts canopen 5). @param bit_rate that the robot asks for, bit/s.
+std::vector<std::string> interface_advice(const InterfaceFacts& facts, int frames_per_cycle, int bit_rate);
+
+/// A controller at another rate than its bus disturbs everybody on it, and the bus load was reckoned for the robot's own. A rate that is not known
+/// (not set yet, vcan, slcan) is left to interface_advice(). @throws std::invalid_argument when it is another one.
+void check_bit_rate(const InterfaceFacts& facts, int bit_rate);
 
 /// @param json of `ip -details -json link show dev NAME`. Nothing when that is no CAN interface.
 std::optional<InterfaceFacts> parse_interface(const std::string& json);

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
 namespace sprung {
 namespace {
 
@@ -10,6 +12,8 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+
+constexpr int kRate = 1'000'000;  // bit/s
 
 InterfaceFacts good() {
   InterfaceFacts facts;
@@ -23,45 +27,87 @@ InterfaceFacts good() {
   return facts;
 }
 
-TEST(InterfaceAdvice, TypicalSetUpNeedsNone) { EXPECT_THAT(interface_advice(good(), 12), IsEmpty()); }
+TEST(InterfaceAdvice, TypicalSetUpNeedsNone) { EXPECT_THAT(interface_advice(good(), 12, kRate), IsEmpty()); }
 
 TEST(InterfaceAdvice, LongQueueKeepsOldSetPoints) {
   InterfaceFacts facts = good();
   facts.queue_length = 64;
-  EXPECT_THAT(interface_advice(facts, 12), IsEmpty());
+  EXPECT_THAT(interface_advice(facts, 12, kRate), IsEmpty());
   facts.queue_length = 65;
-  EXPECT_THAT(interface_advice(facts, 12),
+  EXPECT_THAT(interface_advice(facts, 12, kRate),
               ElementsAre(AllOf(HasSubstr("65"), HasSubstr("ip link set can0 txqueuelen 32"))));
 }
 
 TEST(InterfaceAdvice, QueueMustHoldACycle) {
   InterfaceFacts facts = good();
   facts.queue_length = 12;
-  EXPECT_THAT(interface_advice(facts, 12), IsEmpty());
+  EXPECT_THAT(interface_advice(facts, 12, kRate), IsEmpty());
   facts.queue_length = 11;
-  EXPECT_THAT(interface_advice(facts, 12), ElementsAre(AllOf(HasSubstr("11"), HasSubstr("12"))));
+  EXPECT_THAT(interface_advice(facts, 12, kRate), ElementsAre(AllOf(HasSubstr("11"), HasSubstr("12"))));
 }
 
 TEST(InterfaceAdvice, BusOffMustNotBeForGood) {
   InterfaceFacts facts = good();
   facts.restart_ms = 0;
-  EXPECT_THAT(interface_advice(facts, 12), ElementsAre(HasSubstr("restart-ms 100")));
+  EXPECT_THAT(interface_advice(facts, 12, kRate), ElementsAre(HasSubstr("restart-ms 100")));
 }
 
 TEST(InterfaceAdvice, OtherBitRatesAreNamed) {
   InterfaceFacts facts = good();
   facts.bit_rate = 500'000;
-  EXPECT_THAT(interface_advice(facts, 12),
+  EXPECT_THAT(interface_advice(facts, 12, kRate),
               ElementsAre(AllOf(HasSubstr("500000"), HasSubstr("bitrate 1000000"))));
+}
+
+TEST(InterfaceAdvice, RightBitRateIsTheRobots) {
+  InterfaceFacts facts = good();
+  facts.bit_rate = 500'000;
+  EXPECT_THAT(interface_advice(facts, 12, 500'000), IsEmpty());
+  EXPECT_THAT(interface_advice(good(), 12, 500'000),
+              ElementsAre(AllOf(HasSubstr("1000000, not 500000"), HasSubstr("bitrate 500000"))));
+}
+
+std::string refusal(const InterfaceFacts& facts, int bit_rate) {
+  try {
+    check_bit_rate(facts, bit_rate);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "nothing was refused";
+}
+
+TEST(CheckBitRate, AnotherOneThanTheRobotsIsRefusedWithBothRemedies) {
+  EXPECT_EQ(refusal(good(), kRate), "nothing was refused");
+  EXPECT_THAT(refusal(good(), 500'000),
+              AllOf(HasSubstr("can0: bit rate is 1000000, not 500000"), HasSubstr("bit_rate")));
+}
+
+// 800 kbit/s of an 8 MHz clock come out exact, of others not quite; the kernel tells what it could set.
+TEST(CheckBitRate, RoundingOfTheControllersClockIsNoDifference) {
+  InterfaceFacts facts = good();
+  facts.bit_rate = 803'571;
+  EXPECT_EQ(refusal(facts, 800'000), "nothing was refused");
+  EXPECT_THAT(interface_advice(facts, 12, 800'000), IsEmpty());
+  facts.bit_rate = 820'000;
+  EXPECT_THAT(refusal(facts, 800'000), HasSubstr("820000, not 800000"));
+}
+
+TEST(CheckBitRate, WhatIsNotKnownIsOnlyWarnedOf) {
+  InterfaceFacts facts = good();
+  facts.bit_rate = 0;
+  EXPECT_EQ(refusal(facts, kRate), "nothing was refused");
+  EXPECT_THAT(interface_advice(facts, 12, kRate), ElementsAre(HasSubstr("bitrate 1000000")));
+  facts.kind = "vcan";
+  EXPECT_EQ(refusal(facts, kRate), "nothing was refused");
 }
 
 TEST(InterfaceAdvice, ControllerInTroubleIsNamedOnlyWhenUp) {
   InterfaceFacts facts = good();
   facts.state = "BUS-OFF";
-  EXPECT_THAT(interface_advice(facts, 12), ElementsAre(HasSubstr("BUS-OFF")));
+  EXPECT_THAT(interface_advice(facts, 12, kRate), ElementsAre(HasSubstr("BUS-OFF")));
   facts.state = "STOPPED";
   facts.up = false;
-  EXPECT_THAT(interface_advice(facts, 12), ElementsAre(HasSubstr("ip link set can0 up")));
+  EXPECT_THAT(interface_advice(facts, 12, kRate), ElementsAre(HasSubstr("ip link set can0 up")));
 }
 
 TEST(InterfaceAdvice, VirtualInterfaceOnlyHasToBeUp) {
@@ -70,9 +116,9 @@ TEST(InterfaceAdvice, VirtualInterfaceOnlyHasToBeUp) {
   facts.kind = "vcan";
   facts.queue_length = 1000;
   facts.up = true;
-  EXPECT_THAT(interface_advice(facts, 12), IsEmpty());
+  EXPECT_THAT(interface_advice(facts, 12, kRate), IsEmpty());
   facts.up = false;
-  EXPECT_THAT(interface_advice(facts, 12), ElementsAre(HasSubstr("ip link set vcan0 up")));
+  EXPECT_THAT(interface_advice(facts, 12, kRate), ElementsAre(HasSubstr("ip link set vcan0 up")));
 }
 
 // As iproute2 6.1 printed them for an emulated SJA1000 and a vcan (tests/vm), shortened.

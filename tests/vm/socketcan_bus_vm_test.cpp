@@ -258,7 +258,7 @@ TEST(CanInterface, VirtualInterfaceIsReadAndNeedsNoAdvice) {
   ASSERT_TRUE(facts);
   EXPECT_EQ(facts->kind, "vcan");
   EXPECT_EQ(facts->queue_length, 32);
-  EXPECT_THAT(interface_advice(*facts, 12), testing::IsEmpty());
+  EXPECT_THAT(interface_advice(*facts, 12, 1'000'000), testing::IsEmpty());
 }
 
 /// qemu's two SJA1000 on one bus, left alone until here.
@@ -278,10 +278,10 @@ TEST_F(Sja1000, BitRateRestartTimeAndStateAreReadByNetlink) {
   EXPECT_EQ(good->state, "ERROR-ACTIVE");
   EXPECT_EQ(good->bit_rate, 1'000'000);
   EXPECT_EQ(good->restart_ms, 100);
-  EXPECT_THAT(interface_advice(*good, 12), testing::IsEmpty());
+  EXPECT_THAT(interface_advice(*good, 12, 1'000'000), testing::IsEmpty());
   const std::optional<InterfaceFacts> bad = read_interface("socketcan:sja1");
   ASSERT_TRUE(bad);
-  EXPECT_THAT(interface_advice(*bad, 12),
+  EXPECT_THAT(interface_advice(*bad, 12, 1'000'000),
               testing::ElementsAre(testing::HasSubstr("500000"), testing::HasSubstr("restart-ms"),
                                    testing::HasSubstr("100 frames")));
 }
