@@ -1,14 +1,21 @@
 #include "drivers/bridge/reference_store_shell.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
 #include <cinttypes>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <limits>
 
 #include "robots/robot_loader.h"
 #include "robots/yaml_reader.h"
+#include "runtime/log.h"
 
 namespace sprung {
 
@@ -25,12 +32,61 @@ std::string printed(const char* format, Values... values) {
   return line;
 }
 
-/// All that the meaning of a count hangs on.
+std::string link_encoder_of(const RobotConfig& robot, const LinkEncoderConfig& e) {
+  if (e.card < 0) return "no link encoder";
+  const auto card = static_cast<std::size_t>(e.card);
+  const std::string name = card < robot.encoder_cards.size() ? robot.encoder_cards[card].name : "card";
+  return printed("link encoder %s channel %d %.9g counts direction %+g offset %.9g", name.c_str(), e.channel,
+                 e.counts_per_turn, e.direction, e.offset_rad);
+}
+
+/// All that the meaning of a count and of a stored zero hangs on, parts with commas between.
 std::string device_of(const RobotConfig& robot, const ActuatorConfig& a) {
   const std::string& bus = robot.buses[static_cast<std::size_t>(a.bus)].name;
-  return printed("%s node %d, %s 0x%X 0x%X 0x%X, gear %.9g, %.9g counts, direction %+g", bus.c_str(), a.node,
-                 a.profile.c_str(), a.identity.vendor, a.identity.product, a.identity.serial, a.gear_ratio,
-                 a.encoder_counts_per_turn, a.direction);
+  const ReferenceConfig& r = a.reference;
+  return printed("%s node %d, %s 0x%X 0x%X 0x%X, gear %.9g, %.9g counts, direction %+g, offset %.9g",
+                 bus.c_str(), a.node, a.profile.c_str(), a.identity.vendor, a.identity.product,
+                 a.identity.serial, a.gear_ratio, a.encoder_counts_per_turn, a.direction, a.offset_rad) +
+         printed(", method %d jig %.9g index %.9g, ", static_cast<int>(r.method), r.jig_position_rad,
+                 r.index_position_rad) +
+         link_encoder_of(robot, a.link_encoder);
+}
+
+/// Up to the next comma; cut off `text`.
+std::string next_part(std::string& text) {
+  const std::size_t end = std::min(text.find(", "), text.size());
+  const std::string part = text.substr(0, end);
+  text.erase(0, end + 2);
+  return part;
+}
+
+/// "'gear 100' then, 'gear 50' now", of the parts that differ.
+std::string difference(std::string then, std::string now) {
+  std::string text;
+  while (!then.empty() || !now.empty()) {
+    const std::string before = next_part(then);
+    const std::string after = next_part(now);
+    if (before == after) continue;
+    text += (text.empty() ? "'" : "; '") + before + "' then, '" + after + "' now";
+  }
+  return text;
+}
+
+/// Until it is on the disk. @throws std::runtime_error with the reason.
+void sync_to_disk(const std::string& path, int flags) {
+  const int file = ::open(path.c_str(), flags | O_CLOEXEC);
+  const bool synced = file >= 0 && ::fsync(file) == 0;
+  const std::string reason = std::strerror(errno);
+  if (file >= 0) ::close(file);
+  if (!synced) throw std::runtime_error(reason);
+}
+
+void write_file(const std::string& path, const std::string& text) {
+  std::ofstream out(path);
+  out << text << std::flush;
+  if (!out.good()) throw std::runtime_error(std::strerror(errno));
+  out.close();
+  sync_to_disk(path, O_WRONLY);
 }
 
 ReferenceSource read_source(const YamlMap& map) {
@@ -59,6 +115,10 @@ ReferenceStore::ReferenceStore(std::string path, const RobotConfig& robot)
   } catch (const ConfigError& error) {
     throw ConfigError(std::string(error.what()) +
                       "; no zero of this file is used: delete it, then sprung home");
+  }
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    const std::string why = why_not_used(i);
+    if (!why.empty()) log_warn(why);
   }
 }
 
@@ -95,6 +155,16 @@ std::optional<Reference> ReferenceStore::good_for(std::size_t actuator) const {
   return Reference{entry->offset_rad, true, entry->source};
 }
 
+std::string ReferenceStore::why_not_used(std::size_t actuator) const {
+  const std::optional<Entry>& entry = entries_[actuator];
+  if (!entry || good_for(actuator)) return "";
+  const ActuatorConfig& config = robot_.actuators[actuator];
+  const std::string why = config.reference.absolute_encoder
+                              ? difference(entry->device, device_of(robot_, config))
+                              : "an incremental encoder forgets it without power";
+  return config.name + ": the zero of " + entry->date_utc + " is not used: " + why + "; sprung home";
+}
+
 void ReferenceStore::record(std::size_t actuator, const Reference& reference, std::int64_t counts,
                             const std::string& date_utc) {
   entries_[actuator] = Entry{date_utc, device_of(robot_, robot_.actuators[actuator]), reference.source,
@@ -117,16 +187,16 @@ std::string ReferenceStore::text() const {
 
 void ReferenceStore::save() const {
   const std::string fresh = path_ + ".new";
-  std::error_code error;
-  fs::create_directories(fs::path(path_).parent_path(), error);
-  std::ofstream out(fresh);
-  out << text() << std::flush;
-  const bool written = out.good();
-  out.close();
-  if (written) fs::rename(fresh, path_, error);
-  if (!written || error) {
+  const std::string folder = fs::path(path_).parent_path().string();
+  std::error_code ignored;
+  fs::create_directories(folder, ignored);
+  try {
+    write_file(fresh, text());
+    fs::rename(fresh, path_);
+    sync_to_disk(folder.empty() ? "." : folder, O_RDONLY | O_DIRECTORY);
+  } catch (const std::exception& error) {
     throw std::runtime_error(
-        path_ + ": the references cannot be stored" + (error ? ": " + error.message() : std::string()) +
+        path_ + ": the references cannot be stored: " + error.what() +
         "; they hold until the bridge ends. Is the folder writable ($SPRUNG_STATE_DIR)?");
   }
 }

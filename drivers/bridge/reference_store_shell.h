@@ -1,7 +1,7 @@
 #pragma once
 /// Zeros that `sprung home` found, kept over a restart: one YAML file a robot. Only an absolute motor encoder keeps its count
-/// without power, so only such an actuator gets its stored zero back, and only when drive, node and gear are still the ones it
-/// was found with. Not for the loop.
+/// without power, so only such an actuator gets its stored zero back, and only when everything that it hangs on still stands in
+/// robot.yaml as it did then. A drive that was swapped is noticed only where robot.yaml names serials. Not for the loop.
 ///
 ///   robot: pegasus
 ///   robot_hash: 1234            # of robot.yaml, for the record
@@ -11,7 +11,7 @@
 ///       method: link
 ///       offset: 0.1234 rad      # actuator position = encoder position + offset
 ///       counts: 4321            # encoder counts then, for the record
-///       device: ...             # bus, node, profile, identity, gear, encoder
+///       device: ...             # bus, node, profile, identity, gear, encoders, offset, reference
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -28,12 +28,14 @@ std::string reference_file(const std::string& robot, bool simulation);
 
 class ReferenceStore {
  public:
-  /// Reads the file; none is no mistake.
+  /// Reads the file; none is no mistake. Says in the log which of its zeros are not used.
   /// @throws ConfigError naming file, line, mistake and remedy. Nothing is restored then.
   ReferenceStore(std::string path, const RobotConfig& robot);
 
   /// @return the zero to restore, if there is a good one.
   std::optional<Reference> good_for(std::size_t actuator) const;
+  /// "" when the stored zero is used, or there is none.
+  std::string why_not_used(std::size_t actuator) const;
   void record(std::size_t actuator, const Reference& reference, std::int64_t counts,
               const std::string& date_utc);
   /// Writes a new file and puts it in the old one's place, so that a power cut leaves one of the two.

@@ -1,5 +1,3 @@
-#include "drivers/bridge/reference_store_shell.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -8,13 +6,23 @@
 #include <filesystem>
 #include <fstream>
 
+#include "drivers/bridge/reference_store_shell.h"
 #include "robots/robot_loader.h"
 #include "tests/support/bridge_bench.h"
 
 namespace sprung {
 namespace {
 
+using ::testing::AllOf;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
+
+std::vector<std::string> synced;  ///< what save() told the kernel to keep over a power cut, in order
+
+std::string path_of(int fd) {
+  return std::filesystem::read_symlink("/proc/self/fd/" + std::to_string(fd)).filename().string();
+}
 
 class ReferenceStoreTest : public ::testing::Test {
  protected:
@@ -93,6 +101,48 @@ TEST_F(ReferenceStoreTest, AnotherDriveNodeOrGearGetsNothingBack) {
   EXPECT_TRUE(ReferenceStore(path_, robot_).good_for(1)) << "what does not touch the count does not matter";
 }
 
+TEST_F(ReferenceStoreTest, ZeroFoundForOtherNumbersOfRobotYamlIsNotUsed) {
+  robot_.actuators[1].link_encoder = {0, 1, 1048576.0, 1.0, 0.1};
+  store_knee();
+  const RobotConfig same = robot_;
+  const auto refused = [&](const auto& change) {
+    robot_ = same;
+    change(robot_.actuators[1]);
+    return !ReferenceStore(path_, robot_).good_for(1);
+  };
+  EXPECT_FALSE(refused([](ActuatorConfig&) {}));
+  EXPECT_TRUE(refused([](ActuatorConfig& a) { a.offset_rad += 0.01; })) << "somebody has measured it anew";
+  EXPECT_TRUE(refused([](ActuatorConfig& a) { a.link_encoder.offset_rad += 0.01; }));
+  EXPECT_TRUE(refused([](ActuatorConfig& a) { a.link_encoder.direction = -1.0; }));
+  EXPECT_TRUE(refused([](ActuatorConfig& a) { a.link_encoder.channel = 2; }));
+  EXPECT_TRUE(refused([](ActuatorConfig& a) { a.link_encoder.card = -1; }));
+  EXPECT_TRUE(refused([](ActuatorConfig& a) { a.link_encoder.counts_per_turn *= 2; }));
+  EXPECT_TRUE(refused([](ActuatorConfig& a) { a.reference.method = ReferenceMethod::kIndex; }));
+  EXPECT_TRUE(refused([](ActuatorConfig& a) { a.reference.jig_position_rad += 0.01; }));
+  EXPECT_TRUE(refused([](ActuatorConfig& a) { a.reference.index_position_rad += 0.01; }));
+  robot_ = same;
+}
+
+TEST_F(ReferenceStoreTest, SaysWhyAStoredZeroIsNotUsed) {
+  store_knee();
+  EXPECT_EQ(ReferenceStore(path_, robot_).why_not_used(0), "") << "nothing is stored";
+  EXPECT_EQ(ReferenceStore(path_, robot_).why_not_used(1), "") << "it is used";
+  const std::string knee = robot_.actuators[1].name;
+  robot_.actuators[1].offset_rad = 0.25;
+  EXPECT_THAT(ReferenceStore(path_, robot_).why_not_used(1),
+              AllOf(HasSubstr(knee), HasSubstr("2026-11-21"), HasSubstr("'offset 0.1'"),
+                    HasSubstr("'offset 0.25'"), Not(HasSubstr("gear")), HasSubstr("sprung home")));
+  robot_.actuators[1].reference.absolute_encoder = false;
+  EXPECT_THAT(ReferenceStore(path_, robot_).why_not_used(1), HasSubstr("incremental"));
+}
+
+// Without it a power cut leaves an empty file under the new name.
+TEST_F(ReferenceStoreTest, FileIsOnDiskBeforeItTakesTheOldOnesPlaceAndTheFolderAfter) {
+  synced.clear();
+  store_knee();
+  EXPECT_THAT(synced, ElementsAre("two_drives.reference.yaml.new", "deeper"));
+}
+
 TEST_F(ReferenceStoreTest, BadFileIsNamedWithLineAndRemedy) {
   store_knee();
   std::string text = contents();
@@ -134,3 +184,9 @@ TEST(ReferenceFile, SimulatedRobotHasItsOwnFile) {
 
 }  // namespace
 }  // namespace sprung
+
+/// In the place of the C library's.
+extern "C" int fsync(int fd) {
+  sprung::synced.push_back(sprung::path_of(fd));
+  return 0;
+}
