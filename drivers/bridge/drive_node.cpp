@@ -145,7 +145,9 @@ void DriveNode::set_link_position(double measured_link_position_rad) noexcept {
   const bool comparable =
       reference_.known && answered() && !implausible_ && std::isfinite(measured_link_position_rad);
   if (!comparable) return;
-  const bool apart = std::abs(measured_link_position_rad - measured_position_rad()) > kApart_rad;
+  const double difference_rad =
+      std::remainder(measured_link_position_rad - measured_position_rad(), 2.0 * kPi);
+  const bool apart = std::abs(difference_rad) > kApart_rad;
   cycles_apart_ = apart ? cycles_apart_ + 1 : 0;
   if (cycles_apart_ < kApartCycles) return;
   apart_ = true;
@@ -286,7 +288,8 @@ DriveSetpoint DriveNode::setpoint(SafetyLevel level, const ActuatorCommand& comm
 
 void DriveNode::emit(std::int64_t time_us, SafetyLevel level, const ActuatorCommand& command,
                      FrameBatch& out) noexcept {
-  if (!boot().operational()) return;
+  // A drive that has restarted has its default mapping: our set-point would be its control word.
+  if (!boot().operational() || gone()) return;
   DriveSetpoint now = setpoint(level, command);
   now.commanded_position_rad -= reference_.offset_rad;
   sent_mode_ = now.mode;

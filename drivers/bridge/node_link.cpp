@@ -1,5 +1,6 @@
 #include "drivers/bridge/node_link.h"
 
+#include <algorithm>
 #include <cstdarg>
 #include <cstdio>
 #include <cstring>
@@ -15,6 +16,7 @@ constexpr std::int64_t kStampError_us = 200;  // [design choice] between the ker
 constexpr int kConflictsOfTwo = 3;            // [design choice] of ten cycles
 constexpr int kMostOwed =
     64;  // [design choice] SYNCs whose answers may still come; more would hide a second device for long
+constexpr int kDebtsExpire = 10;               // [design choice] cycles in a row that were answered in time
 constexpr int kContradictionsOfTwo = 2;        // [design choice] one may have been on its way
 constexpr double kContradictionsFade = 20.0;   // [design choice] heartbeats
 constexpr double kHeartbeatsOnTheirWay = 2.0;  // sent before NMT start, they lose arbitration to samples
@@ -22,6 +24,8 @@ constexpr double kHeartbeatsOnTheirWay = 2.0;  // sent before NMT start, they lo
 const char* left_text(NmtState state) noexcept {
   return state == NmtState::kBootUp ? "it has restarted" : canopen::nmt_text(state);
 }
+
+bool is_communication_fault(int code) noexcept { return (code & 0xFF00) == 0x8100 || code == 0x8210; }
 
 double seconds(std::int64_t time_us) noexcept { return 1e-6 * static_cast<double>(time_us); }
 
@@ -79,8 +83,9 @@ void NodeLink::receive_heartbeat(const CanFrame& frame, std::int64_t time_us) no
   const bool overtaken =
       boot_.operational() && state == NmtState::kPreOperational &&
       seconds(time_us - operational_us_) < kHeartbeatsOnTheirWay * setup_.watchdogs.heartbeat_s;
-  heartbeat_us_ = time_us;
-  if (overtaken || state == NmtState::kUnknown) return;
+  if (state == NmtState::kUnknown) return;  // e.g. another tool's guard request: not the node's word
+  heartbeat_us_ = std::max(heartbeat_us_, time_us);
+  if (overtaken) return;
   follow_unasked_state(state);
   nmt_state_ = state;
   boot_.on_heartbeat(state, time_us);
@@ -116,9 +121,11 @@ void NodeLink::receive_emergency(const CanFrame& frame) noexcept {
   canopen::Emergency emergency;
   if (!canopen::decode_emergency(frame, emergency)) return;
   health_.error_register = emergency.error_register;
-  emergency_withdrawn_ = emergency.code == 0;
-  if (emergency_withdrawn_) return;
+  // "No error" beside a register that is not 0: one of several is gone (facts canopen 1.5).
+  emergency_withdrawn_ = emergency.code == 0 && emergency.error_register == 0;
+  if (emergency.code == 0) return;
   emergency_ = emergency;
+  communication_fault_ = communication_fault_ || is_communication_fault(emergency.code);
   emergency_seen_ = false;
   ++health_.emergencies;
   health_.last_emergency_code = emergency.code;
@@ -144,7 +151,7 @@ bool NodeLink::receive_process_data(const CanFrame& frame, std::int64_t time_us)
 void NodeLink::receive_sample(const CanFrame& frame, std::int64_t time_us) noexcept {
   confirm_operational(time_us);
   if (answered_) {
-    second_answer(frame, time_us);
+    second_answer(frame);
     return;
   }
   const bool late = !sampling_ || time_us < sync_us_ - kStampError_us;
@@ -159,15 +166,14 @@ void NodeLink::receive_sample(const CanFrame& frame, std::int64_t time_us) noexc
 }
 
 /// A frame that the bus repeats is harmless. One that differs answers an earlier SYNC, as long as such an answer is owed: a device
-/// that stalls pays late, but never twice. Beyond that there is another device.
-void NodeLink::second_answer(const CanFrame& frame, std::int64_t time_us) noexcept {
+/// that stalls pays late, but never twice. Beyond that there is another device. The first one came in time by its stamp and
+/// stays the sample: the second might be the other device's.
+void NodeLink::second_answer(const CanFrame& frame) noexcept {
   if (frame == answer_) {
     ++health_.duplicate_samples;
   } else if (owed_ > 0) {
-    ++health_.late_samples;  // the first one was
+    ++health_.late_samples;
     --owed_;
-    answer_ = frame;
-    take_sample(frame, time_us, false);
   } else {
     ++health_.duplicate_samples;
     conflict_ = true;
@@ -194,12 +200,14 @@ void NodeLink::begin_sampling(std::int64_t sync_us) noexcept {
   answered_ = false;
   sampling_ = true;
   if (boot_.operational() && owed_ < kMostOwed) ++owed_;
-  if (emergency_withdrawn_ && emergency_seen_) emergency_ = {};
+  if (emergency_withdrawn_ && emergency_seen_) forget_emergency();
 }
 
 void NodeLink::end_sampling() noexcept {
   sampling_ = false;
   const bool good = answered_ && accept_sample();
+  punctual_cycles_ = answered_ ? punctual_cycles_ + 1 : 0;
+  if (punctual_cycles_ >= kDebtsExpire) owed_ = 0;
   age_cycles_ = good ? 0 : age_cycles_ + 1;
   if (!good && boot_.operational()) ++health_.missing_samples;
   judge_contradiction();
@@ -216,13 +224,16 @@ bool NodeLink::lost(std::int64_t time_us) const noexcept {
          heartbeat_missing(time_us);
 }
 
+bool NodeLink::gone() const noexcept {
+  return (nmt_state_ != NmtState::kOperational || rebooted_) && age_cycles_ > 0;
+}
+
 bool NodeLink::heartbeat_missing(std::int64_t time_us) const noexcept {
   return seconds(time_us - heartbeat_us_) > setup_.watchdogs.drive_heartbeat_s;
 }
 
 bool NodeLink::trouble(std::int64_t time_us, bool ignore_faults, Trouble& out) const noexcept {
   const char* who = setup_.name.c_str();
-  const bool left = (nmt_state_ != NmtState::kOperational || rebooted_) && age_cycles_ > 0;
   out.cause = SafetyCause::kDriveSilent;
   if (duplicate_) {
     out.cause = SafetyCause::kDuplicateNode;
@@ -232,7 +243,7 @@ bool NodeLink::trouble(std::int64_t time_us, bool ignore_faults, Trouble& out) c
     out.cause = SafetyCause::kDriveFault;
     print(out.detail, "%s: fault 0x%04X (%s)", who, emergency_.code,
           canopen::emergency_text(emergency_.code));
-  } else if (left) {
+  } else if (gone()) {
     print(out.detail, "%s: no longer operational: %s", who,
           left_text(rebooted_ ? NmtState::kBootUp : nmt_state_));
   } else if (silent()) {
@@ -247,25 +258,28 @@ bool NodeLink::trouble(std::int64_t time_us, bool ignore_faults, Trouble& out) c
 
 /// Without a power state machine only a reset of the communication helps: see needs_restart().
 void NodeLink::reset_faults(bool reset) noexcept {
-  if (reset) emergency_ = {};
+  if (reset) forget_emergency();
+}
+
+void NodeLink::forget_emergency() noexcept {
+  emergency_ = {};
+  communication_fault_ = false;
 }
 
 void NodeLink::restart() noexcept {
   boot_.restart();
   sdo_.finish();
-  emergency_ = {};
+  forget_emergency();
   conflicts_.reset();
   conflict_ = duplicate_ = rebooted_ = heartbeat_lost_ = false;
   left_ = false;
   contradictions_ = 0;
-  age_cycles_ = owed_ = 0;
+  age_cycles_ = owed_ = punctual_cycles_ = 0;
   bus_loss_ = "";
 }
 
 bool NodeLink::needs_restart(std::int64_t time_us) const noexcept {
-  const int code = emergency_.code;
-  const bool communication_fault = (code & 0xFF00) == 0x8100 || code == 0x8210;
-  return lost(time_us) || silent() || duplicate_ || communication_fault || *bus_loss_ != 0;
+  return lost(time_us) || silent() || duplicate_ || communication_fault_ || *bus_loss_ != 0;
 }
 
 void NodeLink::set_recovery_text(const char* format, ...) noexcept {

@@ -63,6 +63,8 @@ class NodeLink {
   int age_cycles() const noexcept { return age_cycles_; }
   bool silent() const noexcept { return age_cycles_ > setup_.watchdogs.silent_cycles; }
   bool lost(std::int64_t time_us) const noexcept;  ///< not operational any more, or no heartbeat
+  /// It says that it is not operational, and does not answer. One that says so and answers is two devices.
+  bool gone() const noexcept;
   bool heartbeat_missing(std::int64_t time_us) const noexcept;
   bool rebooted() const noexcept { return rebooted_; }  ///< by itself, since the last restart()
   bool duplicate() const noexcept { return duplicate_; }
@@ -96,9 +98,10 @@ class NodeLink {
   bool step_boot(std::int64_t time_us, CanFrame& out) noexcept;
   void follow_unasked_state(canopen::NmtState state) noexcept;
   void receive_emergency(const CanFrame& frame) noexcept;
+  void forget_emergency() noexcept;
   bool receive_process_data(const CanFrame& frame, std::int64_t time_us) noexcept;
   void receive_sample(const CanFrame& frame, std::int64_t time_us) noexcept;
-  void second_answer(const CanFrame& frame, std::int64_t time_us) noexcept;
+  void second_answer(const CanFrame& frame) noexcept;
   void judge_contradiction() noexcept;
   void confirm_operational(std::int64_t time_us) noexcept;
   void watch_heartbeat(std::int64_t time_us) noexcept;
@@ -111,10 +114,11 @@ class NodeLink {
   NodeHealth health_;
 
   std::int64_t sync_us_ = 0;
-  CanFrame answer_;        ///< the first one to this SYNC
-  bool sampling_ = false;  ///< between begin_sampling() and end_sampling()
-  bool answered_ = false;  ///< this SYNC
-  int owed_ = 0;           ///< answers to SYNCs that have not come, as far as they may still come
+  CanFrame answer_;          ///< the first one to this SYNC
+  bool sampling_ = false;    ///< between begin_sampling() and end_sampling()
+  bool answered_ = false;    ///< this SYNC
+  int owed_ = 0;             ///< answers to SYNCs that have not come, as far as they may still come
+  int punctual_cycles_ = 0;  ///< in a row that were answered
   int age_cycles_ = 0;
 
   bool conflict_ = false;      ///< two different answers to this SYNC
@@ -128,6 +132,7 @@ class NodeLink {
   const char* bus_loss_ = "";
 
   canopen::Emergency emergency_;
+  bool communication_fault_ = false;  ///< told since there was no fault, whatever emergency came after
   bool emergency_seen_ = false;       ///< by faults_seen()
   bool emergency_withdrawn_ = false;  ///< forgotten by the next begin_sampling() after it was seen
   canopen::NmtState nmt_state_ = canopen::NmtState::kUnknown;

@@ -140,6 +140,27 @@ TEST_F(BridgeEncoderCard, EmergencyOfACardStopsTheRobotAndNeedsItsReset) {
   EXPECT_EQ(card().resets, resets + 1);
 }
 
+TEST_F(BridgeEncoderCard, EmergencyStandsUntilTheErrorRegisterIsEmpty) {
+  for (const std::uint16_t code : std::initializer_list<std::uint16_t>{0x5000, 0x7320, 0x0000})
+    bench_.bridge->receive(0, canopen::emergency_frame(9, {code, 0x21}), bench_.time_us);
+  bench_.run(900);
+  EXPECT_EQ(safety().cause, SafetyCause::kDriveFault);
+  const int resets = card().resets;
+  EXPECT_EQ(bench_.ask_and_wait(OperatorKind::kClear).outcome, OperatorOutcome::kDone);
+  EXPECT_EQ(card().resets, resets + 1) << "one of two faults was gone, the other stood";
+}
+
+TEST_F(BridgeEncoderCard, PositionsAWholeTurnApartAreTheSame) {
+  RobotConfig robot = testing::robot_with_card();
+  robot.actuators[0].offset_rad += 2 * kPi;
+  testing::BridgeBench bench(robot);
+  ASSERT_TRUE(bench.boot());
+  bench.enable();
+  bench.run(20);
+  EXPECT_EQ(bench.state.safety, SafetyLevel::kOperational) << bench.detail();
+  EXPECT_TRUE(bench.state.actuators[0].referenced);
+}
+
 TEST_F(BridgeEncoderCard, EncodersThatDisagreeLoseTheReference) {
   card().sample.counts[0] = 1048576 - 20000;  // 0.12 rad: a motor turn at 50:1
   bench_.run(9);

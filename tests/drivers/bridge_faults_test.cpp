@@ -312,6 +312,43 @@ TEST_F(BridgeFaults, LostAnswersHideASecondDeviceOnlyForAWhile) {
   EXPECT_EQ(cause(), SafetyCause::kDuplicateNode) << bench_.detail();
 }
 
+TEST_F(BridgeFaults, AnswersLostLongAgoNeitherHideASecondDeviceNorLetItsSamplesIn) {
+  for (int i = 0; i < 40; ++i) {
+    bench_.drives[0].mute_samples = i % 2 == 0;
+    bench_.tick();
+  }
+  bench_.drives[0].mute_samples = false;
+  bench_.run(10);
+  const double position_rad = bench_.state.actuators[0].measured_position_rad;
+  bend_samples([](std::vector<CanFrame>& frames, std::size_t i) {
+    if (i > 0 && frames[i - 1].id == kHipSample) return;
+    CanFrame other = frames[i];
+    other.data[0] ^= 0x55;
+    frames.insert(frames.begin() + static_cast<std::ptrdiff_t>(i) + 1, other);
+  });
+  for (int i = 0; i < 4; ++i) {
+    bench_.tick();
+    EXPECT_EQ(bench_.state.actuators[0].measured_position_rad, position_rad);
+  }
+  EXPECT_EQ(cause(), SafetyCause::kDuplicateNode) << bench_.detail();
+}
+
+TEST_F(BridgeFaults, AnswerThatIsOwedDoesNotReplaceOneInTime) {
+  bench_.drives[0].mute_samples = true;
+  bench_.tick();
+  bench_.drives[0].mute_samples = false;
+  const double position_rad = bench_.state.actuators[0].measured_position_rad;
+  bend_samples([](std::vector<CanFrame>& frames, std::size_t i) {
+    if (i > 0 && frames[i - 1].id == kHipSample) return;
+    CanFrame other = frames[i];
+    other.data[0] ^= 0x55;
+    frames.insert(frames.begin() + static_cast<std::ptrdiff_t>(i) + 1, other);
+  });
+  bench_.tick();
+  EXPECT_EQ(health(0).late_samples, 1);
+  EXPECT_EQ(bench_.state.actuators[0].measured_position_rad, position_rad);
+}
+
 TEST_F(BridgeFaults, FramesThatTheBusRepeatsDoNothing) {
   bench_.on_answers = [](std::vector<CanFrame>& frames) {
     const std::vector<CanFrame> again = frames;
@@ -446,6 +483,35 @@ TEST_F(BridgeFaults, HeartbeatThatStopsIsCountedOnce) {
   expect_damping(SafetyCause::kDriveSilent, "hip_motor: no heartbeat");
   bench_.drives[0].mute_heartbeat = false;
   expect_cleared();
+}
+
+TEST_F(BridgeFaults, FramesOnTheHeartbeatIdentifierThatAreNoneKeepNobodyAlive) {
+  bench_.drives[0].mute_heartbeat = true;
+  for (int i = 0; i < 500; ++i) {
+    if (i % 20 == 0) bench_.bridge->receive(0, canopen::guard_request(1), bench_.time_us);
+    bench_.tick();
+  }
+  EXPECT_EQ(health(0).heartbeat_losses, 1);
+  EXPECT_EQ(cause(), SafetyCause::kDriveSilent);
+}
+
+TEST_F(BridgeFaults, DriveThatHasRestartedGetsNoSetpointsUntilItIsConfigured) {
+  bench_.command_all(DriveMode::kTorque, 5.0);
+  bench_.tick();
+  ASSERT_EQ(bench_.sent(canopen::rpdo_id(0, 1)).size(), 1U);
+  bench_.drives[0].restart_now = true;
+  bench_.run(2);
+  EXPECT_TRUE(bench_.sent(canopen::rpdo_id(0, 1)).empty());
+  EXPECT_TRUE(bench_.sent(canopen::rpdo_id(1, 1)).empty());
+  EXPECT_EQ(bench_.sent(canopen::rpdo_id(0, 2)).size(), 1U);
+  expect_cleared();
+}
+
+TEST_F(BridgeFaults, SecondDeviceThatRestartsDoesNotTakeTheControlWordFromTheFirst) {
+  bench_.bridge->receive(0, canopen::heartbeat_frame(1, canopen::NmtState::kBootUp), bench_.time_us);
+  bench_.run(5);
+  EXPECT_EQ(cause(), SafetyCause::kDuplicateNode);
+  EXPECT_EQ(bench_.sent(canopen::rpdo_id(0, 1)).size(), 1U) << "it is damped, and then stopped";
 }
 
 TEST_F(BridgeFaults, FlippedPositionIsKeptOutOfTheStateAndOfTheDamping) {
