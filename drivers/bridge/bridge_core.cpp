@@ -54,7 +54,8 @@ bool BridgeCore::end_sampling(std::int64_t time_us, DriveState& out) noexcept {
   s.step_requests(time_us);
   const bool all_sampled =
       s.all_links([](const NodeLink& link) { return link.boot().operational() && link.answered(); });
-  if (!s.cyclic && !all_sampled) return false;
+  // A clear before the first cycle is answered first.
+  if (!s.cyclic && (!all_sampled || s.recovery->running())) return false;
   s.begin_cycle(time_us);
   s.update_safety(time_us, false);
   s.state.stamp = {s.sync_us, s.cycle};
@@ -191,11 +192,18 @@ const BusState& BridgeCore::bus_state() const noexcept {
 }
 
 const char* BridgeCore::boot_detail() const noexcept {
-  for (const NodeLink* link : impl_->links) {
+  Impl& s = *impl_;
+  for (const NodeLink* link : s.links) {
     const NodeBoot& boot = link->boot();
     if (!boot.operational() && !boot.configured()) return boot.detail().data();
   }
-  return impl_->cyclic ? "all drives operational" : "all drives configured";
+  if (s.cyclic) return "all drives operational";
+  for (const NodeLink* link : s.links) {
+    if (!link->boot().operational() || link->answered()) continue;
+    print(s.boot_text, "%s: did not answer SYNC", link->name().c_str());
+    return s.boot_text.data();
+  }
+  return "all drives configured";
 }
 
 bool BridgeCore::operational() const noexcept { return impl_->cyclic; }

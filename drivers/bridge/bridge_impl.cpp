@@ -78,11 +78,21 @@ void BridgeCore::Impl::count_sent(const FrameBatch& batch, int first) noexcept {
 /// NMT start goes out when every node is configured; one that boots again in operation finds the others started.
 void BridgeCore::Impl::step_boot(std::int64_t time_us) noexcept {
   refuse_nodes(time_us);
+  if (!cyclic) restart_lost_nodes(time_us);
   const bool ready = cyclic || all_links([](const NodeLink& link) {
                        return link.boot().configured() || link.boot().started();
                      });
   if (!ready) return;
   for (NodeLink* link : links) link->start();
+}
+
+/// One that has left operational while the others still boot: before the first cycle nobody is asked. Of two devices on one id
+/// none can be brought back; they become trouble in the first cycle.
+void BridgeCore::Impl::restart_lost_nodes(std::int64_t time_us) noexcept {
+  for (NodeLink* link : links) {
+    const bool gone = link->lost(time_us) || link->silent();
+    if (link->boot().operational() && gone && !link->duplicate()) link->restart();
+  }
 }
 
 void BridgeCore::Impl::refuse_nodes(std::int64_t time_us) noexcept {

@@ -36,6 +36,7 @@ struct BridgeCore::Impl {
   void count_sent(const FrameBatch& batch, int first) noexcept;
   void step_boot(std::int64_t time_us) noexcept;
   void refuse_nodes(std::int64_t time_us) noexcept;
+  void restart_lost_nodes(std::int64_t time_us) noexcept;
   void judge_samples() noexcept;
   void begin_cycle(std::int64_t time_us) noexcept;
   void update_safety(std::int64_t time_us, bool command_due) noexcept;
@@ -47,10 +48,12 @@ struct BridgeCore::Impl {
   OperatorReply home(const OperatorCommand& command, std::int64_t time_us) noexcept;
   void step_requests(std::int64_t time_us) noexcept;
   void doubt_lost_buses() noexcept;
+  bool any_bus_loss() const noexcept;
   void finish_clear(Recovery::Result result, std::int64_t time_us) noexcept;
   void answer(LongRequest& request, OperatorOutcome outcome, const char* reason) noexcept;
   const char* why_not_clear(std::int64_t time_us) const noexcept;
   const char* why_not_home() const noexcept;
+  bool enabling() const noexcept;
   OperatorReply reply(const OperatorCommand& command, const char* refusal) const noexcept;
 
   template <class Condition>
@@ -79,6 +82,7 @@ struct BridgeCore::Impl {
   CommandGate gate;
   SafetyMachine safety;
   SafetyState published;
+  DetailText boot_text{};  ///< of boot_detail()
   DriveState state;
   BusState bus_state;
   std::unique_ptr<Recovery> recovery;

@@ -1,4 +1,6 @@
 /// What operators ask of the bridge: clear and home, which take many cycles and are answered twice.
+#include <algorithm>
+
 #include "drivers/bridge/bridge_impl.h"
 
 namespace sprung {
@@ -12,12 +14,9 @@ OperatorReply BridgeCore::Impl::clear(const OperatorCommand& command, std::int64
   if (refusal != nullptr) return last_clear.reply;
   if (!safety.latched()) {
     clear_without_work = true;
-  } else if (cyclic) {
-    doubt_lost_buses();
-    recovery->begin(Recovery::Kind::kClear, time_us);
   } else {
-    safety.clear(time_us, cycle);
-    recovery->begin(Recovery::Kind::kBoot, time_us);
+    if (cyclic) doubt_lost_buses();
+    recovery->begin(cyclic ? Recovery::Kind::kClear : Recovery::Kind::kBoot, time_us);
   }
   return last_clear.reply;
 }
@@ -27,6 +26,14 @@ void BridgeCore::Impl::doubt_lost_buses() noexcept {
     if (const char* loss = buses.loss(link->setup().bus)) link->doubt(loss);
   }
   buses.forget_losses();
+}
+
+/// While a clear is under way: since it began, for it has forgotten what was before.
+bool BridgeCore::Impl::any_bus_loss() const noexcept {
+  for (std::size_t bus = 0; bus < robot.buses.size(); ++bus) {
+    if (buses.loss(static_cast<int>(bus)) != nullptr) return true;
+  }
+  return false;
 }
 
 /// What only somebody else can mend; nullptr when the bridge can try.
@@ -55,11 +62,22 @@ const char* BridgeCore::Impl::why_not_home() const noexcept {
   if (!cyclic) return "drives are still being configured";
   if (recovery->running()) return "a clear is under way";
   const bool off = all_drives([](const DriveNode& drive) { return !drive.powered(); });
-  return off ? nullptr : "a drive has power: sprung sit or estop first";
+  if (!off) return "a drive has power: sprung sit or estop first";
+  return enabling() ? "drives are being enabled: sprung sit or estop first" : nullptr;
+}
+
+/// A drive on its way to power does not show power yet.
+bool BridgeCore::Impl::enabling() const noexcept {
+  if (safety.level() != SafetyLevel::kOperational) return false;
+  const auto& commands = gate.last().actuators;
+  return std::any_of(commands.begin(), commands.end(),
+                     [](const ActuatorCommand& command) { return command.mode != DriveMode::kDisabled; });
 }
 
 void BridgeCore::Impl::step_requests(std::int64_t time_us) noexcept {
   const Recovery::Kind kind = recovery->kind();
+  if (kind == Recovery::Kind::kClear && any_bus_loss())
+    recovery->abort("a bus was lost while the clear was under way");
   const Recovery::Result recovered = recovery->step(time_us);
   if (kind != Recovery::Kind::kFirstCycle) finish_clear(recovered, time_us);
   if (clear_without_work) {
@@ -67,7 +85,7 @@ void BridgeCore::Impl::step_requests(std::int64_t time_us) noexcept {
     for (NodeLink* link : links) link->set_recovery_text("nothing to do");
     answer(last_clear, OperatorOutcome::kDone, "nothing was latched");
   }
-  const Homing::Result homed = homing->step(time_us);
+  const Homing::Result homed = homing->step(time_us, why_not_home());
   if (homed == Homing::Result::kDone) {
     ++homings;
     answer(last_home, OperatorOutcome::kDone, "referenced");
@@ -83,7 +101,7 @@ void BridgeCore::Impl::finish_clear(Recovery::Result result, std::int64_t time_u
     return;
   }
   gate.disarm();
-  if (cyclic) safety.clear(time_us, cycle);
+  safety.clear(time_us, cycle);
   answer(last_clear, OperatorOutcome::kDone, "cleared");
 }
 

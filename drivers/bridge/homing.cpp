@@ -77,9 +77,9 @@ const char* Homing::choose(const OperatorCommand& command) noexcept {
   return any ? nullptr : "robot.yaml names no way to find this reference";
 }
 
-Homing::Result Homing::step(std::int64_t time_us) noexcept {
+Homing::Result Homing::step(std::int64_t time_us, const char* refusal) noexcept {
   if (!running_) return Result::kNothing;
-  reason_ = nullptr;
+  reason_ = refusal;
   bool waiting = false;
   for (std::size_t i = 0; i < drives_.size(); ++i) {
     if (sources_[i] == ReferenceSource::kConfigured) continue;

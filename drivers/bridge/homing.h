@@ -17,8 +17,8 @@ class Homing {
   /// @return nullptr when it has begun, else why not. Static text.
   const char* begin(const OperatorCommand& command, std::int64_t time_us) noexcept;
   /// Once a cycle, when the drives' answers have been judged. kDone and kFailed are told once.
-  Result step(std::int64_t time_us) noexcept;
-  void abort() noexcept { running_ = false; }
+  /// @param refusal why the robot as a whole may not be homed now; nullptr = it may. Static text.
+  Result step(std::int64_t time_us, const char* refusal) noexcept;
 
   bool running() const noexcept { return running_; }
   const char* reason() const noexcept { return reason_; }  ///< why it failed. Static text.

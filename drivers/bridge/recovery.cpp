@@ -79,6 +79,10 @@ bool Recovery::step_phase(std::int64_t time_us) noexcept {
       return false;
     case Phase::kResetting:
       if (!resets_over(time_us)) return false;
+      if (kind_ == Kind::kClear && escalate()) {
+        enter(Phase::kBooting, time_us);
+        return false;
+      }
       if (kind_ == Kind::kFirstCycle) return true;
       enter(Phase::kWatching, time_us);
       return false;
@@ -118,8 +122,7 @@ bool Recovery::waits_for(std::size_t i) const noexcept {
 bool Recovery::boots_over() noexcept {
   bool over = true;
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    if (plans_[i].restart && nodes_[i]->boot().refused())
-      fail("a node differs from robot.yaml; see SAFETY_STATE");
+    if (nodes_[i]->boot().refused()) fail("a node differs from robot.yaml; see SAFETY_STATE");
     over = over && !waits_for(i);
   }
   return over;
@@ -139,8 +142,25 @@ bool Recovery::resets_over(std::int64_t time_us) noexcept {
   for (NodeLink* node : nodes_) node->reset_faults(true);
   if (!good && time_us - phase_us_ < kReset_us) return false;
   for (NodeLink* node : nodes_) node->reset_faults(false);
-  if (!good && kind_ == Kind::kClear) fail("a drive's fault cannot be reset; see BUS_STATE");
   return true;
+}
+
+/// A fault that stays although it was reset may have a lost link behind it, which only a reset of the communication heals
+/// (facts canopen 2.5): the emergency that said so may not have been heard. Once for each node; then it fails.
+/// @return true when nodes are booting again.
+bool Recovery::escalate() noexcept {
+  bool restarted = false;
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    if (!nodes_[i]->faulted()) continue;
+    if (plans_[i].restart) fail("a drive's fault cannot be reset; see BUS_STATE");
+  }
+  if (failed_) return false;
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    if (!nodes_[i]->faulted()) continue;
+    plans_[i].restart = restarted = true;
+    nodes_[i]->restart();
+  }
+  return restarted;
 }
 
 bool Recovery::all_well(std::int64_t time_us) const noexcept {

@@ -51,6 +51,7 @@ class Recovery {
   bool boots_over() noexcept;
   void begin_reset() noexcept;
   bool resets_over(std::int64_t time_us) noexcept;
+  bool escalate() noexcept;
   bool all_well(std::int64_t time_us) const noexcept;
   Result finish(bool good) noexcept;
   void write_text(std::size_t i) noexcept;

@@ -62,7 +62,7 @@ void SafetyMachine::emergency_stop(std::int64_t time_us, std::int64_t cycle) noe
 }
 
 void SafetyMachine::refuse_drive(const Trouble& trouble, std::int64_t time_us, std::int64_t cycle) noexcept {
-  if (state_.latched) {
+  if (state_.latched && state_.cause != SafetyCause::kDriveRefused) {
     if (cycle >= 0) state_.detail = trouble.detail;  // what to mend before clear can succeed
     return;
   }

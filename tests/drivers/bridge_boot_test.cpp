@@ -114,6 +114,83 @@ TEST(Boot, RefusedDriveIsTriedAgainAfterClear) {
   EXPECT_TRUE(bench.boot(500));
 }
 
+TEST(Boot, ClearOfARefusedDriveIsDoneWhenTheRobotIsFree) {
+  BridgeBench bench;
+  bench.drives[1].clamped[{kMaxTorque, 0}] = 5000;
+  ASSERT_FALSE(bench.boot(500));
+  bench.drives[1].clamped.clear();
+  const OperatorReply reply = bench.ask_and_wait(OperatorKind::kClear);
+  EXPECT_EQ(reply.outcome, OperatorOutcome::kDone);
+  EXPECT_FALSE(bench.bridge->safety().latched) << bench.detail();
+  ASSERT_TRUE(bench.boot(500));
+  bench.enable();
+  EXPECT_EQ(bench.state.safety, SafetyLevel::kOperational) << bench.detail();
+}
+
+TEST(Boot, ClearOfADriveThatIsRefusedAgainFailsAndTellsTheNewReason) {
+  BridgeBench bench;
+  bench.drives[1].clamped[{kMaxTorque, 0}] = 5000;
+  ASSERT_FALSE(bench.boot(500));
+  bench.drives[1].clamped[{kMaxTorque, 0}] = 5500;
+  EXPECT_EQ(bench.ask_and_wait(OperatorKind::kClear).outcome, OperatorOutcome::kFailed);
+  bench.tick();
+  EXPECT_TRUE(bench.bridge->safety().latched);
+  EXPECT_EQ(bench.detail(), "knee_motor: object 0x6072:00 max torque: expected 5571, found 5500");
+}
+
+/// Whenever it is asked: also in the cycle before the first one.
+TEST(Boot, ClearIsAnsweredAlsoWhenTheFirstCycleComesMeanwhile) {
+  BridgeBench measure;
+  ASSERT_TRUE(measure.boot());
+  const auto ticks = static_cast<int>(measure.time_us / 1000);
+  for (int before = 1; before < 6; ++before) {
+    SCOPED_TRACE(before);
+    BridgeBench bench;
+    bench.run(ticks - before);
+    ASSERT_FALSE(bench.bridge->operational());
+    bench.ask(OperatorKind::kEstop);
+    EXPECT_EQ(bench.ask_and_wait(OperatorKind::kClear, 100).outcome, OperatorOutcome::kDone);
+    ASSERT_TRUE(bench.boot());
+    bench.run(20);
+    EXPECT_FALSE(bench.bridge->safety().latched) << bench.detail();
+  }
+}
+
+TEST(Boot, DriveThatLeavesOperationalBeforeTheFirstCycleIsConfiguredAgain) {
+  BridgeBench bench;
+  bench.drives[1].mute_samples = true;
+  bench.run(500);
+  ASSERT_EQ(bench.drives[0].nmt, NmtState::kOperational);
+  EXPECT_THAT(bench.bridge->boot_detail(), HasSubstr("knee_motor: waiting for its first sample"));
+  for (const bool restarts : {false, true}) {
+    const int resets = bench.drives[0].resets;
+    bench.drives[0].nmt = NmtState::kPreOperational;
+    bench.drives[0].restart_now = restarts;
+    bench.run(10);
+    EXPECT_THAT(bench.bridge->boot_detail(), HasSubstr("hip_motor: "));
+    EXPECT_EQ(bench.drives[0].resets, resets + 1);
+    bench.run(500);
+  }
+  EXPECT_FALSE(bench.bridge->operational());
+  bench.drives[1].mute_samples = false;
+  ASSERT_TRUE(bench.boot(1000)) << bench.bridge->boot_detail();
+  bench.enable();
+  EXPECT_EQ(bench.state.safety, SafetyLevel::kOperational) << bench.detail();
+}
+
+TEST(Boot, NodeThatMissesTheCycleThatAllShouldAnswerIsNamed) {
+  BridgeBench bench;
+  int cycle = 0;  // they answer in turn, so that neither is silent for long
+  bench.on_answers = [&cycle](std::vector<CanFrame>& answers) {
+    for (CanFrame& frame : answers) {
+      if (frame.id == tpdo_id(0, 1 + cycle % 2)) frame.id = 0x7F0;
+    }
+  };
+  for (int i = 0; i < 500; ++i, ++cycle) bench.tick();
+  EXPECT_FALSE(bench.bridge->operational());
+  EXPECT_STREQ(bench.bridge->boot_detail(), "knee_motor: did not answer SYNC");
+}
+
 TEST(Boot, DriveWithoutBootUpFrameIsProbed) {
   BridgeBench bench;
   bench.drives[0].boots_silently = true;

@@ -118,6 +118,39 @@ TEST_F(BridgeHoming, IsRefusedUnderPower) {
   EXPECT_STREQ(home(1).reason, "a drive has power: sprung sit or estop first");
 }
 
+TEST_F(BridgeHoming, IsRefusedWhileDrivesAreBeingEnabled) {
+  RobotConfig robot = unreferenced_robot(ReferenceMethod::kJig);
+  robot.actuators[0].referenced = true;
+  robot.actuators[0].link_encoder.card = -1;
+  boot(robot);
+  bench_->run(3);
+  bench_->command_all(DriveMode::kTorque);
+  for (int i = 0; i < 10 && bench_->drives[0].power != PowerState::kReadyToSwitchOn; ++i) bench_->tick();
+  ASSERT_EQ(bench_->drives[0].power, PowerState::kReadyToSwitchOn);
+  EXPECT_STREQ(home().reason, "drives are being enabled: sprung sit or estop first");
+  EXPECT_EQ(health(0).reference_source, ReferenceSource::kConfigured);
+}
+
+TEST_F(BridgeHoming, FailsWhenTorqueIsCommandedBeforeItIsDone) {
+  boot(unreferenced_robot(ReferenceMethod::kJig));
+  OperatorCommand command;
+  command.kind = OperatorKind::kHome;
+  command.request_id = ++request_;
+  bench_->run(3);
+  bench_->command_all(DriveMode::kTorque);
+  bench_->mute_commands = true;
+  bench_->tick();
+  ASSERT_EQ(bench_->bridge->operator_command(command, bench_->time_us).outcome, OperatorOutcome::kAccepted);
+  bench_->command.stamp = bench_->state.stamp;
+  bench_->command.valid_until_utime_us = bench_->time_us + 21000;
+  ASSERT_TRUE(bench_->bridge->command(bench_->command, bench_->time_us));
+  OperatorReply reply;
+  for (int i = 0; i < 10 && !bench_->bridge->next_reply(reply); ++i) bench_->tick();
+  EXPECT_EQ(reply.outcome, OperatorOutcome::kFailed);
+  EXPECT_STREQ(reply.reason, "drives are being enabled: sprung sit or estop first");
+  EXPECT_FALSE(actuator(0).referenced);
+}
+
 TEST_F(BridgeHoming, IsRefusedWhileAJointMoves) {
   boot(unreferenced_robot(ReferenceMethod::kJig));
   for (int i = 0; i < 50; ++i) {

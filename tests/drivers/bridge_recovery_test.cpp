@@ -12,6 +12,19 @@ namespace {
 using ::testing::HasSubstr;
 using BridgeRecovery = testing::PoweredBridge;
 
+CanFrame error_passive_frame() {
+  CanFrame frame = bus_lost_frame();
+  frame.id = kCanErrorController;
+  frame.data[1] = kControllerPassive;
+  return frame;
+}
+
+CanFrame bus_active_again_frame() {
+  CanFrame frame = error_passive_frame();
+  frame.data[1] = 0x40;
+  return frame;
+}
+
 TEST_F(BridgeRecovery, ClearIsAcceptedAtOnceAndDoneWhenItIsDone) {
   bench_.ask(OperatorKind::kEstop);
   bench_.run(10);
@@ -128,6 +141,33 @@ TEST_F(BridgeRecovery, FaultThatCannotBeResetFailsAndStaysLatched) {
   EXPECT_EQ(recovery(1), "fault 0x2310 over-current: cannot be reset");
   EXPECT_EQ(cause(), SafetyCause::kDriveFault);
   EXPECT_TRUE(latched());
+  EXPECT_EQ(bench_.drives[1].resets, 2) << "the communication reset was tried too, once";
+  EXPECT_EQ(bench_.drives[0].resets, 1);
+}
+
+TEST_F(BridgeRecovery, FaultThatOnlyACommunicationResetHealsGetsItInTheSameClear) {
+  bench_.drives[1].pending_emergency = 0x3220;  // an 0x81xx before it was not heard
+  bench_.drives[1].stuck_in_fault = bench_.drives[1].reset_heals_stuck_fault = true;
+  bench_.run(900);
+  EXPECT_EQ(bench_.ask_and_wait(OperatorKind::kClear).outcome, OperatorOutcome::kDone) << bench_.detail();
+  EXPECT_THAT(recovery(1), HasSubstr("fault 0x3220"));
+  EXPECT_THAT(recovery(1), HasSubstr("reset communication, configured again ("));
+  EXPECT_EQ(bench_.drives[0].resets, 1) << "the other one is left alone";
+  EXPECT_EQ(recovery(0), "nothing to do");
+  bench_.enable();
+  EXPECT_EQ(enabled(), 2);
+}
+
+TEST_F(BridgeRecovery, CommunicationFaultIsRememberedWhenAnotherFaultFollows) {
+  bench_.bridge->receive(0, canopen::emergency_frame(2, {0x8130, 0x11}), bench_.time_us);
+  bench_.drives[1].pending_emergency = 0x3220;
+  bench_.run(900);
+  EXPECT_EQ(bench_.ask_and_wait(OperatorKind::kClear).outcome, OperatorOutcome::kDone) << bench_.detail();
+  EXPECT_EQ(bench_.drives[1].resets, 2);
+  bench_.drives[1].pending_emergency = 0x2310;
+  bench_.run(900);
+  EXPECT_EQ(bench_.ask_and_wait(OperatorKind::kClear).outcome, OperatorOutcome::kDone);
+  EXPECT_EQ(bench_.drives[1].resets, 2) << "forgotten with that reset";
 }
 
 /// 0x8130, 0x8120, 0x8210 and their like: reset communication, everything anew, then fault reset.
@@ -259,12 +299,9 @@ TEST_F(BridgeRecovery, NodesOfABusThatWasLostAreAllConfiguredAgain) {
     CanFrame frame;
     const char* text;
   };
-  CanFrame passive = bus_lost_frame();
-  passive.id = kCanErrorController;
-  passive.data[1] = kControllerPassive;
   const Loss losses[] = {{bus_lost_frame(), "bus was off: reset communication, configured again ("},
                          {link_down_frame(), "bus had no link: reset communication, configured again ("},
-                         {passive, "bus was passive: reset communication, configured again ("}};
+                         {error_passive_frame(), "bus was passive: reset communication, configured again ("}};
   for (const Loss& loss : losses) {
     SCOPED_TRACE(loss.text);
     const int resets = bench_.drives[0].resets;
@@ -272,6 +309,9 @@ TEST_F(BridgeRecovery, NodesOfABusThatWasLostAreAllConfiguredAgain) {
     bench_.tick();
     ASSERT_EQ(cause(), SafetyCause::kBusLost);
     bench_.run(1200);
+    CanFrame active_again = error_passive_frame();
+    active_again.data[1] = 0x40;
+    bench_.bridge->receive(0, active_again, bench_.time_us);
     ASSERT_EQ(bench_.ask_and_wait(OperatorKind::kClear).outcome, OperatorOutcome::kDone) << bench_.detail();
     for (std::size_t i = 0; i < 2; ++i) {
       EXPECT_THAT(recovery(i), ::testing::StartsWith(loss.text));
@@ -284,6 +324,39 @@ TEST_F(BridgeRecovery, NodesOfABusThatWasLostAreAllConfiguredAgain) {
   bench_.run(10);
   ASSERT_EQ(bench_.ask_and_wait(OperatorKind::kClear).outcome, OperatorOutcome::kDone);
   EXPECT_EQ(recovery(0), "nothing to do") << "once is enough";
+}
+
+TEST_F(BridgeRecovery, BusThatIsLostWhileAClearIsUnderWayEndsIt) {
+  for (const int ticks : {0, 1, 2, 3}) {
+    SCOPED_TRACE(ticks);
+    bench_.ask(OperatorKind::kEstop);
+    bench_.run(10);
+    ASSERT_EQ(bench_.ask(OperatorKind::kClear).outcome, OperatorOutcome::kAccepted);
+    OperatorReply reply;
+    bench_.run(ticks);
+    if (bench_.bridge->next_reply(reply)) return;  // that was after its end
+    bench_.bridge->receive(0, error_passive_frame(), bench_.time_us);
+    for (int i = 0; i < 10 && !bench_.bridge->next_reply(reply); ++i) bench_.tick();
+    EXPECT_EQ(reply.outcome, OperatorOutcome::kFailed);
+    EXPECT_THAT(reply.reason, HasSubstr("a bus was lost"));
+    EXPECT_TRUE(latched());
+    expect_stays_off();
+    bench_.bridge->receive(0, bus_active_again_frame(), bench_.time_us);
+    ASSERT_EQ(bench_.ask_and_wait(OperatorKind::kClear).outcome, OperatorOutcome::kDone);
+    EXPECT_THAT(recovery(0), ::testing::StartsWith("bus was passive: reset communication"));
+  }
+}
+
+TEST_F(BridgeRecovery, BusThatIsLostAndBackWhileAClearIsUnderWayEndsItToo) {
+  bench_.ask(OperatorKind::kEstop);
+  bench_.run(10);
+  ASSERT_EQ(bench_.ask(OperatorKind::kClear).outcome, OperatorOutcome::kAccepted);
+  bench_.bridge->receive(0, error_passive_frame(), bench_.time_us);
+  bench_.bridge->receive(0, bus_active_again_frame(), bench_.time_us);
+  OperatorReply reply;
+  for (int i = 0; i < 10 && !bench_.bridge->next_reply(reply); ++i) bench_.tick();
+  EXPECT_EQ(reply.outcome, OperatorOutcome::kFailed) << "its nodes may have let go or restarted unheard";
+  EXPECT_EQ(bench_.ask_and_wait(OperatorKind::kClear).outcome, OperatorOutcome::kDone);
 }
 
 TEST_F(BridgeRecovery, NodesOfOtherBusesAreLeftAlone) {

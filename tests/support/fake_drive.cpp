@@ -37,6 +37,7 @@ void FakeDrive::receive_nmt(NmtCommand command, std::vector<CanFrame>& out) {
   if (command == NmtCommand::kStop) nmt = NmtState::kStopped;
   if (command != NmtCommand::kResetCommunication && command != NmtCommand::kResetNode) return;
   ++resets;
+  if (reset_heals_stuck_fault) stuck_in_fault = false;
   if (loses_settings_on_reset) objects = defaults_;
   nmt = NmtState::kPreOperational;
   if (!boots_silently) out.push_back(heartbeat_frame(node_, NmtState::kBootUp));
