@@ -35,7 +35,7 @@ void BridgeCore::receive(int bus, const CanFrame& frame, std::int64_t time_us) n
   Impl& s = *impl_;
   if (bus < 0 || static_cast<std::size_t>(bus) >= s.by_bus_and_node.size()) return;
   if (frame.error) {
-    s.buses.error_frame(bus, frame, time_us);
+    s.buses.error_frame(bus, frame);
     return;
   }
   NodeLink* node = s.by_bus_and_node[static_cast<std::size_t>(bus)][frame.id & 0x7F];
@@ -81,6 +81,7 @@ void BridgeCore::emit_setpoints(std::int64_t time_us, FrameBatch& out) noexcept 
   const int first = out.size();
   s.update_safety(time_us, true);
   for (std::size_t i = 0; i < s.drives.size(); ++i) {
+    if (s.buses.sending_failed(s.drives[i]->setup().bus)) s.drives[i]->resend_control_word();
     s.drives[i]->emit(time_us, s.safety.level(), s.gate.last().actuators[i], out);
   }
   s.count_sent(out, first);

@@ -9,8 +9,6 @@ namespace sprung {
 namespace {
 
 constexpr std::int64_t kLoadWindow_us = 1'000'000;
-// [design choice] a kernel that never reports "active again": so long without a new error counts as such
-constexpr std::int64_t kPassiveFades_us = 1'000'000;
 
 // Details of a controller error, data[1] (linux/can/error.h, facts canopen 5).
 constexpr std::uint8_t kReceiveOverflow = 0x01;
@@ -30,11 +28,12 @@ void BusMonitor::begin_cycle(std::int64_t time_us) noexcept {
   for (std::size_t i = 0; i < watches_.size(); ++i) {
     Watch& watch = watches_[i];
     watch.failed_cycles = watch.failed_now ? watch.failed_cycles + 1 : 0;
-    const BusCondition condition = watch.health.condition;
-    const bool was_sending = condition == BusCondition::kNoBuffers || condition == BusCondition::kLinkDown;
-    const bool faded = (condition == BusCondition::kPassive || condition == BusCondition::kWarning) &&
-                       time_us - watch.passive_us > kPassiveFades_us;
-    if ((was_sending && !watch.failed_now) || faded) recover(static_cast<int>(i));
+    if (!watch.failed_now) {
+      // An interface that was set down and up begins with a controller that is active.
+      if (watch.sending == BusCondition::kLinkDown) watch.controller = BusCondition::kActive;
+      watch.sending = BusCondition::kActive;
+      show(watch);
+    }
     watch.failed_now = false;
     if (!window_over) continue;
     const double bits_s = 1e6 * static_cast<double>(watch.worst_bits) / static_cast<double>(window_us);
@@ -55,17 +54,18 @@ void BusMonitor::received(int bus, const CanFrame& frame, bool expected) noexcep
   ++watch.health.received;
   watch.worst_bits += canopen::worst_frame_bits(frame.length);
   if (!expected) ++watch.health.unexpected;
-  if (watch.health.condition == BusCondition::kOff) recover(bus);  // what arrives shows that the bus works
+  if (watch.controller == BusCondition::kOff)
+    set_controller(bus, BusCondition::kActive);  // what arrives shows that the bus works
 }
 
-void BusMonitor::error_frame(int bus, const CanFrame& frame, std::int64_t time_us) noexcept {
+void BusMonitor::error_frame(int bus, const CanFrame& frame) noexcept {
   Watch& watch = watches_[static_cast<std::size_t>(bus)];
   ++watch.health.error_frames;
   if (tells_bus_restarted(frame)) {
     ++watch.health.restarts;
-    recover(bus);
+    set_controller(bus, BusCondition::kActive);
   }
-  if ((frame.id & kCanErrorController) != 0) controller_error(bus, frame.data[1], time_us);
+  if ((frame.id & kCanErrorController) != 0) controller_error(bus, frame.data[1]);
   if (tells_link_down(frame)) {
     send_failed(bus, SendFailure::kLinkDown);
   } else if ((frame.id & kCanErrorTxTimeout) != 0) {
@@ -74,23 +74,26 @@ void BusMonitor::error_frame(int bus, const CanFrame& frame, std::int64_t time_u
   }
   const bool queue_full = (frame.id & kCanErrorController) != 0 && (frame.data[1] & kTransmitOverflow) != 0;
   if ((frame.id & kCanErrorBusOff) != 0 && !queue_full) {
-    if (watch.health.condition != BusCondition::kOff) ++watch.health.bus_offs;
+    if (watch.controller != BusCondition::kOff) ++watch.health.bus_offs;
     enter(bus, BusCondition::kOff, true, "is off (bus off)");
   }
 }
 
-void BusMonitor::controller_error(int bus, std::uint8_t detail, std::int64_t time_us) noexcept {
+/// Kernels tell a change, not the state: what was told stays until they tell another.
+void BusMonitor::controller_error(int bus, std::uint8_t detail) noexcept {
   Watch& watch = watches_[static_cast<std::size_t>(bus)];
-  const BusCondition condition = watch.health.condition;
-  if ((detail & kReceiveOverflow) != 0) ++watch.health.dropped;
+  if ((detail & kReceiveOverflow) != 0) {
+    ++watch.overflows;
+    watch.health.dropped = watch.overflows + watch.traffic_dropped;
+  }
   if ((detail & kTransmitOverflow) != 0) send_failed(bus, SendFailure::kNoBuffers);
-  if ((detail & kActiveAgain) != 0 && condition <= BusCondition::kPassive) recover(bus);
-  if ((detail & (kWarning | kControllerPassive)) != 0) watch.passive_us = time_us;
+  if (watch.controller == BusCondition::kOff) return;
   if ((detail & kControllerPassive) != 0) {
     enter(bus, BusCondition::kPassive, true, "is error passive");
-  } else if ((detail & kWarning) != 0 && condition <= BusCondition::kPassive) {
-    recover(bus);
-    watch.health.condition = BusCondition::kWarning;
+  } else if ((detail & kWarning) != 0) {
+    set_controller(bus, BusCondition::kWarning);
+  } else if ((detail & kActiveAgain) != 0) {
+    set_controller(bus, BusCondition::kActive);
   }
 }
 
@@ -109,7 +112,9 @@ void BusMonitor::set_traffic(int bus, const BusTraffic& traffic) noexcept {
   BusHealth& health = watches_[static_cast<std::size_t>(bus)].health;
   health.send_failed = traffic.send_failed;
   health.no_buffers = traffic.no_buffers;
-  health.dropped = traffic.dropped;
+  Watch& watch = watches_[static_cast<std::size_t>(bus)];
+  watch.traffic_dropped = traffic.dropped;
+  health.dropped = watch.overflows + watch.traffic_dropped;
   health.malformed = traffic.malformed;
 }
 
@@ -117,7 +122,10 @@ void BusMonitor::set_traffic(int bus, const BusTraffic& traffic) noexcept {
 void BusMonitor::enter(int bus, BusCondition condition, bool lost, const char* what) noexcept {
   const auto at = static_cast<std::size_t>(bus);
   Watch& watch = watches_[at];
-  watch.health.condition = std::max(watch.health.condition, condition);
+  const bool of_sending = condition == BusCondition::kNoBuffers || condition == BusCondition::kLinkDown;
+  BusCondition& kind = of_sending ? watch.sending : watch.controller;
+  kind = std::max(kind, condition);
+  show(watch);
   if (lost) watch.loss = std::max(watch.loss, condition);
   if (!lost || watch.lost) return;
   watch.lost = true;
@@ -127,10 +135,16 @@ void BusMonitor::enter(int bus, BusCondition condition, bool lost, const char* w
         robot_.buses[at].can.c_str(), what);
 }
 
-void BusMonitor::recover(int bus) noexcept {
+void BusMonitor::set_controller(int bus, BusCondition controller) noexcept {
   Watch& watch = watches_[static_cast<std::size_t>(bus)];
-  watch.health.condition = BusCondition::kActive;
-  watch.lost = false;
+  watch.controller = controller;
+  show(watch);
+}
+
+/// The worse of the two; a bus is lost no more when neither says so.
+void BusMonitor::show(Watch& watch) noexcept {
+  watch.health.condition = std::max(watch.controller, watch.sending);
+  if (watch.health.condition < BusCondition::kPassive) watch.lost = false;
 }
 
 bool BusMonitor::any_lost() const noexcept {
@@ -165,7 +179,7 @@ const char* BusMonitor::what_to_mend() const noexcept {
       case BusCondition::kLinkDown:
         return "a bus has no link: ip link set INTERFACE up";
       case BusCondition::kPassive:
-        return "a bus is error passive: cable, terminators, bit rate? else clear once more in a second";
+        return "a bus is error passive: cable, terminators, bit rate? else set the interface down and up";
       default:
         return "a bus takes no frames: nobody acknowledges, or its queue is too short";
     }

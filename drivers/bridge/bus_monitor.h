@@ -31,11 +31,15 @@ class BusMonitor {
   void sent(int bus, const CanFrame& frame) noexcept;
   /// A data frame. @param expected it is one that a node of this robot may send.
   void received(int bus, const CanFrame& frame, bool expected) noexcept;
-  void error_frame(int bus, const CanFrame& frame, std::int64_t time_us) noexcept;
+  void error_frame(int bus, const CanFrame& frame) noexcept;
   /// Frames of this cycle were dropped: newer ones follow, so it is trouble only when it lasts.
   void send_failed(int bus, SendFailure failure) noexcept;
   void set_traffic(int bus, const BusTraffic& traffic) noexcept;
 
+  /// In the last cycle: what changed in it may not have gone out.
+  bool sending_failed(int bus) const noexcept {
+    return watches_[static_cast<std::size_t>(bus)].failed_cycles > 0;
+  }
   bool lost(int bus) const noexcept { return watches_[static_cast<std::size_t>(bus)].lost; }
   bool any_lost() const noexcept;
   /// Why nothing can be mended by us, for people; nullptr when every bus works. Static text.
@@ -57,12 +61,17 @@ class BusMonitor {
     BusCondition loss = BusCondition::kActive;  ///< worst one since the last forget_losses()
     bool failed_now = false;                    ///< in this cycle
     int failed_cycles = 0;                      ///< in a row, before this one
+    BusCondition controller =
+        BusCondition::kActive;  ///< active, warning, passive or off: until the controller says so
+    BusCondition sending = BusCondition::kActive;  ///< active, no buffers or link down: of the last cycle
+    std::int64_t overflows = 0;  ///< of the controller's receive queue; those of the back end's come on top
+    std::int64_t traffic_dropped = 0;
     std::int64_t worst_bits = 0;
-    std::int64_t passive_us = 0;  ///< last error frame that said so
   };
   void enter(int bus, BusCondition condition, bool lost, const char* what) noexcept;
-  void recover(int bus) noexcept;
-  void controller_error(int bus, std::uint8_t detail, std::int64_t time_us) noexcept;
+  void set_controller(int bus, BusCondition controller) noexcept;
+  static void show(Watch& watch) noexcept;
+  void controller_error(int bus, std::uint8_t detail) noexcept;
 
   const RobotConfig& robot_;
   int silent_cycles_;

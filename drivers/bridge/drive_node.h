@@ -30,6 +30,9 @@ class DriveNode final : public NodeLink {
   void emit(std::int64_t time_us, SafetyLevel level, const ActuatorCommand& command,
             FrameBatch& out) noexcept;
 
+  /// The last control word may not have gone out.
+  void resend_control_word() noexcept { power_.resend(); }
+
   /// Link side of the gear, from the card, once a cycle after end_sampling(); NaN when there is none in this cycle.
   void set_link_position(double measured_link_position_rad) noexcept;
 

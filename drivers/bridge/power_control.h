@@ -16,6 +16,8 @@ class PowerControl {
   void reset_faults(bool reset) noexcept;
   /// What the drive says now.
   void observe(PowerState state) noexcept;
+  /// The next step sends, whether or not the word has changed.
+  void resend() noexcept { sent_any_ = false; }
   /// @return true when `word` has to be sent now.
   bool step(PowerState state, std::int64_t time_us, std::uint16_t& word) noexcept;
 

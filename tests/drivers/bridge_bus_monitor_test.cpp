@@ -23,7 +23,7 @@ class BusMonitorTest : public ::testing::Test {
     time_us_ += 1000;
     monitor_.begin_cycle(time_us_);
   }
-  void tell(const CanFrame& frame) { monitor_.error_frame(0, frame, time_us_); }
+  void tell(const CanFrame& frame) { monitor_.error_frame(0, frame); }
   void tell(std::uint32_t error_class, std::uint8_t controller_detail = 0) {
     CanFrame frame = bus_lost_frame();
     frame.id = error_class;
@@ -110,12 +110,36 @@ TEST_F(BusMonitorTest, WarningIsShownAndPassiveIsALoss) {
   EXPECT_FALSE(monitor_.any_lost());
 }
 
-TEST_F(BusMonitorTest, PassiveFadesAfterASecondWithoutNewErrors) {
+TEST_F(BusMonitorTest, PassiveStaysUntilTheControllerSaysOtherwise) {
   tell(kCanErrorController, 0x10);
-  for (int i = 0; i < 1000; ++i) cycle();
+  for (int i = 0; i < 3000; ++i) cycle();
+  EXPECT_EQ(condition(), BusCondition::kPassive) << "kernels tell the change only";
+  EXPECT_TRUE(monitor_.lost(0));
+  tell(kCanErrorController, 0x08);
+  EXPECT_EQ(condition(), BusCondition::kWarning);
+  EXPECT_FALSE(monitor_.lost(0));
+}
+
+TEST_F(BusMonitorTest, FullQueueThatIsOverLeavesAPassiveControllerPassive) {
+  tell(kCanErrorController, 0x10);
+  monitor_.send_failed(0, SendFailure::kNoBuffers);
+  EXPECT_EQ(condition(), BusCondition::kNoBuffers);
+  cycle();
+  EXPECT_TRUE(monitor_.sending_failed(0));
+  cycle();
+  EXPECT_FALSE(monitor_.sending_failed(0));
   EXPECT_EQ(condition(), BusCondition::kPassive);
+  EXPECT_TRUE(monitor_.lost(0));
+}
+
+TEST_F(BusMonitorTest, InterfaceThatWasSetDownAndUpIsNotPassiveAnyMore) {
+  tell(kCanErrorController, 0x10);
+  tell(link_down_frame());
+  cycle();
+  EXPECT_EQ(condition(), BusCondition::kLinkDown);
   cycle();
   EXPECT_EQ(condition(), BusCondition::kActive);
+  EXPECT_FALSE(monitor_.lost(0));
 }
 
 TEST_F(BusMonitorTest, WorseConditionStaysUntilItIsOver) {
@@ -154,6 +178,8 @@ TEST_F(BusMonitorTest, TroubleNamesTheFirstLossOnce) {
 TEST_F(BusMonitorTest, ReceiveOverflowIsCountedAsDropped) {
   tell(kCanErrorController, 0x01);
   EXPECT_EQ(health().dropped, 1);
+  monitor_.set_traffic(0, {0, 0, 5, 0});
+  EXPECT_EQ(health().dropped, 6) << "the controller's and the kernel's";
   EXPECT_EQ(condition(), BusCondition::kActive);
 }
 

@@ -120,11 +120,21 @@ TEST_F(BridgeFaults, ErrorPassiveLosesTheBusUntilTheControllerIsActiveAgain) {
   expect_cleared();
 }
 
-TEST_F(BridgeFaults, ErrorPassiveWithoutNewErrorsFadesInASecond) {
+TEST_F(BridgeFaults, ErrorPassiveWithoutNewErrorsForbidsClear) {
   controller_error(0x20);
-  bench_.run(1002);
-  EXPECT_EQ(bus().condition, BusCondition::kActive);
-  expect_cleared();
+  bench_.run(1500);
+  EXPECT_EQ(bus().condition, BusCondition::kPassive);
+  EXPECT_EQ(bench_.ask(OperatorKind::kClear).outcome, OperatorOutcome::kRefused);
+}
+
+TEST_F(BridgeFaults, ControlWordsOfACycleThatDidNotGoOutAreSentAgain) {
+  bench_.tick();
+  ASSERT_TRUE(bench_.sent(canopen::rpdo_id(1, 1)).empty());
+  bench_.bridge->send_failed(0, SendFailure::kNoBuffers, bench_.time_us);
+  bench_.tick();
+  EXPECT_EQ(bench_.sent(canopen::rpdo_id(1, 1)).size(), 1U);
+  bench_.tick();
+  EXPECT_TRUE(bench_.sent(canopen::rpdo_id(1, 1)).empty());
 }
 
 TEST_F(BridgeFaults, ErrorWarningIsShownAndStopsNobody) {

@@ -25,6 +25,16 @@ TEST(PowerControl, SendsOnChangeAndAtTenHertz) {
   EXPECT_EQ(word, cia402::kShutdownWord);
 }
 
+TEST(PowerControl, WordThatMayBeLostIsSentOnceMore) {
+  PowerControl power;
+  std::uint16_t word = 1;
+  ASSERT_TRUE(power.step(PowerState::kSwitchOnDisabled, 0, word));
+  power.resend();
+  EXPECT_TRUE(power.step(PowerState::kSwitchOnDisabled, 1000, word));
+  EXPECT_EQ(word, cia402::kDisableVoltageWord);
+  EXPECT_FALSE(power.step(PowerState::kSwitchOnDisabled, 2000, word));
+}
+
 TEST(PowerControl, QuickStopEndsWithoutVoltageAfterHalfASecond) {
   PowerControl power;
   std::uint16_t word = 0;
