@@ -2,7 +2,9 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <cstdio>
 #include <stdexcept>
+#include <string>
 
 namespace sprung {
 namespace {
@@ -24,11 +26,22 @@ Eigen::Matrix3d jerk_noise(double dt) {
   return q;
 }
 
+std::string too_slow(double dt_s, double bandwidth_rad_s) {
+  const double least_Hz = bandwidth_rad_s / 3.0;
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "robot.yaml: key 'cycle_rate': found %g Hz, expected more than %.1f Hz, below which the "
+                "estimator cannot "
+                "follow a joint: raise it",
+                1.0 / dt_s, least_Hz);
+  return text;
+}
+
 }  // namespace
 
 TrackingGains solve_tracking_gains(double dt_s, double bandwidth_rad_s) {
   const double x = dt_s * bandwidth_rad_s;
-  if (!(x > 0.0 && x < 3.0)) throw std::invalid_argument("tracking filter: bandwidth * dt must be in (0, 3)");
+  if (!(x > 0.0 && x < 3.0)) throw std::invalid_argument(too_slow(dt_s, bandwidth_rad_s));
   // In units of the sample time and of the measurement noise, so that the recursion is well scaled for any
   // robot.
   const Eigen::Matrix3d f = transition(1.0);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 #include <stdexcept>
+#include <string>
 
 namespace sprung {
 namespace {
@@ -16,6 +17,20 @@ TEST(TrackingFilterTest, BandwidthMustFitTheCycle) {
   EXPECT_THROW((void)solve_tracking_gains(0.0, 100.0), std::invalid_argument);
   EXPECT_THROW((void)solve_tracking_gains(kDt_s, -1.0), std::invalid_argument);
   EXPECT_THROW((void)solve_tracking_gains(kDt_s, 3000.0), std::invalid_argument);
+}
+
+TEST(TrackingFilterTest, CycleThatIsTooSlowIsRefusedByKeyAndRemedy) {
+  std::string said = "accepted";
+  try {
+    (void)solve_tracking_gains(1.0 / 250.0, kBandwidth_rad_s);
+  } catch (const std::invalid_argument& error) {
+    said = error.what();
+  }
+  EXPECT_EQ(
+      said,
+      "robot.yaml: key 'cycle_rate': found 250 Hz, expected more than 251.3 Hz, below which the estimator "
+      "cannot follow a joint: raise it");
+  EXPECT_NO_THROW((void)solve_tracking_gains(1.0 / 251.4, kBandwidth_rad_s));
 }
 
 TEST(TrackingFilterTest, GainsGoToTheContinuousFilterForShortCycles) {
