@@ -2,12 +2,14 @@
 
 import collections
 
+import can
 import canopen
 import pytest
 
 import objects
 import programs
 from power_states import OFF, BySdo
+from sim_control import SimControl
 from wire import PATIENCE_S, Wire, until
 
 Profile = collections.namedtuple("Profile", "robot actuator")  # where the profile is found in robots/
@@ -110,7 +112,9 @@ class Bench:
         first = self.robot["buses"][0]["name"]
         self.first = first
         self.wire = Wire(buses[first])
-        self.process = programs.start_simulated_drives(folder, robot, buses, log)
+        self._others = [arguments for name, arguments in buses.items() if name != first]
+        self._folder = folder
+        self.process, self._lcm_url, self._session = programs.start_simulated_drives(folder, robot, buses, log)
         nodes = [
             d["node"]
             for d in self.robot["actuators"] + self.robot.get("encoder_cards", [])
@@ -132,6 +136,16 @@ class Bench:
     def settings(self, profile):
         found = self.robot["actuators"] if PROFILES[profile].actuator else self.robot["encoder_cards"]
         return next(d for d in found if d["bus"] == self.first and d["profile"] == profile)
+
+    def start_cycles(self):
+        """Every node of every bus operational: from the next SYNC on cycles count, and the plant moves."""
+        for arguments in self._others:
+            with can.Bus(**arguments) as bus:
+                bus.send(can.Message(arbitration_id=0, data=[0x01, 0], is_extended_id=False))
+        self.wire.send(0x000, [0x01, 0])
+
+    def sim_control(self):
+        return SimControl(self._folder, self._lcm_url, self._session)
 
     def close(self):
         self.wire.close()
@@ -184,12 +198,18 @@ def devices(request, benches):
 
 
 @pytest.fixture
-def own_gold(request, tmp_path):
-    """A Gold of a simulation that this test has for itself."""
-    bench = Bench(request.config.option.programs, "single_leg", tmp_path / "drives.log")
-    settings = bench.settings("gold")
-    yield Device("gold", bench.wire, settings["node"], bench.robot, settings)
+def own_bench(request, tmp_path, profile):
+    """A simulation that this test has for itself: its plant may move."""
+    bench = Bench(request.config.option.programs, PROFILES[profile].robot, tmp_path / "drives.log")
+    yield bench
     bench.close()
+
+
+@pytest.fixture
+def own_device(own_bench, profile):
+    """The first device of this profile in it."""
+    settings = own_bench.settings(profile)
+    return Device(profile, own_bench.wire, settings["node"], own_bench.robot, settings)
 
 
 @pytest.fixture

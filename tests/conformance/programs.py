@@ -89,15 +89,17 @@ class Program:
 def start_simulated_drives(folder, robot, buses, log):
     """sprung-sim-drives alone, in real time, as `sprung up` starts it.
 
-    @param buses name of each bus, and python-can's arguments for it."""
+    @param buses name of each bus, and python-can's arguments for it.
+    @return the program; and the LCM URL and session that it listens to."""
+    lcm_url, session = random_lcm_url(), random.getrandbits(40)
     arguments = [
         "sprung-sim-drives",
         "--robot",
         TOP / "robots" / robot,
         "--session",
-        random.getrandbits(40),
+        session,
         "--lcm-url",
-        random_lcm_url(),
+        lcm_url,
         "--clock",
         "realtime",
         "--rt-policy",
@@ -106,4 +108,4 @@ def start_simulated_drives(folder, robot, buses, log):
     ]
     for name, bus in buses.items():
         arguments += ["--can", f"{name}={address(bus)}"]
-    return Program(folder, arguments, log)
+    return Program(folder, arguments, log), lcm_url, session

@@ -5,10 +5,17 @@ import pytest
 
 from conftest import PROFILES
 from pdos import abort_code, ask_by_sync, configure, silence
-from power_states import lose_heartbeat
+from power_states import FAULT, FAULT_RESET, OFF, BySdo, lose_heartbeat
+from sim_control import MENDED, OVER_CURRENT, OVER_TEMPERATURE, UNDER_VOLTAGE
 from wire import until
 
 DRIVES = ["gold", "epos2"]
+# Facts 2.5: code, and bits of 0x1001 with the generic one. The text is python-canopen's for this class.
+OF_THE_POWER_STAGE = [
+    (OVER_CURRENT, 0x2310, 0x03, "Current"),
+    (UNDER_VOLTAGE, 0x3220, 0x05, "Voltage"),
+    (OVER_TEMPERATURE, 0x4210, 0x09, "Temperature"),
+]
 SAVE, LOAD = 0x65766173, 0x64616F6C  # "save", "load" in the order of the wire
 
 
@@ -43,6 +50,51 @@ def test_history_holds_the_newest_first_and_is_cleared_by_zero_only(device, prof
     assert history[0].raw == 2
     history[0].raw = 0
     assert history[0].raw == 0
+
+
+@pytest.mark.parametrize("profile", DRIVES)
+def test_faults_of_the_power_stage_have_code_register_text_and_a_place_in_the_history(
+    own_bench, own_device, profile
+):
+    """A cause that lasts holds the drive in fault; the reset after it ends the emergency, not the history."""
+    device, power = own_device, BySdo(own_device)
+    device.sdo[0x6007].raw = 0
+    actuator = device.robot["actuators"].index(device.settings)
+    control = own_bench.sim_control()
+    own_bench.start_cycles()
+
+    def happens(kind, done):
+        control.fault(actuator, kind)
+        return until(lambda: device.wire.sync() or done())
+
+    def told(mark, code):
+        frame = device.wire.record.wait_for(
+            lambda f: f.arbitration_id == 0x80 + device.node and f.data[:2] == code.to_bytes(2, "little"),
+            mark,
+            0.02,
+        )
+        return bytes(frame.data) if frame else None
+
+    power.command(FAULT_RESET)  # an EPOS2 comes up in fault
+    assert power.reaches(OFF)
+    device.sdo[0x1003][0].raw = 0
+    for place, (kind, code, register, text) in enumerate(OF_THE_POWER_STAGE, 1):
+        power.command(0)
+        mark = device.wire.record.mark()
+        assert happens(kind, lambda mark=mark, code=code: told(mark, code)), f"no emergency {code:#x}"
+        assert power.reaches(FAULT)
+        assert told(mark, code)[2] == register == device.sdo[0x1001].raw
+        newest = device.remote.emcy.log[-1]
+        assert (newest.code, newest.register, newest.get_desc()) == (code, register, text)
+        if kind != OVER_CURRENT:  # its cause is over at once
+            power.command(FAULT_RESET)
+            assert power.settled() == FAULT
+            power.command(0)
+        assert happens(MENDED, lambda: power.command(0) or power.command(FAULT_RESET) or power.settled() == OFF)
+        assert told(mark, 0)[2] == 0 == device.sdo[0x1001].raw
+        found = [device.sdo[0x1003][sub].raw & 0xFFFF for sub in range(place + 1)]
+        assert found == [place, *[code for _, code, *_ in reversed(OF_THE_POWER_STAGE[:place])]]
+    control.close()
 
 
 @pytest.mark.parametrize("profile", DRIVES)

@@ -22,6 +22,8 @@ from wire import PATIENCE_S, until
 
 DRIVES = ["gold", "epos2"]
 MODES = {"gold": [8, 10], "epos2": [-3, -1]}
+# Mode, set-point of torque or current, and a speed 0x606C that says "it moves": in counts/s and in rpm.
+MOVING = {"gold": (10, 0x6071, 300, 100_000), "epos2": (-3, 0x2030, 1500, 50)}
 UNKNOWN_MODE = {"gold": 2, "epos2": 8}
 
 
@@ -128,29 +130,32 @@ def test_status_words_are_those_of_the_table(device, power, profile):
     assert {OFF, READY, ON, "refresh", "measure init", ENABLED, FAULT} <= set(seen), seen
 
 
-def test_quick_stop_of_a_moving_motor_is_shown_and_ends_without_power(own_gold):
+@pytest.mark.parametrize("profile", DRIVES)
+def test_quick_stop_of_a_moving_motor_is_shown_and_ends_without_power(own_bench, own_device, profile):
     """The plant moves once every drive has answered a SYNC: a simulation of its own, to disturb none."""
-    device, power = own_gold, BySdo(own_gold)
+    device, power = own_device, BySdo(own_device)
+    mode, set_point, value, fast = MOVING[profile]
+    power.command(FAULT_RESET)  # an EPOS2 comes up in fault
     assert power.reaches(OFF)
     silence(device)
     configure(device.remote.tpdo[1], [0x6041], 255, 0, device.node, True)
-    device.nmt(0x01, 0)
+    own_bench.start_cycles()
     power.go(ENABLED)
-    device.sdo[0x6060].raw = 10
-    device.sdo[0x6071].raw = 300
+    device.sdo[0x6060].raw = mode
+    device.sdo[set_point].raw = value
 
     def moves():
         device.wire.sync()
-        return abs(device.sdo[0x606C].raw) > 100_000  # counts/s: 0.05 rad/s at the joint
+        return abs(device.sdo[0x606C].raw) > fast
 
     assert until(moves), "a torque moves nothing"
     mark = device.wire.record.mark()
     power.command(2)
     assert power.reaches(OFF)
-    words = [
-        int.from_bytes(f.data, "little") & 0x6F for f in device.wire.record.since(mark, 0x180 + device.node)
-    ]
-    assert 0x07 in words, [f"{word:#04x}" for word in words]
+    words = [int.from_bytes(f.data, "little") for f in device.wire.record.since(mark, 0x180 + device.node)]
+    assert 0x07 in [word & 0x6F for word in words], [f"{word:#06x}" for word in words]
+    if profile == "epos2":
+        assert EPOS2_WORDS[QUICK_STOP] in [word & 0x417F for word in words]
 
 
 @pytest.mark.parametrize("profile", DRIVES)
