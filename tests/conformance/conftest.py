@@ -114,7 +114,8 @@ class Bench:
         self.wire = Wire(buses[first])
         self._others = [arguments for name, arguments in buses.items() if name != first]
         self._folder = folder
-        self.process, self._lcm_url, self._session = programs.start_simulated_drives(folder, robot, buses, log)
+        started = programs.start_simulated_drives(folder, robot, buses, log)
+        self.process, self._lcm_url, self._session = started
         nodes = [
             d["node"]
             for d in self.robot["actuators"] + self.robot.get("encoder_cards", [])

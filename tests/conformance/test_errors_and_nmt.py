@@ -67,6 +67,11 @@ def test_faults_of_the_power_stage_have_code_register_text_and_a_place_in_the_hi
         control.fault(actuator, kind)
         return until(lambda: device.wire.sync() or done())
 
+    def resets():
+        power.command(0)
+        power.command(FAULT_RESET)
+        return power.settled() == OFF
+
     def told(mark, code):
         frame = device.wire.record.wait_for(
             lambda f: f.arbitration_id == 0x80 + device.node and f.data[:2] == code.to_bytes(2, "little"),
@@ -90,7 +95,7 @@ def test_faults_of_the_power_stage_have_code_register_text_and_a_place_in_the_hi
             power.command(FAULT_RESET)
             assert power.settled() == FAULT
             power.command(0)
-        assert happens(MENDED, lambda: power.command(0) or power.command(FAULT_RESET) or power.settled() == OFF)
+        assert happens(MENDED, resets)
         assert told(mark, 0)[2] == 0 == device.sdo[0x1001].raw
         found = [device.sdo[0x1003][sub].raw & 0xFFFF for sub in range(place + 1)]
         assert found == [place, *[code for _, code, *_ in reversed(OF_THE_POWER_STAGE[:place])]]

@@ -173,7 +173,7 @@ TEST_F(HomingPegasus, LinkGivesTheTruthUpToWhatLinkEncodersSee) {
 
 class HomingByIndex : public HomingPegasus {
  protected:
-  /// References at the index pulses of the shipped plant; the jig is asked for, and not needed beside a link encoder.
+  /// References at the index pulses of the shipped plant. The jig is asked for, but a link encoder goes first.
   RobotConfig with_index(const std::vector<double>& jig_rad) {
     const RobotConfig shipped = load_robot("pegasus");
     const sim::SimConfig plant = sim::load_sim_config(shipped, {});
