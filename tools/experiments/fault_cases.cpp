@@ -14,6 +14,7 @@ std::vector<FaultCase> fault_cases(const RobotConfig& robot) {
   using Kind = FaultKind;
   using Cause = SafetyCause;
   const WatchdogConfig& watchdogs = robot.watchdogs;
+  const bool can_home = robot.actuators.back().reference.method != ReferenceMethod::kNone;
   const double at_once_s =
       4 * robot.cycle_s;  // on the bus in this cycle, seen in the next, with one for luck on each side
   const double silence_s = (watchdogs.silent_cycles + 4) * robot.cycle_s;
@@ -23,7 +24,7 @@ std::vector<FaultCase> fault_cases(const RobotConfig& robot) {
       {Kind::kOverCurrent, false, 0.0, 0.5, Cause::kDriveFault, at_once_s},
       {Kind::kUnderVoltage, false, 0.0, 0.5, Cause::kDriveFault, at_once_s},
       {Kind::kOverTemperature, false, 0.0, 0.5, Cause::kDriveFault, at_once_s},
-      {Kind::kEncoderJump, false, 0.5, 0.5, Cause::kImplausible, at_once_s, false},
+      {Kind::kEncoderJump, false, 0.5, 0.5, Cause::kImplausible, at_once_s, can_home},
       {Kind::kEncoderStuck, false, 0.0, 0.5, Cause::kNone, kUnnoticed_s},
       {Kind::kEncoderNoise, false, 0.001, 0.5, Cause::kNone, kUnnoticed_s},
       {Kind::kCurrentOffset, false, 0.5, 0.5, Cause::kNone, kUnnoticed_s},

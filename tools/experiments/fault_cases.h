@@ -16,9 +16,8 @@ struct FaultCase {
   SafetyCause cause =
       SafetyCause::kNone;  ///< that must be named; kNone = the robot goes on, the fault is only counted
   double within_s =
-      0.0;  ///< from the fault to the reaction, or to the first count; NaN = the bus cannot show it
-  bool back =
-      true;  ///< `clear` and `stand` are enough; else a reference is lost and the joint gets no torque until `home`
+      0.0;           ///< from the fault to the reaction, or to the first count; NaN = the bus cannot show it
+  bool back = true;  ///< `clear`, `home` where robot.yaml has a method, and `stand` bring the robot back
 };
 
 /// Limits are worked out from the robot's cycle and watchdogs.

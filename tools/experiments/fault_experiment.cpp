@@ -12,9 +12,10 @@
 namespace sprung {
 namespace {
 
-constexpr double kSettle_s = 0.1;      // the estimator's, after booting
-constexpr double kStand_s = 4.0;       // to rise and to stand quietly; the drives enable on the way
-constexpr double kReady_s = 1.0;       // faults from power-on are reset
+constexpr double kSettle_s = 0.1;  // the estimator's, after booting
+constexpr double kStand_s = 4.0;   // to rise and to stand quietly; the drives enable on the way
+constexpr double kReady_s = 1.0;   // faults from power-on are reset
+constexpr double kHome_s = 2.0;
 constexpr double kAfterwards_s = 1.5;  // quick stop included
 constexpr double kClear_s = 8.0;
 
@@ -32,8 +33,10 @@ class FaultRun {
     robot_.boot(10.0);
     advance(kSettle_s);
     if (!stand()) throw std::runtime_error("the robot did not stand up before the fault");
+    if (!all_referenced()) home();
     strike();
     clear();
+    outcome_.homed_again = !all_referenced() && home();
     outcome_.referenced = all_referenced();
     outcome_.back = outcome_.cleared && stand() && outcome_.referenced;
     return outcome_;
@@ -59,6 +62,18 @@ class FaultRun {
     for (int i = 0; i < static_cast<int>(config_.actuators.size()); ++i)
       all = all && robot_.bridge().reference(i).known;
     return all;
+  }
+  /// As robot.yaml says for each actuator. @return false where it says nothing.
+  bool home() {
+    const std::int64_t id = submit(OperatorKind::kHome);
+    for (std::int64_t i = std::llround(kHome_s / config_.cycle_s); i > 0; --i) {
+      for (OperatorReply reply; robot_.next_reply(reply);) {
+        if (reply.request_id == id && reply.outcome != OperatorOutcome::kAccepted)
+          return reply.outcome == OperatorOutcome::kDone;
+      }
+      tick();
+    }
+    return false;
   }
   bool has_kinematics() const {
     return std::any_of(config_.legs.begin(), config_.legs.end(),
@@ -204,7 +219,7 @@ std::string fault_table(const std::vector<FaultOutcome>& outcomes) {
                                  : "none: counted only") +
             " | " + name(o.worst) + " | " + milliseconds(reacted ? o.torque_off_s : kNaN) + " | " +
             o.counted + " | " + o.recovery + " | " +
-            (o.back          ? "yes"
+            (o.back          ? (o.homed_again ? "yes, with `sprung home`" : "yes")
              : !o.referenced ? "no: not referenced"
                              : "no") +
             " |\n";

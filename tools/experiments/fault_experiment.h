@@ -22,6 +22,7 @@ struct FaultOutcome {
   bool cleared = false;        ///< `clear` ended with done (also where nothing was latched)
   double clear_s = kNaN;       ///< that it took
   std::string recovery;        ///< what it did to the node, or why it failed
+  bool homed_again = false;    ///< a reference was lost, and found again
   bool referenced = true;      ///< every actuator, after the clear
   bool back = false;  ///< stands again with every actuator referenced, or is ready where there are no legs
 };
