@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <ctime>
 
-#include "drivers/bridge/traced_frame.h"
+#include "drivers/bridge/traced_frame_shell.h"
 #include "lcmtypes/channels.h"
 #include "runtime/log.h"
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "drivers/bridge/traced_frame.h"
+#include "drivers/bridge/traced_frame_shell.h"
 #include "drivers/can/can_errors.h"
 #include "drivers/canopen/nmt.h"
 

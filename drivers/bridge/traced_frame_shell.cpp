@@ -1,4 +1,4 @@
-#include "drivers/bridge/traced_frame.h"
+#include "drivers/bridge/traced_frame_shell.h"
 
 #include <algorithm>
 
