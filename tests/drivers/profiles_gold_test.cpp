@@ -35,8 +35,8 @@ std::int32_t position_of(const CanFrame& frame) {
 TEST(MakeProfile, UnknownNameListsTheKnownOnes) {
   ActuatorConfig config = actuator();
   config.profile = "epos9";
-  EXPECT_THAT([&] { make_profile(config, kTiming); },
-              ::testing::ThrowsMessage<std::invalid_argument>(::testing::HasSubstr("there are: epos2, gold")));
+  EXPECT_THAT([&] { make_profile(config, kTiming); }, ::testing::ThrowsMessage<std::invalid_argument>(
+                                                          ::testing::HasSubstr("there are: epos2, gold")));
 }
 
 TEST(GoldSettings, FollowFromTheRobotsFile) {

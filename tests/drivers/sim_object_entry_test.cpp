@@ -1,8 +1,7 @@
-#include "drivers/sim/object_entry.h"
-
 #include <gtest/gtest.h>
 
 #include "drivers/canopen/sdo_aborts.h"
+#include "drivers/sim/object_entry.h"
 
 namespace sprung::sim {
 namespace {

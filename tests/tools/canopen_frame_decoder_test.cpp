@@ -121,8 +121,7 @@ TEST_F(FrameDecoderTest, ExpeditedTransfersNameObjectValueAndUnit) {
   EXPECT_EQ(text(canopen::sdo_read_reply(1, {0x6079, 0}, 48000, 4)), "0x6079:00 DC link voltage = 48000 mV");
   EXPECT_EQ(text(canopen::sdo_write_request(1, {0x1017, 0}, 5, 2)),
             "write 0x1017:00 heartbeat producer := 5 ms");
-  EXPECT_EQ(text(canopen::sdo_write_reply(1, {0x1017, 0})),
-            "0x1017:00 heartbeat producer written: 5 ms");
+  EXPECT_EQ(text(canopen::sdo_write_reply(1, {0x1017, 0})), "0x1017:00 heartbeat producer written: 5 ms");
 }
 
 TEST_F(FrameDecoderTest, AbortsAreText) {

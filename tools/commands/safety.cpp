@@ -15,6 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double kAnswer_s = 3.0;
+constexpr double kArming_s = 1.0;  ///< for the leg controller's next command, which arms the bridge
 
 int run_estop(const std::string& instance) {
   OperatorClient client(require_running(instance, ""));
@@ -47,6 +48,13 @@ Json clear_json(const RobotConfig& robot, const std::optional<OperatorAnswer>& a
   return out;
 }
 
+/// The bridge is cleared before it is armed again: what is shown should be what stays.
+void wait_until_armed(HealthListener& health) {
+  health.wait(kArming_s, [&] {
+    return health.safety() && health.safety()->cause != static_cast<std::int8_t>(SafetyCause::kStarting);
+  });
+}
+
 int run_clear(const std::string& instance, bool as_json) {
   const RunInfo info = require_running(instance, "");
   const RobotConfig robot = load_robot(info.robot_folder);
@@ -63,6 +71,7 @@ int run_clear(const std::string& instance, bool as_json) {
   };
   const auto answer =
       run_long_command(info, command, health, as_json ? HealthProgress() : HealthProgress(progress));
+  if (answer && answer->outcome == OperatorOutcome::kDone) wait_until_armed(health);
   if (as_json) {
     std::printf("%s\n", clear_json(robot, answer, health).dump(1).c_str());
     return answer && answer->outcome == OperatorOutcome::kDone ? kExitDone : kExitFailed;

@@ -33,18 +33,10 @@ fs::path run_folder() {
 }
 
 Json to_json(const RunInfo& info) {
-  Json out{{"instance", info.instance},
-           {"robot", info.robot},
-           {"robot_folder", info.robot_folder},
-           {"preset", info.preset},
-           {"clock", info.clock},
-           {"simulation", info.simulation},
-           {"session", info.session},
-           {"epoch_us", info.epoch_us},
-           {"lcm_url", info.lcm_url},
-           {"log", info.log},
-           {"can", info.can},
-           {"launcher_pid", info.launcher_pid}};
+  Json out{{"instance", info.instance}, {"robot", info.robot},       {"robot_folder", info.robot_folder},
+           {"preset", info.preset},     {"clock", info.clock},       {"simulation", info.simulation},
+           {"session", info.session},   {"epoch_us", info.epoch_us}, {"lcm_url", info.lcm_url},
+           {"log", info.log},           {"can", info.can},           {"launcher_pid", info.launcher_pid}};
   out["processes"] = Json::array();
   for (const RunningProcess& process : info.processes) {
     out["processes"].push_back({{"program", process.program}, {"pid", process.pid}});
