@@ -15,13 +15,6 @@ using testing::FakeDrive;
 using ::testing::HasSubstr;
 using testing::two_drive_robot;
 
-bool any_enabled(const BridgeBench& bench) {
-  for (const FakeDrive& drive : bench.drives) {
-    if (drive.power == PowerState::kOperationEnabled) return true;
-  }
-  return false;
-}
-
 class StallBeforeEmit : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -74,7 +67,7 @@ TEST(BridgeSetpoints, NothingIsEnabledBeforeACommandWithEveryModeDisabled) {
   bench.command_all(DriveMode::kTorque, 5.0);
   ASSERT_TRUE(bench.boot());
   bench.run(200);
-  EXPECT_FALSE(any_enabled(bench));
+  EXPECT_EQ(bench.enabled(), 0);
   EXPECT_EQ(bench.state.safety, SafetyLevel::kDisabled);
   EXPECT_THAT(bench.detail(), HasSubstr("every mode disabled"));
 }
@@ -83,7 +76,7 @@ TEST(BridgeSetpoints, EnabledDriveGetsItsTorqueAndShowsItsModeOnlyWhenConfirmed)
   BridgeBench bench;
   ASSERT_TRUE(bench.boot());
   bench.enable();
-  ASSERT_TRUE(any_enabled(bench));
+  ASSERT_GT(bench.enabled(), 0);
   EXPECT_EQ(bench.state.safety, SafetyLevel::kOperational);
   EXPECT_EQ(bench.state.actuators[0].shown_mode, DriveMode::kTorque);
   bench.command_all(DriveMode::kTorque, 30.8);
@@ -124,7 +117,7 @@ TEST(BridgeSetpoints, DisabledCommandTakesTheTorqueAwayInOneCycle) {
   bench.enable();
   bench.command_all(DriveMode::kDisabled);
   bench.tick();
-  EXPECT_FALSE(any_enabled(bench));
+  EXPECT_EQ(bench.enabled(), 0);
 }
 
 TEST(BridgeSetpoints, DampingModeOpposesTheMeasuredMotion) {
@@ -148,12 +141,12 @@ TEST(BridgeSetpoints, DampingModeEnablesNothing) {
   BridgeBench bench;
   ASSERT_TRUE(bench.boot());
   bench.enable(DriveMode::kDamping);
-  EXPECT_FALSE(any_enabled(bench));
+  EXPECT_EQ(bench.enabled(), 0);
   bench.enable();
-  ASSERT_TRUE(any_enabled(bench));
+  ASSERT_GT(bench.enabled(), 0);
   bench.command_all(DriveMode::kDamping);
   bench.run(50);
-  EXPECT_TRUE(any_enabled(bench)) << "what has torque keeps it";
+  EXPECT_GT(bench.enabled(), 0) << "what has torque keeps it";
 }
 
 TEST(BridgeSetpoints, ControlWordIsRepeatedAtTenHertz) {
@@ -179,12 +172,12 @@ TEST(BridgeShutdown, DampsThenSwitchesOff) {
   bench.bridge->begin_shutdown(bench.time_us);
   bench.drives[0].position_counts += 2086;
   bench.tick();
-  EXPECT_TRUE(any_enabled(bench));
+  EXPECT_GT(bench.enabled(), 0);
   EXPECT_LT(bench.drives[0].target_torque_permille, -300);
   EXPECT_FALSE(bench.bridge->shut_down());
   for (int i = 0; i < 1000 && !bench.bridge->shut_down(); ++i) bench.tick();
   EXPECT_TRUE(bench.bridge->shut_down());
-  EXPECT_FALSE(any_enabled(bench));
+  EXPECT_EQ(bench.enabled(), 0);
   EXPECT_EQ(bench.ask(OperatorKind::kClear).outcome, OperatorOutcome::kRefused);
 }
 
@@ -198,7 +191,7 @@ TEST(BridgeShutdown, OfAStandingRobotLetsItSinkDamped) {
   for (int i = 0; i < 200; ++i) {
     bench.drives[0].position_counts -= 2086;  // 1 rad/s
     bench.tick();
-    ASSERT_TRUE(any_enabled(bench)) << "dropped after " << i << " ms";
+    ASSERT_GT(bench.enabled(), 0) << "dropped after " << i << " ms";
   }
   EXPECT_GT(bench.drives[0].target_torque_permille, 300);
 }

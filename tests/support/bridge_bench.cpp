@@ -134,4 +134,10 @@ std::vector<CanFrame> BridgeBench::sent(std::uint32_t id) const {
   return frames;
 }
 
+int BridgeBench::enabled() const {
+  return static_cast<int>(std::count_if(drives.begin(), drives.end(), [](const FakeDrive& drive) {
+    return drive.power == PowerState::kOperationEnabled;
+  }));
+}
+
 }  // namespace sprung::testing

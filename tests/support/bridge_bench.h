@@ -34,6 +34,8 @@ class BridgeBench {
   /// Sets every actuator's command.
   void command_all(DriveMode mode, double torque_Nm = 0.0, double position_rad = 0.0);
 
+  /// Drives that have power now.
+  int enabled() const;
   std::string detail() const { return bridge->safety().detail.data(); }
   /// Frames that the bridge sent in the last tick and are of this identifier.
   std::vector<CanFrame> sent(std::uint32_t id) const;

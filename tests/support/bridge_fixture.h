@@ -18,11 +18,7 @@ class PoweredBridge : public ::testing::Test {
     for (auto& drive : bench_.drives) enabled_before_.push_back(drive.enabled_count);
   }
 
-  int enabled() const {
-    int count = 0;
-    for (const auto& drive : bench_.drives) count += drive.power == PowerState::kOperationEnabled ? 1 : 0;
-    return count;
-  }
+  int enabled() const { return bench_.enabled(); }
   int powered() const {
     int count = 0;
     for (const auto& drive : bench_.drives) {
