@@ -1,0 +1,47 @@
+#pragma once
+/// From a recording as it is (jittered and repeated time stamps, gaps) to datasets at a constant rate. Pure.
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "estimator/identification/joint_dataset.h"
+
+namespace sprung::identification {
+
+/// A recording of one joint, sorted or not by time. Signals that were not recorded are empty.
+struct RawSeries {
+  double gear_ratio = 1.0;
+  std::string torque_unit = "Nm";
+  std::vector<double> time_s;
+  std::vector<double> position_rad;
+  std::vector<double> velocity_rad_s;  ///< empty: from position
+  std::vector<double> measured_torque;
+  std::vector<double> link_position_rad;
+  std::vector<double> load_Nm;
+  std::vector<double> temperature_C;
+};
+
+struct PrepareOptions {
+  double rate_Hz = 0.0;  ///< of the datasets; 0 = 1 / median interval of the recording
+  double smoothing_s =
+      0.09;  ///< whole width of the local fits for velocity (where not recorded) and acceleration
+  int smoothing_degree = 2;    ///< of the local polynomial
+  double longest_gap_s = 0.1;  ///< a longer one is not bridged: a new piece begins
+};
+
+/// A part of a recording, seconds after its first sample; `to_s` is not in it.
+struct TimeSpan {
+  double from_s = 0.0;
+  double to_s = 0.0;
+};
+
+/// Time is counted from the first sample of `series`. Samples with one time stamp are merged into their mean;
+/// between samples the line is taken; grid points lie at multiples of the period after `span.from_s`, so that datasets of
+/// parts share the grid of the whole. Only samples within the span are looked at, smoothing included: a part prepared
+/// by itself knows nothing of its neighbours.
+/// @throws std::invalid_argument naming the problem: lengths that differ, values that are not finite, time that
+/// goes back, nothing within the span.
+std::vector<JointDataset> prepare(const RawSeries& series, const TimeSpan& span,
+                                  const PrepareOptions& options);
+
+}  // namespace sprung::identification
