@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "estimator/identification/joint_dataset.h"
+#include "estimator/identification/dataset.h"
 
 namespace sprung::identification {
 

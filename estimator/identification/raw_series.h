@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "estimator/identification/joint_dataset.h"
+#include "estimator/identification/dataset.h"
 
 namespace sprung::identification {
 
-/// A recording of one joint, sorted or not by time. Signals that were not recorded are empty.
+/// A recording of one joint in order of time. Signals that were not recorded are empty.
 struct RawSeries {
   double gear_ratio = 1.0;
   std::string torque_unit = "Nm";
