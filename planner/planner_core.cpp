@@ -130,6 +130,7 @@ void PlannerCore::Impl::execute(const OperatorCommand& command, const JointState
     case OperatorKind::kClear:
     case OperatorKind::kHome:
       return;  // the bridge's own, and it answers them
+    case OperatorKind::kMoveJoint:
     case OperatorKind::kNone:
       break;
   }

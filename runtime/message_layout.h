@@ -19,6 +19,7 @@
 #include "sprung_msgs/safety_state_t.hpp"
 #include "sprung_msgs/sim_control_t.hpp"
 #include "sprung_msgs/sim_truth_t.hpp"
+#include "sprung_msgs/torque_sensor_t.hpp"
 
 namespace sprung {
 
@@ -64,6 +65,8 @@ template <>
 MessageLayout layout_of<sprung_msgs::sim_truth_t>();
 template <>
 MessageLayout layout_of<sprung_msgs::sim_control_t>();
+template <>
+MessageLayout layout_of<sprung_msgs::torque_sensor_t>();
 template <>
 MessageLayout layout_of<sprung_msgs::operator_command_t>();
 template <>

@@ -20,14 +20,14 @@ constexpr PowerState last(PowerState) { return PowerState::kFault; }
 constexpr SafetyLevel last(SafetyLevel) { return SafetyLevel::kDisabled; }
 constexpr SafetyCause last(SafetyCause) { return SafetyCause::kDuplicateNode; }
 constexpr JointStatus last(JointStatus) { return JointStatus::kFault; }
-constexpr ControlMode last(ControlMode) { return ControlMode::kCompliance; }
+constexpr ControlMode last(ControlMode) { return ControlMode::kJoint; }
 constexpr LegPhase last(LegPhase) { return LegPhase::kStance; }
 constexpr MotionPhase last(MotionPhase) { return MotionPhase::kSitting; }
 constexpr JumpMode last(JumpMode) { return JumpMode::kHybrid; }
-constexpr OperatorKind last(OperatorKind) { return OperatorKind::kHome; }
+constexpr OperatorKind last(OperatorKind) { return OperatorKind::kMoveJoint; }
 constexpr OperatorOutcome last(OperatorOutcome) { return OperatorOutcome::kQueued; }
 constexpr ProcessState last(ProcessState) { return ProcessState::kStopping; }
-constexpr SimControlKind last(SimControlKind) { return SimControlKind::kNodeFault; }
+constexpr SimControlKind last(SimControlKind) { return SimControlKind::kFloor; }
 constexpr FaultKind last(FaultKind) { return FaultKind::kQueueFull; }
 constexpr BusCondition last(BusCondition) { return BusCondition::kOff; }
 constexpr ReferenceSource last(ReferenceSource) { return ReferenceSource::kJig; }

@@ -53,14 +53,24 @@ const auto kEstimatedJoint = [](auto& way, auto& m, auto& s) {
   way(m.gear_output_torque_bound_Nm, s.gear_output_torque_bound_Nm);
   way(m.friction_torque_Nm, s.friction_torque_Nm);
   way(m.external_torque_Nm, s.external_torque_Nm);
+  way(m.estimated_position_bound_rad, s.estimated_position_bound_rad);
+  way(m.estimated_velocity_bound_rad_s, s.estimated_velocity_bound_rad_s);
+  way(m.estimated_acceleration_bound_rad_s2, s.estimated_acceleration_bound_rad_s2);
+  way(m.friction_torque_bound_Nm, s.friction_torque_bound_Nm);
+  way(m.external_torque_bound_Nm, s.external_torque_bound_Nm);
+  way(m.torsion_torque_Nm, s.torsion_torque_Nm);
+  way(m.estimated_temperature_degC, s.estimated_temperature_degC);
   way(m.status, s.status);
   way(m.drive_enabled, s.drive_enabled);
+  way(m.identified, s.identified);
+  way(m.at_rest, s.at_rest);
 };
 
 const auto kEstimatedLeg = [](auto& way, auto& m, auto& s) {
   way(m.estimated_foot_in_hip_m, s.estimated_foot_in_hip_m);
   way(m.estimated_foot_velocity_m_s, s.estimated_foot_velocity_m_s);
   way(m.foot_force_N, s.foot_force_N);
+  way(m.foot_force_bound_N, s.foot_force_bound_N);
   way(m.contact_confidence, s.contact_confidence);
   way(m.contact, s.contact);
 };
@@ -82,6 +92,8 @@ const auto kDesiredLeg = [](auto& way, auto& m, auto& s) {
   way(m.feedforward_force_N, s.feedforward_force_N);
   way(m.friction_compensation, s.friction_compensation);
   way(m.velocity_feedforward, s.velocity_feedforward);
+  way(m.desired_joint_position_rad, s.desired_joint_position_rad);
+  way(m.desired_joint_velocity_rad_s, s.desired_joint_velocity_rad_s);
   way(m.phase, s.phase);
   way(m.control_mode, s.control_mode);
 };
@@ -99,6 +111,8 @@ const auto kTrueJoint = [](auto& way, auto& m, auto& s) {
   way(m.true_motor_torque_Nm, s.true_motor_torque_Nm);
   way(m.true_gear_output_torque_Nm, s.true_gear_output_torque_Nm);
   way(m.true_friction_torque_Nm, s.true_friction_torque_Nm);
+  way(m.true_motor_position_rad, s.true_motor_position_rad);
+  way(m.true_temperature_degC, s.true_temperature_degC);
 };
 
 const auto kTrueLeg = [](auto& way, auto& m, auto& s) {

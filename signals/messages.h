@@ -18,6 +18,7 @@
 #include "sprung_msgs/safety_state_t.hpp"
 #include "sprung_msgs/sim_control_t.hpp"
 #include "sprung_msgs/sim_truth_t.hpp"
+#include "sprung_msgs/torque_sensor_t.hpp"
 
 namespace sprung {
 
@@ -32,6 +33,7 @@ void to_message(const OperatorReply& in, std::int64_t session, sprung_msgs::oper
 void to_message(const BusState& in, std::int64_t session, sprung_msgs::bus_state_t& out);
 void to_message(const SimControl& in, std::int64_t session, sprung_msgs::sim_control_t& out);
 void to_message(const SimTruth& in, std::int64_t session, sprung_msgs::sim_truth_t& out);
+void to_message(const TorqueSensor& in, std::int64_t session, sprung_msgs::torque_sensor_t& out);
 
 [[nodiscard]] bool from_message(const sprung_msgs::drive_state_t& in, DriveState& out);
 [[nodiscard]] bool from_message(const sprung_msgs::drive_command_t& in, DriveCommand& out);
@@ -46,6 +48,7 @@ void to_message(const SimTruth& in, std::int64_t session, sprung_msgs::sim_truth
 [[nodiscard]] bool from_message(const sprung_msgs::bus_state_t& in, BusState& out);
 [[nodiscard]] bool from_message(const sprung_msgs::sim_control_t& in, SimControl& out);
 [[nodiscard]] bool from_message(const sprung_msgs::sim_truth_t& in, SimTruth& out);
+[[nodiscard]] bool from_message(const sprung_msgs::torque_sensor_t& in, TorqueSensor& out);
 
 /// The message type of a signal: MessageOf<DriveState> is sprung_msgs::drive_state_t.
 template <class Signal>
@@ -53,6 +56,10 @@ struct MessageOfSignal;
 template <class Signal>
 using MessageOf = typename MessageOfSignal<Signal>::Type;
 
+template <>
+struct MessageOfSignal<TorqueSensor> {
+  using Type = sprung_msgs::torque_sensor_t;
+};
 template <>
 struct MessageOfSignal<DriveState> {
   using Type = sprung_msgs::drive_state_t;

@@ -47,6 +47,10 @@ const auto kOperatorCommand = [](auto& way, auto& m, auto& s) {
   way(m.jump_height_m, s.jump_height_m);
   way(m.actuator, s.actuator);
   way(m.reference_source, s.reference_source);
+  way(m.joint, s.joint);
+  way(m.joint_target_rad, s.joint_target_rad);
+  way(m.joint_speed_rad_s, s.joint_speed_rad_s);
+  way(m.joint_acceleration_rad_s2, s.joint_acceleration_rad_s2);
 };
 
 const auto kOperatorReply = [](auto& way, auto& m, auto& s) {
@@ -59,13 +63,19 @@ const auto kOperatorReply = [](auto& way, auto& m, auto& s) {
 const auto kSimControl = [](auto& way, auto& m, auto& s) {
   fields::stamp(way, m, s);
   way(m.apply_at_seq, s.apply_at_seq);
-  way(m.wrench_on_base, s.wrench_on_base);
+  way(m.wrench, s.wrench);
   way(m.duration_s, s.duration_s);
   way(m.kind, s.kind);
   way(m.actuator, s.actuator);
   way(m.bus, s.bus);
   way(m.fault, s.fault);
   way(m.value, s.value);
+};
+
+const auto kTorqueSensor = [](auto& way, auto& m, auto& s) {
+  fields::stamp(way, m, s);
+  way(m.joint, s.joint);
+  way(m.measured_torque_Nm, s.measured_torque_Nm);
 };
 
 const auto kBusHealth = [](auto& way, auto& m, auto& s) {
@@ -133,6 +143,9 @@ void to_message(const OperatorReply& in, std::int64_t session, sprung_msgs::oper
   out.from = in.from;
   out.reason = in.reason;
 }
+void to_message(const TorqueSensor& in, std::int64_t session, sprung_msgs::torque_sensor_t& out) {
+  write(kTorqueSensor, in, session, out);
+}
 void to_message(const SimControl& in, std::int64_t session, sprung_msgs::sim_control_t& out) {
   write(kSimControl, in, session, out);
 }
@@ -156,6 +169,9 @@ bool from_message(const sprung_msgs::operator_reply_t& in, OperatorReply& out) {
   out.from = in.from.c_str();
   out.reason = in.reason.c_str();
   return read(kOperatorReply, in, out);
+}
+bool from_message(const sprung_msgs::torque_sensor_t& in, TorqueSensor& out) {
+  return read(kTorqueSensor, in, out);
 }
 bool from_message(const sprung_msgs::sim_control_t& in, SimControl& out) {
   return read(kSimControl, in, out);

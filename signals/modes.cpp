@@ -114,6 +114,8 @@ const char* name(ControlMode value) noexcept {
       return "position";
     case ControlMode::kCompliance:
       return "compliance";
+    case ControlMode::kJoint:
+      return "joint";
   }
   return "unknown";
 }
@@ -198,6 +200,8 @@ const char* name(OperatorKind value) noexcept {
       return "sit";
     case OperatorKind::kHome:
       return "home";
+    case OperatorKind::kMoveJoint:
+      return "move joint";
   }
   return "unknown";
 }

@@ -58,7 +58,13 @@ enum class JointStatus : std::int8_t {
   kFault = 5,
 };
 
-enum class ControlMode : std::int8_t { kDisabled = 0, kDamping = 1, kPosition = 2, kCompliance = 3 };
+enum class ControlMode : std::int8_t {
+  kDisabled = 0,
+  kDamping = 1,
+  kPosition = 2,
+  kCompliance = 3,
+  kJoint = 4,  ///< the drives' position loops follow desired joint angles; needs no kinematics
+};
 
 /// Phase of one leg, named as in the papers.
 enum class LegPhase : std::int8_t {
@@ -97,7 +103,8 @@ enum class OperatorKind : std::int8_t {
   kEstop = 4,
   kClear = 5,
   kSit = 6,
-  kHome = 7,  ///< bridge: reference the actuators
+  kHome = 7,       ///< bridge: reference the actuators
+  kMoveJoint = 8,  ///< planner: one joint to an angle, the others hold still
 };
 
 enum class OperatorOutcome : std::int8_t { kAccepted = 0, kRefused = 1, kDone = 2, kFailed = 3, kQueued = 4 };
@@ -112,6 +119,7 @@ enum class SimControlKind : std::int8_t {
   kDriveSilent = 4,  ///< cable of the actuator's drive
   kNodeFault =
       5,  ///< `fault` of the actuator's drive or, with actuator -1, of bus `bus`; for duration_s, 0 = for good
+  kFloor = 6,  ///< height of the floor in the world: `value`, m
 };
 
 /// Faults on demand (`sprung fault`). `value` where one is given; others ignore it.

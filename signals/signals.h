@@ -64,14 +64,24 @@ struct EstimatedJoint {
   double gear_output_torque_bound_Nm = kNaN;
   double friction_torque_Nm = kNaN;
   double external_torque_Nm = kNaN;
+  double estimated_position_bound_rad = kNaN;
+  double estimated_velocity_bound_rad_s = kNaN;
+  double estimated_acceleration_bound_rad_s2 = kNaN;
+  double friction_torque_bound_Nm = kNaN;
+  double external_torque_bound_Nm = kNaN;
+  double torsion_torque_Nm = kNaN;  ///< from motor and link encoder; NaN where there is no link encoder
+  double estimated_temperature_degC = kNaN;
   JointStatus status = JointStatus::kStarting;
   bool drive_enabled = false;
+  bool identified = false;  ///< friction and armature come from `sprung identify`
+  bool at_rest = false;     ///< friction's sign is not known: the torques are the middle of what is possible
 };
 
 struct EstimatedLeg {
   Vec3 estimated_foot_in_hip_m{kNaN, kNaN, kNaN};
   Vec3 estimated_foot_velocity_m_s{kNaN, kNaN, kNaN};
   Vec3 foot_force_N{kNaN, kNaN, kNaN};
+  Vec3 foot_force_bound_N{kNaN, kNaN, kNaN};
   double contact_confidence = 0.0;
   bool contact = false;
 };
@@ -95,6 +105,8 @@ struct DesiredLeg {
   Vec3 feedforward_force_N{0, 0, 0};
   double friction_compensation = 0.0;
   double velocity_feedforward = 0.0;
+  Vec3 desired_joint_position_rad{kNaN, kNaN, kNaN};  ///< ControlMode::kJoint only, the leg's joints in order
+  Vec3 desired_joint_velocity_rad_s{0, 0, 0};
   LegPhase phase = LegPhase::kIdle;
   ControlMode control_mode = ControlMode::kDisabled;
 };
@@ -194,6 +206,10 @@ struct OperatorCommand {
   std::int32_t jump_count = 1;
   double jump_height_m = 0.0;
   std::int32_t actuator = -1;  ///< kHome: -1 = all
+  std::int32_t joint = -1;     ///< kMoveJoint: index into the robot's joints
+  double joint_target_rad = kNaN;
+  double joint_speed_rad_s = kNaN;
+  double joint_acceleration_rad_s2 = kNaN;
   ReferenceSource reference_source = ReferenceSource::kConfigured;
 };
 
@@ -209,7 +225,7 @@ struct OperatorReply {
 struct SimControl {
   Stamp stamp;
   std::int64_t apply_at_seq = -1;
-  std::array<double, 6> wrench_on_base{};
+  std::array<double, 6> wrench{};
   double duration_s = 0.0;
   SimControlKind kind = SimControlKind::kWrench;
   std::int32_t actuator = -1;
@@ -225,6 +241,8 @@ struct TrueJoint {
   double true_motor_torque_Nm = kNaN;
   double true_gear_output_torque_Nm = kNaN;
   double true_friction_torque_Nm = kNaN;
+  double true_motor_position_rad = kNaN;  ///< of the rotor, output side: differs by the gear's torsion
+  double true_temperature_degC = kNaN;    ///< of the gear, where the plant has one
 };
 
 struct TrueLeg {
@@ -241,6 +259,13 @@ struct SimTruth {
   std::array<double, 4> base_quaternion_wxyz{1, 0, 0, 0};
   SimTruth() = default;
   SimTruth(std::size_t joint_count, std::size_t leg_count) : joints(joint_count), legs(leg_count) {}
+};
+
+/// A torque sensor between a gear and its link, as measured: it may be slower than the cycle.
+struct TorqueSensor {
+  Stamp stamp;  ///< of the reading; seq of the cycle that it fell into
+  std::int32_t joint = -1;
+  double measured_torque_Nm = kNaN;  ///< of the gear on the link, sign of gear_output_torque_Nm
 };
 
 }  // namespace sprung

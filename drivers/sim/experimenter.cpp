@@ -46,6 +46,8 @@ void Experimenter::act(const SimControl& control) noexcept {
       return;
     case SimControlKind::kNodeFault:
       return begin_fault(control);
+    case SimControlKind::kFloor:
+      return train_.plant().set_floor_height(control.value);
   }
 }
 
@@ -55,9 +57,9 @@ void Experimenter::push(const SimControl& control) noexcept {
   steps_left_ = steps(control.duration_s);
   if (steps_left_ <= 0) return;
   if (pushed_leg_ < 0) {
-    train_.plant().set_base_wrench(control.wrench_on_base);
+    train_.plant().set_base_wrench(control.wrench);
   } else {
-    train_.plant().set_foot_wrench(pushed_leg_, control.wrench_on_base);
+    train_.plant().set_foot_wrench(pushed_leg_, control.wrench);
   }
 }
 

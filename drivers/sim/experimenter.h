@@ -10,7 +10,7 @@
 namespace sprung::sim {
 
 /// Meaning of SimControl by kind:
-///   kWrench       wrench_on_base for duration_s; actuator -1 = on the base, n >= 0 = at the foot of leg n
+///   kWrench       wrench for duration_s; actuator -1 = on the base, n >= 0 = at the foot of leg n
 ///   kReset        plant to its initial pose at rest; drives keep their state; no wrench, not suspended
 ///   kSuspend      base held still; value > 0 = put at that height (m, world) first, 0 = let go,
 ///                 < 0 = held where it is
@@ -19,6 +19,7 @@ namespace sprung::sim {
 ///   kNodeFault    `fault` with `value` of the actuator's drive or, with actuator -1, of every node of `bus`
 ///                 and of the bus itself; for duration_s of plant time, 0 = until mended. kNone mends all
 ///                 that was done to this target. A kPowerCycle of no duration is off and on again at once.
+///   kFloor        floor to the height `value`, m, world; at once
 class Experimenter {
  public:
   static constexpr std::size_t kCapacity = 64;

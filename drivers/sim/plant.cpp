@@ -55,6 +55,7 @@ Plant::Plant(const RobotConfig& robot, const PlantConfig& config)
 
 void Plant::reset() noexcept {
   release();
+  set_floor_height(config_.floor_height_m);
   mj_resetData(model_.get(), data_.get());
   for (std::size_t i = 0; i < config_.joints.size(); ++i) {
     data_->qpos[index_.joint_qpos[i]] = config_.joints[i].initial_rad;
@@ -66,6 +67,10 @@ void Plant::reset() noexcept {
   mj_forward(model_.get(), data_.get());
   mju_zero(data_->qacc_warmstart, model_->nv);  // else a second life differs in its bits: facts physics 7
   check();
+}
+
+void Plant::set_floor_height(double height_m) noexcept {
+  row(model_->geom_pos, index_.floor_geom, 3)[2] = height_m;
 }
 
 void Plant::touch_floor() noexcept {

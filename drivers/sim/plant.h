@@ -27,6 +27,8 @@ class Plant {
   void set_foot_wrench(int leg, const std::array<double, 6>& wrench) noexcept;
   /// Holds the base still. @param height_m of the base in the world; not above 0 = where it is.
   void suspend(double height_m) noexcept;
+  /// At once, also under a foot: the contact's spring then pushes. reset() puts it back to sim.yaml's.
+  void set_floor_height(double height_m) noexcept;
   void release() noexcept;
 
   double step_s() const noexcept { return model_->opt.timestep; }

@@ -38,6 +38,7 @@ int height_qpos(const mjModel& model, int base_body) {
 PlantIndex find_parts(const mjModel& model, const RobotConfig& robot) {
   PlantIndex index;
   index.base_body = require(model, mjOBJ_BODY, "base");
+  index.floor_geom = require(model, mjOBJ_GEOM, "floor");
   index.height_qpos = height_qpos(model, index.base_body);
   for (const JointConfig& joint : robot.joints) {
     const int id = require(model, mjOBJ_JOINT, joint.name);

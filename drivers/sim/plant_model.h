@@ -29,6 +29,7 @@ inline constexpr double kLockedMass = 1e9;
 /// vertical.
 struct PlantIndex {
   int base_body = -1;
+  int floor_geom = -1;
   int height_qpos = -1;         ///< of the base
   std::vector<int> joint_qpos;  ///< of RobotConfig::joints
   std::vector<int> joint_dof;

@@ -213,8 +213,12 @@ TEST(ControllerWithoutFeet, DampsAndSwitchesOffButGoesNowhere) {
   ControllerCore core(robot, robot.preset("best"), robot.watchdogs);
   JointState state(12, 4);
   state.safety = SafetyLevel::kOperational;
-  for (EstimatedJoint& joint : state.joints)
-    joint = {1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, JointStatus::kOk, true};
+  for (EstimatedJoint& joint : state.joints) {
+    joint.estimated_position_rad = 1.0;
+    joint.estimated_velocity_rad_s = joint.gear_output_torque_Nm = 0.0;
+    joint.status = JointStatus::kOk;
+    joint.drive_enabled = true;
+  }
   LegCommand command(4);
   DriveCommand out(12);
   const auto step = [&](ControlMode mode) {

@@ -16,7 +16,7 @@ constexpr double kCountsPerRad = 131072.0 * 100.0 / 6.283185307179586;
 /// Folds the unpowered leg, which its friction holds up otherwise.
 void press(SimMaster& master) {
   SimControl push;
-  push.wrench_on_base = {0, 0, -200, 0, 0, 0};
+  push.wrench = {0, 0, -200, 0, 0, 0};
   push.duration_s = 1.0;
   master.sim.control(push);
 }
@@ -261,7 +261,7 @@ TEST(SimCore, ControlActsAtItsCycleAndForItsTime) {
   master.boot();
   SimControl push;
   push.apply_at_seq = 20;
-  push.wrench_on_base = {0, 0, 300, 0, 0, 0};
+  push.wrench = {0, 0, 300, 0, 0, 0};
   push.duration_s = 0.01;
   master.sim.control(push);
   while (master.sim.cycle() < 20) master.tick();
@@ -303,7 +303,7 @@ std::vector<DriveAnswer> story(const SimOptions& options) {
   master.enable();
   SimControl push;
   push.apply_at_seq = 100;
-  push.wrench_on_base = {5, 0, 80, 0, 0, 0};
+  push.wrench = {5, 0, 80, 0, 0, 0};
   push.duration_s = 0.05;
   master.sim.control(push);
   std::vector<DriveAnswer> answers;

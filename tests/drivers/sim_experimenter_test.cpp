@@ -112,7 +112,7 @@ TEST_F(ExperimenterTest, PushesAFootForItsTimeOnly) {
   experimenter_.start_cycle(0);
   run(4000);
   SimControl pull = make(SimControlKind::kWrench, 1, 0);
-  pull.wrench_on_base = {60, 0, 0, 0, 0, 0};
+  pull.wrench = {60, 0, 0, 0, 0, 0};
   pull.duration_s = 0.1;
   experimenter_.add(pull);
   experimenter_.start_cycle(1);
@@ -124,6 +124,23 @@ TEST_F(ExperimenterTest, PushesAFootForItsTimeOnly) {
   const double stopped_m = foot_x();
   run(400);
   EXPECT_NEAR(foot_x(), stopped_m, 1e-4);
+}
+
+TEST_F(ExperimenterTest, FloorMovesToItsHeightAndAResetPutsItBack) {
+  const double standing_m = train_.plant().position_rad(0);
+  experimenter_.add(make(SimControlKind::kFloor, 0, -1, -10.0));
+  experimenter_.start_cycle(0);
+  run(400);
+  SimTruth falling(2, 1);
+  train_.plant().fill_truth(falling);
+  EXPECT_LT(falling.base_velocity_m_s[2], -0.9) << "0.1 s of free fall";
+  experimenter_.add(make(SimControlKind::kReset, 1));
+  experimenter_.start_cycle(1);
+  EXPECT_EQ(train_.plant().position_rad(0), standing_m);
+  run(40);
+  SimTruth truth(2, 1);
+  train_.plant().fill_truth(truth);
+  EXPECT_GT(truth.legs[0].true_contact_force_N[2], 10.0);
 }
 
 TEST_F(ExperimenterTest, WhatDoesNotExistIsIgnored) {
@@ -149,7 +166,7 @@ TEST_F(ExperimenterTest, KeepsALimitedNumber) {
 TEST_F(ExperimenterTest, ResetEndsPushAndSuspension) {
   experimenter_.add(make(SimControlKind::kSuspend, 0, -1, 1.0));
   SimControl push = make(SimControlKind::kWrench, 0);
-  push.wrench_on_base = {0, 0, 500, 0, 0, 0};
+  push.wrench = {0, 0, 500, 0, 0, 0};
   push.duration_s = 10.0;
   experimenter_.add(push);
   experimenter_.add(make(SimControlKind::kReset, 0));

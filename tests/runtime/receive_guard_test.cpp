@@ -242,6 +242,7 @@ TEST(ReceiveGuardFuzz, ProcessStatus) {
 
 TEST(ReceiveGuardFuzz, SimControl) {
   expect_survives_rubbish(of_this_session<sprung_msgs::sim_control_t>(), CountLimits::none());
+  expect_survives_rubbish(of_this_session<sprung_msgs::torque_sensor_t>(), CountLimits::none());
 }
 
 TEST(ReceiveGuardFuzz, SimTruth) {

@@ -27,6 +27,8 @@ TEST(EventMessages, OperatorCommandSurvivesBitForBit) { expect_round_trip<Operat
 
 TEST(EventMessages, SimControlSurvivesBitForBit) { expect_round_trip<SimControl>(); }
 
+TEST(EventMessages, TorqueSensorSurvivesBitForBit) { expect_round_trip<TorqueSensor>(); }
+
 TEST(EventMessages, MotionStateKeepsItsNumbersAndTexts) {
   MotionState signal(2);
   signal.stamp = {10, 20};

@@ -94,7 +94,7 @@ class Homing : public testing::Test {
       SimControl push;
       push.apply_at_seq = robot_->cycle() + 1;
       push.actuator = static_cast<int>(leg);
-      push.wrench_on_base = {force_N, force_N, -force_N, 0, 0, 0};
+      push.wrench = {force_N, force_N, -force_N, 0, 0, 0};
       push.duration_s = seconds;
       robot_->sim().control(push);
       run(seconds + 0.2);
