@@ -20,3 +20,5 @@ find_path(MSGPACK_INCLUDE_DIR msgpack.hpp REQUIRED)
 add_library(sprung_msgpack INTERFACE)
 target_compile_definitions(sprung_msgpack INTERFACE MSGPACK_NO_BOOST)
 target_include_directories(sprung_msgpack SYSTEM INTERFACE ${MSGPACK_INCLUDE_DIR})
+# Chart.js draws the plots of reports; it is built into what writes them (tools/report).
+find_file(CHART_JS chart.min.js PATHS /usr/share/javascript/chart.js NO_DEFAULT_PATH REQUIRED)
