@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "controller/one_link.h"
 #include "controller/two_link.h"
 
 namespace sprung {
@@ -25,9 +26,10 @@ double smallest_eigenvalue(const JointMatrix& symmetric) noexcept {
 
 std::unique_ptr<LegKinematics> make_leg_kinematics(const LegConfig& leg) {
   if (leg.kinematics == kNoKinematics) return nullptr;
+  if (leg.kinematics == kOneLink) return std::make_unique<OneLink>(leg);
   if (leg.kinematics == "two_link") return std::make_unique<TwoLink>(leg);
   throw std::invalid_argument("leg '" + leg.name + "': unknown kinematics '" + leg.kinematics +
-                              "', there are: two_link, " + kNoKinematics);
+                              "', there are: " + kOneLink + ", two_link, " + kNoKinematics);
 }
 
 DampedInverse damped_inverse(const LegJacobian& jacobian) noexcept {

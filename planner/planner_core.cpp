@@ -60,7 +60,7 @@ const char* jump_mistake(const OperatorCommand& c, const JumpCurveConfig& curve)
 
 struct PlannerCore::Impl {
   Impl(const RobotConfig& robot, const PresetConfig& preset)
-      : jump_curve(preset.jump_curve), has_feet(robot.has_feet()), motion(robot, preset) {}
+      : jump_curve(preset.jump_curve), why_not_standing(robot.why_not_standing()), motion(robot, preset) {}
 
   void step(const JointState& in) noexcept;
   void execute(const OperatorCommand& command, const JointState& in) noexcept;
@@ -88,8 +88,8 @@ struct PlannerCore::Impl {
     request = {};
   }
 
-  const JumpCurveConfig jump_curve;  ///< the robot file's own
-  const bool has_feet;
+  const JumpCurveConfig jump_curve;    ///< the robot file's own
+  const char* const why_not_standing;  ///< nullptr: it can
   Motion motion;
   OperatorDesk desk;
   Active moving;    ///< stand, jump or sit
@@ -138,7 +138,7 @@ void PlannerCore::Impl::execute(const OperatorCommand& command, const JointState
 }
 
 void PlannerCore::Impl::stand(const OperatorCommand& command, const JointState& in) noexcept {
-  if (!has_feet) return refuse(command, "this robot's legs have no kinematics: it cannot stand");
+  if (why_not_standing != nullptr) return refuse(command, why_not_standing);
   if (motion.state() == MotionPhase::kStanding) return accept_as_done(command, "already standing");
   if (motion.state() != MotionPhase::kIdle) return refuse(command, busy(motion.state()));
   if (in.safety != SafetyLevel::kOperational)
@@ -148,6 +148,7 @@ void PlannerCore::Impl::stand(const OperatorCommand& command, const JointState& 
 }
 
 void PlannerCore::Impl::jump(const OperatorCommand& command, const JointState& in) noexcept {
+  if (why_not_standing != nullptr) return refuse(command, why_not_standing);
   if (motion.state() != MotionPhase::kStanding) return refuse(command, busy(motion.state()));
   if (const char* mistake = jump_mistake(command, jump_curve)) return refuse(command, mistake);
   const JumpRequest request{command.jump_mode, command.jump_count,

@@ -104,11 +104,14 @@ struct LinkConfig {
 /// LegConfig::kinematics of joints alone: no foot is known, so they can be measured, damped and switched off,
 /// but not told where to go.
 inline constexpr const char* kNoKinematics = "none";
+/// LegConfig::kinematics of a single swinging arm, as on a bench: it has an end that can be moved and pushed, but
+/// nothing stands on it.
+inline constexpr const char* kOneLink = "one_link";
 
 struct LegConfig {
   std::string name;
-  /// "two_link": hip and knee in the x-z plane, frame of facts E1 (papers' y is our z). kNoKinematics: `links`
-  /// and `contact_*` are empty.
+  /// "two_link": hip and knee in the x-z plane, frame of facts E1 (papers' y is our z). kOneLink:
+  /// controller/one_link.h. kNoKinematics: `links` and `contact_*` are empty.
   std::string kinematics;
   std::vector<int> joints;     ///< indices into RobotConfig::joints, proximal first
   std::vector<int> actuators;  ///< indices into RobotConfig::actuators, same length
@@ -190,8 +193,10 @@ struct RobotConfig {
   std::vector<ProcessConfig> processes;
   std::int64_t hash = 0;  ///< of the file's bytes and the preset's name
 
-  /// Every leg has kinematics.
-  bool has_feet() const;
+  /// Every leg can be stood on.
+  bool has_feet() const { return why_not_standing() == nullptr; }
+  /// Static text, nullptr for a robot that has feet.
+  const char* why_not_standing() const;
   /// Of a robot without feet, which needs no presets and may have none: one that moves nothing, whatever the
   /// name. @throws std::invalid_argument naming the presets there are.
   const PresetConfig& preset(const std::string& preset_name) const;

@@ -208,9 +208,12 @@ RobotConfig load_robot(const std::string& robot) {
   return config;
 }
 
-bool RobotConfig::has_feet() const {
-  return std::all_of(legs.begin(), legs.end(),
-                     [](const LegConfig& leg) { return leg.kinematics != kNoKinematics; });
+const char* RobotConfig::why_not_standing() const {
+  for (const LegConfig& leg : legs) {
+    if (leg.kinematics == kNoKinematics) return "this robot's legs have no kinematics: it cannot stand";
+    if (leg.kinematics == kOneLink) return "this robot has an arm where legs would be: it cannot stand";
+  }
+  return nullptr;
 }
 
 const PresetConfig& RobotConfig::preset(const std::string& preset_name) const {

@@ -95,9 +95,21 @@ TEST(Pegasus, LegsAreJointsAloneAndNeedNoPresets) {
   EXPECT_EQ(robot.preset("best").name, "none");
 }
 
+TEST(TestAxis, HasAnArmThatNothingStandsOnAndNeedsNoPresets) {
+  const RobotConfig robot = load_robot("test_axis");
+  EXPECT_FALSE(robot.has_feet());
+  EXPECT_STREQ(robot.why_not_standing(), "this robot has an arm where legs would be: it cannot stand");
+  EXPECT_EQ(robot.legs[0].kinematics, kOneLink);
+  EXPECT_EQ(robot.legs[0].links.size(), 1U);
+  EXPECT_EQ(robot.preset("best").name, "none");
+  EXPECT_EQ(robot.joints[0].coulomb_friction_Nm, 1.79)
+      << "the paper's until it is identified, never the plant's";
+}
+
 TEST(SingleLeg, HasFeetAndTheDefaultBitRate) {
   const RobotConfig robot = load_robot("single_leg");
   EXPECT_TRUE(robot.has_feet());
+  EXPECT_EQ(robot.why_not_standing(), nullptr);
   EXPECT_DOUBLE_EQ(robot.bit_rate_bit_s, 1e6);
   EXPECT_EQ(robot.actuators[0].link_encoder.card, -1);
   EXPECT_EQ(robot.actuators[0].reference.method, ReferenceMethod::kNone);
