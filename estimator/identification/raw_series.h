@@ -24,9 +24,11 @@ struct RawSeries {
 struct PrepareOptions {
   double rate_Hz = 0.0;  ///< of the datasets; 0 = 1 / median interval of the recording
   double smoothing_s =
-      0.09;  ///< whole width of the local fits for velocity (where not recorded) and acceleration
-  int smoothing_degree = 2;    ///< of the local polynomial
-  double longest_gap_s = 0.1;  ///< a longer one is not bridged: a new piece begins
+      0.0;  ///< whole width of the local fits for acceleration, and for velocity where it was not
+            ///< recorded; 0 = nine samples, and 0.03 s at least
+  int smoothing_degree = 2;  ///< of the local polynomials, >= 2
+  double longest_gap_s =
+      0.0;  ///< a longer one is not bridged: a new piece begins; 0 = 0.1 s or five median intervals
 };
 
 /// A part of a recording, seconds after its first sample; `to_s` is not in it.
@@ -43,5 +45,8 @@ struct TimeSpan {
 /// goes back, nothing within the span.
 std::vector<JointDataset> prepare(const RawSeries& series, const TimeSpan& span,
                                   const PrepareOptions& options);
+
+/// 1 for samples within one of the spans, else 0.
+Eigen::VectorXd weight_within(const JointDataset& data, const std::vector<TimeSpan>& spans);
 
 }  // namespace sprung::identification
