@@ -4,8 +4,11 @@
 /// sprung-sim-drives alone.
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "robots/identification_config.h"
 
 namespace sprung {
 
@@ -88,9 +91,16 @@ struct JointConfig {
   std::string name;
   double position_min_rad = 0.0;
   double position_max_rad = 0.0;
-  double armature_kg_m2 = 0.0;       ///< ratio^2 * rotor inertia, joint side
-  double coulomb_friction_Nm = 0.0;  ///< identified (or the paper's), joint side
-  std::string friction_source;       ///< log and hash, or paper
+  double armature_kg_m2 = 0.0;                 ///< ratio^2 * rotor inertia, joint side
+  double coulomb_friction_Nm = 0.0;            ///< the paper's, joint side: what its equation (6) subtracts
+  std::string friction_source;                 ///< of that
+  std::optional<IdentifiedFriction> friction;  ///< nothing: the joint is not identified
+  JointUncertainty uncertainty;
+  ThermalParameters thermal;  ///< of the gear; no time constant: its temperature is not known
+
+  FrictionParameters papers_friction() const noexcept;
+  /// The best that is known: identified, else the paper's.
+  FrictionParameters estimated_friction() const noexcept;
 };
 
 /// Uniform description of a link; centre of mass from the proximal joint.
@@ -152,7 +162,8 @@ struct JumpCurveConfig {
 /// Everything that differs between `paper` and `best`.
 struct PresetConfig {
   std::string name;
-  double friction_compensation = 1.0;      ///< share of the identified friction
+  CompensatedFriction compensated_friction = CompensatedFriction::kPaper;
+  double friction_compensation = 1.0;      ///< share of that friction
   double friction_smoothing_rad_s = 0.05;  ///< tanh(w / this)
   double stand_length_m = 0.0;
   double sit_length_m = 0.0;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "robots/identification_sections.h"
+
 namespace sprung::robot_sections {
 
 namespace {
@@ -82,6 +84,13 @@ void read_reference_of(const YamlMap& map, const RobotConfig& robot, ActuatorCon
   }
 }
 
+CompensatedFriction read_compensated(const YamlMap& map) {
+  const std::string text = map.text("compensated_friction");
+  if (text != "paper" && text != "identified")
+    map.fail("compensated_friction", "expected paper or identified, found '" + text + "'");
+  return text == "paper" ? CompensatedFriction::kPaper : CompensatedFriction::kIdentified;
+}
+
 /// Geometry and contact, which joints alone do not have.
 void read_geometry(const YamlMap& map, LegConfig& leg) {
   for (const YamlMap& link : map.list("links")) {
@@ -151,6 +160,7 @@ JointConfig read_joint(const YamlMap& map) {
   joint.armature_kg_m2 = map.quantity("armature", "kg m^2", 0, 50);
   joint.coulomb_friction_Nm = map.quantity("coulomb_friction", "Nm", 0, 500);
   joint.friction_source = map.text("friction_source");
+  read_identification(map, joint);
   map.finish();
   return joint;
 }
@@ -190,6 +200,7 @@ WatchdogConfig read_watchdogs(const YamlMap& map) {
 PresetConfig read_preset(const std::string& name, const YamlMap& map) {
   PresetConfig p;
   p.name = name;
+  p.compensated_friction = read_compensated(map);
   p.friction_compensation = map.quantity("friction_compensation", "", 0, 1);
   p.friction_smoothing_rad_s = map.quantity("friction_smoothing", "rad/s", 1e-4, 10);
   p.stand_length_m = map.quantity("stand_length", "m", 0.01, 3);
