@@ -135,6 +135,17 @@ TEST_F(ChangedRobot, JointLimitsInWrongOrderAreRefused) {
   EXPECT_THAT(complaint("max: 3.7 rad", "max: -3.7 rad"), HasSubstr("must be above min"));
 }
 
+TEST(RobotLoader, PresetPaperCompensatesThePapersFrictionAndBestTheIdentified) {
+  const RobotConfig robot = load_robot("single_leg");
+  EXPECT_EQ(robot.preset("paper").compensated_friction, CompensatedFriction::kPaper);
+  EXPECT_EQ(robot.preset("best").compensated_friction, CompensatedFriction::kIdentified);
+}
+
+TEST_F(ChangedRobot, UnknownCompensatedFrictionIsRefused) {
+  EXPECT_THAT(complaint("compensated_friction: identified", "compensated_friction: all"),
+              HasSubstr("expected paper or identified, found 'all'"));
+}
+
 TEST_F(ChangedRobot, HashFollowsTheFile) {
   EXPECT_EQ(complaint("gear_ratio: 100 ", "gear_ratio: 101 "), "nothing was refused");
   EXPECT_NE(load_robot(folder_.string()).hash, load_robot("single_leg").hash);
