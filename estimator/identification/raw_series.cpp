@@ -20,7 +20,7 @@ constexpr int kFewestSamples =
 struct NamedSignal {
   const char* name;
   Signal RawSeries::*raw;
-  Eigen::VectorXd JointDataset::*out;
+  Eigen::VectorXd JointDataset::*out;  ///< null: not of the dataset
   bool required;
 };
 
@@ -31,7 +31,9 @@ const NamedSignal kSignals[] = {
     {"link position", &RawSeries::link_position_rad, &JointDataset::link_position_rad, false},
     {"load", &RawSeries::load_Nm, &JointDataset::load_Nm, false},
     {"temperature", &RawSeries::temperature_C, &JointDataset::temperature_C, false},
+    {"weight", &RawSeries::weight, nullptr, false},
 };
+constexpr std::size_t kWeight = std::size(kSignals) - 1;
 
 [[noreturn]] void refuse(const std::string& problem) { throw std::invalid_argument(problem); }
 
@@ -134,33 +136,41 @@ void differentiate(JointDataset& data, const PrepareOptions& options) {
   data.acceleration_rad_s2 = local_polynomial(data.position_rad, data.period_s, half, degree, 2);
 }
 
+Eigen::VectorXd counted(const Signal& time_s, const Signal& weight, const Eigen::VectorXd& at_s) {
+  if (weight.empty()) return Eigen::VectorXd::Ones(at_s.size());
+  return interpolate(time_s, weight, at_s).unaryExpr([](double w) { return w > 1.0 - 1e-9 ? 1.0 : 0.0; });
+}
+
 /// Of the samples `begin`..`end`-1, between which there is no gap. Empty where they hold too few grid points.
-JointDataset dataset_of(const MergedSeries& merged, std::size_t begin, std::size_t end,
-                        const RawSeries& series, const TimeSpan& span, double period_s) {
-  JointDataset data;
+FitPiece piece_of(const MergedSeries& merged, std::size_t begin, std::size_t end, const RawSeries& series,
+                  const TimeSpan& span, double period_s) {
+  FitPiece piece;
+  JointDataset& data = piece.data;
   data.period_s = period_s;
   data.gear_ratio = series.gear_ratio;
   data.torque_unit = series.torque_unit;
-  if (end - begin < 2) return data;
+  if (end - begin < 2) return piece;
   const Grid grid = grid_between(merged.time_s[begin], merged.time_s[end - 1], span, period_s);
   const Index count = grid.last - grid.first + 1;
-  if (count < 3) return data;
+  if (count < 3) return piece;
   data.time_s.resize(count);
   for (Index i = 0; i < count; ++i)
     data.time_s[i] = span.from_s + static_cast<double>(grid.first + i) * period_s;
-  const auto part = [&](const Signal& all) { return Signal(all.begin() + begin, all.begin() + end); };
+  const auto part = [&](const Signal& all) {
+    return all.empty() ? Signal() : Signal(all.begin() + begin, all.begin() + end);
+  };
   const Signal time_s = part(merged.time_s);
-  for (std::size_t s = 0; s < std::size(kSignals); ++s) {
+  for (std::size_t s = 0; s < kWeight; ++s) {
     if (!merged.values[s].empty())
       data.*kSignals[s].out = interpolate(time_s, part(merged.values[s]), data.time_s);
   }
-  return data;
+  piece.weight = counted(time_s, part(merged.values[kWeight]), data.time_s);
+  return piece;
 }
 
 }  // namespace
 
-std::vector<JointDataset> prepare(const RawSeries& series, const TimeSpan& span,
-                                  const PrepareOptions& options) {
+std::vector<FitPiece> prepare(const RawSeries& series, const TimeSpan& span, const PrepareOptions& options) {
   check(series);
   const MergedSeries merged = merge(series, span);
   const std::size_t n = merged.time_s.size();
@@ -171,13 +181,13 @@ std::vector<JointDataset> prepare(const RawSeries& series, const TimeSpan& span,
   const double period_s = options.rate_Hz > 0.0 ? 1.0 / options.rate_Hz : median_interval(merged.time_s);
   const double gap_s = options.longest_gap_s > 0.0 ? options.longest_gap_s
                                                    : std::max(0.1, 5.0 * median_interval(merged.time_s));
-  std::vector<JointDataset> pieces;
+  std::vector<FitPiece> pieces;
   for (std::size_t begin = 0, end = 1; begin < n; begin = end++) {
     while (end < n && merged.time_s[end] - merged.time_s[end - 1] <= gap_s) ++end;
-    JointDataset data = dataset_of(merged, begin, end, series, span, period_s);
-    if (data.size() == 0) continue;
-    differentiate(data, options);
-    pieces.push_back(std::move(data));
+    FitPiece piece = piece_of(merged, begin, end, series, span, period_s);
+    if (piece.data.size() == 0) continue;
+    differentiate(piece.data, options);
+    pieces.push_back(std::move(piece));
   }
   if (pieces.empty()) refuse("no stretch without a gap is long enough to be used");
   return pieces;

@@ -19,6 +19,8 @@ struct RawSeries {
   std::vector<double> link_position_rad;
   std::vector<double> load_Nm;
   std::vector<double> temperature_C;
+  std::vector<double>
+      weight;  ///< 1 = counts, 0 = only drives memory (another joint moves, drive off); empty: all 1
 };
 
 struct PrepareOptions {
@@ -40,11 +42,10 @@ struct TimeSpan {
 /// Time is counted from the first sample of `series`. Samples with one time stamp are merged into their mean;
 /// between samples the line is taken; grid points lie at multiples of the period after `span.from_s`, so that datasets of
 /// parts share the grid of the whole. Only samples within the span are looked at, smoothing included: a part prepared
-/// by itself knows nothing of its neighbours.
+/// by itself knows nothing of its neighbours. Grid points beside a sample that does not count do not count.
 /// @throws std::invalid_argument naming the problem: lengths that differ, values that are not finite, time that
 /// goes back, nothing within the span.
-std::vector<JointDataset> prepare(const RawSeries& series, const TimeSpan& span,
-                                  const PrepareOptions& options);
+std::vector<FitPiece> prepare(const RawSeries& series, const TimeSpan& span, const PrepareOptions& options);
 
 /// 1 for samples within one of the spans, else 0.
 Eigen::VectorXd weight_within(const JointDataset& data, const std::vector<TimeSpan>& spans);

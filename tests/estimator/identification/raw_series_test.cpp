@@ -40,7 +40,7 @@ std::string refusal(const RawSeries& series, const TimeSpan& span = {0.0, kForev
 TEST(RawSeries, JitterIsResampledAndMotionComesWithoutPhase) {
   const auto pieces = prepare(jittered(600), {0.0, kForever}, {100.0});
   ASSERT_EQ(pieces.size(), 1u);
-  const JointDataset& data = pieces[0];
+  const JointDataset& data = pieces[0].data;
   EXPECT_EQ(data.period_s, 0.01);
   for (Eigen::Index i = 0; i < data.size(); ++i) {
     const double t = data.time_s[i];
@@ -56,7 +56,7 @@ TEST(RawSeries, JitterIsResampledAndMotionComesWithoutPhase) {
 TEST(RawSeries, RecordedVelocityIsKeptAndGivesTheAcceleration) {
   RawSeries series = jittered(400);
   for (const double t : series.time_s) series.velocity_rad_s.push_back(3.0 * (t - 1297.5));
-  const JointDataset data = prepare(series, {0.0, kForever}, {100.0}).front();
+  const JointDataset data = prepare(series, {0.0, kForever}, {100.0}).front().data;
   EXPECT_NEAR(data.velocity_rad_s[200], 6.0, 1e-9);
   EXPECT_NEAR(data.acceleration_rad_s2[0], 3.0, 1e-6);
   EXPECT_NEAR(data.acceleration_rad_s2[200], 3.0, 1e-6);
@@ -67,14 +67,14 @@ TEST(RawSeries, RepeatedTimeStampsBecomeTheirMean) {
   series.time_s = {0.0, 0.01, 0.01, 0.01, 0.02, 0.03};
   series.position_rad = {0, 0, 0, 0, 0, 0};
   series.measured_torque = {1, 2, 5, 8, 1, 1};
-  const JointDataset data = prepare(series, {0.0, kForever}, {100.0}).front();
+  const JointDataset data = prepare(series, {0.0, kForever}, {100.0}).front().data;
   ASSERT_EQ(data.size(), 4);
   EXPECT_NEAR(data.measured_torque[1], 5.0, 1e-12);
 }
 
 TEST(RawSeries, RateIsTheRecordingsOwnUnlessAskedFor) {
-  EXPECT_NEAR(prepare(jittered(300), {0.0, kForever}, {}).front().period_s, 0.01, 5e-4);
-  EXPECT_EQ(prepare(jittered(300), {0.0, kForever}, {50.0}).front().period_s, 0.02);
+  EXPECT_NEAR(prepare(jittered(300), {0.0, kForever}, {}).front().data.period_s, 0.01, 5e-4);
+  EXPECT_EQ(prepare(jittered(300), {0.0, kForever}, {50.0}).front().data.period_s, 0.02);
 }
 
 TEST(RawSeries, GapsAreNotBridged) {
@@ -82,14 +82,14 @@ TEST(RawSeries, GapsAreNotBridged) {
   for (std::size_t i = 150; i < 300; ++i) series.time_s[i] += 2.0;
   const auto pieces = prepare(series, {0.0, kForever}, {100.0});
   ASSERT_EQ(pieces.size(), 2u);
-  EXPECT_LT(pieces[0].time_s.maxCoeff(), 1.5);
-  EXPECT_GT(pieces[1].time_s.minCoeff(), 3.49);
+  EXPECT_LT(pieces[0].data.time_s.maxCoeff(), 1.5);
+  EXPECT_GT(pieces[1].data.time_s.minCoeff(), 3.49);
 }
 
 TEST(RawSeries, APartLiesOnTheGridOfTheWhole) {
   const RawSeries series = jittered(600);
-  const JointDataset all = prepare(series, {1.0, 5.0}, {100.0}).front();
-  const JointDataset part = prepare(series, {1.0, 3.0}, {100.0}).front();
+  const JointDataset all = prepare(series, {1.0, 5.0}, {100.0}).front().data;
+  const JointDataset part = prepare(series, {1.0, 3.0}, {100.0}).front().data;
   EXPECT_NEAR(all.time_s[0], 1.0, 0.0101);
   EXPECT_EQ(all.time_s.head(part.size()), part.time_s);
   EXPECT_LT(part.time_s.maxCoeff(), 3.0);
@@ -97,7 +97,7 @@ TEST(RawSeries, APartLiesOnTheGridOfTheWhole) {
 
 TEST(RawSeries, APartKnowsNothingOfItsNeighbours) {
   RawSeries series = jittered(600);
-  const JointDataset before = prepare(series, {1.0, 3.0}, {100.0}).front();
+  const JointDataset before = prepare(series, {1.0, 3.0}, {100.0}).front().data;
   for (std::size_t i = 0; i < series.time_s.size(); ++i) {
     const double t = series.time_s[i] - series.time_s[0];
     if (t < 1.0 || t >= 3.0) {
@@ -105,15 +105,26 @@ TEST(RawSeries, APartKnowsNothingOfItsNeighbours) {
       series.measured_torque[i] = 100.0 * noise(4, static_cast<Eigen::Index>(i));
     }
   }
-  const JointDataset after = prepare(series, {1.0, 3.0}, {100.0}).front();
+  const JointDataset after = prepare(series, {1.0, 3.0}, {100.0}).front().data;
   EXPECT_EQ(before.position_rad, after.position_rad);
   EXPECT_EQ(before.velocity_rad_s, after.velocity_rad_s);
   EXPECT_EQ(before.acceleration_rad_s2, after.acceleration_rad_s2);
   EXPECT_EQ(before.measured_torque, after.measured_torque);
 }
 
+TEST(RawSeries, NothingCountsBesideASampleThatDoesNot) {
+  RawSeries series = jittered(400);
+  series.weight.assign(400, 1.0);
+  for (std::size_t i = 100; i <= 200; ++i) series.weight[i] = 0.0;
+  const FitPiece piece = prepare(series, {0.0, kForever}, {100.0}).front();
+  for (Eigen::Index i = 0; i < piece.data.size(); ++i) {
+    const bool near = piece.data.time_s[i] > 0.99 - 0.004 && piece.data.time_s[i] < 2.01 + 0.004;
+    EXPECT_EQ(piece.weight[i], near ? 0.0 : 1.0) << i;
+  }
+}
+
 TEST(RawSeries, WeightsMarkSpansWithoutTheirEnds) {
-  const JointDataset data = prepare(jittered(600), {0.0, kForever}, {100.0}).front();
+  const JointDataset data = prepare(jittered(600), {0.0, kForever}, {100.0}).front().data;
   const Eigen::VectorXd weight = weight_within(data, {{1.0, 2.0}, {3.0, 3.5}});
   EXPECT_EQ(weight.sum(), 150.0);
   EXPECT_EQ(weight[99], 0.0);
