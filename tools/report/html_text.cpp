@@ -66,7 +66,7 @@ std::vector<double> rounded_for_plot(const std::vector<double>& values) {
     if (std::isfinite(value)) low = std::min(low, value), high = std::max(high, value);
   }
   const double offset = high > low ? std::max(std::fabs(low), std::fabs(high)) / (high - low) : 1.0;
-  const int digits = std::clamp(6 + static_cast<int>(std::ceil(std::log10(offset))), 6, 17);
+  const int digits = std::clamp(6 + static_cast<int>(std::floor(std::log10(offset))), 6, 17);
   std::vector<double> rounded;
   rounded.reserve(values.size());
   char text[40];

@@ -3,11 +3,11 @@
 (() => {
   // Okabe and Ito's colours for every kind of colour vision, without the yellow, which white paper swallows.
   const COLOURS = ['#0072B2', '#D55E00', '#009E73', '#CC79A7', '#E69F00', '#56B4E9', '#000000'];
-  const SHADES = ['#DCE9F5', '#FCE8CC', '#DDF1E5', '#F3E1EC', '#ECECEC', '#FBF5C8', '#E4DFF5'];
+  const SHADES = ['#E3EEF8', '#FDF0DC', '#E4F4EA', '#F6E9F1', '#EEEEEE', '#FBF7D9', '#EAE6F7'];
   const INK = '#333333';
   const MANY_PLOTS = 24;  // past these, drawing at twice the resolution for paper takes too much memory
   const FINGER_PX = 20;   // how near the pointer must be to a point of a cloud
-  const SHADE_NAMES_PX = 16;
+  const SHADE_NAMES_PX = 16, MARKER_NAME_PX = 14;
 
   const colour = index => COLOURS[index % COLOURS.length];
   // The second time round the palette a line is dotted.
@@ -23,15 +23,14 @@
     return {
       type: 'scatter', label: series.name, data: points(series.x, series.y), showLine: !cloud, order: cloud ? 2 : 1,
       borderColor: colour(series.colour), backgroundColor: colour(series.colour) + (cloud ? '99' : ''),
-      borderWidth: cloud ? 0 : 1.6, borderDash: dash(series), pointStyle: cloud ? 'circle' : 'line',
-      pointRadius: radius, pointHoverRadius: cloud ? radius + 2 : 3, overTime: !cloud && ascending(series.x),
+      borderWidth: cloud ? 0 : 1.8, borderDash: dash(series), borderJoinStyle: 'round', pointRadius: radius, pointHoverRadius: cloud ? radius + 2 : 3, overTime: !cloud && ascending(series.x),
     };
   }
 
   function bandDatasets(band) {
     const edge = {
       type: 'scatter', showLine: true, order: 3, borderWidth: 0, pointRadius: 0, pointHoverRadius: 0, overTime: true,
-      borderColor: colour(band.colour), backgroundColor: colour(band.colour) + '33', pointStyle: 'rect',
+      borderColor: colour(band.colour), backgroundColor: colour(band.colour) + '40',
     };
     return [
       {...edge, label: band.name, data: points(band.x, band.high), fill: '+1', edge: 'high'},
@@ -76,9 +75,11 @@
     }
   }
 
+  // Names of markers that are close to each other stand below one another.
   function drawMarkers(chart, plot) {
     const {ctx, chartArea: area, scales: {x}} = chart;
-    for (const marker of plot.markers) {
+    let lastAt = -Infinity, top = 0;
+    for (const marker of [...plot.markers].sort((a, b) => a.x - b.x)) {
       const at = x.getPixelForValue(marker.x);
       if (!(at >= area.left && at <= area.right)) continue;
       ctx.setLineDash([4, 3]);
@@ -88,10 +89,12 @@
       ctx.lineTo(at, area.bottom);
       ctx.stroke();
       ctx.save();
-      ctx.translate(at + (at + 14 < area.right ? 12 : -4), area.top + 4);
+      top = at - lastAt < MARKER_NAME_PX ? top : area.top + 4;
+      ctx.translate(at + (at + MARKER_NAME_PX < area.right ? MARKER_NAME_PX - 2 : -4), top);
       ctx.rotate(-Math.PI / 2);
       ctx.textAlign = 'right';
       ctx.fillText(marker.name, 0, 0);
+      [lastAt, top] = [at, top + ctx.measureText(marker.name).width + 10];
       ctx.restore();
     }
   }
@@ -111,23 +114,17 @@
     chart.ctx.restore();
   };
 
-  // For the test in a real browser: how many points were drawn.
+  // For the test in a real browser: how many points are to be seen.
   function tellWhatIsDrawn(chart) {
+    const {left, right} = chart.chartArea;
+    const seen = point => !point.skip && point.x >= left - 1 && point.x <= right + 1 && isFinite(point.y);
     const metas = chart.getSortedVisibleDatasetMetas();
-    const count = metas.reduce((sum, meta) => sum + meta.data.filter(point => !point.skip && isFinite(point.x + point.y)).length, 0);
+    const count = metas.reduce((sum, meta) => sum + meta.data.filter(seen).length, 0);
     chart.canvas.dataset.drawn = count;
   }
 
   const decoration = plot => ({
     id: 'decoration',
-    beforeInit(chart) {  // room for the names of the shades between legend and plot
-      if (plot.shades.length === 0) return;
-      const fit = chart.legend.fit;
-      chart.legend.fit = function() {
-        fit.call(this);
-        this.height += SHADE_NAMES_PX;
-      };
-    },
     beforeDatasetsDraw: painted(chart => drawShades(chart, plot)),
     afterDatasetsDraw: painted(chart => drawMarkers(chart, plot)),
     afterDraw(chart) {
@@ -136,18 +133,9 @@
     },
   });
 
-  // A band is two curves with one entry in the legend.
-  function toggle(event, item, legend) {
-    const {chart} = legend;
-    const band = chart.data.datasets[item.datasetIndex].edge ? 1 : 0;
-    const show = !chart.isDatasetVisible(item.datasetIndex);
-    for (let i = item.datasetIndex; i <= item.datasetIndex + band; ++i) chart.setDatasetVisibility(i, show);
-    chart.update();
-  }
-
   const axis = (text, grace) => ({
     type: 'linear', grace, title: {display: true, text, color: INK, font: {size: 13}},
-    ticks: {color: INK, format: {useGrouping: false, maximumSignificantDigits: 6}}, grid: {color: '#DDDDDD'},
+    ticks: {color: INK, includeBounds: false, format: {useGrouping: false, maximumSignificantDigits: 6}}, grid: {color: '#DDDDDD'},
   });
 
   function tooltip(plot) {
@@ -159,18 +147,22 @@
     return {animation: false, callbacks: {title, label}};
   }
 
+  // From the first to the last x, with a little room beside clouds: no empty stretch left and right, and round numbers at the ticks.
+  function extent(plot) {
+    const values = [...plot.series, ...plot.bands].flatMap(curve => curve.x).filter(value => value !== null);
+    const [min, max] = values.reduce(([low, high], value) => [Math.min(low, value), Math.max(high, value)], [Infinity, -Infinity]);
+    if (!(max > min)) return {};
+    const room = plot.series.some(curve => curve.style === 'points') ? 0.01 * (max - min) : 0;
+    return {min: min - room, max: max + room};
+  }
+
   const options = (plot, plotCount) => ({
-    animation: false, parsing: false, responsive: true, maintainAspectRatio: false, locale: 'en-US',
+    animation: false, responsive: true, maintainAspectRatio: false, locale: 'en-US',
     devicePixelRatio: Math.max(window.devicePixelRatio, plotCount > MANY_PLOTS ? 1 : 2),
     interaction: {mode: 'nearestOfEach'},
-    scales: {x: {...axis(plot.x), bounds: plot.equal ? 'ticks' : 'data'}, y: axis(plot.y, '4%')},
-    plugins: {
-      tooltip: tooltip(plot),
-      legend: {
-        align: 'start', onClick: toggle,
-        labels: {usePointStyle: true, color: INK, filter: (item, data) => data.datasets[item.datasetIndex].edge !== 'low'},
-      },
-    },
+    scales: {x: {...axis(plot.x), ...extent(plot)}, y: axis(plot.y, '4%')},
+    layout: {padding: {top: plot.shades.length > 0 ? SHADE_NAMES_PX : 4}},
+    plugins: {tooltip: tooltip(plot), legend: {display: false}},
   });
 
   // Widens the axis that has more room, until a unit is as long in x as in y.
@@ -194,11 +186,12 @@
   function zoomable(chart, group) {
     const {canvas} = chart;
     const inside = event => Math.min(Math.max(event.offsetX, chart.chartArea.left), chart.chartArea.right);
-    const show = (min, max) => group().forEach(other => {
-      Object.assign(other.options.scales.x, {min, max});
+    const show = stretch => group().forEach(other => {
+      Object.assign(other.options.scales.x, stretch ?? other.everything);
       other.update();
     });
     canvas.addEventListener('pointerdown', event => {
+      if (event.button !== 0) return;
       canvas.setPointerCapture(event.pointerId);
       chart.selection = {from: inside(event), to: inside(event)};
     });
@@ -208,11 +201,14 @@
       chart.draw();
     });
     canvas.addEventListener('pointerup', () => {
+      if (!chart.selection) return;
       const ends = [chart.selection.from, chart.selection.to].sort((a, b) => a - b);
       chart.selection = null;
-      if (ends[1] - ends[0] > 5) show(...ends.map(end => chart.scales.x.getValueForPixel(end)));
+      if (ends[1] - ends[0] <= 5) return;
+      const [min, max] = ends.map(end => chart.scales.x.getValueForPixel(end));
+      show({min, max});
     });
-    canvas.addEventListener('dblclick', () => show(undefined, undefined));
+    canvas.addEventListener('dblclick', () => show());
   }
 
   function add(parent, tag, className, text) {
@@ -220,6 +216,33 @@
     element.className = className;
     element.textContent = text;
     return parent.appendChild(element);
+  }
+
+  // What a curve looks like, 28 pixels wide.
+  function glyph(dataset) {
+    const {borderColor: ink, backgroundColor: fill, borderDash = [], edge, showLine} = dataset;
+    const shape = edge ? `<rect width="28" height="12" fill="${fill}"/>`
+      : showLine ? `<path d="M0 6h28" stroke="${ink}" stroke-width="2.4" stroke-dasharray="${borderDash}"/>`
+      : `<circle cx="14" cy="6" r="4" fill="${ink}"/>`;
+    return `<svg width="28" height="12" aria-hidden="true">${shape}</svg>`;
+  }
+
+  // A band is two curves with one entry in the legend.
+  function legend(chart, figure) {
+    const list = document.createElement('div');
+    list.className = 'legend';
+    figure.insertBefore(list, chart.canvas.parentElement);
+    chart.data.datasets.forEach((dataset, i) => {
+      if (dataset.edge === 'low') return;
+      const entry = add(list, 'button', '', dataset.label);
+      entry.insertAdjacentHTML('afterbegin', glyph(dataset));
+      entry.addEventListener('click', () => {
+        const show = !chart.isDatasetVisible(i);
+        for (let k = i; k <= i + (dataset.edge ? 1 : 0); ++k) chart.setDatasetVisibility(k, show);
+        entry.classList.toggle('hidden', !show);
+        chart.update();
+      });
+    });
   }
 
   function explain(figure, plot) {
@@ -230,13 +253,15 @@
     const thinned = [...plot.series, ...plot.bands].filter(curve => curve.x.length < curve.samples);
     if (thinned.length === 0) return;
     const most = Math.max(...thinned.map(curve => curve.samples));
-    add(figure, 'p', 'thinned', `Thinned for the screen from up to ${most} samples a curve; every peak and gap is kept.`);
+    add(figure, 'p', 'thinned', `Thinned for the screen from up to ${most} samples a curve, keeping peaks and gaps.`);
   }
 
   function draw(canvas, plot, plotCount) {
     const datasets = [...plot.series.map(seriesDataset), ...plot.bands.flatMap(bandDatasets)];
     const chart = new Chart(canvas, {data: {datasets}, options: options(plot, plotCount), plugins: [decoration(plot)]});
+    chart.everything = {min: undefined, max: undefined, ...extent(plot)};
     if (plot.equal) keepEqual(chart);
+    legend(chart, canvas.closest('figure'));
     explain(canvas.closest('figure'), plot);
     return chart;
   }
@@ -249,9 +274,5 @@
   charts.forEach((chart, i) => {
     if (!plots[i].equal) zoomable(chart, () => charts.filter((other, k) => sameAxis(i, k)));
   });
-  window.addEventListener('beforeprint', () => {
-    document.querySelectorAll('details').forEach(details => details.open = true);
-    charts.forEach(chart => chart.resize());
-  });
-  window.addEventListener('afterprint', () => charts.forEach(chart => chart.resize()));
+  window.addEventListener('beforeprint', () => document.querySelectorAll('details').forEach(details => details.open = true));
 })();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 
 namespace sprung::report {
@@ -75,6 +76,26 @@ Indices first_of_cells(const Column& x, const Column& y, const Indices& points, 
   return kept;
 }
 
+/// Of the finest grid that gives no more than max_points.
+Indices one_of_each_cell(const Column& x, const Column& y, const Indices& points, std::size_t max_points) {
+  std::size_t grid_columns = kFinestGridColumns;
+  Indices kept = first_of_cells(x, y, points, grid_columns);
+  while (kept.size() > max_points && grid_columns > 1) {
+    grid_columns = grid_columns * 3 / 4;
+    kept = first_of_cells(x, y, points, grid_columns);
+  }
+  return kept;
+}
+
+/// One somewhere in each of `count` stretches: always the first would fall in step with a periodic signal.
+void add_evenly(const Indices& points, std::size_t count, Indices& kept) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t begin = points.size() * i / count, end = points.size() * (i + 1) / count;
+    const std::uint64_t mixed = (i * 0x9E3779B97F4A7C15ull) >> 40;  // golden ratio hashing
+    if (begin < end) kept.push_back(points[begin + mixed % (end - begin)]);
+  }
+}
+
 void add_outermost(const Column& column, const Indices& points, Indices& kept) {
   const auto less = [&column](std::size_t a, std::size_t b) { return column[a] < column[b]; };
   const auto [low, high] = std::minmax_element(points.begin(), points.end(), less);
@@ -106,12 +127,9 @@ Indices thin_in_order(const std::vector<const Column*>& columns, std::size_t max
 Indices thin_cloud(const Column& x, const Column& y, std::size_t max_points) {
   const Indices finite = finite_points(x, y);
   if (finite.size() <= max_points) return finite;
-  std::size_t grid_columns = kFinestGridColumns;
-  Indices kept = first_of_cells(x, y, finite, grid_columns);
-  while (kept.size() > max_points && grid_columns > 1) {
-    grid_columns = grid_columns * 3 / 4;
-    kept = first_of_cells(x, y, finite, grid_columns);
-  }
+  const std::size_t half = std::max<std::size_t>(1, max_points / 2);
+  Indices kept = one_of_each_cell(x, y, finite, half);
+  add_evenly(finite, half, kept);
   add_outermost(x, finite, kept);
   add_outermost(y, finite, kept);
   sort_unique(kept);

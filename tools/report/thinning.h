@@ -12,8 +12,8 @@ using Column = std::vector<double>;
 /// @return ascending indices, about max_points of them; all of them if there are no more than that.
 std::vector<std::size_t> thin_in_order(const std::vector<const Column*>& columns, std::size_t max_points);
 
-/// For a cloud of points: one of each cell of a grid over what they span, as fine as max_points allows, and the outermost points.
-/// Points that are not finite are left out.
+/// For a cloud of points: half of them evenly in order, which shows where the cloud is dense, half one of each cell of a grid over what
+/// they span, which keeps what lies apart, and the outermost points. Points that are not finite are left out.
 /// @return ascending indices, at most max_points + 4.
 std::vector<std::size_t> thin_cloud(const Column& x, const Column& y, std::size_t max_points);
 
