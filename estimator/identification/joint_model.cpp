@@ -220,8 +220,8 @@ double JointModel::ripple_at(const JointDataset& data, const Eigen::VectorXd& pa
   return sum;
 }
 
-void JointModel::fill_row(const JointDataset& data, const Eigen::VectorXd& parameters, Index i,
-                          double by_load, Eigen::MatrixXd& jacobian) const {
+void JointModel::fill_row(const JointDataset& data, Index i, double by_load,
+                          Eigen::MatrixXd& jacobian) const {
   const double q = data.position_rad[i];
   jacobian(i, 0) = data.acceleration_rad_s2[i];
   if (!load_known_) {
@@ -254,7 +254,7 @@ void JointModel::predict(const JointDataset& data, const Eigen::VectorXd& parame
     }
     const FrictionValue f = evaluate(law, in);
     prediction[i] += f.torque_Nm;
-    fill_row(data, parameters, i, 1.0 + f.by_load, *jacobian);
+    fill_row(data, i, 1.0 + f.by_load, *jacobian);
     for (std::size_t k = 0; k < friction_.size(); ++k)
       (*jacobian)(i, at_.friction + static_cast<Index>(k)) =
           f.gradient[static_cast<std::size_t>(friction_[k])];

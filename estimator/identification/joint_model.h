@@ -43,8 +43,7 @@ class JointModel : public FitModel {
   void add_ripple(const JointDataset& data);
   double load_at(const JointDataset& data, const Eigen::VectorXd& parameters, Eigen::Index i) const;
   double ripple_at(const JointDataset& data, const Eigen::VectorXd& parameters, Eigen::Index i) const;
-  void fill_row(const JointDataset& data, const Eigen::VectorXd& parameters, Eigen::Index i, double by_load,
-                Eigen::MatrixXd& jacobian) const;
+  void fill_row(const JointDataset& data, Eigen::Index i, double by_load, Eigen::MatrixXd& jacobian) const;
 
   JointTerms terms_;
   std::vector<FrictionParameter> friction_;
