@@ -27,16 +27,16 @@ struct Cell {
 };
 
 struct Table {
-  std::string title;                    ///< may be empty
-  std::vector<std::string> columns;     ///< unit in the heading: "RMS (Nm)"
-  std::vector<std::vector<Cell>> rows;  ///< each as long as `columns`
-  std::string note = "";                ///< below the table; may be empty
-  bool folded = false;                  ///< shown as one line to click on: long lists of parameters
+  std::string title;                         ///< may be empty
+  std::vector<std::string> columns;          ///< unit in the heading: "RMS (Nm)"
+  std::vector<std::vector<Cell>> rows = {};  ///< each as long as `columns`
+  std::string note = "";                     ///< below the table; may be empty
+  bool folded = false;                       ///< shown as one line to click on: long lists of parameters
 };
 
 struct Axis {
   std::string label;
-  std::string unit;  ///< empty: no unit is printed
+  std::string unit = "";  ///< empty: no unit is printed
 };
 
 enum class Style {
@@ -80,7 +80,7 @@ struct Plot {
   std::string title;
   Axis x;
   Axis y;
-  std::vector<Series> series;
+  std::vector<Series> series = {};
   std::vector<Band> bands = {};
   std::vector<Shade> shades = {};
   std::vector<Marker> markers = {};
