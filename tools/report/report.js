@@ -21,7 +21,7 @@
     const cloud = series.style === 'points';
     const radius = !cloud ? 0 : series.x.length < 200 ? 3 : 1.6;
     return {
-      type: 'scatter', label: series.name, data: points(series.x, series.y), showLine: !cloud, order: cloud ? 2 : 1,
+      type: 'scatter', label: series.name, data: points(series.x, series.y), showLine: !cloud, order: cloud ? 2 : series.style === 'dashed' ? 0 : 1,
       borderColor: colour(series.colour), backgroundColor: colour(series.colour) + (cloud ? '99' : ''),
       borderWidth: cloud ? 0 : 1.8, borderDash: dash(series), borderJoinStyle: 'round', pointRadius: radius, pointHoverRadius: cloud ? radius + 2 : 3, overTime: !cloud && ascending(series.x),
     };
