@@ -45,7 +45,8 @@ enum class Style {
   kPoints,      ///< a cloud: the order means nothing
 };
 
-/// Dashed lines lie on top, then lines, clouds and bands; among their like the first is on top. Colours are told apart by colour-blind readers; series of one `colour` belong together ("knee, measured" and "knee, estimated").
+/// Dashed lines lie on top, then lines, clouds and bands; among their like the first is on top. Colours are told apart by colour-blind
+/// readers; series of one `colour` belong together ("knee, measured" and "knee, estimated").
 struct Series {
   std::string name;
   std::vector<double> x;
