@@ -62,7 +62,7 @@ struct ControllerCore::Impl {
     if (!(preset.friction_smoothing_rad_s > 0.0)) {
       throw std::invalid_argument("preset '" + preset.name + "': friction_smoothing must be positive");
     }
-    for (const LegConfig& leg : robot.legs) legs.emplace_back(robot, leg, preset.friction_smoothing_rad_s);
+    for (const LegConfig& leg : robot.legs) legs.emplace_back(robot, leg, preset);
   }
 
   CommandBasis check(const JointState& state, const LegCommand* command) const noexcept {

@@ -20,23 +20,31 @@ std::vector<T> pick(const std::vector<T>& all, const std::vector<int>& indices) 
   return out;
 }
 
+FrictionCompensation compensation(const std::vector<JointConfig>& joints, const PresetConfig& preset) {
+  const bool paper = preset.compensated_friction == CompensatedFriction::kPaper;
+  FrictionCompensation out;
+  out.smoothing_rad_s = preset.friction_smoothing_rad_s;
+  for (const JointConfig& joint : joints)
+    out.joints.push_back(paper ? joint.papers_friction() : joint.estimated_friction());
+  return out;
+}
+
 }  // namespace
 
-LegController::LegController(const RobotConfig& robot, const LegConfig& leg, double friction_smoothing_rad_s)
+LegController::LegController(const RobotConfig& robot, const LegConfig& leg, const PresetConfig& preset)
     : joint_indices_(leg.joints),
       actuator_indices_(leg.actuators),
       joints_(pick(robot.joints, leg.joints)),
       actuators_(pick(robot.actuators, leg.actuators)),
       kinematics_(make_leg_kinematics(leg)),
       transmission_(leg),
-      friction_smoothing_rad_s_(friction_smoothing_rad_s),
+      friction_(compensation(joints_, preset)),
       limiters_(actuators_.begin(), actuators_.end()) {
   const int n = transmission_.size();
-  for (JointVector* v :
-       {&coulomb_Nm_, &offset_, &motor_torque_Nm_, &measured_.position_rad, &measured_.velocity_rad_s}) {
+  for (JointVector* v : {&offset_, &motor_torque_Nm_, &measured_.position_rad, &measured_.velocity_rad_s,
+                         &measured_.temperature_C}) {
     v->setZero(n);
   }
-  for (int j = 0; j < n; ++j) coulomb_Nm_[j] = joints_[static_cast<std::size_t>(j)].coulomb_friction_Nm;
 }
 
 LegOutcome LegController::step(const std::vector<EstimatedJoint>& joints, const DesiredLeg& desired,
@@ -70,6 +78,7 @@ bool LegController::read(const std::vector<EstimatedJoint>& joints) noexcept {
         joints[static_cast<std::size_t>(joint_indices_[static_cast<std::size_t>(j)])];
     measured_.position_rad[j] = joint.estimated_position_rad;
     measured_.velocity_rad_s[j] = joint.estimated_velocity_rad_s;
+    measured_.temperature_C[j] = joint.estimated_temperature_degC;
     motor_torque_Nm_[j] = joint.motor_side_torque_Nm + joint.friction_torque_Nm;
     all_enabled_ = all_enabled_ && joint.drive_enabled;
   }
@@ -137,8 +146,7 @@ void LegController::clamp_to_limits(JointVector& position_rad, JointVector& velo
 
 LegOutcome LegController::compliance(const DesiredLeg& desired, const FootMotion& foot, double dt_s,
                                      DriveCommand& out) noexcept {
-  JointVector torque =
-      compliance_torque_Nm(*kinematics_, desired, foot, measured_, coulomb_Nm_, friction_smoothing_rad_s_);
+  JointVector torque = compliance_torque_Nm(*kinematics_, desired, foot, measured_, friction_);
   if (!torque.allFinite()) return LegOutcome::kNotFinite;
   if (entering_) enter_compliance(torque);
   torque += fade_.share() * offset_;

@@ -29,8 +29,9 @@ enum class LegOutcome { kOk, kNotFinite, kUnreachable };
 
 class LegController {
  public:
+  /// @param preset which friction is compensated, and how smoothly.
   /// @throws std::invalid_argument on kinematics or a transmission that cannot be.
-  LegController(const RobotConfig& robot, const LegConfig& leg, double friction_smoothing_rad_s);
+  LegController(const RobotConfig& robot, const LegConfig& leg, const PresetConfig& preset);
 
   /// Writes this leg's entries of `out`; unless kOk they are to be overwritten with damping.
   /// @param desired_age_s from the command's time to now.
@@ -60,8 +61,7 @@ class LegController {
   std::vector<ActuatorConfig> actuators_;
   std::unique_ptr<LegKinematics> kinematics_;  ///< nullptr: joints alone, no foot to command
   Transmission transmission_;
-  JointVector coulomb_Nm_;
-  double friction_smoothing_rad_s_;
+  FrictionCompensation friction_;
 
   ControlMode mode_ = ControlMode::kDisabled;  ///< of the last step
   bool all_enabled_ = false;

@@ -18,6 +18,7 @@ class ComplianceLawTest : public testing::Test {
     desired_.damping_N_s_m = {40.0, 0.0, 60.0};
     measured_.position_rad = pair(2.3, 1.4);
     measured_.velocity_rad_s = pair(0.0, 0.0);
+    measured_.temperature_C = pair(kNaN, kNaN);
     foot_ = {leg_.foot_in_hip_m(measured_.position_rad), Eigen::Vector3d::Zero()};
   }
   static JointVector pair(double a, double b) {
@@ -25,9 +26,12 @@ class ComplianceLawTest : public testing::Test {
     v << a, b;
     return v;
   }
-  JointVector torque() const {
-    return compliance_torque_Nm(leg_, desired_, foot_, measured_, coulomb_Nm_, 0.05);
+  static FrictionParameters coulomb(double torque_Nm) {
+    FrictionParameters p;
+    p.coulomb_Nm = torque_Nm;
+    return p;
   }
+  JointVector torque() const { return compliance_torque_Nm(leg_, desired_, foot_, measured_, friction_); }
   /// Force that the leg puts on the world at its foot.
   Eigen::Vector3d force() const {
     const JointVector motion = torque() - leg_.gravity_torque_Nm(measured_.position_rad);
@@ -38,7 +42,7 @@ class ComplianceLawTest : public testing::Test {
   DesiredLeg desired_;
   FootMotion foot_;
   LegMotion measured_;
-  JointVector coulomb_Nm_ = pair(1.79, 1.79);
+  FrictionCompensation friction_{{coulomb(1.79), coulomb(1.79)}, 0.05};
 };
 
 TEST_F(ComplianceLawTest, AtTheTargetOnlyTheLegsOwnWeightIsHeld) {
@@ -80,6 +84,55 @@ TEST_F(ComplianceLawTest, FrictionIsCompensatedWithTheMeasuredSpeedAndNotAtRest)
   const JointVector moving = torque() - at_rest;
   EXPECT_NEAR(moving[0], 0.8 * 1.79, 1e-9);
   EXPECT_NEAR(moving[1], -0.8 * 1.79, 1e-9);
+}
+
+TEST_F(ComplianceLawTest, ThePapersCompensationIsItsFormulaToTheBit) {
+  desired_.friction_compensation =
+      1.0;  // preset `paper`: figures of the papers' jumps must stay what they are
+  measured_.velocity_rad_s = pair(0.031, -2.7);
+  const JointVector with = torque();
+  friction_.joints = {FrictionParameters{}, FrictionParameters{}};
+  const JointVector without = torque();
+  EXPECT_EQ(with[0], without[0] + 1.79 * std::tanh(0.031 / 0.05));
+  EXPECT_EQ(with[1], without[1] + 1.79 * std::tanh(-2.7 / 0.05));
+}
+
+TEST_F(ComplianceLawTest, LoadFrictionIsThatOfTheTorqueThatTheGearIsToPutOut) {
+  desired_.friction_compensation = 1.0;
+  desired_.feedforward_force_N = {0.0, 0.0, 300.0};
+  measured_.velocity_rad_s = pair(4.0, 4.0);
+  friction_.joints = {FrictionParameters{}, FrictionParameters{}};
+  const JointVector spring = torque();
+  friction_.joints[0].load_share_driving = friction_.joints[0].load_share_driven = 0.1;
+  friction_.joints[1].load_share_driving = friction_.joints[1].load_share_driven = 0.1;
+  EXPECT_NEAR(torque()[1], spring[1] + 0.1 * std::abs(spring[1]), 1e-12);
+  EXPECT_GT(std::abs(spring[1]), 10.0);
+}
+
+TEST_F(ComplianceLawTest, WarmGearsNeedLess) {
+  desired_.friction_compensation = 1.0;
+  measured_.velocity_rad_s = pair(4.0, 4.0);
+  for (FrictionParameters& p : friction_.joints) {
+    p = FrictionParameters{};
+    p.viscous_Nm_s_rad = 1.3;
+    p.viscous_temperature_1_K = 0.035;
+  }
+  const JointVector unknown = torque();
+  measured_.temperature_C = pair(24.0, 50.0);
+  EXPECT_EQ(torque()[0], unknown[0]);
+  EXPECT_NEAR(unknown[1] - torque()[1], 5.2 * (1.0 - std::exp(-0.035 * 26.0)), 1e-12);
+}
+
+TEST_F(ComplianceLawTest, NoLawActsAtRestNorJumpsAboutIt) {
+  desired_.friction_compensation = 1.0;
+  desired_.damping_N_s_m = {0.0, 0.0, 0.0};
+  for (FrictionParameters& p : friction_.joints) p = {7.3, 0.8, 0.1, 2.0, 1.2, 1.0, 0.1, 0.1, 0.05};
+  const JointVector rest = torque();
+  friction_.joints = {FrictionParameters{}, FrictionParameters{}};
+  EXPECT_EQ(torque(), rest);
+  friction_.joints = {coulomb(7.3), coulomb(7.3)};
+  measured_.velocity_rad_s = pair(1e-4, -1e-4);  // a tenth of the encoder's noise
+  EXPECT_LT((torque() - rest).norm(), 0.03);
 }
 
 TEST(FootMotionTest, ExtrapolatesWithConstantAcceleration) {

@@ -173,6 +173,29 @@ TEST_F(ControllerCoreTest, SmoothingMustBePositive) {
   EXPECT_THROW(ControllerCore(robot_, preset, robot_.watchdogs), std::invalid_argument);
 }
 
+TEST_F(ControllerCoreTest, IdentifiedFrictionChangesPresetBestAndNotPaper) {
+  RobotConfig identified = robot_;
+  for (JointConfig& joint : identified.joints) {
+    joint.friction.emplace();
+    joint.friction->parameters.coulomb_Nm = 7.3;
+  }
+  want(ControlMode::kCompliance);
+  command_.legs[0].friction_compensation = 0.5;
+  const auto torque = [this](const RobotConfig& robot, const char* preset) {
+    ControllerCore core(robot, robot.preset(preset), robot.watchdogs);
+    for (int k = 0; k < 100; ++k) {  // until the fade at the beginning is over
+      for (EstimatedJoint& joint : state_.joints) joint.estimated_velocity_rad_s = 1.0;
+      command_.stamp = state_.stamp = {state_.stamp.utime_us + 1000, state_.stamp.seq + 1};
+      core.step(state_, &command_, out_);
+    }
+    return commanded_torque();
+  };
+  EXPECT_EQ(torque(identified, "paper"), torque(robot_, "paper"));
+  const JointVector more_Nm = torque(identified, "best") - torque(robot_, "best");
+  EXPECT_NEAR(more_Nm[0], 0.5 * (7.3 - 1.79), 1e-9);
+  EXPECT_NEAR(more_Nm[1], 0.5 * (7.3 - 1.79), 1e-9);
+}
+
 TEST_F(ControllerCoreTest, EveryBasisHasAName) {
   for (int i = 0; i <= static_cast<int>(CommandBasis::kSafety); ++i) {
     EXPECT_STRNE(name(static_cast<CommandBasis>(i)), "unknown");
