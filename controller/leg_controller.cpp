@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "estimator/coulomb_friction.h"
+
 namespace sprung {
 namespace {
 
@@ -18,6 +20,12 @@ std::vector<T> pick(const std::vector<T>& all, const std::vector<int>& indices) 
   out.reserve(indices.size());
   for (int i : indices) out.push_back(all.at(static_cast<std::size_t>(i)));
   return out;
+}
+
+/// Before friction and rotor inertia: the papers' joint torque has lost the papers' friction, whatever is identified.
+double motor_torque_Nm(const JointConfig& joint, const EstimatedJoint& state) noexcept {
+  return state.motor_side_torque_Nm +
+         papers_friction(joint.coulomb_friction_Nm, state.estimated_velocity_rad_s).torque_Nm;
 }
 
 FrictionCompensation compensation(const std::vector<JointConfig>& joints, const PresetConfig& preset) {
@@ -57,18 +65,24 @@ LegOutcome LegController::step(const std::vector<EstimatedJoint>& joints, const 
     damp(out);
     return LegOutcome::kOk;
   }
-  if (kinematics_ == nullptr) return LegOutcome::kUnreachable;
+  if (kinematics_ == nullptr && desired.control_mode != ControlMode::kJoint) return LegOutcome::kUnreachable;
   if (!read(joints)) return LegOutcome::kNotFinite;
   entering_ = entering_ || !all_enabled_ || desired.control_mode != mode_;
   const bool was_compliant = mode_ == ControlMode::kCompliance;
   mode_ = desired.control_mode;
   fade_.advance(dt_s);
-  const FootMotion foot = extrapolate(desired, desired_age_s);
-  if (!foot.position_m.allFinite() || !foot.velocity_m_s.allFinite()) return LegOutcome::kNotFinite;
-  const LegOutcome outcome = mode_ == ControlMode::kPosition ? position(foot, was_compliant, out)
-                                                             : compliance(desired, foot, dt_s, out);
+  const LegOutcome outcome = follow(desired, desired_age_s, was_compliant, dt_s, out);
   entering_ = outcome != LegOutcome::kOk;
   return outcome;
+}
+
+LegOutcome LegController::follow(const DesiredLeg& desired, double desired_age_s, bool was_compliant,
+                                 double dt_s, DriveCommand& out) noexcept {
+  if (mode_ == ControlMode::kJoint) return joint(desired, desired_age_s, was_compliant, dt_s, out);
+  const FootMotion foot = extrapolate(desired, desired_age_s);
+  if (!foot.position_m.allFinite() || !foot.velocity_m_s.allFinite()) return LegOutcome::kNotFinite;
+  return mode_ == ControlMode::kPosition ? position(foot, was_compliant, dt_s, out)
+                                         : compliance(desired, foot, dt_s, out);
 }
 
 bool LegController::read(const std::vector<EstimatedJoint>& joints) noexcept {
@@ -79,25 +93,48 @@ bool LegController::read(const std::vector<EstimatedJoint>& joints) noexcept {
     measured_.position_rad[j] = joint.estimated_position_rad;
     measured_.velocity_rad_s[j] = joint.estimated_velocity_rad_s;
     measured_.temperature_C[j] = joint.estimated_temperature_degC;
-    motor_torque_Nm_[j] = joint.motor_side_torque_Nm + joint.friction_torque_Nm;
+    motor_torque_Nm_[j] = motor_torque_Nm(joints_[static_cast<std::size_t>(j)], joint);
     all_enabled_ = all_enabled_ && joint.drive_enabled;
   }
   return measured_.position_rad.allFinite() && measured_.velocity_rad_s.allFinite() &&
          motor_torque_Nm_.allFinite();
 }
 
-LegOutcome LegController::position(const FootMotion& foot, bool was_compliant, DriveCommand& out) noexcept {
+LegOutcome LegController::position(const FootMotion& foot, bool was_compliant, double dt_s,
+                                   DriveCommand& out) noexcept {
   const InverseResult inverse = kinematics_->inverse(foot.position_m, measured_.position_rad);
   if (!inverse.reachable) return LegOutcome::kUnreachable;
-  if (entering_) enter_position(inverse.position_rad, was_compliant);
   const DampedInverse to_joints = damped_inverse(kinematics_->jacobian(inverse.position_rad));
-  JointVector position_rad = inverse.position_rad + fade_.share() * offset_;
-  JointVector velocity_rad_s = to_joints.matrix.transpose() * foot.velocity_m_s + fade_.rate_1_s() * offset_;
+  send_position({inverse.position_rad, to_joints.matrix.transpose() * foot.velocity_m_s}, was_compliant, dt_s,
+                out);
+  return LegOutcome::kOk;
+}
+
+LegOutcome LegController::joint(const DesiredLeg& desired, double desired_age_s, bool was_compliant,
+                                double dt_s, DriveCommand& out) noexcept {
+  LegMotion to = measured_;  // of this leg's size
+  for (int j = 0; j < transmission_.size(); ++j) {
+    const auto place = static_cast<std::size_t>(j);
+    const bool known = place < desired.desired_joint_position_rad.size();
+    to.velocity_rad_s[j] = known ? desired.desired_joint_velocity_rad_s[place] : kNaN;
+    to.position_rad[j] =
+        known ? desired.desired_joint_position_rad[place] + desired_age_s * to.velocity_rad_s[j] : kNaN;
+  }
+  if (!to.position_rad.allFinite() || !to.velocity_rad_s.allFinite()) return LegOutcome::kNotFinite;
+  send_position(to, was_compliant, dt_s, out);
+  return LegOutcome::kOk;
+}
+
+void LegController::send_position(const LegMotion& desired, bool was_compliant, double dt_s,
+                                  DriveCommand& out) noexcept {
+  if (entering_) enter_position(desired.position_rad, was_compliant);
+  JointVector position_rad = desired.position_rad + fade_.share() * offset_;
+  JointVector velocity_rad_s = desired.velocity_rad_s + fade_.rate_1_s() * offset_;
   if (!all_enabled_) {
     position_rad = measured_.position_rad;
     velocity_rad_s.setZero();
   }
-  clamp_to_limits(position_rad, velocity_rad_s);
+  clamp_to_limits(dt_s, position_rad, velocity_rad_s);
   const JointVector position = transmission_.actuator_from_joint(position_rad);
   const JointVector velocity = transmission_.actuator_from_joint(velocity_rad_s);
   fill(out, DriveMode::kPosition);
@@ -107,7 +144,6 @@ LegOutcome LegController::position(const FootMotion& foot, bool was_compliant, D
     command(out, i).commanded_velocity_rad_s = std::clamp(velocity[i], -fastest, fastest);
     if (std::abs(velocity[i]) > fastest) ++counts_.velocity;
   }
-  return LegOutcome::kOk;
 }
 
 void LegController::enter_position(const JointVector& desired_rad, bool was_compliant) noexcept {
@@ -128,15 +164,19 @@ JointVector LegController::held_by_stiffness_rad() const noexcept {
   return transmission_.joint_from_actuator(beyond_rad);
 }
 
-void LegController::clamp_to_limits(JointVector& position_rad, JointVector& velocity_rad_s) noexcept {
+/// A joint that was beyond a limit when the mode began must not be pulled back at once: enabling would kick. From there
+/// on the bound moves to the limit, and a joint that is pushed out later takes it nowhere.
+void LegController::clamp_to_limits(double dt_s, JointVector& position_rad,
+                                    JointVector& velocity_rad_s) noexcept {
+  const double back_rad = kFadeSpeed_rad_s * dt_s;
   for (int j = 0; j < position_rad.size(); ++j) {
     const JointConfig& joint = joints_[static_cast<std::size_t>(j)];
     const double low = joint.position_min_rad + kPositionMargin_rad;
     const double high = joint.position_max_rad - kPositionMargin_rad;
-    // A joint that already is beyond must not be pulled back at once: enabling would kick. It may only not go
-    // further.
-    const double inside = std::clamp(position_rad[j], std::min(low, measured_.position_rad[j]),
-                                     std::max(high, measured_.position_rad[j]));
+    const double measured = measured_.position_rad[j];
+    lowest_rad_[j] = std::min(low, entering_ ? measured : lowest_rad_[j] + back_rad);
+    highest_rad_[j] = std::max(high, entering_ ? measured : highest_rad_[j] - back_rad);
+    const double inside = std::clamp(position_rad[j], lowest_rad_[j], highest_rad_[j]);
     if (inside == position_rad[j]) continue;
     ++counts_.position;
     position_rad[j] = inside;

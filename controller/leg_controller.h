@@ -13,6 +13,7 @@
 ///                  is the torque that is there. Stiffness and damping act in full at once: a ramp of them
 ///                  would slow the jumps of preset `paper`, which switch in flight (hybrid) or while standing
 ///                  still before the thrust (torque), where this offset is small.
+/// Joint mode is position mode with joint angles in the place of the foot.
 /// While not all of the leg's drives are enabled, set-points are the measured position or no torque: enabling
 /// never kicks.
 #include <memory>
@@ -45,13 +46,18 @@ class LegController {
 
  private:
   bool read(const std::vector<EstimatedJoint>& joints) noexcept;
-  LegOutcome position(const FootMotion& foot, bool was_compliant, DriveCommand& out) noexcept;
+  LegOutcome follow(const DesiredLeg& desired, double desired_age_s, bool was_compliant, double dt_s,
+                    DriveCommand& out) noexcept;
+  LegOutcome position(const FootMotion& foot, bool was_compliant, double dt_s, DriveCommand& out) noexcept;
+  LegOutcome joint(const DesiredLeg& desired, double desired_age_s, bool was_compliant, double dt_s,
+                   DriveCommand& out) noexcept;
+  void send_position(const LegMotion& desired, bool was_compliant, double dt_s, DriveCommand& out) noexcept;
   LegOutcome compliance(const DesiredLeg& desired, const FootMotion& foot, double dt_s,
                         DriveCommand& out) noexcept;
   void enter_position(const JointVector& desired_rad, bool was_compliant) noexcept;
   JointVector held_by_stiffness_rad() const noexcept;
   void enter_compliance(const JointVector& law_Nm) noexcept;
-  void clamp_to_limits(JointVector& position_rad, JointVector& velocity_rad_s) noexcept;
+  void clamp_to_limits(double dt_s, JointVector& position_rad, JointVector& velocity_rad_s) noexcept;
   ActuatorCommand& command(DriveCommand& out, int i) const noexcept;
   void fill(DriveCommand& out, DriveMode mode) const noexcept;
 
@@ -67,7 +73,8 @@ class LegController {
   bool all_enabled_ = false;
   bool entering_ = true;  ///< this step is the mode's first with enabled drives
   Fade fade_;
-  JointVector offset_;  ///< what fades: rad in position mode, Nm in compliance
+  JointVector offset_;                    ///< what fades: rad in position mode, Nm in compliance
+  JointVector lowest_rad_, highest_rad_;  ///< position mode: between them each joint's set-point may be
   LegMotion measured_;
   JointVector motor_torque_Nm_;
   std::vector<TorqueLimiter> limiters_;

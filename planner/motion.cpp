@@ -31,28 +31,6 @@ bool finite(const Vec3& v) noexcept {
 
 Vec3 under_hip(double length_m) noexcept { return {0.0, 0.0, -length_m}; }
 
-LegPhase leg_phase(MotionPhase phase) noexcept {
-  switch (phase) {
-    case MotionPhase::kIdle:
-      return LegPhase::kIdle;
-    case MotionPhase::kRising:
-    case MotionPhase::kStanding:
-    case MotionPhase::kSitting:
-      return LegPhase::kStand;
-    case MotionPhase::kCrouch:
-      return LegPhase::kCrouch;
-    case MotionPhase::kThrust:
-      return LegPhase::kThrust;
-    case MotionPhase::kFlight:
-      return LegPhase::kFlight;
-    case MotionPhase::kLanding:
-      return LegPhase::kLanding;
-    case MotionPhase::kRecover:
-      return LegPhase::kRecover;
-  }
-  return LegPhase::kIdle;
-}
-
 bool is_loss(MotionEvent event) noexcept {
   return event == MotionEvent::kSafetyLost || event == MotionEvent::kDriveLost ||
          event == MotionEvent::kFootLost;
@@ -65,7 +43,11 @@ bool on_curve(MotionPhase phase) noexcept {
 }  // namespace
 
 Motion::Motion(const RobotConfig& robot, const PresetConfig& preset)
-    : preset_(preset), curve_(preset), moves_(robot.legs.size()), departure_m_(robot.legs.size()) {}
+    : preset_(preset),
+      curve_(preset),
+      joints_(robot),
+      moves_(robot.legs.size()),
+      departure_m_(robot.legs.size()) {}
 
 const char* Motion::last_transition() const noexcept {
   return machine_.last() != nullptr ? machine_.last()->reason : "";
@@ -88,6 +70,25 @@ bool Motion::jump(const JointState& in, const JumpRequest& request) noexcept {
 }
 
 bool Motion::sit(const JointState& in) noexcept { return process(MotionEvent::kSitRequested, in); }
+
+bool Motion::move_joint(const JointState& in, const JointRequest& request) noexcept {
+  if (state() == MotionPhase::kMovingJoint && !joints_held()) return false;
+  if (!process(MotionEvent::kJointRequested, in)) return false;
+  stop_ = false;
+  joint_request_ = request;
+  joint_moves_ = true;
+  if (enabled_) {
+    joints_.begin(request, now_us_);
+  } else {
+    joints_.hold(in);
+  }
+  return true;
+}
+
+void Motion::stop() noexcept {
+  stop_ = true;
+  joints_.brake(now_us_);
+}
 
 void Motion::restart(const JointState& in) noexcept {
   process(MotionEvent::kRestarted, in);
@@ -125,6 +126,9 @@ void Motion::enter(MotionPhase from, const JointState& in) noexcept {
     case MotionPhase::kRising:
       enabled_ = false;
       break;
+    case MotionPhase::kMovingJoint:
+      enabled_ = enabled_ && from == MotionPhase::kMovingJoint;
+      break;
     case MotionPhase::kCrouch:
       move_all(curve_.crouch_length_m(), preset_.crouch_time_s);
       break;
@@ -141,6 +145,7 @@ void Motion::enter(MotionPhase from, const JointState& in) noexcept {
       move_all(preset_.stand_length_m, preset_.recover_time_s);
       break;
     case MotionPhase::kSitting:
+      let_go_ = from == MotionPhase::kMovingJoint;
       move_all(preset_.sit_length_m, preset_.rise_time_s);
       break;
     case MotionPhase::kStanding:
@@ -179,7 +184,10 @@ void Motion::update(const JointState& in) noexcept {
       update_recover(in);
       break;
     case MotionPhase::kSitting:
-      if (in_phase_s() >= preset_.rise_time_s) process(MotionEvent::kSat, in);
+      if (in_phase_s() >= (let_go_ ? kSinkTime_s : preset_.rise_time_s)) process(MotionEvent::kSat, in);
+      break;
+    case MotionPhase::kMovingJoint:
+      update_joint(in);
       break;
     case MotionPhase::kIdle:
     case MotionPhase::kStanding:
@@ -189,8 +197,7 @@ void Motion::update(const JointState& in) noexcept {
 
 bool Motion::lost(const JointState& in) noexcept {
   if (in.safety != SafetyLevel::kOperational) return process(MotionEvent::kSafetyLost, in);
-  const bool waiting = state() == MotionPhase::kRising && !enabled_;
-  if (any_fault(in) || (!waiting && !all_enabled(in))) return process(MotionEvent::kDriveLost, in);
+  if (any_fault(in) || (!waiting() && !all_enabled(in))) return process(MotionEvent::kDriveLost, in);
   return false;
 }
 
@@ -256,44 +263,29 @@ void Motion::update_recover(const JointState& in) noexcept {
   process(again ? MotionEvent::kNextJump : MotionEvent::kRecovered, in);
 }
 
+void Motion::update_joint(const JointState& in) noexcept {
+  if (!enabled_) await_joints(in);
+  if (!enabled_ || !joint_moves_ || !joints_.at_rest(now_us_)) return;
+  joint_moves_ = false;
+  process(stop_ ? MotionEvent::kJointStopped : MotionEvent::kJointArrived, in);
+}
+
+void Motion::await_joints(const JointState& in) noexcept {
+  const bool measured = joints_.hold(in);
+  if (measured && all_enabled(in) && all_settled(in)) {
+    enabled_ = true;
+    if (!stop_) joints_.begin(joint_request_, now_us_);
+  } else if (in_phase_s() >= kEnableTimeout_s) {
+    process(MotionEvent::kEnableTimeout, in);
+  }
+}
+
 JumpProgress Motion::progress() const noexcept {
   return {state(), request_.mode, in_phase_s(), since(thrust_began_us_)};
 }
 
 FootPoint Motion::path(std::size_t leg) const noexcept {
   return on_curve(state()) ? curve_.at(since(thrust_began_us_)) : moves_[leg].at(since(move_began_us_));
-}
-
-void Motion::write(const JointState& in, LegCommand& out) const noexcept {
-  out.stamp = in.stamp;
-  out.used_joint_state_seq = in.stamp.seq;
-  const bool waiting = state() == MotionPhase::kRising && !enabled_;
-  for (std::size_t i = 0; i < out.legs.size(); ++i) {
-    DesiredLeg& leg = out.legs[i];
-    leg = DesiredLeg{};
-    leg.phase = leg_phase(state());
-    const FootPoint foot = waiting || state() == MotionPhase::kIdle
-                               ? FootPoint{in.legs[i].estimated_foot_in_hip_m, {}, {}}
-                               : path(i);
-    leg.desired_foot_in_hip_m = foot.position_m;
-    leg.desired_foot_velocity_m_s = foot.velocity_m_s;
-    leg.desired_foot_acceleration_m_s2 = foot.acceleration_m_s2;
-    if (state() != MotionPhase::kIdle) {
-      set_control(progress(), preset_, leg);
-    } else if (sinking()) {
-      leg.control_mode = ControlMode::kDamping;
-    }
-  }
-}
-
-void Motion::write(MotionState& out) const noexcept {
-  out.state = state();
-  for (MotionLeg& leg : out.legs) leg = {leg_phase(state()), in_phase_s()};
-  out.jumps_done = jumps_done_;
-  out.jumps_left = jumps_left_;
-  out.jump_height_scale = curve_.factor();
-  out.jump_mode = request_.mode;
-  out.last_transition = last_transition();
 }
 
 }  // namespace sprung

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "planner/foot_move.h"
+#include "planner/joint_motion.h"
 #include "planner/jump_curve.h"
 #include "planner/leg_gains.h"
 #include "planner/motion_state_machine.h"
@@ -45,8 +46,11 @@ class Motion {
   bool stand(const JointState& in) noexcept;
   bool jump(const JointState& in, const JumpRequest& request) noexcept;
   bool sit(const JointState& in) noexcept;
-  /// Finish the phase, then stand: no thrust any more if it has not begun, no further jumps.
-  void stop() noexcept { stop_ = true; }
+  /// From idle, or where joints are held and none moves.
+  bool move_joint(const JointState& in, const JointRequest& request) noexcept;
+  /// Finish the phase, then stand: no thrust any more if it has not begun, no further jumps. A joint that moves
+  /// brakes, and all are held.
+  void stop() noexcept;
   /// The bridge was restarted: off at once.
   void restart(const JointState& in) noexcept;
 
@@ -57,6 +61,13 @@ class Motion {
 
   /// Why the jump just ended was not as requested; nullptr when it was.
   const char* jump_failure() const noexcept { return jump_failure_; }
+  const JointMotion& joints() const noexcept { return joints_; }
+  /// In kMovingJoint: nothing moves, nor waits for its drives.
+  bool joints_held() const noexcept { return enabled_ && !joint_moves_; }
+  /// The last joint move was stopped before its end.
+  bool joint_stopped() const noexcept {
+    return machine_.last() != nullptr && machine_.last()->event == MotionEvent::kJointStopped;
+  }
   /// Idle because it sat down, not because something went wrong.
   bool sat() const noexcept {
     return machine_.last() != nullptr && machine_.last()->event == MotionEvent::kSat;
@@ -71,11 +82,22 @@ class Motion {
   bool drawn_in_again(const JointState& in) noexcept;
   void update_flight(const JointState& in) noexcept;
   void update_recover(const JointState& in) noexcept;
+  void update_joint(const JointState& in) noexcept;
+  void await_joints(const JointState& in) noexcept;
   bool lost(const JointState& in) noexcept;
   void move_all(double length_m, double duration_s) noexcept;
   void note_departure(const JointState& in) noexcept;
   FootPoint path(std::size_t leg) const noexcept;
-  bool sinking() const noexcept { return lost_ && in_phase_s() < kSinkTime_s; }
+  void write_foot(std::size_t leg, const JointState& in, DesiredLeg& out) const noexcept;
+  bool waiting() const noexcept {
+    return !enabled_ && (state() == MotionPhase::kRising || state() == MotionPhase::kMovingJoint);
+  }
+  /// After a loss, or when single joints are let go.
+  bool sinking() const noexcept {
+    const bool going_down =
+        state() == MotionPhase::kIdle ? lost_ : state() == MotionPhase::kSitting && let_go_;
+    return going_down && in_phase_s() < kSinkTime_s;
+  }
   JumpProgress progress() const noexcept;
   double in_phase_s() const noexcept { return since(phase_began_us_); }
   double since(std::int64_t utime_us) const noexcept {
@@ -85,6 +107,8 @@ class Motion {
   PresetConfig preset_;
   MotionStateMachine machine_;
   JumpCurve curve_;
+  JointMotion joints_;
+  JointRequest joint_request_;     ///< that waits for its drives
   std::vector<FootMove> moves_;    ///< one for each leg; played since move_began_us_
   std::vector<Vec3> departure_m_;  ///< where each leg's next move begins
   std::int64_t now_us_ = 0;
@@ -92,7 +116,9 @@ class Motion {
   std::int64_t move_began_us_ = 0;
   std::int64_t thrust_began_us_ = 0;
   bool lost_ = false;          ///< idle because something was lost, not by sitting down or a restart
-  bool enabled_ = false;       ///< all drives have been since the stand was requested
+  bool joint_moves_ = false;   ///< or waits for its drives
+  bool let_go_ = false;        ///< sitting down from single joints: damped, since there is no foot to lower
+  bool enabled_ = false;       ///< all drives have been since the stand or the first joint move was requested
   bool contact_seen_ = false;  ///< since the thrust began
   double longest_m_ = 0.0;     ///< measured leg, since the thrust began
   bool stop_ = false;

@@ -25,6 +25,12 @@ const MotionTable kTransitions{{
     {P::kRecover, E::kNextJump, P::kCrouch, "next jump"},
     {P::kStanding, E::kSitRequested, P::kSitting, "sit requested"},
     {P::kSitting, E::kSat, P::kIdle, "sat down, drives off"},
+    {P::kIdle, E::kJointRequested, P::kMovingJoint, "joint move requested"},
+    {P::kMovingJoint, E::kJointRequested, P::kMovingJoint, "further joint move requested"},
+    {P::kMovingJoint, E::kEnableTimeout, P::kIdle, "drives were not enabled within the time-out"},
+    {P::kMovingJoint, E::kJointArrived, P::kMovingJoint, "joint move ended, joints held"},
+    {P::kMovingJoint, E::kJointStopped, P::kMovingJoint, "joint move stopped by the operator, joints held"},
+    {P::kMovingJoint, E::kSitRequested, P::kSitting, "joints let go: damped, then off"},
     {std::nullopt, E::kSafetyLost, P::kIdle, "safety is not operational"},
     {std::nullopt, E::kDriveLost, P::kIdle, "a drive is in fault or no longer enabled"},
     {std::nullopt, E::kFootLost, P::kIdle, "a measured foot position is missing where a move begins"},
@@ -67,6 +73,12 @@ const char* name(MotionEvent value) noexcept {
       return "sit requested";
     case E::kSat:
       return "sat";
+    case E::kJointRequested:
+      return "joint requested";
+    case E::kJointArrived:
+      return "joint arrived";
+    case E::kJointStopped:
+      return "joint stopped";
     case E::kSafetyLost:
       return "safety lost";
     case E::kDriveLost:

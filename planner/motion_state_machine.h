@@ -25,6 +25,9 @@ enum class MotionEvent : std::int8_t {
   kNextJump,
   kSitRequested,
   kSat,
+  kJointRequested,
+  kJointArrived,
+  kJointStopped,
   kSafetyLost,
   kDriveLost,
   kFootLost,
@@ -40,7 +43,7 @@ struct MotionTransition {
   const char* reason;  ///< static text for people
 };
 
-using MotionTable = std::array<MotionTransition, 20>;
+using MotionTable = std::array<MotionTransition, 26>;
 const MotionTable& motion_transitions() noexcept;
 
 class MotionStateMachine {

@@ -20,13 +20,17 @@ bool known(JumpMode mode) noexcept {
   return mode == JumpMode::kPosition || mode == JumpMode::kTorque || mode == JumpMode::kHybrid;
 }
 
-/// An estimator that still settles is fine: rising waits for it.
+constexpr const char* kNotOperational = "safety is not operational: clear it first";
+constexpr const char* kNotReady = "a joint is not ready: see its status";
+
+/// An estimator that still settles is fine: every motion waits for it.
+bool usable(JointStatus status) noexcept {
+  return status == JointStatus::kOk || status == JointStatus::kSaturated || status == JointStatus::kStarting;
+}
+
 bool can_stand(const JointState& in) noexcept {
   for (const EstimatedJoint& joint : in.joints) {
-    const JointStatus status = joint.status;
-    const bool fine =
-        status == JointStatus::kOk || status == JointStatus::kSaturated || status == JointStatus::kStarting;
-    if (!fine) return false;
+    if (!usable(joint.status)) return false;
   }
   for (const EstimatedLeg& leg : in.legs) {
     if (!std::isfinite(leg.estimated_foot_in_hip_m[0])) return false;
@@ -34,8 +38,22 @@ bool can_stand(const JointState& in) noexcept {
   return true;
 }
 
+/// nullptr: every joint can be held where it is.
+const char* why_not_held(const JointState& in) noexcept {
+  if (in.safety != SafetyLevel::kOperational) return kNotOperational;
+  for (const EstimatedJoint& joint : in.joints) {
+    if (joint.status == JointStatus::kNotReferenced) return "a joint is not referenced: sprung home";
+    if (!usable(joint.status)) return kNotReady;
+  }
+  return nullptr;
+}
+
 const char* busy(MotionPhase state) noexcept {
   switch (state) {
+    case MotionPhase::kStanding:
+      return "busy: standing, sit first";
+    case MotionPhase::kMovingJoint:
+      return "busy: single joints are held, sit first";
     case MotionPhase::kRising:
       return "busy: rising";
     case MotionPhase::kSitting:
@@ -68,6 +86,7 @@ struct PlannerCore::Impl {
   void jump(const OperatorCommand& command, const JointState& in) noexcept;
   void sit(const OperatorCommand& command, const JointState& in) noexcept;
   void stop(const OperatorCommand& command) noexcept;
+  void move_joint(const OperatorCommand& command, const JointState& in) noexcept;
   void end_requests() noexcept;
 
   void accept(const OperatorCommand& command, Active& as) noexcept {
@@ -92,7 +111,7 @@ struct PlannerCore::Impl {
   const char* const why_not_standing;  ///< nullptr: it can
   Motion motion;
   OperatorDesk desk;
-  Active moving;    ///< stand, jump or sit
+  Active moving;    ///< stand, jump, sit or a joint move
   Active stopping;  ///< stop
   Stamp now;
   bool started = false;
@@ -131,6 +150,7 @@ void PlannerCore::Impl::execute(const OperatorCommand& command, const JointState
     case OperatorKind::kHome:
       return;  // the bridge's own, and it answers them
     case OperatorKind::kMoveJoint:
+      return move_joint(command, in);
     case OperatorKind::kNone:
       break;
   }
@@ -141,9 +161,8 @@ void PlannerCore::Impl::stand(const OperatorCommand& command, const JointState& 
   if (why_not_standing != nullptr) return refuse(command, why_not_standing);
   if (motion.state() == MotionPhase::kStanding) return accept_as_done(command, "already standing");
   if (motion.state() != MotionPhase::kIdle) return refuse(command, busy(motion.state()));
-  if (in.safety != SafetyLevel::kOperational)
-    return refuse(command, "safety is not operational: clear it first");
-  if (!can_stand(in)) return refuse(command, "a joint is not ready: see its status");
+  if (in.safety != SafetyLevel::kOperational) return refuse(command, kNotOperational);
+  if (!can_stand(in)) return refuse(command, kNotReady);
   if (motion.stand(in)) accept(command, moving);
 }
 
@@ -158,20 +177,37 @@ void PlannerCore::Impl::jump(const OperatorCommand& command, const JointState& i
 
 void PlannerCore::Impl::sit(const OperatorCommand& command, const JointState& in) noexcept {
   if (motion.state() == MotionPhase::kIdle) return accept_as_done(command, "already down, drives off");
-  if (motion.state() != MotionPhase::kStanding) return refuse(command, busy(motion.state()));
-  if (motion.sit(in)) accept(command, moving);
+  const bool joints = motion.state() == MotionPhase::kMovingJoint;
+  if (motion.state() != MotionPhase::kStanding && !joints) return refuse(command, busy(motion.state()));
+  if (!motion.sit(in)) return;
+  end(moving, OperatorOutcome::kFailed, motion.last_transition());
+  end(stopping, OperatorOutcome::kFailed, motion.last_transition());
+  accept(command, moving);
+}
+
+void PlannerCore::Impl::move_joint(const OperatorCommand& command, const JointState& in) noexcept {
+  const bool held = motion.state() == MotionPhase::kMovingJoint;
+  if (held && !motion.joints_held()) return refuse(command, "busy: a joint is moving");
+  if (!held && motion.state() != MotionPhase::kIdle) return refuse(command, busy(motion.state()));
+  if (const char* why = why_not_held(in)) return refuse(command, why);
+  const JointRequest request{command.joint, command.joint_target_rad, command.joint_speed_rad_s,
+                             command.joint_acceleration_rad_s2};
+  if (const char* mistake = motion.joints().mistake(request)) return refuse(command, mistake);
+  if (motion.move_joint(in, request)) accept(command, moving);
 }
 
 void PlannerCore::Impl::stop(const OperatorCommand& command) noexcept {
   if (motion.state() == MotionPhase::kIdle) return accept_as_done(command, "nothing moves");
   if (motion.state() == MotionPhase::kStanding) return accept_as_done(command, "standing");
+  const bool held = motion.state() == MotionPhase::kMovingJoint && motion.joints_held();
+  if (held) return accept_as_done(command, "joints are held");
   if (motion.state() == MotionPhase::kSitting) return refuse(command, busy(motion.state()));
   if (stopping.kind != OperatorKind::kNone) return refuse(command, "already stopping");
   motion.stop();
   accept(command, stopping);
 }
 
-/// Requests end where the motion rests: standing, or idle.
+/// Requests end where the motion rests: standing, idle, or with single joints held.
 void PlannerCore::Impl::end_requests() noexcept {
   const char* why = motion.last_transition();
   if (motion.state() == MotionPhase::kIdle) {
@@ -182,6 +218,9 @@ void PlannerCore::Impl::end_requests() noexcept {
     const char* failure = moving.kind == OperatorKind::kJump ? motion.jump_failure() : nullptr;
     end(moving, failure != nullptr ? OperatorOutcome::kFailed : OperatorOutcome::kDone,
         failure != nullptr ? failure : why);
+    end(stopping, OperatorOutcome::kDone, why);
+  } else if (motion.state() == MotionPhase::kMovingJoint && motion.joints_held()) {
+    end(moving, motion.joint_stopped() ? OperatorOutcome::kFailed : OperatorOutcome::kDone, why);
     end(stopping, OperatorOutcome::kDone, why);
   }
 }

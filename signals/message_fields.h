@@ -22,7 +22,7 @@ constexpr SafetyCause last(SafetyCause) { return SafetyCause::kDuplicateNode; }
 constexpr JointStatus last(JointStatus) { return JointStatus::kFault; }
 constexpr ControlMode last(ControlMode) { return ControlMode::kJoint; }
 constexpr LegPhase last(LegPhase) { return LegPhase::kStance; }
-constexpr MotionPhase last(MotionPhase) { return MotionPhase::kSitting; }
+constexpr MotionPhase last(MotionPhase) { return MotionPhase::kMovingJoint; }
 constexpr JumpMode last(JumpMode) { return JumpMode::kHybrid; }
 constexpr OperatorKind last(OperatorKind) { return OperatorKind::kMoveJoint; }
 constexpr OperatorOutcome last(OperatorOutcome) { return OperatorOutcome::kQueued; }

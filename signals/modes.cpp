@@ -166,6 +166,8 @@ const char* name(MotionPhase value) noexcept {
       return "recover";
     case MotionPhase::kSitting:
       return "sitting";
+    case MotionPhase::kMovingJoint:
+      return "moving joint";
   }
   return "unknown";
 }

@@ -90,7 +90,8 @@ enum class MotionPhase : std::int8_t {
   kFlight = 5,
   kLanding = 6,
   kRecover = 7,
-  kSitting = 8,  ///< lowering, then off
+  kSitting = 8,      ///< lowering (damped, where single joints were held), then off
+  kMovingJoint = 9,  ///< one joint moves as such, or has; all others hold still
 };
 
 enum class JumpMode : std::int8_t { kPosition = 0, kTorque = 1, kHybrid = 2 };

@@ -157,6 +157,112 @@ TEST_F(LegControllerTest, PositionStaysInsideTheJointLimits) {
   EXPECT_GT(core.limits().position, 0);
 }
 
+TEST_F(LegControllerTest, JointThatWasPushedBeyondItsLimitsGetsASetPointInside) {
+  const double low_rad = robot_.joints[0].position_min_rad + kPositionMargin_rad;
+  set_joints(pair(low_rad + 0.1, 1.0));
+  command_.legs[0].desired_foot_in_hip_m = to_vec3(leg_->foot_in_hip_m(measured()));
+  cycles(60);
+  for (int k = 0; k < 60; ++k) {  // the world pushes the thigh up, and the desired foot goes along
+    set_joints(pair(measured()[0] - 0.005, 1.0));
+    command_.legs[0].desired_foot_in_hip_m = to_vec3(leg_->foot_in_hip_m(measured()));
+    cycle();
+    ASSERT_GE(commanded_position()[0], low_rad - 1e-9);
+  }
+  EXPECT_GT(core_.limits().position, 0);
+}
+
+TEST_F(LegControllerTest, JointThatBeginsBeyondItsLimitsIsBroughtInsideWithoutAKick) {
+  const double low_rad = robot_.joints[0].position_min_rad + kPositionMargin_rad;
+  set_joints(pair(low_rad - 0.1, 1.0));
+  command_.legs[0].desired_foot_in_hip_m = to_vec3(leg_->foot_in_hip_m(measured()));
+  cycle();
+  EXPECT_NEAR(commanded_position()[0], low_rad - 0.1, 1e-9);
+  for (int k = 0; k < 60; ++k) {
+    const double before_rad = commanded_position()[0];
+    cycle();
+    ASSERT_GE(commanded_position()[0], before_rad - 1e-9);
+    ASSERT_LT(commanded_position()[0], before_rad + 3.1e-3);
+  }
+  EXPECT_NEAR(commanded_position()[0], low_rad, 1e-9);
+}
+
+TEST_F(LegControllerTest, JointModeSendsTheAnglesWithTheirSpeedsAgeIncluded) {
+  want(ControlMode::kJoint);
+  command_.legs[0].desired_joint_position_rad = {measured()[0], measured()[1], kNaN};
+  cycles(40);
+  command_.legs[0].desired_joint_velocity_rad_s = {0.0, 0.5, 0.0};
+  cycle();
+  EXPECT_TRUE(all(DriveMode::kPosition));
+  EXPECT_NEAR(commanded_position()[0], measured()[0], 1e-12);
+  EXPECT_NEAR(commanded_position()[1], measured()[1] + 0.5e-3, 1e-12);
+  EXPECT_EQ(out_.actuators[1].commanded_velocity_rad_s, 0.5);
+}
+
+TEST_F(LegControllerTest, JointModeBeginsAtTheMeasuredPoseAndGoesOverNoFasterThanALimit) {
+  want(ControlMode::kJoint);
+  command_.legs[0].desired_joint_position_rad = {measured()[0] - 0.3, measured()[1], 0.0};
+  cycle();
+  EXPECT_LT((commanded_position() - measured()).norm(), 1e-9);
+  JointVector before = commanded_position();
+  for (int k = 0; k < 400; ++k) {
+    cycle();
+    ASSERT_LT((commanded_position() - before).cwiseAbs().maxCoeff(), 3.1e-3);
+    before = commanded_position();
+  }
+  EXPECT_NEAR(commanded_position()[0], measured()[0] - 0.3, 1e-9);
+}
+
+TEST_F(LegControllerTest, JointModeStaysInsideJointAndSpeedLimits) {
+  want(ControlMode::kJoint);
+  command_.legs[0].desired_joint_position_rad = {measured()[0], 2.0, 0.0};
+  cycles(2000);
+  command_.legs[0].desired_joint_position_rad[1] = 7.0;
+  cycles(3);
+  EXPECT_NEAR(commanded_position()[1], robot_.joints[1].position_max_rad - kPositionMargin_rad, 1e-9);
+  EXPECT_EQ(out_.actuators[1].commanded_velocity_rad_s, 0.0);
+  command_.legs[0].desired_joint_position_rad[1] = 1.0;
+  command_.legs[0].desired_joint_velocity_rad_s = {0.0, -50.0, 0.0};
+  cycle();
+  EXPECT_EQ(out_.actuators[1].commanded_velocity_rad_s, -robot_.actuators[1].speed_limit_rad_s);
+  EXPECT_GT(core_.limits().velocity, 0);
+}
+
+TEST_F(LegControllerTest, JointModeWithoutEveryAngleIsDamping) {
+  want(ControlMode::kJoint);
+  command_.legs[0].desired_joint_position_rad = {1.0, kNaN, 0.0};
+  cycle();
+  EXPECT_EQ(core_.basis(), CommandBasis::kNotFinite);
+  EXPECT_TRUE(all(DriveMode::kDamping));
+}
+
+TEST_F(LegControllerTest, JointModeGoesThroughTheBelt) {
+  robot_.legs[0].transmission = {1.0, 0.0, -1.0, 1.0};
+  ControllerCore core(robot_, robot_.preset("paper"), robot_.watchdogs);
+  want(ControlMode::kJoint);
+  command_.legs[0].desired_joint_position_rad = {measured()[0], measured()[1], 0.0};
+  command_.legs[0].desired_joint_velocity_rad_s = {0.5, 0.0, 0.0};
+  command_.stamp = state_.stamp;
+  state_.stamp.seq += 1;
+  core.step(state_, &command_, out_);
+  EXPECT_NEAR(commanded_position()[1], measured()[1] + measured()[0], 1e-9);
+  EXPECT_NEAR(out_.actuators[1].commanded_velocity_rad_s, 0.5, 1e-12);
+}
+
+TEST_F(LegControllerTest, LegWithoutKinematicsFollowsJointsAndNoFoot) {
+  robot_.legs[0].kinematics = kNoKinematics;
+  ControllerCore core(robot_, robot_.preset("paper"), robot_.watchdogs);
+  for (const ControlMode mode : {ControlMode::kPosition, ControlMode::kJoint}) {
+    want(mode);
+    command_.legs[0].desired_joint_position_rad = {measured()[0], measured()[1], 0.0};
+    command_.stamp = state_.stamp;
+    state_.stamp = {state_.stamp.utime_us + 1000, state_.stamp.seq + 1};
+    core.step(state_, &command_, out_);
+    const bool joint = mode == ControlMode::kJoint;
+    EXPECT_EQ(core.basis(), joint ? CommandBasis::kCommanded : CommandBasis::kUnreachable);
+    EXPECT_TRUE(all(joint ? DriveMode::kPosition : DriveMode::kDamping));
+  }
+}
+
 TEST_F(LegControllerTest, TorqueAndSoftStopLimitsActLastAndAreCounted) {
   want(ControlMode::kCompliance);
   cycles(40);

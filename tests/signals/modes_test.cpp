@@ -26,7 +26,7 @@ TEST(Modes, EveryValueHasItsOwnName) {
   expect_distinct_names(JointStatus::kFault);
   expect_distinct_names(ControlMode::kCompliance);
   expect_distinct_names(LegPhase::kStance);
-  expect_distinct_names(MotionPhase::kSitting);
+  expect_distinct_names(MotionPhase::kMovingJoint);
   expect_distinct_names(JumpMode::kHybrid);
   expect_distinct_names(OperatorKind::kSit);
   expect_distinct_names(OperatorOutcome::kQueued);
