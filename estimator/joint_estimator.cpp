@@ -12,9 +12,6 @@ namespace {
 // jitter: 60 Hz 2.8 and 2.8 Nm, 90 Hz 2.0 and 2.1, 120 Hz 1.6 and 2.1, 160 Hz 1.3 and 3.1, 220 Hz 1.1 and 6.2.
 constexpr double kBandwidth_rad_s = 2.0 * 3.14159265358979 * 120.0;
 constexpr double kLag_s = 2.0 / kBandwidth_rad_s;
-/// Steeper than the controller's compensation, since an estimate may follow the sign that a feedback must
-/// smooth.
-constexpr double kFrictionSmoothing_rad_s = 0.02;
 /// The filter's slowest error is below 1 % after this many times 1 / bandwidth.
 constexpr double kSettlingBandwidths = 10.0;
 constexpr double kUniformStd = 0.2886751345948129;  // of a quantisation step: 1 / sqrt(12)
@@ -84,8 +81,7 @@ void JointEstimator::track(const JointSample& sample, double dt_s) noexcept {
 
 double JointEstimator::motor_acceleration(double motor_torque_Nm) const noexcept {
   if (!(joint_.armature_kg_m2 > 0.0)) return 0.0;
-  const double friction_Nm =
-      coulomb_friction(joint_.coulomb_friction_Nm, state_.velocity_rad_s, kFrictionSmoothing_rad_s).torque_Nm;
+  const double friction_Nm = papers_friction(joint_.coulomb_friction_Nm, state_.velocity_rad_s).torque_Nm;
   return (motor_torque_Nm - friction_Nm) / joint_.armature_kg_m2;
 }
 
@@ -104,8 +100,7 @@ void JointEstimator::write_motion(EstimatedJoint& out) const noexcept {
 }
 
 void JointEstimator::write_torques(double dt_s, EstimatedJoint& out) noexcept {
-  out.friction_torque_Nm =
-      coulomb_friction(joint_.coulomb_friction_Nm, state_.velocity_rad_s, kFrictionSmoothing_rad_s).torque_Nm;
+  out.friction_torque_Nm = papers_friction(joint_.coulomb_friction_Nm, state_.velocity_rad_s).torque_Nm;
   out.motor_side_torque_Nm = motor_torque_Nm_ - out.friction_torque_Nm;
   out.gear_output_torque_Nm =
       out.motor_side_torque_Nm - joint_.armature_kg_m2 * out.estimated_acceleration_rad_s2;

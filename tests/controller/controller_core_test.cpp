@@ -196,6 +196,19 @@ TEST_F(ControllerCoreTest, IdentifiedFrictionChangesPresetBestAndNotPaper) {
   EXPECT_NEAR(more_Nm[1], 0.5 * (7.3 - 1.79), 1e-9);
 }
 
+TEST_F(ControllerCoreTest, ComplianceBeginsAtTheMotorsTorqueWhateverFrictionIsIdentified) {
+  cycles(40);
+  for (EstimatedJoint& joint : state_.joints) {
+    joint.estimated_velocity_rad_s = 1.0;
+    joint.motor_side_torque_Nm = 10.0 - 1.79;  // the papers'
+    joint.friction_torque_Nm = 7.3;            // of another law
+  }
+  want(ControlMode::kCompliance);
+  cycle();
+  EXPECT_NEAR(commanded_torque()[0], 10.0, 1e-9);
+  EXPECT_NEAR(commanded_torque()[1], 10.0, 1e-9);
+}
+
 TEST_F(ControllerCoreTest, EveryBasisHasAName) {
   for (int i = 0; i <= static_cast<int>(CommandBasis::kSafety); ++i) {
     EXPECT_STRNE(name(static_cast<CommandBasis>(i)), "unknown");

@@ -17,6 +17,10 @@ TEST(CoulombFrictionTest, FullAndOddWhenMoving) {
   EXPECT_FALSE(coulomb_friction(1.79, 0.03, 0.02).at_rest);
 }
 
+TEST(CoulombFrictionTest, ThePapersIsSmoothedOverTwentyMilliradiansPerSecond) {
+  EXPECT_EQ(papers_friction(1.79, -0.013).torque_Nm, coulomb_friction(1.79, -0.013, 0.02).torque_Nm);
+}
+
 TEST(CoulombFrictionTest, SlopeAtRestIsTorqueOverSmoothing) {
   EXPECT_NEAR(coulomb_friction(2.0, 1e-6, 0.05).torque_Nm / 1e-6, 40.0, 1e-6);
 }
