@@ -31,13 +31,17 @@ FrictionModelKind read_model(const YamlMap& map) {
   map.fail("model", "'" + wanted + "' is not known; there are: " + known);
 }
 
-/// A model that states none of the terms which make it more than the one before is a mistake in `model`.
-void refuse_poor_model(const YamlMap& map, FrictionModelKind model) {
-  if (model == FrictionModelKind::kCoulomb) return;
+/// Is the parameter one of those that make the model more than the one before?
+bool adds(FrictionModelKind model, FrictionParameter parameter) {
   const auto before = static_cast<FrictionModelKind>(static_cast<int>(model) - 1);
+  return has(model, parameter) && (model == FrictionModelKind::kCoulomb || !has(before, parameter));
+}
+
+/// A model that states none of them is a mistake in `model`.
+void refuse_poor_model(const YamlMap& map, FrictionModelKind model) {
   std::string added;
   for (const FrictionParameterInfo& row : friction_parameter_table()) {
-    if (!has(model, row.index) || has(before, row.index)) continue;
+    if (!adds(model, row.index)) continue;
     if (map.has(key_of(row))) return;
     added += (added.empty() ? "" : ", ") + key_of(row);
   }
@@ -120,13 +124,24 @@ std::string quantity_text(double value, const std::string& unit) {
   return text + (unit.empty() ? "" : " " + unit);
 }
 
+/// What is not off, and what makes the model more than the one before: the reader insists on that.
+bool is_worth_saying(const FrictionParameterInfo& row, const IdentifiedFriction& friction) {
+  const FrictionParameters& p = friction.parameters;
+  const bool speed = row.index == FrictionParameter::kStribeckSpeed;
+  if (speed || row.index == FrictionParameter::kStribeckExponent) {
+    if (!(p.stribeck_Nm > 0.0)) return speed && friction.model == FrictionModelKind::kStribeck;
+    if (speed) return true;
+  }
+  return adds(friction.model, row.index) || p.*(row.member) != row.off;
+}
+
 std::string friction_text(const IdentifiedFriction& friction) {
   const FrictionParameters& p = friction.parameters;
-  std::string text = std::string("    friction: {model: ") + name(friction.model);
+  std::string text = std::string("    friction: {model: ") + name(friction.model) +
+                     ", coulomb: " + quantity_text(p.coulomb_Nm, "Nm");
   bool thermal = false;
   for (const FrictionParameterInfo& row : friction_parameter_table()) {
-    const bool shape = !has(friction.model, row.index);
-    if (!allows(friction.model, row.index) || (shape && p.*(row.member) == row.off)) continue;
+    if (row.index == FrictionParameter::kCoulomb || !is_worth_saying(row, friction)) continue;
     thermal = thermal || std::string(row.unit) == "1/K";
     const double value = is_stribeck(row) ? breakaway_Nm(p) : p.*(row.member);
     text += ", " + key_of(row) + ": " + quantity_text(value, row.unit);

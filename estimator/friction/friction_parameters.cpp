@@ -112,6 +112,18 @@ FrictionParameters restricted(const FrictionParameters& parameters, FrictionMode
   return out;
 }
 
+FrictionModelKind smallest_model(const FrictionParameters& parameters) noexcept {
+  FrictionParameters switched_on = parameters;
+  if (!(switched_on.stribeck_Nm > 0.0)) {  // its shape then means nothing
+    switched_on.stribeck_speed_rad_s = info(P::kStribeckSpeed).off;
+    switched_on.stribeck_exponent = info(P::kStribeckExponent).off;
+  }
+  for (const FrictionModelKind kind : kFrictionModels) {
+    if (to_vector(restricted(switched_on, kind)) == to_vector(switched_on)) return kind;
+  }
+  return FrictionModelKind::kPresliding;
+}
+
 const char* first_impossible(const FrictionParameters& parameters) noexcept {
   for (const FrictionParameterInfo& i : kTable) {
     const double value = parameters.*(i.member);

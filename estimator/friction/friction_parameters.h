@@ -93,6 +93,9 @@ bool allows(FrictionModelKind kind, FrictionParameter parameter) noexcept;
 /// The same with every parameter off that the model does not allow.
 FrictionParameters restricted(const FrictionParameters& parameters, FrictionModelKind kind) noexcept;
 
+/// The poorest model that allows every term which these parameters switch on.
+FrictionModelKind smallest_model(const FrictionParameters& parameters) noexcept;
+
 /// Why these parameters cannot be: name of the first that is not finite or outside its bounds, nullptr if none.
 const char* first_impossible(const FrictionParameters& parameters) noexcept;
 

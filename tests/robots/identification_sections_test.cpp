@@ -135,6 +135,30 @@ TEST(IdentificationSections, WhatIsWrittenIsReadBack) {
   EXPECT_EQ(again.thermal.time_constant_s, 600.0);
 }
 
+TEST(IdentificationSections, EverySubsetOfTermsIsReadBackUnderItsSmallestModel) {
+  const FrictionVector full = {1, 2, 4, 1.5, 6, 0.7, 0.08, 0.09, -0.1, 0.011, 0.012, 0.013};
+  JointConfig joint = read(std::string(kPlain) + kFriction + kIdentified);
+  for (unsigned subset = 0; subset < 1u << kFrictionParameters; ++subset) {
+    FrictionVector vector = to_vector(FrictionParameters{});
+    for (std::size_t i = 0; i < kFrictionParameters; ++i) {
+      if ((subset >> i & 1u) != 0) vector[i] = full[i];
+    }
+    const FrictionParameters p = from_vector(vector);
+    const bool shapes_nothing =
+        p.viscous_Nm_s_rad == 0.0 && (p.viscous_exponent != 1.0 || p.viscous_temperature_1_K != 0.0);
+    if (shapes_nothing) continue;  // refused, see HalfATermIsRefused
+    joint.friction->parameters = p;
+    joint.friction->model = smallest_model(p);
+    const JointConfig again = read(kPlain + identification_text(joint));
+    FrictionParameters expected = p;
+    if (p.stribeck_Nm == 0.0) {
+      expected.stribeck_speed_rad_s = again.friction->parameters.stribeck_speed_rad_s;
+      expected.stribeck_exponent = 2.0;
+    }
+    ASSERT_EQ(to_vector(again.friction->parameters), to_vector(expected)) << identification_text(joint);
+  }
+}
+
 TEST(IdentificationSections, JointThatIsNotIdentifiedCannotBeWritten) {
   EXPECT_THROW((void)identification_text(read(kPlain)), std::invalid_argument);
 }

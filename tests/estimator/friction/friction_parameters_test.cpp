@@ -78,6 +78,19 @@ TEST(FrictionParametersTest, RestrictedSwitchesOffWhatTheModelDoesNotKnow) {
             to_vector(full_friction()));
 }
 
+TEST(FrictionParametersTest, SmallestModelAllowsWhatIsSwitchedOn) {
+  FrictionParameters p;
+  p.coulomb_Nm = 3.0;
+  p.stribeck_speed_rad_s = 0.3;  // of nothing
+  EXPECT_EQ(smallest_model(p), FrictionModelKind::kCoulomb);
+  p.viscous_Nm_s_rad = 1.0;
+  p.viscous_exponent = 0.7;
+  EXPECT_EQ(smallest_model(p), FrictionModelKind::kViscous);
+  p.asymmetry = -0.1;
+  EXPECT_EQ(smallest_model(p), FrictionModelKind::kLoad);
+  EXPECT_EQ(smallest_model(full_friction()), FrictionModelKind::kPresliding);
+}
+
 TEST(FrictionParametersTest, ModelsAreFoundByTheirNames) {
   for (const FrictionModelKind kind : kFrictionModels) EXPECT_EQ(friction_model_of(name(kind)), kind);
   EXPECT_EQ(friction_model_of("lugre"), std::nullopt);
