@@ -11,10 +11,11 @@
 namespace sprung {
 
 struct [[nodiscard]] GearOutput {
-  double torque_Nm = 0.0;     ///< at the given sign of motion
-  double friction_Nm = 0.0;   ///< tau_available - torque
-  double by_available = 1.0;  ///< derivative of torque by tau_available
-  double low_Nm = 0.0;        ///< of all signs in [-1, 1]: at rest friction may have any of them
+  double torque_Nm = 0.0;    ///< at the given sign of motion
+  double friction_Nm = 0.0;  ///< tau_available - torque
+  double by_available =
+      1.0;  ///< derivative of torque by tau_available; by a parameter it is - by_available df/dp at this load
+  double low_Nm = 0.0;  ///< of all signs in [-1, 1]: at rest friction may have any of them
   double high_Nm = 0.0;
 };
 

@@ -66,6 +66,23 @@ TEST(GearOutputTest, SlopeIsThatOfFiniteDifferences) {
   }
 }
 
+TEST(GearOutputTest, FrictionsGradientGivesTheTorquesOwn) {
+  const FrictionVector here = to_vector(full_friction());
+  for (FrictionInput in : many_points()) {
+    const double available_Nm = in.gear_output_torque_Nm;
+    const GearOutput out = solve_gear_output(full_friction(), available_Nm, in);
+    in.gear_output_torque_Nm = out.torque_Nm;
+    const FrictionVector gradient = evaluate(full_friction(), in).gradient;
+    for (std::size_t i = 0; i < here.size(); ++i) {
+      FrictionVector above = here;
+      above[i] += 1e-6 * here[i];
+      const double moved_Nm = solve_gear_output(from_vector(above), available_Nm, in).torque_Nm;
+      const double difference = (moved_Nm - out.torque_Nm) / (1e-6 * here[i]);
+      EXPECT_NEAR(-out.by_available * gradient[i], difference, 1e-4 * (1.0 + std::abs(difference)));
+    }
+  }
+}
+
 TEST(GearOutputTest, AtRestTheIntervalIsBreakawayAndLoadEitherWay) {
   FrictionParameters p = loaded();
   p.stribeck_Nm = 1.0;
