@@ -1,6 +1,6 @@
 #pragma once
-/// An arm that swings in the x-z plane about a horizontal axis, as on S0's bench (section II-A); its "foot" is the arm's
-/// end. theta: 0 is straight down, positive toward +x, so that the weight pulls back with m g c sin(theta).
+/// An arm that swings in the x-z plane about a horizontal axis, as on S0's bench (section II-A); its "foot" is the
+/// arm's end. theta: 0 is straight down, positive toward +x, so that the weight pulls back with m g c sin(theta).
 #include "controller/leg_kinematics.h"
 
 namespace sprung {
@@ -13,8 +13,8 @@ class OneLink final : public LegKinematics {
   int joint_count() const noexcept override { return 1; }
   Eigen::Vector3d foot_in_hip_m(const JointVector& position_rad) const noexcept override;
   LegJacobian jacobian(const JointVector& position_rad) const noexcept override;
-  /// The angle toward the foot; unreachable when the foot is more than 1 mm off the arm's circle, which is more than
-  /// a foot that is extrapolated along the tangent leaves it by.
+  /// The angle toward the foot; unreachable when the foot is more than 1 mm off the arm's circle: a foot that is
+  /// extrapolated along the tangent stays nearer.
   InverseResult inverse(const Eigen::Vector3d& foot_in_hip_m,
                         const JointVector& near_rad) const noexcept override;
   JointVector gravity_torque_Nm(const JointVector& position_rad) const noexcept override;

@@ -114,8 +114,8 @@ struct LinkConfig {
 /// LegConfig::kinematics of joints alone: no foot is known, so they can be measured, damped and switched off,
 /// but not told where to go.
 inline constexpr const char* kNoKinematics = "none";
-/// LegConfig::kinematics of a single swinging arm, as on a bench: it has an end that can be moved and pushed, but
-/// nothing stands on it.
+/// LegConfig::kinematics of a single swinging arm, as on a bench: it has an end that can be moved and pushed,
+/// but nothing stands on it.
 inline constexpr const char* kOneLink = "one_link";
 
 struct LegConfig {

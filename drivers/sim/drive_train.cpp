@@ -38,7 +38,9 @@ DriveTrain::DriveTrain(const RobotConfig& robot, const SimConfig& config, std::u
       joint_Nm_(robot.joints.size()),
       actuator_rad_(actuators_.size()),
       actuator_rad_s_(actuators_.size()),
-      actuator_Nm_(actuators_.size()) {
+      actuator_Nm_(actuators_.size()),
+      link_rad_(actuators_.size()),
+      link_rad_s_(actuators_.size()) {
   for (std::size_t i = 0; i < actuators_.size(); ++i) {
     drives_.push_back(
         make_sim_drive({actuators_[i], config.drives[i], config.plant.step_s, seed, torque_signal(i)}));
@@ -56,6 +58,12 @@ void DriveTrain::read_plant() noexcept {
     joint_rad_[j] = plant_.position_rad(j);
     joint_rad_s_[j] = plant_.velocity_rad_s(j);
   }
+  transmission_.to_actuators(joint_rad_, link_rad_);
+  transmission_.to_actuators(joint_rad_s_, link_rad_s_);
+  for (std::size_t j = 0; j < joint_rad_.size(); ++j) {
+    joint_rad_[j] = plant_.motor_position_rad(j);
+    joint_rad_s_[j] = plant_.motor_velocity_rad_s(j);
+  }
   transmission_.to_actuators(joint_rad_, actuator_rad_);
   transmission_.to_actuators(joint_rad_s_, actuator_rad_s_);
 }
@@ -69,7 +77,7 @@ double DriveTrain::shaft_rad(std::size_t actuator, double late_s) const noexcept
 double DriveTrain::link_rad(std::size_t actuator, double late_s) const noexcept {
   const LinkEncoderConfig& encoder = actuators_[actuator].link_encoder;
   const KinematicErrorConfig& error = truths_[actuator].kinematic_error;
-  const double output_rad = actuator_rad_[actuator] + actuator_rad_s_[actuator] * late_s;
+  const double output_rad = link_rad_[actuator] + link_rad_s_[actuator] * late_s;
   const double motor_rad = shaft_rad(actuator, late_s) * actuators_[actuator].gear_ratio;
   const double error_rad = error.amplitude_rad * std::sin(error.order * motor_rad + error.phase_rad);
   return (output_rad + error_rad - encoder.offset_rad) * encoder.direction;

@@ -35,7 +35,7 @@ class DriveTrain {
   const Plant& plant() const noexcept { return plant_; }
 
  private:
-  /// Output angle in the motor's own forward direction, extrapolated from the plant's state.
+  /// Output angle of the rotor in the motor's own forward direction, extrapolated from the plant's state.
   double shaft_rad(std::size_t actuator, double late_s) const noexcept;
   /// Angle that an actuator's link encoder sees, before direction and offset of robot.yaml.
   double link_rad(std::size_t actuator, double late_s) const noexcept;
@@ -53,7 +53,8 @@ class DriveTrain {
   std::uint64_t seed_;
   double jitter_s_;
   std::vector<double> joint_rad_, joint_rad_s_, joint_Nm_;
-  std::vector<double> actuator_rad_, actuator_rad_s_, actuator_Nm_;
+  std::vector<double> actuator_rad_, actuator_rad_s_, actuator_Nm_;  ///< motor side
+  std::vector<double> link_rad_, link_rad_s_;                        ///< of the links, in actuator space
 };
 
 }  // namespace sprung::sim

@@ -8,11 +8,6 @@
 namespace sprung::sim {
 namespace {
 
-/// Such friction is written into the model at every step; plain Coulomb friction once, at load.
-bool depends_on_motion(const FrictionConfig& friction) noexcept {
-  return friction.load_share > 0.0 || friction.breakaway_Nm > friction.coulomb_Nm;
-}
-
 const char* warning_name(int warning) noexcept {
   switch (warning) {
     case mjWARN_INERTIA:
@@ -44,11 +39,15 @@ Plant::Plant(const RobotConfig& robot, const PlantConfig& config)
   model_ = std::move(loaded.model);
   index_ = std::move(loaded.index);
   data_.reset(mj_makeData(model_.get()));
-  const int first_dof = model_->body_dofadr[index_.base_body];
-  base_armature_.assign(model_->dof_armature + first_dof,
-                        model_->dof_armature + first_dof + model_->body_dofnum[index_.base_body]);
+  const mjtNum* first = base_armature();
+  base_armature_.assign(first, first + model_->body_dofnum[index_.base_body]);
   for (const PlantJointConfig& joint : config.joints) {
-    varying_friction_ = varying_friction_ || depends_on_motion(joint.friction);
+    Gear gear{GearFriction(joint.friction, joint.thermal, config.ambient_degC), std::nullopt};
+    if (config.torsion && joint.torsion) gear.torsion.emplace(*joint.torsion, joint.armature_kg_m2);
+    torsion_ = torsion_ || gear.torsion;
+    varying_friction_ = varying_friction_ || gear.torsion || gear.friction.varies();
+    heating_ = heating_ || gear.friction.heats();
+    gears_.push_back(gear);
   }
   reset();
 }
@@ -59,6 +58,7 @@ void Plant::reset() noexcept {
   mj_resetData(model_.get(), data_.get());
   for (std::size_t i = 0; i < config_.joints.size(); ++i) {
     data_->qpos[index_.joint_qpos[i]] = config_.joints[i].initial_rad;
+    reset_gear(i);
   }
   std::fill(motor_torque_Nm_.begin(), motor_torque_Nm_.end(), 0.0);
   for (auto& wrench : foot_wrench_) wrench.fill(0.0);
@@ -69,11 +69,23 @@ void Plant::reset() noexcept {
   check();
 }
 
+/// Cold, with the friction that the model was loaded with: else a second life differs in its bits.
+void Plant::reset_gear(std::size_t joint) noexcept {
+  Gear& gear = gears_[joint];
+  const PlantJointConfig& config = config_.joints[joint];
+  gear.friction.reset();
+  gear.output_torque_Nm = 0.0;
+  if (gear.torsion) return gear.torsion->reset(config.initial_rad);
+  model_->dof_frictionloss[index_.joint_dof[joint]] = config.friction.breakaway_Nm;
+  model_->dof_damping[index_.joint_dof[joint]] = config.friction.viscous_Nm_s_rad;
+}
+
 void Plant::set_floor_height(double height_m) noexcept {
   row(model_->geom_pos, index_.floor_geom, 3)[2] = height_m;
 }
 
 void Plant::touch_floor() noexcept {
+  if (index_.height_qpos < 0) return;
   mj_kinematics(model_.get(), data_.get());
   double lowest_m = mjMAXVAL;
   for (const int geom : index_.foot_geom) {
@@ -84,15 +96,41 @@ void Plant::touch_floor() noexcept {
 
 void Plant::step(const std::vector<double>& motor_torque_Nm) noexcept {
   if (failed()) return;
-  std::copy(motor_torque_Nm.begin(), motor_torque_Nm.end(), motor_torque_Nm_.begin());
-  mju_zero(data_->qfrc_applied, model_->nv);
-  for (std::size_t i = 0; i < index_.joint_dof.size(); ++i) {
-    data_->qfrc_applied[index_.joint_dof[i]] = motor_torque_Nm_[i];
-  }
-  push_feet();
   if (varying_friction_) update_friction();
+  std::copy(motor_torque_Nm.begin(), motor_torque_Nm.end(), motor_torque_Nm_.begin());
+  apply_torques();
+  push_feet();
   mj_step(model_.get(), data_.get());
+  if (torsion_) step_rotors();
+  if (heating_) heat_gears();
   check();
+}
+
+/// A joint's motor acts on the joint itself, or through the gear's spring.
+void Plant::apply_torques() noexcept {
+  mju_zero(data_->qfrc_applied, model_->nv);
+  for (std::size_t i = 0; i < gears_.size(); ++i) {
+    Gear& gear = gears_[i];
+    if (gear.torsion)
+      gear.output_torque_Nm = gear.torsion->output_torque_Nm(position_rad(i), velocity_rad_s(i));
+    data_->qfrc_applied[index_.joint_dof[i]] = gear.torsion ? gear.output_torque_Nm : motor_torque_Nm_[i];
+  }
+}
+
+void Plant::step_rotors() noexcept {
+  for (std::size_t i = 0; i < gears_.size(); ++i) {
+    Gear& gear = gears_[i];
+    if (gear.torsion)
+      gear.torsion->step(motor_torque_Nm_[i], gear.output_torque_Nm, gear.dry_Nm, gear.viscous_Nm_s_rad,
+                         step_s());
+  }
+}
+
+void Plant::heat_gears() noexcept {
+  for (std::size_t i = 0; i < gears_.size(); ++i) {
+    const double loss_W = friction_torque_Nm(i) * motor_velocity_rad_s(i);
+    if (gears_[i].friction.heats()) gears_[i].friction.heat(loss_W, step_s());
+  }
 }
 
 /// mj_step leaves bodies where they were before it integrated; this brings them to the joints' present
@@ -118,12 +156,15 @@ void Plant::push_feet() noexcept {
 
 /// Facts physics 2: writing the friction every step is stable and still sticks.
 void Plant::update_friction() noexcept {
-  for (std::size_t i = 0; i < config_.joints.size(); ++i) {
-    const FrictionConfig& friction = config_.joints[i].friction;
-    const double speed = velocity_rad_s(i) / friction.stribeck_speed_rad_s;
-    const double stribeck_Nm = (friction.breakaway_Nm - friction.coulomb_Nm) * std::exp(-speed * speed);
-    const double load_Nm = friction.load_share * std::abs(gear_output_torque_Nm(i));
-    model_->dof_frictionloss[index_.joint_dof[i]] = friction.coulomb_Nm + stribeck_Nm + load_Nm;
+  for (std::size_t i = 0; i < gears_.size(); ++i) {
+    Gear& gear = gears_[i];
+    const double dry_Nm = dry_friction_Nm(i);
+    const double direction = dry_Nm > 0.0 ? 1.0 : (dry_Nm < 0.0 ? -1.0 : 0.0);
+    gear.dry_Nm = gear.friction.dry_Nm(motor_velocity_rad_s(i), gear_output_torque_Nm(i), direction);
+    gear.viscous_Nm_s_rad = gear.friction.viscous_Nm_s_rad(direction);
+    if (gear.torsion) continue;
+    model_->dof_frictionloss[index_.joint_dof[i]] = gear.dry_Nm;
+    model_->dof_damping[index_.joint_dof[i]] = gear.viscous_Nm_s_rad;
   }
 }
 
@@ -143,21 +184,20 @@ void Plant::set_foot_wrench(int leg, const std::array<double, 6>& wrench) noexce
   }
 }
 
+mjtNum* Plant::base_armature() const noexcept {
+  return model_->dof_armature + std::max(0, model_->body_dofadr[index_.base_body]);  // -1 where it has none
+}
+
 void Plant::suspend(double height_m) noexcept {
-  const int first = model_->body_dofadr[index_.base_body];
-  for (std::size_t i = 0; i < base_armature_.size(); ++i) {
-    model_->dof_armature[first + static_cast<int>(i)] = kLockedMass;
-    data_->qvel[first + static_cast<int>(i)] = 0.0;
-  }
+  std::fill_n(base_armature(), base_armature_.size(), kLockedMass);
+  std::fill_n(data_->qvel + (base_armature() - model_->dof_armature), base_armature_.size(), 0.0);
   mj_kinematics(model_.get(), data_.get());  // positions may be newer than poses
-  if (height_m > 0.0) data_->qpos[index_.height_qpos] += height_m - row(data_->xpos, index_.base_body, 3)[2];
+  if (height_m > 0.0 && index_.height_qpos >= 0)
+    data_->qpos[index_.height_qpos] += height_m - row(data_->xpos, index_.base_body, 3)[2];
   mj_forward(model_.get(), data_.get());
 }
 
-void Plant::release() noexcept {
-  std::copy(base_armature_.begin(), base_armature_.end(),
-            model_->dof_armature + model_->body_dofadr[index_.base_body]);
-}
+void Plant::release() noexcept { std::copy(base_armature_.begin(), base_armature_.end(), base_armature()); }
 
 double Plant::position_rad(std::size_t joint) const noexcept { return data_->qpos[index_.joint_qpos[joint]]; }
 
@@ -165,7 +205,19 @@ double Plant::velocity_rad_s(std::size_t joint) const noexcept {
   return data_->qvel[index_.joint_dof[joint]];
 }
 
-double Plant::solver_friction_Nm(int dof) const noexcept {
+double Plant::motor_position_rad(std::size_t joint) const noexcept {
+  const Gear& gear = gears_[joint];
+  return gear.torsion ? gear.torsion->position_rad() : position_rad(joint);
+}
+
+double Plant::motor_velocity_rad_s(std::size_t joint) const noexcept {
+  const Gear& gear = gears_[joint];
+  return gear.torsion ? gear.torsion->velocity_rad_s() : velocity_rad_s(joint);
+}
+
+double Plant::dry_friction_Nm(std::size_t joint) const noexcept {
+  if (gears_[joint].torsion) return gears_[joint].torsion->dry_friction_Nm();
+  const int dof = index_.joint_dof[joint];
   for (int row = 0; row < data_->nefc; ++row) {
     if (data_->efc_type[row] == mjCNSTR_FRICTION_DOF && data_->efc_id[row] == dof)
       return -data_->efc_force[row];
@@ -174,22 +226,33 @@ double Plant::solver_friction_Nm(int dof) const noexcept {
 }
 
 double Plant::friction_torque_Nm(std::size_t joint) const noexcept {
-  const int dof = index_.joint_dof[joint];
-  return solver_friction_Nm(dof) - data_->qfrc_passive[dof];
+  if (gears_[joint].torsion) return gears_[joint].torsion->friction_torque_Nm();
+  return dry_friction_Nm(joint) - data_->qfrc_passive[index_.joint_dof[joint]];
 }
 
 double Plant::gear_output_torque_Nm(std::size_t joint) const noexcept {
+  if (gears_[joint].torsion) return gears_[joint].output_torque_Nm;
   const int dof = index_.joint_dof[joint];
   return motor_torque_Nm_[joint] - config_.joints[joint].armature_kg_m2 * data_->qacc[dof] -
          friction_torque_Nm(joint);
 }
 
+TrueJoint Plant::true_joint(std::size_t joint) const noexcept {
+  TrueJoint truth;
+  truth.true_position_rad = position_rad(joint);
+  truth.true_velocity_rad_s = velocity_rad_s(joint);
+  truth.true_acceleration_rad_s2 = data_->qacc[index_.joint_dof[joint]];
+  truth.true_motor_torque_Nm = motor_torque_Nm_[joint];
+  truth.true_gear_output_torque_Nm = gear_output_torque_Nm(joint);
+  truth.true_friction_torque_Nm = friction_torque_Nm(joint);
+  truth.true_motor_position_rad = motor_position_rad(joint);
+  if (gears_[joint].friction.has_temperature()) truth.true_temperature_degC = temperature_degC(joint);
+  return truth;
+}
+
 void Plant::fill_truth(SimTruth& truth) noexcept {
   refresh_poses();
-  for (std::size_t i = 0; i < index_.joint_dof.size(); ++i) {
-    truth.joints[i] = {position_rad(i),     velocity_rad_s(i),        data_->qacc[index_.joint_dof[i]],
-                       motor_torque_Nm_[i], gear_output_torque_Nm(i), friction_torque_Nm(i)};
-  }
+  for (std::size_t i = 0; i < gears_.size(); ++i) truth.joints[i] = true_joint(i);
   for (std::size_t leg = 0; leg < index_.foot_geom.size(); ++leg) {
     const int geom = index_.foot_geom[leg];
     truth.legs[leg].true_foot_in_world_m = vec3(row(data_->geom_xpos, geom, 3));

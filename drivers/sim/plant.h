@@ -3,8 +3,11 @@
 /// inertia. Values in, values out; the only allocation after construction is MuJoCo's own. Torques and angles
 /// are joint space unless they say actuator.
 #include <array>
+#include <optional>
 #include <vector>
 
+#include "drivers/sim/elastic_gear.h"
+#include "drivers/sim/gear_friction.h"
 #include "drivers/sim/plant_model.h"
 #include "signals/signals.h"
 
@@ -34,6 +37,12 @@ class Plant {
   double step_s() const noexcept { return model_->opt.timestep; }
   double position_rad(std::size_t joint) const noexcept;
   double velocity_rad_s(std::size_t joint) const noexcept;
+  /// Of the rotor, output side; the joint's own where the gear has no torsion.
+  double motor_position_rad(std::size_t joint) const noexcept;
+  double motor_velocity_rad_s(std::size_t joint) const noexcept;
+  double temperature_degC(std::size_t joint) const noexcept {
+    return gears_[joint].friction.temperature_degC();
+  }
   /// What the link feels, and friction, both in the last step (facts physics 8).
   double gear_output_torque_Nm(std::size_t joint) const noexcept;
   double friction_torque_Nm(std::size_t joint) const noexcept;
@@ -46,12 +55,25 @@ class Plant {
   const char* failure() const noexcept { return failure_ == nullptr ? "" : failure_; }
 
  private:
+  struct Gear {
+    GearFriction friction;
+    std::optional<ElasticGear> torsion;
+    double output_torque_Nm = 0.0;  ///< of `torsion`, in the last step
+    double dry_Nm = 0.0;            ///< friction that may act in this step
+    double viscous_Nm_s_rad = 0.0;
+  };
+  void reset_gear(std::size_t joint) noexcept;
   void touch_floor() noexcept;
+  void apply_torques() noexcept;
+  void step_rotors() noexcept;
+  void heat_gears() noexcept;
   void refresh_poses() noexcept;
+  mjtNum* base_armature() const noexcept;  ///< of the base's degrees of freedom, in the model
   void push_feet() noexcept;
   void update_friction() noexcept;
   void check() noexcept;
-  double solver_friction_Nm(int dof) const noexcept;
+  double dry_friction_Nm(std::size_t joint) const noexcept;
+  TrueJoint true_joint(std::size_t joint) const noexcept;
   Vec3 contact_force_N(int geom) const noexcept;  ///< ground on foot, world axes
 
   PlantConfig config_;
@@ -61,7 +83,10 @@ class Plant {
   std::vector<double> motor_torque_Nm_;
   std::vector<double> base_armature_;  ///< of the base's degrees of freedom, when not suspended
   std::vector<std::array<double, 6>> foot_wrench_;
-  bool varying_friction_ = false;  ///< friction depends on speed or load
+  std::vector<Gear> gears_;
+  bool varying_friction_ = false;  ///< of any gear: else what the model has from the start stays
+  bool torsion_ = false;           ///< in any gear
+  bool heating_ = false;
   const char* failure_ = nullptr;
 };
 

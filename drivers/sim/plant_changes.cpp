@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "drivers/sim/sim_config.h"
 #include "robots/robot_loader.h"
 
@@ -30,8 +32,36 @@ void scale_friction(SimConfig& config, double scale) {
     joint.friction.coulomb_Nm *= scale;
     joint.friction.breakaway_Nm *= scale;
     joint.friction.viscous_Nm_s_rad *= scale;
-    joint.friction.load_share *= scale;
+    joint.friction.driving_share *= scale;
+    joint.friction.back_driving_share *= scale;
   });
+}
+
+void scale_coulomb(SimConfig& config, double scale) {
+  each_joint(config, [scale](PlantJointConfig& joint) {
+    joint.friction.coulomb_Nm *= scale;
+    joint.friction.breakaway_Nm *= scale;
+  });
+}
+
+void scale_load_share(SimConfig& config, double scale) {
+  each_joint(config, [scale](PlantJointConfig& joint) {
+    joint.friction.driving_share *= scale;
+    joint.friction.back_driving_share *= scale;
+  });
+}
+
+void scale_noise(SimConfig& config, double scale) {
+  each_drive(config, [scale](SimDriveConfig& drive) { drive.torque_noise_Nm *= scale; });
+  for (SimCardConfig& card : config.cards) card.noise_rad *= scale;
+  if (config.torque_sensor) config.torque_sensor->noise_Nm *= scale;
+}
+
+void switch_torsion(SimConfig& config, double on) {
+  const bool any = std::any_of(config.plant.joints.begin(), config.plant.joints.end(),
+                               [](const PlantJointConfig& joint) { return joint.torsion.has_value(); });
+  if (on != 0.0 && !any) throw ConfigError("--plant torsion: no joint of this robot's sim.yaml has torsion");
+  config.plant.torsion = on != 0.0;
 }
 
 void scale_armature(SimConfig& config, double scale) {
@@ -42,11 +72,16 @@ void scale_armature(SimConfig& config, double scale) {
 constexpr Change kChanges[] = {
     {"armature_scale", 0.01, 100, scale_armature},
     {"compute_time_us", 0, 1e5, [](SimConfig& c, double v) { c.timing.compute_s = 1e-6 * v; }},
+    {"coulomb_scale", 0, 100, scale_coulomb},
     {"floor_height", -10, 10, [](SimConfig& c, double v) { c.plant.floor_height_m = v; }},
     {"friction_scale", 0, 100, scale_friction},
     {"ground_damping", 0, 1e6, [](SimConfig& c, double v) { c.plant.contact.damping_N_s_m = v; }},
     {"ground_friction", 0, 10, [](SimConfig& c, double v) { c.plant.contact.friction = v; }},
     {"ground_stiffness", 1, 1e7, [](SimConfig& c, double v) { c.plant.contact.stiffness_N_m = v; }},
+    {"heating_scale", 0, 100,
+     [](SimConfig& c, double v) {
+       each_joint(c, [v](PlantJointConfig& joint) { joint.thermal.resistance_K_W *= v; });
+     }},
     {"kinematic_error_scale", 0, 100,
      [](SimConfig& c, double v) {
        each_drive(c, [v](SimDriveConfig& drive) { drive.kinematic_error.amplitude_rad *= v; });
@@ -55,22 +90,26 @@ constexpr Change kChanges[] = {
      [](SimConfig& c, double v) {
        each_drive(c, [v](SimDriveConfig& drive) { drive.torque_constant_Nm_A *= v; });
      }},
+    {"load_share_scale", 0, 5, scale_load_share},
     {"mass_scale", 0.1, 10, scale_mass},
     {"mode_delay_us", 0, 1e6,
      [](SimConfig& c, double v) { each_drive(c, [v](SimDriveConfig& d) { d.mode_delay_s = 1e-6 * v; }); }},
-    {"noise_scale", 0, 100,
-     [](SimConfig& c, double v) {
-       each_drive(c, [v](SimDriveConfig& drive) { drive.torque_noise_Nm *= v; });
-       for (SimCardConfig& card : c.cards) card.noise_rad *= v;
-     }},
+    {"noise_scale", 0, 100, scale_noise},
     {"peak_torque", 0.001, 1e4,
      [](SimConfig& c, double v) { each_drive(c, [v](SimDriveConfig& drive) { drive.peak_torque_Nm = v; }); }},
     {"rail_x_locked", 0, 1, [](SimConfig& c, double v) { c.plant.rail_x_locked = v != 0.0; }},
     {"starts_in_fault", 0, 1,
      [](SimConfig& c, double v) { each_drive(c, [v](SimDriveConfig& d) { d.starts_in_fault = v != 0.0; }); }},
+    {"suspended", 0, 10, [](SimConfig& c, double v) { c.plant.suspended_m = v; }},
     {"sync_jitter_us", 0, 1000, [](SimConfig& c, double v) { c.timing.sync_jitter_s = 1e-6 * v; }},
+    {"temperature", -50, 150, [](SimConfig& c, double v) { c.plant.ambient_degC = v; }},
     {"torque_loop_Hz", 1, 1e4,
      [](SimConfig& c, double v) { each_drive(c, [v](SimDriveConfig& drive) { drive.torque_loop_Hz = v; }); }},
+    {"torsion", 0, 1, switch_torsion},
+    {"viscous_scale", 0, 100,
+     [](SimConfig& c, double v) {
+       each_joint(c, [v](PlantJointConfig& joint) { joint.friction.viscous_Nm_s_rad *= v; });
+     }},
 };
 
 const Change& find_change(const std::string& key) {

@@ -30,6 +30,7 @@ ModelPtr load_xml(const std::string& path) {
 }
 
 int height_qpos(const mjModel& model, int base_body) {
+  if (model.body_weldid[base_body] == 0) return -1;
   const int first = model.body_jntadr[base_body];
   if (first >= 0 && model.jnt_type[first] == mjJNT_FREE) return model.jnt_qposadr[first] + 2;
   return model.jnt_qposadr[require(model, mjOBJ_JOINT, "rail_z")];
@@ -65,9 +66,10 @@ void write_joints(mjModel& model, const PlantIndex& index, const PlantConfig& co
     const PlantJointConfig& joint = config.joints[i];
     const int dof = index.joint_dof[i];
     const int id = model.dof_jntid[dof];
-    model.dof_armature[dof] = joint.armature_kg_m2;
-    model.dof_damping[dof] = joint.friction.viscous_Nm_s_rad;
-    model.dof_frictionloss[dof] = joint.friction.breakaway_Nm;
+    const bool rotor_apart = config.torsion && joint.torsion;  // with its friction: elastic_gear.h
+    model.dof_armature[dof] = rotor_apart ? 0.0 : joint.armature_kg_m2;
+    model.dof_damping[dof] = rotor_apart ? 0.0 : joint.friction.viscous_Nm_s_rad;
+    model.dof_frictionloss[dof] = rotor_apart ? 0.0 : joint.friction.breakaway_Nm;
     row(model.dof_solref, dof, mjNREF)[0] = -1.0;
     row(model.dof_solref, dof, mjNREF)[1] = -1.0 / config.step_s;
     row(model.dof_solimp, dof, mjNIMP)[0] = row(model.dof_solimp, dof, mjNIMP)[1] = kStickImpedance;

@@ -25,12 +25,12 @@ using DataPtr = std::unique_ptr<mjData, DataDeleter>;
 inline constexpr double kLockedMass = 1e9;
 
 /// Names that model.xml must have: a body `base`, a geom `floor`, a joint for each of robot.yaml's, a sphere
-/// `<leg>_foot` for each leg, and a base that hangs on a free joint or on slides of which `rail_z` is
-/// vertical.
+/// `<leg>_foot` for each leg, and a base that is fixed, or hangs on a free joint or on slides of which `rail_z`
+/// is vertical.
 struct PlantIndex {
   int base_body = -1;
   int floor_geom = -1;
-  int height_qpos = -1;         ///< of the base
+  int height_qpos = -1;         ///< of the base; -1 = it is fixed
   std::vector<int> joint_qpos;  ///< of RobotConfig::joints
   std::vector<int> joint_dof;
   std::vector<int> foot_geom;  ///< of RobotConfig::legs

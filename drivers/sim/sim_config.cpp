@@ -1,35 +1,12 @@
 #include "drivers/sim/sim_config.h"
 
+#include <algorithm>
+
 #include "robots/robot_loader.h"
 #include "robots/yaml_reader.h"
 
 namespace sprung::sim {
 namespace {
-
-FrictionConfig read_friction(const YamlMap& map) {
-  FrictionConfig friction;
-  friction.coulomb_Nm = map.quantity("coulomb", "Nm", 0, 1000);
-  friction.breakaway_Nm = map.quantity("breakaway", "Nm", friction.coulomb_Nm, 1000);
-  friction.stribeck_speed_rad_s = map.quantity("stribeck_speed", "rad/s", 1e-4, 100);
-  friction.viscous_Nm_s_rad = map.quantity("viscous", "Nm s/rad", 0, 1000);
-  friction.load_share = map.quantity("load_share", "", 0, 0.9);
-  map.finish();
-  return friction;
-}
-
-PlantJointConfig read_joint(const YamlMap& map) {
-  PlantJointConfig joint;
-  joint.name = map.text("name");
-  const YamlMap stops = map.map("stops");
-  joint.stop_min_rad = stops.quantity("min", "rad", -10, 10);
-  joint.stop_max_rad = stops.quantity("max", "rad", joint.stop_min_rad, 10);
-  stops.finish();
-  joint.initial_rad = map.quantity("initial", "rad", joint.stop_min_rad, joint.stop_max_rad);
-  joint.armature_kg_m2 = map.quantity("armature", "kg m^2", 1e-6, 100);
-  joint.friction = read_friction(map.map("friction"));
-  map.finish();
-  return joint;
-}
 
 /// Whether an optional key says `yes`, where it may say `no`.
 bool chosen(const YamlMap& map, const std::string& key, const std::string& yes, const std::string& no,
@@ -83,29 +60,45 @@ SimCardConfig read_card(const YamlMap& map) {
   return card;
 }
 
+ContactConfig read_contact(const YamlMap& map) {
+  ContactConfig contact;
+  contact.stiffness_N_m = map.quantity("stiffness", "N/m", 1, 1e7);
+  contact.damping_N_s_m = map.quantity("damping", "N s/m", 0, 1e6);
+  contact.friction = map.quantity("friction", "", 0, 10);
+  map.finish();
+  return contact;
+}
+
 PlantConfig read_plant(const YamlMap& map) {
   PlantConfig plant;
   plant.step_s = map.quantity("step", "s", 50e-6, 1e-3);
-  if (map.has("rail_x")) {
-    const std::string rail = map.text("rail_x");
-    if (rail != "locked" && rail != "free")
-      map.fail("rail_x", "found '" + rail + "', expected locked or free");
-    plant.rail_x_locked = rail == "locked";
-  }
+  plant.rail_x_locked = chosen(map, "rail_x", "locked", "free", false);
+  plant.torsion = chosen(map, "gears", "elastic", "rigid", true);
   plant.suspended_m = map.quantity_or("suspended", "m", 0.01, 10, 0.0);
   plant.floor_height_m = map.quantity("floor_height", "m", -10, 10);
+  plant.ambient_degC = map.quantity_or("ambient", "degC", -50, 150, plant.ambient_degC);
   for (const YamlMap& body : map.list("bodies")) {
     plant.bodies.push_back({body.text("name"), body.quantity("mass", "kg", 1e-4, 1000)});
     body.finish();
   }
-  for (const YamlMap& joint : map.list("joints")) plant.joints.push_back(read_joint(joint));
-  const YamlMap contact = map.map("contact");
-  plant.contact.stiffness_N_m = contact.quantity("stiffness", "N/m", 1, 1e7);
-  plant.contact.damping_N_s_m = contact.quantity("damping", "N s/m", 0, 1e6);
-  plant.contact.friction = contact.quantity("friction", "", 0, 10);
-  contact.finish();
+  for (const YamlMap& joint : map.list("joints")) plant.joints.push_back(read_plant_joint(joint));
+  plant.contact = read_contact(map.map("contact"));
   map.finish();
   return plant;
+}
+
+TorqueSensorConfig read_torque_sensor(const YamlMap& map, const RobotConfig& robot) {
+  TorqueSensorConfig sensor;
+  const std::string name = map.text("joint");
+  const auto found = std::find_if(robot.joints.begin(), robot.joints.end(),
+                                  [&](const JointConfig& joint) { return joint.name == name; });
+  if (found == robot.joints.end()) map.fail("joint", "robot.yaml has no joint '" + name + "'");
+  sensor.joint = static_cast<int>(found - robot.joints.begin());
+  sensor.rate_Hz = map.quantity("rate", "Hz", 1, 1000);
+  sensor.noise_Nm = map.quantity("noise", "Nm", 0, 100);
+  sensor.resolution_Nm = map.quantity("resolution", "Nm", 0, 100);
+  map.finish();
+  return sensor;
 }
 
 /// sim.yaml may list joints and drives in any order, but every one of robot.yaml's exactly once.
@@ -149,6 +142,7 @@ SimConfig load_sim_config(const RobotConfig& robot, const std::map<std::string, 
   config.plant = read_plant(plant);
   for (const YamlMap& drive : file.list("drives")) config.drives.push_back(read_drive(drive));
   config.cards = read_cards(file, robot);
+  if (file.has("torque_sensor")) config.torque_sensor = read_torque_sensor(file.map("torque_sensor"), robot);
   const YamlMap timing = file.map("timing");
   config.timing.compute_s = timing.quantity("compute_time", "s", 0, 0.1);
   config.timing.sync_jitter_s = 1e-6 * timing.quantity("sync_jitter", "us", 0, 1000);

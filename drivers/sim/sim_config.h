@@ -6,29 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "drivers/sim/joint_config.h"
+#include "drivers/sim/torque_sensor.h"
 #include "robots/robot_config.h"
 
 namespace sprung::sim {
-
-/// Friction of one joint, output side:
-/// (coulomb + (breakaway - coulomb) exp(-(w / stribeck_speed)^2) + load_share |gear output torque|) and
-/// viscous w.
-struct FrictionConfig {
-  double coulomb_Nm = 0.0;
-  double breakaway_Nm = 0.0;
-  double stribeck_speed_rad_s = 1.0;
-  double viscous_Nm_s_rad = 0.0;
-  double load_share = 0.0;  ///< of the gear output torque's magnitude
-};
-
-struct PlantJointConfig {
-  std::string name;             ///< of the joint in robot.yaml and in model.xml
-  double initial_rad = 0.0;     ///< pose before cycle 0 and after a reset
-  double armature_kg_m2 = 0.0;  ///< ratio^2 * inertia of rotor and wave generator
-  double stop_min_rad = 0.0;    ///< mechanical end stops
-  double stop_max_rad = 0.0;
-  FrictionConfig friction;
-};
 
 /// A body's inertia in model.xml is scaled along with its mass.
 struct PlantBodyConfig {
@@ -47,13 +29,16 @@ struct PlantConfig {
   double suspended_m = 0.0;    ///< the base hangs fixed at this height; 0 = it is free
   bool rail_x_locked = false;  ///< only where model.xml has a joint `rail_x`
   double floor_height_m = 0.0;
+  double ambient_degC = 24.0;  ///< of the gears at the start too
+  bool torsion = true;         ///< false: joints with torsion are rigid in this run
   std::vector<PlantBodyConfig> bodies;
   std::vector<PlantJointConfig> joints;  ///< in the order of RobotConfig::joints
   ContactConfig contact;
 };
 
 /// Of a strain wave gear: what its link encoder sees besides the joint's angle, amplitude sin(order motor
-/// angle + phase) (facts papers D7). The plant has no torsion.
+/// angle + phase) (facts papers D7). Seen by the encoder alone: it does not twist a gear that has torsion, so it
+/// excites nothing.
 struct KinematicErrorConfig {
   double amplitude_rad = 0.0;  ///< of the output
   double order = 2.0;          ///< per motor turn; the wave generator has two lobes
@@ -95,6 +80,7 @@ struct SimConfig {
   PlantConfig plant;
   std::vector<SimDriveConfig> drives;  ///< in the order of RobotConfig::actuators
   std::vector<SimCardConfig> cards;    ///< in the order of RobotConfig::encoder_cards
+  std::optional<TorqueSensorConfig> torque_sensor;
   TimingConfig timing;
 };
 

@@ -30,6 +30,7 @@ struct SimCore::Impl {
         experimenter(train, bus_faults),
         schedule(robot.buses.size(), microseconds(config.timing.compute_s)),
         step_us(microseconds(config.plant.step_s)),
+        torque_sensor(config.torque_sensor.value_or(sim::TorqueSensorConfig{}), options.seed),
         with_truth(options.truth),
         truth(robot.joints.size(), robot.legs.size()) {}
 
@@ -40,6 +41,7 @@ struct SimCore::Impl {
   void sync(const sim::TimedFrame& event) noexcept;
   void step_until(std::int64_t time_us) noexcept;
   void tick_drives() noexcept;
+  void step_plant() noexcept;
 
   sim::DriveTrain train;
   sim::BusFaults bus_faults;
@@ -47,11 +49,13 @@ struct SimCore::Impl {
   sim::BusSchedule schedule;
   sim::FrameQueue frames;
   std::int64_t step_us;
+  sim::TorqueSensorDevice torque_sensor;
   bool with_truth;
   SimTruth truth;
   std::int64_t cycle = -1;
-  std::int64_t plant_us = -1;  ///< time of the plant's state, on the grid of steps; -1 = not begun
-  bool ticked = false;         ///< the drives' loops have run at plant_us
+  std::int64_t plant_us = -1;   ///< time of the plant's state, on the grid of steps; -1 = not begun
+  std::int64_t running_us = 0;  ///< since cycle 0
+  bool ticked = false;          ///< the drives' loops have run at plant_us
   const char* failure = nullptr;
 };
 
@@ -65,16 +69,21 @@ void SimCore::Impl::tick_drives() noexcept {
   ticked = true;
 }
 
+void SimCore::Impl::step_plant() noexcept {
+  train.step_plant();
+  experimenter.after_step();
+  running_us += step_us;
+  if (torque_sensor.due(running_us))
+    torque_sensor.read({plant_us, cycle}, train.plant().gear_output_torque_Nm(torque_sensor.joint()));
+}
+
 /// The loops at a grid time see what acted until then; the plant then moves on under their torques. Held
 /// before cycle 0.
 void SimCore::Impl::step_until(std::int64_t time_us) noexcept {
   while (plant_us + step_us <= time_us) {
     tick_drives();
-    if (cycle >= 0) {
-      train.step_plant();
-      experimenter.after_step();
-    }
     plant_us += step_us;
+    if (cycle >= 0) step_plant();
     ticked = false;
   }
   if (time_us > plant_us) tick_drives();
@@ -145,6 +154,16 @@ void SimCore::control(const SimControl& control) noexcept {
 std::int64_t SimCore::cycle() const noexcept { return impl_->cycle; }
 
 const SimTruth& SimCore::truth() const noexcept { return impl_->truth; }
+
+std::int64_t SimCore::torque_reading_count() const noexcept { return impl_->torque_sensor.count(); }
+
+const TorqueSensor& SimCore::torque_reading(std::int64_t n) const noexcept {
+  return impl_->torque_sensor.sample(n);
+}
+
+const TorqueSensor& SimCore::torque_sensor() const noexcept {
+  return torque_reading(std::max<std::int64_t>(0, torque_reading_count() - 1));
+}
 
 double SimCore::true_motor_torque_Nm(int actuator) noexcept {
   const sim::SimDrive* drive = impl_->train.drive(actuator);

@@ -44,6 +44,11 @@ class SimCore {
   void control(const SimControl& control) noexcept;
   std::int64_t cycle() const noexcept;     ///< of the last SYNC; -1 before cycle 0
   const SimTruth& truth() const noexcept;  ///< at the last SYNC
+  /// Readings of sim.yaml's torque sensor since cycle 0: how many, one of the newest sixteen, and the newest,
+  /// whose joint is -1 before the first and where there is no sensor.
+  std::int64_t torque_reading_count() const noexcept;
+  const TorqueSensor& torque_reading(std::int64_t n) const noexcept;
+  const TorqueSensor& torque_sensor() const noexcept;
   /// Of one actuator's motor at its gear's output, now: not what the bus says. For experiments.
   double true_motor_torque_Nm(int actuator) noexcept;
   bool failed() const noexcept;  ///< a MuJoCo warning or a number that is not finite: the run is void

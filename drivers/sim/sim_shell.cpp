@@ -1,8 +1,10 @@
 #include "drivers/sim/sim_shell.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <stdexcept>
 
+#include "drivers/sim/torque_sensor.h"
 #include "lcmtypes/channels.h"
 
 namespace sprung {
@@ -27,7 +29,8 @@ SimShell::SimShell(Process& process, SimCore& core, bool truth)
     : process_(process),
       core_(core),
       truth_(truth),
-      truths_(process.node().publisher<SimTruth>(channels::kSimTruth)) {
+      truths_(process.node().publisher<SimTruth>(channels::kSimTruth)),
+      torque_readings_(process.node().publisher<TorqueSensor>(channels::kTorqueSensor)) {
   process.node().subscribe(channels::kSimControl, CountLimits::none(), controls_);
 }
 
@@ -37,6 +40,16 @@ void SimShell::take_controls() {
   }
 }
 
+/// After a stall of real time there may be more than the core keeps: the oldest are lost, as on a serial line.
+void SimShell::publish_torque_readings() {
+  const std::int64_t count = core_.torque_reading_count();
+  const std::int64_t oldest = count - sim::TorqueSensorDevice::kKept;
+  for (std::int64_t n = std::max(torque_readings_published_, oldest); n < count; ++n) {
+    torque_readings_.publish(core_.torque_reading(n));
+  }
+  torque_readings_published_ = count;
+}
+
 void SimShell::publish() {
   if (core_.failed()) {
     throw std::runtime_error(std::string("the simulated plant failed, the run is void: ") + core_.failure());
@@ -44,6 +57,7 @@ void SimShell::publish() {
   if (truth_ && core_.cycle() > published_cycle_) {
     truths_.publish(core_.truth());
   }
+  publish_torque_readings();
   if (core_.cycle() >= 0 && published_cycle_ < 0) {
     process_.set_state(ProcessState::kRunning);
   }

@@ -20,21 +20,25 @@ struct SimProgramOptions {
 /// @throws std::invalid_argument on a text that is no KEY=NUMBER.
 std::map<std::string, double> parse_plant(const std::vector<std::string>& texts);
 
-/// SIM_TRUTH out, SIM_CONTROL in; refuses to go on when the plant has failed.
+/// SIM_TRUTH and TORQUE_SENSOR out, SIM_CONTROL in; refuses to go on when the plant has failed.
 class SimShell {
  public:
   SimShell(Process& process, SimCore& core, bool truth);
   void take_controls();
-  /// SIM_TRUTH once a cycle. @throws std::runtime_error when the plant failed.
+  /// SIM_TRUTH once a cycle, TORQUE_SENSOR at the sensor's rate. @throws std::runtime_error when the plant failed.
   void publish();
 
  private:
+  void publish_torque_readings();
+
   Process& process_;
   SimCore& core_;
   const bool truth_;
   InputQueue<SimControl> controls_;
   sim::RepeatedControls repeated_;
   Publisher<SimTruth> truths_;
+  Publisher<TorqueSensor> torque_readings_;
+  std::int64_t torque_readings_published_ = 0;
   std::int64_t published_cycle_ = -1;
 };
 

@@ -193,7 +193,7 @@ TEST_F(PlantTest, StribeckAndLoadRaiseFriction) {
   SimConfig config = load_sim_config(robot_, {});
   for (PlantJointConfig& joint : config.plant.joints) {
     joint.friction.breakaway_Nm = 10.0;
-    joint.friction.load_share = 0.1;
+    joint.friction.driving_share = joint.friction.back_driving_share = 0.1;
   }
   Plant plant(robot_, config.plant);
   plant.suspend(1.0);
