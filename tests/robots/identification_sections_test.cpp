@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
+
 #include "robots/robot_loader.h"
 #include "robots/robot_sections.h"
 
@@ -157,6 +160,18 @@ TEST(IdentificationSections, EverySubsetOfTermsIsReadBackUnderItsSmallestModel) 
     }
     ASSERT_EQ(to_vector(again.friction->parameters), to_vector(expected)) << identification_text(joint);
   }
+}
+
+TEST(IdentificationSections, ExampleInTheDocsIsOne) {
+  std::ifstream in(std::string(SPRUNG_SOURCE_DIR) + "/docs/friction.md");
+  const std::string page{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  const std::size_t begin = page.find("```yaml\n") + 8;
+  const std::string example = page.substr(begin, page.find("```", begin) - begin);
+  const JointConfig joint =
+      robot_sections::read_joint(YamlMap::parse(example, "friction.md").list("joints").at(0));
+  EXPECT_EQ(joint.friction->parameters.coulomb_Nm, 7.3);
+  EXPECT_EQ(joint.coulomb_friction_Nm, 1.79);
+  EXPECT_EQ(joint.thermal.time_constant_s, 600.0);
 }
 
 TEST(IdentificationSections, JointThatIsNotIdentifiedCannotBeWritten) {
