@@ -43,7 +43,11 @@ void InProcessRobot::exchange_frames() {
 void InProcessRobot::run_cores() {
   estimator_.step(drive_state_, joint_state_);
   controller_.step(joint_state_, leg_command_.stamp.seq >= 0 ? &leg_command_ : nullptr, drive_command_);
-  planner_.step(joint_state_, leg_command_, motion_state_);
+  if (leg_source_) {
+    leg_source_(joint_state_, leg_command_);
+  } else {
+    planner_.step(joint_state_, leg_command_, motion_state_);
+  }
   bridge_.command(drive_command_, time_us_);
 }
 

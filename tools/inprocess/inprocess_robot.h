@@ -3,7 +3,9 @@
 /// same frames, so that a run here and a lock-step run of separate processes agree bit for bit (design
 /// section 4). For experiments, sweeps and tests.
 #include <cstdint>
+#include <functional>
 #include <string>
+#include <utility>
 
 #include "controller/controller_core.h"
 #include "drivers/bridge/bridge_core.h"
@@ -15,6 +17,9 @@
 
 namespace sprung {
 
+/// LEG_COMMAND(k) from JOINT_STATE(k).
+using LegCommandSource = std::function<void(const JointState&, LegCommand&)>;
+
 class InProcessRobot {
  public:
   /// @throws ConfigError, std::invalid_argument as the cores do.
@@ -25,6 +30,10 @@ class InProcessRobot {
   /// Ticks until cycle 0 has run. @throws std::runtime_error with the bridge's boot detail after `limit_s` of
   /// message time.
   void boot(double limit_s = 5.0);
+
+  /// From now on these commands instead of the planner's, which is stepped no more: for experiments with
+  /// motions that no planner makes. @param source does not throw.
+  void command_legs_by(LegCommandSource source) { leg_source_ = std::move(source); }
 
   /// To planner or bridge, by kind. Takes effect at command.apply_at_seq or in the next cycle.
   void submit(const OperatorCommand& command);
@@ -52,6 +61,7 @@ class InProcessRobot {
   EstimatorCore estimator_;
   PlannerCore planner_;
   ControllerCore controller_;
+  LegCommandSource leg_source_;  ///< nothing: the planner
   DriveState drive_state_;
   JointState joint_state_;
   LegCommand leg_command_;  ///< of the last cycle when the controller reads it

@@ -1,0 +1,137 @@
+#include "tools/experiments/contact_experiment.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "tools/experiments/jump_experiment.h"
+#include "tools/experiments/scripted_run.h"
+#include "tools/experiments/stepping_leg.h"
+#include "tools/inprocess/inprocess_robot.h"
+
+namespace sprung {
+
+namespace {
+
+constexpr std::size_t kLeg = 0;
+constexpr double kGrounds_N_m[] = {8000.0, 15000.0, 30000.0, 60000.0};
+constexpr double kJitter_us = 2.0;
+constexpr double kLongestStep_s = 9.0;  // at 0.08 m/s, with its waits
+
+constexpr double kLeastFound_percent = 99.0;
+constexpr double kMostFalseAlarms_percent = 0.5;
+constexpr struct {
+  ApproachClass approach;
+  double most_ms;
+} kDelays[] = {{ApproachClass::kFast, 5.0}, {ApproachClass::kMedium, 10.0}, {ApproachClass::kSlow, 20.0}};
+
+void append(std::vector<ContactStep>& all, const std::vector<ContactStep>& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+void move_floor(InProcessRobot& robot, double height_m) {
+  SimControl floor;
+  floor.kind = SimControlKind::kFloor;
+  floor.value = height_m;
+  robot.sim().control(floor);
+}
+
+double percent(std::size_t part, std::size_t whole) {
+  return whole > 0 ? 100.0 * static_cast<double>(part) / static_cast<double>(whole) : kNaN;
+}
+
+/// NaN when there is none.
+double median(std::vector<double> values) {
+  if (values.empty()) return kNaN;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+ReportRow row(const std::string& quantity, const char* unit, double value) {
+  return {"estimator.contact." + quantity, unit, value, std::nullopt, std::nullopt, std::nullopt};
+}
+
+}  // namespace
+
+std::vector<ContactStep> jump_contacts(const RobotConfig& robot, const std::string& preset,
+                                       const SimOptions& sim) {
+  std::vector<ContactStep> steps;
+  for (const JumpMode mode : {JumpMode::kPosition, JumpMode::kTorque, JumpMode::kHybrid}) {
+    ContactScorer scorer(kLeg);
+    MotionPhase last = MotionPhase::kIdle;
+    run_in_process(
+        jump_script(robot, preset, sim, mode, 1),
+        [&](const CycleRecord& cycle) {
+          if (cycle.motion_state.state == MotionPhase::kThrust && last != MotionPhase::kThrust)
+            scorer.begin_step();
+          last = cycle.motion_state.state;
+          scorer.add(cycle.joint_state, cycle.truth);
+        },
+        [](const OperatorReply&) {});
+    append(steps, scorer.finish());
+  }
+  return steps;
+}
+
+std::vector<ContactStep> stepping_contacts(const RobotConfig& robot, const std::string& preset,
+                                           const SimOptions& sim, int steps) {
+  SteppingScript script;
+  script.seed = sim.seed;
+  script.steps = steps;
+  SimOptions suspended = sim;
+  suspended.plant["suspended"] = script.hip_height_m;
+  SteppingLeg stepping(script);
+  ContactScorer scorer(kLeg);
+  InProcessRobot process(robot, preset, suspended);
+  process.command_legs_by([&](const JointState& in, LegCommand& out) { stepping.command(in, out); });
+  process.boot();
+  const auto most_cycles = static_cast<std::int64_t>(kLongestStep_s * (steps + 1) / robot.cycle_s);
+  while (!stepping.done()) {
+    process.tick();
+    if (stepping.step_begins()) {
+      scorer.begin_step();
+      move_floor(process, stepping.floor_height_m());
+    }
+    scorer.add(process.joint_state(), process.truth());
+    if (process.sim().failed()) throw std::runtime_error(process.sim().failure());
+    if (process.cycle() > most_cycles) throw std::runtime_error("the suspended leg does not step");
+  }
+  return scorer.finish();
+}
+
+std::vector<ContactStep> run_contacts(const RobotConfig& robot, const ContactRequest& request) {
+  std::vector<ContactStep> steps;
+  std::size_t ground = 0;
+  for (SimOptions sim : request.plants) {
+    sim.plant.emplace("ground_stiffness", kGrounds_N_m[ground++ % std::size(kGrounds_N_m)]);
+    sim.plant.emplace("sync_jitter_us", kJitter_us);
+    if (request.jumps) append(steps, jump_contacts(robot, request.preset, sim));
+    append(steps, stepping_contacts(robot, request.preset, sim, request.steps_per_plant));
+  }
+  return steps;
+}
+
+std::vector<ReportRow> contact_rows(const std::vector<ContactStep>& steps) {
+  std::size_t touchdowns = 0, found = 0, false_alarms = 0;
+  for (const ContactStep& step : steps) {
+    touchdowns += step.approach_speed_m_s ? 1 : 0;
+    found += step.delay_ms ? 1 : 0;
+    false_alarms += step.false_alarm ? 1 : 0;
+  }
+  std::vector<ReportRow> rows{row("found", "%", percent(found, touchdowns))};
+  rows.back().low = kLeastFound_percent;
+  for (const auto& [approach, most_ms] : kDelays) {
+    std::vector<double> delays_ms;
+    for (const ContactStep& step : steps) {
+      if (step.delay_ms && approach_class(*step.approach_speed_m_s) == approach)
+        delays_ms.push_back(*step.delay_ms);
+    }
+    rows.push_back(row(std::string("delay_median_") + name(approach), "ms", median(delays_ms)));
+    rows.back().high = most_ms;
+  }
+  rows.push_back(row("false_alarms", "%", percent(false_alarms, steps.size())));
+  rows.back().high = kMostFalseAlarms_percent;
+  return rows;
+}
+
+}  // namespace sprung
