@@ -7,6 +7,7 @@
 /// f is the friction law (estimator/friction/friction_law.h), R q the motor's angle. Where the load is known, inertia is
 /// what lies on the motor's side of it: the armature; else it is all that turns with the joint, and its share of L is left
 /// out, since no motion tells armature from link. All torques are in the unit of the measured one.
+#include "estimator/friction/friction_law.h"
 #include "estimator/identification/fit_model.h"
 #include "estimator/identification/joint_terms.h"
 
@@ -38,12 +39,15 @@ class JointModel : public FitModel {
     Eigen::Index friction = 0;  ///< first of the friction law's, in order of friction_
     Eigen::Index ripple = 0;    ///< first of the ripple's, in order of harmonics_
   };
-  void add_rigid_body(const JointDataset& data);
-  void add_friction(const JointDataset& data);
-  void add_ripple(const JointDataset& data);
-  double load_at(const JointDataset& data, const Eigen::VectorXd& parameters, Eigen::Index i) const;
-  double ripple_at(const JointDataset& data, const Eigen::VectorXd& parameters, Eigen::Index i) const;
-  void fill_row(const JointDataset& data, Eigen::Index i, double by_load, Eigen::MatrixXd& jacobian) const;
+  struct Regressors;
+  Regressors regressors(const JointDataset& data, Eigen::Index i) const;
+  double load(const Regressors& at, const JointDataset& data, const Eigen::VectorXd& parameters,
+              Eigen::Index i) const;
+  /// Inertia, offset and ripple.
+  double beside_load(const Regressors& at, const JointDataset& data, const Eigen::VectorXd& parameters,
+                     Eigen::Index i) const;
+  void fill_row(const Regressors& at, const JointDataset& data, Eigen::Index i, const FrictionValue& friction,
+                Eigen::MatrixXd& jacobian) const;
 
   JointTerms terms_;
   std::vector<FrictionParameter> friction_;

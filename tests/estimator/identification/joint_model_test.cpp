@@ -143,30 +143,6 @@ TEST(JointModel, PreslidingRoundsTheReversal) {
   EXPECT_NEAR(prediction[2], 4.0 - 4.0 * 0.1, 1e-9) << "first stiffness: full friction within `presliding`";
 }
 
-TEST(JointModel, UnitsFollowTheMeasuredTorque) {
-  JointDataset data = moved_joint(10);
-  data.torque_unit = "A";
-  const JointModel model({JointTerm::kViscous, JointTerm::kRipple1}, data);
-  const auto unit = [&](const char* name) {
-    return model.parameters()[static_cast<std::size_t>(index_of(model, name))].unit;
-  };
-  EXPECT_EQ(unit("inertia"), "A s^2/rad");
-  EXPECT_EQ(unit("coulomb"), "A");
-  EXPECT_EQ(unit("viscous"), "A s/rad");
-  EXPECT_EQ(unit("ripple_1_sin"), "A");
-}
-
-TEST(JointModel, StartsLieWithinTheirBounds) {
-  const JointDataset data = full_dataset(50);
-  const JointModel model(possible_terms(data), data);
-  for (const FitParameter& p : model.parameters()) {
-    EXPECT_LE(p.lower, p.initial) << p.name;
-    EXPECT_LE(p.initial, p.upper) << p.name;
-    for (const double start : p.more_starts) EXPECT_TRUE(p.lower <= start && start <= p.upper) << p.name;
-    EXPECT_FALSE(p.told_by.empty()) << p.name;
-  }
-}
-
 TEST(JointModel, RefusesTermsThatCannotBe) {
   const JointDataset data = moved_joint(10);
   EXPECT_THROW(JointModel({JointTerm::kShear}, data), std::invalid_argument);
