@@ -213,4 +213,9 @@ struct RobotConfig {
   const PresetConfig& preset(const std::string& preset_name) const;
 };
 
+/// The robot as its processes know it under a preset. One that compensates the papers' friction is there to reproduce
+/// the papers: no joint of it is identified, so that its figures do not depend on what `sprung identify` writes.
+/// @throws std::invalid_argument naming the presets there are.
+RobotConfig as_in_preset(RobotConfig robot, const std::string& preset_name);
+
 }  // namespace sprung

@@ -165,6 +165,7 @@ RobotConfig read_robot(const YamlMap& file) {
 PresetConfig still_preset() {
   PresetConfig still;
   still.name = "none";
+  still.compensated_friction = CompensatedFriction::kIdentified;
   still.stand_length_m = still.sit_length_m = still.landing_length_m = 1.0;
   still.jump_curve = {1.0, {1.0, 1.0}, 1.0};
   return still;
@@ -237,6 +238,15 @@ const PresetConfig& RobotConfig::preset(const std::string& preset_name) const {
     known += (known.empty() ? "" : ", ") + candidate.name;
   }
   throw std::invalid_argument("no preset '" + preset_name + "' in robot " + name + "; there are: " + known);
+}
+
+RobotConfig as_in_preset(RobotConfig robot, const std::string& preset_name) {
+  if (robot.preset(preset_name).compensated_friction == CompensatedFriction::kIdentified) return robot;
+  for (JointConfig& joint : robot.joints) {
+    if (joint.friction) joint.uncertainty.friction = kPapersFrictionUncertainty;
+    joint.friction.reset();
+  }
+  return robot;
 }
 
 }  // namespace sprung

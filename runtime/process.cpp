@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <stdexcept>
+#include <utility>
 
 #include "lcmtypes/channels.h"
 #include "robots/robot_loader.h"
@@ -17,9 +18,9 @@ int run(const ProgramInfo& info, const ProcessOptions& options, const std::funct
   start_log(info.program);
   install_stop_signals();
   stop_with_parent();
-  const RobotConfig robot = load_robot(options.robot);
+  RobotConfig robot = load_robot(options.robot);
   try {
-    robot.preset(options.preset);
+    robot = as_in_preset(std::move(robot), options.preset);
   } catch (const std::invalid_argument& error) {
     throw WrongUse(std::string("--preset: ") + error.what());
   }

@@ -141,6 +141,23 @@ TEST(RobotLoader, PresetPaperCompensatesThePapersFrictionAndBestTheIdentified) {
   EXPECT_EQ(robot.preset("best").compensated_friction, CompensatedFriction::kIdentified);
 }
 
+TEST(RobotLoader, UnderPresetPaperNothingIsIdentified) {
+  RobotConfig robot = load_robot("single_leg");
+  robot.joints[1].friction.emplace();
+  robot.joints[1].uncertainty.friction = 0.1;
+  EXPECT_TRUE(as_in_preset(robot, "best").joints[1].friction.has_value());
+  const RobotConfig paper = as_in_preset(robot, "paper");
+  EXPECT_FALSE(paper.joints[1].friction.has_value());
+  EXPECT_EQ(paper.joints[1].uncertainty.friction, kPapersFrictionUncertainty);
+  EXPECT_THROW((void)as_in_preset(robot, "worst"), std::invalid_argument);
+}
+
+TEST(RobotLoader, RobotWithoutPresetsUsesWhatIsIdentified) {
+  RobotConfig robot = load_robot("test_axis");
+  robot.joints[0].friction.emplace();
+  EXPECT_TRUE(as_in_preset(robot, "best").joints[0].friction.has_value());
+}
+
 TEST_F(ChangedRobot, UnknownCompensatedFrictionIsRefused) {
   EXPECT_THAT(complaint("compensated_friction: identified", "compensated_friction: all"),
               HasSubstr("expected paper or identified, found 'all'"));

@@ -9,7 +9,7 @@ InProcessRobot::InProcessRobot(const RobotConfig& robot, const std::string& pres
     : cycle_us_(std::llround(robot.cycle_s * 1e6)),
       bridge_(robot, BridgeOptions{robot.watchdogs}),
       sim_(robot, sim),
-      estimator_(robot),
+      estimator_(as_in_preset(robot, preset)),
       planner_(robot, robot.preset(preset)),
       controller_(robot, robot.preset(preset), robot.watchdogs),
       drive_state_(robot.actuators.size()),
