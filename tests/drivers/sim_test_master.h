@@ -14,7 +14,10 @@
 
 namespace sprung::sim {
 
-inline RobotConfig single_leg() { return load_robot(std::string(SPRUNG_SOURCE_DIR) + "/robots/single_leg"); }
+inline RobotConfig shipped(const std::string& name) {
+  return load_robot(std::string(SPRUNG_SOURCE_DIR) + "/robots/" + name);
+}
+inline RobotConfig single_leg() { return shipped("single_leg"); }
 
 struct DriveAnswer {
   std::int32_t position_counts = 0;
@@ -39,7 +42,9 @@ struct SetPoint {
 
 class SimMaster {
  public:
-  explicit SimMaster(const SimOptions& options = {}) : robot(single_leg()), sim(robot, options) {}
+  /// @param drives a robot of Gold drives on one bus.
+  explicit SimMaster(const SimOptions& options = {}, const RobotConfig& drives = single_leg())
+      : robot(drives), sim(robot, options) {}
 
   void queue(const CanFrame& frame) { burst_.push(0, frame); }
   /// One 1 ms tick: what is queued, the heartbeat, SYNC, and the answers.
