@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace sprung::identification {
@@ -13,7 +14,22 @@ using Index = Eigen::Index;
 constexpr double kInside = 0.01;   ///< share of the range that a start keeps from its bounds
 constexpr double kAtBound = 1e-6;  ///< share of the range that counts as on the bound
 
+/// Of a parameter with one bound: distance of start or initial value to it.
+double range_of(const FitParameter& parameter, double start) {
+  const double bound = std::isfinite(parameter.lower) ? parameter.lower : parameter.upper;
+  const double distance = std::max(std::abs(start - bound), std::abs(parameter.initial - bound));
+  return distance > 0.0 && std::isfinite(distance) ? distance : 1.0;
+}
+
 }  // namespace
+
+double moved_inside(const FitParameter& parameter, double value) {
+  const double width = parameter.upper - parameter.lower;
+  const double range = std::isfinite(width) ? width : range_of(parameter, value);
+  if (value - parameter.lower < kInside * range) value = parameter.lower + kInside * range;
+  if (parameter.upper - value < kInside * range) value = parameter.upper - kInside * range;
+  return value;
+}
 
 BoundedVariables::Variable BoundedVariables::variable_of(const FitParameter& parameter, double start) {
   Variable out;
@@ -22,20 +38,18 @@ BoundedVariables::Variable BoundedVariables::variable_of(const FitParameter& par
   const bool lower = std::isfinite(parameter.lower);
   const bool upper = std::isfinite(parameter.upper);
   if (lower && upper) {
-    out.kind = parameter.lower == parameter.upper ? Kind::kFixed : Kind::kBoth;
+    out.kind = Kind::kBoth;
     out.scale = parameter.upper - parameter.lower;
   } else if (lower || upper) {
     out.kind = lower ? Kind::kLower : Kind::kUpper;
-    const double bound = lower ? parameter.lower : parameter.upper;
-    const double distance = std::max(std::abs(start - bound), std::abs(parameter.initial - bound));
-    out.scale = distance > 0.0 ? distance : 1.0;
+    out.scale = range_of(parameter, start);
   }
   return out;
 }
 
 double BoundedVariables::variable_at(const Variable& variable, double value) {
   const auto one_sided = [&](double distance) {
-    const double root = std::max(distance / variable.scale, kInside) + 1.0;
+    const double root = std::max(distance / variable.scale, 0.0) + 1.0;
     return std::sqrt(root * root - 1.0);
   };
   switch (variable.kind) {
@@ -46,76 +60,69 @@ double BoundedVariables::variable_at(const Variable& variable, double value) {
     case Kind::kUpper:
       return one_sided(variable.upper - value);
     case Kind::kBoth:
-      return std::asin(2.0 * std::clamp((value - variable.lower) / variable.scale, kInside, 1.0 - kInside) -
-                       1.0);
-    case Kind::kFixed:
-      break;
+      return std::asin(std::clamp(2.0 * (value - variable.lower) / variable.scale - 1.0, -1.0, 1.0));
   }
   return 0.0;
 }
 
 BoundedVariables::BoundedVariables(const std::vector<FitParameter>& parameters, const Eigen::VectorXd& start)
-    : start_(start.size()) {
+    : fixed_(start), start_(start.size()) {
   for (Index i = 0; i < start.size(); ++i) {
     const FitParameter& parameter = parameters[static_cast<std::size_t>(i)];
     if (!(parameter.lower <= parameter.upper))
       throw std::invalid_argument("bounds of '" + parameter.name + "' are crossed");
-    variables_.push_back(variable_of(parameter, start[i]));
-    start_[i] = variable_at(variables_.back(), start[i]);
+    fixed_[i] = std::clamp(start[i], parameter.lower, parameter.upper);
+    variables_.push_back(variable_of(parameter, fixed_[i]));
+    if (fixed_[i] == parameter.lower || fixed_[i] == parameter.upper) continue;
+    start_[static_cast<Index>(free_.size())] = variable_at(variables_.back(), fixed_[i]);
+    free_.push_back(i);
   }
+  start_.conservativeResize(static_cast<Index>(free_.size()));
+}
+
+double BoundedVariables::parameter_at(const Variable& v, double u) {
+  const double distance = v.scale * (std::sqrt(u * u + 1.0) - 1.0);
+  switch (v.kind) {
+    case Kind::kLower:
+      return v.lower + distance;
+    case Kind::kUpper:
+      return v.upper - distance;
+    case Kind::kBoth:
+      return std::clamp(v.lower + v.scale * (1.0 + std::sin(u)) / 2.0, v.lower, v.upper);
+    case Kind::kFree:
+      break;
+  }
+  return u;
+}
+
+double BoundedVariables::slope_at(const Variable& v, double u) {
+  const double one_sided = v.scale * u / std::sqrt(u * u + 1.0);
+  switch (v.kind) {
+    case Kind::kLower:
+      return one_sided;
+    case Kind::kUpper:
+      return -one_sided;
+    case Kind::kBoth:
+      return v.scale * std::cos(u) / 2.0;
+    case Kind::kFree:
+      break;
+  }
+  return 1.0;
 }
 
 Eigen::VectorXd BoundedVariables::parameters(const Eigen::VectorXd& variables) const {
-  Eigen::VectorXd out(variables.size());
-  for (Index i = 0; i < out.size(); ++i) {
-    const Variable& v = variables_[static_cast<std::size_t>(i)];
-    const double u = variables[i];
-    const double distance = v.scale * (std::sqrt(u * u + 1.0) - 1.0);
-    switch (v.kind) {
-      case Kind::kFree:
-        out[i] = u;
-        break;
-      case Kind::kLower:
-        out[i] = v.lower + distance;
-        break;
-      case Kind::kUpper:
-        out[i] = v.upper - distance;
-        break;
-      case Kind::kBoth:
-        out[i] = std::clamp(v.lower + v.scale * (1.0 + std::sin(u)) / 2.0, v.lower, v.upper);
-        break;
-      case Kind::kFixed:
-        out[i] = v.lower;
-        break;
-    }
-  }
+  Eigen::VectorXd out = fixed_;
+  for (std::size_t k = 0; k < free_.size(); ++k)
+    out[free_[k]] =
+        parameter_at(variables_[static_cast<std::size_t>(free_[k])], variables[static_cast<Index>(k)]);
   return out;
 }
 
 Eigen::VectorXd BoundedVariables::slope(const Eigen::VectorXd& variables) const {
   Eigen::VectorXd out(variables.size());
-  for (Index i = 0; i < out.size(); ++i) {
-    const Variable& v = variables_[static_cast<std::size_t>(i)];
-    const double u = variables[i];
-    const double one_sided = v.scale * u / std::sqrt(u * u + 1.0);
-    switch (v.kind) {
-      case Kind::kFree:
-        out[i] = 1.0;
-        break;
-      case Kind::kLower:
-        out[i] = one_sided;
-        break;
-      case Kind::kUpper:
-        out[i] = -one_sided;
-        break;
-      case Kind::kBoth:
-        out[i] = v.scale * std::cos(u) / 2.0;
-        break;
-      case Kind::kFixed:
-        out[i] = 0.0;
-        break;
-    }
-  }
+  for (std::size_t k = 0; k < free_.size(); ++k)
+    out[static_cast<Index>(k)] =
+        slope_at(variables_[static_cast<std::size_t>(free_[k])], variables[static_cast<Index>(k)]);
   return out;
 }
 
@@ -123,6 +130,11 @@ bool BoundedVariables::at_bound(const Eigen::VectorXd& parameters, Eigen::Index 
   const Variable& v = variables_[static_cast<std::size_t>(i)];
   const double slack = kAtBound * v.scale;
   return v.kind != Kind::kFree && (parameters[i] - v.lower <= slack || v.upper - parameters[i] <= slack);
+}
+
+double BoundedVariables::range(Eigen::Index i) const {
+  const Variable& v = variables_[static_cast<std::size_t>(i)];
+  return v.kind == Kind::kFree ? std::numeric_limits<double>::infinity() : v.scale;
 }
 
 }  // namespace sprung::identification

@@ -13,11 +13,12 @@ namespace {
 
 using Index = Eigen::Index;
 
-constexpr double kTolerance = 1e-10;  ///< relative, of parameters and of the cost
-constexpr double kSettled = 1e-6;     ///< parameters' relative change that ends reweighting
-constexpr double kPushedInward =
-    1e-6;                         ///< cosine between residual and column that counts as a push off the bound
-constexpr int kMostReleases = 3;  ///< of parameters from bounds that do not act
+constexpr double kTolerance = 1e-8;  ///< relative, of parameters and of the cost
+constexpr double kSettled = 1e-4;    ///< parameters' relative change that ends reweighting
+constexpr double kPush = 1e-6;       ///< cosine between residual and column that counts
+constexpr double kNear = 1e-3;       ///< share of its range that counts as near a bound
+constexpr int kMostRounds = 4;       ///< of searches between which bounds are settled
+constexpr int kEvaluationsAtFirst = 40;
 
 /// Residuals and Jacobian in unbounded variables, each row times the root of its weight.
 class Functor : public Eigen::DenseFunctor<double> {
@@ -36,8 +37,13 @@ class Functor : public Eigen::DenseFunctor<double> {
 
   int df(const InputType& u, JacobianType& jacobian) const {
     ValueType residual;
-    problem_.evaluate(variables_.parameters(u), residual, &jacobian);
-    jacobian = root_weight_.asDiagonal() * jacobian * variables_.slope(u).asDiagonal();
+    Eigen::MatrixXd all;
+    problem_.evaluate(variables_.parameters(u), residual, &all);
+    const Eigen::VectorXd slope = variables_.slope(u);
+    jacobian.resize(all.rows(), u.size());
+    for (Index k = 0; k < u.size(); ++k)
+      jacobian.col(k) =
+          slope[k] * root_weight_.cwiseProduct(all.col(variables_.free()[static_cast<std::size_t>(k)]));
     return jacobian.allFinite() ? 0 : -1;
   }
 
@@ -47,66 +53,93 @@ class Functor : public Eigen::DenseFunctor<double> {
   Eigen::VectorXd root_weight_;
 };
 
-double cost_of(const Eigen::VectorXd& weight, const Eigen::VectorXd& residual) {
-  return 0.5 * weight.dot(residual.cwiseAbs2());
+struct Search {
+  const FitProblem& problem;
+  const Eigen::VectorXd& weight;
+  const FitOptions& options;
+};
+
+[[noreturn]] void not_finite(const FitProblem& problem) {
+  throw std::runtime_error("model '" + problem.model().name() + "' gave a prediction that is not finite");
 }
 
-Fit search_once(const FitProblem& problem, const Eigen::VectorXd& start, const Eigen::VectorXd& weight,
-                const FitOptions& options) {
-  const BoundedVariables variables(problem.model().parameters(), start);
-  Functor functor(problem, variables, weight);
-  Eigen::LevenbergMarquardt<Functor> search(functor);
-  search.setXtol(kTolerance);
-  search.setFtol(kTolerance);
-  search.setMaxfev(options.most_evaluations);
-  Eigen::VectorXd u = variables.start();
-  const auto status = search.minimize(u);
-  if (status == Eigen::LevenbergMarquardtSpace::UserAsked)
-    throw std::runtime_error("model '" + problem.model().name() + "' gave a prediction that is not finite");
+Fit search_once(const Search& s, const Eigen::VectorXd& start, int most_evaluations) {
+  const BoundedVariables variables(s.problem.model().parameters(), start);
+  Functor functor(s.problem, variables, s.weight);
   Fit out;
+  out.weight = s.weight;
+  Eigen::VectorXd u = variables.start();
+  Eigen::VectorXd residual;
+  if (functor(u, residual) != 0) not_finite(s.problem);
+  if (u.size() > 0) {
+    Eigen::LevenbergMarquardt<Functor> search(functor);
+    search.setXtol(kTolerance);
+    search.setFtol(kTolerance);
+    search.setMaxfev(most_evaluations);
+    const auto status = search.minimize(u);
+    if (status == Eigen::LevenbergMarquardtSpace::UserAsked) not_finite(s.problem);
+    out.converged = status != Eigen::LevenbergMarquardtSpace::TooManyFunctionEvaluation;
+    residual = search.fvec();
+  }
   out.parameters = variables.parameters(u);
-  out.weight = weight;
-  out.converged = status != Eigen::LevenbergMarquardtSpace::TooManyFunctionEvaluation;
-  for (Index i = 0; i < u.size(); ++i) out.at_bound.push_back(variables.at_bound(out.parameters, i));
+  out.cost = 0.5 * residual.squaredNorm();
+  for (Index i = 0; i < out.parameters.size(); ++i)
+    out.at_bound.push_back(variables.at_bound(out.parameters, i));
   return out;
 }
 
-/// A search in transformed variables can end on a bound from which the data push it away: there the slope is zero.
-bool pushed_inward(const Fit& found, const FitParameter& parameter, double value, double cosine) {
-  if (parameter.lower == parameter.upper) return false;
-  const bool low = value - parameter.lower < parameter.upper - value;
-  return std::abs(cosine) > kPushedInward && (low ? cosine < 0.0 : cosine > 0.0) && found.converged;
-}
-
-/// @return whether a parameter was released; `found.cost` is set either way.
-bool release(const FitProblem& problem, Fit& found) {
+/// Cosine between the residual and each parameter's column: where growing leads downhill it is negative.
+Eigen::VectorXd pushes(const Search& s, const Eigen::VectorXd& parameters) {
   Eigen::VectorXd residual;
   Eigen::MatrixXd jacobian;
-  problem.evaluate(found.parameters, residual, &jacobian);
-  found.cost = cost_of(found.weight, residual);
-  const Eigen::VectorXd root = found.weight.cwiseSqrt();
-  const Eigen::VectorXd weighted = root.cwiseProduct(residual);
-  bool released = false;
-  for (Index i = 0; i < jacobian.cols(); ++i) {
-    if (!found.at_bound[static_cast<std::size_t>(i)]) continue;
+  s.problem.evaluate(parameters, residual, &jacobian);
+  const Eigen::VectorXd root = s.weight.cwiseSqrt();
+  residual.array() *= root.array();
+  Eigen::VectorXd out = Eigen::VectorXd::Zero(jacobian.cols());
+  for (Index i = 0; i < out.size(); ++i) {
     const Eigen::VectorXd column = root.cwiseProduct(jacobian.col(i));
-    const double norms = column.norm() * weighted.norm();
-    const double cosine = norms > 0.0 ? column.dot(weighted) / norms : 0.0;
-    released |= pushed_inward(found, problem.model().parameters()[static_cast<std::size_t>(i)],
-                              found.parameters[i], cosine);
+    const double norms = column.norm() * residual.norm();
+    if (norms > 0.0) out[i] = column.dot(residual) / norms;
   }
-  return released;
+  return out;
 }
 
-Fit search(const FitProblem& problem, const Eigen::VectorXd& start, const Eigen::VectorXd& weight,
-           const FitOptions& options) {
-  Fit found = search_once(problem, start, weight, options);
-  // A new search moves parameters off their bounds before it begins.
-  for (int i = 0; release(problem, found) && i < kMostReleases; ++i) {
-    Fit again = search_once(problem, found.parameters, weight, options);
-    release(problem, again);
-    if (again.cost >= found.cost) break;
-    found = again;
+bool near_a_bound(const FitParameter& p, double value, double range) {
+  return std::isfinite(range) && std::min(value - p.lower, p.upper - value) <= kNear * range;
+}
+
+/// Near a bound the transformed search goes wrong both ways: it creeps toward one that acts, and stays on one that does
+/// not, since there the slope is zero. So what is pushed against its bound is set on it, and what is pushed off is moved.
+/// @return whether anything was changed.
+bool settle_bounds(const Search& s, const Fit& found, Eigen::VectorXd& parameters) {
+  const auto& all = s.problem.model().parameters();
+  const BoundedVariables variables(all, parameters);
+  const Eigen::VectorXd push = pushes(s, parameters);
+  bool changed = false;
+  for (Index i = 0; i < parameters.size(); ++i) {
+    const FitParameter& p = all[static_cast<std::size_t>(i)];
+    if (p.lower == p.upper || !near_a_bound(p, parameters[i], variables.range(i))) continue;
+    const bool low = parameters[i] - p.lower < p.upper - parameters[i];
+    const bool inward = low ? push[i] < -kPush : push[i] > kPush;
+    const bool outward = low ? push[i] > kPush : push[i] < -kPush;
+    const double before = parameters[i];
+    if (inward && found.at_bound[static_cast<std::size_t>(i)]) parameters[i] = moved_inside(p, before);
+    if (outward) parameters[i] = low ? p.lower : p.upper;
+    changed |= parameters[i] != before;
+  }
+  return changed;
+}
+
+Fit search(const Search& s, const Eigen::VectorXd& start) {
+  Fit found = search_once(s, start, std::min(kEvaluationsAtFirst, s.options.most_evaluations));
+  for (int round = 0; round < kMostRounds; ++round) {
+    Eigen::VectorXd from = found.parameters;
+    const bool changed = settle_bounds(s, found, from);
+    if (found.converged && !changed) break;
+    Fit next = search_once(s, from, s.options.most_evaluations);
+    const bool better = next.cost < found.cost * (1.0 - kTolerance);
+    if (!better && found.converged) break;
+    if (better || next.converged) found = std::move(next);
   }
   return found;
 }
@@ -121,7 +154,7 @@ void reweight(const FitProblem& problem, RobustLoss loss, const FitOptions& opti
     problem.evaluate(found.parameters, residual, nullptr);
     const Eigen::VectorXd weight =
         problem.weight().cwiseProduct(robust_weights(residual, robust_scale(residual), loss));
-    Fit next = search(problem, found.parameters, weight, options);
+    Fit next = search({problem, weight, options}, found.parameters);
     const bool done = settled(found.parameters, next.parameters);
     found = std::move(next);
     if (done) return;
@@ -142,6 +175,12 @@ std::vector<Eigen::VectorXd> starts(const std::vector<FitParameter>& parameters,
       }
     }
   }
+  for (Eigen::VectorXd& start : out) {
+    for (Index i = 0; i < start.size(); ++i) {
+      const FitParameter& p = parameters[static_cast<std::size_t>(i)];
+      if (p.lower < p.upper) start[i] = moved_inside(p, start[i]);
+    }
+  }
   if (out.size() > static_cast<std::size_t>(most)) out.resize(static_cast<std::size_t>(most));
   return out;
 }
@@ -155,8 +194,13 @@ void apply_robust_loss(const FitProblem& problem, const FitOptions& options, Fit
 }  // namespace
 
 Fit fit_from(const FitProblem& problem, const Eigen::VectorXd& start, const FitOptions& options) {
-  Fit found = search(problem, start, problem.weight(), options);
-  apply_robust_loss(problem, options, found);
+  Fit found;
+  found.parameters = start;
+  if (options.loss == RobustLoss::kNone) {
+    found = search({problem, problem.weight(), options}, start);
+  } else {
+    apply_robust_loss(problem, options, found);
+  }
   found.starts = 1;
   return found;
 }
@@ -165,11 +209,8 @@ Fit fit(const FitProblem& problem, const FitOptions& options) {
   Fit best;
   const auto all = starts(problem.model().parameters(), options.most_starts);
   for (const Eigen::VectorXd& start : all) {
-    Fit found = search(problem, start, problem.weight(), options);
-    if (best.starts++ == 0 || found.cost < best.cost) {
-      found.starts = best.starts;
-      best = std::move(found);
-    }
+    Fit found = search({problem, problem.weight(), options}, start);
+    if (best.parameters.size() == 0 || found.cost < best.cost) best = std::move(found);
   }
   apply_robust_loss(problem, options, best);
   best.starts = static_cast<int>(all.size());

@@ -8,7 +8,7 @@ namespace sprung::identification {
 
 namespace {
 
-constexpr double kHuber = 1.345;
+constexpr double kHuber = 3.0;
 constexpr double kTukey = 4.685;
 
 double weight(double deviations, RobustLoss loss) {

@@ -7,8 +7,8 @@ namespace sprung::identification {
 /// How far residuals beyond a few standard deviations (1.4826 times the median of |residual|) count.
 enum class RobustLoss {
   kNone,   ///< squared, however far
-  kHuber,  ///< linear beyond 1.345: 95 % efficient for a normal distribution, convex
-  kTukey,  ///< nothing beyond 4.685; the same efficiency, begins at Huber's solution
+  kHuber,  ///< linear beyond 3: convex; what a model leaves out is within 3, what a bad sample does is beyond
+  kTukey,  ///< nothing beyond 4.685; begins at Huber's solution
 };
 
 /// 1.4826 times the median of |residual|: the standard deviation, were they normal. 0 for no residuals.

@@ -30,7 +30,7 @@ TEST(BoundedVariables, StartInsideIsKept) {
 TEST(BoundedVariables, NoVariableLeadsOutOfTheBounds) {
   const BoundedVariables variables(all_kinds(), initials());
   for (double u = -50.0; u < 50.0; u += 0.37) {
-    const Eigen::VectorXd x = variables.parameters(Eigen::VectorXd::Constant(5, u));
+    const Eigen::VectorXd x = variables.parameters(Eigen::VectorXd::Constant(4, u));
     EXPECT_EQ(x[0], u);
     EXPECT_GE(x[1], 1.0);
     EXPECT_LE(x[2], 0.5);
@@ -43,21 +43,42 @@ TEST(BoundedVariables, NoVariableLeadsOutOfTheBounds) {
 TEST(BoundedVariables, SlopeIsTheDerivative) {
   const BoundedVariables variables(all_kinds(), initials());
   for (double u = -3.0; u < 3.0; u += 0.21) {
-    const auto at = [&](double value) { return variables.parameters(Eigen::VectorXd::Constant(5, value)); };
-    const Eigen::VectorXd difference = (at(u + 1e-5) - at(u - 1e-5)) / 2e-5;
-    EXPECT_LT((difference - variables.slope(Eigen::VectorXd::Constant(5, u))).norm(), 1e-8) << u;
+    const auto at = [&](double value) { return variables.parameters(Eigen::VectorXd::Constant(4, value)); };
+    const Eigen::VectorXd difference = ((at(u + 1e-5) - at(u - 1e-5)) / 2e-5).head(4);
+    EXPECT_LT((difference - variables.slope(Eigen::VectorXd::Constant(4, u))).norm(), 1e-8) << u;
   }
 }
 
-TEST(BoundedVariables, StartOnABoundIsMovedInsideWhereTheSlopeIsNotZero) {
+TEST(BoundedVariables, MovedInsideTheSlopeIsNotZero) {
   Eigen::VectorXd start = initials();
   start[1] = 1.0;
   start[2] = 0.5;
   start[3] = 2.0;
+  for (const int i : {1, 2, 3}) start[i] = moved_inside(all_kinds()[static_cast<std::size_t>(i)], start[i]);
   const BoundedVariables variables(all_kinds(), start);
   const Eigen::VectorXd slope = variables.slope(variables.start());
-  for (const int i : {1, 2, 3}) EXPECT_GT(std::abs(slope[i]), 1e-3) << i;
-  EXPECT_FALSE(variables.at_bound(variables.parameters(variables.start()), 1));
+  for (const int i : {1, 2, 3}) {
+    EXPECT_GT(std::abs(slope[i]), 1e-3) << i;
+    EXPECT_FALSE(variables.at_bound(variables.parameters(variables.start()), i)) << i;
+  }
+}
+
+TEST(BoundedVariables, MovedInsideLeavesWhatIsInside) {
+  for (const int i : {0, 1, 2, 3})
+    EXPECT_EQ(moved_inside(all_kinds()[static_cast<std::size_t>(i)], initials()[i]), initials()[i]) << i;
+}
+
+TEST(BoundedVariables, WhatStartsOnABoundOrHasNoRoomIsNoVariable) {
+  Eigen::VectorXd start = initials();
+  start[1] = 1.0;
+  start[3] = 2.0;
+  const BoundedVariables variables(all_kinds(), start);
+  EXPECT_THAT(variables.free(), testing::ElementsAre(0, 2));
+  Eigen::VectorXd moved = start;
+  moved[0] = 5.0;
+  Eigen::VectorXd u = variables.start();
+  u[0] = 5.0;
+  EXPECT_LT((variables.parameters(u) - moved).norm(), 1e-12);
 }
 
 TEST(BoundedVariables, KnowsWhatLiesOnABound) {

@@ -1,0 +1,62 @@
+#include "estimator/identification/model_selection.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace sprung::identification {
+
+namespace {
+
+std::size_t smallest_error(const std::vector<Candidate>& candidates) {
+  const auto best = std::max_element(
+      candidates.begin(), candidates.end(),
+      [](const Candidate& a, const Candidate& b) { return a.validation.r2() < b.validation.r2(); });
+  return static_cast<std::size_t>(best - candidates.begin());
+}
+
+bool simpler(const Candidate& a, const Candidate& b) {
+  if (a.parameters != b.parameters) return a.parameters < b.parameters;
+  return a.validation.r2() > b.validation.r2();
+}
+
+std::string said(const Candidate& candidate) {
+  return "'" + candidate.name + "' (" + std::to_string(candidate.parameters) + " parameters)";
+}
+
+std::string reason(const Candidate& best, const Candidate& chosen) {
+  if (&best == &chosen)
+    return said(chosen) +
+           " has the smallest error on left-out blocks, and nothing simpler comes within one standard error "
+           "of it";
+  const Difference behind = difference(chosen.validation, best.validation);
+  char text[160];
+  std::snprintf(text, sizeof text, " by %.5f of the variance, within the standard error %.5f of that",
+                behind.mean, behind.standard_error);
+  return said(chosen) + " is behind the best one, " + said(best) + ", only" + text +
+         "; nothing simpler is as close";
+}
+
+}  // namespace
+
+const char* selection_criterion() {
+  return "blocked cross-validation inside the training part with the one-standard-error rule: of the models "
+         "whose mean "
+         "squared error on left-out blocks is behind the best one's by no more than the standard error of "
+         "that "
+         "difference, the one with the fewest parameters";
+}
+
+Selection select(const std::vector<Candidate>& candidates) {
+  Selection out;
+  out.best = out.chosen = smallest_error(candidates);
+  const Candidate& best = candidates[out.best];
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const Difference behind = difference(candidates[i].validation, best.validation);
+    if (behind.mean <= behind.standard_error && simpler(candidates[i], candidates[out.chosen]))
+      out.chosen = i;
+  }
+  out.why = reason(best, candidates[out.chosen]);
+  return out;
+}
+
+}  // namespace sprung::identification
