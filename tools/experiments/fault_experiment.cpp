@@ -75,13 +75,9 @@ class FaultRun {
     }
     return false;
   }
-  bool has_kinematics() const {
-    return std::any_of(config_.legs.begin(), config_.legs.end(),
-                       [](const LegConfig& leg) { return leg.kinematics != "none"; });
-  }
-  /// Stands; a robot whose legs have no kinematics is as far as it gets when safety lets it move.
+  /// Stands; a robot that has nothing to stand on is as far as it gets when safety lets it move.
   bool stand() {
-    if (!has_kinematics()) {
+    if (!config_.has_feet()) {
       advance(kReady_s);
       return operational();
     }
