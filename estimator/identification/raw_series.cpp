@@ -14,8 +14,11 @@ using Index = Eigen::Index;
 using Signal = std::vector<double>;
 
 constexpr double kShortestWindow_s = 0.03;
-constexpr int kFewestSamples =
-    9;  ///< in a window; of the data at hand 9 samples at 100 Hz served the fits best
+/// In a window. The rotor's own inertia shows in fast changes of speed: on UR10e joint 1 at 100 Hz the training half's
+/// cross-validated R2 is 0.9953 with 3 samples, 0.9928 with 5, 0.9910 with 9 (Coulomb + viscous). Positions alone need more:
+/// their second derivative is noisier.
+constexpr int kFewestVelocities = 3;
+constexpr int kFewestPositions = 9;
 
 struct NamedSignal {
   const char* name;
@@ -123,9 +126,9 @@ Eigen::VectorXd interpolate(const Signal& time_s, const Signal& values, const Ei
 }
 
 void differentiate(JointDataset& data, const PrepareOptions& options) {
-  const double window_s = options.smoothing_s > 0.0
-                              ? options.smoothing_s
-                              : std::max(kShortestWindow_s, kFewestSamples * data.period_s);
+  const int fewest = data.velocity_rad_s.size() > 0 ? kFewestVelocities : kFewestPositions;
+  const double window_s =
+      options.smoothing_s > 0.0 ? options.smoothing_s : std::max(kShortestWindow_s, fewest * data.period_s);
   const int half = std::max(1, static_cast<int>(std::lround((window_s / data.period_s - 1.0) / 2.0)));
   const int degree = std::max(2, options.smoothing_degree);
   if (data.velocity_rad_s.size() > 0) {
