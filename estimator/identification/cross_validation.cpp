@@ -66,6 +66,20 @@ double variance_of(const FitModel& model, const std::vector<FitPiece>& training)
   return (measured.array() - measured.mean()).square().mean();
 }
 
+bool acts(const FitParameter& parameter, double value) {
+  const bool low = value - parameter.lower < parameter.upper - value;
+  return (low ? parameter.lower : parameter.upper) != 0.0;
+}
+
+bool out_of_bounds(const FitModel& model, const Fit& found) {
+  for (std::size_t i = 0; i < found.at_bound.size(); ++i) {
+    const double value = found.parameters[static_cast<Index>(i)];
+    const FitParameter& parameter = model.parameters()[i];
+    if (found.at_bound[i] && parameter.lower != parameter.upper && acts(parameter, value)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 double CrossValidation::r2() const { return 1.0 - mean(mean_square); }
@@ -91,11 +105,12 @@ CrossValidation cross_validate(const FitModel& model, const std::vector<FitPiece
                                 std::to_string(blocks) + " blocks; record longer");
   const double variance = variance_of(model, training);
   // The whole training part settles which valley; the blocks' fits begin there.
-  const Eigen::VectorXd start = fit(FitProblem(model, training), options.fit).parameters;
+  const Fit whole = fit(FitProblem(model, training), options.fit);
   CrossValidation out;
+  out.out_of_bounds = out_of_bounds(model, whole);
   for (Index b = 0; b < blocks; ++b) {
     const Fold one = fold(training, samples * b / blocks, samples * (b + 1) / blocks);
-    out.mean_square.push_back(mean_square(model, one, start, options.fit) / variance);
+    out.mean_square.push_back(mean_square(model, one, whole.parameters, options.fit) / variance);
   }
   return out;
 }

@@ -15,7 +15,10 @@ struct CrossValidationOptions {
 
 struct CrossValidation {
   std::vector<double> mean_square;  ///< of the residual in each block, over the variance of the training data
-  double r2() const;                ///< 1 - mean of mean_square
+  /// The fit to the whole training part ends on a bound other than zero: the data ask for more than the term can mean (half
+  /// of the friction from one direction, a load share beyond self-locking), so it stands for something else.
+  bool out_of_bounds = false;
+  double r2() const;  ///< 1 - mean of mean_square
 };
 
 /// What `a` is worse by than `b`: mean over blocks and the standard error of that mean, as shares of the variance. The same

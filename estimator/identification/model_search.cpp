@@ -52,9 +52,9 @@ class Search {
       JointTerms more = terms;
       more.push_back(term);
       if (free_parameters(JointModel(sorted(more), data())) > options_.most_parameters) continue;
-      const double r2 = validate(more).validation.r2();
-      if (r2 > best_r2) {
-        best_r2 = r2;
+      const CrossValidation& validation = validate(more).validation;
+      if (validation.r2() > best_r2 && !validation.out_of_bounds) {
+        best_r2 = validation.r2();
         best = more;
       }
     }

@@ -24,7 +24,8 @@ struct TriedModel {
 /// Coulomb; + viscous; + Stribeck; + load and asymmetry; + presliding.
 std::vector<JointTerms> named_models();
 
-/// A term is added while one lessens the mean error on left-out blocks; of several the one that lessens it most.
+/// A term is added while one lessens the mean error on left-out blocks and stays within its bounds; of several the one that
+/// lessens it most.
 /// @param progress called with the name of the model that is tried next; may be empty.
 std::vector<TriedModel> search_models(const std::vector<FitPiece>& training, const SearchOptions& options,
                                       const std::function<void(const std::string&)>& progress = {});

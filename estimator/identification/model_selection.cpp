@@ -8,9 +8,11 @@ namespace sprung::identification {
 namespace {
 
 std::size_t smallest_error(const std::vector<Candidate>& candidates) {
-  const auto best = std::max_element(
-      candidates.begin(), candidates.end(),
-      [](const Candidate& a, const Candidate& b) { return a.validation.r2() < b.validation.r2(); });
+  const auto worse = [](const Candidate& a, const Candidate& b) {
+    if (a.validation.out_of_bounds != b.validation.out_of_bounds) return a.validation.out_of_bounds;
+    return a.validation.r2() < b.validation.r2();
+  };
+  const auto best = std::max_element(candidates.begin(), candidates.end(), worse);
   return static_cast<std::size_t>(best - candidates.begin());
 }
 
@@ -36,6 +38,17 @@ std::string reason(const Candidate& best, const Candidate& chosen) {
          "; nothing simpler is as close";
 }
 
+/// Those that would have been better.
+std::string left_out(const std::vector<Candidate>& candidates, const Candidate& best) {
+  std::string out;
+  for (const Candidate& c : candidates) {
+    if (c.validation.out_of_bounds && !best.validation.out_of_bounds &&
+        c.validation.r2() > best.validation.r2())
+      out += "; " + said(c) + " is left out, since its fit ends on a bound";
+  }
+  return out;
+}
+
 }  // namespace
 
 const char* selection_criterion() {
@@ -43,7 +56,8 @@ const char* selection_criterion() {
          "whose mean "
          "squared error on left-out blocks is behind the best one's by no more than the standard error of "
          "that "
-         "difference, the one with the fewest parameters";
+         "difference, the one with the fewest parameters; models whose fit ends on a bound other than zero "
+         "are left out";
 }
 
 Selection select(const std::vector<Candidate>& candidates) {
@@ -51,11 +65,12 @@ Selection select(const std::vector<Candidate>& candidates) {
   out.best = out.chosen = smallest_error(candidates);
   const Candidate& best = candidates[out.best];
   for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (candidates[i].validation.out_of_bounds != best.validation.out_of_bounds) continue;
     const Difference behind = difference(candidates[i].validation, best.validation);
     if (behind.mean <= behind.standard_error && simpler(candidates[i], candidates[out.chosen]))
       out.chosen = i;
   }
-  out.why = reason(best, candidates[out.chosen]);
+  out.why = reason(best, candidates[out.chosen]) + left_out(candidates, best);
   return out;
 }
 

@@ -46,6 +46,23 @@ TEST(CrossValidation, DifferenceIsTakenBlockByBlock) {
   EXPECT_NEAR(found.standard_error, 0.5 / std::sqrt(3.0), 1e-12);
 }
 
+TEST(CrossValidation, ABoundOtherThanZeroThatActsIsSaid) {
+  JointDataset data = swinging_joint(400);
+  const std::vector<FitPiece> pieces = {whole(data)};
+  CrossValidationOptions options;
+  options.blocks = 4;
+  const auto strained = [&](double lower, double upper, double torque) {
+    std::vector<FitPiece> changed = pieces;
+    changed[0].data.measured_torque.setConstant(torque);
+    changed[0].data.measured_torque[7] += 0.1;  // a variance
+    const LinearModel model("bounded", {{"offset", "Nm", 1.0, lower, upper}}, {offset_column});
+    return cross_validate(model, changed, options).out_of_bounds;
+  };
+  EXPECT_TRUE(strained(0.0, 2.0, 3.0));
+  EXPECT_FALSE(strained(0.0, 4.0, 3.0));
+  EXPECT_FALSE(strained(0.0, 4.0, -3.0)) << "zero only switches the term off";
+}
+
 TEST(CrossValidation, TooFewSamplesAreRefused) {
   EXPECT_THROW(cross_validate(kOffset, ramp(), plain(11)), std::invalid_argument);
   EXPECT_THROW(cross_validate(kOffset, ramp(), plain(1)), std::invalid_argument);

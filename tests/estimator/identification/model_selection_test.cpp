@@ -31,6 +31,14 @@ TEST(ModelSelection, OfEquallySimpleOnesTheBetterIsChosen) {
   EXPECT_EQ(select(candidates).chosen, 1u);
 }
 
+TEST(ModelSelection, AFitThatEndsOnABoundIsNotChosenWhereAnotherDoesNot) {
+  const std::vector<Candidate> candidates = {{"sound", 4, {{0.3, 0.4}}}, {"strained", 9, {{0.1, 0.2}, true}}};
+  const Selection found = select(candidates);
+  EXPECT_EQ(found.chosen, 0u);
+  EXPECT_THAT(found.why, HasSubstr("'strained' (9 parameters) is left out, since its fit ends on a bound"));
+  EXPECT_EQ(select({candidates[1]}).chosen, 0u) << "but something must be chosen";
+}
+
 TEST(ModelSelection, OneCandidateIsChosen) { EXPECT_EQ(select({{"only", 4, {{0.1, 0.2}}}}).chosen, 0u); }
 
 TEST(ModelSelection, TheRuleIsSaid) { EXPECT_THAT(selection_criterion(), HasSubstr("one-standard-error")); }
