@@ -98,9 +98,11 @@ struct JointConfig {
   JointUncertainty uncertainty;
   ThermalParameters thermal;  ///< of the gear; no time constant: its temperature is not known
 
-  FrictionParameters papers_friction() const noexcept;
+  FrictionParameters papers_friction() const noexcept { return coulomb_alone(coulomb_friction_Nm); }
   /// The best that is known: identified, else the paper's.
-  FrictionParameters estimated_friction() const noexcept;
+  FrictionParameters estimated_friction() const noexcept {
+    return friction ? friction->parameters : papers_friction();
+  }
 };
 
 /// Uniform description of a link; centre of mass from the proximal joint.

@@ -209,16 +209,6 @@ RobotConfig load_robot(const std::string& robot) {
   return config;
 }
 
-FrictionParameters JointConfig::papers_friction() const noexcept {
-  FrictionParameters parameters;
-  parameters.coulomb_Nm = coulomb_friction_Nm;
-  return parameters;
-}
-
-FrictionParameters JointConfig::estimated_friction() const noexcept {
-  return friction ? friction->parameters : papers_friction();
-}
-
 const char* RobotConfig::why_not_standing() const {
   for (const LegConfig& leg : legs) {
     if (leg.kinematics == kNoKinematics) return "this robot's legs have no kinematics: it cannot stand";

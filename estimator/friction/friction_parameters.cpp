@@ -50,6 +50,12 @@ constexpr std::array<Membership, kFrictionParameters> kMembership = {{
 
 }  // namespace
 
+FrictionParameters coulomb_alone(double coulomb_Nm) noexcept {
+  FrictionParameters parameters;
+  parameters.coulomb_Nm = coulomb_Nm;
+  return parameters;
+}
+
 double breakaway_Nm(const FrictionParameters& parameters) noexcept {
   return parameters.coulomb_Nm + parameters.stribeck_Nm;
 }

@@ -29,6 +29,9 @@ struct FrictionParameters {
   double reference_temperature_C = 24.0;  ///< T0; no parameter to fit
 };
 
+/// The simplest law: this torque in either direction.
+FrictionParameters coulomb_alone(double coulomb_Nm) noexcept;
+
 /// Breakaway torque without load: Coulomb plus Stribeck.
 double breakaway_Nm(const FrictionParameters& parameters) noexcept;
 
