@@ -1,0 +1,41 @@
+/// What preset `paper` reproduces stays what it is when a joint of the robot is identified; preset `best` makes use of it.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "robots/robot_loader.h"
+#include "tools/experiments/jump_experiment.h"
+
+namespace sprung {
+namespace {
+
+RobotConfig single_leg(bool identified) {
+  RobotConfig robot = load_robot("single_leg");
+  for (JointConfig& joint : robot.joints) {
+    if (!identified) continue;
+    joint.friction.emplace();
+    joint.friction->model = FrictionModelKind::kViscous;
+    joint.friction->parameters.coulomb_Nm = 7.0;
+    joint.friction->parameters.viscous_Nm_s_rad = 0.2;
+  }
+  return robot;
+}
+
+std::vector<double> figures(bool identified, const std::string& preset) {
+  std::vector<double> values;
+  for (const ReportRow& row :
+       run_jump_experiment(single_leg(identified), preset, SimOptions{}, run_in_process).rows)
+    values.push_back(std::isnan(row.value) ? -1.0 : row.value);
+  return values;
+}
+
+TEST(IdentifiedFriction, FiguresOfPresetPaperStayTheSameToTheBit) {
+  const std::vector<double> before = figures(false, "paper");
+  EXPECT_FALSE(before.empty());
+  EXPECT_EQ(figures(true, "paper"), before);
+}
+
+TEST(IdentifiedFriction, PresetBestMakesUseOfIt) { EXPECT_NE(figures(true, "best"), figures(false, "best")); }
+
+}  // namespace
+}  // namespace sprung
