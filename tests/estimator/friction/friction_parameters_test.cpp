@@ -43,6 +43,11 @@ TEST(FrictionParametersTest, BreakawayIsCoulombPlusStribeck) {
   EXPECT_DOUBLE_EQ(breakaway_Nm(full_friction()), 4.3);
 }
 
+TEST(FrictionParametersTest, CoulombAloneHasEveryOtherTermOff) {
+  EXPECT_EQ(coulomb_alone(1.79).coulomb_Nm, 1.79);
+  EXPECT_EQ(smallest_model(coulomb_alone(1.79)), FrictionModelKind::kCoulomb);
+}
+
 TEST(FrictionParametersTest, EachModelHoldsTheOneBefore) {
   for (std::size_t k = 1; k < kFrictionModels.size(); ++k) {
     int added = 0;
