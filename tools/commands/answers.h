@@ -14,4 +14,7 @@ bool confirmed(const std::string& question, bool yes);
 /// @return whether it went well.
 bool report_answer(const char* what, const std::optional<OperatorAnswer>& answer);
 
+/// The same for what the motion planner answers, with the cycle; after a stop request it says that the robot goes on.
+bool report_motion(const char* what, const std::optional<OperatorAnswer>& answer);
+
 }  // namespace sprung::commands

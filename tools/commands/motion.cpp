@@ -6,6 +6,7 @@
 #include "runtime/stop_request.h"
 #include "tools/client/cycle_collector.h"
 #include "tools/client/operator_client.h"
+#include "tools/commands/answers.h"
 #include "tools/commands/commands.h"
 #include "tools/experiments/jump_table.h"
 
@@ -37,33 +38,20 @@ JumpMode jump_mode(const std::string& text) {
   return text == "torque" ? JumpMode::kTorque : JumpMode::kHybrid;
 }
 
-int say(const char* what, const std::optional<OperatorAnswer>& answer) {
-  if (!answer) {
-    std::fprintf(stderr, "%s: %s\n", what,
-                 stop_requested() ? "not waited for; the robot goes on. To end it: sprung stop"
-                                  : "no answer from the motion planner. See: sprung status");
-    return kExitFailed;
-  }
-  const bool bad =
-      answer->outcome == OperatorOutcome::kRefused || answer->outcome == OperatorOutcome::kFailed;
-  std::fprintf(bad ? stderr : stdout, "%s: %s%s%s", what, name(answer->outcome),
-               answer->reason.empty() ? "" : ": ", answer->reason.c_str());
-  std::fprintf(bad ? stderr : stdout, answer->took_effect_at_seq >= 0 ? " (cycle %lld)\n" : "\n",
-               static_cast<long long>(answer->took_effect_at_seq));
-  std::fflush(stdout);
-  return bad ? kExitFailed : kExitDone;
+int exit_status(const char* what, const std::optional<OperatorAnswer>& answer) {
+  return report_motion(what, answer) ? kExitDone : kExitFailed;
 }
 
 int run_motion(const char* what, OperatorCommand command, const MotionRequest& request) {
   OperatorClient client(require_running(request.instance, request.robot));
   command.apply_at_seq = request.at_seq;
   const std::optional<OperatorAnswer> answer = client.send(command, kAnswer_s);
-  const int status = say(what, answer);
+  const int status = exit_status(what, answer);
   const bool under_way = answer && status == kExitDone && answer->outcome != OperatorOutcome::kDone;
   if (!under_way || request.no_wait) {
     return status;
   }
-  return say(what, client.wait_done(command, kSilence_s));
+  return exit_status(what, client.wait_done(command, kSilence_s));
 }
 
 /// Measures while the robot jumps: needs SIM_TRUTH, so simulated drives.
@@ -78,7 +66,7 @@ int run_reported_jump(const OperatorCommand& order, const MotionRequest& request
   OperatorClient client(info);
   OperatorCommand command = order;
   command.apply_at_seq = request.at_seq;
-  int status = say("jump", client.send(command, kAnswer_s));
+  int status = exit_status("jump", client.send(command, kAnswer_s));
   const auto measure = [&](const CycleRecord& cycle) {
     metrics.add(cycle.motion_state, cycle.joint_state, cycle.truth);
   };
@@ -93,7 +81,7 @@ int run_reported_jump(const OperatorCommand& order, const MotionRequest& request
     collector.wait(kLook_s);
     collector.collect(measure, [](const OperatorReply&) {});
   }
-  status = status == kExitDone ? say("jump", done) : status;
+  status = status == kExitDone ? exit_status("jump", done) : status;
   std::printf("%scycles %lld, without a command %lld, overruns %lld, lost on the way to this table %lld\n",
               jump_table(metrics.jumps()).c_str(), static_cast<long long>(collector.last_cycle() + 1),
               static_cast<long long>(collector.missed_cycles()), static_cast<long long>(collector.overruns()),

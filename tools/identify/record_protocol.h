@@ -1,0 +1,55 @@
+#pragma once
+/// The motion that shows a joint's friction, inertia and weight: which moves, from the joint's limits alone. Pure.
+///
+///   stops      at seven angles, upward and downward: weight, and friction at rest from both sides
+///   speeds     eight constant speeds, spaced evenly in their logarithm, both ways: friction over speed
+///   swings     back and forth with two accelerations: inertia
+///
+/// and back to where the joint was.
+#include <vector>
+
+#include "planner/joint_limits.h"
+
+namespace sprung::identify {
+
+/// What moves may use; all within what the robot allows.
+struct RecordRange {
+  double low_rad = 0.0;  ///< of set-points
+  double high_rad = 0.0;
+  double speed_rad_s = 0.0;
+  double acceleration_rad_s2 = 0.0;
+};
+
+/// Narrower than robot.yaml's limits by what a joint lags behind and overshoots at the accelerations below (at most a
+/// quarter of the way on each side). Speed: half the limit. Acceleration: its armature takes 15 % of the actuator's torque,
+/// and lags by no more than 0.03 rad under the drive's position loop.
+/// @throws std::invalid_argument naming the joint when its limits leave nothing to move in.
+RecordRange record_range(const RobotConfig& robot, int joint);
+
+/// That range, narrowed by an operator. NaN: as it is. @throws std::invalid_argument where nothing is left.
+RecordRange narrowed(const RecordRange& range, double low_rad, double high_rad, double speed_rad_s);
+
+enum class RecordPart { kApproach, kStops, kSpeeds, kSwings, kReturn };
+const char* name(RecordPart part) noexcept;
+
+struct RecordMove {
+  RecordPart part = RecordPart::kApproach;
+  double target_rad = 0.0;
+  double speed_rad_s = 0.0;
+  double acceleration_rad_s2 = 0.0;
+  double pause_s = 0.0;  ///< at rest, after it
+};
+
+struct RecordOptions {
+  double longest_pass_s = 4.0;  ///< of one pass at constant speed: slow ones cover a part of the way
+  double pause_s = 0.3;         ///< at each stop
+};
+
+/// @param from_rad where the joint is; from beyond the range it returns to the range's nearest end.
+std::vector<RecordMove> record_protocol(const RecordRange& range, double from_rad,
+                                        const RecordOptions& options = {});
+
+/// Of all moves and pauses.
+double duration_s(const std::vector<RecordMove>& moves, double from_rad);
+
+}  // namespace sprung::identify
