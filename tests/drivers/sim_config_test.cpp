@@ -149,6 +149,29 @@ TEST_F(SimConfigTest, EncoderCardsAreAllListedOrNone) {
             std::string::npos);
 }
 
+TEST_F(SimConfigTest, TorqueSensorIsOptionalAndSitsAtAJointThatThereIs) {
+  EXPECT_FALSE(load_sim_config(robot_, {}).torque_sensor.has_value());
+  const auto with = [](const std::string& joint) {
+    return "torque_sensor: {joint: " + joint + ", rate: 300 Hz, noise: 0.1 Nm, resolution: 0.02 Nm}\ntiming:";
+  };
+  const TorqueSensorConfig sensor = load_with("timing:", with("knee")).torque_sensor.value();
+  EXPECT_EQ(sensor.joint, 1);
+  EXPECT_EQ(sensor.rate_Hz, 300.0);
+  EXPECT_EQ(sensor.noise_Nm, 0.1);
+  EXPECT_EQ(sensor.resolution_Nm, 0.02);
+  EXPECT_NE(refusal("timing:", with("elbow")).find("elbow"), std::string::npos);
+}
+
+TEST_F(SimConfigTest, GearsAreElasticOrRigidAndTheAirHasATemperature) {
+  EXPECT_TRUE(load_with("  floor_height:", "  gears: elastic\n  floor_height:").plant.torsion);
+  const PlantConfig plant =
+      load_with("  floor_height:", "  gears: rigid\n  ambient: 30 degC\n  floor_height:").plant;
+  EXPECT_FALSE(plant.torsion);
+  EXPECT_EQ(plant.ambient_degC, 30.0);
+  EXPECT_NE(refusal("  floor_height:", "  gears: soft\n  floor_height:").find("elastic or rigid"),
+            std::string::npos);
+}
+
 TEST_F(SimConfigTest, PlantChangesAct) {
   const SimConfig config = load_sim_config(robot_, {{"friction_scale", 1.2},
                                                     {"mass_scale", 0.9},
