@@ -53,11 +53,12 @@ const ActuatorState& DriveSampler::state(const std::vector<ActuatorState>& actua
 void DriveSampler::sample(const std::vector<ActuatorState>& actuators,
                           std::vector<JointSample>& samples) const noexcept {
   const int n = transmission_.size();
-  JointVector position(n), torque(n);
+  JointVector position(n), link(n), torque(n);
   for (int i = 0; i < n; ++i) {
     const ActuatorState& s = state(actuators, i);
     // 0 * NaN is NaN: without this a drive would spoil joints that it does not move.
     position[i] = finite(s) ? s.measured_position_rad : 0.0;
+    link[i] = s.measured_link_position_rad;
     torque[i] =
         finite(s) ? torque_per_A(actuators_[static_cast<std::size_t>(i)]) * s.measured_current_A : 0.0;
   }
@@ -67,9 +68,20 @@ void DriveSampler::sample(const std::vector<ActuatorState>& actuators,
     JointSample& out = samples[static_cast<std::size_t>(j)];
     out = joint_sample(j, actuators);
     out.measured_position_rad = joint_position[j];
+    out.measured_link_position_rad = joint_link(j, link);
+    out.motor_angle_rad = position[j] * actuators_[static_cast<std::size_t>(j)].gear_ratio;
     out.motor_torque_Nm = joint_torque[j];
     out.current_quantisation_Nm = quantisation_Nm_[j];
   }
+}
+
+/// NaN where a link encoder that this joint needs is missing.
+double DriveSampler::joint_link(int joint, const JointVector& link_rad) const noexcept {
+  JointVector used = link_rad;
+  for (int i = 0; i < transmission_.size(); ++i) {
+    if (!transmission_.couples(joint, i)) used[i] = 0.0;  // 0 * NaN is NaN
+  }
+  return used.allFinite() ? transmission_.joint_from_actuator(used)[joint] : kNaN;
 }
 
 JointSample DriveSampler::joint_sample(int joint,

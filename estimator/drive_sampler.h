@@ -21,6 +21,7 @@ class DriveSampler {
   double encoder_step_rad(int joint) const noexcept;
 
  private:
+  double joint_link(int joint, const JointVector& link_rad) const noexcept;
   JointSample joint_sample(int joint, const std::vector<ActuatorState>& actuators) const noexcept;
   const ActuatorState& state(const std::vector<ActuatorState>& actuators, int i) const noexcept;
 

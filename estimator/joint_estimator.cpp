@@ -1,34 +1,75 @@
 #include "estimator/joint_estimator.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <stdexcept>
+#include <string>
 
 #include "estimator/coulomb_friction.h"
 #include "estimator/torque_bound.h"
+#include "estimator/torsion_sensor.h"
 
 namespace sprung {
 namespace {
 
-// 120 Hz: RMS error of the gear output torque in tests/estimator's push-off, right model, without and with 1 us of sampling
-// jitter: 60 Hz 2.8 and 2.8 Nm, 90 Hz 2.0 and 2.1, 120 Hz 1.6 and 2.1, 160 Hz 1.3 and 3.1, 220 Hz 1.1 and 6.2.
-constexpr double kBandwidth_rad_s = 2.0 * 3.14159265358979 * 120.0;
-constexpr double kLag_s = 2.0 / kBandwidth_rad_s;
-/// The filter's slowest error is below 1 % after this many times 1 / bandwidth.
-constexpr double kSettlingBandwidths = 10.0;
-constexpr double kUniformStd = 0.2886751345948129;  // of a quantisation step: 1 / sqrt(12)
+/// Random walk of the gear output torque: 1.8 Nm in 1 ms. Tuned on hybrid jumps (docs/estimation.md): half as much is 1 Nm worse at
+/// a landing on 60 kN/m, twice as much as much noisier in the push-off.
+constexpr double kLoadWalk_Nm_sqrt_s = 57.0;
+/// Of the instant at which a drive reads its encoder; facts physics 11: more than 1 us shows in every derivative.
+constexpr double kSamplingJitter_s = 2e-6;
+/// Share of the newest current in the mean over a cycle: drives hold each value for one turn of their loop, four in a cycle
+/// (facts A1, 4 kHz), so that the newest counts (4 + 1) / (2 * 4).
+constexpr double kNewestShare = 0.625;
+/// The estimate is good this long after the start.
+constexpr double kSettling_s = 0.013;
+/// An encoder step is spread evenly: 1 / sqrt 12.
+constexpr double kUniformStd = 0.2886751345948129;
+/// Of a drive's current, joint side (facts C2).
+constexpr double kCurrentNoise_Nm = 0.5;
+/// At the start the load is known as well as breakaway friction lets it be; what is not identified may be this much.
+constexpr double kStartStd_Nm = 10.0;
+/// Slower cycles cannot follow a leg's impact: 4 ms are half of its rise on soft ground.
+constexpr double kLongestCycle_s = 1.0 / 250.0;
+constexpr double kLeastArmature_kg_m2 = 1e-9;
+
+std::string too_slow(double cycle_s) {
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "robot.yaml: key 'cycle_rate': found %g Hz, expected at least %.0f Hz, below which the "
+                "estimator cannot "
+                "follow a joint: raise it",
+                1.0 / cycle_s, 1.0 / kLongestCycle_s);
+  return text;
+}
+
+/// A joint without armature in its file has no inertia to divide by: its filter then follows the encoder alone.
+double inertia(const JointConfig& joint) noexcept {
+  return std::max(joint.armature_kg_m2, kLeastArmature_kg_m2);
+}
+
+double walk_density(const JointConfig& joint) noexcept {
+  const double walk_rad_s2 = kLoadWalk_Nm_sqrt_s / inertia(joint);
+  return walk_rad_s2 * walk_rad_s2;
+}
 
 }  // namespace
 
 JointEstimator::JointEstimator(const JointConfig& joint, double cycle_s, double encoder_step_rad,
                                int longest_coast_cycles)
     : joint_(joint),
-      gains_(solve_tracking_gains(cycle_s, kBandwidth_rad_s)),
-      acceleration_std_rad_s2_(gains_.acceleration_std_1_s2 * encoder_step_rad * kUniformStd),
+      encoder_step_rad_(encoder_step_rad),
       longest_coast_cycles_(longest_coast_cycles),
-      settling_samples_(static_cast<int>(std::ceil(kSettlingBandwidths / (kBandwidth_rad_s * cycle_s)))) {}
+      settling_samples_(static_cast<int>(std::ceil(kSettling_s / cycle_s))),
+      filter_(walk_density(joint)),
+      friction_(joint),
+      temperature_(joint.estimated_friction(), joint.thermal) {
+  if (!(cycle_s > 0.0 && cycle_s <= kLongestCycle_s)) throw std::invalid_argument(too_slow(cycle_s));
+  temperature_.reset();
+}
 
 void JointEstimator::reset() noexcept {
-  state_ = {};
-  motor_torque_Nm_ = output_torque_Nm_ = kNaN;
+  motor_torque_Nm_ = kNaN;
   input_rad_s2_ = 0.0;
   fresh_samples_ = 0;
   coasted_cycles_ = 0;
@@ -38,6 +79,7 @@ void JointEstimator::step(const JointSample& sample, double dt_s, EstimatedJoint
   const bool was_stale = coasted_cycles_ > longest_coast_cycles_;
   if (sample.fresh && was_stale) reset();
   if (fresh_samples_ > 0) {
+    follow_temperature(sample, out.external_torque_Nm, dt_s);
     track(sample, dt_s);
   } else if (sample.fresh) {
     start(sample);
@@ -47,8 +89,12 @@ void JointEstimator::step(const JointSample& sample, double dt_s, EstimatedJoint
   out = EstimatedJoint{};
   out.status = status(sample);
   out.drive_enabled = sample.drive_enabled;
+  out.identified = joint_.friction.has_value();
   if (fresh_samples_ > 0) write_motion(out);
-  if (fresh_samples_ > 0 && out.status != JointStatus::kStale) write_torques(dt_s, out);
+  if (fresh_samples_ > 0 && out.status != JointStatus::kStale) {
+    write_torques(out);
+    if (sample.fresh) fuse_torsion(sample, out);
+  }
 }
 
 /// At rest, and the link balances the motor: nothing accelerates, so nothing jumps.
@@ -56,33 +102,57 @@ void JointEstimator::start(const JointSample& sample) noexcept {
   reset();
   motor_torque_Nm_ = sample.motor_torque_Nm;
   quantisation_Nm_ = sample.current_quantisation_Nm;
-  state_.position_rad = sample.measured_position_rad;
-  input_rad_s2_ = motor_acceleration(motor_torque_Nm_);
-  state_.unexplained_rad_s2 = -input_rad_s2_;
+  input_rad_s2_ = motor_torque_Nm_ / inertia(joint_);
+  filter_.start(sample.measured_position_rad, -input_rad_s2_, encoder_step_rad_,
+                kStartStd_Nm / inertia(joint_));
+  friction_.start(sample.measured_position_rad, motor_torque_Nm_);
   fresh_samples_ = 1;
 }
 
 void JointEstimator::track(const JointSample& sample, double dt_s) noexcept {
-  if (!sample.fresh) {
+  if (sample.fresh) {
+    use(sample, dt_s);
+    coasted_cycles_ = 0;
+    if (fresh_samples_ < settling_samples_) ++fresh_samples_;
+  } else {
     ++coasted_cycles_;
-    predict(state_, dt_s, input_rad_s2_);
-    return;
+    filter_.predict(dt_s, input_rad_s2_);
   }
-  // The torque acted over the interval; its mean is the best guess that two samples allow.
-  const double input_now = motor_acceleration(sample.motor_torque_Nm);
-  predict(state_, dt_s, 0.5 * (input_rad_s2_ + input_now));
-  correct(state_, gains_, sample.measured_position_rad);
-  motor_torque_Nm_ = sample.motor_torque_Nm;
-  quantisation_Nm_ = sample.current_quantisation_Nm;
-  input_rad_s2_ = input_now;
-  coasted_cycles_ = 0;
-  if (fresh_samples_ < settling_samples_) ++fresh_samples_;
 }
 
-double JointEstimator::motor_acceleration(double motor_torque_Nm) const noexcept {
-  if (!(joint_.armature_kg_m2 > 0.0)) return 0.0;
-  const double friction_Nm = papers_friction(joint_.coulomb_friction_Nm, state_.velocity_rad_s).torque_Nm;
-  return (motor_torque_Nm - friction_Nm) / joint_.armature_kg_m2;
+void JointEstimator::use(const JointSample& sample, double dt_s) noexcept {
+  const double mean_Nm = kNewestShare * sample.motor_torque_Nm + (1.0 - kNewestShare) * motor_torque_Nm_;
+  filter_.predict(dt_s, (mean_Nm - friction_.ahead_Nm(mean_Nm)) / inertia(joint_));
+  filter_.correct(sample.measured_position_rad, sampling_std_rad());
+  motor_torque_Nm_ = sample.motor_torque_Nm;
+  quantisation_Nm_ = sample.current_quantisation_Nm;
+  GearFrictionEstimator::Motion motion;
+  motion.measured_position_rad = sample.measured_position_rad;
+  motion.velocity_rad_s = filter_.velocity_rad_s();
+  motion.velocity_std_rad_s = filter_.velocity_std_rad_s();
+  motion.motor_torque_Nm = motor_torque_Nm_;
+  motion.tracked_output_Nm = -inertia(joint_) * filter_.unexplained_rad_s2();
+  motion.temperature_C = temperature_.temperature_C();
+  motion.dt_s = dt_s;
+  friction_.update(motion);
+  input_rad_s2_ = (motor_torque_Nm_ - friction_.friction_torque_Nm()) / inertia(joint_);
+}
+
+/// By what the last cycle found. Only while the drive moves the joint: whoever moves it by hand is no friction.
+void JointEstimator::follow_temperature(const JointSample& sample, double last_external_Nm,
+                                        double dt_s) noexcept {
+  if (!temperature_.configured()) return;
+  temperature_.predict(friction_.friction_torque_Nm(), filter_.velocity_rad_s(), dt_s);
+  const bool settled = fresh_samples_ >= settling_samples_ && coasted_cycles_ == 0;
+  if (!settled || friction_.at_rest() || !sample.untouched || !sample.drive_enabled) return;
+  FrictionInput at;
+  at.velocity_rad_s = filter_.velocity_rad_s();
+  at.gear_output_torque_Nm = friction_.output_torque_Nm();
+  temperature_.observe(at, -last_external_Nm, dt_s);
+}
+
+double JointEstimator::sampling_std_rad() const noexcept {
+  return std::hypot(kUniformStd * encoder_step_rad_, kSamplingJitter_s * filter_.velocity_rad_s());
 }
 
 JointStatus JointEstimator::status(const JointSample& sample) const noexcept {
@@ -93,29 +163,57 @@ JointStatus JointEstimator::status(const JointSample& sample) const noexcept {
   return sample.drive_status;
 }
 
-void JointEstimator::write_motion(EstimatedJoint& out) const noexcept {
-  out.estimated_position_rad = state_.position_rad;
-  out.estimated_velocity_rad_s = state_.velocity_rad_s;
-  out.estimated_acceleration_rad_s2 = input_rad_s2_ + state_.unexplained_rad_s2;
+/// Motor torque = gear output + friction + armature * acceleration, always. A stuck joint does not accelerate.
+double JointEstimator::acceleration_rad_s2() const noexcept {
+  return (motor_torque_Nm_ - friction_.friction_torque_Nm() - friction_.output_torque_Nm()) / inertia(joint_);
 }
 
-void JointEstimator::write_torques(double dt_s, EstimatedJoint& out) noexcept {
-  out.friction_torque_Nm = papers_friction(joint_.coulomb_friction_Nm, state_.velocity_rad_s).torque_Nm;
-  out.motor_side_torque_Nm = motor_torque_Nm_ - out.friction_torque_Nm;
-  out.gear_output_torque_Nm =
-      out.motor_side_torque_Nm - joint_.armature_kg_m2 * out.estimated_acceleration_rad_s2;
-  const double change_Nm =
-      std::isfinite(output_torque_Nm_) ? out.gear_output_torque_Nm - output_torque_Nm_ : 0.0;
-  output_torque_Nm_ = out.gear_output_torque_Nm;
+void JointEstimator::write_motion(EstimatedJoint& out) const noexcept {
+  out.estimated_position_rad = filter_.position_rad();
+  out.estimated_velocity_rad_s = filter_.velocity_rad_s();
+  out.estimated_acceleration_rad_s2 = acceleration_rad_s2();
+  out.estimated_position_bound_rad = kBoundStds * std::hypot(filter_.position_std_rad(), sampling_std_rad());
+  out.estimated_velocity_bound_rad_s = kBoundStds * filter_.velocity_std_rad_s();
+  out.estimated_acceleration_bound_rad_s2 =
+      kBoundStds * std::hypot(filter_.unexplained_std_rad_s2(), filter_.unexplained_step_rad_s2(),
+                              kCurrentNoise_Nm / inertia(joint_));
+}
+
+void JointEstimator::write_torques(EstimatedJoint& out) const noexcept {
+  out.motor_side_torque_Nm =
+      motor_torque_Nm_ - papers_friction(joint_.coulomb_friction_Nm, filter_.velocity_rad_s()).torque_Nm;
+  out.gear_output_torque_Nm = friction_.output_torque_Nm();
+  out.friction_torque_Nm = friction_.friction_torque_Nm();
+  out.at_rest = friction_.at_rest();
+  out.estimated_temperature_degC = temperature_.temperature_C();
   TorqueBoundInput in;
   in.motor_torque_Nm = motor_torque_Nm_;
-  in.friction_torque_Nm = out.friction_torque_Nm;
+  in.friction_torque_Nm = friction_.friction().torque_Nm;
+  in.by_friction = 1.0 / (1.0 + friction_.friction().by_load);
   in.acceleration_rad_s2 = out.estimated_acceleration_rad_s2;
-  in.acceleration_std_rad_s2 = acceleration_std_rad_s2_;
-  in.output_torque_rate_Nm_s = dt_s > 0.0 ? change_Nm / dt_s : 0.0;
-  in.lag_s = kLag_s;
+  in.filter_std_rad_s2 = friction_.at_rest() ? 0.0 : filter_.unexplained_std_rad_s2();
+  in.filter_step_rad_s2 = friction_.at_rest() ? 0.0 : filter_.unexplained_step_rad_s2();
   in.current_quantisation_Nm = quantisation_Nm_;
-  out.gear_output_torque_bound_Nm = torque_bound_Nm(joint_, in);
+  in.rest_distance_Nm = friction_.rest_distance_Nm();
+  const TorqueBounds bounds = torque_bounds(joint_, in);
+  out.gear_output_torque_bound_Nm = bounds.gear_output_Nm;
+  out.friction_torque_bound_Nm = bounds.friction_Nm;
+}
+
+/// The motor's side follows what is fast, the twist knows what stands still: each where its variance is small. What the output
+/// torque gains, friction loses, or at rest it too.
+void JointEstimator::fuse_torsion(const JointSample& sample, EstimatedJoint& out) noexcept {
+  if (!joint_.torsion) return;
+  const TorsionTorque twist = torsion_torque(*joint_.torsion, sample.measured_position_rad,
+                                             sample.measured_link_position_rad, sample.motor_angle_rad);
+  out.torsion_torque_Nm = twist.torque_Nm;
+  const TorsionTorque motor{out.gear_output_torque_Nm, out.gear_output_torque_bound_Nm / kBoundStds};
+  const TorsionTorque both = fused(motor, twist);
+  out.friction_torque_Nm -= both.torque_Nm - motor.torque_Nm;
+  out.gear_output_torque_Nm = both.torque_Nm;
+  out.gear_output_torque_bound_Nm = kBoundStds * both.std_Nm;
+  out.friction_torque_bound_Nm = std::min(out.friction_torque_bound_Nm, out.gear_output_torque_bound_Nm);
+  friction_.learn_output(both.torque_Nm);
 }
 
 }  // namespace sprung

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "robots/identification_config.h"
+#include "robots/torsion_config.h"
 
 namespace sprung {
 
@@ -97,6 +98,7 @@ struct JointConfig {
   std::optional<IdentifiedFriction> friction;  ///< nothing: the joint is not identified
   JointUncertainty uncertainty;
   ThermalParameters thermal;  ///< of the gear; no time constant: its temperature is not known
+  std::optional<GearTorsion> torsion;  ///< nothing: a link encoder, if there is one, says nothing about torque
 
   FrictionParameters papers_friction() const noexcept { return coulomb_alone(coulomb_friction_Nm); }
   /// The best that is known: identified, else the paper's.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "robots/identification_sections.h"
+#include "robots/torsion_section.h"
 
 namespace sprung::robot_sections {
 
@@ -161,6 +162,7 @@ JointConfig read_joint(const YamlMap& map) {
   joint.coulomb_friction_Nm = map.quantity("coulomb_friction", "Nm", 0, 500);
   joint.friction_source = map.text("friction_source");
   read_identification(map, joint);
+  if (map.has("torsion")) joint.torsion = read_torsion(map.map("torsion"));
   map.finish();
   return joint;
 }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "robots/robot_loader.h"
 
 namespace sprung {
@@ -53,6 +55,17 @@ TEST_F(DriveSamplerTest, BadDriveSpoilsOnlyTheJointsItMoves) {
   robot_.legs[0].transmission = {1.0, 0.5, 0.0, 1.0};
   samples = sample();
   EXPECT_FALSE(samples[0].fresh);
+}
+
+TEST_F(DriveSamplerTest, LinkEncodersAreSeenThroughTheTransmissionAndAMissingOneSpoilsOnlyItsJoints) {
+  EXPECT_TRUE(std::isnan(sample()[0].measured_link_position_rad));
+  EXPECT_DOUBLE_EQ(sample()[0].motor_angle_rad, 100.0);
+  actuators_[0].measured_link_position_rad = 0.9;
+  EXPECT_DOUBLE_EQ(sample()[0].measured_link_position_rad, 0.9);
+  EXPECT_TRUE(std::isnan(sample()[1].measured_link_position_rad));
+  actuators_[1].measured_link_position_rad = 1.1;
+  robot_.legs[0].transmission = {1.0, 0.0, 0.01, 1.0};
+  EXPECT_DOUBLE_EQ(sample()[1].measured_link_position_rad, 1.1 + 0.009);
 }
 
 TEST_F(DriveSamplerTest, OldAnswersAreNotFresh) {

@@ -2,35 +2,63 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace sprung {
 namespace {
 
 JointConfig joint() {
   JointConfig j;
-  j.coulomb_friction_Nm = 2.0;
   j.armature_kg_m2 = 0.5;
+  j.uncertainty = {0.1, 0.02, 0.05, 0.06};
   return j;
 }
 
-TEST(TorqueBoundTest, AtRestFrictionMayHaveEitherSign) {
-  TorqueBoundInput in;
-  EXPECT_DOUBLE_EQ(torque_bound_Nm(joint(), in), 2.0 * (1.0 + kFrictionUncertainty));
-  in.friction_torque_Nm = -2.0;  // moving: the sign is known
-  EXPECT_DOUBLE_EQ(torque_bound_Nm(joint(), in), 2.0 * kFrictionUncertainty);
+TEST(TorqueBoundTest, NothingUncertainIsNoBound) {
+  EXPECT_EQ(torque_bounds(joint(), {}).gear_output_Nm, 0.0);
+  EXPECT_EQ(torque_bounds(joint(), {}).friction_Nm, 0.0);
 }
 
-TEST(TorqueBoundTest, EveryTermAddsItsShareWhateverItsSign) {
+TEST(TorqueBoundTest, EachCauseAloneIsTimesItsStandardDeviations) {
   TorqueBoundInput in;
+  in.friction_torque_Nm = -8.0;
+  EXPECT_NEAR(torque_bounds(joint(), in).gear_output_Nm, kModelStds * 0.8, 1e-12);
+  EXPECT_NEAR(torque_bounds(joint(), in).friction_Nm, kModelStds * 0.8, 1e-12);
+  in = {};
   in.motor_torque_Nm = -100.0;
-  in.friction_torque_Nm = 2.0;
+  EXPECT_NEAR(torque_bounds(joint(), in).gear_output_Nm, kModelStds * 2.0, 1e-12);
+  EXPECT_EQ(torque_bounds(joint(), in).friction_Nm, 0.0);
+  in = {};
   in.acceleration_rad_s2 = -200.0;
-  in.acceleration_std_rad_s2 = 3.0;
-  in.output_torque_rate_Nm_s = -1000.0;
-  in.lag_s = 0.002;
-  in.current_quantisation_Nm = 0.25;
-  const double expected = 2.0 * kFrictionUncertainty + 100.0 * kTorqueConstantUncertainty + 0.25 +
-                          0.5 * (kArmatureUncertainty * 200.0 + 2.0 * 3.0) + 2.0;
-  EXPECT_NEAR(torque_bound_Nm(joint(), in), expected, 1e-12);
+  EXPECT_NEAR(torque_bounds(joint(), in).gear_output_Nm, kModelStds * 0.05 * 0.5 * 200.0, 1e-12);
+  in = {};
+  in.filter_std_rad_s2 = 3.0;
+  EXPECT_NEAR(torque_bounds(joint(), in).gear_output_Nm, kFilterStds * 1.5, 1e-12);
+  in = {};
+  in.filter_step_rad_s2 = -3.0;
+  EXPECT_NEAR(torque_bounds(joint(), in).gear_output_Nm, kFilterStds * 1.5, 1e-12);
+}
+
+TEST(TorqueBoundTest, IndependentCausesAddTheirSquares) {
+  TorqueBoundInput in;
+  in.friction_torque_Nm = 30.0;  // 3 Nm
+  in.motor_torque_Nm = 200.0;    // 4 Nm
+  EXPECT_NEAR(torque_bounds(joint(), in).gear_output_Nm, kModelStds * 5.0, 1e-12);
+}
+
+TEST(TorqueBoundTest, FrictionThatFollowsTheLoadTakesItsShareOfTheModelsErrors) {
+  TorqueBoundInput in;
+  in.motor_torque_Nm = 100.0;
+  in.by_friction = 0.8;
+  EXPECT_NEAR(torque_bounds(joint(), in).gear_output_Nm, 0.8 * kModelStds * 2.0, 1e-12);
+}
+
+TEST(TorqueBoundTest, AtRestAllThatTheGearCanHoldIsInIt) {
+  TorqueBoundInput in;
+  in.rest_distance_Nm = 12.0;
+  EXPECT_DOUBLE_EQ(torque_bounds(joint(), in).gear_output_Nm, 12.0);
+  in.friction_torque_Nm = 8.0;
+  EXPECT_NEAR(torque_bounds(joint(), in).gear_output_Nm, std::hypot(12.0, kModelStds * 0.8), 1e-12);
 }
 
 }  // namespace

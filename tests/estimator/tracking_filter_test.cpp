@@ -4,100 +4,122 @@
 
 #include <cmath>
 #include <random>
-#include <stdexcept>
-#include <string>
 
 namespace sprung {
 namespace {
 
 constexpr double kDt_s = 0.001;
-constexpr double kBandwidth_rad_s = 754.0;
+constexpr double kDensity = 5000.0;  // of a joint of 0.8 kg m^2
+constexpr double kStd_rad = 1.4e-7;  // of a 17-bit encoder behind 100:1
 
-TEST(TrackingFilterTest, BandwidthMustFitTheCycle) {
-  EXPECT_THROW((void)solve_tracking_gains(0.0, 100.0), std::invalid_argument);
-  EXPECT_THROW((void)solve_tracking_gains(kDt_s, -1.0), std::invalid_argument);
-  EXPECT_THROW((void)solve_tracking_gains(kDt_s, 3000.0), std::invalid_argument);
-}
-
-TEST(TrackingFilterTest, CycleThatIsTooSlowIsRefusedByKeyAndRemedy) {
-  std::string said = "accepted";
-  try {
-    (void)solve_tracking_gains(1.0 / 250.0, kBandwidth_rad_s);
-  } catch (const std::invalid_argument& error) {
-    said = error.what();
+TrackingFilter settled(double std_rad = kStd_rad, double dt_s = kDt_s) {
+  TrackingFilter filter(kDensity);
+  filter.start(0.0, 0.0, std_rad, 10.0);
+  for (int k = 0; k < 300; ++k) {
+    filter.predict(dt_s, 0.0);
+    filter.correct(0.0, std_rad);
   }
-  EXPECT_EQ(
-      said,
-      "robot.yaml: key 'cycle_rate': found 250 Hz, expected more than 251.3 Hz, below which the estimator "
-      "cannot follow a joint: raise it");
-  EXPECT_NO_THROW((void)solve_tracking_gains(1.0 / 251.4, kBandwidth_rad_s));
-}
-
-TEST(TrackingFilterTest, GainsGoToTheContinuousFilterForShortCycles) {
-  // Butterworth of third order: s^3 + 2 w s^2 + 2 w^2 s + w^3; discrete gains are dt times its coefficients.
-  const double w = 10.0;
-  const TrackingGains gains = solve_tracking_gains(1e-4, w);
-  EXPECT_NEAR(gains.position, 1e-4 * 2.0 * w, 1e-2 * 1e-4 * 2.0 * w);
-  EXPECT_NEAR(gains.velocity_1_s, 1e-4 * 2.0 * w * w, 1e-2 * 1e-4 * 2.0 * w * w);
-  EXPECT_NEAR(gains.acceleration_1_s2, 1e-4 * w * w * w, 1e-2 * 1e-4 * w * w * w);
+  return filter;
 }
 
 TEST(TrackingFilterTest, ConstantUnexplainedAccelerationIsFoundWithoutError) {
-  const TrackingGains gains = solve_tracking_gains(kDt_s, kBandwidth_rad_s);
-  TrackingState state;
+  TrackingFilter filter = settled();
   for (int k = 1; k <= 100; ++k) {
     const double t = k * kDt_s;
-    predict(state, kDt_s, 30.0);
-    correct(state, gains, 0.5 * (30.0 - 12.0) * t * t);
+    filter.predict(kDt_s, 30.0);
+    filter.correct(0.5 * (30.0 - 12.0) * t * t, kStd_rad);
   }
-  EXPECT_NEAR(state.unexplained_rad_s2, -12.0, 1e-6);
-  EXPECT_NEAR(state.velocity_rad_s, 18.0 * 0.1, 1e-9);
+  EXPECT_NEAR(filter.unexplained_rad_s2(), -12.0, 1e-6);
+  EXPECT_NEAR(filter.velocity_rad_s(), 18.0 * 0.1, 1e-9);
 }
 
 TEST(TrackingFilterTest, KnownInputIsFollowedWithoutAnyLag) {
-  const TrackingGains gains = solve_tracking_gains(kDt_s, kBandwidth_rad_s);
-  TrackingState state;
+  TrackingFilter filter = settled();
   double position = 0.0, velocity = 0.0;
   for (int k = 0; k < 200; ++k) {
     const double input = k < 100 ? 200.0 : -200.0;
     position += kDt_s * (velocity + 0.5 * kDt_s * input);
     velocity += kDt_s * input;
-    predict(state, kDt_s, input);
-    correct(state, gains, position);
-    ASSERT_NEAR(state.velocity_rad_s, velocity, 1e-9);
-    ASSERT_NEAR(state.unexplained_rad_s2, 0.0, 1e-6);
+    filter.predict(kDt_s, input);
+    filter.correct(position, kStd_rad);
+    ASSERT_NEAR(filter.velocity_rad_s(), velocity, 1e-9);
+    ASSERT_NEAR(filter.unexplained_rad_s2(), 0.0, 1e-6);
   }
 }
 
-TEST(TrackingFilterTest, NoiseStaysWithinThePromisedStd) {
-  const TrackingGains gains = solve_tracking_gains(kDt_s, kBandwidth_rad_s);
-  const double noise_rad = 1e-7;
-  std::mt19937 random(7);
-  std::normal_distribution<double> noise(0.0, noise_rad);
-  TrackingState state;
-  double sum = 0.0;
-  constexpr int kSamples = 20000;
-  for (int k = 0; k < kSamples; ++k) {
-    predict(state, kDt_s, 0.0);
-    correct(state, gains, noise(random));
-    sum += state.unexplained_rad_s2 * state.unexplained_rad_s2;
+/// In steady state the third pole's circle has radius (density / (variance dt))^(1/6), Butterworth: error of a ramp of the
+/// unexplained acceleration is 2 / radius times its rate.
+TEST(TrackingFilterTest, SteadyStateIsTheButterworthFilterOfItsNoises) {
+  constexpr double kRate_rad_s3 = 100.0, kFine_s = 1e-4, kNoisy_rad = 0.05;
+  const double radius = std::pow(kDensity / (kNoisy_rad * kNoisy_rad * kFine_s), 1.0 / 6.0);
+  TrackingFilter filter = settled(kNoisy_rad, kFine_s);
+  double t = 0.0;
+  for (int k = 0; k < 20000; ++k) {
+    t += kFine_s;
+    filter.predict(kFine_s, 0.0);
+    filter.correct(kRate_rad_s3 * t * t * t / 6.0, kNoisy_rad);
   }
-  const double measured_std = std::sqrt(sum / kSamples);
-  const double promised_std = gains.acceleration_std_1_s2 * noise_rad;
-  EXPECT_LT(measured_std, promised_std);
-  EXPECT_GT(measured_std, 0.3 * promised_std);  // the promise is no empty one
+  const double lag = kRate_rad_s3 * t - filter.unexplained_rad_s2();
+  EXPECT_NEAR(lag, kRate_rad_s3 * 2.0 / radius, 0.02 * lag);
 }
 
-TEST(TrackingFilterTest, StableAtBothCycleRates) {
-  for (double dt_s : {0.001, 0.002}) {
-    const TrackingGains gains = solve_tracking_gains(dt_s, kBandwidth_rad_s);
-    TrackingState state{1.0, -20.0, 500.0};
-    for (int k = 0; k < 200; ++k) {
-      predict(state, dt_s, 0.0);
-      correct(state, gains, 0.0);
+TEST(TrackingFilterTest, ErrorsOfItsOwnModelHaveTheStandardDeviationsThatItStates) {
+  for (const double dt_s : {0.001, 0.002}) {
+    for (const double std_rad : {kStd_rad, 100.0 * kStd_rad}) {
+      TrackingFilter filter = settled(std_rad, dt_s);
+      std::mt19937 random(7);
+      std::normal_distribution<double> normal(0.0, 1.0);
+      double q = 0.0, w = 0.0, u = 0.0, squares = 0.0, velocity_squares = 0.0;
+      constexpr int kSamples = 20000;
+      for (int k = 0; k < kSamples; ++k) {
+        constexpr int kFine = 10;
+        for (int i = 0; i < kFine; ++i) {
+          const double h = dt_s / kFine;
+          q += h * w + 0.5 * h * h * u;
+          w += h * u;
+          u += std::sqrt(kDensity * h) * normal(random);
+        }
+        filter.predict(dt_s, 0.0);
+        filter.correct(q + std_rad * normal(random), std_rad);
+        squares += std::pow((filter.unexplained_rad_s2() - u) / filter.unexplained_std_rad_s2(), 2);
+        velocity_squares += std::pow((filter.velocity_rad_s() - w) / filter.velocity_std_rad_s(), 2);
+      }
+      EXPECT_NEAR(std::sqrt(squares / kSamples), 1.0, 0.05);
+      EXPECT_NEAR(std::sqrt(velocity_squares / kSamples), 1.0, 0.05);
     }
-    EXPECT_LT(std::abs(state.position_rad), 1e-12);
-    EXPECT_LT(std::abs(state.unexplained_rad_s2), 1e-6);
+  }
+}
+
+TEST(TrackingFilterTest, AnUncertainEncoderMakesItPatient) {
+  TrackingFilter quick = settled(kStd_rad), patient = settled(100.0 * kStd_rad);
+  for (TrackingFilter* filter : {&quick, &patient}) {
+    filter->predict(kDt_s, 0.0);
+    filter->correct(5e-6, filter == &quick ? kStd_rad : 100.0 * kStd_rad);
+  }
+  EXPECT_GT(quick.unexplained_step_rad_s2(), 5.0 * patient.unexplained_step_rad_s2());
+  EXPECT_LT(quick.unexplained_std_rad_s2(), patient.unexplained_std_rad_s2());
+}
+
+TEST(TrackingFilterTest, CoastingIsLessCertainWithEveryCycle) {
+  TrackingFilter filter = settled();
+  double before = filter.unexplained_std_rad_s2();
+  for (int k = 0; k < 5; ++k) {
+    filter.predict(kDt_s, 0.0);
+    EXPECT_GT(filter.unexplained_std_rad_s2(), before);
+    before = filter.unexplained_std_rad_s2();
+  }
+}
+
+TEST(TrackingFilterTest, AWrongStartIsForgottenAtBothCycleRates) {
+  for (const double dt_s : {0.001, 0.002}) {
+    TrackingFilter filter(kDensity);
+    filter.start(1.0, 500.0, 1.0, 500.0);
+    for (int k = 0; k < 200; ++k) {
+      filter.predict(dt_s, 0.0);
+      filter.correct(0.0, kStd_rad);
+    }
+    EXPECT_LT(std::abs(filter.position_rad()), 1e-12);
+    EXPECT_LT(std::abs(filter.unexplained_rad_s2()), 1e-6);
   }
 }
 

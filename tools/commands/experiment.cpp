@@ -7,6 +7,7 @@
 #include "robots/robot_loader.h"
 #include "runtime/log.h"
 #include "tools/commands/commands.h"
+#include "tools/commands/experiment_estimator.h"
 #include "tools/experiments/fault_experiment.h"
 #include "tools/experiments/jump_experiment.h"
 #include "tools/experiments/separate_run.h"
@@ -122,6 +123,7 @@ void add_experiment(CommandLine& sprung) {
   jump.example("sprung experiment jump --robot single_leg --preset paper --seed 3 --json");
   jump.action([=] { return run_jump(*request); });
   add_faults(experiment, std::make_shared<ExperimentRequest>());
+  add_estimator_experiment(experiment);
 }
 
 }  // namespace sprung::commands

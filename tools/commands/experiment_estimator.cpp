@@ -1,0 +1,58 @@
+#include "tools/commands/experiment_estimator.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <stdexcept>
+
+#include "runtime/log.h"
+#include "tools/experiments/estimator_experiment.h"
+
+namespace sprung::commands {
+namespace {
+
+struct Options {
+  EstimatorRequest request;
+  std::string out;
+  bool as_json = false;
+};
+
+void write_report(const ExperimentReport& report, const std::string& folder) {
+  std::filesystem::create_directories(folder);
+  const std::filesystem::path path = std::filesystem::path(folder) / "estimator.json";
+  std::ofstream out(path);
+  out << report.json() << "\n";
+  if (!out) throw std::runtime_error("cannot write " + path.string());
+}
+
+int run(const Options& options) {
+  start_log("sprung");
+  const ExperimentReport report = run_estimator_experiment(options.request);
+  if (!options.out.empty()) write_report(report, options.out);
+  std::printf("%s\n", (options.as_json ? report.json() : report.table()).c_str());
+  return report.ok() ? kExitDone : kExitFailed;
+}
+
+}  // namespace
+
+void add_estimator_experiment(CommandLine& experiment) {
+  const auto options = std::make_shared<Options>();
+  CommandLine& estimator = experiment.subcommand(
+      "estimator",
+      "What the torque estimate is worth: against the simulation's truth and against recordings.");
+  EstimatorRequest& request = options->request;
+  estimator.option("--robot", request.robot,
+                   "test_axis: the whole table, with the robots that it needs; "
+                   "another robot: its own rows");
+  estimator.option("--preset", request.preset, "set of parameters in robot.yaml, of the jumps");
+  estimator.option("--seed", request.seed, "of every noise and of the drawn plants; 0 was used for tuning");
+  estimator.option("--data", request.data, "folder of recordings; default ../shared/data where it is");
+  estimator.option("--only", request.only, "one part of the table: " + estimator_sections());
+  estimator.option("--out", options->out, "folder for the report");
+  estimator.flag("--json", options->as_json, "one JSON object on standard output");
+  estimator.example("sprung experiment estimator --robot test_axis --seed 1 --json");
+  estimator.action([=] { return run(*options); });
+}
+
+}  // namespace sprung::commands
