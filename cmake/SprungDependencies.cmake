@@ -22,3 +22,6 @@ target_compile_definitions(sprung_msgpack INTERFACE MSGPACK_NO_BOOST)
 target_include_directories(sprung_msgpack SYSTEM INTERFACE ${MSGPACK_INCLUDE_DIR})
 # Chart.js draws the plots of reports; it is built into what writes them (tools/report).
 find_file(CHART_JS chart.min.js PATHS /usr/share/javascript/chart.js NO_DEFAULT_PATH REQUIRED)
+# libmd: digest of the log that friction was identified from (tools/identify/file_digest.cpp).
+find_path(MD_INCLUDE_DIR sha2.h REQUIRED)
+find_library(MD_LIBRARY md REQUIRED)

@@ -19,6 +19,7 @@ int main(int argc, char** argv) {
   add_can(line);
   add_drive(line);
   add_home(line);
+  add_identify(line);
   add_move(line);
   add_fault(line);
   return line.run(argc, argv);

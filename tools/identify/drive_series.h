@@ -1,0 +1,37 @@
+#pragma once
+/// One joint's recording from the DRIVE_STATEs of a robot: the drives' own measurements through robot.yaml's transmission,
+/// nothing that the estimator says. Pure.
+///
+/// A joint is identified while it moves alone: then its weight is a sine and a cosine of its own angle, and its inertia is
+/// constant. So samples count only where
+///   - its drives are enabled and answered,
+///   - the other joints of its leg hold the pose in which it moved most (within 0.02 rad),
+///   - it moves: at rest a motor gives anything between the friction of both directions.
+#include <string>
+#include <vector>
+
+#include "estimator/identification/raw_series.h"
+#include "robots/robot_config.h"
+#include "signals/signals.h"
+
+namespace sprung::identify {
+
+struct DriveSeries {
+  identification::RawSeries series;
+  std::vector<double> pose_rad;    ///< of its leg's joints in that pose, its own too
+  std::vector<std::string> notes;  ///< what was left out and why
+  double moving_s = 0.0;           ///< how long the samples that count last
+};
+
+/// @param joint index into RobotConfig::joints. @param states in order; repeated ones are left out.
+/// @throws std::runtime_error where the joint hardly moves (alone) in the recording, saying what to record.
+DriveSeries drive_series(const RobotConfig& robot, int joint, const std::vector<DriveState>& states);
+
+/// Index of the leg that has this joint, and the joint's place in it.
+struct LegPlace {
+  int leg = -1;
+  int place = -1;
+};
+LegPlace place_of(const RobotConfig& robot, int joint);
+
+}  // namespace sprung::identify
