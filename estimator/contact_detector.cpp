@@ -3,10 +3,37 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace sprung {
+namespace {
 
-ContactDetector::ContactDetector(const ContactParams& params) : params_(params) {
+/// What is wrong with the model is bounded (friction within 25 %, say, is 1.7 of its standard deviations):
+/// this many are enough, since most of it was learnt in the swing or lies in several joints at once.
+constexpr double kModelStds = 3.5;
+/// Noise is new in every sample: with some 10^2 independent ones in a swing, 4.5 standard deviations are
+/// passed in one of 3000 swings, and must last for the rise time besides.
+constexpr double kNoiseStds = 4.5;
+/// A stuck gear holds any torque up to its half-width, sqrt 3 standard deviations, of both signs when it just
+/// reverses.
+constexpr double kRestStds = 2.0;
+/// Lift-off: a force of this many standard deviations may be none.
+constexpr double kGoneStds = 2.0;
+/// The last of a thrust's force, which errors explain already, is no swing to learn from.
+constexpr double kTakeOff_s = 0.03;
+
+bool finite(const std::vector<ContactEvidence>& evidence) noexcept {
+  return std::all_of(evidence.begin(), evidence.end(), [](const ContactEvidence& joint) {
+    double sum = joint.residual.torque_Nm + joint.residual.unknown_friction_Nm + joint.lever_m;
+    for (const double part_Nm : joint.residual.part_Nm) sum += part_Nm;
+    return std::isfinite(sum);
+  });
+}
+
+}  // namespace
+
+ContactDetector::ContactDetector(const ContactParams& params, std::vector<ResidualModel> joints)
+    : params_(params), joints_(std::move(joints)) {
   if (!(params.on_N > params.off_N)) throw std::invalid_argument("contact: 'on' must be above 'off'");
   if (!(params.rise_s >= 0.0 && params.fall_s >= 0.0)) {
     throw std::invalid_argument("contact: delays must not be negative");
@@ -15,29 +42,73 @@ ContactDetector::ContactDetector(const ContactParams& params) : params_(params) 
 
 void ContactDetector::reset() noexcept {
   contact_ = false;
-  beyond_s_ = 0.0;
+  beyond_s_ = free_s_ = 0.0;
+  for (ResidualModel& joint : joints_) joint.reset();
 }
 
-ContactEstimate ContactDetector::step(double vertical_force_N, double force_bound_N, double dt_s) noexcept {
-  if (!std::isfinite(vertical_force_N) || !std::isfinite(force_bound_N)) {
+bool ContactDetector::surely_free() const noexcept { return free_s_ > kTakeOff_s; }
+
+ContactEstimate ContactDetector::step(const std::vector<ContactEvidence>& evidence, double dt_s) noexcept {
+  if (evidence.size() != joints_.size() || !finite(evidence)) {
     reset();
     return {};
   }
-  const bool beyond =
-      contact_ ? vertical_force_N < params_.off_N : vertical_force_N - force_bound_N > params_.on_N;
+  free_s_ = contact_ ? 0.0 : free_s_ + dt_s;
+  for (std::size_t j = 0; j < joints_.size(); ++j) joints_[j].step(evidence[j].residual, dt_s, surely_free());
+  const Force now = force(evidence);
+  decide(now, dt_s);
+  const double middle_N = 0.5 * (params_.on_N + params_.off_N);
+  const double std_N = std::sqrt(now.model_N2 + now.noise_N2 + now.rest_N2);
+  const double spread_N = std::max(0.5 * (params_.on_N - params_.off_N), 2.0 * std_N);
+  return {contact_, 0.5 * (1.0 + std::tanh((now.value_N - middle_N) / spread_N)), now.value_N, std_N};
+}
+
+ContactDetector::Force ContactDetector::force(const std::vector<ContactEvidence>& evidence) const noexcept {
+  double information = 0.0;
+  Force sum;
+  constexpr double kLeast_Nm2 = 1e-12;  // a joint without any error would be all that counts
+  for (std::size_t j = 0; j < joints_.size(); ++j) {
+    const ResidualModel& joint = joints_[j];
+    const double weight =
+        evidence[j].lever_m / (joint.model_Nm2() + joint.noise_Nm2() + joint.rest_Nm2() + kLeast_Nm2);
+    information += weight * evidence[j].lever_m;
+    sum.value_N += weight * joint.torque_Nm();
+    sum.model_N2 += weight * weight * joint.model_Nm2();
+    sum.noise_N2 += weight * weight * joint.noise_Nm2();
+    sum.rest_N2 += weight * weight * joint.rest_Nm2();
+  }
+  if (!(information > 0.0)) return {0.0, 0.0, 0.0, HUGE_VAL};  // no joint feels a vertical force
+  sum.value_N /= information;
+  for (double* variance : {&sum.model_N2, &sum.noise_N2, &sum.rest_N2})
+    *variance /= information * information;
+  return sum;
+}
+
+double ContactDetector::least_rise_N(const Force& force) const noexcept {
+  const double error_N =
+      std::sqrt(kModelStds * kModelStds * force.model_N2 + kNoiseStds * kNoiseStds * force.noise_N2);
+  return std::max(params_.on_N, error_N + kRestStds * std::sqrt(force.rest_N2));
+}
+
+/// A force that errors explain is lost: a thrust ends in a deceleration whose errors are large, and to wait
+/// for certainty would report lift-off late. But a joint at rest may hold any load by friction, and says
+/// nothing.
+double ContactDetector::least_hold_N(const Force& force) const noexcept {
+  const double error_N = kGoneStds * std::sqrt(force.model_N2 + force.noise_N2);
+  return std::max(params_.off_N, error_N) - std::sqrt(force.rest_N2);
+}
+
+void ContactDetector::decide(const Force& force, double dt_s) noexcept {
+  const bool beyond = contact_ ? force.value_N < least_hold_N(force) : force.value_N > least_rise_N(force);
   const double delay_s = contact_ ? params_.fall_s : params_.rise_s;
   constexpr double kRounding_s = 1e-9;  // message times are whole microseconds
   // The sample that crosses starts the clock, so that a delay of n cycles takes n more samples.
-  const double lasted_s = beyond_s_;
-  if (beyond && lasted_s + kRounding_s >= delay_s) {
+  if (beyond && beyond_s_ + kRounding_s >= delay_s) {
     contact_ = !contact_;
     beyond_s_ = 0.0;
   } else {
     beyond_s_ = beyond ? beyond_s_ + dt_s : 0.0;
   }
-  const double middle_N = 0.5 * (params_.on_N + params_.off_N);
-  const double spread_N = std::max(0.5 * (params_.on_N - params_.off_N), force_bound_N);
-  return {contact_, 0.5 * (1.0 + std::tanh((vertical_force_N - middle_N) / spread_N))};
 }
 
 }  // namespace sprung

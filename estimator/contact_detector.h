@@ -1,7 +1,16 @@
 #pragma once
-/// Is the foot on the ground? From the estimated vertical force, with hysteresis, separate rise and fall
-/// delays in message time, and respect for what the estimate cannot know. Pure.
-#include "robots/robot_config.h"
+/// Is the foot on the ground? From the external torques of its joints and from what is known to be wrong with
+/// them, with hysteresis and separate rise and fall delays in message time; never from a clock or a phase.
+/// Pure.
+///
+/// Each joint's residual model (residual_model.h) takes off the error that the swing has shown and gives the
+/// variance of what is left. The vertical force that explains the joints best is F = sum(lever y / var) /
+/// sum(lever^2 / var), its standard deviation sqrt(1 / sum(lever^2 / var)): a joint that reverses, or that a
+/// vertical force does not load, counts little. Contact is declared above max(on, kSure standard deviations)
+/// and lost below `off`.
+#include <vector>
+
+#include "estimator/residual_model.h"
 
 namespace sprung {
 
@@ -12,27 +21,46 @@ struct ContactParams {
   double fall_s = 0.0;
 };
 
+/// One joint of the leg in this cycle.
+struct ContactEvidence {
+  JointResidual residual;
+  double lever_m = 0.0;  ///< torque of a vertical force of 1 N on the foot: its row of the Jacobian
+};
+
 struct [[nodiscard]] ContactEstimate {
   bool contact = false;
   double confidence =
-      0.0;  ///< that the foot is on the ground: 0.5 between the thresholds, 0 when the force is not finite
+      0.0;  ///< that the foot is on the ground: 0.5 between the thresholds, 0 when nothing is known
+  double force_N = 0.0;  ///< vertical, as above
+  double force_std_N = 0.0;
 };
 
 class ContactDetector {
  public:
+  /// @param joints what is known to be wrong with each, and how noisy it is.
   /// @throws std::invalid_argument unless on > off and no delay is negative.
-  explicit ContactDetector(const ContactParams& params);
+  ContactDetector(const ContactParams& params, std::vector<ResidualModel> joints);
   void reset() noexcept;
-  /// @param force_bound_N how wrong the force may be. Contact is declared only when it is above the threshold by more than
-  ///        that, so that neither a swing's inertia nor a stuck gear makes contact. It is lost by the force alone: a thrust
-  ///        ends in a deceleration whose error pulls the force down (the rotor is heavier than the file says), and to wait for
-  ///        certainty there would report lift-off 50 ms late; like this it is within 6 ms in the simulated jumps.
-  /// @param dt_s since the last step; a force that is not finite means no contact, at once.
-  ContactEstimate step(double vertical_force_N, double force_bound_N, double dt_s) noexcept;
+  /// Nothing has touched the foot for some time: what moves its joints then is the drives and errors.
+  bool surely_free() const noexcept;
+  /// @param evidence one for each joint; numbers that are not finite mean no contact, at once.
+  /// @param dt_s since the last step.
+  ContactEstimate step(const std::vector<ContactEvidence>& evidence, double dt_s) noexcept;
 
  private:
+  struct Force {
+    double value_N = 0.0;
+    double model_N2 = 0.0, noise_N2 = 0.0, rest_N2 = 0.0;  ///< variances, as of ResidualModel
+  };
+  Force force(const std::vector<ContactEvidence>& evidence) const noexcept;
+  double least_rise_N(const Force& force) const noexcept;
+  double least_hold_N(const Force& force) const noexcept;
+  void decide(const Force& force, double dt_s) noexcept;
+
   ContactParams params_;
+  std::vector<ResidualModel> joints_;
   bool contact_ = false;
+  double free_s_ = 0.0;    ///< since contact was lost
   double beyond_s_ = 0.0;  ///< how long the force has been beyond the threshold that would change the answer
 };
 

@@ -22,21 +22,27 @@ class LegEstimator {
             EstimatedLeg& out) noexcept;
 
  private:
-  void step_foot(double dt_s, std::vector<EstimatedJoint>& joints, EstimatedLeg& out) noexcept;
   void step_joints(double dt_s, std::vector<EstimatedJoint>& joints) noexcept;
+  void write_motion(EstimatedLeg& out) noexcept;
+  void step_foot(double dt_s, std::vector<EstimatedJoint>& joints, EstimatedLeg& out) noexcept;
   /// Force that, beside the drives, explains the leg's motion: external torque = M qdd + V + G - gear output
   /// torque (positive accelerates the joint toward +q), force on the foot = J^-T external torque. The hip's
   /// own acceleration is not known and left out (errata E16): the error is at most the leg's own weight in
-  /// flight.
-  void write_force(std::vector<EstimatedJoint>& joints, EstimatedLeg& out, double& vertical_bound_N) noexcept;
+  /// flight, and is in the bounds.
+  void write_force(std::vector<EstimatedJoint>& joints, EstimatedLeg& out) noexcept;
+  void gather_evidence(const std::vector<EstimatedJoint>& joints) noexcept;
 
   std::vector<int> joints_;  ///< indices of this leg's joints in the robot
+  std::vector<JointConfig> configs_;
   DriveSampler sampler_;
   std::unique_ptr<LegKinematics> kinematics_;  ///< nullptr: joints alone
   std::optional<ContactDetector> contact_;     ///< of the foot, where there is one
   std::vector<JointEstimator> estimators_;
   std::vector<JointSample> samples_;
+  std::vector<ContactEvidence> evidence_;
   JointVector position_rad_, velocity_rad_s_, acceleration_rad_s2_, output_torque_Nm_;
+  JointVector link_torque_Nm_, weight_Nm_, external_bound_Nm_;
+  LegJacobian jacobian_;
 };
 
 }  // namespace sprung

@@ -1,0 +1,130 @@
+#include "estimator/leg_estimator.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "robots/robot_loader.h"
+#include "tests/support/allocation_count.h"
+
+namespace sprung {
+namespace {
+
+/// A leg that holds its pose while motors, weight and a force on the foot balance.
+class LegEstimatorTest : public testing::Test {
+ protected:
+  void balance(const Eigen::Vector3d& force_N) {
+    const auto leg = make_leg_kinematics(robot_.legs[0]);
+    JointVector q(2);
+    q << 2.4, 1.6;
+    const JointVector torque_Nm = leg->gravity_torque_Nm(q) - leg->jacobian(q).transpose() * force_N;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const ActuatorConfig& motor = robot_.actuators[i];
+      ActuatorState& a = actuators_[i];
+      a.measured_position_rad = q[static_cast<int>(i)];
+      a.measured_current_A = torque_Nm[static_cast<int>(i)] / (motor.gear_ratio * motor.torque_constant_Nm_A);
+      a.power_state = PowerState::kOperationEnabled;
+      a.shown_mode = DriveMode::kPosition;
+      a.referenced = true;
+    }
+  }
+  void run(int cycles) {
+    for (int k = 0; k < cycles; ++k) leg_.step(actuators_, robot_.cycle_s, joints_, out_);
+  }
+
+  RobotConfig robot_ = load_robot("single_leg");
+  LegEstimator leg_{robot_, robot_.legs[0], 2};
+  std::vector<ActuatorState> actuators_{2};
+  std::vector<EstimatedJoint> joints_{2};
+  EstimatedLeg out_;
+};
+
+TEST_F(LegEstimatorTest, ForceOnTheFootHasABoundOnEveryAxis) {
+  balance({-8.0, 0.0, 120.0});
+  run(100);
+  EXPECT_NEAR(out_.foot_force_N[0], -8.0, 0.1);
+  EXPECT_NEAR(out_.foot_force_N[2], 120.0, 0.1);
+  EXPECT_GT(out_.foot_force_bound_N[0], 1.0);
+  EXPECT_GT(out_.foot_force_bound_N[2], 1.0);
+  EXPECT_EQ(out_.foot_force_bound_N[1], 0.0);  // a leg in a plane feels nothing across it
+}
+
+TEST_F(LegEstimatorTest, BoundOfTheExternalTorqueHasTheGearsAndTheLegsModel) {
+  balance({0.0, 0.0, 60.0});
+  run(100);
+  for (const EstimatedJoint& joint : joints_)
+    EXPECT_GT(joint.external_torque_bound_Nm, joint.gear_output_torque_bound_Nm);
+  const double known_Nm = joints_[0].external_torque_bound_Nm;
+  for (JointConfig& joint : robot_.joints) joint.uncertainty.mass = 1.0;
+  leg_ = LegEstimator(robot_, robot_.legs[0], 2);
+  run(100);
+  EXPECT_GT(joints_[0].external_torque_bound_Nm, known_Nm);
+}
+
+TEST_F(LegEstimatorTest, ForceBoundIsBetweenIndependentAndAlikeErrors) {
+  balance({0.0, 0.0, 60.0});
+  run(100);
+  const auto leg = make_leg_kinematics(robot_.legs[0]);
+  JointVector q(2);
+  q << joints_[0].estimated_position_rad, joints_[1].estimated_position_rad;
+  const LegJacobian to_force = damped_inverse(leg->jacobian(q)).matrix;
+  const double hip_N = std::abs(to_force(2, 0)) * joints_[0].external_torque_bound_Nm;
+  const double knee_N = std::abs(to_force(2, 1)) * joints_[1].external_torque_bound_Nm;
+  EXPECT_GT(out_.foot_force_bound_N[2], std::hypot(hip_N, knee_N));
+  EXPECT_LT(out_.foot_force_bound_N[2], hip_N + knee_N);
+}
+
+TEST_F(LegEstimatorTest, LoadThatNoStuckGearCouldHoldIsContactAndItsEndIsSeen) {
+  balance({0.0, 0.0, 120.0});
+  run(20);
+  EXPECT_TRUE(out_.contact);
+  balance({0.0, 0.0, -120.0});  // pulled: nothing stands on a ceiling
+  run(20);
+  EXPECT_FALSE(out_.contact);
+}
+
+TEST_F(LegEstimatorTest, AMissingDriveMeansNoContactAndNoForce) {
+  balance({0.0, 0.0, 120.0});
+  run(20);
+  actuators_[1].measured_current_A = kNaN;
+  run(5);
+  EXPECT_FALSE(out_.contact);
+  EXPECT_TRUE(std::isnan(out_.foot_force_N[2]));
+  EXPECT_TRUE(std::isnan(out_.foot_force_bound_N[2]));
+}
+
+TEST_F(LegEstimatorTest, StepsAllocateNothing) {
+  balance({0.0, 0.0, 120.0});
+  run(1);
+  const std::int64_t before = test::allocation_count();
+  for (int k = 0; k < 200; ++k) {
+    actuators_[0].measured_position_rad += 1e-4;
+    actuators_[1].measured_current_A = k % 50 == 49 ? kNaN : 1.0;
+    run(1);
+  }
+  EXPECT_EQ(test::allocation_count(), before);
+}
+
+TEST(LegEstimatorOfAnArm, ContactAtTheEndOfOneLinkIsFound) {
+  const RobotConfig robot = load_robot("test_axis");
+  const auto arm = make_leg_kinematics(robot.legs[0]);
+  ASSERT_NE(arm, nullptr);
+  LegEstimator leg(robot, robot.legs[0], 2);
+  JointVector q(1);
+  q << 0.5;
+  const JointVector torque_Nm =
+      arm->gravity_torque_Nm(q) - arm->jacobian(q).transpose() * Eigen::Vector3d(0.0, 0.0, 150.0);
+  std::vector<ActuatorState> actuators(1);
+  actuators[0].measured_position_rad = 0.5;
+  actuators[0].measured_current_A =
+      torque_Nm[0] / (robot.actuators[0].gear_ratio * robot.actuators[0].torque_constant_Nm_A);
+  actuators[0].referenced = true;
+  std::vector<EstimatedJoint> joints(1);
+  EstimatedLeg out;
+  for (int k = 0; k < 50; ++k) leg.step(actuators, robot.cycle_s, joints, out);
+  EXPECT_TRUE(out.contact);
+  EXPECT_GT(out.foot_force_N[2], 20.0);
+}
+
+}  // namespace
+}  // namespace sprung
