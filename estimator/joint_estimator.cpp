@@ -8,7 +8,6 @@
 
 #include "estimator/coulomb_friction.h"
 #include "estimator/torque_bound.h"
-#include "estimator/torsion_sensor.h"
 
 namespace sprung {
 namespace {
@@ -31,6 +30,8 @@ constexpr double kCurrentNoise_Nm = 0.5;
 constexpr double kStartStd_Nm = 10.0;
 /// Slower cycles cannot follow a leg's impact: 4 ms are half of its rise on soft ground.
 constexpr double kLongestCycle_s = 1.0 / 250.0;
+/// Encoders that disagree by more do not show a twist: 0.01 rad are 250 Nm and more (facts papers D8).
+constexpr double kMostTwist_rad = 0.01;
 constexpr double kLeastArmature_kg_m2 = 1e-9;
 
 std::string too_slow(double cycle_s) {
@@ -66,18 +67,22 @@ JointEstimator::JointEstimator(const JointConfig& joint, double cycle_s, double 
       temperature_(joint.estimated_friction(), joint.thermal) {
   if (!(cycle_s > 0.0 && cycle_s <= kLongestCycle_s)) throw std::invalid_argument(too_slow(cycle_s));
   temperature_.reset();
+  reset();
 }
 
 void JointEstimator::reset() noexcept {
   motor_torque_Nm_ = kNaN;
   input_rad_s2_ = 0.0;
+  torsion_zero_.reset();
   fresh_samples_ = 0;
   coasted_cycles_ = 0;
 }
 
 void JointEstimator::step(const JointSample& sample, double dt_s, EstimatedJoint& out) noexcept {
   const bool was_stale = coasted_cycles_ > longest_coast_cycles_;
-  if (sample.fresh && was_stale) reset();
+  const bool referenced = sample.drive_status != JointStatus::kNotReferenced;
+  if (sample.fresh && (was_stale || referenced != referenced_)) reset();  // homing moves the zero
+  referenced_ = referenced;
   if (fresh_samples_ > 0) {
     follow_temperature(sample, out.external_torque_Nm, dt_s);
     track(sample, dt_s);
@@ -93,7 +98,7 @@ void JointEstimator::step(const JointSample& sample, double dt_s, EstimatedJoint
   if (fresh_samples_ > 0) write_motion(out);
   if (fresh_samples_ > 0 && out.status != JointStatus::kStale) {
     write_torques(out);
-    if (sample.fresh) fuse_torsion(sample, out);
+    if (sample.fresh) fuse_torsion(sample, dt_s, out);
   }
 }
 
@@ -202,10 +207,17 @@ void JointEstimator::write_torques(EstimatedJoint& out) const noexcept {
 
 /// The motor's side follows what is fast, the twist knows what stands still: each where its variance is small. What the output
 /// torque gains, friction loses, or at rest it too.
-void JointEstimator::fuse_torsion(const JointSample& sample, EstimatedJoint& out) noexcept {
-  if (!joint_.torsion) return;
-  const TorsionTorque twist = torsion_torque(*joint_.torsion, sample.measured_position_rad,
-                                             sample.measured_link_position_rad, sample.motor_angle_rad);
+void JointEstimator::fuse_torsion(const JointSample& sample, double dt_s, EstimatedJoint& out) noexcept {
+  if (!joint_.torsion || out.status == JointStatus::kNotReferenced || out.status == JointStatus::kStarting)
+    return;
+  const GearTorsion& gear = *joint_.torsion;
+  const double seen_rad = twist_rad(gear, sample.measured_position_rad, sample.measured_link_position_rad,
+                                    sample.motor_angle_rad);
+  if (!(std::abs(seen_rad) < kMostTwist_rad)) return;
+  if (!out.at_rest && out.status == JointStatus::kOk)
+    torsion_zero_.observe(seen_rad, twist_of_rad(gear, out.gear_output_torque_Nm), dt_s);
+  const TorsionTorque twist = torsion_torque(gear, seen_rad - torsion_zero_.zero_rad(),
+                                             std::hypot(gear.angle_std_rad, torsion_zero_.std_rad()));
   out.torsion_torque_Nm = twist.torque_Nm;
   const TorsionTorque motor{out.gear_output_torque_Nm, out.gear_output_torque_bound_Nm / kBoundStds};
   const TorsionTorque both = fused(motor, twist);

@@ -2,6 +2,7 @@
 /// One joint's motion and torques from its motor. Pure: no heap after construction, never throws in step.
 #include "estimator/gear_friction_estimator.h"
 #include "estimator/temperature_filter.h"
+#include "estimator/torsion_sensor.h"
 #include "estimator/tracking_filter.h"
 #include "robots/robot_config.h"
 #include "signals/signals.h"
@@ -47,7 +48,7 @@ class JointEstimator {
   double sampling_std_rad() const noexcept;
   void write_motion(EstimatedJoint& out) const noexcept;
   void write_torques(EstimatedJoint& out) const noexcept;
-  void fuse_torsion(const JointSample& sample, EstimatedJoint& out) noexcept;
+  void fuse_torsion(const JointSample& sample, double dt_s, EstimatedJoint& out) noexcept;
 
   JointConfig joint_;
   double encoder_step_rad_;
@@ -56,11 +57,13 @@ class JointEstimator {
   TrackingFilter filter_;
   GearFrictionEstimator friction_;
   TemperatureFilter temperature_;
+  TorsionZero torsion_zero_;
   double motor_torque_Nm_ = kNaN;
   double input_rad_s2_ = 0.0;  ///< acceleration by the motor alone, now
   double quantisation_Nm_ = 0.0;
   int fresh_samples_ = 0;  ///< since the start, counted up to settling_samples_
   int coasted_cycles_ = 0;
+  bool referenced_ = true;
 };
 
 }  // namespace sprung

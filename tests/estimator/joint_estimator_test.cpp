@@ -168,32 +168,42 @@ TEST_F(JointEstimatorTest, StuckJointKeepsItsEstimateWithABoundThatHolds) {
   }
 }
 
-/// A joint at rest under a load that changes: the motor's side cannot see it, the twist of its gear can.
+/// A joint at rest under a load that changes: the motor's side cannot see it, the twist of its gear can, once a move has shown
+/// where its zero is.
 TEST_F(JointEstimatorTest, AtRestTheTorsionOfTheGearDecides) {
+  constexpr double kStiffness_Nm_rad = 25000.0, kZero_rad = 2e-4, kFriction_Nm = 4.0;
   joint_.friction = IdentifiedFriction{};
-  joint_.friction->parameters.coulomb_Nm = 4.0;
+  joint_.friction->parameters.coulomb_Nm = kFriction_Nm;
   joint_.torsion = GearTorsion{};
-  joint_.torsion->stiffness_Nm_rad = joint_.torsion->second_stiffness_Nm_rad = 25000.0;
+  joint_.torsion->stiffness_Nm_rad = joint_.torsion->second_stiffness_Nm_rad = kStiffness_Nm_rad;
   joint_.torsion->angle_std_rad = 1e-5;
   estimator_ = JointEstimator(joint_, kDt_s, kEncoderStep_rad, kCoast);
   std::mt19937 random(1);
   std::normal_distribution<double> noise(0.0, 1e-5);
+  const auto cycle = [&](double q, double motor_Nm, double load_Nm) {
+    JointSample sample = fresh(q, motor_Nm);
+    sample.measured_link_position_rad = q - load_Nm / kStiffness_Nm_rad - kZero_rad + noise(random);
+    sample.motor_angle_rad = 100.0 * q;
+    return step(sample);
+  };
+  for (int k = 0; k < 2000; ++k) {  // to and fro at 0.2 rad/s under 3 Nm
+    const double w = k < 1000 ? 0.2 : -0.2, q = 1.0 + 0.2 * kDt_s * (k < 1000 ? k : 2000 - k);
+    cycle(q, 3.0 + std::copysign(kFriction_Nm, w), 3.0);
+  }
   double squares = 0.0, covered = 0.0;
   constexpr int kCycles = 2000;
-  for (int k = 0; k < kCycles; ++k) {
+  for (int k = 0; k < kCycles + 100; ++k) {
     const double load_Nm = 3.5 * std::sin(2.0 * 3.14159265358979 * k / 1000.0);
-    JointSample sample = fresh(1.0, 0.0);
-    sample.measured_link_position_rad = 1.0 - load_Nm / 25000.0 + noise(random);
-    sample.motor_angle_rad = 100.0;
-    const EstimatedJoint out = step(sample);
+    const EstimatedJoint out = cycle(1.0, 0.0, load_Nm);
+    if (k < 100) continue;
     const double error_Nm = out.gear_output_torque_Nm - load_Nm;
     squares += error_Nm * error_Nm;
     covered += std::abs(error_Nm) <= out.gear_output_torque_bound_Nm ? 1.0 : 0.0;
     ASSERT_TRUE(out.at_rest);
     ASSERT_NEAR(out.gear_output_torque_Nm + out.friction_torque_Nm, 0.0, 1e-9);
   }
-  EXPECT_LT(std::sqrt(squares / kCycles), 0.3);  // the gear holds 4 Nm; one angle's noise is 0.25 Nm
-  EXPECT_NEAR(covered / kCycles, 0.95, 0.03);
+  EXPECT_LT(std::sqrt(squares / kCycles), 0.5);  // the gear holds 4 Nm; one angle's noise is 0.25 Nm
+  EXPECT_GT(covered / kCycles, 0.93);
 }
 
 TEST_F(JointEstimatorTest, ALinkEncoderThatFallsSilentLeavesTheMotorsSide) {
@@ -206,10 +216,20 @@ TEST_F(JointEstimatorTest, ALinkEncoderThatFallsSilentLeavesTheMotorsSide) {
   EXPECT_NEAR(out.gear_output_torque_Nm, 5.0, 1e-9);
 }
 
+TEST_F(JointEstimatorTest, HomingStartsItAnewInsteadOfAsAMotion) {
+  JointSample sample = fresh(0.2, 5.0);
+  sample.drive_status = JointStatus::kNotReferenced;
+  for (int k = 0; k < 60; ++k) EXPECT_EQ(step(sample).status, JointStatus::kNotReferenced);
+  const EstimatedJoint out = step(fresh(1.4, 5.0));
+  EXPECT_EQ(out.status, JointStatus::kStarting);
+  EXPECT_DOUBLE_EQ(out.estimated_position_rad, 1.4);
+  EXPECT_DOUBLE_EQ(out.estimated_velocity_rad_s, 0.0);
+}
+
 TEST_F(JointEstimatorTest, FaultOutranksAllElse) {
   settle(1.0, 5.0);
   JointSample sample = fresh(1.0, 5.0);
-  for (JointStatus status : {JointStatus::kFault, JointStatus::kNotReferenced, JointStatus::kSaturated}) {
+  for (JointStatus status : {JointStatus::kSaturated, JointStatus::kNotReferenced, JointStatus::kFault}) {
     sample.drive_status = status;
     EXPECT_EQ(step(sample).status, status);
   }
