@@ -4,7 +4,10 @@
 
 #include <cmath>
 
+#include "controller/leg_kinematics.h"
 #include "robots/robot_loader.h"
+#include "tools/experiments/jump_experiment.h"
+#include "tools/experiments/scripted_run.h"
 
 namespace sprung {
 namespace {
@@ -46,6 +49,88 @@ TEST(ContactRowsTest, FalseAlarmsCountAgainstAllSteps) {
   EXPECT_TRUE(row(contact_rows(steps), "false_alarms").ok());
   steps.front().false_alarm = true;
   EXPECT_FALSE(row(contact_rows(steps), "false_alarms").ok());
+}
+
+/// As `sprung identify` would have found sim.yaml's joints, an armature 1 % off included: what these tests ask
+/// of contact and bounds is asked of a robot that is identified.
+RobotConfig identified_leg() {
+  RobotConfig robot = load_robot("single_leg");
+  for (JointConfig& joint : robot.joints) {
+    IdentifiedFriction friction;
+    friction.parameters.coulomb_Nm = 7.25;
+    joint.friction = friction;
+    joint.armature_kg_m2 = 0.80;
+    joint.uncertainty = JointUncertainty{};
+    joint.uncertainty.armature = 0.02;
+  }
+  return robot;
+}
+
+/// Plants of the declared box, four of its corners (half of the full design) and four inside, on soft and hard
+/// ground; not those on which the detector was tuned.
+std::vector<SimOptions> drawn_plants() {
+  const auto plant = [](std::uint64_t seed, double friction, double torque_constant, double mass,
+                        double ground_N_m) {
+    SimOptions sim;
+    sim.seed = seed;
+    sim.plant = {{"friction_scale", friction},
+                 {"kt_scale", torque_constant},
+                 {"mass_scale", mass},
+                 {"ground_stiffness", ground_N_m},
+                 {"sync_jitter_us", 2.0}};
+    return sim;
+  };
+  return {plant(9001, 1.2, 0.96, 1.08, 8000.0),  plant(9002, 0.8, 1.03, 0.93, 60000.0),
+          plant(9003, 1.05, 1.0, 1.0, 15000.0),  plant(9004, 0.9, 0.98, 1.05, 30000.0),
+          plant(9005, 0.75, 0.95, 0.9, 30000.0), plant(9006, 1.25, 1.05, 0.9, 8000.0),
+          plant(9007, 1.25, 0.95, 1.1, 60000.0), plant(9008, 0.75, 1.05, 1.1, 15000.0)};
+}
+
+TEST(ContactExperimentTest, IdentifiedLegFindsEveryContactInTimeAndInventsNone) {
+  ContactRequest request;
+  request.plants = drawn_plants();
+  request.steps_per_plant = 10;
+  for (const ReportRow& r : contact_rows(run_contacts(identified_leg(), request)))
+    EXPECT_TRUE(r.ok()) << r.name << " " << r.value;
+}
+
+/// How many of an estimate's samples were within their bound.
+struct Coverage {
+  long inside = 0, all = 0;
+  void add(double error, double bound) {
+    if (!std::isfinite(error)) return;
+    ++all;
+    inside += std::abs(error) <= bound ? 1 : 0;
+  }
+  double percent() const { return 100.0 * static_cast<double>(inside) / static_cast<double>(all); }
+};
+
+TEST(ContactExperimentTest, BoundsOfExternalTorqueAndFootForceHoldAtTheirProbability) {
+  const RobotConfig robot = identified_leg();
+  const auto leg = make_leg_kinematics(robot.legs[0]);
+  Coverage torque, force_x, force_z;
+  const auto compare = [&](const JointState& in, const SimTruth& truth) {
+    const Eigen::Vector3d force_N = to_eigen(truth.legs[0].true_contact_force_N);
+    JointVector q(2);
+    q << truth.joints[0].true_position_rad, truth.joints[1].true_position_rad;
+    const JointVector external_Nm = leg->jacobian(q).transpose() * force_N;
+    for (int j = 0; j < 2; ++j) {
+      const EstimatedJoint& joint = in.joints[static_cast<std::size_t>(j)];
+      torque.add(joint.external_torque_Nm - external_Nm[j], joint.external_torque_bound_Nm);
+    }
+    const EstimatedLeg& out = in.legs[0];
+    force_x.add(out.foot_force_N[0] - force_N.x(), out.foot_force_bound_N[0]);
+    force_z.add(out.foot_force_N[2] - force_N.z(), out.foot_force_bound_N[2]);
+  };
+  for (const SimOptions& sim : drawn_plants()) {
+    run_in_process(
+        jump_script(robot, "best", sim, JumpMode::kHybrid, 1),
+        [&](const CycleRecord& cycle) { compare(cycle.joint_state, cycle.truth); },
+        [](const OperatorReply&) {});
+    run_stepping(robot, "best", sim, 6,
+                 [&](const JointState& in, const SimTruth& truth, bool) { compare(in, truth); });
+  }
+  for (const Coverage* coverage : {&torque, &force_x, &force_z}) EXPECT_NEAR(coverage->percent(), 95.0, 3.0);
 }
 
 TEST(ContactExperimentTest, SuspendedLegStepsTheSameEveryTime) {

@@ -73,29 +73,34 @@ std::vector<ContactStep> jump_contacts(const RobotConfig& robot, const std::stri
   return steps;
 }
 
-std::vector<ContactStep> stepping_contacts(const RobotConfig& robot, const std::string& preset,
-                                           const SimOptions& sim, int steps) {
+void run_stepping(const RobotConfig& robot, const std::string& preset, const SimOptions& sim, int steps,
+                  const SteppingObserver& on_cycle) {
   SteppingScript script;
   script.seed = sim.seed;
   script.steps = steps;
   SimOptions suspended = sim;
   suspended.plant["suspended"] = script.hip_height_m;
   SteppingLeg stepping(script);
-  ContactScorer scorer(kLeg);
   InProcessRobot process(robot, preset, suspended);
   process.command_legs_by([&](const JointState& in, LegCommand& out) { stepping.command(in, out); });
   process.boot();
   const auto most_cycles = static_cast<std::int64_t>(kLongestStep_s * (steps + 1) / robot.cycle_s);
   while (!stepping.done()) {
     process.tick();
-    if (stepping.step_begins()) {
-      scorer.begin_step();
-      move_floor(process, stepping.floor_height_m());
-    }
-    scorer.add(process.joint_state(), process.truth());
+    if (stepping.step_begins()) move_floor(process, stepping.floor_height_m());
+    on_cycle(process.joint_state(), process.truth(), stepping.step_begins());
     if (process.sim().failed()) throw std::runtime_error(process.sim().failure());
     if (process.cycle() > most_cycles) throw std::runtime_error("the suspended leg does not step");
   }
+}
+
+std::vector<ContactStep> stepping_contacts(const RobotConfig& robot, const std::string& preset,
+                                           const SimOptions& sim, int steps) {
+  ContactScorer scorer(kLeg);
+  run_stepping(robot, preset, sim, steps, [&](const JointState& in, const SimTruth& truth, bool step_begins) {
+    if (step_begins) scorer.begin_step();
+    scorer.add(in, truth);
+  });
   return scorer.finish();
 }
 

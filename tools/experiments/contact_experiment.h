@@ -2,6 +2,7 @@
 /// Rows `estimator.contact.*`: is contact found, how late, and is it reported where there is none? Jumps of a
 /// leg in every mode, and the same leg suspended and stepping onto a floor whose height moves at random, or
 /// onto none.
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,13 @@ struct ContactRequest {
   int steps_per_plant = 40;
   bool jumps = true;  ///< one in each mode
 };
+
+/// Every cycle of a suspended leg that steps (stepping_leg.h) as many times; `step_begins` in a step's first.
+using SteppingObserver =
+    std::function<void(const JointState& estimate, const SimTruth& truth, bool step_begins)>;
+/// @throws std::runtime_error where the plant failed or the leg does not move.
+void run_stepping(const RobotConfig& robot, const std::string& preset, const SimOptions& sim, int steps,
+                  const SteppingObserver& on_cycle);
 
 /// Of one plant, in order. @throws std::runtime_error where the plant or a command failed.
 std::vector<ContactStep> jump_contacts(const RobotConfig& robot, const std::string& preset,
