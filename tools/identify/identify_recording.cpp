@@ -105,7 +105,9 @@ Recording identify_log(const RecordingRequest& request, const ProgressFunction& 
     try {
       out.joints.push_back(identify_drives(robot, joint, log.states, request.protocol, progress));
       out.configs.push_back(robot.joints[static_cast<std::size_t>(joint)]);
-    } catch (const std::runtime_error& error) {
+    } catch (const WrongUse&) {
+      throw;
+    } catch (const std::exception& error) {
       if (request.all || asked.size() == 1) throw;
       out.notes.push_back(error.what());
     }
