@@ -51,8 +51,8 @@ TEST(ContactRowsTest, FalseAlarmsCountAgainstAllSteps) {
   EXPECT_FALSE(row(contact_rows(steps), "false_alarms").ok());
 }
 
-/// As `sprung identify` would have found sim.yaml's joints, an armature 1 % off included: what these tests ask
-/// of contact and bounds is asked of a robot that is identified.
+/// As `sprung identify` would have found sim.yaml's joints, an armature 1 % off included: what these tests
+/// ask of contact and bounds is asked of a robot that is identified.
 RobotConfig identified_leg() {
   RobotConfig robot = load_robot("single_leg");
   for (JointConfig& joint : robot.joints) {
@@ -66,8 +66,8 @@ RobotConfig identified_leg() {
   return robot;
 }
 
-/// Plants of the declared box, four of its corners (half of the full design) and four inside, on soft and hard
-/// ground; not those on which the detector was tuned.
+/// Plants of the declared box, four of its corners (half of the full design) and four inside, on soft and
+/// hard ground; not those on which the detector was tuned.
 std::vector<SimOptions> drawn_plants() {
   const auto plant = [](std::uint64_t seed, double friction, double torque_constant, double mass,
                         double ground_N_m) {
