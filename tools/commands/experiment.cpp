@@ -8,6 +8,7 @@
 #include "runtime/log.h"
 #include "tools/commands/commands.h"
 #include "tools/commands/experiment_estimator.h"
+#include "tools/commands/experiment_joint.h"
 #include "tools/experiments/fault_experiment.h"
 #include "tools/experiments/jump_experiment.h"
 #include "tools/experiments/separate_run.h"
@@ -123,6 +124,7 @@ void add_experiment(CommandLine& sprung) {
   jump.example("sprung experiment jump --robot single_leg --preset paper --seed 3 --json");
   jump.action([=] { return run_jump(*request); });
   add_faults(experiment, std::make_shared<ExperimentRequest>());
+  add_joint_experiments(experiment);
   add_estimator_experiment(experiment);
 }
 
