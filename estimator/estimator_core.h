@@ -6,10 +6,10 @@
 ///   gear output torque = R Kt i - tau_f - R^2 I qdd   (errata E6: the inertia term is 40-80 times the
 ///   friction in a jump)
 ///
-/// qdd comes from a steady-state Kalman filter on encoder and motor torque, not from differences. tau_f is
-/// Coulomb, sgn(0) = 0 (E5). Joint status, NaN torques and `starting` are the answer to silent drives and
-/// numbers that are not finite. Sign: positive torque accelerates the joint toward +q. Joint space through
-/// each leg's transmission.
+/// qdd comes from a Kalman filter on encoder and motor torque, not from differences. tau_f is the law of robot.yaml, the papers'
+/// Coulomb where a joint is not identified; at rest its sign is unknown, and the estimate is the last one that is possible
+/// (docs/estimation.md). Joint status, NaN torques and `starting` are the answer to silent drives and numbers that are
+/// not finite. Sign: positive torque accelerates the joint toward +q. Joint space through each leg's transmission.
 #include <memory>
 
 #include "robots/robot_config.h"
