@@ -55,7 +55,7 @@ double initial_of(P parameter, const Scales& scales) {
 
 std::vector<double> more_starts_of(P parameter, const Scales& scales) {
   if (parameter == P::kStribeckSpeed) return {0.03 * scales.speed_rad_s};
-  if (parameter == P::kPresliding) return {5e-5};
+  if (parameter == P::kPresliding) return {5e-5, 5e-3};
   return {};
 }
 

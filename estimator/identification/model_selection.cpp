@@ -7,6 +7,9 @@ namespace sprung::identification {
 
 namespace {
 
+/// Share of the best model's mean squared error that is no reason for a parameter, however sure it is.
+constexpr double kNegligible = 0.01;
+
 std::size_t smallest_error(const std::vector<Candidate>& candidates) {
   const auto worse = [](const Candidate& a, const Candidate& b) {
     if (a.validation.out_of_bounds != b.validation.out_of_bounds) return a.validation.out_of_bounds;
@@ -32,8 +35,10 @@ std::string reason(const Candidate& best, const Candidate& chosen) {
            "of it";
   const Difference behind = difference(chosen.validation, best.validation);
   char text[160];
-  std::snprintf(text, sizeof text, " by %.5f of the variance, within the standard error %.5f of that",
-                behind.mean, behind.standard_error);
+  std::snprintf(
+      text, sizeof text,
+      " by %.5f of the variance, within the standard error %.5f of that or a hundredth of the error",
+      behind.mean, behind.standard_error);
   return said(chosen) + " is behind the best one, " + said(best) + ", only" + text +
          "; nothing simpler is as close";
 }
@@ -56,7 +61,8 @@ const char* selection_criterion() {
          "whose mean "
          "squared error on left-out blocks is behind the best one's by no more than the standard error of "
          "that "
-         "difference, the one with the fewest parameters; models whose fit ends on a bound other than zero "
+         "difference, or by no more than a hundredth of its error, the one with the fewest parameters; "
+         "models whose fit ends on a bound other than zero "
          "are left out";
 }
 
@@ -67,8 +73,8 @@ Selection select(const std::vector<Candidate>& candidates) {
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     if (candidates[i].validation.out_of_bounds != best.validation.out_of_bounds) continue;
     const Difference behind = difference(candidates[i].validation, best.validation);
-    if (behind.mean <= behind.standard_error && simpler(candidates[i], candidates[out.chosen]))
-      out.chosen = i;
+    const double enough = std::max(behind.standard_error, kNegligible * (1.0 - best.validation.r2()));
+    if (behind.mean <= enough && simpler(candidates[i], candidates[out.chosen])) out.chosen = i;
   }
   out.why = reason(best, candidates[out.chosen]) + left_out(candidates, best);
   return out;

@@ -39,6 +39,12 @@ TEST(ModelSelection, AFitThatEndsOnABoundIsNotChosenWhereAnotherDoesNot) {
   EXPECT_EQ(select({candidates[1]}).chosen, 0u) << "but something must be chosen";
 }
 
+TEST(ModelSelection, AHundredthOfTheErrorIsNoReasonForAParameterHoweverSure) {
+  const std::vector<Candidate> candidates = {{"simple", 4, {{0.1005, 0.2005}}}, {"rich", 9, {{0.1, 0.2}}}};
+  EXPECT_EQ(select(candidates).chosen, 0u) << "behind by 0.0005 +- 0, a three-hundredth";
+  EXPECT_EQ(select({{"simple", 4, {{0.102, 0.202}}}, candidates[1]}).chosen, 1u);
+}
+
 TEST(ModelSelection, OneCandidateIsChosen) { EXPECT_EQ(select({{"only", 4, {{0.1, 0.2}}}}).chosen, 0u); }
 
 TEST(ModelSelection, TheRuleIsSaid) { EXPECT_THAT(selection_criterion(), HasSubstr("one-standard-error")); }
