@@ -51,9 +51,13 @@ class Lockstep : public SystemTest {
   }
   /// @param least_repeats proof that the injected losses happened: each makes the bridge ask again.
   Recording separate(const std::vector<std::string>& inject = {}, std::int64_t least_repeats = 0) const {
+    return separate(script(), inject, least_repeats);
+  }
+  Recording separate(const RunScript& run, const std::vector<std::string>& inject,
+                     std::int64_t least_repeats) const {
     Recording recording;
     const SeparateResult result = run_separate(
-        script(), [&](const CycleRecord& cycle) { recording.add(cycle); }, [](const OperatorReply&) {},
+        run, [&](const CycleRecord& cycle) { recording.add(cycle); }, [](const OperatorReply&) {},
         SeparateOptions{inject});
     EXPECT_GE(result.repeats, least_repeats);
     return recording;
@@ -78,6 +82,30 @@ TEST_F(Lockstep, SeparateProcessesGiveTheBitsOfOneProcess) {
   ASSERT_GE(one.drive_commands.size(), 2000u);
   ASSERT_TRUE(one.flew);
   expect_same(one, separate());
+}
+
+TEST_F(Lockstep, JointsMovedOneByOneGiveTheSameBitsToo) {
+  RunScript run{robot_, "best", SimOptions{3, {{"suspended", 0.8}}, true}, {}, 3000};
+  const auto move = [&](std::int64_t at_seq, int joint, double target_rad) {
+    run.commands.push_back(scripted(OperatorKind::kMoveJoint, at_seq));
+    run.commands.back().joint = joint;
+    run.commands.back().joint_target_rad = target_rad;
+    run.commands.back().joint_speed_rad_s = 3.0;
+    run.commands.back().joint_acceleration_rad_s2 = 20.0;
+  };
+  move(100, 1, 1.2);
+  move(1000, 0, 2.0);
+  run.commands.push_back(scripted(OperatorKind::kStop, 1200));
+  run.commands.push_back(scripted(OperatorKind::kSit, 1700));
+  double knee_rad = 0.0;
+  run_in_process(
+      run,
+      [&](const CycleRecord& cycle) {
+        if (cycle.drive_state.stamp.seq == 1690) knee_rad = cycle.truth.joints[1].true_position_rad;
+      },
+      [](const OperatorReply&) {});
+  EXPECT_NEAR(knee_rad, 1.2, 0.03);
+  expect_same(in_process(run), separate(run, {}, 0));
 }
 
 TEST_F(Lockstep, LostAndRepeatedLcmMessagesChangeNoBit) {
