@@ -1,15 +1,44 @@
 #include "tools/experiments/estimator_experiment.h"
 
 #include <chrono>
+#include <cstdio>
 #include <stdexcept>
 
 #include "robots/robot_loader.h"
+#include "tools/experiments/contact_experiment.h"
 #include "tools/experiments/estimator_jump_rows.h"
+#include "tools/experiments/estimator_temperature_rows.h"
+#include "tools/recordings/recording_rows.h"
 
 namespace sprung {
 namespace {
 
-/// One part of the table: the robot that it runs on, "" = none (recordings).
+void append(ExperimentReport& report, const std::vector<ReportRow>& rows) {
+  report.rows.insert(report.rows.end(), rows.begin(), rows.end());
+}
+
+constexpr std::uint64_t kContactPlants = 5;
+
+void add_contact_rows(const RobotConfig& robot, const EstimatorRequest& request, ExperimentReport& report) {
+  ContactRequest contact;
+  contact.preset = request.preset;
+  for (std::uint64_t plant = 1; plant <= kContactPlants; ++plant)
+    contact.plants.push_back({100 * request.seed + plant, {}, true});
+  append(report, contact_rows(run_contacts(robot, contact)));
+}
+
+/// Standard output may be JSON, so what is left out is said on the other.
+void add_recorded_rows(const EstimatorRequest& request, ExperimentReport& report) {
+  const auto folder = recordings::data_folder(request.data);
+  if (!folder) {
+    std::fprintf(stderr, "no folder of recordings: their rows are left out (--data DIR names one)\n");
+    return;
+  }
+  for (const recordings::RecordingResult& result : recordings::results_of(*folder))
+    append(report, recordings::rows_of(result));
+}
+
+/// One part of the table, and the robot that it runs on.
 struct Section {
   const char* name;
   const char* robot;
@@ -24,6 +53,15 @@ constexpr Section kSections[] = {
     {"bounds", "single_leg",
      [](const RobotConfig& robot, const EstimatorRequest& r, ExperimentReport& report) {
        add_bounds_rows(robot, r.preset, r.seed, report);
+     }},
+    {"contact", "single_leg", add_contact_rows},
+    {"temperature", "test_axis",
+     [](const RobotConfig& robot, const EstimatorRequest& r, ExperimentReport& report) {
+       add_temperature_rows(robot, r.preset, r.seed, report);
+     }},
+    {"recordings", "test_axis",
+     [](const RobotConfig&, const EstimatorRequest& r, ExperimentReport& report) {
+       add_recorded_rows(r, report);
      }},
 };
 
@@ -53,7 +91,7 @@ ExperimentReport run_estimator_experiment(const EstimatorRequest& request) {
       section.add(load_robot(section.robot), request, report);
     }
   }
-  if (report.rows.empty())
+  if (report.rows.empty() && request.only != "recordings")
     throw std::invalid_argument("no rows of " + named.name + " in '" + request.only +
                                 "'; sections: " + estimator_sections());
   report.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();

@@ -17,12 +17,13 @@ Json number(const std::optional<double>& value) {
   return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
 }
 
-std::string cell(const std::optional<double>& value) {
+/// Shares and ratios, which have no unit, say more in four digits.
+std::string cell(const std::optional<double>& value, const std::string& unit) {
   if (!value) {
     return "";
   }
   char text[32];
-  std::snprintf(text, sizeof text, "%.1f", *value);
+  std::snprintf(text, sizeof text, unit.empty() ? "%.4g" : "%.1f", *value);
   return std::isfinite(*value) ? text : "not reached";
 }
 
@@ -30,7 +31,8 @@ std::string bounds(const ReportRow& row) {
   if (!row.low && !row.high) {
     return "";
   }
-  const std::string range = (row.low ? cell(row.low) : "") + ".." + (row.high ? cell(row.high) : "");
+  const std::string range =
+      (row.low ? cell(row.low, row.unit) : "") + ".." + (row.high ? cell(row.high, row.unit) : "");
   return range + (row.ok() ? "  ok" : "  NOT OK");
 }
 
@@ -80,7 +82,7 @@ std::string ExperimentReport::table() const {
   text += line;
   for (const ReportRow& row : rows) {
     std::snprintf(line, sizeof line, "%-44s %5s %12s %9s  %s\n", row.name.c_str(), row.unit.c_str(),
-                  cell(row.value).c_str(), cell(row.paper).c_str(), bounds(row).c_str());
+                  cell(row.value, row.unit).c_str(), cell(row.paper, row.unit).c_str(), bounds(row).c_str());
     text += line;
   }
   return text;
