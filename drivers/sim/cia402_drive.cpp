@@ -160,8 +160,12 @@ void Cia402Drive::follow_mode() noexcept {
   const bool position = stage_.state() == PowerState::kOperationEnabled && mode_ == ModeUse::kPosition;
   if (position && !position_active_) position_loop_.enter(counts_);
   position_active_ = position;
-  if (position && !stage_.braking())
-    reference_ = position_loop_.step(setup_.step_s, std::max(make_->interpolation_period_s(), setup_.step_s));
+  if (position && !stage_.braking()) reference_ = position_loop_.step(setup_.step_s, smoothing_s());
+}
+
+double Cia402Drive::smoothing_s() const noexcept {
+  const double given_s = setup_.truth.smoothing_s;
+  return std::max(given_s > 0.0 ? given_s : make_->interpolation_period_s(), setup_.step_s);
 }
 
 double Cia402Drive::sensor_noise_A(std::int64_t cycle) const noexcept {

@@ -43,6 +43,7 @@ class Cia402Drive : public SimDrive, private DeviceApplication {
   void tell_again() noexcept;
   void forget_communication_fault() noexcept;
   void switch_power(bool on) noexcept;
+  double smoothing_s() const noexcept;
   double sensor_noise_A(std::int64_t cycle) const noexcept;
   bool supply_is_bad() const noexcept;
   bool fault_may_be_reset() const noexcept;

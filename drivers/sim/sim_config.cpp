@@ -31,6 +31,7 @@ void read_optional(const YamlMap& map, SimDriveConfig& drive) {
   drive.supply_max_V = map.quantity_or("supply_max", "V", drive.supply_V, 1000, drive.supply_max_V);
   drive.absolute_encoder = chosen(map, "encoder", "absolute", "incremental", drive.absolute_encoder);
   drive.index_angle_rad = map.quantity_or("index_angle", "rad", -10, 10, drive.index_angle_rad);
+  drive.smoothing_s = map.quantity_or("position_smoothing", "s", 0, 1, drive.smoothing_s);
   drive.mode_delay_s = map.quantity_or("mode_delay", "s", 0, 1, drive.mode_delay_s);
   if (map.has("starts_in_fault")) drive.starts_in_fault = map.flag("starts_in_fault");
   if (map.has("communication_faults"))

@@ -59,6 +59,7 @@ struct SimDriveConfig {
   double supply_max_V = 56.0;    ///< above: over-voltage [unverified]
   bool absolute_encoder = true;  ///< false: count 0 is where the shaft was at power-on
   double index_angle_rad = 0.0;  ///< of the motor's shaft, where the encoder's index pulse is
+  double smoothing_s = 0.0;      ///< over which a new position set-point is drawn in; 0 = the make's own way
   double mode_delay_s = 0.0;     ///< from a new 0x6060 to its confirmation in 0x6061 [unverified]
   bool starts_in_fault = false;  ///< 0x8120 at power-on, as when nobody acknowledges (facts canopen 2.5)
   std::optional<bool> latches_communication_faults;  ///< instead of the make's own way

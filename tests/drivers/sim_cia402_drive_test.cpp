@@ -203,6 +203,25 @@ TEST(Cia402Drive, ModeIsInForceWhenItIsConfirmed) {
   EXPECT_LT(bench.drive->motor_torque_Nm(), kTorque_Nm_A);
 }
 
+/// Torque 1 ms after a step of the position set-point, the joint held.
+double torque_after_step_Nm(double smoothing_s) {
+  SimDriveSetup setup = epos2_setup();
+  setup.truth.smoothing_s = smoothing_s;
+  DriveBench bench(setup);
+  bench.start(kModePosition);
+  bench.run(0.02);
+  bench.write(epos2::kPositionSetting, bench.read_i32(canopen::kPositionActual) + 200, 4);
+  bench.run(0.001);
+  return bench.drive->motor_torque_Nm();
+}
+
+TEST(Cia402Drive, SetPointIsDrawnInOverTheSmoothingTime) {
+  const double own_Nm = torque_after_step_Nm(0.0);
+  EXPECT_GT(own_Nm, 0.1);
+  EXPECT_EQ(torque_after_step_Nm(0.001), own_Nm) << "an EPOS2's own is 1 ms";
+  EXPECT_LT(torque_after_step_Nm(0.004), 0.5 * own_Nm);
+}
+
 TEST(Cia402Drive, LossOfTheMasterIsToldWhenTheLinkIsBack) {
   DriveBench bench;
   bench.write(canopen::kHeartbeatConsumer, (127 << 16) | 20, 4, 1);

@@ -111,6 +111,7 @@ TEST_F(SimConfigTest, OptionalKeysOfADriveAreRead) {
   const SimDriveConfig drive =
       load_with("    supply: 48 V",
                 "    encoder: incremental\n    index_angle: 1.5 rad\n    mode_delay: 2 ms\n    "
+                "position_smoothing: 3 ms\n    "
                 "starts_in_fault: true\n"
                 "    communication_faults: latched\n    supply_min: 20 V\n    supply_max: 60 V\n"
                 "    kinematic_error: {amplitude: 0.0003 rad, order: 2, phase: 1 rad}\n    supply: 48 V")
@@ -118,6 +119,7 @@ TEST_F(SimConfigTest, OptionalKeysOfADriveAreRead) {
   EXPECT_FALSE(drive.absolute_encoder);
   EXPECT_EQ(drive.index_angle_rad, 1.5);
   EXPECT_NEAR(drive.mode_delay_s, 0.002, 1e-12);
+  EXPECT_NEAR(drive.smoothing_s, 0.003, 1e-12);
   EXPECT_TRUE(drive.starts_in_fault);
   EXPECT_TRUE(drive.latches_communication_faults.value_or(false));
   EXPECT_EQ(drive.supply_min_V, 20.0);

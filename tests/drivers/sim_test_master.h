@@ -42,9 +42,9 @@ struct SetPoint {
 
 class SimMaster {
  public:
-  /// @param drives a robot of Gold drives on one bus.
-  explicit SimMaster(const SimOptions& options = {}, const RobotConfig& drives = single_leg())
-      : robot(drives), sim(robot, options) {}
+  /// @param config a robot of Gold drives on one bus.
+  explicit SimMaster(const SimOptions& options = {}, const RobotConfig& config = single_leg())
+      : robot(config), sim(robot, options) {}
 
   void queue(const CanFrame& frame) { burst_.push(0, frame); }
   /// One 1 ms tick: what is queued, the heartbeat, SYNC, and the answers.

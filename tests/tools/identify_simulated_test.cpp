@@ -34,14 +34,6 @@ const sim::PlantJointConfig plant_joint(const Case& c) {
       .plant.joints[static_cast<std::size_t>(c.joint)];
 }
 
-double fitted(const IdentifiedJoint& joint, const std::string& name) {
-  const auto& parameters = joint.chosen().model->parameters();
-  for (std::size_t i = 0; i < parameters.size(); ++i) {
-    if (parameters[i].name == name) return joint.chosen().fit.parameters[static_cast<Eigen::Index>(i)];
-  }
-  return 0.0;
-}
-
 /// Friction over the speeds that were driven, against the plant's without load.
 void expect_friction(const IdentifiedJoint& joint, const sim::PlantJointConfig& plant, double tolerance) {
   const FrictionParameters found = joint.chosen().model->friction(joint.chosen().fit.parameters);

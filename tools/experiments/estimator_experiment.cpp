@@ -6,8 +6,10 @@
 
 #include "robots/robot_loader.h"
 #include "tools/experiments/contact_experiment.h"
+#include "tools/experiments/estimator_ensemble.h"
 #include "tools/experiments/estimator_jump_rows.h"
 #include "tools/experiments/estimator_temperature_rows.h"
+#include "tools/experiments/friction_sweep.h"
 #include "tools/recordings/recording_rows.h"
 
 namespace sprung {
@@ -17,14 +19,16 @@ void append(ExperimentReport& report, const std::vector<ReportRow>& rows) {
   report.rows.insert(report.rows.end(), rows.begin(), rows.end());
 }
 
-constexpr std::uint64_t kContactPlants = 5;
-
 void add_contact_rows(const RobotConfig& robot, const EstimatorRequest& request, ExperimentReport& report) {
   ContactRequest contact;
   contact.preset = request.preset;
-  for (std::uint64_t plant = 1; plant <= kContactPlants; ++plant)
-    contact.plants.push_back({100 * request.seed + plant, {}, true});
+  for (const EnsemblePlant& plant : estimator_ensemble(request.seed))
+    contact.plants.push_back({plant.seed, plant.changes, true});
   append(report, contact_rows(run_contacts(robot, contact)));
+}
+
+void add_friction_rows(const RobotConfig& robot, const EstimatorRequest& request, ExperimentReport& report) {
+  append(report, friction_fit_rows(robot, request.preset, SimOptions{request.seed, {}, true}, &report.simulated_s));
 }
 
 /// Standard output may be JSON, so what is left out is said on the other.
@@ -59,6 +63,7 @@ constexpr Section kSections[] = {
      [](const RobotConfig& robot, const EstimatorRequest& r, ExperimentReport& report) {
        add_temperature_rows(robot, r.preset, r.seed, report);
      }},
+    {"friction_fit", "pegasus", add_friction_rows},
     {"recordings", "test_axis",
      [](const RobotConfig&, const EstimatorRequest& r, ExperimentReport& report) {
        add_recorded_rows(r, report);
