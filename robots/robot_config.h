@@ -98,7 +98,8 @@ struct JointConfig {
   std::optional<IdentifiedFriction> friction;  ///< nothing: the joint is not identified
   JointUncertainty uncertainty;
   ThermalParameters thermal;  ///< of the gear; no time constant: its temperature is not known
-  std::optional<GearTorsion> torsion;  ///< nothing: a link encoder, if there is one, says nothing about torque
+  std::optional<GearTorsion>
+      torsion;  ///< nothing: a link encoder, if there is one, says nothing about torque
 
   FrictionParameters papers_friction() const noexcept { return coulomb_alone(coulomb_friction_Nm); }
   /// The best that is known: identified, else the paper's.

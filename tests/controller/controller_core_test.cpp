@@ -174,6 +174,7 @@ TEST_F(ControllerCoreTest, SmoothingMustBePositive) {
 }
 
 TEST_F(ControllerCoreTest, IdentifiedFrictionChangesPresetBestAndNotPaper) {
+  for (JointConfig& joint : robot_.joints) joint.friction.reset();
   RobotConfig identified = robot_;
   for (JointConfig& joint : identified.joints) {
     joint.friction.emplace();

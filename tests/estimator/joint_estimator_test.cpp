@@ -27,6 +27,16 @@ JointSample fresh(double position_rad, double torque_Nm) {
   return sample;
 }
 
+/// What a data sheet and the paper's bench say.
+JointConfig not_identified() {
+  JointConfig joint = load_robot("single_leg").joints[1];
+  joint.armature_kg_m2 = 0.6;
+  joint.friction.reset();
+  joint.uncertainty = JointUncertainty{};
+  joint.uncertainty.friction = kPapersFrictionUncertainty;
+  return joint;
+}
+
 class JointEstimatorTest : public testing::Test {
  protected:
   EstimatedJoint step(const JointSample& sample) {
@@ -40,7 +50,7 @@ class JointEstimatorTest : public testing::Test {
     return out;
   }
 
-  JointConfig joint_ = load_robot("single_leg").joints[1];
+  JointConfig joint_ = not_identified();
   JointEstimator estimator_{joint_, kDt_s, kEncoderStep_rad, kCoast};
 };
 

@@ -116,9 +116,10 @@ RobotConfig loaded_with(const std::string& fragment) {
   for (bool written = false; std::getline(in, line);) {
     if (line.rfind("  - name: knee", 0) == 0 && line.find("motor") == std::string::npos) in_knee = true;
     if (line.rfind("legs:", 0) == 0) in_knee = false;
-    const bool replaced =
-        in_knee && (line.rfind("  - name", 0) == 0 || line.find("armature:") != std::string::npos);
-    if (!replaced) out << line << "\n";
+    const bool kept = line.rfind("    position:", 0) == 0 ||
+                      line.find("friction_source:") != std::string::npos ||
+                      line.find("coulomb_friction:") != std::string::npos;
+    if (!in_knee || kept) out << line << "\n";
     if (in_knee && !written) {
       out << fragment.substr(fragment.find("  - name"));
       written = true;

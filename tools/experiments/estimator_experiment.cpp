@@ -28,7 +28,8 @@ void add_contact_rows(const RobotConfig& robot, const EstimatorRequest& request,
 }
 
 void add_friction_rows(const RobotConfig& robot, const EstimatorRequest& request, ExperimentReport& report) {
-  append(report, friction_fit_rows(robot, request.preset, SimOptions{request.seed, {}, true}, &report.simulated_s));
+  append(report,
+         friction_fit_rows(robot, request.preset, SimOptions{request.seed, {}, true}, &report.simulated_s));
 }
 
 /// Standard output may be JSON, so what is left out is said on the other.
