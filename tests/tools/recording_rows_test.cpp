@@ -34,6 +34,7 @@ TEST(RecordingRows, OneOfTheToolsChoiceAndThoseOfSimpleModelsBesideIt) {
   EXPECT_EQ(row(rows, "estimator.ur10e_joint_1.parameters").high, 14.0);
   EXPECT_EQ(row(rows, "estimator.ur10e_joint_1.coulomb").value, 0.93);
   EXPECT_EQ(row(rows, "estimator.ur10e_joint_1.stribeck").value, 0.992);
+  EXPECT_EQ(row(rows, "estimator.ur10e_joint_1.model_viscous_load").value, 0.9965);
 }
 
 TEST(RecordingRows, JointsThatNobodyKnowsAreReportedAndHeldAgainstStribeck) {

@@ -32,6 +32,13 @@ double score(const RecordingResult& result, const ModelScore& model) {
   return load_known(result) ? model.link_rms_Nm : model.r2;
 }
 
+/// "viscous+load" -> "model_viscous_load"
+std::string row_of_model(const std::string& model) {
+  std::string out = "model_" + model;
+  std::replace(out.begin(), out.end(), '+', '_');
+  return out;
+}
+
 ReportRow main_row(const RecordingResult& result) {
   ReportRow row;
   const bool link = load_known(result);
@@ -71,9 +78,11 @@ std::vector<ReportRow> rows_of(const RecordingResult& result) {
   for (const ModelScore& model : result.models) {
     if (model.model == "coulomb")
       out.push_back({prefix + "coulomb", link ? "Nm" : "", score(result, model), {}, {}, {}});
-    if (model.model != "viscous+stribeck") continue;
-    out.push_back({prefix + "stribeck", link ? "Nm" : "", score(result, model), {}, {}, {}});
-    if (!link)
+    if (model.model == "coulomb") continue;
+    const bool stribeck = model.model == "viscous+stribeck";
+    const std::string name = prefix + (stribeck ? "stribeck" : row_of_model(model.model));
+    out.push_back({name, link ? "Nm" : "", score(result, model), {}, {}, {}});
+    if (stribeck && !link)
       out.push_back(
           {prefix + "ahead_of_stribeck", "", result.chosen().r2 - model.r2, {}, -kBehindStribeck, {}});
   }
