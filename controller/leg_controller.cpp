@@ -50,7 +50,7 @@ LegController::LegController(const RobotConfig& robot, const LegConfig& leg, con
       limiters_(actuators_.begin(), actuators_.end()) {
   const int n = transmission_.size();
   for (JointVector* v : {&offset_, &motor_torque_Nm_, &measured_.position_rad, &measured_.velocity_rad_s,
-                         &measured_.temperature_C}) {
+                         &measured_.temperature_C, &lowest_rad_, &highest_rad_}) {
     v->setZero(n);
   }
 }
