@@ -74,7 +74,7 @@ struct EstimatedJoint {
   JointStatus status = JointStatus::kStarting;
   bool drive_enabled = false;
   bool identified = false;  ///< friction and armature come from `sprung identify`
-  bool at_rest = false;     ///< friction's sign is not known: torques are the last possible, bounds the far end
+  bool at_rest = false;  ///< friction's sign is not known: torques are the last possible, bounds the far end
 };
 
 struct EstimatedLeg {
