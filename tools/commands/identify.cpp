@@ -127,7 +127,7 @@ void add_protocol_options(CommandLine& identify, identify::ProtocolRequest& p) {
   identify.option("--window", p.window, "FROM:TO seconds after the first sample; default: all");
   identify.option("--resample", p.resample_Hz, "Hz; 0: the table's own, of a log 200");
   identify.option("--smoothing", p.smoothing_s,
-                  "s, width of the fits for velocity and acceleration; 0: by rate");
+                  "s, width of the fits for velocity and acceleration; 0: by rate, of a log 0.025");
   identify.option(
       "--train", p.train,
       "FROM:TO[,FROM:TO...] fractions of the window that decide everything; default: 0:0.5, of a log every "

