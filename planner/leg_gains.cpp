@@ -12,6 +12,7 @@ bool compliant(const JumpProgress& jump, const PresetConfig& preset) noexcept {
       return airborne_or_pushing || landing ||
              (jump.phase == MotionPhase::kCrouch && jump.in_phase_s >= preset.crouch_time_s);
     case JumpMode::kHybrid:
+    case JumpMode::kOwn:
       return landing || (airborne_or_pushing && jump.since_thrust_s >= preset.hybrid_switch_s);
   }
   return false;

@@ -151,6 +151,7 @@ void Motion::enter(MotionPhase from, const JointState& in) noexcept {
     case MotionPhase::kStanding:
     case MotionPhase::kFlight:
     case MotionPhase::kLanding:
+    case MotionPhase::kComplying:
       break;
   }
 }
@@ -191,6 +192,7 @@ void Motion::update(const JointState& in) noexcept {
       break;
     case MotionPhase::kIdle:
     case MotionPhase::kStanding:
+    case MotionPhase::kComplying:
       break;
   }
 }

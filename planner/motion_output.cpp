@@ -12,6 +12,7 @@ LegPhase leg_phase(MotionPhase phase) noexcept {
     case MotionPhase::kRising:
     case MotionPhase::kStanding:
     case MotionPhase::kSitting:
+    case MotionPhase::kComplying:
       return LegPhase::kStand;
     case MotionPhase::kCrouch:
       return LegPhase::kCrouch;

@@ -31,6 +31,11 @@ const MotionTable kTransitions{{
     {P::kMovingJoint, E::kJointArrived, P::kMovingJoint, "joint move ended, joints held"},
     {P::kMovingJoint, E::kJointStopped, P::kMovingJoint, "joint move stopped by the operator, joints held"},
     {P::kMovingJoint, E::kSitRequested, P::kSitting, "joints let go: damped, then off"},
+    {P::kStanding, E::kComplyRequested, P::kComplying, "compliance requested"},
+    {P::kComplying, E::kComplyRequested, P::kComplying, "other compliance requested"},
+    {P::kComplying, E::kStopped, P::kRecover, "compliance stopped by the operator"},
+    {P::kComplying, E::kSitRequested, P::kSitting, "sit requested"},
+    {P::kStanding, E::kLandRequested, P::kFlight, "a fall is to be caught"},
     {std::nullopt, E::kSafetyLost, P::kIdle, "safety is not operational"},
     {std::nullopt, E::kDriveLost, P::kIdle, "a drive is in fault or no longer enabled"},
     {std::nullopt, E::kFootLost, P::kIdle, "a measured foot position is missing where a move begins"},
@@ -79,6 +84,10 @@ const char* name(MotionEvent value) noexcept {
       return "joint arrived";
     case E::kJointStopped:
       return "joint stopped";
+    case E::kComplyRequested:
+      return "comply requested";
+    case E::kLandRequested:
+      return "land requested";
     case E::kSafetyLost:
       return "safety lost";
     case E::kDriveLost:

@@ -28,6 +28,8 @@ enum class MotionEvent : std::int8_t {
   kJointRequested,
   kJointArrived,
   kJointStopped,
+  kComplyRequested,
+  kLandRequested,
   kSafetyLost,
   kDriveLost,
   kFootLost,
@@ -43,7 +45,7 @@ struct MotionTransition {
   const char* reason;  ///< static text for people
 };
 
-using MotionTable = std::array<MotionTransition, 26>;
+using MotionTable = std::array<MotionTransition, 31>;
 const MotionTable& motion_transitions() noexcept;
 
 class MotionStateMachine {

@@ -151,6 +151,8 @@ void PlannerCore::Impl::execute(const OperatorCommand& command, const JointState
       return;  // the bridge's own, and it answers them
     case OperatorKind::kMoveJoint:
       return move_joint(command, in);
+    case OperatorKind::kComply:
+    case OperatorKind::kLand:
     case OperatorKind::kNone:
       break;
   }

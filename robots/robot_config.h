@@ -164,12 +164,23 @@ struct JumpCurveConfig {
   double height_m = 0.0;          ///< that it jumps to, as measured; other heights scale from here
 };
 
+/// At rest the sign of friction is unknown: there the compensation follows the sign of the virtual spring's torque
+/// (errata E5). speed 0: it does not, as in the papers.
+struct RestFrictionConfig {
+  double speed_rad_s = 0.0;  ///< share of the rest law: exp(-(w / this)^2)
+  double torque_Nm = 0.1;    ///< its smooth sign: tanh(spring's torque / this)
+};
+
 /// Everything that differs between `paper` and `best`.
 struct PresetConfig {
   std::string name;
   CompensatedFriction compensated_friction = CompensatedFriction::kPaper;
   double friction_compensation = 1.0;      ///< share of that friction
   double friction_smoothing_rad_s = 0.05;  ///< tanh(w / this)
+  RestFrictionConfig rest_friction;
+  double inertia_compensation = 0.0;  ///< share of armature times desired joint acceleration
+  double stiffness_ramp_s = 0.0;      ///< in which stiffness and damping reach a new value; 0: at once
+  StiffnessConfig compliance;         ///< of `sprung comply`; zero stiffness: it must be asked for
   double stand_length_m = 0.0;
   double sit_length_m = 0.0;
   double rise_time_s = 0.0;  ///< sit or unknown pose to stand

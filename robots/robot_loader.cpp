@@ -7,6 +7,7 @@
 #include <iterator>
 #include <set>
 
+#include "robots/preset_section.h"
 #include "robots/robot_sections.h"
 
 namespace sprung {

@@ -40,7 +40,6 @@ double read_direction(const YamlMap& map);
 JointConfig read_joint(const YamlMap& map);
 LegConfig read_leg(const YamlMap& map, const RobotConfig& robot);
 WatchdogConfig read_watchdogs(const YamlMap& map);
-PresetConfig read_preset(const std::string& name, const YamlMap& map);
 ProcessConfig read_process(const YamlMap& map);
 
 }  // namespace sprung::robot_sections

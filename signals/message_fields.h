@@ -22,9 +22,9 @@ constexpr SafetyCause last(SafetyCause) { return SafetyCause::kDuplicateNode; }
 constexpr JointStatus last(JointStatus) { return JointStatus::kFault; }
 constexpr ControlMode last(ControlMode) { return ControlMode::kJoint; }
 constexpr LegPhase last(LegPhase) { return LegPhase::kStance; }
-constexpr MotionPhase last(MotionPhase) { return MotionPhase::kMovingJoint; }
-constexpr JumpMode last(JumpMode) { return JumpMode::kHybrid; }
-constexpr OperatorKind last(OperatorKind) { return OperatorKind::kMoveJoint; }
+constexpr MotionPhase last(MotionPhase) { return MotionPhase::kComplying; }
+constexpr JumpMode last(JumpMode) { return JumpMode::kOwn; }
+constexpr OperatorKind last(OperatorKind) { return OperatorKind::kLand; }
 constexpr OperatorOutcome last(OperatorOutcome) { return OperatorOutcome::kQueued; }
 constexpr ProcessState last(ProcessState) { return ProcessState::kStopping; }
 constexpr SimControlKind last(SimControlKind) { return SimControlKind::kFloor; }

@@ -92,6 +92,7 @@ const auto kDesiredLeg = [](auto& way, auto& m, auto& s) {
   way(m.feedforward_force_N, s.feedforward_force_N);
   way(m.friction_compensation, s.friction_compensation);
   way(m.velocity_feedforward, s.velocity_feedforward);
+  way(m.inertia_compensation, s.inertia_compensation);
   way(m.desired_joint_position_rad, s.desired_joint_position_rad);
   way(m.desired_joint_velocity_rad_s, s.desired_joint_velocity_rad_s);
   way(m.phase, s.phase);

@@ -22,6 +22,7 @@ const auto kMotionState = [](auto& way, auto& m, auto& s) {
   way(m.jumps_done, s.jumps_done);
   way(m.jumps_left, s.jumps_left);
   way(m.jump_height_scale, s.jump_height_scale);
+  way(m.estimated_jump_height_m, s.estimated_jump_height_m);
   way(m.jump_mode, s.jump_mode);
 };
 
@@ -45,6 +46,11 @@ const auto kOperatorCommand = [](auto& way, auto& m, auto& s) {
   way(m.jump_mode, s.jump_mode);
   way(m.jump_count, s.jump_count);
   way(m.jump_height_m, s.jump_height_m);
+  way(m.jump_forward_m, s.jump_forward_m);
+  way(m.stiffness_N_m, s.stiffness_N_m);
+  way(m.damping_N_s_m, s.damping_N_s_m);
+  way(m.friction_compensation, s.friction_compensation);
+  way(m.touchdown_in_s, s.touchdown_in_s);
   way(m.actuator, s.actuator);
   way(m.reference_source, s.reference_source);
   way(m.joint, s.joint);

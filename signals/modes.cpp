@@ -168,6 +168,8 @@ const char* name(MotionPhase value) noexcept {
       return "sitting";
     case MotionPhase::kMovingJoint:
       return "moving joint";
+    case MotionPhase::kComplying:
+      return "complying";
   }
   return "unknown";
 }
@@ -180,6 +182,8 @@ const char* name(JumpMode value) noexcept {
       return "torque";
     case JumpMode::kHybrid:
       return "hybrid";
+    case JumpMode::kOwn:
+      return "own";
   }
   return "unknown";
 }
@@ -204,6 +208,10 @@ const char* name(OperatorKind value) noexcept {
       return "home";
     case OperatorKind::kMoveJoint:
       return "move joint";
+    case OperatorKind::kComply:
+      return "comply";
+    case OperatorKind::kLand:
+      return "land";
   }
   return "unknown";
 }

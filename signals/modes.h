@@ -92,9 +92,15 @@ enum class MotionPhase : std::int8_t {
   kRecover = 7,
   kSitting = 8,      ///< lowering (damped, where single joints were held), then off
   kMovingJoint = 9,  ///< one joint moves as such, or has; all others hold still
+  kComplying = 10,   ///< each foot on a virtual spring with the operator's stiffness and damping
 };
 
-enum class JumpMode : std::int8_t { kPosition = 0, kTorque = 1, kHybrid = 2 };
+enum class JumpMode : std::int8_t {
+  kPosition = 0,
+  kTorque = 1,
+  kHybrid = 2,
+  kOwn = 3,  ///< hybrid with sprung's own landing: docs/control.md
+};
 
 enum class OperatorKind : std::int8_t {
   kNone = 0,
@@ -106,6 +112,8 @@ enum class OperatorKind : std::int8_t {
   kSit = 6,
   kHome = 7,       ///< bridge: reference the actuators
   kMoveJoint = 8,  ///< planner: one joint to an angle, the others hold still
+  kComply = 9,     ///< planner: from standing or complying, a virtual spring at each foot
+  kLand = 10,  ///< planner: from standing in the air, catch a fall that is expected to end at a given time
 };
 
 enum class OperatorOutcome : std::int8_t { kAccepted = 0, kRefused = 1, kDone = 2, kFailed = 3, kQueued = 4 };

@@ -105,6 +105,7 @@ struct DesiredLeg {
   Vec3 feedforward_force_N{0, 0, 0};
   double friction_compensation = 0.0;
   double velocity_feedforward = 0.0;
+  double inertia_compensation = 0.0;
   Vec3 desired_joint_position_rad{kNaN, kNaN, kNaN};  ///< ControlMode::kJoint only, the leg's joints in order
   Vec3 desired_joint_velocity_rad_s{0, 0, 0};
   LegPhase phase = LegPhase::kIdle;
@@ -131,6 +132,7 @@ struct MotionState {
   std::int32_t jumps_done = 0;
   std::int32_t jumps_left = 0;
   double jump_height_scale = 1.0;
+  double estimated_jump_height_m = kNaN;  ///< of the last jump, from its flight time and leg lengths
   JumpMode jump_mode = JumpMode::kHybrid;
   const char* last_transition = "";  ///< points to static text
   MotionState() = default;
@@ -205,8 +207,13 @@ struct OperatorCommand {
   JumpMode jump_mode = JumpMode::kHybrid;
   std::int32_t jump_count = 1;
   double jump_height_m = 0.0;
-  std::int32_t actuator = -1;  ///< kHome: -1 = all
-  std::int32_t joint = -1;     ///< kMoveJoint: index into the robot's joints
+  double jump_forward_m = 0.0;           ///< where the foot lands, ahead of where it left
+  Vec3 stiffness_N_m{kNaN, kNaN, kNaN};  ///< kComply; NaN: the preset's
+  Vec3 damping_N_s_m{kNaN, kNaN, kNaN};  ///< kComply; NaN: the preset's
+  double friction_compensation = kNaN;   ///< kComply; NaN: the preset's
+  double touchdown_in_s = kNaN;          ///< kLand: from the cycle in which it takes effect
+  std::int32_t actuator = -1;            ///< kHome: -1 = all
+  std::int32_t joint = -1;               ///< kMoveJoint: index into the robot's joints
   double joint_target_rad = kNaN;
   double joint_speed_rad_s = kNaN;
   double joint_acceleration_rad_s2 = kNaN;

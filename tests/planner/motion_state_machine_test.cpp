@@ -9,7 +9,7 @@
 namespace sprung {
 namespace {
 
-constexpr int kStates = static_cast<int>(MotionPhase::kMovingJoint) + 1;
+constexpr int kStates = static_cast<int>(MotionPhase::kComplying) + 1;
 constexpr int kEvents = static_cast<int>(MotionEvent::kRestarted) + 1;
 
 /// Shortest way from idle to each state, over rows of the table.
@@ -36,6 +36,8 @@ std::vector<MotionEvent> way_to(MotionPhase state) {
       return {E::kStandRequested, E::kRisen, E::kSitRequested};
     case MotionPhase::kMovingJoint:
       return {E::kJointRequested};
+    case MotionPhase::kComplying:
+      return {E::kStandRequested, E::kRisen, E::kComplyRequested};
   }
   return {};
 }

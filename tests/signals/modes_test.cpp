@@ -22,13 +22,13 @@ TEST(Modes, EveryValueHasItsOwnName) {
   expect_distinct_names(DriveMode::kPosition);
   expect_distinct_names(PowerState::kFault);
   expect_distinct_names(SafetyLevel::kDisabled);
-  expect_distinct_names(SafetyCause::kImplausible);
+  expect_distinct_names(SafetyCause::kDuplicateNode);
   expect_distinct_names(JointStatus::kFault);
-  expect_distinct_names(ControlMode::kCompliance);
+  expect_distinct_names(ControlMode::kJoint);
   expect_distinct_names(LegPhase::kStance);
-  expect_distinct_names(MotionPhase::kMovingJoint);
-  expect_distinct_names(JumpMode::kHybrid);
-  expect_distinct_names(OperatorKind::kSit);
+  expect_distinct_names(MotionPhase::kComplying);
+  expect_distinct_names(JumpMode::kOwn);
+  expect_distinct_names(OperatorKind::kLand);
   expect_distinct_names(OperatorOutcome::kQueued);
   expect_distinct_names(ProcessState::kStopping);
 }

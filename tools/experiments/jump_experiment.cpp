@@ -23,6 +23,8 @@ PaperJump paper_figures(JumpMode mode) {
       return {110, 460, 57.98, 107.84, 24.21};
     case JumpMode::kHybrid:
       return {188, 576, 145.42, 164.74, 9.46};
+    case JumpMode::kOwn:
+      break;
   }
   return {kNaN, kNaN, kNaN, kNaN, kNaN};
 }

@@ -1,0 +1,83 @@
+#include "robots/preset_section.h"
+
+namespace sprung::robot_sections {
+
+namespace {
+
+std::array<double, 3> read_axes(const YamlMap& map, const std::string& unit, double high) {
+  const std::array<double, 3> axes{map.quantity("x", unit, 0, high), map.quantity("y", unit, 0, high),
+                                   map.quantity("z", unit, 0, high)};
+  map.finish();
+  return axes;
+}
+
+StiffnessConfig read_stiffness(const YamlMap& map) {
+  StiffnessConfig config;
+  config.stiffness_N_m = read_axes(map.map("stiffness"), "N/m", 1e5);
+  config.damping_N_s_m = read_axes(map.map("damping"), "N s/m", 1e4);
+  config.velocity_feedforward = map.quantity("velocity_feedforward", "", 0, 1);
+  map.finish();
+  return config;
+}
+
+JumpCurveConfig read_jump_curve(const YamlMap& map) {
+  JumpCurveConfig curve;
+  curve.duration_s = map.quantity("duration", "s", 0.02, 5.0);
+  curve.lengths_m = map.quantities("lengths", "m", 0.05, 3.0);
+  if (curve.lengths_m.size() < 2 || curve.lengths_m.size() > 17) {
+    map.fail("lengths", "expected 2 to 17 control points, found " + std::to_string(curve.lengths_m.size()));
+  }
+  curve.height_m = map.quantity("height", "m", 0.01, 2.0);
+  map.finish();
+  return curve;
+}
+
+CompensatedFriction read_compensated(const YamlMap& map) {
+  const std::string text = map.text("compensated_friction");
+  if (text != "paper" && text != "identified")
+    map.fail("compensated_friction", "expected paper or identified, found '" + text + "'");
+  return text == "paper" ? CompensatedFriction::kPaper : CompensatedFriction::kIdentified;
+}
+
+/// What presets may leave out: nothing of it was in the papers.
+void read_compliance(const YamlMap& map, PresetConfig& p) {
+  if (map.has("inertia_compensation"))
+    p.inertia_compensation = map.quantity("inertia_compensation", "", 0, 1);
+  if (map.has("stiffness_ramp")) p.stiffness_ramp_s = map.quantity("stiffness_ramp", "s", 0, 1);
+  if (map.has("rest_friction")) {
+    const YamlMap rest = map.map("rest_friction");
+    p.rest_friction.speed_rad_s = rest.quantity("speed", "rad/s", 1e-4, 10);
+    p.rest_friction.torque_Nm = rest.quantity("torque", "Nm", 1e-3, 100);
+    rest.finish();
+  }
+  if (map.has("compliance")) p.compliance = read_stiffness(map.map("compliance"));
+}
+
+}  // namespace
+
+PresetConfig read_preset(const std::string& name, const YamlMap& map) {
+  PresetConfig p;
+  p.name = name;
+  p.compensated_friction = read_compensated(map);
+  p.friction_compensation = map.quantity("friction_compensation", "", 0, 1);
+  p.friction_smoothing_rad_s = map.quantity("friction_smoothing", "rad/s", 1e-4, 10);
+  p.stand_length_m = map.quantity("stand_length", "m", 0.01, 3);
+  p.sit_length_m = map.quantity("sit_length", "m", 0.01, p.stand_length_m);
+  p.rise_time_s = map.quantity("rise_time", "s", 0.1, 30);
+  p.crouch_time_s = map.quantity("crouch_time", "s", 0.05, 30);
+  p.settle_time_s = map.quantity("settle_time", "s", 0, 30);
+  p.recover_time_s = map.quantity("recover_time", "s", 0.05, 30);
+  p.landing_hold_s = map.quantity("landing_hold", "s", 0, 30);
+  p.landing_length_m = map.quantity("landing_length", "m", 0.01, 3);
+  p.flight_timeout_s = map.quantity("flight_timeout", "s", 0.01, 10);
+  p.thrust_timeout_s = map.quantity("thrust_timeout", "s", 0.01, 10);
+  p.hybrid_switch_s = map.quantity("hybrid_switch", "s", 0, 10);
+  read_compliance(map, p);
+  p.jump_curve = read_jump_curve(map.map("jump_curve"));
+  p.torque_jump = read_stiffness(map.map("torque_jump"));
+  p.hybrid_landing = read_stiffness(map.map("hybrid_landing"));
+  map.finish();
+  return p;
+}
+
+}  // namespace sprung::robot_sections
