@@ -62,6 +62,21 @@ TEST(RecordInProcess, StaysInsideItsLimitsOnAPlantThatIsHeavierAndRougher) {
   }
 }
 
+TEST(RecordInProcess, WhatTheOperatorNarrowsHolds) {
+  const RobotConfig robot = load_robot("single_leg");
+  RecordOptions options = kShort;
+  options.asked = {1.0, 1.8, 1.5};
+  const JointRecording recording = record_in_process(robot, {}, 1, options);
+  for (const RecordMove& move : recording.moves) {
+    EXPECT_LE(move.speed_rad_s, 1.5);
+    if (move.part == RecordPart::kReturn) continue;
+    EXPECT_GE(move.target_rad, 1.0);
+    EXPECT_LE(move.target_rad, 1.8);
+  }
+  options.asked = {1.8, 1.0, kNaN};
+  EXPECT_THROW(record_in_process(robot, {}, 1, options), std::invalid_argument);
+}
+
 TEST(RecordInProcess, JointsOfTheHangingQuadrupedAreHomedFirst) {
   const RobotConfig robot = load_robot("pegasus");
   const JointRecording recording = record_in_process(robot, {}, 2, kShort);

@@ -156,13 +156,13 @@ TEST(RecordProtocol, UnknownArmatureStillGivesAFiniteAcceleration) {
 
 TEST(RecordProtocol, OperatorMayOnlyNarrow) {
   const RecordRange range{0.0, 3.0, 4.0, 20.0};
-  const RecordRange some = narrowed(range, 0.5, 9.0, 1.0);
+  const RecordRange some = narrowed(range, {0.5, 9.0, 1.0});
   EXPECT_EQ(some.low_rad, 0.5);
   EXPECT_EQ(some.high_rad, 3.0);
   EXPECT_EQ(some.speed_rad_s, 1.0);
-  EXPECT_EQ(narrowed(range, NAN, NAN, NAN).high_rad, 3.0);
-  EXPECT_THROW(narrowed(range, 2.0, 1.0, NAN), std::invalid_argument);
-  EXPECT_THROW(narrowed(range, NAN, NAN, 0.0), std::invalid_argument);
+  EXPECT_EQ(narrowed(range, {}).high_rad, 3.0);
+  EXPECT_THROW(narrowed(range, {2.0, 1.0, kNaN}), std::invalid_argument);
+  EXPECT_THROW(narrowed(range, {kNaN, kNaN, 0.0}), std::invalid_argument);
 }
 
 TEST(RecordProtocol, TakesItsTimeButNotMuch) {

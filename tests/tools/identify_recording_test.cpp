@@ -118,6 +118,18 @@ TEST(IdentifyRecording, EveryOtherTwentiethOfALogIsHeldOut) {
   EXPECT_NEAR(static_cast<double>(chosen.train.samples), static_cast<double>(chosen.held_out.samples), 60.0);
 }
 
+TEST(IdentifyRecording, AccelerationsOfALogAreFittedOver25MillisecondsUnlessAskedOtherwise) {
+  RecordingRequest request = request_of(plain_log());
+  request.protocol.models = "viscous";
+  const auto inertia_with = [&](double smoothing_s) {
+    request.protocol.smoothing_s = smoothing_s;
+    return identify_recording(request, {}).joints.front().armature.value().value_kg_m2;
+  };
+  const double by_default = inertia_with(0.0);
+  EXPECT_EQ(by_default, inertia_with(0.025));
+  EXPECT_NE(by_default, inertia_with(0.045));
+}
+
 TEST(IdentifyRecording, AllMeansEveryJoint) {
   RecordingRequest request = request_of(plain_log());
   request.all = true;

@@ -45,12 +45,24 @@ identify::AskedRange asked_range(const GuidedRecording& request) {
   return asked;
 }
 
-int joint_of(const RobotConfig& robot, const GuidedRecording& request) {
+identify::RecordOptions options_of(const GuidedRecording& request) {
+  if (!(request.longest_pass_s > 0.0)) throw WrongUse("--longest-pass is more than 0 s");
+  if (!(request.pause_s >= 0.0)) throw WrongUse("--pause is not negative");
+  return {request.longest_pass_s, request.pause_s, asked_range(request)};
+}
+
+/// A joint or a range that the robot does not have, as what the user typed wrong.
+template <class Act>
+auto understood(const Act& act) {
   try {
-    return joint_named(robot, request.joint);
+    return act();
   } catch (const std::invalid_argument& error) {
     throw WrongUse(error.what());
   }
+}
+
+int joint_of(const RobotConfig& robot, const GuidedRecording& request) {
+  return understood([&] { return joint_named(robot, request.joint); });
 }
 
 /// The plant's base to a height at which legs hang free.
@@ -88,8 +100,10 @@ int run_in_process(const GuidedRecording& request) {
   SimOptions sim;
   sim.seed = request.seed;
   sim.plant = parse_plant(request.plant);
+  const identify::RecordOptions options = options_of(request);
+  const int joint = joint_of(robot, request);
   const identify::JointRecording recording =
-      identify::record_in_process(robot, sim, joint_of(robot, request));
+      understood([&] { return identify::record_in_process(robot, sim, joint, options); });
   const std::string file = file_of(request);
   identify::write_drive_log(file, recording.states);
   return next_step(request, file);
@@ -108,6 +122,9 @@ void add_guided_recording(CommandLine& identify, GuidedRecording& request) {
   identify.option("--out", request.file, "with --record: LCM log to write, default ROBOT-JOINT-TIME.lcm");
   identify.option("--range", request.range, "with --record: LOW:HIGH, narrower than the limits: 0.5rad:2rad");
   identify.option("--fastest", request.fastest, "with --record: slower than half the limit: 1rad/s");
+  identify.option("--longest-pass", request.longest_pass_s,
+                  "with --record: s of one pass at constant speed; shorter shows less of slow friction");
+  identify.option("--pause", request.pause_s, "with --record: s at each stop");
   identify.flag("--in-process", request.in_process,
                 "with --record: no robot is up; a simulated one moves in this process, fast, the same bytes "
                 "every time");
@@ -121,7 +138,7 @@ void add_guided_recording(CommandLine& identify, GuidedRecording& request) {
 int run_guided_recording(const GuidedRecording& request) {
   if (request.robot.empty() || request.joint.empty()) throw WrongUse("--record needs ROBOT and JOINT");
   if (request.in_process) return run_in_process(request);
-  const identify::AskedRange asked = asked_range(request);
+  const identify::RecordOptions options = options_of(request);
   const RunInfo info = require_running(request.instance, request.robot);
   const RobotConfig robot = load_robot(info.robot_folder);
   const int joint = joint_of(robot, request);
@@ -130,7 +147,8 @@ int run_guided_recording(const GuidedRecording& request) {
                    " has feet, and must hang free: add --suspended (simulated: it is hung up; real: "
                    "you have hung it up)");
   JointMover mover(info, robot);
-  const identify::RecordPlan plan = identify::plan_recording(robot, joint, asked, mover);
+  const identify::RecordPlan plan =
+      understood([&] { return identify::plan_recording(robot, joint, options, mover); });
   if (!confirmed(identify::describe(robot, plan) + " Is everybody clear of it?", request.yes))
     return kExitFailed;
   const std::string file = file_of(request);

@@ -16,6 +16,8 @@ struct GuidedRecording {
   std::string file;
   std::string range;
   std::string fastest;
+  double longest_pass_s = 4.0;
+  double pause_s = 0.3;
   bool suspended = false;
   bool in_process = false;
   std::uint64_t seed = 1;

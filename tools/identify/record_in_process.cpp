@@ -101,7 +101,7 @@ double hanging_height_m(const RobotConfig& robot) {
 
 JointRecording record_in_process(const RobotConfig& robot, const SimOptions& sim, int joint,
                                  const RecordOptions& options, const CycleObserver& watch) {
-  const RecordRange range = record_range(robot, joint);
+  const RecordRange range = narrowed(record_range(robot, joint), options.asked);
   Recorder recorder(robot, sim, watch);
   JointRecording out;
   out.moves = record_protocol(range, recorder.position_rad(joint), options);

@@ -135,11 +135,11 @@ RecordRange record_range(const RobotConfig& robot, int joint) {
   return range;
 }
 
-RecordRange narrowed(const RecordRange& range, double low_rad, double high_rad, double speed_rad_s) {
+RecordRange narrowed(const RecordRange& range, const AskedRange& asked) {
   RecordRange out = range;
-  if (!std::isnan(low_rad)) out.low_rad = std::max(range.low_rad, low_rad);
-  if (!std::isnan(high_rad)) out.high_rad = std::min(range.high_rad, high_rad);
-  if (!std::isnan(speed_rad_s)) out.speed_rad_s = std::min(range.speed_rad_s, speed_rad_s);
+  if (!std::isnan(asked.low_rad)) out.low_rad = std::max(range.low_rad, asked.low_rad);
+  if (!std::isnan(asked.high_rad)) out.high_rad = std::min(range.high_rad, asked.high_rad);
+  if (!std::isnan(asked.speed_rad_s)) out.speed_rad_s = std::min(range.speed_rad_s, asked.speed_rad_s);
   if (!(out.high_rad > out.low_rad)) throw std::invalid_argument("the range that is asked for is empty");
   if (!(out.speed_rad_s > 0.0)) throw std::invalid_argument("the speed that is asked for is not positive");
   return out;

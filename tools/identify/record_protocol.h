@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "planner/joint_limits.h"
+#include "signals/signals.h"
 
 namespace sprung::identify {
 
@@ -26,8 +27,15 @@ struct RecordRange {
 /// @throws std::invalid_argument naming the joint when its limits leave nothing to move in.
 RecordRange record_range(const RobotConfig& robot, int joint);
 
-/// That range, narrowed by an operator. NaN: as it is. @throws std::invalid_argument where nothing is left.
-RecordRange narrowed(const RecordRange& range, double low_rad, double high_rad, double speed_rad_s);
+/// What an operator may narrow; NaN where robot.yaml alone decides.
+struct AskedRange {
+  double low_rad = kNaN;
+  double high_rad = kNaN;
+  double speed_rad_s = kNaN;
+};
+
+/// @throws std::invalid_argument where nothing is left.
+RecordRange narrowed(const RecordRange& range, const AskedRange& asked);
 
 enum class RecordPart { kApproach, kStops, kSpeeds, kSwings, kReturn };
 const char* name(RecordPart part) noexcept;
@@ -43,6 +51,7 @@ struct RecordMove {
 struct RecordOptions {
   double longest_pass_s = 4.0;  ///< of one pass at constant speed: slow ones cover a part of the way
   double pause_s = 0.3;         ///< at each stop
+  AskedRange asked{};           ///< for who takes the range from the robot; record_protocol() is given one
 };
 
 /// @param from_rad where the joint is; from beyond the range it returns to the range's nearest end.

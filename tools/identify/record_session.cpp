@@ -53,15 +53,16 @@ std::optional<std::string> carry_out_moves(const RecordPlan& plan, JointMover& m
 
 }  // namespace
 
-RecordPlan plan_recording(const RobotConfig& robot, int joint, const AskedRange& asked, JointMover& mover) {
+RecordPlan plan_recording(const RobotConfig& robot, int joint, const RecordOptions& options,
+                          JointMover& mover) {
   const JointState* state = mover.look(kLook_s);
   if (state == nullptr) throw std::runtime_error("no JOINT_STATE comes in: see sprung status");
   require_ready(robot, *state);
   RecordPlan plan;
   plan.joint = joint;
-  plan.range = narrowed(record_range(robot, joint), asked.low_rad, asked.high_rad, asked.speed_rad_s);
+  plan.range = narrowed(record_range(robot, joint), options.asked);
   plan.from_rad = state->joints[static_cast<std::size_t>(joint)].estimated_position_rad;
-  plan.moves = record_protocol(plan.range, plan.from_rad);
+  plan.moves = record_protocol(plan.range, plan.from_rad, options);
   return plan;
 }
 

@@ -18,16 +18,10 @@ struct RecordPlan {
   std::vector<RecordMove> moves;
 };
 
-/// What an operator may narrow; NaN where robot.yaml alone decides.
-struct AskedRange {
-  double low_rad = kNaN;
-  double high_rad = kNaN;
-  double speed_rad_s = kNaN;
-};
-
 /// @throws std::runtime_error saying what to do first: no JOINT_STATE,
 /// safety not operational, a joint that is not referenced or not ready. std::invalid_argument where nothing is left to move in.
-RecordPlan plan_recording(const RobotConfig& robot, int joint, const AskedRange& asked, JointMover& mover);
+RecordPlan plan_recording(const RobotConfig& robot, int joint, const RecordOptions& options,
+                          JointMover& mover);
 
 /// For people, before they say yes: what moves, how far, how fast, how long, and what holds still.
 std::string describe(const RobotConfig& robot, const RecordPlan& plan);

@@ -72,6 +72,15 @@ TEST(JointParameters, StartsLieWithinTheirBounds) {
   }
 }
 
+TEST(JointParameters, NoFitMayEndWhereNoGearIs) {
+  std::map<std::string, FitParameter> found;
+  for (const FitParameter& p : joint_parameters({JointTerm::kStribeck, JointTerm::kAsymmetry}, moved_joint()))
+    found.emplace(p.name, p);
+  EXPECT_EQ(found.at("stribeck_speed").lower, 0.03);
+  EXPECT_EQ(found.at("asymmetry").lower, -0.2);
+  EXPECT_EQ(found.at("asymmetry").upper, 0.2);
+}
+
 TEST(JointParameters, StartsGrowWithTheTorque) {
   JointDataset data = moved_joint();
   const double small = joint_parameters({}, data)[4].initial;
