@@ -28,6 +28,7 @@ class JumpCurve {
   double duration_s() const noexcept { return at_unit_.duration_s(); }
   double crouch_length_m() const noexcept { return crouch_length_m_; }
   double longest_m() const noexcept { return longest_m_; }  ///< of the whole curve, as scaled
+  double end_length_m() const noexcept { return at_unit_.end(); }
   /// Foot straight under the hip; after the curve it rests at the landing length.
   FootPoint at(double time_s) const noexcept;
 

@@ -1,33 +1,11 @@
 #include "planner/motion.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "planner/measured.h"
 
 namespace sprung {
 namespace {
-
-bool all_enabled(const JointState& in) noexcept {
-  return std::all_of(in.joints.begin(), in.joints.end(),
-                     [](const EstimatedJoint& j) { return j.drive_enabled; });
-}
-
-bool all_settled(const JointState& in) noexcept {
-  return std::none_of(in.joints.begin(), in.joints.end(),
-                      [](const EstimatedJoint& j) { return j.status == JointStatus::kStarting; });
-}
-
-bool any_fault(const JointState& in) noexcept {
-  return std::any_of(in.joints.begin(), in.joints.end(),
-                     [](const EstimatedJoint& j) { return j.status == JointStatus::kFault; });
-}
-
-bool any_contact(const JointState& in) noexcept {
-  return std::any_of(in.legs.begin(), in.legs.end(), [](const EstimatedLeg& l) { return l.contact; });
-}
-
-bool finite(const Vec3& v) noexcept {
-  return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
-}
 
 Vec3 under_hip(double length_m) noexcept { return {0.0, 0.0, -length_m}; }
 
@@ -40,11 +18,19 @@ bool on_curve(MotionPhase phase) noexcept {
   return phase == MotionPhase::kThrust || phase == MotionPhase::kFlight || phase == MotionPhase::kLanding;
 }
 
+std::vector<OwnLanding> own_landings(const RobotConfig& robot, const PresetConfig& preset) {
+  std::vector<OwnLanding> out;
+  for (const LegConfig& leg : robot.legs) out.emplace_back(robot, leg, preset);
+  return out;
+}
+
 }  // namespace
 
 Motion::Motion(const RobotConfig& robot, const PresetConfig& preset)
     : preset_(preset),
-      curve_(preset),
+      jump_(preset),
+      own_(own_landings(robot, preset)),
+      own_said_(robot.legs.size()),
       joints_(robot),
       moves_(robot.legs.size()),
       departure_m_(robot.legs.size()) {}
@@ -61,12 +47,22 @@ bool Motion::stand(const JointState& in) noexcept {
 bool Motion::jump(const JointState& in, const JumpRequest& request) noexcept {
   if (state() != MotionPhase::kStanding) return false;
   stop_ = false;
-  request_ = request;
-  jumps_done_ = 0;
-  jumps_left_ = request.count;
-  jump_failure_ = nullptr;
-  curve_.scale(request.scale);
+  jump_.begin(request);
   return process(MotionEvent::kJumpRequested, in);
+}
+
+bool Motion::land(const JointState& in, const FallRequest& request) noexcept {
+  if (state() != MotionPhase::kStanding) return false;
+  stop_ = false;
+  jump_.begin(request, in.stamp.utime_us);
+  return process(MotionEvent::kLandRequested, in);
+}
+
+bool Motion::comply(const JointState& in, const ComplyRequest& request) noexcept {
+  if (!process(MotionEvent::kComplyRequested, in)) return false;
+  stop_ = false;
+  compliance_ = request;
+  return true;
 }
 
 bool Motion::sit(const JointState& in) noexcept { return process(MotionEvent::kSitRequested, in); }
@@ -93,8 +89,8 @@ void Motion::stop() noexcept {
 void Motion::restart(const JointState& in) noexcept {
   process(MotionEvent::kRestarted, in);
   lost_ = false;
-  phase_began_us_ = move_began_us_ = thrust_began_us_ = now_us_ =
-      in.stamp.utime_us;  // the old times mean nothing now
+  phase_began_us_ = move_began_us_ = now_us_ = in.stamp.utime_us;  // the old times mean nothing now
+  jump_.restart(now_us_);
 }
 
 bool Motion::process(MotionEvent event, const JointState& in) noexcept {
@@ -111,17 +107,25 @@ bool Motion::process(MotionEvent event, const JointState& in) noexcept {
 /// Where the next move begins: under compliance the leg is where its load has put it, and going on from the
 /// desired foot would be a step; else where the path is now.
 void Motion::note_departure(const JointState& in) noexcept {
-  const bool measured = state() != MotionPhase::kIdle && compliant(progress(), preset_);
+  const bool own = landing_by_own_law();
   for (std::size_t i = 0; i < departure_m_.size(); ++i) {
     const Vec3& foot = in.legs[i].estimated_foot_in_hip_m;
-    departure_m_[i] = measured && finite(foot) ? foot : path(i).position_m;
+    const Vec3 desired_m = own ? own_said_[i].desired.position_m : path(i).position_m;
+    departure_m_[i] = on_spring(i) && finite(foot) ? foot : desired_m;
   }
+}
+
+bool Motion::on_spring(std::size_t leg) const noexcept {
+  if (state() == MotionPhase::kIdle) return false;
+  if (state() == MotionPhase::kComplying) return true;
+  if (landing_by_own_law()) return own_said_[leg].control_mode == ControlMode::kCompliance;
+  return compliant(progress(), preset_);
 }
 
 void Motion::enter(MotionPhase from, const JointState& in) noexcept {
   switch (state()) {
     case MotionPhase::kIdle:
-      jumps_left_ = 0;
+      jump_.abandon();
       break;
     case MotionPhase::kRising:
       enabled_ = false;
@@ -130,18 +134,17 @@ void Motion::enter(MotionPhase from, const JointState& in) noexcept {
       enabled_ = enabled_ && from == MotionPhase::kMovingJoint;
       break;
     case MotionPhase::kCrouch:
-      move_all(curve_.crouch_length_m(), preset_.crouch_time_s);
+      move_all(jump_.curve().crouch_length_m(), preset_.crouch_time_s);
       break;
     case MotionPhase::kThrust:
-      thrust_began_us_ = now_us_;
-      contact_seen_ = any_contact(in);
-      longest_m_ = 0.0;
+      jump_.begin_thrust(in);
+      break;
+    case MotionPhase::kFlight:
+      if (from == MotionPhase::kStanding) move_all(jump_.curve().end_length_m(), jump_.fall_move_s());
+      for (OwnLanding& own : own_) own.begin(jump_.expected());
       break;
     case MotionPhase::kRecover:
-      if (from == MotionPhase::kLanding) {
-        ++jumps_done_;
-        --jumps_left_;
-      }
+      if (from == MotionPhase::kLanding) jump_.landed();
       move_all(preset_.stand_length_m, preset_.recover_time_s);
       break;
     case MotionPhase::kSitting:
@@ -149,7 +152,6 @@ void Motion::enter(MotionPhase from, const JointState& in) noexcept {
       move_all(preset_.sit_length_m, preset_.rise_time_s);
       break;
     case MotionPhase::kStanding:
-    case MotionPhase::kFlight:
     case MotionPhase::kLanding:
     case MotionPhase::kComplying:
       break;
@@ -173,10 +175,8 @@ void Motion::update(const JointState& in) noexcept {
       update_crouch(in);
       break;
     case MotionPhase::kThrust:
-      update_thrust(in);
-      break;
     case MotionPhase::kFlight:
-      update_flight(in);
+      update_jump(in);
       break;
     case MotionPhase::kLanding:
       if (in_phase_s() >= preset_.landing_hold_s) process(MotionEvent::kLandingHeld, in);
@@ -190,9 +190,11 @@ void Motion::update(const JointState& in) noexcept {
     case MotionPhase::kMovingJoint:
       update_joint(in);
       break;
+    case MotionPhase::kComplying:
+      if (stop_) process(MotionEvent::kStopped, in);
+      break;
     case MotionPhase::kIdle:
     case MotionPhase::kStanding:
-    case MotionPhase::kComplying:
       break;
   }
 }
@@ -226,42 +228,19 @@ void Motion::update_crouch(const JointState& in) noexcept {
   }
 }
 
-void Motion::update_thrust(const JointState& in) noexcept {
-  const bool contact = any_contact(in);
-  contact_seen_ = contact_seen_ || contact;
-  if (contact_seen_ && !contact) {
-    process(MotionEvent::kLiftOff, in);
-  } else if (drawn_in_again(in)) {
-    process(MotionEvent::kRetracting, in);
-  } else if (in_phase_s() >= preset_.thrust_timeout_s && process(MotionEvent::kThrustTimeout, in)) {
-    jump_failure_ = last_transition();
-  }
-}
-
-/// Measured, and sure where the force estimate is not: in a thrust the rotors' inertia hides the ground force (errata E6), but
-/// a leg that is shorter again than it was cannot push any more.
-bool Motion::drawn_in_again(const JointState& in) noexcept {
-  double length_m = 0.0;
-  for (const EstimatedLeg& leg : in.legs) length_m = std::max(length_m, -leg.estimated_foot_in_hip_m[2]);
-  longest_m_ = std::max(longest_m_, length_m);
-  const bool extended =
-      longest_m_ > curve_.crouch_length_m() + kExtended * (curve_.longest_m() - curve_.crouch_length_m());
-  return extended && length_m < longest_m_ - kDrawnIn_m;
-}
-
-void Motion::update_flight(const JointState& in) noexcept {
-  const bool settled = since(thrust_began_us_) >= curve_.duration_s() + kTouchdownGuard_s;
-  if (settled && any_contact(in)) {
-    process(MotionEvent::kTouchdown, in);
-  } else if (in_phase_s() >= preset_.flight_timeout_s && process(MotionEvent::kFlightTimeout, in)) {
-    jump_failure_ = last_transition();
-  }
+/// Thrust or flight; a time-out fails the jump.
+void Motion::update_jump(const JointState& in) noexcept {
+  const std::optional<MotionEvent> event =
+      state() == MotionPhase::kThrust ? jump_.in_thrust(in, in_phase_s()) : jump_.in_flight(in, in_phase_s());
+  if (!event || !process(*event, in)) return;
+  const bool timed_out = *event == MotionEvent::kThrustTimeout || *event == MotionEvent::kFlightTimeout;
+  if (timed_out) jump_.fail(last_transition());
 }
 
 void Motion::update_recover(const JointState& in) noexcept {
   if (in_phase_s() < preset_.recover_time_s + preset_.settle_time_s) return;
-  const bool again = jumps_left_ > 0 && !stop_ && jump_failure_ == nullptr;
-  if (jumps_left_ > 0 && stop_) jump_failure_ = "stopped by the operator before its last jump";
+  const bool again = jump_.left() > 0 && !stop_ && jump_.failure() == nullptr;
+  if (jump_.left() > 0 && stop_) jump_.fail("stopped by the operator before its last jump");
   process(again ? MotionEvent::kNextJump : MotionEvent::kRecovered, in);
 }
 
@@ -282,12 +261,10 @@ void Motion::await_joints(const JointState& in) noexcept {
   }
 }
 
-JumpProgress Motion::progress() const noexcept {
-  return {state(), request_.mode, in_phase_s(), since(thrust_began_us_)};
-}
+JumpProgress Motion::progress() const noexcept { return jump_.progress(state(), in_phase_s(), now_us_); }
 
 FootPoint Motion::path(std::size_t leg) const noexcept {
-  return on_curve(state()) ? curve_.at(since(thrust_began_us_)) : moves_[leg].at(since(move_began_us_));
+  return on_curve(state()) && !jump_.falling() ? jump_.path(now_us_) : moves_[leg].at(since(move_began_us_));
 }
 
 }  // namespace sprung

@@ -4,34 +4,21 @@
 /// the message's.
 #include <vector>
 
+#include "planner/comply_request.h"
 #include "planner/foot_move.h"
 #include "planner/joint_motion.h"
-#include "planner/jump_curve.h"
-#include "planner/leg_gains.h"
+#include "planner/jump.h"
 #include "planner/motion_state_machine.h"
+#include "planner/own_landing.h"
 
 namespace sprung {
 
 /// Drives that are not all enabled this long after `stand` will not be (design section 8: nothing is
 /// retried).
 inline constexpr double kEnableTimeout_s = 1.5;
-/// Contact counts as touchdown only this long after the curve ended: until then the leg's own deceleration
-/// can look like it.
-inline constexpr double kTouchdownGuard_s = 0.05;
-
 /// How long legs are damped after safety, a drive or the foot was lost: a standing leg then sinks instead of
 /// falling. Only after that is it without power.
 inline constexpr double kSinkTime_s = 1.0;
-
-/// A thrust has ended when the leg, once extended by this share of its stroke, is shorter again by this length.
-inline constexpr double kExtended = 0.5;
-inline constexpr double kDrawnIn_m = 0.005;
-
-struct JumpRequest {
-  JumpMode mode = JumpMode::kHybrid;
-  int count = 1;
-  double scale = 1.0;
-};
 
 class Motion {
  public:
@@ -45,10 +32,14 @@ class Motion {
   // elsewhere.
   bool stand(const JointState& in) noexcept;
   bool jump(const JointState& in, const JumpRequest& request) noexcept;
+  /// Feet stay where they are desired now, each on a virtual spring; again: with other gains.
+  bool comply(const JointState& in, const ComplyRequest& request) noexcept;
+  /// Hanging in the air: a fall begins now.
+  bool land(const JointState& in, const FallRequest& request) noexcept;
   bool sit(const JointState& in) noexcept;
   /// From idle, or where joints are held and none moves.
   bool move_joint(const JointState& in, const JointRequest& request) noexcept;
-  /// Finish the phase, then stand: no thrust any more if it has not begun, no further jumps. A joint that moves
+  /// Finish the phase, then stand: no thrust any more if it has not begun, no further jumps; no compliance. A joint that moves
   /// brakes, and all are held.
   void stop() noexcept;
   /// The bridge was restarted: off at once.
@@ -56,11 +47,12 @@ class Motion {
 
   /// One cycle of conditions and time-outs. At most one transition.
   void update(const JointState& in) noexcept;
-  void write(const JointState& in, LegCommand& out) const noexcept;
+  /// Once in each cycle, after update() and all requests.
+  void write(const JointState& in, LegCommand& out) noexcept;
   void write(MotionState& out) const noexcept;
 
-  /// Why the jump just ended was not as requested; nullptr when it was.
-  const char* jump_failure() const noexcept { return jump_failure_; }
+  /// Why the jump or fall that just ended was not as requested; nullptr when it was.
+  const char* jump_failure() const noexcept { return jump_.failure(); }
   const JointMotion& joints() const noexcept { return joints_; }
   /// In kMovingJoint: nothing moves, nor waits for its drives.
   bool joints_held() const noexcept { return enabled_ && !joint_moves_; }
@@ -78,17 +70,22 @@ class Motion {
   void enter(MotionPhase from, const JointState& in) noexcept;
   void update_rising(const JointState& in) noexcept;
   void update_crouch(const JointState& in) noexcept;
-  void update_thrust(const JointState& in) noexcept;
-  bool drawn_in_again(const JointState& in) noexcept;
-  void update_flight(const JointState& in) noexcept;
+  void update_jump(const JointState& in) noexcept;
   void update_recover(const JointState& in) noexcept;
   void update_joint(const JointState& in) noexcept;
   void await_joints(const JointState& in) noexcept;
   bool lost(const JointState& in) noexcept;
   void move_all(double length_m, double duration_s) noexcept;
   void note_departure(const JointState& in) noexcept;
+  bool on_spring(std::size_t leg) const noexcept;  ///< by the last command
   FootPoint path(std::size_t leg) const noexcept;
   void write_foot(std::size_t leg, const JointState& in, DesiredLeg& out) const noexcept;
+  void write_own_landing(std::size_t leg, const JointState& in, DesiredLeg& out) noexcept;
+  /// sprung's own landing has the legs.
+  bool landing_by_own_law() const noexcept {
+    return jump_.mode() == JumpMode::kOwn &&
+           (state() == MotionPhase::kFlight || state() == MotionPhase::kLanding);
+  }
   bool waiting() const noexcept {
     return !enabled_ && (state() == MotionPhase::kRising || state() == MotionPhase::kMovingJoint);
   }
@@ -106,7 +103,10 @@ class Motion {
 
   PresetConfig preset_;
   MotionStateMachine machine_;
-  JumpCurve curve_;
+  Jump jump_;
+  ComplyRequest compliance_;
+  std::vector<OwnLanding> own_;             ///< one for each leg
+  std::vector<OwnLandingOutput> own_said_;  ///< in the last cycle
   JointMotion joints_;
   JointRequest joint_request_;     ///< that waits for its drives
   std::vector<FootMove> moves_;    ///< one for each leg; played since move_began_us_
@@ -114,18 +114,11 @@ class Motion {
   std::int64_t now_us_ = 0;
   std::int64_t phase_began_us_ = 0;
   std::int64_t move_began_us_ = 0;
-  std::int64_t thrust_began_us_ = 0;
-  bool lost_ = false;          ///< idle because something was lost, not by sitting down or a restart
-  bool joint_moves_ = false;   ///< or waits for its drives
-  bool let_go_ = false;        ///< sitting down from single joints: damped, since there is no foot to lower
-  bool enabled_ = false;       ///< all drives have been since the stand or the first joint move was requested
-  bool contact_seen_ = false;  ///< since the thrust began
-  double longest_m_ = 0.0;     ///< measured leg, since the thrust began
+  bool lost_ = false;         ///< idle because something was lost, not by sitting down or a restart
+  bool joint_moves_ = false;  ///< or waits for its drives
+  bool let_go_ = false;       ///< sitting down from single joints: damped, since there is no foot to lower
+  bool enabled_ = false;      ///< all drives have been since the stand or the first joint move was requested
   bool stop_ = false;
-  JumpRequest request_;
-  int jumps_done_ = 0;
-  int jumps_left_ = 0;
-  const char* jump_failure_ = nullptr;
 };
 
 }  // namespace sprung

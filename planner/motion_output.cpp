@@ -30,7 +30,7 @@ LegPhase leg_phase(MotionPhase phase) noexcept {
 
 }  // namespace
 
-void Motion::write(const JointState& in, LegCommand& out) const noexcept {
+void Motion::write(const JointState& in, LegCommand& out) noexcept {
   out.stamp = in.stamp;
   out.used_joint_state_seq = in.stamp.seq;
   for (std::size_t i = 0; i < out.legs.size(); ++i) {
@@ -39,6 +39,8 @@ void Motion::write(const JointState& in, LegCommand& out) const noexcept {
     leg.phase = leg_phase(state());
     if (state() == MotionPhase::kMovingJoint) {
       joints_.write(i, now_us_, leg);
+    } else if (landing_by_own_law()) {
+      write_own_landing(i, in, leg);
     } else {
       write_foot(i, in, leg);
     }
@@ -53,16 +55,35 @@ void Motion::write_foot(std::size_t leg, const JointState& in, DesiredLeg& out) 
   out.desired_foot_in_hip_m = foot.position_m;
   out.desired_foot_velocity_m_s = foot.velocity_m_s;
   out.desired_foot_acceleration_m_s2 = foot.acceleration_m_s2;
-  if (state() != MotionPhase::kIdle) set_control(progress(), preset_, out);
+  if (state() == MotionPhase::kComplying) {
+    set_compliance(compliance_.gains, compliance_.friction_compensation, preset_, out);
+  } else if (state() != MotionPhase::kIdle) {
+    set_control(progress(), preset_, out);
+  }
+}
+
+void Motion::write_own_landing(std::size_t leg, const JointState& in, DesiredLeg& out) noexcept {
+  const OwnLandingOutput& own = own_said_[leg] =
+      own_[leg].step({now_us_, path(leg), progress(), in.legs[leg]});
+  out.desired_foot_in_hip_m = own.desired.position_m;
+  out.desired_foot_velocity_m_s = own.desired.velocity_m_s;
+  out.desired_foot_acceleration_m_s2 = own.desired.acceleration_m_s2;
+  out.control_mode = own.control_mode;
+  out.stiffness_N_m = own.gains.stiffness_N_m;
+  out.damping_N_s_m = own.gains.damping_N_s_m;
+  out.velocity_feedforward = own.gains.velocity_feedforward;
+  out.feedforward_force_N = own.feedforward_force_N;
+  out.friction_compensation = own.friction_compensation;
+  out.inertia_compensation = own.inertia_compensation;
 }
 
 void Motion::write(MotionState& out) const noexcept {
   out.state = state();
   for (MotionLeg& leg : out.legs) leg = {leg_phase(state()), in_phase_s()};
-  out.jumps_done = jumps_done_;
-  out.jumps_left = jumps_left_;
-  out.jump_height_scale = curve_.factor();
-  out.jump_mode = request_.mode;
+  out.jumps_done = jump_.done();
+  out.jumps_left = jump_.left();
+  out.jump_height_scale = jump_.curve().factor();
+  out.jump_mode = jump_.mode();
   out.last_transition = last_transition();
 }
 

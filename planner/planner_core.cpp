@@ -2,13 +2,13 @@
 
 #include <cmath>
 
+#include "planner/comply_request.h"
 #include "planner/motion.h"
 #include "planner/operator_desk.h"
+#include "planner/requests.h"
 
 namespace sprung {
 namespace {
-
-constexpr int kMostJumps = 100;
 
 /// A request that has been accepted and has not ended.
 struct Active {
@@ -16,75 +16,19 @@ struct Active {
   OperatorKind kind = OperatorKind::kNone;  ///< kNone: there is none
 };
 
-bool known(JumpMode mode) noexcept {
-  return mode == JumpMode::kPosition || mode == JumpMode::kTorque || mode == JumpMode::kHybrid;
-}
-
-constexpr const char* kNotOperational = "safety is not operational: clear it first";
-constexpr const char* kNotReady = "a joint is not ready: see its status";
-
-/// An estimator that still settles is fine: every motion waits for it.
-bool usable(JointStatus status) noexcept {
-  return status == JointStatus::kOk || status == JointStatus::kSaturated || status == JointStatus::kStarting;
-}
-
-bool can_stand(const JointState& in) noexcept {
-  for (const EstimatedJoint& joint : in.joints) {
-    if (!usable(joint.status)) return false;
-  }
-  for (const EstimatedLeg& leg : in.legs) {
-    if (!std::isfinite(leg.estimated_foot_in_hip_m[0])) return false;
-  }
-  return true;
-}
-
-/// nullptr: every joint can be held where it is.
-const char* why_not_held(const JointState& in) noexcept {
-  if (in.safety != SafetyLevel::kOperational) return kNotOperational;
-  for (const EstimatedJoint& joint : in.joints) {
-    if (joint.status == JointStatus::kNotReferenced) return "a joint is not referenced: sprung home";
-    if (!usable(joint.status)) return kNotReady;
-  }
-  return nullptr;
-}
-
-const char* busy(MotionPhase state) noexcept {
-  switch (state) {
-    case MotionPhase::kStanding:
-      return "busy: standing, sit first";
-    case MotionPhase::kMovingJoint:
-      return "busy: single joints are held, sit first";
-    case MotionPhase::kRising:
-      return "busy: rising";
-    case MotionPhase::kSitting:
-      return "busy: sitting down";
-    case MotionPhase::kIdle:
-      return "not standing: stand first";
-    default:
-      return "busy: jumping";
-  }
-}
-
-/// nullptr: fine.
-const char* jump_mistake(const OperatorCommand& c, const JumpCurveConfig& curve) noexcept {
-  if (!known(c.jump_mode)) return "jump mode must be position, torque or hybrid";
-  if (c.jump_count < 1 || c.jump_count > kMostJumps) return "jump count must be 1 to 100";
-  if (std::isnan(jump_scale(curve, c.jump_height_m)))
-    return "jump height must be 0.02 m to 1.1 times the robot file's own, or 0 for that";
-  return nullptr;
-}
-
 }  // namespace
 
 struct PlannerCore::Impl {
-  Impl(const RobotConfig& robot, const PresetConfig& preset)
-      : jump_curve(preset.jump_curve), why_not_standing(robot.why_not_standing()), motion(robot, preset) {}
+  Impl(const RobotConfig& robot, const PresetConfig& preset_in)
+      : preset(preset_in), why_not_standing(robot.why_not_standing()), motion(robot, preset_in) {}
 
   void step(const JointState& in) noexcept;
   void execute(const OperatorCommand& command, const JointState& in) noexcept;
   void stand(const OperatorCommand& command, const JointState& in) noexcept;
   void jump(const OperatorCommand& command, const JointState& in) noexcept;
   void sit(const OperatorCommand& command, const JointState& in) noexcept;
+  void land(const OperatorCommand& command, const JointState& in) noexcept;
+  void comply(const OperatorCommand& command, const JointState& in) noexcept;
   void stop(const OperatorCommand& command) noexcept;
   void move_joint(const OperatorCommand& command, const JointState& in) noexcept;
   void end_requests() noexcept;
@@ -107,7 +51,7 @@ struct PlannerCore::Impl {
     request = {};
   }
 
-  const JumpCurveConfig jump_curve;    ///< the robot file's own
+  const PresetConfig preset;
   const char* const why_not_standing;  ///< nullptr: it can
   Motion motion;
   OperatorDesk desk;
@@ -152,7 +96,9 @@ void PlannerCore::Impl::execute(const OperatorCommand& command, const JointState
     case OperatorKind::kMoveJoint:
       return move_joint(command, in);
     case OperatorKind::kComply:
+      return comply(command, in);
     case OperatorKind::kLand:
+      return land(command, in);
     case OperatorKind::kNone:
       break;
   }
@@ -163,24 +109,47 @@ void PlannerCore::Impl::stand(const OperatorCommand& command, const JointState& 
   if (why_not_standing != nullptr) return refuse(command, why_not_standing);
   if (motion.state() == MotionPhase::kStanding) return accept_as_done(command, "already standing");
   if (motion.state() != MotionPhase::kIdle) return refuse(command, busy(motion.state()));
-  if (in.safety != SafetyLevel::kOperational) return refuse(command, kNotOperational);
-  if (!can_stand(in)) return refuse(command, kNotReady);
+  if (const char* why = why_not_risen(in)) return refuse(command, why);
   if (motion.stand(in)) accept(command, moving);
 }
 
 void PlannerCore::Impl::jump(const OperatorCommand& command, const JointState& in) noexcept {
   if (why_not_standing != nullptr) return refuse(command, why_not_standing);
   if (motion.state() != MotionPhase::kStanding) return refuse(command, busy(motion.state()));
-  if (const char* mistake = jump_mistake(command, jump_curve)) return refuse(command, mistake);
-  const JumpRequest request{command.jump_mode, command.jump_count,
-                            jump_scale(jump_curve, command.jump_height_m)};
+  if (const char* mistake = jump_mistake(command)) return refuse(command, mistake);
+  const double scale = jump_scale(preset.jump_curve, command.jump_height_m);
+  if (std::isnan(scale))
+    return refuse(command, "jump height must be 0.02 m to 1.1 times the robot file's own, or 0 for that");
+  const JumpRequest request{command.jump_mode, command.jump_count, scale};
   if (motion.jump(in, request)) accept(command, moving);
+}
+
+void PlannerCore::Impl::land(const OperatorCommand& command, const JointState& in) noexcept {
+  if (why_not_standing != nullptr) return refuse(command, why_not_standing);
+  if (motion.state() != MotionPhase::kStanding) return refuse(command, busy(motion.state()));
+  if (const char* mistake = land_mistake(command)) return refuse(command, mistake);
+  if (motion.land(in, {command.jump_mode, command.touchdown_in_s})) accept(command, moving);
+}
+
+/// Done as soon as it is accepted: it lasts until `stop` or `sit`.
+void PlannerCore::Impl::comply(const OperatorCommand& command, const JointState& in) noexcept {
+  if (why_not_standing != nullptr) return refuse(command, why_not_standing);
+  const bool possible = motion.state() == MotionPhase::kStanding || motion.state() == MotionPhase::kComplying;
+  if (!possible) return refuse(command, busy(motion.state()));
+  if (stopping.kind != OperatorKind::kNone) return refuse(command, "already stopping");
+  if (const char* mistake = comply_mistake(command, preset)) return refuse(command, mistake);
+  if (motion.comply(in, comply_request(command, preset))) {
+    note = "";
+    accept_as_done(command, motion.last_transition());
+  }
 }
 
 void PlannerCore::Impl::sit(const OperatorCommand& command, const JointState& in) noexcept {
   if (motion.state() == MotionPhase::kIdle) return accept_as_done(command, "already down, drives off");
-  const bool joints = motion.state() == MotionPhase::kMovingJoint;
-  if (motion.state() != MotionPhase::kStanding && !joints) return refuse(command, busy(motion.state()));
+  const bool possible = motion.state() == MotionPhase::kStanding ||
+                        motion.state() == MotionPhase::kMovingJoint ||
+                        motion.state() == MotionPhase::kComplying;
+  if (!possible) return refuse(command, busy(motion.state()));
   if (!motion.sit(in)) return;
   end(moving, OperatorOutcome::kFailed, motion.last_transition());
   end(stopping, OperatorOutcome::kFailed, motion.last_transition());
@@ -217,7 +186,8 @@ void PlannerCore::Impl::end_requests() noexcept {
     end(moving, sat ? OperatorOutcome::kDone : OperatorOutcome::kFailed, why);
     end(stopping, OperatorOutcome::kFailed, why);
   } else if (motion.state() == MotionPhase::kStanding) {
-    const char* failure = moving.kind == OperatorKind::kJump ? motion.jump_failure() : nullptr;
+    const bool jumped = moving.kind == OperatorKind::kJump || moving.kind == OperatorKind::kLand;
+    const char* failure = jumped ? motion.jump_failure() : nullptr;
     end(moving, failure != nullptr ? OperatorOutcome::kFailed : OperatorOutcome::kDone,
         failure != nullptr ? failure : why);
     end(stopping, OperatorOutcome::kDone, why);

@@ -87,6 +87,12 @@ void CommandLine::option(const std::string& name, std::vector<std::string>& valu
   if (need == Need::kRequired) option->required();
 }
 
+void CommandLine::option(const std::string& name, std::array<double, 2>& value, const std::string& help,
+                         Need need) {
+  CLI::Option* const option = impl_->app->add_option(name, value, help);
+  if (need == Need::kRequired) option->required();
+}
+
 void CommandLine::choice(const std::string& name, std::string& value, const std::vector<std::string>& allowed,
                          const std::string& help, Need need) {
   impl_->add(name, value, help, need)->check(CLI::IsMember(allowed));

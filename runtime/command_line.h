@@ -8,6 +8,7 @@
 ///   jump.example("sprung jump --count 3");
 ///   jump.action([&] { return run_jump(count); });
 ///   return line.run(argc, argv);
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -51,6 +52,9 @@ class CommandLine {
               Need need = Need::kOptional);
   void option(const std::string& name, double& value, const std::string& help, Need need = Need::kOptional);
   void option(const std::string& name, std::vector<std::string>& value, const std::string& help,
+              Need need = Need::kOptional);
+  /// As many values at once as the array has, e.g. --stiffness 2000 1500. Its content is no default: it stays as it is.
+  void option(const std::string& name, std::array<double, 2>& value, const std::string& help,
               Need need = Need::kOptional);
   /// A text that must be one of `allowed`.
   void choice(const std::string& name, std::string& value, const std::vector<std::string>& allowed,

@@ -10,7 +10,7 @@ namespace {
 class LegGainsTest : public testing::Test {
  protected:
   bool compliant_in(JumpMode mode, MotionPhase phase, double in_phase_s, double since_thrust_s = 0.0) const {
-    return compliant({phase, mode, in_phase_s, since_thrust_s}, preset_);
+    return compliant({phase, mode, in_phase_s, since_thrust_s, preset_.hybrid_switch_s}, preset_);
   }
   PresetConfig preset_ = load_robot("single_leg").preset("paper");
 };
@@ -42,15 +42,15 @@ TEST_F(LegGainsTest, HybridSwitchesByTimeOrTouchdownWhicheverIsFirst) {
 
 TEST_F(LegGainsTest, GainsAreThoseOfTheMode) {
   DesiredLeg leg;
-  set_control({MotionPhase::kThrust, JumpMode::kTorque, 0.0, 0.0}, preset_, leg);
+  set_control({MotionPhase::kThrust, JumpMode::kTorque, 0.0, 0.0, 0.23}, preset_, leg);
   EXPECT_EQ(leg.control_mode, ControlMode::kCompliance);
   EXPECT_EQ(leg.stiffness_N_m, preset_.torque_jump.stiffness_N_m);
   EXPECT_EQ(leg.velocity_feedforward, 0.77);
   EXPECT_EQ(leg.friction_compensation, 1.0);
-  set_control({MotionPhase::kLanding, JumpMode::kHybrid, 0.0, 0.6}, preset_, leg);
+  set_control({MotionPhase::kLanding, JumpMode::kHybrid, 0.0, 0.6, 0.23}, preset_, leg);
   EXPECT_EQ(leg.damping_N_s_m, preset_.hybrid_landing.damping_N_s_m);
   EXPECT_EQ(leg.velocity_feedforward, 0.0);
-  set_control({MotionPhase::kStanding, JumpMode::kHybrid, 0.0, 0.0}, preset_, leg);
+  set_control({MotionPhase::kStanding, JumpMode::kHybrid, 0.0, 0.0, 0.23}, preset_, leg);
   EXPECT_EQ(leg.control_mode, ControlMode::kPosition);
   EXPECT_EQ(leg.stiffness_N_m, (Vec3{0.0, 0.0, 0.0}));
 }

@@ -18,6 +18,7 @@ class CommandLineTest : public ::testing::Test {
     line_.option("--seed", seed_, "an unsigned number");
     line_.option("--height", height_, "a number");
     line_.option("--plant", plant_, "key=value, several times");
+    line_.option("--pair", pair_, "two numbers");
     line_.choice("--clock", clock_, {"lockstep", "realtime"}, "a choice");
     line_.flag("--json", json_, "a flag");
     line_.example("tool --count 3");
@@ -41,6 +42,7 @@ class CommandLineTest : public ::testing::Test {
   std::uint64_t seed_ = 0;
   double height_ = 0.0;
   std::vector<std::string> plant_;
+  std::array<double, 2> pair_{1.0, 2.0};
   std::string clock_ = "lockstep";
   bool json_ = false;
   int ran_ = 0;
@@ -59,7 +61,8 @@ TEST_F(CommandLineTest, WithoutWordsDefaultsStay) {
 
 TEST_F(CommandLineTest, ReadsEveryKindOfOption) {
   EXPECT_EQ(run({"--text", "a b", "-n", "-3", "--big=-9223372036854775808", "--seed", "18446744073709551615",
-                 "--height", "-1.5e-3", "--plant", "a=1", "--plant", "b=2", "--clock", "realtime", "--json"}),
+                 "--height", "-1.5e-3", "--plant", "a=1", "--plant", "b=2", "--clock", "realtime", "--json",
+                 "--pair", "-2", "3.5"}),
             kExitDone);
   EXPECT_EQ(text_, "a b");
   EXPECT_EQ(count_, -3);
@@ -69,13 +72,15 @@ TEST_F(CommandLineTest, ReadsEveryKindOfOption) {
   EXPECT_THAT(plant_, ElementsAre("a=1", "b=2"));
   EXPECT_EQ(clock_, "realtime");
   EXPECT_TRUE(json_);
+  EXPECT_EQ(pair_, (std::array<double, 2>{-2.0, 3.5}));
 }
 
 TEST_F(CommandLineTest, WrongUseIsTwoAndSaysWhatIsWrong) {
   const std::vector<std::vector<const char*>> wrong{
-      {"--nope"},         {"--count", "x"},       {"--count"},
-      {"--count", "1.5"}, {"--seed", "-1"},       {"--height", "1m"},
-      {"word"},           {"--clock", "sundial"}, {"--count", "99999999999"}};
+      {"--nope"},         {"--count", "x"},         {"--count"},
+      {"--count", "1.5"}, {"--seed", "-1"},         {"--height", "1m"},
+      {"word"},           {"--clock", "sundial"},   {"--count", "99999999999"},
+      {"--pair", "1"},    {"--pair", "1", "2", "3"}};
   for (const auto& words : wrong) {
     EXPECT_EQ(run(words), kExitWrongUse) << words[0];
     EXPECT_NE(error_, "") << words[0];

@@ -1,3 +1,4 @@
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <memory>
@@ -27,15 +28,22 @@ struct MotionRequest {
   bool report = false;
   std::int64_t at_seq = -1;
   double height_mm = 0.0;
+  double forward_mm = 0.0;
+  double touchdown_in_s = kNaN;
+  std::array<double, 2> stiffness_N_m{kNaN, kNaN};  ///< x, z
+  std::array<double, 2> damping_N_s_m{kNaN, kNaN};
+  double friction_compensation = kNaN;
   std::string mode = "hybrid";
   int count = 1;
 };
 
+const std::vector<std::string> kModes{"position", "torque", "hybrid", "own"};
+
 JumpMode jump_mode(const std::string& text) {
-  if (text == "position") {
-    return JumpMode::kPosition;
+  for (const JumpMode mode : {JumpMode::kPosition, JumpMode::kTorque, JumpMode::kOwn}) {
+    if (text == name(mode)) return mode;
   }
-  return text == "torque" ? JumpMode::kTorque : JumpMode::kHybrid;
+  return JumpMode::kHybrid;
 }
 
 int exit_status(const char* what, const std::optional<OperatorAnswer>& answer) {
@@ -89,13 +97,18 @@ int run_reported_jump(const OperatorCommand& order, const MotionRequest& request
   return status;
 }
 
+/// What every motion takes.
+void add_common(CommandLine& command, MotionRequest& request) {
+  command.option("--instance", request.instance, "which run");
+  command.option("--robot", request.robot, "refuse unless this robot is up");
+  command.option("--at", request.at_seq, "cycle in which it shall take effect, -1 = the next");
+  command.flag("--no-wait", request.no_wait, "return when it is accepted, not when it is done");
+}
+
 void add_simple(CommandLine& sprung, const char* what, const char* help, OperatorKind kind) {
   const auto request = std::make_shared<MotionRequest>();
   CommandLine& command = sprung.subcommand(what, help);
-  command.option("--instance", request->instance, "which run");
-  command.option("--robot", request->robot, "refuse unless this robot is up");
-  command.option("--at", request->at_seq, "cycle in which it shall take effect, -1 = the next");
-  command.flag("--no-wait", request->no_wait, "return when it is accepted, not when it is done");
+  add_common(command, *request);
   command.example(std::string("sprung ") + what);
   command.action([=] {
     OperatorCommand order;
@@ -106,26 +119,65 @@ void add_simple(CommandLine& sprung, const char* what, const char* help, Operato
 
 void add_jump(CommandLine& sprung) {
   const auto request = std::make_shared<MotionRequest>();
-  CommandLine& jump = sprung.subcommand("jump", "Jump on the spot; the robot must stand.");
-  jump.option(
-      "--height", request->height_mm,
-      "rough height in mm: scales the preset's own curve, low jumps come out a third too high; 0 = as it is");
-  jump.choice("--mode", request->mode, {"position", "torque", "hybrid"},
-              "control through thrust, flight and landing");
+  CommandLine& jump = sprung.subcommand("jump", "Jump; the robot must stand.");
+  jump.option("--height", request->height_mm,
+              "rise of the hip above its height at lift-off, mm; 0 = the preset's own curve as it is");
+  jump.option("--forward", request->forward_mm,
+              "where the foot lands, mm ahead of where it left; the rail must be free in x");
+  jump.choice("--mode", request->mode, kModes, "control through thrust, flight and landing");
   jump.option("--count", request->count, "how many, one after the other");
-  jump.option("--instance", request->instance, "which run");
-  jump.option("--robot", request->robot, "refuse unless this robot is up");
-  jump.option("--at", request->at_seq, "cycle in which it shall take effect, -1 = the next");
-  jump.flag("--no-wait", request->no_wait, "return when it is accepted, not when it is done");
+  add_common(jump, *request);
   jump.flag("--report", request->report, "simulated drives: measure the jumps and print a table");
-  jump.example("sprung jump --height 150 --mode hybrid --count 3");
+  jump.example("sprung jump --height 150 --mode hybrid --count 3; sprung jump --height 150 --forward 40");
   jump.action([=] {
     OperatorCommand order;
     order.kind = OperatorKind::kJump;
     order.jump_height_m = request->height_mm * 1e-3;
+    order.jump_forward_m = request->forward_mm * 1e-3;
     order.jump_mode = jump_mode(request->mode);
     order.jump_count = request->count;
     return request->report ? run_reported_jump(order, *request) : run_motion("jump", order, *request);
+  });
+}
+
+void add_comply(CommandLine& sprung) {
+  const auto request = std::make_shared<MotionRequest>();
+  CommandLine& comply = sprung.subcommand(
+      "comply",
+      "Hold each foot where it is by a virtual spring; again with other values; stop or sit ends it.");
+  comply.option("--stiffness", request->stiffness_N_m,
+                "N/m, along x and z; default: the preset's compliance");
+  comply.option("--damping", request->damping_N_s_m,
+                "N s/m, along x and z; default: the preset's compliance");
+  comply.option("--compensation", request->friction_compensation,
+                "share of the gears' friction that is made up for, 0 to 1; default: the preset's");
+  add_common(comply, *request);
+  comply.example("sprung comply --stiffness 2000 2000 --damping 40 40 --compensation 0.9");
+  comply.action([=] {
+    OperatorCommand order;
+    order.kind = OperatorKind::kComply;
+    order.stiffness_N_m = {request->stiffness_N_m[0], kNaN, request->stiffness_N_m[1]};
+    order.damping_N_s_m = {request->damping_N_s_m[0], kNaN, request->damping_N_s_m[1]};
+    order.friction_compensation = request->friction_compensation;
+    return run_motion("comply", order, *request);
+  });
+}
+
+void add_land(CommandLine& sprung) {
+  const auto request = std::make_shared<MotionRequest>();
+  CommandLine& land =
+      sprung.subcommand("land", "Catch a fall from rest that begins now; the robot must stand, in the air.");
+  land.option("--in", request->touchdown_in_s, "s until the foot is expected to meet the ground, 0.02 to 1",
+              Need::kRequired);
+  land.choice("--mode", request->mode, kModes, "control in the fall and through the landing");
+  add_common(land, *request);
+  land.example("sprung land --in 0.25 --mode own");
+  land.action([=] {
+    OperatorCommand order;
+    order.kind = OperatorKind::kLand;
+    order.jump_mode = jump_mode(request->mode);
+    order.touchdown_in_s = request->touchdown_in_s;
+    return run_motion("land", order, *request);
   });
 }
 
@@ -135,7 +187,9 @@ void add_motion(CommandLine& sprung) {
   add_simple(sprung, "stand", "Switch the drives on and rise to the stand.", OperatorKind::kStand);
   add_simple(sprung, "sit", "Lower the body, then switch the drives off.", OperatorKind::kSit);
   add_jump(sprung);
-  add_simple(sprung, "stop", "Finish the phase that runs, then stand.", OperatorKind::kStop);
+  add_comply(sprung);
+  add_land(sprung);
+  add_simple(sprung, "stop", "Finish the phase that runs, then stand; ends compliance.", OperatorKind::kStop);
 }
 
 }  // namespace sprung::commands
