@@ -102,18 +102,15 @@ TEST(IdentifySimulated, ArmatureIsFoundWithinOnePercentAndWithoutBias) {
   EXPECT_LT(std::abs(bias), 0.005);
 }
 
-/// The plant has none. Samples beside a stop look like some, at 4 to 15 mrad/s.
+/// The plant has none. Without a bound samples beside a stop become 25 Nm more at 5 mrad/s.
 TEST(IdentifySimulated, JointWithoutStribeckFrictionGetsNone) {
-  for (const std::uint64_t seed : {31u, 32u}) {
-    const Case c = drawn(seed);
-    const IdentifiedJoint found = identified(c, "coulomb,viscous+stribeck");
-    ASSERT_EQ(found.result.models.size(), 2u);
-    EXPECT_EQ(found.chosen().model->name(), "coulomb");
-    for (const auto& model : found.result.models) {
-      const FrictionParameters friction = model.model->friction(model.fit.parameters);
-      EXPECT_TRUE(friction.stribeck_Nm == 0.0 || friction.stribeck_speed_rad_s >= 0.03) << seed;
-    }
-  }
+  const IdentifiedJoint found = identified({"single_leg", 0, {}}, "coulomb,viscous+stribeck");
+  ASSERT_EQ(found.result.models.size(), 2u);
+  EXPECT_EQ(found.chosen().model->name(), "coulomb");
+  const auto& other = found.result.models[1 - found.result.chosen];
+  const FrictionParameters friction = other.model->friction(other.fit.parameters);
+  EXPECT_GE(friction.stribeck_speed_rad_s, 0.03);
+  EXPECT_LT(friction.stribeck_Nm, 1.0);
 }
 
 }  // namespace
