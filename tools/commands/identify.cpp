@@ -157,7 +157,8 @@ void add_identify(CommandLine& sprung) {
   identify.example(
       "sprung identify --csv joint_1.csv --columns time=1,position=2,velocity=8,current=14 --ratio 101 "
       "--window 8:60 "
-      "--resample 100 --train 0:0.5 --test 0.5:1\n  sprung identify --log knee.lcm --joint knee --fragment "
+      "--resample 100 --train 0:0.5 --test 0.5:1\n  sprung identify --log knee.lcm --robot single_leg "
+      "--joint knee --fragment "
       "knee.yaml "
       "--report knee.html");
   identify.action([=] { return run(*r); });
