@@ -2,6 +2,8 @@
 
 #include <mujoco/mujoco.h>
 
+#include <mutex>
+
 #include "drivers/sim/mujoco_row.h"
 
 namespace sprung::sim {
@@ -29,9 +31,12 @@ void keep_silent(const char* /*message*/) {}
 }  // namespace
 
 void use_foot_contact() {
-  mujocos_own();  // remembered before it is replaced
-  plane_sphere() = contact_at_lowest_point;
-  mju_user_warning = keep_silent;
+  static std::once_flag once;  // other threads may already be simulating
+  std::call_once(once, [] {
+    mujocos_own();  // remembered before it is replaced
+    plane_sphere() = contact_at_lowest_point;
+    mju_user_warning = keep_silent;
+  });
 }
 
 }  // namespace sprung::sim

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <mutex>
 
 #include "drivers/sim/foot_contact.h"
 #include "drivers/sim/mujoco_row.h"
@@ -26,7 +27,10 @@ int require(const mjModel& model, mjtObj type, const std::string& name) {
   return id;
 }
 
+/// One at a time: MuJoCo keeps the last XML of the process.
 ModelPtr load_xml(const std::string& path) {
+  static std::mutex mutex;
+  const std::lock_guard lock(mutex);
   std::array<char, 1000> error{};
   ModelPtr model(mj_loadXML(path.c_str(), nullptr, error.data(), static_cast<int>(error.size())));
   if (!model) throw ConfigError(path + ": " + error.data());
