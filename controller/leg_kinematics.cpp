@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "controller/one_link.h"
+#include "controller/three_joint.h"
 #include "controller/two_link.h"
 
 namespace sprung {
@@ -27,9 +28,11 @@ double smallest_eigenvalue(const JointMatrix& symmetric) noexcept {
 std::unique_ptr<LegKinematics> make_leg_kinematics(const LegConfig& leg) {
   if (leg.kinematics == kNoKinematics) return nullptr;
   if (leg.kinematics == kOneLink) return std::make_unique<OneLink>(leg);
-  if (leg.kinematics == "two_link") return std::make_unique<TwoLink>(leg);
+  if (leg.kinematics == kTwoLink) return std::make_unique<TwoLink>(leg);
+  if (leg.kinematics == kThreeJoint) return std::make_unique<ThreeJoint>(leg);
   throw std::invalid_argument("leg '" + leg.name + "': unknown kinematics '" + leg.kinematics +
-                              "', there are: " + kOneLink + ", two_link, " + kNoKinematics);
+                              "', there are: " + kOneLink + ", " + kTwoLink + ", " + kThreeJoint + ", " +
+                              kNoKinematics);
 }
 
 DampedInverse damped_inverse(const LegJacobian& jacobian) noexcept {

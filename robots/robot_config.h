@@ -124,15 +124,22 @@ inline constexpr const char* kNoKinematics = "none";
 inline constexpr const char* kOneLink = "one_link";
 
 struct LegConfig {
+/// LegConfig::kinematics of hip and knee in the x-z plane, frame of facts E1 (papers' y is our z): controller/two_link.h.
+inline constexpr const char* kTwoLink = "two_link";
+/// LegConfig::kinematics of abduction, hip and knee: controller/three_joint.h.
+inline constexpr const char* kThreeJoint = "three_joint";
+
+/// To which side of its abduction axis a three-joint leg's plane lies.
+enum class LegSide : std::int8_t { kLeft = 1, kRight = -1 };
   std::string name;
-  /// "two_link": hip and knee in the x-z plane, frame of facts E1 (papers' y is our z). kOneLink:
-  /// controller/one_link.h. kNoKinematics: `links` and `contact_*` are empty.
+  /// One of the four above. kNoKinematics: `links` and `contact_*` are empty.
   std::string kinematics;
-  std::vector<int> joints;     ///< indices into RobotConfig::joints, proximal first
-  std::vector<int> actuators;  ///< indices into RobotConfig::actuators, same length
+  LegSide side = LegSide::kLeft;  ///< of kThreeJoint alone
+  std::vector<int> joints;        ///< indices into RobotConfig::joints, proximal first
+  std::vector<int> actuators;     ///< indices into RobotConfig::actuators, same length
   /// joint = transmission * actuator, row-major joints x actuators.
   std::vector<double> transmission;
-  std::vector<LinkConfig> links;  ///< thigh, shank
+  std::vector<LinkConfig> links;  ///< thigh, shank; kThreeJoint: hip link (sideways), thigh, shank
   double contact_on_N = 0.0;      ///< vertical foot force above which contact is declared
   double contact_off_N = 0.0;     ///< below which it is lost
   double contact_rise_s = 0.0;    ///< must last this long

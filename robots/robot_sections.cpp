@@ -1,6 +1,7 @@
 #include "robots/robot_sections.h"
 
 #include <algorithm>
+#include <array>
 
 #include "robots/identification_sections.h"
 #include "robots/torsion_section.h"
@@ -18,9 +19,11 @@ std::vector<int> indices_of(const std::vector<Named>& things, const YamlMap& map
   return indices;
 }
 
-LinkConfig read_link(const YamlMap& map) {
+constexpr double kShortestLink_m = 0.01;
+
+LinkConfig read_link(const YamlMap& map, double shortest_m) {
   LinkConfig link;
-  link.length_m = map.quantity("length", "m", 0.01, 2.0);
+  link.length_m = map.quantity("length", "m", shortest_m, 2.0);
   link.mass_kg = map.quantity("mass", "kg", 0.0, 100.0);
   link.com_m = map.quantity("com", "m", -1.0, 2.0);
   link.inertia_kg_m2 = map.quantity("inertia", "kg m^2", 0.0, 10.0);
@@ -57,11 +60,56 @@ void read_reference_of(const YamlMap& map, const RobotConfig& robot, ActuatorCon
   }
 }
 
+struct KinematicsShape {
+  const char* kinematics;
+  std::size_t joints;  ///< and as many links
+  const char* joint_names;
+  const char* link_names;
+};
+
+constexpr std::array<KinematicsShape, 3> kShapes{{
+    {kOneLink, 1, "arm", "arm"},
+    {kTwoLink, 2, "hip, knee", "thigh, shank"},
+    {kThreeJoint, 3, "abduction, hip, knee", "hip, thigh, shank"},
+}};
+
+const KinematicsShape& shape_of(const YamlMap& map, const std::string& kinematics) {
+  std::string known;
+  for (const KinematicsShape& shape : kShapes) {
+    if (kinematics == shape.kinematics) return shape;
+    known += std::string(shape.kinematics) + ", ";
+  }
+  map.fail("kinematics",
+           "expected " + known + "or " + kNoKinematics + " (joints alone), found '" + kinematics + "'");
+}
+
+void require_count(const YamlMap& map, const char* key, std::size_t found, const KinematicsShape& shape,
+                   const char* names) {
+  if (found == shape.joints) return;
+  map.fail(key, std::string(shape.kinematics) + " needs " + std::to_string(shape.joints) + " (" + names +
+                    "), found " + std::to_string(found));
+}
+
+LegSide read_side(const YamlMap& map) {
+  const std::string side = map.text("side");
+  if (side == "left") return LegSide::kLeft;
+  if (side == "right") return LegSide::kRight;
+  map.fail("side",
+           "expected left or right: where the leg's plane lies, seen from its abduction axis; found '" +
+               side + "'");
+}
+
 /// Geometry and contact, which joints alone do not have.
 void read_geometry(const YamlMap& map, LegConfig& leg) {
+  const KinematicsShape& shape = shape_of(map, leg.kinematics);
+  const bool sideways = leg.kinematics == kThreeJoint;
+  if (sideways) leg.side = read_side(map);
   for (const YamlMap& link : map.list("links")) {
-    leg.links.push_back(read_link(link));
+    const bool offset = sideways && leg.links.empty();  // which may be none
+    leg.links.push_back(read_link(link, offset ? 0.0 : kShortestLink_m));
   }
+  require_count(map, "joints", leg.joints.size(), shape, shape.joint_names);
+  require_count(map, "links", leg.links.size(), shape, shape.link_names);
   const YamlMap contact = map.map("contact");
   leg.contact_on_N = contact.quantity("on", "N", 0.1, 1e4);
   leg.contact_off_N = contact.quantity("off", "N", 0.0, leg.contact_on_N);
