@@ -1,18 +1,11 @@
 #include "controller/command_report.h"
 
 namespace sprung {
-namespace {
-
-std::int64_t total(const LimitCounts& c) noexcept {
-  return c.soft_stop + c.torque + c.rate + c.position + c.velocity;
-}
-
-}  // namespace
 
 CommandReport::News CommandReport::update(CommandBasis basis, const LimitCounts& limits,
                                           std::int64_t now_us) {
   const bool changed = basis != basis_ || text_.empty();
-  const bool acted = total(limits) != total(limits_);
+  const bool acted = limits.total() != limits_.total();
   if (!changed && !(acted && now_us >= limits_due_us_)) return News::kNone;
   if (acted) limits_due_us_ = now_us + kLimitsInterval_us;
   basis_ = basis;
@@ -31,6 +24,8 @@ void CommandReport::write() {
   };
   add("soft stop", limits_.soft_stop);
   add("torque", limits_.torque);
+  add("speed", limits_.speed);
+  add("power", limits_.power);
   add("rate", limits_.rate);
   add("position", limits_.position);
   add("velocity", limits_.velocity);

@@ -3,24 +3,64 @@
 #include <cmath>
 
 namespace sprung {
+namespace {
+
+/// @param spring_Nm of the virtual spring alone. @param load_Nm that the gear is to put out.
+double friction_compensation_Nm(const JointCompensation& joints, std::size_t j, double w, double spring_Nm,
+                                double load_Nm, double temperature_C) noexcept {
+  const FrictionParameters& law = joints.friction[j];
+  const FrictionInput moving{w, load_Nm, temperature_C, std::tanh(w / joints.smoothing_rad_s)};
+  const double in_motion_Nm = friction_torque_Nm(law, moving);
+  if (joints.rest.speed_rad_s <= 0.0) return in_motion_Nm;
+  const double ratio = w / joints.rest.speed_rad_s;
+  const double share = std::exp(-ratio * ratio);
+  const FrictionInput resting{0.0, load_Nm, temperature_C, std::tanh(spring_Nm / joints.rest.torque_Nm)};
+  return share * friction_torque_Nm(law, resting) + (1.0 - share) * in_motion_Nm;
+}
+
+/// J' q': what the foot accelerates by while the joints move evenly.
+Eigen::Vector3d even_motion_acceleration_m_s2(const LegKinematics& kinematics,
+                                              const LegMotion& leg) noexcept {
+  constexpr double kHalf_s =
+      1e-4;  // way at 10 rad/s: 1 mrad, so that the difference is good to 1e-6 of J' q'
+  const JointVector way_rad = kHalf_s * leg.velocity_rad_s;
+  const LegJacobian change =
+      kinematics.jacobian(leg.position_rad + way_rad) - kinematics.jacobian(leg.position_rad - way_rad);
+  return change * leg.velocity_rad_s / (2.0 * kHalf_s);
+}
+
+}  // namespace
+
+JointVector desired_acceleration_rad_s2(const LegKinematics& kinematics, const FootMotion& foot,
+                                        const LegMotion& leg) noexcept {
+  const DampedInverse to_joints = damped_inverse(kinematics.jacobian(leg.position_rad));
+  return to_joints.matrix.transpose() *
+         (foot.acceleration_m_s2 - even_motion_acceleration_m_s2(kinematics, leg));
+}
 
 JointVector compliance_torque_Nm(const LegKinematics& kinematics, const DesiredLeg& desired,
                                  const FootMotion& foot, const LegMotion& leg,
-                                 const FrictionCompensation& friction) noexcept {
+                                 const JointCompensation& joints) noexcept {
   const LegJacobian jacobian = kinematics.jacobian(leg.position_rad);
   const Eigen::Vector3d error_m = foot.position_m - kinematics.foot_in_hip_m(leg.position_rad);
   const Eigen::Vector3d slip_m_s =
       desired.velocity_feedforward * foot.velocity_m_s - jacobian * leg.velocity_rad_s;
-  const Eigen::Vector3d force_N = to_eigen(desired.stiffness_N_m).cwiseProduct(error_m) +
-                                  to_eigen(desired.damping_N_s_m).cwiseProduct(slip_m_s) -
+  const Eigen::Vector3d spring_N = to_eigen(desired.stiffness_N_m).cwiseProduct(error_m);
+  const Eigen::Vector3d force_N = spring_N + to_eigen(desired.damping_N_s_m).cwiseProduct(slip_m_s) -
                                   to_eigen(desired.feedforward_force_N);
+  const JointVector spring_Nm = jacobian.transpose() * spring_N;
   JointVector torque = jacobian.transpose() * force_N + kinematics.gravity_torque_Nm(leg.position_rad);
   for (int j = 0; j < torque.size(); ++j) {
-    const double w = leg.velocity_rad_s[j];
-    const FrictionInput in{w, torque[j], leg.temperature_C[j], std::tanh(w / friction.smoothing_rad_s)};
-    torque[j] +=
-        desired.friction_compensation * friction_torque_Nm(friction.joints[static_cast<std::size_t>(j)], in);
+    const auto place = static_cast<std::size_t>(j);
+    torque[j] += desired.friction_compensation * friction_compensation_Nm(joints, place,
+                                                                          leg.velocity_rad_s[j], spring_Nm[j],
+                                                                          torque[j], leg.temperature_C[j]);
   }
+  if (desired.inertia_compensation == 0.0 || joints.armature_kg_m2.empty()) return torque;
+  const JointVector acceleration = desired_acceleration_rad_s2(kinematics, foot, leg);
+  for (int j = 0; j < torque.size(); ++j)
+    torque[j] +=
+        desired.inertia_compensation * joints.armature_kg_m2[static_cast<std::size_t>(j)] * acceleration[j];
   return torque;
 }
 

@@ -1,15 +1,22 @@
 #pragma once
 /// The virtual spring: joint torque for a desired foot motion, without a torque sensor. Pure.
 ///
-///   tau = tau_s + k f(w, tau_s),  tau_s = J^T [ K (P_des - P) + D (s P_des' - P') - f_ground ] + G
+///   tau = tau_s + k f(w, tau_s, tau_k) + c A q_des'',  tau_s = J^T [ K (P_des - P) + D (s P_des' - P') - f_ground ] + G
 ///
 /// S0 (7) with errata E2 (D resists the actual velocity), E1 (gravity G of the leg, hip fixed), E5 (smooth
 /// friction). s is `velocity_feedforward`, f_ground `feedforward_force_N` (ground on foot), k
-/// `friction_compensation`, f the friction law with tanh(w / w0) for its sign: nothing at rest, no chatter. w is the
+/// `friction_compensation`, c `inertia_compensation`, A the armature.
+///
+/// Friction. In motion f is the friction law with tanh(w / w0) for its sign: no chatter. w is the
 /// measured joint velocity, as in the papers: the compensation then also helps a push from outside, which the desired
 /// velocity knows nothing of. It is positive feedback of slope k f / w0, stable as long as k f is below the true
 /// friction. Load-dependent friction is that of tau_s, which the gear is to put out, and no measurement: no second
-/// feedback.
+/// feedback. At rest the papers' law gives nothing, and the foot sticks wherever the spring is weaker than friction. The
+/// rest law (E5; facts physics.md "The law that works at rest") takes the sign from where the spring pulls, tau_k = J^T K e
+/// alone: tanh(tau_k / tau0). With weight or feed-forward in it, it would push a leg that hangs where it should.
+///     f = h f_rest + (1 - h) f_motion,  h = exp(-(w / w_rest)^2);  w_rest = 0: h = 0, the papers' law.
+///
+/// Inertia. q_des'' = J^-1 (P_des'' - J' q'): joint acceleration that the desired foot acceleration asks for here and now.
 #include <vector>
 
 #include "controller/foot_motion.h"
@@ -24,13 +31,20 @@ struct LegMotion {
   JointVector temperature_C{};  ///< of the gears; NaN where it is not known: friction's reference temperature
 };
 
-struct FrictionCompensation {
-  std::vector<FrictionParameters> joints;  ///< of each joint of the leg; presliding plays no part
-  double smoothing_rad_s = 0.05;           ///< w0 > 0
+/// What the law knows of each joint of the leg.
+struct JointCompensation {
+  std::vector<FrictionParameters> friction;  ///< presliding plays no part
+  double smoothing_rad_s = 0.05;             ///< w0 > 0
+  RestFrictionConfig rest{};
+  std::vector<double> armature_kg_m2{};  ///< empty: inertia is not compensated
 };
+
+/// J^-1 (P_des'' - J' q'), by the damped inverse: bounded in singular poses.
+JointVector desired_acceleration_rad_s2(const LegKinematics& kinematics, const FootMotion& foot,
+                                        const LegMotion& leg) noexcept;
 
 JointVector compliance_torque_Nm(const LegKinematics& kinematics, const DesiredLeg& desired,
                                  const FootMotion& foot, const LegMotion& leg,
-                                 const FrictionCompensation& friction) noexcept;
+                                 const JointCompensation& joints) noexcept;
 
 }  // namespace sprung

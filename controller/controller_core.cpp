@@ -139,13 +139,7 @@ CommandBasis ControllerCore::basis() const noexcept { return impl_->basis; }
 
 LimitCounts ControllerCore::limits() const noexcept {
   LimitCounts sum;
-  for (const LegController& leg : impl_->legs) {
-    sum.soft_stop += leg.limits().soft_stop;
-    sum.torque += leg.limits().torque;
-    sum.rate += leg.limits().rate;
-    sum.position += leg.limits().position;
-    sum.velocity += leg.limits().velocity;
-  }
+  for (const LegController& leg : impl_->legs) sum += leg.limits();
   return sum;
 }
 

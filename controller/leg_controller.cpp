@@ -8,11 +8,8 @@
 namespace sprung {
 namespace {
 
-constexpr double kFade_s = 0.020;          // facts B2: switch over 20-30 ms
-constexpr double kFadeSpeed_rad_s = 3.0;   // mean, a quarter of what the joints can do
-constexpr double kPeakToMeanOfFade = 1.5;  // of the cubic
-constexpr double kLongestPreload_rad =
-    0.1;  // 50 Nm at the position loop of facts C2: a standing leg needs less
+constexpr double kFadeStep = 0.045;  // of the torque limit in a cycle: under 5 %
+constexpr double kBackIntoLimits_rad_s = 3.0;  // a quarter of what the joints can do
 
 template <class T>
 std::vector<T> pick(const std::vector<T>& all, const std::vector<int>& indices) {
@@ -28,13 +25,20 @@ double motor_torque_Nm(const JointConfig& joint, const EstimatedJoint& state) no
          papers_friction(joint.coulomb_friction_Nm, state.estimated_velocity_rad_s).torque_Nm;
 }
 
-FrictionCompensation compensation(const std::vector<JointConfig>& joints, const PresetConfig& preset) {
+JointCompensation compensation(const std::vector<JointConfig>& joints, const PresetConfig& preset) {
   const bool paper = preset.compensated_friction == CompensatedFriction::kPaper;
-  FrictionCompensation out;
+  JointCompensation out;
   out.smoothing_rad_s = preset.friction_smoothing_rad_s;
-  for (const JointConfig& joint : joints)
-    out.joints.push_back(paper ? joint.papers_friction() : joint.estimated_friction());
+  out.rest = preset.rest_friction;
+  for (const JointConfig& joint : joints) {
+    out.friction.push_back(paper ? joint.papers_friction() : joint.estimated_friction());
+    out.armature_kg_m2.push_back(joint.armature_kg_m2);
+  }
   return out;
+}
+
+bool in_position_loop(ControlMode mode) noexcept {
+  return mode == ControlMode::kPosition || mode == ControlMode::kJoint;
 }
 
 }  // namespace
@@ -46,11 +50,14 @@ LegController::LegController(const RobotConfig& robot, const LegConfig& leg, con
       actuators_(pick(robot.actuators, leg.actuators)),
       kinematics_(make_leg_kinematics(leg)),
       transmission_(leg),
-      friction_(compensation(joints_, preset)),
+      compensation_(compensation(joints_, preset)),
+      blend_(actuators_),
+      gains_(preset.stiffness_ramp_s),
       limiters_(actuators_.begin(), actuators_.end()) {
   const int n = transmission_.size();
-  for (JointVector* v : {&offset_, &motor_torque_Nm_, &measured_.position_rad, &measured_.velocity_rad_s,
-                         &measured_.temperature_C, &lowest_rad_, &highest_rad_}) {
+  for (JointVector* v :
+       {&offset_Nm_, &motor_torque_Nm_, &measured_.position_rad, &measured_.velocity_rad_s,
+        &measured_.temperature_C, &lowest_rad_, &highest_rad_, &sent_.position_rad, &sent_.velocity_rad_s}) {
     v->setZero(n);
   }
 }
@@ -66,23 +73,21 @@ LegOutcome LegController::step(const std::vector<EstimatedJoint>& joints, const 
     return LegOutcome::kOk;
   }
   if (kinematics_ == nullptr && desired.control_mode != ControlMode::kJoint) return LegOutcome::kUnreachable;
+  before_ = all_enabled_ ? mode_ : ControlMode::kDisabled;
   if (!read(joints)) return LegOutcome::kNotFinite;
   entering_ = entering_ || !all_enabled_ || desired.control_mode != mode_;
-  const bool was_compliant = mode_ == ControlMode::kCompliance;
   mode_ = desired.control_mode;
-  fade_.advance(dt_s);
-  const LegOutcome outcome = follow(desired, desired_age_s, was_compliant, dt_s, out);
+  const LegOutcome outcome = follow(desired, desired_age_s, dt_s, out);
   entering_ = outcome != LegOutcome::kOk;
   return outcome;
 }
 
-LegOutcome LegController::follow(const DesiredLeg& desired, double desired_age_s, bool was_compliant,
-                                 double dt_s, DriveCommand& out) noexcept {
-  if (mode_ == ControlMode::kJoint) return joint(desired, desired_age_s, was_compliant, dt_s, out);
+LegOutcome LegController::follow(const DesiredLeg& desired, double desired_age_s, double dt_s,
+                                 DriveCommand& out) noexcept {
+  if (mode_ == ControlMode::kJoint) return joint(desired, desired_age_s, dt_s, out);
   const FootMotion foot = extrapolate(desired, desired_age_s);
   if (!foot.position_m.allFinite() || !foot.velocity_m_s.allFinite()) return LegOutcome::kNotFinite;
-  return mode_ == ControlMode::kPosition ? position(foot, was_compliant, dt_s, out)
-                                         : compliance(desired, foot, dt_s, out);
+  return mode_ == ControlMode::kPosition ? position(foot, dt_s, out) : compliance(desired, foot, dt_s, out);
 }
 
 bool LegController::read(const std::vector<EstimatedJoint>& joints) noexcept {
@@ -100,19 +105,17 @@ bool LegController::read(const std::vector<EstimatedJoint>& joints) noexcept {
          motor_torque_Nm_.allFinite();
 }
 
-LegOutcome LegController::position(const FootMotion& foot, bool was_compliant, double dt_s,
-                                   DriveCommand& out) noexcept {
+LegOutcome LegController::position(const FootMotion& foot, double dt_s, DriveCommand& out) noexcept {
   const InverseResult inverse = kinematics_->inverse(foot.position_m, measured_.position_rad);
   if (!inverse.reachable) return LegOutcome::kUnreachable;
   const DampedInverse to_joints = damped_inverse(kinematics_->jacobian(inverse.position_rad));
-  send_position({inverse.position_rad, to_joints.matrix.transpose() * foot.velocity_m_s}, was_compliant, dt_s,
-                out);
+  send_position({inverse.position_rad, to_joints.matrix.transpose() * foot.velocity_m_s}, dt_s, out);
   return LegOutcome::kOk;
 }
 
-LegOutcome LegController::joint(const DesiredLeg& desired, double desired_age_s, bool was_compliant,
-                                double dt_s, DriveCommand& out) noexcept {
-  LegMotion to = measured_;  // of this leg's size
+LegOutcome LegController::joint(const DesiredLeg& desired, double desired_age_s, double dt_s,
+                                DriveCommand& out) noexcept {
+  SetPoints to{measured_.position_rad, measured_.velocity_rad_s};  // of this leg's size
   for (int j = 0; j < transmission_.size(); ++j) {
     const auto place = static_cast<std::size_t>(j);
     const bool known = place < desired.desired_joint_position_rad.size();
@@ -121,54 +124,49 @@ LegOutcome LegController::joint(const DesiredLeg& desired, double desired_age_s,
         known ? desired.desired_joint_position_rad[place] + desired_age_s * to.velocity_rad_s[j] : kNaN;
   }
   if (!to.position_rad.allFinite() || !to.velocity_rad_s.allFinite()) return LegOutcome::kNotFinite;
-  send_position(to, was_compliant, dt_s, out);
+  send_position(to, dt_s, out);
   return LegOutcome::kOk;
 }
 
-void LegController::send_position(const LegMotion& desired, bool was_compliant, double dt_s,
-                                  DriveCommand& out) noexcept {
-  if (entering_) enter_position(desired.position_rad, was_compliant);
-  JointVector position_rad = desired.position_rad + fade_.share() * offset_;
-  JointVector velocity_rad_s = desired.velocity_rad_s + fade_.rate_1_s() * offset_;
+void LegController::send_position(const SetPoints& desired, double dt_s, DriveCommand& out) noexcept {
+  blend_.advance(dt_s);
+  if (entering_) enter_position(desired, dt_s);
+  sent_ = desired;
+  blend_.add_motion(sent_);
   if (!all_enabled_) {
-    position_rad = measured_.position_rad;
-    velocity_rad_s.setZero();
+    sent_.position_rad = measured_.position_rad;
+    sent_.velocity_rad_s.setZero();
   }
-  clamp_to_limits(dt_s, position_rad, velocity_rad_s);
-  const JointVector position = transmission_.actuator_from_joint(position_rad);
-  const JointVector velocity = transmission_.actuator_from_joint(velocity_rad_s);
+  clamp_to_limits(dt_s, sent_.position_rad, sent_.velocity_rad_s);
+  SetPoints actuators{transmission_.actuator_from_joint(sent_.position_rad),
+                      transmission_.actuator_from_joint(sent_.velocity_rad_s)};
+  blend_.add_torque(actuators);
   fill(out, DriveMode::kPosition);
   for (int i = 0; i < transmission_.size(); ++i) {
     const double fastest = actuators_[static_cast<std::size_t>(i)].speed_limit_rad_s;
-    command(out, i).commanded_position_rad = position[i];
-    command(out, i).commanded_velocity_rad_s = std::clamp(velocity[i], -fastest, fastest);
-    if (std::abs(velocity[i]) > fastest) ++counts_.velocity;
+    command(out, i).commanded_position_rad = actuators.position_rad[i];
+    command(out, i).commanded_velocity_rad_s = std::clamp(actuators.velocity_rad_s[i], -fastest, fastest);
+    if (std::abs(actuators.velocity_rad_s[i]) > fastest) ++counts_.velocity;
   }
 }
 
-void LegController::enter_position(const JointVector& desired_rad, bool was_compliant) noexcept {
-  offset_ = measured_.position_rad - desired_rad;
-  if (was_compliant && all_enabled_) offset_ += held_by_stiffness_rad();
-  fade_.start(std::max(kFade_s, kPeakToMeanOfFade * offset_.cwiseAbs().maxCoeff() / kFadeSpeed_rad_s));
-}
-
-/// How far beyond the measured position a set-point must be for the drives' position loops, torque = stiffness
-/// * (set-point - measured), to give the torque that the motors give now. Zero where the stiffness is unknown.
-JointVector LegController::held_by_stiffness_rad() const noexcept {
-  JointVector beyond_rad = transmission_.actuator_torque(motor_torque_Nm_);
-  for (int i = 0; i < beyond_rad.size(); ++i) {
-    const double stiffness = actuators_[static_cast<std::size_t>(i)].position_stiffness_Nm_rad;
-    const double needed_rad = stiffness > 0.0 ? beyond_rad[i] / stiffness : 0.0;
-    beyond_rad[i] = std::clamp(needed_rad, -kLongestPreload_rad, kLongestPreload_rad);
+/// Between position and joints the set-points go on, and with them what is left of an older torque.
+void LegController::enter_position(const SetPoints& desired, double dt_s) noexcept {
+  if (in_position_loop(before_) && all_enabled_) {
+    const SetPoints on{sent_.position_rad + dt_s * sent_.velocity_rad_s, sent_.velocity_rad_s};
+    blend_.start_motion(on, desired);
+    return;
   }
-  return transmission_.joint_from_actuator(beyond_rad);
+  blend_.start_motion({measured_.position_rad, measured_.velocity_rad_s}, desired);
+  const bool loaded = before_ != ControlMode::kDisabled && all_enabled_;
+  blend_.start_torque((loaded ? 1.0 : 0.0) * transmission_.actuator_torque(motor_torque_Nm_), dt_s);
 }
 
 /// A joint that was beyond a limit when the mode began must not be pulled back at once: enabling would kick. From there
 /// on the bound moves to the limit, and a joint that is pushed out later takes it nowhere.
 void LegController::clamp_to_limits(double dt_s, JointVector& position_rad,
                                     JointVector& velocity_rad_s) noexcept {
-  const double back_rad = kFadeSpeed_rad_s * dt_s;
+  const double back_rad = kBackIntoLimits_rad_s * dt_s;
   for (int j = 0; j < position_rad.size(); ++j) {
     const JointConfig& joint = joints_[static_cast<std::size_t>(j)];
     const double low = joint.position_min_rad + kPositionMargin_rad;
@@ -186,34 +184,46 @@ void LegController::clamp_to_limits(double dt_s, JointVector& position_rad,
 
 LegOutcome LegController::compliance(const DesiredLeg& desired, const FootMotion& foot, double dt_s,
                                      DriveCommand& out) noexcept {
-  JointVector torque = compliance_torque_Nm(*kinematics_, desired, foot, measured_, friction_);
+  fade_.advance(dt_s);
+  DesiredLeg acting = desired;
+  if (entering_) gains_.start(desired);
+  gains_.advance(dt_s, acting);
+  JointVector torque = compliance_torque_Nm(*kinematics_, acting, foot, measured_, compensation_);
   if (!torque.allFinite()) return LegOutcome::kNotFinite;
-  if (entering_) enter_compliance(torque);
-  torque += fade_.share() * offset_;
-  for (int j = 0; j < torque.size(); ++j) {
-    const ActuatorConfig& a = actuators_[static_cast<std::size_t>(j)];
-    torque[j] = with_soft_stop(torque[j], joints_[static_cast<std::size_t>(j)], measured_.position_rad[j],
-                               measured_.velocity_rad_s[j], a.position_stiffness_Nm_rad,
-                               a.position_damping_Nm_s_rad, counts_);
-  }
+  add_soft_stops(torque);
+  if (entering_) enter_compliance(torque, dt_s);
+  torque += fade_.share() * offset_Nm_;
   if (!all_enabled_) torque.setZero();
   const JointVector actuator_Nm = transmission_.actuator_torque(torque);
+  const JointVector actuator_rad_s = transmission_.actuator_from_joint(measured_.velocity_rad_s);
   fill(out, DriveMode::kTorque);
   for (int i = 0; i < transmission_.size(); ++i) {
     TorqueLimiter& limiter = limiters_[static_cast<std::size_t>(i)];
-    command(out, i).commanded_torque_Nm = limiter.limit(actuator_Nm[i], dt_s, counts_);
+    command(out, i).commanded_torque_Nm = limiter.limit(actuator_Nm[i], actuator_rad_s[i], dt_s, counts_);
   }
   return LegOutcome::kOk;
 }
 
-void LegController::enter_compliance(const JointVector& law_Nm) noexcept {
+void LegController::add_soft_stops(JointVector& torque_Nm) noexcept {
+  for (int j = 0; j < torque_Nm.size(); ++j) {
+    const ActuatorConfig& a = actuators_[static_cast<std::size_t>(j)];
+    torque_Nm[j] = with_soft_stop(torque_Nm[j], joints_[static_cast<std::size_t>(j)],
+                                  measured_.position_rad[j], measured_.velocity_rad_s[j],
+                                  a.position_stiffness_Nm_rad, a.position_damping_Nm_s_rad, counts_);
+  }
+}
+
+void LegController::enter_compliance(const JointVector& law_Nm, double dt_s) noexcept {
   const JointVector there_Nm = (all_enabled_ ? 1.0 : 0.0) * motor_torque_Nm_;
-  offset_ = there_Nm - law_Nm;
-  fade_.start(kFade_s);
+  offset_Nm_ = there_Nm - law_Nm;
   const JointVector actuator_Nm = transmission_.actuator_torque(there_Nm);
+  const JointVector change_Nm = transmission_.actuator_torque(offset_Nm_);
+  double share = 0.0;
   for (int i = 0; i < transmission_.size(); ++i) {
     limiters_[static_cast<std::size_t>(i)].start_from(actuator_Nm[i]);
+    share = std::max(share, std::abs(change_Nm[i]) / actuators_[static_cast<std::size_t>(i)].torque_limit_Nm);
   }
+  fade_.start(fade_time_s(share, kFadeStep, dt_s));
 }
 
 void LegController::damp(DriveCommand& out) noexcept {

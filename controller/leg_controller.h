@@ -2,17 +2,14 @@
 /// One leg's drive set-points from its desired foot motion. Pure: no heap after construction, never throws in
 /// step.
 ///
-/// Bumpless, by what fades out over 20 ms after a change of mode:
-///   to position    the difference between measured and desired joint positions (longer where 20 ms would
-///   need more than
-///                  3 rad/s), so that the first set-point is the measured position; coming from compliance also
-///                  what the drive's own stiffness needs to give the torque that is there, so that a loaded
-///                  leg does not sag in the first cycles;
-///   to compliance  the difference between the torque measured at the motor and the law's own, so that the
-///   first set-point
-///                  is the torque that is there. Stiffness and damping act in full at once: a ramp of them
-///                  would slow the jumps of preset `paper`, which switch in flight (hybrid) or while standing
-///                  still before the thrust (torque), where this offset is small.
+/// Bumpless: no switch changes a drive's torque by more than 5 % of its limit in a cycle.
+///   to position or joints  set-points go over as set_point_blend.h says: from those of before, or from the measured
+///                  position and velocity with the torque that the motors give now (none when the drives were off);
+///   to compliance  the difference between the torque measured at the motor and the law's own, soft stops included, fades:
+///                  the first set-point is the torque that is there. Stiffness and damping act in full at once: a ramp
+///                  of them would slow the jumps of preset `paper`, which switch in flight (hybrid) or while
+///                  standing still before the thrust (torque), where this difference is small;
+///   gains          that change in compliance are ramped (gain_ramp.h) where the preset says so.
 /// Joint mode is position mode with joint angles in the place of the foot.
 /// While not all of the leg's drives are enabled, set-points are the measured position or no torque: enabling
 /// never kicks.
@@ -21,6 +18,8 @@
 
 #include "controller/compliance_law.h"
 #include "controller/fade.h"
+#include "controller/gain_ramp.h"
+#include "controller/set_point_blend.h"
 #include "controller/torque_limits.h"
 #include "controller/transmission.h"
 
@@ -46,17 +45,15 @@ class LegController {
 
  private:
   bool read(const std::vector<EstimatedJoint>& joints) noexcept;
-  LegOutcome follow(const DesiredLeg& desired, double desired_age_s, bool was_compliant, double dt_s,
-                    DriveCommand& out) noexcept;
-  LegOutcome position(const FootMotion& foot, bool was_compliant, double dt_s, DriveCommand& out) noexcept;
-  LegOutcome joint(const DesiredLeg& desired, double desired_age_s, bool was_compliant, double dt_s,
-                   DriveCommand& out) noexcept;
-  void send_position(const LegMotion& desired, bool was_compliant, double dt_s, DriveCommand& out) noexcept;
+  LegOutcome follow(const DesiredLeg& desired, double desired_age_s, double dt_s, DriveCommand& out) noexcept;
+  LegOutcome position(const FootMotion& foot, double dt_s, DriveCommand& out) noexcept;
+  LegOutcome joint(const DesiredLeg& desired, double desired_age_s, double dt_s, DriveCommand& out) noexcept;
+  void send_position(const SetPoints& desired, double dt_s, DriveCommand& out) noexcept;
   LegOutcome compliance(const DesiredLeg& desired, const FootMotion& foot, double dt_s,
                         DriveCommand& out) noexcept;
-  void enter_position(const JointVector& desired_rad, bool was_compliant) noexcept;
-  JointVector held_by_stiffness_rad() const noexcept;
-  void enter_compliance(const JointVector& law_Nm) noexcept;
+  void enter_position(const SetPoints& desired, double dt_s) noexcept;
+  void enter_compliance(const JointVector& law_Nm, double dt_s) noexcept;
+  void add_soft_stops(JointVector& torque_Nm) noexcept;
   void clamp_to_limits(double dt_s, JointVector& position_rad, JointVector& velocity_rad_s) noexcept;
   ActuatorCommand& command(DriveCommand& out, int i) const noexcept;
   void fill(DriveCommand& out, DriveMode mode) const noexcept;
@@ -67,13 +64,18 @@ class LegController {
   std::vector<ActuatorConfig> actuators_;
   std::unique_ptr<LegKinematics> kinematics_;  ///< nullptr: joints alone, no foot to command
   Transmission transmission_;
-  FrictionCompensation friction_;
+  JointCompensation compensation_;
 
-  ControlMode mode_ = ControlMode::kDisabled;  ///< of the last step
+  ControlMode mode_ = ControlMode::kDisabled;  ///< of this step
+  ControlMode before_ =
+      ControlMode::kDisabled;  ///< of the step before; kDisabled while not all drives were on
   bool all_enabled_ = false;
-  bool entering_ = true;  ///< this step is the mode's first with enabled drives
-  Fade fade_;
-  JointVector offset_;                    ///< what fades: rad in position mode, Nm in compliance
+  bool entering_ = true;   ///< this step is the mode's first with enabled drives
+  SetPointBlend blend_;    ///< position and joint mode
+  SetPoints sent_;         ///< position and joint mode: of the joints, without the blend's torque
+  Fade fade_;              ///< compliance
+  JointVector offset_Nm_;  ///< what fades in compliance
+  GainRamp gains_;
   JointVector lowest_rad_, highest_rad_;  ///< position mode: between them each joint's set-point may be
   LegMotion measured_;
   JointVector motor_torque_Nm_;

@@ -24,18 +24,52 @@ double with_soft_stop(double torque_Nm, const JointConfig& joint, double positio
   return torque_Nm - stiffness_Nm_rad * above - damping_Nm_s_rad * std::max(0.0, velocity_rad_s);
 }
 
-TorqueLimiter::TorqueLimiter(const ActuatorConfig& actuator) noexcept : limit_Nm_(actuator.torque_limit_Nm) {}
+LimitCounts& LimitCounts::operator+=(const LimitCounts& other) noexcept {
+  soft_stop += other.soft_stop;
+  torque += other.torque;
+  speed += other.speed;
+  power += other.power;
+  rate += other.rate;
+  position += other.position;
+  velocity += other.velocity;
+  return *this;
+}
+
+TorqueLimiter::TorqueLimiter(const ActuatorConfig& actuator) noexcept
+    : limit_Nm_(actuator.torque_limit_Nm),
+      fastest_rad_s_(actuator.speed_limit_rad_s),
+      power_W_(actuator.power_limit_W) {}
 
 void TorqueLimiter::start_from(double torque_Nm) noexcept {
   last_Nm_ = std::isfinite(torque_Nm) ? std::clamp(torque_Nm, -limit_Nm_, limit_Nm_) : 0.0;
 }
 
-double TorqueLimiter::limit(double torque_Nm, double cycle_s, LimitCounts& counts) noexcept {
+double TorqueLimiter::within_speed(double torque_Nm, double velocity_rad_s) const noexcept {
+  if (fastest_rad_s_ <= 0.0) return torque_Nm;
+  const auto bound_Nm = [&](double toward_rad_s) {
+    const double room = (fastest_rad_s_ - toward_rad_s) / (kSpeedBand * fastest_rad_s_);
+    return limit_Nm_ * std::clamp(room, -1.0, 1.0);
+  };
+  return std::clamp(torque_Nm, -bound_Nm(-velocity_rad_s), bound_Nm(velocity_rad_s));
+}
+
+/// Braking is not limited: it must always be possible.
+double TorqueLimiter::within_power(double torque_Nm, double velocity_rad_s) const noexcept {
+  if (power_W_ <= 0.0 || torque_Nm * velocity_rad_s <= power_W_) return torque_Nm;
+  return power_W_ / velocity_rad_s;
+}
+
+double TorqueLimiter::limit(double torque_Nm, double velocity_rad_s, double cycle_s,
+                            LimitCounts& counts) noexcept {
   const double step = limit_Nm_ * cycle_s / kFullTorque_s;
   const double allowed = std::clamp(torque_Nm, -limit_Nm_, limit_Nm_);
   if (allowed != torque_Nm) ++counts.torque;
-  const double slewed = std::clamp(allowed, last_Nm_ - step, last_Nm_ + step);
-  if (slewed != allowed) ++counts.rate;
+  const double slow = within_speed(allowed, velocity_rad_s);
+  if (slow != allowed) ++counts.speed;
+  const double weak = within_power(slow, velocity_rad_s);
+  if (weak != slow) ++counts.power;
+  const double slewed = std::clamp(weak, last_Nm_ - step, last_Nm_ + step);
+  if (slewed != weak) ++counts.rate;
   last_Nm_ = slewed;
   return slewed;
 }

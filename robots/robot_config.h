@@ -77,6 +77,7 @@ struct ActuatorConfig {
   bool referenced = false;             ///< torque is refused until true
   double torque_limit_Nm = 0.0;        ///< gear output side
   double speed_limit_rad_s = 0.0;
+  double power_limit_W = 0.0;              ///< mechanical, that it may give; 0 = not limited
   std::uint16_t speed_limit_object = 0;    ///< where the drive takes its speed cap; 0 = the drive's own stays
   double position_stiffness_Nm_rad = 0.0;  ///< drive's position loop, in joint units; the profile converts
   double position_damping_Nm_s_rad = 0.0;

@@ -147,6 +147,7 @@ ActuatorConfig read_actuator(const YamlMap& map, const RobotConfig& robot) {
   a.referenced = map.flag("referenced");
   a.torque_limit_Nm = map.quantity("torque_limit", "Nm", 0.01, 2000);
   a.speed_limit_rad_s = map.quantity("speed_limit", "rad/s", 0.01, 200);
+  a.power_limit_W = map.quantity_or("power_limit", "W", 1, 1e5, 0.0);
   a.speed_limit_object = static_cast<std::uint16_t>(map.integer("speed_limit_object", 0, 0xFFFF));
   const YamlMap loop = map.map("position_loop");
   a.position_stiffness_Nm_rad = loop.quantity("stiffness", "Nm/rad", 0, 1e5);

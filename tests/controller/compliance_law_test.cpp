@@ -31,7 +31,7 @@ class ComplianceLawTest : public testing::Test {
     p.coulomb_Nm = torque_Nm;
     return p;
   }
-  JointVector torque() const { return compliance_torque_Nm(leg_, desired_, foot_, measured_, friction_); }
+  JointVector torque() const { return compliance_torque_Nm(leg_, desired_, foot_, measured_, joints_); }
   /// Force that the leg puts on the world at its foot.
   Eigen::Vector3d force() const {
     const JointVector motion = torque() - leg_.gravity_torque_Nm(measured_.position_rad);
@@ -42,7 +42,7 @@ class ComplianceLawTest : public testing::Test {
   DesiredLeg desired_;
   FootMotion foot_;
   LegMotion measured_;
-  FrictionCompensation friction_{{coulomb(1.79), coulomb(1.79)}, 0.05};
+  JointCompensation joints_{{coulomb(1.79), coulomb(1.79)}, 0.05, {}, {}};
 };
 
 TEST_F(ComplianceLawTest, AtTheTargetOnlyTheLegsOwnWeightIsHeld) {
@@ -91,7 +91,7 @@ TEST_F(ComplianceLawTest, ThePapersCompensationIsItsFormulaToTheBit) {
       1.0;  // preset `paper`: figures of the papers' jumps must stay what they are
   measured_.velocity_rad_s = pair(0.031, -2.7);
   const JointVector with = torque();
-  friction_.joints = {FrictionParameters{}, FrictionParameters{}};
+  joints_.friction = {FrictionParameters{}, FrictionParameters{}};
   const JointVector without = torque();
   EXPECT_EQ(with[0], without[0] + 1.79 * std::tanh(0.031 / 0.05));
   EXPECT_EQ(with[1], without[1] + 1.79 * std::tanh(-2.7 / 0.05));
@@ -101,10 +101,10 @@ TEST_F(ComplianceLawTest, LoadFrictionIsThatOfTheTorqueThatTheGearIsToPutOut) {
   desired_.friction_compensation = 1.0;
   desired_.feedforward_force_N = {0.0, 0.0, 300.0};
   measured_.velocity_rad_s = pair(4.0, 4.0);
-  friction_.joints = {FrictionParameters{}, FrictionParameters{}};
+  joints_.friction = {FrictionParameters{}, FrictionParameters{}};
   const JointVector spring = torque();
-  friction_.joints[0].load_share_driving = friction_.joints[0].load_share_driven = 0.1;
-  friction_.joints[1].load_share_driving = friction_.joints[1].load_share_driven = 0.1;
+  joints_.friction[0].load_share_driving = joints_.friction[0].load_share_driven = 0.1;
+  joints_.friction[1].load_share_driving = joints_.friction[1].load_share_driven = 0.1;
   EXPECT_NEAR(torque()[1], spring[1] + 0.1 * std::abs(spring[1]), 1e-12);
   EXPECT_GT(std::abs(spring[1]), 10.0);
 }
@@ -112,7 +112,7 @@ TEST_F(ComplianceLawTest, LoadFrictionIsThatOfTheTorqueThatTheGearIsToPutOut) {
 TEST_F(ComplianceLawTest, WarmGearsNeedLess) {
   desired_.friction_compensation = 1.0;
   measured_.velocity_rad_s = pair(4.0, 4.0);
-  for (FrictionParameters& p : friction_.joints) {
+  for (FrictionParameters& p : joints_.friction) {
     p = FrictionParameters{};
     p.viscous_Nm_s_rad = 1.3;
     p.viscous_temperature_1_K = 0.035;
@@ -126,13 +126,84 @@ TEST_F(ComplianceLawTest, WarmGearsNeedLess) {
 TEST_F(ComplianceLawTest, NoLawActsAtRestNorJumpsAboutIt) {
   desired_.friction_compensation = 1.0;
   desired_.damping_N_s_m = {0.0, 0.0, 0.0};
-  for (FrictionParameters& p : friction_.joints) p = {7.3, 0.8, 0.1, 2.0, 1.2, 1.0, 0.1, 0.1, 0.05};
+  for (FrictionParameters& p : joints_.friction) p = {7.3, 0.8, 0.1, 2.0, 1.2, 1.0, 0.1, 0.1, 0.05};
   const JointVector rest = torque();
-  friction_.joints = {FrictionParameters{}, FrictionParameters{}};
+  joints_.friction = {FrictionParameters{}, FrictionParameters{}};
   EXPECT_EQ(torque(), rest);
-  friction_.joints = {coulomb(7.3), coulomb(7.3)};
+  joints_.friction = {coulomb(7.3), coulomb(7.3)};
   measured_.velocity_rad_s = pair(1e-4, -1e-4);  // a tenth of the encoder's noise
   EXPECT_LT((torque() - rest).norm(), 0.03);
+}
+
+TEST_F(ComplianceLawTest, AtRestFrictionHelpsWhereTheSpringPullsAndNothingElseDoes) {
+  desired_.friction_compensation = 0.9;
+  joints_.friction = {coulomb(7.3), coulomb(7.3)};
+  joints_.rest = {0.02, 0.1};
+  desired_.feedforward_force_N = {0.0, 0.0, 51.0};  // weight and feed-forward have no say
+  JointCompensation none = joints_;
+  none.friction = {FrictionParameters{}, FrictionParameters{}};
+  const auto helped = [&] {
+    return (torque() - compliance_torque_Nm(leg_, desired_, foot_, measured_, none)).eval();
+  };
+  EXPECT_EQ(helped().norm(), 0.0);
+  foot_.position_m += Eigen::Vector3d(0.004, 0.0, -0.02);
+  const Eigen::Vector3d spring_N(2000.0 * 0.004, 0.0, 1500.0 * -0.02);
+  const JointVector spring_Nm = leg_.jacobian(measured_.position_rad).transpose() * spring_N;
+  for (int j = 0; j < 2; ++j) EXPECT_NEAR(helped()[j], 0.9 * 7.3 * std::tanh(spring_Nm[j] / 0.1), 1e-9) << j;
+}
+
+TEST_F(ComplianceLawTest, RestLawGivesWayToTheLawOfMotionWithSpeed) {
+  desired_.friction_compensation = 1.0;
+  desired_.damping_N_s_m = {0.0, 0.0, 0.0};
+  joints_.friction = {coulomb(7.3), coulomb(7.3)};
+  foot_.position_m += Eigen::Vector3d(0.004, 0.0, -0.02);
+  measured_.velocity_rad_s = pair(0.2, -0.2);
+  const JointVector papers = torque();
+  joints_.rest = {0.02, 0.1};
+  EXPECT_EQ(torque(), papers);  // exp(-100)
+  measured_.velocity_rad_s = pair(0.02, -0.02);
+  const double share = std::exp(-1.0);
+  const JointVector spring_Nm = leg_.jacobian(measured_.position_rad).transpose() *
+                                Eigen::Vector3d(2000.0 * 0.004, 0.0, 1500.0 * -0.02);
+  const JointVector with = torque();
+  joints_.friction = {FrictionParameters{}, FrictionParameters{}};
+  const double w[] = {0.02, -0.02};
+  for (int j = 0; j < 2; ++j) {
+    const double expected_Nm =
+        7.3 * (share * std::tanh(spring_Nm[j] / 0.1) + (1.0 - share) * std::tanh(w[j] / 0.05));
+    EXPECT_NEAR((with - torque())[j], expected_Nm, 1e-9) << j;
+  }
+}
+
+TEST_F(ComplianceLawTest, RotorsGetTheirShareOfTheDesiredAcceleration) {
+  joints_.armature_kg_m2 = {0.81, 0.6};
+  foot_.acceleration_m_s2 = {3.0, 0.0, -12.0};
+  const JointVector without = torque();
+  desired_.inertia_compensation = 0.5;
+  const JointVector acceleration = damped_inverse(leg_.jacobian(measured_.position_rad)).matrix.transpose() *
+                                   Eigen::Vector3d(3.0, 0.0, -12.0);
+  EXPECT_NEAR((torque() - without)[0], 0.5 * 0.81 * acceleration[0], 1e-9);
+  EXPECT_NEAR((torque() - without)[1], 0.5 * 0.6 * acceleration[1], 1e-9);
+}
+
+TEST_F(ComplianceLawTest, DesiredAccelerationMakesTheFootDoWhatIsWanted) {
+  measured_.velocity_rad_s = pair(3.0, -5.0);
+  foot_.acceleration_m_s2 = {4.0, 0.0, 9.0};
+  const JointVector qdd = desired_acceleration_rad_s2(leg_, foot_, measured_);
+  constexpr double kStep_s = 1e-4;  // second difference of the foot along that motion
+  const auto foot_at = [&](double t) {
+    return leg_.foot_in_hip_m(measured_.position_rad + t * measured_.velocity_rad_s + 0.5 * t * t * qdd);
+  };
+  const Eigen::Vector3d a = (foot_at(kStep_s) - 2.0 * foot_at(0.0) + foot_at(-kStep_s)) / (kStep_s * kStep_s);
+  EXPECT_LT((a - foot_.acceleration_m_s2).norm(), 1e-3);
+}
+
+TEST_F(ComplianceLawTest, InertiaIsNoBiggerThanTheDampedInverseAllowsInASingularPose) {
+  measured_.position_rad = pair(1.5, 1e-4);
+  foot_.acceleration_m_s2 = {0.0, 0.0, 50.0};
+  const JointVector qdd = desired_acceleration_rad_s2(leg_, foot_, measured_);
+  EXPECT_TRUE(qdd.allFinite());
+  EXPECT_LT(qdd.norm(), 50.0 / 0.02);
 }
 
 TEST(FootMotionTest, ExtrapolatesWithConstantAcceleration) {
@@ -143,6 +214,7 @@ TEST(FootMotionTest, ExtrapolatesWithConstantAcceleration) {
   const FootMotion foot = extrapolate(desired, 0.01);
   EXPECT_NEAR(foot.position_m.z(), -0.4 - 0.02 + 0.0005, 1e-15);
   EXPECT_NEAR(foot.velocity_m_s.z(), -1.9, 1e-15);
+  EXPECT_EQ(foot.acceleration_m_s2.z(), 10.0);
 }
 
 }  // namespace

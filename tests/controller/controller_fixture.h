@@ -46,6 +46,15 @@ class ControllerFixture : public testing::Test {
   JointVector commanded_position() const {
     return pair(out_.actuators[0].commanded_position_rad, out_.actuators[1].commanded_position_rad);
   }
+  /// What the drive's position loop gives.
+  double loop_torque_Nm(int i) const {
+    const auto place = static_cast<std::size_t>(i);
+    const ActuatorConfig& a = robot_.actuators[place];
+    const EstimatedJoint& joint = state_.joints[place];
+    return a.position_stiffness_Nm_rad * (commanded_position()[i] - joint.estimated_position_rad) +
+           a.position_damping_Nm_s_rad *
+               (out_.actuators[place].commanded_velocity_rad_s - joint.estimated_velocity_rad_s);
+  }
   JointVector commanded_torque() const {
     return pair(out_.actuators[0].commanded_torque_Nm, out_.actuators[1].commanded_torque_Nm);
   }

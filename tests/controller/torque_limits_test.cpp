@@ -12,6 +12,8 @@ namespace {
 ActuatorConfig actuator() {
   ActuatorConfig a;
   a.torque_limit_Nm = 100.0;
+  a.speed_limit_rad_s = 10.0;
+  a.power_limit_W = 400.0;
   return a;
 }
 
@@ -25,7 +27,7 @@ JointConfig joint() {
 TEST(TorqueLimiterTest, SmallTorquePassesUntouchedAndUncounted) {
   LimitCounts counts;
   TorqueLimiter limiter(actuator());
-  EXPECT_EQ(limiter.limit(30.0, 0.001, counts), 30.0);
+  EXPECT_EQ(limiter.limit(30.0, 0.0, 0.001, counts), 30.0);
   EXPECT_EQ(counts.torque + counts.rate, 0);
 }
 
@@ -33,9 +35,9 @@ TEST(TorqueLimiterTest, TorqueIsLimitedOnBothSides) {
   LimitCounts counts;
   TorqueLimiter limiter(actuator());
   limiter.start_from(100.0);
-  EXPECT_EQ(limiter.limit(250.0, 0.001, counts), 100.0);
+  EXPECT_EQ(limiter.limit(250.0, 0.0, 0.001, counts), 100.0);
   limiter.start_from(-100.0);
-  EXPECT_EQ(limiter.limit(-250.0, 0.001, counts), -100.0);
+  EXPECT_EQ(limiter.limit(-250.0, 0.0, 0.001, counts), -100.0);
   EXPECT_EQ(counts.torque, 2);
   EXPECT_EQ(counts.rate, 0);
 }
@@ -43,8 +45,8 @@ TEST(TorqueLimiterTest, TorqueIsLimitedOnBothSides) {
 TEST(TorqueLimiterTest, FullTorqueTakesTwoMilliseconds) {
   LimitCounts counts;
   TorqueLimiter limiter(actuator());
-  EXPECT_DOUBLE_EQ(limiter.limit(100.0, 0.001, counts), 50.0);
-  EXPECT_DOUBLE_EQ(limiter.limit(100.0, 0.001, counts), 100.0);
+  EXPECT_DOUBLE_EQ(limiter.limit(100.0, 0.0, 0.001, counts), 50.0);
+  EXPECT_DOUBLE_EQ(limiter.limit(100.0, 0.0, 0.001, counts), 100.0);
   EXPECT_EQ(counts.rate, 1);
 }
 
@@ -52,9 +54,52 @@ TEST(TorqueLimiterTest, StartsFromWhatIsThere) {
   LimitCounts counts;
   TorqueLimiter limiter(actuator());
   limiter.start_from(80.0);
-  EXPECT_DOUBLE_EQ(limiter.limit(0.0, 0.001, counts), 30.0);
+  EXPECT_DOUBLE_EQ(limiter.limit(0.0, 0.0, 0.001, counts), 30.0);
   limiter.start_from(std::numeric_limits<double>::quiet_NaN());
-  EXPECT_DOUBLE_EQ(limiter.limit(10.0, 0.001, counts), 10.0);
+  EXPECT_DOUBLE_EQ(limiter.limit(10.0, 0.0, 0.001, counts), 10.0);
+}
+
+double settled(TorqueLimiter& limiter, double torque_Nm, double velocity_rad_s, LimitCounts& counts) {
+  limiter.start_from(torque_Nm);
+  for (int k = 0; k < 3; ++k) limiter.limit(torque_Nm, velocity_rad_s, 0.001, counts);
+  return limiter.limit(torque_Nm, velocity_rad_s, 0.001, counts);
+}
+
+TEST(TorqueLimiterTest, NearTheSpeedLimitTorqueTowardMoreSpeedFadesAndBeyondItBrakes) {
+  ActuatorConfig strong = actuator();
+  strong.power_limit_W = 0.0;
+  TorqueLimiter limiter(strong);
+  LimitCounts counts;
+  EXPECT_EQ(settled(limiter, 80.0, 9.0, counts), 80.0);
+  EXPECT_EQ(settled(limiter, -80.0, 9.9, counts), -80.0);  // brakes
+  EXPECT_EQ(counts.speed, 0);
+  EXPECT_NEAR(settled(limiter, 80.0, 9.5, counts), 50.0, 1e-9);
+  EXPECT_NEAR(settled(limiter, -80.0, -9.5, counts), -50.0, 1e-9);
+  EXPECT_NEAR(settled(limiter, 80.0, 10.0, counts), 0.0, 1e-9);
+  EXPECT_NEAR(settled(limiter, 80.0, 10.5, counts), -50.0, 1e-9);
+  EXPECT_EQ(counts.speed, 16);
+  EXPECT_EQ(counts.power + counts.torque, 0);
+}
+
+TEST(TorqueLimiterTest, PowerThatIsGivenIsLimitedAndBrakingIsNot) {
+  TorqueLimiter limiter(actuator());
+  LimitCounts counts;
+  EXPECT_EQ(settled(limiter, 90.0, 4.0, counts), 90.0);
+  EXPECT_EQ(settled(limiter, -90.0, 8.0, counts), -90.0);
+  EXPECT_EQ(counts.power, 0);
+  EXPECT_NEAR(settled(limiter, 90.0, 8.0, counts), 50.0, 1e-9);
+  EXPECT_NEAR(settled(limiter, -90.0, -5.0, counts), -80.0, 1e-9);
+  EXPECT_EQ(counts.power, 8);
+  EXPECT_EQ(counts.speed, 0);
+}
+
+TEST(LimitCountsTest, AddUp) {
+  LimitCounts sum{1, 2, 3, 4, 5, 6, 7};
+  sum += LimitCounts{10, 20, 30, 40, 50, 60, 70};
+  EXPECT_EQ(sum.soft_stop, 11);
+  EXPECT_EQ(sum.power, 44);
+  EXPECT_EQ(sum.velocity, 77);
+  EXPECT_EQ(sum.total(), 11 * 28);
 }
 
 TEST(SoftStopTest, PushesBackInsideTheZoneOnly) {
@@ -89,6 +134,31 @@ TEST(FadeTest, FallsFromOneToZeroWithContinuousSlope) {
   }
   EXPECT_EQ(fade.share(), 0.0);
   EXPECT_EQ(fade.rate_1_s(), 0.0);
+}
+
+TEST(FadeTest, RunBeginsWithTheOldSpeedAndReturns) {
+  Fade fade, ahead;
+  EXPECT_EQ(fade.run_s(), 0.0);
+  fade.start(0.05);
+  ahead.start(0.05);
+  EXPECT_EQ(fade.run_s(), 0.0);
+  EXPECT_EQ(fade.run_rate(), 1.0);
+  fade.advance(0.021);
+  ahead.advance(0.021 + 1e-8);
+  EXPECT_NEAR(fade.run_rate(), (ahead.run_s() - fade.run_s()) / 1e-8, 1e-5);
+  fade.advance(1.0);
+  EXPECT_EQ(fade.run_s(), 0.0);
+  EXPECT_EQ(fade.run_rate(), 0.0);
+}
+
+TEST(FadeTest, TimeKeepsEveryStepBelowTheBound) {
+  EXPECT_EQ(fade_time_s(0.1, 0.05, 0.001), kFade_s);
+  Fade fade;
+  fade.start(fade_time_s(1.5, 0.05, 0.002));
+  for (double before = 1.0; before > 0.0; before = fade.share()) {
+    fade.advance(0.002);
+    ASSERT_LE(1.5 * (before - fade.share()), 0.05);
+  }
 }
 
 TEST(FadeTest, RateIsTheDerivativeOfTheShare) {
