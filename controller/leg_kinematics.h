@@ -1,6 +1,7 @@
 #pragma once
 /// Geometry and statics of one leg. Pure: no I/O, clock, log or heap after construction; safe in the loop.
-/// Frame: hip axes, x forward, y left, z up, origin at the hip. The papers' planar y is our z.
+/// Frame: hip axes, x forward, y left, z up, origin at the hip (three_joint.h: on the abduction axis). The papers' planar
+/// y is our z. Equations: docs/control.md, "Leg kinematics".
 /// Joint torques are positive along their joint's positive direction; forces are in N, on the foot, in hip
 /// axes.
 #include <Eigen/Core>
@@ -38,7 +39,8 @@ class LegKinematics {
   virtual int joint_count() const noexcept = 0;
   virtual Eigen::Vector3d foot_in_hip_m(const JointVector& position_rad) const noexcept = 0;
   virtual LegJacobian jacobian(const JointVector& position_rad) const noexcept = 0;
-  /// Of the poses that reach the foot, the one with the knee bent as in `near_rad`, turned by 2 pi toward it.
+  /// Of the poses that reach the foot, the one with the knee bent as in `near_rad`, turned by 2 pi toward it. A foot that
+  /// is not finite: near_rad, not reachable.
   virtual InverseResult inverse(const Eigen::Vector3d& foot_in_hip_m,
                                 const JointVector& near_rad) const noexcept = 0;
   /// Torque that holds the leg's own weight with the hip at rest: gradient of the potential energy (errata
