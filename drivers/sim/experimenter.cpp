@@ -52,19 +52,39 @@ void Experimenter::act(const SimControl& control) noexcept {
 }
 
 void Experimenter::push(const SimControl& control) noexcept {
+  const bool goes_on = steps_left_ > 0 && pushed_leg_ == control.actuator;
+  from_wrench_ = goes_on ? wrench_ : std::array<double, 6>{};
   stop_pushing();
   pushed_leg_ = control.actuator;
+  to_wrench_ = control.wrench;
+  rise_steps_ = steps(control.value);
+  steps_done_ = 0;
   steps_left_ = steps(control.duration_s);
-  if (steps_left_ <= 0) return;
+  if (steps_left_ > 0) apply_wrench(rise_steps_ > 0 ? from_wrench_ : to_wrench_);
+}
+
+void Experimenter::apply_wrench(const std::array<double, 6>& wrench) noexcept {
+  wrench_ = wrench;
   if (pushed_leg_ < 0) {
-    train_.plant().set_base_wrench(control.wrench);
+    train_.plant().set_base_wrench(wrench);
   } else {
-    train_.plant().set_foot_wrench(pushed_leg_, control.wrench);
+    train_.plant().set_foot_wrench(pushed_leg_, wrench);
   }
+}
+
+void Experimenter::keep_pushing() noexcept {
+  if (--steps_left_ == 0) return stop_pushing();
+  if (++steps_done_ > rise_steps_) return;
+  const double share = static_cast<double>(steps_done_) / static_cast<double>(rise_steps_);
+  std::array<double, 6> wrench = to_wrench_;
+  for (std::size_t i = 0; i < wrench.size(); ++i)
+    wrench[i] = from_wrench_[i] + share * (to_wrench_[i] - from_wrench_[i]);
+  apply_wrench(wrench);
 }
 
 void Experimenter::stop_pushing() noexcept {
   steps_left_ = 0;
+  wrench_ = {};
   train_.plant().set_base_wrench({});
   train_.plant().set_foot_wrench(pushed_leg_, {});
 }
@@ -107,7 +127,7 @@ void Experimenter::mend(const SimControl& control) noexcept {
 }
 
 void Experimenter::after_step() noexcept {
-  if (steps_left_ > 0 && --steps_left_ == 0) stop_pushing();
+  if (steps_left_ > 0) keep_pushing();
   std::size_t kept = 0;
   for (std::size_t i = 0; i < running_count_; ++i) {
     Running& fault = running_[i];

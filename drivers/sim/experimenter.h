@@ -10,7 +10,8 @@
 namespace sprung::sim {
 
 /// Meaning of SimControl by kind:
-///   kWrench       wrench for duration_s; actuator -1 = on the base, n >= 0 = at the foot of leg n
+///   kWrench       wrench for duration_s; actuator -1 = on the base, n >= 0 = at the foot of leg n. It grows from what
+///                 pushes there now in a straight line over the first `value` seconds of that; 0 = at once
 ///   kReset        plant to its initial pose at rest; drives keep their state; no wrench, not suspended
 ///   kSuspend      base held still; value > 0 = put at that height (m, world) first, 0 = let go,
 ///                 < 0 = held where it is
@@ -38,6 +39,8 @@ class Experimenter {
   };
   void act(const SimControl& control) noexcept;
   void push(const SimControl& control) noexcept;
+  void apply_wrench(const std::array<double, 6>& wrench) noexcept;
+  void keep_pushing() noexcept;
   void stop_pushing() noexcept;
   void begin_fault(const SimControl& control) noexcept;
   void switch_fault(const SimControl& control, bool on) noexcept;
@@ -51,7 +54,9 @@ class Experimenter {
   std::array<Running, kCapacity> running_{};
   std::size_t running_count_ = 0;
   int pushed_leg_ = -1;  ///< -1 = base
-  std::int64_t steps_left_ = 0;
+  std::array<double, 6> from_wrench_{}, to_wrench_{},
+      wrench_{};  ///< of a push: at its start, when grown, now
+  std::int64_t steps_done_ = 0, rise_steps_ = 0, steps_left_ = 0;
 };
 
 }  // namespace sprung::sim

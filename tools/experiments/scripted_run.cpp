@@ -2,8 +2,6 @@
 
 #include <stdexcept>
 
-#include "tools/inprocess/inprocess_robot.h"
-
 namespace sprung {
 
 OperatorCommand scripted(OperatorKind kind, std::int64_t at_seq) {
@@ -19,6 +17,8 @@ void run_in_process(const RunScript& script, const CycleObserver& on_cycle, cons
   for (const OperatorCommand& command : script.commands) {
     robot.submit(command);
   }
+  for (const SimControl& control : script.controls) robot.sim().control(control);
+  if (script.command_legs_by) robot.command_legs_by(script.command_legs_by);
   robot.boot();
   for (bool first = true; robot.cycle() < script.cycles - 1 || first; first = false) {
     if (!first) {

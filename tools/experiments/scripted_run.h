@@ -9,6 +9,7 @@
 #include "robots/robot_config.h"
 #include "signals/signals.h"
 #include "tools/client/cycle_record.h"
+#include "tools/inprocess/inprocess_robot.h"
 
 namespace sprung {
 
@@ -18,6 +19,9 @@ struct RunScript {
   SimOptions sim;
   std::vector<OperatorCommand> commands;  ///< request_id and apply_at_seq set
   std::int64_t cycles = 0;                ///< cycles 0 .. cycles-1 are run
+  std::vector<SimControl> controls{};     ///< of the simulated robot, apply_at_seq set; at most 64
+  /// Instead of the planner: for motions that no planner makes. In one process only.
+  LegCommandSource command_legs_by{};
 };
 
 /// @throws std::runtime_error when the drives do not boot or the plant fails.

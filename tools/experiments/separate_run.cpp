@@ -2,9 +2,12 @@
 
 #include <unistd.h>
 
+#include <chrono>
 #include <random>
 #include <stdexcept>
+#include <thread>
 
+#include "lcmtypes/channels.h"
 #include "runtime/stop_request.h"
 #include "tools/client/cycle_collector.h"
 #include "tools/client/operator_client.h"
@@ -56,6 +59,23 @@ void queue_commands(const RunScript& script, const RunInfo& info) {
   }
 }
 
+/// Nobody answers a SIM_CONTROL, so each goes out several times: the simulated drives take one stamp once.
+void queue_controls(const RunScript& script, const RunInfo& info) {
+  if (script.controls.empty()) return;
+  constexpr int kTimes = 5;
+  Node node(NodeOptions{info.lcm_url, info.session, info.epoch_us, {}});
+  Publisher<SimControl> publisher = node.publisher<SimControl>(channels::kSimControl);
+  node.start();
+  for (std::size_t i = 0; i < script.controls.size(); ++i) {
+    SimControl control = script.controls[i];
+    control.stamp = {node.utime_us(), static_cast<std::int64_t>(i)};
+    for (int n = 0; n < kTimes; ++n) {
+      publisher.publish(control);
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  }
+}
+
 void refuse_early_end(Launcher& launcher, std::int64_t last_cycle, std::int64_t cycles) {
   for (const Launcher::Ended& ended : launcher.newly_ended()) {
     if (ended.status != 0) {
@@ -88,10 +108,13 @@ int random_port() {
 
 SeparateResult run_separate(const RunScript& script, const CycleObserver& on_cycle,
                             const ReplyObserver& on_reply, const SeparateOptions& options) {
+  if (script.command_legs_by)
+    throw std::invalid_argument("separate processes are commanded by their planner, not by this one");
   Launcher launcher(launch_request(script, options), script.robot);
   launcher.start_all_but_bridge();
   CycleCollector collector(launcher.info(), script.robot);
   queue_commands(script, launcher.info());
+  queue_controls(script, launcher.info());
   launcher.start_bridge();
   std::int64_t next = 0;
   const auto until_last = [&](const CycleRecord& cycle) {

@@ -1,0 +1,44 @@
+#pragma once
+/// `sprung experiment foot_return`: a foot on a virtual spring is pulled away and released, with and without friction compensation, in
+/// eight directions with five forces (S0 Figs. 8, 9), on the plant as identified and on plants with more and less friction.
+#include <string>
+#include <vector>
+
+#include "drivers/sim/sim_core.h"
+#include "robots/robot_config.h"
+#include "tools/experiments/experiment_report.h"
+#include "tools/experiments/foot_return_score.h"
+#include "tools/experiments/jump_experiment.h"
+
+namespace sprung {
+
+struct FootReturnCase {
+  std::string name;             ///< of rows: no spaces
+  double friction_scale = 1.0;  ///< of the plant, times what SimOptions ask for
+  FootReturnScript script;
+};
+
+struct FootReturnCaseResult {
+  FootReturnCase config;
+  std::vector<PullResult> pulls;
+  std::vector<PullTrace> traces;
+  FootReturnSummary summary;
+};
+
+struct FootReturnResult {
+  std::vector<FootReturnCaseResult> cases;
+  double simulated_s = 0.0;
+};
+
+/// with and without at 2000 N/m, without at 500 N/m, with on plants of 0.8 to 1.2 of the friction.
+std::vector<FootReturnCase> foot_return_cases(const PresetConfig& preset);
+
+/// @param run run_in_process; a runner of separate processes needs the planner's commands instead.
+/// @throws std::runtime_error when the plant fails, std::invalid_argument for a robot whose leg is not planar.
+FootReturnResult run_foot_return(const RobotConfig& robot, const std::string& preset, const SimOptions& sim,
+                                 const std::vector<FootReturnCase>& cases, const ScriptRunner& run);
+
+/// Rows foot_return.<case>.<mean|max|min|moved_least|...>, with the bounds.
+std::vector<ReportRow> foot_return_rows(const FootReturnResult& result);
+
+}  // namespace sprung
