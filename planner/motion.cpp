@@ -141,7 +141,8 @@ void Motion::enter(MotionPhase from, const JointState& in) noexcept {
       break;
     case MotionPhase::kFlight:
       if (from == MotionPhase::kStanding) move_all(jump_.curve().end_length_m(), jump_.fall_move_s());
-      for (OwnLanding& own : own_) own.begin(jump_.expected());
+      for (OwnLanding& own : own_)
+        own.begin(jump_.expected(), jump_.falling() ? FlightKind::kFall : FlightKind::kJump);
       break;
     case MotionPhase::kRecover:
       if (from == MotionPhase::kLanding) jump_.landed();

@@ -1,22 +1,164 @@
 #include "planner/own_landing.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace sprung {
+namespace {
+
+constexpr double kStretchPeakToMean = 1.875;  // of FootMove's speed
+constexpr double kStretchSpeed_m_s = 1.8;     // what the joints can do with a long leg
+constexpr double kStretchShare = 0.7;         // at most, of the fall
+constexpr double kLeastWay_m = 0.03;          // to stop in, however short the leg is at contact
+constexpr double kLeastForce_N = 10.0;        // on the foot, beyond its bound
+constexpr double kSurePush_s = 0.002;         // for this long: contact
+constexpr double kLongestStep_s = 0.02;       // of time that one step accounts for
+
+bool beyond_bound(const EstimatedLeg& leg) noexcept {
+  return leg.foot_force_N[2] > leg.foot_force_bound_N[2] + kLeastForce_N ||
+         std::abs(leg.foot_force_N[0]) > leg.foot_force_bound_N[0] + kLeastForce_N;
+}
+
+StiffnessConfig stiffness(const LandingGains& gains) noexcept {
+  StiffnessConfig out;
+  out.stiffness_N_m = {gains.stiffness_x_N_m, 0.0, gains.stiffness_z_N_m};
+  out.damping_N_s_m = {gains.damping_x_N_s_m, 0.0, gains.damping_z_N_s_m};
+  out.velocity_feedforward = 1.0;
+  return out;
+}
+
+}  // namespace
 
 OwnLanding::OwnLanding(const RobotConfig& /*robot*/, const LegConfig& /*leg*/, const PresetConfig& preset)
-    : preset_(preset) {}
+    : preset_(preset), config_(preset.own_landing), approach_m_s_(0.0) {}
 
-void OwnLanding::begin(const ExpectedTouchdown& expected) noexcept { expected_ = expected; }
+void OwnLanding::begin(const ExpectedTouchdown& expected, FlightKind kind) noexcept {
+  expected_ = expected;
+  kind_ = kind;
+  stage_ = Stage::kBefore;
+}
 
 OwnLandingOutput OwnLanding::step(const OwnLandingInput& in) noexcept {
+  const bool spring_alone = kind_ == FlightKind::kJump && config_.jump_switch_s > 0.0;
+  if (spring_alone || config_.extended_length_m <= 0.0) return as_hybrid(in);
+  if (stage_ == Stage::kBefore) start(in);
+  const double dt_s = std::clamp(1e-6 * static_cast<double>(in.utime_us - now_us_), 0.0, kLongestStep_s);
+  now_us_ = in.utime_us;
+  pushed_s_ = beyond_bound(in.measured) ? pushed_s_ + dt_s : 0.0;
+  if (stage_ != Stage::kGround && touched(in)) touch_down(in);
+  if (stage_ == Stage::kStretching) stretch();
+  if (stage_ == Stage::kBraking) brake(dt_s);
+  if (stage_ == Stage::kGround) yield(dt_s);
+  return output();
+}
+
+OwnLandingOutput OwnLanding::as_hybrid(const OwnLandingInput& in) const noexcept {
+  const bool own_spring = kind_ == FlightKind::kJump && config_.jump_switch_s > 0.0;
+  JumpProgress progress = in.progress;
+  if (own_spring) progress.hybrid_switch_s = config_.jump_switch_s;
   DesiredLeg leg;
-  set_control(in.progress, preset_, leg);
+  set_control(progress, preset_, leg);
   OwnLandingOutput out;
   out.desired = in.planned;
   out.control_mode = leg.control_mode;
   out.gains = {leg.stiffness_N_m, leg.damping_N_s_m, leg.velocity_feedforward};
+  if (own_spring) {
+    out.gains = stiffness(config_.jump);
+    out.gains.velocity_feedforward = 0.0;
+  }
   out.feedforward_force_N = leg.feedforward_force_N;
   out.friction_compensation = leg.friction_compensation;
   out.inertia_compensation = leg.inertia_compensation;
+  return out;
+}
+
+double OwnLanding::hip_height_m() const noexcept {
+  const double left_s = 1e-6 * static_cast<double>(expected_.utime_us - now_us_);
+  return preset_.landing_length_m + left_s * (expected_.approach_speed_m_s - 0.5 * kGravity_m_s2 * left_s);
+}
+
+double OwnLanding::hip_velocity_m_s() const noexcept {
+  const double left_s = 1e-6 * static_cast<double>(expected_.utime_us - now_us_);
+  return -(expected_.approach_speed_m_s - kGravity_m_s2 * left_s);
+}
+
+void OwnLanding::start(const OwnLandingInput& in) noexcept {
+  now_us_ = begun_us_ = in.utime_us;
+  foot_ = in.planned;
+  const double left_s = 1e-6 * static_cast<double>(expected_.utime_us - now_us_);
+  const double duration_s = std::clamp(kStretchShare * left_s, 1e-3, config_.extension_s);
+  const double from_m = -foot_.position_m[2];
+  const double way_m = kStretchSpeed_m_s * duration_s / kStretchPeakToMean;
+  const double to_m = std::clamp(config_.extended_length_m, from_m - way_m, from_m + way_m);
+  move_ = {foot_.position_m, {0.0, 0.0, -to_m}, duration_s};
+  stage_ = Stage::kStretching;
+  pushed_s_ = 0.0;
+}
+
+/// Until the foot, braked from now on, would have its approach speed where it is to have it.
+void OwnLanding::stretch() noexcept {
+  foot_ = move_.at(1e-6 * static_cast<double>(now_us_ - begun_us_));
+  approach_m_s_ = -(hip_velocity_m_s() + foot_.velocity_m_s[2]);
+  const double way_m = std::max(0.0, hip_height_m() + foot_.position_m[2] - config_.early_m);
+  const double excess = approach_m_s_ * approach_m_s_ - config_.approach_m_s * config_.approach_m_s;
+  if (approach_m_s_ > config_.approach_m_s && excess >= 2.0 * config_.braking_m_s2 * way_m)
+    stage_ = Stage::kBraking;
+}
+
+void OwnLanding::brake(double dt_s) noexcept {
+  const bool braking = approach_m_s_ > config_.approach_m_s;
+  if (braking) approach_m_s_ = std::max(config_.approach_m_s, approach_m_s_ - config_.braking_m_s2 * dt_s);
+  const double wanted_m_s = -approach_m_s_ - hip_velocity_m_s();
+  const bool fastest = wanted_m_s > config_.fastest_m_s;
+  const bool shortest = -foot_.position_m[2] <= config_.shortest_m + kLeastWay_m;
+  double& velocity = foot_.velocity_m_s[2];
+  velocity = shortest ? 0.0 : std::min(wanted_m_s, config_.fastest_m_s);
+  foot_.acceleration_m_s2[2] =
+      fastest || shortest ? 0.0 : kGravity_m_s2 + (braking ? config_.braking_m_s2 : 0.0);
+  foot_.position_m[2] += velocity * dt_s;
+}
+
+/// The planner's contact takes the force as vertical. A foot that sticks while its leg yields is pushed along the shank too,
+/// so the force itself is looked at, here where the ground is near.
+bool OwnLanding::touched(const OwnLandingInput& in) noexcept {
+  return in.progress.phase == MotionPhase::kLanding ||
+         (stage_ == Stage::kBraking && pushed_s_ >= kSurePush_s);
+}
+
+/// From here on foot and ground are one: the leg gets shorter as fast as the body falls.
+void OwnLanding::touch_down(const OwnLandingInput& in) noexcept {
+  stage_ = Stage::kGround;
+  ground_s_ = 0.0;
+  const double measured_m = in.measured.estimated_foot_in_hip_m[2];
+  if (measured_m < 0.0) foot_.position_m[2] = measured_m;  // and not NaN
+  const double speed_m_s = std::max(0.0, -hip_velocity_m_s());
+  foot_.velocity_m_s[2] = speed_m_s;
+  const double lost_m = 0.5 * speed_m_s * config_.force_rise_s;  // while the force rises
+  const double way_m = std::max(kLeastWay_m, -foot_.position_m[2] - lost_m - config_.shortest_m);
+  stopping_m_s2_ = 0.5 * speed_m_s * speed_m_s / way_m;
+}
+
+void OwnLanding::yield(double dt_s) noexcept {
+  ground_s_ += dt_s;
+  const double share = std::min(1.0, ground_s_ / std::max(config_.force_rise_s, 1e-6));
+  double& velocity = foot_.velocity_m_s[2];
+  foot_.acceleration_m_s2[2] = velocity > 0.0 ? -share * stopping_m_s2_ : 0.0;
+  velocity = std::max(0.0, velocity + foot_.acceleration_m_s2[2] * dt_s);
+  foot_.position_m[2] += velocity * dt_s;
+}
+
+OwnLandingOutput OwnLanding::output() const noexcept {
+  const bool ground = stage_ == Stage::kGround;
+  OwnLandingOutput out;
+  out.desired = foot_;
+  out.control_mode = ControlMode::kCompliance;
+  out.gains = stiffness(ground ? config_.ground : config_.air);
+  out.friction_compensation = preset_.friction_compensation;
+  out.inertia_compensation = config_.inertia_compensation;
+  if (ground) {
+    const double share = std::min(1.0, ground_s_ / std::max(config_.force_rise_s, 1e-6));
+    out.feedforward_force_N[2] = share * config_.body_mass_kg * (kGravity_m_s2 - foot_.acceleration_m_s2[2]);
+  }
   return out;
 }
 

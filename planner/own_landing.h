@@ -1,7 +1,14 @@
 #pragma once
 /// sprung's own landing (JumpMode::kOwn) of one leg: from lift-off, or from the beginning of a fall, to the end of the landing.
-/// What jump and fall plan (`planned`) is the hybrid law's; this law may go along with it, or leave it to meet the ground
-/// softer. Pure; time is the message's.
+/// docs/control.md, "Landing", derives it. Pure; time is the message's.
+///
+/// In a fall the foot meets the ground nearly at rest instead of the ground stopping the rotors:
+///   stretch   the leg gets longer: an earlier and slower touchdown, more way to stop in;
+///   braking   the foot is drawn in so that it slows down over ground, to a small speed a little above where the ground is
+///             expected; with that speed it goes on until there is contact;
+///   ground    from measured contact on the leg yields so that the body stops evenly over the way that is left: spring and
+///             damper are soft, the force is fed forward, and the motors accelerate their own rotors.
+/// In a jump, unless the preset says otherwise: the jump's curve in position, then late a spring of its own.
 #include <cstdint>
 
 #include "planner/ballistics.h"
@@ -28,18 +35,45 @@ struct OwnLandingOutput {
   double inertia_compensation = 0.0;
 };
 
+enum class FlightKind { kJump, kFall };
+
 class OwnLanding {
  public:
   OwnLanding(const RobotConfig& robot, const LegConfig& leg, const PresetConfig& preset);
 
   /// Flight begins.
-  void begin(const ExpectedTouchdown& expected) noexcept;
+  void begin(const ExpectedTouchdown& expected, FlightKind kind) noexcept;
   /// Once a cycle, in flight and landing. @param in.progress.phase says which; kLanding from the cycle of the measured touchdown.
   OwnLandingOutput step(const OwnLandingInput& in) noexcept;
 
  private:
+  enum class Stage { kBefore, kStretching, kBraking, kGround };
+
+  OwnLandingOutput as_hybrid(const OwnLandingInput& in) const noexcept;
+  void start(const OwnLandingInput& in) noexcept;
+  void stretch() noexcept;
+  void brake(double dt_s) noexcept;
+  bool touched(const OwnLandingInput& in) noexcept;
+  void touch_down(const OwnLandingInput& in) noexcept;
+  void yield(double dt_s) noexcept;
+  OwnLandingOutput output() const noexcept;
+  /// Of the hip over the expected ground, in free fall.
+  double hip_height_m() const noexcept;
+  double hip_velocity_m_s() const noexcept;
+
   PresetConfig preset_;
+  OwnLandingConfig config_;
   ExpectedTouchdown expected_;
+  FlightKind kind_ = FlightKind::kFall;
+  Stage stage_ = Stage::kBefore;
+  std::int64_t begun_us_ = 0;
+  std::int64_t now_us_ = 0;
+  FootMove move_;               ///< of the stretch
+  FootPoint foot_;              ///< desired
+  double approach_m_s_;         ///< of the foot over ground, downward, in kBraking
+  double stopping_m_s2_ = 0.0;  ///< of the body, in kGround
+  double ground_s_ = 0.0;       ///< since contact
+  double pushed_s_ = 0.0;       ///< for how long the foot's force has been beyond its bound
 };
 
 }  // namespace sprung

@@ -1,5 +1,7 @@
 #include "robots/preset_section.h"
 
+#include "robots/landing_section.h"
+
 namespace sprung::robot_sections {
 
 namespace {
@@ -76,6 +78,7 @@ PresetConfig read_preset(const std::string& name, const YamlMap& map) {
   p.jump_curve = read_jump_curve(map.map("jump_curve"));
   p.torque_jump = read_stiffness(map.map("torque_jump"));
   p.hybrid_landing = read_stiffness(map.map("hybrid_landing"));
+  if (map.has("own_landing")) p.own_landing = read_own_landing(map.map("own_landing"));
   map.finish();
   return p;
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "robots/identification_config.h"
+#include "robots/own_landing_config.h"
 #include "robots/torsion_config.h"
 
 namespace sprung {
@@ -123,8 +124,6 @@ inline constexpr const char* kNoKinematics = "none";
 /// LegConfig::kinematics of a single swinging arm, as on a bench: it has an end that can be moved and pushed,
 /// but nothing stands on it.
 inline constexpr const char* kOneLink = "one_link";
-
-struct LegConfig {
 /// LegConfig::kinematics of hip and knee in the x-z plane, frame of facts E1 (papers' y is our z): controller/two_link.h.
 inline constexpr const char* kTwoLink = "two_link";
 /// LegConfig::kinematics of abduction, hip and knee: controller/three_joint.h.
@@ -132,6 +131,8 @@ inline constexpr const char* kThreeJoint = "three_joint";
 
 /// To which side of its abduction axis a three-joint leg's plane lies.
 enum class LegSide : std::int8_t { kLeft = 1, kRight = -1 };
+
+struct LegConfig {
   std::string name;
   /// One of the four above. kNoKinematics: `links` and `contact_*` are empty.
   std::string kinematics;
@@ -203,6 +204,7 @@ struct PresetConfig {
   JumpCurveConfig jump_curve;
   StiffnessConfig torque_jump;     ///< torque mode: whole jump
   StiffnessConfig hybrid_landing;  ///< hybrid mode: from the switch on
+  OwnLandingConfig own_landing;
 };
 
 /// A process that `sprung up` starts, in order; real-time priority 0 = none, cpu -1 = any.

@@ -1,0 +1,47 @@
+#include "robots/landing_section.h"
+
+namespace sprung::robot_sections {
+namespace {
+
+LandingGains read_gains(const YamlMap& map) {
+  LandingGains gains;
+  const YamlMap stiffness = map.map("stiffness");
+  gains.stiffness_x_N_m = stiffness.quantity("x", "N/m", 0, 1e5);
+  gains.stiffness_z_N_m = stiffness.quantity("z", "N/m", 0, 1e5);
+  stiffness.finish();
+  const YamlMap damping = map.map("damping");
+  gains.damping_x_N_s_m = damping.quantity("x", "N s/m", 0, 1e4);
+  gains.damping_z_N_s_m = damping.quantity("z", "N s/m", 0, 1e4);
+  damping.finish();
+  map.finish();
+  return gains;
+}
+
+void read_jump(const YamlMap& map, OwnLandingConfig& out) {
+  out.jump_switch_s = map.quantity("switch", "s", 1e-3, 10);
+  out.jump = read_gains(map.map("gains"));
+  map.finish();
+}
+
+}  // namespace
+
+OwnLandingConfig read_own_landing(const YamlMap& map) {
+  OwnLandingConfig out;
+  out.extended_length_m = map.quantity("extended_length", "m", 0.05, 3);
+  out.extension_s = map.quantity("extension_time", "s", 0.01, 5);
+  out.braking_m_s2 = map.quantity("braking", "m/s^2", 0.1, 200);
+  out.approach_m_s = map.quantity("approach_speed", "m/s", 0, 5);
+  out.early_m = map.quantity("early", "m", -0.2, 0.2);
+  out.fastest_m_s = map.quantity("fastest", "m/s", 0.1, 10);
+  out.shortest_m = map.quantity("shortest", "m", 0.05, out.extended_length_m);
+  out.body_mass_kg = map.quantity("body_mass", "kg", 0, 500);
+  out.force_rise_s = map.quantity("force_rise", "s", 0, 0.5);
+  out.inertia_compensation = map.quantity("inertia_compensation", "", 0, 1);
+  out.air = read_gains(map.map("air"));
+  out.ground = read_gains(map.map("ground"));
+  if (map.has("jump")) read_jump(map.map("jump"), out);
+  map.finish();
+  return out;
+}
+
+}  // namespace sprung::robot_sections

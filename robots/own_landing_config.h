@@ -1,0 +1,32 @@
+#pragma once
+/// Parameters of sprung's own landing, the law of planner/own_landing.h: a preset's optional key `own_landing`.
+namespace sprung {
+
+/// Virtual spring and damper along x and z in one phase of the landing.
+struct LandingGains {
+  double stiffness_x_N_m = 0.0;
+  double stiffness_z_N_m = 0.0;
+  double damping_x_N_s_m = 0.0;
+  double damping_z_N_s_m = 0.0;
+};
+
+struct OwnLandingConfig {
+  // A fall.
+  double extended_length_m = 0.0;     ///< to which the leg stretches first; 0: the hybrid law instead
+  double extension_s = 0.0;           ///< in which it does so; less of both where the fall is short
+  double braking_m_s2 = 0.0;          ///< of the foot over ground, before contact
+  double approach_m_s = 0.0;          ///< of the foot over ground once it has braked
+  double early_m = 0.0;               ///< above the expected ground where it has braked
+  double fastest_m_s = 0.0;           ///< that the leg is drawn in before contact: its joints' speed limit
+  double shortest_m = 0.0;            ///< leg's length at which the body has stopped
+  double body_mass_kg = 0.0;          ///< that a leg carries
+  double force_rise_s = 0.0;          ///< from contact to the whole planned force
+  double inertia_compensation = 0.0;  ///< share of the rotors' inertia
+  LandingGains air;
+  LandingGains ground;
+  // A jump: from `jump_switch_s` after its thrust began on a spring of its own; 0: as in a fall, from lift-off on.
+  double jump_switch_s = 0.0;
+  LandingGains jump;
+};
+
+}  // namespace sprung
