@@ -17,17 +17,6 @@ class JumpCurveTest : public testing::Test {
   PresetConfig preset_ = robot_.preset("paper");
 };
 
-TEST_F(JumpCurveTest, ScaleGoesWithTheRootOfTheHeight) {
-  const JumpCurveConfig& curve = preset_.jump_curve;
-  EXPECT_EQ(jump_scale(curve, 0.0), 1.0);
-  EXPECT_EQ(jump_scale(curve, curve.height_m), 1.0);
-  EXPECT_NEAR(jump_scale(curve, curve.height_m / 4.0), 0.5, 1e-15);
-  EXPECT_TRUE(std::isnan(jump_scale(curve, 0.019)));
-  EXPECT_TRUE(std::isnan(jump_scale(curve, kHighestJump * curve.height_m + 0.001)));
-  EXPECT_TRUE(std::isnan(jump_scale(curve, -0.1)));
-  EXPECT_TRUE(std::isnan(jump_scale(curve, std::nan(""))));
-}
-
 TEST_F(JumpCurveTest, AtScaleOneItIsTheFilesOwnCurve) {
   JumpCurve curve(preset_);
   const Bezier own(preset_.jump_curve.lengths_m, preset_.jump_curve.duration_s);
@@ -40,20 +29,11 @@ TEST_F(JumpCurveTest, AtScaleOneItIsTheFilesOwnCurve) {
 
 TEST_F(JumpCurveTest, EveryScaleBeginsAtTheCrouchAndEndsAtTheLandingLength) {
   JumpCurve curve(preset_);
-  for (double height : {0.02, 0.1, 0.22}) {
-    curve.scale(jump_scale(preset_.jump_curve, height));
-    EXPECT_NEAR(curve.at(0.0).position_m[2], -0.35, 1e-12);
-    EXPECT_NEAR(curve.at(0.2).position_m[2], -0.478, 1e-12);
-    EXPECT_NEAR(curve.at(1.0).position_m[2], -0.478, 1e-12);
-  }
-}
-
-TEST_F(JumpCurveTest, EveryAllowedJumpIsWithinTheLegsReach) {
-  const double reach = robot_.legs[0].links[0].length_m + robot_.legs[0].links[1].length_m;
-  for (const PresetConfig& preset : robot_.presets) {
-    JumpCurve curve(preset);
-    curve.scale(jump_scale(preset.jump_curve, kHighestJump * preset.jump_curve.height_m));
-    for (double t = 0.0; t <= 0.2; t += 0.001) EXPECT_LT(-curve.at(t).position_m[2], 0.98 * reach);
+  for (double factor : {0.4, 1.0, 1.4}) {
+    curve.scale(factor);
+    EXPECT_NEAR(curve.at(0.0).position_m[2], -preset_.jump_curve.lengths_m.front(), 1e-12);
+    EXPECT_NEAR(curve.at(0.2).position_m[2], -preset_.landing_length_m, 1e-12);
+    EXPECT_NEAR(curve.at(1.0).position_m[2], -preset_.landing_length_m, 1e-12);
   }
 }
 
@@ -69,9 +49,41 @@ TEST_F(JumpCurveTest, LongestLegIsTheTopOfTheScaledCurve) {
 
 TEST_F(JumpCurveTest, HigherJumpsExtendFaster) {
   JumpCurve low(preset_), high(preset_);
-  low.scale(jump_scale(preset_.jump_curve, 0.05));
-  high.scale(jump_scale(preset_.jump_curve, 0.2));
+  low.scale(0.5);
+  high.scale(1.0);
   EXPECT_LT(high.at(0.08).velocity_m_s[2], low.at(0.08).velocity_m_s[2]);
+}
+
+TEST_F(JumpCurveTest, WayForwardLeavesTheHeightAlone) {
+  JumpCurve here(preset_), ahead(preset_);
+  ahead.forward(0.04, 0.4);
+  for (double t = 0.0; t <= 0.3; t += 0.01) {
+    EXPECT_EQ(ahead.at(t).position_m[2], here.at(t).position_m[2]);
+    EXPECT_EQ(ahead.at(t).velocity_m_s[2], here.at(t).velocity_m_s[2]);
+  }
+}
+
+TEST_F(JumpCurveTest, FootPushesTheHipForwardAndLandsAhead) {
+  JumpCurve curve(preset_);
+  curve.forward(0.04, 0.4);
+  EXPECT_EQ(curve.at(0.0).position_m[0], 0.0);
+  EXPECT_EQ(curve.at(0.0).velocity_m_s[0], 0.0);
+  EXPECT_NEAR(curve.at(0.1).velocity_m_s[0], -0.9 * 0.04 / 0.4, 1e-9);
+  EXPECT_NEAR(curve.at(0.2).position_m[0], kForwardAhead * 0.04, 1e-12);
+  EXPECT_NEAR(curve.at(0.2).velocity_m_s[0], 0.0, 1e-12);
+  curve.forward(0.0, 0.4);
+  EXPECT_EQ(curve.at(0.1).position_m[0], 0.0);
+}
+
+TEST_F(JumpCurveTest, WayForwardIsSmooth) {
+  JumpCurve curve(preset_);
+  curve.forward(-0.1, 0.35);
+  constexpr double kStep_s = 1e-6;
+  for (double t = 0.01; t < 0.2; t += 0.01) {
+    const double slope =
+        (curve.at(t + kStep_s).position_m[0] - curve.at(t - kStep_s).position_m[0]) / (2 * kStep_s);
+    EXPECT_NEAR(curve.at(t).velocity_m_s[0], slope, 1e-6);
+  }
 }
 
 TEST_F(JumpCurveTest, CurveMustEndAtTheLandingLength) {

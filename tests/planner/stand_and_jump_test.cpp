@@ -87,7 +87,7 @@ TEST_F(IdealLeg, StandsUpJumpsAndSitsDown) {
   state_.legs[0].contact = true;
   send(OperatorKind::kJump);
   ASSERT_TRUE(run_until(MotionPhase::kThrust));
-  EXPECT_NEAR(foot_height_m(), -0.35, 1e-3);
+  EXPECT_NEAR(foot_height_m(), -preset_.jump_curve.lengths_m.front(), 1e-3);
   for (int k = 0; k < 110; ++k) cycle();
   EXPECT_LT(foot_height_m(), -0.5);  // extended
   state_.legs[0].contact = false;

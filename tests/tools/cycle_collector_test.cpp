@@ -30,6 +30,7 @@ class CycleCollectorTest : public testing::Test {
     publish(seq, channels::kDriveCommand, DriveCommand(2), without);
     publish(seq, channels::kSimTruth, SimTruth(2, 1), without);
     publish(seq, channels::kMotionState, MotionState(1), without);
+    publish(seq, channels::kLegCommand, LegCommand(1), without);
   }
   template <class Signal>
   void publish(std::int64_t seq, const char* channel, Signal signal, const std::set<std::string>& without) {

@@ -21,11 +21,18 @@ RobotConfig single_leg(bool identified) {
   return robot;
 }
 
+/// Of the three modes of S0; mode own jumps under preset `best` whatever the preset.
 std::vector<double> figures(bool identified, const std::string& preset) {
+  const JumpExperiment experiment =
+      run_jump_experiment(single_leg(identified), preset, SimOptions{}, run_in_process);
   std::vector<double> values;
-  for (const ReportRow& row :
-       run_jump_experiment(single_leg(identified), preset, SimOptions{}, run_in_process).rows)
-    values.push_back(std::isnan(row.value) ? -1.0 : row.value);
+  for (const MeasuredJump& jump : experiment.jumps) {
+    if (jump.preset != preset) continue;
+    for (const JumpQuantity& quantity : jump_quantities()) {
+      const double value = jump.result.*quantity.value;
+      values.push_back(std::isnan(value) ? -1.0 : value);
+    }
+  }
   return values;
 }
 

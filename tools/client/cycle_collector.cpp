@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t kQueue = 1 << 18;  // four minutes at 1 kHz
 constexpr std::int64_t kGiveUp = 100;    // cycles after which a missing message will not come any more
-constexpr unsigned kEveryPart = 0b11111;
+constexpr unsigned kEveryPart = 0b111111;
 
 }  // namespace
 
@@ -18,6 +18,7 @@ CycleCollector::CycleCollector(const RunInfo& info, const RobotConfig& robot)
       joint_states_(kQueue),
       drive_commands_(kQueue),
       truths_(kQueue),
+      leg_commands_(kQueue),
       motions_(kQueue),
       replies_(kQueue),
       safeties_(kQueue),
@@ -30,6 +31,7 @@ CycleCollector::CycleCollector(const RunInfo& info, const RobotConfig& robot)
   node_.subscribe(channels::kJointState, CountLimits::exactly(joints, legs), joint_states_);
   node_.subscribe(channels::kDriveCommand, CountLimits::exactly(actuators), drive_commands_);
   node_.subscribe(channels::kSimTruth, CountLimits::exactly(joints, legs), truths_);
+  node_.subscribe(channels::kLegCommand, CountLimits::exactly(legs), leg_commands_);
   node_.subscribe_message(channels::kMotionState, CountLimits::exactly(legs), motions_);
   node_.subscribe_message(channels::kOperatorReply, CountLimits::none(), replies_);
   node_.subscribe_message(channels::kSafetyState, CountLimits::none(), safeties_);
@@ -55,6 +57,7 @@ void CycleCollector::take_all(const ReplyObserver& on_reply) {
   take(joint_states_, &Cycle::joint_state, 2u);
   take(drive_commands_, &Cycle::drive_command, 4u);
   take(truths_, &Cycle::truth, 8u);
+  take(leg_commands_, &Cycle::leg_command, 32u);
   while (auto message = motions_.pop()) {
     if (message->seq >= next_) {
       Cycle& target = cycle(message->seq);
@@ -99,7 +102,7 @@ int CycleCollector::collect(const CycleObserver& on_cycle, const ReplyObserver& 
     next_ = joined_inside ? -1 : first->first + 1;
     if (first->second.parts == kEveryPart) {
       const Cycle& c = first->second;
-      on_cycle({c.drive_state, c.joint_state, c.motion_state, c.drive_command, c.truth});
+      on_cycle({c.drive_state, c.joint_state, c.motion_state, c.drive_command, c.truth, c.leg_command});
       ++handed_over;
     } else if (!joined_inside) {
       ++lost_;

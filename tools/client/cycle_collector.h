@@ -38,6 +38,7 @@ class CycleCollector {
     MotionState motion_state;
     DriveCommand drive_command;
     SimTruth truth;
+    LegCommand leg_command;
     unsigned parts = 0;
   };
   void take_all(const ReplyObserver& on_reply);
@@ -50,6 +51,7 @@ class CycleCollector {
   InputQueue<JointState> joint_states_;
   InputQueue<DriveCommand> drive_commands_;
   InputQueue<SimTruth> truths_;
+  InputQueue<LegCommand> leg_commands_;
   InputQueue<sprung_msgs::motion_state_t> motions_;
   InputQueue<sprung_msgs::operator_reply_t> replies_;
   InputQueue<sprung_msgs::safety_state_t> safeties_;

@@ -12,6 +12,7 @@ struct CycleRecord {
   const MotionState& motion_state;
   const DriveCommand& drive_command;
   const SimTruth& truth;
+  const LegCommand& leg_command;  ///< of this cycle: used in the next
 };
 using CycleObserver = std::function<void(const CycleRecord&)>;
 using ReplyObserver = std::function<void(const OperatorReply&)>;

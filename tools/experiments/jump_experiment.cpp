@@ -4,72 +4,55 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "tools/experiments/jump_metrics.h"
-
 namespace sprung {
 
 namespace {
 
-/// Facts A2; NaN where S0 gives no number.
-struct PaperJump {
-  double height_mm, touchdown_ms, peak_hip_Nm, peak_knee_Nm, landing_knee_Nm;
+constexpr std::int64_t kStandCycle = 100;       // the estimator has settled by then
+constexpr const char* kOwnPreset = "best";      // of mode own (issue 5)
+constexpr const char* kFloor = "floor_height";  // key of --plant
+
+struct JumpCase {
+  std::string preset;
+  JumpMode mode;
 };
 
-PaperJump paper_figures(JumpMode mode) {
-  switch (mode) {
-    case JumpMode::kPosition:
-      return {184, 550, 151.84, 162.72, 61.58};
-    case JumpMode::kTorque:
-      return {110, 460, 57.98, 107.84, 24.21};
-    case JumpMode::kHybrid:
-      return {188, 576, 145.42, 164.74, 9.46};
-    case JumpMode::kOwn:
-      break;
+/// The papers' three under the preset that was asked for; own, and position to compare it with, under `best`.
+std::vector<JumpCase> cases(const std::string& preset) {
+  std::vector<JumpCase> out = {
+      {preset, JumpMode::kPosition}, {preset, JumpMode::kTorque}, {preset, JumpMode::kHybrid}};
+  if (preset != kOwnPreset) out.push_back({kOwnPreset, JumpMode::kPosition});
+  out.push_back({kOwnPreset, JumpMode::kOwn});
+  return out;
+}
+
+double floor_m(const SimOptions& sim) {
+  const auto change = sim.plant.find(kFloor);
+  return change == sim.plant.end() ? 0.0 : change->second;
+}
+
+void throw_unless_obeyed(const OperatorReply& reply) {
+  if (reply.outcome == OperatorOutcome::kRefused || reply.outcome == OperatorOutcome::kFailed) {
+    throw std::runtime_error(std::string("the robot ") + name(reply.outcome) + " a command: " + reply.reason);
   }
-  return {kNaN, kNaN, kNaN, kNaN, kNaN};
 }
 
-constexpr double kLeastHybridHeight_mm = 150.0;  // what this stack promises on its own plant
-
-constexpr std::int64_t kStandCycle = 100;  // the estimator has settled by then
-
-ReportRow row(JumpMode mode, const char* quantity, const char* unit, double value,
-              std::optional<double> paper) {
-  return {std::string("jump.") + name(mode) + "." + quantity, unit, value, paper, std::nullopt, std::nullopt};
-}
-
-void add_rows(ExperimentReport& report, JumpMode mode, const JumpResult& jump) {
-  const PaperJump paper = paper_figures(mode);
-  report.rows.push_back(row(mode, "height", "mm", jump.height_mm, paper.height_mm));
-  if (mode == JumpMode::kHybrid) {
-    report.rows.back().low = kLeastHybridHeight_mm;
-  }
-  report.rows.push_back(row(mode, "touchdown_time", "ms", jump.touchdown_time_ms, paper.touchdown_ms));
-  report.rows.push_back(row(mode, "peak_knee_torque", "Nm", jump.peak_knee_torque_Nm, paper.peak_knee_Nm));
-  report.rows.push_back(row(mode, "peak_hip_torque", "Nm", jump.peak_hip_torque_Nm, paper.peak_hip_Nm));
-  report.rows.push_back(
-      row(mode, "peak_knee_output_torque", "Nm", jump.peak_knee_output_torque_Nm, std::nullopt));
-  report.rows.push_back(
-      row(mode, "landing_knee_torque", "Nm", jump.landing_knee_torque_Nm, paper.landing_knee_Nm));
-  report.rows.push_back(
-      row(mode, "landing_knee_output_torque", "Nm", jump.landing_knee_output_torque_Nm, std::nullopt));
-}
-
-JumpResult one_jump(const RunScript& script, const ScriptRunner& run) {
-  JumpMetrics metrics(script.robot);
+void add_jump(const RunScript& script, JumpMode mode, const ScriptRunner& run, JumpExperiment& out) {
+  JumpMetrics metrics(script.robot, floor_m(script.sim));
+  JumpTrace trace(script.robot);
   run(
       script,
-      [&](const CycleRecord& cycle) { metrics.add(cycle.motion_state, cycle.joint_state, cycle.truth); },
-      [](const OperatorReply& reply) {
-        if (reply.outcome == OperatorOutcome::kRefused || reply.outcome == OperatorOutcome::kFailed) {
-          throw std::runtime_error(std::string("the robot ") + name(reply.outcome) +
-                                   " a command: " + reply.reason);
-        }
-      });
+      [&](const CycleRecord& cycle) {
+        metrics.add(cycle.motion_state, cycle.joint_state, cycle.truth, &cycle.leg_command);
+        trace.add(cycle);
+      },
+      throw_unless_obeyed);
   if (metrics.jumps().empty()) {
     throw std::runtime_error("the robot never began to jump");
   }
-  return metrics.jumps().front();
+  out.jumps.push_back({script.preset, mode, metrics.jumps().front()});
+  out.samples.push_back(trace.samples());
+  out.rows.simulated_s += static_cast<double>(script.cycles) * script.robot.cycle_s;
 }
 
 }  // namespace
@@ -90,21 +73,19 @@ RunScript jump_script(const RobotConfig& robot, const std::string& preset, const
   return script;
 }
 
-ExperimentReport run_jump_experiment(const RobotConfig& robot, const std::string& preset,
-                                     const SimOptions& sim, const ScriptRunner& run) {
-  ExperimentReport report;
-  report.experiment = "jump";
-  report.robot = robot.name;
-  report.preset = preset;
-  report.seed = sim.seed;
+JumpExperiment run_jump_experiment(const RobotConfig& robot, const std::string& preset, const SimOptions& sim,
+                                   const ScriptRunner& run) {
+  JumpExperiment out;
+  out.rows.experiment = "jump";
+  out.rows.robot = robot.name;
+  out.rows.preset = preset;
+  out.rows.seed = sim.seed;
   const auto started = std::chrono::steady_clock::now();
-  for (const JumpMode mode : {JumpMode::kPosition, JumpMode::kTorque, JumpMode::kHybrid}) {
-    const RunScript script = jump_script(robot, preset, sim, mode, 1);
-    add_rows(report, mode, one_jump(script, run));
-    report.simulated_s += static_cast<double>(script.cycles) * robot.cycle_s;
-  }
-  report.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
-  return report;
+  for (const JumpCase& jump : cases(preset))
+    add_jump(jump_script(robot, jump.preset, sim, jump.mode, 1), jump.mode, run, out);
+  out.rows.rows = jump_rows(out.jumps, preset);
+  out.rows.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+  return out;
 }
 
 }  // namespace sprung

@@ -1,11 +1,14 @@
 #pragma once
 /// `sprung experiment jump`: one jump in each control mode on the same plant and seed, against the figures of
-/// S0 (facts A2).
+/// S0 (facts A2), and beside them sprung's own landing under preset `best`.
 #include <string>
+#include <vector>
 
 #include "drivers/sim/sim_core.h"
 #include "robots/robot_config.h"
 #include "tools/experiments/experiment_report.h"
+#include "tools/experiments/jump_rows.h"
+#include "tools/experiments/jump_trace.h"
 #include "tools/experiments/scripted_run.h"
 
 namespace sprung {
@@ -16,9 +19,15 @@ RunScript jump_script(const RobotConfig& robot, const std::string& preset, const
 
 using ScriptRunner = std::function<void(const RunScript&, const CycleObserver&, const ReplyObserver&)>;
 
+struct JumpExperiment {
+  ExperimentReport rows;
+  std::vector<MeasuredJump> jumps;
+  std::vector<std::vector<JumpSample>> samples;  ///< of each of them
+};
+
 /// @param run run_in_process or the separate-process runner. @throws std::runtime_error where a command was
 /// refused.
-ExperimentReport run_jump_experiment(const RobotConfig& robot, const std::string& preset,
-                                     const SimOptions& sim, const ScriptRunner& run);
+JumpExperiment run_jump_experiment(const RobotConfig& robot, const std::string& preset, const SimOptions& sim,
+                                   const ScriptRunner& run);
 
 }  // namespace sprung

@@ -25,7 +25,7 @@ void run_in_process(const RunScript& script, const CycleObserver& on_cycle, cons
       robot.tick();
     }
     on_cycle({robot.drive_state(), robot.joint_state(), robot.motion_state(), robot.drive_command(),
-              robot.truth()});
+              robot.truth(), robot.leg_command()});
     for (OperatorReply reply; robot.next_reply(reply);) {
       on_reply(reply);
     }

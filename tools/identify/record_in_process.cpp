@@ -68,7 +68,7 @@ void Recorder::tick() {
   states_.push_back(robot_.drive_state());
   if (watch_)
     watch_({robot_.drive_state(), robot_.joint_state(), robot_.motion_state(), robot_.drive_command(),
-            robot_.truth()});
+            robot_.truth(), robot_.leg_command()});
 }
 
 std::int64_t Recorder::order(OperatorCommand command) {

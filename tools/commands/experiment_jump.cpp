@@ -1,0 +1,172 @@
+#include "tools/commands/experiment_jump.h"
+
+#include <sprung_version.h>
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+#include "drivers/sim/sim_shell.h"
+#include "robots/robot_loader.h"
+#include "runtime/log.h"
+#include "tools/experiments/jump_ensemble.h"
+#include "tools/experiments/jump_report.h"
+#include "tools/experiments/progress_bar.h"
+#include "tools/experiments/separate_run.h"
+#include "tools/report/report_shell.h"
+
+namespace sprung::commands {
+namespace {
+
+struct JumpOptions {
+  std::string robot = "single_leg";
+  std::string preset = "best";
+  std::uint64_t seed = 1;
+  std::vector<std::string> plant;
+  std::string out;
+  bool separate = false;
+  bool as_json = false;
+
+  /// The line that makes it again.
+  std::string command() const {
+    std::string line = "sprung experiment jump --robot " + robot + " --preset " + preset;
+    for (const std::string& change : plant) line += " --plant " + change;
+    return line + " --seed " + std::to_string(seed) + (separate ? " --separate" : "");
+  }
+};
+
+struct EnsembleOptions {
+  std::string robot = "single_leg";
+  JumpEnsembleRequest request;
+  std::string mode = "hybrid";
+  double height_mm = 0.0;
+  int jobs = 0;
+  std::string out;
+  bool as_json = false;
+};
+
+void write_rows(const ExperimentReport& rows, const std::string& folder) {
+  std::filesystem::create_directories(folder);
+  const std::filesystem::path path = std::filesystem::path(folder) / (rows.experiment + ".json");
+  std::ofstream out(path);
+  out << rows.json() << "\n";
+  if (!out) throw std::runtime_error("cannot write " + path.string());
+}
+
+int print(const ExperimentReport& rows, bool as_json) {
+  std::printf("%s\n", (as_json ? rows.json() : rows.table()).c_str());
+  return rows.ok() ? kExitDone : kExitFailed;
+}
+
+void write_page(const JumpOptions& options, const RobotConfig& robot, const SimOptions& sim,
+                const JumpExperiment& experiment) {
+  report::Report page;
+  page.title = "Jumps of " + robot.name;
+  page.subtitle = "preset " + options.preset + ", seed " + std::to_string(options.seed) +
+                  ", sprung " SPRUNG_VERSION "-" SPRUNG_GIT_HASH;
+  page.command = options.command();
+  page.sections = jump_sections(robot, sim, experiment);
+  report::write_report(page, (std::filesystem::path(options.out) / "jump.html").string());
+}
+
+int run_jump(const JumpOptions& options) {
+  start_log("sprung");
+  SimOptions sim;
+  sim.seed = options.seed;
+  sim.plant = parse_plant(options.plant);
+  const ScriptRunner runner = [&](const RunScript& script, const CycleObserver& on_cycle,
+                                  const ReplyObserver& on_reply) {
+    if (options.separate) {
+      run_separate(script, on_cycle, on_reply);
+    } else {
+      run_in_process(script, on_cycle, on_reply);
+    }
+  };
+  const RobotConfig robot = load_robot(options.robot);
+  JumpExperiment experiment = run_jump_experiment(robot, options.preset, sim, runner);
+  experiment.rows.separate_processes = options.separate;
+  if (!options.out.empty()) {
+    write_rows(experiment.rows, options.out);
+    write_page(options, robot, sim, experiment);
+  }
+  return print(experiment.rows, options.as_json);
+}
+
+JumpMode mode_of(const std::string& text) {
+  for (const JumpMode mode : {JumpMode::kPosition, JumpMode::kTorque, JumpMode::kOwn}) {
+    if (text == name(mode)) return mode;
+  }
+  return JumpMode::kHybrid;
+}
+
+int run_ensemble(EnsembleOptions options) {
+  start_log("sprung");
+  const auto started = std::chrono::steady_clock::now();
+  const RobotConfig robot = load_robot(options.robot);
+  options.request.mode = mode_of(options.mode);
+  options.request.height_m = 1e-3 * options.height_mm;
+  ProgressBar bar("jump_ensemble");
+  const JumpEnsemble ensemble = run_jump_ensemble(
+      robot, options.request,
+      {options.jobs, [&bar](std::size_t done, std::size_t count) { bar.show(done, count); }});
+  ExperimentReport rows;
+  rows.experiment = "jump_ensemble";
+  rows.robot = robot.name;
+  rows.preset = options.request.preset;
+  rows.seed = options.request.seed;
+  rows.simulated_s = ensemble.simulated_s;
+  rows.rows = jump_ensemble_rows(ensemble);
+  rows.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+  if (!options.out.empty()) write_rows(rows, options.out);
+  return print(rows, options.as_json);
+}
+
+void add_jump(CommandLine& experiment) {
+  const auto options = std::make_shared<JumpOptions>();
+  CommandLine& jump = experiment.subcommand(
+      "jump",
+      "One jump in position, torque and hybrid control beside the paper's numbers, and one with sprung's own "
+      "landing.");
+  jump.option("--robot", options->robot, "name or folder");
+  jump.option("--preset", options->preset,
+              "set of parameters in robot.yaml; paper: the one that reproduces the paper");
+  jump.option("--seed", options->seed, "of every noise");
+  jump.option("--plant", options->plant,
+              "KEY=VALUE changes the plant, e.g. friction_scale=1.2; may be repeated");
+  jump.flag("--separate", options->separate, "real processes over LCM instead of one process; the same bits");
+  jump.option("--out", options->out, "folder for jump.json and the report jump.html");
+  jump.flag("--json", options->as_json, "one JSON object on standard output");
+  jump.example("sprung experiment jump --robot single_leg --preset paper --seed 3 --out logs/jump");
+  jump.action([=] { return run_jump(*options); });
+}
+
+void add_jump_ensemble(CommandLine& experiment) {
+  const auto options = std::make_shared<EnsembleOptions>();
+  JumpEnsembleRequest& request = options->request;
+  CommandLine& ensemble = experiment.subcommand(
+      "jump_ensemble",
+      "Jumps on plants with other friction, mass, torque constant and ground: falls, trips, heights before "
+      "and after two jumps that adapt.");
+  ensemble.option("--robot", options->robot, "name or folder");
+  ensemble.option("--preset", request.preset, "set of parameters in robot.yaml");
+  ensemble.choice("--mode", options->mode, {"position", "torque", "hybrid", "own"}, "control in the jump");
+  ensemble.option("--height", options->height_mm, "mm that are asked; 0 = the preset's own jump");
+  ensemble.option("--seed", request.seed, "of drawn plants and every noise; 0 was used for tuning");
+  ensemble.option("--plants", request.plants, "how many are drawn");
+  ensemble.option("--jobs", options->jobs, "simulations at once; 0 = one for each core");
+  ensemble.option("--out", options->out, "folder for jump_ensemble.json");
+  ensemble.flag("--json", options->as_json, "one JSON object on standard output");
+  ensemble.example("sprung experiment jump_ensemble --seed 1");
+  ensemble.action([=] { return run_ensemble(*options); });
+}
+
+}  // namespace
+
+void add_jump_experiments(CommandLine& experiment) {
+  add_jump(experiment);
+  add_jump_ensemble(experiment);
+}
+
+}  // namespace sprung::commands
