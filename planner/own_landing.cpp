@@ -90,7 +90,7 @@ void OwnLanding::start(const OwnLandingInput& in) noexcept {
   const double from_m = -foot_.position_m[2];
   const double way_m = kStretchSpeed_m_s * duration_s / kStretchPeakToMean;
   const double to_m = std::clamp(config_.extended_length_m, from_m - way_m, from_m + way_m);
-  move_ = {foot_.position_m, {0.0, 0.0, -to_m}, duration_s};
+  move_ = {foot_.position_m, {config_.foot_x_m, 0.0, -to_m}, duration_s};
   stage_ = Stage::kStretching;
   pushed_s_ = 0.0;
 }
@@ -153,7 +153,7 @@ OwnLandingOutput OwnLanding::output() const noexcept {
   out.desired = foot_;
   out.control_mode = ControlMode::kCompliance;
   out.gains = stiffness(ground ? config_.ground : config_.air);
-  out.friction_compensation = preset_.friction_compensation;
+  out.friction_compensation = config_.friction_compensation;
   out.inertia_compensation = config_.inertia_compensation;
   if (ground) {
     const double share = std::min(1.0, ground_s_ / std::max(config_.force_rise_s, 1e-6));

@@ -29,6 +29,7 @@ OwnLandingConfig read_own_landing(const YamlMap& map) {
   OwnLandingConfig out;
   out.extended_length_m = map.quantity("extended_length", "m", 0.05, 3);
   out.extension_s = map.quantity("extension_time", "s", 0.01, 5);
+  out.foot_x_m = map.quantity("foot_x", "m", -0.3, 0.3);
   out.braking_m_s2 = map.quantity("braking", "m/s^2", 0.1, 200);
   out.approach_m_s = map.quantity("approach_speed", "m/s", 0, 5);
   out.early_m = map.quantity("early", "m", -0.2, 0.2);
@@ -37,6 +38,7 @@ OwnLandingConfig read_own_landing(const YamlMap& map) {
   out.body_mass_kg = map.quantity("body_mass", "kg", 0, 500);
   out.force_rise_s = map.quantity("force_rise", "s", 0, 0.5);
   out.inertia_compensation = map.quantity("inertia_compensation", "", 0, 1);
+  out.friction_compensation = map.quantity("friction_compensation", "", 0, 1);
   out.air = read_gains(map.map("air"));
   out.ground = read_gains(map.map("ground"));
   if (map.has("jump")) read_jump(map.map("jump"), out);

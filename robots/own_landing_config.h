@@ -12,16 +12,18 @@ struct LandingGains {
 
 struct OwnLandingConfig {
   // A fall.
-  double extended_length_m = 0.0;     ///< to which the leg stretches first; 0: the hybrid law instead
-  double extension_s = 0.0;           ///< in which it does so; less of both where the fall is short
-  double braking_m_s2 = 0.0;          ///< of the foot over ground, before contact
-  double approach_m_s = 0.0;          ///< of the foot over ground once it has braked
-  double early_m = 0.0;               ///< above the expected ground where it has braked
-  double fastest_m_s = 0.0;           ///< that the leg is drawn in before contact: its joints' speed limit
-  double shortest_m = 0.0;            ///< leg's length at which the body has stopped
-  double body_mass_kg = 0.0;          ///< that a leg carries
-  double force_rise_s = 0.0;          ///< from contact to the whole planned force
-  double inertia_compensation = 0.0;  ///< share of the rotors' inertia
+  double extended_length_m = 0.0;      ///< to which the leg stretches first; 0: the hybrid law instead
+  double extension_s = 0.0;            ///< in which it does so; less of both where the fall is short
+  double foot_x_m = 0.0;               ///< of the foot ahead of the hip at touchdown
+  double braking_m_s2 = 0.0;           ///< of the foot over ground, before contact
+  double approach_m_s = 0.0;           ///< of the foot over ground once it has braked
+  double early_m = 0.0;                ///< above the expected ground where it has braked
+  double fastest_m_s = 0.0;            ///< that the leg is drawn in before contact: its joints' speed limit
+  double shortest_m = 0.0;             ///< leg's length at which the body has stopped
+  double body_mass_kg = 0.0;           ///< that a leg carries
+  double force_rise_s = 0.0;           ///< from contact to the whole planned force
+  double inertia_compensation = 0.0;   ///< share of the rotors' inertia
+  double friction_compensation = 0.0;  ///< share
   LandingGains air;
   LandingGains ground;
   // A jump: from `jump_switch_s` after its thrust began on a spring of its own; 0: as in a fall, from lift-off on.

@@ -7,6 +7,7 @@
 #include "robots/robot_loader.h"
 #include "runtime/log.h"
 #include "tools/commands/commands.h"
+#include "tools/commands/experiment_drop.h"
 #include "tools/commands/experiment_estimator.h"
 #include "tools/commands/experiment_joint.h"
 #include "tools/commands/experiment_jump.h"
@@ -88,6 +89,7 @@ void add_experiment(CommandLine& sprung) {
       sprung.subcommand("experiment", "Run an experiment on the simulated robot and print its rows.");
   add_jump_experiments(experiment);
   add_faults(experiment, std::make_shared<ExperimentRequest>());
+  add_drop_experiment(experiment);
   add_joint_experiments(experiment);
   add_estimator_experiment(experiment);
 }

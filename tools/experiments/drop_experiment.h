@@ -1,0 +1,42 @@
+#pragma once
+/// `sprung experiment drop`: landings from 0.1 to 0.5 m in each mode, and sprung's own landing against the papers' hybrid law
+/// (preset `paper`) on the same plant, 50 times with a floor that is not where it is expected.
+#include <vector>
+
+#include "tools/experiments/drop.h"
+#include "tools/experiments/experiment_report.h"
+
+namespace sprung {
+
+struct DropRow {
+  JumpMode mode = JumpMode::kHybrid;
+  double height_m = 0.0;
+  DropResult result;
+};
+
+/// One seed: both laws, the same surprise.
+struct DropPair {
+  std::uint64_t seed = 0;
+  double surprise_s = 0.0;
+  DropResult own;
+  DropResult paper;
+};
+
+struct DropExperiment {
+  std::vector<DropRow> landings;
+  std::vector<DropPair> pairs;
+  ExperimentReport rows;
+};
+
+struct DropRequest {
+  std::string preset = "best";
+  SimOptions sim;  ///< its seed is the first of the comparison's
+  int seeds = 50;
+  int jobs = 0;  ///< of parallel.h
+};
+
+/// @throws std::invalid_argument where the robot has no preset `paper`, std::runtime_error as run_drop.
+DropExperiment run_drop_experiment(const RobotConfig& robot, const DropRequest& request,
+                                   const ScriptRunner& run);
+
+}  // namespace sprung
