@@ -10,6 +10,7 @@
 #include "tools/commands/experiment_drop.h"
 #include "tools/commands/experiment_estimator.h"
 #include "tools/commands/experiment_joint.h"
+#include "tools/commands/experiment_leg.h"
 #include "tools/commands/experiment_jump.h"
 #include "tools/experiments/fault_experiment.h"
 
@@ -91,6 +92,7 @@ void add_experiment(CommandLine& sprung) {
   add_faults(experiment, std::make_shared<ExperimentRequest>());
   add_drop_experiment(experiment);
   add_joint_experiments(experiment);
+  add_leg_experiments(experiment);
   add_estimator_experiment(experiment);
 }
 

@@ -1,0 +1,9 @@
+#pragma once
+/// `sprung experiment foot_return`.
+#include "runtime/command_line.h"
+
+namespace sprung::commands {
+
+void add_leg_experiments(CommandLine& experiment);
+
+}  // namespace sprung::commands
