@@ -18,6 +18,10 @@ double rise_m(double liftoff_length_m, double touchdown_length_m, double flight_
   return speed_m_s > 0.0 ? speed_m_s * speed_m_s / (2.0 * kGravity_m_s2) : 0.0;
 }
 
+double rise_from_surface_m(double rise_m, double hip_over_leg_speed) noexcept {
+  return rise_m * std::clamp(1.0 - kDentSlope * (hip_over_leg_speed - kFirmShare), 0.8, 1.2);
+}
+
 ExpectedTouchdown expected_touchdown(const LiftOff& lift_off, double touchdown_length_m) noexcept {
   const double up_m_s = std::max(0.0, lift_off.speed_m_s);
   const double squared = up_m_s * up_m_s + 2.0 * kGravity_m_s2 * (lift_off.length_m - touchdown_length_m);

@@ -22,15 +22,11 @@ std::vector<double> excess(const PresetConfig& preset) {
 
 }  // namespace
 
-double jump_scale(const JumpCurveConfig& curve, double height_m) noexcept {
-  if (height_m == 0.0) return 1.0;
-  const bool possible = height_m >= kLowestJump_m && height_m <= kHighestJump * curve.height_m;
-  return possible ? std::sqrt(height_m / curve.height_m) : std::nan("");
-}
-
 JumpCurve::JumpCurve(const PresetConfig& preset)
     : at_unit_(preset.jump_curve.lengths_m, preset.jump_curve.duration_s),
       excess_(excess(preset), preset.jump_curve.duration_s),
+      push_({kForwardPush.begin(), kForwardPush.end()}, preset.jump_curve.duration_s),
+      ahead_({kForwardLanding.begin(), kForwardLanding.end()}, preset.jump_curve.duration_s),
       crouch_length_m_(preset.jump_curve.lengths_m.front()) {
   if (std::abs(at_unit_.end() - preset.landing_length_m) > kSameLength_m) {
     throw std::invalid_argument("preset '" + preset.name + "': jump_curve must end at landing_length");
@@ -46,14 +42,24 @@ void JumpCurve::scale(double factor) noexcept {
   }
 }
 
+void JumpCurve::forward(double distance_m, double flight_s) noexcept {
+  ahead_m_ = kForwardAhead * distance_m;
+  const double speed_m_s = (1.0 - kForwardAhead) * distance_m / flight_s;
+  push_m_ = speed_m_s * duration_s() / kForwardSlope;
+}
+
 FootPoint JumpCurve::at(double time_s) const noexcept {
   const CurvePoint unit = at_unit_.at(time_s);
   const CurvePoint extra = excess_.at(time_s);
   const double more = factor_ - 1.0;
+  const CurvePoint push = push_.at(time_s);
+  const CurvePoint ahead = ahead_.at(time_s);
   FootPoint out;
-  out.position_m = {0.0, 0.0, -(unit.value + more * extra.value)};
-  out.velocity_m_s = {0.0, 0.0, -(unit.rate_1_s + more * extra.rate_1_s)};
-  out.acceleration_m_s2 = {0.0, 0.0, -(unit.acceleration_1_s2 + more * extra.acceleration_1_s2)};
+  out.position_m = {push_m_ * push.value + ahead_m_ * ahead.value, 0.0, -(unit.value + more * extra.value)};
+  out.velocity_m_s = {push_m_ * push.rate_1_s + ahead_m_ * ahead.rate_1_s, 0.0,
+                      -(unit.rate_1_s + more * extra.rate_1_s)};
+  out.acceleration_m_s2 = {push_m_ * push.acceleration_1_s2 + ahead_m_ * ahead.acceleration_1_s2, 0.0,
+                           -(unit.acceleration_1_s2 + more * extra.acceleration_1_s2)};
   return out;
 }
 

@@ -28,7 +28,7 @@ std::vector<OwnLanding> own_landings(const RobotConfig& robot, const PresetConfi
 
 Motion::Motion(const RobotConfig& robot, const PresetConfig& preset)
     : preset_(preset),
-      jump_(preset),
+      jump_(robot, preset),
       own_(own_landings(robot, preset)),
       own_said_(robot.legs.size()),
       joints_(robot),
@@ -134,6 +134,7 @@ void Motion::enter(MotionPhase from, const JointState& in) noexcept {
       enabled_ = enabled_ && from == MotionPhase::kMovingJoint;
       break;
     case MotionPhase::kCrouch:
+      jump_.shape();
       move_all(jump_.curve().crouch_length_m(), preset_.crouch_time_s);
       break;
     case MotionPhase::kThrust:

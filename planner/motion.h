@@ -32,6 +32,8 @@ class Motion {
   // elsewhere.
   bool stand(const JointState& in) noexcept;
   bool jump(const JointState& in, const JumpRequest& request) noexcept;
+  /// Why not; nullptr: it can be done.
+  const char* jump_mistake(const JumpRequest& request) const noexcept { return jump_.mistake(request); }
   /// Feet stay where they are desired now, each on a virtual spring; again: with other gains.
   bool comply(const JointState& in, const ComplyRequest& request) noexcept;
   /// Hanging in the air: a fall begins now.

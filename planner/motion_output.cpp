@@ -83,6 +83,7 @@ void Motion::write(MotionState& out) const noexcept {
   out.jumps_done = jump_.done();
   out.jumps_left = jump_.left();
   out.jump_height_scale = jump_.curve().factor();
+  out.estimated_jump_height_m = jump_.estimated_height_m();
   out.jump_mode = jump_.mode();
   out.last_transition = last_transition();
 }

@@ -1,7 +1,5 @@
 #include "planner/planner_core.h"
 
-#include <cmath>
-
 #include "planner/comply_request.h"
 #include "planner/motion.h"
 #include "planner/operator_desk.h"
@@ -117,10 +115,9 @@ void PlannerCore::Impl::jump(const OperatorCommand& command, const JointState& i
   if (why_not_standing != nullptr) return refuse(command, why_not_standing);
   if (motion.state() != MotionPhase::kStanding) return refuse(command, busy(motion.state()));
   if (const char* mistake = jump_mistake(command)) return refuse(command, mistake);
-  const double scale = jump_scale(preset.jump_curve, command.jump_height_m);
-  if (std::isnan(scale))
-    return refuse(command, "jump height must be 0.02 m to 1.1 times the robot file's own, or 0 for that");
-  const JumpRequest request{command.jump_mode, command.jump_count, scale};
+  const JumpRequest request{command.jump_mode, command.jump_count, command.jump_height_m,
+                            command.jump_forward_m};
+  if (const char* mistake = motion.jump_mistake(request)) return refuse(command, mistake);
   if (motion.jump(in, request)) accept(command, moving);
 }
 

@@ -30,6 +30,7 @@ JumpCurveConfig read_jump_curve(const YamlMap& map) {
     map.fail("lengths", "expected 2 to 17 control points, found " + std::to_string(curve.lengths_m.size()));
   }
   curve.height_m = map.quantity("height", "m", 0.01, 2.0);
+  if (map.has("drift")) curve.drift_m = map.quantity("drift", "m", -0.5, 0.5);
   map.finish();
   return curve;
 }
@@ -75,6 +76,7 @@ PresetConfig read_preset(const std::string& name, const YamlMap& map) {
   p.thrust_timeout_s = map.quantity("thrust_timeout", "s", 0.01, 10);
   p.hybrid_switch_s = map.quantity("hybrid_switch", "s", 0, 10);
   read_compliance(map, p);
+  if (map.has("adapt_height")) p.adapt_height = map.flag("adapt_height");
   p.jump_curve = read_jump_curve(map.map("jump_curve"));
   p.torque_jump = read_stiffness(map.map("torque_jump"));
   p.hybrid_landing = read_stiffness(map.map("hybrid_landing"));

@@ -171,6 +171,7 @@ struct JumpCurveConfig {
   double duration_s = 0.0;
   std::vector<double> lengths_m;  ///< control points
   double height_m = 0.0;          ///< that it jumps to, as measured; other heights scale from here
+  double drift_m = 0.0;  ///< how far back it lands by itself where the hip is free, as measured; ways forward make up for it
 };
 
 /// At rest the sign of friction is unknown: there the compensation follows the sign of the virtual spring's torque
@@ -202,6 +203,7 @@ struct PresetConfig {
   double thrust_timeout_s = 0.0;
   double hybrid_switch_s = 0.0;  ///< earliest switch to compliance, since thrust began
   JumpCurveConfig jump_curve;
+  bool adapt_height = false;       ///< jumps learn from the height that they are estimated to have reached
   StiffnessConfig torque_jump;     ///< torque mode: whole jump
   StiffnessConfig hybrid_landing;  ///< hybrid mode: from the switch on
   OwnLandingConfig own_landing;

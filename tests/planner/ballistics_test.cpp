@@ -35,6 +35,13 @@ TEST(Ballistics, HipThatDoesNotRiseThatFarIsExpectedAtTheTop) {
   EXPECT_EQ(expected.approach_speed_m_s, 0.0);
 }
 
+TEST(Ballistics, RiseFromTheSurfaceIsLessOnGroundThatThrowsTheHipUp) {
+  EXPECT_EQ(rise_from_surface_m(0.15, kFirmShare), 0.15);
+  EXPECT_NEAR(rise_from_surface_m(0.15, kFirmShare + 0.1), 0.15 * 0.94, 1e-12);
+  EXPECT_NEAR(rise_from_surface_m(0.15, 9.0), 0.15 * 0.8, 1e-12);  // whatever was measured
+  EXPECT_NEAR(rise_from_surface_m(0.15, 0.0), 0.15 * 1.2, 1e-12);
+}
+
 TEST(Ballistics, FallFromRestGainsSpeedWithTime) {
   const ExpectedTouchdown expected = fall_from_rest(5000, 0.25);
   EXPECT_EQ(expected.utime_us, 255000);

@@ -34,8 +34,8 @@ TEST_F(LegGainsTest, TorqueModeIsCompliantFromTheEndOfTheCrouchThroughLanding) {
 TEST_F(LegGainsTest, HybridSwitchesByTimeOrTouchdownWhicheverIsFirst) {
   EXPECT_FALSE(compliant_in(JumpMode::kHybrid, MotionPhase::kCrouch, 0.6));
   EXPECT_FALSE(compliant_in(JumpMode::kHybrid, MotionPhase::kThrust, 0.1, 0.1));
-  EXPECT_FALSE(compliant_in(JumpMode::kHybrid, MotionPhase::kFlight, 0.1, 0.229));
-  EXPECT_TRUE(compliant_in(JumpMode::kHybrid, MotionPhase::kFlight, 0.1, 0.230));
+  EXPECT_FALSE(compliant_in(JumpMode::kHybrid, MotionPhase::kFlight, 0.1, preset_.hybrid_switch_s - 0.001));
+  EXPECT_TRUE(compliant_in(JumpMode::kHybrid, MotionPhase::kFlight, 0.1, preset_.hybrid_switch_s));
   EXPECT_TRUE(compliant_in(JumpMode::kHybrid, MotionPhase::kLanding, 0.0, 0.1));
   EXPECT_FALSE(compliant_in(JumpMode::kHybrid, MotionPhase::kRecover, 0.0, 1.0));
 }
@@ -45,7 +45,7 @@ TEST_F(LegGainsTest, GainsAreThoseOfTheMode) {
   set_control({MotionPhase::kThrust, JumpMode::kTorque, 0.0, 0.0, 0.23}, preset_, leg);
   EXPECT_EQ(leg.control_mode, ControlMode::kCompliance);
   EXPECT_EQ(leg.stiffness_N_m, preset_.torque_jump.stiffness_N_m);
-  EXPECT_EQ(leg.velocity_feedforward, 0.77);
+  EXPECT_EQ(leg.velocity_feedforward, preset_.torque_jump.velocity_feedforward);
   EXPECT_EQ(leg.friction_compensation, 1.0);
   set_control({MotionPhase::kLanding, JumpMode::kHybrid, 0.0, 0.6, 0.23}, preset_, leg);
   EXPECT_EQ(leg.damping_N_s_m, preset_.hybrid_landing.damping_N_s_m);

@@ -78,7 +78,7 @@ TEST_F(MotionTest, JumpGoesThroughAllPhasesOnMeasuredConditions) {
   cycle();
   EXPECT_EQ(motion_.state, MotionPhase::kCrouch);
   EXPECT_NEAR(run_until(MotionPhase::kThrust), preset_.crouch_time_s + preset_.settle_time_s, 0.003);
-  EXPECT_NEAR(desired().desired_foot_in_hip_m[2], -0.35, 1e-12);
+  EXPECT_NEAR(desired().desired_foot_in_hip_m[2], -preset_.jump_curve.lengths_m.front(), 1e-12);
   EXPECT_EQ(desired().phase, LegPhase::kThrust);
   run(0.09);
   EXPECT_EQ(motion_.state, MotionPhase::kThrust);  // time alone is no lift-off
