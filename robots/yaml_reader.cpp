@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <iomanip>
+#include <limits>
 #include <set>
 #include <sstream>
 
@@ -104,6 +106,25 @@ struct YamlMap::State {
     return std::make_shared<State>(State{child, file, prefix + key + ".", {}});
   }
 };
+
+namespace {
+
+/// Undefined where the path leads nowhere.
+YAML::Node node_at(const YAML::Node& root, const std::string& path) {
+  YAML::Node node = root;
+  std::istringstream keys(path);
+  for (std::string key; std::getline(keys, key, '.');) {
+    const bool place = node.IsSequence() && key.find_first_not_of("0123456789") == std::string::npos;
+    if (!place && !node.IsMap()) return YAML::Node(YAML::NodeType::Undefined);
+    const YAML::Node& parent = node;  // const: else a key that is missing would be made
+    const YAML::Node child = place ? parent[std::stoul(key)] : parent[key];
+    if (!child.IsDefined()) return child;
+    node.reset(child);
+  }
+  return node;
+}
+
+}  // namespace
 
 YamlMap::YamlMap(std::shared_ptr<State> state) : state_(std::move(state)) {}
 
@@ -255,6 +276,26 @@ void YamlMap::fail(const std::string& key, const std::string& problem) const {
   const YAML::Node child = state_->node[key];
   const int line = child ? child.Mark().line + 1 : state_->line();
   throw ConfigError(state_->where(line, key) + ": " + problem);
+}
+
+std::pair<double, std::string> YamlMap::quantity_at(const std::string& path) const {
+  const YAML::Node node = node_at(state_->node, path);
+  double value = 0.0;
+  std::string unit;
+  if (!node.IsDefined() || !node.IsScalar() || !split_quantity(node.Scalar(), value, unit)) {
+    throw ConfigError(state_->where(state_->line(), path) + ": there is no number of this name");
+  }
+  return {value, unit};
+}
+
+YamlMap YamlMap::with_number_at(const std::string& path, double value) const {
+  const std::string unit = quantity_at(path).second;
+  std::ostringstream text;
+  text << std::setprecision(std::numeric_limits<double>::max_digits10) << value << (unit.empty() ? "" : " ")
+       << unit;
+  const YAML::Node copy = YAML::Clone(state_->node);
+  node_at(copy, path) = text.str();
+  return YamlMap(std::make_shared<State>(State{copy, state_->file, state_->prefix, {}}));
 }
 
 }  // namespace sprung

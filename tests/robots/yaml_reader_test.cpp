@@ -102,5 +102,23 @@ TEST(YamlReader, MatrixRowsMustBeLists) {
   EXPECT_THAT(complaint([] { (void)parse("m: [1, 0]").matrix("m", -1, 1); }), HasSubstr("list of rows"));
 }
 
+TEST(YamlReader, ANumberAnywhereBelowIsFoundByItsPath) {
+  const YamlMap map = parse("gains: {stiffness: {x: 3 N/m}, curve: [0.1 m, 0.2 m]}\nname: leg");
+  EXPECT_EQ(map.quantity_at("gains.stiffness.x"), std::make_pair(3.0, std::string("N/m")));
+  EXPECT_EQ(map.quantity_at("gains.curve.1"), std::make_pair(0.2, std::string("m")));
+  for (const char* path : {"gains", "gains.stiffness.y", "gains.curve.2", "gains.curve.x", "name", "name.x", ""})
+    EXPECT_THAT(complaint([&] { (void)map.quantity_at(path); }), HasSubstr("no number")) << path;
+}
+
+TEST(YamlReader, ACopyWithAnotherNumberKeepsTheUnitAndTheOriginalStays) {
+  const YamlMap map = parse("gains: {stiffness: {x: 3 N/m}, curve: [0.1 m, 0.2 m], share: 1}");
+  const YamlMap changed = map.with_number_at("gains.stiffness.x", 0.1).with_number_at("gains.curve.0", 5);
+  EXPECT_EQ(changed.map("gains").map("stiffness").quantity("x", "N/m", 0, 10), 0.1);
+  EXPECT_EQ(changed.map("gains").quantities("curve", "m", 0, 10), (std::vector<double>{5.0, 0.2}));
+  EXPECT_EQ(changed.with_number_at("gains.share", 0.5).map("gains").quantity("share", "", 0, 1), 0.5);
+  EXPECT_EQ(map.map("gains").map("stiffness").quantity("x", "N/m", 0, 10), 3.0);
+  EXPECT_THAT(complaint([&] { (void)map.with_number_at("gains.z", 1); }), HasSubstr("no number"));
+}
+
 }  // namespace
 }  // namespace sprung

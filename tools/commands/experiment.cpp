@@ -8,10 +8,12 @@
 #include "runtime/log.h"
 #include "tools/commands/commands.h"
 #include "tools/commands/experiment_drop.h"
+#include "tools/commands/experiment_all.h"
 #include "tools/commands/experiment_estimator.h"
 #include "tools/commands/experiment_joint.h"
 #include "tools/commands/experiment_leg.h"
 #include "tools/commands/experiment_jump.h"
+#include "tools/commands/experiment_tune.h"
 #include "tools/experiments/fault_experiment.h"
 
 namespace sprung::commands {
@@ -94,6 +96,8 @@ void add_experiment(CommandLine& sprung) {
   add_joint_experiments(experiment);
   add_leg_experiments(experiment);
   add_estimator_experiment(experiment);
+  add_tune_experiment(experiment);
+  add_all_experiments(experiment);
 }
 
 }  // namespace sprung::commands

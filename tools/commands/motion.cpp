@@ -1,5 +1,6 @@
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 
@@ -10,6 +11,8 @@
 #include "tools/commands/answers.h"
 #include "tools/commands/commands.h"
 #include "tools/experiments/jump_table.h"
+#include "tools/experiments/live_jump_report.h"
+#include "tools/report/report_shell.h"
 
 namespace sprung::commands {
 
@@ -26,6 +29,7 @@ struct MotionRequest {
   std::string robot;
   bool no_wait = false;
   bool report = false;
+  std::string html;
   std::int64_t at_seq = -1;
   double height_mm = 0.0;
   double forward_mm = 0.0;
@@ -62,6 +66,24 @@ int run_motion(const char* what, OperatorCommand command, const MotionRequest& r
   return exit_status(what, client.wait_done(command, kSilence_s));
 }
 
+/// The line that jumps so again.
+std::string jump_line(const MotionRequest& request) {
+  std::string line = "sprung jump --mode " + request.mode + " --count " + std::to_string(request.count);
+  if (request.height_mm != 0.0) line += " --height " + std::to_string(std::lround(request.height_mm));
+  if (request.forward_mm != 0.0) line += " --forward " + std::to_string(std::lround(request.forward_mm));
+  return line + " --report --html " + request.html;
+}
+
+/// Nothing where no page was asked for, or no jump began.
+void write_page(const RunInfo& info, const MotionRequest& request, const std::vector<JumpResult>& jumps,
+                const std::vector<JumpSample>& samples) {
+  if (request.html.empty() || jumps.empty()) return;
+  const LiveJumps live{info.robot,         info.preset, jump_mode(request.mode),
+                       jump_line(request), jumps,       samples};
+  report::write_report(live_jump_report(live), request.html);
+  std::printf("report: %s\n", request.html.c_str());
+}
+
 /// Measures while the robot jumps: needs SIM_TRUTH, so simulated drives.
 int run_reported_jump(const OperatorCommand& order, const MotionRequest& request) {
   const RunInfo info = require_running(request.instance, request.robot);
@@ -70,13 +92,15 @@ int run_reported_jump(const OperatorCommand& order, const MotionRequest& request
   }
   const RobotConfig robot = load_robot(info.robot_folder);
   JumpMetrics metrics(robot);
+  JumpTrace trace(robot);
   CycleCollector collector(info, robot);
   OperatorClient client(info);
   OperatorCommand command = order;
   command.apply_at_seq = request.at_seq;
   int status = exit_status("jump", client.send(command, kAnswer_s));
   const auto measure = [&](const CycleRecord& cycle) {
-    metrics.add(cycle.motion_state, cycle.joint_state, cycle.truth);
+    metrics.add(cycle.motion_state, cycle.joint_state, cycle.truth, &cycle.leg_command);
+    trace.add(cycle);
   };
   std::optional<OperatorAnswer> done;
   int silent_turns = 0;
@@ -94,6 +118,7 @@ int run_reported_jump(const OperatorCommand& order, const MotionRequest& request
               jump_table(metrics.jumps()).c_str(), static_cast<long long>(collector.last_cycle() + 1),
               static_cast<long long>(collector.missed_cycles()), static_cast<long long>(collector.overruns()),
               static_cast<long long>(collector.lost_cycles()));
+  write_page(info, request, metrics.jumps(), trace.samples());
   return status;
 }
 
@@ -128,6 +153,7 @@ void add_jump(CommandLine& sprung) {
   jump.option("--count", request->count, "how many, one after the other");
   add_common(jump, *request);
   jump.flag("--report", request->report, "simulated drives: measure the jumps and print a table");
+  jump.option("--html", request->html, "with --report: a page with the table and the first jump drawn");
   jump.example("sprung jump --height 150 --mode hybrid --count 3; sprung jump --height 150 --forward 40");
   jump.action([=] {
     OperatorCommand order;
@@ -136,6 +162,7 @@ void add_jump(CommandLine& sprung) {
     order.jump_forward_m = request->forward_mm * 1e-3;
     order.jump_mode = jump_mode(request->mode);
     order.jump_count = request->count;
+    if (!request->html.empty() && !request->report) throw WrongUse("--html needs --report");
     return request->report ? run_reported_jump(order, *request) : run_motion("jump", order, *request);
   });
 }

@@ -39,24 +39,25 @@ std::vector<bool> numeric_columns(const Table& table) {
   return numeric;
 }
 
-std::string cell_html(const char* tag, const std::string& text, bool numeric, Mark mark) {
+std::string cell_html(const char* tag, const Cell& cell, bool numeric) {
   std::string css_class = numeric ? "number" : "";
-  if (mark != Mark::kPlain) css_class += mark == Mark::kGood ? " good" : " bad";
+  if (cell.mark != Mark::kPlain) css_class += cell.mark == Mark::kGood ? " good" : " bad";
   const std::string attribute = css_class.empty() ? "" : " class=\"" + css_class + "\"";
-  return std::string("<") + tag + attribute + ">" + escape_html(text) + "</" + tag + ">";
+  std::string text = escape_html(cell.text);
+  if (!cell.link.empty()) text = "<a href=\"" + escape_html(cell.link) + "\">" + text + "</a>";
+  return std::string("<") + tag + attribute + ">" + text + "</" + tag + ">";
 }
 
 std::string grid_html(const Table& table) {
   const std::vector<bool> numeric = numeric_columns(table);
   std::string html = "<div class=\"scroll\"><table>\n<thead><tr>";
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    html += cell_html("th", table.columns[i], numeric[i], Mark::kPlain);
+    html += cell_html("th", table.columns[i], numeric[i]);
   }
   html += "</tr></thead>\n<tbody>\n";
   for (const std::vector<Cell>& row : table.rows) {
     html += "<tr>";
-    for (std::size_t i = 0; i < row.size(); ++i)
-      html += cell_html("td", row[i].text, numeric[i], row[i].mark);
+    for (std::size_t i = 0; i < row.size(); ++i) html += cell_html("td", row[i], numeric[i]);
     html += "</tr>\n";
   }
   return html + "</tbody>\n</table></div>\n";

@@ -18,6 +18,7 @@ enum class Mark { kPlain, kGood, kBad };  ///< kGood and kBad are shown by colou
 struct Cell {
   std::string text;
   Mark mark = Mark::kPlain;
+  std::string link = "";  ///< a page beside this one, or "#...": the text leads there; empty: nowhere
 
   Cell(std::string text_in, Mark mark_in = Mark::kPlain) : text(std::move(text_in)), mark(mark_in) {}
   Cell(const char* text_in, Mark mark_in = Mark::kPlain) : text(text_in), mark(mark_in) {}

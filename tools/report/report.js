@@ -3,7 +3,8 @@
 (() => {
   // Okabe and Ito's colours for every kind of colour vision, without the yellow, which white paper swallows.
   const COLOURS = ['#0072B2', '#D55E00', '#009E73', '#CC79A7', '#E69F00', '#56B4E9', '#000000'];
-  const SHADES = ['#E3EEF8', '#FDF0DC', '#E4F4EA', '#F6E9F1', '#EEEEEE', '#FBF7D9', '#EAE6F7'];
+  const SHADES = ['#E3EEF8', '#FDF0DC', '#E4F4EA', '#F6E9F1', '#EEEEEE', '#FBF7D9', '#EAE6F7',
+    '#DDEFF2', '#E9EDD3', '#F8E0D8', '#DDDDE8'];
   const INK = '#333333';
   const MANY_PLOTS = 24;  // past these, drawing at twice the resolution for paper takes too much memory
   const FINGER_PX = 20;   // how near the pointer must be to a point of a cloud

@@ -1,0 +1,127 @@
+#include "tools/commands/experiment_tune.h"
+
+#include <sprung_version.h>
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <stdexcept>
+
+#include "robots/robot_loader.h"
+#include "runtime/log.h"
+#include "tools/experiments/progress_bar.h"
+#include "tools/experiments/tune.h"
+#include "tools/experiments/tune_report.h"
+#include "tools/report/report_shell.h"
+
+namespace sprung::commands {
+namespace {
+
+struct Options {
+  std::string robot = "single_leg";
+  std::string preset = "best";
+  std::string mode = "hybrid";
+  std::string objective = "landing_output";
+  std::vector<std::string> vary;
+  std::string out;
+  bool as_json = false;
+  TuneRequest request;
+
+  /// The line that makes it again.
+  std::string command() const {
+    std::string text = "sprung experiment tune --robot " + robot + " --preset " + preset + " --mode " + mode;
+    for (const std::string& range : vary) text += " --vary " + range;
+    return text + " --samples " + std::to_string(request.samples) + " --rounds " +
+           std::to_string(request.rounds) + " --plants " + std::to_string(request.plants) + " --objective " +
+           objective + " --tune-seed " + std::to_string(request.tune_seed) + " --seed " +
+           std::to_string(request.seed);
+  }
+};
+
+JumpMode mode_of(const std::string& text) {
+  for (const JumpMode mode : {JumpMode::kPosition, JumpMode::kTorque, JumpMode::kHybrid, JumpMode::kOwn})
+    if (text == name(mode)) return mode;
+  throw std::invalid_argument("no mode '" + text + "'");
+}
+
+void write_text(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream out(path);
+  out << text;
+  if (!out) throw std::runtime_error("cannot write " + path.string());
+}
+
+void write_files(const Options& options, const TuneSpace& space, const TuneResult& result,
+                 const ExperimentReport& rows) {
+  const std::filesystem::path folder = options.out;
+  std::filesystem::create_directories(folder);
+  write_text(folder / "tune.json", rows.json() + "\n");
+  write_text(folder / "tune.yaml", tune_fragment(space, options.request, result, options.command()));
+  report::Report page{"Gains tuned on " + options.robot + ", preset " + options.preset};
+  page.subtitle = "sprung " SPRUNG_VERSION "-" SPRUNG_GIT_HASH;
+  page.command = options.command();
+  page.sections = tune_sections(space, options.request, result);
+  report::write_report(page, folder / "tune.html");
+}
+
+int run(Options options) {
+  start_log("sprung");
+  const auto started = std::chrono::steady_clock::now();
+  options.request.mode = mode_of(options.mode);
+  options.request.objective = tune_objective(options.objective);
+  std::vector<TuneParameter> parameters;
+  for (const std::string& text : options.vary) parameters.push_back(parse_vary(text));
+  const TuneSpace space(load_robot(options.robot), options.preset, parameters);
+  ProgressBar bar("tune");
+  const TuneResult result = run_tune(space, options.request,
+                                     [&bar](std::size_t done, std::size_t count) { bar.show(done, count); });
+  ExperimentReport rows;
+  rows.experiment = "tune";
+  rows.robot = options.robot;
+  rows.preset = options.preset;
+  rows.seed = options.request.seed;
+  rows.rows = tune_rows(space, result);
+  rows.simulated_s = result.simulated_s;
+  rows.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+  if (!options.out.empty()) write_files(options, space, result, rows);
+  const std::string text = options.as_json
+                               ? rows.json()
+                               : tune_table(space, options.request, result) +
+                                     tune_fragment(space, options.request, result, options.command());
+  std::printf("%s\n", text.c_str());
+  return kExitDone;
+}
+
+}  // namespace
+
+void add_tune_experiment(CommandLine& experiment) {
+  const auto options = std::make_shared<Options>();
+  TuneRequest& request = options->request;
+  CommandLine& tune = experiment.subcommand(
+      "tune",
+      "Varies gains of a preset over jumps on several plants and shows the best and what they trade.");
+  tune.option("--robot", options->robot, "name or folder");
+  tune.option("--preset", options->preset, "set of parameters in robot.yaml to begin with");
+  tune.option("--vary", options->vary,
+              "KEY=LOW:HIGH, a number of the preset and its range in robot.yaml's unit; may be repeated",
+              Need::kRequired);
+  tune.choice("--mode", options->mode, {"position", "torque", "hybrid", "own"}, "control in the jump");
+  tune.choice("--objective", options->objective, tune_objectives(),
+              "what counts; the output states the cost");
+  tune.option("--samples", request.samples, "sets of gains over the whole ranges");
+  tune.option("--rounds", request.rounds,
+              "of refinement around the best, each with a quarter of the samples");
+  tune.option("--plants", request.plants, "on which each set jumps: sim.yaml's, then drawn ones");
+  tune.option("--tune-seed", request.tune_seed, "of the plants to tune on");
+  tune.option("--seed", request.seed, "of the plants to report on");
+  tune.option("--jobs", request.jobs, "threads; 0 = every core");
+  tune.option("--out", options->out, "folder for tune.html, tune.json and tune.yaml");
+  tune.flag("--json", options->as_json, "one JSON object on standard output");
+  tune.example(
+      "sprung experiment tune --vary hybrid_landing.stiffness.z=400:3000 --vary "
+      "hybrid_landing.damping.z=5:120 --samples 64 --objective landing_output --out tuned");
+  tune.action([=] { return run(*options); });
+}
+
+}  // namespace sprung::commands

@@ -1,0 +1,84 @@
+#include "tools/experiments/experiment_registry.h"
+
+#include <stdexcept>
+
+#include "tools/experiments/foot_return_report.h"
+#include "tools/experiments/jump_ensemble.h"
+#include "tools/experiments/jump_report.h"
+
+namespace sprung {
+
+namespace {
+
+constexpr const char* kPaper = "paper";
+constexpr const char* kBest = "best";
+
+SimOptions sim_of(const ExperimentInput& input) {
+  SimOptions sim;
+  sim.seed = input.seed;
+  return sim;
+}
+
+ExperimentReport rows_of(const ExperimentInput& input, const char* experiment, const char* preset) {
+  ExperimentReport rows;
+  rows.experiment = experiment;
+  rows.robot = input.robot.name;
+  rows.preset = preset;
+  rows.seed = input.seed;
+  return rows;
+}
+
+ExperimentOutput jump_output(const ExperimentInput& input) {
+  const SimOptions sim = sim_of(input);
+  const JumpExperiment experiment = run_jump_experiment(input.robot, kPaper, sim, run_in_process);
+  return {experiment.rows, jump_sections(input.robot, sim, experiment)};
+}
+
+ExperimentOutput foot_return_output(const ExperimentInput& input) {
+  const FootReturnResult result = run_foot_return(
+      input.robot, kBest, sim_of(input), foot_return_cases(input.robot.preset(kBest)), run_in_process);
+  ExperimentOutput out{rows_of(input, "foot_return", kBest), {foot_return_section(result)}};
+  out.rows.simulated_s = result.simulated_s;
+  out.rows.rows = foot_return_rows(result);
+  return out;
+}
+
+ExperimentOutput jump_ensemble_output(const ExperimentInput& input) {
+  JumpEnsembleRequest request;
+  request.preset = kBest;
+  request.seed = input.seed;
+  const JumpEnsemble ensemble = run_jump_ensemble(input.robot, request, {input.jobs, {}});
+  ExperimentOutput out{rows_of(input, "jump_ensemble", kBest), {}};
+  out.rows.simulated_s = ensemble.simulated_s;
+  out.rows.rows = jump_ensemble_rows(ensemble);
+  return out;
+}
+
+}  // namespace
+
+std::string ExperimentEntry::command(const std::string& robot, std::uint64_t seed) const {
+  return "sprung experiment " + name + " --robot " + robot + " --preset " + preset + " --seed " +
+         std::to_string(seed);
+}
+
+std::vector<ExperimentEntry> experiments_of(const RobotConfig& robot) {
+  if (const char* why = robot.why_not_standing())
+    throw std::invalid_argument("the experiments of `all` need a leg that stands, and " + robot.name +
+                                " has none (" + why +
+                                "); for a joint alone there are friction_sweep, drag and estimator");
+  return {
+      {"jump", kPaper,
+       "Are the paper's jumps met in position, torque and hybrid control, and what does sprung's own landing "
+       "save?",
+       false, jump_output},
+      {"foot_return", kBest,
+       "Does a foot on a virtual spring come back to where it was pulled from, and how far off without "
+       "friction compensation?",
+       false, foot_return_output},
+      {"jump_ensemble", kBest,
+       "Does the leg stay up, and jump as high as asked, on plants and grounds that it does not know?", true,
+       jump_ensemble_output},
+  };
+}
+
+}  // namespace sprung
