@@ -126,6 +126,28 @@ TEST_F(ExperimenterTest, PushesAFootForItsTimeOnly) {
   EXPECT_NEAR(foot_x(), stopped_m, 1e-4);
 }
 
+TEST_F(ExperimenterTest, PushThatGrowsBeginsSmallAndGoesOnFromThePushThatIsThere) {
+  experimenter_.add(make(SimControlKind::kSuspend, 0, -1, 1.0));
+  experimenter_.start_cycle(0);
+  run(4000);
+  SimControl pull = make(SimControlKind::kWrench, 1, 0, 0.2);
+  pull.wrench = {60, 0, 0, 0, 0, 0};
+  pull.duration_s = 0.3;
+  experimenter_.add(pull);
+  experimenter_.start_cycle(1);
+  const double before_m = foot_x();
+  run(80);  // a tenth of the force: friction holds
+  EXPECT_NEAR(foot_x(), before_m, 1e-4);
+  run(720);
+  const double pulled_m = foot_x();
+  EXPECT_GT(pulled_m, before_m + 0.003);
+  pull.value = 10.0;  // grows from 60 to 60 N: at full strength at once
+  experimenter_.add(pull);
+  experimenter_.start_cycle(2);
+  run(400);
+  EXPECT_GT(foot_x(), pulled_m + 0.01);
+}
+
 TEST_F(ExperimenterTest, FloorMovesToItsHeightAndAResetPutsItBack) {
   const double standing_m = train_.plant().position_rad(0);
   experimenter_.add(make(SimControlKind::kFloor, 0, -1, -10.0));

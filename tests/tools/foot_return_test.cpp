@@ -1,0 +1,72 @@
+#include "tools/experiments/foot_return.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "robots/robot_loader.h"
+
+namespace sprung {
+namespace {
+
+class FootReturnTest : public testing::Test {
+ protected:
+  /// Two pulls of the strongest force, in each of two directions.
+  FootReturnCase few(const std::string& name) const {
+    for (FootReturnCase& config : foot_return_cases(robot_.preset("best"))) {
+      if (config.name != name) continue;
+      FootReturnCase out = config;
+      out.script.pulls = {config.script.pulls[9], config.script.pulls[34]};
+      return out;
+    }
+    throw std::invalid_argument(name);
+  }
+  FootReturnResult run(const std::string& name) const {
+    SimOptions sim;
+    sim.seed = 1;
+    return run_foot_return(robot_, "best", sim, {few(name)}, run_in_process);
+  }
+  RobotConfig robot_ = load_robot("single_leg");
+};
+
+TEST_F(FootReturnTest, HandPullsEachForceInEachDirectionAtItsCycle) {
+  const FootReturnScript script = foot_return_cases(robot_.preset("best")).front().script;
+  const std::vector<SimControl> controls = hand(script, robot_.cycle_s);
+  ASSERT_EQ(controls.size(), 40u);
+  EXPECT_EQ(controls[0].apply_at_seq, 1500 + 700);
+  EXPECT_EQ(controls[1].apply_at_seq - controls[0].apply_at_seq, 4200);
+  EXPECT_NEAR(controls[10].wrench[2], script.pulls[10].force_N, 1e-9);  // the third direction is up
+  EXPECT_NEAR(controls[10].wrench[0], 0.0, 1e-9);
+}
+
+TEST_F(FootReturnTest, CompensationBringsTheFootHomeAndTheSpringIsFelt) {
+  const FootReturnSummary with = run("with").cases.front().summary;
+  const FootReturnSummary without = run("without").cases.front().summary;
+  EXPECT_LT(with.max_mm, 3.5);
+  EXPECT_EQ(with.limit_cycles, 0);
+  EXPECT_LT(with.settled_worst_s, 1.5);
+  EXPECT_GT(with.moved_least_mm, 30.0);
+  EXPECT_GT(without.mean_mm, 3.0 * with.mean_mm);
+}
+
+TEST_F(FootReturnTest, LessFrictionThanIdentifiedMakesNoLimitCycle) {
+  const FootReturnSummary s = run("with_friction_80").cases.front().summary;
+  EXPECT_EQ(s.limit_cycles, 0);
+  EXPECT_LT(s.mean_mm, 5.0);
+}
+
+TEST_F(FootReturnTest, RunsAreTheSameBitsAndRowsAreNamedByCase) {
+  const FootReturnResult first = run("with");
+  const FootReturnResult second = run("with");
+  EXPECT_EQ(first.cases[0].pulls[1].back_m.x_m, second.cases[0].pulls[1].back_m.x_m);
+  const std::vector<ReportRow> rows = foot_return_rows(first);
+  EXPECT_EQ(rows.front().name, "foot_return.with.mean");
+  EXPECT_EQ(*rows.front().high, 1.8);
+}
+
+TEST_F(FootReturnTest, RobotThatIsNoPlanarLegIsRefused) {
+  EXPECT_THROW(run_foot_return(load_robot("pegasus"), "best", {}, {}, run_in_process), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace sprung
