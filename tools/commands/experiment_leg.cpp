@@ -6,85 +6,120 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <memory>
 
 #include "drivers/sim/sim_shell.h"
 #include "robots/robot_loader.h"
 #include "runtime/log.h"
 #include "tools/experiments/foot_return_report.h"
+#include "tools/experiments/step_response_report.h"
 #include "tools/report/report_shell.h"
 
 namespace sprung::commands {
 namespace {
 
 struct Request {
+  std::string experiment;
   std::string robot = "single_leg";
-  std::string preset = "best";
+  std::string preset;
   std::uint64_t seed = 1;
   std::vector<std::string> plant;
   std::string out;
   bool as_json = false;
 
   std::string command() const {
-    std::string line = "sprung experiment foot_return --robot " + robot + " --preset " + preset;
+    std::string line = "sprung experiment " + experiment + " --robot " + robot + " --preset " + preset;
     for (const std::string& change : plant) line += " --plant " + change;
     return line + " --seed " + std::to_string(seed);
   }
 };
 
-void write_folder(const Request& request, const ExperimentReport& rows, const FootReturnResult& result) {
+/// What an experiment leaves behind.
+struct Outcome {
+  std::vector<ReportRow> rows;
+  report::Section section;
+  double simulated_s = 0.0;
+};
+using Experiment =
+    std::function<Outcome(const RobotConfig& robot, const std::string& preset, const SimOptions& sim)>;
+
+void write_folder(const Request& request, const ExperimentReport& rows, const report::Section& section) {
   report::Report page;
-  page.title = "foot_return on " + rows.robot;
+  page.title = request.experiment + " on " + rows.robot;
   page.subtitle = "preset " + rows.preset + ", seed " + std::to_string(rows.seed) +
                   ", sprung " SPRUNG_VERSION "-" SPRUNG_GIT_HASH;
   page.command = request.command();
-  page.sections = {foot_return_section(result)};
+  page.sections = {section};
   const std::filesystem::path folder = request.out;
   std::filesystem::create_directories(folder);
-  report::write_report(page, (folder / "foot_return.html").string());
-  std::ofstream file(folder / "foot_return.json");
+  report::write_report(page, (folder / (request.experiment + ".html")).string());
+  const std::filesystem::path path = folder / (request.experiment + ".json");
+  std::ofstream file(path);
   file << rows.json() << "\n";
-  if (!file) throw std::runtime_error("cannot write " + (folder / "foot_return.json").string());
+  if (!file) throw std::runtime_error("cannot write " + path.string());
 }
 
-int run_foot_return_command(const Request& request) {
+int run_command(const Request& request, const Experiment& experiment) {
   start_log("sprung");
   const auto started = std::chrono::steady_clock::now();
   const RobotConfig robot = load_robot(request.robot);
   SimOptions sim;
   sim.seed = request.seed;
   sim.plant = parse_plant(request.plant);
-  const FootReturnResult result = run_foot_return(
-      robot, request.preset, sim, foot_return_cases(robot.preset(request.preset)), run_in_process);
+  const Outcome outcome = experiment(robot, request.preset, sim);
   ExperimentReport rows;
-  rows.experiment = "foot_return";
+  rows.experiment = request.experiment;
   rows.robot = robot.name;
   rows.preset = request.preset;
   rows.seed = request.seed;
-  rows.rows = foot_return_rows(result);
-  rows.simulated_s = result.simulated_s;
+  rows.rows = outcome.rows;
+  rows.simulated_s = outcome.simulated_s;
   rows.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
-  if (!request.out.empty()) write_folder(request, rows, result);
+  if (!request.out.empty()) write_folder(request, rows, outcome.section);
   std::printf("%s\n", (request.as_json ? rows.json() : rows.table()).c_str());
   return rows.ok() ? kExitDone : kExitFailed;
+}
+
+Outcome foot_return(const RobotConfig& robot, const std::string& preset, const SimOptions& sim) {
+  const FootReturnResult result =
+      run_foot_return(robot, preset, sim, foot_return_cases(robot.preset(preset)), run_in_process);
+  return {foot_return_rows(result), foot_return_section(result), result.simulated_s};
+}
+
+Outcome step_response(const RobotConfig& robot, const std::string& preset, const SimOptions& sim) {
+  const StepResponseResult result = run_step_response(robot, preset, sim, run_in_process);
+  return {step_response_rows(result), step_response_section(result), result.simulated_s};
+}
+
+void add(CommandLine& parent, const std::string& name, const std::string& what, const std::string& preset,
+         const Experiment& experiment) {
+  const auto request = std::make_shared<Request>();
+  request->experiment = name;
+  request->preset = preset;
+  CommandLine& line = parent.subcommand(name, what);
+  line.option("--robot", request->robot, "name or folder");
+  line.option("--preset", request->preset, "set of parameters in robot.yaml");
+  line.option("--seed", request->seed, "of every noise");
+  line.option("--plant", request->plant, "KEY=VALUE changes the plant, e.g. noise_scale=2; may be repeated");
+  line.option("--out", request->out, "folder for " + name + ".html and " + name + ".json");
+  line.flag("--json", request->as_json, "one JSON object on standard output");
+  line.example("sprung experiment " + name + " --seed 1 --out report");
+  line.action([=] { return run_command(*request, experiment); });
 }
 
 }  // namespace
 
 void add_leg_experiments(CommandLine& experiment) {
-  const auto request = std::make_shared<Request>();
-  CommandLine& foot = experiment.subcommand(
-      "foot_return",
+  add(experiment, "foot_return",
       "A hanging leg's foot is pulled away and released in eight directions with five forces, with and "
-      "without friction compensation, on plants with more and less friction.");
-  foot.option("--robot", request->robot, "name or folder");
-  foot.option("--preset", request->preset, "set of parameters in robot.yaml");
-  foot.option("--seed", request->seed, "of every noise");
-  foot.option("--plant", request->plant, "KEY=VALUE changes the plant, e.g. noise_scale=2; may be repeated");
-  foot.option("--out", request->out, "folder for foot_return.html and foot_return.json");
-  foot.flag("--json", request->as_json, "one JSON object on standard output");
-  foot.example("sprung experiment foot_return --seed 1 --out report");
-  foot.action([=] { return run_foot_return_command(*request); });
+      "without friction compensation, on plants with more and less friction.",
+      "best", foot_return);
+  add(experiment, "step_response",
+      "How fast the knee's torque follows: at the start of a jump in position control, and as a torque step "
+      "with the foot "
+      "on floors from rigid to soft; motor side and gear output.",
+      "paper", step_response);
 }
 
 }  // namespace sprung::commands

@@ -1,5 +1,5 @@
 #pragma once
-/// `sprung experiment foot_return`.
+/// `sprung experiment foot_return` and `step_response`.
 #include "runtime/command_line.h"
 
 namespace sprung::commands {

@@ -5,6 +5,7 @@
 #include "tools/experiments/foot_return_report.h"
 #include "tools/experiments/jump_ensemble.h"
 #include "tools/experiments/jump_report.h"
+#include "tools/experiments/step_response_report.h"
 
 namespace sprung {
 
@@ -43,6 +44,14 @@ ExperimentOutput foot_return_output(const ExperimentInput& input) {
   return out;
 }
 
+ExperimentOutput step_response_output(const ExperimentInput& input) {
+  const StepResponseResult result = run_step_response(input.robot, kPaper, sim_of(input), run_in_process);
+  ExperimentOutput out{rows_of(input, "step_response", kPaper), {step_response_section(result)}};
+  out.rows.simulated_s = result.simulated_s;
+  out.rows.rows = step_response_rows(result);
+  return out;
+}
+
 ExperimentOutput jump_ensemble_output(const ExperimentInput& input) {
   JumpEnsembleRequest request;
   request.preset = kBest;
@@ -75,6 +84,10 @@ std::vector<ExperimentEntry> experiments_of(const RobotConfig& robot) {
        "Does a foot on a virtual spring come back to where it was pulled from, and how far off without "
        "friction compensation?",
        false, foot_return_output},
+      {"step_response", kPaper,
+       "How soon is a torque there, at the motor and at the gear's output, and what do gear and ground make "
+       "of it?",
+       false, step_response_output},
       {"jump_ensemble", kBest,
        "Does the leg stay up, and jump as high as asked, on plants and grounds that it does not know?", true,
        jump_ensemble_output},

@@ -1,0 +1,58 @@
+#pragma once
+/// `sprung experiment step_response`: how fast the knee's torque follows, on the motor's side and at the gear's output (S0's 4.75 ms;
+/// errata E9, E10).
+///
+/// thrust: the jump in position control, from its first set-point; 90 % and peak of the highest torque within 50 ms, since the
+/// motion goes on.
+/// torque_<floor>: the hip hangs fixed, the foot stands on a floor, and in torque compliance with no stiffness the force
+/// asked of the foot steps from kBefore_N to kAfter_N. Rigid floor: the output is as good as locked. Floor as soft as a gear: the rotor
+/// meets the spring that errata E10 calculates with. Own floor: sim.yaml's.
+#include <string>
+#include <vector>
+
+#include "drivers/sim/sim_core.h"
+#include "robots/robot_config.h"
+#include "tools/experiments/experiment_report.h"
+#include "tools/experiments/jump_experiment.h"
+#include "tools/experiments/step_response_score.h"
+
+namespace sprung {
+
+namespace step_response {
+inline constexpr double kBefore_N = 100.0;
+inline constexpr double kAfter_N = 300.0;
+inline constexpr double kRigidFloor_N_m = 1e7;
+inline constexpr double kGear_Nm_rad = 4.1e4;  ///< E10: 3.1e4 to 5e4 at a ratio of 100
+}  // namespace step_response
+
+struct StepCase {
+  std::string name;         ///< of rows: no spaces
+  bool locked = true;       ///< false: thrust
+  double floor_N_m = kNaN;  ///< NaN: sim.yaml's
+};
+
+struct StepResult {
+  StepCase config;
+  StepTrace knee;
+  StepFigures estimated_motor_side;
+  StepFigures motor;
+  StepFigures output;
+};
+
+struct StepResponseResult {
+  std::vector<StepResult> cases;
+  double simulated_s = 0.0;
+};
+
+/// @param leg_length_m of the leg that stands on the floor. @throws std::invalid_argument for a robot whose leg is not planar.
+std::vector<StepCase> step_cases(const RobotConfig& robot, double leg_length_m);
+
+/// @throws std::runtime_error when the plant fails, std::invalid_argument for a robot whose leg is not planar.
+StepResponseResult run_step_response(const RobotConfig& robot, const std::string& preset,
+                                     const SimOptions& sim, const ScriptRunner& run);
+
+/// Rows step_response.<motor|output>.<peak|t90> of the thrust, step_response.<case>.<motor|output>.<peak|t90> of the others, in ms.
+/// "motor" is the papers' signal.
+std::vector<ReportRow> step_response_rows(const StepResponseResult& result);
+
+}  // namespace sprung
