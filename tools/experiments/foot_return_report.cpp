@@ -11,6 +11,9 @@ using report::Style;
 
 constexpr double kDegrees = 180.0 / 3.14159265358979323846;
 
+/// For a table: the foot's true place is known to far more digits than anyone needs.
+double hundredths(double value) { return 0.01 * std::round(100.0 * value); }
+
 report::Table summary_table(const FootReturnResult& result) {
   report::Table out{"Where the foot stops after a release",
                     {"case", "K (N/m)", "compensated", "plant's friction", "mean (mm)", "max (mm)",
@@ -18,10 +21,12 @@ report::Table summary_table(const FootReturnResult& result) {
   for (const FootReturnCaseResult& done : result.cases) {
     const FootReturnSummary& s = done.summary;
     const FootReturnScript& script = done.config.script;
-    out.rows.push_back(
-        {done.config.name, script.stiffness_N_m, script.friction_compensation, done.config.friction_scale,
-         s.mean_mm, s.max_mm, s.min_mm, s.moved_least_mm, s.settled_worst_s, s.limit_cycles,
-         report::number_text(s.stiffness_least_N_m) + " to " + report::number_text(s.stiffness_most_N_m)});
+    out.rows.push_back({done.config.name, script.stiffness_N_m, script.friction_compensation,
+                        done.config.friction_scale, hundredths(s.mean_mm), hundredths(s.max_mm),
+                        hundredths(s.min_mm), hundredths(s.moved_least_mm), hundredths(s.settled_worst_s),
+                        s.limit_cycles,
+                        report::number_text(std::round(s.stiffness_least_N_m)) + " to " +
+                            report::number_text(std::round(s.stiffness_most_N_m))});
   }
   out.note =
       "S0: under 1 mm with compensation, 23 to 46 mm without. The measured K is the slope of force over way "

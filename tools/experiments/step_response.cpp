@@ -20,7 +20,7 @@ constexpr double kPress_s = 1.5;                   // compliance, kBefore_N
 constexpr double kStep_s = 2.5;
 constexpr double kEnd_s = 3.0;
 constexpr double kShownBefore_s = 0.02;
-constexpr double kThrustWatch_s = 0.05;
+constexpr double kThrustWatch_s = 0.12;  // take-off is later, the highest output torque is not
 
 /// The planner's part: LEG_COMMAND(k) from JOINT_STATE(k).
 class PressingLeg {
@@ -63,7 +63,8 @@ RunScript locked_script(const RobotConfig& robot, const std::string& preset, con
   RunScript out{robot, preset, sim, {}, std::llround(kEnd_s / robot.cycle_s)};
   out.sim.plant["suspended"] = leg_length_m;
   out.sim.plant["floor_height"] = 0.0;
-  if (!std::isnan(config.floor_N_m)) out.sim.plant["ground_stiffness"] = config.floor_N_m;
+  out.sim.plant["ground_stiffness"] = config.floor_N_m;
+  out.sim.plant["ground_friction"] = 0.0;
   const auto leg = std::make_shared<PressingLeg>(leg_length_m);
   out.command_legs_by = [leg](const JointState& in, LegCommand& command) { leg->command(in, command); };
   return out;
@@ -134,9 +135,8 @@ std::vector<StepCase> step_cases(const RobotConfig& robot, double leg_length_m) 
       (thigh_m * thigh_m + leg_length_m * leg_length_m - shank_m * shank_m) / (2.0 * thigh_m * leg_length_m);
   const double lever_m = thigh_m * std::sqrt(1.0 - cosine * cosine);  // of a vertical force about the knee
   return {{"thrust", false, kNaN},
-          {"torque_rigid_floor", true, kRigidFloor_N_m},
-          {"torque_floor_like_gear", true, kGear_Nm_rad / (lever_m * lever_m)},
-          {"torque_own_floor", true, kNaN}};
+          {"rigid_floor", true, kRigidFloor_N_m},
+          {"floor_like_gear", true, kGear_Nm_rad / (lever_m * lever_m)}};
 }
 
 StepResponseResult run_step_response(const RobotConfig& robot, const std::string& preset,

@@ -2,11 +2,12 @@
 /// `sprung experiment step_response`: how fast the knee's torque follows, on the motor's side and at the gear's output (S0's 4.75 ms;
 /// errata E9, E10).
 ///
-/// thrust: the jump in position control, from its first set-point; 90 % and peak of the highest torque within 50 ms, since the
-/// motion goes on.
-/// torque_<floor>: the hip hangs fixed, the foot stands on a floor, and in torque compliance with no stiffness the force
-/// asked of the foot steps from kBefore_N to kAfter_N. Rigid floor: the output is as good as locked. Floor as soft as a gear: the rotor
-/// meets the spring that errata E10 calculates with. Own floor: sim.yaml's.
+/// thrust: the jump in position control, from its first set-point; 90 % and peak of the highest torque of the push-off, since
+/// the motion goes on.
+/// rigid_floor, floor_like_gear: the hip hangs fixed, the foot presses on a floor without friction, so that the knee alone moves, and in
+/// torque compliance without stiffness the force asked of the foot steps from kBefore_N to kAfter_N. With the rigid floor the rotor makes
+/// 134 Hz. The other gives as much as a gear's torsion would: single_leg's gears are rigid, so the rotor meets at the
+/// foot the spring that errata E10 calculates with.
 #include <string>
 #include <vector>
 
@@ -28,7 +29,7 @@ inline constexpr double kGear_Nm_rad = 4.1e4;  ///< E10: 3.1e4 to 5e4 at a ratio
 struct StepCase {
   std::string name;         ///< of rows: no spaces
   bool locked = true;       ///< false: thrust
-  double floor_N_m = kNaN;  ///< NaN: sim.yaml's
+  double floor_N_m = kNaN;  ///< stiffness; NaN: as in sim.yaml
 };
 
 struct StepResult {

@@ -50,6 +50,7 @@ StepFigures step_figures(const std::vector<double>& time_s, const std::vector<do
   const auto peak =
       std::max_element(first, torque_Nm.end(), [=](double a, double b) { return sign * a < sign * b; });
   out.peak_Nm = *peak;
+  if (end == StepEnd::kHighest && peak + 1 == torque_Nm.end()) return out;
   const double over_Nm = sign * (out.peak_Nm - out.end_Nm);
   const bool is_peak =
       end == StepEnd::kHighest || over_Nm > StepFigures::kOvershoot * std::abs(out.end_Nm - out.start_Nm);
