@@ -103,6 +103,19 @@ TEST_F(ChangedRobot, ImpossibleValueIsRefused) {
   EXPECT_THAT(complaint("direction: 1\n", "direction: 0\n"), HasSubstr("expected 1 or -1"));
 }
 
+TEST_F(ChangedRobot, PowerLimitIsReadInWattsAndNoneByDefault) {
+  EXPECT_EQ(load_robot("single_leg").actuators[0].power_limit_W, 0.0);
+  EXPECT_EQ(complaint("torque_limit: 171.6 Nm", "power_limit: 400 W\n    torque_limit: 171.6 Nm"),
+            "nothing was refused");
+  const RobotConfig limited = load_robot(folder_.string());
+  EXPECT_EQ(limited.actuators[0].power_limit_W, 400.0);
+  EXPECT_EQ(limited.actuators[1].power_limit_W, 0.0);
+  EXPECT_THAT(complaint("torque_limit: 171.6 Nm", "power_limit: 400 Nm\n    torque_limit: 171.6 Nm"),
+              HasSubstr("wrong unit 'Nm'"));
+  EXPECT_THAT(complaint("torque_limit: 171.6 Nm", "power_limit: 0 W\n    torque_limit: 171.6 Nm"),
+              HasSubstr("out of range"));
+}
+
 TEST_F(ChangedRobot, TwoDrivesOnOneNodeIdAreRefused) {
   EXPECT_THAT(complaint("node: 2", "node: 1"),
               AllOf(HasSubstr("hip_motor and knee_motor share node id 1"), HasSubstr("bus leg")));
