@@ -29,6 +29,7 @@ struct Recording {
   std::vector<Bytes> drive_commands;
   std::vector<Bytes> others;  ///< DRIVE_STATE, JOINT_STATE, MOTION_STATE, SIM_TRUTH
   bool flew = false;
+  bool complied = false;
 
   void add(const CycleRecord& cycle) {
     drive_commands.emplace_back();
@@ -41,6 +42,7 @@ struct Recording {
     append(motion, others.back());
     append(cycle.truth, others.back());
     flew = flew || cycle.motion_state.state == MotionPhase::kFlight;
+    complied = complied || cycle.motion_state.state == MotionPhase::kComplying;
   }
 };
 
@@ -82,6 +84,28 @@ TEST_F(Lockstep, SeparateProcessesGiveTheBitsOfOneProcess) {
   ASSERT_GE(one.drive_commands.size(), 2000u);
   ASSERT_TRUE(one.flew);
   expect_same(one, separate());
+}
+
+/// The hand is a SIM_CONTROL, which nobody acknowledges.
+TEST_F(Lockstep, CompliantLegThatAHandPullsGivesTheSameBitsToo) {
+  RunScript run{robot_, "best", SimOptions{3, {{"suspended", 1.5}}, true}, {}, 3000};
+  run.commands.push_back(scripted(OperatorKind::kStand, 100));
+  run.commands.push_back(scripted(OperatorKind::kComply, 2000));
+  RunScript left_alone = run;
+  SimControl pull;
+  pull.kind = SimControlKind::kWrench;
+  pull.actuator = 0;
+  pull.apply_at_seq = 2300;
+  pull.wrench = {120.0, 0.0, 40.0};
+  pull.value = 0.3;
+  pull.duration_s = 0.5;
+  run.controls = {pull};
+  const Recording one = in_process(run);
+  const Recording alone = in_process(left_alone);
+  ASSERT_TRUE(one.complied);
+  EXPECT_EQ(one.others[2299], alone.others[2299]);
+  EXPECT_NE(one.others[2700], alone.others[2700]);
+  expect_same(one, separate(run, {}, 0));
 }
 
 TEST_F(Lockstep, JointsMovedOneByOneGiveTheSameBitsToo) {
