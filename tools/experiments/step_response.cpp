@@ -20,7 +20,7 @@ constexpr double kPress_s = 1.5;                   // compliance, kBefore_N
 constexpr double kStep_s = 2.5;
 constexpr double kEnd_s = 3.0;
 constexpr double kShownBefore_s = 0.02;
-constexpr double kThrustWatch_s = 0.12;  // take-off is later, the highest output torque is not
+constexpr double kThrustWatch_s = 0.12;  // by then the knee pushes no more
 
 /// The planner's part: LEG_COMMAND(k) from JOINT_STATE(k).
 class PressingLeg {
