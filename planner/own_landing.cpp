@@ -67,7 +67,7 @@ OwnLandingOutput OwnLanding::as_hybrid(const OwnLandingInput& in) const noexcept
     out.gains.velocity_feedforward = 0.0;
   }
   out.feedforward_force_N = leg.feedforward_force_N;
-  out.friction_compensation = leg.friction_compensation;
+  out.friction_compensation = own_spring ? config_.jump_friction_compensation : leg.friction_compensation;
   out.inertia_compensation = leg.inertia_compensation;
   return out;
 }

@@ -20,6 +20,7 @@ LandingGains read_gains(const YamlMap& map) {
 void read_jump(const YamlMap& map, OwnLandingConfig& out) {
   out.jump_switch_s = map.quantity("switch", "s", 1e-3, 10);
   out.jump = read_gains(map.map("gains"));
+  out.jump_friction_compensation = map.quantity("friction_compensation", "", 0, 1);
   map.finish();
 }
 
