@@ -27,7 +27,7 @@ double rise_m(double liftoff_length_m, double touchdown_length_m, double flight_
 /// From the rise since the ground's force was gone to the rise since the foot left its undented surface, which is what jumps are
 /// measured by. Soft ground is dented for longer, and throws the hip up faster than the leg extends: share of that speed.
 /// Measured on 5 to 60 kN/m, within 7 % at 150 to 200 mm (docs/control.md).
-inline constexpr double kFirmShare = 0.95;
+inline constexpr double kFirmShare = 0.90;
 inline constexpr double kDentSlope = 0.6;
 double rise_from_surface_m(double rise_m, double hip_over_leg_speed) noexcept;
 

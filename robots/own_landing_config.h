@@ -29,7 +29,8 @@ struct OwnLandingConfig {
   // A jump: from `jump_switch_s` after its thrust began on a spring of its own; 0: as in a fall, from lift-off on.
   double jump_switch_s = 0.0;
   LandingGains jump;
-  double jump_friction_compensation = 0.0;  ///< share; what is not compensated stops the leg without its motors
+  double jump_friction_compensation =
+      0.0;  ///< share; what is not compensated stops the leg without its motors
 };
 
 }  // namespace sprung

@@ -183,7 +183,9 @@ TEST_F(ControllerCoreTest, IdentifiedFrictionChangesPresetBestAndNotPaper) {
   want(ControlMode::kCompliance);
   command_.legs[0].friction_compensation = 0.5;
   const auto torque = [this](const RobotConfig& robot, const char* preset) {
-    ControllerCore core(robot, robot.preset(preset), robot.watchdogs);
+    PresetConfig by_speed = robot.preset(preset);
+    by_speed.rest_friction = {};  // its sign would be the spring's
+    ControllerCore core(robot, by_speed, robot.watchdogs);
     for (int k = 0; k < 100; ++k) {  // until the fade at the beginning is over
       for (EstimatedJoint& joint : state_.joints) joint.estimated_velocity_rad_s = 1.0;
       command_.stamp = state_.stamp = {state_.stamp.utime_us + 1000, state_.stamp.seq + 1};

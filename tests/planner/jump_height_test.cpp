@@ -41,7 +41,7 @@ class JumpHeightTest : public testing::Test {
               MotionEvent::kTouchdown);
   }
   static constexpr double kLeave_m = 0.52;
-  static constexpr double kSpeed_m_s = 1.806;  // the hip's speed at 0.15 m, over kFirmShare
+  static constexpr double kSpeed_m_s = 1.7155 / kFirmShare;  // the hip has 1.7155 m/s for 0.15 m
   RobotConfig robot_ = load_robot("single_leg");
   PresetConfig preset_;
 };

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "tools/experiments/drop_report.h"
 #include "tools/experiments/foot_return_report.h"
 #include "tools/experiments/jump_ensemble.h"
 #include "tools/experiments/jump_report.h"
@@ -52,6 +53,15 @@ ExperimentOutput step_response_output(const ExperimentInput& input) {
   return out;
 }
 
+ExperimentOutput drop_output(const ExperimentInput& input) {
+  DropRequest request;
+  request.preset = kBest;
+  request.sim = sim_of(input);
+  request.jobs = input.jobs;
+  const DropExperiment experiment = run_drop_experiment(input.robot, request, run_in_process);
+  return {experiment.rows, drop_sections(input.robot, request, experiment, run_in_process)};
+}
+
 ExperimentOutput jump_ensemble_output(const ExperimentInput& input) {
   JumpEnsembleRequest request;
   request.preset = kBest;
@@ -88,6 +98,11 @@ std::vector<ExperimentEntry> experiments_of(const RobotConfig& robot) {
        "How soon is a torque there, at the motor and at the gear's output, and what do gear and ground make "
        "of it?",
        false, step_response_output},
+      {"drop", kBest,
+       "How hard is a landing from 0.1 to 0.5 m in each mode, and what does sprung's own save where the "
+       "floor is not "
+       "where it is expected?",
+       true, drop_output},
       {"jump_ensemble", kBest,
        "Does the leg stay up, and jump as high as asked, on plants and grounds that it does not know?", true,
        jump_ensemble_output},
