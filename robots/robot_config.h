@@ -171,7 +171,8 @@ struct JumpCurveConfig {
   double duration_s = 0.0;
   std::vector<double> lengths_m;  ///< control points
   double height_m = 0.0;          ///< that it jumps to, as measured; other heights scale from here
-  double drift_m = 0.0;  ///< how far back it lands by itself where the hip is free, as measured; ways forward make up for it
+  double drift_m =
+      0.0;  ///< how far back it lands by itself where the hip is free, as measured; ways forward make up for it
 };
 
 /// At rest the sign of friction is unknown: there the compensation follows the sign of the virtual spring's torque

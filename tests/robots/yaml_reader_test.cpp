@@ -106,7 +106,8 @@ TEST(YamlReader, ANumberAnywhereBelowIsFoundByItsPath) {
   const YamlMap map = parse("gains: {stiffness: {x: 3 N/m}, curve: [0.1 m, 0.2 m]}\nname: leg");
   EXPECT_EQ(map.quantity_at("gains.stiffness.x"), std::make_pair(3.0, std::string("N/m")));
   EXPECT_EQ(map.quantity_at("gains.curve.1"), std::make_pair(0.2, std::string("m")));
-  for (const char* path : {"gains", "gains.stiffness.y", "gains.curve.2", "gains.curve.x", "name", "name.x", ""})
+  for (const char* path :
+       {"gains", "gains.stiffness.y", "gains.curve.2", "gains.curve.x", "name", "name.x", ""})
     EXPECT_THAT(complaint([&] { (void)map.quantity_at(path); }), HasSubstr("no number")) << path;
 }
 

@@ -78,8 +78,7 @@ std::string jump_line(const MotionRequest& request) {
 void write_page(const RunInfo& info, const MotionRequest& request, const std::vector<JumpResult>& jumps,
                 const std::vector<JumpSample>& samples) {
   if (request.html.empty() || jumps.empty()) return;
-  const LiveJumps live{info.robot,         info.preset, jump_mode(request.mode),
-                       jump_line(request), jumps,       samples};
+  const LiveJumps live{info.robot, info.preset, jump_mode(request.mode), jump_line(request), jumps, samples};
   report::write_report(live_jump_report(live), request.html);
   std::printf("report: %s\n", request.html.c_str());
 }
