@@ -27,8 +27,9 @@ struct SdoFailed : std::runtime_error {
 
 class SdoSession {
  public:
-  /// @param node 1..127. @param timeout_s for each reply; a transfer without answer is tried once more.
-  SdoSession(CanBus& bus, int node, double timeout_s = 0.1);
+  /// @param node 1..127. @param timeout_s for each reply; a transfer without answer is tried once more. The default is long beside
+  /// a drive's answer (ms): what is inspected may run on a busy machine, and a drive called absent sends people to check cables.
+  SdoSession(CanBus& bus, int node, double timeout_s = 0.5);
 
   SdoAnswer read(canopen::ObjectId object);
   SdoAnswer write(canopen::ObjectId object, const std::vector<std::uint8_t>& bytes);
