@@ -46,8 +46,8 @@ OwnLandingOutput OwnLanding::step(const OwnLandingInput& in) noexcept {
   now_us_ = in.utime_us;
   pushed_s_ = beyond_bound(in.measured) ? pushed_s_ + dt_s : 0.0;
   if (stage_ != Stage::kGround && touched(in)) touch_down(in);
+  if (stage_ == Stage::kBraking) brake(dt_s);  // before stretch(), whose last cycle has moved the foot
   if (stage_ == Stage::kStretching) stretch();
-  if (stage_ == Stage::kBraking) brake(dt_s);
   if (stage_ == Stage::kGround) yield(dt_s);
   return output();
 }

@@ -1,0 +1,77 @@
+#include "robots/landing_section.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "robots/robot_loader.h"
+
+namespace sprung {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+/// The shipped single_leg with one text replaced; gone at the end.
+class ChangedLanding : public testing::Test {
+ protected:
+  ChangedLanding() : folder_(fs::temp_directory_path() / ("sprung_landing_" + std::to_string(getpid()))) {
+    fs::create_directories(folder_);
+  }
+  ~ChangedLanding() override { fs::remove_all(folder_); }
+
+  std::string complaint(const std::string& from, const std::string& to) {
+    std::ifstream in(std::string(SPRUNG_SOURCE_DIR) + "/robots/single_leg/robot.yaml");
+    std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    text.replace(at, from.size(), to);
+    std::ofstream(folder_ / "robot.yaml") << text;
+    try {
+      load_robot(folder_.string());
+    } catch (const ConfigError& error) {
+      return error.what();
+    }
+    return "nothing was refused";
+  }
+
+ private:
+  fs::path folder_;
+};
+
+TEST(LandingSection, ShippedPresetBestHasALandingOfItsOwnAndPaperNone) {
+  const RobotConfig robot = load_robot("single_leg");
+  const OwnLandingConfig& best = robot.preset("best").own_landing;
+  EXPECT_GT(best.extended_length_m, best.shortest_m);
+  EXPECT_GT(best.braking_m_s2, 0.0);
+  EXPECT_GT(best.jump_switch_s, 0.0);
+  EXPECT_EQ(robot.preset("paper").own_landing.extended_length_m, 0.0);
+  EXPECT_EQ(robot.preset("paper").own_landing.jump_switch_s, 0.0);
+}
+
+TEST_F(ChangedLanding, LegThatIsToEndLongerThanItStretchesIsRefused) {
+  EXPECT_THAT(complaint("shortest: 0.27 m", "shortest: 0.70 m"),
+              AllOf(HasSubstr("robot.yaml"), HasSubstr("shortest")));
+}
+
+TEST_F(ChangedLanding, WrongUnitIsRefused) {
+  EXPECT_THAT(complaint("approach_speed: 0.85 m/s", "approach_speed: 0.85 m"), HasSubstr("approach_speed"));
+}
+
+TEST_F(ChangedLanding, MissingKeyIsNamed) {
+  EXPECT_THAT(complaint("      force_rise: 0.06 s\n", ""), HasSubstr("force_rise"));
+}
+
+TEST_F(ChangedLanding, UnknownKeyIsNamed) {
+  EXPECT_THAT(complaint("force_rise: 0.06 s", "force_rise: 0.06 s\n      force_fall: 0.1 s"),
+              HasSubstr("force_fall"));
+}
+
+}  // namespace
+}  // namespace sprung
