@@ -103,6 +103,10 @@ MessageLayout layout_of<sprung_msgs::sim_control_t>() {
   return without_counts<sprung_msgs::sim_control_t>(0);
 }
 template <>
+MessageLayout layout_of<sprung_msgs::imu_t>() {
+  return without_counts<sprung_msgs::imu_t>(0);
+}
+template <>
 MessageLayout layout_of<sprung_msgs::torque_sensor_t>() {
   return without_counts<sprung_msgs::torque_sensor_t>(0);
 }

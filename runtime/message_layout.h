@@ -10,6 +10,7 @@
 #include "sprung_msgs/can_trace_t.hpp"
 #include "sprung_msgs/drive_command_t.hpp"
 #include "sprung_msgs/drive_state_t.hpp"
+#include "sprung_msgs/imu_t.hpp"
 #include "sprung_msgs/joint_state_t.hpp"
 #include "sprung_msgs/leg_command_t.hpp"
 #include "sprung_msgs/motion_state_t.hpp"
@@ -65,6 +66,8 @@ template <>
 MessageLayout layout_of<sprung_msgs::sim_truth_t>();
 template <>
 MessageLayout layout_of<sprung_msgs::sim_control_t>();
+template <>
+MessageLayout layout_of<sprung_msgs::imu_t>();
 template <>
 MessageLayout layout_of<sprung_msgs::torque_sensor_t>();
 template <>

@@ -27,7 +27,8 @@ constexpr JumpMode last(JumpMode) { return JumpMode::kOwn; }
 constexpr OperatorKind last(OperatorKind) { return OperatorKind::kLand; }
 constexpr OperatorOutcome last(OperatorOutcome) { return OperatorOutcome::kQueued; }
 constexpr ProcessState last(ProcessState) { return ProcessState::kStopping; }
-constexpr SimControlKind last(SimControlKind) { return SimControlKind::kFloor; }
+constexpr SimControlKind last(SimControlKind) { return SimControlKind::kImu; }
+constexpr ImuStatus last(ImuStatus) { return ImuStatus::kFault; }
 constexpr FaultKind last(FaultKind) { return FaultKind::kQueueFull; }
 constexpr BusCondition last(BusCondition) { return BusCondition::kOff; }
 constexpr ReferenceSource last(ReferenceSource) { return ReferenceSource::kJig; }

@@ -1,4 +1,4 @@
-/// The signals of every cycle: drives, joints, legs, and the simulation's truth.
+/// The signals of every cycle: drives, joints, legs, IMU, and the simulation's truth.
 #include "signals/messages.h"
 
 #include "signals/message_fields.h"
@@ -119,6 +119,7 @@ const auto kTrueJoint = [](auto& way, auto& m, auto& s) {
 const auto kTrueLeg = [](auto& way, auto& m, auto& s) {
   way(m.true_foot_in_world_m, s.true_foot_in_world_m);
   way(m.true_contact_force_N, s.true_contact_force_N);
+  way(m.true_ground_height_m, s.true_ground_height_m);
 };
 
 const auto kSimTruth = [](auto& way, auto& m, auto& s) {
@@ -128,6 +129,17 @@ const auto kSimTruth = [](auto& way, auto& m, auto& s) {
   way(m.base_in_world_m, s.base_in_world_m);
   way(m.base_velocity_m_s, s.base_velocity_m_s);
   way(m.base_quaternion_wxyz, s.base_quaternion_wxyz);
+  way(m.base_angular_velocity_rad_s, s.base_angular_velocity_rad_s);
+  way(m.com_in_world_m, s.com_in_world_m);
+  way(m.com_velocity_m_s, s.com_velocity_m_s);
+};
+
+const auto kImu = [](auto& way, auto& m, auto& s) {
+  fields::stamp(way, m, s);
+  way(m.measured_angular_velocity_rad_s, s.measured_angular_velocity_rad_s);
+  way(m.measured_specific_force_m_s2, s.measured_specific_force_m_s2);
+  way(m.measured_quaternion_wxyz, s.measured_quaternion_wxyz);
+  way(m.status, s.status);
 };
 
 }  // namespace
@@ -147,6 +159,9 @@ void to_message(const LegCommand& in, std::int64_t session, sprung_msgs::leg_com
 void to_message(const SimTruth& in, std::int64_t session, sprung_msgs::sim_truth_t& out) {
   write(kSimTruth, in, session, out);
 }
+void to_message(const Imu& in, std::int64_t session, sprung_msgs::imu_t& out) {
+  write(kImu, in, session, out);
+}
 
 bool from_message(const sprung_msgs::drive_state_t& in, DriveState& out) {
   return read(kDriveState, in, out);
@@ -161,5 +176,6 @@ bool from_message(const sprung_msgs::leg_command_t& in, LegCommand& out) {
   return read(kLegCommand, in, out);
 }
 bool from_message(const sprung_msgs::sim_truth_t& in, SimTruth& out) { return read(kSimTruth, in, out); }
+bool from_message(const sprung_msgs::imu_t& in, Imu& out) { return read(kImu, in, out); }
 
 }  // namespace sprung

@@ -10,6 +10,7 @@
 #include "sprung_msgs/bus_state_t.hpp"
 #include "sprung_msgs/drive_command_t.hpp"
 #include "sprung_msgs/drive_state_t.hpp"
+#include "sprung_msgs/imu_t.hpp"
 #include "sprung_msgs/joint_state_t.hpp"
 #include "sprung_msgs/leg_command_t.hpp"
 #include "sprung_msgs/motion_state_t.hpp"
@@ -33,6 +34,7 @@ void to_message(const OperatorReply& in, std::int64_t session, sprung_msgs::oper
 void to_message(const BusState& in, std::int64_t session, sprung_msgs::bus_state_t& out);
 void to_message(const SimControl& in, std::int64_t session, sprung_msgs::sim_control_t& out);
 void to_message(const SimTruth& in, std::int64_t session, sprung_msgs::sim_truth_t& out);
+void to_message(const Imu& in, std::int64_t session, sprung_msgs::imu_t& out);
 void to_message(const TorqueSensor& in, std::int64_t session, sprung_msgs::torque_sensor_t& out);
 
 [[nodiscard]] bool from_message(const sprung_msgs::drive_state_t& in, DriveState& out);
@@ -48,6 +50,7 @@ void to_message(const TorqueSensor& in, std::int64_t session, sprung_msgs::torqu
 [[nodiscard]] bool from_message(const sprung_msgs::bus_state_t& in, BusState& out);
 [[nodiscard]] bool from_message(const sprung_msgs::sim_control_t& in, SimControl& out);
 [[nodiscard]] bool from_message(const sprung_msgs::sim_truth_t& in, SimTruth& out);
+[[nodiscard]] bool from_message(const sprung_msgs::imu_t& in, Imu& out);
 [[nodiscard]] bool from_message(const sprung_msgs::torque_sensor_t& in, TorqueSensor& out);
 
 /// The message type of a signal: MessageOf<DriveState> is sprung_msgs::drive_state_t.
@@ -56,6 +59,10 @@ struct MessageOfSignal;
 template <class Signal>
 using MessageOf = typename MessageOfSignal<Signal>::Type;
 
+template <>
+struct MessageOfSignal<Imu> {
+  using Type = sprung_msgs::imu_t;
+};
 template <>
 struct MessageOfSignal<TorqueSensor> {
   using Type = sprung_msgs::torque_sensor_t;

@@ -120,6 +120,14 @@ enum class OperatorOutcome : std::int8_t { kAccepted = 0, kRefused = 1, kDone = 
 
 enum class ProcessState : std::int8_t { kStarting = 0, kReady = 1, kRunning = 2, kStopping = 3 };
 
+/// Of an IMU's sample.
+enum class ImuStatus : std::int8_t {
+  kStarting = 0,    ///< nothing measured yet: no number is good
+  kGood = 1,        ///< every number
+  kNoAttitude = 2,  ///< rates and specific force are good, the quaternion is NaN
+  kFault = 3,       ///< the sensor says that its numbers are not good
+};
+
 enum class SimControlKind : std::int8_t {
   kWrench = 0,
   kReset = 1,
@@ -128,7 +136,8 @@ enum class SimControlKind : std::int8_t {
   kDriveSilent = 4,  ///< cable of the actuator's drive
   kNodeFault =
       5,  ///< `fault` of the actuator's drive or, with actuator -1, of bus `bus`; for duration_s, 0 = for good
-  kFloor = 6,  ///< height of the floor in the world: `value`, m
+  kFloor = 6,  ///< height of the floor in the world: `value`, m; `actuator` n >= 0: under leg n alone
+  kImu = 7,    ///< `value` 0: it works; 1: silent; 2: says kFault; 3: no attitude
 };
 
 /// Faults on demand (`sprung fault`). `value` where one is given; others ignore it.

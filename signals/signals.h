@@ -255,6 +255,7 @@ struct TrueJoint {
 struct TrueLeg {
   Vec3 true_foot_in_world_m{};
   Vec3 true_contact_force_N{};
+  double true_ground_height_m = 0.0;  ///< of the floor under the foot, world
 };
 
 struct SimTruth {
@@ -263,9 +264,21 @@ struct SimTruth {
   std::vector<TrueLeg> legs;
   Vec3 base_in_world_m{};
   Vec3 base_velocity_m_s{};
-  std::array<double, 4> base_quaternion_wxyz{1, 0, 0, 0};
+  std::array<double, 4> base_quaternion_wxyz{1, 0, 0, 0};  ///< base axes to world axes
+  Vec3 base_angular_velocity_rad_s{};                      ///< base axes
+  Vec3 com_in_world_m{};                                   ///< of the whole robot
+  Vec3 com_velocity_m_s{};
   SimTruth() = default;
   SimTruth(std::size_t joint_count, std::size_t leg_count) : joints(joint_count), legs(leg_count) {}
+};
+
+/// An IMU on the trunk, in trunk axes (x forward, y left, z up), sampled at the SYNC of its cycle.
+struct Imu {
+  Stamp stamp;
+  Vec3 measured_angular_velocity_rad_s{kNaN, kNaN, kNaN};
+  Vec3 measured_specific_force_m_s2{kNaN, kNaN, kNaN};                     ///< at rest +9.81 up
+  std::array<double, 4> measured_quaternion_wxyz{kNaN, kNaN, kNaN, kNaN};  ///< trunk axes to world axes
+  ImuStatus status = ImuStatus::kStarting;
 };
 
 /// A torque sensor between a gear and its link, as measured: it may be slower than the cycle.

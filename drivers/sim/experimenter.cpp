@@ -34,6 +34,7 @@ void Experimenter::act(const SimControl& control) noexcept {
       return push(control);
     case SimControlKind::kReset:
       stop_pushing();
+      imu_.forget_motion();
       return train_.reset_plant();
     case SimControlKind::kSuspend:
       return control.value == 0.0 ? train_.plant().release() : train_.plant().suspend(control.value);
@@ -48,6 +49,8 @@ void Experimenter::act(const SimControl& control) noexcept {
       return begin_fault(control);
     case SimControlKind::kFloor:
       return train_.plant().set_floor_height(control.value);
+    case SimControlKind::kImu:
+      return imu_.set_fault(control.value);
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include "drivers/sim/bus_faults.h"
 #include "drivers/sim/drive_train.h"
+#include "drivers/sim/imu_sensor.h"
 #include "signals/signals.h"
 
 namespace sprung::sim {
@@ -21,10 +22,12 @@ namespace sprung::sim {
 ///                 and of the bus itself; for duration_s of plant time, 0 = until mended. kNone mends all
 ///                 that was done to this target. A kPowerCycle of no duration is off and on again at once.
 ///   kFloor        floor to the height `value`, m, world; at once
+///   kImu          see SimControlKind
 class Experimenter {
  public:
   static constexpr std::size_t kCapacity = 64;
-  Experimenter(DriveTrain& train, BusFaults& buses) noexcept : train_(train), buses_(buses) {}
+  Experimenter(DriveTrain& train, BusFaults& buses, ImuSensor& imu) noexcept
+      : train_(train), buses_(buses), imu_(imu) {}
   /// @return false when too many are waiting or at work.
   bool add(const SimControl& control) noexcept;
   /// Does what is due, in the order in which it came; at a SYNC.
@@ -49,6 +52,7 @@ class Experimenter {
 
   DriveTrain& train_;
   BusFaults& buses_;
+  ImuSensor& imu_;
   std::array<SimControl, kCapacity> waiting_{};
   std::size_t count_ = 0;
   std::array<Running, kCapacity> running_{};

@@ -250,6 +250,16 @@ TrueJoint Plant::true_joint(std::size_t joint) const noexcept {
   return truth;
 }
 
+BaseMotion Plant::base_motion() const noexcept {
+  BaseMotion motion;
+  if (index_.free_qpos < 0) return motion;
+  const mjtNum* orientation = data_->qpos + index_.free_qpos + 3;
+  std::copy(orientation, orientation + 4, motion.quaternion_wxyz.begin());
+  motion.velocity_m_s = vec3(data_->qvel + index_.free_dof);
+  motion.angular_velocity_rad_s = vec3(data_->qvel + index_.free_dof + 3);  // MuJoCo: in the body's own axes
+  return motion;
+}
+
 void Plant::fill_truth(SimTruth& truth) noexcept {
   refresh_poses();
   for (std::size_t i = 0; i < gears_.size(); ++i) truth.joints[i] = true_joint(i);
@@ -257,12 +267,17 @@ void Plant::fill_truth(SimTruth& truth) noexcept {
     const int geom = index_.foot_geom[leg];
     truth.legs[leg].true_foot_in_world_m = vec3(row(data_->geom_xpos, geom, 3));
     truth.legs[leg].true_contact_force_N = contact_force_N(geom);
+    truth.legs[leg].true_ground_height_m = row(model_->geom_pos, index_.floor_geom, 3)[2];
   }
   const int base = index_.base_body;
   mjtNum velocity[6];
   mj_objectVelocity(model_.get(), data_.get(), mjOBJ_BODY, base, velocity, 0);
   truth.base_in_world_m = vec3(row(data_->xpos, base, 3));
   truth.base_velocity_m_s = vec3(velocity + 3);
+  truth.base_angular_velocity_rad_s = base_motion().angular_velocity_rad_s;
+  mj_subtreeVel(model_.get(), data_.get());
+  truth.com_in_world_m = vec3(row(data_->subtree_com, base, 3));
+  truth.com_velocity_m_s = vec3(row(data_->subtree_linvel, base, 3));
   std::copy(row(data_->xquat, base, 4), row(data_->xquat, base, 4) + 4, truth.base_quaternion_wxyz.begin());
 }
 

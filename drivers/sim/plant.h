@@ -8,6 +8,7 @@
 
 #include "drivers/sim/elastic_gear.h"
 #include "drivers/sim/gear_friction.h"
+#include "drivers/sim/imu_sensor.h"
 #include "drivers/sim/plant_model.h"
 #include "signals/signals.h"
 
@@ -46,6 +47,8 @@ class Plant {
   /// What the link feels, and friction, both in the last step (facts physics 8).
   double gear_output_torque_Nm(std::size_t joint) const noexcept;
   double friction_torque_Nm(std::size_t joint) const noexcept;
+  /// Of a base on a free joint, now; at rest and level for every other.
+  BaseMotion base_motion() const noexcept;
   /// All fields but the stamp. Allocates nothing when `truth` has the robot's counts.
   /// Leaves the next step's bits as they would be without it.
   void fill_truth(SimTruth& truth) noexcept;

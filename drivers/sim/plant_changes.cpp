@@ -55,6 +55,19 @@ void scale_noise(SimConfig& config, double scale) {
   each_drive(config, [scale](SimDriveConfig& drive) { drive.torque_noise_Nm *= scale; });
   for (SimCardConfig& card : config.cards) card.noise_rad *= scale;
   if (config.torque_sensor) config.torque_sensor->noise_Nm *= scale;
+  if (config.imu) {
+    for (double ImuConfig::*error :
+         {&ImuConfig::rate_noise_rad_s, &ImuConfig::rate_bias_rad_s, &ImuConfig::force_noise_m_s2,
+          &ImuConfig::force_bias_m_s2, &ImuConfig::attitude_noise_rad, &ImuConfig::tilt_bias_rad,
+          &ImuConfig::yaw_drift_rad_s}) {
+      (*config.imu).*error *= scale;
+    }
+  }
+}
+
+void switch_imu(SimConfig& config, double on) {
+  if (on != 0.0 && !config.imu) throw ConfigError("--plant imu: this robot's sim.yaml has none");
+  if (on == 0.0) config.imu.reset();
 }
 
 void switch_torsion(SimConfig& config, double on) {
@@ -82,6 +95,7 @@ constexpr Change kChanges[] = {
      [](SimConfig& c, double v) {
        each_joint(c, [v](PlantJointConfig& joint) { joint.thermal.resistance_K_W *= v; });
      }},
+    {"imu", 0, 1, switch_imu},
     {"kinematic_error_scale", 0, 100,
      [](SimConfig& c, double v) {
        each_drive(c, [v](SimDriveConfig& drive) { drive.kinematic_error.amplitude_rad *= v; });

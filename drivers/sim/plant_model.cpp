@@ -49,6 +49,11 @@ PlantIndex find_parts(const mjModel& model, const RobotConfig& robot) {
   index.base_body = require(model, mjOBJ_BODY, "base");
   index.floor_geom = require(model, mjOBJ_GEOM, "floor");
   index.height_qpos = height_qpos(model, index.base_body);
+  const int base_joint = model.body_jntadr[index.base_body];
+  if (base_joint >= 0 && model.jnt_type[base_joint] == mjJNT_FREE) {
+    index.free_qpos = model.jnt_qposadr[base_joint];
+    index.free_dof = model.jnt_dofadr[base_joint];
+  }
   for (const JointConfig& joint : robot.joints) {
     const int id = require(model, mjOBJ_JOINT, joint.name);
     index.joint_qpos.push_back(model.jnt_qposadr[id]);

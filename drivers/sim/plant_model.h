@@ -30,7 +30,9 @@ inline constexpr double kLockedMass = 1e9;
 struct PlantIndex {
   int base_body = -1;
   int floor_geom = -1;
-  int height_qpos = -1;         ///< of the base; -1 = it is fixed
+  int height_qpos = -1;  ///< of the base; -1 = it is fixed
+  int free_qpos = -1;    ///< of the base's free joint; -1 = it has none
+  int free_dof = -1;
   std::vector<int> joint_qpos;  ///< of RobotConfig::joints
   std::vector<int> joint_dof;
   std::vector<int> foot_geom;  ///< of RobotConfig::legs

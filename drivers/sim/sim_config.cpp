@@ -102,6 +102,25 @@ TorqueSensorConfig read_torque_sensor(const YamlMap& map, const RobotConfig& rob
   return sensor;
 }
 
+ImuConfig read_imu(const YamlMap& map) {
+  ImuConfig imu;
+  const YamlMap rate = map.map("angular_velocity");
+  imu.rate_noise_rad_s = rate.quantity("noise", "rad/s", 0, 10);
+  imu.rate_bias_rad_s = rate.quantity("bias", "rad/s", 0, 10);
+  rate.finish();
+  const YamlMap force = map.map("specific_force");
+  imu.force_noise_m_s2 = force.quantity("noise", "m/s^2", 0, 100);
+  imu.force_bias_m_s2 = force.quantity("bias", "m/s^2", 0, 100);
+  force.finish();
+  const YamlMap attitude = map.map("attitude");
+  imu.attitude_noise_rad = attitude.quantity("noise", "rad", 0, 1);
+  imu.tilt_bias_rad = attitude.quantity("tilt_bias", "rad", 0, 1);
+  imu.yaw_drift_rad_s = attitude.quantity("yaw_drift", "rad/s", 0, 1);
+  attitude.finish();
+  map.finish();
+  return imu;
+}
+
 /// sim.yaml may list joints and drives in any order, but every one of robot.yaml's exactly once.
 template <typename Item, typename Wanted, typename NameOf>
 std::vector<Item> in_robot_order(const std::vector<Item>& found, const std::vector<Wanted>& wanted,
@@ -144,6 +163,7 @@ SimConfig load_sim_config(const RobotConfig& robot, const std::map<std::string, 
   for (const YamlMap& drive : file.list("drives")) config.drives.push_back(read_drive(drive));
   config.cards = read_cards(file, robot);
   if (file.has("torque_sensor")) config.torque_sensor = read_torque_sensor(file.map("torque_sensor"), robot);
+  if (file.has("imu")) config.imu = read_imu(file.map("imu"));
   const YamlMap timing = file.map("timing");
   config.timing.compute_s = timing.quantity("compute_time", "s", 0, 0.1);
   config.timing.sync_jitter_s = 1e-6 * timing.quantity("sync_jitter", "us", 0, 1000);

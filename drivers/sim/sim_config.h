@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "drivers/sim/imu_sensor.h"
 #include "drivers/sim/joint_config.h"
 #include "drivers/sim/torque_sensor.h"
 #include "robots/robot_config.h"
@@ -82,6 +83,7 @@ struct SimConfig {
   std::vector<SimDriveConfig> drives;  ///< in the order of RobotConfig::actuators
   std::vector<SimCardConfig> cards;    ///< in the order of RobotConfig::encoder_cards
   std::optional<TorqueSensorConfig> torque_sensor;
+  std::optional<ImuConfig> imu;  ///< only where model.xml hangs the base on a free joint
   TimingConfig timing;
 };
 

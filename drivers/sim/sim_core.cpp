@@ -9,6 +9,7 @@
 #include "drivers/sim/drive_train.h"
 #include "drivers/sim/experimenter.h"
 #include "drivers/sim/frame_queue.h"
+#include "drivers/sim/imu_sensor.h"
 
 namespace sprung {
 namespace {
@@ -27,7 +28,9 @@ struct SimCore::Impl {
   Impl(const RobotConfig& robot, const SimOptions& options, const sim::SimConfig& config)
       : train(robot, config, options.seed),
         bus_faults(robot.buses.size()),
-        experimenter(train, bus_faults),
+        imu(config.imu.value_or(sim::ImuConfig{}), options.seed),
+        with_imu(config.imu.has_value()),
+        experimenter(train, bus_faults, imu),
         schedule(robot.buses.size(), microseconds(config.timing.compute_s)),
         step_us(microseconds(config.plant.step_s)),
         torque_sensor(config.torque_sensor.value_or(sim::TorqueSensorConfig{}), options.seed),
@@ -45,6 +48,8 @@ struct SimCore::Impl {
 
   sim::DriveTrain train;
   sim::BusFaults bus_faults;
+  sim::ImuSensor imu;
+  bool with_imu;
   sim::Experimenter experimenter;
   sim::BusSchedule schedule;
   sim::FrameQueue frames;
@@ -122,8 +127,12 @@ void SimCore::Impl::sync(const sim::TimedFrame& event) noexcept {
   train.sample(event.bus, 1e-6 * static_cast<double>(event.time_us - plant_us), cycle);
   bus_faults.sync(event.bus);
   deliver(event);
-  if (event.bus != kPacingBus || !with_truth) return;
-  truth.stamp = {event.time_us, cycle};
+  if (event.bus != kPacingBus) return;
+  const Stamp stamp{event.time_us, cycle};
+  if (with_imu && cycle >= 0)
+    imu.sample(train.plant().base_motion(), stamp, 1e-6 * static_cast<double>(running_us));
+  if (!with_truth) return;
+  truth.stamp = stamp;
   train.plant().fill_truth(truth);
 }
 
@@ -164,6 +173,8 @@ const TorqueSensor& SimCore::torque_reading(std::int64_t n) const noexcept {
 const TorqueSensor& SimCore::torque_sensor() const noexcept {
   return torque_reading(std::max<std::int64_t>(0, torque_reading_count() - 1));
 }
+
+const Imu& SimCore::imu() const noexcept { return impl_->imu.newest(); }
 
 double SimCore::true_motor_torque_Nm(int actuator) noexcept {
   const sim::SimDrive* drive = impl_->train.drive(actuator);

@@ -49,6 +49,9 @@ class SimCore {
   std::int64_t torque_reading_count() const noexcept;
   const TorqueSensor& torque_reading(std::int64_t n) const noexcept;
   const TorqueSensor& torque_sensor() const noexcept;
+  /// sim.yaml's IMU, sampled at a SYNC from cycle 0 on: of this cycle when its stamp's seq is cycle(). Older, -1 at
+  /// first, while it is silent or where there is none.
+  const Imu& imu() const noexcept;
   /// Of one actuator's motor at its gear's output, now: not what the bus says. For experiments.
   double true_motor_torque_Nm(int actuator) noexcept;
   bool failed() const noexcept;  ///< a MuJoCo warning or a number that is not finite: the run is void

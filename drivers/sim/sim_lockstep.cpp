@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::int64_t kMasterGone_us = 1'000'000;
 constexpr std::int64_t kFreeStep_us = 1'000;
+constexpr int kSilence_ms = 100;
 
 class LockstepSim {
  public:
@@ -33,7 +34,8 @@ class LockstepSim {
     process_.set_state(ProcessState::kReady);
     heard_us_ = wall_us();
     while (!stop_requested()) {
-      poll(fds_.data(), fds_.size(), running_free_ ? 1 : 100);
+      const int woken = poll(fds_.data(), fds_.size(), running_free_ ? 1 : kSilence_ms);
+      if (woken == 0 && !running_free_) shell_.repeat();  // somebody may wait for what was lost
       for (LockstepLink& link : links_) {
         listen(link);
       }
@@ -59,6 +61,7 @@ class LockstepSim {
       heard_us_ = wall_us();
       if (event == LinkEvent::kRepeat) {
         link.resend();
+        shell_.repeat();
       } else if (tick_ == 0) {
         tick_ = link.tick() - 1;  // joined late: the first burst is the first tick
       }

@@ -30,6 +30,7 @@ SimShell::SimShell(Process& process, SimCore& core, bool truth)
       core_(core),
       truth_(truth),
       truths_(process.node().publisher<SimTruth>(channels::kSimTruth)),
+      imus_(process.node().publisher<Imu>(channels::kImu)),
       torque_readings_(process.node().publisher<TorqueSensor>(channels::kTorqueSensor)) {
   process.node().subscribe(channels::kSimControl, CountLimits::none(), controls_);
 }
@@ -50,6 +51,12 @@ void SimShell::publish_torque_readings() {
   torque_readings_published_ = count;
 }
 
+void SimShell::publish_imu() {
+  if (core_.imu().stamp.seq == core_.cycle() && core_.cycle() >= 0) imus_.publish(core_.imu());
+}
+
+void SimShell::repeat() { publish_imu(); }
+
 void SimShell::publish() {
   if (core_.failed()) {
     throw std::runtime_error(std::string("the simulated plant failed, the run is void: ") + core_.failure());
@@ -57,6 +64,7 @@ void SimShell::publish() {
   if (truth_ && core_.cycle() > published_cycle_) {
     truths_.publish(core_.truth());
   }
+  if (core_.cycle() > published_cycle_) publish_imu();
   publish_torque_readings();
   if (core_.cycle() >= 0 && published_cycle_ < 0) {
     process_.set_state(ProcessState::kRunning);

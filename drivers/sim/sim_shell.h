@@ -20,15 +20,18 @@ struct SimProgramOptions {
 /// @throws std::invalid_argument on a text that is no KEY=NUMBER.
 std::map<std::string, double> parse_plant(const std::vector<std::string>& texts);
 
-/// SIM_TRUTH and TORQUE_SENSOR out, SIM_CONTROL in; refuses to go on when the plant has failed.
+/// SIM_TRUTH, IMU and TORQUE_SENSOR out, SIM_CONTROL in; refuses to go on when the plant has failed.
 class SimShell {
  public:
   SimShell(Process& process, SimCore& core, bool truth);
   void take_controls();
-  /// SIM_TRUTH once a cycle, TORQUE_SENSOR at the sensor's rate. @throws std::runtime_error when the plant failed.
+  /// SIM_TRUTH and IMU once a cycle, TORQUE_SENSOR at the sensor's rate. @throws std::runtime_error when the plant failed.
   void publish();
+  /// IMU of the present cycle once more, for whoever has not got it.
+  void repeat();
 
  private:
+  void publish_imu();
   void publish_torque_readings();
 
   Process& process_;
@@ -37,6 +40,7 @@ class SimShell {
   InputQueue<SimControl> controls_;
   sim::RepeatedControls repeated_;
   Publisher<SimTruth> truths_;
+  Publisher<Imu> imus_;
   Publisher<TorqueSensor> torque_readings_;
   std::int64_t torque_readings_published_ = 0;
   std::int64_t published_cycle_ = -1;

@@ -30,7 +30,8 @@ class ExperimenterTest : public testing::Test {
   RobotConfig robot_ = load_robot(std::string(SPRUNG_SOURCE_DIR) + "/robots/single_leg");
   DriveTrain train_{robot_, load_sim_config(robot_, {}), 1};
   BusFaults buses_{1};
-  Experimenter experimenter_{train_, buses_};
+  ImuSensor imu_{ImuConfig{}, 1};
+  Experimenter experimenter_{train_, buses_, imu_};
 };
 
 SimControl fault(FaultKind kind, int actuator, int bus, double duration_s) {

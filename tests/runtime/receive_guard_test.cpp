@@ -245,6 +245,10 @@ TEST(ReceiveGuardFuzz, SimControl) {
   expect_survives_rubbish(of_this_session<sprung_msgs::torque_sensor_t>(), CountLimits::none());
 }
 
+TEST(ReceiveGuardFuzz, Imu) {
+  expect_survives_rubbish(of_this_session<sprung_msgs::imu_t>(), CountLimits::none());
+}
+
 TEST(ReceiveGuardFuzz, SimTruth) {
   auto message = of_this_session<sprung_msgs::sim_truth_t>();
   message.n_joints = 2;

@@ -74,6 +74,17 @@ TEST(Messages, SimTruthSurvivesBitForBit) {
   expect_round_trip<SimTruth>(with_joints_and_legs<sprung_msgs::sim_truth_t>(2, 1), 2);
 }
 
+TEST(Messages, ImuSurvivesBitForBit) { expect_round_trip<Imu>(sprung_msgs::imu_t{}, 0); }
+
+TEST(Messages, ImuOfAnUnknownStatusIsRefused) {
+  sprung_msgs::imu_t message{};
+  Imu signal;
+  message.status = static_cast<std::int8_t>(ImuStatus::kFault);
+  EXPECT_TRUE(from_message(message, signal));
+  message.status = static_cast<std::int8_t>(ImuStatus::kFault) + 1;
+  EXPECT_FALSE(from_message(message, signal));
+}
+
 TEST(Messages, NotANumberKeepsItsPayload) {
   double payload_nan = kNaN;
   std::uint64_t pattern = bits(kNaN) | 0x1234U;
