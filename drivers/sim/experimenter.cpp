@@ -48,7 +48,7 @@ void Experimenter::act(const SimControl& control) noexcept {
     case SimControlKind::kNodeFault:
       return begin_fault(control);
     case SimControlKind::kFloor:
-      return train_.plant().set_floor_height(control.value);
+      return train_.plant().set_floor_height(control.value, control.actuator);
     case SimControlKind::kImu:
       return imu_.set_fault(control.value);
   }

@@ -21,7 +21,7 @@ namespace sprung::sim {
 ///   kNodeFault    `fault` with `value` of the actuator's drive or, with actuator -1, of every node of `bus`
 ///                 and of the bus itself; for duration_s of plant time, 0 = until mended. kNone mends all
 ///                 that was done to this target. A kPowerCycle of no duration is off and on again at once.
-///   kFloor        floor to the height `value`, m, world; at once
+///   kFloor        floor to the height `value`, m, world; at once. actuator -1 = everywhere, n >= 0 = under leg n alone
 ///   kImu          see SimControlKind
 class Experimenter {
  public:

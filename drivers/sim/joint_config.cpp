@@ -64,6 +64,8 @@ PlantJointConfig read_plant_joint(const YamlMap& map) {
   joint.stop_max_rad = stops.quantity("max", "rad", joint.stop_min_rad, 10);
   stops.finish();
   joint.initial_rad = map.quantity("initial", "rad", joint.stop_min_rad, joint.stop_max_rad);
+  if (map.has("lying"))
+    joint.lying_rad = map.quantity("lying", "rad", joint.stop_min_rad, joint.stop_max_rad);
   joint.armature_kg_m2 = map.quantity("armature", "kg m^2", 1e-6, 100);
   joint.friction = read_friction(map.map("friction"));
   if (map.has("thermal")) joint.thermal = read_thermal(map.map("thermal"));

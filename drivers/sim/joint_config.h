@@ -47,10 +47,11 @@ struct TorsionConfig {
 };
 
 struct PlantJointConfig {
-  std::string name;             ///< of the joint in robot.yaml and in model.xml
-  double initial_rad = 0.0;     ///< pose before cycle 0 and after a reset
-  double armature_kg_m2 = 0.0;  ///< ratio^2 * inertia of rotor and wave generator
-  double stop_min_rad = 0.0;    ///< mechanical end stops
+  std::string name;                 ///< of the joint in robot.yaml and in model.xml
+  double initial_rad = 0.0;         ///< pose before cycle 0 and after a reset
+  std::optional<double> lying_rad;  ///< the same when the robot lies on the floor
+  double armature_kg_m2 = 0.0;      ///< ratio^2 * inertia of rotor and wave generator
+  double stop_min_rad = 0.0;        ///< mechanical end stops
   double stop_max_rad = 0.0;
   FrictionConfig friction;
   ThermalConfig thermal;

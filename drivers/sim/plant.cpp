@@ -34,7 +34,11 @@ Vec3 vec3(const mjtNum* values) noexcept { return {values[0], values[1], values[
 }  // namespace
 
 Plant::Plant(const RobotConfig& robot, const PlantConfig& config)
-    : config_(config), motor_torque_Nm_(robot.joints.size(), 0.0), foot_wrench_(robot.legs.size()) {
+    : config_(config),
+      motor_torque_Nm_(robot.joints.size(), 0.0),
+      foot_wrench_(robot.legs.size()),
+      ground_(config.ground, config.floor_height_m, robot.legs.size()),
+      foot_m_(robot.legs.size()) {
   PlantModel loaded = load_plant_model(robot, config);
   model_ = std::move(loaded.model);
   index_ = std::move(loaded.index);
@@ -54,7 +58,7 @@ Plant::Plant(const RobotConfig& robot, const PlantConfig& config)
 
 void Plant::reset() noexcept {
   release();
-  set_floor_height(config_.floor_height_m);
+  ground_.reset();
   mj_resetData(model_.get(), data_.get());
   for (std::size_t i = 0; i < config_.joints.size(); ++i) {
     data_->qpos[index_.joint_qpos[i]] = config_.joints[i].initial_rad;
@@ -80,18 +84,47 @@ void Plant::reset_gear(std::size_t joint) noexcept {
   model_->dof_damping[index_.joint_dof[joint]] = config.friction.viscous_Nm_s_rad;
 }
 
-void Plant::set_floor_height(double height_m) noexcept {
-  row(model_->geom_pos, index_.floor_geom, 3)[2] = height_m;
+void Plant::set_floor_height(double height_m, int leg) noexcept {
+  ground_.set_height(leg, height_m);
+  place_floors();
 }
 
-void Plant::touch_floor() noexcept {
-  if (index_.height_qpos < 0) return;
-  mj_kinematics(model_.get(), data_.get());
-  double lowest_m = mjMAXVAL;
-  for (const int geom : index_.foot_geom) {
-    lowest_m = std::min(lowest_m, row(data_->geom_xpos, geom, 3)[2] - row(model_->geom_size, geom, 3)[0]);
+void Plant::place_floor(int geom, const Ground::Place& place) noexcept {
+  std::copy(place.point_m.begin(), place.point_m.end(), row(model_->geom_pos, geom, 3));
+  mju_quatZ2Vec(row(model_->geom_quat, geom, 4), place.normal.data());
+}
+
+void Plant::place_floors() noexcept {
+  place_floor(index_.floor_geom, ground_.below_trunk());
+  for (std::size_t leg = 0; leg < foot_m_.size(); ++leg)
+    place_floor(index_.leg_floor_geom[leg], ground_.under(leg, foot_m_[leg][0], foot_m_[leg][1]));
+}
+
+/// After mj_kinematics.
+void Plant::note_feet() noexcept {
+  for (std::size_t leg = 0; leg < foot_m_.size(); ++leg) {
+    foot_m_[leg] = vec3(row(data_->geom_xpos, index_.foot_geom[leg], 3));
+    ground_.notice(leg, foot_m_[leg]);
   }
-  data_->qpos[index_.height_qpos] += config_.floor_height_m - lowest_m;
+}
+
+/// The lowest point of the robot, upright, on the floor below it.
+void Plant::touch_floor() noexcept {
+  mj_kinematics(model_.get(), data_.get());
+  note_feet();
+  place_floors();
+  if (index_.height_qpos < 0) return;
+  double lowest_m = mjMAXVAL;
+  for (const int geom : index_.ground_geom) {
+    const Vec3 centre_m = vec3(row(data_->geom_xpos, geom, 3));
+    const auto foot = std::find(index_.foot_geom.begin(), index_.foot_geom.end(), geom);
+    const auto leg = static_cast<std::size_t>(foot - index_.foot_geom.begin());
+    const Ground::Place place =
+        foot == index_.foot_geom.end() ? ground_.below_trunk() : ground_.under(leg, centre_m[0], centre_m[1]);
+    const double over_m = place.distance_m(centre_m) - row(model_->geom_size, geom, 3)[0];
+    lowest_m = std::min(lowest_m, over_m / place.normal[2]);
+  }
+  data_->qpos[index_.height_qpos] -= lowest_m;
 }
 
 void Plant::step(const std::vector<double>& motor_torque_Nm) noexcept {
@@ -101,6 +134,10 @@ void Plant::step(const std::vector<double>& motor_torque_Nm) noexcept {
   apply_torques();
   push_feet();
   mj_step(model_.get(), data_.get());
+  if (ground_.uneven()) {
+    note_feet();
+    place_floors();
+  }
   if (torsion_) step_rotors();
   if (heating_) heat_gears();
   check();
@@ -267,7 +304,8 @@ void Plant::fill_truth(SimTruth& truth) noexcept {
     const int geom = index_.foot_geom[leg];
     truth.legs[leg].true_foot_in_world_m = vec3(row(data_->geom_xpos, geom, 3));
     truth.legs[leg].true_contact_force_N = contact_force_N(geom);
-    truth.legs[leg].true_ground_height_m = row(model_->geom_pos, index_.floor_geom, 3)[2];
+    const Vec3& foot_m = truth.legs[leg].true_foot_in_world_m;
+    truth.legs[leg].true_ground_height_m = ground_.under(leg, foot_m[0], foot_m[1]).point_m[2];
   }
   const int base = index_.base_body;
   mjtNum velocity[6];

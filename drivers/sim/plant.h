@@ -8,6 +8,7 @@
 
 #include "drivers/sim/elastic_gear.h"
 #include "drivers/sim/gear_friction.h"
+#include "drivers/sim/ground.h"
 #include "drivers/sim/imu_sensor.h"
 #include "drivers/sim/plant_model.h"
 #include "signals/signals.h"
@@ -32,7 +33,8 @@ class Plant {
   /// Holds the base still. @param height_m of the base in the world; not above 0 = where it is.
   void suspend(double height_m) noexcept;
   /// At once, also under a foot: the contact's spring then pushes. reset() puts it back to sim.yaml's.
-  void set_floor_height(double height_m) noexcept;
+  /// @param leg under its foot alone; -1 = everywhere.
+  void set_floor_height(double height_m, int leg = -1) noexcept;
   void release() noexcept;
 
   double step_s() const noexcept { return model_->opt.timestep; }
@@ -67,6 +69,9 @@ class Plant {
   };
   void reset_gear(std::size_t joint) noexcept;
   void touch_floor() noexcept;
+  void note_feet() noexcept;
+  void place_floors() noexcept;
+  void place_floor(int geom, const Ground::Place& place) noexcept;
   void apply_torques() noexcept;
   void step_rotors() noexcept;
   void heat_gears() noexcept;
@@ -86,6 +91,9 @@ class Plant {
   std::vector<double> motor_torque_Nm_;
   std::vector<double> base_armature_;  ///< of the base's degrees of freedom, when not suspended
   std::vector<std::array<double, 6>> foot_wrench_;
+  Ground ground_;
+  std::vector<Vec3>
+      foot_m_;  ///< where the last step began: the same whether or not anybody asks for the truth
   std::vector<Gear> gears_;
   bool varying_friction_ = false;  ///< of any gear: else what the model has from the start stays
   bool torsion_ = false;           ///< in any gear

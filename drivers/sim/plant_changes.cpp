@@ -77,6 +77,21 @@ void switch_torsion(SimConfig& config, double on) {
   config.plant.torsion = on != 0.0;
 }
 
+/// sim.yaml's first, or one of no height.
+GroundStep& step(SimConfig& config) {
+  if (config.plant.ground.steps.empty()) config.plant.ground.steps.emplace_back();
+  return config.plant.ground.steps.front();
+}
+
+void lie_down(SimConfig& config, double on) {
+  if (on == 0.0) return;
+  config.plant.suspended_m = 0.0;
+  each_joint(config, [](PlantJointConfig& joint) {
+    if (!joint.lying_rad) throw ConfigError("--plant lying: sim.yaml's " + joint.name + " has no `lying`");
+    joint.initial_rad = *joint.lying_rad;
+  });
+}
+
 void scale_armature(SimConfig& config, double scale) {
   each_joint(config, [scale](PlantJointConfig& joint) { joint.armature_kg_m2 *= scale; });
 }
@@ -89,7 +104,10 @@ constexpr Change kChanges[] = {
     {"floor_height", -10, 10, [](SimConfig& c, double v) { c.plant.floor_height_m = v; }},
     {"friction_scale", 0, 100, scale_friction},
     {"ground_damping", 0, 1e6, [](SimConfig& c, double v) { c.plant.contact.damping_N_s_m = v; }},
+    {"ground_error", 0, 1, [](SimConfig& c, double v) { c.plant.ground.error_m = v; }},
     {"ground_friction", 0, 10, [](SimConfig& c, double v) { c.plant.contact.friction = v; }},
+    {"ground_seed", 0, 1e9,
+     [](SimConfig& c, double v) { c.plant.ground.error_seed = static_cast<std::uint64_t>(v); }},
     {"ground_stiffness", 1, 1e7, [](SimConfig& c, double v) { c.plant.contact.stiffness_N_m = v; }},
     {"heating_scale", 0, 100,
      [](SimConfig& c, double v) {
@@ -105,6 +123,7 @@ constexpr Change kChanges[] = {
        each_drive(c, [v](SimDriveConfig& drive) { drive.torque_constant_Nm_A *= v; });
      }},
     {"load_share_scale", 0, 5, scale_load_share},
+    {"lying", 0, 1, lie_down},
     {"mass_scale", 0.1, 10, scale_mass},
     {"mode_delay_us", 0, 1e6,
      [](SimConfig& c, double v) { each_drive(c, [v](SimDriveConfig& d) { d.mode_delay_s = 1e-6 * v; }); }},
@@ -112,8 +131,15 @@ constexpr Change kChanges[] = {
     {"peak_torque", 0.001, 1e4,
      [](SimConfig& c, double v) { each_drive(c, [v](SimDriveConfig& drive) { drive.peak_torque_Nm = v; }); }},
     {"rail_x_locked", 0, 1, [](SimConfig& c, double v) { c.plant.rail_x_locked = v != 0.0; }},
+    {"side_slope", -1, 1, [](SimConfig& c, double v) { c.plant.ground.side_slope_rad = v; }},
+    {"slope", -1, 1, [](SimConfig& c, double v) { c.plant.ground.slope_rad = v; }},
     {"starts_in_fault", 0, 1,
      [](SimConfig& c, double v) { each_drive(c, [v](SimDriveConfig& d) { d.starts_in_fault = v != 0.0; }); }},
+    {"step_from", -1000, 1000, [](SimConfig& c, double v) { step(c).from_m = v; }},
+    {"step_height", -1, 1, [](SimConfig& c, double v) { step(c).height_m = v; }},
+    {"step_length", 0, 1000, [](SimConfig& c, double v) { step(c).length_m = v; }},
+    {"step_right", -1000, 1000, [](SimConfig& c, double v) { step(c).right_m = v; }},
+    {"step_width", 0, 1000, [](SimConfig& c, double v) { step(c).width_m = v; }},
     {"suspended", 0, 10, [](SimConfig& c, double v) { c.plant.suspended_m = v; }},
     {"sync_jitter_us", 0, 1000, [](SimConfig& c, double v) { c.timing.sync_jitter_s = 1e-6 * v; }},
     {"temperature", -50, 150, [](SimConfig& c, double v) { c.plant.ambient_degC = v; }},

@@ -61,6 +61,12 @@ PlantIndex find_parts(const mjModel& model, const RobotConfig& robot) {
   }
   for (const LegConfig& leg : robot.legs) {
     index.foot_geom.push_back(require(model, mjOBJ_GEOM, leg.name + "_foot"));
+    const int own = mj_name2id(&model, mjOBJ_GEOM, (leg.name + "_floor").c_str());
+    index.leg_floor_geom.push_back(own >= 0 ? own : index.floor_geom);
+  }
+  for (int geom = 0; geom < model.ngeom; ++geom) {
+    const bool collides = model.geom_contype[geom] != 0 || model.geom_conaffinity[geom] != 0;
+    if (collides && model.geom_type[geom] == mjGEOM_SPHERE) index.ground_geom.push_back(geom);
   }
   return index;
 }
@@ -100,15 +106,15 @@ void write_rail(mjModel& model, const PlantConfig& config) {
   model.dof_armature[model.jnt_dofadr[id]] = kLockedMass;
 }
 
-void write_floor(mjModel& model, const PlantConfig& config) {
-  const int floor = require(model, mjOBJ_GEOM, "floor");
-  row(model.geom_pos, floor, 3)[2] = config.floor_height_m;
-  model.geom_sameframe[floor] = 0;  // else geom_pos is ignored: facts physics 9
+/// Planes are where the plant puts them.
+void free_floors(mjModel& model, const PlantIndex& index) {
+  model.geom_sameframe[index.floor_geom] = 0;  // else geom_pos is ignored: facts physics 9
+  for (const int floor : index.leg_floor_geom) model.geom_sameframe[floor] = 0;
 }
 
-/// Needs the final masses' body_invweight0. The feet's values alone count (priority), whatever the floor has.
+/// Needs the final masses' body_invweight0. The spheres' values alone count (priority), whatever the floor has.
 void write_contact(mjModel& model, const PlantIndex& index, const ContactConfig& contact) {
-  for (const int geom : index.foot_geom) {
+  for (const int geom : index.ground_geom) {
     const double inverse_mass = row(model.body_invweight0, model.geom_bodyid[geom], 2)[0];
     const double scale = (1.0 - kContactImpedance) * inverse_mass;
     model.geom_priority[geom] = 1;
@@ -132,7 +138,7 @@ PlantModel load_plant_model(const RobotConfig& robot, const PlantConfig& config)
   write_masses(model, config);
   write_joints(model, plant.index, config);
   write_rail(model, config);
-  write_floor(model, config);
+  free_floors(model, plant.index);
   const DataPtr scratch(mj_makeData(&model));
   mj_setConst(&model, scratch.get());
   write_contact(model, plant.index, config.contact);

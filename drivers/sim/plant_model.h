@@ -24,18 +24,20 @@ using DataPtr = std::unique_ptr<mjData, DataDeleter>;
 /// and unlike an equality constraint it adds no row to the solver.
 inline constexpr double kLockedMass = 1e9;
 
-/// Names that model.xml must have: a body `base`, a geom `floor`, a joint for each of robot.yaml's, a sphere
-/// `<leg>_foot` for each leg, and a base that is fixed, or hangs on a free joint or on slides of which `rail_z`
+/// Names that model.xml must have: a body `base`, a plane `floor` (of a robot with several legs also `<leg>_floor`,
+/// which meets that leg's foot alone), a joint for each of robot.yaml's, a sphere `<leg>_foot` for each leg, and a base that is fixed, or hangs on a free joint or on slides of which `rail_z`
 /// is vertical.
 struct PlantIndex {
   int base_body = -1;
-  int floor_geom = -1;
+  int floor_geom = -1;   ///< of all that is not a foot
   int height_qpos = -1;  ///< of the base; -1 = it is fixed
   int free_qpos = -1;    ///< of the base's free joint; -1 = it has none
   int free_dof = -1;
   std::vector<int> joint_qpos;  ///< of RobotConfig::joints
   std::vector<int> joint_dof;
-  std::vector<int> foot_geom;  ///< of RobotConfig::legs
+  std::vector<int> foot_geom;       ///< of RobotConfig::legs
+  std::vector<int> leg_floor_geom;  ///< `<leg>_floor`, else floor_geom
+  std::vector<int> ground_geom;     ///< spheres that the ground can push: feet and others
 };
 
 struct PlantModel {

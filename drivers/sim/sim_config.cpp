@@ -70,6 +70,29 @@ ContactConfig read_contact(const YamlMap& map) {
   return contact;
 }
 
+GroundStep read_step(const YamlMap& map) {
+  GroundStep step;
+  step.from_m = map.quantity("from", "m", -1000, 1000);
+  step.length_m = map.quantity_or("length", "m", 0, 1000, 0.0);
+  step.right_m = map.quantity_or("right", "m", -1000, 1000, 0.0);
+  step.width_m = map.quantity_or("width", "m", 0, 1000, 0.0);
+  step.height_m = map.quantity("height", "m", -1, 1);
+  map.finish();
+  return step;
+}
+
+GroundConfig read_ground(const YamlMap& map) {
+  GroundConfig ground;
+  ground.slope_rad = map.quantity_or("slope", "rad", -1, 1, 0.0);
+  ground.side_slope_rad = map.quantity_or("side_slope", "rad", -1, 1, 0.0);
+  ground.error_m = map.quantity_or("error", "m", 0, 1, 0.0);
+  if (map.has("steps")) {
+    for (const YamlMap& step : map.list("steps")) ground.steps.push_back(read_step(step));
+  }
+  map.finish();
+  return ground;
+}
+
 PlantConfig read_plant(const YamlMap& map) {
   PlantConfig plant;
   plant.step_s = map.quantity("step", "s", 50e-6, 1e-3);
@@ -77,6 +100,7 @@ PlantConfig read_plant(const YamlMap& map) {
   plant.torsion = chosen(map, "gears", "elastic", "rigid", true);
   plant.suspended_m = map.quantity_or("suspended", "m", 0.01, 10, 0.0);
   plant.floor_height_m = map.quantity("floor_height", "m", -10, 10);
+  if (map.has("ground")) plant.ground = read_ground(map.map("ground"));
   plant.ambient_degC = map.quantity_or("ambient", "degC", -50, 150, plant.ambient_degC);
   for (const YamlMap& body : map.list("bodies")) {
     plant.bodies.push_back({body.text("name"), body.quantity("mass", "kg", 1e-4, 1000)});

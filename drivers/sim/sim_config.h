@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "drivers/sim/ground.h"
 #include "drivers/sim/imu_sensor.h"
 #include "drivers/sim/joint_config.h"
 #include "drivers/sim/torque_sensor.h"
@@ -30,6 +31,7 @@ struct PlantConfig {
   double suspended_m = 0.0;    ///< the base hangs fixed at this height; 0 = it is free
   bool rail_x_locked = false;  ///< only where model.xml has a joint `rail_x`
   double floor_height_m = 0.0;
+  GroundConfig ground;
   double ambient_degC = 24.0;  ///< of the gears at the start too
   bool torsion = true;         ///< false: joints with torsion are rigid in this run
   std::vector<PlantBodyConfig> bodies;
