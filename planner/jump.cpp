@@ -8,6 +8,7 @@
 namespace sprung {
 namespace {
 
+constexpr const char* kNoCurve = "this preset has no jump_curve: the robot does not jump";
 constexpr double kMostAmplitude = 3.0;   // no curve is tried beyond
 constexpr double kAmplitudeStep = 0.01;  // of the search for the highest that can be followed
 constexpr double kOwnCurve = 1.0;        // amplitude of the preset's curve as it is
@@ -31,8 +32,9 @@ Jump::Jump(const RobotConfig& robot, const PresetConfig& preset)
       drift_m_(preset.jump_curve.drift_m),
       reach_(robot),
       curve_(preset),
-      most_amplitude_(highest_amplitude(preset)),
+      most_amplitude_(preset.jumps() ? highest_amplitude(preset) : kOwnCurve),
       adaptation_(preset.adapt_height) {
+  if (!preset.jumps()) return;
   JumpCurve beyond(preset);
   beyond.scale(most_amplitude_ + kAmplitudeStep);
   const char* const why = reach_.mistake(beyond);
@@ -55,6 +57,7 @@ double Jump::highest_amplitude(const PresetConfig& preset) const {
 }
 
 const char* Jump::mistake(const JumpRequest& request) const noexcept {
+  if (own_height_m_ <= 0.0) return kNoCurve;
   const double share = request.height_m / own_height_m_;
   const bool possible = request.height_m == 0.0 ||
                         (share >= height_share(kLeastAmplitude) && share <= height_share(most_amplitude_));

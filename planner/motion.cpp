@@ -7,8 +7,6 @@
 namespace sprung {
 namespace {
 
-Vec3 under_hip(double length_m) noexcept { return {0.0, 0.0, -length_m}; }
-
 bool is_loss(MotionEvent event) noexcept {
   return event == MotionEvent::kSafetyLost || event == MotionEvent::kDriveLost ||
          event == MotionEvent::kFootLost;
@@ -29,6 +27,8 @@ std::vector<OwnLanding> own_landings(const RobotConfig& robot, const PresetConfi
 Motion::Motion(const RobotConfig& robot, const PresetConfig& preset)
     : preset_(preset),
       jump_(robot, preset),
+      walk_(robot, preset),
+      falls_(robot.body),
       own_(own_landings(robot, preset)),
       own_said_(robot.legs.size()),
       joints_(robot),
@@ -65,6 +65,14 @@ bool Motion::comply(const JointState& in, const ComplyRequest& request) noexcept
   return true;
 }
 
+bool Motion::walk(const JointState& in, const WalkRequest& request) noexcept {
+  const bool walking = state() == MotionPhase::kWalking;
+  if (!process(MotionEvent::kWalkRequested, in)) return false;
+  stop_ = false;
+  walking ? walk_.change(request) : walk_.begin(in, request);
+  return true;
+}
+
 bool Motion::sit(const JointState& in) noexcept { return process(MotionEvent::kSitRequested, in); }
 
 bool Motion::move_joint(const JointState& in, const JointRequest& request) noexcept {
@@ -83,6 +91,7 @@ bool Motion::move_joint(const JointState& in, const JointRequest& request) noexc
 
 void Motion::stop() noexcept {
   stop_ = true;
+  walk_.stop();
   joints_.brake(now_us_);
 }
 
@@ -117,7 +126,7 @@ void Motion::note_departure(const JointState& in) noexcept {
 
 bool Motion::on_spring(std::size_t leg) const noexcept {
   if (state() == MotionPhase::kIdle) return false;
-  if (state() == MotionPhase::kComplying) return true;
+  if (state() == MotionPhase::kComplying || state() == MotionPhase::kWalking) return true;
   if (landing_by_own_law()) return own_said_[leg].control_mode == ControlMode::kCompliance;
   return compliant(progress(), preset_);
 }
@@ -156,19 +165,21 @@ void Motion::enter(MotionPhase from, const JointState& in) noexcept {
     case MotionPhase::kStanding:
     case MotionPhase::kLanding:
     case MotionPhase::kComplying:
+    case MotionPhase::kWalking:
+    case MotionPhase::kFallen:
       break;
   }
 }
 
 void Motion::move_all(double length_m, double duration_s) noexcept {
   for (std::size_t i = 0; i < moves_.size(); ++i)
-    moves_[i] = {departure_m_[i], under_hip(length_m), duration_s};
+    moves_[i] = {departure_m_[i], walk_.stance_foot_in_hip_m(i, length_m), duration_s};
   move_began_us_ = now_us_;
 }
 
 void Motion::update(const JointState& in) noexcept {
   now_us_ = in.stamp.utime_us;
-  if (state() == MotionPhase::kIdle || lost(in)) return;
+  if (state() == MotionPhase::kIdle || lost(in) || fell(in)) return;
   switch (state()) {
     case MotionPhase::kRising:
       update_rising(in);
@@ -195,10 +206,27 @@ void Motion::update(const JointState& in) noexcept {
     case MotionPhase::kComplying:
       if (stop_) process(MotionEvent::kStopped, in);
       break;
+    case MotionPhase::kWalking:
+      update_walk(in);
+      break;
+    case MotionPhase::kFallen:
+      if (in_phase_s() >= kSinkTime_s) process(MotionEvent::kSat, in);
+      break;
     case MotionPhase::kIdle:
     case MotionPhase::kStanding:
       break;
   }
+}
+
+void Motion::update_walk(const JointState& in) noexcept {
+  walk_.step(in);
+  if (walk_.ended()) process(MotionEvent::kWalkEnded, in);
+}
+
+bool Motion::fell(const JointState& in) noexcept {
+  const bool upright = state() == MotionPhase::kStanding || state() == MotionPhase::kWalking ||
+                       state() == MotionPhase::kComplying || state() == MotionPhase::kRecover;
+  return upright && falls_.fell(in.body) && process(MotionEvent::kFell, in);
 }
 
 bool Motion::lost(const JointState& in) noexcept {

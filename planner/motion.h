@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "planner/comply_request.h"
+#include "planner/fall_detector.h"
 #include "planner/foot_move.h"
+#include "planner/gait/walk.h"
 #include "planner/joint_motion.h"
 #include "planner/jump.h"
 #include "planner/motion_state_machine.h"
@@ -31,6 +33,8 @@ class Motion {
   // Requests of the operator, each only where the state machine has a transition for it; @return false
   // elsewhere.
   bool stand(const JointState& in) noexcept;
+  /// nullptr: the robot lies so that it can.
+  const char* why_not_up(const JointState& in) const noexcept { return falls_.why_not_up(in.body); }
   bool jump(const JointState& in, const JumpRequest& request) noexcept;
   /// Why not; nullptr: it can be done.
   const char* jump_mistake(const JumpRequest& request) const noexcept { return jump_.mistake(request); }
@@ -38,6 +42,11 @@ class Motion {
   bool comply(const JointState& in, const ComplyRequest& request) noexcept;
   /// Hanging in the air: a fall begins now.
   bool land(const JointState& in, const FallRequest& request) noexcept;
+  /// From standing, or walking with another request.
+  bool walk(const JointState& in, const WalkRequest& request) noexcept;
+  const char* walk_mistake(const WalkRequest& request) const noexcept {
+    return walk_.mistake(request, state() == MotionPhase::kWalking);
+  }
   bool sit(const JointState& in) noexcept;
   /// From idle, or where joints are held and none moves.
   bool move_joint(const JointState& in, const JointRequest& request) noexcept;
@@ -55,6 +64,7 @@ class Motion {
 
   /// Why the jump or fall that just ended was not as requested; nullptr when it was.
   const char* jump_failure() const noexcept { return jump_.failure(); }
+  const char* walk_failure() const noexcept { return walk_.failure(); }
   const JointMotion& joints() const noexcept { return joints_; }
   /// In kMovingJoint: nothing moves, nor waits for its drives.
   bool joints_held() const noexcept { return enabled_ && !joint_moves_; }
@@ -78,6 +88,8 @@ class Motion {
   void await_joints(const JointState& in) noexcept;
   bool lost(const JointState& in) noexcept;
   void move_all(double length_m, double duration_s) noexcept;
+  void update_walk(const JointState& in) noexcept;
+  bool fell(const JointState& in) noexcept;
   void note_departure(const JointState& in) noexcept;
   bool on_spring(std::size_t leg) const noexcept;  ///< by the last command
   FootPoint path(std::size_t leg) const noexcept;
@@ -106,6 +118,8 @@ class Motion {
   PresetConfig preset_;
   MotionStateMachine machine_;
   Jump jump_;
+  Walk walk_;
+  FallDetector falls_;
   ComplyRequest compliance_;
   std::vector<OwnLanding> own_;             ///< one for each leg
   std::vector<OwnLandingOutput> own_said_;  ///< in the last cycle

@@ -7,12 +7,14 @@ namespace {
 LegPhase leg_phase(MotionPhase phase) noexcept {
   switch (phase) {
     case MotionPhase::kIdle:
+    case MotionPhase::kFallen:
     case MotionPhase::kMovingJoint:
       return LegPhase::kIdle;
     case MotionPhase::kRising:
     case MotionPhase::kStanding:
     case MotionPhase::kSitting:
     case MotionPhase::kComplying:
+    case MotionPhase::kWalking:  // each leg has its own: Walk writes it
       return LegPhase::kStand;
     case MotionPhase::kCrouch:
       return LegPhase::kCrouch;
@@ -39,12 +41,14 @@ void Motion::write(const JointState& in, LegCommand& out) noexcept {
     leg.phase = leg_phase(state());
     if (state() == MotionPhase::kMovingJoint) {
       joints_.write(i, now_us_, leg);
+    } else if (state() == MotionPhase::kWalking) {
+      walk_.write(i, leg);
     } else if (landing_by_own_law()) {
       write_own_landing(i, in, leg);
     } else {
       write_foot(i, in, leg);
     }
-    if (sinking()) leg.control_mode = ControlMode::kDamping;
+    if (sinking() || state() == MotionPhase::kFallen) leg.control_mode = ControlMode::kDamping;
   }
 }
 
@@ -79,7 +83,8 @@ void Motion::write_own_landing(std::size_t leg, const JointState& in, DesiredLeg
 
 void Motion::write(MotionState& out) const noexcept {
   out.state = state();
-  for (MotionLeg& leg : out.legs) leg = {leg_phase(state()), in_phase_s()};
+  for (MotionLeg& leg : out.legs) leg = {leg_phase(state()), in_phase_s(), LegEvent::kNone, {}};
+  if (state() == MotionPhase::kWalking) walk_.write(out);
   out.jumps_done = jump_.done();
   out.jumps_left = jump_.left();
   out.jump_height_scale = jump_.curve().factor();

@@ -36,6 +36,11 @@ const MotionTable kTransitions{{
     {P::kComplying, E::kStopped, P::kRecover, "compliance stopped by the operator"},
     {P::kComplying, E::kSitRequested, P::kSitting, "sit requested"},
     {P::kStanding, E::kLandRequested, P::kFlight, "a fall is to be caught"},
+    {P::kStanding, E::kWalkRequested, P::kWalking, "walk requested"},
+    {P::kWalking, E::kWalkRequested, P::kWalking, "other gait or speed requested"},
+    {P::kWalking, E::kWalkEnded, P::kRecover, "walk ended, all feet stand"},
+    {P::kFallen, E::kSat, P::kIdle, "fell: damped, then off"},
+    {std::nullopt, E::kFell, P::kFallen, "a fall was detected: legs are damped"},
     {std::nullopt, E::kSafetyLost, P::kIdle, "safety is not operational"},
     {std::nullopt, E::kDriveLost, P::kIdle, "a drive is in fault or no longer enabled"},
     {std::nullopt, E::kFootLost, P::kIdle, "a measured foot position is missing where a move begins"},
@@ -88,6 +93,12 @@ const char* name(MotionEvent value) noexcept {
       return "comply requested";
     case E::kLandRequested:
       return "land requested";
+    case E::kWalkRequested:
+      return "walk requested";
+    case E::kWalkEnded:
+      return "walk ended";
+    case E::kFell:
+      return "fell";
     case E::kSafetyLost:
       return "safety lost";
     case E::kDriveLost:

@@ -30,6 +30,9 @@ enum class MotionEvent : std::int8_t {
   kJointStopped,
   kComplyRequested,
   kLandRequested,
+  kWalkRequested,
+  kWalkEnded,
+  kFell,
   kSafetyLost,
   kDriveLost,
   kFootLost,
@@ -45,7 +48,7 @@ struct MotionTransition {
   const char* reason;  ///< static text for people
 };
 
-using MotionTable = std::array<MotionTransition, 31>;
+using MotionTable = std::array<MotionTransition, 36>;
 const MotionTable& motion_transitions() noexcept;
 
 class MotionStateMachine {

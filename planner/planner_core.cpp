@@ -4,6 +4,7 @@
 #include "planner/motion.h"
 #include "planner/operator_desk.h"
 #include "planner/requests.h"
+#include "planner/walk_request.h"
 
 namespace sprung {
 namespace {
@@ -27,6 +28,7 @@ struct PlannerCore::Impl {
   void sit(const OperatorCommand& command, const JointState& in) noexcept;
   void land(const OperatorCommand& command, const JointState& in) noexcept;
   void comply(const OperatorCommand& command, const JointState& in) noexcept;
+  void walk(const OperatorCommand& command, const JointState& in) noexcept;
   void stop(const OperatorCommand& command) noexcept;
   void move_joint(const OperatorCommand& command, const JointState& in) noexcept;
   void end_requests() noexcept;
@@ -97,6 +99,8 @@ void PlannerCore::Impl::execute(const OperatorCommand& command, const JointState
       return comply(command, in);
     case OperatorKind::kLand:
       return land(command, in);
+    case OperatorKind::kWalk:
+      return walk(command, in);
     case OperatorKind::kNone:
       break;
   }
@@ -108,6 +112,7 @@ void PlannerCore::Impl::stand(const OperatorCommand& command, const JointState& 
   if (motion.state() == MotionPhase::kStanding) return accept_as_done(command, "already standing");
   if (motion.state() != MotionPhase::kIdle) return refuse(command, busy(motion.state()));
   if (const char* why = why_not_risen(in)) return refuse(command, why);
+  if (const char* why = motion.why_not_up(in)) return refuse(command, why);
   if (motion.stand(in)) accept(command, moving);
 }
 
@@ -124,6 +129,7 @@ void PlannerCore::Impl::jump(const OperatorCommand& command, const JointState& i
 void PlannerCore::Impl::land(const OperatorCommand& command, const JointState& in) noexcept {
   if (why_not_standing != nullptr) return refuse(command, why_not_standing);
   if (motion.state() != MotionPhase::kStanding) return refuse(command, busy(motion.state()));
+  if (!preset.jumps()) return refuse(command, "this preset has no landing: the robot does not jump");
   if (const char* mistake = land_mistake(command)) return refuse(command, mistake);
   if (motion.land(in, {command.jump_mode, command.touchdown_in_s})) accept(command, moving);
 }
@@ -136,6 +142,20 @@ void PlannerCore::Impl::comply(const OperatorCommand& command, const JointState&
   if (stopping.kind != OperatorKind::kNone) return refuse(command, "already stopping");
   if (const char* mistake = comply_mistake(command, preset)) return refuse(command, mistake);
   if (motion.comply(in, comply_request(command, preset))) {
+    note = "";
+    accept_as_done(command, motion.last_transition());
+  }
+}
+
+/// Done as soon as it is accepted: it lasts until `stop`. A walk that ends by itself says why in MOTION_STATE.
+void PlannerCore::Impl::walk(const OperatorCommand& command, const JointState& in) noexcept {
+  if (why_not_standing != nullptr) return refuse(command, why_not_standing);
+  const bool possible = motion.state() == MotionPhase::kStanding || motion.state() == MotionPhase::kWalking;
+  if (!possible) return refuse(command, busy(motion.state()));
+  if (stopping.kind != OperatorKind::kNone) return refuse(command, "already stopping");
+  const WalkRequest request = walk_request(command, preset);
+  if (const char* mistake = motion.walk_mistake(request)) return refuse(command, mistake);
+  if (motion.walk(in, request)) {
     note = "";
     accept_as_done(command, motion.last_transition());
   }

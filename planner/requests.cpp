@@ -37,6 +37,10 @@ const char* busy(MotionPhase state) noexcept {
       return "not standing: stand first";
     case MotionPhase::kComplying:
       return "busy: complying, stop first";
+    case MotionPhase::kWalking:
+      return "busy: walking, stop first";
+    case MotionPhase::kFallen:
+      return "busy: fallen, legs are let down";
     case MotionPhase::kCrouch:
     case MotionPhase::kThrust:
     case MotionPhase::kFlight:

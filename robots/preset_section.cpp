@@ -1,26 +1,11 @@
 #include "robots/preset_section.h"
 
+#include "robots/gait_section.h"
 #include "robots/landing_section.h"
 
 namespace sprung::robot_sections {
 
 namespace {
-
-std::array<double, 3> read_axes(const YamlMap& map, const std::string& unit, double high) {
-  const std::array<double, 3> axes{map.quantity("x", unit, 0, high), map.quantity("y", unit, 0, high),
-                                   map.quantity("z", unit, 0, high)};
-  map.finish();
-  return axes;
-}
-
-StiffnessConfig read_stiffness(const YamlMap& map) {
-  StiffnessConfig config;
-  config.stiffness_N_m = read_axes(map.map("stiffness"), "N/m", 1e5);
-  config.damping_N_s_m = read_axes(map.map("damping"), "N s/m", 1e4);
-  config.velocity_feedforward = map.quantity("velocity_feedforward", "", 0, 1);
-  map.finish();
-  return config;
-}
 
 JumpCurveConfig read_jump_curve(const YamlMap& map) {
   JumpCurveConfig curve;
@@ -56,6 +41,26 @@ void read_compliance(const YamlMap& map, PresetConfig& p) {
   if (map.has("compliance")) p.compliance = read_stiffness(map.map("compliance"));
 }
 
+void read_jump(const YamlMap& map, PresetConfig& p) {
+  p.crouch_time_s = map.quantity("crouch_time", "s", 0.05, 30);
+  p.landing_hold_s = map.quantity("landing_hold", "s", 0, 30);
+  p.landing_length_m = map.quantity("landing_length", "m", 0.01, 3);
+  p.flight_timeout_s = map.quantity("flight_timeout", "s", 0.01, 10);
+  p.thrust_timeout_s = map.quantity("thrust_timeout", "s", 0.01, 10);
+  p.hybrid_switch_s = map.quantity("hybrid_switch", "s", 0, 10);
+  if (map.has("adapt_height")) p.adapt_height = map.flag("adapt_height");
+  p.jump_curve = read_jump_curve(map.map("jump_curve"));
+  p.torque_jump = read_stiffness(map.map("torque_jump"));
+  p.hybrid_landing = read_stiffness(map.map("hybrid_landing"));
+  if (map.has("own_landing")) p.own_landing = read_own_landing(map.map("own_landing"));
+}
+
+/// Of one that walks and does not jump: any curve, never played.
+void read_no_jump(PresetConfig& p) {
+  p.landing_length_m = p.stand_length_m;
+  p.jump_curve = {1.0, {p.stand_length_m, p.stand_length_m}, 0.0};
+}
+
 }  // namespace
 
 PresetConfig read_preset(const std::string& name, const YamlMap& map) {
@@ -67,20 +72,12 @@ PresetConfig read_preset(const std::string& name, const YamlMap& map) {
   p.stand_length_m = map.quantity("stand_length", "m", 0.01, 3);
   p.sit_length_m = map.quantity("sit_length", "m", 0.01, p.stand_length_m);
   p.rise_time_s = map.quantity("rise_time", "s", 0.1, 30);
-  p.crouch_time_s = map.quantity("crouch_time", "s", 0.05, 30);
   p.settle_time_s = map.quantity("settle_time", "s", 0, 30);
   p.recover_time_s = map.quantity("recover_time", "s", 0.05, 30);
-  p.landing_hold_s = map.quantity("landing_hold", "s", 0, 30);
-  p.landing_length_m = map.quantity("landing_length", "m", 0.01, 3);
-  p.flight_timeout_s = map.quantity("flight_timeout", "s", 0.01, 10);
-  p.thrust_timeout_s = map.quantity("thrust_timeout", "s", 0.01, 10);
-  p.hybrid_switch_s = map.quantity("hybrid_switch", "s", 0, 10);
   read_compliance(map, p);
-  if (map.has("adapt_height")) p.adapt_height = map.flag("adapt_height");
-  p.jump_curve = read_jump_curve(map.map("jump_curve"));
-  p.torque_jump = read_stiffness(map.map("torque_jump"));
-  p.hybrid_landing = read_stiffness(map.map("hybrid_landing"));
-  if (map.has("own_landing")) p.own_landing = read_own_landing(map.map("own_landing"));
+  if (map.has("walk")) p.walk = read_walk(map.map("walk"));
+  const bool walks_only = map.has("walk") && !map.has("jump_curve");
+  walks_only ? read_no_jump(p) : read_jump(map, p);
   map.finish();
   return p;
 }

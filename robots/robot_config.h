@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "robots/gait_config.h"
 #include "robots/identification_config.h"
 #include "robots/own_landing_config.h"
 #include "robots/torsion_config.h"
@@ -142,9 +143,11 @@ struct LegConfig {
   /// joint = transmission * actuator, row-major joints x actuators.
   std::vector<double> transmission;
   std::vector<LinkConfig> links;  ///< thigh, shank; kThreeJoint: hip link (sideways), thigh, shank
-  double contact_on_N = 0.0;      ///< vertical foot force above which contact is declared
-  double contact_off_N = 0.0;     ///< below which it is lost
-  double contact_rise_s = 0.0;    ///< must last this long
+  std::array<double, 3>
+      hip_in_trunk_m{};         ///< origin of the hip's axes, in trunk axes, from the middle of the hips
+  double contact_on_N = 0.0;    ///< vertical foot force above which contact is declared
+  double contact_off_N = 0.0;   ///< below which it is lost
+  double contact_rise_s = 0.0;  ///< must last this long
   double contact_fall_s = 0.0;
 };
 
@@ -158,12 +161,6 @@ struct WatchdogConfig {
   double heartbeat_s = 0.005;           ///< bridge's producer and drives' producers
   double heartbeat_consumer_s = 0.020;  ///< in the drives, for the bridge's heartbeat
   double drive_heartbeat_s = 0.100;     ///< in the bridge, for the drives' heartbeats
-};
-
-struct StiffnessConfig {
-  std::array<double, 3> stiffness_N_m{};  ///< x, y, z
-  std::array<double, 3> damping_N_s_m{};
-  double velocity_feedforward = 0.0;  ///< share of desired foot velocity in the damping term
 };
 
 /// Curve of the leg's length (hip to foot, straight down) in a jump: one Bezier of any degree.
@@ -208,6 +205,10 @@ struct PresetConfig {
   StiffnessConfig torque_jump;     ///< torque mode: whole jump
   StiffnessConfig hybrid_landing;  ///< hybrid mode: from the switch on
   OwnLandingConfig own_landing;
+  WalkConfig walk;  ///< of a robot with gaits
+
+  /// Nothing to jump with: the preset has no jump_curve.
+  bool jumps() const noexcept { return jump_curve.height_m > 0.0; }
 };
 
 /// A process that `sprung up` starts, in order; real-time priority 0 = none, cpu -1 = any.
@@ -230,6 +231,8 @@ struct RobotConfig {
   WatchdogConfig watchdogs;             ///< on the robot, and in lock-step
   WatchdogConfig simulation_watchdogs;  ///< real time with --sim on a shared machine
   std::vector<PresetConfig> presets;
+  BodyConfig body;
+  std::vector<GaitConfig> gaits;
   std::vector<ProcessConfig> processes;
   std::int64_t hash = 0;  ///< of the file's bytes and the preset's name
 

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <set>
 
+#include "robots/gait_section.h"
 #include "robots/preset_section.h"
 #include "robots/robot_sections.h"
 
@@ -153,6 +154,8 @@ RobotConfig read_robot(const YamlMap& file) {
   refuse_same_names(file, "legs", robot.legs);
   robot.watchdogs = read_watchdogs(file.map("watchdogs"));
   robot.simulation_watchdogs = read_watchdogs(file.map("simulation_watchdogs"));
+  if (file.has("body")) robot.body = read_body(file.map("body"));
+  if (file.has("gaits")) robot.gaits = read_gaits(file.map("gaits"), robot.legs.size());
   read_presets(file, robot);
   for (const YamlMap& map : file.list("processes")) {
     robot.processes.push_back(read_process(map));

@@ -194,6 +194,12 @@ LegConfig read_leg(const YamlMap& map, const RobotConfig& robot) {
   if (leg.kinematics != kNoKinematics) {
     read_geometry(map, leg);
   }
+  if (map.has("hip_in_trunk")) {
+    const YamlMap hip = map.map("hip_in_trunk");
+    leg.hip_in_trunk_m = {hip.quantity("x", "m", -2, 2), hip.quantity("y", "m", -2, 2),
+                          hip.quantity("z", "m", -2, 2)};
+    hip.finish();
+  }
   map.finish();
   return leg;
 }

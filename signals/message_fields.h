@@ -22,9 +22,11 @@ constexpr SafetyCause last(SafetyCause) { return SafetyCause::kDuplicateNode; }
 constexpr JointStatus last(JointStatus) { return JointStatus::kFault; }
 constexpr ControlMode last(ControlMode) { return ControlMode::kJoint; }
 constexpr LegPhase last(LegPhase) { return LegPhase::kStance; }
-constexpr MotionPhase last(MotionPhase) { return MotionPhase::kComplying; }
+constexpr MotionPhase last(MotionPhase) { return MotionPhase::kFallen; }
 constexpr JumpMode last(JumpMode) { return JumpMode::kOwn; }
-constexpr OperatorKind last(OperatorKind) { return OperatorKind::kLand; }
+constexpr LegEvent last(LegEvent) { return LegEvent::kStumble; }
+constexpr GaitControl last(GaitControl) { return GaitControl::kOwn; }
+constexpr OperatorKind last(OperatorKind) { return OperatorKind::kWalk; }
 constexpr OperatorOutcome last(OperatorOutcome) { return OperatorOutcome::kQueued; }
 constexpr ProcessState last(ProcessState) { return ProcessState::kStopping; }
 constexpr SimControlKind last(SimControlKind) { return SimControlKind::kImu; }
@@ -47,6 +49,10 @@ struct ToMessage {
   void operator()(std::string& message, const std::string& signal) { message = signal; }
   template <std::size_t N>
   void operator()(double (&message)[N], const std::array<double, N>& signal) {
+    std::copy(signal.begin(), signal.end(), message);
+  }
+  template <std::size_t N>
+  void operator()(std::int32_t (&message)[N], const std::array<std::int32_t, N>& signal) {
     std::copy(signal.begin(), signal.end(), message);
   }
   template <std::size_t N>
@@ -77,6 +83,10 @@ struct FromMessage {
   void operator()(const std::string& message, std::string& signal) { signal = message; }
   template <std::size_t N>
   void operator()(const double (&message)[N], std::array<double, N>& signal) {
+    std::copy(message, message + N, signal.begin());
+  }
+  template <std::size_t N>
+  void operator()(const std::int32_t (&message)[N], std::array<std::int32_t, N>& signal) {
     std::copy(message, message + N, signal.begin());
   }
   template <std::size_t N>

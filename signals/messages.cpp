@@ -75,8 +75,17 @@ const auto kEstimatedLeg = [](auto& way, auto& m, auto& s) {
   way(m.contact, s.contact);
 };
 
+const auto kEstimatedBody = [](auto& way, auto& m, auto& s) {
+  way(m.estimated_quaternion_wxyz, s.estimated_quaternion_wxyz);
+  way(m.estimated_angular_velocity_rad_s, s.estimated_angular_velocity_rad_s);
+  way(m.estimated_velocity_m_s, s.estimated_velocity_m_s);
+  way(m.estimated_height_m, s.estimated_height_m);
+  way(m.uses_imu, s.uses_imu);
+};
+
 const auto kJointState = [](auto& way, auto& m, auto& s) {
   fields::stamp(way, m, s);
+  kEstimatedBody(way, m.body, s.body);
   way.elements(m.n_joints, m.joints, s.joints, kEstimatedJoint);
   way.elements(m.n_legs, m.legs, s.legs, kEstimatedLeg);
   way(m.safety, s.safety);

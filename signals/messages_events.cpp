@@ -13,6 +13,8 @@ using fields::write;
 const auto kMotionLeg = [](auto& way, auto& m, auto& s) {
   way(m.phase, s.phase);
   way(m.phase_time_s, s.phase_time_s);
+  way(m.last_event, s.last_event);
+  way(m.event_counts, s.event_counts);
 };
 
 const auto kMotionState = [](auto& way, auto& m, auto& s) {
@@ -24,6 +26,9 @@ const auto kMotionState = [](auto& way, auto& m, auto& s) {
   way(m.jump_height_scale, s.jump_height_scale);
   way(m.estimated_jump_height_m, s.estimated_jump_height_m);
   way(m.jump_mode, s.jump_mode);
+  way(m.gait, s.gait);
+  way(m.gait_phase, s.gait_phase);
+  way(m.desired_speed, s.desired_speed);
 };
 
 const auto kSafetyState = [](auto& way, auto& m, auto& s) {
@@ -57,6 +62,11 @@ const auto kOperatorCommand = [](auto& way, auto& m, auto& s) {
   way(m.joint_target_rad, s.joint_target_rad);
   way(m.joint_speed_rad_s, s.joint_speed_rad_s);
   way(m.joint_acceleration_rad_s2, s.joint_acceleration_rad_s2);
+  way(m.gait, s.gait);
+  way(m.walk_speed, s.walk_speed);
+  way(m.body_height_m, s.body_height_m);
+  way(m.stance_width_m, s.stance_width_m);
+  way(m.gait_control, s.gait_control);
 };
 
 const auto kOperatorReply = [](auto& way, auto& m, auto& s) {

@@ -170,6 +170,42 @@ const char* name(MotionPhase value) noexcept {
       return "moving joint";
     case MotionPhase::kComplying:
       return "complying";
+    case MotionPhase::kWalking:
+      return "walking";
+    case MotionPhase::kFallen:
+      return "fallen";
+  }
+  return "unknown";
+}
+
+const char* name(LegEvent value) noexcept {
+  switch (value) {
+    case LegEvent::kNone:
+      return "none";
+    case LegEvent::kEarlyContact:
+      return "early contact";
+    case LegEvent::kLateContact:
+      return "late contact";
+    case LegEvent::kNoGround:
+      return "no ground";
+    case LegEvent::kSlip:
+      return "slip";
+    case LegEvent::kStumble:
+      return "stumble";
+  }
+  return "unknown";
+}
+
+const char* name(GaitControl value) noexcept {
+  switch (value) {
+    case GaitControl::kForce:
+      return "force";
+    case GaitControl::kHybrid:
+      return "hybrid";
+    case GaitControl::kPreStance:
+      return "prestance";
+    case GaitControl::kOwn:
+      return "own";
   }
   return "unknown";
 }
@@ -212,6 +248,8 @@ const char* name(OperatorKind value) noexcept {
       return "comply";
     case OperatorKind::kLand:
       return "land";
+    case OperatorKind::kWalk:
+      return "walk";
   }
   return "unknown";
 }

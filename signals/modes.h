@@ -1,5 +1,6 @@
 #pragma once
 /// Enumerations that cross process boundaries. Values are part of the wire format: append, never renumber.
+#include <cstddef>
 #include <cstdint>
 
 namespace sprung {
@@ -93,6 +94,27 @@ enum class MotionPhase : std::int8_t {
   kSitting = 8,      ///< lowering (damped, where single joints were held), then off
   kMovingJoint = 9,  ///< one joint moves as such, or has; all others hold still
   kComplying = 10,   ///< each foot on a virtual spring with the operator's stiffness and damping
+  kWalking = 11,     ///< in a gait, which may be standing on virtual springs
+  kFallen = 12,      ///< a fall was detected: legs are damped
+};
+
+/// What befell a leg in a gait; each has a reaction (docs/locomotion.md).
+enum class LegEvent : std::int8_t {
+  kNone = 0,
+  kEarlyContact = 1,  ///< the foot met the ground before the gait's clock said so
+  kLateContact = 2,   ///< no ground where it was expected: the foot steps down
+  kNoGround = 3,      ///< none within the limit of stepping down
+  kSlip = 4,          ///< a standing foot moves
+  kStumble = 5,       ///< a swinging foot is held up
+};
+inline constexpr std::size_t kLegEventCount = 6;
+
+/// How the legs of a gait are controlled.
+enum class GaitControl : std::int8_t {
+  kForce = 0,      ///< virtual springs throughout, also in swing
+  kHybrid = 1,     ///< position in swing, virtual springs in stance, switched at the planned touchdown
+  kPreStance = 2,  ///< the papers': hybrid, and soft before the planned touchdown
+  kOwn = 3,        ///< hybrid with sprung's own pre-stance: slow approach, switched on contact
 };
 
 enum class JumpMode : std::int8_t {
@@ -114,6 +136,7 @@ enum class OperatorKind : std::int8_t {
   kMoveJoint = 8,  ///< planner: one joint to an angle, the others hold still
   kComply = 9,     ///< planner: from standing or complying, a virtual spring at each foot
   kLand = 10,  ///< planner: from standing in the air, catch a fall that is expected to end at a given time
+  kWalk = 11,  ///< planner: from standing or walking, a gait with speed and turning
 };
 
 enum class OperatorOutcome : std::int8_t { kAccepted = 0, kRefused = 1, kDone = 2, kFailed = 3, kQueued = 4 };
@@ -186,6 +209,8 @@ const char* name(ControlMode value) noexcept;
 const char* name(LegPhase value) noexcept;
 const char* name(MotionPhase value) noexcept;
 const char* name(JumpMode value) noexcept;
+const char* name(LegEvent value) noexcept;
+const char* name(GaitControl value) noexcept;
 const char* name(OperatorKind value) noexcept;
 const char* name(OperatorOutcome value) noexcept;
 const char* name(ProcessState value) noexcept;

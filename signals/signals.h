@@ -86,8 +86,19 @@ struct EstimatedLeg {
   bool contact = false;
 };
 
+/// Attitude and motion of the trunk. Trunk axes: x forward, y left, z up; yaw counts from the first sample.
+struct EstimatedBody {
+  std::array<double, 4> estimated_quaternion_wxyz{kNaN, kNaN, kNaN,
+                                                  kNaN};    ///< turns trunk axes into world axes
+  Vec3 estimated_angular_velocity_rad_s{kNaN, kNaN, kNaN};  ///< trunk axes
+  Vec3 estimated_velocity_m_s{kNaN, kNaN, kNaN};            ///< trunk axes; NaN while no foot stands
+  double estimated_height_m = kNaN;  ///< of the trunk's hips' middle over the feet that stand
+  bool uses_imu = false;             ///< false: attitude is that of the plane through the standing feet
+};
+
 struct JointState {
   Stamp stamp;
+  EstimatedBody body;
   std::vector<EstimatedJoint> joints;
   std::vector<EstimatedLeg> legs;
   SafetyLevel safety = SafetyLevel::kDisabled;
@@ -123,6 +134,8 @@ struct LegCommand {
 struct MotionLeg {
   LegPhase phase = LegPhase::kIdle;
   double phase_time_s = 0.0;
+  LegEvent last_event = LegEvent::kNone;                    ///< in this gait
+  std::array<std::int32_t, kLegEventCount> event_counts{};  ///< since the planner began, by LegEvent
 };
 
 struct MotionState {
@@ -134,6 +147,9 @@ struct MotionState {
   double jump_height_scale = 1.0;
   double estimated_jump_height_m = kNaN;  ///< of the last jump, from its flight time and leg lengths
   JumpMode jump_mode = JumpMode::kHybrid;
+  std::int32_t gait = -1;            ///< index into the robot's gaits; -1 = none
+  double gait_phase = 0.0;           ///< share of the gait's period, 0..1
+  Vec3 desired_speed{0, 0, 0};       ///< forward m/s, left m/s, turning rad/s; as ramped
   const char* last_transition = "";  ///< points to static text
   MotionState() = default;
   explicit MotionState(std::size_t leg_count) : legs(leg_count) {}
@@ -218,6 +234,11 @@ struct OperatorCommand {
   double joint_speed_rad_s = kNaN;
   double joint_acceleration_rad_s2 = kNaN;
   ReferenceSource reference_source = ReferenceSource::kConfigured;
+  std::int32_t gait = -1;                        ///< kWalk: index into the robot's gaits
+  Vec3 walk_speed{0, 0, 0};                      ///< kWalk: forward m/s, left m/s, turning rad/s
+  double body_height_m = kNaN;                   ///< kWalk; NaN: the preset's
+  double stance_width_m = kNaN;                  ///< kWalk: added to each side; NaN: the preset's
+  GaitControl gait_control = GaitControl::kOwn;  ///< kWalk
 };
 
 struct OperatorReply {

@@ -38,6 +38,10 @@ std::vector<MotionEvent> way_to(MotionPhase state) {
       return {E::kJointRequested};
     case MotionPhase::kComplying:
       return {E::kStandRequested, E::kRisen, E::kComplyRequested};
+    case MotionPhase::kWalking:
+      return {E::kStandRequested, E::kRisen, E::kWalkRequested};
+    case MotionPhase::kFallen:
+      return {E::kStandRequested, E::kRisen, E::kFell};
   }
   return {};
 }

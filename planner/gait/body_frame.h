@@ -1,0 +1,33 @@
+#pragma once
+/// Trunk, level and world axes. Level: z up, x along the trunk's heading, origin in the middle of the hips. Pure.
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace sprung {
+
+struct Attitude {
+  double roll_rad = 0.0;
+  double pitch_rad = 0.0;  ///< nose down is positive: rotation about y, left
+  double yaw_rad = 0.0;
+};
+
+/// Of trunk axes in world axes: Rz(yaw) Ry(pitch) Rx(roll).
+inline Attitude attitude(const std::array<double, 4>& wxyz) noexcept {
+  const double w = wxyz[0], x = wxyz[1], y = wxyz[2], z = wxyz[3];
+  return {std::atan2(2.0 * (w * x + y * z), 1.0 - 2.0 * (x * x + y * y)),
+          std::asin(std::clamp(2.0 * (w * y - z * x), -1.0, 1.0)),
+          std::atan2(2.0 * (w * z + x * y), 1.0 - 2.0 * (y * y + z * z))};
+}
+
+/// Turns trunk axes into level axes.
+inline Eigen::Matrix3d level_from_trunk(const Attitude& a) noexcept {
+  return (Eigen::AngleAxisd(a.pitch_rad, Eigen::Vector3d::UnitY()) *
+          Eigen::AngleAxisd(a.roll_rad, Eigen::Vector3d::UnitX()))
+      .toRotationMatrix();
+}
+
+inline double wrapped_rad(double angle_rad) noexcept { return std::remainder(angle_rad, 6.283185307179586); }
+
+}  // namespace sprung

@@ -1,0 +1,28 @@
+#include "planner/gait/body_law.h"
+
+#include "controller/leg_kinematics.h"
+
+namespace sprung {
+
+BodyWrench wanted_wrench(const WalkConfig& law, const BodyShape& shape, const BodyView& view,
+                         const BodyWish& wish) noexcept {
+  BodyWrench out;
+  const Eigen::Vector3d error_m_s =
+      view.velocity_known ? Eigen::Vector3d(wish.velocity_m_s - view.velocity_m_s) : Eigen::Vector3d::Zero();
+  out.force_N = {law.speed_damping[0] * error_m_s.x(), law.speed_damping[1] * error_m_s.y(),
+                 shape.mass_kg * kGravity_m_s2 + law.body_stiffness[2] * (wish.height_m - wish.height_now_m) +
+                     law.body_damping[2] * error_m_s.z()};
+  const Eigen::Vector3d& turning = view.angular_velocity_rad_s;
+  out.torque_Nm = {-law.body_stiffness[0] * view.attitude.roll_rad - law.body_damping[0] * turning.x(),
+                   -law.body_stiffness[1] * view.attitude.pitch_rad - law.body_damping[1] * turning.y(), 0.0};
+  return out;
+}
+
+void Lean::follow(const Eigen::Vector2d& wanted_m, double settle_s, double dt_s) noexcept {
+  constexpr double kNineTenths = 3.89;  // of a critically damped step: (1 + x) exp(-x) = 0.1
+  const double w = kNineTenths / settle_s;
+  speed_m_s_ += dt_s * (w * w * (wanted_m - at_m_) - 2.0 * w * speed_m_s_);
+  at_m_ += dt_s * speed_m_s_;
+}
+
+}  // namespace sprung

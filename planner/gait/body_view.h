@@ -1,0 +1,45 @@
+#pragma once
+/// What JOINT_STATE says about the body and its feet, in level axes (body_frame.h). Pure.
+#include <array>
+
+#include "planner/gait/body_frame.h"
+#include "planner/gait/gait_clock.h"
+#include "robots/robot_config.h"
+#include "signals/signals.h"
+
+namespace sprung {
+
+/// The robot as a body on legs: what does not change.
+struct BodyShape {
+  explicit BodyShape(const RobotConfig& robot);
+
+  std::size_t legs = 0;
+  double mass_kg = 0.0;  ///< of all
+  std::array<Eigen::Vector3d, kMostLegs> hip_in_trunk_m{};
+  /// Foot of a leg that stands straight under its hip, from the hip: sideways by the leg's own offset.
+  std::array<Eigen::Vector3d, kMostLegs> foot_beside_hip_m{};
+  std::array<double, kMostLegs> side{};  ///< +1 left, -1 right
+
+  Eigen::Vector3d com_in_trunk_m(const JointState& in) const noexcept;
+
+ private:
+  BodyConfig body_;
+  std::array<double, kMostLegs> hip_mass_kg_{};
+  std::array<double, kMostLegs> leg_mass_kg_{};
+};
+
+struct BodyView {
+  Attitude attitude;
+  Eigen::Matrix3d level_from_trunk = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d velocity_m_s = Eigen::Vector3d::Zero();  ///< level axes; zero where it is not known
+  Eigen::Vector3d angular_velocity_rad_s = Eigen::Vector3d::Zero();
+  Eigen::Vector3d com_m = Eigen::Vector3d::Zero();  ///< from the middle of the hips, level axes
+  std::array<Eigen::Vector3d, kMostLegs> foot_m{};  ///< the same
+  bool uses_imu = false;
+  bool velocity_known = false;
+
+  /// Unknown attitude counts as level.
+  static BodyView of(const JointState& in, const BodyShape& shape) noexcept;
+};
+
+}  // namespace sprung

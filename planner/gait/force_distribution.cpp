@@ -1,0 +1,118 @@
+#include "planner/gait/force_distribution.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sprung {
+namespace {
+
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+constexpr int kSides = 8;  ///< of the pyramid in place of the cone
+constexpr double kPi = 3.14159265358979323846;
+
+static_assert(ForceDistributionQp::kVariables == 3 * DistributedForce::kMostFeet);
+static_assert(ForceDistributionQp::kMostRows == (kSides + 2) * DistributedForce::kMostFeet);
+
+double most_N(const FootLoad& foot) noexcept { return std::max(0.0, foot.most_N); }
+double least_N(const FootLoad& foot) noexcept { return std::clamp(foot.least_N, 0.0, most_N(foot)); }
+
+bool finite(const FootLoad& foot) noexcept {
+  return !foot.stands ||
+         (foot.foot_from_com_m.allFinite() && std::isfinite(foot.most_N) && std::isfinite(foot.least_N));
+}
+
+bool valid(const BodyWrench& wanted, const std::vector<FootLoad>& feet) noexcept {
+  return wanted.force_N.allFinite() && wanted.torque_Nm.allFinite() &&
+         feet.size() <= DistributedForce::kMostFeet && std::all_of(feet.begin(), feet.end(), finite);
+}
+
+Eigen::Matrix<double, 6, 3> effect_of_foot(const Eigen::Vector3d& r) noexcept {
+  Eigen::Matrix<double, 6, 3> effect;
+  effect << 1, 0, 0, 0, 1, 0, 0, 0, 1,  //
+      0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
+  return effect;
+}
+
+Vector6 stacked(const BodyWrench& wrench) noexcept {
+  Vector6 all;
+  all << wrench.force_N, wrench.torque_Nm;
+  return all;
+}
+
+}  // namespace
+
+ForceDistribution::ForceDistribution(double floor_friction, const ForceWeights& weights) noexcept
+    : friction_(floor_friction), foot_force_weight_(weights.foot_force) {
+  weights_ << weights.horizontal_force, weights.horizontal_force, weights.vertical_force,  //
+      weights.roll_pitch_torque, weights.roll_pitch_torque, weights.yaw_torque;
+  clear(ForceStatus::kNoFeet);
+}
+
+const DistributedForce& ForceDistribution::solve(const BodyWrench& wanted,
+                                                 const std::vector<FootLoad>& feet) noexcept {
+  clear(ForceStatus::kNoFeet);
+  if (!valid(wanted, feet)) {
+    clear(ForceStatus::kInvalid);
+    return out_;
+  }
+  if (std::none_of(feet.begin(), feet.end(), [](const FootLoad& foot) { return foot.stands; })) return out_;
+  for (int i = 0; i < static_cast<int>(feet.size()); ++i) {
+    if (feet[i].stands) effect_.middleCols<3>(3 * i) = effect_of_foot(feet[i].foot_from_com_m);
+  }
+  const Eigen::Matrix<double, ForceDistributionQp::kVariables, 6> weighted =
+      effect_.transpose() * weights_.asDiagonal();
+  ForceDistributionQp::Matrix cost = weighted * effect_;
+  cost.diagonal().array() += foot_force_weight_;
+  qp_.begin(cost, -weighted * stacked(wanted));
+  for (int i = 0; i < static_cast<int>(feet.size()); ++i) {
+    if (feet[i].stands) add_rows(3 * i, least_N(feet[i]), most_N(feet[i]));
+  }
+  qp_.solve();
+  keep(qp_.solution(), feet);
+  compare(wanted);
+  return out_;
+}
+
+void ForceDistribution::clear(ForceStatus status) noexcept {
+  effect_.setZero();
+  out_.ground_on_foot_N.fill(Eigen::Vector3d::Zero());
+  out_.reached = BodyWrench{};
+  out_.status = status;
+}
+
+void ForceDistribution::add_rows(int first, double least_N, double most_N) noexcept {
+  qp_.add({first, Eigen::Vector3d::UnitZ(), least_N});
+  qp_.add({first, -Eigen::Vector3d::UnitZ(), -most_N});
+  const double inside =
+      friction_ * std::cos(kPi / kSides);  // middle of a side, its corners being on the cone
+  for (int side = 0; side < kSides; ++side) {
+    const double angle_rad = (2 * side + 1) * kPi / kSides;
+    qp_.add({first, {-std::cos(angle_rad), -std::sin(angle_rad), inside}, 0.0});
+  }
+}
+
+/// Inside bounds and cone to the last digit, and also should the solver ever have stopped half-way.
+void ForceDistribution::keep(const ForceDistributionQp::Vector& forces,
+                             const std::vector<FootLoad>& feet) noexcept {
+  for (int i = 0; i < static_cast<int>(feet.size()); ++i) {
+    if (!feet[i].stands) continue;
+    Eigen::Vector3d& force = out_.ground_on_foot_N[i];
+    force = forces.segment<3>(3 * i);
+    force.z() = std::clamp(force.z(), least_N(feet[i]), most_N(feet[i]));
+    const double horizontal = force.head<2>().norm();
+    const double most = friction_ * force.z();
+    if (horizontal > most) force.head<2>() *= most / horizontal;
+  }
+}
+
+void ForceDistribution::compare(const BodyWrench& wanted) noexcept {
+  Vector6 reached = Vector6::Zero();
+  for (int i = 0; i < DistributedForce::kMostFeet; ++i)
+    reached += effect_.middleCols<3>(3 * i) * out_.ground_on_foot_N[i];
+  out_.reached = {reached.head<3>(), reached.tail<3>()};
+  const Vector6 lacking = stacked(wanted) - reached;
+  const bool exact = lacking.dot(weights_.asDiagonal() * lacking) <= kExactWithin_N * kExactWithin_N;
+  out_.status = exact ? ForceStatus::kExact : ForceStatus::kBounded;
+}
+
+}  // namespace sprung

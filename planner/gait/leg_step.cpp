@@ -1,0 +1,98 @@
+#include "planner/gait/leg_step.h"
+
+namespace sprung {
+namespace {
+
+constexpr double kStumbleFrom = 0.2;   // share of the swing: before, the foot may still be leaving
+constexpr double kStumbleTo = 0.6;     // later it is on its way down: then contact is the ground
+constexpr double kClearance_m = 0.02;  // that a stumble adds to the lift
+
+}  // namespace
+
+void LegStep::enter(LegPhase phase) noexcept {
+  phase_ = phase;
+  in_phase_s_ = 0.0;
+}
+
+void LegStep::note(LegEvent event) noexcept {
+  last_event_ = event;
+  ++counts_[static_cast<std::size_t>(event)];
+}
+
+void LegStep::stand(const Eigen::Vector3d& foot_m) noexcept {
+  enter(LegPhase::kStance);
+  wanted_m_ = foot_m;
+  wanted_m_s_.setZero();
+  gave_up_ = false;
+}
+
+void LegStep::lift(const Eigen::Vector3d& foot_m) noexcept {
+  enter(LegPhase::kSwing);
+  in_swing_s_ = 0.0;
+  extra_lift_m_ = 0.0;
+  gave_up_ = false;
+  from_m_ = foot_m;
+}
+
+bool LegStep::step(const StepPlan& plan, const Eigen::Vector3d& foot_m, const Eigen::Vector3d& foothold_m,
+                   bool contact) noexcept {
+  in_phase_s_ += plan.dt_s;
+  const Eigen::Vector3d turning(0.0, 0.0, plan.turning_rad_s);
+  if (stands()) {
+    wanted_m_s_ = -plan.body_m_s - turning.cross(wanted_m_);
+    wanted_m_ += wanted_m_s_ * plan.dt_s;
+    return false;
+  }
+  in_swing_s_ += plan.dt_s;
+  swing(plan, foothold_m);
+  look(plan, contact);
+  if (!landed(plan, contact)) return false;
+  const bool gave_up = gave_up_;
+  stand(foot_m);
+  gave_up_ = gave_up;
+  return true;
+}
+
+void LegStep::swing(const StepPlan& plan, const Eigen::Vector3d& foothold_m) noexcept {
+  SwingPath path;
+  path.from_m = from_m_;
+  path.to_m = {foothold_m.x(), foothold_m.y(), plan.ground_z_m};
+  path.ground_m_s = {-plan.body_m_s.x(), -plan.body_m_s.y(), 0.0};
+  path.duration_s = plan.swing_s;
+  path.lift_m = plan.gait->lift_m + extra_lift_m_;
+  // Whoever waits for contact comes down slowly; plain hybrid trusts its clock.
+  const bool waits = plan.control == GaitControl::kOwn;
+  path.approach_s = waits ? plan.gait->pre_stance * plan.swing_s : 0.0;
+  path.approach_m_s = waits ? plan.law->approach_m_s : 0.0;
+  const SwingPoint point = path.at(in_swing_s_);
+  wanted_m_ = point.position_m;
+  wanted_m_s_ = point.velocity_m_s;
+  const double over_s = in_swing_s_ - plan.swing_s;
+  if (!waits && over_s > 0.0 && plan.control != GaitControl::kHybrid)
+    wanted_m_.z() -= plan.law->approach_m_s * over_s;
+}
+
+void LegStep::look(const StepPlan& plan, bool contact) noexcept {
+  const double share = in_swing_s_ / plan.swing_s;
+  if (phase_ == LegPhase::kSwing && share >= 1.0 - plan.gait->pre_stance) enter(LegPhase::kPreStance);
+  if (contact && share > kStumbleFrom && share < kStumbleTo && last_event_ != LegEvent::kStumble) {
+    note(LegEvent::kStumble);
+    extra_lift_m_ = kClearance_m;
+  }
+  const bool just_late = share >= 1.0 && share - plan.dt_s / plan.swing_s < 1.0;
+  if (just_late && !contact && plan.control != GaitControl::kHybrid) note(LegEvent::kLateContact);
+}
+
+bool LegStep::landed(const StepPlan& plan, bool contact) noexcept {
+  const double share = in_swing_s_ / plan.swing_s;
+  if (plan.control == GaitControl::kHybrid) return share >= 1.0;
+  if (contact && share >= kStumbleTo) {
+    if (share < 1.0 - 0.5 * plan.gait->pre_stance) note(LegEvent::kEarlyContact);
+    return true;
+  }
+  if (wanted_m_.z() > plan.ground_z_m - plan.law->step_down_m || share < 1.0) return false;
+  note(LegEvent::kNoGround);
+  return gave_up_ = true;
+}
+
+}  // namespace sprung

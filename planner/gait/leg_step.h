@@ -1,0 +1,70 @@
+#pragma once
+/// Phases of one leg in a gait: swing, pre-stance, stance; where its foot is wanted, and what befalls it. Level axes
+/// (body_frame.h). Pure.
+///
+///   swing       the foot goes along its path; contact before the middle is a stumble: it lifts higher
+///   pre-stance  the last share of the swing: contact ends it (early contact); late, the foot steps down at the approach speed
+///               (late contact) as far as step_down, and then gives up (no ground)
+///   stance      the foot is wanted where it landed, carried along as the body is to move over it
+#include "planner/gait/swing_path.h"
+#include "robots/gait_config.h"
+#include "signals/signals.h"
+
+namespace sprung {
+
+/// What every leg of a gait shares in this cycle.
+struct StepPlan {
+  const GaitConfig* gait = nullptr;
+  const WalkConfig* law = nullptr;
+  GaitControl control = GaitControl::kOwn;
+  double dt_s = 0.0;
+  double swing_s = 0.0;
+  Eigen::Vector3d body_m_s;  ///< wanted, over the ground; z: of the height
+  double turning_rad_s = 0.0;
+  double ground_z_m = 0.0;  ///< expected
+};
+
+class LegStep {
+ public:
+  void stand(const Eigen::Vector3d& foot_m) noexcept;
+  void lift(const Eigen::Vector3d& foot_m) noexcept;
+
+  /// One cycle. @param foot_m measured. @param foothold_m where a swing shall end; z is not used.
+  /// @return true when the foot landed, or gave up, in this cycle.
+  bool step(const StepPlan& plan, const Eigen::Vector3d& foot_m, const Eigen::Vector3d& foothold_m,
+            bool contact) noexcept;
+
+  LegPhase phase() const noexcept { return phase_; }
+  double in_phase_s() const noexcept { return in_phase_s_; }
+  bool stands() const noexcept { return phase_ == LegPhase::kStance; }
+  bool gave_up() const noexcept { return gave_up_; }
+  /// Beyond the end of the swing, still looking for the ground.
+  bool late(const StepPlan& plan) const noexcept { return !stands() && in_swing_s_ >= plan.swing_s; }
+  const Eigen::Vector3d& wanted_m() const noexcept { return wanted_m_; }
+  const Eigen::Vector3d& wanted_m_s() const noexcept { return wanted_m_s_; }
+  /// Moves the wanted place of a standing foot, e.g. for the height of the body.
+  void shift(const Eigen::Vector3d& by_m) noexcept { wanted_m_ += by_m; }
+  LegEvent last_event() const noexcept { return last_event_; }
+  const std::array<std::int32_t, kLegEventCount>& counts() const noexcept { return counts_; }
+  void forget_event() noexcept { last_event_ = LegEvent::kNone; }
+  void note(LegEvent event) noexcept;
+
+ private:
+  void enter(LegPhase phase) noexcept;
+  void swing(const StepPlan& plan, const Eigen::Vector3d& foothold_m) noexcept;
+  void look(const StepPlan& plan, bool contact) noexcept;
+  bool landed(const StepPlan& plan, bool contact) noexcept;
+
+  LegPhase phase_ = LegPhase::kStance;
+  double in_phase_s_ = 0.0;
+  double in_swing_s_ = 0.0;
+  double extra_lift_m_ = 0.0;
+  bool gave_up_ = false;
+  Eigen::Vector3d from_m_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d wanted_m_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d wanted_m_s_ = Eigen::Vector3d::Zero();
+  LegEvent last_event_ = LegEvent::kNone;
+  std::array<std::int32_t, kLegEventCount> counts_{};
+};
+
+}  // namespace sprung

@@ -1,0 +1,28 @@
+#pragma once
+/// Desired speed of the body: forward, left (m/s), turning (rad/s), at limited acceleration. Pure.
+#include <array>
+
+namespace sprung {
+
+class SpeedRamp {
+ public:
+  SpeedRamp() = default;
+  SpeedRamp(double acceleration_m_s2, double turning_acceleration_rad_s2) noexcept
+      : most_{acceleration_m_s2, acceleration_m_s2, turning_acceleration_rad_s2} {}
+
+  void reset() noexcept {
+    now_.fill(0.0);
+    wanted_.fill(0.0);
+  }
+  void want(const std::array<double, 3>& speed) noexcept { wanted_ = speed; }
+  void advance(double dt_s) noexcept;
+  const std::array<double, 3>& now() const noexcept { return now_; }
+  bool arrived() const noexcept { return now_ == wanted_; }
+
+ private:
+  std::array<double, 3> most_{};
+  std::array<double, 3> now_{};
+  std::array<double, 3> wanted_{};
+};
+
+}  // namespace sprung

@@ -1,0 +1,288 @@
+#include "planner/gait/walk.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "controller/leg_kinematics.h"
+
+namespace sprung {
+namespace {
+
+constexpr double kHeadingGain_1_s = 1.0;
+constexpr double kMostHeadingCorrection_rad_s = 0.2;
+constexpr double kHeightRate_m_s = 0.05;  // of a wanted height or width
+constexpr double kHeightGain_1_s = 3.0;   // in which the feet's places follow the wanted height
+constexpr double kLeanAhead = 0.12;  // share of the period before a swing at which its foot no longer counts
+constexpr double kLeanTime = 0.22;   // share of the period in which the body leans over
+
+double toward(double from, double to, double most) noexcept {
+  return from + std::clamp(to - from, -most, most);
+}
+
+}  // namespace
+
+Walk::Walk(const RobotConfig& robot, const PresetConfig& preset)
+    : law_(preset.walk),
+      gaits_(robot.gaits),
+      cycle_s_(robot.cycle_s),
+      stand_height_m_(preset.stand_length_m),
+      stance_friction_(preset.walk.stance_friction_compensation),
+      inertia_compensation_(preset.inertia_compensation),
+      shape_(robot),
+      ramp_(preset.walk.acceleration_m_s2, preset.walk.turning_acceleration_rad_s2),
+      distribution_(preset.walk.floor_friction),
+      feet_(robot.legs.size()) {
+  width_m_ = law_.stance_width_m;
+}
+
+const char* Walk::mistake(const WalkRequest& request, bool walking) const noexcept {
+  if (gaits_.empty()) return "this robot has no gaits";
+  if (request.gait < 0 || request.gait >= static_cast<int>(gaits_.size())) return "unknown gait";
+  const GaitConfig& wanted = gaits_[static_cast<std::size_t>(request.gait)];
+  if (!(std::abs(request.speed[0]) <= wanted.fastest_forward_m_s))
+    return "faster forward than this gait goes";
+  if (!(std::abs(request.speed[1]) <= wanted.fastest_sideways_m_s))
+    return "faster sideways than this gait goes";
+  if (!(std::abs(request.speed[2]) <= wanted.fastest_turning_rad_s))
+    return "faster turning than this gait goes";
+  constexpr double kLowest = 0.6;
+  constexpr double kHighest = 1.1;
+  const bool high =
+      request.height_m >= kLowest * stand_height_m_ && request.height_m <= kHighest * stand_height_m_;
+  if (!high) return "body height beyond 60 to 110 % of the preset's stand_length";
+  if (!(request.stance_width_m >= -0.05 && request.stance_width_m <= 0.15))
+    return "stance width beyond -50 to 150 mm";
+  if (!walking || request.gait == current_) return nullptr;
+  const GaitConfig& now = gaits_[static_cast<std::size_t>(current_)];
+  const bool follows = std::find(now.to.begin(), now.to.end(), wanted.name) != now.to.end();
+  return follows ? nullptr : "no transition between these gaits: stop first";
+}
+
+Vec3 Walk::stance_foot_in_hip_m(std::size_t leg, double height_m) const noexcept {
+  Eigen::Vector3d foot = shape_.foot_beside_hip_m[leg];
+  if (!gaits_.empty()) foot.y() += shape_.side[leg] * width_m_;
+  foot.z() = -height_m;
+  return to_vec3(foot);
+}
+
+void Walk::begin(const JointState& in, const WalkRequest& request) noexcept {
+  view_ = BodyView::of(in, shape_);
+  request_ = request;
+  current_ = request.gait;
+  clock_.begin(gaits_[static_cast<std::size_t>(current_)], shape_.legs);
+  ramp_.reset();
+  ramp_.want(request.speed);
+  lean_.reset();
+  double sum_m = 0.0;
+  for (std::size_t i = 0; i < shape_.legs; ++i) {
+    steps_[i].stand(view_.foot_m[i]);
+    steps_[i].forget_event();
+    sum_m += view_.foot_m[i].z();
+  }
+  ground_z_m_ = sum_m / static_cast<double>(shape_.legs);
+  height_m_ = -ground_z_m_;
+  heading_rad_ = view_.attitude.yaw_rad;
+  body_m_s_.setZero();
+  last_us_ = in.stamp.utime_us;
+  stopping_ = ended_ = false;
+  rounds_when_slow_ = -1;
+  failure_ = nullptr;
+}
+
+void Walk::change(const WalkRequest& request) noexcept {
+  request_ = request;
+  stopping_ = false;
+  rounds_when_slow_ = -1;
+  ramp_.want(request.speed);
+  if (request.gait != current_) {
+    clock_.hold();
+  } else {
+    clock_.resume();
+  }
+}
+
+void Walk::stop() noexcept {
+  stopping_ = true;
+  ramp_.want({});
+}
+
+void Walk::fail(const char* why) noexcept {
+  if (failure_ == nullptr) failure_ = why;
+  clock_.hold();
+  stop();
+}
+
+void Walk::step(const JointState& in) noexcept {
+  const double dt_s = 1e-6 * static_cast<double>(in.stamp.utime_us - last_us_);
+  last_us_ = in.stamp.utime_us;
+  if (ended_ || dt_s <= 0.0) return;
+  view_ = BodyView::of(in, shape_);
+  steer(dt_s);
+  lean(dt_s);
+  step_legs(in, dt_s);
+  hold_height(dt_s);
+  share_weight();
+  next_gait();
+}
+
+void Walk::steer(double dt_s) noexcept {
+  ramp_.advance(dt_s);
+  height_m_ = toward(height_m_, request_.height_m, kHeightRate_m_s * dt_s);
+  width_m_ = toward(width_m_, request_.stance_width_m, kHeightRate_m_s * dt_s);
+  const std::array<double, 3>& speed = ramp_.now();
+  heading_rad_ += speed[2] * dt_s;
+  const double error_rad = view_.uses_imu ? wrapped_rad(heading_rad_ - view_.attitude.yaw_rad) : 0.0;
+  turning_rad_s_ = speed[2] + std::clamp(kHeadingGain_1_s * error_rad, -kMostHeadingCorrection_rad_s,
+                                         kMostHeadingCorrection_rad_s);
+}
+
+/// Over the middle of the feet that will go on standing.
+void Walk::lean(double dt_s) noexcept {
+  const double period_s = gait().period_s;
+  Eigen::Vector2d middle_m = Eigen::Vector2d::Zero();
+  int feet = 0;
+  for (std::size_t i = 0; i < shape_.legs; ++i) {
+    if (clock_.swings(i) || clock_.until_swing_s(i) < kLeanAhead * period_s) continue;
+    middle_m += (shape_.hip_in_trunk_m[i] + shape_.foot_beside_hip_m[i]).head<2>();
+    ++feet;
+  }
+  if (feet > 0) middle_m /= feet;
+  const double far_m = middle_m.norm();
+  if (far_m > gait().sway_m) middle_m *= gait().sway_m / far_m;
+  if (gait().sway_m <= 0.0) middle_m.setZero();
+  lean_.follow(middle_m, kLeanTime * period_s, dt_s);
+  body_m_s_ = {ramp_.now()[0] + lean_.speed_m_s().x(), ramp_.now()[1] + lean_.speed_m_s().y(), 0.0};
+}
+
+Eigen::Vector3d Walk::place_m(std::size_t leg) const noexcept {
+  Eigen::Vector3d place = shape_.hip_in_trunk_m[leg] + shape_.foot_beside_hip_m[leg];
+  place.y() += shape_.side[leg] * width_m_;
+  place.head<2>() -= lean_.at_m();
+  place.z() = ground_z_m_;
+  return place;
+}
+
+/// Half a stance ahead of its place, and further where the body is faster than it should be.
+Eigen::Vector3d Walk::foothold_m(std::size_t leg) const noexcept {
+  const Eigen::Vector3d place = place_m(leg);
+  const Eigen::Vector3d turning(0.0, 0.0, ramp_.now()[2]);
+  const Eigen::Vector3d speed(ramp_.now()[0], ramp_.now()[1], 0.0);
+  Eigen::Vector3d out = place + 0.5 * clock_.stance_s() * (speed + turning.cross(place));
+  if (view_.velocity_known) {
+    constexpr double kFarthest_m = 0.1;
+    Eigen::Vector2d beyond_m = law_.foothold_gain_s * (view_.velocity_m_s - body_m_s_).head<2>();
+    if (beyond_m.norm() > kFarthest_m) beyond_m *= kFarthest_m / beyond_m.norm();
+    out.head<2>() += beyond_m;
+  }
+  return out;
+}
+
+void Walk::step_legs(const JointState& in, double dt_s) noexcept {
+  bool late = false;
+  for (std::size_t i = 0; i < shape_.legs; ++i)
+    late = late || (clock_.swings(i) && clock_.swing_share(i) >= 1.0 && !steps_[i].stands());
+  clock_.advance(late ? 0.0 : dt_s);
+  const StepPlan plan{&gait(),          &law_,     request_.control, dt_s,
+                      clock_.swing_s(), body_m_s_, turning_rad_s_,   ground_z_m_};
+  for (std::size_t i = 0; i < shape_.legs; ++i) {
+    if (clock_.swings(i) && steps_[i].stands()) steps_[i].lift(view_.foot_m[i]);
+    if (!steps_[i].step(plan, view_.foot_m[i], foothold_m(i), in.legs[i].contact)) continue;
+    clock_.land(i);
+    if (steps_[i].gave_up()) fail("a foot found no ground");
+  }
+}
+
+/// The feet that stand follow the wanted height together; how they differ is the ground's doing.
+void Walk::hold_height(double dt_s) noexcept {
+  double wanted_m = 0.0;
+  double measured_m = 0.0;
+  int feet = 0;
+  for (std::size_t i = 0; i < shape_.legs; ++i) {
+    if (!steps_[i].stands()) continue;
+    wanted_m += steps_[i].wanted_m().z();
+    measured_m += view_.foot_m[i].z();
+    ++feet;
+  }
+  if (feet == 0) return;
+  ground_z_m_ = measured_m / feet;
+  const double by_m = (-height_m_ - wanted_m / feet) * std::min(1.0, kHeightGain_1_s * dt_s);
+  for (std::size_t i = 0; i < shape_.legs; ++i)
+    if (steps_[i].stands()) steps_[i].shift({0.0, 0.0, by_m});
+}
+
+/// Share of its load that a standing foot takes: growing after it landed, shrinking before it leaves.
+double Walk::load(std::size_t leg) const noexcept {
+  if (!steps_[leg].stands()) return 0.0;
+  if (law_.force_rise_s <= 0.0) return 1.0;
+  const double since = steps_[leg].in_phase_s() / law_.force_rise_s;
+  const double until = clock_.until_swing_s(leg) / law_.force_rise_s;
+  return std::clamp(std::min(since, until), 0.0, 1.0);
+}
+
+void Walk::share_weight() noexcept {
+  for (Eigen::Vector3d& force : force_N_) force.setZero();
+  if (!law_.distribute_force) return;
+  const BodyWish wish{body_m_s_, turning_rad_s_, height_m_, -ground_z_m_};
+  for (std::size_t i = 0; i < shape_.legs; ++i)
+    feet_[i] = {view_.foot_m[i] - view_.com_m, load(i) * shape_.mass_kg * kGravity_m_s2, 0.0,
+                steps_[i].stands()};
+  const DistributedForce& shared = distribution_.solve(wanted_wrench(law_, shape_, view_, wish), feet_);
+  std::copy_n(shared.ground_on_foot_N.begin(), shape_.legs, force_N_.begin());
+}
+
+void Walk::next_gait() noexcept {
+  const bool all_stand = clock_.all_stand();
+  if (stopping_ && ramp_.arrived() && gait().duty < 1.0) {
+    if (rounds_when_slow_ < 0) rounds_when_slow_ = clock_.rounds();
+    if (clock_.rounds() > rounds_when_slow_) clock_.hold();
+  }
+  const bool settled =
+      std::all_of(steps_.begin(), steps_.begin() + static_cast<std::ptrdiff_t>(shape_.legs),
+                  [&](const LegStep& s) { return s.stands() && s.in_phase_s() >= law_.force_rise_s; });
+  const bool done = gait().duty >= 1.0 || failure_ != nullptr ||
+                    (rounds_when_slow_ >= 0 && clock_.rounds() > rounds_when_slow_);
+  if (stopping_ && ramp_.arrived() && settled && all_stand && done) ended_ = true;
+  if (!stopping_ && all_stand && request_.gait != current_) {
+    current_ = request_.gait;
+    clock_.begin(gaits_[static_cast<std::size_t>(current_)], shape_.legs);
+  }
+}
+
+bool Walk::on_spring(std::size_t leg) const noexcept {
+  if (steps_[leg].stands() || request_.control == GaitControl::kForce) return true;
+  return request_.control == GaitControl::kPreStance && steps_[leg].phase() == LegPhase::kPreStance;
+}
+
+void Walk::write(std::size_t leg, DesiredLeg& out) const noexcept {
+  const LegStep& step = steps_[leg];
+  const Eigen::Matrix3d trunk_from_level = view_.level_from_trunk.transpose();
+  out.phase = step.phase();
+  out.desired_foot_in_hip_m = to_vec3(trunk_from_level * step.wanted_m() - shape_.hip_in_trunk_m[leg]);
+  out.desired_foot_velocity_m_s = to_vec3(trunk_from_level * step.wanted_m_s());
+  if (!on_spring(leg)) {
+    out.control_mode = ControlMode::kPosition;
+    return;
+  }
+  const StiffnessConfig& gains =
+      step.stands()                                                                         ? law_.stance
+      : step.phase() == LegPhase::kPreStance && request_.control == GaitControl::kPreStance ? law_.pre_stance
+                                                                                            : law_.swing;
+  out.control_mode = ControlMode::kCompliance;
+  out.stiffness_N_m = gains.stiffness_N_m;
+  out.damping_N_s_m = gains.damping_N_s_m;
+  out.velocity_feedforward = gains.velocity_feedforward;
+  out.feedforward_force_N = to_vec3(trunk_from_level * force_N_[leg]);
+  out.friction_compensation = step.stands() ? stance_friction_ : law_.swing_friction_compensation;
+  out.inertia_compensation = step.stands() ? 0.0 : law_.swing_inertia_compensation;
+}
+
+void Walk::write(MotionState& out) const noexcept {
+  out.gait = ended_ ? -1 : current_;
+  out.gait_phase = ended_ ? 0.0 : clock_.phase();
+  out.desired_speed = ramp_.now();
+  for (std::size_t i = 0; i < out.legs.size() && i < shape_.legs; ++i) {
+    out.legs[i] = {steps_[i].phase(), steps_[i].in_phase_s(), steps_[i].last_event(), steps_[i].counts()};
+  }
+}
+
+}  // namespace sprung

@@ -1,0 +1,88 @@
+#pragma once
+/// A robot in a gait: the clock's turns, each leg's steps, the body over them, and how its weight is shared out. Standing on virtual
+/// springs is the gait whose legs never swing. Pure: no heap after construction, never throws in step. docs/locomotion.md.
+#include <array>
+
+#include "planner/gait/body_law.h"
+#include "planner/gait/force_distribution.h"
+#include "planner/gait/leg_step.h"
+#include "planner/gait/speed_ramp.h"
+
+namespace sprung {
+
+struct WalkRequest {
+  int gait = -1;                  ///< index into RobotConfig::gaits
+  std::array<double, 3> speed{};  ///< forward, left m/s; turning rad/s
+  double height_m = 0.0;
+  double stance_width_m = 0.0;
+  GaitControl control = GaitControl::kOwn;
+};
+
+class Walk {
+ public:
+  /// @throws std::invalid_argument on legs that cannot be walked on.
+  Walk(const RobotConfig& robot, const PresetConfig& preset);
+
+  /// Why this cannot be done from where it is; nullptr: it can.
+  const char* mistake(const WalkRequest& request, bool walking) const noexcept;
+  void begin(const JointState& in, const WalkRequest& request) noexcept;
+  /// Speed, height and width are ramped; another gait begins when all feet stand.
+  void change(const WalkRequest& request) noexcept;
+  /// Slows down, sets every foot in its place once, then stands.
+  void stop() noexcept;
+  bool ended() const noexcept { return ended_; }
+  /// Why it ended by itself; nullptr: it did not.
+  const char* failure() const noexcept { return failure_; }
+
+  void step(const JointState& in) noexcept;
+  void write(std::size_t leg, DesiredLeg& out) const noexcept;
+  void write(MotionState& out) const noexcept;
+
+  /// Where a leg's foot stands, in hip axes, at that height and width: before and after walking too.
+  Vec3 stance_foot_in_hip_m(std::size_t leg, double height_m) const noexcept;
+
+ private:
+  void steer(double dt_s) noexcept;
+  void lean(double dt_s) noexcept;
+  void step_legs(const JointState& in, double dt_s) noexcept;
+  void hold_height(double dt_s) noexcept;
+  void share_weight() noexcept;
+  void next_gait() noexcept;
+  void fail(const char* why) noexcept;
+  Eigen::Vector3d place_m(std::size_t leg) const noexcept;
+  Eigen::Vector3d foothold_m(std::size_t leg) const noexcept;
+  double load(std::size_t leg) const noexcept;
+  bool on_spring(std::size_t leg) const noexcept;
+  const GaitConfig& gait() const noexcept { return clock_.gait(); }
+
+  const WalkConfig law_;
+  const std::vector<GaitConfig> gaits_;
+  const double cycle_s_;
+  const double stand_height_m_;
+  const double stance_friction_;
+  const double inertia_compensation_;
+  BodyShape shape_;
+  GaitClock clock_;
+  SpeedRamp ramp_;
+  Lean lean_;
+  ForceDistribution distribution_;
+  std::array<LegStep, kMostLegs> steps_;
+  std::vector<FootLoad> feet_;
+  std::array<Eigen::Vector3d, kMostLegs> force_N_{};  ///< ground on foot, level axes
+  BodyView view_;
+  WalkRequest request_;
+  int current_ = -1;
+  double height_m_ = 0.0;  ///< as ramped
+  double width_m_ = 0.0;
+  double ground_z_m_ = 0.0;
+  double heading_rad_ = 0.0;
+  double turning_rad_s_ = 0.0;  ///< as steered
+  Eigen::Vector3d body_m_s_ = Eigen::Vector3d::Zero();
+  bool stopping_ = false;
+  bool ended_ = true;
+  int rounds_when_slow_ = -1;
+  std::int64_t last_us_ = 0;
+  const char* failure_ = nullptr;
+};
+
+}  // namespace sprung
