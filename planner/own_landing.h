@@ -6,8 +6,9 @@
 ///   stretch   the leg gets longer: an earlier and slower touchdown, more way to stop in;
 ///   braking   the foot is drawn in so that it slows down over ground, to a small speed a little above where the ground is
 ///             expected; with that speed it goes on until there is contact;
-///   ground    from measured contact on the leg yields so that the body stops evenly over the way that is left: spring and
-///             damper are soft, the force is fed forward, and the motors accelerate their own rotors.
+///   ground    from measured contact on the leg yields so that the body stops evenly over the way that is left. First the
+///             motors move the rotors as the measured force would move a light foot, and take its horizontal part off; then
+///             a soft spring and damper are left, and the planned force is fed forward.
 /// In a jump, unless the preset says otherwise: the jump's curve in position, then late a spring of its own.
 #include <cstdint>
 
@@ -53,10 +54,21 @@ class OwnLanding {
   void start(const OwnLandingInput& in) noexcept;
   void stretch() noexcept;
   void brake(double dt_s) noexcept;
-  bool touched(const OwnLandingInput& in) noexcept;
+  FootPoint stretched() const noexcept;
+  /// Along x the foot goes on while it brakes.
+  void set_x(const FootPoint& like) noexcept;
+  bool touched(const OwnLandingInput& in) const noexcept;
   void touch_down(const OwnLandingInput& in) noexcept;
   void yield(double dt_s) noexcept;
   OwnLandingOutput output() const noexcept;
+  void air(OwnLandingOutput& out) const noexcept;
+  void ground(OwnLandingOutput& out) const noexcept;
+  /// By `share`, spring, damper and `force_N` along this axis move a mass instead of the rotors as they are.
+  void move_as_mass(std::size_t axis, double mass_kg, double force_N, double share,
+                    OwnLandingOutput& out) const noexcept;
+  double force_rise() const noexcept;
+  /// In which the foot slows down to its approach speed.
+  double braking_way_m() const noexcept;
   /// Of the hip over the expected ground, in free fall.
   double hip_height_m() const noexcept;
   double hip_velocity_m_s() const noexcept;
@@ -68,9 +80,11 @@ class OwnLanding {
   Stage stage_ = Stage::kBefore;
   std::int64_t begun_us_ = 0;
   std::int64_t now_us_ = 0;
-  FootMove move_;               ///< of the stretch
-  FootPoint foot_;              ///< desired
-  double approach_m_s_;         ///< of the foot over ground, downward, in kBraking
+  FootMove move_;   ///< of the stretch
+  FootPoint foot_;  ///< desired
+  EstimatedLeg measured_;
+  double approach_m_s_;         ///< of the foot over ground, downward
+  double braking_m_s2_ = 0.0;   ///< in kBraking, now
   double stopping_m_s2_ = 0.0;  ///< of the body, in kGround
   double ground_s_ = 0.0;       ///< since contact
   double pushed_s_ = 0.0;       ///< for how long the foot's force has been beyond its bound
