@@ -108,8 +108,10 @@ void Plant::note_feet() noexcept {
   }
 }
 
-/// The lowest point of the robot, upright, on the floor below it.
+/// The lowest point of the robot on the floor below it; a trunk that is free stands parallel to a slope.
 void Plant::touch_floor() noexcept {
+  if (index_.free_qpos >= 0 && config_.suspended_m <= 0.0)
+    mju_quatZ2Vec(data_->qpos + index_.free_qpos + 3, ground_.below_trunk().normal.data());
   mj_kinematics(model_.get(), data_.get());
   note_feet();
   place_floors();
@@ -298,7 +300,11 @@ BaseMotion Plant::base_motion() const noexcept {
 }
 
 void Plant::fill_truth(SimTruth& truth) noexcept {
+  const BaseMotion motion = base_motion();
   refresh_poses();
+  if (index_.free_qpos >= 0)  // mj_kinematics has normalised it, which may change its last bit
+    std::copy(motion.quaternion_wxyz.begin(), motion.quaternion_wxyz.end(),
+              data_->qpos + index_.free_qpos + 3);
   for (std::size_t i = 0; i < gears_.size(); ++i) truth.joints[i] = true_joint(i);
   for (std::size_t leg = 0; leg < index_.foot_geom.size(); ++leg) {
     const int geom = index_.foot_geom[leg];
@@ -312,7 +318,7 @@ void Plant::fill_truth(SimTruth& truth) noexcept {
   mj_objectVelocity(model_.get(), data_.get(), mjOBJ_BODY, base, velocity, 0);
   truth.base_in_world_m = vec3(row(data_->xpos, base, 3));
   truth.base_velocity_m_s = vec3(velocity + 3);
-  truth.base_angular_velocity_rad_s = base_motion().angular_velocity_rad_s;
+  truth.base_angular_velocity_rad_s = motion.angular_velocity_rad_s;
   mj_subtreeVel(model_.get(), data_.get());
   truth.com_in_world_m = vec3(row(data_->subtree_com, base, 3));
   truth.com_velocity_m_s = vec3(row(data_->subtree_linvel, base, 3));
