@@ -61,20 +61,20 @@ TEST_F(ChangedLanding, LegThatIsToEndLongerThanItStretchesIsRefused) {
 }
 
 TEST_F(ChangedLanding, WrongUnitIsRefused) {
-  EXPECT_THAT(complaint("approach_speed: 0.66 m/s", "approach_speed: 0.66 m"), HasSubstr("approach_speed"));
+  EXPECT_THAT(complaint("approach_speed: 0.74 m/s", "approach_speed: 0.74 m"), HasSubstr("approach_speed"));
 }
 
 TEST_F(ChangedLanding, MissingKeyIsNamed) {
-  EXPECT_THAT(complaint("      force_rise: 0.03 s\n", ""), HasSubstr("force_rise"));
+  EXPECT_THAT(complaint("      force_rise: 0.045 s\n", ""), HasSubstr("force_rise"));
 }
 
 TEST_F(ChangedLanding, MassMustBeSaidInTheAirAndOnTheGround) {
-  EXPECT_THAT(complaint("        mass: {x: 10 kg, z: 10 kg}\n", ""), HasSubstr("own_landing.ground.mass"));
+  EXPECT_THAT(complaint("        mass: {x: 12 kg, z: 10 kg}\n", ""), HasSubstr("own_landing.ground.mass"));
   EXPECT_THAT(complaint("mass: {x: 0 kg, z: 12 kg}", "mass: {x: 0 kg, z: -1 kg}"), HasSubstr("air.mass.z"));
 }
 
 TEST_F(ChangedLanding, UnknownKeyIsNamed) {
-  EXPECT_THAT(complaint("force_rise: 0.03 s", "force_rise: 0.03 s\n      force_fall: 0.1 s"),
+  EXPECT_THAT(complaint("force_rise: 0.045 s", "force_rise: 0.045 s\n      force_fall: 0.1 s"),
               HasSubstr("force_fall"));
 }
 
