@@ -140,6 +140,7 @@ constexpr Change kChanges[] = {
     {"step_length", 0, 1000, [](SimConfig& c, double v) { step(c).length_m = v; }},
     {"step_right", -1000, 1000, [](SimConfig& c, double v) { step(c).right_m = v; }},
     {"step_width", 0, 1000, [](SimConfig& c, double v) { step(c).width_m = v; }},
+    {"step_us", 50, 1000, [](SimConfig& c, double v) { c.plant.step_s = 1e-6 * v; }},
     {"suspended", 0, 10, [](SimConfig& c, double v) { c.plant.suspended_m = v; }},
     {"sync_jitter_us", 0, 1000, [](SimConfig& c, double v) { c.timing.sync_jitter_s = 1e-6 * v; }},
     {"temperature", -50, 150, [](SimConfig& c, double v) { c.plant.ambient_degC = v; }},

@@ -65,8 +65,8 @@ PlantIndex find_parts(const mjModel& model, const RobotConfig& robot) {
     index.leg_floor_geom.push_back(own >= 0 ? own : index.floor_geom);
   }
   for (int geom = 0; geom < model.ngeom; ++geom) {
-    const bool collides = model.geom_contype[geom] != 0 || model.geom_conaffinity[geom] != 0;
-    if (collides && model.geom_type[geom] == mjGEOM_SPHERE) index.ground_geom.push_back(geom);
+    const bool moves = model.body_weldid[model.geom_bodyid[geom]] != 0;
+    if (moves && model.geom_type[geom] == mjGEOM_SPHERE) index.ground_geom.push_back(geom);
   }
   return index;
 }
@@ -112,17 +112,45 @@ void free_floors(mjModel& model, const PlantIndex& index) {
   for (const int floor : index.leg_floor_geom) model.geom_sameframe[floor] = 0;
 }
 
-/// Needs the final masses' body_invweight0. The spheres' values alone count (priority), whatever the floor has.
+/// What makes contact with a body a spring and damper: facts physics 3.
+struct ContactSpring {
+  double stiffness = 0.0;  ///< solref[0] and [1], negative: in MuJoCo's direct form
+  double damping = 0.0;
+};
+
+/// Needs the final masses' body_invweight0.
+ContactSpring contact_spring(const mjModel& model, int geom, const ContactConfig& contact) {
+  const double inverse_mass = row(model.body_invweight0, model.geom_bodyid[geom], 2)[0];
+  const double scale = (1.0 - kContactImpedance) * inverse_mass;
+  const double fastest = kFastestContact * kContactImpedance / model.opt.timestep;
+  return {-contact.stiffness_N_m * scale, -std::min(contact.damping_N_s_m * scale, fastest)};
+}
+
+void write_spring(const ContactSpring& spring, mjtNum* solref, mjtNum* solimp) {
+  solref[0] = spring.stiffness;
+  solref[1] = spring.damping;
+  solimp[0] = solimp[1] = kContactImpedance;
+}
+
+/// The spheres' values alone count (priority), whatever the floor has.
 void write_contact(mjModel& model, const PlantIndex& index, const ContactConfig& contact) {
   for (const int geom : index.ground_geom) {
-    const double inverse_mass = row(model.body_invweight0, model.geom_bodyid[geom], 2)[0];
-    const double scale = (1.0 - kContactImpedance) * inverse_mass;
     model.geom_priority[geom] = 1;
     row(model.geom_friction, geom, 3)[0] = contact.friction;
-    row(model.geom_solimp, geom, mjNIMP)[0] = row(model.geom_solimp, geom, mjNIMP)[1] = kContactImpedance;
-    row(model.geom_solref, geom, mjNREF)[0] = -contact.stiffness_N_m * scale;
-    const double fastest = kFastestContact * kContactImpedance / model.opt.timestep;
-    row(model.geom_solref, geom, mjNREF)[1] = -std::min(contact.damping_N_s_m * scale, fastest);
+    write_spring(contact_spring(model, geom, contact), row(model.geom_solref, geom, mjNREF),
+                 row(model.geom_solimp, geom, mjNIMP));
+  }
+}
+
+/// Pairs that model.xml lists have values of their own.
+void write_pairs(mjModel& model, const ContactConfig& contact) {
+  for (int pair = 0; pair < model.npair; ++pair) {
+    const int first = model.pair_geom1[pair];
+    const int sphere = model.geom_type[first] == mjGEOM_SPHERE ? first : model.pair_geom2[pair];
+    mjtNum* friction = row(model.pair_friction, pair, 5);
+    friction[0] = friction[1] = contact.friction;
+    write_spring(contact_spring(model, sphere, contact), row(model.pair_solref, pair, mjNREF),
+                 row(model.pair_solimp, pair, mjNIMP));
   }
 }
 
@@ -142,6 +170,7 @@ PlantModel load_plant_model(const RobotConfig& robot, const PlantConfig& config)
   const DataPtr scratch(mj_makeData(&model));
   mj_setConst(&model, scratch.get());
   write_contact(model, plant.index, config.contact);
+  write_pairs(model, config.contact);
   return plant;
 }
 

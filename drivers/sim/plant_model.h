@@ -37,7 +37,7 @@ struct PlantIndex {
   std::vector<int> joint_dof;
   std::vector<int> foot_geom;       ///< of RobotConfig::legs
   std::vector<int> leg_floor_geom;  ///< `<leg>_floor`, else floor_geom
-  std::vector<int> ground_geom;     ///< spheres that the ground can push: feet and others
+  std::vector<int> ground_geom;  ///< every sphere of a moving body, feet among them: what the ground can push
 };
 
 struct PlantModel {

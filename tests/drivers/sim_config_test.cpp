@@ -75,6 +75,40 @@ TEST_F(SimConfigTest, UnknownKeyIsRefusedWithFileAndLineWhereverItStands) {
   }
 }
 
+TEST_F(SimConfigTest, GroundHasSlopesErrorAndSteps) {
+  const GroundConfig ground =
+      load_with("  floor_height:",
+                "  ground: {slope: 0.1 rad, error: 0.02 m, steps: [{from: 1 m, height: 0.02 m}, {from: 2 m, "
+                "length: 0.3 m, right: -0.2 m, width: 0.4 m, height: -0.02 m}]}\n  floor_height:")
+          .plant.ground;
+  EXPECT_EQ(ground.slope_rad, 0.1);
+  EXPECT_EQ(ground.side_slope_rad, 0.0);
+  EXPECT_EQ(ground.error_m, 0.02);
+  ASSERT_EQ(ground.steps.size(), 2U);
+  EXPECT_EQ(ground.steps[0].length_m, 0.0);
+  EXPECT_EQ(ground.steps[1].right_m, -0.2);
+  EXPECT_NE(refusal("  floor_height:", "  ground: {ceiling: 3 m}\n  floor_height:").find("ceiling"),
+            std::string::npos);
+}
+
+TEST_F(SimConfigTest, ImuNeedsEveryErrorWithItsUnit) {
+  const std::string imu =
+      "imu:\n  angular_velocity: {noise: 0.003 rad/s, bias: 0.002 rad/s}\n  specific_force: {noise: 0.03 "
+      "m/s^2, "
+      "bias: 0.04 m/s^2}\n  attitude: {noise: 0.0005 rad, tilt_bias: 0.004 rad, yaw_drift: 0.0002 rad/s}\n";
+  const ImuConfig read = load_with("\ntiming:", "\n" + imu + "timing:").imu.value();
+  EXPECT_EQ(read.rate_noise_rad_s, 0.003);
+  EXPECT_EQ(read.rate_bias_rad_s, 0.002);
+  EXPECT_EQ(read.force_noise_m_s2, 0.03);
+  EXPECT_EQ(read.force_bias_m_s2, 0.04);
+  EXPECT_EQ(read.attitude_noise_rad, 0.0005);
+  EXPECT_EQ(read.tilt_bias_rad, 0.004);
+  EXPECT_EQ(read.yaw_drift_rad_s, 0.0002);
+  std::string in_degrees = imu;
+  in_degrees.replace(imu.find("0.003 rad/s"), 11, "0.2 deg/s");
+  EXPECT_NE(refusal("\ntiming:", "\n" + in_degrees + "timing:").find("rad/s"), std::string::npos);
+}
+
 TEST_F(SimConfigTest, WrongUnitIsRefused) {
   EXPECT_NE(refusal("mass: 4.13 kg", "mass: 4.13 g").find("kg"), std::string::npos);
 }

@@ -114,12 +114,60 @@ TEST_P(PlantChanges, TemperatureAndHeatingReachThePlant) {
   for (const PlantJointConfig& joint : warm.joints) EXPECT_EQ(joint.thermal.resistance_K_W, 0.0);
 }
 
+TEST_P(PlantChanges, GroundKeysReachTheGround) {
+  const GroundConfig ground =
+      config({{"slope", 0.1}, {"side_slope", -0.2}, {"ground_error", 0.02}, {"ground_seed", 5}}).plant.ground;
+  EXPECT_EQ(ground.slope_rad, 0.1);
+  EXPECT_EQ(ground.side_slope_rad, -0.2);
+  EXPECT_EQ(ground.error_m, 0.02);
+  EXPECT_EQ(ground.error_seed, 5U);
+  EXPECT_TRUE(ground.steps.empty());
+  const GroundConfig stepped = config({{"step_from", 1.0},
+                                       {"step_height", -0.02},
+                                       {"step_length", 0.3},
+                                       {"step_right", -0.1},
+                                       {"step_width", 0.4}})
+                                   .plant.ground;
+  ASSERT_EQ(stepped.steps.size(), 1U);
+  EXPECT_EQ(stepped.steps[0].from_m, 1.0);
+  EXPECT_EQ(stepped.steps[0].height_m, -0.02);
+  EXPECT_EQ(stepped.steps[0].length_m, 0.3);
+  EXPECT_EQ(stepped.steps[0].right_m, -0.1);
+  EXPECT_EQ(stepped.steps[0].width_m, 0.4);
+  EXPECT_EQ(config({{"step_us", 500}}).plant.step_s, 0.0005);
+}
+
 INSTANTIATE_TEST_SUITE_P(Robots, PlantChanges, testing::Values("single_leg", "pegasus", "test_axis"));
 
 TEST(PlantChange, NoiseScaleReachesTheTorqueSensor) {
   const RobotConfig bench = load_robot(std::string(SPRUNG_SOURCE_DIR) + "/robots/test_axis");
   EXPECT_EQ(load_sim_config(bench, {}).torque_sensor.value().noise_Nm, 0.1);
   EXPECT_EQ(load_sim_config(bench, {{"noise_scale", 0.0}}).torque_sensor.value().noise_Nm, 0.0);
+}
+
+TEST(PlantChange, LyingTakesEveryJointsOwnAngleAndLetsTheTrunkGo) {
+  const RobotConfig robot = load_robot(std::string(SPRUNG_SOURCE_DIR) + "/robots/pegasus");
+  const PlantConfig hanging = load_sim_config(robot, {{"lying", 0}}).plant;
+  const PlantConfig lying = load_sim_config(robot, {{"lying", 1}}).plant;
+  EXPECT_GT(hanging.suspended_m, 0.0);
+  EXPECT_EQ(lying.suspended_m, 0.0);
+  for (std::size_t j = 0; j < 12; ++j) EXPECT_EQ(lying.joints[j].initial_rad, hanging.joints[j].lying_rad);
+  const RobotConfig leg = load_robot(std::string(SPRUNG_SOURCE_DIR) + "/robots/single_leg");
+  EXPECT_THROW(load_sim_config(leg, {{"lying", 1}}), ConfigError);
+}
+
+TEST(PlantChange, ImuCanBeTakenOffAndNoiseScaleIsOnItsErrors) {
+  const RobotConfig robot = load_robot(std::string(SPRUNG_SOURCE_DIR) + "/robots/pegasus");
+  const ImuConfig plain = load_sim_config(robot, {}).imu.value();
+  const ImuConfig loud = load_sim_config(robot, {{"noise_scale", 2}}).imu.value();
+  EXPECT_GT(plain.rate_noise_rad_s, 0.0);
+  EXPECT_EQ(loud.rate_noise_rad_s, 2 * plain.rate_noise_rad_s);
+  EXPECT_EQ(loud.force_bias_m_s2, 2 * plain.force_bias_m_s2);
+  EXPECT_EQ(loud.tilt_bias_rad, 2 * plain.tilt_bias_rad);
+  EXPECT_EQ(loud.yaw_drift_rad_s, 2 * plain.yaw_drift_rad_s);
+  EXPECT_FALSE(load_sim_config(robot, {{"imu", 0}}).imu);
+  const RobotConfig leg = load_robot(std::string(SPRUNG_SOURCE_DIR) + "/robots/single_leg");
+  EXPECT_THROW(load_sim_config(leg, {{"imu", 1}}), ConfigError);
 }
 
 }  // namespace
