@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "planner/operator_desk.h"
 #include "robots/robot_loader.h"
 
 namespace sprung {
@@ -33,10 +34,42 @@ TEST_F(FootReturnTest, HandPullsEachForceInEachDirectionAtItsCycle) {
   const FootReturnScript script = foot_return_cases(robot_.preset("best")).front().script;
   const std::vector<SimControl> controls = hand(script, robot_.cycle_s);
   ASSERT_EQ(controls.size(), 40u);
-  EXPECT_EQ(controls[0].apply_at_seq, 1500 + 700);
-  EXPECT_EQ(controls[1].apply_at_seq - controls[0].apply_at_seq, 4200);
+  EXPECT_EQ(controls[0].apply_at_seq, 1500 + 1200);
+  EXPECT_EQ(controls[1].apply_at_seq - controls[0].apply_at_seq, 4700);
   EXPECT_NEAR(controls[10].wrench[2], script.pulls[10].force_N, 1e-9);  // the third direction is up
   EXPECT_NEAR(controls[10].wrench[0], 0.0, 1e-9);
+}
+
+TEST_F(FootReturnTest, RunsAreShortEnoughForThePlannersDeskAndMissNoPull) {
+  const FootReturnScript script = foot_return_cases(robot_.preset("best")).front().script;
+  std::vector<double> forces_N;
+  for (const FootReturnScript& run : runs_of(script)) {
+    EXPECT_LE(orders(run, robot_.cycle_s).size(), static_cast<std::size_t>(OperatorDesk::kMostWaiting));
+    EXPECT_EQ(run.stiffness_N_m, script.stiffness_N_m);
+    for (const FootPull& pull : run.pulls) forces_N.push_back(pull.force_N);
+  }
+  ASSERT_EQ(forces_N.size(), script.pulls.size());
+  for (std::size_t i = 0; i < forces_N.size(); ++i) EXPECT_EQ(forces_N[i], script.pulls[i].force_N);
+}
+
+TEST_F(FootReturnTest, OperatorStandsThenCompliesBeforeEveryPullAndStopsAfterIt) {
+  const FootReturnScript script = few("without").script;
+  const std::vector<OperatorCommand> said = orders(script, robot_.cycle_s);
+  ASSERT_EQ(said.size(), 4u);
+  EXPECT_EQ(said[0].kind, OperatorKind::kStand);
+  EXPECT_EQ(said[1].kind, OperatorKind::kComply);
+  EXPECT_EQ(said[1].apply_at_seq, 1500 + 1000);
+  EXPECT_EQ(said[1].stiffness_N_m, (Vec3{2000.0, 0.0, 2000.0}));
+  EXPECT_EQ(said[1].friction_compensation, 0.0);
+  EXPECT_EQ(said[2].kind, OperatorKind::kStop);
+  EXPECT_EQ(said[2].apply_at_seq, 1500 + 4700);
+  EXPECT_EQ(said[3].kind, OperatorKind::kComply);
+}
+
+TEST_F(FootReturnTest, CommandThatIsRefusedEndsTheExperiment) {
+  RobotConfig slow = robot_;
+  for (PresetConfig& preset : slow.presets) preset.rise_time_s = 3.0;  // not standing when it is to comply
+  EXPECT_THROW(run_foot_return(slow, "best", {}, {few("with")}, run_in_process), std::runtime_error);
 }
 
 TEST_F(FootReturnTest, CompensationBringsTheFootHomeAndTheSpringIsFelt) {

@@ -49,7 +49,7 @@ TEST_F(StepResponseTest, MotorsTorqueFollowsItsLoopWhateverTheFloor) {
 
 TEST_F(StepResponseTest, StepIsTheForceTimesTheKneesLever) {
   const StepFigures& s = of("rigid_floor").motor;
-  EXPECT_NEAR(std::abs(s.end_Nm - s.start_Nm), 200.0 * 0.239, 1.0);
+  EXPECT_NEAR(std::abs(s.end_Nm - s.start_Nm), 200.0 * 0.245, 1.0);
 }
 
 /// Errata E10: 36 Hz, so the output peaks half a period, 14 ms, after the motor.
@@ -75,6 +75,11 @@ TEST_F(StepResponseTest, RowsOfTheThrustAreThePapersAndOthersAreNamedByCase) {
   EXPECT_EQ(rows[3].name, "step_response.output.t90");
   EXPECT_EQ(rows[4].name, "step_response.rigid_floor.motor.peak");
   EXPECT_FALSE(rows[4].paper);
+  EXPECT_EQ(*rows[1].high, 4.75);  // S0's torque has its peak then
+  EXPECT_EQ(*rows[7].high, 13.0);  // ANYmal's, which S0 compares with
+  EXPECT_EQ(*rows[10].low, 11.0);  // errata E10
+  EXPECT_EQ(*rows[10].high, 19.0);
+  for (const ReportRow& row : rows) EXPECT_TRUE(row.ok()) << row.name;
 }
 
 TEST_F(StepResponseTest, ReportShowsThreeSignalsOfEveryCase) {
@@ -86,6 +91,15 @@ TEST_F(StepResponseTest, ReportShowsThreeSignalsOfEveryCase) {
 
 TEST_F(StepResponseTest, RobotThatIsNoPlanarLegIsRefused) {
   EXPECT_THROW(run_step_response(load_robot("pegasus"), "best", {}, run_in_process), std::invalid_argument);
+}
+
+TEST_F(StepResponseTest, PresetThatRampsItsSpringsIsRefused) {
+  try {
+    run_step_response(load_robot("single_leg"), "best", {}, run_in_process);
+    FAIL();
+  } catch (const std::invalid_argument& why) {
+    EXPECT_THAT(why.what(), testing::HasSubstr("stiffness_ramp"));
+  }
 }
 
 TEST_F(StepResponseTest, TorsionIsRefusedWhereGearsAreRigid) {

@@ -76,16 +76,9 @@ int run_jump(const JumpOptions& options) {
   SimOptions sim;
   sim.seed = options.seed;
   sim.plant = parse_plant(options.plant);
-  const ScriptRunner runner = [&](const RunScript& script, const CycleObserver& on_cycle,
-                                  const ReplyObserver& on_reply) {
-    if (options.separate) {
-      run_separate(script, on_cycle, on_reply);
-    } else {
-      run_in_process(script, on_cycle, on_reply);
-    }
-  };
   const RobotConfig robot = load_robot(options.robot);
-  JumpExperiment experiment = run_jump_experiment(robot, options.preset, sim, runner);
+  JumpExperiment experiment =
+      run_jump_experiment(robot, options.preset, sim, script_runner(options.separate));
   experiment.rows.separate_processes = options.separate;
   if (!options.out.empty()) {
     write_rows(experiment.rows, options.out);

@@ -13,6 +13,8 @@
 #include "robots/robot_loader.h"
 #include "runtime/log.h"
 #include "tools/experiments/foot_return_report.h"
+#include "tools/experiments/progress_bar.h"
+#include "tools/experiments/separate_run.h"
 #include "tools/experiments/step_response_report.h"
 #include "tools/report/report_shell.h"
 
@@ -26,12 +28,13 @@ struct Request {
   std::uint64_t seed = 1;
   std::vector<std::string> plant;
   std::string out;
+  bool separate = false;
   bool as_json = false;
 
   std::string command() const {
     std::string line = "sprung experiment " + experiment + " --robot " + robot + " --preset " + preset;
     for (const std::string& change : plant) line += " --plant " + change;
-    return line + " --seed " + std::to_string(seed);
+    return line + " --seed " + std::to_string(seed) + (separate ? " --separate" : "");
   }
 };
 
@@ -41,8 +44,13 @@ struct Outcome {
   report::Section section;
   double simulated_s = 0.0;
 };
-using Experiment =
-    std::function<Outcome(const RobotConfig& robot, const std::string& preset, const SimOptions& sim)>;
+/// How and where its scripts are run.
+struct Means {
+  ScriptRunner run;
+  ParallelOptions parallel;
+};
+using Experiment = std::function<Outcome(const RobotConfig& robot, const std::string& preset,
+                                         const SimOptions& sim, const Means& means)>;
 
 void write_folder(const Request& request, const ExperimentReport& rows, const report::Section& section) {
   report::Report page;
@@ -67,12 +75,17 @@ int run_command(const Request& request, const Experiment& experiment) {
   SimOptions sim;
   sim.seed = request.seed;
   sim.plant = parse_plant(request.plant);
-  const Outcome outcome = experiment(robot, request.preset, sim);
+  ProgressBar bar(request.experiment);
+  Means means{script_runner(request.separate), {}};
+  if (request.separate) means.parallel.jobs = 1;
+  means.parallel.on_progress = [&bar](std::size_t done, std::size_t count) { bar.show(done, count); };
+  const Outcome outcome = experiment(robot, request.preset, sim, means);
   ExperimentReport rows;
   rows.experiment = request.experiment;
   rows.robot = robot.name;
   rows.preset = request.preset;
   rows.seed = request.seed;
+  rows.separate_processes = request.separate;
   rows.rows = outcome.rows;
   rows.simulated_s = outcome.simulated_s;
   rows.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
@@ -81,14 +94,16 @@ int run_command(const Request& request, const Experiment& experiment) {
   return rows.ok() ? kExitDone : kExitFailed;
 }
 
-Outcome foot_return(const RobotConfig& robot, const std::string& preset, const SimOptions& sim) {
+Outcome foot_return(const RobotConfig& robot, const std::string& preset, const SimOptions& sim,
+                    const Means& means) {
   const FootReturnResult result =
-      run_foot_return(robot, preset, sim, foot_return_cases(robot.preset(preset)), run_in_process);
+      run_foot_return(robot, preset, sim, foot_return_cases(robot.preset(preset)), means.run, means.parallel);
   return {foot_return_rows(result), foot_return_section(result), result.simulated_s};
 }
 
-Outcome step_response(const RobotConfig& robot, const std::string& preset, const SimOptions& sim) {
-  const StepResponseResult result = run_step_response(robot, preset, sim, run_in_process);
+Outcome step_response(const RobotConfig& robot, const std::string& preset, const SimOptions& sim,
+                      const Means& means) {
+  const StepResponseResult result = run_step_response(robot, preset, sim, means.run, means.parallel);
   return {step_response_rows(result), step_response_section(result), result.simulated_s};
 }
 
@@ -102,6 +117,7 @@ void add(CommandLine& parent, const std::string& name, const std::string& what, 
   line.option("--preset", request->preset, "set of parameters in robot.yaml");
   line.option("--seed", request->seed, "of every noise");
   line.option("--plant", request->plant, "KEY=VALUE changes the plant, e.g. noise_scale=2; may be repeated");
+  line.flag("--separate", request->separate, "real processes over LCM instead of one process; the same bits");
   line.option("--out", request->out, "folder for " + name + ".html and " + name + ".json");
   line.flag("--json", request->as_json, "one JSON object on standard output");
   line.example("sprung experiment " + name + " --seed 1 --out report");

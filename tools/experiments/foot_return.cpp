@@ -1,10 +1,7 @@
 #include "tools/experiments/foot_return.h"
 
 #include <cmath>
-#include <memory>
 #include <stdexcept>
-
-#include "tools/experiments/parallel.h"
 
 namespace sprung {
 namespace {
@@ -25,38 +22,50 @@ FootReturnScript script_of(const PresetConfig& preset, double stiffness_N_m, dou
   return out;
 }
 
-RunScript run_script(const RobotConfig& robot, const std::string& preset, const SimOptions& sim,
-                     const FootReturnCase& config) {
-  RunScript out{robot, preset, sim, {}, 0};
-  out.sim.plant["suspended"] = config.script.hip_height_m;
-  const auto scale = out.sim.plant.emplace("friction_scale", 1.0).first;
-  scale->second *= config.friction_scale;
-  out.controls = hand(config.script, robot.cycle_s);
+/// Five pulls of a case, or fewer.
+struct Run {
+  FootReturnScript part;
+  RunScript script;
+};
+
+/// What it left.
+struct RunResult {
+  std::vector<PullResult> pulls;
+  std::vector<PullTrace> traces;
+};
+
+Run run_of(const RobotConfig& robot, const std::string& preset, const SimOptions& sim, double friction_scale,
+           const FootReturnScript& part) {
+  Run out{part, {robot, preset, sim, orders(part, robot.cycle_s), 0}};
+  out.script.sim.plant["suspended"] = part.hip_height_m;
+  const auto scale = out.script.sim.plant.emplace("friction_scale", 1.0).first;
+  scale->second *= friction_scale;
+  out.script.controls = hand(part, robot.cycle_s);
   const double end_s =
-      foot_return::kFirst_s + foot_return::kPeriod_s * static_cast<double>(config.script.pulls.size());
-  out.cycles = std::llround(end_s / robot.cycle_s);
-  const auto leg =
-      std::make_shared<HangingLeg>(config.script, robot.preset(preset).compliance.velocity_feedforward);
-  out.command_legs_by = [leg](const JointState& in, LegCommand& command) { leg->command(in, command); };
+      foot_return::kFirst_s + foot_return::kPeriod_s * static_cast<double>(part.pulls.size());
+  out.script.cycles = std::llround(end_s / robot.cycle_s);
   return out;
 }
 
-FootReturnCaseResult run_case(const RunScript& script, const FootReturnCase& config,
-                              const ScriptRunner& run) {
-  FootReturnScorer scorer(config.script);
-  run(
-      script,
+RunResult result_of(const Run& run, const ScriptRunner& runner) {
+  FootReturnScorer scorer(run.part);
+  runner(
+      run.script,
       [&](const CycleRecord& cycle) {
         const Vec3& foot_m = cycle.truth.legs.front().true_foot_in_world_m;
         const PlanePoint away{foot_m[0] - cycle.truth.base_in_world_m[0],
-                              foot_m[2] - cycle.truth.base_in_world_m[2] + config.script.leg_length_m};
+                              foot_m[2] - cycle.truth.base_in_world_m[2] + run.part.leg_length_m};
         const auto& commands = cycle.drive_command.actuators;
-        scorer.add(static_cast<double>(cycle.drive_state.stamp.seq) * script.robot.cycle_s, away,
+        scorer.add(static_cast<double>(cycle.drive_state.stamp.seq) * run.script.robot.cycle_s, away,
                    {commands[0].commanded_torque_Nm, commands[1].commanded_torque_Nm});
       },
-      [](const OperatorReply&) {});
-  const std::vector<PullResult> pulls = scorer.results();
-  return {config, pulls, scorer.traces(), summarize(pulls)};
+      throw_unless_obeyed);
+  return {scorer.results(), scorer.traces()};
+}
+
+void add(const RunResult& run, FootReturnCaseResult& out) {
+  out.pulls.insert(out.pulls.end(), run.pulls.begin(), run.pulls.end());
+  out.traces.insert(out.traces.end(), run.traces.begin(), run.traces.end());
 }
 
 struct Bounds {
@@ -102,17 +111,26 @@ std::vector<FootReturnCase> foot_return_cases(const PresetConfig& preset) {
 }
 
 FootReturnResult run_foot_return(const RobotConfig& robot, const std::string& preset, const SimOptions& sim,
-                                 const std::vector<FootReturnCase>& cases, const ScriptRunner& run) {
+                                 const std::vector<FootReturnCase>& cases, const ScriptRunner& run,
+                                 const ParallelOptions& parallel) {
   if (robot.legs.size() != 1 || robot.legs.front().kinematics != "two_link")
     throw std::invalid_argument("foot_return pulls a planar leg, as single_leg is; " + robot.name +
                                 " is none");
   FootReturnResult out;
-  std::vector<RunScript> scripts;
-  for (const FootReturnCase& config : cases) {
-    scripts.push_back(run_script(robot, preset, sim, config));
-    out.simulated_s += static_cast<double>(scripts.back().cycles) * robot.cycle_s;
+  std::vector<Run> runs;
+  std::vector<std::size_t> case_of;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    out.cases.push_back({cases[i], {}, {}, {}});
+    for (const FootReturnScript& part : runs_of(cases[i].script)) {
+      runs.push_back(run_of(robot, preset, sim, cases[i].friction_scale, part));
+      case_of.push_back(i);
+      out.simulated_s += static_cast<double>(runs.back().script.cycles) * robot.cycle_s;
+    }
   }
-  out.cases = parallel_map(cases.size(), [&](std::size_t i) { return run_case(scripts[i], cases[i], run); });
+  const std::vector<RunResult> results = parallel_map(
+      runs.size(), [&](std::size_t i) { return result_of(runs[i], run); }, parallel);
+  for (std::size_t i = 0; i < runs.size(); ++i) add(results[i], out.cases[case_of[i]]);
+  for (FootReturnCaseResult& done : out.cases) done.summary = summarize(done.pulls);
   return out;
 }
 

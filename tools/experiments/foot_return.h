@@ -8,7 +8,8 @@
 #include "robots/robot_config.h"
 #include "tools/experiments/experiment_report.h"
 #include "tools/experiments/foot_return_score.h"
-#include "tools/experiments/jump_experiment.h"
+#include "tools/experiments/parallel.h"
+#include "tools/experiments/scripted_run.h"
 
 namespace sprung {
 
@@ -33,10 +34,11 @@ struct FootReturnResult {
 /// with and without at 2000 N/m, without at 500 N/m, with on plants of 0.8 to 1.2 of the friction.
 std::vector<FootReturnCase> foot_return_cases(const PresetConfig& preset);
 
-/// @param run run_in_process; a runner of separate processes needs the planner's commands instead.
-/// @throws std::runtime_error when the plant fails, std::invalid_argument for a robot whose leg is not planar.
+/// Each case in runs of five pulls. @param parallel of the runs; separate processes want one job.
+/// @throws std::runtime_error when the plant fails or a command is refused, std::invalid_argument for a robot whose leg is not planar.
 FootReturnResult run_foot_return(const RobotConfig& robot, const std::string& preset, const SimOptions& sim,
-                                 const std::vector<FootReturnCase>& cases, const ScriptRunner& run);
+                                 const std::vector<FootReturnCase>& cases, const ScriptRunner& run,
+                                 const ParallelOptions& parallel = {});
 
 /// Rows foot_return.<case>.<mean|max|min|moved_least|...>, with the bounds.
 std::vector<ReportRow> foot_return_rows(const FootReturnResult& result);

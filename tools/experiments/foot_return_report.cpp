@@ -87,8 +87,8 @@ Plot distance_plot(const FootReturnCaseResult& done) {
 report::Section foot_return_section(const FootReturnResult& result) {
   report::Section out{"Foot return"};
   out.text = {
-      "The leg hangs, its foot on a virtual spring. Before every pull the position loops bring the foot "
-      "home; in compliance an "
+      "The leg hangs, its foot on a virtual spring. Five pulls to a run: before each the position loops have "
+      "brought the foot home (the operator's stand and stop); in compliance (comply) an "
       "outside force at the foot grows over 0.7 s, is held for 0.3 s and is gone at once. 2.5 s later the "
       "foot's distance from "
       "home is the error. A limit cycle is a foot that moves by more than 0.2 mm, or a commanded torque that "

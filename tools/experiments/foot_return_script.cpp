@@ -3,15 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/experiments/scripted_run.h"
+
 namespace sprung {
 namespace {
 
 using namespace foot_return;
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kEnabled_s = 0.3;
-constexpr double kReach_s = 0.8;  // to the leg's length, the first time
-constexpr double kReturn_s = 0.4;
+
+/// Cycle that is `in_period_s` after the begin of that pull's period.
+std::int64_t cycle_of(std::size_t pull, double in_period_s, double cycle_s) {
+  return std::llround((kFirst_s + kPeriod_s * static_cast<double>(pull) + in_period_s) / cycle_s);
+}
 
 }  // namespace
 
@@ -24,14 +28,38 @@ std::vector<FootPull> eight_by_five(double first_force_N, double step_N) {
   return out;
 }
 
-std::vector<SimControl> hand(const FootReturnScript& script, double cycle_s) {
+std::vector<FootReturnScript> runs_of(const FootReturnScript& script) {
+  std::vector<FootReturnScript> out;
+  for (std::size_t first = 0; first < script.pulls.size(); first += kPullsOfARun) {
+    const std::size_t end = std::min(first + kPullsOfARun, script.pulls.size());
+    out.push_back(script);
+    out.back().pulls.assign(script.pulls.begin() + static_cast<std::ptrdiff_t>(first),
+                            script.pulls.begin() + static_cast<std::ptrdiff_t>(end));
+  }
+  return out;
+}
+
+std::vector<OperatorCommand> orders(const FootReturnScript& run, double cycle_s) {
+  std::vector<OperatorCommand> out{scripted(OperatorKind::kStand, std::llround(kStand_s / cycle_s))};
+  for (std::size_t i = 0; i < run.pulls.size(); ++i) {
+    if (i > 0) out.push_back(scripted(OperatorKind::kStop, cycle_of(i, 0.0, cycle_s)));
+    OperatorCommand comply = scripted(OperatorKind::kComply, cycle_of(i, kCentre_s, cycle_s));
+    comply.stiffness_N_m = {run.stiffness_N_m, 0.0, run.stiffness_N_m};
+    comply.damping_N_s_m = {run.damping_N_s_m, 0.0, run.damping_N_s_m};
+    comply.friction_compensation = run.friction_compensation;
+    out.push_back(comply);
+  }
+  return out;
+}
+
+std::vector<SimControl> hand(const FootReturnScript& run, double cycle_s) {
   std::vector<SimControl> out;
-  for (std::size_t i = 0; i < script.pulls.size(); ++i) {
-    const FootPull& pull = script.pulls[i];
+  for (std::size_t i = 0; i < run.pulls.size(); ++i) {
+    const FootPull& pull = run.pulls[i];
     SimControl control;
     control.kind = SimControlKind::kWrench;
     control.actuator = 0;  // the foot of this leg
-    control.apply_at_seq = std::llround((kFirst_s + kPeriod_s * static_cast<double>(i) + kPull_s) / cycle_s);
+    control.apply_at_seq = cycle_of(i, kPull_s, cycle_s);
     control.wrench = {pull.force_N * std::cos(pull.direction_rad), 0,
                       pull.force_N * std::sin(pull.direction_rad)};
     control.value = kGrow_s;
@@ -39,42 +67,6 @@ std::vector<SimControl> hand(const FootReturnScript& script, double cycle_s) {
     out.push_back(control);
   }
   return out;
-}
-
-void HangingLeg::command(const JointState& in, LegCommand& out) noexcept {
-  if (began_us_ < 0) began_us_ = in.stamp.utime_us;
-  out.stamp = in.stamp;
-  out.used_joint_state_seq = in.stamp.seq;
-  for (DesiredLeg& leg : out.legs) {
-    leg = DesiredLeg{};
-    follow(in, leg);
-  }
-}
-
-void HangingLeg::follow(const JointState& in, DesiredLeg& leg) noexcept {
-  const double time_s = 1e-6 * static_cast<double>(in.stamp.utime_us - began_us_);
-  const Vec3 measured_m = in.legs.front().estimated_foot_in_hip_m;
-  leg.phase = LegPhase::kStand;
-  leg.control_mode = ControlMode::kPosition;
-  leg.desired_foot_in_hip_m = measured_m;
-  if (time_s < kEnabled_s) return;
-  const int last = static_cast<int>(script_.pulls.size()) - 1;
-  const int pull =
-      time_s < kFirst_s ? -1 : std::min(static_cast<int>((time_s - kFirst_s) / kPeriod_s + 1e-6), last);
-  const double began_s = pull < 0 ? kEnabled_s : kFirst_s + kPeriod_s * pull;
-  const Vec3 rest_m{0.0, 0.0, -script_.leg_length_m};
-  if (pull != move_of_pull_) move_ = {measured_m, rest_m, pull < 0 ? kReach_s : kReturn_s};
-  move_of_pull_ = pull;
-  const FootPoint foot = move_.at(time_s - began_s);
-  leg.desired_foot_in_hip_m = foot.position_m;
-  leg.desired_foot_velocity_m_s = foot.velocity_m_s;
-  leg.desired_foot_acceleration_m_s2 = foot.acceleration_m_s2;
-  if (pull < 0 || time_s - began_s < kCentre_s - 1e-6) return;
-  leg.control_mode = ControlMode::kCompliance;
-  leg.stiffness_N_m = {script_.stiffness_N_m, 0.0, script_.stiffness_N_m};
-  leg.damping_N_s_m = {script_.damping_N_s_m, 0.0, script_.damping_N_s_m};
-  leg.velocity_feedforward = velocity_feedforward_;
-  leg.friction_compensation = script_.friction_compensation;
 }
 
 }  // namespace sprung

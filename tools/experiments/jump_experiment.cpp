@@ -31,12 +31,6 @@ double floor_m(const SimOptions& sim) {
   return change == sim.plant.end() ? 0.0 : change->second;
 }
 
-void throw_unless_obeyed(const OperatorReply& reply) {
-  if (reply.outcome == OperatorOutcome::kRefused || reply.outcome == OperatorOutcome::kFailed) {
-    throw std::runtime_error(std::string("the robot ") + name(reply.outcome) + " a command: " + reply.reason);
-  }
-}
-
 void add_jump(const RunScript& script, JumpMode mode, const ScriptRunner& run, JumpExperiment& out) {
   JumpMetrics metrics(script.robot, floor_m(script.sim));
   JumpTrace trace(script.robot);

@@ -17,8 +17,6 @@ namespace sprung {
 RunScript jump_script(const RobotConfig& robot, const std::string& preset, const SimOptions& sim,
                       JumpMode mode, int count);
 
-using ScriptRunner = std::function<void(const RunScript&, const CycleObserver&, const ReplyObserver&)>;
-
 struct JumpExperiment {
   ExperimentReport rows;
   std::vector<MeasuredJump> jumps;

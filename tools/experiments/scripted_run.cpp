@@ -12,6 +12,11 @@ OperatorCommand scripted(OperatorKind kind, std::int64_t at_seq) {
   return command;
 }
 
+void throw_unless_obeyed(const OperatorReply& reply) {
+  if (reply.outcome == OperatorOutcome::kRefused || reply.outcome == OperatorOutcome::kFailed)
+    throw std::runtime_error(std::string("the robot ") + name(reply.outcome) + " a command: " + reply.reason);
+}
+
 void run_in_process(const RunScript& script, const CycleObserver& on_cycle, const ReplyObserver& on_reply) {
   InProcessRobot robot(script.robot, script.preset, script.sim);
   for (const OperatorCommand& command : script.commands) {

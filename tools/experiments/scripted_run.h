@@ -2,6 +2,7 @@
 /// A run that anyone can repeat: commands at fixed cycles, a seed, a number of cycles. The in-process and the
 /// separate-process runner give the observer the same values, bit for bit.
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,12 @@ struct RunScript {
 
 /// @throws std::runtime_error when the drives do not boot or the plant fails.
 void run_in_process(const RunScript& script, const CycleObserver& on_cycle, const ReplyObserver& on_reply);
+
+/// run_in_process, or run_separate with its options.
+using ScriptRunner = std::function<void(const RunScript&, const CycleObserver&, const ReplyObserver&)>;
+
+/// For scripts of which every command must be obeyed. @throws std::runtime_error with the reason where one was refused or failed.
+void throw_unless_obeyed(const OperatorReply& reply);
 
 /// A command of this kind for cycle `at_seq`; the id is the cycle's number plus one.
 OperatorCommand scripted(OperatorKind kind, std::int64_t at_seq);

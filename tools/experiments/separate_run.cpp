@@ -101,6 +101,13 @@ void refuse_nondeterministic(const CycleRecord& cycle, std::int64_t expected_seq
 
 }  // namespace
 
+ScriptRunner script_runner(bool separate) {
+  if (!separate) return run_in_process;
+  return [](const RunScript& script, const CycleObserver& on_cycle, const ReplyObserver& on_reply) {
+    run_separate(script, on_cycle, on_reply);
+  };
+}
+
 int random_port() {
   std::random_device device;
   return 20000 + static_cast<int>(device() % 40000);

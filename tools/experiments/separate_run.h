@@ -21,6 +21,9 @@ struct SeparateResult {
 SeparateResult run_separate(const RunScript& script, const CycleObserver& on_cycle,
                             const ReplyObserver& on_reply, const SeparateOptions& options = {});
 
+/// For `--separate` of an experiment: real processes, or one.
+ScriptRunner script_runner(bool separate);
+
 /// A UDP port that is unlikely to be used by anyone else.
 int random_port();
 

@@ -53,9 +53,10 @@ report::Section step_response_section(const StepResponseResult& result) {
       "thrust: the jump in position control, from the first set-point of its thrust; 90 % of the highest "
       "torque of the push-off, "
       "since the motion goes on.",
-      "rigid_floor, floor_like_gear: the hip is held, the foot stands on a floor without friction, and the "
-      "force asked of the "
-      "foot steps from 100 to 300 N in torque compliance without stiffness; 90 % of the step. The gears are "
+      "rigid_floor, floor_like_gear: the hip is held, the foot presses on a floor without friction, 20 mm "
+      "short of where the spring of its compliance wants it, and a stiffer spring (a second comply) makes "
+      "the "
+      "force step from 100 to 300 N; 90 % of the step. The gears are "
       "rigid: the softer floor "
       "gives as much as a gear of 41000 Nm/rad would, so that rotor and spring have the 36 Hz of errata E10.",
       "Samples are 1 ms apart. Zero is the first DRIVE_COMMAND of the step; its LEG_COMMAND is 1 ms older."};

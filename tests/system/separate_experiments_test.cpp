@@ -1,0 +1,72 @@
+/// `--separate` of the leg's experiments: real processes, commanded as an operator would, leave the same bits as one process.
+#include <gtest/gtest.h>
+
+#include "tests/system/system_fixture.h"
+#include "tools/experiments/drop.h"
+#include "tools/experiments/foot_return.h"
+#include "tools/experiments/separate_run.h"
+#include "tools/experiments/step_response.h"
+
+namespace sprung {
+namespace {
+
+class SeparateExperiments : public SystemTest {
+ protected:
+  static SimOptions sim() { return SimOptions{5, {}, true}; }
+  static ParallelOptions one_job() { return {1, {}}; }
+};
+
+void expect_same(const std::vector<PlanePoint>& a, const std::vector<PlanePoint>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    ASSERT_EQ(a[k].x_m, b[k].x_m) << k;
+    ASSERT_EQ(a[k].z_m, b[k].z_m) << k;
+  }
+}
+
+TEST_F(SeparateExperiments, FootReturnBringsTheFootHomeBetweenPullsAndGivesTheSameBits) {
+  FootReturnCase config = foot_return_cases(robot_.preset("best")).front();
+  config.script.pulls = {config.script.pulls[2], config.script.pulls[13]};
+  const auto pulled = [&](bool separate) {
+    return run_foot_return(robot_, "best", sim(), {config}, script_runner(separate), one_job()).cases.front();
+  };
+  const FootReturnCaseResult one = pulled(false);
+  ASSERT_EQ(one.pulls.size(), 2u);
+  ASSERT_GT(one.summary.moved_least_mm, 30.0);
+  const FootReturnCaseResult many = pulled(true);
+  ASSERT_EQ(many.traces.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    expect_same(one.traces[i].foot_m, many.traces[i].foot_m);
+    EXPECT_EQ(one.traces[i].commanded_Nm, many.traces[i].commanded_Nm);
+  }
+}
+
+TEST_F(SeparateExperiments, StepResponseGivesTheSameBits) {
+  const auto stepped = [&](bool separate) {
+    return run_step_response(robot_, "paper", sim(), script_runner(separate), one_job());
+  };
+  const StepResponseResult one = stepped(false);
+  const StepResponseResult many = stepped(true);
+  ASSERT_EQ(one.cases.size(), many.cases.size());
+  for (std::size_t i = 0; i < one.cases.size(); ++i) {
+    ASSERT_FALSE(one.cases[i].knee.output_Nm.empty());
+    EXPECT_EQ(one.cases[i].knee.output_Nm, many.cases[i].knee.output_Nm) << one.cases[i].config.name;
+    EXPECT_EQ(one.cases[i].knee.estimated_motor_side_Nm, many.cases[i].knee.estimated_motor_side_Nm);
+  }
+}
+
+TEST_F(SeparateExperiments, DropGivesTheSameBits) {
+  const RunScript script = drop_script(robot_, "best", sim(), {JumpMode::kOwn, 0.3, 0.004});
+  const DropResult one = run_drop(script, script_runner(false));
+  ASSERT_GT(one.touchdown_speed_m_s, 0.0);
+  const DropResult many = run_drop(script, script_runner(true));
+  EXPECT_EQ(one.peak_motor_torque_Nm, many.peak_motor_torque_Nm);
+  EXPECT_EQ(one.peak_output_torque_Nm, many.peak_output_torque_Nm);
+  EXPECT_EQ(one.touchdown_s, many.touchdown_s);
+  EXPECT_EQ(one.touchdown_speed_m_s, many.touchdown_speed_m_s);
+  EXPECT_EQ(one.shortest_m, many.shortest_m);
+  EXPECT_EQ(one.folded, many.folded);
+}
+
+}  // namespace
+}  // namespace sprung
