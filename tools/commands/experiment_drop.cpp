@@ -11,6 +11,7 @@
 #include "robots/robot_loader.h"
 #include "runtime/log.h"
 #include "tools/experiments/drop_report.h"
+#include "tools/experiments/separate_run.h"
 #include "tools/report/report_shell.h"
 
 namespace sprung::commands {
@@ -24,13 +25,15 @@ struct DropOptions {
   int jobs = 0;
   std::vector<std::string> plant;
   std::string out;
+  bool separate = false;
   bool as_json = false;
 
   /// The line that makes it again.
   std::string command() const {
     std::string line = "sprung experiment drop --robot " + robot + " --preset " + preset;
     for (const std::string& change : plant) line += " --plant " + change;
-    return line + " --seed " + std::to_string(seed) + " --seeds " + std::to_string(seeds);
+    return line + " --seed " + std::to_string(seed) + " --seeds " + std::to_string(seeds) +
+           (separate ? " --separate" : "");
   }
 };
 
@@ -46,7 +49,7 @@ void write_files(const DropOptions& options, const RobotConfig& robot, const Dro
   page.subtitle = "preset " + options.preset + ", seed " + std::to_string(options.seed) +
                   ", sprung " SPRUNG_VERSION "-" SPRUNG_GIT_HASH;
   page.command = options.command();
-  page.sections = drop_sections(robot, request, experiment, run_in_process);
+  page.sections = drop_sections(robot, request, experiment, script_runner(options.separate));
   report::write_report(page, (folder / "drop.html").string());
 }
 
@@ -58,8 +61,9 @@ int run_drops(const DropOptions& options) {
   request.sim.seed = options.seed;
   request.sim.plant = parse_plant(options.plant);
   request.seeds = options.seeds;
-  request.jobs = options.jobs;
-  const DropExperiment experiment = run_drop_experiment(robot, request, run_in_process);
+  request.jobs = options.separate ? 1 : options.jobs;
+  DropExperiment experiment = run_drop_experiment(robot, request, script_runner(options.separate));
+  experiment.rows.separate_processes = options.separate;
   if (!options.out.empty()) write_files(options, robot, request, experiment);
   std::printf("%s\n", (options.as_json ? experiment.rows.json() : experiment.rows.table()).c_str());
   return experiment.rows.ok() ? kExitDone : kExitFailed;
@@ -78,6 +82,8 @@ void add_drop_experiment(CommandLine& experiment) {
   drop.option("--seeds", options->seeds, "of the comparison");
   drop.option("--jobs", options->jobs, "threads; 0: one for each core");
   drop.option("--plant", options->plant, "KEY=VALUE changes the plant; may be repeated");
+  drop.flag("--separate", options->separate,
+            "real processes over LCM instead of one process, one run at a time; the same bits");
   drop.option("--out", options->out, "folder for the report");
   drop.flag("--json", options->as_json, "one JSON object on standard output");
   drop.example("sprung experiment drop --robot single_leg --seed 1 --out /tmp/drop");
