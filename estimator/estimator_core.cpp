@@ -1,7 +1,9 @@
 #include "estimator/estimator_core.h"
 
+#include <optional>
 #include <vector>
 
+#include "estimator/body_estimator.h"
 #include "estimator/leg_estimator.h"
 
 namespace sprung {
@@ -13,6 +15,7 @@ struct EstimatorCore::Impl {
         longest_gap_s(watchdogs.joint_state_s),
         last(robot.joints.size(), robot.legs.size()) {
     for (const LegConfig& leg : robot.legs) legs.emplace_back(robot, leg, watchdogs.silent_cycles);
+    if (robot.body.mass_kg > 0.0) body.emplace(robot);
   }
 
   /// Time since the last cycle; starts anew on the first one, on a gap and when the bridge was restarted.
@@ -20,6 +23,7 @@ struct EstimatorCore::Impl {
     const double dt_s = 1e-6 * static_cast<double>(stamp.utime_us - last.stamp.utime_us);
     if (started && stamp.seq > last.stamp.seq && dt_s > 0.0 && dt_s <= longest_gap_s) return dt_s;
     for (LegEstimator& leg : legs) leg.reset();
+    if (body) body->reset();
     started = true;
     return cycle_s;
   }
@@ -28,6 +32,7 @@ struct EstimatorCore::Impl {
   double cycle_s;
   double longest_gap_s;
   std::vector<LegEstimator> legs;
+  std::optional<BodyEstimator> body;
   JointState last;
   bool started = false;
 };
@@ -39,7 +44,7 @@ EstimatorCore::EstimatorCore(const RobotConfig& robot, const WatchdogConfig& wat
 
 EstimatorCore::~EstimatorCore() = default;
 
-void EstimatorCore::step(const DriveState& in, JointState& out) noexcept {
+void EstimatorCore::step(const DriveState& in, JointState& out, const Imu* imu) noexcept {
   JointState& last = impl_->last;
   const bool repeated = impl_->started && in.stamp.seq == last.stamp.seq;
   if (!repeated && in.actuators.size() == impl_->actuator_count) {
@@ -47,6 +52,7 @@ void EstimatorCore::step(const DriveState& in, JointState& out) noexcept {
     for (std::size_t i = 0; i < impl_->legs.size(); ++i) {
       impl_->legs[i].step(in.actuators, dt_s, last.joints, last.legs[i]);
     }
+    if (impl_->body) impl_->body->step(last.legs, imu, in.stamp.seq, dt_s, last.body);
     last.stamp = in.stamp;
     last.used_drive_state_seq = in.stamp.seq;
   }

@@ -31,7 +31,9 @@ class EstimatorCore {
   /// JOINT_STATE(k) from DRIVE_STATE(k). `out` must have been sized for this robot. dt is the difference of
   /// utime. A repeated seq gives the same answer again; a seq or time that goes back, or a gap above joint_state,
   /// starts the filters anew.
-  void step(const DriveState& in, JointState& out) noexcept;
+  /// @param imu newest sample, for a robot with a body (robot.body); nullptr: none. Other robots' JOINT_STATE does not
+  /// depend on it, and says nothing of a body.
+  void step(const DriveState& in, JointState& out, const Imu* imu = nullptr) noexcept;
 
  private:
   struct Impl;

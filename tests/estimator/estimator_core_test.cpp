@@ -200,7 +200,8 @@ TEST_F(EstimatorCoreTest, SameInputsGiveTheSameBitsAndNothingIsAllocated) {
 }
 
 TEST(EstimatorWithoutFeet, EstimatesJointsAndKnowsNoFoot) {
-  const RobotConfig robot = load_robot("pegasus");
+  RobotConfig robot = load_robot("pegasus");
+  for (LegConfig& leg : robot.legs) leg.kinematics = kNoKinematics;
   EstimatorCore core(robot);
   DriveState drives(12);
   JointState out(12, 4);
@@ -224,6 +225,43 @@ TEST(EstimatorWithoutFeet, EstimatesJointsAndKnowsNoFoot) {
     EXPECT_TRUE(std::isnan(leg.estimated_foot_in_hip_m[0]));
     EXPECT_FALSE(leg.contact);
   }
+}
+
+TEST_F(EstimatorCoreTest, RobotWithoutABodySaysNothingOfOne) {
+  Imu imu;
+  imu.status = ImuStatus::kGood;
+  imu.stamp.seq = 1;
+  imu.measured_angular_velocity_rad_s = imu.measured_specific_force_m_s2 = {0, 0, 9.81};
+  imu.measured_quaternion_wxyz = {1, 0, 0, 0};
+  drives_.stamp.seq = 0;
+  core_.step(drives_, out_, &imu);
+  EXPECT_TRUE(std::isnan(out_.body.estimated_quaternion_wxyz[0]));
+  EXPECT_FALSE(out_.body.uses_imu);
+}
+
+/// And the answer to a repeated cycle is the same again, whatever the IMU says by then.
+TEST(EstimatorCoreWithABody, TakesTheImuOfItsCycle) {
+  const RobotConfig robot = load_robot("pegasus");
+  EstimatorCore core(robot);
+  DriveState drives(robot.actuators.size());
+  JointState out(robot.joints.size(), robot.legs.size());
+  Imu imu;
+  imu.status = ImuStatus::kGood;
+  imu.measured_angular_velocity_rad_s = {0.1, 0.2, 0.3};
+  imu.measured_specific_force_m_s2 = {0, 0, 9.81};
+  imu.measured_quaternion_wxyz = {std::cos(0.1), std::sin(0.1), 0, 0};
+  imu.stamp.seq = drives.stamp.seq = 0;
+  core.step(drives, out, &imu);
+  EXPECT_TRUE(out.body.uses_imu);
+  EXPECT_NEAR(out.body.estimated_quaternion_wxyz[1], std::sin(0.1), 1e-12);
+  EXPECT_EQ(out.body.estimated_angular_velocity_rad_s[2], 0.3);
+  core.step(drives, out, nullptr);
+  EXPECT_TRUE(out.body.uses_imu);
+  drives.stamp.seq = 6;
+  drives.stamp.utime_us = 12000;
+  core.step(drives, out, nullptr);
+  EXPECT_FALSE(out.body.uses_imu);
+  EXPECT_NEAR(out.body.estimated_quaternion_wxyz[1], std::sin(0.1), 0.01);
 }
 
 }  // namespace

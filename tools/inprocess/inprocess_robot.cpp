@@ -41,7 +41,7 @@ void InProcessRobot::exchange_frames() {
 }
 
 void InProcessRobot::run_cores() {
-  estimator_.step(drive_state_, joint_state_);
+  estimator_.step(drive_state_, joint_state_, sim_.imu().stamp.seq >= 0 ? &sim_.imu() : nullptr);
   controller_.step(joint_state_, leg_command_.stamp.seq >= 0 ? &leg_command_ : nullptr, drive_command_);
   if (leg_source_) {
     leg_source_(joint_state_, leg_command_);

@@ -1,0 +1,34 @@
+#pragma once
+/// The newest IMU sample that can be used, and how old it is. Pure.
+#include <Eigen/Geometry>
+#include <cstdint>
+
+#include "signals/signals.h"
+
+namespace sprung {
+
+/// A sample older than this counts as silence.
+inline constexpr std::int64_t kOldestImu_cycles = 5;
+
+struct ImuReading {
+  Eigen::Vector3d angular_velocity_rad_s = Eigen::Vector3d::Zero();  ///< trunk axes
+  Eigen::Vector3d specific_force_m_s2 = Eigen::Vector3d::Zero();
+  Eigen::Quaterniond attitude =
+      Eigen::Quaterniond::Identity();  ///< now: turned on by the rate for as long as it is old
+  bool has_attitude = false;
+};
+
+class ImuInput {
+ public:
+  void reset() noexcept { last_ = Imu{}; }
+  /// @param newest that has come; nullptr: none. A sample that says kStarting is none.
+  /// @param seq of this cycle.
+  /// @return nullptr without a sample that can be used: none, too old, or one that says that it is not good.
+  const ImuReading* update(const Imu* newest, std::int64_t seq, double cycle_s) noexcept;
+
+ private:
+  Imu last_;
+  ImuReading reading_;
+};
+
+}  // namespace sprung
