@@ -1,6 +1,4 @@
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <memory>
 
 #include "drivers/sim/sim_shell.h"
@@ -13,6 +11,7 @@
 #include "tools/commands/experiment_joint.h"
 #include "tools/commands/experiment_jump.h"
 #include "tools/commands/experiment_leg.h"
+#include "tools/commands/experiment_rows.h"
 #include "tools/commands/experiment_tune.h"
 #include "tools/experiments/fault_experiment.h"
 
@@ -30,16 +29,6 @@ struct ExperimentRequest {
   bool as_markdown = false;
   std::string only;
 };
-
-void write_report(const ExperimentReport& report, const std::string& folder) {
-  std::filesystem::create_directories(folder);
-  const std::filesystem::path path = std::filesystem::path(folder) / (report.experiment + ".json");
-  std::ofstream out(path);
-  out << report.json() << "\n";
-  if (!out) {
-    throw std::runtime_error("cannot write " + path.string());
-  }
-}
 
 bool wanted(const FaultCase& fault, const std::string& only) {
   return only.empty() || only == name(fault.kind);
@@ -59,13 +48,9 @@ int run_faults(const ExperimentRequest& request) {
     throw std::invalid_argument("no fault '" + request.only + "'; see sprung fault --help");
   }
   const ExperimentReport report = fault_report(robot, request.preset, request.seed, outcomes);
-  if (!request.out.empty()) {
-    write_report(report, request.out);
-  }
-  const std::string text = request.as_json       ? report.json()
-                           : request.as_markdown ? fault_table(outcomes)
-                                                 : report.table();
-  std::printf("%s\n", text.c_str());
+  if (!request.out.empty()) write_rows(report, request.out);
+  if (request.as_json || !request.as_markdown) return print_rows(report, request.as_json);
+  std::printf("%s\n", fault_table(outcomes).c_str());
   return report.ok() ? kExitDone : kExitFailed;
 }
 

@@ -1,12 +1,9 @@
 #include "tools/commands/experiment_estimator.h"
 
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <memory>
-#include <stdexcept>
 
 #include "runtime/log.h"
+#include "tools/commands/experiment_rows.h"
 #include "tools/experiments/estimator_experiment.h"
 
 namespace sprung::commands {
@@ -18,20 +15,11 @@ struct Options {
   bool as_json = false;
 };
 
-void write_report(const ExperimentReport& report, const std::string& folder) {
-  std::filesystem::create_directories(folder);
-  const std::filesystem::path path = std::filesystem::path(folder) / "estimator.json";
-  std::ofstream out(path);
-  out << report.json() << "\n";
-  if (!out) throw std::runtime_error("cannot write " + path.string());
-}
-
 int run(const Options& options) {
   start_log("sprung");
   const ExperimentReport report = run_estimator_experiment(options.request);
-  if (!options.out.empty()) write_report(report, options.out);
-  std::printf("%s\n", (options.as_json ? report.json() : report.table()).c_str());
-  return report.ok() ? kExitDone : kExitFailed;
+  if (!options.out.empty()) write_rows(report, options.out);
+  return print_rows(report, options.as_json);
 }
 
 }  // namespace

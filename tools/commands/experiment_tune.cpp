@@ -11,6 +11,7 @@
 
 #include "robots/robot_loader.h"
 #include "runtime/log.h"
+#include "tools/commands/jump_mode.h"
 #include "tools/experiments/progress_bar.h"
 #include "tools/experiments/tune.h"
 #include "tools/experiments/tune_report.h"
@@ -40,12 +41,6 @@ struct Options {
   }
 };
 
-JumpMode mode_of(const std::string& text) {
-  for (const JumpMode mode : {JumpMode::kPosition, JumpMode::kTorque, JumpMode::kHybrid, JumpMode::kOwn})
-    if (text == name(mode)) return mode;
-  throw std::invalid_argument("no mode '" + text + "'");
-}
-
 void write_text(const std::filesystem::path& path, const std::string& text) {
   std::ofstream out(path);
   out << text;
@@ -68,7 +63,7 @@ void write_files(const Options& options, const TuneSpace& space, const TuneResul
 int run(Options options) {
   start_log("sprung");
   const auto started = std::chrono::steady_clock::now();
-  options.request.mode = mode_of(options.mode);
+  options.request.mode = jump_mode(options.mode);
   options.request.objective = tune_objective(options.objective);
   std::vector<TuneParameter> parameters;
   for (const std::string& text : options.vary) parameters.push_back(parse_vary(text));
@@ -106,7 +101,7 @@ void add_tune_experiment(CommandLine& experiment) {
   tune.option("--vary", options->vary,
               "KEY=LOW:HIGH, a number of the preset and its range in robot.yaml's unit; may be repeated",
               Need::kRequired);
-  tune.choice("--mode", options->mode, {"position", "torque", "hybrid", "own"}, "control in the jump");
+  tune.choice("--mode", options->mode, jump_mode_names(), "control in the jump");
   tune.choice("--objective", options->objective, tune_objectives(),
               "what counts; the output states the cost");
   tune.option("--samples", request.samples, "sets of gains over the whole ranges");

@@ -10,6 +10,7 @@
 #include "tools/client/operator_client.h"
 #include "tools/commands/answers.h"
 #include "tools/commands/commands.h"
+#include "tools/commands/jump_mode.h"
 #include "tools/experiments/jump_table.h"
 #include "tools/experiments/live_jump_report.h"
 #include "tools/report/report_shell.h"
@@ -40,15 +41,6 @@ struct MotionRequest {
   std::string mode = "hybrid";
   int count = 1;
 };
-
-const std::vector<std::string> kModes{"position", "torque", "hybrid", "own"};
-
-JumpMode jump_mode(const std::string& text) {
-  for (const JumpMode mode : {JumpMode::kPosition, JumpMode::kTorque, JumpMode::kOwn}) {
-    if (text == name(mode)) return mode;
-  }
-  return JumpMode::kHybrid;
-}
 
 int exit_status(const char* what, const std::optional<OperatorAnswer>& answer) {
   return report_motion(what, answer) ? kExitDone : kExitFailed;
@@ -148,7 +140,7 @@ void add_jump(CommandLine& sprung) {
               "rise of the hip above its height at lift-off, mm; 0 = the preset's own curve as it is");
   jump.option("--forward", request->forward_mm,
               "where the foot lands, mm ahead of where it left; the rail must be free in x");
-  jump.choice("--mode", request->mode, kModes, "control through thrust, flight and landing");
+  jump.choice("--mode", request->mode, jump_mode_names(), "control through thrust, flight and landing");
   jump.option("--count", request->count, "how many, one after the other");
   add_common(jump, *request);
   jump.flag("--report", request->report, "simulated drives: measure the jumps and print a table");
@@ -195,7 +187,7 @@ void add_land(CommandLine& sprung) {
       sprung.subcommand("land", "Catch a fall from rest that begins now; the robot must stand, in the air.");
   land.option("--in", request->touchdown_in_s, "s until the foot is expected to meet the ground, 0.02 to 1",
               Need::kRequired);
-  land.choice("--mode", request->mode, kModes, "control in the fall and through the landing");
+  land.choice("--mode", request->mode, jump_mode_names(), "control in the fall and through the landing");
   add_common(land, *request);
   land.example("sprung land --in 0.25 --mode own");
   land.action([=] {

@@ -5,13 +5,14 @@
 #include <stdexcept>
 #include <string>
 
+#include "controller/leg_kinematics.h"
 #include "drivers/sim/hash_noise.h"
+#include "tools/experiments/scoring.h"
 
 namespace sprung {
 namespace {
 
 constexpr std::int64_t kStandCycle = 10;
-constexpr double kGravity_m_s2 = 9.81;
 constexpr double kContact_N = 1.0;        // true vertical force that counts as touchdown
 constexpr double kStopMargin_rad = 0.03;  // closer to its folded stop the knee counts as folded
 constexpr double kSettle_s = 0.5;         // after standing up, hanging and landed
@@ -29,25 +30,12 @@ double floor_height_m(double expected_s, const DropCase& drop) noexcept {
   return -drop.surprise_s * (speed_m_s + 0.5 * kGravity_m_s2 * drop.surprise_s);
 }
 
-std::size_t joint_named(const RobotConfig& robot, const std::string& name) {
-  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
-    if (robot.joints[i].name == name) return i;
-  }
-  throw std::invalid_argument("robot " + robot.name + " has no joint '" + name +
-                              "', which this experiment measures");
-}
-
 SimControl control(SimControlKind kind, std::int64_t cycle, double value) {
   SimControl out;
   out.kind = kind;
   out.apply_at_seq = cycle;
   out.value = value;
   return out;
-}
-
-/// NaN is no peak yet.
-void raise(double& peak, double value) {
-  peak = std::isnan(peak) ? std::abs(value) : std::max(peak, std::abs(value));
 }
 
 }  // namespace
@@ -82,8 +70,8 @@ RunScript drop_script(const RobotConfig& robot, const std::string& preset, const
 }
 
 DropMetrics::DropMetrics(const RobotConfig& robot, std::int64_t release_cycle)
-    : hip_(joint_named(robot, "hip")),
-      knee_(joint_named(robot, "knee")),
+    : hip_(measured_joint(robot, "hip")),
+      knee_(measured_joint(robot, "knee")),
       folded_knee_rad_(robot.joints[knee_].position_max_rad - kStopMargin_rad),
       release_cycle_(release_cycle),
       cycle_s_(robot.cycle_s) {}
@@ -116,10 +104,10 @@ void DropMetrics::follow_peaks(const CycleRecord& cycle) {
   stood_ = over_ && phase == MotionPhase::kStanding;
   if (over_) return;
   for (const std::size_t joint : {hip_, knee_}) {
-    raise(result_.peak_motor_torque_Nm, cycle.joint_state.joints[joint].motor_side_torque_Nm);
-    raise(result_.peak_output_torque_Nm, cycle.truth.joints[joint].true_gear_output_torque_Nm);
+    raise_peak(result_.peak_motor_torque_Nm, cycle.joint_state.joints[joint].motor_side_torque_Nm);
+    raise_peak(result_.peak_output_torque_Nm, cycle.truth.joints[joint].true_gear_output_torque_Nm);
   }
-  raise(result_.peak_hip_output_torque_Nm, cycle.truth.joints[hip_].true_gear_output_torque_Nm);
+  raise_peak(result_.peak_hip_output_torque_Nm, cycle.truth.joints[hip_].true_gear_output_torque_Nm);
 }
 
 DropResult DropMetrics::result() const {

@@ -1,8 +1,10 @@
 #include "tools/experiments/drop_experiment.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
+#include <stdexcept>
 
 #include "tools/experiments/parallel.h"
 
@@ -72,22 +74,30 @@ void add_comparison(const std::vector<DropPair>& pairs, ExperimentReport& out) {
 
 DropExperiment run_drop_experiment(const RobotConfig& robot, const DropRequest& request,
                                    const ScriptRunner& run) {
+  if (request.seeds < 1) throw std::invalid_argument("--seeds must be 1 or more");
   const auto started = std::chrono::steady_clock::now();
+  std::atomic<std::int64_t> cycles{0};
+  const ScriptRunner counted = [&](const RunScript& script, const CycleObserver& on_cycle,
+                                   const ReplyObserver& on_reply) {
+    run(script, on_cycle, on_reply);
+    cycles += script.cycles;
+  };
   ParallelOptions parallel;
   parallel.jobs = request.jobs;
   DropExperiment out;
   out.landings = parallel_map(
       std::size(kModes) * std::size(kHeights_m),
-      [&](std::size_t i) { return landing(robot, request, i, run); }, parallel);
+      [&](std::size_t i) { return landing(robot, request, i, counted); }, parallel);
   out.pairs = parallel_map(
-      static_cast<std::size_t>(request.seeds), [&](std::size_t i) { return pair(robot, request, i, run); },
-      parallel);
+      static_cast<std::size_t>(request.seeds),
+      [&](std::size_t i) { return pair(robot, request, i, counted); }, parallel);
   out.rows.experiment = "drop";
   out.rows.robot = robot.name;
   out.rows.preset = request.preset;
   out.rows.seed = request.sim.seed;
   add_landings(out.landings, out.rows);
   add_comparison(out.pairs, out.rows);
+  out.rows.simulated_s = static_cast<double>(cycles) * robot.cycle_s;
   out.rows.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
   return out;
 }

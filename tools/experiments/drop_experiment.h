@@ -35,7 +35,7 @@ struct DropRequest {
   int jobs = 0;  ///< of parallel.h
 };
 
-/// @throws std::invalid_argument where the robot has no preset `paper`, std::runtime_error as run_drop.
+/// @throws std::invalid_argument where fewer than one seed is asked for, CaseError where a drop failed (no preset `paper`, refusals).
 DropExperiment run_drop_experiment(const RobotConfig& robot, const DropRequest& request,
                                    const ScriptRunner& run);
 

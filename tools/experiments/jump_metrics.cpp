@@ -1,8 +1,8 @@
 #include "tools/experiments/jump_metrics.h"
 
 #include <algorithm>
-#include <cmath>
-#include <stdexcept>
+
+#include "tools/experiments/scoring.h"
 
 namespace sprung {
 
@@ -13,34 +13,17 @@ constexpr std::int64_t kLanding_us = 300'000;  // S0 Fig. 12 shows about this mu
 constexpr double kStopMargin_rad = 0.03;
 constexpr double kPathDelay_cycles = 1.0;  // LEG_COMMAND(k) is used in cycle k + 1 (docs/architecture.md)
 
-std::size_t joint_named(const RobotConfig& robot, const std::string& name) {
-  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
-    if (robot.joints[i].name == name) {
-      return i;
-    }
-  }
-  throw std::invalid_argument("robot " + robot.name + " has no joint '" + name +
-                              "', which this experiment measures");
-}
-
 double lowest_foot_m(const SimTruth& truth) {
   double height_m = truth.legs.front().true_foot_in_world_m[2];
   for (const TrueLeg& leg : truth.legs) height_m = std::min(height_m, leg.true_foot_in_world_m[2]);
   return height_m;
 }
 
-/// NaN is no peak yet. @return true when this is a new one.
-bool raise(double& peak, double value) {
-  const bool higher = std::isnan(peak) || std::abs(value) > peak;
-  if (higher) peak = std::abs(value);
-  return higher;
-}
-
 }  // namespace
 
 JumpMetrics::JumpMetrics(const RobotConfig& robot, double floor_m)
-    : hip_(joint_named(robot, "hip")),
-      knee_(joint_named(robot, "knee")),
+    : hip_(measured_joint(robot, "hip")),
+      knee_(measured_joint(robot, "knee")),
       folded_knee_rad_(robot.joints[knee_].position_max_rad - kStopMargin_rad),
       cycle_s_(robot.cycle_s),
       floor_m_(floor_m) {}
@@ -89,21 +72,21 @@ void JumpMetrics::follow_peaks(const JointState& joints, const SimTruth& truth) 
   if (span_ == Span::kGround) {
     follow_push_off(joints, truth);
   } else if (span_ == Span::kAir) {
-    raise(jump.flight_knee_torque_Nm, joints.joints[knee_].motor_side_torque_Nm);
+    raise_peak(jump.flight_knee_torque_Nm, joints.joints[knee_].motor_side_torque_Nm);
   } else if (truth.stamp.utime_us - touchdown_us_ <= kLanding_us) {
-    raise(jump.landing_hip_torque_Nm, joints.joints[hip_].motor_side_torque_Nm);
-    raise(jump.landing_knee_torque_Nm, joints.joints[knee_].motor_side_torque_Nm);
-    raise(jump.landing_hip_output_torque_Nm, truth.joints[hip_].true_gear_output_torque_Nm);
-    raise(jump.landing_knee_output_torque_Nm, truth.joints[knee_].true_gear_output_torque_Nm);
+    raise_peak(jump.landing_hip_torque_Nm, joints.joints[hip_].motor_side_torque_Nm);
+    raise_peak(jump.landing_knee_torque_Nm, joints.joints[knee_].motor_side_torque_Nm);
+    raise_peak(jump.landing_hip_output_torque_Nm, truth.joints[hip_].true_gear_output_torque_Nm);
+    raise_peak(jump.landing_knee_output_torque_Nm, truth.joints[knee_].true_gear_output_torque_Nm);
   }
 }
 
 void JumpMetrics::follow_push_off(const JointState& joints, const SimTruth& truth) {
   JumpResult& jump = jumps_.back();
-  raise(jump.peak_hip_torque_Nm, joints.joints[hip_].motor_side_torque_Nm);
-  raise(jump.peak_hip_output_torque_Nm, truth.joints[hip_].true_gear_output_torque_Nm);
-  raise(jump.peak_knee_output_torque_Nm, truth.joints[knee_].true_gear_output_torque_Nm);
-  if (raise(jump.peak_knee_torque_Nm, joints.joints[knee_].motor_side_torque_Nm))
+  raise_peak(jump.peak_hip_torque_Nm, joints.joints[hip_].motor_side_torque_Nm);
+  raise_peak(jump.peak_hip_output_torque_Nm, truth.joints[hip_].true_gear_output_torque_Nm);
+  raise_peak(jump.peak_knee_output_torque_Nm, truth.joints[knee_].true_gear_output_torque_Nm);
+  if (raise_peak(jump.peak_knee_torque_Nm, joints.joints[knee_].motor_side_torque_Nm))
     jump.time_to_peak_ms = since_thrust_ms(truth.stamp.utime_us) - 1e3 * kPathDelay_cycles * cycle_s_;
   for (const std::size_t joint : {hip_, knee_}) {
     const TrueJoint& j = truth.joints[joint];
