@@ -3,14 +3,14 @@
 #include <sprung_version.h>
 
 #include <chrono>
-#include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 
 #include "drivers/sim/sim_shell.h"
 #include "robots/robot_loader.h"
 #include "runtime/log.h"
+#include "tools/commands/experiment_rows.h"
+#include "tools/commands/jump_mode.h"
 #include "tools/experiments/jump_ensemble.h"
 #include "tools/experiments/jump_report.h"
 #include "tools/experiments/progress_bar.h"
@@ -47,19 +47,6 @@ struct EnsembleOptions {
   bool as_json = false;
 };
 
-void write_rows(const ExperimentReport& rows, const std::string& folder) {
-  std::filesystem::create_directories(folder);
-  const std::filesystem::path path = std::filesystem::path(folder) / (rows.experiment + ".json");
-  std::ofstream out(path);
-  out << rows.json() << "\n";
-  if (!out) throw std::runtime_error("cannot write " + path.string());
-}
-
-int print(const ExperimentReport& rows, bool as_json) {
-  std::printf("%s\n", (as_json ? rows.json() : rows.table()).c_str());
-  return rows.ok() ? kExitDone : kExitFailed;
-}
-
 void write_page(const JumpOptions& options, const RobotConfig& robot, const SimOptions& sim,
                 const JumpExperiment& experiment) {
   report::Report page;
@@ -84,21 +71,14 @@ int run_jump(const JumpOptions& options) {
     write_rows(experiment.rows, options.out);
     write_page(options, robot, sim, experiment);
   }
-  return print(experiment.rows, options.as_json);
-}
-
-JumpMode mode_of(const std::string& text) {
-  for (const JumpMode mode : {JumpMode::kPosition, JumpMode::kTorque, JumpMode::kOwn}) {
-    if (text == name(mode)) return mode;
-  }
-  return JumpMode::kHybrid;
+  return print_rows(experiment.rows, options.as_json);
 }
 
 int run_ensemble(EnsembleOptions options) {
   start_log("sprung");
   const auto started = std::chrono::steady_clock::now();
   const RobotConfig robot = load_robot(options.robot);
-  options.request.mode = mode_of(options.mode);
+  options.request.mode = jump_mode(options.mode);
   options.request.height_m = 1e-3 * options.height_mm;
   ProgressBar bar("jump_ensemble");
   const JumpEnsemble ensemble = run_jump_ensemble(
@@ -113,7 +93,7 @@ int run_ensemble(EnsembleOptions options) {
   rows.rows = jump_ensemble_rows(ensemble);
   rows.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
   if (!options.out.empty()) write_rows(rows, options.out);
-  return print(rows, options.as_json);
+  return print_rows(rows, options.as_json);
 }
 
 void add_jump(CommandLine& experiment) {
@@ -144,7 +124,7 @@ void add_jump_ensemble(CommandLine& experiment) {
       "and after two jumps that adapt.");
   ensemble.option("--robot", options->robot, "name or folder");
   ensemble.option("--preset", request.preset, "set of parameters in robot.yaml");
-  ensemble.choice("--mode", options->mode, {"position", "torque", "hybrid", "own"}, "control in the jump");
+  ensemble.choice("--mode", options->mode, jump_mode_names(), "control in the jump");
   ensemble.option("--height", options->height_mm, "mm that are asked; 0 = the preset's own jump");
   ensemble.option("--seed", request.seed, "of drawn plants and every noise; 0 was used for tuning");
   ensemble.option("--plants", request.plants, "how many are drawn");
