@@ -3,15 +3,14 @@
 #include <sprung_version.h>
 
 #include <chrono>
-#include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <memory>
 
 #include "drivers/sim/sim_shell.h"
 #include "robots/robot_loader.h"
 #include "runtime/log.h"
+#include "tools/commands/experiment_rows.h"
 #include "tools/experiments/foot_return_report.h"
 #include "tools/experiments/progress_bar.h"
 #include "tools/experiments/separate_run.h"
@@ -59,13 +58,8 @@ void write_folder(const Request& request, const ExperimentReport& rows, const re
                   ", sprung " SPRUNG_VERSION "-" SPRUNG_GIT_HASH;
   page.command = request.command();
   page.sections = {section};
-  const std::filesystem::path folder = request.out;
-  std::filesystem::create_directories(folder);
-  report::write_report(page, (folder / (request.experiment + ".html")).string());
-  const std::filesystem::path path = folder / (request.experiment + ".json");
-  std::ofstream file(path);
-  file << rows.json() << "\n";
-  if (!file) throw std::runtime_error("cannot write " + path.string());
+  write_rows(rows, request.out);
+  report::write_report(page, (std::filesystem::path(request.out) / (request.experiment + ".html")).string());
 }
 
 int run_command(const Request& request, const Experiment& experiment) {
@@ -90,8 +84,7 @@ int run_command(const Request& request, const Experiment& experiment) {
   rows.simulated_s = outcome.simulated_s;
   rows.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
   if (!request.out.empty()) write_folder(request, rows, outcome.section);
-  std::printf("%s\n", (request.as_json ? rows.json() : rows.table()).c_str());
-  return rows.ok() ? kExitDone : kExitFailed;
+  return print_rows(rows, request.as_json);
 }
 
 Outcome foot_return(const RobotConfig& robot, const std::string& preset, const SimOptions& sim,
