@@ -4,12 +4,14 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <memory>
+#include <stdexcept>
 
 #include "drivers/sim/sim_shell.h"
 #include "robots/robot_loader.h"
 #include "runtime/log.h"
+#include "tools/commands/experiment_rows.h"
+#include "tools/experiments/drop_ablation.h"
 #include "tools/experiments/drop_report.h"
 #include "tools/experiments/separate_run.h"
 #include "tools/report/report_shell.h"
@@ -25,6 +27,7 @@ struct DropOptions {
   int jobs = 0;
   std::vector<std::string> plant;
   std::string out;
+  bool ablation = false;
   bool separate = false;
   bool as_json = false;
 
@@ -37,20 +40,33 @@ struct DropOptions {
   }
 };
 
-void write_files(const DropOptions& options, const RobotConfig& robot, const DropRequest& request,
-                 const DropExperiment& experiment) {
-  const std::filesystem::path folder(options.out);
-  std::filesystem::create_directories(folder);
-  std::ofstream rows(folder / "drop.json");
-  rows << experiment.rows.json() << "\n";
-  if (!rows) throw std::runtime_error("cannot write " + (folder / "drop.json").string());
+void write_page(const DropOptions& options, const RobotConfig& robot, const DropRequest& request,
+                const DropExperiment& experiment) {
   report::Report page;
   page.title = "Drops of " + robot.name;
   page.subtitle = "preset " + options.preset + ", seed " + std::to_string(options.seed) +
                   ", sprung " SPRUNG_VERSION "-" SPRUNG_GIT_HASH;
   page.command = options.command();
   page.sections = drop_sections(robot, request, experiment, script_runner(options.separate));
-  report::write_report(page, (folder / "drop.html").string());
+  report::write_report(page, (std::filesystem::path(options.out) / "drop.html").string());
+}
+
+int run_ablation(const DropOptions& options, const RobotConfig& robot, const DropRequest& request) {
+  if (options.separate)
+    throw std::invalid_argument(
+        "--ablation changes parameters, which separate processes read from robot.yaml");
+  const std::vector<AblationRow> ablation = run_drop_ablation(robot, request, run_in_process);
+  if (!options.as_json) {
+    std::printf("%s", ablation_table(ablation).c_str());
+    return kExitDone;
+  }
+  ExperimentReport report;
+  report.experiment = "drop";
+  report.robot = robot.name;
+  report.preset = options.preset;
+  report.seed = options.seed;
+  report.rows = ablation_rows(ablation);
+  return print_rows(report, true);
 }
 
 int run_drops(const DropOptions& options) {
@@ -62,11 +78,14 @@ int run_drops(const DropOptions& options) {
   request.sim.plant = parse_plant(options.plant);
   request.seeds = options.seeds;
   request.jobs = options.separate ? 1 : options.jobs;
+  if (options.ablation) return run_ablation(options, robot, request);
   DropExperiment experiment = run_drop_experiment(robot, request, script_runner(options.separate));
   experiment.rows.separate_processes = options.separate;
-  if (!options.out.empty()) write_files(options, robot, request, experiment);
-  std::printf("%s\n", (options.as_json ? experiment.rows.json() : experiment.rows.table()).c_str());
-  return experiment.rows.ok() ? kExitDone : kExitFailed;
+  if (!options.out.empty()) {
+    write_rows(experiment.rows, options.out);
+    write_page(options, robot, request, experiment);
+  }
+  return print_rows(experiment.rows, options.as_json);
 }
 
 }  // namespace
@@ -85,6 +104,8 @@ void add_drop_experiment(CommandLine& experiment) {
   drop.flag("--separate", options->separate,
             "real processes over LCM instead of one process, one run at a time; the same bits");
   drop.option("--out", options->out, "folder for the report");
+  drop.flag("--ablation", options->ablation,
+            "instead: own landing with one part taken out at a time, as a table");
   drop.flag("--json", options->as_json, "one JSON object on standard output");
   drop.example("sprung experiment drop --robot single_leg --seed 1 --out /tmp/drop");
   drop.action([=] { return run_drops(*options); });
