@@ -68,6 +68,10 @@ const DistributedForce& ForceDistribution::solve(const BodyWrench& wanted,
     if (feet[i].stands) add_rows(3 * i, least_N(feet[i]), most_N(feet[i]));
   }
   qp_.solve();
+  if (!qp_.solution().allFinite()) {  // numbers so large that they overflowed
+    clear(ForceStatus::kInvalid);
+    return out_;
+  }
   keep(qp_.solution(), feet);
   compare(wanted);
   return out_;

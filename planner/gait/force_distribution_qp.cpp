@@ -1,13 +1,14 @@
 #include "planner/gait/force_distribution_qp.h"
 
+#include <cmath>
 #include <limits>
 
 namespace sprung {
 namespace {
 
-/// A normal depends on the active ones when less than this share of it (squared) is left beside them. Real directions keep
-/// more than the reciprocal of the cost's condition, some 1e-6; rounding leaves 1e-30.
-constexpr double kDependent = 1e-13;
+/// A normal depends on the active ones when less than this share of it (squared) is left beside them; rounding leaves about
+/// 1e-30. With 1e-13 one of 800 random problems was answered 1e-5 beside the optimum.
+constexpr double kDependent = 1e-20;
 
 }  // namespace
 
