@@ -6,6 +6,8 @@
 ///   pre-stance  the last share of the swing: contact ends it (early contact); late, the foot steps down at the approach speed
 ///               (late contact) as far as step_down, and then gives up (no ground)
 ///   stance      the foot is wanted where it landed, carried along as the body is to move over it
+#include <Eigen/Geometry>
+
 #include "planner/gait/swing_path.h"
 #include "robots/gait_config.h"
 #include "signals/signals.h"
