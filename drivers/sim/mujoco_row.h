@@ -1,6 +1,10 @@
 #pragma once
 /// MuJoCo keeps vectors of all bodies, geoms, ... in flat arrays.
+#include <mujoco/mujoco.h>
+
 #include <cstddef>
+
+#include "signals/signals.h"
 
 namespace sprung::sim {
 
@@ -9,5 +13,7 @@ template <typename Value>
 Value* row(Value* array, int index, int width) noexcept {
   return array + static_cast<std::ptrdiff_t>(index) * width;
 }
+
+inline Vec3 vec3(const mjtNum* values) noexcept { return {values[0], values[1], values[2]}; }
 
 }  // namespace sprung::sim

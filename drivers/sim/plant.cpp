@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drivers/sim/linkage.h"
 #include "drivers/sim/mujoco_row.h"
 
 namespace sprung::sim {
@@ -28,8 +29,6 @@ const char* warning_name(int warning) noexcept {
       return "MuJoCo: warning";
   }
 }
-
-Vec3 vec3(const mjtNum* values) noexcept { return {values[0], values[1], values[2]}; }
 
 }  // namespace
 
@@ -79,7 +78,13 @@ void Plant::reset_gear(std::size_t joint) noexcept {
   const PlantJointConfig& config = config_.joints[joint];
   gear.friction.reset();
   gear.output_torque_Nm = 0.0;
+  gear.viscous_Nm_s_rad = config.friction.viscous_Nm_s_rad;
+  gear.viscous_Nm = 0.0;
   if (gear.torsion) return gear.torsion->reset(config.initial_rad);
+  if (const Linkage* linkage = linkage_of(joint)) {
+    model_->tendon_frictionloss[linkage->tendon] = config.friction.breakaway_Nm;
+    return;
+  }
   model_->dof_frictionloss[index_.joint_dof[joint]] = config.friction.breakaway_Nm;
   model_->dof_damping[index_.joint_dof[joint]] = config.friction.viscous_Nm_s_rad;
 }
@@ -135,7 +140,11 @@ void Plant::step(const std::vector<double>& motor_torque_Nm) noexcept {
   std::copy(motor_torque_Nm.begin(), motor_torque_Nm.end(), motor_torque_Nm_.begin());
   apply_torques();
   push_feet();
-  mj_step(model_.get(), data_.get());
+  if (index_.linkages.empty()) {
+    mj_step(model_.get(), data_.get());
+  } else {
+    step_linked(model_.get(), data_.get(), index_.linkages);
+  }
   if (ground_.uneven()) {
     note_feet();
     place_floors();
@@ -154,6 +163,12 @@ void Plant::apply_torques() noexcept {
       gear.output_torque_Nm = gear.torsion->output_torque_Nm(position_rad(i), velocity_rad_s(i));
     data_->qfrc_applied[index_.joint_dof[i]] = gear.torsion ? gear.output_torque_Nm : motor_torque_Nm_[i];
   }
+  for (const Linkage& linkage : index_.linkages) {
+    Gear& gear = gears_[linkage.gear];
+    gear.viscous_Nm = gear.viscous_Nm_s_rad * linkage.of_motor(data_->qvel);
+    for (const Linkage::Part& part : linkage.parts)
+      data_->qfrc_applied[part.dof] -= part.share * gear.viscous_Nm;
+  }
 }
 
 void Plant::step_rotors() noexcept {
@@ -167,7 +182,7 @@ void Plant::step_rotors() noexcept {
 
 void Plant::heat_gears() noexcept {
   for (std::size_t i = 0; i < gears_.size(); ++i) {
-    const double loss_W = friction_torque_Nm(i) * motor_velocity_rad_s(i);
+    const double loss_W = friction_torque_Nm(i) * gear_speed_rad_s(i);
     if (gears_[i].friction.heats()) gears_[i].friction.heat(loss_W, step_s());
   }
 }
@@ -199,9 +214,13 @@ void Plant::update_friction() noexcept {
     Gear& gear = gears_[i];
     const double dry_Nm = dry_friction_Nm(i);
     const double direction = dry_Nm > 0.0 ? 1.0 : (dry_Nm < 0.0 ? -1.0 : 0.0);
-    gear.dry_Nm = gear.friction.dry_Nm(motor_velocity_rad_s(i), gear_output_torque_Nm(i), direction);
+    gear.dry_Nm = gear.friction.dry_Nm(gear_speed_rad_s(i), gear_load_Nm(i), direction);
     gear.viscous_Nm_s_rad = gear.friction.viscous_Nm_s_rad(direction);
     if (gear.torsion) continue;
+    if (const Linkage* linkage = linkage_of(i)) {
+      model_->tendon_frictionloss[linkage->tendon] = gear.dry_Nm;
+      continue;
+    }
     model_->dof_frictionloss[index_.joint_dof[i]] = gear.dry_Nm;
     model_->dof_damping[index_.joint_dof[i]] = gear.viscous_Nm_s_rad;
   }
@@ -237,106 +256,5 @@ void Plant::suspend(double height_m) noexcept {
 }
 
 void Plant::release() noexcept { std::copy(base_armature_.begin(), base_armature_.end(), base_armature()); }
-
-double Plant::position_rad(std::size_t joint) const noexcept { return data_->qpos[index_.joint_qpos[joint]]; }
-
-double Plant::velocity_rad_s(std::size_t joint) const noexcept {
-  return data_->qvel[index_.joint_dof[joint]];
-}
-
-double Plant::motor_position_rad(std::size_t joint) const noexcept {
-  const Gear& gear = gears_[joint];
-  return gear.torsion ? gear.torsion->position_rad() : position_rad(joint);
-}
-
-double Plant::motor_velocity_rad_s(std::size_t joint) const noexcept {
-  const Gear& gear = gears_[joint];
-  return gear.torsion ? gear.torsion->velocity_rad_s() : velocity_rad_s(joint);
-}
-
-double Plant::dry_friction_Nm(std::size_t joint) const noexcept {
-  if (gears_[joint].torsion) return gears_[joint].torsion->dry_friction_Nm();
-  const int dof = index_.joint_dof[joint];
-  for (int row = 0; row < data_->nefc; ++row) {
-    if (data_->efc_type[row] == mjCNSTR_FRICTION_DOF && data_->efc_id[row] == dof)
-      return -data_->efc_force[row];
-  }
-  return 0.0;
-}
-
-double Plant::friction_torque_Nm(std::size_t joint) const noexcept {
-  if (gears_[joint].torsion) return gears_[joint].torsion->friction_torque_Nm();
-  return dry_friction_Nm(joint) - data_->qfrc_passive[index_.joint_dof[joint]];
-}
-
-double Plant::gear_output_torque_Nm(std::size_t joint) const noexcept {
-  if (gears_[joint].torsion) return gears_[joint].output_torque_Nm;
-  const int dof = index_.joint_dof[joint];
-  return motor_torque_Nm_[joint] - config_.joints[joint].armature_kg_m2 * data_->qacc[dof] -
-         friction_torque_Nm(joint);
-}
-
-TrueJoint Plant::true_joint(std::size_t joint) const noexcept {
-  TrueJoint truth;
-  truth.true_position_rad = position_rad(joint);
-  truth.true_velocity_rad_s = velocity_rad_s(joint);
-  truth.true_acceleration_rad_s2 = data_->qacc[index_.joint_dof[joint]];
-  truth.true_motor_torque_Nm = motor_torque_Nm_[joint];
-  truth.true_gear_output_torque_Nm = gear_output_torque_Nm(joint);
-  truth.true_friction_torque_Nm = friction_torque_Nm(joint);
-  truth.true_motor_position_rad = motor_position_rad(joint);
-  if (gears_[joint].friction.has_temperature()) truth.true_temperature_degC = temperature_degC(joint);
-  return truth;
-}
-
-BaseMotion Plant::base_motion() const noexcept {
-  BaseMotion motion;
-  if (index_.free_qpos < 0) return motion;
-  const mjtNum* orientation = data_->qpos + index_.free_qpos + 3;
-  std::copy(orientation, orientation + 4, motion.quaternion_wxyz.begin());
-  motion.velocity_m_s = vec3(data_->qvel + index_.free_dof);
-  motion.angular_velocity_rad_s = vec3(data_->qvel + index_.free_dof + 3);  // MuJoCo: in the body's own axes
-  return motion;
-}
-
-void Plant::fill_truth(SimTruth& truth) noexcept {
-  const BaseMotion motion = base_motion();
-  refresh_poses();
-  if (index_.free_qpos >= 0)  // mj_kinematics has normalised it, which may change its last bit
-    std::copy(motion.quaternion_wxyz.begin(), motion.quaternion_wxyz.end(),
-              data_->qpos + index_.free_qpos + 3);
-  for (std::size_t i = 0; i < gears_.size(); ++i) truth.joints[i] = true_joint(i);
-  for (std::size_t leg = 0; leg < index_.foot_geom.size(); ++leg) {
-    const int geom = index_.foot_geom[leg];
-    truth.legs[leg].true_foot_in_world_m = vec3(row(data_->geom_xpos, geom, 3));
-    truth.legs[leg].true_contact_force_N = contact_force_N(geom);
-    const Vec3& foot_m = truth.legs[leg].true_foot_in_world_m;
-    truth.legs[leg].true_ground_height_m = ground_.under(leg, foot_m[0], foot_m[1]).point_m[2];
-  }
-  const int base = index_.base_body;
-  mjtNum velocity[6];
-  mj_objectVelocity(model_.get(), data_.get(), mjOBJ_BODY, base, velocity, 0);
-  truth.base_in_world_m = vec3(row(data_->xpos, base, 3));
-  truth.base_velocity_m_s = vec3(velocity + 3);
-  truth.base_angular_velocity_rad_s = motion.angular_velocity_rad_s;
-  mj_subtreeVel(model_.get(), data_.get());
-  truth.com_in_world_m = vec3(row(data_->subtree_com, base, 3));
-  truth.com_velocity_m_s = vec3(row(data_->subtree_linvel, base, 3));
-  std::copy(row(data_->xquat, base, 4), row(data_->xquat, base, 4) + 4, truth.base_quaternion_wxyz.begin());
-}
-
-Vec3 Plant::contact_force_N(int geom) const noexcept {
-  Vec3 sum{};
-  for (int i = 0; i < data_->ncon; ++i) {
-    const mjContact& contact = data_->contact[i];
-    if (contact.geom2 != geom) continue;
-    mjtNum force[6];
-    mj_contactForce(model_.get(), data_.get(), i, force);
-    mjtNum world[3];
-    mju_rotVecMatT(world, force, contact.frame);
-    for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += world[axis];
-  }
-  return sum;
-}
 
 }  // namespace sprung::sim

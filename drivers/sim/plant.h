@@ -66,6 +66,7 @@ class Plant {
     double output_torque_Nm = 0.0;  ///< of `torsion`, in the last step
     double dry_Nm = 0.0;            ///< friction that may act in this step
     double viscous_Nm_s_rad = 0.0;
+    double viscous_Nm = 0.0;  ///< of a linkage's gear, in the last step
   };
   void reset_gear(std::size_t joint) noexcept;
   void touch_floor() noexcept;
@@ -80,6 +81,11 @@ class Plant {
   void push_feet() noexcept;
   void update_friction() noexcept;
   void check() noexcept;
+  /// nullptr where the gear turns with its joint alone.
+  const Linkage* linkage_of(std::size_t gear) const noexcept;
+  double gear_speed_rad_s(std::size_t gear) const noexcept;
+  double gear_loss_Nm(std::size_t gear) const noexcept;
+  double gear_load_Nm(std::size_t gear) const noexcept;
   double dry_friction_Nm(std::size_t joint) const noexcept;
   TrueJoint true_joint(std::size_t joint) const noexcept;
   Vec3 contact_force_N(int geom) const noexcept;  ///< ground on foot, world axes

@@ -165,6 +165,7 @@ PlantModel load_plant_model(const RobotConfig& robot, const PlantConfig& config)
   model.opt.timestep = config.step_s;
   write_masses(model, config);
   write_joints(model, plant.index, config);
+  plant.index.linkages = link_rotors(model, plant.index.joint_dof, robot, config);
   write_rail(model, config);
   free_floors(model, plant.index);
   const DataPtr scratch(mj_makeData(&model));

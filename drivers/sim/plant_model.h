@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "drivers/sim/linkage.h"
 #include "drivers/sim/sim_config.h"
 
 namespace sprung::sim {
@@ -35,6 +36,7 @@ struct PlantIndex {
   int free_dof = -1;
   std::vector<int> joint_qpos;  ///< of RobotConfig::joints
   std::vector<int> joint_dof;
+  std::vector<Linkage> linkages;
   std::vector<int> foot_geom;       ///< of RobotConfig::legs
   std::vector<int> leg_floor_geom;  ///< `<leg>_floor`, else floor_geom
   std::vector<int> ground_geom;  ///< every sphere of a moving body, feet among them: what the ground can push

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::int64_t kMasterGone_us = 1'000'000;
 constexpr std::int64_t kFreeStep_us = 1'000;
-constexpr int kSilence_ms = 100;
+constexpr int kSilence_ms = 50;  // as the bridge waits before it repeats
 
 class LockstepSim {
  public:
@@ -91,6 +91,7 @@ class LockstepSim {
     }
     core_.receive_burst(burst_, last_us, sync_us);
     advance(sync_us);
+    shell_.publish_imu(sync_us);
     for (std::size_t bus = 0; bus < links_.size(); ++bus) {
       links_[bus].add(answers_, static_cast<int>(bus));
       links_[bus].send_answer(tick_);

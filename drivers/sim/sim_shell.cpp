@@ -31,6 +31,7 @@ SimShell::SimShell(Process& process, SimCore& core, bool truth)
       truth_(truth),
       truths_(process.node().publisher<SimTruth>(channels::kSimTruth)),
       imus_(process.node().publisher<Imu>(channels::kImu)),
+      imu_is_awaited_(process.lockstep() && process.robot().body.imu),
       torque_readings_(process.node().publisher<TorqueSensor>(channels::kTorqueSensor)) {
   process.node().subscribe(channels::kSimControl, CountLimits::none(), controls_);
 }
@@ -51,11 +52,17 @@ void SimShell::publish_torque_readings() {
   torque_readings_published_ = count;
 }
 
-void SimShell::publish_imu() {
-  if (core_.imu().stamp.seq == core_.cycle() && core_.cycle() >= 0) imus_.publish(core_.imu());
+void SimShell::publish_imu(std::int64_t sync_us) {
+  const bool measured = core_.imu().stamp.seq == core_.cycle();
+  if (core_.cycle() <= imu_.stamp.seq || !(measured || imu_is_awaited_)) return;
+  imu_ = measured ? core_.imu() : Imu{};
+  imu_.stamp = {measured ? imu_.stamp.utime_us : sync_us, core_.cycle()};
+  imus_.publish(imu_);
 }
 
-void SimShell::repeat() { publish_imu(); }
+void SimShell::repeat() {
+  if (imu_.stamp.seq >= 0 && imu_.stamp.seq == core_.cycle()) imus_.publish(imu_);
+}
 
 void SimShell::publish() {
   if (core_.failed()) {
@@ -64,7 +71,7 @@ void SimShell::publish() {
   if (truth_ && core_.cycle() > published_cycle_) {
     truths_.publish(core_.truth());
   }
-  if (core_.cycle() > published_cycle_) publish_imu();
+  publish_imu(process_.node().utime_us());
   publish_torque_readings();
   if (core_.cycle() >= 0 && published_cycle_ < 0) {
     process_.set_state(ProcessState::kRunning);

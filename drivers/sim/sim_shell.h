@@ -27,11 +27,13 @@ class SimShell {
   void take_controls();
   /// SIM_TRUTH and IMU once a cycle, TORQUE_SENSOR at the sensor's rate. @throws std::runtime_error when the plant failed.
   void publish();
+  /// IMU of the present cycle, once. Lock-step: before the answers to its SYNC, and of a robot with an IMU also when there is
+  /// nothing measured (kStarting), since the estimator waits for it.
+  void publish_imu(std::int64_t sync_us);
   /// IMU of the present cycle once more, for whoever has not got it.
   void repeat();
 
  private:
-  void publish_imu();
   void publish_torque_readings();
 
   Process& process_;
@@ -41,6 +43,8 @@ class SimShell {
   sim::RepeatedControls repeated_;
   Publisher<SimTruth> truths_;
   Publisher<Imu> imus_;
+  const bool imu_is_awaited_;
+  Imu imu_;  ///< as published last
   Publisher<TorqueSensor> torque_readings_;
   std::int64_t torque_readings_published_ = 0;
   std::int64_t published_cycle_ = -1;
