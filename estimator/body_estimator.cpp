@@ -4,7 +4,8 @@
 
 namespace sprung {
 
-BodyEstimator::BodyEstimator(const RobotConfig& robot) : cycle_s_(robot.cycle_s), feet_(robot.legs) {}
+BodyEstimator::BodyEstimator(const RobotConfig& robot)
+    : cycle_s_(robot.cycle_s), has_imu_(robot.body.imu), feet_(robot.legs) {}
 
 void BodyEstimator::reset() noexcept {
   imu_.reset();
@@ -15,7 +16,7 @@ void BodyEstimator::reset() noexcept {
 
 void BodyEstimator::step(const std::vector<EstimatedLeg>& legs, const Imu* imu, std::int64_t seq, double dt_s,
                          EstimatedBody& out) noexcept {
-  const ImuReading* const reading = imu_.update(imu, seq, cycle_s_);
+  const ImuReading* const reading = imu_.update(has_imu_ ? imu : nullptr, seq, cycle_s_);
   feet_.update(legs, dt_s);
   attitude_.step(reading, feet_, dt_s);
   if (attitude_.known())

@@ -14,7 +14,7 @@ class BodyEstimator {
 
   /// Starts anew; heading goes on.
   void reset() noexcept;
-  /// @param legs of this cycle. @param imu newest sample, nullptr: none; its age is the difference of the seqs.
+  /// @param legs of this cycle. @param imu newest sample, nullptr: none, as always without robot.body.imu; its age is the difference of the seqs.
   /// Writes all of `out`; NaN: attitude until there was an IMU sample or three feet stood, velocity and height until
   /// a foot stands and when none has stood for half a second. Never NaN else.
   void step(const std::vector<EstimatedLeg>& legs, const Imu* imu, std::int64_t seq, double dt_s,
@@ -24,6 +24,7 @@ class BodyEstimator {
   void write(EstimatedBody& out) const noexcept;
 
   double cycle_s_;
+  bool has_imu_;
   ImuInput imu_;
   StandingFeet feet_;
   BodyAttitude attitude_;

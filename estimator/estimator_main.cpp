@@ -1,4 +1,4 @@
-/// sprung-torque-estimator: DRIVE_STATE(k) in, JOINT_STATE(k) out.
+/// sprung-torque-estimator: DRIVE_STATE(k), and IMU(k) of robots that have one, in; JOINT_STATE(k) out.
 #include <optional>
 
 #include "estimator/estimator_core.h"
@@ -21,13 +21,17 @@ class EstimatorShell : public ResponderShell {
     restart();
     process.node().subscribe(channels::kDriveState, CountLimits::exactly(robot_.actuators.size()),
                              drive_states_);
+    if (robot_.body.imu) process.node().subscribe(channels::kImu, CountLimits::none(), imus_);
   }
 
-  ResponderView look() override { return {drive_states_.held(), {}, drive_states_.take_repeated(), 0}; }
+  ResponderView look() override {
+    return {drive_states_.held(), imus_.held(), drive_states_.take_repeated(), 0};
+  }
 
   std::optional<Stamp> step(std::int64_t seq) override {
     if (!drive_states_.get(seq, in_)) return std::nullopt;
-    core_->step(in_, out_);
+    const bool measured = imus_.newest_at_or_before(seq, imu_);
+    core_->step(in_, out_, measured ? &imu_ : nullptr);
     answers_.keep(out_);
     joint_states_.publish(out_);
     return in_.stamp;
@@ -49,7 +53,9 @@ class EstimatorShell : public ResponderShell {
   const WatchdogConfig& watchdogs_;
   DriveState in_{robot_.actuators.size()};
   JointState out_{robot_.joints.size(), robot_.legs.size()};
+  Imu imu_;
   Slot<DriveState> drive_states_;
+  Slot<Imu> imus_{imu_};  ///< stays empty where nobody publishes it
   AnswerStore<JointState> answers_;
   Publisher<JointState> joint_states_;
   std::optional<EstimatorCore> core_;
@@ -57,7 +63,7 @@ class EstimatorShell : public ResponderShell {
 
 int estimate(Process& process) {
   EstimatorShell shell(process);
-  const auto responder = make_responder(process, {});
+  const auto responder = make_responder(process, {process.robot().body.imu, 0});
   return run_responder(process, *responder, shell);
 }
 

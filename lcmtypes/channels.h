@@ -14,7 +14,6 @@ inline constexpr const char* kBusState = "BUS_STATE";
 inline constexpr const char* kCanTrace = "CAN_TRACE";
 inline constexpr const char* kSimControl = "SIM_CONTROL";
 inline constexpr const char* kSimTruth = "SIM_TRUTH";
-inline constexpr const char* kBodyState = "BODY_STATE";
 inline constexpr const char* kImu = "IMU";
 inline constexpr const char* kTorqueSensor = "TORQUE_SENSOR";
 }  // namespace sprung::channels

@@ -41,8 +41,9 @@ bool LockstepResponder::input_is_here(const ResponderView& view) noexcept {
 }
 
 bool LockstepResponder::partner_is_here(const ResponderView& view) noexcept {
-  if (!timing_.has_partner || expected_ == 0) return true;
-  if (view.partners.has(expected_ - 1)) {
+  const std::int64_t wanted = expected_ - timing_.partner_lag;
+  if (!timing_.has_partner || wanted < 0) return true;
+  if (view.partners.has(wanted)) {
     partner_lost_ = false;
     return true;
   }

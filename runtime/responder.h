@@ -5,7 +5,8 @@
 ///
 /// Lock-step. Cycles are answered strictly in order; a cycle is skipped only when it cannot come any more
 /// (its sender is two cycles further, or silent about it for `patience`). A
-/// responder with a partner (the leg controller: LEG_COMMAND) answers k >= 1 only with the partner's k-1. A
+/// responder with a partner (the leg controller: LEG_COMMAND) answers k >= 1 only with the partner's k-1, or, when its lag is 0
+/// (the estimator of a robot with an IMU), k only with the partner's k. A
 /// repeated input that was answered already asks for the stored answers again: the bridge repeats
 /// DRIVE_STATE(k) after 50 ms, and so every lost message of the ring is repaired without stepping anything
 /// twice. What stays missing for `patience` (its sender died) is counted and done without; from then on only
@@ -31,7 +32,7 @@ struct ResponderView {
 
 enum class ResponderAction {
   kWait,    ///< until something comes in or wait_until_us
-  kStep,    ///< answer input `seq` with the partner's newest value of seq <= seq - 1
+  kStep,    ///< answer input `seq` with the partner's newest value of seq <= seq - lag
   kResend,  ///< send the stored answers of seq - 1 and seq again
   kRestart  ///< the bridge began anew: fresh core, forget stored answers; then decide again
 };
@@ -61,6 +62,7 @@ class Responder {
 
 struct LockstepTiming {
   bool has_partner = false;
+  std::int64_t partner_lag = 1;  ///< cycle k waits for the partner's k - lag
   std::int64_t patience_us = 300'000;
   std::int64_t short_patience_us = 2'000;
 };

@@ -44,6 +44,7 @@ std::unique_ptr<Responder> make_responder(const Process& process, const Responde
   if (process.lockstep()) {
     LockstepTiming timing;
     timing.has_partner = role.has_partner;
+    timing.partner_lag = role.partner_lag;
     return std::make_unique<LockstepResponder>(timing);
   }
   return std::make_unique<RealTimeResponder>();

@@ -24,7 +24,8 @@ class ResponderShell {
 };
 
 struct ResponderRole {
-  bool has_partner = false;  ///< lock-step waits for the partner's seq - 1
+  bool has_partner = false;  ///< lock-step waits for the partner's seq - lag
+  std::int64_t partner_lag = 1;
 };
 
 /// Lock-step or real-time responder, as the process' clock asks.

@@ -165,6 +165,14 @@ TEST_F(BodyEstimatorTest, StatusSaysWhetherTheImuIsUsed) {
   EXPECT_TRUE(uses(ImuStatus::kGood));
 }
 
+TEST_F(BodyEstimatorTest, RobotWithoutAnImuIgnoresOne) {
+  trunk_.robot.body.imu = false;
+  BodyEstimator estimator(trunk_.robot);
+  const Imu imu = noisy_imu();
+  estimator.step(trunk_.legs(time_s_), &imu, seq_, kCycle_s, body_);
+  EXPECT_FALSE(body_.uses_imu);
+}
+
 TEST_F(BodyEstimatorTest, SilenceOfFiveCyclesIsBridgedAndThenTheFeetTakeOver) {
   run(ImuStatus::kGood, true, 0.3);
   Imu last = noisy_imu();

@@ -27,6 +27,7 @@ inline RobotConfig four_legs() {
   RobotConfig robot;
   robot.cycle_s = 0.002;
   robot.body.mass_kg = 12.0;
+  robot.body.imu = true;
   for (const auto& [x, y] : {std::pair{0.33, 0.12}, {0.33, -0.12}, {-0.33, 0.12}, {-0.33, -0.12}}) {
     LegConfig leg;
     leg.hip_in_trunk_m = {x, y, 0.0};

@@ -45,6 +45,12 @@ LockstepTiming with_partner() {
   return timing;
 }
 
+LockstepTiming with_imu() {
+  LockstepTiming timing = with_partner();
+  timing.partner_lag = 0;
+  return timing;
+}
+
 TEST(LockstepResponder, AnswersEachCycleOnceAndInOrder) {
   LockstepResponder responder(alone());
   expect_wait(responder, {});
@@ -53,6 +59,25 @@ TEST(LockstepResponder, AnswersEachCycleOnceAndInOrder) {
   expect_step(responder, {held({0, 1, 2}), {}}, 2);
   expect_wait(responder, {held({0, 1, 2}), {}});
   EXPECT_EQ(responder.counters().skipped_inputs, 0);
+}
+
+/// The estimator and IMU: cycle 0 waits already.
+TEST(LockstepResponder, PartnerWithoutLagMustHaveTheSameCycle) {
+  LockstepResponder responder(with_imu());
+  expect_wait(responder, {held({0}), held({})});
+  expect_step(responder, {held({0}), held({0})}, 0);
+  expect_wait(responder, {held({0, 1}), held({0})});
+  expect_step(responder, {held({0, 1}), held({0, 1, 2})}, 1);
+  EXPECT_EQ(responder.counters().missed_partners, 0);
+}
+
+TEST(LockstepResponder, PartnerWithoutLagThatNeverCameIsDoneWithout) {
+  LockstepResponder responder(with_imu());
+  EXPECT_EQ(expect_wait(responder, {held({0}), held({})}), 300'000);
+  expect_step(responder, {held({0}), held({}), 300'000}, 0);
+  EXPECT_EQ(expect_wait(responder, {held({0, 1}), held({}), 301'000}), 303'000);
+  expect_step(responder, {held({0, 1}), held({}), 303'000}, 1);
+  EXPECT_EQ(responder.counters().missed_partners, 2);
 }
 
 TEST(LockstepResponder, RepeatOfAnAnsweredInputAsksForTheStoredAnswers) {

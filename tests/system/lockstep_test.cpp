@@ -30,6 +30,7 @@ struct Recording {
   std::vector<Bytes> others;  ///< DRIVE_STATE, JOINT_STATE, MOTION_STATE, SIM_TRUTH
   bool flew = false;
   bool complied = false;
+  int imu_cycles = 0;  ///< in which the estimator used one
 
   void add(const CycleRecord& cycle) {
     drive_commands.emplace_back();
@@ -41,6 +42,7 @@ struct Recording {
     append(cycle.joint_state, others.back());
     append(motion, others.back());
     append(cycle.truth, others.back());
+    if (cycle.joint_state.body.uses_imu) ++imu_cycles;
     flew = flew || cycle.motion_state.state == MotionPhase::kFlight;
     complied = complied || cycle.motion_state.state == MotionPhase::kComplying;
   }
@@ -157,6 +159,52 @@ TEST_F(Lockstep, LostAndRepeatedCanDatagramsChangeNoBit) {
                              "sprung-sim-drives=can-drop:7:0", "sprung-sim-drives=can-drop:610:0",
                              "sprung-sim-drives=can-drop:611:1", "sprung-sim-drives=can-repeat:612:0"},
                             6));
+}
+
+/// A robot with an IMU: the estimator waits for IMU(k).
+class LockstepWithImu : public Lockstep {
+ protected:
+  LockstepWithImu() { robot_ = load_robot("pegasus"); }
+  RunScript standing() const {
+    RunScript run{robot_, "best", SimOptions{3, {}, true}, {}, 400};
+    run.commands.push_back(scripted(OperatorKind::kStand, 50));
+    return run;
+  }
+  static SimControl imu(std::int64_t apply_at_seq, double value) {
+    SimControl control;
+    control.kind = SimControlKind::kImu;
+    control.apply_at_seq = apply_at_seq;
+    control.value = value;
+    return control;
+  }
+};
+
+TEST_F(LockstepWithImu, LostImuMessagesChangeNoBit) {
+  const Recording one = in_process(standing());
+  ASSERT_EQ(one.imu_cycles, static_cast<int>(one.others.size()) - 1);  // nothing is measured in the first
+  expect_same(one,
+              separate(standing(),
+                       {"sprung-torque-estimator=drop-rx:IMU:0", "sprung-torque-estimator=drop-rx:IMU:100",
+                        "sprung-sim-drives=drop-tx:IMU:200", "sprung-sim-drives=repeat-tx:IMU:210",
+                        "sprung-torque-estimator=drop-rx:DRIVE_STATE:220"},
+                       0));
+}
+
+TEST_F(LockstepWithImu, ImuThatFailsAndComesBackGivesTheSameBits) {
+  RunScript run = standing();
+  run.controls = {imu(100, 1), imu(150, 2), imu(200, 3), imu(250, 0)};
+  const Recording one = in_process(run);
+  const int silent = 50 - 5, faulty = 50;
+  EXPECT_EQ(one.imu_cycles, static_cast<int>(one.others.size()) - 1 - silent - faulty);
+  expect_same(one, separate(run, {}, 0));
+}
+
+TEST_F(LockstepWithImu, SimulationWithoutTheImuThatTheRobotHasDoesNotHang) {
+  RunScript run = standing();
+  run.sim.plant = {{"imu", 0.0}};
+  const Recording one = in_process(run);
+  EXPECT_EQ(one.imu_cycles, 0);
+  expect_same(one, separate(run, {}, 0));
 }
 
 TEST_F(Lockstep, TruthSwitchedOffChangesNoBit) {
