@@ -188,8 +188,22 @@ void Walk::step_legs(const JointState& in, double dt_s) noexcept {
     if (clock_.swings(i) && steps_[i].stands()) steps_[i].lift(view_.foot_m[i]);
     if (!steps_[i].step(plan, view_.foot_m[i], foothold_m(i), in.legs[i].contact)) continue;
     clock_.land(i);
+    steps_[i].shift(pull_m(i));
     if (steps_[i].gave_up()) fail("a foot found no ground");
   }
+}
+
+/// How far the feet that stand are from where they are wanted, on average: what a foot that joins them takes over, so that the springs'
+/// pull on the body does not begin anew with every step.
+Eigen::Vector3d Walk::pull_m(std::size_t joining) const noexcept {
+  Eigen::Vector3d sum_m = Eigen::Vector3d::Zero();
+  int feet = 0;
+  for (std::size_t i = 0; i < shape_.legs; ++i) {
+    if (i == joining || !steps_[i].stands()) continue;
+    sum_m += steps_[i].wanted_m() - view_.foot_m[i];
+    ++feet;
+  }
+  return feet == 0 ? sum_m : Eigen::Vector3d(sum_m / feet);
 }
 
 /// The feet that stand follow the wanted height together; how they differ is the ground's doing.
@@ -256,9 +270,12 @@ bool Walk::on_spring(std::size_t leg) const noexcept {
 void Walk::write(std::size_t leg, DesiredLeg& out) const noexcept {
   const LegStep& step = steps_[leg];
   const Eigen::Matrix3d trunk_from_level = view_.level_from_trunk.transpose();
+  // A standing foot is wanted where it would be under a level trunk: its spring then levels the trunk. A swinging one is led over the
+  // ground as it lies.
+  const Eigen::Matrix3d as_wanted = step.stands() ? Eigen::Matrix3d::Identity() : trunk_from_level;
   out.phase = step.phase();
-  out.desired_foot_in_hip_m = to_vec3(trunk_from_level * step.wanted_m() - shape_.hip_in_trunk_m[leg]);
-  out.desired_foot_velocity_m_s = to_vec3(trunk_from_level * step.wanted_m_s());
+  out.desired_foot_in_hip_m = to_vec3(as_wanted * step.wanted_m() - shape_.hip_in_trunk_m[leg]);
+  out.desired_foot_velocity_m_s = to_vec3(as_wanted * step.wanted_m_s());
   if (!on_spring(leg)) {
     out.control_mode = ControlMode::kPosition;
     return;

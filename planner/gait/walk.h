@@ -52,6 +52,7 @@ class Walk {
   Eigen::Vector3d place_m(std::size_t leg) const noexcept;
   Eigen::Vector3d foothold_m(std::size_t leg) const noexcept;
   double load(std::size_t leg) const noexcept;
+  Eigen::Vector3d pull_m(std::size_t joining) const noexcept;
   bool on_spring(std::size_t leg) const noexcept;
   const GaitConfig& gait() const noexcept { return clock_.gait(); }
 
