@@ -15,6 +15,19 @@ std::uint64_t torque_signal(std::size_t actuator) noexcept { return 2 * actuator
 std::uint64_t jitter_signal(std::size_t actuator) noexcept { return 2 * actuator + 1; }
 constexpr std::uint64_t kLinkSignals = 1ULL << 33;
 
+/// Counts a turn of the encoders on a card, by channel; 0 where there is none.
+std::vector<double> link_counts(const std::vector<ActuatorConfig>& actuators, int card) {
+  std::vector<double> counts;
+  for (const ActuatorConfig& actuator : actuators) {
+    const LinkEncoderConfig& encoder = actuator.link_encoder;
+    if (encoder.card != card) continue;
+    const auto channel = static_cast<std::size_t>(encoder.channel);
+    if (counts.size() <= channel) counts.resize(channel + 1, 0.0);
+    counts[channel] = encoder.counts_per_turn;
+  }
+  return counts;
+}
+
 void switch_fault(SimDevice& device, int node, FaultKind kind, double value, bool on) noexcept {
   if (kind == FaultKind::kDuplicateNode && on)  // whoever joins the bus says so
     device.outbox().send(canopen::heartbeat_frame(node, canopen::NmtState::kBootUp));
@@ -47,7 +60,7 @@ DriveTrain::DriveTrain(const RobotConfig& robot, const SimConfig& config, std::u
     drives_[i]->outbox().set_seed(seed, i);
   }
   for (std::size_t i = 0; i < card_configs_.size(); ++i) {
-    cards_.push_back(make_sim_card({card_configs_[i], seed}));
+    cards_.push_back(make_sim_card({card_configs_[i], seed, link_counts(actuators_, static_cast<int>(i))}));
     cards_[i]->outbox().set_seed(seed, actuators_.size() + i);
   }
   read_plant();

@@ -75,6 +75,8 @@ struct SimDriveSetup {
 struct SimCardSetup {
   EncoderCardConfig card;
   std::uint64_t seed = 0;
+  /// Of each channel's encoder; a channel beyond them has as many as the card can carry.
+  std::vector<double> counts_per_turn{};
 };
 
 }  // namespace sprung::sim

@@ -16,17 +16,19 @@ constexpr double kCountsPerRad = kCountsPerTurn / (2 * M_PI);
 
 class EncoderCardDeviceTest : public testing::Test {
  protected:
-  EncoderCardDeviceTest() {
+  explicit EncoderCardDeviceTest(const std::vector<double>& counts_per_turn = {})
+      : card_(setup(counts_per_turn)) {
     card_.outbox().open(&out_);
     card_.step(0);
     nmt(NmtCommand::kStart);
     out_.clear();
   }
-  static sim::SimCardSetup setup() {
+  static sim::SimCardSetup setup(const std::vector<double>& counts_per_turn) {
     sim::SimCardSetup setup;
     setup.card.bus = 1;
     setup.card.node = kNode;
     setup.seed = 1;
+    setup.counts_per_turn = counts_per_turn;
     return setup;
   }
   void nmt(NmtCommand command) { card_.receive(canopen::nmt_frame(command, 0), 0); }
@@ -51,7 +53,7 @@ class EncoderCardDeviceTest : public testing::Test {
     return out_.size() == 1 ? canopen::decode_sdo_reply(out_[0].frame) : canopen::SdoMessage{};
   }
 
-  EncoderCardDevice card_{setup()};
+  EncoderCardDevice card_;
   FrameBatch out_;
   std::int64_t cycle_ = 0;
 };
@@ -68,6 +70,21 @@ TEST_F(EncoderCardDeviceTest, AnglesAreAbsoluteWithinATurn) {
   EXPECT_EQ(cycle(-1e-9).counts[0], kCountMask);
   EXPECT_EQ(cycle(-M_PI).counts[0], kCountsPerTurn / 2);
   EXPECT_EQ(cycle(2 * M_PI + 1.0).counts[0], cycle(1.0).counts[0]);
+}
+
+class CoarseEncoders : public EncoderCardDeviceTest {
+ protected:
+  CoarseEncoders() : EncoderCardDeviceTest({65536, 4000}) {}
+};
+
+TEST_F(CoarseEncoders, CountAsManyAsTheyHaveAndWrapThere) {
+  const Sample sample = cycle(M_PI / 2, M_PI / 2, M_PI / 2);
+  EXPECT_EQ(sample.counts[0], 16384U);
+  EXPECT_EQ(sample.counts[1], 1000U);
+  EXPECT_EQ(sample.counts[2], kCountsPerTurn / 4);  // nobody said: what the card can carry
+  EXPECT_EQ(cycle(-1e-9).counts[0], 65535U);
+  EXPECT_EQ(cycle(0.0, -1e-9).counts[1], 3999U);
+  EXPECT_EQ(cycle(4 * M_PI + 1.0).counts[0], cycle(1.0).counts[0]);
 }
 
 TEST_F(EncoderCardDeviceTest, SendsNothingUnlessOperational) {

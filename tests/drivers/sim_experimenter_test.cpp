@@ -201,5 +201,81 @@ TEST_F(ExperimenterTest, ResetEndsPushAndSuspension) {
   EXPECT_LT(truth.base_velocity_m_s[2], 0.0);  // sags
 }
 
+/// Of a robot with a trunk and several legs.
+class BodyExperimenterTest : public testing::Test {
+ protected:
+  void run(double seconds) {
+    for (long i = std::lround(seconds / train_.plant().step_s()); i > 0; --i) {
+      train_.step_plant();
+      experimenter_.after_step();
+    }
+    train_.plant().fill_truth(truth_);
+  }
+  void act(const SimControl& control) {
+    experimenter_.add(control);
+    experimenter_.start_cycle(0);
+  }
+  RobotConfig robot_ = load_robot(std::string(SPRUNG_SOURCE_DIR) + "/robots/pegasus");
+  DriveTrain train_{robot_, load_sim_config(robot_, {}), 1};
+  BusFaults buses_{4};
+  ImuSensor imu_{ImuConfig{}, 1};
+  Experimenter experimenter_{train_, buses_, imu_};
+  SimTruth truth_{12, 4};
+};
+
+TEST_F(BodyExperimenterTest, PushOnTheTrunkGivesTheImpulseThatWasAskedForAndEnds) {
+  SimControl drop;
+  drop.kind = SimControlKind::kSuspend;
+  drop.value = 0.0;
+  act(drop);
+  SimControl push;
+  push.kind = SimControlKind::kWrench;
+  push.wrench = {0, 300, 0, 0, 0, 0};
+  push.duration_s = 0.1;
+  act(push);
+  run(0.05);
+  EXPECT_NEAR(30.0 * truth_.com_velocity_m_s[1], 15.0, 0.01);  // N s
+  run(0.1);
+  EXPECT_NEAR(30.0 * truth_.com_velocity_m_s[1], 30.0, 0.01);
+}
+
+TEST_F(BodyExperimenterTest, FloorRisesUnderOneLegAlone) {
+  SimControl floor;
+  floor.kind = SimControlKind::kFloor;
+  floor.actuator = 3;
+  floor.value = 0.02;
+  act(floor);
+  run(0.001);
+  EXPECT_EQ(truth_.legs[3].true_ground_height_m, 0.02);
+  EXPECT_EQ(truth_.legs[2].true_ground_height_m, 0.0);
+  floor.actuator = -1;
+  floor.value = 0.01;
+  act(floor);
+  run(0.001);
+  for (const TrueLeg& leg : truth_.legs) EXPECT_EQ(leg.true_ground_height_m, 0.01);
+}
+
+TEST_F(BodyExperimenterTest, ImuIsSilencedAndForgetsItsMotionOnAReset) {
+  const auto sample = [&](std::int64_t cycle) {
+    imu_.sample(train_.plant().base_motion(), {2000 * cycle, cycle}, 0.002 * static_cast<double>(cycle));
+  };
+  sample(0);
+  sample(1);
+  SimControl silence;
+  silence.kind = SimControlKind::kImu;
+  silence.value = 1.0;
+  act(silence);
+  sample(2);
+  EXPECT_EQ(imu_.newest().stamp.seq, 1);
+  silence.value = 0.0;
+  act(silence);
+  SimControl reset;
+  reset.kind = SimControlKind::kReset;
+  act(reset);
+  sample(3);
+  EXPECT_EQ(imu_.newest().stamp.seq, 3);
+  EXPECT_EQ(imu_.newest().status, ImuStatus::kStarting);
+}
+
 }  // namespace
 }  // namespace sprung::sim

@@ -1,5 +1,6 @@
 #include "drivers/profiles/encoder_card/encoder_card_device.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "drivers/sim/device_registry.h"
@@ -15,6 +16,16 @@ constexpr std::uint16_t kEncoders = 0x2101;  ///< :01.. each channel's counts
 /// Noise of cards is numbered apart from that of drives.
 constexpr std::uint64_t kCardSignals = 0x10000;
 
+std::array<std::int64_t, kChannels> counts_per_turn(const sim::SimCardSetup& setup) {
+  std::array<std::int64_t, kChannels> counts;
+  counts.fill(kCountsPerTurn);
+  for (std::size_t i = 0; i < std::min(kChannels, setup.counts_per_turn.size()); ++i) {
+    const std::int64_t wanted = std::llround(setup.counts_per_turn[i]);
+    if (wanted > 0 && wanted <= kCountsPerTurn) counts[i] = wanted;
+  }
+  return counts;
+}
+
 std::uint64_t noise_signal(const EncoderCardConfig& card) noexcept {
   return kCardSignals +
          static_cast<std::uint64_t>(card.bus * (canopen::kMaxNode + 1) + card.node) * kChannels;
@@ -26,6 +37,7 @@ EncoderCardDevice::EncoderCardDevice(const sim::SimCardSetup& setup)
     : SimCard(setup.card.bus),
       seed_(setup.seed),
       signal_(noise_signal(setup.card)),
+      counts_per_turn_(counts_per_turn(setup)),
       dictionary_(canopen::parse_eds(encoder_card_eds_text(), "encoder_card.eds", setup.card.node)),
       device_(setup.card.node, dictionary_, *this, outbox()) {}
 
@@ -42,7 +54,9 @@ std::uint32_t EncoderCardDevice::counts(int channel, double link_rad, std::int64
   const std::uint64_t signal = signal_ + static_cast<std::uint64_t>(channel);
   const double noise_rad = noise_rad_ == 0.0 ? 0.0 : noise_rad_ * sim::hash_noise(seed_, signal, cycle);
   const double turns = (link_rad + jumped_rad_ + noise_rad) / kTwoPi;
-  return static_cast<std::uint32_t>(std::llround(std::floor(turns * kCountsPerTurn))) & kCountMask;
+  const std::int64_t steps = counts_per_turn_[static_cast<std::size_t>(channel)];
+  const std::int64_t count = std::llround(std::floor(turns * static_cast<double>(steps))) % steps;
+  return static_cast<std::uint32_t>(count < 0 ? count + steps : count);
 }
 
 void EncoderCardDevice::sample(int channel, double link_rad, std::int64_t cycle) noexcept {

@@ -35,6 +35,7 @@ class EncoderCardDevice final : public sim::SimCard, private sim::DeviceApplicat
 
   std::uint64_t seed_;
   std::uint64_t signal_;  ///< of the first channel's noise on demand
+  std::array<std::int64_t, kChannels> counts_per_turn_;
   sim::ObjectDictionary dictionary_;
   sim::CanopenDevice device_;
   std::array<std::uint32_t, kChannels> seen_{};  ///< counts that the next SYNC latches
