@@ -4,6 +4,7 @@
 #include "planner/motion.h"
 #include "tests/planner/planner_fixture.h"
 #include "tests/support/allocation_count.h"
+#include "tests/support/changed_robot.h"
 
 namespace sprung {
 namespace {
@@ -288,7 +289,7 @@ TEST_F(PlannerCoreTest, AllLegsOfARobotDoTheSame) {
 }
 
 TEST(PlannerWithoutFeet, HoldsStillAndRefusesToStandWithItsReason) {
-  const RobotConfig robot = load_robot("pegasus");
+  const RobotConfig robot = test::pegasus_without_feet();
   PlannerCore planner(robot, robot.preset("best"));
   JointState state(12, 4);
   state.safety = SafetyLevel::kOperational;

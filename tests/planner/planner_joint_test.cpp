@@ -5,6 +5,7 @@
 #include "planner/motion.h"
 #include "tests/planner/planner_fixture.h"
 #include "tests/support/allocation_count.h"
+#include "tests/support/changed_robot.h"
 
 namespace sprung {
 namespace {
@@ -254,7 +255,7 @@ TEST_F(PlannerJointTest, NothingIsAllocatedInAMove) {
 }
 
 TEST(PlannerJointWithoutKinematics, MovesOneOfTwelveJoints) {
-  const RobotConfig robot = load_robot("pegasus");
+  const RobotConfig robot = test::pegasus_without_feet();
   PlannerCore planner(robot, robot.preset("best"));
   JointState state(12, 4);
   state.safety = SafetyLevel::kOperational;

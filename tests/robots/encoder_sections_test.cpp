@@ -1,51 +1,31 @@
 /// Encoder cards, link encoders, references, bit rate and joints alone, on the shipped pegasus and after one mistake each.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <set>
 
 #include "robots/robot_loader.h"
 #include "robots/robot_sections.h"
+#include "tests/support/changed_robot.h"
 
 namespace sprung {
 namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
-namespace fs = std::filesystem;
 
-/// A folder with the shipped robot.yaml after one change; gone at the end.
 class ChangedPegasus : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("sprung_pegasus_" + std::to_string(getpid()));
-    fs::create_directories(folder_);
+  RobotConfig changed(const std::string& from, const std::string& to) const {
+    return folder_.load(test::replaced(text_, from, to));
   }
-  void TearDown() override { fs::remove_all(folder_); }
+  std::string complaint(const std::string& from, const std::string& to) const {
+    return folder_.complaint(test::replaced(text_, from, to));
+  }
 
-  RobotConfig changed(const std::string& from, const std::string& to) {
-    std::ifstream in(std::string(SPRUNG_SOURCE_DIR) + "/robots/pegasus/robot.yaml");
-    std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-    const std::size_t at = text.find(from);
-    EXPECT_NE(at, std::string::npos) << from;
-    text.replace(at, from.size(), to);
-    std::ofstream(folder_ / "robot.yaml") << text;
-    return load_robot(folder_.string());
-  }
-  std::string complaint(const std::string& from, const std::string& to) {
-    try {
-      changed(from, to);
-    } catch (const ConfigError& error) {
-      return error.what();
-    }
-    return "nothing was refused";
-  }
-  fs::path folder_;
+  test::RobotFolder folder_;
+  std::string text_ = test::shipped_yaml("pegasus");
 };
 
 TEST(Pegasus, HasTwelveDrivesAndFourCardsOnFourBuses) {
@@ -87,9 +67,17 @@ TEST(Pegasus, LinkEncodersDoNotWrapWithinTheJointsLimits) {
   }
 }
 
-TEST(Pegasus, LegsAreJointsAloneAndNeedNoPresets) {
+TEST(Pegasus, HasFeetToStandOn) {
   const RobotConfig robot = load_robot("pegasus");
+  EXPECT_TRUE(robot.has_feet());
+  EXPECT_EQ(robot.legs[3].joints, (std::vector<int>{9, 10, 11}));
+  EXPECT_EQ(robot.preset("best").name, "best");
+}
+
+TEST(PegasusWithoutFeet, LegsAreJointsAloneAndNeedNoPresets) {
+  const RobotConfig robot = test::pegasus_without_feet();
   EXPECT_FALSE(robot.has_feet());
+  EXPECT_STREQ(robot.why_not_standing(), "this robot's legs have no kinematics: it cannot stand");
   EXPECT_TRUE(robot.legs[3].links.empty());
   EXPECT_EQ(robot.legs[3].joints, (std::vector<int>{9, 10, 11}));
   EXPECT_EQ(robot.preset("best").name, "none");
@@ -120,7 +108,8 @@ TEST_F(ChangedPegasus, BitRatesAreTheStandardOnes) {
   EXPECT_DOUBLE_EQ(changed("bit_rate: 1000 kbit/s", "bit_rate: 500 kbit/s").bit_rate_bit_s, 5e5);
   EXPECT_DOUBLE_EQ(changed("bit_rate: 1000 kbit/s", "").bit_rate_bit_s, 1e6);
   EXPECT_THAT(complaint("bit_rate: 1000 kbit/s", "bit_rate: 999 kbit/s"),
-              AllOf(HasSubstr("robot.yaml:8"), HasSubstr("1000, 800, 500, 250 or 125 kbit/s")));
+              AllOf(HasSubstr("robot.yaml:" + std::to_string(test::line_of(text_, "bit_rate:"))),
+                    HasSubstr("1000, 800, 500, 250 or 125 kbit/s")));
   EXPECT_THAT(complaint("bit_rate: 1000 kbit/s", "bit_rate: 1 Mbit/s"), HasSubstr("wrong unit 'Mbit/s'"));
 }
 
@@ -231,9 +220,16 @@ TEST_F(ChangedPegasus, MotorDataOutOfRangeAreRefused) {
 }
 
 TEST_F(ChangedPegasus, JointsAloneHaveNoLinksAndLegsWithFeetNeedPresets) {
+  const std::string shipped = text_;
+  text_ = test::without_feet(shipped);
   EXPECT_THAT(complaint("kinematics: none", "kinematics: none\n    links: []"),
               HasSubstr("links' is unknown"));
   EXPECT_THAT(complaint("kinematics: none", "kinematics: two_link"), HasSubstr("links' is missing"));
+  text_ = shipped;
+  EXPECT_THAT(complaint(shipped.substr(shipped.find("presets:"),
+                                       shipped.find("processes:") - shipped.find("presets:")),
+                        ""),
+              HasSubstr("presets' is missing"));
 }
 
 TEST_F(ChangedPegasus, JointsOutsideOfLegsAreToldOfJointsAlone) {
