@@ -87,6 +87,7 @@ void Walk::begin(const JointState& in, const WalkRequest& request) noexcept {
   stopping_ = ended_ = false;
   rounds_when_slow_ = -1;
   failure_ = nullptr;
+  share_weight();  // written out before the first step
 }
 
 void Walk::change(const WalkRequest& request) noexcept {
