@@ -35,10 +35,6 @@ Motion::Motion(const RobotConfig& robot, const PresetConfig& preset)
       moves_(robot.legs.size()),
       departure_m_(robot.legs.size()) {}
 
-const char* Motion::last_transition() const noexcept {
-  return machine_.last() != nullptr ? machine_.last()->reason : "";
-}
-
 bool Motion::stand(const JointState& in) noexcept {
   stop_ = false;
   return process(MotionEvent::kStandRequested, in);
@@ -109,6 +105,8 @@ bool Motion::process(MotionEvent event, const JointState& in) noexcept {
   if (machine_.process_event(event) == nullptr) return false;
   phase_began_us_ = now_us_;
   lost_ = is_loss(event);
+  walk_failed_ = event == MotionEvent::kWalkEnded ? walk_.failure() != nullptr
+                                                  : walk_failed_ && event == MotionEvent::kRecovered;
   enter(from, in);
   return true;
 }

@@ -28,6 +28,7 @@ class Motion {
   Motion(const RobotConfig& robot, const PresetConfig& preset);
 
   MotionPhase state() const noexcept { return machine_.state(); }
+  /// Why the motion is where it is: the last transition; of a walk that ended by itself, why, until something else is asked for.
   const char* last_transition() const noexcept;
 
   // Requests of the operator, each only where the state machine has a transition for it; @return false
@@ -64,7 +65,6 @@ class Motion {
 
   /// Why the jump or fall that just ended was not as requested; nullptr when it was.
   const char* jump_failure() const noexcept { return jump_.failure(); }
-  const char* walk_failure() const noexcept { return walk_.failure(); }
   const JointMotion& joints() const noexcept { return joints_; }
   /// In kMovingJoint: nothing moves, nor waits for its drives.
   bool joints_held() const noexcept { return enabled_ && !joint_moves_; }
@@ -130,6 +130,7 @@ class Motion {
   std::int64_t now_us_ = 0;
   std::int64_t phase_began_us_ = 0;
   std::int64_t move_began_us_ = 0;
+  bool walk_failed_ = false;  ///< stands, or is about to, since a walk ended by itself
   bool lost_ = false;         ///< idle because something was lost, not by sitting down or a restart
   bool joint_moves_ = false;  ///< or waits for its drives
   bool let_go_ = false;       ///< sitting down from single joints: damped, since there is no foot to lower

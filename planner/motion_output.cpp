@@ -32,6 +32,12 @@ LegPhase leg_phase(MotionPhase phase) noexcept {
 
 }  // namespace
 
+const char* Motion::last_transition() const noexcept {
+  const bool failing = state() == MotionPhase::kWalking && walk_.failure() != nullptr;
+  if (failing || walk_failed_) return walk_.failure();
+  return machine_.last() != nullptr ? machine_.last()->reason : "";
+}
+
 void Motion::write(const JointState& in, LegCommand& out) noexcept {
   out.stamp = in.stamp;
   out.used_joint_state_seq = in.stamp.seq;

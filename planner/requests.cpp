@@ -9,11 +9,16 @@ namespace {
 
 constexpr const char* kNotOperational = "safety is not operational: clear it first";
 constexpr const char* kNotReady = "a joint is not ready: see its status";
+constexpr const char* kNotReferenced = "a joint is not referenced: sprung home";
 constexpr const char* kUnknownMode = "jump mode must be position, torque, hybrid or own";
 
 bool usable(const EstimatedJoint& joint) noexcept {
   return joint.status == JointStatus::kOk || joint.status == JointStatus::kSaturated ||
          joint.status == JointStatus::kStarting;
+}
+
+bool not_referenced(const EstimatedJoint& joint) noexcept {
+  return joint.status == JointStatus::kNotReferenced;
 }
 
 }  // namespace
@@ -53,6 +58,7 @@ const char* busy(MotionPhase state) noexcept {
 
 const char* why_not_risen(const JointState& in) noexcept {
   if (in.safety != SafetyLevel::kOperational) return kNotOperational;
+  if (std::any_of(in.joints.begin(), in.joints.end(), not_referenced)) return kNotReferenced;
   const bool ready = std::all_of(in.joints.begin(), in.joints.end(), usable) &&
                      std::all_of(in.legs.begin(), in.legs.end(),
                                  [](const EstimatedLeg& l) { return finite(l.estimated_foot_in_hip_m); });
@@ -62,7 +68,7 @@ const char* why_not_risen(const JointState& in) noexcept {
 const char* why_not_held(const JointState& in) noexcept {
   if (in.safety != SafetyLevel::kOperational) return kNotOperational;
   for (const EstimatedJoint& joint : in.joints) {
-    if (joint.status == JointStatus::kNotReferenced) return "a joint is not referenced: sprung home";
+    if (not_referenced(joint)) return kNotReferenced;
     if (!usable(joint)) return kNotReady;
   }
   return nullptr;

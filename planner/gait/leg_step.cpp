@@ -1,11 +1,15 @@
 #include "planner/gait/leg_step.h"
 
+#include <algorithm>
+
 namespace sprung {
 namespace {
 
-constexpr double kStumbleFrom = 0.2;   // share of the swing: before, the foot may still be leaving
-constexpr double kStumbleTo = 0.6;     // later it is on its way down: then contact is the ground
-constexpr double kClearance_m = 0.02;  // that a stumble adds to the lift
+constexpr double kStumbleFrom = 0.2;        // share of the swing: before, the foot may still be leaving
+constexpr double kStumbleTo = 0.6;          // later it is on its way down: then contact is the ground
+constexpr double kLateAfter_s = 0.02;       // contact is felt a little after it is made
+constexpr double kClearance_m = 0.02;       // that a stumble adds to the lift
+constexpr double kClearanceRate_m_s = 0.2;  // so that the foot is not jerked
 
 }  // namespace
 
@@ -19,8 +23,9 @@ void LegStep::note(LegEvent event) noexcept {
   ++counts_[static_cast<std::size_t>(event)];
 }
 
-void LegStep::stand(const Eigen::Vector3d& foot_m) noexcept {
+void LegStep::stand(const Eigen::Vector3d& foot_m, double since_s) noexcept {
   enter(LegPhase::kStance);
+  in_phase_s_ = since_s;
   wanted_m_ = foot_m;
   wanted_m_s_.setZero();
   gave_up_ = false;
@@ -30,6 +35,7 @@ void LegStep::lift(const Eigen::Vector3d& foot_m) noexcept {
   enter(LegPhase::kSwing);
   in_swing_s_ = 0.0;
   extra_lift_m_ = 0.0;
+  stumbled_ = false;
   gave_up_ = false;
   from_m_ = foot_m;
 }
@@ -43,6 +49,7 @@ bool LegStep::step(const StepPlan& plan, const Eigen::Vector3d& foot_m, const Ei
     wanted_m_ += wanted_m_s_ * plan.dt_s;
     return false;
   }
+  if (in_swing_s_ == 0.0) control_ = plan.control;
   in_swing_s_ += plan.dt_s;
   swing(plan, foothold_m);
   look(plan, contact);
@@ -61,31 +68,35 @@ void LegStep::swing(const StepPlan& plan, const Eigen::Vector3d& foothold_m) noe
   path.duration_s = plan.swing_s;
   path.lift_m = plan.gait->lift_m + extra_lift_m_;
   // Whoever waits for contact comes down slowly; plain hybrid trusts its clock.
-  const bool waits = plan.control == GaitControl::kOwn;
+  const bool waits = control_ == GaitControl::kOwn;
   path.approach_s = waits ? plan.gait->pre_stance * plan.swing_s : 0.0;
   path.approach_m_s = waits ? plan.law->approach_m_s : 0.0;
   const SwingPoint point = path.at(in_swing_s_);
   wanted_m_ = point.position_m;
   wanted_m_s_ = point.velocity_m_s;
   const double over_s = in_swing_s_ - plan.swing_s;
-  if (!waits && over_s > 0.0 && plan.control != GaitControl::kHybrid)
+  if (!waits && over_s > 0.0 && control_ != GaitControl::kHybrid) {
     wanted_m_.z() -= plan.law->approach_m_s * over_s;
+    wanted_m_s_.z() = -plan.law->approach_m_s;
+  }
 }
 
 void LegStep::look(const StepPlan& plan, bool contact) noexcept {
   const double share = in_swing_s_ / plan.swing_s;
   if (phase_ == LegPhase::kSwing && share >= 1.0 - plan.gait->pre_stance) enter(LegPhase::kPreStance);
-  if (contact && share > kStumbleFrom && share < kStumbleTo && last_event_ != LegEvent::kStumble) {
+  if (contact && share > kStumbleFrom && share < kStumbleTo && !stumbled_) {
     note(LegEvent::kStumble);
-    extra_lift_m_ = kClearance_m;
+    stumbled_ = true;
   }
-  const bool just_late = share >= 1.0 && share - plan.dt_s / plan.swing_s < 1.0;
-  if (just_late && !contact && plan.control != GaitControl::kHybrid) note(LegEvent::kLateContact);
+  if (stumbled_) extra_lift_m_ = std::min(kClearance_m, extra_lift_m_ + kClearanceRate_m_s * plan.dt_s);
+  const double late_s = in_swing_s_ - plan.swing_s - kLateAfter_s;
+  const bool just_late = late_s >= 0.0 && late_s < plan.dt_s;
+  if (just_late && !contact && control_ != GaitControl::kHybrid) note(LegEvent::kLateContact);
 }
 
 bool LegStep::landed(const StepPlan& plan, bool contact) noexcept {
   const double share = in_swing_s_ / plan.swing_s;
-  if (plan.control == GaitControl::kHybrid) return share >= 1.0;
+  if (control_ == GaitControl::kHybrid) return share >= 1.0;
   if (contact && share >= kStumbleTo) {
     if (share < 1.0 - 0.5 * plan.gait->pre_stance) note(LegEvent::kEarlyContact);
     return true;

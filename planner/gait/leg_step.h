@@ -2,7 +2,7 @@
 /// Phases of one leg in a gait: swing, pre-stance, stance; where its foot is wanted, and what befalls it. Level axes
 /// (body_frame.h). Pure.
 ///
-///   swing       the foot goes along its path; contact before the middle is a stumble: it lifts higher
+///   swing       the foot goes along its path; contact on its way up is a stumble: it lifts higher
 ///   pre-stance  the last share of the swing: contact ends it (early contact); late, the foot steps down at the approach speed
 ///               (late contact) as far as step_down, and then gives up (no ground)
 ///   stance      the foot is wanted where it landed, carried along as the body is to move over it
@@ -28,7 +28,9 @@ struct StepPlan {
 
 class LegStep {
  public:
-  void stand(const Eigen::Vector3d& foot_m) noexcept;
+  /// @param since_s for which it has stood already.
+  void stand(const Eigen::Vector3d& foot_m, double since_s = 0.0) noexcept;
+  /// This swing is controlled as the plan says in its first cycle, whatever is asked for until it ends.
   void lift(const Eigen::Vector3d& foot_m) noexcept;
 
   /// One cycle. @param foot_m measured. @param foothold_m where a swing shall end; z is not used.
@@ -37,6 +39,7 @@ class LegStep {
             bool contact) noexcept;
 
   LegPhase phase() const noexcept { return phase_; }
+  GaitControl control() const noexcept { return control_; }
   double in_phase_s() const noexcept { return in_phase_s_; }
   bool stands() const noexcept { return phase_ == LegPhase::kStance; }
   bool gave_up() const noexcept { return gave_up_; }
@@ -60,7 +63,9 @@ class LegStep {
   LegPhase phase_ = LegPhase::kStance;
   double in_phase_s_ = 0.0;
   double in_swing_s_ = 0.0;
-  double extra_lift_m_ = 0.0;
+  double extra_lift_m_ = 0.0;  ///< as ramped since it stumbled
+  bool stumbled_ = false;      ///< in this swing
+  GaitControl control_ = GaitControl::kOwn;
   bool gave_up_ = false;
   Eigen::Vector3d from_m_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d wanted_m_ = Eigen::Vector3d::Zero();

@@ -52,6 +52,7 @@ const char* Walk::mistake(const WalkRequest& request, bool walking) const noexce
   if (!high) return "body height beyond 60 to 110 % of the preset's stand_length";
   if (!(request.stance_width_m >= -0.05 && request.stance_width_m <= 0.15))
     return "stance width beyond -50 to 150 mm";
+  if (walking && failure_ != nullptr) return failure_;
   if (!walking || request.gait == current_) return nullptr;
   const GaitConfig& now = gaits_[static_cast<std::size_t>(current_)];
   const bool follows = std::find(now.to.begin(), now.to.end(), wanted.name) != now.to.end();
@@ -75,7 +76,7 @@ void Walk::begin(const JointState& in, const WalkRequest& request) noexcept {
   lean_.reset();
   double sum_m = 0.0;
   for (std::size_t i = 0; i < shape_.legs; ++i) {
-    steps_[i].stand(view_.foot_m[i]);
+    steps_[i].stand(view_.foot_m[i], law_.force_rise_s);  // it carries its share already
     steps_[i].forget_event();
     sum_m += view_.foot_m[i].z();
   }
@@ -87,7 +88,7 @@ void Walk::begin(const JointState& in, const WalkRequest& request) noexcept {
   stopping_ = ended_ = false;
   rounds_when_slow_ = -1;
   failure_ = nullptr;
-  share_weight();  // written out before the first step
+  share_weight();
 }
 
 void Walk::change(const WalkRequest& request) noexcept {
@@ -105,6 +106,9 @@ void Walk::change(const WalkRequest& request) noexcept {
 void Walk::stop() noexcept {
   stopping_ = true;
   ramp_.want({});
+  if (request_.gait == current_ || failure_ != nullptr || ended_) return;
+  request_.gait = current_;  // not the gait that was to come: this one sets the feet in their places
+  clock_.resume();
 }
 
 void Walk::fail(const char* why) noexcept {
@@ -264,8 +268,9 @@ void Walk::next_gait() noexcept {
 }
 
 bool Walk::on_spring(std::size_t leg) const noexcept {
-  if (steps_[leg].stands() || request_.control == GaitControl::kForce) return true;
-  return request_.control == GaitControl::kPreStance && steps_[leg].phase() == LegPhase::kPreStance;
+  const LegStep& step = steps_[leg];
+  if (step.stands() || step.control() == GaitControl::kForce) return true;
+  return step.control() == GaitControl::kPreStance && step.phase() == LegPhase::kPreStance;
 }
 
 void Walk::write(std::size_t leg, DesiredLeg& out) const noexcept {
@@ -282,9 +287,9 @@ void Walk::write(std::size_t leg, DesiredLeg& out) const noexcept {
     return;
   }
   const StiffnessConfig& gains =
-      step.stands()                                                                         ? law_.stance
-      : step.phase() == LegPhase::kPreStance && request_.control == GaitControl::kPreStance ? law_.pre_stance
-                                                                                            : law_.swing;
+      step.stands()                                                                       ? law_.stance
+      : step.phase() == LegPhase::kPreStance && step.control() == GaitControl::kPreStance ? law_.pre_stance
+                                                                                          : law_.swing;
   out.control_mode = ControlMode::kCompliance;
   out.stiffness_N_m = gains.stiffness_N_m;
   out.damping_N_s_m = gains.damping_N_s_m;

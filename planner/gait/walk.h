@@ -69,7 +69,7 @@ class Walk {
   ForceDistribution distribution_;
   std::array<LegStep, kMostLegs> steps_;
   std::vector<FootLoad> feet_;
-  std::array<Eigen::Vector3d, kMostLegs> force_N_{};  ///< ground on foot, level axes
+  std::array<Eigen::Vector3d, kMostLegs> force_N_;  ///< ground on foot, level axes; written by begin()
   BodyView view_;
   WalkRequest request_;
   int current_ = -1;
