@@ -1,5 +1,7 @@
 #include "estimator/contact_detector.h"
 
+#include <Eigen/Core>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -24,10 +26,16 @@ constexpr double kTakeOff_s = 0.03;
 
 bool finite(const std::vector<ContactEvidence>& evidence) noexcept {
   return std::all_of(evidence.begin(), evidence.end(), [](const ContactEvidence& joint) {
-    double sum = joint.residual.torque_Nm + joint.residual.unknown_friction_Nm + joint.lever_m;
+    double sum = joint.residual.torque_Nm + joint.residual.unknown_friction_Nm + joint.lever_m +
+                 joint.tangential_lever_m[0] + joint.tangential_lever_m[1];
     for (const double part_Nm : joint.residual.part_Nm) sum += part_Nm;
     return std::isfinite(sum);
   });
+}
+
+double variance_Nm2(const ResidualModel& joint) noexcept {
+  constexpr double kLeast_Nm2 = 1e-12;  // a joint without any error would be all that counts
+  return joint.model_Nm2() + joint.noise_Nm2() + joint.rest_Nm2() + kLeast_Nm2;
 }
 
 }  // namespace
@@ -37,6 +45,9 @@ ContactDetector::ContactDetector(const ContactParams& params, std::vector<Residu
   if (!(params.on_N > params.off_N)) throw std::invalid_argument("contact: 'on' must be above 'off'");
   if (!(params.rise_s >= 0.0 && params.fall_s >= 0.0)) {
     throw std::invalid_argument("contact: delays must not be negative");
+  }
+  if (!(params.tangential_N >= 0.0)) {
+    throw std::invalid_argument("contact: the tangential force must not be negative");
   }
 }
 
@@ -63,15 +74,32 @@ ContactEstimate ContactDetector::step(const std::vector<ContactEvidence>& eviden
   return {contact_, 0.5 * (1.0 + std::tanh((now.value_N - middle_N) / spread_N)), now.value_N, std_N};
 }
 
+std::array<double, 2> ContactDetector::tangential_look_alike(
+    const std::vector<ContactEvidence>& evidence) const noexcept {
+  if (params_.tangential_N == 0.0) return {};
+  Eigen::Matrix2d information = Eigen::Matrix2d::Identity() / (params_.tangential_N * params_.tangential_N);
+  Eigen::Vector2d shared = Eigen::Vector2d::Zero();
+  for (std::size_t j = 0; j < joints_.size(); ++j) {
+    const Eigen::Vector2d lever_m(evidence[j].tangential_lever_m[0], evidence[j].tangential_lever_m[1]);
+    const Eigen::Vector2d weight = lever_m / variance_Nm2(joints_[j]);
+    information += weight * lever_m.transpose();
+    shared += weight * evidence[j].lever_m;
+  }
+  const Eigen::Vector2d alike = information.inverse() * shared;
+  return {alike.x(), alike.y()};
+}
+
 ContactDetector::Force ContactDetector::force(const std::vector<ContactEvidence>& evidence) const noexcept {
+  const std::array<double, 2> alike = tangential_look_alike(evidence);
   double information = 0.0;
   Force sum;
-  constexpr double kLeast_Nm2 = 1e-12;  // a joint without any error would be all that counts
   for (std::size_t j = 0; j < joints_.size(); ++j) {
     const ResidualModel& joint = joints_[j];
-    const double weight =
-        evidence[j].lever_m / (joint.model_Nm2() + joint.noise_Nm2() + joint.rest_Nm2() + kLeast_Nm2);
-    information += weight * evidence[j].lever_m;
+    const ContactEvidence& seen = evidence[j];
+    const double own_lever_m =
+        seen.lever_m - (alike[0] * seen.tangential_lever_m[0] + alike[1] * seen.tangential_lever_m[1]);
+    const double weight = own_lever_m / variance_Nm2(joint);
+    information += weight * seen.lever_m;
     sum.value_N += weight * joint.torque_Nm();
     sum.model_N2 += weight * weight * joint.model_Nm2();
     sum.noise_N2 += weight * weight * joint.noise_Nm2();

@@ -8,6 +8,12 @@
 /// sum(lever^2 / var), its standard deviation sqrt(1 / sum(lever^2 / var)): a joint that reverses, or that a
 /// vertical force does not load, counts little. Contact is declared above max(on, kSure standard deviations)
 /// and lost below `off`.
+///
+/// A foot that lands while its trunk moves is also pushed along the floor, and at a hip that force outweighs the
+/// vertical one: it has the longer lever. With `tangential_N` the two forces along the floor are unknowns of the
+/// same least squares, expected to be zero give or take so much. They change how the joints are weighed, not how
+/// sure the answer must be: a foot in the air has no such forces.
+#include <array>
 #include <vector>
 
 #include "estimator/residual_model.h"
@@ -19,12 +25,14 @@ struct ContactParams {
   double off_N = 0.0;   ///< and lost below this
   double rise_s = 0.0;  ///< must last this long, >= 0
   double fall_s = 0.0;
+  double tangential_N = 0.0;  ///< one standard deviation of a force along the floor, >= 0; 0: there is none
 };
 
 /// One joint of the leg in this cycle.
 struct ContactEvidence {
   JointResidual residual;
   double lever_m = 0.0;  ///< torque of a vertical force of 1 N on the foot: its row of the Jacobian
+  std::array<double, 2> tangential_lever_m{};  ///< the same of forces along the floor, x and y
 };
 
 struct [[nodiscard]] ContactEstimate {
@@ -38,7 +46,7 @@ struct [[nodiscard]] ContactEstimate {
 class ContactDetector {
  public:
   /// @param joints what is known to be wrong with each, and how noisy it is.
-  /// @throws std::invalid_argument unless on > off and no delay is negative.
+  /// @throws std::invalid_argument unless on > off and neither a delay nor the tangential force is negative.
   ContactDetector(const ContactParams& params, std::vector<ResidualModel> joints);
   void reset() noexcept;
   /// Nothing has touched the foot for some time: what moves its joints then is the drives and errors.
@@ -53,6 +61,8 @@ class ContactDetector {
     double model_N2 = 0.0, noise_N2 = 0.0, rest_N2 = 0.0;  ///< variances, as of ResidualModel
   };
   Force force(const std::vector<ContactEvidence>& evidence) const noexcept;
+  /// Forces along the floor (x, y) that look like a vertical one of 1 N to the joints.
+  std::array<double, 2> tangential_look_alike(const std::vector<ContactEvidence>& evidence) const noexcept;
   double least_rise_N(const Force& force) const noexcept;
   double least_hold_N(const Force& force) const noexcept;
   void decide(const Force& force, double dt_s) noexcept;

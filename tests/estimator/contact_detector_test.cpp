@@ -123,6 +123,54 @@ TEST_F(ContactDetectorTest, TheJointThatKnowsBetterCountsMore) {
   EXPECT_NEAR(detector.step(evidence, kDt_s).force_N, 30.0, 1.0);
 }
 
+/// Hip and knee of a leg under a trunk that walks: a force along the floor loads the hip by half a metre, a vertical one by 20 mm.
+class TangentialForceTest : public testing::Test {
+ protected:
+  static ContactParams params(double tangential_N) {
+    ContactParams out = kParams;
+    out.tangential_N = tangential_N;
+    return out;
+  }
+  static ContactEstimate estimate(double tangential_N, double forward_N, double sideways_N, double up_N,
+                                  double unknown_abduction_Nm = 0.0) {
+    ContactDetector detector(params(tangential_N),
+                             {{kPrior, 0.5, kDt_s}, {kPrior, 0.5, kDt_s}, {kPrior, 0.5, kDt_s}});
+    std::vector<ContactEvidence> evidence(3);
+    const double lever_m[3][3] = {{0.0, 0.5, 0.09}, {-0.5, 0.0, 0.02}, {-0.25, 0.0, 0.18}};
+    for (std::size_t j = 0; j < 3; ++j) {
+      evidence[j].tangential_lever_m = {lever_m[j][0], lever_m[j][1]};
+      evidence[j].lever_m = lever_m[j][2];
+      evidence[j].residual.torque_Nm =
+          lever_m[j][0] * forward_N + lever_m[j][1] * sideways_N + lever_m[j][2] * up_N;
+    }
+    evidence[0].residual.unknown_friction_Nm = unknown_abduction_Nm;
+    return detector.step(evidence, kDt_s);
+  }
+};
+
+TEST_F(TangentialForceTest, HidesTheVerticalOneWhereItIsNotExpected) {
+  // (0.09 * 10.8 - 0.02 * 27.6 + 0.18 * 6.6) Nm m / 0.0409 m^2
+  EXPECT_NEAR(estimate(0.0, 60.0, 0.0, 120.0).force_N, 39.3, 0.1);
+}
+
+TEST_F(TangentialForceTest, IsToldFromTheVerticalOneWhereItIs) {
+  EXPECT_NEAR(estimate(100.0, 60.0, 0.0, 120.0).force_N, 120.0, 3.0);
+  EXPECT_NEAR(estimate(100.0, -60.0, 30.0, 120.0).force_N, 120.0, 3.0);
+  EXPECT_NEAR(estimate(100.0, 60.0, -30.0, 0.0).force_N, 0.0, 3.0);
+}
+
+TEST_F(TangentialForceTest, OfASideThatAStuckJointDoesNotShowChangesLittle) {
+  EXPECT_NEAR(estimate(100.0, 0.0, 60.0, 120.0, 40.0).force_N, 120.0, 6.0);
+}
+
+TEST_F(TangentialForceTest, CostsCertainty) {
+  EXPECT_GT(estimate(100.0, 0.0, 0.0, 100.0).force_std_N, estimate(0.0, 0.0, 0.0, 100.0).force_std_N);
+}
+
+TEST_F(TangentialForceTest, MustNotBeNegative) {
+  EXPECT_THROW((ContactDetector{params(-1.0), {}}), std::invalid_argument);
+}
+
 TEST_F(ContactDetectorTest, PoseThatFeelsNoVerticalForceChangesNothing) {
   samples_until(true, 60.0);
   std::vector<ContactEvidence> evidence(1);

@@ -1,7 +1,9 @@
 #include "tools/experiments/contact_experiment.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "tools/experiments/jump_experiment.h"
 #include "tools/experiments/scripted_run.h"
@@ -19,6 +21,7 @@ constexpr double kLongestStep_s = 9.0;  // at 0.08 m/s, with its waits
 
 constexpr double kLeastFound_percent = 99.0;
 constexpr double kMostFalseAlarms_percent = 0.5;
+constexpr double kWalkingDelay_ms = 10.0;
 constexpr struct {
   ApproachClass approach;
   double most_ms;
@@ -39,16 +42,87 @@ double percent(std::size_t part, std::size_t whole) {
   return whole > 0 ? 100.0 * static_cast<double>(part) / static_cast<double>(whole) : kNaN;
 }
 
-/// NaN when there is none.
-double median(std::vector<double> values) {
+/// NaN when there is none. @param share 0 to 1 of the values are smaller.
+double quantile(std::vector<double> values, double share) {
   if (values.empty()) return kNaN;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  const double place =
+      std::min(share * static_cast<double>(values.size()), static_cast<double>(values.size() - 1));
+  const auto nth = values.begin() + static_cast<std::ptrdiff_t>(place);
+  std::nth_element(values.begin(), nth, values.end());
+  return *nth;
 }
+
+double median(std::vector<double> values) { return quantile(std::move(values), 0.5); }
 
 ReportRow row(const std::string& quantity, const char* unit, double value) {
   return {"estimator.contact." + quantity, unit, value, std::nullopt, std::nullopt, std::nullopt};
+}
+
+struct Counts {
+  std::size_t touchdowns = 0, found = 0, false_alarms = 0;
+};
+
+Counts count(const std::vector<ContactStep>& steps) {
+  Counts out;
+  for (const ContactStep& step : steps) {
+    out.touchdowns += step.approach_speed_m_s ? 1 : 0;
+    out.found += step.delay_ms ? 1 : 0;
+    out.false_alarms += step.false_alarm ? 1 : 0;
+  }
+  return out;
+}
+
+/// One robot on the floor, scored leg by leg: a step begins where the planner lifts the foot.
+class WalkingRobot {
+ public:
+  WalkingRobot(const RobotConfig& robot, const std::string& preset, const SimOptions& sim)
+      : process_(robot, preset, sim), cycle_s_(robot.cycle_s), last_(robot.legs.size(), LegPhase::kIdle) {
+    for (std::size_t leg = 0; leg < robot.legs.size(); ++leg) scorers_.emplace_back(leg);
+    process_.boot();
+    run(kSettle_s);
+  }
+
+  void ask(OperatorCommand command, double then_s) {
+    command.request_id = ++requests_;
+    process_.submit(command);
+    run(then_s);
+  }
+  MotionPhase state() const { return process_.motion_state().state; }
+  std::vector<ContactStep> finish() {
+    std::vector<ContactStep> steps;
+    for (ContactScorer& scorer : scorers_) append(steps, scorer.finish());
+    return steps;
+  }
+
+ private:
+  static constexpr double kSettle_s = 0.2;  // estimator and drives after booting
+
+  void run(double duration_s) {
+    for (long k = std::lround(duration_s / cycle_s_); k > 0; --k) cycle();
+  }
+  void cycle() {
+    process_.tick();
+    if (process_.sim().failed()) throw std::runtime_error(process_.sim().failure());
+    for (std::size_t leg = 0; leg < scorers_.size(); ++leg) {
+      const LegPhase phase = process_.motion_state().legs[leg].phase;
+      if (phase == LegPhase::kSwing && last_[leg] != LegPhase::kSwing) scorers_[leg].begin_step();
+      last_[leg] = phase;
+      scorers_[leg].add(process_.joint_state(), process_.truth());
+    }
+  }
+
+  InProcessRobot process_;
+  double cycle_s_;
+  std::vector<ContactScorer> scorers_;
+  std::vector<LegPhase> last_;
+  std::int64_t requests_ = 0;
+};
+
+int gait_index(const RobotConfig& robot, const std::string& gait) {
+  for (std::size_t i = 0; i < robot.gaits.size(); ++i) {
+    if (robot.gaits[i].name == gait) return static_cast<int>(i);
+  }
+  throw std::invalid_argument(robot.name + " has no gait '" + gait + "'");
 }
 
 }  // namespace
@@ -117,13 +191,8 @@ std::vector<ContactStep> run_contacts(const RobotConfig& robot, const ContactReq
 }
 
 std::vector<ReportRow> contact_rows(const std::vector<ContactStep>& steps) {
-  std::size_t touchdowns = 0, found = 0, false_alarms = 0;
-  for (const ContactStep& step : steps) {
-    touchdowns += step.approach_speed_m_s ? 1 : 0;
-    found += step.delay_ms ? 1 : 0;
-    false_alarms += step.false_alarm ? 1 : 0;
-  }
-  std::vector<ReportRow> rows{row("found", "%", percent(found, touchdowns))};
+  const Counts counts = count(steps);
+  std::vector<ReportRow> rows{row("found", "%", percent(counts.found, counts.touchdowns))};
   rows.back().low = kLeastFound_percent;
   for (const auto& [approach, most_ms] : kDelays) {
     std::vector<double> delays_ms;
@@ -134,8 +203,46 @@ std::vector<ReportRow> contact_rows(const std::vector<ContactStep>& steps) {
     rows.push_back(row(std::string("delay_median_") + name(approach), "ms", median(delays_ms)));
     rows.back().high = most_ms;
   }
-  rows.push_back(row("false_alarms", "%", percent(false_alarms, steps.size())));
+  rows.push_back(row("false_alarms", "%", percent(counts.false_alarms, steps.size())));
   rows.back().high = kMostFalseAlarms_percent;
+  return rows;
+}
+
+std::vector<ContactStep> walking_contacts(const RobotConfig& robot, const WalkingContactRequest& request) {
+  constexpr double kHome_s = 1.0, kStand_s = 4.0;
+  OperatorCommand home, stand, walk;
+  walk.kind = OperatorKind::kWalk;
+  walk.gait = gait_index(robot, request.gait);
+  walk.walk_speed = {request.forward_m_s, 0.0, 0.0};
+  SimOptions lying = request.sim;
+  lying.plant["suspended"] = 0.0;
+  lying.plant["lying"] = 1.0;
+  WalkingRobot walking(robot, request.preset, lying);
+  home.kind = OperatorKind::kHome;
+  home.reference_source = ReferenceSource::kLink;
+  walking.ask(home, kHome_s);
+  stand.kind = OperatorKind::kStand;
+  walking.ask(stand, kStand_s);
+  if (walking.state() != MotionPhase::kStanding) throw std::runtime_error("the robot does not stand up");
+  walking.ask(walk, request.walking_s);
+  if (walking.state() != MotionPhase::kWalking)
+    throw std::runtime_error("the robot does not walk to the end");
+  return walking.finish();
+}
+
+std::vector<ReportRow> walking_contact_rows(const std::string& gait, const std::vector<ContactStep>& steps) {
+  const Counts counts = count(steps);
+  std::vector<double> delays_ms;
+  for (const ContactStep& step : steps) {
+    if (step.delay_ms) delays_ms.push_back(*step.delay_ms);
+  }
+  std::vector<ReportRow> rows{row(gait + ".found", "%", percent(counts.found, counts.touchdowns)),
+                              row(gait + ".delay_median", "ms", median(delays_ms)),
+                              row(gait + ".delay_p95", "ms", quantile(delays_ms, 0.95)),
+                              row(gait + ".false_alarms", "%", percent(counts.false_alarms, steps.size()))};
+  rows[0].low = kLeastFound_percent;
+  rows[1].high = rows[2].high = kWalkingDelay_ms;
+  rows[3].high = kMostFalseAlarms_percent;
   return rows;
 }
 

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdio>
 #include <stdexcept>
+#include <utility>
 
 #include "robots/robot_loader.h"
 #include "tools/experiments/contact_experiment.h"
@@ -25,6 +26,21 @@ void add_contact_rows(const RobotConfig& robot, const EstimatorRequest& request,
   for (const EnsemblePlant& plant : estimator_ensemble(request.seed))
     contact.plants.push_back({plant.seed, plant.changes, true});
   append(report, contact_rows(run_contacts(robot, contact)));
+}
+
+/// Three plants that differ in their noise, at walking speed.
+void add_walking_contact_rows(const RobotConfig& robot, const EstimatorRequest& request,
+                              ExperimentReport& report) {
+  constexpr std::uint64_t kSeeds = 3;
+  for (const auto& [gait, forward_m_s] : {std::pair{"trot", 0.35}, std::pair{"crawl", 0.1}}) {
+    std::vector<ContactStep> steps;
+    for (std::uint64_t i = 0; i < kSeeds; ++i) {
+      const std::vector<ContactStep> more = walking_contacts(
+          robot, {request.preset, gait, forward_m_s, 8.0, SimOptions{request.seed + i, {}, true}});
+      steps.insert(steps.end(), more.begin(), more.end());
+    }
+    append(report, walking_contact_rows(gait, steps));
+  }
 }
 
 void add_friction_rows(const RobotConfig& robot, const EstimatorRequest& request, ExperimentReport& report) {
@@ -60,6 +76,7 @@ constexpr Section kSections[] = {
        add_bounds_rows(robot, r.preset, r.seed, report);
      }},
     {"contact", "single_leg", add_contact_rows},
+    {"contact", "pegasus", add_walking_contact_rows},
     {"temperature", "test_axis",
      [](const RobotConfig& robot, const EstimatorRequest& r, ExperimentReport& report) {
        add_temperature_rows(robot, r.preset, r.seed, report);
@@ -77,7 +94,12 @@ constexpr const char* kWholeTable = "test_axis";
 
 std::string estimator_sections() {
   std::string text;
-  for (const Section& section : kSections) text += (text.empty() ? "" : ", ") + std::string(section.name);
+  std::string last;
+  for (const Section& section : kSections) {
+    if (section.name == last) continue;  // the same of another robot
+    last = section.name;
+    text += (text.empty() ? "" : ", ") + last;
+  }
   return text;
 }
 
