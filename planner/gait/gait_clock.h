@@ -29,8 +29,9 @@ class GaitClock {
   /// The foot has landed: before its time, or after it.
   void land(std::size_t leg) noexcept { swinging_[leg] = false; }
   bool all_stand() const noexcept;
-  /// Steps that were begun by the leg that has made the fewest.
+  /// Steps that were begun by the leg that has made the fewest, since begin() or count_anew().
   int rounds() const noexcept;
+  void count_anew() noexcept { steps_.fill(0); }
   double phase() const noexcept { return phase_; }
   const GaitConfig& gait() const noexcept { return *gait_; }
 

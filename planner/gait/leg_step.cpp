@@ -11,6 +11,11 @@ constexpr double kLateAfter_s = 0.02;       // contact is felt a little after it
 constexpr double kClearance_m = 0.02;       // that a stumble adds to the lift
 constexpr double kClearanceRate_m_s = 0.2;  // so that the foot is not jerked
 
+/// Of a place on the ground, as the body sees it.
+Eigen::Vector3d ground_m_s(const StepPlan& plan, const Eigen::Vector3d& place_m) noexcept {
+  return -plan.body_m_s - Eigen::Vector3d(0.0, 0.0, plan.turning_rad_s).cross(place_m);
+}
+
 }  // namespace
 
 void LegStep::enter(LegPhase phase) noexcept {
@@ -43,9 +48,8 @@ void LegStep::lift(const Eigen::Vector3d& foot_m) noexcept {
 bool LegStep::step(const StepPlan& plan, const Eigen::Vector3d& foot_m, const Eigen::Vector3d& foothold_m,
                    bool contact) noexcept {
   in_phase_s_ += plan.dt_s;
-  const Eigen::Vector3d turning(0.0, 0.0, plan.turning_rad_s);
   if (stands()) {
-    wanted_m_s_ = -plan.body_m_s - turning.cross(wanted_m_);
+    wanted_m_s_ = ground_m_s(plan, wanted_m_);
     wanted_m_ += wanted_m_s_ * plan.dt_s;
     return false;
   }
@@ -56,6 +60,7 @@ bool LegStep::step(const StepPlan& plan, const Eigen::Vector3d& foot_m, const Ei
   if (!landed(plan, contact)) return false;
   const bool gave_up = gave_up_;
   stand(foot_m);
+  wanted_m_s_ = ground_m_s(plan, foot_m);
   gave_up_ = gave_up;
   return true;
 }

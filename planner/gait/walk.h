@@ -45,6 +45,7 @@ class Walk {
   void steer(double dt_s) noexcept;
   void lean(double dt_s) noexcept;
   void step_legs(const JointState& in, double dt_s) noexcept;
+  bool touches(const EstimatedLeg& leg) const noexcept;
   void hold_height(double dt_s) noexcept;
   void share_weight() noexcept;
   void next_gait() noexcept;
@@ -81,7 +82,7 @@ class Walk {
   Eigen::Vector3d body_m_s_ = Eigen::Vector3d::Zero();
   bool stopping_ = false;
   bool ended_ = true;
-  int rounds_when_slow_ = -1;
+  bool placing_ = false;  ///< slow enough to stop: each foot is set in its place once more
   std::int64_t last_us_ = 0;
   const char* failure_ = nullptr;
 };
