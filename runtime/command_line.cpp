@@ -3,6 +3,7 @@
 #include <sprung_version.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <iostream>
 #include <utility>
 
@@ -77,7 +78,8 @@ void CommandLine::option(const std::string& name, std::uint64_t& value, const st
   impl_->add(name, value, help, need)->check(not_negative);
 }
 void CommandLine::option(const std::string& name, double& value, const std::string& help, Need need) {
-  impl_->add(name, value, help, need);
+  CLI::Option* const option = impl_->add(name, value, help, need);
+  if (std::isnan(value)) option->default_str("");  // its help says what is meant
 }
 void CommandLine::option(const std::string& name, std::vector<std::string>& value, const std::string& help,
                          Need need) {

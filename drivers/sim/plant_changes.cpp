@@ -83,11 +83,17 @@ GroundStep& step(SimConfig& config) {
   return config.plant.ground.steps.front();
 }
 
-void lie_down(SimConfig& config, double on) {
-  if (on == 0.0) return;
-  config.plant.suspended_m = 0.0;
+/// Whether the robot starts on the floor: as --plant lying says; else not where --plant suspended says how it hangs or stands; else as
+/// sim.yaml says.
+bool lies(const std::map<std::string, double>& changes, const PlantConfig& plant) {
+  const auto lying = changes.find("lying");
+  if (lying != changes.end()) return lying->second != 0.0;
+  return plant.lies && changes.count("suspended") == 0;
+}
+
+void lie_down(SimConfig& config) {
   each_joint(config, [](PlantJointConfig& joint) {
-    if (!joint.lying_rad) throw ConfigError("--plant lying: sim.yaml's " + joint.name + " has no `lying`");
+    if (!joint.lying_rad) throw ConfigError("lying: sim.yaml's " + joint.name + " has no `lying`");
     joint.initial_rad = *joint.lying_rad;
   });
 }
@@ -123,7 +129,10 @@ constexpr Change kChanges[] = {
        each_drive(c, [v](SimDriveConfig& drive) { drive.torque_constant_Nm_A *= v; });
      }},
     {"load_share_scale", 0, 5, scale_load_share},
-    {"lying", 0, 1, lie_down},
+    {"lying", 0, 1,
+     [](SimConfig& c, double v) {
+       if (v != 0.0) c.plant.suspended_m = 0.0;
+     }},
     {"mass_scale", 0.1, 10, scale_mass},
     {"mode_delay_us", 0, 1e6,
      [](SimConfig& c, double v) { each_drive(c, [v](SimDriveConfig& d) { d.mode_delay_s = 1e-6 * v; }); }},
@@ -173,6 +182,8 @@ void apply_plant_changes(const std::map<std::string, double>& changes, SimConfig
     }
     change.apply(config, value);
   }
+  config.plant.lies = lies(changes, config.plant);
+  if (config.plant.lies) lie_down(config);
 }
 
 }  // namespace sprung::sim

@@ -99,6 +99,7 @@ PlantConfig read_plant(const YamlMap& map) {
   plant.rail_x_locked = chosen(map, "rail_x", "locked", "free", false);
   plant.torsion = chosen(map, "gears", "elastic", "rigid", true);
   plant.suspended_m = map.quantity_or("suspended", "m", 0.01, 10, 0.0);
+  plant.lies = chosen(map, "starts", "lying", "standing", false);
   plant.floor_height_m = map.quantity("floor_height", "m", -10, 10);
   if (map.has("ground")) plant.ground = read_ground(map.map("ground"));
   plant.ambient_degC = map.quantity_or("ambient", "degC", -50, 150, plant.ambient_degC);

@@ -29,6 +29,7 @@ struct ContactConfig {
 struct PlantConfig {
   double step_s = 0.0;
   double suspended_m = 0.0;    ///< the base hangs fixed at this height; 0 = it is free
+  bool lies = false;           ///< it starts on the floor, joints at `lying`; else at `initial`
   bool rail_x_locked = false;  ///< only where model.xml has a joint `rail_x`
   double floor_height_m = 0.0;
   GroundConfig ground;

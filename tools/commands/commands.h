@@ -6,7 +6,8 @@ namespace sprung::commands {
 
 void add_up(CommandLine& sprung);
 void add_down(CommandLine& sprung);
-void add_motion(CommandLine& sprung);  ///< stand, sit, jump, comply, land, stop
+void add_motion(CommandLine& sprung);  ///< stand, sit, jump, comply, land, walk, stop
+void add_walk(CommandLine& sprung);
 void add_safety(CommandLine& sprung);  ///< estop, clear
 void add_status(CommandLine& sprung);
 void add_record(CommandLine& sprung);

@@ -7,10 +7,9 @@
 #include "robots/robot_loader.h"
 #include "runtime/stop_request.h"
 #include "tools/client/cycle_collector.h"
-#include "tools/client/operator_client.h"
-#include "tools/commands/answers.h"
 #include "tools/commands/commands.h"
 #include "tools/commands/jump_mode.h"
+#include "tools/commands/motion_call.h"
 #include "tools/experiments/jump_table.h"
 #include "tools/experiments/live_jump_report.h"
 #include "tools/report/report_shell.h"
@@ -19,19 +18,13 @@ namespace sprung::commands {
 
 namespace {
 
-constexpr double kAnswer_s = 3.0;
-constexpr double kSilence_s = 5.0;  // without any answer from the planner, which is asked twice a second
 constexpr double kLook_s = 0.05;
 constexpr std::chrono::milliseconds kSettle{
     300};  // after `done`: what is still on the way, or waits behind a lost message
 
-struct MotionRequest {
-  std::string instance = "default";
-  std::string robot;
-  bool no_wait = false;
+struct MotionRequest : MotionCall {
   bool report = false;
   std::string html;
-  std::int64_t at_seq = -1;
   double height_mm = 0.0;
   double forward_mm = 0.0;
   double touchdown_in_s = kNaN;
@@ -41,22 +34,6 @@ struct MotionRequest {
   std::string mode = "hybrid";
   int count = 1;
 };
-
-int exit_status(const char* what, const std::optional<OperatorAnswer>& answer) {
-  return report_motion(what, answer) ? kExitDone : kExitFailed;
-}
-
-int run_motion(const char* what, OperatorCommand command, const MotionRequest& request) {
-  OperatorClient client(require_running(request.instance, request.robot));
-  command.apply_at_seq = request.at_seq;
-  const std::optional<OperatorAnswer> answer = client.send(command, kAnswer_s);
-  const int status = exit_status(what, answer);
-  const bool under_way = answer && status == kExitDone && answer->outcome != OperatorOutcome::kDone;
-  if (!under_way || request.no_wait) {
-    return status;
-  }
-  return exit_status(what, client.wait_done(command, kSilence_s));
-}
 
 /// The line that jumps so again.
 std::string jump_line(const MotionRequest& request) {
@@ -88,7 +65,7 @@ int run_reported_jump(const OperatorCommand& order, const MotionRequest& request
   OperatorClient client(info);
   OperatorCommand command = order;
   command.apply_at_seq = request.at_seq;
-  int status = exit_status("jump", client.send(command, kAnswer_s));
+  int status = motion_exit("jump", client.send(command, kAnswer_s));
   const auto measure = [&](const CycleRecord& cycle) {
     metrics.add(cycle.motion_state, cycle.joint_state, cycle.truth, &cycle.leg_command);
     trace.add(cycle);
@@ -104,7 +81,7 @@ int run_reported_jump(const OperatorCommand& order, const MotionRequest& request
     collector.wait(kLook_s);
     collector.collect(measure, [](const OperatorReply&) {});
   }
-  status = status == kExitDone ? exit_status("jump", done) : status;
+  status = status == kExitDone ? motion_exit("jump", done) : status;
   std::printf("%scycles %lld, without a command %lld, overruns %lld, lost on the way to this table %lld\n",
               jump_table(metrics.jumps()).c_str(), static_cast<long long>(collector.last_cycle() + 1),
               static_cast<long long>(collector.missed_cycles()), static_cast<long long>(collector.overruns()),
@@ -113,18 +90,10 @@ int run_reported_jump(const OperatorCommand& order, const MotionRequest& request
   return status;
 }
 
-/// What every motion takes.
-void add_common(CommandLine& command, MotionRequest& request) {
-  command.option("--instance", request.instance, "which run");
-  command.option("--robot", request.robot, "refuse unless this robot is up");
-  command.option("--at", request.at_seq, "cycle in which it shall take effect, -1 = the next");
-  command.flag("--no-wait", request.no_wait, "return when it is accepted, not when it is done");
-}
-
 void add_simple(CommandLine& sprung, const char* what, const char* help, OperatorKind kind) {
   const auto request = std::make_shared<MotionRequest>();
   CommandLine& command = sprung.subcommand(what, help);
-  add_common(command, *request);
+  add_motion_call(command, *request);
   command.example(std::string("sprung ") + what);
   command.action([=] {
     OperatorCommand order;
@@ -142,7 +111,7 @@ void add_jump(CommandLine& sprung) {
               "where the foot lands, mm ahead of where it left; the rail must be free in x");
   jump.choice("--mode", request->mode, jump_mode_names(), "control through thrust, flight and landing");
   jump.option("--count", request->count, "how many, one after the other");
-  add_common(jump, *request);
+  add_motion_call(jump, *request);
   jump.flag("--report", request->report, "simulated drives: measure the jumps and print a table");
   jump.option("--html", request->html, "with --report: a page with the table and the first jump drawn");
   jump.example("sprung jump --height 150 --mode hybrid --count 3; sprung jump --height 150 --forward 40");
@@ -169,7 +138,7 @@ void add_comply(CommandLine& sprung) {
                 "N s/m, along x and z; default: the preset's compliance");
   comply.option("--compensation", request->friction_compensation,
                 "share of the gears' friction that is made up for, 0 to 1; default: the preset's");
-  add_common(comply, *request);
+  add_motion_call(comply, *request);
   comply.example("sprung comply --stiffness 2000 2000 --damping 40 40 --compensation 0.9");
   comply.action([=] {
     OperatorCommand order;
@@ -188,7 +157,7 @@ void add_land(CommandLine& sprung) {
   land.option("--in", request->touchdown_in_s, "s until the foot is expected to meet the ground, 0.02 to 1",
               Need::kRequired);
   land.choice("--mode", request->mode, jump_mode_names(), "control in the fall and through the landing");
-  add_common(land, *request);
+  add_motion_call(land, *request);
   land.example("sprung land --in 0.25 --mode own");
   land.action([=] {
     OperatorCommand order;
@@ -207,7 +176,9 @@ void add_motion(CommandLine& sprung) {
   add_jump(sprung);
   add_comply(sprung);
   add_land(sprung);
-  add_simple(sprung, "stop", "Finish the phase that runs, then stand; ends compliance.", OperatorKind::kStop);
+  add_walk(sprung);
+  add_simple(sprung, "stop", "Finish the phase that runs, then stand; ends compliance and walking.",
+             OperatorKind::kStop);
 }
 
 }  // namespace sprung::commands

@@ -8,6 +8,7 @@
 #include "runtime/node.h"
 #include "runtime/stop_request.h"
 #include "tools/client/health_report.h"
+#include "tools/client/motion_report.h"
 #include "tools/commands/commands.h"
 #include "tools/launcher/run_file.h"
 
@@ -23,6 +24,7 @@ constexpr std::int64_t kListen_us = 1'200'000;  // PROCESS_STATUS comes twice a 
 struct Heard {
   std::map<std::string, sprung_msgs::process_status_t> processes;
   std::optional<sprung_msgs::motion_state_t> motion;
+  std::optional<sprung_msgs::joint_state_t> joints;
   std::optional<sprung_msgs::safety_state_t> safety;
   std::optional<sprung_msgs::bus_state_t> buses;
 };
@@ -30,11 +32,14 @@ struct Heard {
 Heard listen(const RunInfo& info, const RobotConfig& robot) {
   InputQueue<sprung_msgs::process_status_t> processes(256);
   InputQueue<sprung_msgs::motion_state_t> motions(1 << 16);
+  InputQueue<sprung_msgs::joint_state_t> joint_states(64);  // only the newest counts
   Heard heard;
   HealthListener health(info, robot);
   Node node({info.lcm_url, info.session, info.epoch_us, {}});
   node.subscribe_message(channels::kProcessStatus, CountLimits::none(), processes);
   node.subscribe_message(channels::kMotionState, CountLimits::up_to(64), motions);
+  node.subscribe_message(channels::kJointState, CountLimits::exactly(robot.joints.size(), robot.legs.size()),
+                         joint_states);
   node.start();
   const std::int64_t end_us = node.utime_us() + kListen_us;
   while (node.utime_us() < end_us && !stop_requested()) {
@@ -45,6 +50,7 @@ Heard listen(const RunInfo& info, const RobotConfig& robot) {
     while (auto motion = motions.pop()) {
       heard.motion = *motion;
     }
+    while (auto joints = joint_states.pop()) heard.joints = std::move(*joints);
   }
   health.wait(0.0, [] { return true; });
   heard.safety = health.safety();
@@ -106,15 +112,8 @@ Json status_json(const RunInfo& info, const RobotConfig& robot, const Heard& hea
   out["safety"] = safety_json(heard.safety);
   out["buses"] = heard.buses ? buses_json(robot, *heard.buses) : Json::array();
   out["nodes"] = heard.buses ? nodes_json(robot, *heard.buses) : Json::array();
-  out["motion"] = {{"state", "unknown"}, {"legs", Json::array()}};
-  if (heard.motion) {
-    out["motion"]["state"] = heard.motion->state_name;
-    out["motion"]["last_transition"] = heard.motion->last_transition;
-    for (const auto& leg : heard.motion->legs) {
-      out["motion"]["legs"].push_back(
-          {{"phase", name(static_cast<LegPhase>(leg.phase))}, {"phase_time_s", leg.phase_time_s}});
-    }
-  }
+  out["motion"] = motion_json(robot, heard.motion);
+  out["body"] = body_json(robot, heard.joints);
   return out;
 }
 
@@ -155,7 +154,9 @@ void print_table(const Json& status) {
   if (status["safety"].contains("detail") && !text_of(status["safety"]["detail"]).empty()) {
     std::printf(": %s", text_of(status["safety"]["detail"]).c_str());
   }
-  std::printf("\nmotion  %s\n", text_of(status["motion"]["state"]).c_str());
+  std::printf("\n");
+  for (const std::string& line : motion_lines(status["motion"], status["body"]))
+    std::printf("%s\n", line.c_str());
   print_buses(status);
 }
 
@@ -176,8 +177,8 @@ int run_status(const std::string& instance, bool as_json) {
 void add_status(CommandLine& sprung) {
   const auto instance = std::make_shared<std::string>("default");
   const auto as_json = std::make_shared<bool>(false);
-  CommandLine& status =
-      sprung.subcommand("status", "Processes, safety, motion, buses and nodes of the robot that is up.");
+  CommandLine& status = sprung.subcommand(
+      "status", "Processes, safety, motion and body, buses and nodes of the robot that is up.");
   status.option("--instance", *instance, "which run");
   status.flag("--json", *as_json, "one JSON object");
   status.example("sprung status --json");

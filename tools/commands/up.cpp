@@ -1,6 +1,7 @@
 #include <poll.h>
 #include <string.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -15,7 +16,18 @@ namespace sprung::commands {
 
 namespace {
 
-void announce(const LaunchRequest& request, const Launcher& launcher, double ready_s) {
+/// What to type next.
+std::string first_commands(const RobotConfig& robot) {
+  const bool referenced = std::all_of(robot.actuators.begin(), robot.actuators.end(),
+                                      [](const ActuatorConfig& actuator) { return actuator.referenced; });
+  std::string out = referenced ? "" : "sprung home, ";
+  if (robot.why_not_standing() == nullptr)
+    out += robot.gaits.empty() ? "sprung stand, sprung jump, " : "sprung stand, sprung walk, sprung stop, ";
+  return out + "sprung status, sprung down";
+}
+
+void announce(const LaunchRequest& request, const RobotConfig& robot, const Launcher& launcher,
+              double ready_s) {
   const RunInfo& info = launcher.info();
   std::printf("%s is up: %zu processes, clock %s, preset %s, ready in %.1f s\n", info.robot.c_str(),
               launcher.running(), info.clock.c_str(), info.preset.c_str(), ready_s);
@@ -27,8 +39,7 @@ void announce(const LaunchRequest& request, const Launcher& launcher, double rea
     std::printf(
         "  note simulated drives in real time: the longer simulation_watchdogs of robot.yaml apply\n");
   }
-  std::printf(
-      "In a second terminal: sprung stand, sprung jump, sprung status, sprung down. Ctrl-C here ends it.\n");
+  std::printf("In a second terminal: %s. Ctrl-C here ends it.\n", first_commands(robot).c_str());
   std::fflush(stdout);
 }
 
@@ -59,11 +70,12 @@ int watch_over(Launcher& launcher, bool ends_by_itself) {
 int run_up(const LaunchRequest& request) {
   if (!(request.patience_s > 0.0)) throw WrongUse("--patience is more than 0 s");
   start_log("sprung");
-  Launcher launcher(request, load_robot(request.robot));
+  const RobotConfig robot = load_robot(request.robot);
+  Launcher launcher(request, robot);
   const std::int64_t started_us = monotonic_us();
   launcher.start_all_but_bridge();
   launcher.start_bridge();
-  announce(request, launcher, static_cast<double>(monotonic_us() - started_us) * 1e-6);
+  announce(request, robot, launcher, static_cast<double>(monotonic_us() - started_us) * 1e-6);
   const int status = watch_over(launcher, request.cycles > 0);
   std::printf("%s: stopping, drives first\n", launcher.info().robot.c_str());
   std::fflush(stdout);

@@ -1,0 +1,115 @@
+/// pegasus as an operator walks it: lying on the floor, homed, up, away, and down again, each command as it is typed.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "lcmtypes/channels.h"
+#include "runtime/node.h"
+#include "tests/system/system_fixture.h"
+
+namespace sprung {
+namespace {
+
+using testing::HasSubstr;
+
+class Walk : public SystemTest {
+ protected:
+  Walk() { robot_ = load_robot("pegasus"); }
+  nlohmann::json status() const { return nlohmann::json::parse(sprung("status --json").output); }
+  std::string state() const { return status()["motion"]["state"].get<std::string>(); }
+  void obeys(const std::string& command) const {
+    const CommandResult result = sprung(command);
+    EXPECT_EQ(result.status, 0) << command << ": " << result.output;
+    EXPECT_THAT(result.output, HasSubstr("done")) << command;
+  }
+  void refuses(const std::string& command, const std::string& why) const {
+    const CommandResult result = sprung(command);
+    EXPECT_NE(result.status, 0) << command;
+    EXPECT_THAT(result.output, HasSubstr(why)) << command;
+  }
+  void stand_up() {
+    up("lockstep");
+    obeys("home --from link");
+    obeys("stand");
+  }
+  /// The next SIM_TRUTH whose cycle is at least `seq`.
+  sprung_msgs::sim_truth_t truth(std::int64_t seq = 0) const {
+    const RunInfo run = info();
+    InputQueue<sprung_msgs::sim_truth_t> truths(64);
+    Node node({run.lcm_url, run.session, run.epoch_us, {}});
+    node.subscribe_message(channels::kSimTruth,
+                           CountLimits::exactly(robot_.joints.size(), robot_.legs.size()), truths);
+    node.start();
+    for (const std::int64_t end_us = node.utime_us() + 30'000'000; node.utime_us() < end_us;) {
+      node.wait_for_input(end_us);
+      while (auto heard = truths.pop()) {
+        if (heard->seq >= seq) return *heard;
+      }
+    }
+    throw std::runtime_error("no SIM_TRUTH");
+  }
+  sprung_msgs::sim_truth_t truth_in(double seconds) const {
+    return truth(truth().seq + static_cast<std::int64_t>(seconds / robot_.cycle_s));
+  }
+};
+
+TEST_F(Walk, FromTheFloorHomeStandTrotStopAndSit) {
+  up("lockstep");
+  refuses("stand", "sprung home");
+  refuses("walk --speed 0.2", "stand first");
+  const double lying_m = truth().base_in_world_m[2];
+  EXPECT_LT(lying_m, 0.2) << "it starts on the floor";
+  obeys("home --from link");
+  obeys("stand");
+  const auto begin = truth();
+  EXPECT_NEAR(begin.base_in_world_m[2], robot_.preset("best").stand_length_m, 0.03);
+  obeys("walk --gait trot --speed 0.2");
+  const auto end = truth_in(5.0);
+  EXPECT_GT(end.base_in_world_m[0] - begin.base_in_world_m[0], 0.6);
+  EXPECT_NEAR(end.base_in_world_m[2], begin.base_in_world_m[2], 0.05);
+  auto json = status();
+  EXPECT_EQ(json["motion"]["state"], "walking");
+  EXPECT_EQ(json["motion"]["gait"], "trot");
+  EXPECT_NEAR(json["motion"]["desired_speed"][0].get<double>(), 0.2, 1e-9);
+  EXPECT_TRUE(json["body"]["uses_imu"].get<bool>());
+  EXPECT_LT(std::abs(json["body"]["roll_rad"].get<double>()), 0.2);
+  EXPECT_NEAR(json["body"]["height_m"].get<double>(), 0.5, 0.05);
+  obeys("walk --speed 0.1");  // as it goes
+  obeys("stop");
+  EXPECT_EQ(state(), "standing");
+  obeys("sit");
+  EXPECT_EQ(state(), "idle");
+  json = status();
+  EXPECT_EQ(json["safety"]["state"], "operational");
+  EXPECT_EQ(json["safety"]["cause"], "none");
+  EXPECT_LT(truth().base_in_world_m[2], lying_m + 0.15) << "it sits";
+  EXPECT_EQ(sprung("down").status, 0);
+  EXPECT_EQ(wait_for_up(), 0);
+}
+
+TEST_F(Walk, WhatItCannotIsRefusedWithTheGaitsThereAre) {
+  stand_up();
+  EXPECT_EQ(sprung("walk --gait gallop").status, 2);
+  refuses("walk --gait gallop", "crawl");
+  refuses("walk --speed 2", "no gait goes 2 m/s");
+  refuses("walk --gait crawl --speed 0.3", "crawl does not go 0.3 m/s");
+  refuses("walk --height 0.9", "body height");
+  refuses("walk --width 1", "stance width");
+  refuses("walk --control wild", "prestance");
+  EXPECT_EQ(state(), "standing");
+}
+
+TEST_F(Walk, StopWaitsUntilACrawlStands) {
+  stand_up();
+  obeys("walk --gait crawl --speed 0.1");
+  truth_in(4.0);
+  refuses("walk --gait trot --speed 0.3", "stop first");
+  obeys("walk --speed 0.05");
+  EXPECT_EQ(status()["motion"]["gait"], "crawl") << "another speed, not another gait";
+  obeys("stop");
+  EXPECT_EQ(state(), "standing");
+}
+
+}  // namespace
+}  // namespace sprung

@@ -1,0 +1,26 @@
+#pragma once
+/// What a robot does, told: MOTION_STATE, and its body and feet from JOINT_STATE.
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "robots/robot_config.h"
+#include "runtime/message_layout.h"
+
+namespace sprung {
+
+/// Keys state, last_transition, legs; on robots with gaits also gait (null: it does not walk), gait_phase, desired_speed. Leg events
+/// are counted since the planner began. State is "unknown" where nothing was heard.
+nlohmann::ordered_json motion_json(const RobotConfig& robot,
+                                   const std::optional<sprung_msgs::motion_state_t>& motion);
+
+/// Estimated attitude, height and speed; numbers that are not known are null, all of it where there is no body.
+nlohmann::ordered_json body_json(const RobotConfig& robot,
+                                 const std::optional<sprung_msgs::joint_state_t>& joints);
+
+/// Both in lines for a terminal.
+std::vector<std::string> motion_lines(const nlohmann::ordered_json& motion,
+                                      const nlohmann::ordered_json& body);
+
+}  // namespace sprung
