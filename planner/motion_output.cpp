@@ -90,6 +90,9 @@ void Motion::write_own_landing(std::size_t leg, const JointState& in, DesiredLeg
 void Motion::write(MotionState& out) const noexcept {
   out.state = state();
   for (MotionLeg& leg : out.legs) leg = {leg_phase(state()), in_phase_s(), LegEvent::kNone, {}};
+  out.gait = -1;
+  out.gait_phase = 0.0;
+  out.desired_speed = {};
   if (state() == MotionPhase::kWalking) walk_.write(out);
   out.jumps_done = jump_.done();
   out.jumps_left = jump_.left();

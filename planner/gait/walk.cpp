@@ -11,6 +11,7 @@ namespace {
 constexpr double kHeadingGain_1_s = 1.0;
 constexpr double kMostHeadingCorrection_rad_s = 0.2;
 constexpr double kHeightRate_m_s = 0.05;  // of a wanted height or width
+constexpr double kGroundRate_m_s = 0.5;   // faster than a trunk that walks rises or sinks
 constexpr double kHeightGain_1_s = 3.0;   // in which the feet's places follow the wanted height
 constexpr double kLeanAhead = 0.12;  // share of the period before a swing at which its foot no longer counts
 constexpr double kLeanTime = 0.22;   // share of the period in which the body leans over
@@ -231,7 +232,8 @@ void Walk::hold_height(double dt_s) noexcept {
     ++feet;
   }
   if (feet == 0) return;
-  ground_z_m_ = measured_m / feet;
+  // Another foot among those that stand is another ground: the paths of feet in the air must not jump for that.
+  ground_z_m_ = toward(ground_z_m_, measured_m / feet, kGroundRate_m_s * dt_s);
   const double by_m = (-height_m_ - wanted_m / feet) * std::min(1.0, kHeightGain_1_s * dt_s);
   for (std::size_t i = 0; i < shape_.legs; ++i)
     if (steps_[i].stands()) steps_[i].shift({0.0, 0.0, by_m});

@@ -9,7 +9,7 @@
 namespace sprung {
 namespace {
 
-constexpr int kStates = static_cast<int>(MotionPhase::kComplying) + 1;
+constexpr int kStates = static_cast<int>(MotionPhase::kFallen) + 1;
 constexpr int kEvents = static_cast<int>(MotionEvent::kRestarted) + 1;
 
 /// Shortest way from idle to each state, over rows of the table.

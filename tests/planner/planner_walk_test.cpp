@@ -1,0 +1,316 @@
+/// `walk` from command to LEG_COMMAND: the planner of pegasus, its feet where they are wanted, and falls.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "planner/motion.h"
+#include "planner/planner_core.h"
+#include "robots/robot_loader.h"
+
+namespace sprung {
+namespace {
+
+class PlannerWalkTest : public testing::Test {
+ protected:
+  PlannerWalkTest() {
+    state_.safety = SafetyLevel::kOperational;
+    for (EstimatedJoint& joint : state_.joints) {
+      joint.status = JointStatus::kOk;
+      joint.drive_enabled = true;
+    }
+    for (std::size_t i = 0; i < 4; ++i) {
+      state_.legs[i].estimated_foot_in_hip_m = {0.0, i % 2 == 0 ? 0.08 : -0.08, -0.24};
+      state_.legs[i].contact = true;
+    }
+    tilt(0.0);
+    state_.body.estimated_height_m = 0.24;
+    state_.body.uses_imu = true;
+  }
+  void tilt(double roll_rad) {
+    state_.body.estimated_quaternion_wxyz = {std::cos(0.5 * roll_rad), std::sin(0.5 * roll_rad), 0.0, 0.0};
+  }
+  void cycle() {
+    state_.stamp.utime_us += 2000;
+    ++state_.stamp.seq;
+    planner_.step(state_, legs_, motion_);
+    for (OperatorReply r; planner_.next_reply(r);) replies_.push_back(r);
+    if (motion_.state == MotionPhase::kIdle || motion_.state == MotionPhase::kFallen) return;
+    for (std::size_t i = 0; i < 4; ++i) {
+      Vec3 foot = legs_.legs[i].desired_foot_in_hip_m;
+      const double floor_m = motion_.state == MotionPhase::kWalking && i == hole_ ? -1.0 : -0.5;
+      state_.legs[i].contact = foot[2] <= floor_m + 1e-9 || motion_.state != MotionPhase::kWalking;
+      foot[2] = std::max(foot[2], floor_m);
+      state_.legs[i].estimated_foot_in_hip_m = foot;
+    }
+    state_.body.estimated_height_m = -state_.legs[0].estimated_foot_in_hip_m[2];
+  }
+  void run(double seconds) {
+    for (int k = 0; k < static_cast<int>(seconds / 0.002 + 0.5); ++k) cycle();
+  }
+  void run_until(MotionPhase wanted) {
+    for (int k = 0; k < 10000 && motion_.state != wanted; ++k) cycle();
+    EXPECT_EQ(motion_.state, wanted) << motion_.last_transition;
+  }
+  OperatorReply send(OperatorCommand command) {
+    command.request_id = ++last_id_;
+    EXPECT_TRUE(planner_.submit(command));
+    cycle();
+    return answer(last_id_);
+  }
+  OperatorReply send(OperatorKind kind) {
+    OperatorCommand command;
+    command.kind = kind;
+    return send(command);
+  }
+  OperatorReply walk(int gait, const Vec3& speed = {0.0, 0.0, 0.0}) {
+    OperatorCommand command;
+    command.kind = OperatorKind::kWalk;
+    command.gait = gait;
+    command.walk_speed = speed;
+    return send(command);
+  }
+  /// The last one.
+  OperatorReply answer(std::int64_t id) const {
+    OperatorReply out;
+    for (const OperatorReply& r : replies_)
+      if (r.request_id == id) out = r;
+    return out;
+  }
+  void stand_up() {
+    send(OperatorKind::kStand);
+    run_until(MotionPhase::kStanding);
+  }
+  bool every_leg(ControlMode mode) const {
+    return std::all_of(legs_.legs.begin(), legs_.legs.end(),
+                       [&](const DesiredLeg& l) { return l.control_mode == mode; });
+  }
+
+  static constexpr int kStand = 0, kCrawl = 1, kTrot = 3;
+  const RobotConfig robot_ = load_robot("pegasus");
+  PlannerCore planner_{robot_, robot_.preset("best")};
+  JointState state_{12, 4};
+  LegCommand legs_{4};
+  MotionState motion_{4};
+  std::vector<OperatorReply> replies_;
+  std::int64_t last_id_ = 0;
+  std::size_t hole_ = 99;
+};
+
+TEST_F(PlannerWalkTest, StandsUpWithItsFeetBesideItsHips) {
+  stand_up();
+  const double width_m = 0.08 + robot_.preset("best").walk.stance_width_m;
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_NEAR(legs_.legs[i].desired_foot_in_hip_m[1], i % 2 == 0 ? width_m : -width_m, 1e-9);
+    EXPECT_NEAR(legs_.legs[i].desired_foot_in_hip_m[2], -0.5, 1e-9);
+  }
+}
+
+TEST_F(PlannerWalkTest, WalkIsDoneAsSoonAsItIsAcceptedAndLastsUntilStop) {
+  stand_up();
+  const OperatorReply reply = walk(kTrot, {0.3, 0.0, 0.0});
+  EXPECT_EQ(reply.outcome, OperatorOutcome::kDone);
+  EXPECT_STREQ(reply.reason, "walk requested");
+  EXPECT_EQ(motion_.state, MotionPhase::kWalking);
+  EXPECT_EQ(motion_.gait, kTrot);
+  run(5.0);
+  EXPECT_EQ(motion_.state, MotionPhase::kWalking);
+  EXPECT_DOUBLE_EQ(motion_.desired_speed[0], 0.3);
+  const std::int64_t stop = (send(OperatorKind::kStop), last_id_);
+  EXPECT_EQ(answer(stop).outcome, OperatorOutcome::kAccepted);
+  run_until(MotionPhase::kRecover);
+  run_until(MotionPhase::kStanding);
+  EXPECT_EQ(answer(stop).outcome, OperatorOutcome::kDone);
+  EXPECT_STREQ(motion_.last_transition, "stand reached again");
+  EXPECT_EQ(motion_.gait, -1);
+}
+
+TEST_F(PlannerWalkTest, FeetAreWantedWithoutAStepFromStandingOverWalkingToStanding) {
+  stand_up();
+  LegCommand before = legs_;
+  const auto watch = [&](double seconds) {
+    for (int k = 0; k < static_cast<int>(seconds / 0.002); ++k) {
+      cycle();
+      for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t axis = 0; axis < 3; ++axis)
+          ASSERT_LT(std::abs(legs_.legs[i].desired_foot_in_hip_m[axis] -
+                             before.legs[i].desired_foot_in_hip_m[axis]),
+                    5e-3)
+              << name(motion_.state) << " leg " << i << " axis " << axis;
+      before = legs_;
+    }
+  };
+  walk(kTrot, {0.3, 0.0, 0.2});
+  watch(4.0);
+  send(OperatorKind::kStop);
+  watch(6.0);
+  EXPECT_EQ(motion_.state, MotionPhase::kStanding);
+}
+
+TEST_F(PlannerWalkTest, LegsShowTheirOwnPhasesAndEvents) {
+  stand_up();
+  walk(kTrot);
+  std::array<bool, 3> seen{};
+  for (int k = 0; k < 500; ++k) {
+    cycle();
+    for (std::size_t i = 0; i < 4; ++i) {
+      EXPECT_EQ(motion_.legs[i].phase, legs_.legs[i].phase);
+      const int n = static_cast<int>(motion_.legs[i].phase) - static_cast<int>(LegPhase::kSwing);
+      ASSERT_TRUE(n >= 0 && n < 3) << name(motion_.legs[i].phase);
+      seen[static_cast<std::size_t>(n)] = true;
+    }
+  }
+  EXPECT_EQ(seen, (std::array<bool, 3>{true, true, true}));
+}
+
+TEST_F(PlannerWalkTest, AnotherWalkChangesTheOneThatIsWalked) {
+  stand_up();
+  walk(kTrot, {0.1, 0.0, 0.0});
+  run(2.0);
+  const OperatorReply faster = walk(kTrot, {0.3, 0.0, 0.0});
+  EXPECT_EQ(faster.outcome, OperatorOutcome::kDone);
+  EXPECT_STREQ(faster.reason, "other gait or speed requested");
+  EXPECT_EQ(walk(kStand).outcome, OperatorOutcome::kDone);
+  run(2.0);
+  EXPECT_EQ(motion_.gait, kStand);
+  EXPECT_EQ(walk(kTrot, {0.1, 0.0, 0.0}).outcome, OperatorOutcome::kDone);
+}
+
+TEST_F(PlannerWalkTest, RefusalsSayWhy) {
+  EXPECT_STREQ(walk(kTrot).reason, "not standing: stand first");
+  stand_up();
+  EXPECT_STREQ(walk(7).reason, "unknown gait");
+  EXPECT_STREQ(walk(kTrot, {2.0, 0.0, 0.0}).reason, "faster forward than this gait goes");
+  EXPECT_EQ(motion_.state, MotionPhase::kStanding);
+  EXPECT_STREQ(motion_.last_transition, "faster forward than this gait goes");
+  walk(kTrot);
+  EXPECT_STREQ(walk(kCrawl).reason, "no transition between these gaits: stop first");
+  EXPECT_STREQ(send(OperatorKind::kSit).reason, "busy: walking, stop first");
+  EXPECT_STREQ(send(OperatorKind::kComply).reason, "busy: walking, stop first");
+  EXPECT_STREQ(send(OperatorKind::kStand).reason, "busy: walking, stop first");
+  send(OperatorKind::kStop);
+  EXPECT_STREQ(walk(kTrot).reason, "already stopping");
+  EXPECT_STREQ(send(OperatorKind::kStop).reason, "already stopping");
+}
+
+TEST_F(PlannerWalkTest, RobotThatOnlyWalksRefusesToJumpAndLand) {
+  stand_up();
+  EXPECT_EQ(send(OperatorKind::kJump).outcome, OperatorOutcome::kRefused);
+  EXPECT_STREQ(send(OperatorKind::kLand).reason, "this preset has no landing: the robot does not jump");
+  EXPECT_EQ(motion_.state, MotionPhase::kStanding);
+}
+
+TEST_F(PlannerWalkTest, NoGroundEndsTheWalkAndTheOperatorSeesWhyUntilSomethingElseIsAsked) {
+  stand_up();
+  walk(kTrot);
+  hole_ = 2;
+  run_until(MotionPhase::kRecover);
+  EXPECT_STREQ(motion_.last_transition, "a foot found no ground");
+  run_until(MotionPhase::kStanding);
+  run(1.0);
+  EXPECT_STREQ(motion_.last_transition, "a foot found no ground");
+  hole_ = 99;
+  EXPECT_EQ(walk(kTrot).outcome, OperatorOutcome::kDone);
+  EXPECT_STREQ(motion_.last_transition, "walk requested");
+  send(OperatorKind::kStop);
+  run_until(MotionPhase::kStanding);
+  EXPECT_STREQ(motion_.last_transition, "stand reached again");
+}
+
+TEST_F(PlannerWalkTest, WalkThatFailsRefusesAnotherWithItsReasonAndAStopIsDone) {
+  stand_up();
+  walk(kTrot, {0.3, 0.0, 0.0});
+  run(2.0);
+  hole_ = 2;
+  while (std::string(motion_.last_transition) != "a foot found no ground") cycle();
+  EXPECT_EQ(motion_.state, MotionPhase::kWalking);
+  EXPECT_STREQ(walk(kTrot).reason, "a foot found no ground");
+  const std::int64_t stop = (send(OperatorKind::kStop), last_id_);
+  run_until(MotionPhase::kStanding);
+  EXPECT_EQ(answer(stop).outcome, OperatorOutcome::kDone);
+  EXPECT_STREQ(answer(stop).reason, "a foot found no ground");
+}
+
+TEST_F(PlannerWalkTest, FallIsDampedForASecondAndThenOff) {
+  for (const bool walking : {false, true}) {
+    stand_up();
+    if (walking) walk(kTrot, {0.3, 0.0, 0.0});
+    run(0.5);
+    tilt(0.8);
+    cycle();
+    EXPECT_EQ(motion_.state, MotionPhase::kFallen);
+    EXPECT_STREQ(motion_.last_transition, "a fall was detected: legs are damped");
+    EXPECT_TRUE(every_leg(ControlMode::kDamping));
+    EXPECT_STREQ(walk(kTrot).reason, "busy: fallen, legs are let down");
+    run(kSinkTime_s - 0.01);
+    EXPECT_TRUE(every_leg(ControlMode::kDamping));
+    run(0.02);
+    EXPECT_EQ(motion_.state, MotionPhase::kIdle);
+    EXPECT_TRUE(every_leg(ControlMode::kDisabled));
+    tilt(0.0);
+    run(1.0);
+  }
+}
+
+TEST_F(PlannerWalkTest, HipsThatSinkToTheFeetAreAFallToo) {
+  stand_up();
+  walk(kStand);
+  state_.body.estimated_height_m = 0.2;
+  state_.stamp.utime_us += 2000;
+  ++state_.stamp.seq;
+  planner_.step(state_, legs_, motion_);
+  EXPECT_EQ(motion_.state, MotionPhase::kFallen);
+}
+
+TEST_F(PlannerWalkTest, RisingAndSittingAreLowAndNoFall) {
+  state_.body.estimated_height_m = 0.1;
+  stand_up();
+  send(OperatorKind::kSit);
+  run_until(MotionPhase::kIdle);
+  EXPECT_STREQ(motion_.last_transition, "sat down, drives off");
+}
+
+TEST_F(PlannerWalkTest, FallenRobotGetsUpFromLyingFlatButNotFromItsSide) {
+  tilt(1.5);
+  EXPECT_STREQ(send(OperatorKind::kStand).reason, "lying on its side or back: turn it over");
+  EXPECT_EQ(motion_.state, MotionPhase::kIdle);
+  tilt(0.1);
+  stand_up();
+}
+
+TEST_F(PlannerWalkTest, StopThatWaitsFailsWithTheFall) {
+  stand_up();
+  walk(kTrot, {0.3, 0.0, 0.0});
+  run(2.0);
+  const std::int64_t stop = (send(OperatorKind::kStop), last_id_);
+  tilt(-0.9);
+  run(1.1);
+  EXPECT_EQ(motion_.state, MotionPhase::kIdle);
+  EXPECT_EQ(answer(stop).outcome, OperatorOutcome::kFailed);
+}
+
+TEST_F(PlannerWalkTest, LostDriveOrSafetyEndsTheWalkDamped) {
+  for (const bool drive : {true, false}) {
+    stand_up();
+    walk(kTrot, {0.2, 0.0, 0.0});
+    run(1.0);
+    if (drive) {
+      state_.joints[7].drive_enabled = false;
+    } else {
+      state_.safety = SafetyLevel::kDamping;
+    }
+    cycle();
+    EXPECT_EQ(motion_.state, MotionPhase::kIdle);
+    EXPECT_TRUE(every_leg(ControlMode::kDamping));
+    state_.joints[7].drive_enabled = true;
+    state_.safety = SafetyLevel::kOperational;
+    run(1.5);
+    EXPECT_TRUE(every_leg(ControlMode::kDisabled));
+  }
+}
+
+}  // namespace
+}  // namespace sprung

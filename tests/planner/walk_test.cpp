@@ -1,0 +1,324 @@
+#include "planner/gait/walk.h"
+
+#include "tests/planner/walk_fixture.h"
+#include "tests/support/allocation_count.h"
+
+namespace sprung {
+namespace {
+
+class WalkTest : public WalkFixture {
+ protected:
+  double place_error_m() const {
+    double worst_m = 0.0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Vec3 place = walk_.stance_foot_in_hip_m(i, preset_.stand_length_m);
+      const Vec3& foot = in_.legs[i].estimated_foot_in_hip_m;
+      worst_m = std::max(worst_m, std::hypot(foot[0] - place[0], foot[1] - place[1]));
+    }
+    return worst_m;
+  }
+};
+
+TEST_F(WalkTest, BeginsWhereTheFeetAreWithTheirShareOfTheWeight) {
+  begin(request("trot", {0.3, 0.0, 0.0}));
+  cycle();
+  double weight_N = 0.0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Vec3 place = walk_.stance_foot_in_hip_m(i, preset_.stand_length_m);
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(wanted_[i].desired_foot_in_hip_m[k], place[k], 1e-4);
+    EXPECT_EQ(wanted_[i].control_mode, ControlMode::kCompliance);
+    EXPECT_EQ(wanted_[i].stiffness_N_m, preset_.walk.stance.stiffness_N_m);
+    weight_N -= wanted_[i].feedforward_force_N[2];
+  }
+  EXPECT_NEAR(std::abs(weight_N), 30.0 * kGravity_m_s2, 15.0);
+}
+
+TEST_F(WalkTest, StandsOnVirtualSpringsInTheGaitWhoseLegsNeverSwing) {
+  begin(request("stand"));
+  run(3.0, [&] { ASSERT_EQ(standing(), 4); });
+  EXPECT_FALSE(walk_.ended());
+  EXPECT_LT(place_error_m(), 1e-6);
+}
+
+TEST_F(WalkTest, SpeedIsRampedAndTheFeetKeepTheirPlacesOnAverage) {
+  begin(request("trot", {0.35, 0.0, 0.0}));
+  run(0.5);
+  EXPECT_NEAR(motion_.desired_speed[0], 0.5 * preset_.walk.acceleration_m_s2, 2e-3);
+  run(3.0);
+  EXPECT_DOUBLE_EQ(motion_.desired_speed[0], 0.35);
+  double sum_m = 0.0;
+  int cycles = 0;
+  run(2.4, [&] {
+    for (const EstimatedLeg& leg : in_.legs) sum_m += leg.estimated_foot_in_hip_m[0];
+    cycles += 4;
+  });
+  EXPECT_NEAR(sum_m / cycles, 0.0, 0.01);
+}
+
+TEST_F(WalkTest, TurningFeetGoRoundTheMiddle) {
+  begin(request("trot", {0.0, 0.0, 0.4}));
+  run(4.0);
+  run(1.2, [&] {
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (wanted_[i].phase != LegPhase::kStance) continue;
+      const double y_m = robot_.legs[i].hip_in_trunk_m[1] + wanted_[i].desired_foot_in_hip_m[1];
+      ASSERT_NEAR(wanted_[i].desired_foot_velocity_m_s[0], motion_.desired_speed[2] * y_m, 0.02);
+    }
+  });
+}
+
+TEST_F(WalkTest, HeadingIsHeldByTheImuAndNotWithout) {
+  for (const bool imu : {true, false}) {
+    in_.body.uses_imu = false;
+    begin(request("stand"));
+    in_.body.uses_imu = imu;
+    in_.body.estimated_quaternion_wxyz = {std::cos(0.05), 0.0, 0.0,
+                                          std::sin(0.05)};  // turned left by 0.1 rad
+    cycle();
+    // Feet go left round the middle, so that the trunk turns back right.
+    const double expected = imu ? -0.1 : 0.0;
+    EXPECT_NEAR(wanted_[0].desired_foot_velocity_m_s[1], -expected * 0.33, 0.01);
+    in_.body.estimated_quaternion_wxyz = {1.0, 0.0, 0.0, 0.0};
+  }
+}
+
+TEST_F(WalkTest, CrawlLeansAwayFromTheFootThatIsToLeave) {
+  begin(request("crawl"));
+  int checked = 0;
+  std::vector<LegPhase> before(4, LegPhase::kStance);
+  run(12.0, [&] {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const bool lifts = before[i] == LegPhase::kStance && wanted_[i].phase == LegPhase::kSwing;
+      before[i] = wanted_[i].phase;
+      if (!lifts) continue;
+      const LegConfig& leg = robot_.legs[i];
+      // Where the feet are seen from the trunk: moved toward the one that leaves, for the trunk leans away.
+      double x_m = 0.0;
+      for (const EstimatedLeg& l : in_.legs) x_m += 0.25 * l.estimated_foot_in_hip_m[0];
+      EXPECT_GT(x_m * leg.hip_in_trunk_m[0], 0.0) << leg.name;
+      ++checked;
+    }
+  });
+  EXPECT_GE(checked, 8);
+}
+
+TEST_F(WalkTest, HeightAndWidthFollowTheirRequestSlowly) {
+  begin(request("walk"));
+  run(1.0);
+  WalkRequest other = request("walk");
+  other.height_m = 0.44;
+  other.stance_width_m = 0.06;
+  change(other);
+  Vec3 before = wanted_[0].desired_foot_in_hip_m;
+  run(4.0, [&] {
+    if (wanted_[0].phase == LegPhase::kStance) {
+      EXPECT_LT(std::abs(wanted_[0].desired_foot_in_hip_m[2] - before[2]), 2e-3);
+    }
+    before = wanted_[0].desired_foot_in_hip_m;
+  });
+  EXPECT_NEAR(in_.legs[0].estimated_foot_in_hip_m[1], 0.08 + 0.06, 0.01);
+  EXPECT_NEAR(in_.legs[3].estimated_foot_in_hip_m[1], -0.08 - 0.06, 0.01);
+  double wanted_m = 0.0;
+  int stand = 0;
+  for (const DesiredLeg& leg : wanted_) {
+    if (leg.phase != LegPhase::kStance) continue;
+    wanted_m += leg.desired_foot_in_hip_m[2];
+    ++stand;
+  }
+  EXPECT_NEAR(wanted_m / stand, -0.44, 0.003);
+}
+
+TEST_F(WalkTest, LateContactFreezesTheClockUntilTheFootFoundTheGround) {
+  begin(request("trot"));
+  floor_m_[0] = -0.02;
+  double frozen_s = 0.0;
+  double before = -1.0;
+  run(0.5, [&] {
+    if (motion_.gait_phase == before) frozen_s += kStep_s;
+    before = motion_.gait_phase;
+  });
+  EXPECT_EQ(count(LegEvent::kLateContact), 1);
+  EXPECT_NEAR(frozen_s, 0.02 / preset_.walk.approach_m_s, 0.01);
+  EXPECT_EQ(walk_.failure(), nullptr);
+}
+
+TEST_F(WalkTest, NoGroundStopsTheWalkAndSaysWhy) {
+  begin(request("trot", {0.3, 0.0, 0.0}));
+  run(2.0);
+  ASSERT_EQ(walk_.failure(), nullptr);
+  floor_m_[1] = -1.0;
+  run(6.0);
+  EXPECT_TRUE(walk_.ended());
+  EXPECT_STREQ(walk_.failure(), "a foot found no ground");
+  EXPECT_EQ(count(LegEvent::kNoGround), 1);
+  EXPECT_EQ(motion_.legs[1].last_event, LegEvent::kNoGround);
+}
+
+TEST_F(WalkTest, WhileItStopsForWantOfGroundNothingElseIsTaken) {
+  begin(request("trot", {0.3, 0.0, 0.0}));
+  run(2.0);
+  floor_m_[1] = -1.0;
+  while (walk_.failure() == nullptr) cycle();
+  ASSERT_FALSE(walk_.ended());
+  EXPECT_STREQ(walk_.mistake(request("trot"), true), "a foot found no ground");
+  EXPECT_STREQ(walk_.mistake(request("stand"), true), "a foot found no ground");
+  run(5.0);
+  ASSERT_TRUE(walk_.ended());
+  floor_m_.fill(0.0);
+  begin(request("trot"));
+  EXPECT_EQ(walk_.failure(), nullptr);
+}
+
+TEST_F(WalkTest, StopSlowsDownSetsTheFeetInTheirPlacesAndEnds) {
+  for (const char* name : {"crawl", "walk", "trot"}) {
+    const double speed = name == std::string("crawl") ? 0.1 : 0.25;
+    begin(request(name, {speed, 0.0, 0.0}));
+    run(6.0);
+    walk_.stop();
+    double before = motion_.desired_speed[0];
+    run(15.0, [&] {
+      EXPECT_LE(before - motion_.desired_speed[0], preset_.walk.acceleration_m_s2 * kStep_s + 1e-12);
+      before = motion_.desired_speed[0];
+    });
+    EXPECT_TRUE(walk_.ended()) << name;
+    EXPECT_EQ(standing(), 4);
+    EXPECT_EQ(walk_.failure(), nullptr);
+    EXPECT_LT(place_error_m(), 0.06) << name;
+  }
+}
+
+TEST_F(WalkTest, OtherGaitBeginsWhenAllFeetStand) {
+  begin(request("walk", {0.2, 0.0, 0.0}));
+  run(3.3);
+  ASSERT_LT(standing(), 4);
+  change(request("trot", {0.3, 0.0, 0.0}));
+  while (motion_.gait == gait("walk")) {
+    const int stood = standing();
+    cycle();
+    if (motion_.gait == gait("trot")) {
+      EXPECT_EQ(standing(), 4) << stood;
+    }
+  }
+  run(2.0);
+  EXPECT_EQ(motion_.gait, gait("trot"));
+  EXPECT_NEAR(motion_.desired_speed[0], 0.3, 1e-9);
+}
+
+TEST_F(WalkTest, StopBeforeAnotherGaitBeganStopsTheOneThatIsWalked) {
+  begin(request("walk", {0.2, 0.0, 0.0}));
+  run(3.3);
+  ASSERT_LT(standing(), 4);
+  change(request("trot", {0.3, 0.0, 0.0}));
+  cycle();
+  ASSERT_EQ(motion_.gait, gait("walk"));
+  walk_.stop();
+  run(10.0, [&] { EXPECT_NE(motion_.gait, gait("trot")); });
+  EXPECT_TRUE(walk_.ended());
+  EXPECT_LT(place_error_m(), 0.06);
+}
+
+TEST_F(WalkTest, RequestForTheSameGaitTakesBackAStopAndAnotherGait) {
+  begin(request("walk", {0.2, 0.0, 0.0}));
+  run(3.0);
+  walk_.stop();
+  run(0.5);
+  change(request("walk", {0.2, 0.0, 0.0}));
+  change(request("trot"));
+  change(request("walk", {0.2, 0.0, 0.0}));
+  run(5.0);
+  EXPECT_FALSE(walk_.ended());
+  EXPECT_EQ(motion_.gait, gait("walk"));
+  EXPECT_DOUBLE_EQ(motion_.desired_speed[0], 0.2);
+  EXPECT_GT(motion_.legs[0].phase_time_s + motion_.legs[1].phase_time_s, 0.0);
+}
+
+TEST_F(WalkTest, TransitionsAreThoseOfTheTable) {
+  for (const GaitConfig& from : robot_.gaits) {
+    begin(request(from.name));
+    for (const GaitConfig& to : robot_.gaits) {
+      const bool listed = std::find(from.to.begin(), from.to.end(), to.name) != from.to.end();
+      const char* why = walk_.mistake(request(to.name), true);
+      if (listed || from.name == to.name) {
+        EXPECT_EQ(why, nullptr) << from.name << " to " << to.name;
+      } else {
+        EXPECT_STREQ(why, "no transition between these gaits: stop first") << from.name << " to " << to.name;
+      }
+      EXPECT_EQ(walk_.mistake(request(to.name), false), nullptr) << "from standing every gait may begin";
+    }
+  }
+}
+
+TEST_F(WalkTest, RequestsThatCannotBeAreRefusedWithTheirReason) {
+  const auto why = [&](auto change_it) {
+    WalkRequest wrong = request("trot");
+    change_it(wrong);
+    const char* text = walk_.mistake(wrong, false);
+    return std::string(text == nullptr ? "" : text);
+  };
+  for (const int unknown : {-1, 4, 1000})
+    EXPECT_EQ(why([&](WalkRequest& r) { r.gait = unknown; }), "unknown gait");
+  for (const double wrong : {0.46, -0.46, kNaN})
+    EXPECT_EQ(why([&](WalkRequest& r) { r.speed[0] = wrong; }), "faster forward than this gait goes");
+  for (const double wrong : {0.16, -0.16, kNaN})
+    EXPECT_EQ(why([&](WalkRequest& r) { r.speed[1] = wrong; }), "faster sideways than this gait goes");
+  for (const double wrong : {0.51, -0.51, kNaN})
+    EXPECT_EQ(why([&](WalkRequest& r) { r.speed[2] = wrong; }), "faster turning than this gait goes");
+  for (const double wrong : {0.29, 0.56, kNaN})
+    EXPECT_EQ(why([&](WalkRequest& r) { r.height_m = wrong; }),
+              "body height beyond 60 to 110 % of the preset's stand_length");
+  for (const double wrong : {-0.06, 0.16, kNaN})
+    EXPECT_EQ(why([&](WalkRequest& r) { r.stance_width_m = wrong; }), "stance width beyond -50 to 150 mm");
+  EXPECT_EQ(why([](WalkRequest& r) { r.speed = {-0.45, 0.15, -0.5}; }), "");
+}
+
+TEST_F(WalkTest, RobotWithoutGaitsSaysSo) {
+  RobotConfig robot = robot_;
+  robot.gaits.clear();
+  EXPECT_STREQ(Walk(robot, preset_).mistake(request("trot"), false), "this robot has no gaits");
+}
+
+TEST_F(WalkTest, EndedItSaysThatThereIsNoGait) {
+  walk_.write(motion_);
+  EXPECT_EQ(motion_.gait, -1);
+  begin(request("stand"));
+  EXPECT_EQ(motion_.gait, gait("stand"));
+  walk_.stop();
+  run(1.0);
+  EXPECT_TRUE(walk_.ended());
+  EXPECT_EQ(motion_.gait, -1);
+}
+
+TEST_F(WalkTest, StepsAllocateNothing) {
+  begin(request("trot", {0.3, 0.1, 0.2}));
+  const std::int64_t before = test::allocation_count();
+  run(5.0);
+  change(request("walk", {0.1, 0.0, 0.0}));
+  run(3.0);
+  walk_.stop();
+  run(5.0);
+  EXPECT_EQ(test::allocation_count(), before);
+}
+
+TEST_F(WalkTest, SameInputsGiveTheSameBits) {
+  std::vector<Vec3> first;
+  for (int again = 0; again < 2; ++again) {
+    Walk other(robot_, preset_);
+    JointState in = in_;
+    other.begin(in, request("trot", {0.3, 0.1, 0.2}));
+    for (int k = 0; k < 2000; ++k) {
+      in.stamp.utime_us += 2000;
+      in.legs[0].contact = k % 7 == 0;
+      other.step(in);
+      DesiredLeg leg;
+      other.write(static_cast<std::size_t>(k % 4), leg);
+      if (again == 0) {
+        first.push_back(leg.desired_foot_in_hip_m);
+      } else {
+        ASSERT_EQ(leg.desired_foot_in_hip_m, first[static_cast<std::size_t>(k)]);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace sprung

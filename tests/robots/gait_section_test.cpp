@@ -1,0 +1,132 @@
+/// `body`, `gaits` and a preset's `walk`, on the shipped pegasus and after one mistake each.
+#include "robots/gait_section.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/changed_robot.h"
+
+namespace sprung {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+class WalkingPegasus : public testing::Test {
+ protected:
+  /// Also names the line of `from`.
+  std::string complaint(const std::string& from, const std::string& to) {
+    line_ = "robot.yaml:" + std::to_string(test::line_of(text_, from));
+    return folder_.complaint(test::replaced(text_, from, to));
+  }
+  /// With one more gait, named odd.
+  std::string with_gait(const std::string& gait) {
+    return complaint("gaits:\n", "gaits:\n  odd: {" + gait + "}\n");
+  }
+  RobotConfig with(const std::string& gait) const {
+    return folder_.load(test::replaced(text_, "gaits:\n", "gaits:\n  odd: {" + gait + "}\n"));
+  }
+
+  test::RobotFolder folder_;
+  const std::string text_ = test::shipped_yaml("pegasus");
+  std::string line_;
+};
+
+std::string gait(const std::string& duty, const std::string& offsets, const std::string& to = "[]") {
+  return "period: 0.5 s, duty: " + duty + ", offsets: " + offsets +
+         ", lift: 0.04 m, pre_stance: 0.2, sway: 0.01 m, "
+         "fastest: {forward: 0.3 m/s, sideways: 0.2 m/s, turning: 0.1 rad/s}, to: " +
+         to;
+}
+
+TEST_F(WalkingPegasus, GaitsAreData) {
+  const GaitConfig odd = with(gait("0.75", "[0, 0.25, 0.5, 0.75]", "[trot, crawl]")).gaits[0];
+  EXPECT_EQ(odd.name, "odd");
+  EXPECT_DOUBLE_EQ(odd.period_s, 0.5);
+  EXPECT_DOUBLE_EQ(odd.duty, 0.75);
+  EXPECT_EQ(odd.offsets, (std::vector<double>{0, 0.25, 0.5, 0.75}));
+  EXPECT_DOUBLE_EQ(odd.lift_m, 0.04);
+  EXPECT_DOUBLE_EQ(odd.pre_stance, 0.2);
+  EXPECT_DOUBLE_EQ(odd.sway_m, 0.01);
+  EXPECT_DOUBLE_EQ(odd.fastest_forward_m_s, 0.3);
+  EXPECT_DOUBLE_EQ(odd.fastest_sideways_m_s, 0.2);
+  EXPECT_DOUBLE_EQ(odd.fastest_turning_rad_s, 0.1);
+  EXPECT_EQ(odd.to, (std::vector<std::string>{"trot", "crawl"}));
+}
+
+TEST_F(WalkingPegasus, ShippedGaitsAreStandCrawlWalkAndTrot) {
+  std::vector<std::string> names;
+  for (const GaitConfig& g : folder_.load(text_).gaits) names.push_back(g.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"stand", "crawl", "walk", "trot"}));
+}
+
+TEST_F(WalkingPegasus, BodyIsRead) {
+  const BodyConfig body = folder_.load(text_).body;
+  EXPECT_DOUBLE_EQ(body.mass_kg, 12.0);
+  EXPECT_DOUBLE_EQ(body.inertia_kg_m2[1], 0.513);
+  EXPECT_TRUE(body.imu);
+  EXPECT_DOUBLE_EQ(body.fallen_tilt_rad, 0.7);
+  EXPECT_DOUBLE_EQ(body.fallen_height_m, 0.25);
+}
+
+TEST_F(WalkingPegasus, RobotWithoutABodyOrGaitsHasNone) {
+  const RobotConfig robot = test::pegasus_without_feet();
+  EXPECT_EQ(robot.body.mass_kg, 0.0);
+  EXPECT_TRUE(robot.gaits.empty());
+}
+
+TEST_F(WalkingPegasus, OffsetsAreOneForEachLeg) {
+  const std::string why = with_gait(gait("0.75", "[0, 0.25, 0.5]"));
+  EXPECT_THAT(why, AllOf(HasSubstr("robot.yaml:" + std::to_string(test::line_of(text_, "gaits:") + 1)),
+                         HasSubstr("gaits.odd.offsets"), HasSubstr("each of 4 legs, found 3")));
+}
+
+TEST_F(WalkingPegasus, GaitThatLeavesFewerThanTwoFeetOnTheGroundIsRefused) {
+  const std::string line = "robot.yaml:" + std::to_string(test::line_of(text_, "gaits:") + 1);
+  EXPECT_THAT(with_gait(gait("0.9", "[0, 0, 0, 0]")),
+              AllOf(HasSubstr(line), HasSubstr("only 0 feet stand"), HasSubstr("needs 2")));
+  EXPECT_THAT(with_gait(gait("0.45", "[0, 0.5, 0.5, 0]")),
+              AllOf(HasSubstr(line), HasSubstr("only 0 feet stand at phase 0")));
+  EXPECT_THAT(with_gait(gait("0.6", "[0, 0.2, 0.4, 0.9]")), AllOf(HasSubstr(line), HasSubstr("only 1 feet")));
+}
+
+TEST_F(WalkingPegasus, GaitAtTheEdgeOfWhatCanBeWalkedIsTaken) {
+  EXPECT_EQ(with(gait("0.5", "[0, 0.5, 0.5, 0]")).gaits.size(), 5u);
+  EXPECT_EQ(with(gait("1", "[0, 0, 0, 0]")).gaits.size(), 5u);
+}
+
+TEST_F(WalkingPegasus, NumbersThatCannotBeAreNamedWithTheirValue) {
+  EXPECT_THAT(with_gait(gait("0.3", "[0, 0.5, 0.5, 0]")), AllOf(HasSubstr("duty"), HasSubstr("0.3")));
+  EXPECT_THAT(with_gait(gait("0.6", "[0, 0.5, 1.5, 0]")), AllOf(HasSubstr("offsets"), HasSubstr("1.5")));
+  EXPECT_THAT(complaint("period: 3.6 s", "period: 0.01 s"),
+              AllOf(HasSubstr(line_), HasSubstr("gaits.crawl.period"), HasSubstr("0.01")));
+  EXPECT_THAT(complaint("period: 3.6 s", "period: 3.6"), AllOf(HasSubstr(line_), HasSubstr("period")));
+  EXPECT_THAT(complaint("fallen: {tilt: 0.7 rad", "fallen: {tilt: 0 rad"),
+              AllOf(HasSubstr(line_), HasSubstr("tilt")));
+  EXPECT_THAT(complaint("approach_speed: 0.2 m/s", "approach_speed: 0 m/s"),
+              AllOf(HasSubstr(line_), HasSubstr("walk.approach_speed")));
+}
+
+TEST_F(WalkingPegasus, TransitionToAGaitThatThereIsNotIsRefused) {
+  EXPECT_THAT(with_gait(gait("0.75", "[0, 0.25, 0.5, 0.75]", "[trot, gallop]")),
+              AllOf(HasSubstr("robot.yaml:"), HasSubstr("odd"), HasSubstr("no gait 'gallop'")));
+}
+
+TEST_F(WalkingPegasus, UnknownAndMissingKeysAreNamed) {
+  EXPECT_THAT(complaint("sway: 0.06 m,", ""), HasSubstr("sway' is missing"));
+  EXPECT_THAT(complaint("sway: 0.06 m,", "sway: 0.06 m, bounce: 1,"), HasSubstr("bounce' is unknown"));
+  EXPECT_THAT(complaint("  imu: true", "  imu: perhaps"), HasSubstr("imu"));
+}
+
+TEST_F(WalkingPegasus, PresetsLawOfWalkingIsRead) {
+  const WalkConfig paper = folder_.load(text_).preset("paper").walk;
+  EXPECT_EQ(paper.stance.stiffness_N_m, (std::array<double, 3>{625, 625, 3000}));  // [S1]
+  EXPECT_EQ(paper.stance.damping_N_s_m, (std::array<double, 3>{10, 10, 10}));
+  EXPECT_FALSE(paper.distribute_force);
+  const WalkConfig best = folder_.load(text_).preset("best").walk;
+  EXPECT_TRUE(best.distribute_force);
+  EXPECT_GT(best.force_rise_s, 0.0);
+}
+
+}  // namespace
+}  // namespace sprung
