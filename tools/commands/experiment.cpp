@@ -13,6 +13,7 @@
 #include "tools/commands/experiment_leg.h"
 #include "tools/commands/experiment_rows.h"
 #include "tools/commands/experiment_tune.h"
+#include "tools/commands/experiment_walking.h"
 #include "tools/experiments/fault_experiment.h"
 
 namespace sprung::commands {
@@ -81,6 +82,7 @@ void add_experiment(CommandLine& sprung) {
   add_joint_experiments(experiment);
   add_leg_experiments(experiment);
   add_estimator_experiment(experiment);
+  add_walking_experiments(experiment);
   add_tune_experiment(experiment);
   add_all_experiments(experiment);
 }

@@ -1,0 +1,71 @@
+#pragma once
+/// `sprung experiment walk`: feet in swing and touchdowns in each kind of control (S1, Figs. 12 and 13), and how straight and fast
+/// the gaits go.
+#include <vector>
+
+#include "drivers/sim/sim_core.h"
+#include "tools/experiments/experiment_report.h"
+#include "tools/experiments/parallel.h"
+#include "tools/experiments/step_score.h"
+#include "tools/experiments/walk_vitals.h"
+#include "tools/report/report.h"
+
+namespace sprung {
+
+struct WalkTask {
+  std::string preset = "best";
+  SimOptions sim;
+  double distance_m = 10.0;  ///< that speed and drift are taken over
+  ParallelOptions parallel;
+};
+
+/// One foot through its swings, for plots: world axes would hide the tracking, so hip axes.
+struct FootTrace {
+  std::vector<double> time_s, wanted_x_m, wanted_z_m, foot_x_m, foot_z_m, force_N;
+};
+
+struct ControlOutcome {
+  GaitControl control = GaitControl::kForce;
+  double swing_rms_m = kNaN;
+  TouchdownPeaks peaks;
+  int touchdowns = 0;
+  WalkVitals vitals;
+  FootTrace trace;  ///< of the left front leg
+  double simulated_s = 0.0;
+};
+
+struct GaitCase {
+  std::string name;  ///< of rows
+  std::string gait;
+  double speed_m_s = 0.0;
+  bool demanded = true;  ///< false: a stretch, whose rows have no bounds
+};
+
+struct GaitOutcome {
+  GaitCase config;
+  double speed_m_s = kNaN, drift_rad = kNaN, distance_m = 0.0;
+  WalkVitals vitals;
+  double simulated_s = 0.0;
+};
+
+struct WalkExperiment {
+  std::vector<ControlOutcome> controls;
+  std::vector<GaitOutcome> gaits;
+  double simulated_s = 0.0;
+};
+
+/// crawl 0.1 m/s, walk 0.2, trot 0.35, and as a stretch trot 0.4.
+const std::vector<GaitCase>& gait_cases();
+
+/// In gait `walk` at 0.2 m/s: nine seconds after two of starting.
+ControlOutcome walk_under(const RobotConfig& robot, const WalkTask& request, GaitControl control);
+/// Measured from when the speed is reached. Given up after a fall, or in twice the time that it should take.
+GaitOutcome go(const RobotConfig& robot, const WalkTask& request, const GaitCase& config);
+
+/// @throws CaseError where a simulation fails.
+WalkExperiment run_walk_experiment(const RobotConfig& robot, const WalkTask& request);
+/// Rows walk.*, with issue 6's bounds: pure.
+std::vector<ReportRow> walk_rows(const WalkExperiment& result);
+std::vector<report::Section> walk_sections(const WalkExperiment& result);
+
+}  // namespace sprung
