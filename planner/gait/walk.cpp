@@ -12,6 +12,7 @@ constexpr double kHeadingGain_1_s = 1.0;
 constexpr double kMostHeadingCorrection_rad_s = 0.2;
 constexpr double kHeightRate_m_s = 0.05;  // of a wanted height or width
 constexpr double kGroundRate_m_s = 0.5;   // faster than a trunk that walks rises or sinks
+constexpr double kSlip_m = 0.03;          // more than feet that hold move against each other
 constexpr double kHeightGain_1_s = 3.0;   // in which the feet's places follow the wanted height
 constexpr double kLeanAhead = 0.12;  // share of the period before a swing at which its foot no longer counts
 constexpr double kLeanTime = 0.22;   // share of the period in which the body leans over
@@ -205,6 +206,7 @@ void Walk::step_legs(const JointState& in, double dt_s) noexcept {
     steps_[i].shift(pull_m(i));
     if (steps_[i].gave_up()) fail("a foot found no ground");
   }
+  for (std::size_t i = 0; i < shape_.legs; ++i) look_for_slip(i);
 }
 
 /// How far the feet that stand are from where they are wanted, on average: what a foot that joins them takes over, so that the springs'
@@ -218,6 +220,17 @@ Eigen::Vector3d Walk::pull_m(std::size_t joining) const noexcept {
     ++feet;
   }
   return feet == 0 ? sum_m : Eigen::Vector3d(sum_m / feet);
+}
+
+/// A standing foot that moved against the others slips: it is wanted where it is now, so that its spring does not drag it further.
+void Walk::look_for_slip(std::size_t leg) noexcept {
+  LegStep& step = steps_[leg];
+  if (!step.stands()) return;
+  Eigen::Vector3d by_m = view_.foot_m[leg] + pull_m(leg) - step.wanted_m();
+  by_m.z() = 0.0;
+  if (!(by_m.norm() > kSlip_m)) return;
+  step.note(LegEvent::kSlip);
+  step.shift(by_m);
 }
 
 /// The feet that stand follow the wanted height together; how they differ is the ground's doing.

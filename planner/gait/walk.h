@@ -46,6 +46,7 @@ class Walk {
   void lean(double dt_s) noexcept;
   void step_legs(const JointState& in, double dt_s) noexcept;
   bool touches(const EstimatedLeg& leg) const noexcept;
+  void look_for_slip(std::size_t leg) noexcept;
   void hold_height(double dt_s) noexcept;
   void share_weight() noexcept;
   void next_gait() noexcept;

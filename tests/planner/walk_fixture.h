@@ -61,6 +61,7 @@ class WalkFixture : public testing::Test {
       const bool stands = wanted_[i].phase == LegPhase::kStance;
       in_.legs[i].contact = stands || foot[2] <= floor_m + 1e-9;
       foot[2] = stands ? floor_m : std::max(foot[2], floor_m);
+      foot[0] += slipped_m_[i];
       place(i, foot);
     }
     in_.body.estimated_velocity_m_s = {motion_.desired_speed[0], motion_.desired_speed[1], 0.0};
@@ -110,7 +111,8 @@ class WalkFixture : public testing::Test {
   JointState in_{12, 4};
   MotionState motion_{4};
   std::vector<DesiredLeg> wanted_;
-  std::array<double, 4> floor_m_{};  ///< under each foot, over where the robot began
+  std::array<double, 4> floor_m_{};    ///< under each foot, over where the robot began
+  std::array<double, 4> slipped_m_{};  ///< ahead of where each foot is wanted
   double height_m_ = preset_.stand_length_m;
 };
 

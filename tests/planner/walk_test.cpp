@@ -142,6 +142,29 @@ TEST_F(WalkTest, LateContactFreezesTheClockUntilTheFootFoundTheGround) {
   EXPECT_EQ(walk_.failure(), nullptr);
 }
 
+TEST_F(WalkTest, FootThatMovesAgainstTheOthersSlippedAndIsWantedWhereItIs) {
+  begin(request("stand"));
+  run(0.5);
+  const double before_m = wanted_[3].desired_foot_in_hip_m[0];
+  slipped_m_[3] = 0.025;
+  run(0.5);
+  EXPECT_EQ(count(LegEvent::kSlip), 0);
+  slipped_m_[3] = 0.035;
+  cycle();
+  slipped_m_[3] = 0.0;
+  cycle();
+  EXPECT_EQ(motion_.legs[3].last_event, LegEvent::kSlip);
+  EXPECT_EQ(count(LegEvent::kSlip), 1);
+  EXPECT_NEAR(wanted_[3].desired_foot_in_hip_m[0] - before_m, 0.035, 1e-3);
+}
+
+TEST_F(WalkTest, FeetThatAllMoveTogetherWerePushedAndDoNotSlip) {
+  begin(request("stand"));
+  slipped_m_.fill(0.06);
+  run(0.5);
+  EXPECT_EQ(count(LegEvent::kSlip), 0);
+}
+
 TEST_F(WalkTest, NoGroundStopsTheWalkAndSaysWhy) {
   begin(request("trot", {0.3, 0.0, 0.0}));
   run(2.0);

@@ -14,13 +14,14 @@ using testing::HasSubstr;
 
 class WalkingPegasus : public testing::Test {
  protected:
-  /// Also names the line of `from`.
-  std::string complaint(const std::string& from, const std::string& to) {
-    line_ = "robot.yaml:" + std::to_string(test::line_of(text_, from));
+  std::string complaint(const std::string& from, const std::string& to) const {
     return folder_.complaint(test::replaced(text_, from, to));
   }
+  std::string line(const std::string& part) const {
+    return "robot.yaml:" + std::to_string(test::line_of(text_, part)) + ":";
+  }
   /// With one more gait, named odd.
-  std::string with_gait(const std::string& gait) {
+  std::string with_gait(const std::string& gait) const {
     return complaint("gaits:\n", "gaits:\n  odd: {" + gait + "}\n");
   }
   RobotConfig with(const std::string& gait) const {
@@ -29,7 +30,6 @@ class WalkingPegasus : public testing::Test {
 
   test::RobotFolder folder_;
   const std::string text_ = test::shipped_yaml("pegasus");
-  std::string line_;
 };
 
 std::string gait(const std::string& duty, const std::string& offsets, const std::string& to = "[]") {
@@ -82,12 +82,13 @@ TEST_F(WalkingPegasus, OffsetsAreOneForEachLeg) {
 }
 
 TEST_F(WalkingPegasus, GaitThatLeavesFewerThanTwoFeetOnTheGroundIsRefused) {
-  const std::string line = "robot.yaml:" + std::to_string(test::line_of(text_, "gaits:") + 1);
+  const std::string at_gaits = "robot.yaml:" + std::to_string(test::line_of(text_, "gaits:") + 1);
   EXPECT_THAT(with_gait(gait("0.9", "[0, 0, 0, 0]")),
-              AllOf(HasSubstr(line), HasSubstr("only 0 feet stand"), HasSubstr("needs 2")));
+              AllOf(HasSubstr(at_gaits), HasSubstr("only 0 feet stand"), HasSubstr("needs 2")));
   EXPECT_THAT(with_gait(gait("0.45", "[0, 0.5, 0.5, 0]")),
-              AllOf(HasSubstr(line), HasSubstr("only 0 feet stand at phase 0")));
-  EXPECT_THAT(with_gait(gait("0.6", "[0, 0.2, 0.4, 0.9]")), AllOf(HasSubstr(line), HasSubstr("only 1 feet")));
+              AllOf(HasSubstr(at_gaits), HasSubstr("only 0 feet stand at phase 0")));
+  EXPECT_THAT(with_gait(gait("0.6", "[0, 0.2, 0.4, 0.9]")),
+              AllOf(HasSubstr(at_gaits), HasSubstr("only 1 feet")));
 }
 
 TEST_F(WalkingPegasus, GaitAtTheEdgeOfWhatCanBeWalkedIsTaken) {
@@ -99,12 +100,13 @@ TEST_F(WalkingPegasus, NumbersThatCannotBeAreNamedWithTheirValue) {
   EXPECT_THAT(with_gait(gait("0.3", "[0, 0.5, 0.5, 0]")), AllOf(HasSubstr("duty"), HasSubstr("0.3")));
   EXPECT_THAT(with_gait(gait("0.6", "[0, 0.5, 1.5, 0]")), AllOf(HasSubstr("offsets"), HasSubstr("1.5")));
   EXPECT_THAT(complaint("period: 3.6 s", "period: 0.01 s"),
-              AllOf(HasSubstr(line_), HasSubstr("gaits.crawl.period"), HasSubstr("0.01")));
-  EXPECT_THAT(complaint("period: 3.6 s", "period: 3.6"), AllOf(HasSubstr(line_), HasSubstr("period")));
+              AllOf(HasSubstr(line("period: 3.6 s")), HasSubstr("gaits.crawl.period"), HasSubstr("0.01")));
+  EXPECT_THAT(complaint("period: 3.6 s", "period: 3.6"),
+              AllOf(HasSubstr(line("period: 3.6 s")), HasSubstr("period")));
   EXPECT_THAT(complaint("fallen: {tilt: 0.7 rad", "fallen: {tilt: 0 rad"),
-              AllOf(HasSubstr(line_), HasSubstr("tilt")));
+              AllOf(HasSubstr(line("fallen: {tilt: 0.7 rad")), HasSubstr("tilt")));
   EXPECT_THAT(complaint("approach_speed: 0.2 m/s", "approach_speed: 0 m/s"),
-              AllOf(HasSubstr(line_), HasSubstr("walk.approach_speed")));
+              AllOf(HasSubstr(line("approach_speed: 0.2 m/s")), HasSubstr("walk.approach_speed")));
 }
 
 TEST_F(WalkingPegasus, TransitionToAGaitThatThereIsNotIsRefused) {
