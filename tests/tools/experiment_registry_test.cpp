@@ -24,6 +24,19 @@ TEST(ExperimentRegistry, EveryExperimentOfTheSingleLegHasItsOwnNameAndAPresetTha
   EXPECT_TRUE(names.count("jump"));
 }
 
+TEST(ExperimentRegistry, ARobotThatWalksHasExperimentsOfItsOwnAndNoJumps) {
+  const RobotConfig robot = load_robot("pegasus");
+  std::set<std::string> names;
+  for (const ExperimentEntry& entry : experiments_of(robot)) {
+    EXPECT_TRUE(names.insert(entry.name).second) << entry.name;
+    EXPECT_NO_THROW(robot.preset(entry.preset)) << entry.name;
+    EXPECT_FALSE(entry.question.empty()) << entry.name;
+  }
+  for (const char* name : {"walk", "ground_error", "push", "endurance"})
+    EXPECT_TRUE(names.count(name)) << name;
+  EXPECT_FALSE(names.count("jump"));
+}
+
 TEST(ExperimentRegistry, TheCommandOfAnEntryRunsItAlone) {
   const ExperimentEntry entry{"jump", "paper", "", false, {}};
   EXPECT_EQ(entry.command("single_leg", 7),

@@ -4,6 +4,7 @@
 
 #include "tools/experiments/drop_report.h"
 #include "tools/experiments/foot_return_report.h"
+#include "tools/experiments/gait_entries.h"
 #include "tools/experiments/jump_ensemble.h"
 #include "tools/experiments/jump_report.h"
 #include "tools/experiments/step_response_report.h"
@@ -85,6 +86,7 @@ std::vector<ExperimentEntry> experiments_of(const RobotConfig& robot) {
     throw std::invalid_argument("the experiments of `all` need a leg that stands, and " + robot.name +
                                 " has none (" + why +
                                 "); for a joint alone there are friction_sweep, drag and estimator");
+  if (!robot.gaits.empty()) return gait_entries();
   return {
       {"jump", kPaper,
        "Are the paper's jumps met in position, torque and hybrid control, and what does sprung's own landing "
