@@ -7,6 +7,7 @@
 
 #include "tests/controller/controller_fixture.h"
 #include "tests/support/allocation_count.h"
+#include "tests/support/changed_robot.h"
 
 namespace sprung {
 namespace {
@@ -248,7 +249,7 @@ TEST_F(ControllerCoreTest, RandomStatesNeverExceedLimitsNorAllocateNorDifferBetw
 }
 
 TEST(ControllerWithoutFeet, DampsAndSwitchesOffButGoesNowhere) {
-  const RobotConfig robot = load_robot("pegasus");
+  const RobotConfig robot = test::pegasus_without_feet();
   ControllerCore core(robot, robot.preset("best"), robot.watchdogs);
   JointState state(12, 4);
   state.safety = SafetyLevel::kOperational;

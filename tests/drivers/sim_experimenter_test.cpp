@@ -216,7 +216,7 @@ class BodyExperimenterTest : public testing::Test {
     experimenter_.start_cycle(0);
   }
   RobotConfig robot_ = load_robot(std::string(SPRUNG_SOURCE_DIR) + "/robots/pegasus");
-  DriveTrain train_{robot_, load_sim_config(robot_, {}), 1};
+  DriveTrain train_{robot_, load_sim_config(robot_, {{"suspended", 0.8}}), 1};
   BusFaults buses_{4};
   ImuSensor imu_{ImuConfig{}, 1};
   Experimenter experimenter_{train_, buses_, imu_};

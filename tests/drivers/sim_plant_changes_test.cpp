@@ -147,7 +147,7 @@ TEST(PlantChange, NoiseScaleReachesTheTorqueSensor) {
 
 TEST(PlantChange, LyingTakesEveryJointsOwnAngleAndLetsTheTrunkGo) {
   const RobotConfig robot = load_robot(std::string(SPRUNG_SOURCE_DIR) + "/robots/pegasus");
-  const PlantConfig hanging = load_sim_config(robot, {{"lying", 0}}).plant;
+  const PlantConfig hanging = load_sim_config(robot, {{"suspended", 0.8}}).plant;
   const PlantConfig lying = load_sim_config(robot, {{"lying", 1}}).plant;
   EXPECT_GT(hanging.suspended_m, 0.0);
   EXPECT_EQ(lying.suspended_m, 0.0);

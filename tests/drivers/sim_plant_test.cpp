@@ -265,10 +265,10 @@ TEST_F(PlantTest, ModelWithoutAJointOfTheRobotIsRefused) {
   EXPECT_THROW(Plant(robot_, config.plant), ConfigError);
 }
 
-/// A robot whose sim.yaml hangs it up: feet in the air, the trunk where it was put, also after a reset.
+/// A robot that is hung up: feet in the air, the trunk where it was put, also after a reset.
 TEST(SuspendedPlant, TrunkStaysWhileTheLegsMove) {
   const RobotConfig robot = load_robot("pegasus");
-  Plant plant(robot, load_sim_config(robot, {}).plant);
+  Plant plant(robot, load_sim_config(robot, {{"suspended", 0.8}}).plant);
   SimTruth truth(robot.joints.size(), robot.legs.size());
   std::vector<double> torque_Nm(robot.joints.size(), 20.0);
   for (int round = 0; round < 2; ++round) {
@@ -285,7 +285,7 @@ TEST(SuspendedPlant, TrunkStaysWhileTheLegsMove) {
 
 TEST(SuspendedPlant, LegsAreMirroredAndFeetAreUnderTheHips) {
   const RobotConfig robot = load_robot("pegasus");
-  Plant plant(robot, load_sim_config(robot, {}).plant);
+  Plant plant(robot, load_sim_config(robot, {{"suspended", 0.8}}).plant);
   SimTruth truth(robot.joints.size(), robot.legs.size());
   plant.fill_truth(truth);
   const double hip_x[] = {0.33, 0.33, -0.33, -0.33}, hip_y[] = {0.20, -0.20, 0.20, -0.20};

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <string>
 
 #include "signals/messages.h"
@@ -32,12 +34,15 @@ TEST(EventMessages, TorqueSensorSurvivesBitForBit) { expect_round_trip<TorqueSen
 TEST(EventMessages, MotionStateKeepsItsNumbersAndTexts) {
   MotionState signal(2);
   signal.stamp = {10, 20};
-  signal.legs[1] = {LegPhase::kFlight, 0.25};
+  signal.legs[1] = {LegPhase::kPreStance, 0.25, LegEvent::kSlip, {0, 1, 2, 3, 4, 5}};
   signal.state = MotionPhase::kThrust;
   signal.jumps_done = 3;
   signal.jumps_left = 4;
   signal.jump_height_scale = 0.75;
   signal.jump_mode = JumpMode::kTorque;
+  signal.gait = 3;
+  signal.gait_phase = 0.625;
+  signal.desired_speed = {0.3, -0.1, 0.2};
   signal.last_transition = "crouch ended";
   sprung_msgs::motion_state_t message{};
   to_message(signal, 5, message);
@@ -49,6 +54,13 @@ TEST(EventMessages, MotionStateKeepsItsNumbersAndTexts) {
   to_message(back, 5, again);
   EXPECT_EQ(encoded(again), encoded(message));
   EXPECT_EQ(back.legs[1].phase_time_s, 0.25);
+  EXPECT_EQ(back.legs[1].phase, LegPhase::kPreStance);
+  EXPECT_EQ(back.legs[1].last_event, LegEvent::kSlip);
+  EXPECT_EQ(back.legs[1].event_counts, (std::array<std::int32_t, kLegEventCount>{0, 1, 2, 3, 4, 5}));
+  EXPECT_EQ(back.legs[0].last_event, LegEvent::kNone);
+  EXPECT_EQ(back.gait, 3);
+  EXPECT_EQ(back.gait_phase, 0.625);
+  EXPECT_EQ(back.desired_speed, (Vec3{0.3, -0.1, 0.2}));
   EXPECT_EQ(back.jumps_left, 4);
 }
 
@@ -106,6 +118,45 @@ TEST(EventMessages, OperatorReplyKeepsItsNumbersAndTexts) {
   EXPECT_EQ(back.outcome, OperatorOutcome::kQueued);
   EXPECT_STREQ(back.from, "planner");
   EXPECT_STREQ(back.reason, "no contact");
+}
+
+TEST(EventMessages, WalkKeepsWhatItAsksFor) {
+  OperatorCommand signal;
+  signal.kind = OperatorKind::kWalk;
+  signal.gait = 2;
+  signal.walk_speed = {0.3, -0.1, 0.2};
+  signal.stance_width_m = 0.05;
+  signal.gait_control = GaitControl::kPreStance;
+  sprung_msgs::operator_command_t message{};
+  to_message(signal, 5, message);
+  OperatorCommand back;
+  ASSERT_TRUE(from_message(message, back));
+  EXPECT_EQ(back.kind, OperatorKind::kWalk);
+  EXPECT_EQ(back.gait, 2);
+  EXPECT_EQ(back.walk_speed, (Vec3{0.3, -0.1, 0.2}));
+  EXPECT_TRUE(std::isnan(back.body_height_m)) << "left open: the preset's";
+  EXPECT_EQ(back.stance_width_m, 0.05);
+  EXPECT_EQ(back.gait_control, GaitControl::kPreStance);
+}
+
+TEST(EventMessages, UnknownLegEventsPhasesAndGaitControlsAreRefused) {
+  sprung_msgs::motion_state_t state{};
+  to_message(MotionState(1), 5, state);
+  MotionState signal;
+  ASSERT_TRUE(from_message(state, signal));
+  for (const int bad : {-1, 6, 127}) {
+    sprung_msgs::motion_state_t wrong = state;
+    wrong.legs[0].last_event = static_cast<std::int8_t>(bad);
+    EXPECT_FALSE(from_message(wrong, signal)) << bad;
+  }
+  state.legs[0].phase = static_cast<std::int8_t>(LegPhase::kStance) + 1;
+  EXPECT_FALSE(from_message(state, signal));
+  sprung_msgs::operator_command_t command{};
+  OperatorCommand out;
+  command.gait_control = static_cast<std::int8_t>(GaitControl::kOwn);
+  EXPECT_TRUE(from_message(command, out));
+  ++command.gait_control;
+  EXPECT_FALSE(from_message(command, out));
 }
 
 TEST(EventMessages, UnknownOperatorKindIsRefused) {

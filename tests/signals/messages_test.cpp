@@ -63,6 +63,24 @@ TEST(Messages, JointStateSurvivesBitForBit) {
   expect_round_trip<JointState>(with_joints_and_legs<sprung_msgs::joint_state_t>(12, 4), 2);
 }
 
+TEST(Messages, TrunkOfAJointStateIsKeptFieldByField) {
+  JointState signal(1, 1);
+  signal.body.estimated_quaternion_wxyz = {0.5, -0.5, 0.5, -0.5};
+  signal.body.estimated_angular_velocity_rad_s = {1.0, 2.0, 3.0};
+  signal.body.estimated_velocity_m_s = {4.0, 5.0, 6.0};
+  signal.body.estimated_height_m = 0.5;
+  signal.body.uses_imu = true;
+  sprung_msgs::joint_state_t message{};
+  to_message(signal, 1, message);
+  JointState back;
+  ASSERT_TRUE(from_message(message, back));
+  EXPECT_EQ(back.body.estimated_quaternion_wxyz, signal.body.estimated_quaternion_wxyz);
+  EXPECT_EQ(back.body.estimated_angular_velocity_rad_s, signal.body.estimated_angular_velocity_rad_s);
+  EXPECT_EQ(back.body.estimated_velocity_m_s, signal.body.estimated_velocity_m_s);
+  EXPECT_EQ(back.body.estimated_height_m, 0.5);
+  EXPECT_TRUE(back.body.uses_imu);
+}
+
 TEST(Messages, LegCommandSurvivesBitForBit) {
   sprung_msgs::leg_command_t prototype{};
   prototype.n_legs = 4;
