@@ -6,14 +6,17 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <stdexcept>
 
 #include "drivers/sim/sim_shell.h"
 #include "robots/robot_loader.h"
 #include "runtime/log.h"
 #include "tools/commands/experiment_rows.h"
 #include "tools/experiments/foot_return_report.h"
+#include "tools/experiments/hanging_return_report.h"
 #include "tools/experiments/progress_bar.h"
 #include "tools/experiments/separate_run.h"
+#include "tools/experiments/stand_push_report.h"
 #include "tools/experiments/step_response_report.h"
 #include "tools/report/report_shell.h"
 
@@ -47,6 +50,7 @@ struct Outcome {
 struct Means {
   ScriptRunner run;
   ParallelOptions parallel;
+  bool separate = false;
 };
 using Experiment = std::function<Outcome(const RobotConfig& robot, const std::string& preset,
                                          const SimOptions& sim, const Means& means)>;
@@ -70,7 +74,7 @@ int run_command(const Request& request, const Experiment& experiment) {
   sim.seed = request.seed;
   sim.plant = parse_plant(request.plant);
   ProgressBar bar(request.experiment);
-  Means means{script_runner(request.separate), {}};
+  Means means{script_runner(request.separate), {}, request.separate};
   if (request.separate) means.parallel.jobs = 1;
   means.parallel.on_progress = [&bar](std::size_t done, std::size_t count) { bar.show(done, count); };
   const Outcome outcome = experiment(robot, request.preset, sim, means);
@@ -87,8 +91,30 @@ int run_command(const Request& request, const Experiment& experiment) {
   return print_rows(rows, request.as_json);
 }
 
+/// Their hands feel where the robot is in every cycle.
+void refuse_separate(const Means& means) {
+  if (means.separate)
+    throw std::invalid_argument("this experiment runs in one process: without --separate, please");
+}
+
+Outcome hanging_return(const RobotConfig& robot, const std::string& preset, const SimOptions& sim,
+                       const Means& means) {
+  refuse_separate(means);
+  const HangingReturnResult result =
+      run_hanging_return(robot, sim, hanging_cases(robot, preset), hand_pulls(), means.parallel);
+  return {hanging_return_rows(result), hanging_return_section(result), result.simulated_s};
+}
+
+Outcome stand_push(const RobotConfig& robot, const std::string& preset, const SimOptions& sim,
+                   const Means& means) {
+  refuse_separate(means);
+  const StandPushResult result = run_stand_push(robot, preset, sim, trunk_pushes(), means.parallel);
+  return {stand_push_rows(result), stand_push_section(result), result.simulated_s};
+}
+
 Outcome foot_return(const RobotConfig& robot, const std::string& preset, const SimOptions& sim,
                     const Means& means) {
+  if (!robot.gaits.empty()) return hanging_return(robot, preset, sim, means);
   const FootReturnResult result =
       run_foot_return(robot, preset, sim, foot_return_cases(robot.preset(preset)), means.run, means.parallel);
   return {foot_return_rows(result), foot_return_section(result), result.simulated_s};
@@ -101,9 +127,10 @@ Outcome step_response(const RobotConfig& robot, const std::string& preset, const
 }
 
 void add(CommandLine& parent, const std::string& name, const std::string& what, const std::string& preset,
-         const Experiment& experiment) {
+         const Experiment& experiment, const std::string& robot = "single_leg") {
   const auto request = std::make_shared<Request>();
   request->experiment = name;
+  request->robot = robot;
   request->preset = preset;
   CommandLine& line = parent.subcommand(name, what);
   line.option("--robot", request->robot, "name or folder");
@@ -122,8 +149,14 @@ void add(CommandLine& parent, const std::string& name, const std::string& what, 
 void add_leg_experiments(CommandLine& experiment) {
   add(experiment, "foot_return",
       "A hanging leg's foot is pulled away and released in eight directions with five forces, with and "
-      "without friction compensation, on plants with more and less friction.",
+      "without friction compensation, on plants with more and less friction; of a robot that walks, the left "
+      "hind foot.",
       "best", foot_return);
+  add(experiment, "stand_push",
+      "A walking robot stands and is pounded, pushed down and lifted, in position control and on its virtual "
+      "springs: "
+      "peak torques of hip and knee above the static ones.",
+      "best", stand_push, "pegasus");
   add(experiment, "step_response",
       "How fast the knee's torque follows: at the start of a jump in position control, and as a torque step "
       "with the foot "

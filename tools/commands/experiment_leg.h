@@ -1,5 +1,5 @@
 #pragma once
-/// `sprung experiment foot_return` and `step_response`.
+/// `sprung experiment foot_return`, `step_response` and `stand_push`.
 #include "runtime/command_line.h"
 
 namespace sprung::commands {

@@ -5,8 +5,10 @@
 #include "tools/experiments/drop_report.h"
 #include "tools/experiments/foot_return_report.h"
 #include "tools/experiments/gait_entries.h"
+#include "tools/experiments/hanging_return_report.h"
 #include "tools/experiments/jump_ensemble.h"
 #include "tools/experiments/jump_report.h"
+#include "tools/experiments/stand_push_report.h"
 #include "tools/experiments/step_response_report.h"
 
 namespace sprung {
@@ -46,6 +48,24 @@ ExperimentOutput foot_return_output(const ExperimentInput& input) {
   return out;
 }
 
+ExperimentOutput hanging_return_output(const ExperimentInput& input) {
+  const HangingReturnResult result = run_hanging_return(
+      input.robot, sim_of(input), hanging_cases(input.robot, kBest), hand_pulls(), {input.jobs, {}});
+  ExperimentOutput out{rows_of(input, "foot_return", kBest), {hanging_return_section(result)}};
+  out.rows.simulated_s = result.simulated_s;
+  out.rows.rows = hanging_return_rows(result);
+  return out;
+}
+
+ExperimentOutput stand_push_output(const ExperimentInput& input) {
+  const StandPushResult result =
+      run_stand_push(input.robot, kBest, sim_of(input), trunk_pushes(), {input.jobs, {}});
+  ExperimentOutput out{rows_of(input, "stand_push", kBest), {stand_push_section(result)}};
+  out.rows.simulated_s = result.simulated_s;
+  out.rows.rows = stand_push_rows(result);
+  return out;
+}
+
 ExperimentOutput step_response_output(const ExperimentInput& input) {
   const StepResponseResult result = run_step_response(input.robot, kPaper, sim_of(input), run_in_process);
   ExperimentOutput out{rows_of(input, "step_response", kPaper), {step_response_section(result)}};
@@ -74,6 +94,22 @@ ExperimentOutput jump_ensemble_output(const ExperimentInput& input) {
   return out;
 }
 
+/// Of a robot that walks.
+std::vector<ExperimentEntry> walking_experiments() {
+  return {
+      {"foot_return", kBest,
+       "Does a foot of the hanging robot come back to where a hand took it from, and how far off without "
+       "friction "
+       "compensation?",
+       true, hanging_return_output},
+      {"stand_push", kBest,
+       "How much less do hip and knee carry on virtual springs than in position control when the standing "
+       "robot is "
+       "pounded, pushed down or lifted?",
+       true, stand_push_output},
+  };
+}
+
 }  // namespace
 
 std::string ExperimentEntry::command(const std::string& robot, std::uint64_t seed) const {
@@ -86,7 +122,11 @@ std::vector<ExperimentEntry> experiments_of(const RobotConfig& robot) {
     throw std::invalid_argument("the experiments of `all` need a leg that stands, and " + robot.name +
                                 " has none (" + why +
                                 "); for a joint alone there are friction_sweep, drag and estimator");
-  if (!robot.gaits.empty()) return gait_entries();
+  if (!robot.gaits.empty()) {
+    std::vector<ExperimentEntry> out = walking_experiments();
+    for (ExperimentEntry& entry : gait_entries()) out.push_back(entry);
+    return out;
+  }
   return {
       {"jump", kPaper,
        "Are the paper's jumps met in position, torque and hybrid control, and what does sprung's own landing "

@@ -1,0 +1,53 @@
+#include "tools/experiments/trunk_hand.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+namespace sprung {
+namespace {
+
+constexpr double kCycle_s = 0.002;
+
+TrunkPush named(const std::string& name) {
+  for (const TrunkPush& push : trunk_pushes())
+    if (name == push.name) return push;
+  throw std::invalid_argument(name);
+}
+
+TEST(TrunkHandTest, PoundingIsFifteenNewtonSecondsDownWithinATenthOfASecond) {
+  const TrunkPush push = named("impulse");
+  TrunkHand hand(push, kCycle_s);
+  double impulse_N_s = 0.0;
+  for (double t = 0.0; t < 1.0; t += kCycle_s) impulse_N_s += kCycle_s * hand.step_N(t, 0.0);
+  EXPECT_NEAR(impulse_N_s, -15.0, 0.1);
+  EXPECT_NEAR(push.length_s(), 0.1, 1e-12);
+}
+
+TEST(TrunkHandTest, NoForceBeforeWhatItIsToBeNorAfterItsLength) {
+  for (const TrunkPush& push : trunk_pushes()) {
+    TrunkHand hand(push, kCycle_s);
+    EXPECT_NEAR(hand.step_N(0.0, 0.0), 0.0, 1e-9) << push.name;
+    EXPECT_EQ(hand.step_N(push.length_s() + 1e-9, 0.0), 0.0) << push.name;
+  }
+}
+
+TEST(TrunkHandTest, SlowForceGrowsStaysAndGoesInStraightLines) {
+  TrunkHand hand(named("pushforce"), kCycle_s);
+  EXPECT_NEAR(hand.step_N(0.5, 0.0), -75.0, 1e-9);
+  EXPECT_NEAR(hand.step_N(1.5, -0.01), -150.0, 1e-9);
+  EXPECT_NEAR(hand.step_N(2.75, 0.0), -37.5, 1e-9);
+}
+
+TEST(TrunkHandTest, LeadingPullsTheTrunkToWhereTheHandIs) {
+  TrunkHand hand(named("pushdown"), kCycle_s);
+  double trunk_m = 0.0;
+  constexpr double kSpring_N_m = 2e4, kDamper_N_s_m = 8e3;
+  for (double t = 0.0; t < 2.0; t += kCycle_s)
+    trunk_m += kCycle_s * (hand.step_N(t, trunk_m) - kSpring_N_m * trunk_m) / kDamper_N_s_m;
+  EXPECT_NEAR(trunk_m, -0.010 / (1.0 + kSpring_N_m / TrunkHand::kStiffness_N_m), 1e-4);
+}
+
+}  // namespace
+}  // namespace sprung

@@ -1,0 +1,41 @@
+#pragma once
+/// `sprung experiment stand_push`: a walking robot stands free on its feet and is pounded, pushed down and lifted, once in position
+/// control and once on its virtual springs (gait `stand`): what hip and knee carry above their static torque (S1 Fig. 11).
+#include <string>
+#include <vector>
+
+#include "drivers/sim/sim_core.h"
+#include "robots/robot_config.h"
+#include "tools/experiments/experiment_report.h"
+#include "tools/experiments/parallel.h"
+#include "tools/experiments/stand_push_score.h"
+#include "tools/experiments/trunk_hand.h"
+
+namespace sprung {
+
+struct PushRun {
+  PushScore score;
+  std::vector<PushSample> samples;
+};
+
+struct PushPair {
+  TrunkPush push;
+  PushRun position, compliance;
+};
+
+struct StandPushResult {
+  std::vector<PushPair> pushes;
+  StiffnessConfig gains;                                                    ///< of the standing feet, and
+  double friction_compensation = 0.0;                                       ///< theirs
+  double position_stiffness_Nm_rad = 0.0, position_damping_Nm_s_rad = 0.0;  ///< of the knees' position loops
+  double simulated_s = 0.0;
+};
+
+/// @throws std::runtime_error, std::invalid_argument as LeggedTrial.
+StandPushResult run_stand_push(const RobotConfig& robot, const std::string& preset, const SimOptions& sim,
+                               const std::vector<TrunkPush>& pushes, const ParallelOptions& parallel = {});
+
+/// Rows stand_push.<push>.<ratio|...>, with issue 6's bounds.
+std::vector<ReportRow> stand_push_rows(const StandPushResult& result);
+
+}  // namespace sprung
