@@ -68,6 +68,15 @@ TEST(FaultReport, RowOutOfBoundsWhereTheCauseIsAnotherOrTheRobotStaysDown) {
   down.back = false;
   for (const FaultOutcome& bad : {late, other, down})
     EXPECT_FALSE(fault_report(robot, "best", 1, {bad}).ok());
+  // A flipped bit may be the status word's fault bit; any other cause of it is wrong.
+  FaultOutcome flipped = outcome;
+  flipped.fault = {FaultKind::kFramesFlipped, false, 0.2, 1.0, SafetyCause::kImplausible, 0.2};
+  for (const auto& [cause, good] :
+       {std::pair(SafetyCause::kImplausible, true), std::pair(SafetyCause::kDriveFault, true),
+        std::pair(SafetyCause::kBusLost, false)}) {
+    flipped.cause = cause;
+    EXPECT_EQ(fault_report(robot, "best", 1, {flipped}).ok(), good);
+  }
   // A robot that gets up although its reference must be lost is as wrong.
   outcome.fault.back = false;
   EXPECT_FALSE(fault_report(robot, "best", 1, {outcome}).ok());

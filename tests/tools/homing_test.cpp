@@ -67,7 +67,9 @@ class Homing : public testing::Test {
   }
   void boot(const RobotConfig& config) {
     config_ = config;
-    robot_ = std::make_unique<InProcessRobot>(config_, "best", SimOptions{});
+    SimOptions sim;
+    if (config.body.mass_kg > 0.0) sim.plant["suspended"] = 0.8;  // hands can move legs that hang
+    robot_ = std::make_unique<InProcessRobot>(config_, "best", sim);
     robot_->boot();
   }
   void run(double seconds) {

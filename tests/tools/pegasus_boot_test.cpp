@@ -1,5 +1,5 @@
-/// pegasus as it is begun: twelve EPOS2 and four encoder cards on four buses come up at 500 Hz, are measured, and stay without
-/// torque, since nothing is referenced and no leg can stand.
+/// pegasus before it stands: twelve EPOS2 and four encoder cards on four buses come up at 500 Hz, are measured, and stay without
+/// torque, since nothing is referenced.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -52,6 +52,7 @@ TEST_F(PegasusBoot, LinkEncodersShowTheJointsWhateverTheMotorsCount) {
 
 TEST_F(PegasusBoot, StaysWithoutTorqueAndRefusesToStandWithItsReason) {
   robot_.boot();
+  run(0.1);
   OperatorCommand stand;
   stand.kind = OperatorKind::kStand;
   stand.request_id = 1;
@@ -60,7 +61,7 @@ TEST_F(PegasusBoot, StaysWithoutTorqueAndRefusesToStandWithItsReason) {
   OperatorReply reply;
   ASSERT_TRUE(robot_.next_reply(reply));
   EXPECT_EQ(reply.outcome, OperatorOutcome::kRefused);
-  EXPECT_EQ(std::string(reply.reason), "this robot's legs have no kinematics: it cannot stand");
+  EXPECT_EQ(std::string(reply.reason), "a joint is not referenced: sprung home");
   for (const ActuatorState& a : robot_.drive_state().actuators) {
     EXPECT_NE(a.power_state, PowerState::kOperationEnabled);
     EXPECT_NEAR(a.measured_current_A, 0.0, 0.2);

@@ -19,11 +19,18 @@ constexpr double kHome_s = 2.0;
 constexpr double kAfterwards_s = 1.5;  // quick stop included
 constexpr double kClear_s = 8.0;
 
+/// A robot that could fall hangs in the air: what a fault does to it, not what the floor does then.
+SimOptions hung_up(const RobotConfig& robot, SimOptions sim) {
+  constexpr double kHeight_m = 0.8;
+  if (robot.body.mass_kg > 0.0) sim.plant["suspended"] = kHeight_m;
+  return sim;
+}
+
 /// One fault on one robot, from booting to standing again.
 class FaultRun {
  public:
   FaultRun(const RobotConfig& robot, const std::string& preset, const SimOptions& sim, const FaultCase& fault)
-      : config_(robot), fault_(fault), robot_(robot, preset, sim) {
+      : config_(robot), fault_(fault), robot_(robot, preset, hung_up(robot, sim)) {
     outcome_.fault = fault;
     const ActuatorConfig& last = robot.actuators.back();
     outcome_.target = fault.on_bus ? robot.buses[static_cast<std::size_t>(last.bus)].name : last.name;
@@ -32,8 +39,8 @@ class FaultRun {
   FaultOutcome run() {
     robot_.boot(10.0);
     advance(kSettle_s);
-    if (!stand()) throw std::runtime_error("the robot did not stand up before the fault");
     if (!all_referenced()) home();
+    if (!stand()) throw std::runtime_error("the robot did not stand up before the fault");
     strike();
     clear();
     outcome_.homed_again = !all_referenced() && home();
@@ -171,6 +178,13 @@ std::string milliseconds(double seconds) {
   return std::isfinite(seconds) ? text : "-";
 }
 
+/// A flipped bit may be the status word's own fault bit: then the drive is believed.
+bool cause_as_expected(const FaultOutcome& outcome) {
+  const bool believed =
+      outcome.fault.kind == FaultKind::kFramesFlipped && outcome.cause == SafetyCause::kDriveFault;
+  return believed || outcome.cause == outcome.fault.cause;
+}
+
 }  // namespace
 
 FaultOutcome run_fault(const RobotConfig& robot, const std::string& preset, const SimOptions& sim,
@@ -187,7 +201,7 @@ ExperimentReport fault_report(const RobotConfig& robot, const std::string& prese
   report.seed = seed;
   for (const FaultOutcome& outcome : outcomes) {
     const std::string prefix = "faults." + case_name(outcome) + ".";
-    const double reached = outcome.cause == outcome.fault.cause ? 1.0 : 0.0;
+    const double reached = cause_as_expected(outcome) ? 1.0 : 0.0;
     const double expected_back = outcome.fault.back ? 1.0 : 0.0;
     ReportRow detection{prefix + "detection", "ms",         1e3 * outcome.detected_s,
                         std::nullopt,         std::nullopt, std::nullopt};
