@@ -99,6 +99,16 @@ class WalkFixture : public testing::Test {
     return static_cast<int>(std::count_if(wanted_.begin(), wanted_.end(),
                                           [](const DesiredLeg& l) { return l.phase == LegPhase::kStance; }));
   }
+  /// Of the foot that is farthest from its place, over the ground.
+  double place_error_m() const {
+    double worst_m = 0.0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Vec3 place = walk_.stance_foot_in_hip_m(i, preset_.stand_length_m);
+      const Vec3& foot = in_.legs[i].estimated_foot_in_hip_m;
+      worst_m = std::max(worst_m, std::hypot(foot[0] - place[0], foot[1] - place[1]));
+    }
+    return worst_m;
+  }
   std::int32_t count(LegEvent event) const {
     std::int32_t sum = 0;
     for (const MotionLeg& leg : motion_.legs) sum += leg.event_counts[static_cast<std::size_t>(event)];
