@@ -17,7 +17,7 @@ TEST(JointLimitsTest, AreThoseOfTheRobotFileThroughTheIdentity) {
   EXPECT_NEAR(limits[1].position_min_rad, 0.4 + 0.02, 1e-12);
   EXPECT_NEAR(limits[1].position_max_rad, 3.0 - 0.02, 1e-12);
   EXPECT_NEAR(limits[1].speed_rad_s, 4.36, 1e-12);
-  EXPECT_NEAR(limits[1].acceleration_rad_s2, 108.0 / 0.765, 1e-9);
+  EXPECT_NEAR(limits[1].acceleration_rad_s2, 108.0 / robot.joints[1].armature_kg_m2, 1e-9);
 }
 
 TEST(JointLimitsTest, CoupledActuatorsShareTheJointsMotion) {
