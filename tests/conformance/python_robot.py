@@ -42,8 +42,9 @@ def on_one_bus(robot):
     legs = [leg for leg in robot["legs"] if set(leg["actuators"]) <= names]
     joints = {joint for leg in legs for joint in leg["joints"]}
     cards = [card for card in robot.get("encoder_cards", []) if card["bus"] == bus]
+    whole = {"body", "gaits"}  # a part of a robot does not walk
     return {
-        **robot,
+        **{key: value for key, value in robot.items() if key not in whole},
         "buses": robot["buses"][:1],
         "actuators": here,
         "legs": legs,

@@ -6,6 +6,7 @@
 
 #include "planner/joint_limits.h"
 #include "tools/experiments/scripted_run.h"
+#include "tools/identify/record_in_process.h"
 
 namespace sprung {
 namespace {
@@ -33,6 +34,12 @@ const LegConfig& leg_of(const RobotConfig& robot, int joint, int& leg, int& in_l
 
 Transmission transmission_of(const RobotConfig& robot, int joint, int& leg, int& in_leg) {
   return Transmission(leg_of(robot, joint, leg, in_leg));
+}
+
+/// A robot that could fall hangs: its joints then turn freely, as on a bench.
+SimOptions on_a_bench(const RobotConfig& robot, SimOptions sim) {
+  if (robot.body.mass_kg > 0.0) sim.plant.emplace("suspended", identify::hanging_height_m(robot));
+  return sim;
 }
 
 }  // namespace
@@ -63,7 +70,7 @@ BenchLimits bench_limits(const RobotConfig& robot, int joint) {
 
 JointBench::JointBench(const RobotConfig& robot, const std::string& preset, const SimOptions& sim, int joint)
     : config_(robot),
-      robot_(robot, preset, sim),
+      robot_(robot, preset, on_a_bench(robot, sim)),
       index_(static_cast<std::size_t>(joint)),
       transmission_(transmission_of(robot, joint, leg_, in_leg_)) {
   robot_.boot(10.0);
