@@ -5,9 +5,11 @@
 namespace sprung {
 namespace {
 
-constexpr double kStumbleFrom = 0.2;        // share of the swing: before, the foot may still be leaving
-constexpr double kStumbleTo = 0.6;          // later it is on its way down: then contact is the ground
-constexpr double kLateAfter_s = 0.02;       // contact is felt a little after it is made
+constexpr double kStumbleFrom = 0.2;   // share of the swing: before, the foot may still be leaving
+constexpr double kStumbleTo = 0.6;     // later it is on its way down: then contact is the ground
+constexpr double kLateAfter_s = 0.02;  // contact is felt a little after it is made
+/// A swing that accelerates hard looks like contact for some 10 ms (docs/locomotion.md, "What is weak").
+constexpr double kStumbleFor_s = 0.02;
 constexpr double kClearance_m = 0.02;       // that a stumble adds to the lift
 constexpr double kClearanceRate_m_s = 0.2;  // so that the foot is not jerked
 
@@ -41,6 +43,7 @@ void LegStep::lift(const Eigen::Vector3d& foot_m) noexcept {
   in_swing_s_ = 0.0;
   extra_lift_m_ = 0.0;
   stumbled_ = false;
+  held_up_s_ = 0.0;
   gave_up_ = false;
   from_m_ = foot_m;
 }
@@ -89,7 +92,9 @@ void LegStep::swing(const StepPlan& plan, const Eigen::Vector3d& foothold_m) noe
 void LegStep::look(const StepPlan& plan, bool contact) noexcept {
   const double share = in_swing_s_ / plan.swing_s;
   if (phase_ == LegPhase::kSwing && share >= 1.0 - plan.gait->pre_stance) enter(LegPhase::kPreStance);
-  if (contact && share > kStumbleFrom && share < kStumbleTo && !stumbled_) {
+  const bool held_up = contact && share > kStumbleFrom && share < kStumbleTo;
+  held_up_s_ = held_up ? held_up_s_ + plan.dt_s : 0.0;
+  if (held_up_s_ >= kStumbleFor_s && !stumbled_) {
     note(LegEvent::kStumble);
     stumbled_ = true;
   }

@@ -64,6 +64,7 @@ class LegStep {
   double in_phase_s_ = 0.0;
   double in_swing_s_ = 0.0;
   double extra_lift_m_ = 0.0;  ///< as ramped since it stumbled
+  double held_up_s_ = 0.0;     ///< contact on the way up, so far
   bool stumbled_ = false;      ///< in this swing
   GaitControl control_ = GaitControl::kOwn;
   bool gave_up_ = false;

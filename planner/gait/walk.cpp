@@ -184,12 +184,14 @@ Eigen::Vector3d Walk::foothold_m(std::size_t leg) const noexcept {
   return out;
 }
 
-/// The estimator says so, or the foot carries so much that it can only stand: a slow touchdown is within what friction hides, and a
-/// foot that nobody believes to stand would push the robot over.
-bool Walk::touches(const EstimatedLeg& leg) const noexcept {
-  constexpr double kCertain = 0.35;  // of the weight: more than any swing was seen to feign (90 N of 294 N)
+/// The estimator says so, or a foot on its way down carries so much that it can only stand: a slow touchdown is within what friction
+/// hides, and a foot that nobody believes to stand would push the robot over. Not before: the quick part of a swing feigns as much.
+bool Walk::touches(std::size_t i, const EstimatedLeg& leg) const noexcept {
+  constexpr double kCertain =
+      0.35;  // of the weight: more than slow swings were seen to feign (90 N of 294 N)
+  if (leg.contact || steps_[i].phase() != LegPhase::kPreStance) return leg.contact;
   const Eigen::Vector3d force_N = view_.level_from_trunk * to_eigen(leg.foot_force_N);
-  return leg.contact || force_N.z() > kCertain * shape_.mass_kg * kGravity_m_s2;
+  return force_N.z() > kCertain * shape_.mass_kg * kGravity_m_s2;
 }
 
 void Walk::step_legs(const JointState& in, double dt_s) noexcept {
@@ -201,7 +203,7 @@ void Walk::step_legs(const JointState& in, double dt_s) noexcept {
                       clock_.swing_s(), body_m_s_, turning_rad_s_,   ground_z_m_};
   for (std::size_t i = 0; i < shape_.legs; ++i) {
     if (clock_.swings(i) && steps_[i].stands()) steps_[i].lift(view_.foot_m[i]);
-    if (!steps_[i].step(plan, view_.foot_m[i], foothold_m(i), touches(in.legs[i]))) continue;
+    if (!steps_[i].step(plan, view_.foot_m[i], foothold_m(i), touches(i, in.legs[i]))) continue;
     clock_.land(i);
     steps_[i].shift(pull_m(i));
     if (steps_[i].gave_up()) fail("a foot found no ground");

@@ -45,7 +45,7 @@ class Walk {
   void steer(double dt_s) noexcept;
   void lean(double dt_s) noexcept;
   void step_legs(const JointState& in, double dt_s) noexcept;
-  bool touches(const EstimatedLeg& leg) const noexcept;
+  bool touches(std::size_t i, const EstimatedLeg& leg) const noexcept;
   void look_for_slip(std::size_t leg) noexcept;
   void hold_height(double dt_s) noexcept;
   void share_weight() noexcept;

@@ -187,7 +187,7 @@ TEST_F(LegStepTest, ContactOnTheWayUpIsAStumbleAndLiftsTheFootHigherWithoutAJerk
   undisturbed.lift(kPlace_m);
   double higher_m = 0.0;
   for (double share = 0.0; share < 0.55; share += plan_.dt_s / plan_.swing_s) {
-    contact_ = share > 0.3 && share < 0.4;
+    contact_ = share > 0.21 && share < 0.4;
     cycle();
     undisturbed.step(plan_, undisturbed.wanted_m(), foothold_m_, false);
     const double now_m = leg_.wanted_m().z() - undisturbed.wanted_m().z();
@@ -198,6 +198,16 @@ TEST_F(LegStepTest, ContactOnTheWayUpIsAStumbleAndLiftsTheFootHigherWithoutAJerk
   EXPECT_GT(higher_m, 0.004);
   EXPECT_EQ(count(LegEvent::kStumble), 1);
   EXPECT_FALSE(leg_.stands());
+}
+
+TEST_F(LegStepTest, ContactThatPassesInTenMillisecondsIsWhatAQuickSwingFeigns) {
+  lift();
+  swing_to(0.3);
+  contact_ = true;
+  for (int k = 0; k < 5; ++k) cycle();
+  contact_ = false;
+  swing_to(0.55);
+  EXPECT_EQ(events(), 0);
 }
 
 TEST_F(LegStepTest, EverySwingThatStumblesIsCounted) {
