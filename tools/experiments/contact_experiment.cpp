@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "tools/experiments/jump_experiment.h"
+#include "tools/experiments/legged_trial.h"
 #include "tools/experiments/scripted_run.h"
 #include "tools/experiments/stepping_leg.h"
 #include "tools/inprocess/inprocess_robot.h"
@@ -72,22 +73,21 @@ Counts count(const std::vector<ContactStep>& steps) {
   return out;
 }
 
-/// One robot on the floor, scored leg by leg: a step begins where the planner lifts the foot.
-class WalkingRobot {
+/// All legs of a walking robot: a step begins where the planner lifts the foot.
+class WalkScorer {
  public:
-  WalkingRobot(const RobotConfig& robot, const std::string& preset, const SimOptions& sim)
-      : process_(robot, preset, sim), cycle_s_(robot.cycle_s), last_(robot.legs.size(), LegPhase::kIdle) {
-    for (std::size_t leg = 0; leg < robot.legs.size(); ++leg) scorers_.emplace_back(leg);
-    process_.boot();
-    run(kSettle_s);
+  explicit WalkScorer(std::size_t legs) : last_(legs, LegPhase::kIdle) {
+    for (std::size_t leg = 0; leg < legs; ++leg) scorers_.emplace_back(leg);
   }
 
-  void ask(OperatorCommand command, double then_s) {
-    command.request_id = ++requests_;
-    process_.submit(command);
-    run(then_s);
+  void add(const InProcessRobot& robot) {
+    for (std::size_t leg = 0; leg < scorers_.size(); ++leg) {
+      const LegPhase phase = robot.motion_state().legs[leg].phase;
+      if (phase == LegPhase::kSwing && last_[leg] != LegPhase::kSwing) scorers_[leg].begin_step();
+      last_[leg] = phase;
+      scorers_[leg].add(robot.joint_state(), robot.truth());
+    }
   }
-  MotionPhase state() const { return process_.motion_state().state; }
   std::vector<ContactStep> finish() {
     std::vector<ContactStep> steps;
     for (ContactScorer& scorer : scorers_) append(steps, scorer.finish());
@@ -95,35 +95,9 @@ class WalkingRobot {
   }
 
  private:
-  static constexpr double kSettle_s = 0.2;  // estimator and drives after booting
-
-  void run(double duration_s) {
-    for (long k = std::lround(duration_s / cycle_s_); k > 0; --k) cycle();
-  }
-  void cycle() {
-    process_.tick();
-    if (process_.sim().failed()) throw std::runtime_error(process_.sim().failure());
-    for (std::size_t leg = 0; leg < scorers_.size(); ++leg) {
-      const LegPhase phase = process_.motion_state().legs[leg].phase;
-      if (phase == LegPhase::kSwing && last_[leg] != LegPhase::kSwing) scorers_[leg].begin_step();
-      last_[leg] = phase;
-      scorers_[leg].add(process_.joint_state(), process_.truth());
-    }
-  }
-
-  InProcessRobot process_;
-  double cycle_s_;
   std::vector<ContactScorer> scorers_;
   std::vector<LegPhase> last_;
-  std::int64_t requests_ = 0;
 };
-
-int gait_index(const RobotConfig& robot, const std::string& gait) {
-  for (std::size_t i = 0; i < robot.gaits.size(); ++i) {
-    if (robot.gaits[i].name == gait) return static_cast<int>(i);
-  }
-  throw std::invalid_argument(robot.name + " has no gait '" + gait + "'");
-}
 
 }  // namespace
 
@@ -209,25 +183,18 @@ std::vector<ReportRow> contact_rows(const std::vector<ContactStep>& steps) {
 }
 
 std::vector<ContactStep> walking_contacts(const RobotConfig& robot, const WalkingContactRequest& request) {
-  constexpr double kHome_s = 1.0, kStand_s = 4.0;
-  OperatorCommand home, stand, walk;
+  OperatorCommand walk;
   walk.kind = OperatorKind::kWalk;
   walk.gait = gait_index(robot, request.gait);
   walk.walk_speed = {request.forward_m_s, 0.0, 0.0};
-  SimOptions lying = request.sim;
-  lying.plant["suspended"] = 0.0;
-  lying.plant["lying"] = 1.0;
-  WalkingRobot walking(robot, request.preset, lying);
-  home.kind = OperatorKind::kHome;
-  home.reference_source = ReferenceSource::kLink;
-  walking.ask(home, kHome_s);
-  stand.kind = OperatorKind::kStand;
-  walking.ask(stand, kStand_s);
-  if (walking.state() != MotionPhase::kStanding) throw std::runtime_error("the robot does not stand up");
-  walking.ask(walk, request.walking_s);
-  if (walking.state() != MotionPhase::kWalking)
+  LeggedTrial trial(robot, request.preset, lying(request.sim));
+  trial.stand_up();
+  trial.say(walk);
+  WalkScorer scorer(robot.legs.size());
+  trial.run(request.walking_s, [&](InProcessRobot& process) { scorer.add(process); });
+  if (trial.robot().motion_state().state != MotionPhase::kWalking)
     throw std::runtime_error("the robot does not walk to the end");
-  return walking.finish();
+  return scorer.finish();
 }
 
 std::vector<ReportRow> walking_contact_rows(const std::string& gait, const std::vector<ContactStep>& steps) {

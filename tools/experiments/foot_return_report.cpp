@@ -2,17 +2,13 @@
 
 #include <cmath>
 
+#include "tools/experiments/release_plots.h"
+
 namespace sprung {
 namespace {
 
+using report::hundredths;
 using report::Plot;
-using report::Series;
-using report::Style;
-
-constexpr double kDegrees = 180.0 / 3.14159265358979323846;
-
-/// For a table: the foot's true place is known to far more digits than anyone needs.
-double hundredths(double value) { return 0.01 * std::round(100.0 * value); }
 
 report::Table summary_table(const FootReturnResult& result) {
   report::Table out{"Where the foot stops after a release",
@@ -35,48 +31,16 @@ report::Table summary_table(const FootReturnResult& result) {
   return out;
 }
 
-/// Figs. 8 and 9 of S0: error of every pull.
-Plot error_plot(const FootReturnResult& result) {
-  Plot out{"Foot return error of every pull", {"pull, eight directions of five forces", ""}, {"error", "mm"}};
-  int colour = 0;
-  for (const FootReturnCaseResult& done : result.cases) {
-    Series series{done.config.name, {}, {}, Style::kPoints, colour++};
-    for (std::size_t i = 0; i < done.pulls.size(); ++i) {
-      series.x.push_back(static_cast<double>(i + 1));
-      series.y.push_back(done.pulls[i].error_mm);
-    }
-    out.series.push_back(series);
-  }
+/// Figs. 8 and 9 of S0 are made of these.
+std::vector<ReleasedFoot> released(const FootReturnResult& result) {
+  std::vector<ReleasedFoot> out;
+  for (const FootReturnCaseResult& done : result.cases)
+    out.push_back({done.config.name, done.pulls, &done.traces});
   return out;
 }
 
-/// The strongest pull of each direction, in the leg's plane.
-Plot path_plot(const FootReturnCaseResult& done) {
-  Plot out{"Path of the foot, " + done.config.name, {"forward", "mm"}, {"up", "mm"}};
-  out.equal_axes = true;
-  for (std::size_t i = 4; i < done.traces.size(); i += 5) {
-    const PullTrace& trace = done.traces[i];
-    Series series{
-        report::number_text(std::round(done.pulls[i].pull.direction_rad * kDegrees)) + " degrees", {}, {}};
-    for (const PlanePoint& foot : trace.foot_m) {
-      series.x.push_back(1e3 * foot.x_m);
-      series.y.push_back(1e3 * foot.z_m);
-    }
-    out.series.push_back(series);
-  }
-  return out;
-}
-
-Plot distance_plot(const FootReturnCaseResult& done) {
-  Plot out{"Distance from home, " + done.config.name, {"time from the release", "s"}, {"distance", "mm"}};
-  for (std::size_t i = 4; i < done.traces.size(); i += 5) {
-    Series series{report::number_text(std::round(done.pulls[i].pull.direction_rad * kDegrees)) + " degrees",
-                  done.traces[i].time_s,
-                  {}};
-    for (const PlanePoint& foot : done.traces[i].foot_m)
-      series.y.push_back(1e3 * std::hypot(foot.x_m, foot.z_m));
-    out.series.push_back(series);
-  }
+Plot distance_plot(const ReleasedFoot& foot) {
+  Plot out = release_distance_plot(foot, "time from the release");
   out.shades = {{-foot_return::kGrow_s - foot_return::kHold_s, -foot_return::kHold_s, "force grows"},
                 {-foot_return::kHold_s, 0.0, "held"}};
   return out;
@@ -95,11 +59,12 @@ report::Section foot_return_section(const FootReturnResult& result) {
       "changes by more than "
       "1 Nm, later than 1.5 s after the release."};
   out.tables = {summary_table(result)};
-  out.plots = {error_plot(result)};
-  for (const FootReturnCaseResult& done : result.cases) {
-    if (done.config.friction_scale != 1.0) continue;
-    out.plots.push_back(path_plot(done));
-    out.plots.push_back(distance_plot(done));
+  const std::vector<ReleasedFoot> feet = released(result);
+  out.plots = {release_error_plot(feet, "pull, eight directions of five forces")};
+  for (std::size_t i = 0; i < feet.size(); ++i) {
+    if (result.cases[i].config.friction_scale != 1.0) continue;
+    out.plots.push_back(release_path_plot(feet[i]));
+    out.plots.push_back(distance_plot(feet[i]));
   }
   return out;
 }

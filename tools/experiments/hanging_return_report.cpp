@@ -1,21 +1,11 @@
 #include "tools/experiments/hanging_return_report.h"
 
-#include <cmath>
+#include "tools/experiments/release_plots.h"
 
 namespace sprung {
 namespace {
 
-using report::Plot;
-using report::Series;
-using report::Style;
-
-constexpr double kDegrees = 180.0 / 3.14159265358979323846;
-
-double hundredths(double value) { return 0.01 * std::round(100.0 * value); }
-
-std::string direction_name(const HangingPull& pull) {
-  return report::number_text(std::round(pull.hand.direction_rad * kDegrees)) + " degrees";
-}
+using report::hundredths;
 
 report::Table summary_table(const HangingReturnResult& result) {
   report::Table out{"Where the foot stops after the hand has let go",
@@ -40,44 +30,11 @@ report::Table summary_table(const HangingReturnResult& result) {
   return out;
 }
 
-Plot error_plot(const HangingReturnResult& result) {
-  Plot out{"Foot return error of every pull", {"pull, eight directions of five ways", ""}, {"error", "mm"}};
-  int colour = 0;
+std::vector<ReleasedFoot> released(const HangingReturnResult& result) {
+  std::vector<ReleasedFoot> out;
   for (const HangingCaseResult& done : result.cases) {
-    Series series{done.config.name, {}, {}, Style::kPoints, colour++};
-    for (std::size_t i = 0; i < done.pulls.size(); ++i) {
-      series.x.push_back(static_cast<double>(i + 1));
-      series.y.push_back(done.pulls[i].result.error_mm);
-    }
-    out.series.push_back(series);
-  }
-  return out;
-}
-
-/// The longest pull of each direction.
-Plot path_plot(const HangingCaseResult& done) {
-  Plot out{"Path of the foot, " + done.config.name, {"forward", "mm"}, {"up", "mm"}};
-  out.equal_axes = true;
-  for (std::size_t i = 4; i < done.traces.size(); i += 5) {
-    Series series{direction_name(done.pulls[i]), {}, {}};
-    for (const PlanePoint& foot : done.traces[i].foot_m) {
-      series.x.push_back(1e3 * foot.x_m);
-      series.y.push_back(1e3 * foot.z_m);
-    }
-    out.series.push_back(series);
-  }
-  return out;
-}
-
-Plot distance_plot(const HangingCaseResult& done) {
-  Plot out{"Distance from home, " + done.config.name,
-           {"time from when the hand has let go", "s"},
-           {"distance", "mm"}};
-  for (std::size_t i = 4; i < done.traces.size(); i += 5) {
-    Series series{direction_name(done.pulls[i]), done.traces[i].time_s, {}};
-    for (const PlanePoint& foot : done.traces[i].foot_m)
-      series.y.push_back(1e3 * std::hypot(foot.x_m, foot.z_m));
-    out.series.push_back(series);
+    out.push_back({done.config.name, {}, &done.traces});
+    for (const HangingPull& pull : done.pulls) out.back().pulls.push_back(pull.result);
   }
   return out;
 }
@@ -96,10 +53,11 @@ report::Section hanging_return_section(const HangingReturnResult& result) {
       "moves by more than 0.2 mm, or a commanded torque that changes by more than 1 Nm, later than 1.5 s "
       "after the hand has gone."};
   out.tables = {summary_table(result)};
-  out.plots = {error_plot(result)};
-  for (const HangingCaseResult& done : result.cases) {
-    out.plots.push_back(path_plot(done));
-    out.plots.push_back(distance_plot(done));
+  const std::vector<ReleasedFoot> feet = released(result);
+  out.plots = {release_error_plot(feet, "pull, eight directions of five ways")};
+  for (const ReleasedFoot& foot : feet) {
+    out.plots.push_back(release_path_plot(foot));
+    out.plots.push_back(release_distance_plot(foot, "time from when the hand has let go"));
   }
   return out;
 }

@@ -65,6 +65,12 @@ void LeggedTrial::check() const {
     throw std::runtime_error(std::string("the robot has left its feet: ") + motion.last_transition);
 }
 
+SimOptions lying(SimOptions sim) {
+  sim.plant["suspended"] = 0.0;
+  sim.plant["lying"] = 1.0;
+  return sim;
+}
+
 int gait_index(const RobotConfig& robot, const std::string& name) {
   for (std::size_t i = 0; i < robot.gaits.size(); ++i)
     if (robot.gaits[i].name == name) return static_cast<int>(i);

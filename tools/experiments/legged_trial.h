@@ -37,6 +37,9 @@ class LeggedTrial {
   InProcessRobot robot_;
 };
 
+/// A plant whose trunk lies on the floor, free: where a walking robot begins.
+SimOptions lying(SimOptions sim);
+
 /// Index of the gait of this name. @throws std::invalid_argument where the robot has none.
 int gait_index(const RobotConfig& robot, const std::string& name);
 

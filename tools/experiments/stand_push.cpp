@@ -57,11 +57,9 @@ struct Timed {
   double simulated_s = 0.0;
 };
 
-Timed run_push(const RobotConfig& robot, const std::string& preset, SimOptions sim, const TrunkPush& push,
-               bool compliant) {
-  sim.plant["suspended"] = 0.0;
-  sim.plant["lying"] = 1.0;
-  LeggedTrial trial(robot, preset, sim);
+Timed run_push(const RobotConfig& robot, const std::string& preset, const SimOptions& sim,
+               const TrunkPush& push, bool compliant) {
+  LeggedTrial trial(robot, preset, lying(sim));
   trial.stand_up();
   if (compliant) stand_on_springs(trial, robot);
   trial.run(kSettle_s);

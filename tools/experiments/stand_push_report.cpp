@@ -6,11 +6,10 @@
 namespace sprung {
 namespace {
 
+using report::hundredths;
 using report::Plot;
 using report::Series;
 using report::Style;
-
-double hundredths(double value) { return 0.01 * std::round(100.0 * value); }
 
 report::Table summary_table(const StandPushResult& result) {
   report::Table out{"Peak torque of hip and knee above the static torque",

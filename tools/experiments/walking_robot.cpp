@@ -43,10 +43,4 @@ void WalkingRobot::run(double duration_s, const OnCycle& on_cycle) {
   }
 }
 
-SimOptions lying(SimOptions sim) {
-  sim.plant["suspended"] = 0.0;
-  sim.plant["lying"] = 1.0;
-  return sim;
-}
-
 }  // namespace sprung

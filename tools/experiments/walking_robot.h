@@ -39,7 +39,4 @@ class WalkingRobot {
   std::string last_refusal_;
 };
 
-/// A plant whose trunk lies on the floor, free: where a walking robot begins.
-SimOptions lying(SimOptions sim);
-
 }  // namespace sprung

@@ -13,6 +13,8 @@ namespace {
 constexpr std::size_t kLongestUnit = 5;  ///< " Nm/s"
 }  // namespace
 
+double hundredths(double value) { return 0.01 * std::round(100.0 * value); }
+
 std::string number_text(double value) {
   if (!std::isfinite(value)) return "-";
   char text[32];

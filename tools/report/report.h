@@ -11,6 +11,8 @@ namespace sprung::report {
 
 /// Five significant digits, as tables show numbers; "-" where it is not finite.
 std::string number_text(double value);
+/// For tables of what is known to more digits than anyone needs.
+double hundredths(double value);
 
 enum class Mark { kPlain, kGood, kBad };  ///< kGood and kBad are shown by colour and by a sign
 
