@@ -16,4 +16,6 @@ inline constexpr const char* kSimControl = "SIM_CONTROL";
 inline constexpr const char* kSimTruth = "SIM_TRUTH";
 inline constexpr const char* kImu = "IMU";
 inline constexpr const char* kTorqueSensor = "TORQUE_SENSOR";
+inline constexpr const char* kLogMetadata = "LOG_METADATA";
+inline constexpr const char* kLogEnd = "LOG_END";
 }  // namespace sprung::channels

@@ -211,11 +211,19 @@ struct PresetConfig {
   bool jumps() const noexcept { return jump_curve.height_m > 0.0; }
 };
 
+/// What `sprung up` does when a process ends by itself.
+enum class RestartPolicy {
+  kNever,          ///< names it; the robot's own safety acts
+  kWithoutTorque,  ///< starts it again as soon as the bridge says that no drive has torque; in real time only
+};
+
 /// A process that `sprung up` starts, in order; real-time priority 0 = none, cpu -1 = any.
 struct ProcessConfig {
   std::string program;
   int priority = 0;
   int cpu = -1;
+  RestartPolicy restart = RestartPolicy::kNever;
+  std::string host;  ///< `sprung up --host` of that name starts it; empty = the host that has the bridge
 };
 
 struct RobotConfig {

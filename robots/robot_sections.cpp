@@ -219,11 +219,24 @@ WatchdogConfig read_watchdogs(const YamlMap& map) {
   return w;
 }
 
+namespace {
+
+RestartPolicy read_restart_policy(const YamlMap& map) {
+  const std::string text = map.text("restart");
+  if (text == "never") return RestartPolicy::kNever;
+  if (text != "without_torque") map.fail("restart", "'" + text + "' is neither never nor without_torque");
+  return RestartPolicy::kWithoutTorque;
+}
+
+}  // namespace
+
 ProcessConfig read_process(const YamlMap& map) {
   ProcessConfig process;
   process.program = map.text("program");
   process.priority = static_cast<int>(map.integer("priority", 0, 98));
   process.cpu = static_cast<int>(map.integer("cpu", -1, 1023));
+  if (map.has("restart")) process.restart = read_restart_policy(map);
+  if (map.has("host")) process.host = map.text("host");
   map.finish();
   return process;
 }

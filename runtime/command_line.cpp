@@ -5,7 +5,10 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <iostream>
+#include <map>
 #include <utility>
+
+#include "runtime/command_info.h"
 
 namespace sprung {
 
@@ -14,6 +17,8 @@ struct CommandLine::Impl {
   CLI::App* app = nullptr;
   std::vector<std::unique_ptr<CommandLine>> children;
   std::function<int()> action;
+  std::string example;
+  std::map<std::string, std::vector<std::string>> allowed;  ///< by name of option
 
   template <class T>
   CLI::Option* add(const std::string& name, T& value, const std::string& help, Need need) {
@@ -56,6 +61,7 @@ CommandLine::~CommandLine() = default;
 CommandLine& CommandLine::subcommand(const std::string& name, const std::string& description) {
   auto child = std::make_unique<Impl>();
   child->app = impl_->app->add_subcommand(name, description);
+  child->app->footer("");  // CLI11 hands the parent's example down
   impl_->app->require_subcommand(1);
   impl_->children.push_back(std::unique_ptr<CommandLine>(new CommandLine(std::move(child))));
   return *impl_->children.back();
@@ -98,15 +104,33 @@ void CommandLine::option(const std::string& name, std::array<double, 2>& value, 
 void CommandLine::choice(const std::string& name, std::string& value, const std::vector<std::string>& allowed,
                          const std::string& help, Need need) {
   impl_->add(name, value, help, need)->check(CLI::IsMember(allowed));
+  impl_->allowed[name] = allowed;
 }
 
 void CommandLine::flag(const std::string& name, bool& value, const std::string& help) {
   impl_->app->add_flag(name, value, help);
 }
 
-void CommandLine::example(const std::string& text) { impl_->app->footer("Example:\n  " + text); }
+void CommandLine::example(const std::string& text) {
+  impl_->example = text;
+  impl_->app->footer("Example:\n  " + text);
+}
 
 void CommandLine::action(std::function<int()> action) { impl_->action = std::move(action); }
+
+CommandInfo CommandLine::info() const {
+  CommandInfo info{impl_->app->get_name(), impl_->app->get_description(), impl_->example, {}, {}};
+  for (const CLI::Option* option : impl_->app->get_options()) {
+    OptionInfo about{option->get_name(false, true), option->get_description(), option->get_default_str(), {},
+                     option->get_expected_max() == 0, option->get_positional(), option->get_required(),
+                     option->get_items_expected_max() > 1};
+    const auto found = impl_->allowed.find(about.name);
+    if (found != impl_->allowed.end()) about.allowed = found->second;
+    info.options.push_back(std::move(about));
+  }
+  for (const auto& child : impl_->children) info.subcommands.push_back(child->info());
+  return info;
+}
 
 int CommandLine::run(int argc, const char* const* argv) {
   try {

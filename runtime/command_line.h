@@ -29,6 +29,8 @@ struct WrongUse : std::runtime_error {
 
 enum class Need { kOptional, kRequired };
 
+struct CommandInfo;
+
 class CommandLine {
  public:
   CommandLine(const std::string& program, const std::string& description);
@@ -61,8 +63,11 @@ class CommandLine {
               const std::string& help, Need need = Need::kOptional);
   void flag(const std::string& name, bool& value, const std::string& help);
 
-  void example(const std::string& text);     ///< shown below --help
+  void example(const std::string& text);     ///< shown below --help; every command has one
   void action(std::function<int()> action);  ///< what run() calls when this command was chosen
+
+  /// Itself and all below it: what completion, man page and tests are made from.
+  CommandInfo info() const;
 
   /// Parses, runs the chosen action and returns the exit status. WrongUse gives 2, any other std::exception
   /// 1, with its text on standard error. Prints help or version and returns 0 where asked.

@@ -124,7 +124,7 @@ MessageLayout layout_of<sprung_msgs::safety_state_t>() {
 }
 template <>
 MessageLayout layout_of<sprung_msgs::process_status_t>() {
-  return without_counts<sprung_msgs::process_status_t>(7);
+  return without_counts<sprung_msgs::process_status_t>(8);
 }
 
 std::int64_t read_int64(const std::uint8_t* data, std::size_t offset) noexcept {

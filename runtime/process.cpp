@@ -10,6 +10,7 @@
 #include "robots/robot_loader.h"
 #include "runtime/log.h"
 #include "runtime/stop_request.h"
+#include "runtime/types_hash.h"
 
 namespace sprung {
 namespace {
@@ -48,7 +49,9 @@ Process::Process(const ProgramInfo& info, const ProcessOptions& options, const R
       publisher_(node_.publisher<ProcessStatus>(channels::kProcessStatus)) {
   status_.pid = getpid();
   status_.configuration_hash = configuration_hash(robot, options.preset);
+  status_.types_hash = types_hash();
   status_.process = info.program;
+  status_.host = host_name();
   status_.version = SPRUNG_VERSION;
   status_.git_hash = SPRUNG_GIT_HASH;
   status_.robot = robot.name;
@@ -70,6 +73,8 @@ void Process::publish_status() {
   status_.utc_offset_us = node_.clock().utc_offset_us();
   status_.cycles = statistics_.cycles();
   status_.loop = statistics_.summarize();
+  status_.cpu_share = cpu_meter_.cpu_share();
+  status_.memory_kB = resident_kB();
   const std::int64_t refused = node_.refused_messages();
   if (refused != status_.refused_messages) status_.detail = node_.last_refusal();  // old ones hide nothing
   status_.refused_messages = refused;

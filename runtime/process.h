@@ -15,6 +15,7 @@
 #include "runtime/node.h"
 #include "runtime/process_options.h"
 #include "runtime/process_status.h"
+#include "runtime/resource_use.h"
 
 namespace sprung {
 
@@ -48,6 +49,7 @@ class Process {
   const RobotConfig robot_;
   Node node_;
   LoopStatistics statistics_;
+  CpuMeter cpu_meter_;
   ProcessStatus status_;
   Publisher<ProcessStatus> publisher_;
   StatusSchedule schedule_;

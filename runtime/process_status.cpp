@@ -20,7 +20,11 @@ const auto kProcessStatus = [](auto& way, auto& m, auto& s) {
   way(m.compute_us, s.loop.compute_median_us);
   way(m.compute_max_us, s.loop.compute_max_us);
   way(m.input_age_us, s.input_age_us);
+  way(m.types_hash, s.types_hash);
+  way(m.cpu_share, s.cpu_share);
+  way(m.memory_kB, s.memory_kB);
   way(m.process, s.process);
+  way(m.host, s.host);
   way(m.version, s.version);
   way(m.git_hash, s.git_hash);
   way(m.robot, s.robot);

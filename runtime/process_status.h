@@ -22,7 +22,11 @@ struct ProcessStatus {
   std::int64_t sequence_gaps = 0;
   LoopSummary loop;            ///< periods, compute times, overruns
   double input_age_us = kNaN;  ///< of the newest input, at use
+  std::int64_t types_hash = 0;
+  double cpu_share = 0.0;      ///< of one core since the last status, all threads
+  std::int64_t memory_kB = 0;  ///< resident
   std::string process;
+  std::string host;
   std::string version;
   std::string git_hash;
   std::string robot;

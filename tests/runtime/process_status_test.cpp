@@ -24,7 +24,11 @@ TEST(ProcessStatus, SurvivesBitForBit) {
   message.compute_us = 21.5;
   message.compute_max_us = 22.5;
   message.input_age_us = kNaN;
+  message.types_hash = -23;
+  message.cpu_share = 0.25;
+  message.memory_kB = 26;
   message.process = "a";
+  message.host = "h";
   message.version = "b";
   message.git_hash = "c";
   message.robot = "d";
