@@ -90,6 +90,7 @@ const auto kJointState = [](auto& way, auto& m, auto& s) {
   way.elements(m.n_legs, m.legs, s.legs, kEstimatedLeg);
   way(m.safety, s.safety);
   way(m.used_drive_state_seq, s.used_drive_state_seq);
+  way(m.used_imu_seq, s.used_imu_seq);
 };
 
 const auto kDesiredLeg = [](auto& way, auto& m, auto& s) {

@@ -103,6 +103,7 @@ struct JointState {
   std::vector<EstimatedLeg> legs;
   SafetyLevel safety = SafetyLevel::kDisabled;
   std::int64_t used_drive_state_seq = -1;
+  std::int64_t used_imu_seq = -1;  ///< newest that had come; -1 = none yet, or a robot without body.imu
   JointState() = default;
   JointState(std::size_t joint_count, std::size_t leg_count) : joints(joint_count), legs(leg_count) {}
 };

@@ -110,6 +110,29 @@ TEST_F(EstimatorCoreTest, CarriesStampAndSafety) {
   EXPECT_EQ(out_.safety, SafetyLevel::kQuickStop);
 }
 
+/// A replay must give the estimator the sample that it had.
+TEST(EstimatorCoreWithImu, SaysWhichSampleItUsed) {
+  const RobotConfig robot = load_robot("pegasus");
+  EstimatorCore core(robot);
+  DriveState in(robot.actuators.size());
+  JointState out(robot.joints.size(), robot.legs.size());
+  in.stamp = {2000, 7};
+  core.step(in, out);
+  EXPECT_EQ(out.used_imu_seq, -1);
+  Imu imu;
+  imu.stamp = {2000, 5};
+  in.stamp = {4000, 8};
+  core.step(in, out, &imu);
+  EXPECT_EQ(out.used_imu_seq, 5);
+}
+
+TEST_F(EstimatorCoreTest, RobotWithoutAnImuUsesNoSample) {
+  Imu imu;
+  imu.stamp = {2000, 1};
+  core_.step(drives_, out_, &imu);
+  EXPECT_EQ(out_.used_imu_seq, -1);
+}
+
 TEST_F(EstimatorCoreTest, OneSilentDriveLeavesTheForceUnknownAndTheOtherJointKnown) {
   cycles(50);
   drives_.actuators[1].measured_current_A = kNaN;
