@@ -57,5 +57,26 @@ TEST(ChildProcess, HasItsOwnProcessGroup) {
   child.stop(1.0);
 }
 
+TEST(ChildProcess, CapturedOutputComesInOrderAndIsThereAfterTheEnd) {
+  ChildProcess child("/bin/sh", {"-c", "echo one; echo two >&2; printf three"}, Output::kCaptured);
+  EXPECT_EQ(wait_for(child), 0);
+  EXPECT_EQ(child.output(), "one\ntwo\nthree");
+  EXPECT_EQ(child.output(), "");
+}
+
+TEST(ChildProcess, ChildNeverWaitsForALauncherThatDoesNotRead) {
+  ChildProcess child("/bin/sh", {"-c", "head -c 8000000 /dev/zero 2>/dev/null; exit 5"}, Output::kCaptured);
+  EXPECT_EQ(wait_for(child), 5);
+  const std::size_t kept = child.output().size();
+  EXPECT_GT(kept, 1000u);
+  EXPECT_LT(kept, 8'000'000u);
+}
+
+TEST(ChildProcess, WithoutCaptureThereIsNoOutput) {
+  ChildProcess child("/bin/true", {});
+  wait_for(child);
+  EXPECT_EQ(child.output(), "");
+}
+
 }  // namespace
 }  // namespace sprung

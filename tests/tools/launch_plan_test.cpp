@@ -88,5 +88,53 @@ TEST_F(LaunchPlan, UnknownPresetIsRefused) {
   EXPECT_THROW(plan(), std::invalid_argument);
 }
 
+class LaunchPlanOfTwoHosts : public LaunchPlan {
+ protected:
+  void SetUp() override {
+    for (ProcessConfig& process : robot_.processes) {
+      if (process.program == "sprung-motion-planner") process.host = "trunk";
+    }
+    request_.simulation = true;
+  }
+};
+
+TEST_F(LaunchPlanOfTwoHosts, EachHostStartsItsOwn) {
+  const auto lead = plan();
+  EXPECT_EQ(lead.size(), robot_.processes.size());  // simulated drives more, planner less
+  EXPECT_THROW(process(lead, "sprung-motion-planner"), std::out_of_range);
+  EXPECT_TRUE(leads(request_, robot_));
+  request_.host = "trunk";
+  const auto trunk = plan();
+  ASSERT_EQ(trunk.size(), 1u);
+  EXPECT_EQ(trunk[0].program, "sprung-motion-planner");
+  EXPECT_FALSE(leads(request_, robot_));
+}
+
+TEST_F(LaunchPlanOfTwoHosts, EachKnowsWhatItWaitsFor) {
+  const auto remote = remote_processes(request_, robot_);
+  ASSERT_EQ(remote.size(), 1u);
+  EXPECT_EQ(remote[0].program, "sprung-motion-planner");
+  EXPECT_EQ(remote[0].host, "trunk");
+  request_.host = "trunk";
+  EXPECT_EQ(remote_processes(request_, robot_).size(), robot_.processes.size() - 1);
+}
+
+TEST_F(LaunchPlanOfTwoHosts, UnknownHostIsRefusedAndTheKnownAreNamed) {
+  request_.host = "tail";
+  EXPECT_THAT([&] { plan(); }, testing::ThrowsMessage<std::invalid_argument>(
+                                   testing::AllOf(HasSubstr("'tail'"), HasSubstr("trunk"))));
+}
+
+TEST_F(LaunchPlanOfTwoHosts, WhereAllHaveHostsOneMustBeNamed) {
+  for (ProcessConfig& process : robot_.processes) process.host = "trunk";
+  EXPECT_THAT([&] { plan(); }, testing::ThrowsMessage<std::invalid_argument>(HasSubstr("--host")));
+}
+
+TEST_F(LaunchPlan, RestartPolicyComesFromTheRobotFile) {
+  robot_.processes[0].restart = RestartPolicy::kWithoutTorque;
+  EXPECT_EQ(process(plan(), robot_.processes[0].program).restart, RestartPolicy::kWithoutTorque);
+  EXPECT_EQ(plan().back().restart, RestartPolicy::kNever);
+}
+
 }  // namespace
 }  // namespace sprung

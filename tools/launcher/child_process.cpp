@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
@@ -19,10 +20,26 @@ namespace sprung {
 
 namespace {
 
+constexpr int kPipeBytes = 1 << 20;  // some seconds of a talkative process, should the launcher stall
+
+/// Both ends without waiting: {read, write}, or {-1, -1} where nothing is captured.
+std::array<int, 2> output_pipe(Output output) {
+  std::array<int, 2> ends{-1, -1};
+  if (output == Output::kInherited) return ends;
+  if (pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) != 0)
+    throw std::runtime_error(std::string("no pipe: ") + std::strerror(errno));
+  fcntl(ends[1], F_SETPIPE_SZ, kPipeBytes);  // refused where the user has too many: then it is smaller
+  return ends;
+}
+
 /// In the child: never returns. Reports errno through `report` when the program cannot be started.
-[[noreturn]] void become(char* const* argv, pid_t launcher, int report) {
+[[noreturn]] void become(char* const* argv, pid_t launcher, int report, int output) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGTERM);
+  if (output >= 0) {
+    dup2(output, STDOUT_FILENO);
+    dup2(output, STDERR_FILENO);
+  }
   if (getppid() == launcher) {  // else the launcher died before the line above took hold
     execv(argv[0], argv);
     const int error = errno;
@@ -33,7 +50,8 @@ namespace {
 
 }  // namespace
 
-ChildProcess::ChildProcess(const std::string& path, const std::vector<std::string>& arguments) {
+ChildProcess::ChildProcess(const std::string& path, const std::vector<std::string>& arguments,
+                           Output output) {
   std::vector<char*> argv{const_cast<char*>(path.c_str())};
   for (const std::string& argument : arguments) {
     argv.push_back(const_cast<char*>(argument.c_str()));
@@ -43,12 +61,15 @@ ChildProcess::ChildProcess(const std::string& path, const std::vector<std::strin
   if (pipe2(report, O_CLOEXEC) != 0) {
     throw std::runtime_error(std::string("no pipe: ") + std::strerror(errno));
   }
+  const std::array<int, 2> captured = output_pipe(output);
+  output_fd_ = captured[0];
   const pid_t launcher = getpid();
   pid_ = fork();
   if (pid_ == 0) {
-    become(argv.data(), launcher, report[1]);
+    become(argv.data(), launcher, report[1], captured[1]);
   }
   close(report[1]);
+  if (captured[1] >= 0) close(captured[1]);
   int error = pid_ < 0 ? errno : 0;
   [[maybe_unused]] const ssize_t got = pid_ < 0 ? 0 : read(report[0], &error, sizeof error);
   close(report[0]);
@@ -56,8 +77,24 @@ ChildProcess::ChildProcess(const std::string& path, const std::vector<std::strin
     if (pid_ > 0) {
       waitpid(pid_, nullptr, 0);
     }
+    if (output_fd_ >= 0) close(output_fd_);
     throw std::runtime_error("cannot start " + path + ": " + std::strerror(error));
   }
+}
+
+ChildProcess::~ChildProcess() {
+  if (output_fd_ >= 0) close(output_fd_);
+}
+
+std::string ChildProcess::output() {
+  std::string text;
+  std::array<char, 4096> part;
+  while (output_fd_ >= 0) {
+    const ssize_t got = read(output_fd_, part.data(), part.size());
+    if (got <= 0) break;
+    text.append(part.data(), static_cast<std::size_t>(got));
+  }
+  return text;
 }
 
 std::optional<int> ChildProcess::ended() {

@@ -9,10 +9,21 @@
 
 namespace sprung {
 
+/// Where standard output and error of a child go.
+enum class Output {
+  kInherited,
+  /// Into a pipe that output() empties. What does not fit is lost: a control loop never waits for its launcher.
+  kCaptured,
+};
+
 class ChildProcess {
  public:
   /// @throws std::runtime_error when the program cannot be started, naming it.
-  ChildProcess(const std::string& path, const std::vector<std::string>& arguments);
+  ChildProcess(const std::string& path, const std::vector<std::string>& arguments,
+               Output output = Output::kInherited);
+  ~ChildProcess();  ///< of the handle; the process itself is not touched
+  ChildProcess(const ChildProcess&) = delete;
+  ChildProcess& operator=(const ChildProcess&) = delete;
 
   pid_t pid() const { return pid_; }
   /// Exit status when it has ended: 0..255, or 128 + signal; nullopt while it runs.
@@ -20,8 +31,11 @@ class ChildProcess {
   void signal(int number);
   /// SIGTERM, wait, SIGKILL after patience_s. @return exit status as in ended().
   int stop(double patience_s);
+  /// What a captured child has written since the last call; never waits.
+  std::string output();
 
  private:
+  int output_fd_ = -1;
   pid_t pid_ = -1;
   std::optional<int> status_;
 };

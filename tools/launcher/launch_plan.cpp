@@ -7,7 +7,6 @@ namespace sprung {
 
 namespace {
 
-constexpr const char* kBridge = "sprung-can-bridge";
 constexpr const char* kSimDrives = "sprung-sim-drives";
 
 void add_each(std::vector<std::string>& arguments, const std::string& option,
@@ -30,7 +29,7 @@ void add_injections(PlannedProcess& process, const LaunchRequest& request) {
 
 PlannedProcess plan_process(const ProcessConfig& config, const LaunchRequest& request,
                             const RobotConfig& robot, std::int64_t session, std::int64_t epoch_us) {
-  PlannedProcess process{config.program, {}};
+  PlannedProcess process{config.program, {}, config.restart};
   process.arguments = {"--robot",     robot.folder,
                        "--preset",    request.preset,
                        "--session",   std::to_string(session),
@@ -62,6 +61,23 @@ void add_simulation_options(PlannedProcess& sim, const LaunchRequest& request) {
   }
 }
 
+bool is_here(const ProcessConfig& process, const LaunchRequest& request) {
+  return process.host == request.host;
+}
+
+void refuse_unknown_host(const LaunchRequest& request, const RobotConfig& robot) {
+  std::string known;
+  for (const ProcessConfig& process : robot.processes) {
+    if (is_here(process, request)) return;
+    const std::string host = process.host.empty() ? "none (leave out --host)" : process.host;
+    if (known.find(host) == std::string::npos) known += (known.empty() ? "" : ", ") + host;
+  }
+  throw std::invalid_argument(
+      request.host.empty()
+          ? "every process of robot " + robot.name + " has a host: add --host, one of " + known
+          : "robot " + robot.name + " gives no process to host '" + request.host + "'; its hosts: " + known);
+}
+
 void refuse_contradictions(const LaunchRequest& request, const RobotConfig& robot) {
   (void)robot.preset(request.preset);
   if (request.clock == "lockstep" && !request.simulation) {
@@ -70,10 +86,12 @@ void refuse_contradictions(const LaunchRequest& request, const RobotConfig& robo
   if (!request.simulation && (!request.plant.empty() || request.seed != 1)) {
     throw std::invalid_argument("--plant and --seed are the simulation's: add --sim");
   }
-  const auto is_bridge = [](const ProcessConfig& process) { return process.program == kBridge; };
+  const auto is_bridge = [](const ProcessConfig& process) { return process.program == kBridgeProgram; };
   if (!std::any_of(robot.processes.begin(), robot.processes.end(), is_bridge)) {
-    throw std::invalid_argument("robot " + robot.name + " lists no " + kBridge + " among its processes");
+    throw std::invalid_argument("robot " + robot.name + " lists no " + kBridgeProgram +
+                                " among its processes");
   }
+  refuse_unknown_host(request, robot);
 }
 
 }  // namespace
@@ -89,7 +107,7 @@ std::vector<PlannedProcess> plan_processes(const LaunchRequest& request, const R
   for (const ProcessConfig& config : robot.processes) {
     plan.push_back(plan_process(config, request, robot, session, epoch_us));
   }
-  const auto others_first = [](const PlannedProcess& process) { return process.program != kBridge; };
+  const auto others_first = [](const PlannedProcess& process) { return process.program != kBridgeProgram; };
   const auto bridge = std::stable_partition(plan.begin(), plan.end(), others_first);
   add_bridge_options(*bridge, request);
   return plan;

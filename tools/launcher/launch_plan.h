@@ -27,17 +27,31 @@ struct LaunchRequest {
   double patience_s = 10.0;  ///< for each process to become ready, and for the drives to become operational
   std::int64_t cycles = 0;   ///< the bridge ends after that many, 0 = never
   std::string log_folder;    ///< empty = no recording
+  std::string host;          ///< starts what robot.yaml gives to this host; empty = what it gives to none
   std::string instance = "default";
 };
 
 struct PlannedProcess {
   std::string program;
   std::vector<std::string> arguments;
+  RestartPolicy restart = RestartPolicy::kNever;
 };
 
-/// In order of start; the bridge comes last. @throws std::invalid_argument where the request contradicts
-/// itself.
+inline constexpr const char* kBridgeProgram = "sprung-can-bridge";
+
+/// In order of start, those of this host alone; the bridge, where it is one of them, comes last.
+/// @throws std::invalid_argument where the request contradicts itself.
 std::vector<PlannedProcess> plan_processes(const LaunchRequest& request, const RobotConfig& robot,
                                            std::int64_t session, std::int64_t epoch_us);
+
+/// A process that another host's `sprung up` starts.
+struct RemoteProcess {
+  std::string program;
+  std::string host;  ///< empty = the host that has the bridge
+};
+std::vector<RemoteProcess> remote_processes(const LaunchRequest& request, const RobotConfig& robot);
+
+/// Whether this launcher starts the bridge. It gives session and time to the launchers of other hosts.
+bool leads(const LaunchRequest& request, const RobotConfig& robot);
 
 }  // namespace sprung

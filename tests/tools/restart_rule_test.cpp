@@ -1,0 +1,61 @@
+#include "tools/launcher/restart_rule.h"
+
+#include <gtest/gtest.h>
+
+namespace sprung {
+namespace {
+
+constexpr std::int64_t kEnd_us = 10'000'000;
+constexpr std::int64_t kLater_us = kEnd_us + 2'000'000;
+const SafetyHeard kOff{SafetyLevel::kDisabled, kLater_us};
+
+EndedProcess planner() { return {RestartPolicy::kWithoutTorque, false, false, 0, kEnd_us}; }
+
+TEST(RestartRule, WithoutTorqueItIsDue) { EXPECT_TRUE(RestartRule::due(planner(), kOff, kLater_us)); }
+
+TEST(RestartRule, NotWhileAnyDriveMayHaveTorque) {
+  for (const auto level : {SafetyLevel::kOperational, SafetyLevel::kDamping, SafetyLevel::kQuickStop}) {
+    EXPECT_FALSE(RestartRule::due(planner(), SafetyHeard{level, kLater_us}, kLater_us));
+  }
+}
+
+TEST(RestartRule, SilentBridgeIsNoProof) {
+  EXPECT_FALSE(RestartRule::due(planner(), std::nullopt, kLater_us));
+  EXPECT_FALSE(RestartRule::due(planner(), kOff, kLater_us + RestartRule::kFresh_us + 1));
+}
+
+TEST(RestartRule, WhatTheBridgeSaidBeforeTheEndIsNoProof) {
+  const SafetyHeard before{SafetyLevel::kDisabled, kEnd_us + RestartRule::kSettle_us - 1};
+  EXPECT_FALSE(RestartRule::due(planner(), before, kEnd_us + RestartRule::kSettle_us));
+}
+
+TEST(RestartRule, NeverMeansNever) {
+  EndedProcess bridge = planner();
+  bridge.policy = RestartPolicy::kNever;
+  EXPECT_FALSE(RestartRule::due(bridge, kOff, kLater_us));
+  EXPECT_FALSE(RestartRule::hopeful(bridge));
+}
+
+TEST(RestartRule, LockStepIsNotDeterministicAfterARestart) {
+  EndedProcess ended = planner();
+  ended.lockstep = true;
+  EXPECT_FALSE(RestartRule::hopeful(ended));
+}
+
+TEST(RestartRule, RecorderNeedsNobodysLeave) {
+  EndedProcess recorder;
+  recorder.harmless = true;
+  recorder.lockstep = true;
+  EXPECT_TRUE(RestartRule::due(recorder, std::nullopt, kEnd_us));
+}
+
+TEST(RestartRule, WhatDiesAgainAndAgainStaysDead) {
+  EndedProcess ended = planner();
+  ended.restarts = RestartRule::kMost;
+  EXPECT_FALSE(RestartRule::due(ended, kOff, kLater_us));
+  ended.harmless = true;
+  EXPECT_FALSE(RestartRule::due(ended, kOff, kLater_us));
+}
+
+}  // namespace
+}  // namespace sprung

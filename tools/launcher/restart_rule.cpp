@@ -1,0 +1,18 @@
+#include "tools/launcher/restart_rule.h"
+
+namespace sprung {
+
+bool RestartRule::hopeful(const EndedProcess& ended) noexcept {
+  const bool allowed = ended.harmless || ended.policy == RestartPolicy::kWithoutTorque;
+  return allowed && ended.restarts < kMost && (ended.harmless || !ended.lockstep);
+}
+
+bool RestartRule::due(const EndedProcess& ended, const std::optional<SafetyHeard>& safety,
+                      std::int64_t now_us) noexcept {
+  if (!hopeful(ended)) return false;
+  if (ended.harmless) return true;
+  return safety && safety->level == SafetyLevel::kDisabled &&
+         safety->utime_us >= ended.ended_utime_us + kSettle_us && now_us - safety->utime_us <= kFresh_us;
+}
+
+}  // namespace sprung

@@ -1,0 +1,38 @@
+#pragma once
+/// Whether a process that ended by itself is started again. Pure. Torque never comes back by a restart: what commands drives waits
+/// until the bridge says that no drive has power, and the bridge itself gives power only after somebody said `stand`.
+#include <cstdint>
+#include <optional>
+
+#include "robots/robot_config.h"
+#include "signals/modes.h"
+
+namespace sprung {
+
+/// What the bridge said last.
+struct SafetyHeard {
+  SafetyLevel level = SafetyLevel::kOperational;
+  std::int64_t utime_us = 0;  ///< when the launcher heard it
+};
+
+struct EndedProcess {
+  RestartPolicy policy = RestartPolicy::kNever;
+  bool harmless = false;  ///< commands nothing (the recorder): is started again at once
+  bool lockstep = false;  ///< a deterministic run ends with any of its processes
+  int restarts = 0;       ///< so far
+  std::int64_t ended_utime_us = 0;
+};
+
+class RestartRule {
+ public:
+  static constexpr int kMost = 3;  ///< of one process in one run: what dies again and again is broken
+  static constexpr std::int64_t kSettle_us = 300'000;  ///< the bridge has seen what the end brought
+  static constexpr std::int64_t kFresh_us = 500'000;   ///< SAFETY_STATE comes at 10 Hz
+
+  /// May still be started again, now or later.
+  static bool hopeful(const EndedProcess& ended) noexcept;
+  static bool due(const EndedProcess& ended, const std::optional<SafetyHeard>& safety,
+                  std::int64_t now_us) noexcept;
+};
+
+}  // namespace sprung
