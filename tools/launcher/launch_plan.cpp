@@ -100,17 +100,34 @@ std::vector<PlannedProcess> plan_processes(const LaunchRequest& request, const R
                                            std::int64_t session, std::int64_t epoch_us) {
   refuse_contradictions(request, robot);
   std::vector<PlannedProcess> plan;
-  if (request.simulation) {
-    plan.push_back(plan_process({kSimDrives, 50, -1}, request, robot, session, epoch_us));
+  if (request.simulation && leads(request, robot)) {
+    ProcessConfig drives;
+    drives.program = kSimDrives;
+    drives.priority = 50;
+    plan.push_back(plan_process(drives, request, robot, session, epoch_us));
     add_simulation_options(plan.back(), request);
   }
   for (const ProcessConfig& config : robot.processes) {
-    plan.push_back(plan_process(config, request, robot, session, epoch_us));
+    if (is_here(config, request)) plan.push_back(plan_process(config, request, robot, session, epoch_us));
   }
   const auto others_first = [](const PlannedProcess& process) { return process.program != kBridgeProgram; };
   const auto bridge = std::stable_partition(plan.begin(), plan.end(), others_first);
-  add_bridge_options(*bridge, request);
+  if (bridge != plan.end()) add_bridge_options(*bridge, request);
   return plan;
+}
+
+std::vector<RemoteProcess> remote_processes(const LaunchRequest& request, const RobotConfig& robot) {
+  std::vector<RemoteProcess> remote;
+  for (const ProcessConfig& config : robot.processes) {
+    if (!is_here(config, request)) remote.push_back({config.program, config.host});
+  }
+  return remote;
+}
+
+bool leads(const LaunchRequest& request, const RobotConfig& robot) {
+  return std::any_of(robot.processes.begin(), robot.processes.end(), [&](const ProcessConfig& process) {
+    return process.program == kBridgeProgram && is_here(process, request);
+  });
 }
 
 }  // namespace sprung
