@@ -28,8 +28,8 @@ TEST(MessageLayout, LeavesStringsOutOfTheFixedSize) {
   const MessageLayout layout = layout_of<sprung_msgs::process_status_t>();
   sprung_msgs::process_status_t message{};
   message.robot = "abc";
-  EXPECT_EQ(layout.strings, 7);
-  EXPECT_EQ(encoded(message).size(), layout.fixed_size + 7 * 5 + 3);
+  EXPECT_EQ(layout.strings, 8);
+  EXPECT_EQ(encoded(message).size(), layout.fixed_size + 8 * 5 + 3);
 }
 
 TEST(MessageLayout, HeaderIsWhereItIsExpected) {

@@ -1,89 +1,105 @@
 #include <poll.h>
-#include <string.h>
 
 #include <algorithm>
 #include <cstdio>
+#include <fstream>
+#include <iterator>
 #include <memory>
+#include <stdexcept>
 
 #include "robots/robot_loader.h"
 #include "runtime/log.h"
-#include "runtime/node.h"
+#include "runtime/session_clock.h"
 #include "runtime/stop_request.h"
 #include "tools/commands/commands.h"
+#include "tools/launcher/launch_view.h"
 #include "tools/launcher/launcher.h"
+#include "tools/launcher/recorder_plan.h"
+#include "tools/launcher/service_notify.h"
 
 namespace sprung::commands {
 
 namespace {
 
-/// What to type next.
-std::string first_commands(const RobotConfig& robot) {
-  const bool referenced = std::all_of(robot.actuators.begin(), robot.actuators.end(),
-                                      [](const ActuatorConfig& actuator) { return actuator.referenced; });
-  std::string out = referenced ? "" : "sprung home, ";
-  if (robot.why_not_standing() == nullptr)
-    out += robot.gaits.empty() ? "sprung stand, sprung jump, " : "sprung stand, sprung walk, sprung stop, ";
-  return out + "sprung status, sprung down";
-}
-
-void announce(const LaunchRequest& request, const RobotConfig& robot, const Launcher& launcher,
-              double ready_s) {
-  const RunInfo& info = launcher.info();
-  std::printf("%s is up: %zu processes, clock %s, preset %s, ready in %.1f s\n", info.robot.c_str(),
-              launcher.running(), info.clock.c_str(), info.preset.c_str(), ready_s);
-  std::printf("  LCM  %s\n", info.lcm_url.c_str());
-  if (!info.log.empty()) {
-    std::printf("  log  %s\n", info.log.c_str());
-  }
-  if (request.simulation && request.clock == "realtime") {
-    std::printf(
-        "  note simulated drives in real time: the longer simulation_watchdogs of robot.yaml apply\n");
-  }
-  std::printf("In a second terminal: %s. Ctrl-C here ends it.\n", first_commands(robot).c_str());
-  std::fflush(stdout);
+std::string end_text(const Launcher::Ended& ended, bool lockstep) {
+  const std::string what = ended.program + " ended (" + exit_text(ended.status) + "). ";
+  if (ended.program == kRecorderProgram || ended.program == kLcmLogger)
+    return what + (ended.comes_back ? "It is started again, into another log."
+                                    : "The run goes on without a log: sprung record writes one.");
+  if (ended.comes_back)
+    return what +
+           "The robot's own safety acts; it is started again once no drive has torque: sprung estop if need "
+           "be.";
+  return what + "It is not started again; the robot's own safety acts. See sprung status, then sprung down." +
+         (lockstep ? " In lock-step the others wait for it." : "");
 }
 
 /// Until a stop is asked for or nothing is left to watch. @return exit status.
-int watch_over(Launcher& launcher, bool ends_by_itself) {
+int watch_over(Launcher& launcher, LaunchView& view, ServiceNotify& service, const LaunchRequest& request) {
   int exit_status = kExitDone;
   while (!stop_requested()) {
+    launcher.look();
+    service.keep_alive(monotonic_us());
     for (const Launcher::Ended& ended : launcher.newly_ended()) {
-      const bool good = ended.status == 0 && ends_by_itself;
-      const std::string how = ended.status < 128 ? "exit status " + std::to_string(ended.status)
-                                                 : std::string(strsignal(ended.status - 128));
-      if (good) {
-        return exit_status;
-      }
-      log_error(ended.program + " ended (" + how +
-                "). It is not started again; the robot's own safety acts. " +
-                "See sprung status, then sprung down.");
+      if (ended.status == 0 && request.cycles > 0) return exit_status;
+      launcher.say("error " + end_text(ended, request.clock == "lockstep"));
+      if (!ended.comes_back) exit_status = kExitFailed;
+    }
+    for (const std::string& trouble : launcher.new_trouble()) {
+      launcher.say("error " + trouble);
       exit_status = kExitFailed;
     }
-    if (launcher.running() == 0) {
-      return kExitFailed;
+    if (launcher.lead_is_gone()) {
+      launcher.say("the launcher of the host that has the bridge has ended: stopping here too");
+      return exit_status;
     }
+    if (launcher.running() == 0) return kExitFailed;
+    view.turn();
     poll(nullptr, 0, 20);
   }
   return exit_status;
 }
 
-int run_up(const LaunchRequest& request) {
+void warn_of_ttl(const LaunchRequest& request, const RobotConfig& robot, Launcher& launcher) {
+  if (!remote_processes(request, robot).empty() && request.lcm_url.find("ttl=0") != std::string::npos)
+    launcher.say(
+        "note: robot.yaml has processes on other hosts, but ttl=0 keeps LCM on this machine: --lcm-url "
+        "'udpm://239.255.76.67:7667?ttl=1&recv_buf_size=4194304' on every host");
+}
+
+int run_up(const LaunchRequest& request, bool plain) {
   if (!(request.patience_s > 0.0)) throw WrongUse("--patience is more than 0 s");
   start_log("sprung");
   const RobotConfig robot = load_robot(request.robot);
+  ServiceNotify service;
   Launcher launcher(request, robot);
-  const std::int64_t started_us = monotonic_us();
-  launcher.start_all_but_bridge();
-  launcher.start_bridge();
-  announce(request, robot, launcher, static_cast<double>(monotonic_us() - started_us) * 1e-6);
-  const int status = watch_over(launcher, request.cycles > 0);
-  std::printf("%s: stopping, drives first\n", launcher.info().robot.c_str());
-  std::fflush(stdout);
-  launcher.stop();
-  if (!launcher.info().log.empty()) {
-    std::printf("log: %s\n", launcher.info().log.c_str());
+  int status = kExitFailed;
+  {
+    LaunchView view(launcher, robot, plain);
+    const std::int64_t started_us = monotonic_us();
+    warn_of_ttl(request, robot, launcher);
+    launcher.start_all_but_bridge();
+    launcher.start_bridge();
+    view.announce(static_cast<double>(monotonic_us() - started_us) * 1e-6);
+    service.ready(robot.name + " is up; torque comes with sprung stand");
+    status = watch_over(launcher, view, service, request);
+    service.stopping();
+    view.phase("stopping");
+    if (plain || !has_terminal()) std::printf("%s: stopping, drives first\n", robot.name.c_str());
+    std::fflush(stdout);
+    launcher.stop();
   }
+  if (!launcher.info().log.empty()) std::printf("log: %s\n", launcher.info().log.c_str());
   return status;
+}
+
+/// What was typed, words apart by blanks.
+std::string typed_command_line() {
+  std::ifstream in("/proc/self/cmdline", std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  while (!text.empty() && text.back() == '\0') text.pop_back();
+  std::replace(text.begin(), text.end(), '\0', ' ');
+  return text;
 }
 
 }  // namespace
@@ -92,6 +108,7 @@ void add_up(CommandLine& sprung) {
   const auto request = std::make_shared<LaunchRequest>();
   const auto no_record = std::make_shared<bool>(false);
   const auto no_truth = std::make_shared<bool>(false);
+  const auto plain = std::make_shared<bool>(false);
   request->lcm_url = kDefaultLcmUrl;
   request->log_folder = "logs";
   CommandLine& up =
@@ -113,6 +130,10 @@ void add_up(CommandLine& sprung) {
   up.option("--cycles", request->cycles, "end after that many cycles, 0 = never");
   up.option("--log", request->log_folder, "folder of the LCM log");
   up.flag("--no-record", *no_record, "write no log");
+  up.choice("--with", request->recorder, {kRecorderProgram, kLcmLogger}, "what writes the log");
+  up.option("--host", request->host,
+            "start the processes that robot.yaml gives to this host; without: those that have no host");
+  up.flag("--plain", *plain, "lines instead of a screen, also in a terminal");
   up.flag("--no-truth", *no_truth, "simulation: no SIM_TRUTH");
   up.option("--inject", request->inject,
             "test of the links: PROGRAM=SPEC, e.g. sprung-leg-controller=drop-rx:JOINT_STATE:100");
@@ -120,10 +141,11 @@ void add_up(CommandLine& sprung) {
   up.example("sprung up single_leg --sim");
   up.action([=] {
     request->truth = !*no_truth;
+    request->command_line = typed_command_line();
     if (*no_record) {
       request->log_folder.clear();
     }
-    return run_up(*request);
+    return run_up(*request, *plain);
   });
 }
 

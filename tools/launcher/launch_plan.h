@@ -28,6 +28,8 @@ struct LaunchRequest {
   std::int64_t cycles = 0;   ///< the bridge ends after that many, 0 = never
   std::string log_folder;    ///< empty = no recording
   std::string host;          ///< starts what robot.yaml gives to this host; empty = what it gives to none
+  std::string recorder = "sprung-recorder";  ///< or "lcm-logger"
+  std::string command_line;                  ///< what was typed, for the log's metadata
   std::string instance = "default";
 };
 

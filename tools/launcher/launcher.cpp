@@ -1,158 +1,229 @@
 #include "tools/launcher/launcher.h"
 
 #include <signal.h>
+#include <sprung_version.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <ctime>
-#include <filesystem>
-#include <random>
+#include <cstdio>
+#include <cstdlib>
 #include <stdexcept>
+#include <utility>
 
 #include "lcmtypes/channels.h"
-#include "runtime/log.h"
+#include "robots/robot_loader.h"
+#include "runtime/process_options.h"
+#include "runtime/resource_use.h"
 #include "runtime/stop_request.h"
+#include "runtime/types_hash.h"
+#include "tools/launcher/lead_finder.h"
+#include "tools/launcher/recorder_plan.h"
 
 namespace sprung {
 
 namespace {
 
-constexpr const char* kBridge = "sprung-can-bridge";
-constexpr const char* kRecorder = "lcm-logger";
 constexpr double kStop_s = 3.0;  // a bridge may damp its robot for half a second first
 
-RunInfo describe(const LaunchRequest& request, const RobotConfig& robot) {
-  RunInfo info;
-  info.instance = request.instance;
-  info.robot = robot.name;
-  info.robot_folder = robot.folder;
-  info.preset = request.preset;
-  info.clock = request.clock;
-  info.simulation = request.simulation;
-  info.session = random_session();
-  info.epoch_us = monotonic_us();
-  info.lcm_url = request.lcm_url;
-  info.can = request.can;
-  info.launcher_pid = getpid();
-  return info;
-}
-
-std::string log_path(const LaunchRequest& request, const std::string& robot) {
-  std::filesystem::create_directories(request.log_folder);
-  char when[32];
-  const std::time_t now = std::time(nullptr);
-  std::tm local{};
-  localtime_r(&now, &local);
-  std::strftime(when, sizeof when, "%Y%m%d-%H%M%S", &local);
-  return (std::filesystem::absolute(request.log_folder) / (robot + "-" + when + ".lcm")).string();
-}
-
-std::string status_text(int status) {
-  return status < 128 ? "exit status " + std::to_string(status)
-                      : std::string("signal ") + strsignal(status - 128);
+BuildIdentity own_identity(const LaunchRequest& request, const RobotConfig& robot) {
+  return {SPRUNG_VERSION, SPRUNG_GIT_HASH, types_hash(), configuration_hash(robot, request.preset),
+          robot.name,     request.clock};
 }
 
 }  // namespace
 
-std::int64_t random_session() {
-  std::random_device device;
-  return static_cast<std::int64_t>((static_cast<std::uint64_t>(device()) << 32 | device()) >> 1) | 1;
-}
-
-std::string lcm_url_on_port(int port) {
-  return "udpm://239.255.76.67:" + std::to_string(port) + "?ttl=0&recv_buf_size=4194304";
-}
-
 Launcher::Launcher(const LaunchRequest& request, const RobotConfig& robot)
     : request_(request),
       robot_(robot),
+      leads_(leads(request, robot)),
       run_file_(request.instance),
-      info_(describe(request, robot)),
+      info_(leads_ ? describe_run(request, robot) : describe_joined_run(request, robot)),
       plan_(plan_processes(request_, robot_, info_.session, info_.epoch_us)),
-      node_(NodeOptions{request.lcm_url, info_.session, info_.epoch_us, {}}) {
+      remote_(remote_processes(request_, robot_)),
+      identity_(own_identity(request_, robot_)),
+      mixed_builds_(std::getenv("SPRUNG_MIXED_BUILDS") != nullptr),
+      node_(NodeOptions{request.lcm_url, info_.session, info_.epoch_us, {}}),
+      publisher_(node_.publisher<ProcessStatus>(channels::kProcessStatus)) {
   node_.subscribe_message(channels::kProcessStatus, CountLimits::none(), statuses_);
+  node_.subscribe_message(channels::kSafetyState, CountLimits::none(), safeties_);
   node_.start();
   run_file_.write(info_);
 }
 
-Launcher::~Launcher() { stop(); }
+Launcher::~Launcher() {
+  stop();
+  node_.stop();
+}
 
 void Launcher::start_all_but_bridge() {
   start_recorder();
-  for (const PlannedProcess& planned : plan_) {
-    if (planned.program != kBridge) {
-      start(planned);
+  const auto each = [&](const auto& act) {
+    for (const PlannedProcess& planned : plan_) {
+      if (planned.program != kBridgeProgram) act(planned);
     }
-  }
-  for (const PlannedProcess& planned : plan_) {
-    if (planned.program != kBridge) {
-      wait_for(planned.program, ProcessState::kReady);
-    }
+  };
+  each([&](const PlannedProcess& planned) { start(planned); });
+  each([&](const PlannedProcess& planned) { wait_for(planned.program, ProcessState::kReady); });
+  state_ = ProcessState::kReady;
+  for (const RemoteProcess& remote : remote_) {
+    if (remote.program != kBridgeProgram) wait_for(remote.program, ProcessState::kReady);
   }
 }
 
 void Launcher::start_bridge() {
-  start(plan_.back());
-  wait_for(kBridge, ProcessState::kRunning);
+  if (leads_) start(plan_.back());
+  wait_for(kBridgeProgram, ProcessState::kRunning);
+  state_ = ProcessState::kRunning;
 }
 
 void Launcher::start_recorder() {
-  if (request_.log_folder.empty()) {
-    return;
-  }
-  info_.log = log_path(request_, robot_.name);
-  start({kRecorder, {"--lcm-url=" + request_.lcm_url, "-q", "-f", info_.log}});
+  if (request_.log_folder.empty()) return;
+  info_.log = log_path(request_.log_folder, robot_.name);
+  line_file_.open(lines_path(info_.log));
+  start(plan_recorder(request_, robot_, info_));
+  children_.back().end.harmless = true;
+  if (says_status(children_.back().planned)) wait_for(children_.back().planned.program, ProcessState::kReady);
+}
+
+std::unique_ptr<ChildProcess> Launcher::run_program(const PlannedProcess& planned) const {
+  const std::string path = planned.program == kLcmLogger ? system_program(kLcmLogger, "liblcm-bin")
+                                                         : program_folder() + "/" + planned.program;
+  return std::make_unique<ChildProcess>(path, planned.arguments, Output::kCaptured);
 }
 
 void Launcher::start(const PlannedProcess& planned) {
-  const std::string path = planned.program == kRecorder ? system_program(kRecorder, "liblcm-bin")
-                                                        : program_folder() + "/" + planned.program;
-  children_.push_back({planned.program, std::make_unique<ChildProcess>(path, planned.arguments), false});
+  EndedProcess end;
+  end.policy = planned.restart;
+  end.lockstep = request_.clock == "lockstep";
+  children_.push_back({planned, run_program(planned), {}, end, false});
   info_.processes.push_back({planned.program, children_.back().process->pid()});
   run_file_.write(info_);
 }
 
-ProcessState Launcher::state_of(const std::string& program) {
-  while (auto status = statuses_.pop()) {
-    last_status_[status->process] = *status;
+void Launcher::start_again(Child& child) {
+  read_lines(child);
+  if (child.end.harmless) {  // a log that was cut off stays as it is
+    info_.log = log_path(request_.log_folder, robot_.name);
+    child.planned = plan_recorder(request_, robot_, info_);
   }
-  const auto found = last_status_.find(program);
-  return found == last_status_.end() ? ProcessState::kStarting
-                                     : static_cast<ProcessState>(found->second.state);
+  board_.forget(child.planned.program);
+  child.process = run_program(child.planned);
+  child.reported = false;
+  ++child.end.restarts;
+  for (RunningProcess& process : info_.processes) {
+    if (process.program == child.planned.program) process.pid = child.process->pid();
+  }
+  run_file_.write(info_);
+  say(child.planned.program + " was started again (" + std::to_string(child.end.restarts) + " of at most " +
+      std::to_string(RestartRule::kMost) + " times)" +
+      (child.end.harmless ? "" : "; torque stays off: sprung clear, sprung stand"));
+}
+
+void Launcher::read_statuses() {
+  while (auto status = statuses_.pop()) {
+    if (status->process == kLauncherProgram && leads_) continue;  // its own
+    const std::string why = why_not_together(identity_, *status, mixed_builds_);
+    if (!why.empty() && named_.insert(status->process + status->host).second) trouble_.push_back(why);
+    board_.hear(*status, node_.utime_us());
+  }
+  while (auto safety = safeties_.pop()) {
+    safety_heard_ = SafetyHeard{static_cast<SafetyLevel>(safety->level), node_.utime_us()};
+    safety_ = std::move(*safety);
+  }
+}
+
+void Launcher::look() {
+  read_statuses();
+  const std::int64_t now_us = node_.utime_us();
+  for (Child& child : children_) {
+    read_lines(child);
+    if (child.reported && child.process->ended() && RestartRule::due(child.end, safety_heard_, now_us))
+      start_again(child);
+    const std::string& program = child.planned.program;
+    if (!child.process->ended() && board_.silent(program, now_us) && named_.insert(program).second)
+      trouble_.push_back(program +
+                         " runs but has said nothing for 3 s: see its last lines, then sprung down");
+  }
+  for (const RemoteProcess& remote : remote_) {
+    if (board_.silent(remote.program, now_us) && named_.insert(remote.program).second)
+      trouble_.push_back(remote.program + " on another host has said nothing for 3 s: look there");
+  }
+  publish_status();
+  if (turn_) turn_();
+}
+
+void Launcher::publish_status() {
+  if (!leads_ || !schedule_.due(state_, node_.utime_us())) return;
+  ProcessStatus status;
+  status.stamp = {node_.utime_us(), -1};
+  status.pid = getpid();
+  status.utc_offset_us = node_.clock().utc_offset_us();
+  status.configuration_hash = identity_.configuration_hash;
+  status.types_hash = identity_.types_hash;
+  status.state = state_;
+  status.memory_kB = resident_kB();
+  status.process = kLauncherProgram;
+  status.host = host_name();
+  status.version = identity_.version;
+  status.git_hash = identity_.git_hash;
+  status.robot = identity_.robot;
+  status.clock = identity_.clock;
+  publisher_.publish(status);
 }
 
 void Launcher::wait_for(const std::string& program, ProcessState state) {
   const std::int64_t end_us = node_.utime_us() + std::llround(request_.patience_s * 1e6);
-  while (state_of(program) < state) {
-    refuse_the_dead();
-    if (stop_requested()) {
-      throw std::runtime_error("stopped while starting");
-    }
-    if (node_.utime_us() > end_us) {
-      throw std::runtime_error(program + " is not " + name(state) + " after " +
-                               std::to_string(request_.patience_s) + " s: " + last_status_[program].detail);
-    }
+  for (look(); board_.state_of(program) < state; look()) {
+    refuse_trouble();
+    if (stop_requested()) throw std::runtime_error("stopped while starting");
+    if (lead_is_gone()) throw std::runtime_error("the launcher of the host that has the bridge has ended");
+    if (node_.utime_us() > end_us) throw std::runtime_error(not_ready_text(program, state));
     node_.wait_for_input(node_.utime_us() + 20'000);
   }
+  refuse_trouble();
 }
 
-void Launcher::refuse_the_dead() {
-  for (const Ended& ended : newly_ended()) {
-    throw std::runtime_error(ended.program + " ended while starting: " + status_text(ended.status));
+std::string Launcher::not_ready_text(const std::string& program, ProcessState state) const {
+  const auto* const status = board_.last(program);
+  std::string text =
+      program + " is not " + name(state) + " after " + std::to_string(request_.patience_s) + " s";
+  for (const RemoteProcess& remote : remote_) {
+    if (remote.program != program) continue;
+    text += "; start it there: sprung up " + request_.robot +
+            (remote.host.empty() ? "" : " --host " + remote.host) +
+            ", with an --lcm-url whose ttl is 1 on every host";
   }
+  if (status != nullptr && !status->detail.empty()) text += ": " + status->detail;
+  const std::string refusal = node_.last_refusal();
+  return refusal.empty() ? text : text + " (" + refusal + ")";
+}
+
+void Launcher::refuse_trouble() {
+  for (const Ended& ended : newly_ended()) {
+    throw std::runtime_error(ended.program + " ended while starting: " + exit_text(ended.status));
+  }
+  if (!trouble_.empty()) throw std::runtime_error(trouble_.front());
 }
 
 std::vector<Launcher::Ended> Launcher::newly_ended() {
   std::vector<Ended> ended;
   for (Child& child : children_) {
-    if (!child.reported && child.process->ended()) {
-      child.reported = true;
-      ended.push_back({child.program, *child.process->ended()});
-    }
+    if (child.reported || !child.process->ended()) continue;
+    read_lines(child);
+    child.reported = true;
+    child.end.ended_utime_us = node_.utime_us();
+    ended.push_back({child.planned.program, *child.process->ended(), RestartRule::hopeful(child.end)});
   }
   return ended;
+}
+
+std::vector<std::string> Launcher::new_trouble() { return std::exchange(trouble_, {}); }
+
+bool Launcher::lead_is_gone() const {
+  if (leads_) return false;
+  return board_.state_of(kLauncherProgram) == ProcessState::kStopping ||
+         board_.silent(kLauncherProgram, node_.utime_us());
 }
 
 std::size_t Launcher::running() const {
@@ -160,28 +231,59 @@ std::size_t Launcher::running() const {
   return static_cast<std::size_t>(std::count_if(children_.begin(), children_.end(), runs));
 }
 
-void Launcher::stop_one(Child& child, double patience_s) {
-  if (!child.process->ended()) {
-    child.process->stop(patience_s);
+std::vector<ProcessRow> Launcher::rows() const {
+  std::vector<ProcessRow> rows;
+  for (const Child& child : children_) {
+    const KnownProcess known{child.planned.program, "",
+                             child.process->pid(),  child.process->ended(),
+                             child.end.restarts,    says_status(child.planned)};
+    rows.push_back(board_.row(known, node_.utime_us()));
   }
+  for (const RemoteProcess& remote : remote_) {
+    const std::string host = remote.host.empty() ? "(has the bridge)" : remote.host;
+    rows.push_back(board_.row({remote.program, host, 0, std::nullopt, 0, true}, node_.utime_us()));
+  }
+  return rows;
+}
+
+void Launcher::read_lines(Child& child) {
+  std::vector<std::string> lines = child.lines.add(child.process->output());
+  if (child.process->ended()) {
+    const std::string rest = child.lines.rest();
+    if (!rest.empty()) lines.push_back(rest);
+  }
+  for (std::string& line : lines) tell({utc_us(), child.planned.program, std::move(line)});
+}
+
+void Launcher::tell(const LogLine& line) {
+  if (line_file_.is_open()) line_file_ << dated(line) << std::endl;  // whole also after a crash
+  if (sink_) return sink_(line);
+  std::fprintf(stderr, "%s\n", dated(line).c_str());
+}
+
+void Launcher::say(const std::string& text) { tell({utc_us(), kLauncherProgram, text}); }
+
+void Launcher::stop_one(Child& child, double patience_s) {
+  if (!child.process->ended()) child.process->stop(patience_s);
   child.reported = true;
+  read_lines(child);
 }
 
 void Launcher::stop() {
-  const auto stop_if = [&](auto chosen) {
+  state_ = ProcessState::kStopping;
+  publish_status();
+  const auto stop_if = [&](const auto& chosen) {
     for (auto child = children_.rbegin(); child != children_.rend(); ++child) {
-      if (chosen(child->program)) {
-        stop_one(*child, kStop_s);
-      }
+      if (chosen(*child)) stop_one(*child, kStop_s);
     }
   };
-  stop_if([](const std::string& program) { return program == kBridge; });
-  stop_if([](const std::string& program) { return program != kRecorder; });
-  const bool recording = !children_.empty() && children_.front().program == kRecorder;
-  if (recording && !children_.front().process->ended()) {
-    usleep(200'000);  // facts L13b: the recorder ends at least this long after the last message
-    stop_one(children_.front(), kStop_s);
-  }
+  stop_if([](const Child& child) { return child.planned.program == kBridgeProgram; });
+  stop_if([](const Child& child) { return !child.end.harmless; });
+  const bool recording = std::any_of(children_.begin(), children_.end(), [](const Child& child) {
+    return child.end.harmless && !child.process->ended();
+  });
+  if (recording) usleep(200'000);  // facts L13b: the recorder ends at least this long after the last message
+  stop_if([](const Child&) { return true; });
 }
 
 }  // namespace sprung

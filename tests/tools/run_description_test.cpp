@@ -1,0 +1,145 @@
+#include "tools/launcher/run_description.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <set>
+#include <thread>
+
+#include "lcmtypes/channels.h"
+#include "robots/robot_loader.h"
+#include "runtime/node.h"
+#include "runtime/process_status.h"
+#include "tools/launcher/lead_finder.h"
+#include "tools/launcher/recorder_plan.h"
+
+namespace sprung {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
+
+LaunchRequest request() {
+  LaunchRequest request;
+  request.robot = "single_leg";
+  request.simulation = true;
+  request.patience_s = 0.2;
+  std::random_device device;
+  request.lcm_url = lcm_url_on_port(20000 + static_cast<int>(device() % 40000));
+  return request;
+}
+
+/// Says what the launcher on the host with the bridge says, until it is destroyed.
+class Lead {
+ public:
+  Lead(const LaunchRequest& request, const std::string& robot, ProcessState state) {
+    status_.process = kLauncherProgram;
+    status_.robot = robot;
+    status_.state = state;
+    status_.utc_offset_us = utc_us() - 5'000'000;  // the run began 5 s ago
+    node_ = std::make_unique<Node>(NodeOptions{request.lcm_url, 4711, 0, {}});
+    thread_ = std::thread([this] {
+      auto publisher = node_->publisher<ProcessStatus>(channels::kProcessStatus);
+      while (!done_) {
+        publisher.publish(status_);
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      }
+    });
+  }
+  ~Lead() {
+    done_ = true;
+    thread_.join();
+  }
+
+ private:
+  ProcessStatus status_;
+  std::unique_ptr<Node> node_;
+  std::atomic<bool> done_{false};
+  std::thread thread_;
+};
+
+TEST(RunDescription, JoinedRunHasTheLeadsSessionAndBegin) {
+  LaunchRequest joining = request();
+  joining.patience_s = 20.0;
+  const Lead lead(joining, "single_leg", ProcessState::kReady);
+  const RunInfo info = describe_joined_run(joining, load_robot("single_leg"));
+  EXPECT_EQ(info.session, 4711);
+  const std::int64_t age_us = monotonic_us() - info.epoch_us;
+  EXPECT_GE(age_us, 5'000'000);
+  EXPECT_LT(age_us, 40'000'000);
+}
+
+TEST(RunDescription, NobodyLeadsSaysWhatToDo) {
+  const auto join = [] { describe_joined_run(request(), load_robot("single_leg")); };
+  EXPECT_THAT(join, testing::ThrowsMessage<std::runtime_error>(
+                        testing::AllOf(HasSubstr("sprung up single_leg"), HasSubstr("ttl"))));
+}
+
+TEST(RunDescription, LeadOfAnotherRobotOrOneThatStopsIsNotJoined) {
+  const LaunchRequest joining = request();
+  {
+    const Lead other(joining, "pegasus", ProcessState::kReady);
+    EXPECT_FALSE(find_lead(joining.lcm_url, "single_leg", 0.2));
+  }
+  const Lead stopping(joining, "single_leg", ProcessState::kStopping);
+  EXPECT_FALSE(find_lead(joining.lcm_url, "single_leg", 0.2));
+}
+
+TEST(EpochHere, ClocksOfTwoHostsMeetByUtc) {
+  // The run began at UTC 1000 s. Here it is 1007.5 s, and this machine booted 100 s ago.
+  EXPECT_EQ(epoch_here_us(1'000'000'000, 1'007'500'000, 100'000'000), 92'500'000);
+}
+
+TEST(RunDescription, SessionsDiffer) {
+  std::set<std::int64_t> sessions;
+  for (int i = 0; i < 100; ++i) sessions.insert(describe_run(request(), load_robot("single_leg")).session);
+  EXPECT_EQ(sessions.size(), 100u);
+  EXPECT_EQ(sessions.count(0), 0u);
+}
+
+TEST(LogPath, NeverNamesAFileThatIsThere) {
+  const fs::path folder = fs::temp_directory_path() / ("sprung_log_path_" + std::to_string(getpid()));
+  std::set<std::string> paths;
+  for (int i = 0; i < 5; ++i) {
+    const std::string path = log_path(folder.string(), "single_leg");
+    EXPECT_TRUE(paths.insert(path).second);
+    std::ofstream(path) << "x";
+  }
+  EXPECT_EQ(lines_path("/a/x-2.lcm"), "/a/x-2.txt");
+  fs::remove_all(folder);
+}
+
+TEST(RecorderPlan, OwnRecorderKnowsTheRunAndWhatWasTyped) {
+  LaunchRequest asked = request();
+  asked.command_line = "sprung up single_leg --sim";
+  RunInfo info;
+  info.session = 12;
+  info.log = "/logs/x.lcm";
+  const PlannedProcess planned = plan_recorder(asked, load_robot("single_leg"), info);
+  EXPECT_EQ(planned.program, "sprung-recorder");
+  EXPECT_THAT(planned.arguments, Contains("/logs/x.lcm"));
+  EXPECT_THAT(planned.arguments, Contains("sprung up single_leg --sim"));
+  EXPECT_TRUE(says_status(planned));
+}
+
+TEST(RecorderPlan, LcmsOwnLoggerWhereAsked) {
+  LaunchRequest asked = request();
+  asked.recorder = "lcm-logger";
+  RunInfo info;
+  info.log = "/logs/x.lcm";
+  const PlannedProcess planned = plan_recorder(asked, load_robot("single_leg"), info);
+  EXPECT_EQ(planned.program, "lcm-logger");
+  EXPECT_THAT(planned.arguments, Contains("/logs/x.lcm"));
+  EXPECT_THAT(planned.arguments, Not(Contains("--session")));
+  EXPECT_FALSE(says_status(planned));
+}
+
+}  // namespace
+}  // namespace sprung
