@@ -1,0 +1,135 @@
+/// sprung-recorder: every message on the robot's network into LCM logs.
+#include <poll.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "runtime/log.h"
+#include "runtime/process.h"
+#include "runtime/stop_request.h"
+#include "tools/recorder/log_metadata.h"
+#include "tools/recorder/network_tap.h"
+#include "tools/recorder/recording_report.h"
+
+namespace sprung {
+namespace {
+
+/// How long messages are gathered before they are written: few large turns cost less than one for each message.
+constexpr int kTurn_ms = 20;
+/// What was written is handed to the kernel, and the disk looked at, this often.
+constexpr std::int64_t kTick_us = 100'000;
+constexpr std::int64_t kNewsInterval_us = 1'000'000;
+
+struct RecorderOptions {
+  std::string file = "recording.lcm";
+  std::string channels = ".*";
+  std::string command_line;
+  double split_MB = 0.0;
+  double split_min = 0.0;
+  double least_free_MB = 500.0;
+
+  RecordingOptions recording() const {
+    const auto bytes = [](double megabytes) { return static_cast<std::uint64_t>(megabytes * 1e6); };
+    if (!(split_MB >= 0.0 && split_min >= 0.0 && least_free_MB >= 0.0))
+      throw WrongUse("--split-mb, --split-min and --min-free-mb are 0 or more");
+    return {file, bytes(split_MB), std::llround(split_min * 60e6), bytes(least_free_MB)};
+  }
+};
+
+RecordedRun recorded_run(const Process& process, const RecorderOptions& options, std::int64_t utime_us) {
+  const ProcessOptions& run = process.options();
+  return {run.preset, run.clock, run.simulation,       run.node.session,
+          utime_us,   utc_us(),  options.command_line, run.node.lcm_url};
+}
+
+/// Writes what the tap brings until the recording ends.
+class Recorder {
+ public:
+  Recorder(Process& process, const RecorderOptions& options)
+      : process_(process),
+        recording_(
+            options.recording(),
+            make_log_metadata(process.robot(), recorded_run(process, options, process.node().utime_us()))),
+        tap_(process.options().node.lcm_url, options.channels, queue_) {}
+
+  int run() {
+    process_.set_state(ProcessState::kReady);
+    while (!stop_requested() && !recording_.ended()) {
+      wait();
+      write_what_came();
+      tick();
+      process_.publish_status_if_due();
+    }
+    finish();
+    return recording_.ended() == LogEndReason::kAsked ? kExitDone : kExitFailed;
+  }
+
+ private:
+  void wait() const {
+    pollfd stop{stop_fd(), POLLIN, 0};
+    poll(&stop, 1, kTurn_ms);
+  }
+
+  void write_what_came() {
+    queue_.take(batch_);
+    batch_.for_each([this](std::int64_t time_us, std::string_view channel, const std::uint8_t* data,
+                           std::size_t size) { recording_.add(time_us, channel, data, size); });
+    if (batch_.size() > 0 && process_.status().state == ProcessState::kReady)
+      process_.set_state(ProcessState::kRunning);
+    process_.status().sequence_gaps = recording_.missing();
+  }
+
+  void tick() {
+    const std::int64_t now_us = process_.node().utime_us();
+    if (now_us < next_tick_us_) return;
+    next_tick_us_ = now_us + kTick_us;
+    recording_.tick(utc_us());
+    if (now_us < next_news_us_) return;
+    next_news_us_ = now_us + kNewsInterval_us;
+    const std::string news = recording_.take_news();
+    if (!news.empty()) log_warn(news);
+  }
+
+  void finish() {
+    tap_.stop();
+    write_what_came();
+    recording_.end(utc_us(), LogEndReason::kAsked, "ended in order");
+    if (recording_.ended() != LogEndReason::kAsked) {
+      process_.status().detail = recording_.detail();
+      log_error("recording ended: " + recording_.detail());
+    }
+    std::printf("%s", recording_report(recording_, queue_.longest()).c_str());
+    std::fflush(stdout);
+  }
+
+  Process& process_;
+  Recording recording_;
+  MessageQueue queue_;
+  MessageQueue::Batch batch_;
+  std::int64_t next_tick_us_ = 0;
+  std::int64_t next_news_us_ = 0;
+  NetworkTap tap_;  ///< last: its thread ends before the queue does
+};
+
+}  // namespace
+}  // namespace sprung
+
+int main(int argc, char** argv) {
+  sprung::RecorderOptions options;
+  return sprung::run_process(
+      argc, argv,
+      {"sprung-recorder",
+       "Every message on the robot's network into LCM logs; loses none, and says so if it did."},
+      [&](sprung::Process& process) { return sprung::Recorder(process, options).run(); },
+      [&](sprung::CommandLine& line) {
+        line.option("--file", options.file,
+                    "LCM log to write; with a split x.lcm becomes x-000.lcm, x-001.lcm, ...");
+        line.option("--channels", options.channels, "regular expression, as LCM's");
+        line.option("--split-mb", options.split_MB, "begin another file at this size, MB; 0 = never");
+        line.option("--split-min", options.split_min,
+                    "begin another file after this time, minutes; 0 = never");
+        line.option("--min-free-mb", options.least_free_MB,
+                    "end before the disk has less than this left, MB; 0 = never");
+        line.option("--command-line", options.command_line, "for LOG_METADATA: what started the recording");
+      });
+}
