@@ -12,12 +12,15 @@ void add_safety(CommandLine& sprung);  ///< estop, clear
 void add_status(CommandLine& sprung);
 void add_record(CommandLine& sprung);
 void add_experiment(CommandLine& sprung);
+void add_doctor(CommandLine& sprung);
+void add_help(CommandLine& sprung);   ///< completion bash, man
 void add_bench(CommandLine& sprung);  ///< bench can
 void add_can(CommandLine& sprung);    ///< can dump, can export
 void add_drive(CommandLine& sprung);  ///< drive info, read, write, scan, check
 void add_fault(CommandLine& sprung);
 void add_home(CommandLine& sprung);
 void add_identify(CommandLine& sprung);
+void add_log(CommandLine& sprung);  ///< log info, cut, filter, merge, verify, repair
 void add_move(CommandLine& sprung);
 
 }  // namespace sprung::commands

@@ -20,7 +20,10 @@ int main(int argc, char** argv) {
   add_drive(line);
   add_home(line);
   add_identify(line);
+  add_log(line);
   add_move(line);
   add_fault(line);
+  add_doctor(line);
+  add_help(line);
   return line.run(argc, argv);
 }

@@ -1,0 +1,47 @@
+#include <cstdio>
+#include <memory>
+
+#include "tools/commands/log/log_commands.h"
+#include "tools/log/info_text.h"
+#include "tools/log/robot_names.h"
+
+namespace sprung::commands {
+
+namespace {
+
+struct InfoRequest {
+  std::vector<std::string> logs;
+  bool every_incident = false;
+  bool as_json = false;
+};
+
+int run_info(const InfoRequest& request) {
+  bool first = true;
+  for (const std::string& path : request.logs) {
+    log::Reader reader(path);
+    const std::vector<std::string> legs = log::names_of_robot(log::robot_of(reader)).legs;
+    LogProgress progress("info");
+    const log::LogInfo info = log::collect_info(reader, legs, progress.show());
+    const std::string text =
+        request.as_json ? log::info_json(info) + "\n" : log::info_text(info, {request.every_incident});
+    std::printf("%s%s", first || request.as_json ? "" : "\n", text.c_str());
+    first = false;
+  }
+  return kExitDone;
+}
+
+}  // namespace
+
+void add_log_info(CommandLine& log) {
+  const auto request = std::make_shared<InfoRequest>();
+  CommandLine& info = log.subcommand(
+      "info", "What a log holds: channels, rates, cycles that are missing, who made it, what happened.");
+  info.option("log", request->logs, "LCM logs", Need::kRequired);
+  info.flag("--events", request->every_incident,
+            "everything that happened, also what befell each leg in a gait");
+  info.flag("--json", request->as_json, "one JSON object for each log on standard output");
+  info.example("sprung log info logs/pegasus.lcm --events");
+  info.action([=] { return run_info(*request); });
+}
+
+}  // namespace sprung::commands

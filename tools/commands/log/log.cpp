@@ -1,0 +1,50 @@
+#include <cstdio>
+#include <filesystem>
+
+#include "tools/commands/commands.h"
+#include "tools/commands/log/log_commands.h"
+#include "tools/experiments/progress_bar.h"
+
+namespace sprung::commands {
+
+struct LogProgress::Impl {
+  explicit Impl(const std::string& label) : bar(label) {}
+  ProgressBar bar;
+};
+
+LogProgress::LogProgress(const std::string& label) : impl_(std::make_unique<Impl>(label)) {}
+LogProgress::~LogProgress() = default;
+
+log::Progress LogProgress::show() {
+  return [this](std::uint64_t done, std::uint64_t all) {
+    constexpr std::uint64_t kMega = 1'000'000;
+    impl_->bar.show(done / kMega, all / kMega);
+  };
+}
+
+std::string beside(const std::string& log, const std::string& ending) {
+  return std::filesystem::path(log).stem().string() + ending;
+}
+
+void tell_rewrite(const std::string& out, const log::RewriteResult& result) {
+  std::printf("%s: %lld of %lld events, %llu bytes\n", out.c_str(), static_cast<long long>(result.written),
+              static_cast<long long>(result.read), static_cast<unsigned long long>(result.bytes));
+  if (result.damages > 0 || result.refused > 0) {
+    std::printf("left out: %llu damaged places with %llu bytes, %lld messages that are none\n",
+                static_cast<unsigned long long>(result.damages),
+                static_cast<unsigned long long>(result.skipped_bytes),
+                static_cast<long long>(result.refused));
+  }
+}
+
+void add_log(CommandLine& sprung) {
+  CommandLine& log = sprung.subcommand("log", "Look into LCM logs, and make other files of them.");
+  log.example("sprung log info logs/pegasus.lcm");
+  add_log_info(log);
+  add_log_cut(log);
+  add_log_merge(log);
+  add_log_verify(log);
+  add_log_repair(log);
+}
+
+}  // namespace sprung::commands

@@ -1,0 +1,47 @@
+#pragma once
+/// What the subcommands of `sprung log` share.
+#include <string>
+#include <vector>
+
+#include "runtime/command_line.h"
+#include "tools/log/rewrite.h"
+
+namespace sprung::commands {
+
+void add_log_info(CommandLine& log);
+void add_log_cut(CommandLine& log);  ///< cut, filter
+void add_log_merge(CommandLine& log);
+void add_log_verify(CommandLine& log);
+void add_log_repair(CommandLine& log);
+
+/// "walk-cut.lcm" of "logs/walk.lcm" and "-cut.lcm": in the folder where one stands.
+std::string beside(const std::string& log, const std::string& ending);
+
+/// The result of `work`; what is wrong in the user's texts ends with status 2.
+template <class Work>
+auto or_wrong_use(Work&& work) {
+  try {
+    return work();
+  } catch (const std::invalid_argument& error) {
+    throw WrongUse(error.what());
+  }
+}
+
+/// Shows how far a log is, on a terminal.
+class LogProgress {
+ public:
+  explicit LogProgress(const std::string& label);
+  ~LogProgress();
+  LogProgress(const LogProgress&) = delete;
+  LogProgress& operator=(const LogProgress&) = delete;
+  log::Progress show();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// One line on what was written, and one on what was left out.
+void tell_rewrite(const std::string& out, const log::RewriteResult& result);
+
+}  // namespace sprung::commands

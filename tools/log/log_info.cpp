@@ -1,0 +1,117 @@
+#include "tools/log/log_info.h"
+
+#include <algorithm>
+
+#include "lcmtypes/channels.h"
+#include "tools/log/time_span.h"
+
+namespace sprung::log {
+
+namespace {
+
+constexpr int kEventsToLookAt = 20'000;          // a robot's processes say who they are twice a second
+constexpr std::int64_t kEventsBetween = 65'536;  // of two calls of a Progress
+
+/// Counts that need the event before.
+class Clockwork {
+ public:
+  void add(const Event& event, const Timeline::Moment& moment, LogInfo& info) {
+    if (info.events == 0) newest_us_ = earliest_us_ = before_us_ = event.time_us;
+    info.went_back += event.time_us < before_us_ ? 1 : 0;
+    before_us_ = event.time_us;
+    newest_us_ = std::max(newest_us_, event.time_us);
+    earliest_us_ = std::min(earliest_us_, event.time_us);
+    info.received_s = 1e-6 * (static_cast<double>(newest_us_) - static_cast<double>(earliest_us_));
+    info.duration_s = std::max(info.duration_s, moment.time_s);
+    if (moment.stamp && sessions_.insert(moment.stamp->session).second) ++info.sessions;
+    ++info.events;
+  }
+
+ private:
+  std::int64_t before_us_ = 0;
+  std::int64_t newest_us_ = 0;
+  std::int64_t earliest_us_ = 0;
+  std::set<std::int64_t> sessions_;
+};
+
+void note_frame(const Event& event, LogInfo& info) {
+  if (event.channel == channels::kLogMetadata && !info.metadata)
+    info.metadata = read_log_metadata(event.data, event.size);
+  if (event.channel == channels::kLogEnd) {
+    if (const auto end = read_log_end(event.data, event.size)) info.end = end;
+  }
+}
+
+}  // namespace
+
+std::int64_t LogInfo::missing() const noexcept {
+  std::int64_t sum = 0;
+  for (const auto& [name, channel] : channels) sum += channel.cycles.missing;
+  return sum;
+}
+
+LogInfo collect_info(Reader& reader, const std::vector<std::string>& leg_names, const Progress& progress) {
+  LogInfo info;
+  info.path = reader.path();
+  info.bytes = reader.file_bytes();
+  Timeline timeline;
+  Clockwork clockwork;
+  IncidentFinder incidents(leg_names);
+  std::map<std::string, ChannelCounter, std::less<>> counters;
+  for (Event event; reader.next(event);) {
+    const Timeline::Moment moment = timeline.next(event);
+    clockwork.add(event, moment, info);
+    auto counter = counters.find(event.channel);
+    if (counter == counters.end())
+      counter =
+          counters.try_emplace(std::string(event.channel), event.channel, fields::TypeTable::sprung()).first;
+    counter->second.add(event, moment);
+    incidents.add(event, moment);
+    note_frame(event, info);
+    if (progress && info.events % kEventsBetween == 0) progress(reader.position(), info.bytes);
+  }
+  for (const auto& [name, counter] : counters) info.channels.emplace(name, counter.report());
+  info.begin_us = timeline.begin_us();
+  info.incidents = incidents.incidents();
+  info.leg_counts = incidents.leg_counts();
+  info.damages = reader.damage_count();
+  info.skipped_bytes = reader.skipped_bytes();
+  return info;
+}
+
+LogExtent extent_of(Reader& reader) {
+  Timeline timeline;
+  LogExtent extent;
+  for (Event event; reader.next(event);) extent.end_s = std::max(extent.end_s, timeline.next(event).time_s);
+  extent.begin_us = timeline.begin_us();
+  reader.rewind();
+  return extent;
+}
+
+std::optional<sprung_msgs::log_metadata_t> find_metadata(Reader& reader) {
+  std::optional<sprung_msgs::log_metadata_t> found;
+  Event event;
+  for (int i = 0; i < kEventsToLookAt && !found && reader.next(event); ++i) {
+    if (event.channel == channels::kLogMetadata) found = read_log_metadata(event.data, event.size);
+  }
+  reader.rewind();
+  return found;
+}
+
+std::string robot_of(Reader& reader) {
+  std::string robot;
+  fields::Decoder decoder;
+  fields::MessageView message;
+  Event event;
+  for (int i = 0; i < kEventsToLookAt && robot.empty() && reader.next(event); ++i) {
+    if (event.channel != channels::kLogMetadata && event.channel != channels::kProcessStatus) continue;
+    if (decoder.open(event.data, event.size, message) != fields::Fault::kNone) continue;
+    const int field = message.layout()->find("robot");
+    if (field != fields::Layout::kNone)
+      robot = message.text(message.fields()[static_cast<std::size_t>(field)]);
+  }
+  reader.rewind();
+  return robot;
+}
+
+}  // namespace sprung::log

@@ -1,0 +1,54 @@
+#pragma once
+/// What is in a log: one pass over the file, in the memory of its channels. Shell: reads a file.
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tools/log/channel_report.h"
+#include "tools/log/incidents.h"
+#include "tools/log/reader.h"
+#include "tools/recorder/log_messages.h"
+
+namespace sprung::log {
+
+struct LogInfo {
+  std::string path;
+  std::uint64_t bytes = 0;
+  std::int64_t events = 0;
+  std::int64_t begin_us = 0;   ///< UTC, when the first event was received
+  double received_s = 0.0;     ///< from the earliest event to the latest, as received
+  double duration_s = 0.0;     ///< robot's time
+  std::int64_t went_back = 0;  ///< events that were received before the one in front of them
+  std::size_t sessions = 0;
+  std::map<std::string, ChannelReport, std::less<>> channels;
+  std::vector<Incident> incidents;
+  std::array<std::int64_t, kLegEventCount> leg_counts{};
+  std::optional<sprung_msgs::log_metadata_t> metadata;  ///< the first one
+  std::optional<sprung_msgs::log_end_t> end;            ///< the last one
+  std::uint64_t damages = 0;
+  std::uint64_t skipped_bytes = 0;
+
+  std::int64_t missing() const noexcept;  ///< cycles, all channels
+};
+
+/// Told now and then how many bytes of how many are done.
+using Progress = std::function<void(std::uint64_t done, std::uint64_t all)>;
+
+LogInfo collect_info(Reader& reader, const std::vector<std::string>& leg_names = {},
+                     const Progress& progress = {});
+
+struct LogExtent;
+/// Begin and end alone. Reads the whole file, and leaves the reader at its begin.
+LogExtent extent_of(Reader& reader);
+
+/// The first LOG_METADATA among the first events. Leaves the reader at its begin.
+std::optional<sprung_msgs::log_metadata_t> find_metadata(Reader& reader);
+
+/// The robot by name, as LOG_METADATA or else the first PROCESS_STATUS among the first events says; "" where neither does.
+std::string robot_of(Reader& reader);
+
+}  // namespace sprung::log

@@ -1,0 +1,185 @@
+#include "tools/log/verify.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "lcmtypes/channels.h"
+#include "tools/recorder/gap_tracker.h"
+
+namespace sprung::log {
+
+namespace {
+
+using Kind = Finding::Kind;
+
+constexpr std::int64_t kShownOfAKind = 20;
+constexpr std::int64_t kEventsBetween = 65'536;  // of two calls of a Progress
+
+bool is_wrong(Kind kind) {
+  return kind != Kind::kUnfinished && kind != Kind::kOrder && kind != Kind::kUnknown;
+}
+
+bool is_ours(std::string_view channel) {
+  using namespace channels;
+  const std::string_view ours[] = {
+      kDriveState,      kDriveCommand,  kJointState,    kLegCommand, kMotionState, kSafetyState, kSimControl,
+      kOperatorCommand, kOperatorReply, kProcessStatus, kBusState,   kCanTrace,    kSimTruth,    kImu,
+      kTorqueSensor,    kLogMetadata,   kLogEnd};
+  return std::find(std::begin(ours), std::end(ours), channel) != std::end(ours);
+}
+
+class Verifier {
+ public:
+  void add(const Event& event);
+  VerifyResult finish(const Reader& reader);
+
+ private:
+  void find(Kind kind, const std::string& text);
+  void check_place(const Event& event);
+  void check_message(const Event& event);
+  void check_cycle(const Event& event, const Timeline::Moment& moment);
+  std::string at(const Event& event) const;
+
+  VerifyResult result_;
+  MessageCheck messages_;
+  Timeline timeline_;
+  std::int64_t last_number_ = -1;
+  std::int64_t last_time_us_ = 0;
+  std::map<std::string, GapTracker, std::less<>> cycles_;
+  std::set<std::string, std::less<>> unknown_;  ///< channels whose type was named already
+  bool has_metadata_ = false;
+  bool has_end_ = false;
+};
+
+void Verifier::find(Kind kind, const std::string& text) {
+  if (++result_.counts[kind] <= kShownOfAKind) result_.findings.push_back({kind, is_wrong(kind), text});
+}
+
+std::string Verifier::at(const Event& event) const {
+  return "event " + std::to_string(event.number) + " (" + std::string(event.channel) + ", byte " +
+         std::to_string(event.offset) + ")";
+}
+
+void Verifier::add(const Event& event) {
+  const Timeline::Moment moment = timeline_.next(event);
+  check_place(event);
+  check_message(event);
+  check_cycle(event, moment);
+  last_number_ = event.number;
+  last_time_us_ = event.time_us;
+  ++result_.events;
+}
+
+void Verifier::check_place(const Event& event) {
+  // A number that starts again is a file that was put behind another.
+  const bool jumps = event.number > last_number_ + 1 || (event.number <= last_number_ && event.number != 0);
+  if (jumps) find(Kind::kNumbers, at(event) + " comes after event " + std::to_string(last_number_));
+  if (result_.events > 0 && event.time_us < last_time_us_)
+    find(Kind::kOrder, at(event) + " was received " + std::to_string(last_time_us_ - event.time_us) +
+                           " us before the one in front of it");
+}
+
+void Verifier::check_message(const Event& event) {
+  const fields::Fault fault = messages_.check(event);
+  if (fault == fields::Fault::kUnknownType) {
+    if (unknown_.emplace(event.channel).second) {
+      const Kind kind = is_ours(event.channel) ? Kind::kOtherType : Kind::kUnknown;
+      find(kind, at(event) + " is of a type that this sprung does not know");
+    }
+  } else if (fault != fields::Fault::kNone) {
+    find(Kind::kMessage, at(event) + " is no message: " + fields::name(fault));
+  }
+  has_metadata_ = has_metadata_ || event.channel == channels::kLogMetadata;
+  if (event.channel != channels::kLogEnd) return;
+  has_end_ = true;
+  const auto end = read_log_end(event.data, event.size);
+  if (end && end->events != event.number)
+    find(Kind::kCount, at(event) + " says that " + std::to_string(end->events) + " events come before it");
+}
+
+void Verifier::check_cycle(const Event& event, const Timeline::Moment& moment) {
+  if (!moment.stamp || !has_every_cycle(event.channel)) return;
+  auto found = cycles_.find(event.channel);
+  if (found == cycles_.end()) found = cycles_.emplace(event.channel, GapTracker()).first;
+  const std::int64_t missing = found->second.add(moment.stamp->seq);
+  if (missing == 0) return;
+  char time[40];
+  std::snprintf(time, sizeof time, "%.3f s", moment.time_s);
+  find(Kind::kMissing, std::string(event.channel) + " misses " + std::to_string(missing) +
+                           " cycles before cycle " + std::to_string(moment.stamp->seq) + ", at " + time);
+}
+
+VerifyResult Verifier::finish(const Reader& reader) {
+  for (const Damage& damage : reader.damages()) {
+    const bool cut = damage.kind == DamageKind::kCutOff;
+    find(cut ? Kind::kCutOff : Kind::kGarbage, (cut ? "the log ends inside an event: " : "no event: ") +
+                                                   std::to_string(damage.bytes) + " bytes from byte " +
+                                                   std::to_string(damage.offset));
+  }
+  result_.counts[Kind::kGarbage] +=
+      static_cast<std::int64_t>(reader.damage_count() - reader.damages().size());
+  if (has_metadata_ && !has_end_)
+    find(Kind::kUnfinished, "there is no LOG_END: cut out of another log, or the recorder was killed");
+  result_.bytes = reader.position();
+  result_.skipped_bytes = reader.skipped_bytes();
+  return result_;
+}
+
+const char* title(Kind kind) {
+  switch (kind) {
+    case Kind::kGarbage:
+      return "damaged places";
+    case Kind::kCutOff:
+      return "cut off";
+    case Kind::kNumbers:
+      return "jumps of event numbers";
+    case Kind::kMessage:
+      return "messages that are none";
+    case Kind::kOtherType:
+      return "channels of another version";
+    case Kind::kMissing:
+      return "gaps";
+    case Kind::kCount:
+      return "wrong counts of events";
+    case Kind::kUnfinished:
+      return "unfinished";
+    case Kind::kOrder:
+      return "events out of order";
+    case Kind::kUnknown:
+      return "channels of an unknown type";
+  }
+  return "";
+}
+
+}  // namespace
+
+bool VerifyResult::good() const noexcept {
+  return std::none_of(counts.begin(), counts.end(),
+                      [](const auto& count) { return count.second > 0 && is_wrong(count.first); });
+}
+
+VerifyResult verify(Reader& reader, const Progress& progress) {
+  Verifier verifier;
+  std::int64_t events = 0;
+  for (Event event; reader.next(event);) {
+    verifier.add(event);
+    if (progress && ++events % kEventsBetween == 0) progress(reader.position(), reader.file_bytes());
+  }
+  return verifier.finish(reader);
+}
+
+std::string verify_text(const std::string& path, const VerifyResult& result) {
+  std::string out;
+  for (const Finding& finding : result.findings)
+    out += std::string(finding.wrong ? "WRONG  " : "note   ") + finding.text + "\n";
+  for (const auto& [kind, count] : result.counts) {
+    if (count > kShownOfAKind) out += "       " + std::to_string(count) + " " + title(kind) + " in all\n";
+  }
+  const std::string what =
+      std::to_string(result.events) + " events, " + std::to_string(result.bytes) + " bytes";
+  out += path + ": " + (result.good() ? "good" : "NOT good") + ", " + what;
+  if (result.skipped_bytes > 0) out += ", " + std::to_string(result.skipped_bytes) + " of them in no event";
+  return out + "\n";
+}
+
+}  // namespace sprung::log
