@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kSingularBelow_m = 0.02;
 constexpr double kDampingAtSingular_m = 0.02;
+constexpr double kSurely = 2.0;  ///< beyond what rounding can do to the bound below
 
 using JointMatrix =
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMaxLegJoints, kMaxLegJoints>;
@@ -21,6 +22,14 @@ using JointMatrix =
 double smallest_eigenvalue(const JointMatrix& symmetric) noexcept {
   const Eigen::SelfAdjointEigenSolver<JointMatrix> solver(symmetric, Eigen::EigenvaluesOnly);
   return std::max(0.0, solver.eigenvalues()[0]);
+}
+
+/// No eigenvalue of a symmetric positive definite matrix is less: the others' product is at most that of their mean. Where it
+/// is well above what matters, nobody needs the eigenvalues themselves, which cost more than all else here.
+double eigenvalue_bound(double trace, double determinant, int size) noexcept {
+  double bound = determinant;
+  for (int others = 1; others < size; ++others) bound *= (size - 1) / trace;
+  return bound;
 }
 
 }  // namespace
@@ -37,8 +46,14 @@ std::unique_ptr<LegKinematics> make_leg_kinematics(const LegConfig& leg) {
 
 DampedInverse damped_inverse(const LegJacobian& jacobian) noexcept {
   JointMatrix gram = jacobian.transpose() * jacobian;
-  const double sigma_squared = smallest_eigenvalue(gram);
   DampedInverse out;
+  const Eigen::PartialPivLU<JointMatrix> factors(gram);
+  if (eigenvalue_bound(gram.trace(), factors.determinant(), static_cast<int>(gram.rows())) >
+      kSurely * kSingularBelow_m * kSingularBelow_m) {
+    out.matrix = jacobian * JointMatrix(factors.inverse());
+    return out;
+  }
+  const double sigma_squared = smallest_eigenvalue(gram);
   out.singular = !(sigma_squared >= kSingularBelow_m * kSingularBelow_m);
   if (out.singular) {
     const double ratio_squared = sigma_squared / (kSingularBelow_m * kSingularBelow_m);

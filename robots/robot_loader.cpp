@@ -9,6 +9,7 @@
 
 #include "robots/gait_section.h"
 #include "robots/preset_section.h"
+#include "robots/robot_numbers.h"
 #include "robots/robot_sections.h"
 
 namespace sprung {
@@ -211,6 +212,12 @@ RobotConfig load_robot(const std::string& robot) {
   config.folder = folder;
   config.hash = hash_text(read_file(path));
   return config;
+}
+
+std::set<std::string> robot_numbers(const std::string& robot) {
+  const YamlMap file = YamlMap::load((fs::path(robot_folder(robot)) / "robot.yaml").string());
+  (void)read_robot(file);
+  return file.numbers();
 }
 
 const char* RobotConfig::why_not_standing() const {

@@ -43,6 +43,8 @@ struct YamlMap::State {
   std::string file;
   std::string prefix;  ///< "presets.paper."
   mutable std::set<std::string> asked;
+  std::shared_ptr<std::set<std::string>> numbers =
+      std::make_shared<std::set<std::string>>();  ///< one for the whole file
 
   std::string where(int line, const std::string& key) const {
     return file + ":" + std::to_string(line) + ": key '" + prefix + key + "'";
@@ -68,6 +70,7 @@ struct YamlMap::State {
 
   double to_quantity(const YAML::Node& child, const std::string& key, const std::string& unit, double low,
                      double high) const {
+    numbers->insert(prefix + key);
     const std::string expected =
         unit.empty() ? "a number without unit" : "a number in '" + unit + "', as in '1 " + unit + "'";
     const std::string text = scalar(child, key, expected);
@@ -103,7 +106,7 @@ struct YamlMap::State {
     if (!child.IsMap()) {
       throw ConfigError(where(child.Mark().line + 1, key) + ": expected a map of keys");
     }
-    return std::make_shared<State>(State{child, file, prefix + key + ".", {}});
+    return std::make_shared<State>(State{child, file, prefix + key + ".", {}, numbers});
   }
 };
 
@@ -165,6 +168,7 @@ double YamlMap::quantity(const std::string& key, const std::string& unit, double
 
 double YamlMap::quantity_or(const std::string& key, const std::string& unit, double low, double high,
                             double otherwise) const {
+  state_->numbers->insert(state_->prefix + key);
   return has(key) ? quantity(key, unit, low, high) : otherwise;
 }
 
@@ -178,6 +182,7 @@ std::vector<double> YamlMap::quantities(const std::string& key, const std::strin
 }
 
 std::int64_t YamlMap::integer(const std::string& key, std::int64_t low, std::int64_t high) const {
+  state_->numbers->insert(state_->prefix + key);
   const YAML::Node child = state_->get(key);
   const std::string text = state_->scalar(child, key, "a whole number");
   const std::string at = state_->where(child.Mark().line + 1, key);
@@ -195,6 +200,7 @@ std::int64_t YamlMap::integer(const std::string& key, std::int64_t low, std::int
 
 std::int64_t YamlMap::integer_or(const std::string& key, std::int64_t low, std::int64_t high,
                                  std::int64_t otherwise) const {
+  state_->numbers->insert(state_->prefix + key);
   return has(key) ? integer(key, low, high) : otherwise;
 }
 
@@ -253,6 +259,8 @@ std::vector<std::pair<std::string, YamlMap>> YamlMap::entries() const {
   }
   return found;
 }
+
+const std::set<std::string>& YamlMap::numbers() const { return *state_->numbers; }
 
 void YamlMap::finish() const {
   std::set<std::string> seen;

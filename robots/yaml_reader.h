@@ -9,6 +9,7 @@
 ///   file.finish();                                                  // refuses keys that nobody asked for
 #include <cstdint>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -47,6 +48,10 @@ class YamlMap {
   std::pair<double, std::string> quantity_at(const std::string& path) const;
   /// A copy in which that number is another one; its unit stays. @throws ConfigError as quantity_at().
   YamlMap with_number_at(const std::string& path, double value) const;
+
+  /// Every number that was asked for so far in the whole file, with its path, "joints[3].position.min"; optional ones also where
+  /// they are not there.
+  const std::set<std::string>& numbers() const;
 
   /// @throws ConfigError naming the first key that nobody asked for, and the keys that are known.
   void finish() const;

@@ -18,6 +18,7 @@ bool GearFriction::varies() const noexcept {
 
 double GearFriction::temperature_factor() const noexcept {
   const FrictionTemperatureConfig& by = friction_.temperature;
+  if (by.per_K == 0.0) return 1.0;
   return std::exp(-by.per_K * (temperature_degC_ - by.reference_degC));
 }
 

@@ -13,12 +13,6 @@ namespace {
 constexpr std::uint16_t kCommands[] = {canopen::kErrorHistory, canopen::kStoreParameters,
                                        canopen::kRestoreDefaults, canopen::kControlWord};
 
-constexpr std::uint32_t key(canopen::ObjectId id) noexcept {
-  return (static_cast<std::uint32_t>(id.index) << 8) | id.sub;
-}
-
-bool before(const ObjectEntry& a, const ObjectEntry& b) noexcept { return key(a.id) < key(b.id); }
-
 std::size_t number_bytes(ObjectType type) noexcept {
   return static_cast<std::size_t>(canopen::type_bytes(type));
 }
@@ -47,14 +41,16 @@ ObjectDictionary::ObjectDictionary(const canopen::Eds& eds, const std::vector<Ob
 }
 
 void ObjectDictionary::build() {
-  std::sort(entries_.begin(), entries_.end(), before);
+  std::sort(entries_.begin(), entries_.end(),
+            [](const ObjectEntry& a, const ObjectEntry& b) { return key(a.id) < key(b.id); });
   std::size_t size = 1;
   while (size < 2 * entries_.size()) size *= 2;
-  slots_.assign(size, -1);
+  slots_.assign(size, Slot{});
   for (const ObjectEntry& entry : entries_) {
-    int& place = slots_[slot(entry.id)];
-    if (place >= 0) throw std::invalid_argument("object " + canopen::id_text(entry.id) + " is listed twice");
-    place = static_cast<int>(values_.size());
+    Slot& place = slots_[slot(entry.id)];
+    if (place.position >= 0)
+      throw std::invalid_argument("object " + canopen::id_text(entry.id) + " is listed twice");
+    place = {key(entry.id), static_cast<int>(values_.size())};
     values_.push_back(is_text(entry.type) ? static_cast<std::int64_t>(texts_.size()) : entry.initial);
     if (is_text(entry.type)) add_text(entry);
   }
@@ -79,15 +75,6 @@ void ObjectDictionary::commission(const ObjectValue& known) {
     entries_[static_cast<std::size_t>(position)].initial = known.value;
   values_[static_cast<std::size_t>(position)] = known.value;
   stored_[static_cast<std::size_t>(position)] = known.value;
-}
-
-/// Where the object is, or the free slot where it would be. The drives' loops ask 4000 times a second for some twenty.
-std::size_t ObjectDictionary::slot(canopen::ObjectId id) const noexcept {
-  constexpr std::uint32_t kGolden = 0x9E3779B1;  // Knuth's multiplicative hash
-  const std::size_t mask = slots_.size() - 1;
-  std::size_t at = (key(id) * kGolden >> 16) & mask;
-  while (slots_[at] >= 0 && !(entry(slots_[at]).id == id)) at = (at + 1) & mask;
-  return at;
 }
 
 std::int64_t ObjectDictionary::get_or(canopen::ObjectId id, std::int64_t otherwise) const noexcept {

@@ -30,7 +30,7 @@ class ObjectDictionary {
   std::int64_t get_or(canopen::ObjectId id, std::int64_t otherwise) const noexcept;
 
   // By position, for what is asked every tick; -1 where there is no such object.
-  int find(canopen::ObjectId id) const noexcept { return slots_[slot(id)]; }
+  int find(canopen::ObjectId id) const noexcept { return slots_[slot(id)].position; }
   bool has(canopen::ObjectId id) const noexcept { return find(id) >= 0; }
   const ObjectEntry& entry(int position) const noexcept {
     return entries_[static_cast<std::size_t>(position)];
@@ -68,6 +68,10 @@ class ObjectDictionary {
   void restart() noexcept;
 
  private:
+  struct Slot {
+    std::uint32_t key = 0;
+    int position = -1;  ///< -1 = free
+  };
   struct Text {
     std::vector<std::uint8_t> now, stored;  ///< with the same capacity, never exceeded
   };
@@ -75,7 +79,18 @@ class ObjectDictionary {
   void add_text(const ObjectEntry& entry);
   void commission(const ObjectValue& known);
   std::uint32_t missing(canopen::ObjectId id) const noexcept;
-  std::size_t slot(canopen::ObjectId id) const noexcept;
+  static constexpr std::uint32_t key(canopen::ObjectId id) noexcept {
+    return (static_cast<std::uint32_t>(id.index) << 8) | id.sub;
+  }
+  /// Where the object is, or the free slot where it would be. The drives' loops ask 4000 times a second for some twenty, so the
+  /// key is in the table itself.
+  std::size_t slot(canopen::ObjectId id) const noexcept {
+    constexpr std::uint32_t kGolden = 0x9E3779B1;  // Knuth's multiplicative hash
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t at = (key(id) * kGolden >> 16) & mask;
+    while (slots_[at].position >= 0 && slots_[at].key != key(id)) at = (at + 1) & mask;
+    return at;
+  }
   Text& text(int position) noexcept { return texts_[static_cast<std::size_t>(value(position))]; }
   const Text& text(int position) const noexcept { return texts_[static_cast<std::size_t>(value(position))]; }
   std::uint32_t check_size(int position, std::size_t size, bool size_told) const noexcept;
@@ -86,7 +101,7 @@ class ObjectDictionary {
 
   std::vector<ObjectEntry> entries_;  ///< sorted by index and sub-index
   std::vector<std::uint16_t> dummies_;
-  std::vector<int> slots_;  ///< hash table of positions, -1 = free; a power of two, at most half full
+  std::vector<Slot> slots_;           ///< hash table; a power of two, at most half full
   std::vector<std::int64_t> values_;  ///< of a text: where it is in texts_
   std::vector<std::int64_t> stored_;
   std::vector<Text> texts_;

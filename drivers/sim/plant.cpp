@@ -5,6 +5,7 @@
 
 #include "drivers/sim/linkage.h"
 #include "drivers/sim/mujoco_row.h"
+#include "robots/robot_loader.h"
 
 namespace sprung::sim {
 namespace {
@@ -41,6 +42,8 @@ Plant::Plant(const RobotConfig& robot, const PlantConfig& config)
   PlantModel loaded = load_plant_model(robot, config);
   model_ = std::move(loaded.model);
   index_ = std::move(loaded.index);
+  if (config.roll_rad != 0.0 && index_.free_qpos < 0)
+    throw ConfigError("--plant roll: this robot's trunk is not free to roll");
   data_.reset(mj_makeData(model_.get()));
   const mjtNum* first = base_armature();
   base_armature_.assign(first, first + model_->body_dofnum[index_.base_body]);
@@ -113,10 +116,20 @@ void Plant::note_feet() noexcept {
   }
 }
 
+/// Parallel to the floor, rolled as the configuration says.
+void Plant::turn_trunk() noexcept {
+  mjtNum* attitude = data_->qpos + index_.free_qpos + 3;
+  mju_quatZ2Vec(attitude, ground_.below_trunk().normal.data());
+  if (config_.roll_rad == 0.0) return;
+  mjtNum parallel[4];
+  mju_copy4(parallel, attitude);
+  const mjtNum rolled[4] = {std::cos(0.5 * config_.roll_rad), std::sin(0.5 * config_.roll_rad), 0.0, 0.0};
+  mju_mulQuat(attitude, parallel, rolled);
+}
+
 /// The lowest point of the robot on the floor below it; a trunk that is free stands parallel to a slope.
 void Plant::touch_floor() noexcept {
-  if (index_.free_qpos >= 0 && config_.suspended_m <= 0.0)
-    mju_quatZ2Vec(data_->qpos + index_.free_qpos + 3, ground_.below_trunk().normal.data());
+  if (index_.free_qpos >= 0 && config_.suspended_m <= 0.0) turn_trunk();
   mj_kinematics(model_.get(), data_.get());
   note_feet();
   place_floors();

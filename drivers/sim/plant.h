@@ -66,9 +66,11 @@ class Plant {
     double output_torque_Nm = 0.0;  ///< of `torsion`, in the last step
     double dry_Nm = 0.0;            ///< friction that may act in this step
     double viscous_Nm_s_rad = 0.0;
-    double viscous_Nm = 0.0;  ///< of a linkage's gear, in the last step
+    double viscous_Nm = 0.0;       ///< of a linkage's gear, in the last step
+    mutable int friction_row = 0;  ///< among MuJoCo's constraints, when it was last looked for
   };
   void reset_gear(std::size_t joint) noexcept;
+  void turn_trunk() noexcept;
   void touch_floor() noexcept;
   void note_feet() noexcept;
   void place_floors() noexcept;

@@ -140,6 +140,7 @@ constexpr Change kChanges[] = {
     {"peak_torque", 0.001, 1e4,
      [](SimConfig& c, double v) { each_drive(c, [v](SimDriveConfig& drive) { drive.peak_torque_Nm = v; }); }},
     {"rail_x_locked", 0, 1, [](SimConfig& c, double v) { c.plant.rail_x_locked = v != 0.0; }},
+    {"roll", -3.15, 3.15, [](SimConfig& c, double v) { c.plant.roll_rad = v; }},
     {"side_slope", -1, 1, [](SimConfig& c, double v) { c.plant.ground.side_slope_rad = v; }},
     {"slope", -1, 1, [](SimConfig& c, double v) { c.plant.ground.slope_rad = v; }},
     {"starts_in_fault", 0, 1,

@@ -40,8 +40,14 @@ double Plant::dry_friction_Nm(std::size_t joint) const noexcept {
   const Linkage* linkage = linkage_of(joint);
   const int type = linkage != nullptr ? mjCNSTR_FRICTION_TENDON : mjCNSTR_FRICTION_DOF;
   const int id = linkage != nullptr ? linkage->tendon : index_.joint_dof[joint];
+  const int guess =
+      gears_[joint].friction_row;  // rows of friction come first, in the order of the joints: mostly the same
+  const auto is_it = [&](int row) { return data_->efc_type[row] == type && data_->efc_id[row] == id; };
+  if (guess < data_->nefc && is_it(guess)) return -data_->efc_force[guess];
   for (int row = 0; row < data_->nefc; ++row) {
-    if (data_->efc_type[row] == type && data_->efc_id[row] == id) return -data_->efc_force[row];
+    if (!is_it(row)) continue;
+    gears_[joint].friction_row = row;
+    return -data_->efc_force[row];
   }
   return 0.0;
 }

@@ -1,6 +1,7 @@
 #include "drivers/sim/transmission.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 
 #include "robots/robot_loader.h"
 
@@ -11,9 +12,10 @@ using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::Ro
 
 }  // namespace
 
-Transmission::Transmission(const RobotConfig& robot)
-    : joints_(robot.joints.size()), actuators_(robot.actuators.size()) {
-  RowMajor whole = RowMajor::Zero(static_cast<int>(joints_), static_cast<int>(actuators_));
+Transmission::Transmission(const RobotConfig& robot) {
+  const auto joints = static_cast<Eigen::Index>(robot.joints.size());
+  const auto actuators = static_cast<Eigen::Index>(robot.actuators.size());
+  RowMajor whole = RowMajor::Zero(joints, actuators);
   for (const LegConfig& leg : robot.legs) {
     for (std::size_t row = 0; row < leg.joints.size(); ++row) {
       for (std::size_t column = 0; column < leg.actuators.size(); ++column) {
@@ -22,27 +24,28 @@ Transmission::Transmission(const RobotConfig& robot)
     }
   }
   const Eigen::FullPivLU<RowMajor> factors(whole);
-  if (joints_ != actuators_ || !factors.isInvertible()) {
+  if (joints != actuators || !factors.isInvertible()) {
     throw ConfigError(robot.name + ": transmission cannot be inverted, so the plant cannot be driven");
   }
   const RowMajor inverse = factors.inverse();
-  inverse_.assign(inverse.data(), inverse.data() + inverse.size());
+  for (Eigen::Index a = 0; a < actuators; ++a) {
+    for (Eigen::Index j = 0; j < joints; ++j) {
+      if (inverse(a, j) != 0.0)
+        shares_.push_back({static_cast<std::size_t>(a), static_cast<std::size_t>(j), inverse(a, j)});
+    }
+  }
 }
 
 void Transmission::to_actuators(const std::vector<double>& joints,
                                 std::vector<double>& actuators) const noexcept {
-  for (std::size_t a = 0; a < actuators_; ++a) {
-    actuators[a] = 0.0;
-    for (std::size_t j = 0; j < joints_; ++j) actuators[a] += inverse_[a * joints_ + j] * joints[j];
-  }
+  std::fill(actuators.begin(), actuators.end(), 0.0);
+  for (const Share& share : shares_) actuators[share.actuator] += share.of * joints[share.joint];
 }
 
 void Transmission::torques_to_joints(const std::vector<double>& actuator_Nm,
                                      std::vector<double>& joint_Nm) const noexcept {
-  for (std::size_t j = 0; j < joints_; ++j) {
-    joint_Nm[j] = 0.0;
-    for (std::size_t a = 0; a < actuators_; ++a) joint_Nm[j] += inverse_[a * joints_ + j] * actuator_Nm[a];
-  }
+  std::fill(joint_Nm.begin(), joint_Nm.end(), 0.0);
+  for (const Share& share : shares_) joint_Nm[share.joint] += share.of * actuator_Nm[share.actuator];
 }
 
 }  // namespace sprung::sim

@@ -17,9 +17,13 @@ class Transmission {
                          std::vector<double>& joint_Nm) const noexcept;
 
  private:
-  std::size_t joints_ = 0;
-  std::size_t actuators_ = 0;
-  std::vector<double> inverse_;  ///< T^-1, row-major actuators x joints
+  /// Of T^-1, where it is not zero: each leg has its own block.
+  struct Share {
+    std::size_t actuator = 0;
+    std::size_t joint = 0;
+    double of = 0.0;
+  };
+  std::vector<Share> shares_;  ///< by actuator, then joint
 };
 
 }  // namespace sprung::sim

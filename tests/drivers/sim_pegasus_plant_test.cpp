@@ -23,6 +23,11 @@ class PegasusPlant : public testing::Test {
     plant_->fill_truth(truth_);
     return truth_;
   }
+  /// Cosine between the trunk's up and the world's.
+  double up() {
+    const auto& q = truth().base_quaternion_wxyz;
+    return q[0] * q[0] - q[1] * q[1] - q[2] * q[2] + q[3] * q[3];
+  }
   /// Joints held as robot.yaml's position loop does.
   void hold(double seconds) {
     std::vector<double> torque_Nm(12);
@@ -111,6 +116,23 @@ TEST_F(PegasusPlant, LiesFlatOnItsSkidsWithEveryJointInsideRobotYamlsLimits) {
     EXPECT_GT(plant_->position_rad(j), robot_.joints[j].position_min_rad) << robot_.joints[j].name;
     EXPECT_LT(plant_->position_rad(j), robot_.joints[j].position_max_rad) << robot_.joints[j].name;
   }
+}
+
+TEST_F(PegasusPlant, RolledItLiesOnItsSideOrItsBackAndStaysThere) {
+  for (const double roll_rad : {1.57, -1.57, 3.14}) {
+    make({{"lying", 1}, {"roll", roll_rad}});
+    EXPECT_NEAR(up(), std::cos(roll_rad), 1e-9);
+    rest(2.0);  // on its side it may topple, but not onto its feet
+    EXPECT_LT(up(), 0.4) << roll_rad;
+    EXPECT_LT(truth().base_in_world_m[2], 0.3) << roll_rad;
+    EXPECT_NEAR(truth().base_velocity_m_s[2], 0.0, 0.02) << roll_rad;
+  }
+}
+
+TEST(Plant, OnlyAFreeTrunkCanBeRolled) {
+  const RobotConfig leg = load_robot("single_leg");
+  const SimConfig config = load_sim_config(leg, {{"roll", 1.0}});
+  EXPECT_THROW(Plant(leg, config.plant), ConfigError);
 }
 
 TEST_F(PegasusPlant, WithoutTorqueItSinksUntilSomethingElseCarriesIt) {

@@ -118,6 +118,7 @@ TEST_P(PlantChanges, GroundKeysReachTheGround) {
   const GroundConfig ground =
       config({{"slope", 0.1}, {"side_slope", -0.2}, {"ground_error", 0.02}, {"ground_seed", 5}}).plant.ground;
   EXPECT_EQ(ground.slope_rad, 0.1);
+  EXPECT_EQ(config({{"roll", -1.57}}).plant.roll_rad, -1.57);
   EXPECT_EQ(ground.side_slope_rad, -0.2);
   EXPECT_EQ(ground.error_m, 0.02);
   EXPECT_EQ(ground.error_seed, 5U);

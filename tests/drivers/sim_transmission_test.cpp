@@ -32,6 +32,20 @@ TEST(Transmission, KeepsPower) {
               joint_Nm[0] * joint_rad_s[0] + joint_Nm[1] * joint_rad_s[1], 1e-12);
 }
 
+TEST(Transmission, LegsAreEachTheirOwn) {
+  RobotConfig robot = load_robot(std::string(SPRUNG_SOURCE_DIR) + "/robots/pegasus");
+  robot.legs[1].transmission = {1, 0, 0, 0, 1, 0, 0, 1, 1};  // knee driven from the trunk
+  const Transmission linkage(robot);
+  const std::vector<double> ones(12, 1.0);
+  std::vector<double> actuators(12), joints(12);
+  linkage.to_actuators(ones, actuators);
+  linkage.torques_to_joints(ones, joints);
+  for (std::size_t i = 0; i < 12; ++i) {
+    EXPECT_DOUBLE_EQ(actuators[i], i == 5 ? 0.0 : 1.0) << "knee less hip, of the second leg alone";
+    EXPECT_DOUBLE_EQ(joints[i], i == 4 ? 0.0 : 1.0);
+  }
+}
+
 TEST(Transmission, SingularMatrixIsRefused) {
   EXPECT_THROW(Transmission(coupled({1, 1, 1, 1})), ConfigError);
 }

@@ -121,5 +121,21 @@ TEST(YamlReader, ACopyWithAnotherNumberKeepsTheUnitAndTheOriginalStays) {
   EXPECT_THAT(complaint([&] { (void)map.with_number_at("gains.z", 1); }), HasSubstr("no number"));
 }
 
+TEST(YamlReader, NumbersThatWereAskedForAreKnownByTheirPathsThoseThatAreNotThereToo) {
+  const YamlMap map =
+      parse("mass: 1 kg\nname: x\nlegs:\n  - {length: 0.3 m, node: 5, curve: [1, 2]}\nunread: 7");
+  map.quantity("mass", "kg", 0, 10);
+  map.text("name");
+  const YamlMap leg = map.list("legs")[0];
+  leg.quantity("length", "m", 0, 1);
+  leg.integer("node", 0, 9);
+  leg.quantities("curve", "", 0, 9);
+  leg.quantity_or("power", "W", 0, 1, 0.0);
+  leg.integer_or("poles", 0, 1, 0);
+  EXPECT_THAT(map.numbers(), testing::ElementsAre("legs[0].curve", "legs[0].length", "legs[0].node",
+                                                  "legs[0].poles", "legs[0].power", "mass"));
+  EXPECT_EQ(leg.numbers(), map.numbers());
+}
+
 }  // namespace
 }  // namespace sprung
