@@ -1,21 +1,39 @@
 #include "controller/compliance_law.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace sprung {
 namespace {
 
-/// @param spring_Nm of the virtual spring alone. @param load_Nm that the gear is to put out.
-double friction_compensation_Nm(const JointCompensation& joints, std::size_t j, double w, double spring_Nm,
-                                double load_Nm, double temperature_C) noexcept {
+/// Of a joint whose friction is to be compensated.
+struct Moment {
+  double velocity_rad_s;
+  double spring_Nm;  ///< of the virtual spring alone
+  double load_Nm;    ///< that the gear is to put out
+  double temperature_C;
+};
+
+/// Share of the share `wanted` that acts in motion.
+double sure_share(const JointCompensation& joints, std::size_t j, double wanted) noexcept {
+  if (j >= joints.friction_uncertainty.size()) return 1.0;
+  const double surely = std::max(0.0, 1.0 - joints.friction_uncertainty[j]);
+  return wanted > surely ? surely / wanted : 1.0;
+}
+
+double friction_compensation_Nm(const JointCompensation& joints, std::size_t j, double wanted,
+                                const Moment& at) noexcept {
   const FrictionParameters& law = joints.friction[j];
-  const FrictionInput moving{w, load_Nm, temperature_C, std::tanh(w / joints.smoothing_rad_s)};
+  const double w = at.velocity_rad_s;
+  const FrictionInput moving{w, at.load_Nm, at.temperature_C, std::tanh(w / joints.smoothing_rad_s)};
   const double in_motion_Nm = friction_torque_Nm(law, moving);
-  if (joints.rest.speed_rad_s <= 0.0) return in_motion_Nm;
+  if (joints.rest.speed_rad_s <= 0.0) return wanted * in_motion_Nm;
   const double ratio = w / joints.rest.speed_rad_s;
   const double share = std::exp(-ratio * ratio);
-  const FrictionInput resting{0.0, load_Nm, temperature_C, std::tanh(spring_Nm / joints.rest.torque_Nm)};
-  return share * friction_torque_Nm(law, resting) + (1.0 - share) * in_motion_Nm;
+  const FrictionInput resting{0.0, at.load_Nm, at.temperature_C,
+                              std::tanh(at.spring_Nm / joints.rest.torque_Nm)};
+  return wanted * (share * friction_torque_Nm(law, resting) +
+                   (1.0 - share) * sure_share(joints, j, wanted) * in_motion_Nm);
 }
 
 /// J' q': what the foot accelerates by while the joints move evenly.
@@ -38,6 +56,20 @@ JointVector desired_acceleration_rad_s2(const LegKinematics& kinematics, const F
          (foot.acceleration_m_s2 - even_motion_acceleration_m_s2(kinematics, leg));
 }
 
+JointVector led_torque_Nm(const LegKinematics& kinematics, const DesiredLeg& desired, const FootMotion& foot,
+                          const LegMotion& leg, const JointCompensation& joints) noexcept {
+  const JointVector acceleration = desired_acceleration_rad_s2(kinematics, foot, leg);
+  JointVector torque = kinematics.inverse_dynamics_Nm(leg.position_rad, leg.velocity_rad_s, acceleration);
+  for (int j = 0; j < torque.size(); ++j) {
+    const auto place = static_cast<std::size_t>(j);
+    const double w = leg.velocity_rad_s[j];
+    const FrictionInput moving{w, torque[j], leg.temperature_C[j], std::tanh(w / joints.smoothing_rad_s)};
+    torque[j] += desired.friction_compensation * friction_torque_Nm(joints.friction[place], moving) +
+                 desired.inertia_compensation * joints.armature_kg_m2[place] * acceleration[j];
+  }
+  return torque;
+}
+
 JointVector compliance_torque_Nm(const LegKinematics& kinematics, const DesiredLeg& desired,
                                  const FootMotion& foot, const LegMotion& leg,
                                  const JointCompensation& joints) noexcept {
@@ -52,9 +84,9 @@ JointVector compliance_torque_Nm(const LegKinematics& kinematics, const DesiredL
   JointVector torque = jacobian.transpose() * force_N + kinematics.gravity_torque_Nm(leg.position_rad);
   for (int j = 0; j < torque.size(); ++j) {
     const auto place = static_cast<std::size_t>(j);
-    torque[j] += desired.friction_compensation * friction_compensation_Nm(joints, place,
-                                                                          leg.velocity_rad_s[j], spring_Nm[j],
-                                                                          torque[j], leg.temperature_C[j]);
+    torque[j] +=
+        friction_compensation_Nm(joints, place, desired.friction_compensation,
+                                 {leg.velocity_rad_s[j], spring_Nm[j], torque[j], leg.temperature_C[j]});
   }
   if (desired.inertia_compensation == 0.0 || joints.armature_kg_m2.empty()) return torque;
   const JointVector acceleration = desired_acceleration_rad_s2(kinematics, foot, leg);

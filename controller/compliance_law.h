@@ -14,7 +14,9 @@
 /// feedback. At rest the papers' law gives nothing, and the foot sticks wherever the spring is weaker than friction. The
 /// rest law (E5; facts physics.md "The law that works at rest") takes the sign from where the spring pulls, tau_k = J^T K e
 /// alone: tanh(tau_k / tau0). With weight or feed-forward in it, it would push a leg that hangs where it should.
-///     f = h f_rest + (1 - h) f_motion,  h = exp(-(w / w_rest)^2);  w_rest = 0: h = 0, the papers' law.
+///     k f = h k f_rest + (1 - h) min(k, 1 - u) f_motion,  h = exp(-(w / w_rest)^2);  w_rest = 0: k f_motion, the papers' law.
+/// u is friction's relative uncertainty. What is compensated beyond the true friction drives a motion on (at 0.8 of the friction a foot with
+/// k = 0.97 never came to rest), so in motion no more is than there surely is. At rest the spring's sign drives toward the target alone.
 ///
 /// Inertia. q_des'' = J^-1 (P_des'' - J' q'): joint acceleration that the desired foot acceleration asks for here and now.
 #include <vector>
@@ -36,12 +38,18 @@ struct JointCompensation {
   std::vector<FrictionParameters> friction;  ///< presliding plays no part
   double smoothing_rad_s = 0.05;             ///< w0 > 0
   RestFrictionConfig rest{};
-  std::vector<double> armature_kg_m2{};  ///< empty: inertia is not compensated
+  std::vector<double> friction_uncertainty{};  ///< u, relative, one standard deviation; empty: 0
+  std::vector<double> armature_kg_m2{};        ///< empty: inertia is not compensated
 };
 
 /// J^-1 (P_des'' - J' q'), by the damped inverse: bounded in singular poses.
 JointVector desired_acceleration_rad_s2(const LegKinematics& kinematics, const FootMotion& foot,
                                         const LegMotion& leg) noexcept;
+
+/// What a leg whose foot is led takes that nothing touches: inverse dynamics of its links, and of rotors and friction the shares that are
+/// compensated: of the motion that is wanted, not of the one that is measured. `leg` is that motion.
+JointVector led_torque_Nm(const LegKinematics& kinematics, const DesiredLeg& desired, const FootMotion& foot,
+                          const LegMotion& leg, const JointCompensation& joints) noexcept;
 
 JointVector compliance_torque_Nm(const LegKinematics& kinematics, const DesiredLeg& desired,
                                  const FootMotion& foot, const LegMotion& leg,

@@ -32,6 +32,7 @@ JointCompensation compensation(const std::vector<JointConfig>& joints, const Pre
   out.rest = preset.rest_friction;
   for (const JointConfig& joint : joints) {
     out.friction.push_back(paper ? joint.papers_friction() : joint.estimated_friction());
+    out.friction_uncertainty.push_back(joint.friction ? joint.uncertainty.friction : 0.0);
     out.armature_kg_m2.push_back(joint.armature_kg_m2);
   }
   return out;
@@ -87,7 +88,8 @@ LegOutcome LegController::follow(const DesiredLeg& desired, double desired_age_s
   if (mode_ == ControlMode::kJoint) return joint(desired, desired_age_s, dt_s, out);
   const FootMotion foot = extrapolate(desired, desired_age_s);
   if (!foot.position_m.allFinite() || !foot.velocity_m_s.allFinite()) return LegOutcome::kNotFinite;
-  return mode_ == ControlMode::kPosition ? position(foot, dt_s, out) : compliance(desired, foot, dt_s, out);
+  return mode_ == ControlMode::kPosition ? position(desired, foot, dt_s, out)
+                                         : compliance(desired, foot, dt_s, out);
 }
 
 bool LegController::read(const std::vector<EstimatedJoint>& joints) noexcept {
@@ -105,12 +107,26 @@ bool LegController::read(const std::vector<EstimatedJoint>& joints) noexcept {
          motor_torque_Nm_.allFinite();
 }
 
-LegOutcome LegController::position(const FootMotion& foot, double dt_s, DriveCommand& out) noexcept {
+LegOutcome LegController::position(const DesiredLeg& desired, const FootMotion& foot, double dt_s,
+                                   DriveCommand& out) noexcept {
   const InverseResult inverse = kinematics_->inverse(foot.position_m, measured_.position_rad);
   if (!inverse.reachable) return LegOutcome::kUnreachable;
   const DampedInverse to_joints = damped_inverse(kinematics_->jacobian(inverse.position_rad));
-  send_position({inverse.position_rad, to_joints.matrix.transpose() * foot.velocity_m_s}, dt_s, out);
+  const SetPoints to{inverse.position_rad, to_joints.matrix.transpose() * foot.velocity_m_s};
+  feed_forward(desired, foot, to);
+  send_position(to, dt_s, out);
   return LegOutcome::kOk;
+}
+
+/// The drive's own loop takes position set-points alone, and lags behind a quick swing by all that its rotor takes.
+void LegController::feed_forward(const DesiredLeg& desired, const FootMotion& foot,
+                                 const SetPoints& to) noexcept {
+  JointVector torque_Nm = JointVector::Zero(transmission_.size());
+  if (desired.inertia_compensation > 0.0)
+    torque_Nm = led_torque_Nm(*kinematics_, desired, foot,
+                              {to.position_rad, to.velocity_rad_s, measured_.temperature_C}, compensation_);
+  if (!torque_Nm.allFinite()) torque_Nm.setZero();
+  blend_.feed_forward(transmission_.actuator_torque(torque_Nm));
 }
 
 LegOutcome LegController::joint(const DesiredLeg& desired, double desired_age_s, double dt_s,
@@ -124,6 +140,7 @@ LegOutcome LegController::joint(const DesiredLeg& desired, double desired_age_s,
         known ? desired.desired_joint_position_rad[place] + desired_age_s * to.velocity_rad_s[j] : kNaN;
   }
   if (!to.position_rad.allFinite() || !to.velocity_rad_s.allFinite()) return LegOutcome::kNotFinite;
+  blend_.feed_forward(JointVector::Zero(transmission_.size()));
   send_position(to, dt_s, out);
   return LegOutcome::kOk;
 }

@@ -12,6 +12,8 @@ constexpr double kPeakToMeanOfFade = 1.5;  // of the cubic
 /// of the limit. Its speed adds 1.5 Nm, an old torque that fades 2 %: together under 5 %.
 constexpr double kFadeAcceleration_rad_s2 = 100.0;
 constexpr double kFadeStep = 0.02;
+constexpr double kAskedStep =
+    0.021;  // of the limit in a cycle: also what is fed forward comes and goes no faster
 
 double largest(const JointVector& v) noexcept { return v.size() > 0 ? v.cwiseAbs().maxCoeff() : 0.0; }
 
@@ -21,8 +23,8 @@ SetPointBlend::SetPointBlend(const std::vector<ActuatorConfig>& actuators) noexc
   for (const ActuatorConfig& a : actuators)
     loops_.push_back({a.position_stiffness_Nm_rad, a.position_damping_Nm_s_rad, a.torque_limit_Nm});
   const auto n = static_cast<Eigen::Index>(actuators.size());
-  for (JointVector* v : {&offset_.position_rad, &offset_.velocity_rad_s, &torque_Nm_,
-                         &displacement_.position_rad, &displacement_.velocity_rad_s}) {
+  for (JointVector* v : {&offset_.position_rad, &offset_.velocity_rad_s, &torque_Nm_, &feedforward_Nm_,
+                         &asked_Nm_, &displacement_.position_rad, &displacement_.velocity_rad_s}) {
     v->setZero(n);
   }
 }
@@ -48,8 +50,17 @@ void SetPointBlend::start_torque(const JointVector& actuator_torque_Nm, double d
   }
   displacement_.position_rad.setZero();
   displacement_.velocity_rad_s.setZero();
+  asked_Nm_ = torque_Nm_;
   torque_.start(fade_time_s(share, kFadeStep, dt_s));
   displace(dt_s);
+}
+
+void SetPointBlend::feed_forward(const JointVector& actuator_torque_Nm) noexcept {
+  for (int i = 0; i < feedforward_Nm_.size(); ++i) {
+    const Loop& loop = loops_[static_cast<std::size_t>(i)];
+    const double known_Nm = loop.stiffness_Nm_rad > 0.0 ? actuator_torque_Nm[i] : 0.0;
+    feedforward_Nm_[i] = std::clamp(known_Nm, -loop.torque_limit_Nm, loop.torque_limit_Nm);
+  }
 }
 
 void SetPointBlend::advance(double dt_s) noexcept {
@@ -64,8 +75,10 @@ void SetPointBlend::displace(double dt_s) noexcept {
     const double resistance = loop.damping_Nm_s_rad + loop.stiffness_Nm_rad * dt_s;
     double& p = displacement_.position_rad[i];
     double& rate = displacement_.velocity_rad_s[i];
-    const double left_Nm = torque_.share() * torque_Nm_[i];
-    rate = resistance > 0.0 ? (left_Nm - loop.stiffness_Nm_rad * p) / resistance : 0.0;
+    const double wanted_Nm = torque_.share() * torque_Nm_[i] + (1.0 - torque_.share()) * feedforward_Nm_[i];
+    const double most_Nm = kAskedStep * loop.torque_limit_Nm;
+    asked_Nm_[i] += std::clamp(wanted_Nm - asked_Nm_[i], -most_Nm, most_Nm);
+    rate = resistance > 0.0 ? (asked_Nm_[i] - loop.stiffness_Nm_rad * p) / resistance : 0.0;
     p += rate * dt_s;
   }
 }

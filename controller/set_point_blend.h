@@ -7,6 +7,7 @@
 /// Torque: what the motors gave before, tau, is asked of the position loop too, fading with it: a displacement p with
 ///     D p' + K p = tau (t),   p (0) = 0.
 /// A step of the set-point would not do: p = tau / K at once is tau / K / cycle for the rate, hundreds of Nm in the drive's D.
+/// In the same way a torque that is known beforehand (feed-forward) is asked of a drive that takes none: it comes as the old one goes.
 #include <vector>
 
 #include "controller/fade.h"
@@ -29,6 +30,8 @@ class SetPointBlend {
   void start_motion(const SetPoints& from, const SetPoints& to) noexcept;
   /// The actuators' loops are to begin with these torques. An actuator whose stiffness is unknown begins with none.
   void start_torque(const JointVector& actuator_torque_Nm, double dt_s) noexcept;
+  /// Of the actuators, from this cycle on, until the next call. Zero at first.
+  void feed_forward(const JointVector& actuator_torque_Nm) noexcept;
   /// Once in a cycle, before the starts.
   void advance(double dt_s) noexcept;
 
@@ -47,8 +50,10 @@ class SetPointBlend {
   };
   std::vector<Loop> loops_;
   Fade motion_, torque_;
-  SetPoints offset_;        ///< of the joints, when the fade began
-  JointVector torque_Nm_;   ///< of the actuators, when the fade began
+  SetPoints offset_;       ///< of the joints, when the fade began
+  JointVector torque_Nm_;  ///< of the actuators, when the fade began
+  JointVector feedforward_Nm_;
+  JointVector asked_Nm_;    ///< of the loops in this cycle, by the displacement
   SetPoints displacement_;  ///< p and p'
 };
 

@@ -35,6 +35,7 @@ void LegStep::stand(const Eigen::Vector3d& foot_m, double since_s) noexcept {
   in_phase_s_ = since_s;
   wanted_m_ = foot_m;
   wanted_m_s_.setZero();
+  wanted_m_s2_.setZero();
   gave_up_ = false;
 }
 
@@ -82,6 +83,7 @@ void LegStep::swing(const StepPlan& plan, const Eigen::Vector3d& foothold_m) noe
   const SwingPoint point = path.at(in_swing_s_);
   wanted_m_ = point.position_m;
   wanted_m_s_ = point.velocity_m_s;
+  wanted_m_s2_ = point.acceleration_m_s2;
   const double over_s = in_swing_s_ - plan.swing_s;
   if (!waits && over_s > 0.0 && control_ != GaitControl::kHybrid) {
     wanted_m_.z() -= plan.law->approach_m_s * over_s;

@@ -47,6 +47,7 @@ class LegStep {
   bool late(const StepPlan& plan) const noexcept { return !stands() && in_swing_s_ >= plan.swing_s; }
   const Eigen::Vector3d& wanted_m() const noexcept { return wanted_m_; }
   const Eigen::Vector3d& wanted_m_s() const noexcept { return wanted_m_s_; }
+  const Eigen::Vector3d& wanted_m_s2() const noexcept { return wanted_m_s2_; }
   /// Moves the wanted place of a standing foot, e.g. for the height of the body.
   void shift(const Eigen::Vector3d& by_m) noexcept { wanted_m_ += by_m; }
   LegEvent last_event() const noexcept { return last_event_; }
@@ -71,6 +72,7 @@ class LegStep {
   Eigen::Vector3d from_m_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d wanted_m_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d wanted_m_s_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d wanted_m_s2_ = Eigen::Vector3d::Zero();
   LegEvent last_event_ = LegEvent::kNone;
   std::array<std::int32_t, kLegEventCount> counts_{};
 };

@@ -5,20 +5,49 @@
 namespace sprung {
 namespace {
 
-struct Share {
+struct Point {
   double value;
-  double rate;  ///< d value / d u
+  double rate;
+  double rate2;  ///< second derivative
 };
 
-/// Least jerk (Flash and Hogan 1985): at rest at both ends.
-Share smooth(double u) noexcept {
-  return {u * u * u * (10.0 - 15.0 * u + 6.0 * u * u), 30.0 * u * u * (1.0 - u) * (1.0 - u)};
+/// Least jerk (Flash and Hogan 1985): from 0 to 1, at rest at both ends.
+Point smooth(double u) noexcept {
+  return {u * u * u * (10.0 - 15.0 * u + 6.0 * u * u), 30.0 * u * u * (1.0 - u) * (1.0 - u),
+          60.0 * u * (1.0 - u) * (1.0 - 2.0 * u)};
 }
 
-/// 0, 1, 0 at u = 0, 1/2, 1, flat at each.
-Share bump(double u) noexcept {
-  const double side = u * (1.0 - u);
-  return {16.0 * side * side, 32.0 * side * (1.0 - 2.0 * u)};
+/// Cubic with the value and the rate that are given at each end of its duration.
+struct Cubic {
+  double from, from_rate, to, to_rate, duration;
+
+  Point at(double t) const noexcept {
+    const double slope = (to - from) / duration;
+    const double c2 = (3.0 * slope - 2.0 * from_rate - to_rate) / duration;
+    const double c3 = (from_rate + to_rate - 2.0 * slope) / (duration * duration);
+    return {from + t * (from_rate + t * (c2 + t * c3)), from_rate + t * (2.0 * c2 + 3.0 * t * c3),
+            2.0 * c2 + 6.0 * t * c3};
+  }
+};
+
+/// Up from rest, over a place half way and down to `to` at to_rate: of all such ways the one whose squared acceleration, and with it the
+/// heat of motors that move little else than their own rotors, is least (a cubic spline).
+Point arc(double from, double over, double to, double to_rate, double duration, double t) noexcept {
+  const double half = 0.5 * duration;
+  const double over_rate = (3.0 * (to - from) / half - to_rate) / 4.0;  // no step of acceleration there
+  if (t < half) return Cubic{from, 0.0, over, over_rate, half}.at(t);
+  return Cubic{over, over_rate, to, to_rate, half}.at(t - half);
+}
+
+Point height(const SwingPath& path, double time_s) noexcept {
+  const double high_s = path.duration_s - path.approach_s;
+  const double over_m =
+      path.approach_m_s * path.approach_s;  // above the ground where the straight way down begins
+  const double to_m = path.to_m.z() + over_m;
+  const double approach_m_s = path.approach_s > 0.0 ? path.approach_m_s : 0.0;
+  if (time_s >= high_s) return {to_m - approach_m_s * (time_s - high_s), -approach_m_s, 0.0};
+  const double top_m = 0.5 * (path.from_m.z() + path.to_m.z()) + path.lift_m;
+  return arc(path.from_m.z(), top_m, to_m, -approach_m_s, high_s, std::max(0.0, time_s));
 }
 
 }  // namespace
@@ -27,25 +56,20 @@ SwingPoint SwingPath::at(double time_s) const noexcept {
   const double t = std::clamp(time_s, 0.0, duration_s);
   SwingPoint out;
   // Against the ground the foot is at rest at both ends; the body sees the ground move.
-  const Share way = smooth(t / duration_s);
+  const Point way = smooth(t / duration_s);
   const Eigen::Vector3d over_ground_m = to_m - from_m - ground_m_s * duration_s;
   out.position_m = from_m + over_ground_m * way.value + ground_m_s * t;
   out.velocity_m_s = over_ground_m * (way.rate / duration_s) + ground_m_s;
+  out.acceleration_m_s2 = over_ground_m * (way.rate2 / (duration_s * duration_s));
 
-  const double high_s = duration_s - approach_s;
-  const double over_m = approach_m_s * approach_s;  // above the ground where the straight way down begins
-  const double u = std::min(1.0, t / high_s);
-  const Share rise = smooth(u);
-  const Share arc = bump(u);
-  const double to_z_m = to_m.z() + over_m;
-  out.position_m.z() = from_m.z() + (to_z_m - from_m.z()) * rise.value + lift_m * arc.value;
-  out.velocity_m_s.z() = ((to_z_m - from_m.z()) * rise.rate + lift_m * arc.rate) / high_s;
-  if (approach_s > 0.0 && time_s > high_s) {
-    out.position_m.z() = to_z_m - approach_m_s * (time_s - high_s);
-    out.velocity_m_s.z() = -approach_m_s;
-  }
-  if (time_s > duration_s)
+  const Point z = height(*this, time_s);
+  out.position_m.z() = z.value;
+  out.velocity_m_s.z() = z.rate;
+  out.acceleration_m_s2.z() = z.rate2;
+  if (time_s > duration_s) {
     out.position_m += Eigen::Vector3d(ground_m_s.x(), ground_m_s.y(), 0.0) * (time_s - duration_s);
+    out.acceleration_m_s2.setZero();
+  }
   return out;
 }
 

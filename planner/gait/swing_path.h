@@ -8,6 +8,7 @@ namespace sprung {
 struct SwingPoint {
   Eigen::Vector3d position_m;
   Eigen::Vector3d velocity_m_s;
+  Eigen::Vector3d acceleration_m_s2;
 };
 
 struct SwingPath {

@@ -48,10 +48,10 @@ const char* Walk::mistake(const WalkRequest& request, bool walking) const noexce
   if (!(std::abs(request.speed[2]) <= wanted.fastest_turning_rad_s))
     return "faster turning than this gait goes";
   constexpr double kLowest = 0.6;
-  constexpr double kHighest = 1.1;
+  constexpr double kHighest = 1.05;  // straighter legs have no vertical stiffness left to give
   const bool high =
       request.height_m >= kLowest * stand_height_m_ && request.height_m <= kHighest * stand_height_m_;
-  if (!high) return "body height beyond 60 to 110 % of the preset's stand_length";
+  if (!high) return "body height beyond 60 to 105 % of the preset's stand_length";
   if (!(request.stance_width_m >= -0.05 && request.stance_width_m <= 0.15))
     return "stance width beyond -50 to 150 mm";
   if (walking && failure_ != nullptr) return failure_;
@@ -307,8 +307,11 @@ void Walk::write(std::size_t leg, DesiredLeg& out) const noexcept {
   out.phase = step.phase();
   out.desired_foot_in_hip_m = to_vec3(as_wanted * step.wanted_m() - shape_.hip_in_trunk_m[leg]);
   out.desired_foot_velocity_m_s = to_vec3(as_wanted * step.wanted_m_s());
+  out.desired_foot_acceleration_m_s2 = to_vec3(as_wanted * step.wanted_m_s2());
   if (!on_spring(leg)) {
     out.control_mode = ControlMode::kPosition;
+    out.friction_compensation = law_.swing_friction_compensation;
+    out.inertia_compensation = law_.swing_inertia_compensation;
     return;
   }
   const StiffnessConfig& gains =

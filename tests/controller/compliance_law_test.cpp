@@ -42,7 +42,7 @@ class ComplianceLawTest : public testing::Test {
   DesiredLeg desired_;
   FootMotion foot_;
   LegMotion measured_;
-  JointCompensation joints_{{coulomb(1.79), coulomb(1.79)}, 0.05, {}, {}};
+  JointCompensation joints_{{coulomb(1.79), coulomb(1.79)}, 0.05, {}, {}, {}};
 };
 
 TEST_F(ComplianceLawTest, AtTheTargetOnlyTheLegsOwnWeightIsHeld) {
@@ -175,6 +175,53 @@ TEST_F(ComplianceLawTest, RestLawGivesWayToTheLawOfMotionWithSpeed) {
   }
 }
 
+TEST_F(ComplianceLawTest, InMotionNoMoreFrictionIsCompensatedThanThereSurelyIsAndAtRestAllOfIt) {
+  desired_.friction_compensation = 1.0;
+  desired_.damping_N_s_m = {0.0, 0.0, 0.0};
+  joints_.rest = {0.02, 0.1};
+  joints_.friction_uncertainty = {0.2, 0.3};
+  foot_.position_m += Eigen::Vector3d(0.004, 0.0, -0.02);
+  const auto helped = [&] {
+    JointCompensation none = joints_;
+    none.friction = {FrictionParameters{}, FrictionParameters{}};
+    return (torque() - compliance_torque_Nm(leg_, desired_, foot_, measured_, none)).eval();
+  };
+  const JointVector at_rest = helped();
+  EXPECT_NEAR(std::abs(at_rest[0]), 1.79, 1e-3);
+  EXPECT_NEAR(std::abs(at_rest[1]), 1.79, 1e-3);
+  measured_.velocity_rad_s = pair(0.5, -0.5);  // the rest law's share is exp(-625)
+  EXPECT_NEAR(helped()[0], 0.8 * 1.79, 1e-6);
+  EXPECT_NEAR(helped()[1], -0.7 * 1.79, 1e-6);
+  joints_.rest = {};  // the papers' law compensates what it is told to
+  EXPECT_NEAR(helped()[0], 1.79, 1e-6);
+}
+
+TEST_F(ComplianceLawTest, ShareThatIsSurelyThereIsNotTouchedToTheBit) {
+  desired_.friction_compensation = 0.8;
+  joints_.rest = {0.08, 0.2};
+  foot_.position_m += Eigen::Vector3d(0.004, 0.0, -0.02);
+  measured_.velocity_rad_s = pair(0.11, -0.07);
+  const JointVector before = torque();
+  joints_.friction_uncertainty = {0.16, 0.19};
+  EXPECT_EQ(torque(), before);
+}
+
+TEST_F(ComplianceLawTest, FrictionThatIsLessThanIdentifiedByItsUncertaintyDoesNotDriveAMotionOn) {
+  desired_.friction_compensation = 1.0;
+  desired_.damping_N_s_m = {0.0, 0.0, 0.0};
+  joints_.rest = {0.08, 0.2};
+  joints_.friction_uncertainty = {0.2, 0.2};
+  JointCompensation none = joints_;
+  none.friction = {FrictionParameters{}, FrictionParameters{}};
+  for (const double w : {0.02, 0.05, 0.1, 0.2, 1.0, 5.0}) {  // in the target: no spring pulls
+    measured_.velocity_rad_s = pair(w, -w);
+    const JointVector helped = torque() - compliance_torque_Nm(leg_, desired_, foot_, measured_, none);
+    const double true_friction_Nm = 0.8 * 1.79 + 1e-9;
+    EXPECT_LE(helped[0], true_friction_Nm) << w;
+    EXPECT_GE(helped[1], -true_friction_Nm) << w;
+  }
+}
+
 TEST_F(ComplianceLawTest, RotorsGetTheirShareOfTheDesiredAcceleration) {
   joints_.armature_kg_m2 = {0.81, 0.6};
   foot_.acceleration_m_s2 = {3.0, 0.0, -12.0};
@@ -204,6 +251,21 @@ TEST_F(ComplianceLawTest, InertiaIsNoBiggerThanTheDampedInverseAllowsInASingular
   const JointVector qdd = desired_acceleration_rad_s2(leg_, foot_, measured_);
   EXPECT_TRUE(qdd.allFinite());
   EXPECT_LT(qdd.norm(), 50.0 / 0.02);
+}
+
+TEST_F(ComplianceLawTest, LegThatIsLedTakesItsLinksAndTheSharesOfRotorsAndFriction) {
+  joints_.friction = {coulomb(5.0), coulomb(7.0)};
+  joints_.armature_kg_m2 = {0.5, 0.8};
+  measured_.velocity_rad_s = pair(2.0, -3.0);
+  foot_.acceleration_m_s2 = {1.0, 0.0, 4.0};
+  desired_.friction_compensation = 0.8;
+  desired_.inertia_compensation = 0.9;
+  const JointVector acceleration = desired_acceleration_rad_s2(leg_, foot_, measured_);
+  const JointVector links_Nm =
+      leg_.inverse_dynamics_Nm(measured_.position_rad, measured_.velocity_rad_s, acceleration);
+  const JointVector led_Nm = led_torque_Nm(leg_, desired_, foot_, measured_, joints_);
+  EXPECT_NEAR(led_Nm[0] - links_Nm[0], 0.8 * 5.0 + 0.9 * 0.5 * acceleration[0], 1e-6);
+  EXPECT_NEAR(led_Nm[1] - links_Nm[1], -0.8 * 7.0 + 0.9 * 0.8 * acceleration[1], 1e-6);
 }
 
 TEST(FootMotionTest, ExtrapolatesWithConstantAcceleration) {

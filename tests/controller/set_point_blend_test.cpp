@@ -107,6 +107,32 @@ TEST_F(SetPointBlendTest, UnknownStiffnessGetsNoTorqueAndALoopWithoutDampingADis
   EXPECT_NEAR(out.position_rad[1], 20.0 / 503.0, 1e-12);
 }
 
+TEST_F(SetPointBlendTest, LoopGivesTheTorqueThatIsFedForwardAsTheOldOneGoes) {
+  blend_.feed_forward(pair(30.0, -50.0));
+  blend_.start_torque(pair(10.0, 20.0), kCycle_s);
+  EXPECT_NEAR(loop_Nm(torque(), 0), 10.0, 1e-9);
+  EXPECT_NEAR(loop_Nm(torque(), 1), 20.0, 1e-9);
+  for (int k = 0; k < 100; ++k) blend_.advance(kCycle_s);
+  for (const double torque_Nm : {-50.0, 12.0, 80.0}) {  // followed from cycle to cycle
+    blend_.feed_forward(pair(30.0, torque_Nm));
+    double before_Nm = loop_Nm(torque(), 1);
+    for (int k = 0; k < 50; ++k) {  // no faster than an old torque goes
+      blend_.advance(kCycle_s);
+      ASSERT_LT(std::abs(loop_Nm(torque(), 1) - before_Nm), 0.0211 * actuators_[1].torque_limit_Nm);
+      before_Nm = loop_Nm(torque(), 1);
+    }
+    EXPECT_NEAR(loop_Nm(torque(), 0), 30.0, 1e-9);
+    EXPECT_NEAR(loop_Nm(torque(), 1), torque_Nm, 1e-9);
+  }
+}
+
+TEST_F(SetPointBlendTest, FeedForwardStaysWithinTheMotorsLimits) {
+  blend_.feed_forward(pair(1e4, -1e4));
+  for (int k = 0; k < 100; ++k) blend_.advance(kCycle_s);
+  EXPECT_NEAR(loop_Nm(torque(), 0), actuators_[0].torque_limit_Nm, 1e-6);
+  EXPECT_NEAR(loop_Nm(torque(), 1), -actuators_[1].torque_limit_Nm, 1e-6);
+}
+
 TEST_F(SetPointBlendTest, NothingIsAllocated) {
   const std::int64_t before = test::allocation_count();
   blend_.start_motion({pair(0.1, -0.05), pair(2.0, -3.0)}, rest_);

@@ -41,7 +41,8 @@ class PlannerWalkTest : public testing::Test {
     if (motion_.state == MotionPhase::kIdle || motion_.state == MotionPhase::kFallen) return;
     for (std::size_t i = 0; i < 4; ++i) {
       Vec3 foot = legs_.legs[i].desired_foot_in_hip_m;
-      const double floor_m = motion_.state == MotionPhase::kWalking && i == hole_ ? -1.0 : -0.5;
+      const double floor_m =
+          motion_.state == MotionPhase::kWalking && i == hole_ ? -1.0 : -robot_.preset("best").stand_length_m;
       state_.legs[i].contact = foot[2] <= floor_m + 1e-9 || motion_.state != MotionPhase::kWalking;
       foot[2] = std::max(foot[2], floor_m);
       state_.legs[i].estimated_foot_in_hip_m = foot;
@@ -105,7 +106,7 @@ TEST_F(PlannerWalkTest, StandsUpWithItsFeetBesideItsHips) {
   const double width_m = 0.08 + robot_.preset("best").walk.stance_width_m;
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_NEAR(legs_.legs[i].desired_foot_in_hip_m[1], i % 2 == 0 ? width_m : -width_m, 1e-9);
-    EXPECT_NEAR(legs_.legs[i].desired_foot_in_hip_m[2], -0.5, 1e-9);
+    EXPECT_NEAR(legs_.legs[i].desired_foot_in_hip_m[2], -robot_.preset("best").stand_length_m, 1e-9);
   }
 }
 

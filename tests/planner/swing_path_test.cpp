@@ -78,6 +78,39 @@ TEST(SwingPathTest, VelocityIsTheChangeOfPosition) {
   }
 }
 
+TEST(SwingPathTest, AccelerationIsTheChangeOfVelocityAndTheRestlessPartHasNoStepsOfSpeed) {
+  for (const SwingPath& swing : paths()) {
+    for (double time_s = kStep_s; time_s < swing.duration_s - swing.approach_s - kStep_s; time_s += kStep_s) {
+      const Eigen::Vector3d change_m_s =
+          swing.at(time_s + kStep_s).velocity_m_s - swing.at(time_s).velocity_m_s;
+      const Eigen::Vector3d middle_m_s2 = swing.at(time_s + 0.5 * kStep_s).acceleration_m_s2;
+      ASSERT_LT((change_m_s - middle_m_s2 * kStep_s).norm(), 0.15 * kStep_s)
+          << "at " << time_s << " lift " << swing.lift_m << " approach " << swing.approach_s;
+    }
+    const double down_s = swing.duration_s - swing.approach_s;
+    const double before_m_s = swing.at(down_s - 1e-9).velocity_m_s.z();
+    EXPECT_NEAR(swing.at(down_s + 1e-9).velocity_m_s.z(), before_m_s, 1e-5);
+    EXPECT_EQ(swing.at(swing.duration_s + 0.01).acceleration_m_s2.norm(), 0.0);
+  }
+}
+
+/// Heat of motors that turn little else than their own rotors.
+TEST(SwingPathTest, LiftsWithLessSquaredAccelerationThanAQuarticBump) {
+  SwingPath swing = path();
+  swing.to_m = swing.from_m;
+  double spline = 0.0;
+  double bump = 0.0;
+  for (double time_s = 0.0; time_s < swing.duration_s; time_s += kStep_s) {
+    const double u = time_s / swing.duration_s;
+    const double z_m_s2 =
+        swing.lift_m * 16.0 * (2.0 - 12.0 * u + 12.0 * u * u) / (swing.duration_s * swing.duration_s);
+    const double own_m_s2 = swing.at(time_s).acceleration_m_s2.z();
+    spline += own_m_s2 * own_m_s2;
+    bump += z_m_s2 * z_m_s2;
+  }
+  EXPECT_LT(spline, 0.95 * bump);
+}
+
 TEST(SwingPathTest, RisesByItsLiftAndNeverBelowItsLine) {
   SwingPath swing = path();
   swing.to_m.z() = swing.from_m.z();

@@ -100,9 +100,9 @@ TEST_F(WalkChangeTest, RequestsThatCannotBeAreRefusedWithTheirReason) {
     EXPECT_EQ(why([&](WalkRequest& r) { r.speed[1] = wrong; }), "faster sideways than this gait goes");
   for (const double wrong : {0.51, -0.51, kNaN})
     EXPECT_EQ(why([&](WalkRequest& r) { r.speed[2] = wrong; }), "faster turning than this gait goes");
-  for (const double wrong : {0.29, 0.56, kNaN})
+  for (const double wrong : {0.31, 0.56, kNaN})
     EXPECT_EQ(why([&](WalkRequest& r) { r.height_m = wrong; }),
-              "body height beyond 60 to 110 % of the preset's stand_length");
+              "body height beyond 60 to 105 % of the preset's stand_length");
   for (const double wrong : {-0.06, 0.16, kNaN})
     EXPECT_EQ(why([&](WalkRequest& r) { r.stance_width_m = wrong; }), "stance width beyond -50 to 150 mm");
   EXPECT_EQ(why([](WalkRequest& r) { r.speed = {-0.45, 0.15, -0.5}; }), "");
