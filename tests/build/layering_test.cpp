@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 const std::vector<std::string> kCoreFolders = {"signals",          "estimator",       "controller",
                                                "planner",          "drivers/canopen", "drivers/cia402",
                                                "drivers/profiles", "drivers/bridge",  "drivers/sim",
-                                               "tools/inprocess",  "tools/canopen",   "tools/report"};
+                                               "tools/inprocess",  "tools/canopen",   "tools/report",
+                                               "tools/doctor"};
 const std::regex kShell(R"((_main|_shell|_lockstep|_realtime)\.(h|cpp)$)");
 const std::regex kMessages(R"(signals/messages|signals/message_fields)");
 

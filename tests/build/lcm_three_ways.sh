@@ -19,6 +19,14 @@ cat >"$work/prefix/lib/cmake/lcm/lcmConfig.cmake" <<'EOT'
 add_library(lcm::lcm INTERFACE IMPORTED)
 set_target_properties(lcm::lcm PROPERTIES INTERFACE_LINK_LIBRARIES lcm)
 EOT
+# As LCM 1.5 from PyPI installs it: other names, and a generator of its own.
+mkdir -p "$work/prefix15/lib/cmake/lcm" "$work/prefix15/bin"
+cat >"$work/prefix15/lib/cmake/lcm/lcmConfig.cmake" <<EOT
+add_library(lcm INTERFACE IMPORTED)
+set_target_properties(lcm PROPERTIES INTERFACE_LINK_LIBRARIES -llcm)
+add_executable(lcm-gen IMPORTED)
+set_target_properties(lcm-gen PROPERTIES IMPORTED_LOCATION $work/prefix15/bin/lcm-gen)
+EOT
 # As Debian's would be without its wrong requirements.
 cat >"$work/prefix/lib/pkgconfig/lcm.pc" <<'EOT'
 Name: lcm
@@ -40,6 +48,7 @@ expect() { # way, what must be said, options...
 export PKG_CONFIG_LIBDIR=$work/nothing
 expect config "CMake package" -DCMAKE_PREFIX_PATH="$work/prefix"
 expect any "CMake package" -DCMAKE_PREFIX_PATH="$work/prefix"
+expect config "CMake package, generator $work/prefix15/bin/lcm-gen" -DCMAKE_PREFIX_PATH="$work/prefix15"
 expect plain "header and library"
 expect any "header and library"
 export PKG_CONFIG_LIBDIR=$work/prefix/lib/pkgconfig

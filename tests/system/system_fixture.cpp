@@ -39,6 +39,8 @@ void SystemTest::SetUp() {
   std::filesystem::create_directories(folder_);
   setenv("SPRUNG_PROGRAMS", SPRUNG_BIN_DIR, 1);
   setenv("SPRUNG_RUN_DIR", folder_.c_str(), 1);
+  setenv("SPRUNG_MIXED_BUILDS", "1",
+         1);  // behaviour is tested here, while the tree is worked on and built in parts
   can_address_ = "udp:239.74.163.2:" + std::to_string(random_port());
   lcm_url_ = lcm_url_on_port(random_port());
 }
@@ -73,10 +75,13 @@ std::string SystemTest::can_options() const {
   return options;
 }
 
+std::string SystemTest::said() const { return read_all(folder_ / "up.txt"); }
+
 void SystemTest::up(const std::string& clock, const std::string& more) {
   const std::string command = "exec " SPRUNG_BIN_DIR "/sprung up " + robot_.name + " --sim --clock " + clock +
-                              " --no-record --lcm-url '" + lcm_url_ + "'" + can_options() + " " + more +
-                              " > " + (folder_ / "up.txt").string() + " 2>&1";
+                              (log_folder_.empty() ? " --no-record" : " --log " + log_folder_.string()) +
+                              " --lcm-url '" + lcm_url_ + "'" + can_options() + " " + more + " > " +
+                              (folder_ / "up.txt").string() + " 2>&1";
   up_ = std::make_unique<ChildProcess>("/bin/sh", std::vector<std::string>{"-c", command});
   while (read_all(folder_ / "up.txt").find("is up") == std::string::npos) {
     if (up_->ended()) {

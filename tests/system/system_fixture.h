@@ -37,9 +37,13 @@ class SystemTest : public testing::Test {
   RunInfo info() const;
   void kill_program(const std::string& program) const;
   std::string can_address() const { return can_address_; }  ///< of the robot's first bus
+  std::string lcm_url() const { return lcm_url_; }
+  /// What up() has said so far.
+  std::string said() const;
 
   std::filesystem::path folder_;
   RobotConfig robot_ = load_robot("single_leg");  ///< another one: before up()
+  std::filesystem::path log_folder_;              ///< a log is written where one is named, before up()
 
  private:
   std::string can_options() const;

@@ -40,6 +40,14 @@ TEST(SystemProgram, IsFoundInThePathOrThePackageIsNamed) {
               testing::ThrowsMessage<std::runtime_error>(testing::HasSubstr("apt-get install its-package")));
 }
 
+TEST(ChildProcess, WaitEndsWithItOrWithThePatience) {
+  ChildProcess short_one("/bin/true", {});
+  EXPECT_TRUE(short_one.wait(10.0));
+  ChildProcess long_one("/bin/sleep", {"1000"});
+  EXPECT_FALSE(long_one.wait(0.02));
+  long_one.stop(1.0);
+}
+
 TEST(ChildProcess, StopIsPolite) {
   ChildProcess child("/bin/sleep", {"1000"});
   EXPECT_EQ(child.stop(5.0), 128 + SIGTERM);

@@ -44,6 +44,7 @@ int run_can(const BenchRequest& request) {
 void add_bench(CommandLine& sprung) {
   const auto request = std::make_shared<BenchRequest>();
   CommandLine& bench = sprung.subcommand("bench", "Measure what the stack costs on this machine.");
+  bench.example("sprung bench can --robot pegasus");
   CommandLine& can = bench.subcommand(
       "can", "Encoding, decoding and the bridge's core, beside a reference loop of the same run.");
   can.option("--robot", request->robots,

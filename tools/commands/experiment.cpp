@@ -76,6 +76,7 @@ void add_faults(CommandLine& experiment, const std::shared_ptr<ExperimentRequest
 void add_experiment(CommandLine& sprung) {
   CommandLine& experiment =
       sprung.subcommand("experiment", "Run an experiment on the simulated robot and print its rows.");
+  experiment.example("sprung experiment jump --robot single_leg --preset paper --seed 1");
   add_jump_experiments(experiment);
   add_faults(experiment, std::make_shared<ExperimentRequest>());
   add_drop_experiment(experiment);

@@ -1,10 +1,13 @@
 /// sprung: the operator's and the engineer's one command.
 #include "runtime/stop_request.h"
 #include "tools/commands/commands.h"
+#include "tools/commands/installed_robots.h"
+#include "tools/launcher/child_process.h"
 
 int main(int argc, char** argv) {
   using namespace sprung::commands;
   sprung::install_stop_signals();
+  use_installed_robots(sprung::program_folder());
   sprung::CommandLine line("sprung", "Virtual springs for geared, torque-sensorless legged robots.");
   line.example(
       "sprung up single_leg --sim      then, in a second terminal: sprung stand; sprung jump; sprung down");

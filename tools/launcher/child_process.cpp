@@ -111,6 +111,13 @@ void ChildProcess::signal(int number) {
   }
 }
 
+bool ChildProcess::wait(double patience_s) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(patience_s);
+  while (!ended() && std::chrono::steady_clock::now() < end)
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  return ended().has_value();
+}
+
 int ChildProcess::stop(double patience_s) {
   signal(SIGTERM);
   const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(patience_s);

@@ -29,6 +29,8 @@ class ChildProcess {
   /// Exit status when it has ended: 0..255, or 128 + signal; nullopt while it runs.
   std::optional<int> ended();
   void signal(int number);
+  /// Whether it ends by itself within that time.
+  bool wait(double patience_s);
   /// SIGTERM, wait, SIGKILL after patience_s. @return exit status as in ended().
   int stop(double patience_s);
   /// What a captured child has written since the last call; never waits.

@@ -1,0 +1,24 @@
+#!/usr/bin/env bash
+# systemd itself reads the unit: every key known, the program there. Skipped aloud (status 77) where systemd is not installed.
+set -euo pipefail
+unit=$1 program=$2
+if ! command -v systemd-analyze >/dev/null; then
+  echo "SKIPPED: systemd-analyze is not installed (apt-get install systemd)"
+  exit 77
+fi
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+# The program stands in the build folder until it is installed.
+sed "s|^ExecStart=[^ ]*|ExecStart=$program|" "$unit" >"$work/sprung@.service"
+cp "$work/sprung@.service" "$work/sprung@single_leg.service"
+said=$(systemd-analyze verify --man=no "$work/sprung@single_leg.service" 2>&1 | grep -F "$work" || true)
+if [ -n "$said" ] || ! systemd-analyze verify --man=no "$work/sprung@single_leg.service" >/dev/null 2>&1; then
+  systemd-analyze verify --man=no "$work/sprung@single_leg.service" || true
+  echo "systemd does not accept the unit"
+  exit 1
+fi
+for key in Type=notify WatchdogSec= LimitRTPRIO= LimitMEMLOCK=; do grep -q "^$key" "$unit" || { echo "no $key"; exit 1; }; done
+# A unit with a mistake must not pass, or this test shows nothing.
+sed 's/^WatchdogSec=.*/WatchdogSec=soon/' "$work/sprung@.service" >"$work/sprung@broken.service"
+systemd-analyze verify --man=no "$work/sprung@broken.service" 2>&1 | grep -q "sprung@broken.service:.*Failed to parse" || { echo "a mistake was not found"; exit 1; }
+echo "systemd accepts the unit"

@@ -1,0 +1,15 @@
+#include "tools/commands/installed_robots.h"
+
+#include <cstdlib>
+#include <filesystem>
+
+namespace sprung::commands {
+
+void use_installed_robots(const std::string& program_folder) {
+  namespace fs = std::filesystem;
+  const fs::path robots = fs::path(program_folder).parent_path() / "share/sprung/robots";
+  std::error_code none;
+  if (fs::is_directory(robots, none)) setenv("SPRUNG_ROBOTS", robots.c_str(), 0);
+}
+
+}  // namespace sprung::commands
