@@ -35,6 +35,23 @@ class SecondQuadruped : public testing::Test {
       replies += std::string(name(reply.outcome)) + " " + reply.reason + "; ";
     return replies;
   }
+  /// In this gait for so long, then stopped. @return how far it went forward, m.
+  double walk(const std::string& gait, double speed_m_s, double seconds, double until_it_stands_s) {
+    OperatorCommand command;
+    command.kind = OperatorKind::kWalk;
+    while (config_.gaits.at(static_cast<std::size_t>(++command.gait)).name != gait) {
+    }
+    command.walk_speed[0] = speed_m_s;
+    command.request_id = ++request_;
+    robot_->submit(command);
+    const double from_m = robot_->truth().base_in_world_m[0];
+    run(seconds);
+    EXPECT_EQ(robot_->motion_state().state, MotionPhase::kWalking) << gait;
+    const double way_m = robot_->truth().base_in_world_m[0] - from_m;
+    const std::string replies = order(OperatorKind::kStop, until_it_stands_s);
+    EXPECT_EQ(robot_->motion_state().state, MotionPhase::kStanding) << gait << ": " << replies;
+    return way_m;
+  }
   RobotConfig config_ = load_robot("fennec");
   std::optional<InProcessRobot> robot_;
   std::int64_t request_ = 0;
@@ -95,6 +112,21 @@ TEST_F(SecondQuadruped, StandsUpFromTheFloor) {
   double weight_N = 0.0;
   for (const TrueLeg& leg : robot_->truth().legs) weight_N += leg.true_contact_force_N[2];
   EXPECT_NEAR(weight_N, 16.0 * 9.81, 10.0);
+}
+
+TEST_F(SecondQuadruped, TrotsCrawlsAndStopsWithoutAFallOrATrip) {
+  start({{"lying", 1.0}});
+  order(OperatorKind::kHome, 1.0);
+  order(OperatorKind::kStand, 3.0);
+  EXPECT_NEAR(walk("trot", 0.3, 5.0, 4.5), 5.0 * 0.3 - 0.22, 0.25);  // ramp of 1.5 s
+  EXPECT_NEAR(walk("crawl", 0.06, 7.2, 8.0), 7.2 * 0.06, 0.1);
+  EXPECT_EQ(robot_->bridge().safety().level, SafetyLevel::kOperational);
+  EXPECT_EQ(robot_->bridge().safety().commands_refused, 0);
+  for (const MotionLeg& leg : robot_->motion_state().legs) {
+    EXPECT_EQ(leg.event_counts[static_cast<std::size_t>(LegEvent::kNoGround)], 0);
+    EXPECT_LE(leg.event_counts[static_cast<std::size_t>(LegEvent::kStumble)], 2);
+  }
+  EXPECT_NEAR(robot_->truth().base_in_world_m[2], config_.preset("best").stand_length_m, 0.03);
 }
 
 }  // namespace
