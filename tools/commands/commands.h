@@ -11,6 +11,7 @@ void add_walk(CommandLine& sprung);
 void add_safety(CommandLine& sprung);  ///< estop, clear
 void add_status(CommandLine& sprung);
 void add_record(CommandLine& sprung);
+void add_replay(CommandLine& sprung);
 void add_experiment(CommandLine& sprung);
 void add_doctor(CommandLine& sprung);
 void add_help(CommandLine& sprung);   ///< completion bash, man

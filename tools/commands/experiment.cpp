@@ -1,5 +1,6 @@
 #include <cstdio>
 #include <memory>
+#include <mutex>
 
 #include "drivers/sim/sim_shell.h"
 #include "robots/robot_loader.h"
@@ -15,6 +16,7 @@
 #include "tools/commands/experiment_tune.h"
 #include "tools/commands/experiment_walking.h"
 #include "tools/experiments/fault_experiment.h"
+#include "tools/recorder/inprocess_log.h"
 
 namespace sprung::commands {
 
@@ -71,12 +73,29 @@ void add_faults(CommandLine& experiment, const std::shared_ptr<ExperimentRequest
   faults.action([=] { return run_faults(*request); });
 }
 
+/// Taken when the first robot is made: by then the command line is read.
+void add_log_folder(CommandLine& experiment) {
+  const auto folder = std::make_shared<std::string>();
+  experiment.option("--logs", *folder,
+                    "folder for an LCM log of each robot that runs in this process; stands before the experiment's "
+                    "name");
+  const auto logs = std::make_shared<InProcessRobot::ObserverSource>();
+  const auto begin = std::make_shared<std::once_flag>();
+  InProcessRobot::observe_all_by([=](const RobotConfig& robot, const std::string& preset, const SimOptions& sim) {
+    std::call_once(*begin, [&] {
+      if (!folder->empty()) *logs = logs_into(*folder, "sprung experiment --logs " + *folder);
+    });
+    return *logs ? (*logs)(robot, preset, sim) : nullptr;
+  });
+}
+
 }  // namespace
 
 void add_experiment(CommandLine& sprung) {
   CommandLine& experiment =
       sprung.subcommand("experiment", "Run an experiment on the simulated robot and print its rows.");
   experiment.example("sprung experiment jump --robot single_leg --preset paper --seed 1");
+  add_log_folder(experiment);
   add_jump_experiments(experiment);
   add_faults(experiment, std::make_shared<ExperimentRequest>());
   add_drop_experiment(experiment);

@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
   add_safety(line);
   add_status(line);
   add_record(line);
+  add_replay(line);
   add_experiment(line);
   add_bench(line);
   add_can(line);

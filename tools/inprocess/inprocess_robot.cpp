@@ -5,6 +5,17 @@
 
 namespace sprung {
 
+namespace {
+
+InProcessRobot::ObserverSource& observer_source() {
+  static InProcessRobot::ObserverSource source;
+  return source;
+}
+
+}  // namespace
+
+void InProcessRobot::observe_all_by(ObserverSource source) { observer_source() = std::move(source); }
+
 InProcessRobot::InProcessRobot(const RobotConfig& robot, const std::string& preset, const SimOptions& sim)
     : cycle_us_(std::llround(robot.cycle_s * 1e6)),
       bridge_(robot, BridgeOptions{robot.watchdogs}),
@@ -16,7 +27,8 @@ InProcessRobot::InProcessRobot(const RobotConfig& robot, const std::string& pres
       joint_state_(robot.joints.size(), robot.legs.size()),
       leg_command_(robot.legs.size()),
       motion_state_(robot.legs.size()),
-      drive_command_(robot.actuators.size()) {}
+      drive_command_(robot.actuators.size()),
+      observer_(observer_source() ? observer_source()(robot, preset, sim) : nullptr) {}
 
 bool InProcessRobot::tick() {
   time_us_ += cycle_us_;
@@ -25,6 +37,7 @@ bool InProcessRobot::tick() {
   const bool cyclic = bridge_.end_sampling(time_us_, drive_state_);
   if (cyclic) {
     run_cores();
+    if (observer_) observer_->on_cycle(*this);
   }
   bridge_.emit_setpoints(time_us_, to_drives_);
   return cyclic;
@@ -62,6 +75,7 @@ void InProcessRobot::boot(double limit_s) {
 }
 
 void InProcessRobot::submit(const OperatorCommand& command) {
+  if (observer_) observer_->on_command(command);
   const OperatorKind kind = command.kind;
   if (kind == OperatorKind::kEstop || kind == OperatorKind::kClear || kind == OperatorKind::kHome) {
     bridge_reply_ = bridge_.operator_command(command, time_us_);
@@ -72,6 +86,12 @@ void InProcessRobot::submit(const OperatorCommand& command) {
 }
 
 bool InProcessRobot::next_reply(OperatorReply& out) {
+  if (!take_reply(out)) return false;
+  if (observer_) observer_->on_reply(out);
+  return true;
+}
+
+bool InProcessRobot::take_reply(OperatorReply& out) {
   if (has_bridge_reply_) {
     has_bridge_reply_ = false;
     out = bridge_reply_;

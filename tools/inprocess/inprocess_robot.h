@@ -4,6 +4,7 @@
 /// section 4). For experiments, sweeps and tests.
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -20,8 +21,26 @@ namespace sprung {
 /// LEG_COMMAND(k) from JOINT_STATE(k).
 using LegCommandSource = std::function<void(const JointState&, LegCommand&)>;
 
+class InProcessRobot;
+
+/// Sees what goes into a robot in this process and what comes out, e.g. to write it to a log.
+class InProcessObserver {
+ public:
+  virtual ~InProcessObserver() = default;
+  virtual void on_command(
+      const OperatorCommand& command) = 0;                 ///< before the cycle in which it can take effect
+  virtual void on_cycle(const InProcessRobot& robot) = 0;  ///< after each
+  virtual void on_reply(const OperatorReply& reply) = 0;   ///< when the robot's user takes it
+};
+
 class InProcessRobot {
  public:
+  /// Gives an observer to a robot that is being made; nullptr: none. Called in the thread that makes it.
+  using ObserverSource = std::function<std::unique_ptr<InProcessObserver>(
+      const RobotConfig& robot, const std::string& preset, const SimOptions& sim)>;
+  /// For every robot made from now on. Call it before there are threads.
+  static void observe_all_by(ObserverSource source);
+
   /// @throws ConfigError, std::invalid_argument as the cores do.
   InProcessRobot(const RobotConfig& robot, const std::string& preset, const SimOptions& sim);
 
@@ -46,6 +65,9 @@ class InProcessRobot {
   const LegCommand& leg_command() const { return leg_command_; }
   const MotionState& motion_state() const { return motion_state_; }
   const DriveCommand& drive_command() const { return drive_command_; }
+  const Imu& imu() const { return sim_.imu(); }  ///< seq -1: none
+  /// Whether the planner makes the leg commands.
+  bool planned() const { return !leg_source_; }
   const SimTruth& truth() const { return sim_.truth(); }
   const BridgeCore& bridge() const { return bridge_; }
   SimCore& sim() { return sim_; }
@@ -53,6 +75,7 @@ class InProcessRobot {
  private:
   void exchange_frames();
   void run_cores();
+  bool take_reply(OperatorReply& out);
 
   const std::int64_t cycle_us_;
   std::int64_t time_us_ = 0;
@@ -71,6 +94,7 @@ class InProcessRobot {
   FrameBatch from_drives_;
   OperatorReply bridge_reply_;
   bool has_bridge_reply_ = false;
+  std::unique_ptr<InProcessObserver> observer_;  ///< nullptr: none
 };
 
 }  // namespace sprung

@@ -16,18 +16,21 @@ constexpr std::int64_t kEventsBetween = 65'536;  // of two calls of a Progress
 class Clockwork {
  public:
   void add(const Event& event, const Timeline::Moment& moment, LogInfo& info) {
-    if (info.events == 0) newest_us_ = earliest_us_ = before_us_ = event.time_us;
+    ++info.events;
+    if (moment.stamp && sessions_.insert(moment.stamp->session).second) ++info.sessions;
+    info.duration_s = std::max(info.duration_s, moment.time_s);
+    if (event.channel == channels::kLogMetadata) return;  // see timeline.cpp
+    if (!begun_) newest_us_ = earliest_us_ = before_us_ = event.time_us;
+    begun_ = true;
     info.went_back += event.time_us < before_us_ ? 1 : 0;
     before_us_ = event.time_us;
     newest_us_ = std::max(newest_us_, event.time_us);
     earliest_us_ = std::min(earliest_us_, event.time_us);
     info.received_s = 1e-6 * (static_cast<double>(newest_us_) - static_cast<double>(earliest_us_));
-    info.duration_s = std::max(info.duration_s, moment.time_s);
-    if (moment.stamp && sessions_.insert(moment.stamp->session).second) ++info.sessions;
-    ++info.events;
   }
 
  private:
+  bool begun_ = false;
   std::int64_t before_us_ = 0;
   std::int64_t newest_us_ = 0;
   std::int64_t earliest_us_ = 0;

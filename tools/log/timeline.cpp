@@ -1,10 +1,13 @@
 #include "tools/log/timeline.h"
 
+#include "lcmtypes/channels.h"
 #include "tools/recorder/gap_tracker.h"
 
 namespace sprung::log {
 
 Timeline::Moment Timeline::next(const Event& event) {
+  // Of a stretch that was cut out LOG_METADATA comes along from the old log's begin.
+  if (event.channel == channels::kLogMetadata && !begun_) return {0.0, stamps_.read(event.data, event.size)};
   if (!begun_) {
     begun_ = true;
     begin_us_ = event.time_us;

@@ -1,5 +1,5 @@
 #pragma once
-/// The robot's time through a log, in seconds since its first event. Pure.
+/// The robot's time through a log, in seconds since its first event other than LOG_METADATA. Pure.
 ///
 /// An event's own time is when it was received: with the network's jitter, and in lock-step whatever the computer took. So messages of
 /// channels with one message a cycle count by their stamp, each session joined to the one before where it was first received, and what
@@ -32,7 +32,7 @@ class Timeline {
     double time_s = 0.0;
     std::int64_t other_us = 0;
     double time_of_s(std::int64_t other) const noexcept {
-      return time_s + 1e-6 * (static_cast<double>(other) - static_cast<double>(other_us));
+      return time_s + (static_cast<double>(other) - static_cast<double>(other_us)) / 1e6;
     }
   };
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,12 @@ struct Kept {
            data == other.data;
   }
 };
+
+/// What a failed test shows.
+inline void PrintTo(const Kept& kept, std::ostream* out) {
+  *out << kept.number << " " << kept.channel << " at " << kept.time_us << ", " << kept.data.size()
+       << " bytes";
+}
 
 inline Kept keep(const Event& event) {
   return {event.number, event.time_us, std::string(event.channel),

@@ -45,6 +45,7 @@ void add_log(CommandLine& sprung) {
   add_log_merge(log);
   add_log_verify(log);
   add_log_repair(log);
+  add_log_diff(log);
 }
 
 }  // namespace sprung::commands

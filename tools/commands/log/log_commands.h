@@ -13,6 +13,7 @@ void add_log_cut(CommandLine& log);  ///< cut, filter
 void add_log_merge(CommandLine& log);
 void add_log_verify(CommandLine& log);
 void add_log_repair(CommandLine& log);
+void add_log_diff(CommandLine& log);
 
 /// "walk-cut.lcm" of "logs/walk.lcm" and "-cut.lcm": in the folder where one stands.
 std::string beside(const std::string& log, const std::string& ending);

@@ -1,0 +1,123 @@
+#include "tools/log/verify.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "robot_sample.h"
+
+namespace sprung::log {
+namespace {
+
+using testing::HasSubstr;
+using Kind = Finding::Kind;
+
+class LogVerify : public testing::Test {
+ protected:
+  VerifyResult check(const std::vector<Kept>& events) {
+    write_all(path_, events);
+    return check();
+  }
+  VerifyResult check() {
+    Reader reader(path_);
+    const VerifyResult result = verify(reader);
+    text_ = verify_text("robot.lcm", result);
+    return result;
+  }
+  LogFolder folder_;
+  std::string path_ = folder_("robot.lcm");
+  std::string text_;
+};
+
+TEST_F(LogVerify, AWholeLogIsGood) {
+  const VerifyResult result = check(robot_events(100));
+  EXPECT_TRUE(result.good());
+  EXPECT_TRUE(result.findings.empty());
+  EXPECT_EQ(result.bytes, bytes_of(path_).size());
+  EXPECT_THAT(text_, HasSubstr("robot.lcm: good, 203 events"));
+}
+
+TEST_F(LogVerify, MissingCyclesAreNamedWithChannelAndTime) {
+  std::vector<Kept> events = robot_events(100);
+  events.erase(events.begin() + 20, events.begin() + 26);
+  const VerifyResult result = check(events);
+  EXPECT_FALSE(result.good());
+  EXPECT_EQ(result.counts.at(Kind::kMissing), 2);  // joints and motion
+  EXPECT_THAT(text_, HasSubstr("JOINT_STATE misses 3 cycles before cycle 12, at 0.024 s"));
+}
+
+TEST_F(LogVerify, EventsThatWereTakenOutShowInTheirNumbers) {
+  write_all(path_, robot_events(100));
+  const std::vector<std::size_t> offsets = offsets_of(robot_events(100));
+  std::string bytes = bytes_of(path_);
+  bytes.erase(offsets[10], offsets[12] - offsets[10]);
+  put_bytes(path_, bytes);
+  const VerifyResult result = check();
+  EXPECT_EQ(result.counts.at(Kind::kNumbers), 1);
+  EXPECT_THAT(text_, HasSubstr("event 12"));
+  EXPECT_THAT(text_, HasSubstr("comes after event 9"));
+  EXPECT_FALSE(result.good());
+}
+
+TEST_F(LogVerify, DamageIsNamedWithItsPlace) {
+  write_all(path_, robot_events(100));
+  const std::vector<std::size_t> offsets = offsets_of(robot_events(100));
+  std::string bytes = bytes_of(path_);
+  bytes[offsets[50] + 22] = '\x7F';  // length of a name
+  bytes.resize(bytes.size() - 1);
+  put_bytes(path_, bytes);
+  const VerifyResult result = check();
+  EXPECT_FALSE(result.good());
+  EXPECT_THAT(text_, HasSubstr("no event: " + std::to_string(offsets[51] - offsets[50]) +
+                               " bytes from byte " + std::to_string(offsets[50])));
+  EXPECT_EQ(result.counts.at(Kind::kCutOff), 1);
+  EXPECT_THAT(text_, HasSubstr("of them in no event"));
+}
+
+TEST_F(LogVerify, MessagesThatAreNoneAreNamed) {
+  std::vector<Kept> events = robot_events(100);
+  events[7].data += "?";
+  const VerifyResult result = check(events);
+  EXPECT_EQ(result.counts.at(Kind::kMessage), 1);
+  EXPECT_THAT(text_, HasSubstr("event 7 (MOTION_STATE, byte "));
+  EXPECT_THAT(text_, HasSubstr("trailing bytes"));
+  EXPECT_FALSE(result.good());
+}
+
+TEST_F(LogVerify, OurChannelWithAnotherVersionsTypeIsWrongAForeignOneIsNot) {
+  EXPECT_TRUE(check({{0, 1, "CAMERA", std::string(50, 'x')}, {1, 2, "CAMERA", "y"}}).good());
+  EXPECT_THAT(text_, HasSubstr("note   event 0 (CAMERA"));
+  EXPECT_FALSE(check({{0, 1, "JOINT_STATE", std::string(50, 'x')}}).good());
+}
+
+TEST_F(LogVerify, AWrongCountOfEventsIsFoundAMissingEndIsANote) {
+  std::vector<Kept> events = robot_events(10);
+  events.back() = end_event(10, 5);
+  EXPECT_FALSE(check(events).good());
+  EXPECT_THAT(text_, HasSubstr("says that 5 events come before it"));
+  events.pop_back();
+  EXPECT_TRUE(check(events).good());
+  EXPECT_THAT(text_, HasSubstr("note   there is no LOG_END"));
+}
+
+TEST_F(LogVerify, TimesThatGoBackAreANote) {
+  std::vector<Kept> events = robot_events(10);
+  std::swap(events[3].time_us, events[5].time_us);
+  EXPECT_TRUE(check(events).good());
+  EXPECT_THAT(text_, HasSubstr("was received"));
+}
+
+TEST_F(LogVerify, ManyOfAKindAreCounted) {
+  std::vector<Kept> events;
+  for (int k = 0; k < 200; k += 2) events.push_back(joint_event(k));
+  const VerifyResult result = check(events);
+  EXPECT_EQ(result.findings.size(), 20u);
+  EXPECT_THAT(text_, HasSubstr("99 gaps in all"));
+}
+
+TEST_F(LogVerify, AFileThatIsNoLogIsNotGood) {
+  put_bytes(path_, "time,torque\n1,2\n");
+  EXPECT_FALSE(check().good());
+}
+
+}  // namespace
+}  // namespace sprung::log

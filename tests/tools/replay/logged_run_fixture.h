@@ -1,0 +1,71 @@
+#pragma once
+/// A run in this process and its log, made once for all tests of a program.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "robots/robot_loader.h"
+#include "tools/experiments/scripted_run.h"
+#include "tools/recorder/inprocess_log.h"
+
+namespace sprung::test {
+
+/// A folder that is empty at first and goes with the object.
+class Folder {
+ public:
+  explicit Folder(const std::string& name)
+      : path_(std::filesystem::path(testing::TempDir()) / (name + "-" + std::to_string(getpid()))) {
+    std::filesystem::remove_all(path_);
+    std::filesystem::create_directories(path_);
+  }
+  ~Folder() { std::filesystem::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// Logs of every robot that is made in this process as long as it lives.
+class LogsOf {
+ public:
+  explicit LogsOf(const std::string& folder) { InProcessRobot::observe_all_by(logs_into(folder, "test")); }
+  ~LogsOf() { InProcessRobot::observe_all_by({}); }
+  LogsOf(const LogsOf&) = delete;
+  LogsOf& operator=(const LogsOf&) = delete;
+};
+
+/// single_leg stands up and jumps once.
+inline RunScript jump_script_of(const RobotConfig& robot, std::int64_t cycles = 2600) {
+  RunScript script{robot, "best", SimOptions{3, {}, true}, {}, cycles};
+  script.commands.push_back(scripted(OperatorKind::kStand, 50));
+  OperatorCommand jump = scripted(OperatorKind::kJump, 1500);
+  jump.jump_count = 1;
+  script.commands.push_back(jump);
+  return script;
+}
+
+inline void run(const RunScript& script) {
+  run_in_process(
+      script, [](const CycleRecord&) {}, [](const OperatorReply&) {});
+}
+
+/// A copy of a robot's file in which one text stands for another. @return its path.
+inline std::string changed_robot(const std::string& robot, const std::string& from, const std::string& to,
+                                 const Folder& folder) {
+  std::ifstream in(load_robot(robot).folder + "/robot.yaml");
+  std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  text.replace(at, from.size(), to);
+  const std::string path = folder / "changed.yaml";
+  std::ofstream(path) << text;
+  return path;
+}
+
+}  // namespace sprung::test

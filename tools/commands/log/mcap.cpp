@@ -1,0 +1,57 @@
+#include <cstdio>
+#include <memory>
+
+#include "sprung_version.h"
+#include "tools/commands/log/log_commands.h"
+#include "tools/commands/log/output_file.h"
+#include "tools/log/mcap_export.h"
+
+namespace sprung::commands {
+
+namespace {
+
+struct McapRequest {
+  std::string log;
+  std::vector<std::string> keep, drop;
+  bool plain = false;
+  std::string out;
+};
+
+int run_mcap(const McapRequest& request) {
+  const std::string path = request.out.empty() ? beside(request.log, ".mcap") : request.out;
+  log::ChannelFilter channels = or_wrong_use([&] { return log::ChannelFilter(request.keep, request.drop); });
+  log::Reader reader(request.log);
+  or_wrong_use([&] { log::refuse_same_file({request.log}, path); });
+  OutputFile out(path);
+  log::McapOptions options;
+  options.compress = !request.plain;
+  log::McapWriter writer([&out](std::string_view bytes) { out.write(bytes); }, "sprung " SPRUNG_VERSION,
+                         options);
+  LogProgress progress("mcap");
+  const log::McapResult result = log::export_mcap(reader, channels, writer, progress.show());
+  writer.finish();
+  out.finish();
+  std::printf("%s: %lld of %lld events, %llu bytes\n", path.c_str(), static_cast<long long>(result.written),
+              static_cast<long long>(result.events), static_cast<unsigned long long>(writer.bytes()));
+  if (result.not_decoded > 0)
+    std::fprintf(stderr, "left out: %lld messages of types that are not known here\n",
+                 static_cast<long long>(result.not_decoded));
+  return kExitDone;
+}
+
+}  // namespace
+
+void add_log_mcap(CommandLine& log) {
+  const auto request = std::make_shared<McapRequest>();
+  CommandLine& mcap =
+      log.subcommand("mcap", "A log for Foxglove or PlotJuggler: MCAP with JSON messages and schemas.");
+  mcap.option("log", request->log, "LCM log", Need::kRequired);
+  mcap.option("--channels", request->keep, "which: NAME, GLOB_* or /regular expression/; may be repeated");
+  mcap.option("--drop", request->drop, "which not; may be repeated, wins");
+  mcap.flag("--plain", request->plain, "do not compress (zstd)");
+  mcap.option("-o,--output", request->out, "file; default: named after the log, in this folder");
+  mcap.example("sprung log mcap logs/pegasus.lcm --drop CAN_TRACE -o pegasus.mcap");
+  mcap.action([=] { return run_mcap(*request); });
+}
+
+}  // namespace sprung::commands

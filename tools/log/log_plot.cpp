@@ -1,0 +1,153 @@
+#include "tools/log/log_plot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+
+#include "tools/fields/value_text.h"
+#include "tools/log/robot_names.h"
+#include "tools/log/thin_series.h"
+
+namespace sprung::log {
+
+namespace {
+
+constexpr std::size_t kMostCurves = 60;
+constexpr std::size_t kMostShades = 400;
+constexpr std::int64_t kEventsBetween = 65'536;  // of two calls of a Progress
+
+/// The curves of one channel.
+struct ChannelCurves {
+  ChosenFields fields;
+  std::vector<ThinSeries> series;  ///< by column
+};
+
+/// Stretches in which a field has one value.
+class Phases {
+ public:
+  /// @param field "" = none: no channel has an empty name.
+  Phases(const std::string& field, const std::vector<fields::ListNames>& names)
+      : selection_({field}, names) {}
+
+  bool wants(std::string_view channel) { return selection_.wants(channel); }
+  void add(double time_s, const fields::MessageView& message, std::string_view channel) {
+    const auto& chosen = fields_.of(message, channel, selection_);
+    if (chosen.empty()) return;
+    const fields::Field& field = *chosen.front().field;
+    const char* const name = message.enumeration(field);
+    std::string now = name != nullptr ? name : fields::value_text(message, field);
+    const bool same = !shades_.empty() && shades_.back().name == now;
+    if (!same && shades_.size() >= kMostShades) return;
+    if (!shades_.empty()) shades_.back().to = time_s;
+    if (same) return;
+    shades_.push_back({time_s, time_s, std::move(now)});
+  }
+  const std::vector<report::Shade>& shades() const noexcept { return shades_; }
+
+ private:
+  FieldSelection selection_;
+  ChosenFields fields_;
+  std::vector<report::Shade> shades_;
+};
+
+class Collector {
+ public:
+  Collector(const PlotRequest& request, const std::vector<fields::ListNames>& names)
+      : selection_(request.fields, names), phases_(request.phases, names), names_(request.joint_names) {}
+
+  void add(const Event& event, double time_s) {
+    const bool drawn = selection_.wants(event.channel);
+    if (!drawn && !phases_.wants(event.channel)) return;
+    if (decoder_.open(event.data, event.size, message_) != fields::Fault::kNone) return;
+    if (phases_.wants(event.channel)) phases_.add(time_s, message_, event.channel);
+    if (drawn) add_samples(event, time_s);
+  }
+
+  std::vector<report::Plot> plots() const;
+
+ private:
+  void add_samples(const Event& event, double time_s) {
+    ChannelCurves& curves = channels_[std::string(event.channel)];
+    for (const ChosenFields::Chosen& chosen : curves.fields.of(message_, event.channel, selection_)) {
+      if (chosen.field->kind == fields::Kind::kText || chosen.field->kind == fields::Kind::kBytes) continue;
+      if (curves.series.size() <= chosen.column) curves.series.resize(chosen.column + 1);
+      curves.series[chosen.column].add(time_s, message_.number(*chosen.field));
+    }
+    if (curves.series.size() > kMostCurves) refuse();
+  }
+  [[noreturn]] static void refuse() {
+    throw std::invalid_argument(
+        "that is more than " + std::to_string(kMostCurves) +
+        " curves: choose fewer fields, e.g. JOINT_STATE.joints[*].gear_output_torque_Nm");
+  }
+  std::string curve_name(const std::string& channel, const std::string& path) const {
+    return channel + "." + (names_ ? fields::with_names(path, selection_.names()) : path);
+  }
+
+  FieldSelection selection_;
+  Phases phases_;
+  bool names_;
+  fields::Decoder decoder_;
+  fields::MessageView message_;
+  std::map<std::string, ChannelCurves, std::less<>> channels_;
+};
+
+std::vector<report::Plot> Collector::plots() const {
+  std::vector<report::Plot> plots;
+  std::size_t curves = 0;
+  for (const auto& [channel, one] : channels_) {
+    for (std::size_t i = 0; i < one.series.size(); ++i) {
+      if (one.series[i].empty()) continue;
+      if (++curves > kMostCurves) refuse();
+      const ChosenFields::Column& column = one.fields.columns()[i];
+      auto plot = std::find_if(plots.begin(), plots.end(),
+                               [&](const report::Plot& other) { return other.y.unit == column.unit; });
+      if (plot == plots.end()) {
+        plots.push_back({"", {"time", "s"}, {column.unit.empty() ? "value" : "", column.unit}});
+        plot = plots.end() - 1;
+        plot->shades = phases_.shades();
+      }
+      plot->series.push_back({curve_name(channel, column.path), one.series[i].x(), one.series[i].y()});
+    }
+  }
+  return plots;
+}
+
+std::string subtitle_of(Reader& reader) {
+  const auto metadata = find_metadata(reader);
+  if (!metadata) return "";
+  return metadata->robot + ", preset " + metadata->preset + ", sprung " + metadata->version + " (" +
+         metadata->git_hash + ")";
+}
+
+}  // namespace
+
+LogPlot collect_plot(Reader& reader, const PlotRequest& request, const Progress& progress) {
+  LogPlot plot;
+  plot.title = reader.path();
+  plot.subtitle = subtitle_of(reader);
+  Collector collector(request, names_of_robot(robot_of(reader)).lists);
+  const SpanTest span(request.span, request.span.needs_end() ? extent_of(reader) : LogExtent{});
+  Timeline timeline;
+  std::int64_t events = 0;
+  for (Event event; reader.next(event);) {
+    const double time_s = timeline.next(event).time_s;
+    if (span.holds(time_s, event.time_us)) collector.add(event, time_s);
+    if (progress && ++events % kEventsBetween == 0) progress(reader.position(), reader.file_bytes());
+  }
+  plot.plots = collector.plots();
+  if (plot.plots.empty())
+    throw std::invalid_argument("no number in that log and time is named so; sprung log info lists channels");
+  return plot;
+}
+
+report::Report plot_report(const LogPlot& plot, const std::string& command) {
+  report::Report report{plot.title, plot.subtitle, command, {}};
+  report::Section section;
+  section.plots = plot.plots;
+  report.sections.push_back(std::move(section));
+  return report;
+}
+
+}  // namespace sprung::log

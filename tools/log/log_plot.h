@@ -1,0 +1,33 @@
+#pragma once
+/// Fields of a log over time, with phases behind them. Shell: reads a file.
+#include <string>
+#include <vector>
+
+#include "tools/log/field_selection.h"
+#include "tools/log/log_info.h"
+#include "tools/log/reader.h"
+#include "tools/log/time_span.h"
+#include "tools/report/report.h"
+
+namespace sprung::log {
+
+struct PlotRequest {
+  std::vector<std::string> fields;
+  std::string phases = "MOTION_STATE.state_name";  ///< a field whose values shade the plots; "" = none
+  TimeSpan span;
+  bool joint_names = true;  ///< curves have the names of joints and legs, where the robot is known
+};
+
+struct LogPlot {
+  std::string title;
+  std::string subtitle;
+  std::vector<report::Plot> plots;  ///< one for each unit, in the order of the fields
+};
+
+/// @throws std::invalid_argument where nothing is chosen, or more curves than a plot can show.
+LogPlot collect_plot(Reader& reader, const PlotRequest& request, const Progress& progress = {});
+
+/// The page, by tools/report.
+report::Report plot_report(const LogPlot& plot, const std::string& command);
+
+}  // namespace sprung::log

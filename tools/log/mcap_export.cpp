@@ -1,0 +1,97 @@
+#include "tools/log/mcap_export.h"
+
+#include <cmath>
+
+#include "lcmtypes/channels.h"
+#include "tools/fields/decoder.h"
+#include "tools/log/json_message.h"
+#include "tools/log/timeline.h"
+
+namespace sprung::log {
+
+namespace {
+
+constexpr std::int64_t kEventsBetween = 16'384;  // of two calls of a Progress
+
+std::uint64_t ns(double us) {
+  constexpr double kLatest_us = 1.8e16;  // what the format's 64 bits of ns hold
+  return us > 0.0 && us < kLatest_us ? static_cast<std::uint64_t>(std::llround(us)) * 1000 : 0;
+}
+
+class Exporter {
+ public:
+  explicit Exporter(McapWriter& writer) : writer_(writer) {}
+
+  /// @return whether it was a message of a known type.
+  bool add(const Event& event, const Timeline::Moment& moment, std::int64_t begin_us) {
+    if (decoder_.open(event.data, event.size, message_) != fields::Fault::kNone) return false;
+    Topic& topic = topic_of(std::string(event.channel), *message_.layout()->type);
+    json_.clear();
+    messages_.append(message_, json_);
+    const bool frame = event.channel == channels::kLogMetadata;
+    const double log_us =
+        static_cast<double>(frame ? event.time_us : begin_us) + (frame ? 0.0 : 1e6 * moment.time_s);
+    writer_.add_message(topic.id, topic.sequence++, ns(log_us), ns(static_cast<double>(event.time_us)),
+                        json_);
+    if (frame) note_metadata(event);
+    return true;
+  }
+
+ private:
+  struct Topic {
+    std::uint16_t id = 0;
+    std::uint32_t sequence = 0;
+  };
+
+  /// A channel whose messages change their type gets a topic for each.
+  Topic& topic_of(const std::string& channel, const fields::StructType& type) {
+    const auto key = std::make_pair(channel, type.hash);
+    const auto found = topics_.find(key);
+    if (found != topics_.end()) return found->second;
+    auto schema = schemas_.find(type.hash);
+    if (schema == schemas_.end())
+      schema =
+          schemas_.emplace(type.hash, writer_.add_schema(type.name, "jsonschema", json_schema(type))).first;
+    return topics_.emplace(key, Topic{writer_.add_channel(schema->second, channel, "json"), 0}).first->second;
+  }
+
+  void note_metadata(const Event& event) {
+    const auto metadata = read_log_metadata(event.data, event.size);
+    if (!metadata) return;
+    writer_.add_metadata("sprung", {{"robot", metadata->robot},
+                                    {"preset", metadata->preset},
+                                    {"clock", metadata->clock},
+                                    {"version", metadata->version},
+                                    {"git_hash", metadata->git_hash},
+                                    {"host", metadata->host},
+                                    {"command_line", metadata->command_line}});
+    writer_.add_attachment(ns(static_cast<double>(event.time_us)), "robot.yaml", "application/yaml",
+                           metadata->robot_yaml);
+  }
+
+  McapWriter& writer_;
+  fields::Decoder decoder_;
+  fields::MessageView message_;
+  JsonMessages messages_;
+  std::map<std::int64_t, std::uint16_t> schemas_;  ///< by fingerprint
+  std::map<std::pair<std::string, std::int64_t>, Topic> topics_;
+  std::string json_;
+};
+
+}  // namespace
+
+McapResult export_mcap(Reader& reader, ChannelFilter& channels, McapWriter& writer,
+                       const Progress& progress) {
+  Exporter exporter(writer);
+  Timeline timeline;
+  McapResult result;
+  for (Event event; reader.next(event);) {
+    const Timeline::Moment moment = timeline.next(event);
+    if (++result.events % kEventsBetween == 0 && progress) progress(reader.position(), reader.file_bytes());
+    if (!channels.keeps(event.channel)) continue;
+    ++(exporter.add(event, moment, timeline.begin_us()) ? result.written : result.not_decoded);
+  }
+  return result;
+}
+
+}  // namespace sprung::log

@@ -1,0 +1,282 @@
+#include "tools/replay/core_replay.h"
+
+#include <algorithm>
+#include <cstring>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+
+#include "controller/controller_core.h"
+#include "estimator/estimator_core.h"
+#include "lcmtypes/channels.h"
+#include "planner/planner_core.h"
+#include "tools/replay/message_slot.h"
+
+namespace sprung {
+
+namespace {
+
+/// An input that is older than this many cycles was not used: every watchdog is shorter.
+constexpr std::int64_t kHistory = 256;
+
+/// The newest values of a signal, by cycle.
+template <class Signal>
+class History {
+ public:
+  explicit History(const Signal& prototype) : values_(kHistory, prototype) { clear(); }
+  void clear() {
+    for (Signal& value : values_) value.stamp.seq = -1;
+  }
+  void keep(const Signal& value) { values_[place(value.stamp.seq)] = value; }
+  const Signal* find(std::int64_t seq) const {
+    if (seq < 0) return nullptr;
+    const Signal& value = values_[place(seq)];
+    return value.stamp.seq == seq ? &value : nullptr;
+  }
+  const Signal* newest_at_or_before(std::int64_t seq) const {
+    for (std::int64_t k = seq; k >= 0 && k > seq - kHistory; --k) {
+      if (const Signal* value = find(k)) return value;
+    }
+    return nullptr;
+  }
+
+ private:
+  static std::size_t place(std::int64_t seq) { return static_cast<std::size_t>(seq % kHistory); }
+  std::vector<Signal> values_;
+};
+
+/// used_imu_seq stands right before the trunk, with which JOINT_STATE ends.
+std::int64_t used_imu_seq(const Bytes& joint_state) {
+  const auto body = static_cast<std::size_t>(sprung_msgs::estimated_body_t()._getEncodedSizeNoHash());
+  return read_int64(joint_state.data(), joint_state.size() - body - sizeof(std::int64_t));
+}
+
+/// DRIVE_COMMAND ends with it.
+std::int64_t used_leg_command_seq(const Bytes& drive_command) {
+  return read_int64(drive_command.data(), drive_command.size() - sizeof(std::int64_t));
+}
+
+const Bytes kNoBytes;
+
+}  // namespace
+
+const char* name(Core core) noexcept {
+  switch (core) {
+    case Core::kEstimator:
+      return "estimator";
+    case Core::kPlanner:
+      return "planner";
+    case Core::kController:
+      return "controller";
+  }
+  return "unknown";
+}
+
+CoreChoice core_choice(const std::string& words) {
+  CoreChoice choice;
+  choice.runs = {};
+  std::istringstream in(words);
+  for (std::string word; std::getline(in, word, ',');) {
+    bool known = false;
+    for (const Core core : {Core::kEstimator, Core::kPlanner, Core::kController}) {
+      if (word != name(core)) continue;
+      choice.runs[static_cast<std::size_t>(core)] = known = true;
+    }
+    if (!known)
+      throw std::invalid_argument("'" + word + "' is no core: give some of estimator,planner,controller");
+  }
+  if (words.empty())
+    throw std::invalid_argument("no core was named: give some of estimator,planner,controller");
+  return choice;
+}
+
+struct CoreReplay::Impl {
+  Impl(const RobotConfig& robot_in, const std::string& preset_in, const WatchdogConfig& watchdogs_in,
+       const CoreChoice& choice_in)
+      : robot(as_in_preset(robot_in, preset_in)),
+        preset(robot.preset(preset_in)),
+        watchdogs(watchdogs_in),
+        choice(choice_in) {
+    restart({true, true, true});
+  }
+
+  void restart(const std::array<bool, kCores>& which) {
+    const auto is = [&](Core core) { return which[static_cast<std::size_t>(core)]; };
+    if (is(Core::kEstimator)) estimator = std::make_unique<EstimatorCore>(robot, watchdogs);
+    if (is(Core::kPlanner)) planner = std::make_unique<PlannerCore>(robot, preset);
+    if (is(Core::kController)) controller = std::make_unique<ControllerCore>(robot, preset, watchdogs);
+  }
+
+  void begin_anew() {
+    restart({true, true, true});
+    imus.clear();
+    leg_history.clear();
+  }
+
+  bool wanted(const LoggedCycle& cycle) const {
+    return !(cycle.joint_state.empty() && cycle.leg_command.empty() && cycle.motion_state.empty() &&
+             cycle.drive_command.empty());
+  }
+
+  void step(const LoggedCycle& cycle);
+  bool has_joint_state(const LoggedCycle& cycle);
+  const Imu* imu_of(const LoggedCycle& cycle);
+  void run_controller(const LoggedCycle& cycle);
+  void run_planner(const LoggedCycle& cycle);
+  void take_leg_command(const LoggedCycle& cycle);
+  void compare_replies(const LoggedCycle& cycle);
+  void miss(const LoggedCycle& cycle, const char* core, const char* channel, std::int64_t seq);
+  template <class Signal>
+  void compare(const LoggedCycle& cycle, const Bytes& recorded, MessageSlot<Signal>& ours);
+
+  const RobotConfig robot;
+  const PresetConfig& preset;
+  const WatchdogConfig watchdogs;
+  const CoreChoice choice;
+  std::unique_ptr<EstimatorCore> estimator;
+  std::unique_ptr<PlannerCore> planner;
+  std::unique_ptr<ControllerCore> controller;
+
+  const CountLimits by_actuator = CountLimits::exactly(robot.actuators.size());
+  const CountLimits by_leg = CountLimits::exactly(robot.legs.size());
+  const CountLimits by_joint_and_leg = CountLimits::exactly(robot.joints.size(), robot.legs.size());
+  MessageSlot<DriveState> drive_state{channels::kDriveState, by_actuator, DriveState(robot.actuators.size())};
+  MessageSlot<Imu> imu{channels::kImu, CountLimits::none(), Imu()};
+  MessageSlot<JointState> joint_state{channels::kJointState, by_joint_and_leg,
+                                      JointState(robot.joints.size(), robot.legs.size())};
+  MessageSlot<LegCommand> leg_command{channels::kLegCommand, by_leg, LegCommand(robot.legs.size())};
+  MessageSlot<MotionState> motion_state{channels::kMotionState, by_leg, MotionState(robot.legs.size())};
+  MessageSlot<DriveCommand> drive_command{channels::kDriveCommand, by_actuator,
+                                          DriveCommand(robot.actuators.size())};
+  MessageSlot<OperatorCommand> operator_command{channels::kOperatorCommand, CountLimits::none(), {}};
+  MessageSlot<OperatorReply> reply{channels::kOperatorReply, CountLimits::none(), {}};
+  History<Imu> imus{Imu()};
+  History<LegCommand> leg_history{LegCommand(robot.legs.size())};
+
+  bool begun = false;
+  bool planner_runs = false;  ///< leg commands come from the planner, not from an experiment
+  std::int64_t session = 0;   ///< of the log
+  ReplayCounts counts;
+  Use use_difference;
+  Use use_output;
+};
+
+void CoreReplay::Impl::step(const LoggedCycle& cycle) {
+  if (cycle.anew) begin_anew();
+  restart(cycle.restarted);
+  if (imu.read(cycle.imu)) imus.keep(imu.value);
+  if (!wanted(cycle)) return;
+  if (has_joint_state(cycle)) {
+    if (!begun) counts.first_seq = cycle.seq;
+    begun = true;
+    ++counts.cycles;
+    counts.last_seq = cycle.seq;
+    if (choice[Core::kController] && !cycle.drive_command.empty()) run_controller(cycle);
+    run_planner(cycle);
+  } else {
+    take_leg_command(cycle);
+  }
+}
+
+/// Of this cycle: made by the estimator, else as the log has it.
+bool CoreReplay::Impl::has_joint_state(const LoggedCycle& cycle) {
+  if (!choice[Core::kEstimator]) {
+    if (joint_state.read(cycle.joint_state)) return true;
+    if (begun) miss(cycle, "planner and controller", channels::kJointState, cycle.seq);
+    return false;
+  }
+  if (!drive_state.read(cycle.drive_state)) {
+    if (begun) miss(cycle, "estimator", channels::kDriveState, cycle.seq);
+    return begun && joint_state.read(cycle.joint_state);
+  }
+  const Imu* const sample = imu_of(cycle);
+  estimator->step(drive_state.value, joint_state.value, sample);
+  compare(cycle, cycle.joint_state, joint_state);
+  return true;
+}
+
+const Imu* CoreReplay::Impl::imu_of(const LoggedCycle& cycle) {
+  if (!robot.body.imu) return nullptr;
+  if (cycle.joint_state.size() < kCountsOffset) return imus.newest_at_or_before(cycle.seq);
+  const std::int64_t used = used_imu_seq(cycle.joint_state);
+  const Imu* const sample = imus.find(used);
+  if (used >= 0 && sample == nullptr) miss(cycle, "estimator", channels::kImu, used);
+  return sample;
+}
+
+void CoreReplay::Impl::run_controller(const LoggedCycle& cycle) {
+  const std::int64_t used = used_leg_command_seq(cycle.drive_command);
+  const LegCommand* const command = leg_history.find(used);
+  if (used >= 0 && command == nullptr) miss(cycle, "controller", channels::kLegCommand, used);
+  controller->step(joint_state.value, command, drive_command.value);
+  compare(cycle, cycle.drive_command, drive_command);
+}
+
+void CoreReplay::Impl::run_planner(const LoggedCycle& cycle) {
+  planner_runs = planner_runs || !cycle.motion_state.empty();
+  if (!choice[Core::kPlanner] || !planner_runs) return take_leg_command(cycle);
+  if (cycle.leg_command.empty() && cycle.motion_state.empty()) return;
+  for (const Bytes& bytes : cycle.operator_commands) {
+    if (operator_command.read(bytes)) (void)planner->submit(operator_command.value);
+  }
+  planner->step(joint_state.value, leg_command.value, motion_state.value);
+  leg_history.keep(leg_command.value);
+  compare(cycle, cycle.leg_command, leg_command);
+  compare(cycle, cycle.motion_state, motion_state);
+  compare_replies(cycle);
+}
+
+void CoreReplay::Impl::take_leg_command(const LoggedCycle& cycle) {
+  if (leg_command.read(cycle.leg_command)) leg_history.keep(leg_command.value);
+}
+
+/// Every reply in the log was made; that others were made too may be because a reader came late.
+void CoreReplay::Impl::compare_replies(const LoggedCycle& cycle) {
+  std::vector<Bytes> made;
+  while (planner->next_reply(reply.value)) {
+    made.push_back(reply.write(session));
+    if (use_output)
+      use_output({reply.channel(), cycle.seq, cycle.time_us, cycle.time_s, kNoBytes, made.back()});
+  }
+  for (const Bytes& recorded : cycle.replies) {
+    ++counts.compared;
+    if (std::find(made.begin(), made.end(), recorded) != made.end()) continue;
+    const Bytes& nearest = made.empty() ? kNoBytes : made.front();
+    ++counts.differing;
+    if (use_difference)
+      use_difference({reply.channel(), cycle.seq, cycle.time_us, cycle.time_s, recorded, nearest});
+  }
+}
+
+void CoreReplay::Impl::miss(const LoggedCycle& cycle, const char* core, const char* channel,
+                            std::int64_t seq) {
+  if (counts.incomplete++ > 0) return;
+  counts.first_incomplete = std::string("cycle ") + std::to_string(cycle.seq) + ": the " + core + " had " +
+                            channel + " " + std::to_string(seq) + ", which is not in the log";
+}
+
+template <class Signal>
+void CoreReplay::Impl::compare(const LoggedCycle& cycle, const Bytes& recorded, MessageSlot<Signal>& ours) {
+  if (!recorded.empty()) session = read_int64(recorded.data(), kSessionOffset);
+  const Bytes& replayed = ours.write(session);
+  if (use_output) use_output({ours.channel(), cycle.seq, cycle.time_us, cycle.time_s, recorded, replayed});
+  if (recorded.empty()) return;
+  ++counts.compared;
+  if (recorded == replayed) return;
+  ++counts.differing;
+  if (use_difference)
+    use_difference({ours.channel(), cycle.seq, cycle.time_us, cycle.time_s, recorded, replayed});
+}
+
+CoreReplay::CoreReplay(const RobotConfig& robot, const std::string& preset, const WatchdogConfig& watchdogs,
+                       const CoreChoice& choice)
+    : impl_(std::make_unique<Impl>(robot, preset, watchdogs, choice)) {}
+
+CoreReplay::~CoreReplay() = default;
+
+void CoreReplay::on_difference(Use use) { impl_->use_difference = std::move(use); }
+void CoreReplay::on_output(Use use) { impl_->use_output = std::move(use); }
+void CoreReplay::step(const LoggedCycle& cycle) { impl_->step(cycle); }
+const ReplayCounts& CoreReplay::counts() const noexcept { return impl_->counts; }
+
+}  // namespace sprung
