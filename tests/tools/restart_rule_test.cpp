@@ -7,16 +7,14 @@ namespace {
 
 constexpr std::int64_t kEnd_us = 10'000'000;
 constexpr std::int64_t kLater_us = kEnd_us + 2'000'000;
-const SafetyHeard kOff{SafetyLevel::kDisabled, kLater_us};
+const TorqueHeard kOff{false, kLater_us};
 
 EndedProcess planner() { return {RestartPolicy::kWithoutTorque, false, false, 0, kEnd_us}; }
 
 TEST(RestartRule, WithoutTorqueItIsDue) { EXPECT_TRUE(RestartRule::due(planner(), kOff, kLater_us)); }
 
 TEST(RestartRule, NotWhileAnyDriveMayHaveTorque) {
-  for (const auto level : {SafetyLevel::kOperational, SafetyLevel::kDamping, SafetyLevel::kQuickStop}) {
-    EXPECT_FALSE(RestartRule::due(planner(), SafetyHeard{level, kLater_us}, kLater_us));
-  }
+  EXPECT_FALSE(RestartRule::due(planner(), TorqueHeard{true, kLater_us}, kLater_us));
 }
 
 TEST(RestartRule, SilentBridgeIsNoProof) {
@@ -25,7 +23,7 @@ TEST(RestartRule, SilentBridgeIsNoProof) {
 }
 
 TEST(RestartRule, WhatTheBridgeSaidBeforeTheEndIsNoProof) {
-  const SafetyHeard before{SafetyLevel::kDisabled, kEnd_us + RestartRule::kSettle_us - 1};
+  const TorqueHeard before{false, kEnd_us + RestartRule::kSettle_us - 1};
   EXPECT_FALSE(RestartRule::due(planner(), before, kEnd_us + RestartRule::kSettle_us));
 }
 

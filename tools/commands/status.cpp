@@ -1,3 +1,4 @@
+#include <cmath>
 #include <cstdio>
 #include <map>
 #include <memory>
@@ -89,6 +90,10 @@ Json process_json(const RunningProcess& process, const Heard& heard) {
     const auto& status = found->second;
     out["rate_hz"] = status.loop_period_us > 0 ? Json(1e6 / status.loop_period_us) : Json(nullptr);
     out["overruns"] = status.overruns;
+    out["host"] = status.host;
+    out["cpu_percent"] = 100.0 * status.cpu_share;
+    out["memory_MB"] = static_cast<double>(status.memory_kB) / 1024.0;
+    out["input_age_ms"] = std::isfinite(status.input_age_us) ? Json(status.input_age_us * 1e-3) : Json(nullptr);
     out["cycles"] = status.cycles;
     out["refused_messages"] = status.refused_messages;
     out["real_time"] = status.real_time;

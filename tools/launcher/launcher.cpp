@@ -127,19 +127,29 @@ void Launcher::read_statuses() {
     if (!why.empty() && named_.insert(status->process + status->host).second) trouble_.push_back(why);
     board_.hear(*status, node_.utime_us());
   }
-  while (auto safety = safeties_.pop()) {
-    safety_heard_ = SafetyHeard{static_cast<SafetyLevel>(safety->level), node_.utime_us()};
-    safety_ = std::move(*safety);
+  while (auto safety = safeties_.pop()) safety_ = std::move(*safety);
+}
+
+void Launcher::start_again_what_may() {
+  bool waiting = false;
+  for (Child& child : children_) {
+    if (!child.reported || !child.process->ended() || !RestartRule::hopeful(child.end)) continue;
+    waiting = waiting || !child.end.harmless;
+    if (waiting && torque_watch_ == nullptr)
+      torque_watch_ = std::make_unique<TorqueWatch>(
+          NodeOptions{request_.lcm_url, info_.session, info_.epoch_us, {}}, robot_);
+    const auto torque = torque_watch_ != nullptr ? torque_watch_->heard() : std::nullopt;
+    if (RestartRule::due(child.end, torque, node_.utime_us())) start_again(child);
   }
+  if (!waiting) torque_watch_.reset();
 }
 
 void Launcher::look() {
   read_statuses();
+  start_again_what_may();
   const std::int64_t now_us = node_.utime_us();
   for (Child& child : children_) {
     read_lines(child);
-    if (child.reported && child.process->ended() && RestartRule::due(child.end, safety_heard_, now_us))
-      start_again(child);
     const std::string& program = child.planned.program;
     if (!child.process->ended() && board_.silent(program, now_us) && named_.insert(program).second)
       trouble_.push_back(program +

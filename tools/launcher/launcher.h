@@ -21,6 +21,7 @@
 #include "tools/launcher/run_description.h"
 #include "tools/launcher/run_file.h"
 #include "tools/launcher/status_board.h"
+#include "tools/launcher/torque_watch.h"
 
 namespace sprung {
 
@@ -79,6 +80,7 @@ class Launcher {
   void start_recorder();
   std::unique_ptr<ChildProcess> run_program(const PlannedProcess& planned) const;
   void start_again(Child& child);
+  void start_again_what_may();
   void wait_for(const std::string& program, ProcessState state);
   std::string not_ready_text(const std::string& program, ProcessState state) const;
   void refuse_trouble();
@@ -106,7 +108,7 @@ class Launcher {
   ProcessState state_ = ProcessState::kStarting;
   StatusBoard board_;
   std::optional<sprung_msgs::safety_state_t> safety_;
-  std::optional<SafetyHeard> safety_heard_;
+  std::unique_ptr<TorqueWatch> torque_watch_;  ///< while a process waits to be started again
   std::vector<std::string> trouble_;
   std::set<std::string> named_;  ///< of which trouble was told
   std::vector<Child> children_;

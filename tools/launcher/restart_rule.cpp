@@ -7,12 +7,12 @@ bool RestartRule::hopeful(const EndedProcess& ended) noexcept {
   return allowed && ended.restarts < kMost && (ended.harmless || !ended.lockstep);
 }
 
-bool RestartRule::due(const EndedProcess& ended, const std::optional<SafetyHeard>& safety,
+bool RestartRule::due(const EndedProcess& ended, const std::optional<TorqueHeard>& torque,
                       std::int64_t now_us) noexcept {
   if (!hopeful(ended)) return false;
   if (ended.harmless) return true;
-  return safety && safety->level == SafetyLevel::kDisabled &&
-         safety->utime_us >= ended.ended_utime_us + kSettle_us && now_us - safety->utime_us <= kFresh_us;
+  return torque && !torque->any && torque->utime_us >= ended.ended_utime_us + kSettle_us &&
+         now_us - torque->utime_us <= kFresh_us;
 }
 
 }  // namespace sprung

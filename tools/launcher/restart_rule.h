@@ -5,14 +5,13 @@
 #include <optional>
 
 #include "robots/robot_config.h"
-#include "signals/modes.h"
 
 namespace sprung {
 
-/// What the bridge said last.
-struct SafetyHeard {
-  SafetyLevel level = SafetyLevel::kOperational;
-  std::int64_t utime_us = 0;  ///< when the launcher heard it
+/// What the bridge said last of its drives.
+struct TorqueHeard {
+  bool any = true;            ///< a drive has torque, or may have
+  std::int64_t utime_us = 0;  ///< of that DRIVE_STATE
 };
 
 struct EndedProcess {
@@ -27,11 +26,11 @@ class RestartRule {
  public:
   static constexpr int kMost = 3;  ///< of one process in one run: what dies again and again is broken
   static constexpr std::int64_t kSettle_us = 300'000;  ///< the bridge has seen what the end brought
-  static constexpr std::int64_t kFresh_us = 500'000;   ///< SAFETY_STATE comes at 10 Hz
+  static constexpr std::int64_t kFresh_us = 500'000;   ///< DRIVE_STATE comes in every cycle
 
   /// May still be started again, now or later.
   static bool hopeful(const EndedProcess& ended) noexcept;
-  static bool due(const EndedProcess& ended, const std::optional<SafetyHeard>& safety,
+  static bool due(const EndedProcess& ended, const std::optional<TorqueHeard>& torque,
                   std::int64_t now_us) noexcept;
 };
 
