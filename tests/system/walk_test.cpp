@@ -111,5 +111,48 @@ TEST_F(Walk, StopWaitsUntilACrawlStands) {
   EXPECT_EQ(state(), "standing");
 }
 
+/// To the left, lower, with feet further out.
+TEST_F(Walk, SidewaysAtAnotherHeightAndWidth) {
+  stand_up();
+  const auto begin = truth();
+  obeys("walk --gait trot --sideways 0.1 --height 0.48 --width 0.05");
+  auto now = truth_in(5.0);
+  EXPECT_NEAR(now.base_in_world_m[1] - begin.base_in_world_m[1], 0.45, 0.2);
+  EXPECT_NEAR(now.base_in_world_m[0] - begin.base_in_world_m[0], 0.0, 0.15);
+  EXPECT_NEAR(now.base_in_world_m[2], 0.48, 0.03);
+  const auto apart_m = [](const sprung_msgs::sim_truth_t& t) {
+    return t.legs[2].true_foot_in_world_m[1] - t.legs[3].true_foot_in_world_m[1];  // hind
+  };
+  double mean_m = 0.0;  // each foot is in the air for half of the time
+  for (int i = 0; i < 10; ++i) mean_m += 0.1 * apart_m(now = truth_in(0.15));
+  const LegConfig& leg = robot_.legs[2];
+  EXPECT_NEAR(mean_m, 2.0 * (leg.hip_in_trunk_m[1] + leg.links[0].length_m + 0.05), 0.03);
+  EXPECT_EQ(state(), "walking");
+  obeys("stop");
+  EXPECT_EQ(status()["safety"]["cause"], "none");
+}
+
+TEST_F(Walk, LegsAreControlledAsAskedAlsoAsItGoes) {
+  stand_up();
+  for (const char* control : {"hybrid", "force", "own"}) {
+    obeys(std::string("walk --gait trot --speed 0.1 --control ") + control);
+    const auto begin = truth_in(0.5);
+    const auto end = truth_in(1.5);
+    EXPECT_NEAR(end.base_in_world_m[0] - begin.base_in_world_m[0], 0.15, 0.1) << control;
+    EXPECT_EQ(state(), "walking") << control;
+  }
+  obeys("stop");
+  EXPECT_EQ(state(), "standing");
+}
+
+TEST_F(Walk, OnItsSideItRefusesToStandAndSaysWhy) {
+  up("lockstep", "--plant roll=1.57");
+  truth_in(2.0);  // until it lies still
+  obeys("home --from link");
+  refuses("stand", "turn it over");
+  EXPECT_EQ(state(), "idle");
+  EXPECT_EQ(status()["safety"]["state"], "operational");
+}
+
 }  // namespace
 }  // namespace sprung
