@@ -19,7 +19,7 @@ const std::vector<std::string> kCoreFolders = {"signals",          "estimator", 
                                                "planner",          "drivers/canopen", "drivers/cia402",
                                                "drivers/profiles", "drivers/bridge",  "drivers/sim",
                                                "tools/inprocess",  "tools/canopen",   "tools/report",
-                                               "tools/doctor"};
+                                               "tools/doctor",     "tools/fields",    "tools/spy"};
 const std::regex kShell(R"((_main|_shell|_lockstep|_realtime)\.(h|cpp)$)");
 const std::regex kMessages(R"(signals/messages|signals/message_fields)");
 
@@ -94,7 +94,8 @@ TEST(Layering, HeavyHeadersStayInOneFile) {
       {R"(#include\s+<spdlog/)", "runtime/log.cpp"},
       {R"(#include\s+<yaml-cpp/)", "robots/yaml_reader.cpp"},
       {R"(#include\s+<msgpack)", "drivers/can/udp_datagram.cpp"},
-      {R"(#include\s+<ini\.h)", "drivers/canopen/ini_text.cpp"}};
+      {R"(#include\s+<ini\.h)", "drivers/canopen/ini_text.cpp"},
+      {R"(#include\s+<curses\.h)", "tools/spy/spy_shell.cpp"}};
   for (const auto& [pattern, owner] : owners) {
     for (const char* folder :
          {"runtime", "robots", "drivers", "estimator", "controller", "planner", "tools", "signals"}) {

@@ -23,5 +23,8 @@ void add_home(CommandLine& sprung);
 void add_identify(CommandLine& sprung);
 void add_log(CommandLine& sprung);  ///< log info, cut, filter, merge, verify, repair
 void add_move(CommandLine& sprung);
+void add_spy(CommandLine& sprung);
+void add_topics(CommandLine& sprung);
+void add_watch(CommandLine& sprung);
 
 }  // namespace sprung::commands

@@ -16,6 +16,9 @@ int main(int argc, char** argv) {
   add_motion(line);
   add_safety(line);
   add_status(line);
+  add_topics(line);
+  add_watch(line);
+  add_spy(line);
   add_record(line);
   add_replay(line);
   add_experiment(line);

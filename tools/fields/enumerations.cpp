@@ -46,13 +46,13 @@ const char* sim_control_kind_name(std::int8_t value) noexcept {
 const char* log_end_reason_name(std::int8_t value) noexcept {
   switch (value) {
     case 0:
-      return "asked";
+      return "asked for";
     case 1:
-      return "continued";
+      return "goes on in the next part";
     case 2:
-      return "disk guard";
+      return "the disk was nearly full";
     case 3:
-      return "write error";
+      return "the disk took no more";
     default:
       return "unknown";
   }

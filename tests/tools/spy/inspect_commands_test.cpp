@@ -1,0 +1,114 @@
+/// sprung topics and sprung watch as they are used.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tests/tools/spy/network_sender.h"
+#include "tests/tools/spy/run_command.h"
+
+namespace sprung {
+namespace {
+
+using test::run_sprung;
+using testing::HasSubstr;
+using Json = nlohmann::json;
+
+class InspectCommands : public testing::Test {
+ protected:
+  std::string here() const { return " --url '" + sender_.url() + "'"; }
+  test::NetworkSender sender_;
+};
+
+TEST_F(InspectCommands, TopicsShowsWhatIsOnTheNetwork) {
+  const auto end = run_sprung("topics --for 0.6" + here());
+  EXPECT_EQ(end.status, 0) << end.output;
+  EXPECT_THAT(end.output, HasSubstr("JOINT_STATE       joint_state_t"));
+  EXPECT_THAT(end.output, HasSubstr("MOTION_STATE      motion_state_t"));
+}
+
+TEST_F(InspectCommands, TopicsAsJson) {
+  const Json all = Json::parse(run_sprung("topics --json --for 0.6" + here()).output);
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_EQ(all[0]["channel"], "JOINT_STATE");
+  EXPECT_GT(all[0]["rate_hz"], 10.0);
+  EXPECT_GT(all[0]["missing"], 0);  // the sender leaves four of five cycles out
+}
+
+TEST_F(InspectCommands, TopicsOfASilentNetworkSaysWhatToDo) {
+  const auto end = run_sprung("topics --for 0.2 --url '" + test::own_lcm_url() + "'");
+  EXPECT_EQ(end.status, 1);
+  EXPECT_THAT(end.output, HasSubstr("sprung up"));
+}
+
+TEST_F(InspectCommands, WatchPrintsChosenFieldsWithUnits) {
+  const auto end =
+      run_sprung("watch 'JOINT_STATE.joints[0].gear_output_torque_Nm' --count 3 --for 20" + here());
+  EXPECT_EQ(end.status, 0) << end.output;
+  EXPECT_THAT(end.output, HasSubstr("joints[0].gear_output_torque_Nm  500 Nm"));
+  EXPECT_EQ(std::count(end.output.begin(), end.output.end(), '\n'), 3);
+}
+
+TEST_F(InspectCommands, WatchAsJsonIsAnObjectALine) {
+  const auto end = run_sprung(
+      "watch MOTION_STATE.state JOINT_STATE.joints.gear_output_torque_Nm --json --rate 0 --count 20 --for "
+      "20" +
+      here());
+  std::istringstream lines(end.output);
+  std::string line;
+  int joints = 0, motions = 0;
+  while (std::getline(lines, line)) {
+    const Json message = Json::parse(line);
+    joints += message["channel"] == "JOINT_STATE" && message["fields"].size() == 2 ? 1 : 0;
+    motions += message["channel"] == "MOTION_STATE" && message["fields"].size() == 1 ? 1 : 0;
+  }
+  EXPECT_EQ(joints + motions, 20);
+  EXPECT_GT(joints, 5);
+  EXPECT_GT(motions, 5);
+}
+
+TEST_F(InspectCommands, WatchKeepsToItsRate) {
+  const auto end = run_sprung("watch MOTION_STATE.seq --rate 5 --for 1" + here());
+  EXPECT_LE(std::count(end.output.begin(), end.output.end(), '\n'), 6);
+  EXPECT_THAT(end.output, HasSubstr("seq"));
+}
+
+TEST_F(InspectCommands, WatchOfAFieldThatIsNotIsWrongUse) {
+  const auto end = run_sprung("watch JOINT_STATE.nothing --for 20" + here());
+  EXPECT_EQ(end.status, 2);
+  EXPECT_THAT(end.output, HasSubstr("has no field 'nothing'"));
+}
+
+TEST_F(InspectCommands, WatchOfASilentChannelFails) {
+  EXPECT_EQ(run_sprung("watch SILENT --for 0.3" + here()).status, 1);
+}
+
+TEST_F(InspectCommands, OwnTypesAreReadFromTheirFiles) {
+  const std::string path = testing::TempDir() + "own_" + std::to_string(getpid()) + ".lcm";
+  std::ofstream(path) << "package own; struct thing_t { double length_m; }";
+  EXPECT_EQ(run_sprung("topics --for 0.3 --types " + path + here()).status, 0);
+  std::ofstream(path) << "package own; struct thing_t { lost_t x; }";
+  const auto end = run_sprung("topics --for 0.3 --types " + path + here());
+  EXPECT_EQ(end.status, 2);
+  EXPECT_THAT(end.output, HasSubstr("no type lost_t"));
+  std::remove(path.c_str());
+  EXPECT_EQ(run_sprung("topics --types " + path + here()).status, 2);
+}
+
+TEST_F(InspectCommands, SpyWithoutATerminalNamesTheOtherCommands) {
+  const auto end = run_sprung("spy" + here() + " </dev/null");
+  EXPECT_THAT(end.output, HasSubstr("sprung watch"));
+}
+
+TEST_F(InspectCommands, AnInstanceThatIsNotUpIsRefused) {
+  const auto end = run_sprung("topics --instance nobody");
+  EXPECT_EQ(end.status, 1);
+  EXPECT_THAT(end.output, HasSubstr("nobody"));
+}
+
+}  // namespace
+}  // namespace sprung

@@ -1,0 +1,65 @@
+#include <poll.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "runtime/node.h"
+#include "runtime/stop_request.h"
+#include "tools/commands/inspect/inspect_commands.h"
+#include "tools/fields/lcm_files.h"
+#include "tools/fields/lcm_text.h"
+#include "tools/launcher/run_file.h"
+#include "tools/log/robot_names.h"
+
+namespace sprung::commands {
+
+namespace {
+
+std::string text_of(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) throw WrongUse("cannot read " + path + ": --types wants .lcm files");
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::unique_ptr<fields::TypeTable> types_with(const std::vector<std::string>& paths) {
+  auto types = std::make_unique<fields::TypeTable>();
+  types->add(fields::lcm_files());
+  std::vector<std::string> texts;
+  for (const std::string& path : paths) texts.push_back(text_of(path));
+  try {
+    types->add({texts.begin(), texts.end()});
+  } catch (const fields::BadLcmText& bad) {
+    throw WrongUse(std::string("--types: ") + bad.what());
+  }
+  return types;
+}
+
+}  // namespace
+
+void add_inspect_options(CommandLine& command, InspectRequest& request) {
+  command.option("--instance", request.instance, "which run");
+  command.option("--url", request.url, "LCM address; default that of the robot that is up");
+  command.option("--types", request.types, ".lcm file of types that are not sprung's");
+}
+
+InspectSource inspect_source(const InspectRequest& request) {
+  InspectSource source;
+  source.types = types_with(request.types);
+  source.url = request.url;
+  if (source.url.empty()) {
+    const bool wanted = request.instance != InspectRequest().instance;
+    const auto run = wanted ? require_running(request.instance, "") : read_run_file(request.instance);
+    source.url = run ? run->lcm_url : kDefaultLcmUrl;
+    source.title = run ? run->robot : "no robot is up";
+    if (run) source.names = log::names_of_robot(run->robot_folder).lists;
+  }
+  source.title += (source.title.empty() ? "" : ", ") + source.url;
+  return source;
+}
+
+void wait_or_stop(int wait_ms) noexcept {
+  pollfd stop{stop_fd(), POLLIN, 0};
+  poll(&stop, 1, wait_ms);
+}
+
+}  // namespace sprung::commands
