@@ -53,7 +53,8 @@ TEST(ThinSeries, GapsStay) {
 TEST(SvgPlot, TicksAreRoundAndCoverTheScale) {
   EXPECT_THAT(round_ticks(-0.1, 10.2, 6), testing::ElementsAre(0, 2, 4, 6, 8, 10));
   EXPECT_THAT(round_ticks(1000.0, 1000.5, 5),
-              testing::ElementsAre(1000.0, 1000.1, 1000.2, 1000.3, 1000.4, 1000.5));
+              testing::Pointwise(testing::DoubleNear(1e-9),
+                                 std::vector<double>{1000.0, 1000.1, 1000.2, 1000.3, 1000.4, 1000.5}));
   EXPECT_THAT(round_ticks(-3e-7, 3e-7, 3), testing::ElementsAre(-2e-7, 0, 2e-7));
 }
 
@@ -112,7 +113,7 @@ TEST_F(LogPlotTest, NothingOrTooMuchIsRefused) {
   PlotRequest request;
   request.fields = {"JOINT_STATE.no_such_field"};
   EXPECT_THROW(plot(robot_events(5), request), std::invalid_argument);
-  request.fields = {"JOINT_STATE"};
+  request.fields = {"*_STATE"};
   EXPECT_THROW(plot(robot_events(5), request), std::invalid_argument);
 }
 

@@ -192,8 +192,8 @@ TEST_F(McapTest, MetadataAndRobotFileComeAlong) {
   EXPECT_EQ(count(records, McapOp::kMetadataIndex), 1u);
   EXPECT_EQ(count(records, McapOp::kAttachmentIndex), 1u);
   for (const Record& record : records) {
-    if (record.op == McapOp::kAttachment)
-      EXPECT_NE(record.content.find("name: no_such_robot\n"), std::string::npos);
+    if (record.op != McapOp::kAttachment) continue;
+    EXPECT_NE(record.content.find("name: no_such_robot\n"), std::string::npos);
   }
 }
 
