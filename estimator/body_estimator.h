@@ -19,6 +19,7 @@ class BodyEstimator {
   /// a foot stands and when none has stood for half a second. Never NaN else.
   void step(const std::vector<EstimatedLeg>& legs, const Imu* imu, std::int64_t seq, double dt_s,
             EstimatedBody& out) noexcept;
+  std::int64_t newest_imu_seq() const noexcept { return imu_.newest_seq(); }  ///< -1: none has come
 
  private:
   void write(EstimatedBody& out) const noexcept;

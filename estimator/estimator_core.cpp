@@ -13,7 +13,6 @@ struct EstimatorCore::Impl {
       : actuator_count(robot.actuators.size()),
         cycle_s(robot.cycle_s),
         longest_gap_s(watchdogs.joint_state_s),
-        has_imu(robot.body.imu),
         last(robot.joints.size(), robot.legs.size()) {
     for (const LegConfig& leg : robot.legs) legs.emplace_back(robot, leg, watchdogs.silent_cycles);
     if (robot.body.mass_kg > 0.0) body.emplace(robot);
@@ -32,7 +31,6 @@ struct EstimatorCore::Impl {
   std::size_t actuator_count;
   double cycle_s;
   double longest_gap_s;
-  bool has_imu;
   std::vector<LegEstimator> legs;
   std::optional<BodyEstimator> body;
   JointState last;
@@ -57,7 +55,7 @@ void EstimatorCore::step(const DriveState& in, JointState& out, const Imu* imu) 
     if (impl_->body) impl_->body->step(last.legs, imu, in.stamp.seq, dt_s, last.body);
     last.stamp = in.stamp;
     last.used_drive_state_seq = in.stamp.seq;
-    last.used_imu_seq = impl_->has_imu && imu != nullptr ? imu->stamp.seq : -1;
+    if (impl_->body) last.used_imu_seq = impl_->body->newest_imu_seq();
   }
   last.safety = in.safety;
   out = last;

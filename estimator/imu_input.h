@@ -25,6 +25,8 @@ class ImuInput {
   /// @param seq of this cycle.
   /// @return nullptr without a sample that can be used: none, too old, or one that says that it is not good.
   const ImuReading* update(const Imu* newest, std::int64_t seq, double cycle_s) noexcept;
+  /// Of the newest sample that has come; -1: none.
+  std::int64_t newest_seq() const noexcept { return last_.stamp.seq; }
 
  private:
   Imu last_;

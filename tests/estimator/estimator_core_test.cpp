@@ -121,7 +121,13 @@ TEST(EstimatorCoreWithImu, SaysWhichSampleItUsed) {
   EXPECT_EQ(out.used_imu_seq, -1);
   Imu imu;
   imu.stamp = {2000, 5};
+  imu.status = ImuStatus::kNoAttitude;
   in.stamp = {4000, 8};
+  core.step(in, out, &imu);
+  EXPECT_EQ(out.used_imu_seq, 5);
+  imu.stamp.seq = 9;
+  imu.status = ImuStatus::kStarting;  // says nothing
+  in.stamp = {6000, 9};
   core.step(in, out, &imu);
   EXPECT_EQ(out.used_imu_seq, 5);
 }
