@@ -5,6 +5,7 @@
 #include "robots/robot_loader.h"
 #include "runtime/log.h"
 #include "tools/bench/can_bench.h"
+#include "tools/commands/bench_up.h"
 #include "tools/commands/commands.h"
 
 namespace sprung::commands {
@@ -54,6 +55,7 @@ void add_bench(CommandLine& sprung) {
   can.flag("--json", request->as_json, "one JSON object on standard output");
   can.example("sprung bench can --robot pegasus --json");
   can.action([=] { return run_can(*request); });
+  add_bench_up(bench);
 }
 
 }  // namespace sprung::commands

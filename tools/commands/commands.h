@@ -15,13 +15,13 @@ void add_replay(CommandLine& sprung);
 void add_experiment(CommandLine& sprung);
 void add_doctor(CommandLine& sprung);
 void add_help(CommandLine& sprung);   ///< completion bash, man
-void add_bench(CommandLine& sprung);  ///< bench can
+void add_bench(CommandLine& sprung);  ///< bench can, bench up
 void add_can(CommandLine& sprung);    ///< can dump, can export
 void add_drive(CommandLine& sprung);  ///< drive info, read, write, scan, check
 void add_fault(CommandLine& sprung);
 void add_home(CommandLine& sprung);
 void add_identify(CommandLine& sprung);
-void add_log(CommandLine& sprung);  ///< log info, cut, filter, merge, verify, repair
+void add_log(CommandLine& sprung);  ///< log info, cut, filter, merge, verify, repair, csv, mcap, plot
 void add_move(CommandLine& sprung);
 void add_spy(CommandLine& sprung);
 void add_topics(CommandLine& sprung);
