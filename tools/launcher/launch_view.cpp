@@ -14,9 +14,8 @@ constexpr std::size_t kLinesLeftBehind = 20;
 std::string facts_of(const RunInfo& info) {
   std::string facts = "clock " + info.clock + ", preset " + info.preset;
   if (info.simulation) facts += ", simulated drives";
-  facts += "   LCM " + info.lcm_url;
   if (!info.log.empty()) facts += "   log " + info.log;
-  return facts;
+  return facts + "   LCM " + info.lcm_url;
 }
 
 }  // namespace
