@@ -1,6 +1,7 @@
 /// Logs of real processes: recorded, read and written by LCM's own programs too, replayed into the cores bit for bit.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <signal.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -185,6 +186,26 @@ TEST_F(RecordReplay, LogOfLcmsLoggerIsReplayedWithTheRobotThatTheProcessesNamed)
   EXPECT_EQ(result.differences.first().has_value(), false) << why(result);
   EXPECT_GT(result.counts.compared, 1000);
   EXPECT_THAT(result.source, HasSubstr("preset best"));
+}
+
+/// Then all processes are told to end at once, and the bridge still brings its drives to rest.
+TEST_F(RecordReplay, RecorderIsTheLastToStopAlsoWhenTheLauncherDies) {
+  up("lockstep", "--speed 1");
+  ASSERT_EQ(sprung("stand").status, 0);
+  up_process().signal(SIGKILL);
+  wait_for_up();
+  ASSERT_TRUE(all_end(20.0));
+  const std::vector<Event> events = read_by_lcm(log());
+  ASSERT_FALSE(events.empty());
+  EXPECT_EQ(events.back().channel, channels::kLogEnd);
+  std::map<std::string, std::int8_t> states;
+  for (const Event& event : events) {
+    sprung_msgs::process_status_t status;
+    if (event.channel == channels::kProcessStatus &&
+        status.decode(event.data.data(), 0, static_cast<int>(event.data.size())) > 0)
+      states[status.process] = status.state;
+  }
+  EXPECT_EQ(states["sprung-can-bridge"], static_cast<std::int8_t>(ProcessState::kStopping));
 }
 
 TEST_F(RecordReplay, RecorderRefusesADiskThatIsNearlyFull) {

@@ -39,10 +39,20 @@ struct ReplayOptions {
   double duration() const { return duration_s > 0.0 ? duration_s : std::numeric_limits<double>::infinity(); }
 };
 
-std::string quoted_number(double value) {
+std::string number_text(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%g", value);
   return text;
+}
+
+/// That makes the page again.
+std::string command_of(const ReplayOptions& options) {
+  std::string line = "sprung replay " + options.log + " --into " + options.into + " --html " + options.html;
+  if (!options.robot.empty()) line += " --robot " + options.robot;
+  if (!options.preset.empty()) line += " --preset " + options.preset;
+  if (options.start_s > 0.0) line += " --start " + number_text(options.start_s);
+  if (options.duration_s > 0.0) line += " --duration " + number_text(options.duration_s);
+  return line;
 }
 
 int run_into(const ReplayOptions& options) {
@@ -66,12 +76,10 @@ int run_into(const ReplayOptions& options) {
       bar.show(done / 1'000'000, all / 1'000'000);
     });
   }
-  std::printf("%s\n",
-              (options.as_json ? replay_json(request, result) : replay_text(request, result)).c_str());
+  std::printf("%s",
+              (options.as_json ? replay_json(request, result) + "\n" : replay_text(request, result)).c_str());
   if (!options.html.empty())
-    report::write_report(
-        replay_page(request, result, "sprung replay " + options.log + " --into " + options.into),
-        options.html);
+    report::write_report(replay_page(request, result, command_of(options)), options.html);
   return result.identical() ? kExitDone : kExitFailed;
 }
 
@@ -103,7 +111,7 @@ int run_to_lcm(const ReplayOptions& options) {
   request.channels = options.channels;
   request.remaps = options.remaps;
   std::printf("%s onto %s at %s x; Ctrl-C ends it\n", options.log.c_str(), options.lcm_url.c_str(),
-              quoted_number(options.speed).c_str());
+              number_text(options.speed).c_str());
   std::fflush(stdout);
   LcmReplayResult result;
   try {

@@ -1,5 +1,7 @@
 /// sprung-recorder: every message on the robot's network into LCM logs.
 #include <poll.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <cstdio>
@@ -18,7 +20,12 @@ namespace {
 constexpr int kTurn_ms = 20;
 /// What was written is handed to the kernel, and the disk looked at, this often.
 constexpr std::int64_t kTick_us = 100'000;
+/// Ahead of all that is not in real time: the kernel holds what is not taken for about a second, then it is lost.
+constexpr int kNice = -15;
 constexpr std::int64_t kNewsInterval_us = 1'000'000;
+/// Where the launcher died: how long the others may be silent, and how long the recorder outlives them at most.
+constexpr std::int64_t kQuiet_us = 500'000;
+constexpr std::int64_t kLongestLife_us = 5'000'000;
 
 struct RecorderOptions {
   std::string file = "recording.lcm";
@@ -42,6 +49,12 @@ RecordedRun recorded_run(const Process& process, const RecorderOptions& options,
           utime_us,   utc_us(),  options.command_line, run.node.lcm_url};
 }
 
+/// For this thread and those that it starts. Without the right to it the recorder is one of many.
+void go_ahead_of_others() {
+  if (setpriority(PRIO_PROCESS, 0, kNice) != 0)
+    log_debug("not allowed to run at nice -15: messages may be lost on a very busy machine");
+}
+
 /// Writes what the tap brings until the recording ends.
 class Recorder {
  public:
@@ -60,6 +73,7 @@ class Recorder {
       tick();
       process_.publish_status_if_due();
     }
+    if (getppid() != launcher_) outlive_the_others();
     finish();
     return recording_.ended() == LogEndReason::kAsked ? kExitDone : kExitFailed;
   }
@@ -90,6 +104,18 @@ class Recorder {
     if (!news.empty()) log_warn(news);
   }
 
+  /// All were told to end at once. The bridge brings its drives to rest first, and what it says belongs in the log.
+  void outlive_the_others() {
+    const std::int64_t began_us = process_.node().utime_us();
+    std::int64_t heard_us = began_us, now_us = began_us;
+    while (now_us - heard_us < kQuiet_us && now_us - began_us < kLongestLife_us && !recording_.ended()) {
+      poll(nullptr, 0, kTurn_ms);
+      write_what_came();
+      now_us = process_.node().utime_us();
+      if (batch_.size() > 0) heard_us = now_us;
+    }
+  }
+
   void finish() {
     tap_.stop();
     write_what_came();
@@ -102,6 +128,7 @@ class Recorder {
     std::fflush(stdout);
   }
 
+  const pid_t launcher_ = getppid();
   Process& process_;
   Recording recording_;
   MessageQueue queue_;
@@ -120,7 +147,10 @@ int main(int argc, char** argv) {
       argc, argv,
       {"sprung-recorder",
        "Every message on the robot's network into LCM logs; loses none, and says so if it did."},
-      [&](sprung::Process& process) { return sprung::Recorder(process, options).run(); },
+      [&](sprung::Process& process) {
+        sprung::go_ahead_of_others();
+        return sprung::Recorder(process, options).run();
+      },
       [&](sprung::CommandLine& line) {
         line.option("--file", options.file,
                     "LCM log to write; with a split x.lcm becomes x-000.lcm, x-001.lcm, ...");

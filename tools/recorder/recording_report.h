@@ -6,7 +6,7 @@
 
 namespace sprung {
 
-/// Lines of text: files, reason, and by channel how many messages came and how many cycles are missing.
+/// Lines of text: files, reason, how many messages came, and for each channel with gaps or repeats how many.
 /// @param longest_queue messages that waited for the disk at once.
 std::string recording_report(const Recording& recording, std::size_t longest_queue);
 

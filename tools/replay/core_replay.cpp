@@ -10,40 +10,12 @@
 #include "estimator/estimator_core.h"
 #include "lcmtypes/channels.h"
 #include "planner/planner_core.h"
+#include "tools/replay/history.h"
 #include "tools/replay/message_slot.h"
 
 namespace sprung {
 
 namespace {
-
-/// An input that is older than this many cycles was not used: every watchdog is shorter.
-constexpr std::int64_t kHistory = 256;
-
-/// The newest values of a signal, by cycle.
-template <class Signal>
-class History {
- public:
-  explicit History(const Signal& prototype) : values_(kHistory, prototype) { clear(); }
-  void clear() {
-    for (Signal& value : values_) value.stamp.seq = -1;
-  }
-  void keep(const Signal& value) { values_[place(value.stamp.seq)] = value; }
-  const Signal* find(std::int64_t seq) const {
-    if (seq < 0) return nullptr;
-    const Signal& value = values_[place(seq)];
-    return value.stamp.seq == seq ? &value : nullptr;
-  }
-  const Signal* newest_at_or_before(std::int64_t seq) const {
-    for (std::int64_t k = seq; k >= 0 && k > seq - kHistory; --k) {
-      if (const Signal* value = find(k)) return value;
-    }
-    return nullptr;
-  }
-
- private:
-  static std::size_t place(std::int64_t seq) { return static_cast<std::size_t>(seq % kHistory); }
-  std::vector<Signal> values_;
-};
 
 /// used_imu_seq stands right before the trunk, with which JOINT_STATE ends.
 std::int64_t used_imu_seq(const Bytes& joint_state) {
@@ -200,7 +172,10 @@ const Imu* CoreReplay::Impl::imu_of(const LoggedCycle& cycle) {
   if (cycle.joint_state.size() < kCountsOffset) return imus.newest_at_or_before(cycle.seq);
   const std::int64_t used = used_imu_seq(cycle.joint_state);
   const Imu* const sample = imus.find(used);
-  if (used >= 0 && sample == nullptr) miss(cycle, "estimator", channels::kImu, used);
+  const bool recent =
+      used >
+      cycle.seq - History<Imu>::kDepth;  // what is older is known to the estimator, and of no use to it
+  if (used >= 0 && recent && sample == nullptr) miss(cycle, "estimator", channels::kImu, used);
   return sample;
 }
 

@@ -1,6 +1,7 @@
 #include "tools/replay/field_difference.h"
 
 #include <limits>
+#include <utility>
 
 #include "tools/fields/value_text.h"
 
@@ -8,7 +9,8 @@ namespace sprung {
 
 namespace {
 
-constexpr int kAllDigits = 17;  ///< so that values that differ in the last bit look different
+/// As few digits as tell the values apart; with the last, any two differ.
+constexpr int kDigits[] = {6, 9, 12, 15, 17};
 
 FieldDifference whole(const std::string& first, const std::string& second) {
   return {"", "", first, second, std::numeric_limits<double>::quiet_NaN()};
@@ -35,9 +37,13 @@ std::vector<FieldDifference> MessageComparison::compare(const Bytes& first, cons
     const fields::Field& field = first_.fields()[i];
     const bool is_session = static_cast<int>(i) == first_.layout()->session;
     if (is_session || first_.bytes(field) == second_.bytes(field)) continue;
-    out.push_back({field.path, field.unit, fields::value_text(first_, field, kAllDigits),
-                   fields::value_text(second_, field, kAllDigits),
-                   second_.number(field) - first_.number(field)});
+    FieldDifference difference{field.path, field.unit, "", "", second_.number(field) - first_.number(field)};
+    for (const int digits : kDigits) {
+      difference.first = fields::value_text(first_, field, digits);
+      difference.second = fields::value_text(second_, field, digits);
+      if (difference.first != difference.second) break;
+    }
+    out.push_back(std::move(difference));
   }
   return out;
 }

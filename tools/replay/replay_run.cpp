@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <optional>
 
 #include "tools/log/reader.h"
@@ -57,10 +58,12 @@ ReplayResult run_replay(const ReplayRequest& request, const ReplayProgress& prog
     if (cycle.time_s > request.to_s) return;
     if (std::isnan(first_s)) first_s = cycle.time_s;
     last_s = cycle.time_s;
+    result.last_logged_seq = cycle.seq;
     replay.step(cycle);
   });
 
   const auto started = std::chrono::steady_clock::now();
+  const std::clock_t processor_started = std::clock();
   log::Reader reader(request.log);
   log::Timeline timeline;
   std::int64_t events = 0;
@@ -73,6 +76,7 @@ ReplayResult run_replay(const ReplayRequest& request, const ReplayProgress& prog
   cycles.finish();
   if (out) out->close();
   result.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+  result.processor_s = static_cast<double>(std::clock() - processor_started) / CLOCKS_PER_SEC;
   result.replayed_s = std::isnan(first_s) ? 0.0 : last_s - first_s;
   result.counts = replay.counts();
   result.flaws = cycles.flaws();

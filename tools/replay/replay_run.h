@@ -26,11 +26,13 @@ struct ReplayResult {
   ReplayCounts counts;
   LogFlaws flaws;
   DifferenceTable differences;
-  std::string source;       ///< of robot and preset
-  std::string robot;        ///< name
-  std::string clock;        ///< of the log; may be empty
-  double replayed_s = 0.0;  ///< robot's time
+  std::string source;                 ///< of robot and preset
+  std::string robot;                  ///< name
+  std::string clock;                  ///< of the log; may be empty
+  std::int64_t last_logged_seq = -1;  ///< cycle with which the log ends
+  double replayed_s = 0.0;            ///< robot's time
   double wall_s = 0.0;
+  double processor_s = 0.0;   ///< of this process meanwhile: on a busy machine less than the wall time
   std::uint64_t damages = 0;  ///< of the file
 
   bool identical()

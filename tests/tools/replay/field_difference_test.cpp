@@ -32,6 +32,13 @@ TEST(MessageComparison, NamesFieldUnitAndBothValues) {
   EXPECT_DOUBLE_EQ(found[0].difference, 0.5);
 }
 
+TEST(MessageComparison, ValuesHaveNoMoreDigitsThanTellThemApart) {
+  const auto found = MessageComparison().compare(message_of(joints(0.9)), message_of(joints(0.8)));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].first, "0.9");
+  EXPECT_EQ(found[0].second, "0.8");
+}
+
 TEST(MessageComparison, LastBitCanBeSeen) {
   const auto found =
       MessageComparison().compare(message_of(joints(1.0)), message_of(joints(std::nextafter(1.0, 2.0))));

@@ -1,0 +1,38 @@
+#include "tools/bench/replay_bench.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "robots/robot_loader.h"
+
+namespace sprung {
+namespace {
+
+TEST(ReplayBench, LogOfATrotIsReproducedAndEachPartIsMeasured) {
+  const std::string folder =
+      (std::filesystem::path(testing::TempDir()) / ("replay-bench-" + std::to_string(getpid()))).string();
+  const std::vector<ReportRow> rows = bench_replay(load_robot("pegasus"), 1, 0.5, folder);
+  const auto value = [&](const std::string& name) {
+    const auto found = std::find_if(
+        rows.begin(), rows.end(), [&](const ReportRow& row) { return row.name == "replay.pegasus." + name; });
+    EXPECT_NE(found, rows.end()) << name;
+    return found == rows.end() ? 0.0 : found->value;
+  };
+  EXPECT_EQ(value("differing"), 0.0);
+  EXPECT_GT(value("compared"), 4 * 1000.0);
+  EXPECT_GT(value("times_real_time"), 1.0);
+  EXPECT_GT(value("cycle"), value("file"));
+  EXPECT_GT(value("estimator"), 0.0);
+  std::filesystem::remove_all(folder);
+}
+
+TEST(ReplayBench, RobotThatDoesNotWalkIsRefused) {
+  EXPECT_THROW(bench_replay(load_robot("single_leg"), 1, 0.5, testing::TempDir() + "replay-bench-leg"),
+               std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace sprung
