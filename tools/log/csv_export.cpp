@@ -30,7 +30,7 @@ CsvResult export_csv(Reader& reader, FieldSelection selection, const CsvOptions&
   }
   table.finish(text);
   sink(text);
-  return {table.columns(), table.rows(), table.not_decoded()};
+  return {table.columns(), table.rows(), table.not_decoded(), table.unmatched()};
 }
 
 }  // namespace sprung::log

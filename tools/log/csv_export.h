@@ -14,6 +14,7 @@ struct CsvResult {
   std::size_t columns = 0;  ///< without time and cycle
   std::int64_t rows = 0;
   std::int64_t not_decoded = 0;
+  std::vector<std::string> unmatched;  ///< fields that were asked for and are not in the log
 };
 
 using TextSink = std::function<void(std::string_view text)>;

@@ -34,6 +34,9 @@ class CsvTable {
 
   std::size_t columns() const noexcept { return column_count_; }  ///< without time and cycle
   std::int64_t rows() const noexcept { return rows_; }
+  std::vector<std::string> unmatched() const {
+    return selection_.unmatched();
+  }                                                                   ///< wishes that gave no column
   std::int64_t not_decoded() const noexcept { return not_decoded_; }  ///< messages of wanted channels
 
  private:

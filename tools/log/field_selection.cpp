@@ -1,5 +1,6 @@
 #include "tools/log/field_selection.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace sprung::log {
@@ -21,7 +22,7 @@ FieldSelection::FieldSelection(const std::vector<std::string>& texts, std::vecto
   for (const std::string& text : texts.empty() ? std::vector<std::string>{"*"} : texts) {
     const std::size_t end = channel_end(text);
     wishes_.push_back(
-        {ChannelPattern(text.substr(0, end)), end == std::string::npos ? "*" : text.substr(end + 1)});
+        {text, ChannelPattern(text.substr(0, end)), end == std::string::npos ? "*" : text.substr(end + 1)});
   }
 }
 
@@ -39,7 +40,25 @@ std::vector<const fields::Field*> FieldSelection::choose(std::string_view channe
                                                          const fields::Layout& layout) {
   const std::vector<std::string>& patterns = patterns_of(channel);
   if (patterns.empty()) return {};
+  note_matches(channel, layout);
   return fields::choose(layout, patterns, names_);
+}
+
+void FieldSelection::note_matches(std::string_view channel, const fields::Layout& layout) {
+  for (Wish& wish : wishes_) {
+    if (wish.matched || !wish.channel.matches(channel)) continue;
+    wish.matched = std::any_of(layout.fields.begin(), layout.fields.end(), [&](const fields::Field& field) {
+      return fields::matches(wish.path, field.path, names_);
+    });
+  }
+}
+
+std::vector<std::string> FieldSelection::unmatched() const {
+  std::vector<std::string> texts;
+  for (const Wish& wish : wishes_) {
+    if (!wish.matched) texts.push_back(wish.text);
+  }
+  return texts;
 }
 
 const std::vector<ChosenFields::Chosen>& ChosenFields::of(const fields::MessageView& message,

@@ -23,12 +23,17 @@ class FieldSelection {
   /// Of the channel, as they are encoded.
   std::vector<const fields::Field*> choose(std::string_view channel, const fields::Layout& layout);
   const std::vector<fields::ListNames>& names() const noexcept { return names_; }
+  /// Texts that no field has matched so far: of a channel that is not there, or with a slip of the pen.
+  std::vector<std::string> unmatched() const;
 
  private:
   struct Wish {
+    std::string text;
     ChannelPattern channel;
     std::string path;  ///< pattern
+    bool matched = false;
   };
+  void note_matches(std::string_view channel, const fields::Layout& layout);
   const std::vector<std::string>& patterns_of(std::string_view channel);
 
   std::vector<Wish> wishes_;

@@ -65,6 +65,7 @@ class Collector {
   }
 
   std::vector<report::Plot> plots() const;
+  std::vector<std::string> unmatched() const { return selection_.unmatched(); }
 
  private:
   void add_samples(const Event& event, double time_s) {
@@ -114,6 +115,51 @@ std::vector<report::Plot> Collector::plots() const {
   return plots;
 }
 
+/// How many letters all names begin with, up to a dot or a bracket.
+std::size_t common_begin(const std::vector<report::Series>& series) {
+  const std::string& first = series.front().name;
+  std::size_t same = first.size();
+  for (const report::Series& one : series) {
+    const auto end = std::mismatch(first.begin(), first.begin() + static_cast<std::ptrdiff_t>(same),
+                                   one.name.begin(), one.name.end());
+    same = static_cast<std::size_t>(end.first - first.begin());
+  }
+  const std::size_t cut = first.find_last_of(".[", same == 0 ? 0 : same - 1);
+  return same == 0 || cut == std::string::npos ? 0 : cut + 1;
+}
+
+/// How many letters all names end with, from a dot or a bracket on.
+std::size_t common_end(const std::vector<report::Series>& series) {
+  std::vector<report::Series> reversed = series;
+  for (report::Series& one : reversed) std::reverse(one.name.begin(), one.name.end());
+  const std::string& first = reversed.front().name;
+  std::size_t same = first.size();
+  for (const report::Series& one : reversed) {
+    const auto end = std::mismatch(first.begin(), first.begin() + static_cast<std::ptrdiff_t>(same),
+                                   one.name.begin(), one.name.end());
+    same = static_cast<std::size_t>(end.first - first.begin());
+  }
+  const std::size_t cut = first.find_last_of(".]", same == 0 ? 0 : same - 1);
+  return same == 0 || cut == std::string::npos ? 0 : cut + 1;
+}
+
+/// "JOINT_STATE.joints[hip].torque_Nm" and "...[knee]..." become "hip" and "knee" under "JOINT_STATE.joints[...].torque_Nm".
+void shorten_names(report::Plot& plot) {
+  if (plot.series.size() < 2) {
+    plot.title = plot.series.front().name;
+    return;
+  }
+  const std::size_t begin = common_begin(plot.series);
+  std::size_t end = common_end(plot.series);
+  const auto too_short = [&](const report::Series& one) { return one.name.size() <= begin + end; };
+  if (std::any_of(plot.series.begin(), plot.series.end(), too_short)) end = 0;
+  if (begin + end == 0) return;
+  const std::string first = plot.series.front().name;
+  plot.title = end == 0 ? first.substr(0, begin - 1)
+                        : first.substr(0, begin) + "..." + first.substr(first.size() - end);
+  for (report::Series& one : plot.series) one.name = one.name.substr(begin, one.name.size() - begin - end);
+}
+
 std::string subtitle_of(Reader& reader) {
   const auto metadata = find_metadata(reader);
   if (!metadata) return "";
@@ -137,6 +183,8 @@ LogPlot collect_plot(Reader& reader, const PlotRequest& request, const Progress&
     if (progress && ++events % kEventsBetween == 0) progress(reader.position(), reader.file_bytes());
   }
   plot.plots = collector.plots();
+  plot.unmatched = collector.unmatched();
+  for (report::Plot& one : plot.plots) shorten_names(one);
   if (plot.plots.empty())
     throw std::invalid_argument("no number in that log and time is named so; sprung log info lists channels");
   return plot;

@@ -21,7 +21,9 @@ struct PlotRequest {
 struct LogPlot {
   std::string title;
   std::string subtitle;
-  std::vector<report::Plot> plots;  ///< one for each unit, in the order of the fields
+  std::vector<report::Plot>
+      plots;  ///< one for each unit; its title is what the names of its curves have in common
+  std::vector<std::string> unmatched;  ///< fields that were asked for and are not in the log
 };
 
 /// @throws std::invalid_argument where nothing is chosen, or more curves than a plot can show.

@@ -136,6 +136,7 @@ std::string Panel::grid() const {
   const std::string y_name =
       plot_.y.label + (plot_.y.label.empty() || plot_.y.unit.empty() ? "" : ", ") + plot_.y.unit;
   words += text_at(left_ - 6, top_ - 8, "end", y_name);
+  words += text_at(left_, bottom_ + 29, "start", plot_.title);
   return out + "</g>\n" + words;
 }
 

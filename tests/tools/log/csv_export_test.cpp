@@ -124,6 +124,7 @@ TEST_F(CsvExport, WithoutFieldsEverythingIsThereAndAWrongNameGivesNoColumn) {
   csv(robot_events(2), {"JOINT_STATE.no_such_field"});
   EXPECT_EQ(result_.columns, 0u);
   EXPECT_EQ(result_.rows, 0);
+  EXPECT_THAT(result_.unmatched, ElementsAre("JOINT_STATE.no_such_field"));
 }
 
 TEST_F(CsvExport, MessagesOfMoreElementsLaterHaveTheirColumns) {

@@ -81,11 +81,28 @@ TEST_F(LogPlotTest, AUnitIsAPlotAFieldACurve) {
   EXPECT_EQ(got.plots[0].y.unit, "rad");
   EXPECT_EQ(got.plots[1].y.unit, "Nm");
   ASSERT_EQ(got.plots[1].series.size(), 2u);
-  EXPECT_EQ(got.plots[1].series[1].name, "JOINT_STATE.joints[1].gear_output_torque_Nm");
+  EXPECT_EQ(got.plots[0].title, "JOINT_STATE.joints[0].estimated_position_rad");
+  EXPECT_EQ(got.plots[1].title, "JOINT_STATE.joints[...].gear_output_torque_Nm");
+  EXPECT_EQ(got.plots[1].series[0].name, "0");
+  EXPECT_EQ(got.plots[1].series[1].name, "1");
   EXPECT_EQ(got.plots[1].series[0].x.size(), 100u);
   EXPECT_DOUBLE_EQ(got.plots[1].series[0].x[50], 0.1);
   EXPECT_DOUBLE_EQ(got.plots[1].series[0].y[50], 0.5);
   EXPECT_TRUE(std::isnan(got.plots[1].series[1].y[9]));
+}
+
+TEST_F(LogPlotTest, CurvesOfSeveralChannelsKeepWhatTellsThemApart) {
+  PlotRequest request;
+  request.fields = {"JOINT_STATE.n_joints", "MOTION_STATE.n_legs", "MOTION_STATE.jumps_done", "IMU.no_such"};
+  const LogPlot got = plot(robot_events(10), request);
+  ASSERT_EQ(got.plots.size(), 1u);
+  EXPECT_EQ(got.plots[0].title, "");
+  EXPECT_EQ(got.plots[0].series[0].name, "JOINT_STATE.n_joints");
+  EXPECT_THAT(got.unmatched, testing::ElementsAre("IMU.no_such"));
+  request.fields = {"MOTION_STATE.n_legs", "MOTION_STATE.jumps_done"};
+  const LogPlot one = plot(robot_events(10), request);
+  EXPECT_EQ(one.plots[0].title, "MOTION_STATE");
+  EXPECT_EQ(one.plots[0].series[0].name, "n_legs");
 }
 
 TEST_F(LogPlotTest, PhasesAreTheMotionsUnlessAskedOtherwise) {

@@ -31,12 +31,8 @@ int run_csv(const CsvRequest& request) {
   const log::CsvResult result =
       log::export_csv(reader, std::move(selection), request.options, span, write, progress.show());
   out.finish();
-  if (result.columns == 0) {
-    std::fprintf(stderr,
-                 "no field of %s is named so: sprung log info lists channels, lcmtypes/ their fields\n",
-                 request.log.c_str());
-    return kExitFailed;
-  }
+  tell_unmatched(request.log, result.unmatched);
+  if (result.columns == 0) return kExitFailed;
   if (result.not_decoded > 0)
     std::fprintf(stderr, "%lld messages could not be decoded: see sprung log verify\n",
                  static_cast<long long>(result.not_decoded));

@@ -37,6 +37,15 @@ void tell_rewrite(const std::string& out, const log::RewriteResult& result) {
   }
 }
 
+void tell_unmatched(const std::string& log, const std::vector<std::string>& fields) {
+  for (const std::string& field : fields) {
+    std::fprintf(
+        stderr,
+        "%s has no number or text named %s: sprung log info lists channels, lcmtypes/ has their fields\n",
+        log.c_str(), field.c_str());
+  }
+}
+
 void add_log(CommandLine& sprung) {
   CommandLine& log = sprung.subcommand("log", "Look into LCM logs, and make other files of them.");
   log.example("sprung log info logs/pegasus.lcm");
@@ -45,6 +54,9 @@ void add_log(CommandLine& sprung) {
   add_log_merge(log);
   add_log_verify(log);
   add_log_repair(log);
+  add_log_csv(log);
+  add_log_mcap(log);
+  add_log_plot(log);
   add_log_diff(log);
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 /// What the subcommands of `sprung log` share.
+#include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -13,6 +15,9 @@ void add_log_cut(CommandLine& log);  ///< cut, filter
 void add_log_merge(CommandLine& log);
 void add_log_verify(CommandLine& log);
 void add_log_repair(CommandLine& log);
+void add_log_csv(CommandLine& log);
+void add_log_mcap(CommandLine& log);
+void add_log_plot(CommandLine& log);
 void add_log_diff(CommandLine& log);
 
 /// "walk-cut.lcm" of "logs/walk.lcm" and "-cut.lcm": in the folder where one stands.
@@ -41,6 +46,9 @@ class LogProgress {
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
+
+/// Names fields that were asked for and are not in the log, on standard error.
+void tell_unmatched(const std::string& log, const std::vector<std::string>& fields);
 
 /// One line on what was written, and one on what was left out.
 void tell_rewrite(const std::string& out, const log::RewriteResult& result);

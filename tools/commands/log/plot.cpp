@@ -55,6 +55,7 @@ int run_plot(PlotLine line) {
   LogProgress progress("plot");
   const log::LogPlot plot =
       or_wrong_use([&] { return log::collect_plot(reader, line.plot, progress.show()); });
+  tell_unmatched(line.log, plot.unmatched);
   write_plot(line, plot, path);
   std::printf("%s\n", path.c_str());
   return kExitDone;
