@@ -1,12 +1,14 @@
 #include <chrono>
-#include <cstdio>
 #include <memory>
 
 #include "robots/robot_loader.h"
 #include "runtime/log.h"
 #include "tools/bench/can_bench.h"
+#include "tools/commands/bench_inprocess.h"
+#include "tools/commands/bench_recording.h"
 #include "tools/commands/bench_up.h"
 #include "tools/commands/commands.h"
+#include "tools/commands/experiment_rows.h"
 
 namespace sprung::commands {
 
@@ -36,8 +38,7 @@ int run_can(const BenchRequest& request) {
     report.robot += (report.robot.empty() ? "" : ",") + name;
   }
   report.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  std::printf("%s\n", (request.as_json ? report.json() : report.table()).c_str());
-  return report.ok() ? kExitDone : kExitFailed;
+  return print_rows(report, request.as_json);
 }
 
 }  // namespace
@@ -45,7 +46,7 @@ int run_can(const BenchRequest& request) {
 void add_bench(CommandLine& sprung) {
   const auto request = std::make_shared<BenchRequest>();
   CommandLine& bench = sprung.subcommand("bench", "Measure what the stack costs on this machine.");
-  bench.example("sprung bench can --robot pegasus");
+  bench.example("sprung bench up; sprung bench can --robot pegasus");
   CommandLine& can = bench.subcommand(
       "can", "Encoding, decoding and the bridge's core, beside a reference loop of the same run.");
   can.option("--robot", request->robots,
@@ -56,6 +57,8 @@ void add_bench(CommandLine& sprung) {
   can.example("sprung bench can --robot pegasus --json");
   can.action([=] { return run_can(*request); });
   add_bench_up(bench);
+  add_bench_inprocess(bench);
+  add_bench_recording(bench);
 }
 
 }  // namespace sprung::commands
