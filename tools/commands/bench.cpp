@@ -5,6 +5,7 @@
 #include "runtime/log.h"
 #include "tools/bench/can_bench.h"
 #include "tools/commands/bench_inprocess.h"
+#include "tools/commands/bench_log.h"
 #include "tools/commands/bench_recording.h"
 #include "tools/commands/bench_up.h"
 #include "tools/commands/commands.h"
@@ -59,6 +60,7 @@ void add_bench(CommandLine& sprung) {
   add_bench_up(bench);
   add_bench_inprocess(bench);
   add_bench_recording(bench);
+  add_bench_log(bench);
 }
 
 }  // namespace sprung::commands
