@@ -66,8 +66,6 @@ void LoggedCycle::clear() noexcept {
 LogCycles::LogCycles(Use use) : use_(std::move(use)), window_(kWindow) {}
 
 void LogCycles::add(const log::Event& event, double time_s) {
-  if (!uses(event.channel)) return;
-  take_session(event);
   if (Bytes LoggedCycle::*const member = member_of(event.channel)) return add_cyclic(member, event, time_s);
   if (event.channel == channels::kOperatorCommand) return add_command(event);
   if (event.channel == channels::kOperatorReply) return add_reply(event);
@@ -80,16 +78,9 @@ bool LogCycles::uses(std::string_view channel) noexcept {
          channel == kProcessStatus;
 }
 
-/// Of another `sprung up`: nothing of the last one counts.
-void LogCycles::take_session(const log::Event& event) {
-  if (event.size < kCountsOffset) return;
-  const std::int64_t session = read_int64(event.data, kSessionOffset);
+void LogCycles::take_session(std::int64_t session) {
   if (session == session_) return;
-  if (session_ != 0) {
-    restart();
-    waiting_.clear();
-    pids_.clear();
-  }
+  if (session_ != 0) restart();
   session_ = session;
 }
 
@@ -98,7 +89,10 @@ void LogCycles::add_cyclic(Bytes LoggedCycle::*member, const log::Event& event, 
     ++flaws_.foreign;
     return;
   }
-  LoggedCycle* const cycle = cycle_of(read_int64(event.data, kSeqOffset));
+  const std::int64_t seq = read_int64(event.data, kSeqOffset);
+  if (seq < 0) return;
+  take_session(read_int64(event.data, kSessionOffset));
+  LoggedCycle* const cycle = cycle_of(seq);
   if (cycle == nullptr) return;
   if (cycle->time_us == 0) {
     cycle->time_us = event.time_us;
@@ -169,16 +163,18 @@ void LogCycles::restart() {
   begun_ = false;
   anew_ = true;
   newest_leg_command_ = -1;
-  executed_.clear();
+  for (auto executed = executed_.begin();
+       executed != executed_.end();)  // the bridge began anew in its session
+    executed = executed->first.first == session_ ? executed_.erase(executed) : std::next(executed);
   for (WaitingCommand& command : waiting_) command.from_seq = 0;
 }
 
 void LogCycles::add_status(const log::Event& event) {
   sprung_msgs::process_status_t status;
   if (!decode(event, status)) return;
-  const auto known = pids_.find(status.process);
-  const bool restarted = known != pids_.end() && known->second != status.pid;
-  pids_[status.process] = status.pid;
+  std::int64_t& pid = pids_[{status.session, status.process}];
+  const bool restarted = pid != 0 && pid != status.pid && status.session == session_;
+  pid = status.pid;
   if (!restarted) return;
   const auto* const core = std::find(std::begin(kProgramOfCore), std::end(kProgramOfCore), status.process);
   if (core != std::end(kProgramOfCore))
@@ -188,18 +184,21 @@ void LogCycles::add_status(const log::Event& event) {
 void LogCycles::add_command(const log::Event& event) {
   sprung_msgs::operator_command_t command;
   if (!decode(event, command) || !is_motion(command.kind)) return;
-  const auto same = [&](const WaitingCommand& waiting) { return waiting.request_id == command.request_id; };
+  const Request request{command.session, command.request_id};
+  const auto same = [&](const WaitingCommand& waiting) { return waiting.request == request; };
   const bool repeated = std::any_of(waiting_.begin(), waiting_.end(), same);
-  if (repeated || executed_.count(command.request_id) > 0) return;
-  waiting_.push_back({command.request_id, command.apply_at_seq, newest_leg_command_ + 1, bytes_of(event)});
+  if (repeated || executed_.count(request) > 0) return;
+  const bool of_cycles = command.session == session_;
+  waiting_.push_back(
+      {request, command.apply_at_seq, of_cycles ? newest_leg_command_ + 1 : 0, bytes_of(event)});
 }
 
 /// A reply that is not the planner core's own ("queued", "too many wait") comes from its shell, under a short name.
 void LogCycles::add_reply(const log::Event& event) {
   sprung_msgs::operator_reply_t reply;
   if (!decode(event, reply) || reply.from != kPlanner) return;
-  executed_.emplace(reply.request_id, reply.seq);
-  if (reply.seq <= handed_out_) return;
+  executed_.emplace(Request{reply.session, reply.request_id}, reply.seq);
+  if (reply.session != session_ || reply.seq <= handed_out_) return;
   LoggedCycle* const cycle = cycle_of(reply.seq);
   if (cycle == nullptr) return;
   const Bytes bytes = bytes_of(event);
@@ -213,14 +212,15 @@ void LogCycles::add_reply(const log::Event& event) {
 void LogCycles::give_commands(LoggedCycle& cycle) {
   if (cycle.leg_command.empty() && cycle.motion_state.empty()) return;
   const auto due = [&](const WaitingCommand& command) {
-    const auto executed = executed_.find(command.request_id);
+    if (command.request.first != session_) return false;
+    const auto executed = executed_.find(command.request);
     return (executed == executed_.end() ? command.from_seq : executed->second) <= cycle.seq;
   };
   const auto later = std::stable_partition(waiting_.begin(), waiting_.end(), due);
   for (auto command = waiting_.begin(); command != later; ++command) {
     const bool waits = command->apply_at_seq > cycle.seq;
-    if (!waits && executed_.count(command->request_id) == 0) ++flaws_.unanswered;
-    executed_.emplace(command->request_id, cycle.seq);
+    if (!waits && executed_.count(command->request) == 0) ++flaws_.unanswered;
+    executed_.emplace(command->request, cycle.seq);
     cycle.operator_commands.push_back(std::move(command->bytes));
   }
   waiting_.erase(waiting_.begin(), later);

@@ -8,6 +8,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "tools/log/event.h"
@@ -64,8 +65,10 @@ class LogCycles {
  private:
   static constexpr std::int64_t kWindow = 256;  ///< cycles that a message may be late by
 
+  /// Session and request id: another `sprung up` may use the same id, and several may be on one network.
+  using Request = std::pair<std::int64_t, std::int64_t>;
   struct WaitingCommand {
-    std::int64_t request_id;
+    Request request;
     std::int64_t apply_at_seq;
     std::int64_t
         from_seq;  ///< first cycle that the planner had not made when it came, by the order of the log
@@ -76,7 +79,7 @@ class LogCycles {
   void advance_to(std::int64_t seq);
   void hand_out(std::int64_t seq);
   void restart();
-  void take_session(const log::Event& event);
+  void take_session(std::int64_t session);
   void add_cyclic(Bytes LoggedCycle::*member, const log::Event& event, double time_s);
   void add_status(const log::Event& event);
   void add_command(const log::Event& event);
@@ -87,13 +90,13 @@ class LogCycles {
   std::vector<LoggedCycle> window_;
   std::int64_t newest_ = -1;  ///< the window holds newest_ - kWindow + 1 .. newest_
   std::int64_t handed_out_ = -1;
-  std::int64_t session_ = 0;
+  std::int64_t session_ = 0;  ///< of the cycles
   bool begun_ = false;
   bool anew_ = false;
   std::array<bool, kCores> restarted_{};
-  std::map<std::string, std::int64_t, std::less<>> pids_;
+  std::map<std::pair<std::int64_t, std::string>, std::int64_t> pids_;  ///< by session and process
   std::vector<WaitingCommand> waiting_;
-  std::map<std::int64_t, std::int64_t> executed_;  ///< cycle by request id, as the first reply says
+  std::map<Request, std::int64_t> executed_;  ///< cycle, as the first reply says
   std::int64_t newest_leg_command_ = -1;
   LogFlaws flaws_;
 };

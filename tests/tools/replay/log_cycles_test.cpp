@@ -169,6 +169,24 @@ TEST_F(LogCyclesTest, AnotherSessionBeginsAnewAndItsCommandsAreItsOwn) {
   EXPECT_EQ(seen_[1].operator_commands.size(), 1u);
 }
 
+/// As when a recorder's own status comes between the messages of a log that is played.
+TEST_F(LogCyclesTest, StatusOfAnotherSessionBetweenCyclesChangesNothing) {
+  status("sprung-motion-planner", 5);
+  drive_state(0);
+  session_ = 2;
+  status("sprung-recorder", 9);
+  status("sprung-motion-planner", 6);
+  command(7);
+  session_ = 1;
+  drive_state(1);
+  leg_command(1);
+  cycles_.finish();
+  ASSERT_EQ(seen_.size(), 2u);
+  EXPECT_FALSE(seen_[1].anew);
+  EXPECT_FALSE(seen_[1].restarted[static_cast<std::size_t>(Core::kPlanner)]);
+  EXPECT_TRUE(seen_[1].operator_commands.empty());
+}
+
 TEST_F(LogCyclesTest, RecordingMayBeginInTheMiddle) {
   drive_state(5000);
   joint_state(4999);
