@@ -117,13 +117,13 @@ std::vector<ReportRow> stand_push_rows(const StandPushResult& result) {
     const std::string name = pair.push.name;
     const PushScore& position = pair.position.score;
     const PushScore& compliance = pair.compliance.score;
-    row(name + ".ratio", "", push_ratio(compliance.excess_output_Nm, position.excess_output_Nm),
+    row(name + ".ratio", "", push_ratio(compliance.excess_motor_Nm, position.excess_motor_Nm),
         highest_ratio(name));
-    row(name + ".position", "Nm", position.excess_output_Nm);
-    row(name + ".compliance", "Nm", compliance.excess_output_Nm);
-    row(name + ".motor_ratio", "", push_ratio(compliance.excess_motor_Nm, position.excess_motor_Nm));
-    row(name + ".motor_position", "Nm", position.excess_motor_Nm);
-    row(name + ".motor_compliance", "Nm", compliance.excess_motor_Nm);
+    row(name + ".position", "Nm", position.excess_motor_Nm);
+    row(name + ".compliance", "Nm", compliance.excess_motor_Nm);
+    row(name + ".output_ratio", "", push_ratio(compliance.excess_output_Nm, position.excess_output_Nm));
+    row(name + ".output_position", "Nm", position.excess_output_Nm);
+    row(name + ".output_compliance", "Nm", compliance.excess_output_Nm);
     row(name + ".foot_off", "mm", compliance.foot_off_mm, 5.0);
   }
   row("gains.stiffness_forward", "N/m", result.gains.stiffness_N_m[0]);

@@ -18,13 +18,13 @@ report::Table summary_table(const StandPushResult& result) {
   for (const PushPair& pair : result.pushes) {
     const PushScore& p = pair.position.score;
     const PushScore& c = pair.compliance.score;
-    out.rows.push_back({pair.push.name, "gear output, true", hundredths(p.excess_output_Nm),
-                        hundredths(c.excess_output_Nm),
-                        hundredths(push_ratio(c.excess_output_Nm, p.excess_output_Nm)),
-                        hundredths(p.foot_off_mm), hundredths(c.foot_off_mm)});
     out.rows.push_back({pair.push.name, "motor side, papers' equation", hundredths(p.excess_motor_Nm),
                         hundredths(c.excess_motor_Nm),
-                        hundredths(push_ratio(c.excess_motor_Nm, p.excess_motor_Nm)), "", ""});
+                        hundredths(push_ratio(c.excess_motor_Nm, p.excess_motor_Nm)),
+                        hundredths(p.foot_off_mm), hundredths(c.foot_off_mm)});
+    out.rows.push_back({pair.push.name, "gear output, true", hundredths(p.excess_output_Nm),
+                        hundredths(c.excess_output_Nm),
+                        hundredths(push_ratio(c.excess_output_Nm, p.excess_output_Nm)), "", ""});
   }
   const auto pair = [](const Vec3& v) {
     return report::number_text(v[0]) + ", " + report::number_text(v[2]);
@@ -72,10 +72,12 @@ report::Section stand_push_section(const StandPushResult& result) {
       "The robot stands free on its feet and is pounded (15 N s within 0.1 s), led down by 10 mm and up by "
       "30 mm (1 s there, 1 s held, 1 s "
       "back), and pressed down with 150 N as slowly, once in position control and once on its virtual "
-      "springs (gait stand). Static "
-      "torque: the mean before the push. Under the same slow force (pushforce) the gears' outputs carry the "
-      "same load whatever the "
-      "control, by statics: the slow push that tells one from the other is the one of the same way."};
+      "springs (gait stand); and more of the first two. Static "
+      "torque: the mean before the push. The papers' joint torque is the motor's; what a pound puts through "
+      "the "
+      "legs to the floor passes every gear, whatever the control, since rotors and friction hold the "
+      "joints. Under the same slow force (pushforce) the gears' outputs carry the same load, by "
+      "statics: the slow push that tells one from the other is the one of the same way."};
   out.tables = {summary_table(result)};
   for (const PushPair& pair : result.pushes) out.plots.push_back(load_plot(pair));
   return out;

@@ -5,10 +5,9 @@
 namespace sprung {
 
 std::vector<TrunkPush> trunk_pushes() {
-  return {{"impulse", -300.0, 0.0, 0.05, 0.0},
-          {"pushdown", 0.0, -0.010, 1.0, 1.0},
-          {"lift", 0.0, 0.030, 1.0, 1.0},
-          {"pushforce", -150.0, 0.0, 1.0, 1.0}};
+  return {{"impulse", -300.0, 0.0, 0.05, 0.0},      {"pushdown", 0.0, -0.010, 1.0, 1.0},
+          {"lift", 0.0, 0.030, 1.0, 1.0},           {"impulse_30Ns", -600.0, 0.0, 0.05, 0.0},
+          {"pushdown_30mm", 0.0, -0.030, 1.0, 1.0}, {"pushforce", -150.0, 0.0, 1.0, 1.0}};
 }
 
 double TrunkHand::share(double time_s) const noexcept {

@@ -16,8 +16,9 @@ struct TrunkPush {
 };
 
 /// impulse: pounded, 15 N s in 0.1 s. pushdown: led down by 10 mm within 1 s, held for 1 s. lift: led up by 30 mm. pushforce: pressed
-/// down with 150 N. The slow push that is the same disturbance for both is the one of the same way: under the same slow force
-/// the gears' outputs carry the same load whatever the control, by statics.
+/// down with 150 N. impulse_30Ns, pushdown_30mm: so much that position control answers with tens of Nm, as on the axis of S1's
+/// Fig. 11 (0 to 100 Nm). The slow push that is the same disturbance for both controls is the one of the same way: under the same slow
+/// force the gears' outputs carry the same load whatever the control, by statics.
 std::vector<TrunkPush> trunk_pushes();
 
 /// One push. It leads by a stiff spring.
