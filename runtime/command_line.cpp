@@ -121,9 +121,10 @@ void CommandLine::action(std::function<int()> action) { impl_->action = std::mov
 CommandInfo CommandLine::info() const {
   CommandInfo info{impl_->app->get_name(), impl_->app->get_description(), impl_->example, {}, {}};
   for (const CLI::Option* option : impl_->app->get_options()) {
-    OptionInfo about{option->get_name(false, true), option->get_description(), option->get_default_str(), {},
-                     option->get_expected_max() == 0, option->get_positional(), option->get_required(),
-                     option->get_items_expected_max() > 1};
+    OptionInfo about{option->get_name(false, true),   option->get_description(),
+                     option->get_default_str(),       {},
+                     option->get_expected_max() == 0, option->get_positional(),
+                     option->get_required(),          option->get_items_expected_max() > 1};
     const auto found = impl_->allowed.find(about.name);
     if (found != impl_->allowed.end()) about.allowed = found->second;
     info.options.push_back(std::move(about));

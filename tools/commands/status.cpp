@@ -93,7 +93,8 @@ Json process_json(const RunningProcess& process, const Heard& heard) {
     out["host"] = status.host;
     out["cpu_percent"] = 100.0 * status.cpu_share;
     out["memory_MB"] = static_cast<double>(status.memory_kB) / 1024.0;
-    out["input_age_ms"] = std::isfinite(status.input_age_us) ? Json(status.input_age_us * 1e-3) : Json(nullptr);
+    out["input_age_ms"] =
+        std::isfinite(status.input_age_us) ? Json(status.input_age_us * 1e-3) : Json(nullptr);
     out["cycles"] = status.cycles;
     out["refused_messages"] = status.refused_messages;
     out["real_time"] = status.real_time;
