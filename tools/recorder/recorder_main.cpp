@@ -24,7 +24,8 @@ constexpr std::int64_t kTick_us = 100'000;
 constexpr int kNice = -15;
 constexpr std::int64_t kNewsInterval_us = 1'000'000;
 /// Where the launcher died: how long the others may be silent, and how long the recorder outlives them at most.
-constexpr std::int64_t kQuiet_us = 500'000;
+constexpr std::int64_t kQuiet_us =
+    1'500'000;  // in lock-step the bridge waits a second for a command, and says nothing
 constexpr std::int64_t kLongestLife_us = 5'000'000;
 
 struct RecorderOptions {
