@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "robots/robot_loader.h"
+#include "signals/signals.h"
 
 namespace sprung {
 namespace {
