@@ -76,17 +76,19 @@ void add_faults(CommandLine& experiment, const std::shared_ptr<ExperimentRequest
 /// Taken when the first robot is made: by then the command line is read.
 void add_log_folder(CommandLine& experiment) {
   const auto folder = std::make_shared<std::string>();
-  experiment.option("--logs", *folder,
-                    "folder for an LCM log of each robot that runs in this process; stands before the experiment's "
-                    "name");
+  experiment.option(
+      "--logs", *folder,
+      "folder for an LCM log of each robot that runs in this process; stands before the experiment's "
+      "name");
   const auto logs = std::make_shared<InProcessRobot::ObserverSource>();
   const auto begin = std::make_shared<std::once_flag>();
-  InProcessRobot::observe_all_by([=](const RobotConfig& robot, const std::string& preset, const SimOptions& sim) {
-    std::call_once(*begin, [&] {
-      if (!folder->empty()) *logs = logs_into(*folder, "sprung experiment --logs " + *folder);
-    });
-    return *logs ? (*logs)(robot, preset, sim) : nullptr;
-  });
+  InProcessRobot::observe_all_by(
+      [=](const RobotConfig& robot, const std::string& preset, const SimOptions& sim) {
+        std::call_once(*begin, [&] {
+          if (!folder->empty()) *logs = logs_into(*folder, "sprung experiment --logs " + *folder);
+        });
+        return *logs ? (*logs)(robot, preset, sim) : nullptr;
+      });
 }
 
 }  // namespace
