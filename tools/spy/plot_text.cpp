@@ -20,10 +20,11 @@ std::size_t height_of(double value, const Range& range, std::size_t steps) {
   return std::min(steps - 1, static_cast<std::size_t>(share * static_cast<double>(steps)));
 }
 
-/// Smallest and largest of the values that fall on one column of `columns`.
+/// Smallest and largest of the values that fall on one column of `columns`, and of the last one before them.
 Range column_range(const std::vector<double>& values, std::size_t column, std::size_t columns) {
-  const std::size_t begin = column * values.size() / columns;
+  std::size_t begin = column * values.size() / columns;
   const std::size_t end = std::max(begin + 1, (column + 1) * values.size() / columns);
+  if (begin > 0 && std::isfinite(values[begin])) --begin;  // joined to the column before, but across a gap
   return range_of({values.begin() + static_cast<std::ptrdiff_t>(begin),
                    values.begin() + static_cast<std::ptrdiff_t>(std::min(end, values.size()))});
 }

@@ -28,7 +28,7 @@ class NetworkSender {
     for (std::int64_t seq = 0; !ends_; ++seq) {
       auto joints = joint_state(5 * seq, 40.0 * static_cast<double>(seq % 50) - 1000.0);
       joints.joints[0].gear_output_torque_Nm = 500.0;
-      const auto motion = motion_state(5 * seq, static_cast<int>(1 + seq / 100 % 3));
+      const auto motion = motion_state(5 * seq, static_cast<int>(1 + seq / 30 % 3));
       lcm.publish("JOINT_STATE", &joints);
       lcm.publish("MOTION_STATE", &motion);
       std::this_thread::sleep_for(std::chrono::milliseconds(10));

@@ -24,9 +24,9 @@ TEST(PlotText, SparklineShowsTheNewestAndGaps) {
 }
 
 TEST(PlotText, BrailleDrawsARampFromCornerToCorner) {
-  EXPECT_THAT(braille_plot({0, 1, 2, 3}, 2, 1), testing::ElementsAre("⡠⠊"));
+  EXPECT_THAT(braille_plot({0, 1, 2, 3}, 2, 1), testing::ElementsAre("⣠⠞"));
   const auto lines = braille_plot({0, 1, 2, 3, 4, 5, 6, 7}, 4, 2);
-  EXPECT_THAT(lines, testing::ElementsAre("⠀⠀⡠⠊", "⡠⠊⠀⠀"));
+  EXPECT_THAT(lines, testing::ElementsAre("⠀⠀⣠⠞", "⣠⠞⠁⠀"));
 }
 
 TEST(PlotText, BrailleKeepsPeaksThatFallBetweenItsColumns) {

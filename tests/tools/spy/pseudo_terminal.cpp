@@ -139,10 +139,11 @@ void PseudoTerminal::text(unsigned char byte) {
     ++row_;
   } else if (byte == '\b') {
     --column_;
-  } else if ((byte & 0xC0U) == 0x80U && column_ > 0) {
-    cells_[row_][column_ - 1] += static_cast<char>(byte);
-  } else if (byte >= ' ' && column_ < kColumns) {
-    cells_[row_][column_++] = static_cast<char>(byte);
+  } else if ((byte & 0xC0U) == 0x80U) {  // goes on with a letter
+    if (letter_fits_ && column_ > 0) cells_[row_][column_ - 1] += static_cast<char>(byte);
+  } else if (byte >= ' ') {
+    letter_fits_ = column_ < kColumns;
+    if (letter_fits_) cells_[row_][column_++] = static_cast<char>(byte);
   }
 }
 

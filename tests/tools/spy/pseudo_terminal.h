@@ -35,6 +35,7 @@ class PseudoTerminal {
   int terminal_ = -1;
   std::vector<std::vector<std::string>> cells_;
   int row_ = 0, column_ = 0;
+  bool letter_fits_ = false;
   std::string escape_;  ///< of a command, as far as it has come
 };
 

@@ -45,11 +45,17 @@ class SpyGui : public testing::Test {
       GTEST_SKIP() << "no Java, or no lcm.jar when this was built: apt-get install default-jdk liblcm-java "
                       "libjchart2d-java";
   }
-  /// Pixels of exactly this colour on the screen.
-  static long pixels(const std::string& display, const std::string& colour) {
-    const auto end = test::run_command("import -display " + display +
-                                       " -window root -depth 8 txt:- | grep -c -i '" + colour + "'");
-    return std::strtol(end.output.c_str(), nullptr, 10);
+  /// Pixels of exactly each colour on the screen.
+  static std::vector<long> pixels(const std::string& display, const std::vector<std::uint32_t>& colours) {
+    const std::string rgb =
+        test::run_command("import -silent -display " + display + " -window root -depth 8 rgb:-").output;
+    std::vector<long> counts(colours.size(), 0);
+    for (std::size_t i = 0; i + 2 < rgb.size(); i += 3) {
+      std::uint32_t here = 0;
+      for (std::size_t k = 0; k < 3; ++k) here = (here << 8U) | static_cast<std::uint8_t>(rgb[i + k]);
+      for (std::size_t c = 0; c < colours.size(); ++c) counts[c] += here == colours[c] ? 1 : 0;
+    }
+    return counts;
   }
   test::NetworkSender sender_;
 };
@@ -63,13 +69,13 @@ TEST_F(SpyGui, ShowsTorquesAndPhases) {
   ChildProcess gui(std::string(SPRUNG_BIN_DIR) + "/sprung",
                    {"spy", "JOINT_STATE", "--gui", "--url", sender_.url()});
   // Colours of MotionPanel.java: the lines of both joints, and the strip in crouch and thrust.
-  const std::vector<std::string> wanted{"#1B6CA8", "#D1495B", "#FDBF6F", "#E31A1C"};
+  const std::vector<std::uint32_t> wanted{0x1B6CA8, 0xD1495B, 0xFDBF6F, 0xE31A1C};
   std::vector<long> found(wanted.size(), 0);
   for (int i = 0; i < 60 && *std::min_element(found.begin(), found.end()) < 20; ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(500));
-    for (std::size_t c = 0; c < wanted.size(); ++c) found[c] = pixels(display, wanted[c]);
+    found = pixels(display, wanted);
   }
-  for (std::size_t c = 0; c < wanted.size(); ++c) EXPECT_GE(found[c], 20) << wanted[c];
+  for (std::size_t c = 0; c < wanted.size(); ++c) EXPECT_GE(found[c], 20) << std::hex << wanted[c];
   EXPECT_FALSE(gui.ended().has_value());
   if (const char* keep = std::getenv("SPRUNG_KEEP_PICTURE"))
     test::run_command("import -display " + display + " -window root " + keep);

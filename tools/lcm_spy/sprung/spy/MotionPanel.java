@@ -102,17 +102,18 @@ final class MotionPanel extends JPanel {
     }
 
     private static void lines(Graphics2D g, List<MotionHistory.Torques> torques, double end_s, int plotWidth, int top, int bottom) {
-        double most = 1.0;
+        double low = -1.0;
+        double high = 1.0;
         for (MotionHistory.Torques here : torques) {
             for (double torque_Nm : here.torque_Nm) {
-                most = Double.isFinite(torque_Nm) ? Math.max(most, Math.abs(torque_Nm)) : most;
+                low = Double.isFinite(torque_Nm) ? Math.min(low, torque_Nm) : low;
+                high = Double.isFinite(torque_Nm) ? Math.max(high, torque_Nm) : high;
             }
         }
-        final double scale = (bottom - top) / (2.0 * most);
-        final double middle = 0.5 * (top + bottom);
-        axes(g, most, plotWidth, top, bottom);
+        final double scale = (bottom - top) / (high - low);
+        axes(g, low, high, plotWidth, top, bottom);
         final int count = torques.isEmpty() ? 0 : torques.get(torques.size() - 1).torque_Nm.length;
-        g.setStroke(new BasicStroke(1.6f));
+        g.setStroke(new BasicStroke(1.2f));
         for (int joint = 0; joint < count; ++joint) {
             final Path2D path = new Path2D.Double();
             boolean draws = false;
@@ -123,7 +124,7 @@ final class MotionPanel extends JPanel {
                     continue;
                 }
                 final double px = x(here.time_s, end_s, plotWidth);
-                final double py = middle - scale * torque_Nm;
+                final double py = top + scale * (high - torque_Nm);
                 if (draws) {
                     path.lineTo(px, py);
                 } else {
@@ -136,19 +137,31 @@ final class MotionPanel extends JPanel {
         }
     }
 
-    private static void axes(Graphics2D g, double most, int plotWidth, int top, int bottom) {
+    private static void axes(Graphics2D g, double low, double high, int plotWidth, int top, int bottom) {
         g.setStroke(new BasicStroke(1.0f));
-        for (int step = -2; step <= 2; ++step) {
-            final int y = (int) (0.5 * (top + bottom) - step * 0.25 * (bottom - top));
+        final double step_Nm = niceStep((high - low) / 4.0);
+        for (double torque_Nm = Math.ceil(low / step_Nm) * step_Nm; torque_Nm <= high; torque_Nm += step_Nm) {
+            final int y = (int) (top + (bottom - top) * (high - torque_Nm) / (high - low));
             g.setColor(new Color(0xE4E4E4));
             g.drawLine(LEFT, y, LEFT + plotWidth, y);
             g.setColor(Color.DARK_GRAY);
-            g.drawString(String.format("%.1f", step * 0.5 * most), 6, y + 5);
+            g.drawString(String.format("%.1f", torque_Nm), 6, y + 5);
         }
         for (int second = 0; second <= (int) MotionHistory.SECONDS; second += 2) {
             final int x = (int) x(-second, 0.0, plotWidth);
-            g.drawString("-" + second + " s", x - 14, bottom + 16);
+            g.drawString(second == 0 ? "now" : "-" + second + " s", x - 20, bottom + 16);
         }
+    }
+
+    /** 1, 2 or 5 times a power of ten, not below `least`. */
+    private static double niceStep(double least) {
+        final double power = Math.pow(10.0, Math.floor(Math.log10(least)));
+        for (double factor : new double[] {1.0, 2.0, 5.0}) {
+            if (factor * power >= least) {
+                return factor * power;
+            }
+        }
+        return 10.0 * power;
     }
 
     private void legend(Graphics2D g, List<MotionHistory.Torques> torques, int baseline, int width) {
