@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "controller/leg_kinematics.h"
+#include "robots/gait_speed.h"
 
 namespace sprung {
 namespace {
@@ -29,7 +30,6 @@ Walk::Walk(const RobotConfig& robot, const PresetConfig& preset)
       cycle_s_(robot.cycle_s),
       stand_height_m_(preset.stand_length_m),
       stance_friction_(preset.walk.stance_friction_compensation),
-      inertia_compensation_(preset.inertia_compensation),
       shape_(robot),
       ramp_(preset.walk.acceleration_m_s2, preset.walk.turning_acceleration_rad_s2),
       distribution_(preset.walk.floor_friction),
@@ -47,6 +47,8 @@ const char* Walk::mistake(const WalkRequest& request, bool walking) const noexce
     return "faster sideways than this gait goes";
   if (!(std::abs(request.speed[2]) <= wanted.fastest_turning_rad_s))
     return "faster turning than this gait goes";
+  if (!(speed_share(wanted, request.speed) <= kMostSpeedShare))
+    return "faster forward, sideways and turning together than this gait goes";
   constexpr double kLowest = 0.6;
   constexpr double kHighest = 1.05;  // straighter legs have no vertical stiffness left to give
   const bool high =
@@ -98,7 +100,7 @@ void Walk::change(const WalkRequest& request) noexcept {
   stopping_ = false;
   placing_ = false;
   ramp_.want(request.speed);
-  if (request.gait != current_) {
+  if (request.gait != current_ && !comes_to_rest()) {
     clock_.hold();
   } else {
     clock_.resume();
@@ -274,9 +276,14 @@ void Walk::share_weight() noexcept {
   std::copy_n(shared.ground_on_foot_N.begin(), shape_.legs, force_N_.begin());
 }
 
+/// To a gait that never swings: the one that does slows down first, and sets each foot in its place once more.
+bool Walk::comes_to_rest() const noexcept {
+  return gait().duty < 1.0 && gaits_[static_cast<std::size_t>(request_.gait)].duty >= 1.0;
+}
+
 void Walk::next_gait() noexcept {
   const bool all_stand = clock_.all_stand();
-  if (stopping_ && ramp_.arrived() && gait().duty < 1.0) {
+  if ((stopping_ || comes_to_rest()) && ramp_.arrived() && gait().duty < 1.0) {
     if (!placing_) clock_.count_anew();
     placing_ = true;
     if (clock_.rounds() > 0) clock_.hold();
@@ -286,53 +293,11 @@ void Walk::next_gait() noexcept {
                   [&](const LegStep& s) { return s.stands() && s.in_phase_s() >= law_.force_rise_s; });
   const bool done = gait().duty >= 1.0 || failure_ != nullptr || (placing_ && clock_.rounds() > 0);
   if (stopping_ && ramp_.arrived() && settled && all_stand && done) ended_ = true;
-  if (!stopping_ && all_stand && request_.gait != current_) {
+  const bool placed = !comes_to_rest() || (placing_ && clock_.rounds() > 0);
+  if (!stopping_ && all_stand && placed && request_.gait != current_) {
     current_ = request_.gait;
+    placing_ = false;
     clock_.begin(gaits_[static_cast<std::size_t>(current_)], shape_.legs);
-  }
-}
-
-bool Walk::on_spring(std::size_t leg) const noexcept {
-  const LegStep& step = steps_[leg];
-  if (step.stands() || step.control() == GaitControl::kForce) return true;
-  return step.control() == GaitControl::kPreStance && step.phase() == LegPhase::kPreStance;
-}
-
-void Walk::write(std::size_t leg, DesiredLeg& out) const noexcept {
-  const LegStep& step = steps_[leg];
-  const Eigen::Matrix3d trunk_from_level = view_.level_from_trunk.transpose();
-  // A standing foot is wanted where it would be under a level trunk: its spring then levels the trunk. A swinging one is led over the
-  // ground as it lies.
-  const Eigen::Matrix3d as_wanted = step.stands() ? Eigen::Matrix3d::Identity() : trunk_from_level;
-  out.phase = step.phase();
-  out.desired_foot_in_hip_m = to_vec3(as_wanted * step.wanted_m() - shape_.hip_in_trunk_m[leg]);
-  out.desired_foot_velocity_m_s = to_vec3(as_wanted * step.wanted_m_s());
-  out.desired_foot_acceleration_m_s2 = to_vec3(as_wanted * step.wanted_m_s2());
-  if (!on_spring(leg)) {
-    out.control_mode = ControlMode::kPosition;
-    out.friction_compensation = law_.swing_friction_compensation;
-    out.inertia_compensation = law_.swing_inertia_compensation;
-    return;
-  }
-  const StiffnessConfig& gains =
-      step.stands()                                                                       ? law_.stance
-      : step.phase() == LegPhase::kPreStance && step.control() == GaitControl::kPreStance ? law_.pre_stance
-                                                                                          : law_.swing;
-  out.control_mode = ControlMode::kCompliance;
-  out.stiffness_N_m = gains.stiffness_N_m;
-  out.damping_N_s_m = gains.damping_N_s_m;
-  out.velocity_feedforward = gains.velocity_feedforward;
-  out.feedforward_force_N = to_vec3(trunk_from_level * force_N_[leg]);
-  out.friction_compensation = step.stands() ? stance_friction_ : law_.swing_friction_compensation;
-  out.inertia_compensation = step.stands() ? 0.0 : law_.swing_inertia_compensation;
-}
-
-void Walk::write(MotionState& out) const noexcept {
-  out.gait = ended_ ? -1 : current_;
-  out.gait_phase = ended_ ? 0.0 : clock_.phase();
-  out.desired_speed = ramp_.now();
-  for (std::size_t i = 0; i < out.legs.size() && i < shape_.legs; ++i) {
-    out.legs[i] = {steps_[i].phase(), steps_[i].in_phase_s(), steps_[i].last_event(), steps_[i].counts()};
   }
 }
 

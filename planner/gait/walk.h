@@ -26,7 +26,8 @@ class Walk {
   /// Why this cannot be done from where it is; nullptr: it can.
   const char* mistake(const WalkRequest& request, bool walking) const noexcept;
   void begin(const JointState& in, const WalkRequest& request) noexcept;
-  /// Speed, height and width are ramped; another gait begins when all feet stand.
+  /// Speed, height and width are ramped; another gait begins when all feet stand, one that never swings once it stands still as after
+  /// stop().
   void change(const WalkRequest& request) noexcept;
   /// Slows down, sets every foot in its place once, then stands.
   void stop() noexcept;
@@ -49,6 +50,7 @@ class Walk {
   void look_for_slip(std::size_t leg) noexcept;
   void hold_height(double dt_s) noexcept;
   void share_weight() noexcept;
+  bool comes_to_rest() const noexcept;
   void next_gait() noexcept;
   void fail(const char* why) noexcept;
   Eigen::Vector3d place_m(std::size_t leg) const noexcept;
@@ -63,7 +65,6 @@ class Walk {
   const double cycle_s_;
   const double stand_height_m_;
   const double stance_friction_;
-  const double inertia_compensation_;
   BodyShape shape_;
   GaitClock clock_;
   SpeedRamp ramp_;

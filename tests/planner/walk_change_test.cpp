@@ -41,6 +41,28 @@ TEST_F(WalkChangeTest, OtherGaitBeginsWhenAllFeetStand) {
   EXPECT_NEAR(motion_.desired_speed[0], 0.3, 1e-9);
 }
 
+/// A robot whose feet stop swinging at speed would fall over them.
+TEST_F(WalkChangeTest, GaitThatNeverSwingsBeginsOnlyWhenTheRobotStandsStillOverItsFeet) {
+  for (const char* name : {"crawl", "walk", "trot"}) {
+    const double speed = name == std::string("crawl") ? 0.1 : 0.25;
+    begin(request(name, {speed, 0.0, 0.0}));
+    run(6.0);
+    change(request("stand"));
+    int with_speed = 0;
+    run(15.0, [&] { with_speed += motion_.gait == gait("stand") && motion_.desired_speed[0] != 0.0; });
+    EXPECT_EQ(with_speed, 0) << name;
+    EXPECT_EQ(motion_.gait, gait("stand")) << name;
+    EXPECT_FALSE(walk_.ended());
+    EXPECT_LT(place_error_m(), 0.06) << name;
+    change(request("trot", {0.2, 0.0, 0.0}));
+    run(3.0);
+    EXPECT_EQ(motion_.gait, gait("trot"));
+    walk_.stop();
+    run(10.0);
+    EXPECT_TRUE(walk_.ended());
+  }
+}
+
 TEST_F(WalkChangeTest, StopBeforeAnotherGaitBeganStopsTheOneThatIsWalked) {
   begin(request("walk", {0.2, 0.0, 0.0}));
   run(3.3);
@@ -105,7 +127,14 @@ TEST_F(WalkChangeTest, RequestsThatCannotBeAreRefusedWithTheirReason) {
               "body height beyond 60 to 105 % of the preset's stand_length");
   for (const double wrong : {-0.06, 0.16, kNaN})
     EXPECT_EQ(why([&](WalkRequest& r) { r.stance_width_m = wrong; }), "stance width beyond -50 to 150 mm");
-  EXPECT_EQ(why([](WalkRequest& r) { r.speed = {-0.45, 0.15, -0.5}; }), "");
+  EXPECT_EQ(why([](WalkRequest& r) { r.speed = {-0.25, 0.08, -0.28}; }), "");
+  for (const double forward : {-0.45, 0.45}) {
+    EXPECT_EQ(why([&](WalkRequest& r) { r.speed = {forward, 0.0, 0.0}; }), "");
+    EXPECT_EQ(why([&](WalkRequest& r) {
+                r.speed = {forward, 0.05, 0.0};
+              }),
+              "faster forward, sideways and turning together than this gait goes");
+  }
 }
 
 TEST_F(WalkChangeTest, RobotWithoutGaitsSaysSo) {

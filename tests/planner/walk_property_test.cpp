@@ -1,6 +1,7 @@
 /// What holds in any gait, at any speed, under any control: no jump of a desired foot, two feet on the ground, forces within their cones.
 #include <random>
 
+#include "robots/gait_speed.h"
 #include "tests/planner/walk_fixture.h"
 
 namespace sprung {
@@ -50,6 +51,8 @@ class Walker : public WalkFixture {
                 {config.fastest_forward_m_s * uniform(), config.fastest_sideways_m_s * uniform(),
                  config.fastest_turning_rad_s * uniform()},
                 c.control);
+    const double share = std::max(1.0, speed_share(config, out.speed));
+    for (double& speed : out.speed) speed /= share;
     out.stance_width_m = 0.05 + 0.05 * uniform();
     return out;
   }

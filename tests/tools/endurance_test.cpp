@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "robots/gait_speed.h"
 #include "robots/robot_loader.h"
 #include "tools/experiments/endurance_script.h"
 
@@ -57,6 +58,7 @@ TEST(EnduranceScript, EverythingIsAskedForAndOnlyWhatIsAllowed) {
     EXPECT_LE(std::abs(step.command.walk_speed[0]), gait.fastest_forward_m_s);
     EXPECT_LE(std::abs(step.command.walk_speed[1]), gait.fastest_sideways_m_s);
     EXPECT_LE(std::abs(step.command.walk_speed[2]), gait.fastest_turning_rad_s);
+    EXPECT_LE(speed_share(gait, step.command.walk_speed), kMostSpeedShare);
     if (now >= 0 && now != step.command.gait) {
       const auto& to = pegasus().gaits[static_cast<std::size_t>(now)].to;
       EXPECT_NE(std::find(to.begin(), to.end(), gait.name), to.end()) << gait.name;

@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "robots/gait_speed.h"
+
 namespace sprung {
 namespace {
 
@@ -20,10 +22,7 @@ Vec3 speed_of(const GaitWish& wish, const GaitConfig& gait) {
   return {or_zero(wish.forward_m_s), or_zero(wish.left_m_s), or_zero(wish.turning_rad_s)};
 }
 
-bool goes(const GaitConfig& gait, const Vec3& speed) {
-  return std::abs(speed[0]) <= gait.fastest_forward_m_s && std::abs(speed[1]) <= gait.fastest_sideways_m_s &&
-         std::abs(speed[2]) <= gait.fastest_turning_rad_s;
-}
+bool goes(const GaitConfig& gait, const Vec3& speed) { return speed_share(gait, speed) <= kMostSpeedShare; }
 
 int gait_named(const RobotConfig& robot, const std::string& name) {
   for (std::size_t i = 0; i < robot.gaits.size(); ++i) {
@@ -70,7 +69,7 @@ std::string gaits_text(const RobotConfig& robot) {
                   gait.fastest_sideways_m_s, gait.fastest_turning_rad_s);
     out += (out.empty() ? "" : ", ") + std::string(text);
   }
-  return out + " (forward m/s, sideways m/s, turning rad/s at most)";
+  return out + " (forward m/s, sideways m/s, turning rad/s at most, each alone)";
 }
 
 GaitChoice choose_gait(const RobotConfig& robot, const GaitWish& wish, int walking_in) {

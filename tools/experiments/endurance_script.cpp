@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <random>
 
+#include "robots/gait_speed.h"
+
 namespace sprung {
 namespace {
 
@@ -52,6 +54,9 @@ EnduranceStep walk(const RobotConfig& robot, const std::string& preset, int gait
   out.command.walk_speed = {dice.between(-g.fastest_forward_m_s, g.fastest_forward_m_s),
                             dice.between(-g.fastest_sideways_m_s, g.fastest_sideways_m_s),
                             dice.between(-g.fastest_turning_rad_s, g.fastest_turning_rad_s)};
+  // Together they are at most what the gait goes: what is beyond is drawn in to the edge.
+  const double share = std::max(1.0, speed_share(g, out.command.walk_speed));
+  for (double& speed : out.command.walk_speed) speed /= share;
   out.command.body_height_m = p.stand_length_m * dice.between(kLowest, kHighest);
   out.command.stance_width_m = p.walk.stance_width_m + dice.between(0.0, kWider_m);
   // Another gait begins when all feet stand: it has its round before the next request.

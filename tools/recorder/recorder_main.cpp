@@ -25,8 +25,8 @@ constexpr int kNice = -15;
 constexpr std::int64_t kNewsInterval_us = 1'000'000;
 /// Where the launcher died: how long the others may be silent, and how long the recorder outlives them at most.
 constexpr std::int64_t kQuiet_us =
-    1'500'000;  // in lock-step the bridge waits a second for a command, and says nothing
-constexpr std::int64_t kLongestLife_us = 5'000'000;
+    3'000'000;  // in lock-step the bridge waits a second for a command and another for its drives, and says nothing
+constexpr std::int64_t kLongestLife_us = 8'000'000;
 
 struct RecorderOptions {
   std::string file = "recording.lcm";

@@ -1,0 +1,29 @@
+#pragma once
+/// How much of what a gait can do a wanted speed asks for. Pure.
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "robots/gait_config.h"
+
+namespace sprung {
+
+/// Root of the sum of the squared shares of the fastest forward, sideways and turning: a gait's steps serve all three, so that it goes each
+/// of its fastest only alone. Beyond 1 the gait does not go so. NaN where a speed is.
+/// @param speed forward, left m/s; turning rad/s.
+inline double speed_share(const GaitConfig& gait, const std::array<double, 3>& speed) noexcept {
+  const std::array<double, 3> fastest{gait.fastest_forward_m_s, gait.fastest_sideways_m_s,
+                                      gait.fastest_turning_rad_s};
+  double sum = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (speed[i] == 0.0) continue;
+    const double share =
+        fastest[i] > 0.0 ? speed[i] / fastest[i] : std::numeric_limits<double>::infinity() * speed[i];
+    sum += share * share;
+  }
+  return std::sqrt(sum);
+}
+
+inline constexpr double kMostSpeedShare = 1.0 + 1e-9;  ///< of rounding
+
+}  // namespace sprung
