@@ -30,6 +30,7 @@ Walk::Walk(const RobotConfig& robot, const PresetConfig& preset)
       cycle_s_(robot.cycle_s),
       stand_height_m_(preset.stand_length_m),
       stance_friction_(preset.walk.stance_friction_compensation),
+      standing_friction_(preset.friction_compensation),
       shape_(robot),
       ramp_(preset.walk.acceleration_m_s2, preset.walk.turning_acceleration_rad_s2),
       distribution_(preset.walk.floor_friction),

@@ -64,7 +64,8 @@ class Walk {
   const std::vector<GaitConfig> gaits_;
   const double cycle_s_;
   const double stand_height_m_;
-  const double stance_friction_;
+  const double stance_friction_;    ///< compensated of a standing foot's joints while others swing
+  const double standing_friction_;  ///< and in a gait that never swings: as in compliance
   BodyShape shape_;
   GaitClock clock_;
   SpeedRamp ramp_;

@@ -34,7 +34,8 @@ void Walk::write(std::size_t leg, DesiredLeg& out) const noexcept {
   out.damping_N_s_m = gains.damping_N_s_m;
   out.velocity_feedforward = gains.velocity_feedforward;
   out.feedforward_force_N = to_vec3(trunk_from_level * force_N_[leg]);
-  out.friction_compensation = step.stands() ? stance_friction_ : law_.swing_friction_compensation;
+  out.friction_compensation = step.stands() ? (gait().duty < 1.0 ? stance_friction_ : standing_friction_)
+                                            : law_.swing_friction_compensation;
   out.inertia_compensation = 0.0;  // S1's virtual springs have none, in swing neither
 }
 

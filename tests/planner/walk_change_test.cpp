@@ -118,16 +118,16 @@ TEST_F(WalkChangeTest, RequestsThatCannotBeAreRefusedWithTheirReason) {
     EXPECT_EQ(why([&](WalkRequest& r) { r.gait = unknown; }), "unknown gait");
   for (const double wrong : {0.46, -0.46, kNaN})
     EXPECT_EQ(why([&](WalkRequest& r) { r.speed[0] = wrong; }), "faster forward than this gait goes");
-  for (const double wrong : {0.16, -0.16, kNaN})
+  for (const double wrong : {0.13, -0.13, kNaN})
     EXPECT_EQ(why([&](WalkRequest& r) { r.speed[1] = wrong; }), "faster sideways than this gait goes");
-  for (const double wrong : {0.51, -0.51, kNaN})
+  for (const double wrong : {0.41, -0.41, kNaN})
     EXPECT_EQ(why([&](WalkRequest& r) { r.speed[2] = wrong; }), "faster turning than this gait goes");
   for (const double wrong : {0.31, 0.56, kNaN})
     EXPECT_EQ(why([&](WalkRequest& r) { r.height_m = wrong; }),
               "body height beyond 60 to 105 % of the preset's stand_length");
   for (const double wrong : {-0.06, 0.16, kNaN})
     EXPECT_EQ(why([&](WalkRequest& r) { r.stance_width_m = wrong; }), "stance width beyond -50 to 150 mm");
-  EXPECT_EQ(why([](WalkRequest& r) { r.speed = {-0.25, 0.08, -0.28}; }), "");
+  EXPECT_EQ(why([](WalkRequest& r) { r.speed = {-0.25, 0.06, -0.2}; }), "");
   for (const double forward : {-0.45, 0.45}) {
     EXPECT_EQ(why([&](WalkRequest& r) { r.speed = {forward, 0.0, 0.0}; }), "");
     EXPECT_EQ(why([&](WalkRequest& r) {

@@ -193,7 +193,7 @@ TEST_F(WalkTest, EndedItSaysThatThereIsNoGait) {
 }
 
 TEST_F(WalkTest, StepsAllocateNothing) {
-  begin(request("trot", {0.3, 0.1, 0.2}));
+  begin(request("trot", {0.2, 0.08, 0.2}));
   const std::int64_t before = test::allocation_count();
   run(5.0);
   change(request("walk", {0.1, 0.0, 0.0}));

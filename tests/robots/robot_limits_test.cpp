@@ -150,9 +150,9 @@ void add_gaits(std::vector<Limit>& limits) {
   for (const std::string gait : {"crawl", "walk", "trot"}) {
     for (std::size_t axis = 0; axis < axes.size(); ++axis) {
       Vec3 speed{};
-      speed[axis] = 0.04;
+      speed[axis] = 0.02;
       limits.push_back({"gaits." + gait + ".fastest." + axes[axis],
-                        axis == 2 ? "0.03 rad/s" : "0.03 m/s",
+                        axis == 2 ? "0.01 rad/s" : "0.01 m/s",
                         {std::string("faster ") + axes[axis] + " than this gait goes"},
                         walking(gait, speed, 0.1)});
     }
