@@ -9,6 +9,8 @@
 namespace sprung {
 namespace {
 
+/// Of what compliance compensates. With all of it the feet of a robot that was lifted stay 11 mm off, with this 3.5 mm.
+constexpr double kStandingFriction = 0.9;
 constexpr double kHeadingGain_1_s = 1.0;
 constexpr double kMostHeadingCorrection_rad_s = 0.2;
 constexpr double kHeightRate_m_s = 0.05;  // of a wanted height or width
@@ -30,7 +32,7 @@ Walk::Walk(const RobotConfig& robot, const PresetConfig& preset)
       cycle_s_(robot.cycle_s),
       stand_height_m_(preset.stand_length_m),
       stance_friction_(preset.walk.stance_friction_compensation),
-      standing_friction_(preset.friction_compensation),
+      standing_friction_(std::max(stance_friction_, kStandingFriction * preset.friction_compensation)),
       shape_(robot),
       ramp_(preset.walk.acceleration_m_s2, preset.walk.turning_acceleration_rad_s2),
       distribution_(preset.walk.floor_friction),

@@ -65,7 +65,7 @@ class Walk {
   const double cycle_s_;
   const double stand_height_m_;
   const double stance_friction_;    ///< compensated of a standing foot's joints while others swing
-  const double standing_friction_;  ///< and in a gait that never swings: as in compliance
+  const double standing_friction_;  ///< and in a gait that never swings
   BodyShape shape_;
   GaitClock clock_;
   SpeedRamp ramp_;

@@ -74,7 +74,7 @@ class Recorder {
       tick();
       process_.publish_status_if_due();
     }
-    if (getppid() != launcher_) outlive_the_others();
+    if (launcher_died()) outlive_the_others();
     finish();
     return recording_.ended() == LogEndReason::kAsked ? kExitDone : kExitFailed;
   }
@@ -103,6 +103,16 @@ class Recorder {
     next_news_us_ = now_us + kNewsInterval_us;
     const std::string news = recording_.take_news();
     if (!news.empty()) log_warn(news);
+  }
+
+  /// The signal of its death comes when its first thread ends; as long as another is left, it still counts as the parent.
+  bool launcher_died() {
+    constexpr int kTurns = 15;
+    for (int i = 0; i < kTurns && getppid() == launcher_; ++i) {
+      poll(nullptr, 0, kTurn_ms);
+      write_what_came();
+    }
+    return getppid() != launcher_;
   }
 
   /// All were told to end at once. The bridge brings its drives to rest first, and what it says belongs in the log.
