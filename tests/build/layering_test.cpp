@@ -15,11 +15,10 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Folders whose files are cores, and the files in them that are shells.
-const std::vector<std::string> kCoreFolders = {"signals",          "estimator",       "controller",
-                                               "planner",          "drivers/canopen", "drivers/cia402",
-                                               "drivers/profiles", "drivers/bridge",  "drivers/sim",
-                                               "tools/inprocess",  "tools/canopen",   "tools/report",
-                                               "tools/doctor",     "tools/fields",    "tools/spy"};
+const std::vector<std::string> kCoreFolders = {
+    "signals",        "estimator",        "controller",     "planner",      "drivers/canopen",
+    "drivers/cia402", "drivers/profiles", "drivers/bridge", "drivers/sim",  "tools/inprocess",
+    "tools/canopen",  "tools/report",     "tools/doctor",   "tools/fields", "tools/spy"};
 const std::regex kShell(R"((_main|_shell|_lockstep|_realtime)\.(h|cpp)$)");
 const std::regex kMessages(R"(signals/messages|signals/message_fields)");
 
