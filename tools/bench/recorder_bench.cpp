@@ -84,6 +84,8 @@ Lost run_once(const RecorderBench& bench, int run) {
   const std::string url = lcm_url_on_port(random_port());
   const std::string stem = (fs::path(bench.folder) / ("run-" + std::to_string(run))).string();
   const std::string own = stem + "-sprung.lcm", theirs = stem + "-lcm-logger.lcm";
+  fs::remove(own);  // of a bench that was interrupted
+  fs::remove(theirs);
   {
     ChildProcess recorder(program_folder() + "/sprung-recorder",
                           {"--robot", "single_leg", "--session", "1", "--lcm-url", url, "--file", own},

@@ -41,7 +41,7 @@ void ChannelCounter::add(const Event& event, const Timeline::Moment& moment) {
   report_.last_s = std::max(report_.last_s, moment.time_s);
   ++report_.messages;
   report_.bytes += event.size;
-  if (report_.cyclic && moment.stamp) cycles_.add(moment.stamp->seq);
+  if (report_.cyclic && moment.stamp) cycles_.add(moment.stamp->session, moment.stamp->seq);
 }
 
 ChannelReport ChannelCounter::report() const {

@@ -37,7 +37,7 @@ class ChannelCounter {
   const fields::TypeTable& types_;
   ChannelReport report_;
   std::int64_t hash_ = 0;
-  GapTracker cycles_;
+  SessionGapTracker cycles_;
 };
 
 }  // namespace sprung::log

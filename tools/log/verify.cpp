@@ -19,6 +19,11 @@ bool is_wrong(Kind kind) {
   return kind != Kind::kUnfinished && kind != Kind::kOrder && kind != Kind::kUnknown;
 }
 
+/// Of any two numbers: a damaged event may say what it likes. @param from <= to.
+std::string microseconds_between(std::int64_t from, std::int64_t to) {
+  return std::to_string(static_cast<std::uint64_t>(to) - static_cast<std::uint64_t>(from));
+}
+
 bool is_ours(std::string_view channel) {
   using namespace channels;
   const std::string_view ours[] = {
@@ -45,7 +50,7 @@ class Verifier {
   Timeline timeline_;
   std::int64_t last_number_ = -1;
   std::int64_t last_time_us_ = 0;
-  std::map<std::string, GapTracker, std::less<>> cycles_;
+  std::map<std::string, SessionGapTracker, std::less<>> cycles_;
   std::set<std::string, std::less<>> unknown_;  ///< channels whose type was named already
   bool has_metadata_ = false;
   bool has_end_ = false;
@@ -72,10 +77,10 @@ void Verifier::add(const Event& event) {
 
 void Verifier::check_place(const Event& event) {
   // A number that starts again is a file that was put behind another.
-  const bool jumps = event.number > last_number_ + 1 || (event.number <= last_number_ && event.number != 0);
+  const bool jumps = event.number != 0 && (event.number <= last_number_ || event.number - 1 > last_number_);
   if (jumps) find(Kind::kNumbers, at(event) + " comes after event " + std::to_string(last_number_));
   if (result_.events > 0 && event.time_us < last_time_us_)
-    find(Kind::kOrder, at(event) + " was received " + std::to_string(last_time_us_ - event.time_us) +
+    find(Kind::kOrder, at(event) + " was received " + microseconds_between(event.time_us, last_time_us_) +
                            " us before the one in front of it");
 }
 
@@ -100,8 +105,8 @@ void Verifier::check_message(const Event& event) {
 void Verifier::check_cycle(const Event& event, const Timeline::Moment& moment) {
   if (!moment.stamp || !has_every_cycle(event.channel)) return;
   auto found = cycles_.find(event.channel);
-  if (found == cycles_.end()) found = cycles_.emplace(event.channel, GapTracker()).first;
-  const std::int64_t missing = found->second.add(moment.stamp->seq);
+  if (found == cycles_.end()) found = cycles_.emplace(event.channel, SessionGapTracker()).first;
+  const std::int64_t missing = found->second.add(moment.stamp->session, moment.stamp->seq);
   if (missing == 0) return;
   char time[40];
   std::snprintf(time, sizeof time, "%.3f s", moment.time_s);

@@ -16,7 +16,7 @@ bool has_every_cycle(std::string_view channel) noexcept {
 
 std::int64_t GapTracker::add(std::int64_t seq) noexcept {
   ++counts_.messages;
-  if (seq < 0) return 0;
+  if (seq < 0 || seq > kLastCycle) return 0;
   if (newest_ && seq < *newest_ - kRestartGap) {
     ++counts_.restarts;
     newest_.reset();
@@ -51,6 +51,20 @@ std::int64_t GapTracker::came_ahead(std::int64_t seq) noexcept {
   }
   newest_ = seq;
   return skipped;
+}
+
+GapCounts SessionGapTracker::counts() const noexcept {
+  GapCounts sum;
+  for (const auto& [session, tracker] : sessions_) {
+    const GapCounts& one = tracker.counts();
+    sum.messages += one.messages;
+    sum.repeats += one.repeats;
+    if (sum.gaps == 0) sum.first_missing = one.first_missing;
+    sum.gaps += one.gaps;
+    sum.missing += one.missing;
+    sum.restarts += one.restarts;
+  }
+  return sum;
 }
 
 }  // namespace sprung

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "lcmtypes/channels.h"
+#include "runtime/log.h"
 #include "signals/messages.h"
 #include "tools/recorder/log_metadata.h"
 
@@ -29,9 +30,12 @@ sprung_msgs::log_metadata_t metadata_of(const RobotConfig& robot, const std::str
 
 InProcessLog::InProcessLog(const std::string& path, const RobotConfig& robot, const std::string& preset,
                            const std::string& command_line)
-    : recording_({path, 0, 0, 0}, metadata_of(robot, preset, command_line)) {}
+    : recording_({path, 0, 0, 0, false}, metadata_of(robot, preset, command_line)) {}
 
-InProcessLog::~InProcessLog() { recording_.end(time_us_, LogEndReason::kAsked, "the robot's run has ended"); }
+InProcessLog::~InProcessLog() {
+  recording_.end(time_us_, LogEndReason::kAsked, "the robot's run has ended");
+  if (recording_.ended() != LogEndReason::kAsked) log_error("the log is not whole: " + recording_.detail());
+}
 
 template <class Signal>
 void InProcessLog::write(const char* channel, const Signal& signal) {

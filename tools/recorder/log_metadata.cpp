@@ -27,6 +27,11 @@ std::string host_name() {
 }  // namespace
 
 sprung_msgs::log_metadata_t make_log_metadata(const RobotConfig& robot, const RecordedRun& run) {
+  return make_log_metadata(robot, text_of(robot.folder + "/robot.yaml"), run);
+}
+
+sprung_msgs::log_metadata_t make_log_metadata(const RobotConfig& robot, const std::string& robot_yaml,
+                                              const RecordedRun& run) {
   sprung_msgs::log_metadata_t metadata{};
   metadata.session = run.session;
   metadata.utime = run.utime_us;
@@ -42,7 +47,7 @@ sprung_msgs::log_metadata_t make_log_metadata(const RobotConfig& robot, const Re
   metadata.host = host_name();
   metadata.command_line = run.command_line;
   metadata.lcm_url = run.lcm_url;
-  metadata.robot_yaml = text_of(robot.folder + "/robot.yaml");
+  metadata.robot_yaml = robot_yaml;
   return metadata;
 }
 

@@ -21,5 +21,8 @@ struct RecordedRun {
 
 /// @throws std::runtime_error when the robot's file cannot be read any more.
 sprung_msgs::log_metadata_t make_log_metadata(const RobotConfig& robot, const RecordedRun& run);
+/// The same where the text of robot.yaml is known already.
+sprung_msgs::log_metadata_t make_log_metadata(const RobotConfig& robot, const std::string& robot_yaml,
+                                              const RecordedRun& run);
 
 }  // namespace sprung

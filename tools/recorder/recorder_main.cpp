@@ -40,7 +40,7 @@ struct RecorderOptions {
     const auto bytes = [](double megabytes) { return static_cast<std::uint64_t>(megabytes * 1e6); };
     if (!(split_MB >= 0.0 && split_min >= 0.0 && least_free_MB >= 0.0))
       throw WrongUse("--split-mb, --split-min and --min-free-mb are 0 or more");
-    return {file, bytes(split_MB), std::llround(split_min * 60e6), bytes(least_free_MB)};
+    return {file, bytes(split_MB), std::llround(split_min * 60e6), bytes(least_free_MB), true};
   }
 };
 

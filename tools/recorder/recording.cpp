@@ -30,7 +30,8 @@ std::string part_path(const RecordingOptions& options, int part) {
 
 std::uint64_t free_disk_bytes(const std::string& path) {
   struct statvfs disk {};
-  if (statvfs(path.c_str(), &disk) != 0)
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  if (statvfs(path.c_str(), &disk) != 0 && statvfs(folder.empty() ? "." : folder.c_str(), &disk) != 0)
     throw std::runtime_error("cannot ask how much room there is for " + path + ": " + std::strerror(errno));
   return static_cast<std::uint64_t>(disk.f_bavail) * disk.f_frsize;
 }
@@ -38,13 +39,20 @@ std::uint64_t free_disk_bytes(const std::string& path) {
 Recording::Recording(const RecordingOptions& options, const sprung_msgs::log_metadata_t& metadata,
                      FreeBytes free_bytes)
     : options_(options), metadata_(metadata), free_bytes_(std::move(free_bytes)) {
+  check_place();
   begin_part(metadata.utc_us);
-  if (!disk_is_full()) return;
-  const std::string file = files_.front();
-  writer_->close();
-  std::filesystem::remove(file);
-  throw std::runtime_error("less than " + in_megabytes(options_.least_free_bytes) + " are free where " +
-                           file + " would be: make room, or record to another disk");
+}
+
+/// Before a file is made, or emptied.
+void Recording::check_place() const {
+  const std::string file = part_path(options_, 0);
+  std::error_code none;  // there is no such file, or it cannot be seen: making it will tell
+  if (options_.keep_existing && std::filesystem::is_regular_file(file, none) &&
+      std::filesystem::file_size(file, none) > 0)
+    throw std::runtime_error(file + " is there already: give another name, or remove it");
+  if (disk_is_full(file))
+    throw std::runtime_error("less than " + in_megabytes(options_.least_free_bytes) + " are free where " +
+                             file + " would be: make room, or record to another disk");
 }
 
 void Recording::begin_part(std::int64_t time_us) {
@@ -98,7 +106,8 @@ void Recording::count(std::string_view channel, const std::uint8_t* data, std::s
     found = channels_.emplace(channel, Channel{has_every_cycle(channel), {}, 0}).first;
   ++found->second.messages;
   if (!found->second.cyclic || size < kCountsOffset) return;
-  const std::int64_t skipped = found->second.cycles.add(read_int64(data, kSeqOffset));
+  const std::int64_t skipped =
+      found->second.cycles.add(read_int64(data, kSessionOffset), read_int64(data, kSeqOffset));
   if (skipped > 0) news_[found->first] += skipped;
 }
 
@@ -107,7 +116,7 @@ void Recording::tick(std::int64_t time_us) {
   try {
     writer_->flush();
     looked_at_bytes_ = writer_->bytes();
-    if (disk_is_full())
+    if (disk_is_full(files_.back()))
       end(time_us, LogEndReason::kDiskGuard,
           "less than " + in_megabytes(options_.least_free_bytes) + " are left on the disk of " +
               files_.back());
@@ -127,8 +136,13 @@ void Recording::end(std::int64_t time_us, LogEndReason reason, const std::string
   }
 }
 
-bool Recording::disk_is_full() const {
-  return options_.least_free_bytes > 0 && free_bytes_(files_.back()) < options_.least_free_bytes;
+bool Recording::disk_is_full(const std::string& path) const {
+  if (options_.least_free_bytes == 0) return false;
+  try {
+    return free_bytes_(path) < options_.least_free_bytes;
+  } catch (const std::runtime_error&) {
+    return false;  // its folder was moved while it is written: the file is still open, and nothing is lost
+  }
 }
 
 void Recording::fail(const std::string& what) {

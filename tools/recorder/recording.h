@@ -22,6 +22,7 @@ struct RecordingOptions {
   std::int64_t split_us =
       0;  ///< a part ends with the message that comes this long after its beginning; 0 = never
   std::uint64_t least_free_bytes = 0;  ///< the recording ends when the disk has less than this left
+  bool keep_existing = false;          ///< refuse to take the place of a file that has something in it
 
   bool splits() const noexcept { return split_bytes > 0 || split_us > 0; }
 };
@@ -29,7 +30,7 @@ struct RecordingOptions {
 /// Name of a part's file.
 std::string part_path(const RecordingOptions& options, int part);
 
-/// Free bytes of the disk that a path is on, for who is not root. @throws std::runtime_error when it cannot be asked.
+/// Free bytes of the disk that a path is on, for who is not root; the path itself need not be there, its folder must. @throws std::runtime_error when it cannot be asked.
 std::uint64_t free_disk_bytes(const std::string& path);
 
 class Recording {
@@ -37,7 +38,8 @@ class Recording {
   using FreeBytes = std::function<std::uint64_t(const std::string& path)>;
 
   /// Begins the first part. @param metadata of every part; `part` is filled in here.
-  /// @throws log::WriteError where the file cannot be made; std::runtime_error when the disk has too little room already.
+  /// @throws log::WriteError where the file cannot be made; std::runtime_error when the disk has too little room already, or the file is
+  /// there and shall be kept: then no file was touched.
   Recording(const RecordingOptions& options, const sprung_msgs::log_metadata_t& metadata,
             FreeBytes free_bytes = free_disk_bytes);
 
@@ -54,7 +56,7 @@ class Recording {
 
   struct Channel {
     bool cyclic = false;  ///< gaps of the others cannot be told
-    GapTracker cycles;
+    SessionGapTracker cycles;
     std::int64_t messages = 0;
   };
   const std::map<std::string, Channel, std::less<>>& channels() const noexcept { return channels_; }
@@ -69,7 +71,8 @@ class Recording {
   void begin_part(std::int64_t time_us);
   void end_part(std::int64_t time_us, LogEndReason reason, const std::string& detail);
   void count(std::string_view channel, const std::uint8_t* data, std::size_t size);
-  bool disk_is_full() const;
+  void check_place() const;
+  bool disk_is_full(const std::string& path) const;
   void fail(const std::string& what);
 
   RecordingOptions options_;

@@ -3,7 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "robot_sample.h"
+#include "tools/log/big_endian.h"
 
 namespace sprung::log {
 namespace {
@@ -104,6 +107,26 @@ TEST_F(LogVerify, TimesThatGoBackAreANote) {
   std::swap(events[3].time_us, events[5].time_us);
   EXPECT_TRUE(check(events).good());
   EXPECT_THAT(text_, HasSubstr("was received"));
+}
+
+TEST_F(LogVerify, LogsOfSeveralSessionsThatWereJoinedMissNothing) {
+  std::vector<Kept> events;
+  for (const int k : {0, 1, 2}) events.push_back(joint_event(k, 1));
+  for (const int k : {5000, 5001}) events.push_back(joint_event(k, 2));
+  EXPECT_TRUE(check(events).good()) << text_;
+}
+
+/// What a sanitizer would stop at.
+TEST_F(LogVerify, AnyNumberAndAnyTimeMayStandInAnEvent) {
+  constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
+  constexpr std::int64_t kLeast = std::numeric_limits<std::int64_t>::min();
+  write_all(path_, {{0, kMost, "A", "x"}, {0, kLeast, "A", "y"}, {0, 0, "A", "z"}});
+  std::string bytes = bytes_of(path_);
+  put_big_endian(static_cast<std::uint64_t>(kMost), reinterpret_cast<std::uint8_t*>(&bytes[4]));
+  put_bytes(path_, bytes);
+  EXPECT_EQ(check().counts.at(Kind::kOrder), 1);
+  EXPECT_THAT(text_, HasSubstr("was received 18446744073709551615 us before"));
+  EXPECT_EQ(check().counts.at(Kind::kNumbers), 2);
 }
 
 TEST_F(LogVerify, ManyOfAKindAreCounted) {

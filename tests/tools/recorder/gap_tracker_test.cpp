@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <initializer_list>
+#include <limits>
 #include <random>
 #include <set>
 
@@ -102,6 +103,25 @@ TEST(HasEveryCycle, TellsCyclicChannelsFromOthers) {
   for (const char* channel :
        {"SAFETY_STATE", "PROCESS_STATUS", "TORQUE_SENSOR", "OPERATOR_COMMAND", "FOREIGN"})
     EXPECT_FALSE(has_every_cycle(channel)) << channel;
+}
+
+TEST(GapTracker, CycleThatCannotBeIsDamageNotAGap) {
+  const GapCounts counts = after({0, 1, std::numeric_limits<std::int64_t>::max(), 2});
+  EXPECT_EQ(counts.missing, 0);
+  EXPECT_EQ(counts.messages, 4);
+}
+
+TEST(SessionGapTracker, EachSessionHasCyclesOfItsOwn) {
+  SessionGapTracker tracker;
+  for (const std::int64_t k : {0, 1, 3}) EXPECT_EQ(tracker.add(1, k), k == 3 ? 1 : 0);
+  for (const std::int64_t k : {5000, 5001}) EXPECT_EQ(tracker.add(2, k), 0);  // a log put behind another
+  EXPECT_EQ(tracker.add(1, 4), 0);
+  const GapCounts counts = tracker.counts();
+  EXPECT_EQ(counts.messages, 6);
+  EXPECT_EQ(counts.missing, 1);
+  EXPECT_EQ(counts.gaps, 1);
+  EXPECT_EQ(counts.first_missing, 2);
+  EXPECT_EQ(counts.repeats, 0);
 }
 
 }  // namespace

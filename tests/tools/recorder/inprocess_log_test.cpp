@@ -1,14 +1,17 @@
 #include "tools/recorder/inprocess_log.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
 
 #include "robots/robot_loader.h"
+#include "runtime/log.h"
 #include "tools/experiments/scripted_run.h"
 #include "tools/log/reader.h"
 
@@ -84,6 +87,23 @@ TEST_F(InProcessLogTest, MotionThatNoPlannerMakesHasNoMotionState) {
   const auto found = counts("single_leg-000.lcm");
   EXPECT_EQ(found.count("MOTION_STATE"), 0u);
   EXPECT_EQ(found.at("LEG_COMMAND"), kCycles);
+}
+
+TEST_F(InProcessLogTest, LogThatTheDiskDoesNotTakeWholeIsToldOnStandardError) {
+  const auto refuse = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  rlimit small = before;
+  small.rlim_cur = 50'000;
+  start_log("test");
+  testing::internal::CaptureStderr();
+  setrlimit(RLIMIT_FSIZE, &small);
+  run(script("single_leg"));
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, refuse);
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_NE(said.find("the log is not whole"), std::string::npos) << said;
+  EXPECT_NE(said.find("single_leg-000.lcm"), std::string::npos) << said;
 }
 
 TEST_F(InProcessLogTest, LogsAreOnlyMadeWhereAsked) {

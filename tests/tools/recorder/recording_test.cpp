@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 
 #include "lcmtypes/channels.h"
 #include "runtime/receive_guard.h"
@@ -177,11 +178,43 @@ TEST_F(RecordingTest, LooksAtTheDiskAsItWritesToo) {
   EXPECT_LT(fs::file_size(options_.path), 1'500'000u);
 }
 
-TEST_F(RecordingTest, DoesNotBeginOnADiskThatIsFull) {
+TEST_F(RecordingTest, DoesNotBeginOnADiskThatIsFullAndTouchesNoFile) {
   options_.least_free_bytes = 100'000'000;
   free_bytes_ = 1'000'000;
   EXPECT_THROW(recording(), std::runtime_error);
   EXPECT_FALSE(fs::exists(options_.path));
+  std::ofstream(options_.path) << "an earlier log";
+  EXPECT_THROW(recording(), std::runtime_error);
+  EXPECT_EQ(fs::file_size(options_.path), 14u);
+}
+
+TEST_F(RecordingTest, FileThatIsThereIsKeptWhereThatIsAsked) {
+  options_.keep_existing = true;
+  std::ofstream(options_.path) << "an earlier log";
+  EXPECT_THROW(recording(), std::runtime_error);
+  EXPECT_EQ(fs::file_size(options_.path), 14u);
+  fs::resize_file(options_.path, 0);  // made beforehand, e.g. by mktemp
+  Recording recording = this->recording();
+  EXPECT_EQ(read(options_.path).channels, std::vector<std::string>{"LOG_METADATA"});
+}
+
+TEST_F(RecordingTest, FirstPartThatIsThereIsKeptToo) {
+  options_.keep_existing = true;
+  options_.split_bytes = 1000;
+  std::ofstream(part_path(options_, 0)) << "an earlier log";
+  EXPECT_THROW(recording(), std::runtime_error);
+}
+
+TEST_F(RecordingTest, GoesOnWhereItsFileIsMovedAway) {
+  options_.least_free_bytes = 1;
+  Recording recording(options_, metadata_);  // asks the disk itself
+  fs::rename(folder_, folder_.string() + "-moved");
+  add(recording, 0);
+  recording.tick(kStart_us + 1000);
+  EXPECT_FALSE(recording.ended());
+  recording.end(kStart_us + 2000, LogEndReason::kAsked, "");
+  EXPECT_EQ(read(folder_.string() + "-moved/x.lcm").seqs, std::vector<std::int64_t>{0});
+  fs::remove_all(folder_.string() + "-moved");
 }
 
 TEST_F(RecordingTest, DiskThatTakesNoMoreEndsItWithTheCause) {
@@ -219,8 +252,9 @@ TEST_F(RecordingTest, ForeignMessagesAreRecordedAndNotTakenForCycles) {
   EXPECT_EQ(recording.missing(), 0);
 }
 
-TEST(FreeDiskBytes, IsKnownOfAnExistingPathOnly) {
+TEST(FreeDiskBytes, IsKnownWhereTheFolderIs) {
   EXPECT_GT(free_disk_bytes("/"), 0u);
+  EXPECT_GT(free_disk_bytes("/no-such-file"), 0u);
   EXPECT_THROW((void)free_disk_bytes("/nowhere/at/all"), std::runtime_error);
 }
 
