@@ -8,6 +8,7 @@
 
 #include "runtime/node.h"
 #include "tools/commands/commands.h"
+#include "tools/commands/log/log_commands.h"
 #include "tools/experiments/progress_bar.h"
 #include "tools/launcher/run_file.h"
 #include "tools/replay/difference_report.h"
@@ -69,13 +70,13 @@ int run_into(const ReplayOptions& options) {
   } catch (const std::invalid_argument& error) {
     throw WrongUse(std::string("--into: ") + error.what());
   }
-  ReplayResult result;
-  {
+  const ReplayResult result = or_wrong_use([&] {
+    if (!options.html.empty()) log::refuse_same_file({options.log}, options.html);
     ProgressBar bar("replay, MB");
-    result = run_replay(request, [&bar](std::uint64_t done, std::uint64_t all) {
+    return run_replay(request, [&bar](std::uint64_t done, std::uint64_t all) {
       bar.show(done / 1'000'000, all / 1'000'000);
     });
-  }
+  });
   std::printf("%s",
               (options.as_json ? replay_json(request, result) + "\n" : replay_text(request, result)).c_str());
   if (!options.html.empty())
@@ -113,30 +114,46 @@ int run_to_lcm(const ReplayOptions& options) {
   std::printf("%s onto %s at %s x; Ctrl-C ends it\n", options.log.c_str(), options.lcm_url.c_str(),
               number_text(options.speed).c_str());
   std::fflush(stdout);
-  LcmReplayResult result;
-  try {
-    result = replay_to_lcm(request, options.step ? StepGate(ask_for_step) : StepGate());
-  } catch (const std::invalid_argument& error) {
-    throw WrongUse(error.what());
-  }
+  const LcmReplayResult result = or_wrong_use(
+      [&] { return replay_to_lcm(request, options.step ? StepGate(ask_for_step) : StepGate()); });
   std::printf("sent %lld messages\n", static_cast<long long>(result.messages));
   if (result.messages == 0) std::fprintf(stderr, "the log has no such message in that time\n");
+  for (const std::string& name : result.not_renamed)
+    std::fprintf(stderr, "--remap %s=...: no message of that channel was sent\n", name.c_str());
   if (result.failed > 0)
     std::fprintf(stderr, "LCM did not take %lld of them: run 'sprung doctor'\n",
                  static_cast<long long>(result.failed));
   return result.messages > 0 && result.failed == 0 ? kExitDone : kExitFailed;
 }
 
+/// Of three ways to replay each has options of its own; one that would change nothing is no help to anyone.
+void refuse_what_goes_unused(const ReplayOptions& o) {
+  const ReplayOptions plain;
+  const bool onto_lcm = o.into.empty() && o.other.empty();
+  if (!o.into.empty() && !o.other.empty()) throw WrongUse("--into CORES or --diff LOG, not both");
+  if (!onto_lcm &&
+      (o.loop || o.step || !o.remaps.empty() || o.speed != plain.speed || o.lcm_url != plain.lcm_url))
+    throw WrongUse(
+        "--speed, --loop, --step, --remap and --lcm-url are for a replay onto LCM: leave out these, or "
+        "--into "
+        "and --diff");
+  if (o.into.empty() && !(o.robot.empty() && o.preset.empty() && o.out.empty() && !o.as_json))
+    throw WrongUse("--robot, --preset, --out and --json need --into CORES");
+  if (onto_lcm && !o.html.empty()) throw WrongUse("--html needs --into CORES or --diff LOG");
+  if (!o.into.empty() && !o.channels.empty())
+    throw WrongUse(
+        "--channels is for a replay onto LCM and for --diff: --into compares all that its cores make");
+}
+
 int run_replay_command(const ReplayOptions& options) {
   if (!(options.start_s >= 0.0 && options.duration_s >= 0.0 && options.speed >= 0.0))
     throw WrongUse("--start, --duration and --speed are 0 or more");
+  refuse_what_goes_unused(options);
   if (!options.other.empty())
     return run_diff(
         {options.log, options.other, options.channels, options.start_s, options.start_s + options.duration()},
         options.html);
   if (!options.into.empty()) return run_into(options);
-  if (!options.robot.empty() || !options.preset.empty() || !options.out.empty() || !options.html.empty())
-    throw WrongUse("--robot, --preset, --out and --html need --into CORES");
   return run_to_lcm(options);
 }
 

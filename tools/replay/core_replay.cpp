@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -17,10 +18,12 @@ namespace sprung {
 
 namespace {
 
-/// used_imu_seq stands right before the trunk, with which JOINT_STATE ends.
-std::int64_t used_imu_seq(const Bytes& joint_state) {
+/// used_imu_seq stands right before the trunk, with which JOINT_STATE ends. Nothing of a message that is none, or too short for one.
+std::optional<std::int64_t> used_imu_seq(const Bytes& joint_state) {
   const auto body = static_cast<std::size_t>(sprung_msgs::estimated_body_t()._getEncodedSizeNoHash());
-  return read_int64(joint_state.data(), joint_state.size() - body - sizeof(std::int64_t));
+  const std::size_t tail = body + sizeof(std::int64_t);
+  if (joint_state.size() < kCountsOffset + tail) return std::nullopt;
+  return read_int64(joint_state.data(), joint_state.size() - tail);
 }
 
 /// DRIVE_COMMAND ends with it.
@@ -128,6 +131,7 @@ struct CoreReplay::Impl {
   bool begun = false;
   bool planner_runs = false;  ///< leg commands come from the planner, not from an experiment
   std::int64_t session = 0;   ///< of the log
+  double compare_from_s = -std::numeric_limits<double>::infinity();
   ReplayCounts counts;
   Use use_difference;
   Use use_output;
@@ -169,13 +173,13 @@ bool CoreReplay::Impl::has_joint_state(const LoggedCycle& cycle) {
 
 const Imu* CoreReplay::Impl::imu_of(const LoggedCycle& cycle) {
   if (!robot.body.imu) return nullptr;
-  if (cycle.joint_state.size() < kCountsOffset) return imus.newest_at_or_before(cycle.seq);
-  const std::int64_t used = used_imu_seq(cycle.joint_state);
-  const Imu* const sample = imus.find(used);
+  const std::optional<std::int64_t> used = used_imu_seq(cycle.joint_state);
+  if (!used) return imus.newest_at_or_before(cycle.seq);
+  const Imu* const sample = imus.find(*used);
   const bool recent =
-      used >
+      *used >
       cycle.seq - History<Imu>::kDepth;  // what is older is known to the estimator, and of no use to it
-  if (used >= 0 && recent && sample == nullptr) miss(cycle, "estimator", channels::kImu, used);
+  if (*used >= 0 && recent && sample == nullptr) miss(cycle, "estimator", channels::kImu, *used);
   return sample;
 }
 
@@ -213,6 +217,7 @@ void CoreReplay::Impl::compare_replies(const LoggedCycle& cycle) {
     if (use_output)
       use_output({reply.channel(), cycle.seq, cycle.time_us, cycle.time_s, kNoBytes, made.back()});
   }
+  if (cycle.time_s < compare_from_s) return;
   for (const Bytes& recorded : cycle.replies) {
     ++counts.compared;
     if (std::find(made.begin(), made.end(), recorded) != made.end()) continue;
@@ -235,7 +240,7 @@ void CoreReplay::Impl::compare(const LoggedCycle& cycle, const Bytes& recorded, 
   if (!recorded.empty()) session = read_int64(recorded.data(), kSessionOffset);
   const Bytes& replayed = ours.write(session);
   if (use_output) use_output({ours.channel(), cycle.seq, cycle.time_us, cycle.time_s, recorded, replayed});
-  if (recorded.empty()) return;
+  if (recorded.empty() || cycle.time_s < compare_from_s) return;
   ++counts.compared;
   if (recorded == replayed) return;
   ++counts.differing;
@@ -250,6 +255,7 @@ CoreReplay::CoreReplay(const RobotConfig& robot, const std::string& preset, cons
 CoreReplay::~CoreReplay() = default;
 
 void CoreReplay::on_difference(Use use) { impl_->use_difference = std::move(use); }
+void CoreReplay::compare_from(double time_s) { impl_->compare_from_s = time_s; }
 void CoreReplay::on_output(Use use) { impl_->use_output = std::move(use); }
 void CoreReplay::step(const LoggedCycle& cycle) { impl_->step(cycle); }
 const ReplayCounts& CoreReplay::counts() const noexcept { return impl_->counts; }

@@ -34,7 +34,7 @@ struct MessagePair {
 
 struct ReplayCounts {
   std::int64_t cycles = 0;      ///< in which a core ran
-  std::int64_t compared = 0;    ///< messages
+  std::int64_t compared = 0;    ///< messages, of the cycles that are compared
   std::int64_t differing = 0;   ///< of them
   std::int64_t incomplete = 0;  ///< cycles whose inputs the log does not have; first_incomplete says which
   std::int64_t first_seq = -1;  ///< cycle with which the replay began; cores began fresh there
@@ -53,8 +53,9 @@ class CoreReplay {
   CoreReplay(const CoreReplay&) = delete;
   CoreReplay& operator=(const CoreReplay&) = delete;
 
-  void on_difference(Use use);  ///< gets every message that is not the log's
-  void on_output(Use use);      ///< gets every message that a core made
+  void on_difference(Use use);       ///< gets every message that is not the log's
+  void on_output(Use use);           ///< gets every message that a core made
+  void compare_from(double time_s);  ///< earlier cycles run, but are not compared; at first: all are
 
   /// Cycles in ascending order. @throws std::runtime_error on messages of another robot, or of another version of their type.
   void step(const LoggedCycle& cycle);

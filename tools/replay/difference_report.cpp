@@ -70,6 +70,9 @@ std::vector<std::string> notes(const ReplayResult& result) {
         " commands of the operator have no answer in the log: they took effect where they stand in it");
   if (result.flaws.late > 0)
     out.push_back(std::to_string(result.flaws.late) + " messages came too late in the log and were left out");
+  if (result.flaws.foreign > 0)
+    out.push_back(std::to_string(result.flaws.foreign) +
+                  " messages are none of this robot's and were left out");
   if (result.damages > 0) out.push_back(std::to_string(result.damages) + " places of the file are damaged");
   return out;
 }
@@ -77,7 +80,8 @@ std::vector<std::string> notes(const ReplayResult& result) {
 std::string verdict(const ReplayResult& result) {
   if (result.differences.first())
     return "first difference: " + result.differences.first()->text(kReplaySides.first, kReplaySides.second);
-  if (result.counts.compared == 0) return "nothing to compare: the log has no message that these cores make";
+  if (result.counts.compared == 0)
+    return "nothing to compare: the log has no message that these cores make, or none in that time";
   return result.identical() ? "identical" : "identical, where the log has the inputs";
 }
 
@@ -121,8 +125,8 @@ std::vector<report::Section> difference_sections(const DifferenceTable& table, c
 }
 
 std::string replay_head(const ReplayRequest& request, const ReplayResult& result) {
-  return format("%s: %s%s%s, %s\n", request.log.c_str(), result.robot.c_str(),
-                result.clock.empty() ? "" : ", ", result.clock.c_str(), result.source.c_str()) +
+  return request.log + ": " + result.robot + (result.clock.empty() ? "" : ", ") + result.clock + ", " +
+         result.source + "\n" +
          format("%s: cycles %lld to %lld, %lld messages compared; %.2f s in %.3f s, %.0f x real time\n",
                 cores_text(request.cores).c_str(), static_cast<long long>(result.counts.first_seq),
                 static_cast<long long>(result.counts.last_seq),
@@ -168,7 +172,7 @@ std::string replay_json(const ReplayRequest& request, const ReplayResult& result
                                 {"recorded", first->field.first}, {"replayed", first->field.second},
                                 {"unit", first->field.unit}};
   }
-  return json.dump();
+  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 std::string diff_text(const DiffRequest& request, const DiffResult& result) {

@@ -12,6 +12,7 @@
 #include "tools/log/channel_filter.h"
 #include "tools/log/reader.h"
 #include "tools/log/timeline.h"
+#include "tools/recorder/gap_tracker.h"
 #include "tools/replay/replay_pace.h"
 
 namespace sprung {
@@ -49,6 +50,7 @@ class LcmReplay {
   }
 
   LcmReplayResult run() {
+    if (gate_) choose_step_channel();
     do {
       reader_.rewind();
       pace_.begin_again();
@@ -57,6 +59,7 @@ class LcmReplay {
       ++result_.laps;
       if (result_.messages == before) break;  // nothing to send: a loop would never end
     } while (request_.loop);
+    result_.not_renamed = names_.unused();
     return result_;
   }
 
@@ -66,20 +69,34 @@ class LcmReplay {
     log::Timeline timeline;
     for (log::Event event; reader_.next(event);) {
       const double time_s = timeline.next(event).time_s;
-      if (time_s > request_.start_s + request_.duration_s) return true;
-      if (time_s < request_.start_s || !filter_.keeps(event.channel)) continue;
+      if (is_over(time_s)) return true;
+      if (!is_sent(event, time_s)) continue;
       if (!sleep_until(pace_.due_us(time_s, monotonic_us()))) return false;
-      if (gate_ && is_step(event) && !gate_(time_s)) return false;
+      if (gate_ && event.channel == step_channel_ && !gate_(time_s)) return false;
       send(event);
     }
     return true;
   }
 
-  bool is_step(const log::Event& event) {
-    if (step_channel_.empty())
-      step_channel_ =
-          filter_.keeps(channels::kDriveState) ? channels::kDriveState : std::string(event.channel);
-    return event.channel == step_channel_;
+  bool is_over(double time_s) const { return time_s > request_.start_s + request_.duration_s; }
+  bool is_sent(const log::Event& event, double time_s) {
+    return time_s >= request_.start_s && filter_.keeps(event.channel);
+  }
+
+  void choose_step_channel() {
+    log::Timeline timeline;
+    std::string first, first_cyclic;
+    for (log::Event event; reader_.next(event);) {
+      const double time_s = timeline.next(event).time_s;
+      if (is_over(time_s)) break;
+      if (!is_sent(event, time_s) || event.channel == channels::kLogMetadata) continue;
+      if (first.empty()) first = event.channel;
+      if (first_cyclic.empty() && has_every_cycle(event.channel)) first_cyclic = event.channel;
+      if (event.channel != channels::kDriveState) continue;
+      step_channel_ = event.channel;
+      return;
+    }
+    step_channel_ = first_cyclic.empty() ? first : first_cyclic;
   }
 
   void send(const log::Event& event) {

@@ -24,9 +24,11 @@ struct LcmReplayResult {
   std::int64_t messages = 0;
   std::int64_t failed = 0;  ///< of them: LCM did not take them
   int laps = 0;
+  std::vector<std::string> not_renamed;  ///< OLD of remaps that no message had
 };
 
-/// Called before each step: before each DRIVE_STATE, or, where that is not sent, before each message of the channel that is sent first.
+/// Called before each step: before each DRIVE_STATE, or, where none is sent, before each message of the first channel that has one each
+/// cycle, or else of the first channel.
 /// @param time_s robot's time. @return false: end.
 using StepGate = std::function<bool(double time_s)>;
 

@@ -8,6 +8,7 @@
 #include "runtime/message_layout.h"
 #include "runtime/receive_guard.h"
 #include "signals/modes.h"
+#include "tools/recorder/gap_tracker.h"
 
 namespace sprung {
 
@@ -91,6 +92,10 @@ void LogCycles::add_cyclic(Bytes LoggedCycle::*member, const log::Event& event, 
   }
   const std::int64_t seq = read_int64(event.data, kSeqOffset);
   if (seq < 0) return;
+  if (seq > kLastCycle) {
+    ++flaws_.foreign;
+    return;
+  }
   take_session(read_int64(event.data, kSessionOffset));
   LoggedCycle* const cycle = cycle_of(seq);
   if (cycle == nullptr) return;
@@ -198,7 +203,7 @@ void LogCycles::add_reply(const log::Event& event) {
   sprung_msgs::operator_reply_t reply;
   if (!decode(event, reply) || reply.from != kPlanner) return;
   executed_.emplace(Request{reply.session, reply.request_id}, reply.seq);
-  if (reply.session != session_ || reply.seq <= handed_out_) return;
+  if (reply.session != session_ || reply.seq <= handed_out_ || reply.seq > kLastCycle) return;
   LoggedCycle* const cycle = cycle_of(reply.seq);
   if (cycle == nullptr) return;
   const Bytes bytes = bytes_of(event);

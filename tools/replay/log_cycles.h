@@ -44,7 +44,7 @@ struct LoggedCycle {
 /// What the log itself lacks, for the one who reads the result.
 struct LogFlaws {
   std::int64_t late = 0;     ///< messages of cycles that were done with
-  std::int64_t foreign = 0;  ///< too short for a message of ours
+  std::int64_t foreign = 0;  ///< too short for a message of ours, or of a cycle that cannot be
   std::int64_t unanswered =
       0;  ///< operator's commands of whose cycle the log says nothing: they take effect where they stand in the log
 };

@@ -86,29 +86,48 @@ class Matcher {
  public:
   explicit Matcher(DiffResult& result) : result_(result) {}
 
-  /// @param side 0 or 1.
-  void add(const Candidate& candidate, int side) {
+  /// @param side 0 or 1. @param other_ended nothing more will come of the other log.
+  void add(const Candidate& candidate, int side, bool other_ended) {
     const std::string channel(candidate.channel);
-    auto& others = waiting_[1 - side][channel];
+    Waiting& others = waiting_[1 - side][channel];
     Bytes bytes(candidate.event.data, candidate.event.data + candidate.event.size);
     const auto other = others.find(candidate.key);
-    if (other == others.end()) {
-      waiting_[side][channel].emplace(candidate.key, std::move(bytes));
-      return;
+    if (other != others.end()) {
+      side == 0 ? compare(channel, candidate, bytes, other->second)
+                : compare(channel, candidate, other->second, bytes);
+      others.erase(other);
+    } else if (other_ended) {
+      alone(channel, side) += 1;
+    } else {
+      wait(channel, side, candidate.key, std::move(bytes));
     }
-    side == 0 ? compare(channel, candidate, bytes, other->second)
-              : compare(channel, candidate, other->second, bytes);
-    others.erase(other);
+    // This side has gone past those: their like will not come.
+    for (; !others.empty() && others.begin()->first < candidate.key - kLatest; others.erase(others.begin()))
+      alone(channel, 1 - side) += 1;
   }
 
   void finish() {
-    for (const auto& [channel, messages] : waiting_[0])
-      result_.channels[channel].only_first += static_cast<std::int64_t>(messages.size());
-    for (const auto& [channel, messages] : waiting_[1])
-      result_.channels[channel].only_second += static_cast<std::int64_t>(messages.size());
+    for (const int side : {0, 1}) {
+      for (const auto& [channel, messages] : waiting_[side])
+        alone(channel, side) += static_cast<std::int64_t>(messages.size());
+    }
   }
 
  private:
+  using Waiting = std::map<std::int64_t, Bytes>;  // by cycle, or number
+  static constexpr std::int64_t kLatest = 1024;   // cycles by which messages of one log may be out of order
+
+  std::int64_t& alone(const std::string& channel, int side) {
+    ChannelDiff& counts = result_.channels[channel];
+    return side == 0 ? counts.only_first : counts.only_second;
+  }
+
+  void wait(const std::string& channel, int side, std::int64_t key, Bytes&& bytes) {
+    Waiting& waiting = waiting_[side][channel];
+    waiting.emplace(key, std::move(bytes));
+    result_.most_waiting = std::max(result_.most_waiting, waiting.size());
+  }
+
   void compare(const std::string& channel, const Candidate& at, const Bytes& first, const Bytes& second) {
     ChannelDiff& counts = result_.channels[channel];
     ++counts.in_both;
@@ -122,7 +141,7 @@ class Matcher {
 
   DiffResult& result_;
   MessageComparison comparison_;
-  std::map<std::string, std::map<std::int64_t, Bytes>> waiting_[2];
+  std::map<std::string, Waiting> waiting_[2];
 };
 
 /// Of the fields that say what ran; not of host and time.
@@ -164,7 +183,7 @@ DiffResult diff_logs(const DiffRequest& request, const ReplayProgress& progress)
     // The one that is behind goes on, so that little waits for its like.
     const bool second = sides[0].ended() || (!sides[1].ended() && sides[1].time_s() < sides[0].time_s());
     Side& side = sides[second ? 1 : 0];
-    if (side.next(candidate)) matcher.add(candidate, second ? 1 : 0);
+    if (side.next(candidate)) matcher.add(candidate, second ? 1 : 0, sides[second ? 0 : 1].ended());
     if (progress && ++events % kProgressEvents == 0)
       progress(sides[0].position() + sides[1].position(), sides[0].file_bytes() + sides[1].file_bytes());
   }

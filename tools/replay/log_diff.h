@@ -31,6 +31,7 @@ struct ChannelDiff {
 struct DiffResult {
   std::map<std::string, ChannelDiff> channels;
   DifferenceTable differences;
+  std::size_t most_waiting = 0;       ///< messages of a channel that were held at once until their like came
   std::vector<std::string> metadata;  ///< what LOG_METADATA of both says differently, a line each
 
   bool identical() const noexcept;  ///< something was compared, and nothing differs or is in one log alone

@@ -56,18 +56,24 @@ RobotConfig robot_of_text(const std::string& yaml) {
   return load_robot(folder.path().string());
 }
 
-RobotConfig robot_of_file(const std::string& path) {
+std::string text_of(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in) throw std::runtime_error("cannot read " + path);
-  return robot_of_text({std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()});
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
-RobotConfig chosen_robot(const LoggedRun& run, const std::string& robot) {
-  if (!robot.empty()) return fs::is_regular_file(robot) ? robot_of_file(robot) : load_robot(robot);
-  if (run.metadata) return robot_of_text(run.metadata->robot_yaml);
-  if (run.robot.empty())
+/// Sets robot and robot_yaml.
+void choose_robot(const LoggedRun& run, const std::string& robot, ReplayRobot& out) {
+  const bool is_file = !robot.empty() && fs::is_regular_file(robot);
+  if (robot.empty() && !run.metadata && run.robot.empty())
     throw std::runtime_error("the log does not say of which robot it is: add --robot NAME");
-  return load_robot(run.robot);
+  if (is_file || (robot.empty() && run.metadata)) {
+    out.robot_yaml = is_file ? text_of(robot) : run.metadata->robot_yaml;
+    out.robot = robot_of_text(out.robot_yaml);
+  } else {
+    out.robot = load_robot(robot.empty() ? run.robot : robot);
+    out.robot_yaml = text_of(out.robot.folder + "/robot.yaml");
+  }
 }
 
 /// lcm-logger's logs hold no preset, but every process says the hash of robot.yaml and preset.
@@ -108,7 +114,7 @@ LoggedRun read_logged_run(const std::string& path) {
 
 ReplayRobot replay_robot(const LoggedRun& run, const std::string& robot, const std::string& preset) {
   ReplayRobot out;
-  out.robot = chosen_robot(run, robot);
+  choose_robot(run, robot, out);
   out.preset = !preset.empty() ? preset
                : run.metadata  ? run.metadata->preset
                                : preset_by_hash(run, out.robot);

@@ -22,6 +22,7 @@ LoggedRun read_logged_run(const std::string& path);
 struct ReplayRobot {
   RobotConfig robot;
   std::string preset;
+  std::string robot_yaml;  ///< the text that `robot` was read from
   WatchdogConfig watchdogs;
   std::string source;  ///< for people: where robot and preset come from
 };

@@ -25,10 +25,11 @@ class MessageSlot {
     const bool good = guard_.decode(bytes.data(), bytes.size(), message_) == Refusal::kNone &&
                       from_message(message_, value);
     if (!good)
-      throw std::runtime_error(
-          std::string("the log's ") + channel_ +
-          " is of another robot, or of another version of sprung (LOG_METADATA names it): " +
-          guard_.last_refusal());
+      throw std::runtime_error(std::string("the log's ") + channel_ +
+                               " is of another robot, or of another version of sprung (LOG_METADATA names "
+                               "it), or damaged ('sprung "
+                               "log repair' leaves such out): " +
+                               guard_.last_refusal());
     return true;
   }
 

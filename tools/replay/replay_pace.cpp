@@ -23,18 +23,28 @@ ChannelNames::ChannelNames(const std::vector<std::string>& remaps) {
     if (sign == std::string::npos || sign == 0 || sign + 1 == remap.size())
       throw std::invalid_argument("--remap " + remap + ": write OLD=NEW");
     const std::string old_name = remap.substr(0, sign);
-    const bool twice =
-        std::any_of(names_.begin(), names_.end(), [&](const auto& pair) { return pair.first == old_name; });
+    const bool twice = std::any_of(names_.begin(), names_.end(),
+                                   [&](const Name& name) { return name.old_name == old_name; });
     if (twice) throw std::invalid_argument("--remap " + remap + ": " + old_name + " has a new name already");
-    names_.emplace_back(old_name, remap.substr(sign + 1));
+    names_.push_back({old_name, remap.substr(sign + 1)});
   }
 }
 
-const char* ChannelNames::of(const std::string& channel) const noexcept {
-  for (const auto& [old_name, new_name] : names_) {
-    if (channel == old_name) return new_name.c_str();
+const char* ChannelNames::of(const std::string& channel) noexcept {
+  for (Name& name : names_) {
+    if (channel != name.old_name) continue;
+    name.used = true;
+    return name.new_name.c_str();
   }
   return channel.c_str();
+}
+
+std::vector<std::string> ChannelNames::unused() const {
+  std::vector<std::string> out;
+  for (const Name& name : names_) {
+    if (!name.used) out.push_back(name.old_name);
+  }
+  return out;
 }
 
 }  // namespace sprung

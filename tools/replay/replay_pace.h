@@ -31,10 +31,17 @@ class ChannelNames {
   /// @throws std::invalid_argument on a text that is not OLD=NEW, or two of one OLD.
   explicit ChannelNames(const std::vector<std::string>& remaps);
   /// The name itself where nothing was said of it. Valid as long as this and `channel` are.
-  const char* of(const std::string& channel) const noexcept;
+  const char* of(const std::string& channel) noexcept;
+  /// Old names that were never asked for.
+  std::vector<std::string> unused() const;
 
  private:
-  std::vector<std::pair<std::string, std::string>> names_;
+  struct Name {
+    std::string old_name;
+    std::string new_name;
+    bool used = false;
+  };
+  std::vector<Name> names_;
 };
 
 }  // namespace sprung

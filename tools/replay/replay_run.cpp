@@ -5,9 +5,14 @@
 #include <ctime>
 #include <optional>
 
+#include "lcmtypes/channels.h"
+#include "runtime/message_layout.h"
 #include "tools/log/reader.h"
+#include "tools/log/rewrite.h"
 #include "tools/log/timeline.h"
 #include "tools/log/writer.h"
+#include "tools/recorder/log_messages.h"
+#include "tools/recorder/log_metadata.h"
 
 namespace sprung {
 
@@ -15,19 +20,46 @@ namespace {
 
 constexpr std::int64_t kProgressEvents = 20'000;
 
-/// Differences of the span that is looked at.
-class Findings {
+/// The log of what the cores say now. Begins with LOG_METADATA, as every log does: of the robot that they have.
+class OutputLog {
  public:
-  Findings(const ReplayRequest& request, DifferenceTable& table) : request_(request), table_(table) {}
-  void add(const MessagePair& pair) {
-    if (pair.time_s < request_.from_s) return;
-    table_.add(pair.channel, pair.seq, pair.time_s, comparison_.compare(pair.recorded, pair.replayed));
+  /// @throws std::invalid_argument where it would take the place of the log that is read.
+  OutputLog(const ReplayRequest& request, const LoggedRun& run, const ReplayRobot& with)
+      : writer_(other_file(request)), with_(with) {
+    run_.preset = with.preset;
+    run_.clock = run.clock;
+    run_.simulation = run.metadata && run.metadata->simulation != 0;
+    run_.command_line =
+        "sprung replay " + request.log + " --into " + names(request.cores) + " --out " + request.out;
   }
+  void add(const MessagePair& pair) {
+    if (writer_.events() == 0) write_metadata(pair);
+    writer_.write(pair.time_us, pair.channel, pair.replayed.data(), pair.replayed.size());
+  }
+  void close() { writer_.close(); }
 
  private:
-  const ReplayRequest& request_;
-  DifferenceTable& table_;
-  MessageComparison comparison_;
+  static const std::string& other_file(const ReplayRequest& request) {
+    log::refuse_same_file({request.log}, request.out);
+    return request.out;
+  }
+  static std::string names(const CoreChoice& cores) {
+    std::string out;
+    for (const Core core : {Core::kEstimator, Core::kPlanner, Core::kController})
+      if (cores[core]) out += (out.empty() ? "" : ",") + std::string(name(core));
+    return out;
+  }
+  void write_metadata(const MessagePair& first) {
+    run_.session = read_int64(first.replayed.data(), kSessionOffset);
+    run_.utc_us = first.time_us;
+    const std::vector<std::uint8_t> bytes =
+        message_bytes(make_log_metadata(with_.robot, with_.robot_yaml, run_));
+    writer_.write(first.time_us, channels::kLogMetadata, bytes.data(), bytes.size());
+  }
+
+  log::Writer writer_;
+  const ReplayRobot& with_;
+  RecordedRun run_;
 };
 
 }  // namespace
@@ -45,14 +77,15 @@ ReplayResult run_replay(const ReplayRequest& request, const ReplayProgress& prog
   result.robot = with.robot.name;
   result.clock = run.clock;
   CoreReplay replay(with.robot, with.preset, with.watchdogs, request.cores);
-  Findings findings(request, result.differences);
-  replay.on_difference([&](const MessagePair& pair) { findings.add(pair); });
-  std::optional<log::Writer> out;
-  if (!request.out.empty()) out.emplace(request.out);
-  if (out)
-    replay.on_output([&](const MessagePair& pair) {
-      out->write(pair.time_us, pair.channel, pair.replayed.data(), pair.replayed.size());
-    });
+  replay.compare_from(request.from_s);
+  MessageComparison comparison;
+  replay.on_difference([&](const MessagePair& pair) {
+    result.differences.add(pair.channel, pair.seq, pair.time_s,
+                           comparison.compare(pair.recorded, pair.replayed));
+  });
+  std::optional<OutputLog> out;
+  if (!request.out.empty()) out.emplace(request, run, with);
+  if (out) replay.on_output([&](const MessagePair& pair) { out->add(pair); });
   double first_s = std::numeric_limits<double>::quiet_NaN(), last_s = first_s;
   LogCycles cycles([&](const LoggedCycle& cycle) {
     if (cycle.time_s > request.to_s) return;

@@ -43,7 +43,7 @@ struct ReplayResult {
 /// Told now and then how many bytes of how many are done.
 using ReplayProgress = std::function<void(std::uint64_t done, std::uint64_t all)>;
 
-/// @throws std::runtime_error where the log, or the robot, does not fit.
+/// @throws std::runtime_error where the log, or the robot, does not fit; std::invalid_argument where `out` is the log itself.
 ReplayResult run_replay(const ReplayRequest& request, const ReplayProgress& progress = {});
 
 }  // namespace sprung

@@ -49,6 +49,26 @@ TEST(ReplayText, SaysIdenticalInALineOfItsOwn) {
   EXPECT_THAT(text, HasSubstr("100 x real time"));
 }
 
+TEST(ReplayText, LongNamesAreNotCutOff) {
+  ReplayRequest long_name = request();
+  long_name.log = std::string(600, 'x') + ".lcm";
+  EXPECT_THAT(replay_text(long_name, result_of(1)),
+              HasSubstr("x.lcm: single_leg, lockstep, robot.yaml in the log, preset best\n"));
+}
+
+TEST(ReplayJson, TextThatIsNoUtf8DoesNotEndIt) {
+  ReplayResult result = result_of(1);
+  result.differences.add("SAFETY_STATE", 1, 0.0, {{"detail", "", "\xff", "a", 0.0}});
+  const nlohmann::json json = nlohmann::json::parse(replay_json(request(), result));
+  EXPECT_EQ(json["first_difference"]["replayed"], "a");
+}
+
+TEST(ReplayText, MessagesThatWereLeftOutAreTold) {
+  ReplayResult result = result_of(1);
+  result.flaws.foreign = 3;
+  EXPECT_THAT(replay_text(request(), result), HasSubstr("note: 3 messages are none"));
+}
+
 TEST(ReplayText, NamesTimeFieldAndBothValuesOfTheFirstDifference) {
   const std::string text = replay_text(request(), differing());
   EXPECT_THAT(text,

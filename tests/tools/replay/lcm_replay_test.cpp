@@ -12,6 +12,7 @@
 #include "tests/runtime/lcm_network.h"
 #include "tests/tools/replay/logged_message.h"
 #include "tests/tools/replay/logged_run_fixture.h"
+#include "tools/log/reader.h"
 #include "tools/log/writer.h"
 #include "tools/recorder/network_tap.h"
 
@@ -116,6 +117,30 @@ TEST_F(LcmReplayTest, StepsByAnotherChannelWhereThatIsNotSent) {
   });
   ASSERT_EQ(times.size(), 3u);
   EXPECT_NEAR(times[1] - times[0], 0.01, 1e-9);
+}
+
+TEST_F(LcmReplayTest, StepsByTheCyclesOfALogWithoutDriveState) {
+  const std::string old_log = request_.log;
+  request_.log = folder_ / "imu.lcm";
+  {
+    log::Writer writer(request_.log);
+    writer.write(1'000'000, channels::kLogMetadata, "m", 1);
+    writer.write(1'000'000, "CAMERA", "c", 1);
+    log::Reader reader(old_log);
+    for (log::Event event; reader.next(event);) {
+      if (event.channel == channels::kImu) writer.write(event);
+    }
+  }
+  int steps = 0;
+  const LcmReplayResult result = replay_to_lcm(request_, [&](double) { return ++steps <= 3; });
+  EXPECT_EQ(steps, 4);
+  EXPECT_EQ(result.messages, 2 + 3);
+}
+
+TEST_F(LcmReplayTest, RemapOfAChannelThatIsNotSentIsTold) {
+  request_.speed = 0.0;
+  request_.remaps = {"IMU=IMU_OLD", "IMO=IMU_OLD"};
+  EXPECT_EQ(replay_to_lcm(request_).not_renamed, std::vector<std::string>{"IMO"});
 }
 
 TEST_F(LcmReplayTest, LoopsUntilAStopIsAskedFor) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <random>
 
 #include "lcmtypes/channels.h"
@@ -138,6 +139,15 @@ TEST_F(LogCyclesTest, MessagesBeforeTheFirstCycleBelongToNone) {
 TEST_F(LogCyclesTest, ForeignBytesAreCounted) {
   const Bytes bytes{1, 2, 3};
   cycles_.add(event_of(channels::kDriveState, bytes), 0.0);
+  EXPECT_EQ(cycles_.flaws().foreign, 1);
+}
+
+TEST_F(LogCyclesTest, CycleThatCannotBeIsDamageAndEndsNothing) {
+  drive_state(0);
+  drive_state(std::numeric_limits<std::int64_t>::max());
+  drive_state(1);
+  cycles_.finish();
+  EXPECT_EQ(seqs(), (std::vector<std::int64_t>{0, 1}));
   EXPECT_EQ(cycles_.flaws().foreign, 1);
 }
 

@@ -53,6 +53,25 @@ TEST_F(LogDiff, SameMessagesOfTwoSessionsAreIdentical) {
   EXPECT_EQ(result.channels.at("IMU").in_both, 100);
 }
 
+TEST_F(LogDiff, WhatHasNoLikeIsNotHeldToTheEnd) {
+  for (int k = 0; k < 20'000; ++k) {
+    imu(first_, k);
+    if (k % 10 == 0) imu(second_, k);
+  }
+  const DiffResult overlapping = diff();
+  EXPECT_EQ(overlapping.channels.at("IMU").in_both, 2000);
+  EXPECT_EQ(overlapping.channels.at("IMU").only_first, 18'000);
+  EXPECT_LT(overlapping.most_waiting, 1100u);
+}
+
+TEST_F(LogDiff, RestOfALongerLogIsCountedAndNotHeld) {
+  for (int k = 0; k < 5000; ++k) imu(first_, k);
+  imu(second_, 0);
+  const DiffResult longer = diff();
+  EXPECT_EQ(longer.channels.at("IMU").only_first, 4999);
+  EXPECT_LT(longer.most_waiting, 3u);
+}
+
 TEST_F(LogDiff, EmptyLogsAreNotCalledIdentical) { EXPECT_FALSE(diff().identical()); }
 
 TEST_F(LogDiff, FirstDifferenceAndItsCourse) {

@@ -41,9 +41,15 @@ TEST(ReplayPace, EventThatLiesBackInTimeIsDueEarlier) {
 }
 
 TEST(ChannelNames, OthersKeepTheirs) {
-  const ChannelNames names({"IMU=IMU_OLD"});
+  ChannelNames names({"IMU=IMU_OLD"});
   EXPECT_STREQ(names.of("IMU"), "IMU_OLD");
   EXPECT_STREQ(names.of("JOINT_STATE"), "JOINT_STATE");
+}
+
+TEST(ChannelNames, ThoseThatNobodyAskedForAreKnown) {
+  ChannelNames names({"IMU=A", "IMO=B"});
+  (void)names.of("IMU");
+  EXPECT_EQ(names.unused(), std::vector<std::string>{"IMO"});
 }
 
 TEST(ChannelNames, BadTextsAreRefused) {

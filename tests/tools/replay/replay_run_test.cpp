@@ -118,6 +118,25 @@ TEST_F(ReplayRun, DifferencesBeforeTheSpanAreNotLookedAt) {
   EXPECT_LE(early.counts.last_seq, 500);
 }
 
+TEST_F(ReplayRun, OnlyTheSpanIsCompared) {
+  ReplayRequest request = this->request();
+  request.from_s = 2.0;
+  const ReplayResult late = run_replay(request);
+  EXPECT_TRUE(late.identical());
+  EXPECT_GT(late.counts.compared, 4 * 550);
+  EXPECT_LT(late.counts.compared, 4 * 750);
+  request.preset = "paper";
+  EXPECT_LE(run_replay(request).counts.differing, late.counts.compared);
+}
+
+TEST_F(ReplayRun, SpanBehindTheEndOfTheLogIsNotIdentical) {
+  ReplayRequest request = this->request();
+  request.from_s = 1000.0;
+  const ReplayResult result = run_replay(request);
+  EXPECT_EQ(result.counts.compared, 0);
+  EXPECT_FALSE(result.identical());
+}
+
 TEST_F(ReplayRun, FalsifiedMessageIsNamed) {
   const std::string path = *folder_ / "falsified.lcm";
   log::Reader reader(log());
@@ -180,6 +199,31 @@ TEST_F(ReplayRun, WhatTheCoresSayNowIsALogThatDiffersNowhere) {
   const DiffResult result = diff_logs(diff);
   EXPECT_TRUE(result.identical());
   EXPECT_EQ(result.channels.at(channels::kJointState).in_both, 2600);
+}
+
+TEST_F(ReplayRun, WhatTheCoresSayNowSaysWhatMadeIt) {
+  ReplayRequest request = this->request();
+  request.robot =
+      test::changed_robot("single_leg", "friction_compensation: 0.9", "friction_compensation: 0.8", *folder_);
+  request.out = *folder_ / "changed.lcm";
+  EXPECT_FALSE(run_replay(request).identical());
+  const LoggedRun made = read_logged_run(request.out);
+  ASSERT_TRUE(made.metadata);
+  EXPECT_EQ(made.robot, "single_leg");
+  EXPECT_EQ(made.metadata->preset, "best");
+  EXPECT_EQ(made.metadata->simulation, 1);
+  EXPECT_NE(made.metadata->robot_yaml.find("friction_compensation: 0.8"), std::string::npos);
+  EXPECT_NE(made.metadata->command_line.find("--into estimator,planner,controller"), std::string::npos);
+}
+
+TEST_F(ReplayRun, TheLogItselfIsNotOverwritten) {
+  ReplayRequest request = this->request();
+  request.log = copy_of_log("own.lcm", [](const log::Event&) { return true; });
+  const auto size = std::filesystem::file_size(request.log);
+  request.out = *folder_ / "same.lcm";
+  std::filesystem::create_hard_link(request.log, request.out);
+  EXPECT_THROW(run_replay(request), std::invalid_argument);
+  EXPECT_EQ(std::filesystem::file_size(request.log), size);
 }
 
 TEST_F(ReplayRun, LogOfAnotherRobotIsRefusedInWords) {
