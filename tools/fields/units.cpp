@@ -10,7 +10,7 @@ namespace {
 using Entry = std::pair<std::string_view, std::string_view>;
 
 /// What a name ends with, longest first.
-constexpr std::array<Entry, 24> kEndings{{
+constexpr std::array<Entry, 25> kEndings{{
     {"_Nm_s_rad", "Nm s/rad"},
     {"_Nm_rad", "Nm/rad"},
     {"_rad_s2", "rad/s2"},
@@ -30,6 +30,7 @@ constexpr std::array<Entry, 24> kEndings{{
     {"_Nm", "Nm"},
     {"_Hz", "Hz"},
     {"_kg", "kg"},
+    {"_kB", "kB"},
     {"_N", "N"},
     {"_A", "A"},
     {"_V", "V"},

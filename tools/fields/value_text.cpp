@@ -1,6 +1,7 @@
 #include "tools/fields/value_text.h"
 
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 
 namespace sprung::fields {
@@ -17,12 +18,17 @@ void append_hex(const MessageView& message, const Field& field, std::string& out
 
 template <class Number>
 void append_number(Number value, std::string& out) {
+  if (value != value) {  // of either sign: what divides nought by nought on this processor has one
+    out += "nan";
+    return;
+  }
   char text[32];
   const auto [end, error] = std::to_chars(text, text + sizeof text, value);
   if (error == std::errc()) out.append(text, end);
 }
 
 std::string rounded(double value, int digits) {
+  if (std::isnan(value)) return "nan";
   char text[48];
   std::snprintf(text, sizeof text, "%.*g", digits, value);
   return text;

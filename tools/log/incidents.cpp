@@ -6,7 +6,8 @@ namespace sprung::log {
 
 namespace {
 
-constexpr std::size_t kLegIncidentsKept = 1000;
+constexpr std::int64_t kKept =
+    1000;  // of a kind: a log may alternate between two sessions, or states, for hours
 
 }  // namespace
 
@@ -38,7 +39,7 @@ void IncidentFinder::add_safety(const Timeline::Moment& moment) {
 
 void IncidentFinder::find_motion_fields() {
   const fields::Layout& layout = *message_.layout();
-  motion_fields_ = {&layout, layout.find("state_name"), layout.find("last_transition"), {}};
+  motion_fields_ = {message_.keep_layout(), layout.find("state_name"), layout.find("last_transition"), {}};
   for (std::size_t leg = 0;; ++leg) {
     const std::string counts = "legs[" + std::to_string(leg) + "].event_counts[";
     std::array<int, kLegEventCount> found{};
@@ -49,7 +50,7 @@ void IncidentFinder::find_motion_fields() {
 }
 
 void IncidentFinder::add_motion(const Timeline::Moment& moment) {
-  if (message_.layout() != motion_fields_.layout) find_motion_fields();
+  if (message_.layout() != motion_fields_.layout.get()) find_motion_fields();
   const std::string state = text(motion_fields_.state);
   if (state != motion_) {
     motion_ = state;
@@ -78,7 +79,10 @@ void IncidentFinder::add_legs(const Timeline::Moment& moment) {
 }
 
 void IncidentFinder::note(IncidentKind kind, const Timeline::Moment& moment, std::string text) {
-  if (kind == IncidentKind::kLeg && ++leg_incidents_ > kLegIncidentsKept) return;
+  if (++of_kind_[static_cast<std::size_t>(kind)] > kKept) {
+    ++left_out_;
+    return;
+  }
   incidents_.push_back({kind, moment.time_s, moment.stamp ? moment.stamp->seq : -1, std::move(text)});
 }
 

@@ -2,7 +2,7 @@
 /// What happened in a log, in words: changes of safety and of the motion's state, and what befell legs. Pure.
 #include <array>
 #include <cstdint>
-#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -14,6 +14,7 @@
 namespace sprung::log {
 
 enum class IncidentKind : std::int8_t { kSession, kSafety, kMotion, kLeg };
+inline constexpr std::size_t kIncidentKinds = 4;
 
 struct Incident {
   IncidentKind kind = IncidentKind::kMotion;
@@ -28,15 +29,17 @@ class IncidentFinder {
   explicit IncidentFinder(std::vector<std::string> leg_names = {}) : leg_names_(std::move(leg_names)) {}
 
   void add(const Event& event, const Timeline::Moment& moment);
-  /// In their order; of kLeg the first thousand.
+  /// In their order; of each kind the first thousand.
   const std::vector<Incident>& incidents() const noexcept { return incidents_; }
+  /// Those that were left out.
+  std::int64_t left_out() const noexcept { return left_out_; }
   /// How often each befell any leg, by LegEvent.
   const std::array<std::int64_t, kLegEventCount>& leg_counts() const noexcept { return leg_counts_; }
 
  private:
   /// Where the fields of the newest MOTION_STATE's shape are.
   struct MotionFields {
-    const fields::Layout* layout = nullptr;
+    std::shared_ptr<const fields::Layout> layout;  ///< kept, so that no other gets its address
     int state = fields::Layout::kNone;
     int reason = fields::Layout::kNone;
     std::vector<std::array<int, kLegEventCount>> counts;  ///< of each leg
@@ -60,7 +63,8 @@ class IncidentFinder {
   std::vector<std::array<std::int64_t, kLegEventCount>>
       seen_;  ///< event counts of each leg, as last published
   std::array<std::int64_t, kLegEventCount> leg_counts_{};
-  std::size_t leg_incidents_ = 0;
+  std::array<std::int64_t, kIncidentKinds> of_kind_{};
+  std::int64_t left_out_ = 0;
   std::vector<Incident> incidents_;
 };
 

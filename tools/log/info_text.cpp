@@ -13,6 +13,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kIncidentsShown = 40;
+constexpr std::size_t kNameWidth = 18;
 constexpr double kMega = 1e6;
 
 template <class... Values>
@@ -87,12 +88,22 @@ std::string rate_text(const ChannelReport& report) {
   return std::isfinite(report.rate_Hz()) ? format("%.2f", report.rate_Hz()) : "-";
 }
 
+/// A foreign or damaged name may be any bytes; a terminal shall show them, not obey them.
+std::string printable(const std::string& name) {
+  std::string out = name;
+  for (char& c : out) {
+    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = '?';
+  }
+  return out;
+}
+
 std::string channels_text(const LogInfo& info) {
   std::string out = format("\n%-18s %-20s %9s %10s %9s %8s %8s %11s %10s\n", "channel", "type", "messages",
                            "size", "Hz", "missing", "repeats", "pause, ms", "at, s");
   for (const auto& [name, report] : info.channels) {
     const std::string type = report.type.empty() ? "unknown" : report.type;
-    out += format("%-18s %-20s %9lld %10s %9s %8s %8lld %11.1f %10.3f\n", name.c_str(), type.c_str(),
+    out += printable(name) + std::string(name.size() < kNameWidth ? kNameWidth - name.size() : 0, ' ');
+    out += format(" %-20s %9lld %10s %9s %8s %8lld %11.1f %10.3f\n", type.c_str(),
                   static_cast<long long>(report.messages), size_text(report.bytes).c_str(),
                   rate_text(report).c_str(), gap_text(report).c_str(),
                   static_cast<long long>(report.cycles.repeats), 1e3 * report.longest_pause_s,
@@ -124,6 +135,9 @@ std::string incidents_text(const LogInfo& info, const InfoTextOptions& options) 
            "\n";
   }
   if (left > 0) out += "             and " + std::to_string(left) + " more: add --events\n";
+  if (info.incidents_left_out > 0)
+    out += "             and " + std::to_string(info.incidents_left_out) +
+           " that are not listed: sprung log cut makes shorter logs\n";
   if (!out.empty()) out = format("\n%12s %9s  what happened\n", "time, s", "cycle") + out;
   return out + leg_counts_text(info);
 }
@@ -156,8 +170,10 @@ Json json_of(const sprung_msgs::log_metadata_t& metadata) {
 }  // namespace
 
 std::string utc_text(std::int64_t utc_us) {
-  const std::time_t seconds = static_cast<std::time_t>(std::floor(static_cast<double>(utc_us) / kMega));
-  const auto ms = static_cast<int>((utc_us - static_cast<std::int64_t>(seconds) * 1'000'000) / 1000);
+  constexpr std::int64_t kSecond_us = 1'000'000;
+  const std::int64_t rest_us = (utc_us % kSecond_us + kSecond_us) % kSecond_us;
+  const std::time_t seconds = utc_us / kSecond_us - (utc_us % kSecond_us < 0 ? 1 : 0);
+  const auto ms = static_cast<int>(rest_us / 1000);
   std::tm day{};
   if (gmtime_r(&seconds, &day) == nullptr) return std::to_string(utc_us) + " us";
   return format("%04d-%02d-%02d %02d:%02d:%02d.%03d UTC", day.tm_year + 1900, day.tm_mon + 1, day.tm_mday,
@@ -192,6 +208,7 @@ std::string info_json(const LogInfo& info) {
   for (const Incident& incident : info.incidents)
     out["incidents"].push_back(
         {{"time_s", incident.time_s}, {"cycle", incident.seq}, {"text", incident.text}});
+  out["incidents_left_out"] = info.incidents_left_out;
   out["leg_events"] = Json::object();
   for (std::size_t i = 1; i < kLegEventCount; ++i)
     out["leg_events"][name(static_cast<LegEvent>(i))] = info.leg_counts[i];

@@ -76,6 +76,7 @@ LogInfo collect_info(Reader& reader, const std::vector<std::string>& leg_names, 
   for (const auto& [name, counter] : counters) info.channels.emplace(name, counter.report());
   info.begin_us = timeline.begin_us();
   info.incidents = incidents.incidents();
+  info.incidents_left_out = incidents.left_out();
   info.leg_counts = incidents.leg_counts();
   info.damages = reader.damage_count();
   info.skipped_bytes = reader.skipped_bytes();

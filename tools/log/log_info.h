@@ -25,7 +25,8 @@ struct LogInfo {
   std::int64_t went_back = 0;  ///< events that were received before the one in front of them
   std::size_t sessions = 0;
   std::map<std::string, ChannelReport, std::less<>> channels;
-  std::vector<Incident> incidents;
+  std::vector<Incident> incidents;  ///< the first thousand of each kind
+  std::int64_t incidents_left_out = 0;
   std::array<std::int64_t, kLegEventCount> leg_counts{};
   std::optional<sprung_msgs::log_metadata_t> metadata;  ///< the first one
   std::optional<sprung_msgs::log_end_t> end;            ///< the last one

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <map>
 #include <stdexcept>
 
@@ -37,24 +38,38 @@ class Phases {
     const fields::Field& field = *chosen.front().field;
     const char* const name = message.enumeration(field);
     std::string now = name != nullptr ? name : fields::value_text(message, field);
+    if (full_) return;
     const bool same = !shades_.empty() && shades_.back().name == now;
-    if (!same && shades_.size() >= kMostShades) return;
     if (!shades_.empty()) shades_.back().to = time_s;
     if (same) return;
-    shades_.push_back({time_s, time_s, std::move(now)});
+    full_ = shades_.size() == kMostShades;
+    if (!full_) shades_.push_back({time_s, time_s, std::move(now)});
   }
+  /// How the shades end before the curves do, or "".
+  std::string note() const {
+    if (!full_) return "";
+    char text[80];
+    std::snprintf(text, sizeof text, "phases are shaded up to %.3f s: choose a span", shades_.back().to);
+    return text;
+  }
+  bool is_missing() const { return !selection_.unmatched().empty(); }
   const std::vector<report::Shade>& shades() const noexcept { return shades_; }
 
  private:
   FieldSelection selection_;
   ChosenFields fields_;
   std::vector<report::Shade> shades_;
+  bool full_ = false;  ///< there was another after the last one that is kept
 };
 
 class Collector {
  public:
   Collector(const PlotRequest& request, const std::vector<fields::ListNames>& names)
-      : selection_(request.fields, names), phases_(request.phases, names), names_(request.joint_names) {}
+      : selection_(request.fields, names),
+        phases_(request.phases, names),
+        phases_text_(request.phases),
+        phases_asked_(!request.phases.empty() && request.phases != PlotRequest().phases),
+        names_(request.joint_names) {}
 
   void add(const Event& event, double time_s) {
     const bool drawn = selection_.wants(event.channel);
@@ -65,7 +80,12 @@ class Collector {
   }
 
   std::vector<report::Plot> plots() const;
-  std::vector<std::string> unmatched() const { return selection_.unmatched(); }
+  std::vector<std::string> unmatched() const {
+    std::vector<std::string> texts = selection_.unmatched();
+    if (phases_asked_ && phases_.is_missing()) texts.push_back(phases_text_);
+    return texts;
+  }
+  std::string note() const { return phases_.note(); }
 
  private:
   void add_samples(const Event& event, double time_s) {
@@ -88,6 +108,8 @@ class Collector {
 
   FieldSelection selection_;
   Phases phases_;
+  std::string phases_text_;
+  bool phases_asked_;  ///< not all logs have the ones that are taken unless asked otherwise
   bool names_;
   fields::Decoder decoder_;
   fields::MessageView message_;
@@ -184,6 +206,8 @@ LogPlot collect_plot(Reader& reader, const PlotRequest& request, const Progress&
   }
   plot.plots = collector.plots();
   plot.unmatched = collector.unmatched();
+  if (const std::string note = collector.note(); !note.empty())
+    plot.subtitle += (plot.subtitle.empty() ? "" : "; ") + note;
   for (report::Plot& one : plot.plots) shorten_names(one);
   if (plot.plots.empty())
     throw std::invalid_argument("no number in that log and time is named so; sprung log info lists channels");

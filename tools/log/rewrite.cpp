@@ -1,5 +1,6 @@
 #include "tools/log/rewrite.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <queue>
@@ -12,7 +13,9 @@ namespace sprung::log {
 
 namespace {
 
-constexpr std::int64_t kEventsBetween = 65'536;  // of two calls of a Progress
+constexpr std::int64_t kEventsBetween = 65'536;                // of two calls of a Progress
+constexpr std::size_t kBuffers_bytes = std::size_t{32} << 20;  // of all logs that are merged
+constexpr std::size_t kLeastBuffer_bytes = std::size_t{64} << 10;
 
 /// Counts what is read, and writes what is to be written.
 class Copy {
@@ -29,6 +32,10 @@ class Copy {
     if (event.channel == channels::kLogEnd) return;
     writer_.write(event);
     ++result_.written;
+  }
+  void bring(const Event& event) {
+    write(event);
+    ++result_.brought;
   }
   void refuse() { ++result_.refused; }
   void finish(const Reader& reader) {
@@ -51,7 +58,7 @@ class Copy {
 
 /// A log and its next event.
 struct Stream {
-  explicit Stream(const std::string& path) : reader(path) {}
+  Stream(const std::string& path, const ReaderOptions& options) : reader(path, options) {}
   Reader reader;
   Event event;
 };
@@ -84,7 +91,8 @@ RewriteResult copy_part(Reader& reader, const TimeSpan& span, ChannelFilter& fil
     copy.read(event);
     const double time_s = timeline.next(event).time_s;
     const bool wanted = test.holds(time_s, event.time_us) && filter.keeps(event.channel);
-    if (wanted || event.channel == channels::kLogMetadata) copy.write(event);
+    if (wanted) copy.write(event);
+    if (!wanted && event.channel == channels::kLogMetadata) copy.bring(event);
   }
   copy.finish(reader);
   return copy.result();
@@ -93,8 +101,11 @@ RewriteResult copy_part(Reader& reader, const TimeSpan& span, ChannelFilter& fil
 RewriteResult merge(const std::vector<std::string>& logs, Writer& writer, const Progress& progress) {
   std::vector<std::unique_ptr<Stream>> streams;
   std::uint64_t all_bytes = 0;
+  ReaderOptions options;  // the buffers of all together are as many bytes as a few logs have
+  options.buffer_bytes = std::clamp(kBuffers_bytes / std::max<std::size_t>(logs.size(), 1),
+                                    kLeastBuffer_bytes, options.buffer_bytes);
   for (const std::string& path : logs) {
-    streams.push_back(std::make_unique<Stream>(path));
+    streams.push_back(std::make_unique<Stream>(path, options));
     all_bytes += streams.back()->reader.file_bytes();
   }
   Copy copy(writer, progress, all_bytes);

@@ -16,6 +16,7 @@ namespace sprung::log {
 struct RewriteResult {
   std::int64_t read = 0;      ///< events
   std::int64_t written = 0;   ///< events
+  std::int64_t brought = 0;   ///< of `written`: LOG_METADATA that nobody asked for
   std::uint64_t bytes = 0;    ///< written
   std::int64_t refused = 0;   ///< of `read`: messages of a known type that are none, left out by repair()
   std::uint64_t damages = 0;  ///< of the old file or files

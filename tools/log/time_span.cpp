@@ -33,6 +33,13 @@ TimePoint at_utc_s(double seconds, const std::string& text) {
   return {TimePoint::Kind::kUtc, 0.0, std::llround(seconds * kMicro)};
 }
 
+/// Of two that are written in one way; of others only the log can tell.
+bool comes_before(const TimePoint& a, const TimePoint& b) {
+  if (a.kind != b.kind) return false;
+  if (a.kind == TimePoint::Kind::kUtc) return a.utc_us < b.utc_us;
+  return a.kind == TimePoint::Kind::kSinceBegin ? a.seconds < b.seconds : a.seconds > b.seconds;
+}
+
 TimePoint parse_date(const std::string& text) {
   std::tm day{};
   int used = 0;
@@ -41,12 +48,14 @@ TimePoint parse_date(const std::string& text) {
                                 &day.tm_mday, &day.tm_hour, &day.tm_min, &seconds, &used);
   const std::string rest = found == 6 ? text.substr(static_cast<std::size_t>(used)) : "?";
   const bool good = (rest.empty() || rest == "Z") && day.tm_mon >= 1 && day.tm_mon <= 12 &&
-                    day.tm_mday >= 1 && day.tm_mday <= 31 && day.tm_hour <= 23 && day.tm_min <= 59 &&
-                    seconds >= 0.0 && seconds < 61.0;
+                    day.tm_mday >= 1 && day.tm_mday <= 31 && day.tm_hour >= 0 && day.tm_hour <= 23 &&
+                    day.tm_min >= 0 && day.tm_min <= 59 && seconds >= 0.0 && seconds < 61.0;
   if (!good) refuse(text);
   day.tm_year -= 1900;
   day.tm_mon -= 1;
+  const int day_of_month = day.tm_mday;
   const std::time_t whole = timegm(&day);
+  if (day.tm_mday != day_of_month) refuse(text);  // 30 February became March
   return {TimePoint::Kind::kUtc, 0.0,
           static_cast<std::int64_t>(whole) * 1'000'000 + std::llround(seconds * kMicro)};
 }
@@ -66,6 +75,8 @@ TimeSpan parse_span(const std::string& from, const std::string& to) {
   TimeSpan span;
   if (!from.empty()) span.from = parse_time(from);
   if (!to.empty()) span.to = parse_time(to);
+  if (span.from && span.to && comes_before(*span.to, *span.from))
+    throw std::invalid_argument("from " + from + " to " + to + ": that ends before it begins");
   return span;
 }
 

@@ -33,7 +33,7 @@ struct TimeSpan {
   bool everything() const noexcept { return !from && !to; }
 };
 
-/// @param from, to "" = nothing. @throws std::invalid_argument as parse_time.
+/// @param from, to "" = nothing. @throws std::invalid_argument as parse_time, and where `to` surely comes before `from`.
 TimeSpan parse_span(const std::string& from, const std::string& to);
 
 /// The span on the log's own scale: an absolute time counts by when messages were received, all others by the robot's time.

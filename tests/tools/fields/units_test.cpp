@@ -18,6 +18,7 @@ TEST(Units, AreReadFromTheEndOfTheName) {
   EXPECT_EQ(unit_of("loop_period_max_us"), "us");
   EXPECT_EQ(unit_of("valid_until_utime"), "us");
   EXPECT_EQ(unit_of("utime"), "us");
+  EXPECT_EQ(unit_of("memory_kB"), "kB");
 }
 
 TEST(Units, NamesWithoutOneHaveNone) {

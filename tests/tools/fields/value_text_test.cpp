@@ -42,7 +42,7 @@ TEST_F(ValueText, ForPeople) {
   message.jump_height_scale = 1.0 / 3.0;
   message.jumps_left = -2;
   message.state_name = "flight";
-  message.estimated_jump_height_m = std::nan("");
+  message.estimated_jump_height_m = -std::nan("");  // as 0 / 0 is on x86
   open(message);
   EXPECT_EQ(text("legs[0].phase"), "flight (4)");
   EXPECT_EQ(text("jump_height_scale"), "0.333333");
@@ -56,11 +56,13 @@ TEST_F(ValueText, ForMachinesGivesTheSameBits) {
   sprung_msgs::motion_state_t message{};
   message.jump_height_scale = 0.1 + 0.2;
   message.gait_phase = -std::numeric_limits<double>::infinity();
+  message.estimated_jump_height_m = -std::nan("");
   message.state = 4;
   message.desired_speed[0] = std::numeric_limits<double>::denorm_min();
   open(message);
   EXPECT_EQ(std::stod(exact("jump_height_scale")), 0.1 + 0.2);
   EXPECT_EQ(exact("gait_phase"), "-inf");
+  EXPECT_EQ(exact("estimated_jump_height_m"), "nan");
   EXPECT_EQ(exact("state"), "4");
   EXPECT_EQ(std::strtod(exact("desired_speed[0]").c_str(), nullptr),
             std::numeric_limits<double>::denorm_min());

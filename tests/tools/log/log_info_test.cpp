@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "robot_sample.h"
@@ -121,6 +122,30 @@ TEST_F(LogInfoTest, JsonHasTheSameForScripts) {
   EXPECT_EQ(json["incidents"][1]["text"], "motion standing");
   EXPECT_EQ(json["leg_events"]["stumble"], 1);
   EXPECT_EQ(json["end"]["reason"], "asked for");
+}
+
+TEST_F(LogInfoTest, StatesThatAlternateForHoursAreCountedNotKept) {
+  std::vector<Kept> events;
+  for (int k = 0; k < 3000; ++k) events.push_back(motion_event(k, k % 2 == 0 ? "standing" : "walking"));
+  const LogInfo found = info(events);
+  EXPECT_EQ(found.incidents.size(), 1u + 1000u);
+  EXPECT_EQ(found.incidents_left_out, 2000);
+  EXPECT_THAT(info_text(found), HasSubstr("and 2000 that are not listed"));
+}
+
+TEST_F(LogInfoTest, ANameOfAnyLengthAndBytesKeepsItsLine) {
+  const LogInfo found = info({{0, 1, "\x1b[2J" + std::string(900, 'n'), "x"}, {1, 2, "SHORT", "y"}});
+  const std::string text = info_text(found);
+  EXPECT_THAT(text, Not(HasSubstr("\x1b")));
+  EXPECT_THAT(text, HasSubstr(std::string(900, 'n') + " unknown "));
+  EXPECT_THAT(text, HasSubstr("\nSHORT              unknown "));
+}
+
+TEST(UtcText, AnyNumberIsAText) {
+  EXPECT_EQ(utc_text(-1), "1969-12-31 23:59:59.999 UTC");
+  EXPECT_EQ(utc_text(1'700'000'000'123'456), "2023-11-14 22:13:20.123 UTC");
+  EXPECT_FALSE(utc_text(std::numeric_limits<std::int64_t>::max()).empty());
+  EXPECT_FALSE(utc_text(std::numeric_limits<std::int64_t>::min()).empty());
 }
 
 TEST_F(LogInfoTest, AnEmptyLogIsNoMistake) {

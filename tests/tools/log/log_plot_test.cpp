@@ -119,6 +119,28 @@ TEST_F(LogPlotTest, PhasesAreTheMotionsUnlessAskedOtherwise) {
   EXPECT_TRUE(plot(robot_events(100), request).plots[0].shades.empty());
 }
 
+TEST_F(LogPlotTest, ShadesEndWhereTheyAreTooManyAndThatIsSaid) {
+  std::vector<Kept> events;
+  for (int k = 0; k < 500; ++k) {
+    events.push_back(joint_event(k));
+    events.push_back(motion_event(k, k % 2 == 0 ? "standing" : "walking"));
+  }
+  const LogPlot got = plot(events, torques());
+  const std::vector<report::Shade>& shades = got.plots[0].shades;
+  ASSERT_EQ(shades.size(), 400u);
+  EXPECT_NEAR(shades.back().from, 0.798, 1e-9);
+  EXPECT_NEAR(shades.back().to, 0.8, 1e-9) << "not over the phases that follow";
+  EXPECT_THAT(got.subtitle, HasSubstr("phases are shaded up to 0.800 s"));
+}
+
+TEST_F(LogPlotTest, PhasesThatAreNotThereAreNamed) {
+  PlotRequest request = torques();
+  request.phases = "MOTION_STATE.legs[0].phse";
+  EXPECT_THAT(plot(robot_events(10), request).unmatched, testing::ElementsAre(request.phases));
+  EXPECT_THAT(plot({joint_event(0), joint_event(1)}, torques()).unmatched, testing::IsEmpty())
+      << "those that nobody asked for may be missing";
+}
+
 TEST_F(LogPlotTest, ASpanIsWhatIsDrawn) {
   PlotRequest request = torques();
   request.span = parse_span("0.1", "0.12");

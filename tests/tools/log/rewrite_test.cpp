@@ -60,6 +60,16 @@ TEST_F(LogRewrite, ChannelsAreChosen) {
     EXPECT_TRUE(got[i].channel == "MOTION_STATE" || got[i].channel == "SAFETY_STATE");
 }
 
+TEST_F(LogRewrite, MetadataThatNobodyAskedForIsToldApart) {
+  write_all(in_, robot_events(10));
+  EXPECT_EQ(part("5", "").size(), 1u);
+  EXPECT_EQ(result_.brought, 1);
+  EXPECT_EQ(result_.written, 1) << "nothing else";
+  part("", "", {"LOG_METADATA"});
+  EXPECT_EQ(result_.brought, 0);
+  EXPECT_EQ(result_.written, 1);
+}
+
 TEST_F(LogRewrite, LogEndDoesNotComeAlong) {
   write_all(in_, robot_events(10));
   for (const Kept& event : part("", "")) EXPECT_NE(event.channel, "LOG_END");

@@ -47,10 +47,18 @@ TEST(TimeSpan, DatesAndUnixTimesAreAbsolute) {
   EXPECT_FALSE(holds("@1700000002", "2023-11-14T22:13:30Z", 10.0));
 }
 
+TEST(TimeSpan, OneThatEndsBeforeItBeginsIsRefused) {
+  EXPECT_THROW(parse_span("5", "3"), std::invalid_argument);
+  EXPECT_THROW(parse_span("-3", "-5"), std::invalid_argument);
+  EXPECT_THROW(parse_span("@1700000010", "2023-11-14T22:13:20Z"), std::invalid_argument);
+  EXPECT_NO_THROW(parse_span("5", "-5")) << "only the log can tell";
+  EXPECT_NO_THROW(parse_span("3", "3"));
+}
+
 TEST(TimeSpan, WhatIsNoTimeIsNamedWithTheWaysToWriteOne) {
-  for (const char* text :
-       {"soon", "1.5x", "@", "@x", "2023-13-14T22:13:20Z", "2023-11-14T22:13", "2023-11-14T25:13:20Z",
-        "2023-11-14T22:13:20+01", "nan", "inf", "@1e300", "1e999", ""}) {
+  for (const char* text : {"soon", "1.5x", "@", "@x", "2023-13-14T22:13:20Z", "2023-11-14T22:13",
+                           "2023-11-14T25:13:20Z", "2023-02-30T00:00:00Z", "2023-11-14T-1:13:20Z",
+                           "2023-11-14T22:13:20+01", "nan", "inf", "@1e300", "1e999", ""}) {
     try {
       parse_time(text);
       FAIL() << text;

@@ -24,8 +24,7 @@ int run_part(const PartRequest& request, const char* ending) {
   log::Writer writer(out);
   LogProgress progress("copy");
   const log::RewriteResult result = log::copy_part(reader, span, channels, writer, progress.show());
-  tell_rewrite(out, result);
-  return kExitDone;
+  return tell_rewrite(request.log, out, result);
 }
 
 void add_options(CommandLine& line, PartRequest& request) {

@@ -17,6 +17,7 @@ struct InfoRequest {
 
 int run_info(const InfoRequest& request) {
   bool first = true;
+  int status = kExitDone;
   for (const std::string& path : request.logs) {
     log::Reader reader(path);
     const std::vector<std::string> legs = log::names_of_robot(log::robot_of(reader)).legs;
@@ -26,8 +27,11 @@ int run_info(const InfoRequest& request) {
         request.as_json ? log::info_json(info) + "\n" : log::info_text(info, {request.every_incident});
     std::printf("%s%s", first || request.as_json ? "" : "\n", text.c_str());
     first = false;
+    if (info.events > 0 || info.damages == 0) continue;
+    tell_no_event(path);
+    status = kExitFailed;
   }
-  return kExitDone;
+  return status;
 }
 
 }  // namespace

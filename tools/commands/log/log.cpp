@@ -26,7 +26,11 @@ std::string beside(const std::string& log, const std::string& ending) {
   return std::filesystem::path(log).stem().string() + ending;
 }
 
-void tell_rewrite(const std::string& out, const log::RewriteResult& result) {
+void tell_no_event(const std::string& log) {
+  std::fprintf(stderr, "%s holds no event: is it an LCM log?\n", log.c_str());
+}
+
+int tell_rewrite(const std::string& log, const std::string& out, const log::RewriteResult& result) {
   std::printf("%s: %lld of %lld events, %llu bytes\n", out.c_str(), static_cast<long long>(result.written),
               static_cast<long long>(result.read), static_cast<unsigned long long>(result.bytes));
   if (result.damages > 0 || result.refused > 0) {
@@ -35,6 +39,16 @@ void tell_rewrite(const std::string& out, const log::RewriteResult& result) {
                 static_cast<unsigned long long>(result.skipped_bytes),
                 static_cast<long long>(result.refused));
   }
+  if (result.read == 0 && result.skipped_bytes > 0) {
+    tell_no_event(log);
+    return kExitFailed;
+  }
+  if (result.read > 0 && result.written == result.brought) {
+    std::fprintf(stderr, "%s has nothing in that time and on those channels: sprung log info lists both\n",
+                 log.c_str());
+    return kExitFailed;
+  }
+  return kExitDone;
 }
 
 void tell_unmatched(const std::string& log, const std::vector<std::string>& fields) {

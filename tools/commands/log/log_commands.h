@@ -50,7 +50,10 @@ class LogProgress {
 /// Names fields that were asked for and are not in the log, on standard error.
 void tell_unmatched(const std::string& log, const std::vector<std::string>& fields);
 
-/// One line on what was written, and one on what was left out.
-void tell_rewrite(const std::string& out, const log::RewriteResult& result);
+/// One line on what was written, one on what was left out, and one where there was nothing to write. @return exit status.
+int tell_rewrite(const std::string& log, const std::string& out, const log::RewriteResult& result);
+
+/// Says so on standard error, and what to look at.
+void tell_no_event(const std::string& log);
 
 }  // namespace sprung::commands

@@ -17,8 +17,8 @@ int run_merge(const MergeRequest& request) {
     log::Reader probe(path);  // all must be there before anything is written
   log::Writer writer(request.out);
   LogProgress progress("merge");
-  tell_rewrite(request.out, log::merge(request.logs, writer, progress.show()));
-  return kExitDone;
+  const log::RewriteResult result = log::merge(request.logs, writer, progress.show());
+  return tell_rewrite(request.logs.front(), request.out, result);
 }
 
 }  // namespace

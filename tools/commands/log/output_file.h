@@ -32,7 +32,10 @@ class OutputFile {
 
  private:
   [[noreturn]] void fail() const {
-    throw std::runtime_error("cannot write " + path_ + ": " + std::strerror(errno));
+    const std::string hint =
+        errno == ENOSPC || errno == EDQUOT ? "; make room, or write to another disk" : "";
+    throw std::runtime_error("cannot write " + (path_ == "-" ? "to standard output" : path_) + ": " +
+                             std::strerror(errno) + hint);
   }
 
   std::string path_;

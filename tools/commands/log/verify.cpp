@@ -30,10 +30,7 @@ int run_repair(const std::string& path, const std::string& out_or_none) {
   log::Writer writer(out);
   LogProgress progress("repair");
   const log::RewriteResult result = log::repair(reader, writer, progress.show());
-  tell_rewrite(out, result);
-  if (result.written > 0 || result.skipped_bytes == 0) return kExitDone;
-  std::fprintf(stderr, "%s holds no event: is it an LCM log?\n", path.c_str());
-  return kExitFailed;
+  return tell_rewrite(path, out, result);
 }
 
 }  // namespace
