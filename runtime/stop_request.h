@@ -1,6 +1,6 @@
 #pragma once
-/// Orderly stop. SIGINT and SIGTERM only set a mark and wake who waits; a second one does no more, so it
-/// cannot tear down a process that is bringing its drives to rest.
+/// Orderly stop. SIGINT, SIGTERM and SIGHUP (its terminal is gone) only set a mark and wake who waits; a second one does no more, so
+/// it cannot tear down a process that is bringing its drives to rest.
 namespace sprung {
 
 void install_stop_signals();  ///< call before any thread is started; also ignores SIGPIPE

@@ -35,6 +35,25 @@ TEST_F(StopRequestTest, SignalsAskAndWakeAndASecondOneDoesNotKill) {
   EXPECT_TRUE(readable(stop_fd()));
 }
 
+/// A terminal that is closed, an ssh connection that ends.
+TEST_F(StopRequestTest, HangUpAsksToo) {
+  raise(SIGHUP);
+  EXPECT_TRUE(stop_requested());
+}
+
+TEST_F(StopRequestTest, HangUpThatNohupIgnoresStaysIgnored) {
+  const pid_t child = fork();
+  if (child == 0) {
+    signal(SIGHUP, SIG_IGN);
+    install_stop_signals();
+    raise(SIGHUP);
+    _exit(stop_requested() ? 1 : 0);
+  }
+  int status = -1;
+  waitpid(child, &status, 0);
+  EXPECT_EQ(status, 0);
+}
+
 TEST_F(StopRequestTest, BrokenPipeIsNoStop) {
   raise(SIGPIPE);
   EXPECT_FALSE(stop_requested());
