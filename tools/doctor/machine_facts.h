@@ -15,7 +15,7 @@ struct KernelFacts {
   std::int64_t receive_buffer_bytes = 0;         ///< net.core.rmem_max; 0 = not known
   std::map<std::string, std::string> governors;  ///< by CPU; empty where the frequency cannot be scaled
   std::vector<int> isolated_cpus;
-  int cpus = 0;                            ///< that are online
+  std::vector<int> cpus;                   ///< that are online; without hyper-threads e.g. 0, 2, 4, 6
   bool real_time = false;                  ///< PREEMPT_RT
   std::string clock_source;                ///< "tsc"; empty = not known
   std::vector<std::string> clock_sources;  ///< that there are
@@ -25,7 +25,7 @@ struct KernelFacts {
 
 /// Of this process, which `sprung up` would hand on.
 struct LimitFacts {
-  std::int64_t rtprio = 0;         ///< highest SCHED_FIFO priority
+  std::int64_t rtprio = 0;         ///< highest SCHED_FIFO priority; -1 = unlimited
   std::int64_t memlock_bytes = 0;  ///< -1 = unlimited
   bool superuser = false;
   bool fifo_granted = false;  ///< a thread got SCHED_FIFO 1 just now

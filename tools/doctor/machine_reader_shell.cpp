@@ -90,7 +90,7 @@ KernelFacts read_kernel(const std::string& root) {
   facts.receive_buffer_bytes = std::atoll(read_text(proc / "sys/net/core/rmem_max").c_str());
   facts.governors = read_governors(cpus);
   facts.isolated_cpus = parse_cpus(read_text(cpus / "isolated"));
-  facts.cpus = static_cast<int>(parse_cpus(read_text(cpus / "online")).size());
+  facts.cpus = parse_cpus(read_text(cpus / "online"));
   facts.real_time = read_text(sys / "kernel/realtime") == "1";
   facts.clock_source = read_text(clock / "current_clocksource");
   std::istringstream sources(read_text(clock / "available_clocksource"));

@@ -12,7 +12,8 @@ constexpr std::int64_t kMemlock_bytes = 256LL << 20U;
 // Processes on two hosts compare stamps with ages of a few ms.
 constexpr double kUtcError_ms = 2.0;
 
-std::string join(const std::set<int>& cpus) {
+template <class Cpus>
+std::string join(const Cpus& cpus) {
   std::string text;
   for (const int cpu : cpus) text += (text.empty() ? "" : ",") + std::to_string(cpu);
   return text;
@@ -45,8 +46,10 @@ Check kernel_check(const KernelFacts& kernel) {
 }
 
 Check priority_check(const LimitFacts& limits, int wanted) {
-  const std::string found = "rtprio " + std::to_string(limits.rtprio) + (limits.superuser ? ", root" : "");
-  const bool allowed = limits.superuser || limits.rtprio >= wanted;
+  const bool unlimited = limits.rtprio < 0;
+  const std::string found = "rtprio " + (unlimited ? "unlimited" : std::to_string(limits.rtprio)) +
+                            (limits.superuser ? ", root" : "");
+  const bool allowed = limits.superuser || unlimited || limits.rtprio >= wanted;
   if (limits.fifo_granted && allowed) return pass("real-time priority", found);
   if (allowed)
     return warn("real-time priority",
@@ -75,13 +78,13 @@ Check governor_check(const KernelFacts& kernel) {
 }
 
 Check isolation_check(const KernelFacts& kernel, const std::set<int>& pinned) {
-  if (pinned.empty()) return pass("CPUs", std::to_string(kernel.cpus) + ", robot.yaml pins no process");
-  if (*pinned.rbegin() >= kernel.cpus)
-    return fail(
-        "CPUs",
-        "robot.yaml pins to CPU " + std::to_string(*pinned.rbegin()) + ", there are " +
-            std::to_string(kernel.cpus),
-        "set cpu: of its processes in robot.yaml to 0.." + std::to_string(kernel.cpus - 1) + ", or -1");
+  if (pinned.empty())
+    return pass("CPUs", std::to_string(kernel.cpus.size()) + ", robot.yaml pins no process");
+  std::set<int> missing = pinned;
+  for (const int cpu : kernel.cpus) missing.erase(cpu);
+  if (!missing.empty())
+    return fail("CPUs", "robot.yaml pins to CPU " + join(missing) + ", online are " + join(kernel.cpus),
+                "set cpu: of its processes in robot.yaml to one of " + join(kernel.cpus) + ", or -1");
   std::set<int> shared = pinned;
   for (const int cpu : kernel.isolated_cpus) shared.erase(cpu);
   if (shared.empty()) return pass("CPUs", join(pinned) + " are isolated, as robot.yaml pins");

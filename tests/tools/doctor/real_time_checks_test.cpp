@@ -12,7 +12,7 @@ class RealTimeChecks : public testing::Test {
  protected:
   RealTimeChecks() {
     kernel_.governors = {{"cpu0", "performance"}, {"cpu1", "performance"}};
-    kernel_.cpus = 4;
+    kernel_.cpus = {0, 1, 2, 3};
     kernel_.real_time = true;
     kernel_.clock_source = "tsc";
     kernel_.clock_sources = {"tsc", "hpet"};
@@ -51,6 +51,12 @@ TEST_F(RealTimeChecks, PriorityLimitIsHeldAgainstWhatTheRobotWants) {
   EXPECT_THAT(check("real-time priority").remedy, HasSubstr("rtprio 98"));
   limits_.rtprio = 60;
   EXPECT_EQ(check("real-time priority").verdict, Verdict::kPass);
+}
+
+TEST_F(RealTimeChecks, UnlimitedPriorityIsEnough) {
+  limits_.rtprio = -1;  // LimitRTPRIO=infinity
+  EXPECT_EQ(check("real-time priority").verdict, Verdict::kPass);
+  EXPECT_THAT(check("real-time priority").found, HasSubstr("unlimited"));
 }
 
 TEST_F(RealTimeChecks, LimitThatTheKernelDoesNotHonourWarns) {
@@ -93,6 +99,16 @@ TEST_F(RealTimeChecks, CpuThatIsNotThereFails) {
   robot_.processes[0].cpu = 4;
   EXPECT_EQ(check("CPUs").verdict, Verdict::kFail);
   EXPECT_THAT(check("CPUs").found, HasSubstr("CPU 4"));
+}
+
+TEST_F(RealTimeChecks, NumbersOfCpusThatAreOnlineNeedNotFollowEachOther) {
+  kernel_.cpus = {0, 2, 4, 6};  // nosmt
+  kernel_.isolated_cpus = {1, 6};
+  robot_.processes[0].cpu = 6;
+  EXPECT_EQ(check("CPUs").verdict, Verdict::kPass);
+  robot_.processes[0].cpu = 1;
+  EXPECT_EQ(check("CPUs").verdict, Verdict::kFail);
+  EXPECT_THAT(check("CPUs").remedy, HasSubstr("0,2,4,6"));
 }
 
 TEST_F(RealTimeChecks, SlowClockWarnsWithWhatThereIs) {
