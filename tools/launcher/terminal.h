@@ -10,12 +10,14 @@
 
 namespace sprung {
 
-/// Whether standard output is a terminal that can do this.
+/// Whether standard input and output are a terminal that can do this, and that is this process's to use.
 bool has_terminal();
 
 class Terminal {
  public:
-  Terminal();   ///< takes the screen; typed characters are not shown
+  /// Takes the screen; typed characters are not shown. Ctrl-C alone still means something: Ctrl-Z, Ctrl-\ and Ctrl-S would leave a robot
+  /// without its launcher.
+  Terminal();
   ~Terminal();  ///< gives it back
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
@@ -25,9 +27,11 @@ class Terminal {
     std::size_t height = 24;
   };
   Size size() const;  ///< as it is now
+  /// Never waits long: on a terminal that takes nothing (a connection that hangs) the picture is not drawn.
   void draw(const std::vector<ScreenLine>& lines);
 
  private:
+  int terminal_;
   termios before_{};
 };
 
