@@ -1,6 +1,6 @@
 #pragma once
-/// Received messages on their way from the thread that receives to the one that writes. Unlimited: a disk that is slow for a while
-/// loses nothing. push() in one thread, take() in another.
+/// Received messages on their way from the thread that receives to the one that writes. Unlimited, unless a limit is given: a disk that is
+/// slow for a while loses nothing. push() in one thread, take() in another.
 #include <cstddef>
 #include <cstdint>
 #include <mutex>
@@ -36,9 +36,17 @@ class MessageQueue {
     std::vector<Item> items_;
   };
 
+  MessageQueue() = default;
+  /// @param most_bytes that wait at once; what comes while there are so many is left out, and counted. For who only looks.
+  explicit MessageQueue(std::size_t most_bytes) : most_bytes_(most_bytes) {}
+
   void push(std::int64_t time_us, std::string_view channel, const void* data, std::size_t size) {
     const auto* const begin = static_cast<const std::uint8_t*>(data);
     const std::lock_guard<std::mutex> lock(mutex_);
+    if (most_bytes_ > 0 && filling_.bytes_.size() + channel.size() + size > most_bytes_) {
+      ++left_out_;
+      return;
+    }
     filling_.items_.push_back({time_us, filling_.bytes_.size(), channel.size(), size});
     filling_.bytes_.insert(filling_.bytes_.end(), channel.begin(), channel.end());
     filling_.bytes_.insert(filling_.bytes_.end(), begin, begin + size);
@@ -59,10 +67,18 @@ class MessageQueue {
     return longest_;
   }
 
+  /// Messages that the limit kept out.
+  std::int64_t left_out() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return left_out_;
+  }
+
  private:
+  const std::size_t most_bytes_ = 0;  ///< 0 = no limit
   mutable std::mutex mutex_;
   Batch filling_;
-  std::size_t longest_ = 0;  ///< messages that waited at once
+  std::size_t longest_ = 0;    ///< messages that waited at once
+  std::int64_t left_out_ = 0;  ///< by the limit
 };
 
 }  // namespace sprung

@@ -92,7 +92,8 @@ Key key_of(int code) {
 
 SpyTerminal::SpyTerminal() : screen_(new Screen) {
   prepare_letters();
-  if (isatty(STDOUT_FILENO) != 0) screen_->handle = newterm(nullptr, stdout, stdin);
+  if (isatty(STDOUT_FILENO) != 0 && isatty(STDIN_FILENO) != 0)
+    screen_->handle = newterm(nullptr, stdout, stdin);
   if (screen_->handle == nullptr) {
     delete screen_;
     throw std::runtime_error(

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <stdexcept>
 
 #include "tools/fields/value_text.h"
 
@@ -47,7 +48,13 @@ Json value_json(const fields::MessageView& message, const fields::Field& field) 
 
 WatchTarget parse_target(const std::string& text) {
   const std::size_t dot = std::min(text.find('.'), text.size());
-  return {text.substr(0, dot), text.substr(std::min(dot + 1, text.size()))};
+  const std::string channel = text.substr(0, dot);
+  if (channel.empty() || channel.find_first_of("*?+|()[]{}^$\\") != std::string::npos)
+    throw std::invalid_argument(
+        "'" + text +
+        "' begins with no channel; patterns are for its fields: JOINT_STATE.joints[*].*; "
+        "'sprung topics' shows which channels there are");
+  return {channel, text.substr(std::min(dot + 1, text.size()))};
 }
 
 std::string watch_text(std::string_view channel, const fields::MessageView& message,

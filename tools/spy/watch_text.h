@@ -16,6 +16,7 @@ struct WatchTarget {
   std::string channel;
   std::string pattern;  ///< empty = every field
 };
+/// @throws std::invalid_argument where the channel is missing or a pattern.
 WatchTarget parse_target(const std::string& text);
 
 /// One or two fields in one line behind the time; more in a line each.

@@ -50,6 +50,21 @@ TEST(MessageQueue, RemembersItsLongest) {
   EXPECT_EQ(queue.longest(), 5u);
 }
 
+TEST(MessageQueue, LimitLeavesOutWhatDoesNotFitAndCountsIt) {
+  MessageQueue queue(10);
+  queue.push(1, "A", "12345", 5);
+  queue.push(2, "A", "6789", 4);  // one byte too many, with its channel
+  queue.push(3, "A", "678", 3);
+  MessageQueue::Batch batch;
+  queue.take(batch);
+  EXPECT_EQ(text_of(batch), "1:A=12345 3:A=678 ");
+  EXPECT_EQ(queue.left_out(), 1);
+  queue.push(4, "A", "12345", 5);
+  queue.take(batch);
+  EXPECT_EQ(text_of(batch), "4:A=12345 ");
+  EXPECT_EQ(queue.left_out(), 1);
+}
+
 /// No limit, no loss, no disorder between two threads.
 TEST(MessageQueue, LosesNothingBetweenThreads) {
   constexpr std::int64_t kMessages = 100'000;

@@ -84,7 +84,23 @@ TEST_F(InspectCommands, WatchOfAFieldThatIsNotIsWrongUse) {
 }
 
 TEST_F(InspectCommands, WatchOfASilentChannelFails) {
-  EXPECT_EQ(run_sprung("watch SILENT --for 0.3" + here()).status, 1);
+  const auto end = run_sprung("watch SILENT --for 0.3" + here());
+  EXPECT_EQ(end.status, 1);
+  EXPECT_THAT(end.output, HasSubstr("sprung topics"));
+}
+
+TEST_F(InspectCommands, WatchOfAPatternOfChannelsIsWrongUseAndSaysWhatPatternsAreFor) {
+  for (const char* target : {"'*'", "'JOINT_STATE|MOTION_STATE'"}) {
+    const auto end = run_sprung("watch --for 2 " + std::string(target) + here());
+    EXPECT_EQ(end.status, 2) << target << end.output;
+    EXPECT_THAT(end.output, HasSubstr("JOINT_STATE.joints[*]"));
+  }
+}
+
+TEST_F(InspectCommands, TopicsNeedsTimeToListen) {
+  const auto end = run_sprung("topics --for -1" + here());
+  EXPECT_EQ(end.status, 2) << end.output;
+  EXPECT_THAT(end.output, HasSubstr("--for"));
 }
 
 TEST_F(InspectCommands, OwnTypesAreReadFromTheirFiles) {
@@ -101,6 +117,14 @@ TEST_F(InspectCommands, OwnTypesAreReadFromTheirFiles) {
 
 TEST_F(InspectCommands, SpyWithoutATerminalNamesTheOtherCommands) {
   const auto end = run_sprung("spy" + here() + " </dev/null");
+  EXPECT_THAT(end.output, HasSubstr("sprung watch"));
+}
+
+/// Its keys would never come, and it would ask for them without end.
+TEST_F(InspectCommands, SpyWithoutKeysNamesTheOtherCommands) {
+  const auto end = test::run_command("timeout -s KILL 10 script -qec '" SPRUNG_BIN_DIR "/sprung spy --url " +
+                                     test::own_lcm_url() + " </dev/null' /dev/null");
+  EXPECT_EQ(end.status, 1) << end.output;
   EXPECT_THAT(end.output, HasSubstr("sprung watch"));
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 
 #include "tests/tools/spy/sample_messages.h"
 
@@ -29,6 +30,14 @@ TEST_F(WatchText, TargetsAreChannelAndPattern) {
   EXPECT_EQ(parse_target("JOINT_STATE.joints[1].status").channel, "JOINT_STATE");
   EXPECT_EQ(parse_target("JOINT_STATE.joints[1].status").pattern, "joints[1].status");
   EXPECT_EQ(parse_target("JOINT_STATE.").pattern, "");
+}
+
+/// Such a name would be taken for a regular expression, and name other channels.
+TEST_F(WatchText, PatternsOfChannelsAreNotMeant) {
+  for (const char* text :
+       {"*", ".*", "", ".field", "*_STATE.joints", "A|B", "JOINT_STAT?", "[A-Z]", "(A", "A+", "A$"})
+    EXPECT_THROW(parse_target(text), std::invalid_argument) << text;
+  EXPECT_EQ(parse_target("my/channel-2.x[*]").channel, "my/channel-2");
 }
 
 TEST_F(WatchText, OneFieldIsOneLine) {

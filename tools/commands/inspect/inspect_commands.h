@@ -43,8 +43,13 @@ class Listening {
     batch_.for_each(use);
   }
 
+  /// Messages that nobody saw, since what was shown before them was not taken in time.
+  std::int64_t left_out() const { return queue_.left_out(); }
+
  private:
-  MessageQueue queue_;
+  /// Pegasus sends 1 MB/s: `sprung watch ... | less` may stand for a minute, and does not fill the memory in a night.
+  static constexpr std::size_t kMostWaiting_bytes = std::size_t{64} << 20U;
+  MessageQueue queue_{kMostWaiting_bytes};
   MessageQueue::Batch batch_;
   NetworkTap tap_;
 };

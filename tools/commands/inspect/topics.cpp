@@ -31,6 +31,7 @@ void print(const spy::ChannelBook& book, bool as_json, std::int64_t now_us) {
 
 int run_topics(const TopicsRequest& request) {
   constexpr int kStep_ms = 50;
+  if (!(request.for_s > 0.0)) throw WrongUse("--for is more than 0 s");
   const InspectSource source = inspect_source(request.where);
   spy::ChannelBook book(*source.types);
   Listening listening(source, ".*");

@@ -1,5 +1,6 @@
 #include <cstdio>
 #include <map>
+#include <stdexcept>
 
 #include "runtime/session_clock.h"
 #include "runtime/stop_request.h"
@@ -27,7 +28,7 @@ class Watcher {
   Watcher(const WatchRequest& request, const InspectSource& source)
       : request_(request), source_(source), decoder_(*source.types) {
     for (const std::string& text : request.targets) {
-      const spy::WatchTarget target = spy::parse_target(text);
+      const spy::WatchTarget target = target_of(text);
       std::vector<std::string>& patterns = channels_[target.channel].patterns;
       patterns.push_back(target.pattern.empty() ? "*" : target.pattern);
     }
@@ -62,6 +63,14 @@ class Watcher {
     std::int64_t due_us = 0;
     bool complained = false;
   };
+
+  static spy::WatchTarget target_of(const std::string& text) {
+    try {
+      return spy::parse_target(text);
+    } catch (const std::invalid_argument& error) {
+      throw WrongUse(error.what());
+    }
+  }
 
   bool is_due(Channel& channel, std::int64_t arrival_us) const {
     if (request_.rate_Hz <= 0.0) return true;
@@ -111,6 +120,10 @@ int run_watch(const WatchRequest& request) {
   Listening listening(source, watcher.expression());
   const std::int64_t begin_us = monotonic_us();
   const std::int64_t end_us = begin_us + static_cast<std::int64_t>(1e6 * request.for_s);
+  const auto hint = [&source] {
+    std::fprintf(stderr, "nothing yet (%s); 'sprung topics' shows which channels there are\n",
+                 source.title.c_str());
+  };
   bool hinted = false;
   while (!stop_requested() && !watcher.done() && std::ferror(stdout) == 0 &&
          (request.for_s <= 0.0 || monotonic_us() < end_us)) {
@@ -119,9 +132,12 @@ int run_watch(const WatchRequest& request) {
     std::fflush(stdout);
     if (watcher.heard() || hinted || monotonic_us() < begin_us + kHint_us) continue;
     hinted = true;
-    std::fprintf(stderr, "nothing yet (%s); 'sprung topics' shows which channels there are\n",
-                 source.title.c_str());
+    hint();
   }
+  if (!watcher.heard() && !hinted) hint();
+  if (listening.left_out() > 0)
+    std::fprintf(stderr, "%lld messages were left out: what reads this output was too slow\n",
+                 static_cast<long long>(listening.left_out()));
   return watcher.heard() ? kExitDone : kExitFailed;
 }
 
