@@ -1,55 +1,78 @@
-/// What `sprung up` does with its processes: which come back, which do not, which are refused, on one host and on two.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <signal.h>
+/// What `sprung up` does with its processes: which come back, which do not, which are refused.
 #include <sys/socket.h>
-#include <sys/stat.h>
 #include <sys/un.h>
 #include <unistd.h>
 
 #include <array>
-#include <chrono>
-#include <cstdlib>
 #include <cstring>
-#include <fstream>
-#include <iterator>
-#include <thread>
 
-#include "tests/system/system_fixture.h"
+#include "tests/system/up_fixture.h"
 #include "tools/experiments/separate_run.h"
+#include "tools/launcher/run_description.h"
+#include "tools/launcher/status_board.h"
 
 namespace sprung {
 namespace {
 
-namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::HasSubstr;
 
-class Up : public SystemTest {
- protected:
-  template <class Condition>
-  static bool within(double patience_s, Condition condition) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(patience_s);
-    while (!condition()) {
-      if (std::chrono::steady_clock::now() > end) return false;
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    }
-    return true;
+TEST_F(Up, ClosedTerminalStopsItInOrder) {
+  up("lockstep", "--speed 1");
+  up_process().signal(SIGHUP);
+  EXPECT_EQ(wait_for_up(), 0);
+  EXPECT_THAT(said(), HasSubstr("stopping, drives first"));
+}
+
+TEST_F(Up, SecondRobotOnTheSameBusIsRefusedAndTheFirstNotDisturbed) {
+  up("lockstep", "--speed 1");
+  const CommandResult second = sprung("up single_leg --sim --no-record --instance second --lcm-url '" +
+                                      lcm_url_on_port(random_port()) + "' --can leg=" + can_address());
+  EXPECT_EQ(second.status, 1);
+  EXPECT_THAT(second.output, AllOf(HasSubstr("'default'"), HasSubstr(can_address()), HasSubstr("--can")));
+  EXPECT_EQ(sprung("stand").status, 0);
+}
+
+TEST_F(Up, LauncherThatWasStoppedForAWhileDoesNotTakeTheOthersForSilent) {
+  up("lockstep", "--speed 1");
+  up_process().signal(SIGSTOP);
+  std::this_thread::sleep_for(std::chrono::microseconds(StatusBoard::kSilent_us + 500'000));
+  up_process().signal(SIGCONT);
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  EXPECT_EQ(sprung("down").status, 0);
+  EXPECT_EQ(wait_for_up(), 0) << said();
+  EXPECT_EQ(said().find("has said nothing"), std::string::npos) << said();
+}
+
+TEST_F(Up, WhatDoesNotEndWhenAskedIsKilledAndNamed) {
+  up("lockstep", "--speed 1");
+  signal_program("sprung-motion-planner", SIGSTOP);
+  EXPECT_EQ(sprung("down").status, 0);
+  EXPECT_EQ(wait_for_up(), 1);
+  EXPECT_THAT(said(), HasSubstr("sprung-motion-planner did not end when asked and was killed"));
+}
+
+TEST_F(Up, ContradictionsAreWrongUseBeforeAnybodyIsWaitedFor) {
+  for (const char* wrong : {"--sim --host tail", "--clock lockstep", "--sim --preset worst",
+                            "--sim --with lcm-logger --split-mb 5"}) {
+    const CommandResult result = sprung("up single_leg " + std::string(wrong));
+    EXPECT_EQ(result.status, 2) << wrong << result.output;
+    EXPECT_EQ(result.output.find("is heard"), std::string::npos) << result.output;
   }
-  std::int64_t pid_of(const std::string& program) const {
-    for (const RunningProcess& process : info().processes) {
-      if (process.program == program) return process.pid;
-    }
-    return 0;
-  }
-  bool comes_back(const std::string& program, std::int64_t old_pid) const {
-    return within(10.0, [&] { return pid_of(program) != old_pid; });
-  }
-  static std::string read_all(const fs::path& path) {
-    std::ifstream in(path);
-    return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  }
-};
+}
+
+TEST_F(Up, DownOfAnotherUsersRobotSaysSo) {
+  if (getuid() != 0 || std::system("setpriv --reuid=65534 --clear-groups " SPRUNG_BIN_DIR
+                                   "/sprung --version > /dev/null 2>&1") != 0)
+    GTEST_SKIP() << "needs root, and programs that others may run";
+  up("lockstep", "--speed 1");
+  const int raw = std::system(("setpriv --reuid=65534 --clear-groups " SPRUNG_BIN_DIR "/sprung down > " +
+                               (folder_ / "down.txt").string() + " 2>&1")
+                                  .c_str());
+  EXPECT_EQ(WEXITSTATUS(raw), 1);
+  EXPECT_THAT(read_all(folder_ / "down.txt"), HasSubstr("another user"));
+  EXPECT_FALSE(up_process().ended());
+}
 
 TEST_F(Up, RealTimeControllerComesBackWithoutTorqueAndStandsAgainOnlyWhenAsked) {
   up("realtime");
@@ -75,47 +98,28 @@ TEST_F(Up, NothingComesBackInLockStep) {
   EXPECT_EQ(wait_for_up(), 1) << "a process died: the run has failed";
 }
 
-TEST_F(Up, RecorderThatDiesComesBackIntoAnotherLogAndLinesAreKeptBesideTheLog) {
-  log_folder_ = folder_ / "logs";
-  up("lockstep", "--speed 1");
-  const std::string first_log = info().log;
-  const std::int64_t old_pid = pid_of("sprung-recorder");
-  kill_program("sprung-recorder");
-  ASSERT_TRUE(comes_back("sprung-recorder", old_pid)) << said();
-  EXPECT_NE(info().log, first_log);
-  const std::string second_log = info().log;
-  EXPECT_EQ(sprung("down").status, 0);
-  EXPECT_EQ(wait_for_up(), 0) << "the robot never noticed";
-  EXPECT_GT(fs::file_size(first_log), 0u);
-  EXPECT_GT(fs::file_size(second_log), 0u);
-  EXPECT_THAT(read_all(fs::path(first_log).replace_extension(".txt")),
-              AllOf(HasSubstr("sprung-can-bridge: "), HasSubstr("sprung-up: ")));
-}
+constexpr const char* kPlannerOfPaper = "exec " SPRUNG_BIN_DIR "/sprung-motion-planner \"${@/#best/paper}\"";
 
 TEST_F(Up, ProcessWithAnotherConfigurationIsRefusedAndNamed) {
-  const fs::path programs = folder_ / "programs";
-  fs::create_directories(programs);
-  for (const auto& entry : fs::directory_iterator(SPRUNG_BIN_DIR))
-    fs::create_symlink(entry.path(), programs / entry.path().filename());
-  fs::remove(programs / "sprung-motion-planner");
-  std::ofstream(programs / "sprung-motion-planner")
-      << "#!/bin/bash\nexec " SPRUNG_BIN_DIR "/sprung-motion-planner \"${@/#best/paper}\"\n";
-  chmod((programs / "sprung-motion-planner").c_str(), 0755);
-  setenv("SPRUNG_PROGRAMS", programs.c_str(), 1);
+  replace_program("sprung-motion-planner", kPlannerOfPaper);
   EXPECT_THAT([&] { up("lockstep"); }, testing::ThrowsMessage<std::runtime_error>(
                                            AllOf(HasSubstr("sprung-motion-planner on "),
                                                  HasSubstr("another configuration"), HasSubstr("--preset"))));
 }
 
+TEST_F(Up, RealTimeProcessThatIsStartedAgainAndDoesNotBelongHereIsEndedAndNamed) {
+  replace_program("sprung-motion-planner", "exec " SPRUNG_BIN_DIR "/sprung-motion-planner \"$@\"");
+  up("realtime");
+  replace_program("sprung-motion-planner", kPlannerOfPaper);
+  kill_program("sprung-motion-planner");
+  EXPECT_TRUE(says("another configuration", 10.0)) << said();
+  EXPECT_TRUE(says("sprung-motion-planner ended (exit status 0). It is not started again")) << said();
+  EXPECT_EQ(sprung("down").status, 0);
+  EXPECT_EQ(wait_for_up(), 1);
+}
+
 TEST_F(Up, ProgramThatEndsWhileStartingIsNamedWithItsLastWords) {
-  const fs::path programs = folder_ / "programs";
-  fs::create_directories(programs);
-  for (const auto& entry : fs::directory_iterator(SPRUNG_BIN_DIR))
-    fs::create_symlink(entry.path(), programs / entry.path().filename());
-  fs::remove(programs / "sprung-torque-estimator");
-  std::ofstream(programs / "sprung-torque-estimator") << "#!/bin/sh\necho no torque today; exit 3\n";
-  chmod((programs / "sprung-torque-estimator").c_str(), 0755);
-  setenv("SPRUNG_PROGRAMS", programs.c_str(), 1);
+  replace_program("sprung-torque-estimator", "echo no torque today; exit 3");
   EXPECT_THAT([&] { up("lockstep"); },
               testing::ThrowsMessage<std::runtime_error>(
                   AllOf(HasSubstr("sprung-torque-estimator ended while starting: exit status 3"),
@@ -145,71 +149,12 @@ TEST_F(Up, SystemdHearsReadyAliveAndStopping) {
   };
   EXPECT_TRUE(listen("READY=1")) << heard;
   EXPECT_TRUE(listen("WATCHDOG=1")) << heard;
+  kill_program("sprung-motion-planner");
+  EXPECT_TRUE(listen("STATUS=sprung-motion-planner ended (Killed)")) << heard;
   EXPECT_EQ(sprung("down").status, 0);
   EXPECT_TRUE(listen("STOPPING=1")) << heard;
   close(fd);
   for (const char* name : {"NOTIFY_SOCKET", "WATCHDOG_USEC"}) unsetenv(name);
-}
-
-/// Two launchers on one machine, each with a run folder of its own, play two hosts.
-class UpOnTwoHosts : public Up {
- protected:
-  void SetUp() override {
-    Up::SetUp();
-    const fs::path robot = folder_ / "robots" / "single_leg";
-    fs::create_directories(robot);
-    fs::copy(robot_.folder, robot, fs::copy_options::recursive | fs::copy_options::overwrite_existing);
-    std::string text = read_all(robot / "robot.yaml");
-    const std::string planner = "{program: sprung-motion-planner,";
-    const std::size_t at = text.find(planner);
-    ASSERT_NE(at, std::string::npos);
-    text.insert(at + planner.size(), " host: trunk,");
-    std::ofstream(robot / "robot.yaml") << text;
-    setenv("SPRUNG_ROBOTS", (folder_ / "robots").c_str(), 1);
-  }
-  void TearDown() override {
-    if (trunk_) trunk_->stop(10.0);
-    Up::TearDown();
-    unsetenv("SPRUNG_ROBOTS");
-  }
-  void start_trunk(const std::string& more = "") {
-    trunk_ = std::make_unique<ChildProcess>(
-        "/bin/sh",
-        std::vector<std::string>{"-c", "exec " SPRUNG_BIN_DIR
-                                       "/sprung up single_leg --sim --clock lockstep --no-record --host trunk"
-                                       " --instance trunk --lcm-url '" +
-                                           lcm_url() + "' " + more + " > " +
-                                           (folder_ / "trunk.txt").string() + " 2>&1"});
-  }
-  std::string trunk_said() const { return read_all(folder_ / "trunk.txt"); }
-  std::unique_ptr<ChildProcess> trunk_;
-};
-
-TEST_F(UpOnTwoHosts, EachStartsItsOwnAndTheSecondEndsWithTheFirst) {
-  start_trunk();
-  up("lockstep", "--speed 2");
-  EXPECT_EQ(pid_of("sprung-motion-planner"), 0) << "the planner is the other host's";
-  EXPECT_TRUE(within(5.0, [&] { return trunk_said().find("is up: 1 processes") != std::string::npos; }))
-      << trunk_said();
-  const CommandResult stand = sprung("stand");
-  EXPECT_EQ(stand.status, 0) << stand.output;
-  EXPECT_EQ(sprung("down").status, 0);
-  EXPECT_TRUE(trunk_->wait(10.0)) << "it goes on without its lead";
-}
-
-TEST_F(UpOnTwoHosts, HostThatIsMissingIsNamedWithWhatToTypeThere) {
-  EXPECT_THAT([&] { up("lockstep", "--patience 1"); },
-              testing::ThrowsMessage<std::runtime_error>(
-                  AllOf(HasSubstr("sprung-motion-planner is not ready"),
-                        HasSubstr("sprung up single_leg --host trunk"), HasSubstr("ttl"))));
-}
-
-TEST_F(UpOnTwoHosts, AnotherRobotFileOnTheSecondHostIsRefusedAndNamed) {
-  start_trunk("--preset paper");
-  EXPECT_THAT([&] { up("lockstep", "--patience 3"); },
-              testing::ThrowsMessage<std::runtime_error>(HasSubstr("sprung-motion-planner")));
-  EXPECT_TRUE(trunk_->wait(15.0));
-  EXPECT_THAT(trunk_said(), HasSubstr("another configuration"));
 }
 
 }  // namespace

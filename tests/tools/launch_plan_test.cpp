@@ -83,6 +83,18 @@ TEST_F(LaunchPlan, PlantWithoutSimulationIsRefused) {
   EXPECT_THAT([&] { plan(); }, testing::ThrowsMessage<std::invalid_argument>(HasSubstr("add --sim")));
 }
 
+TEST_F(LaunchPlan, BridgeThatShouldComeBackIsRefused) {
+  robot_.processes.back().restart = RestartPolicy::kWithoutTorque;
+  ASSERT_EQ(robot_.processes.back().program, kBridgeProgram);
+  EXPECT_THAT([&] { plan(); }, testing::ThrowsMessage<std::invalid_argument>(HasSubstr("never comes back")));
+}
+
+TEST_F(LaunchPlan, OneProgramTwiceIsRefused) {
+  robot_.processes.push_back(robot_.processes.front());
+  EXPECT_THAT([&] { plan(); }, testing::ThrowsMessage<std::invalid_argument>(testing::AllOf(
+                                   HasSubstr(robot_.processes.front().program), HasSubstr("twice"))));
+}
+
 TEST_F(LaunchPlan, UnknownPresetIsRefused) {
   request_.preset = "worst";
   EXPECT_THROW(plan(), std::invalid_argument);

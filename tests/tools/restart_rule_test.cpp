@@ -42,16 +42,24 @@ TEST(RestartRule, LockStepIsNotDeterministicAfterARestart) {
 
 TEST(RestartRule, RecorderNeedsNobodysLeave) {
   EndedProcess recorder;
-  recorder.harmless = true;
+  recorder.harmless = recorder.by_signal = true;
   recorder.lockstep = true;
   EXPECT_TRUE(RestartRule::due(recorder, std::nullopt, kEnd_us));
+}
+
+/// It would find the disk as full as the one before did.
+TEST(RestartRule, RecorderThatEndedByItselfStaysEnded) {
+  EndedProcess recorder;
+  recorder.harmless = true;
+  EXPECT_FALSE(RestartRule::hopeful(recorder));
+  EXPECT_FALSE(RestartRule::due(recorder, std::nullopt, kEnd_us));
 }
 
 TEST(RestartRule, WhatDiesAgainAndAgainStaysDead) {
   EndedProcess ended = planner();
   ended.restarts = RestartRule::kMost;
   EXPECT_FALSE(RestartRule::due(ended, kOff, kLater_us));
-  ended.harmless = true;
+  ended.harmless = ended.by_signal = true;
   EXPECT_FALSE(RestartRule::due(ended, kOff, kLater_us));
 }
 

@@ -4,9 +4,13 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
+#include <atomic>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <lcm/lcm-cpp.hpp>
 #include <random>
 #include <set>
 #include <thread>
@@ -39,15 +43,19 @@ LaunchRequest request() {
 /// Says what the launcher on the host with the bridge says, until it is destroyed.
 class Lead {
  public:
-  Lead(const LaunchRequest& request, const std::string& robot, ProcessState state) {
+  /// @param behind_us of its clock.
+  Lead(const LaunchRequest& request, const std::string& robot, ProcessState state,
+       std::int64_t behind_us = 0) {
     status_.process = kLauncherProgram;
     status_.robot = robot;
     status_.state = state;
-    status_.utc_offset_us = utc_us() - 5'000'000;  // the run began 5 s ago
+    status_.host = "trunk";
+    status_.utc_offset_us = utc_us() - 5'000'000 - behind_us;  // the run began 5 s ago
     node_ = std::make_unique<Node>(NodeOptions{request.lcm_url, 4711, 0, {}});
-    thread_ = std::thread([this] {
+    thread_ = std::thread([this, behind_us] {
       auto publisher = node_->publisher<ProcessStatus>(channels::kProcessStatus);
       while (!done_) {
+        status_.stamp.utime_us = utc_us() - behind_us - status_.utc_offset_us;
         publisher.publish(status_);
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
       }
@@ -76,6 +84,15 @@ TEST(RunDescription, JoinedRunHasTheLeadsSessionAndBegin) {
   EXPECT_LT(age_us, 40'000'000);
 }
 
+TEST(RunDescription, HostsWhoseClocksAreFarApartAreNotJoined) {
+  LaunchRequest joining = request();
+  joining.patience_s = 20.0;
+  const Lead lead(joining, "single_leg", ProcessState::kReady, 60'000'000);
+  EXPECT_THAT([&] { describe_joined_run(joining, load_robot("single_leg")); },
+              testing::ThrowsMessage<std::runtime_error>(
+                  testing::AllOf(HasSubstr("trunk"), HasSubstr("s apart"), HasSubstr("chrony"))));
+}
+
 TEST(RunDescription, NobodyLeadsSaysWhatToDo) {
   const auto join = [] { describe_joined_run(request(), load_robot("single_leg")); };
   EXPECT_THAT(join, testing::ThrowsMessage<std::runtime_error>(
@@ -97,6 +114,37 @@ TEST(EpochHere, ClocksOfTwoHostsMeetByUtc) {
   EXPECT_EQ(epoch_here_us(1'000'000'000, 1'007'500'000, 100'000'000), 92'500'000);
 }
 
+/// A launcher of another version, whose status has another layout.
+TEST(RunDescription, LeadThatCannotBeReadIsNamedAsSuch) {
+  LaunchRequest joining = request();
+  joining.patience_s = 1.0;
+  std::atomic<bool> done{false};
+  std::thread lead([&] {
+    lcm::LCM lcm(joining.lcm_url);
+    const std::array<char, 64> strange{1, 2, 3, 4, 5, 6, 7, 8};
+    while (!done) {
+      lcm.publish(channels::kProcessStatus, strange.data(), strange.size());
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+  });
+  EXPECT_THAT([&] { describe_joined_run(joining, load_robot("single_leg")); },
+              testing::ThrowsMessage<std::runtime_error>(
+                  testing::AllOf(HasSubstr("cannot be read"), HasSubstr("same commit"))));
+  done = true;
+  lead.join();
+}
+
+TEST(RunDescription, BusesAreThoseOfTheBridgeAsTheyAreInThisRun) {
+  LaunchRequest asked = request();
+  asked.can = {"leg=socketcan:can3"};
+  RobotConfig robot = load_robot("single_leg");
+  EXPECT_THAT(describe_run(asked, robot).buses, testing::ElementsAre("socketcan:can3"));
+  robot.processes.back().host = "trunk";  // the bridge
+  EXPECT_THAT(describe_run(asked, robot).buses, testing::IsEmpty());
+  asked.can = {"arm=socketcan:can3"};
+  EXPECT_THROW(describe_run(asked, load_robot("single_leg")), std::invalid_argument);
+}
+
 TEST(RunDescription, SessionsDiffer) {
   std::set<std::int64_t> sessions;
   for (int i = 0; i < 100; ++i) sessions.insert(describe_run(request(), load_robot("single_leg")).session);
@@ -112,6 +160,9 @@ TEST(LogPath, NeverNamesAFileThatIsThere) {
     EXPECT_TRUE(paths.insert(path).second);
     std::ofstream(path) << "x";
   }
+  const fs::path split = log_path(folder.string(), "fennec");
+  std::ofstream(folder / (split.stem().string() + "-000.lcm")) << "x";  // first part of a recording
+  EXPECT_NE(log_path(folder.string(), "fennec"), split);
   EXPECT_EQ(lines_path("/a/x-2.lcm"), "/a/x-2.txt");
   fs::remove_all(folder);
 }
@@ -127,6 +178,33 @@ TEST(RecorderPlan, OwnRecorderKnowsTheRunAndWhatWasTyped) {
   EXPECT_THAT(planned.arguments, Contains("/logs/x.lcm"));
   EXPECT_THAT(planned.arguments, Contains("sprung up single_leg --sim"));
   EXPECT_TRUE(says_status(planned));
+}
+
+TEST(RecorderPlan, SplittingAndDiskReachTheRecorder) {
+  LaunchRequest asked = request();
+  asked.recording = {"JOINT.*", 100.0, 2.5, 50.0};
+  RunInfo info;
+  info.log = "/logs/x.lcm";
+  const auto arguments = plan_recorder(asked, load_robot("single_leg"), info).arguments;
+  const auto value = [&](const std::string& option) {
+    const auto at = std::find(arguments.begin(), arguments.end(), option);
+    return at == arguments.end() ? "(absent)" : *(at + 1);
+  };
+  EXPECT_EQ(value("--channels"), "JOINT.*");
+  EXPECT_DOUBLE_EQ(std::stod(value("--split-mb")), 100.0);
+  EXPECT_DOUBLE_EQ(std::stod(value("--split-min")), 2.5);
+  EXPECT_DOUBLE_EQ(std::stod(value("--min-free-mb")), 50.0);
+  EXPECT_EQ(value("--file"), "/logs/x.lcm");
+  EXPECT_EQ(first_file("/logs/x.lcm", asked.recording), "/logs/x-000.lcm");
+  EXPECT_EQ(first_file("/logs/x.lcm", RecordingRequest()), "/logs/x.lcm");
+}
+
+TEST(RecorderPlan, LcmsOwnLoggerKnowsNoneOfIt) {
+  LaunchRequest asked = request();
+  asked.recorder = "lcm-logger";
+  asked.recording.split_MB = 1.0;
+  EXPECT_THAT([&] { plan_recorder(asked, load_robot("single_leg"), RunInfo()); },
+              testing::ThrowsMessage<std::invalid_argument>(HasSubstr("leave out --with lcm-logger")));
 }
 
 TEST(RecorderPlan, LcmsOwnLoggerWhereAsked) {

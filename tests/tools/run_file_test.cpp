@@ -50,6 +50,23 @@ TEST_F(RunFileTest, WhatIsWrittenIsReadBack) {
   EXPECT_EQ(info->processes[0].pid, 12);
 }
 
+TEST_F(RunFileTest, AllThatAreUpAreListed) {
+  EXPECT_TRUE(runs_that_are_up().empty());
+  RunFile one("one"), two("two");
+  RunInfo info = sample();
+  info.instance = "one";
+  info.buses = {"socketcan:can1"};
+  one.write(info);
+  info.instance = "two";
+  two.write(info);
+  { RunFile("gone").write(info); }
+  const auto all = runs_that_are_up();
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_EQ(all[0].instance, "one");
+  EXPECT_EQ(all[0].buses, std::vector<std::string>{"socketcan:can1"});
+  EXPECT_EQ(all[1].instance, "two");
+}
+
 TEST_F(RunFileTest, NothingRunningSaysHowToStart) {
   EXPECT_THAT([] { require_running("default", ""); },
               testing::ThrowsMessage<NotRunning>(

@@ -63,6 +63,38 @@ TEST(StatusBoard, SilenceIsNoticed) {
   EXPECT_TRUE(board.row(kEstimator, StatusBoard::kSilent_us + 1).bad);
 }
 
+/// The launcher was stopped, or the machine stood still: it cannot say that the others were silent.
+TEST(StatusBoard, WhatNobodyListenedToIsNotSilence) {
+  StatusBoard board;
+  board.hear(estimator(), 0);
+  board.begin_to_listen(10'000'000);
+  EXPECT_FALSE(board.silent(kEstimator.program, 10'000'001));
+  EXPECT_TRUE(board.silent(kEstimator.program, 10'000'001 + StatusBoard::kSilent_us));
+  board.hear(estimator(), 20'000'000);
+  board.begin_to_listen(10'000'000);
+  EXPECT_FALSE(board.silent(kEstimator.program, 20'000'001)) << "time does not go back";
+}
+
+TEST(StatusBoard, TwoThatSpeakInTurnAreTwoProcesses) {
+  StatusBoard board;
+  sprung_msgs::process_status_t other = estimator();
+  other.host = "tail";
+  EXPECT_FALSE(board.hear(estimator(), 0));
+  EXPECT_FALSE(board.hear(estimator(), 1));
+  EXPECT_FALSE(board.hear(other, 2)) << "it may have been started again there";
+  EXPECT_FALSE(board.hear(other, 3));
+  EXPECT_TRUE(board.hear(estimator(), 4));
+}
+
+TEST(StatusBoard, RestartedAgainAndAgainIsNotTwo) {
+  StatusBoard board;
+  for (int pid = 1; pid < 6; ++pid) {
+    sprung_msgs::process_status_t next = estimator();
+    next.pid = pid;
+    EXPECT_FALSE(board.hear(next, pid));
+  }
+}
+
 TEST(StatusBoard, EndIsShownWithItsStatus) {
   StatusBoard board;
   board.hear(estimator(), 0);

@@ -1,8 +1,10 @@
 #include <poll.h>
 #include <signal.h>
 
+#include <cerrno>
 #include <cstdio>
 #include <memory>
+#include <stdexcept>
 
 #include "runtime/stop_request.h"
 #include "tools/commands/commands.h"
@@ -12,11 +14,16 @@ namespace sprung::commands {
 
 namespace {
 
-constexpr int kPatience_ms = 15'000;  // every process may need its three seconds
+constexpr int kPatience_ms = 40'000;  // every process may need its three seconds, the recorder ten
 
 int run_down(const std::string& instance) {
   const RunInfo info = require_running(instance, "");
-  kill(static_cast<pid_t>(info.launcher_pid), SIGTERM);
+  if (kill(static_cast<pid_t>(info.launcher_pid), SIGTERM) != 0 && errno == EPERM)
+    throw std::runtime_error(
+        "robot " + info.robot +
+        " was started by another user: sudo --preserve-env sprung down, or for a service: "
+        "systemctl stop sprung@" +
+        info.robot);
   for (int waited_ms = 0; waited_ms < kPatience_ms && !stop_requested(); waited_ms += 20) {
     if (!read_run_file(instance)) {
       std::printf("%s is down\n", info.robot.c_str());

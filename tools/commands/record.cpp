@@ -3,10 +3,12 @@
 #include <cstdio>
 #include <ctime>
 #include <memory>
+#include <stdexcept>
 
 #include "robots/robot_loader.h"
 #include "runtime/stop_request.h"
 #include "tools/commands/commands.h"
+#include "tools/commands/recording_options.h"
 #include "tools/launcher/child_process.h"
 #include "tools/launcher/recorder_plan.h"
 #include "tools/launcher/run_file.h"
@@ -21,10 +23,7 @@ struct RecordRequest {
   std::string file;
   std::string instance = "default";
   std::string recorder = kRecorderProgram;
-  std::string channels = ".*";
-  double split_MB = 0.0;
-  double split_min = 0.0;
-  double least_free_MB = 500.0;
+  RecordingRequest recording;
 };
 
 std::string command_line(const RecordRequest& request, const std::string& file) {
@@ -43,18 +42,21 @@ PlannedProcess recorder_of(const RecordRequest& request, RunInfo info) {
   launch.simulation = info.simulation;
   launch.lcm_url = info.lcm_url;
   launch.recorder = request.recorder;
+  launch.recording = request.recording;
   launch.command_line = command_line(request, info.log);
-  PlannedProcess planned = plan_recorder(launch, load_robot(info.robot_folder), info);
-  if (request.recorder == kRecorderProgram)
-    planned.arguments.insert(planned.arguments.end(),
-                             {"--channels", request.channels,                    //
-                              "--split-mb", std::to_string(request.split_MB),    //
-                              "--split-min", std::to_string(request.split_min),  //
-                              "--min-free-mb", std::to_string(request.least_free_MB)});
-  return planned;
+  return plan_recorder(launch, load_robot(info.robot_folder), info);
+}
+
+void refuse_contradictions(const RecordRequest& request) {
+  try {
+    check_recording(request.recorder, request.recording);
+  } catch (const std::invalid_argument& error) {
+    throw WrongUse(error.what());
+  }
 }
 
 int run_record(const RecordRequest& request) {
+  refuse_contradictions(request);
   const RunInfo info = require_running(request.instance, "");
   const PlannedProcess planned = recorder_of(request, info);
   const bool own = request.recorder == kRecorderProgram;
@@ -79,12 +81,7 @@ void add_record(CommandLine& sprung) {
       sprung.subcommand("record", "Record every channel of the running robot into an LCM log.");
   record.option("file", r->file, "LCM log to write, default ROBOT-TIME.lcm");
   record.option("--instance", r->instance, "which run");
-  record.choice("--with", r->recorder, {kRecorderProgram, kLcmLogger}, "what writes the log");
-  record.option("--channels", r->channels, "regular expression, as LCM's");
-  record.option("--split-mb", r->split_MB, "begin another file at this size, MB; 0 = never");
-  record.option("--split-min", r->split_min, "begin another file after this time, minutes; 0 = never");
-  record.option("--min-free-mb", r->least_free_MB,
-                "end before the disk has less than this left, MB; 0 = never");
+  add_recording_options(record, r->recorder, r->recording);
   record.example("sprung record jump.lcm");
   record.action([=] { return run_record(*r); });
 }

@@ -12,6 +12,7 @@
 #include "runtime/session_clock.h"
 #include "runtime/stop_request.h"
 #include "tools/commands/commands.h"
+#include "tools/commands/recording_options.h"
 #include "tools/launcher/launch_view.h"
 #include "tools/launcher/launcher.h"
 #include "tools/launcher/recorder_plan.h"
@@ -25,7 +26,7 @@ std::string end_text(const Launcher::Ended& ended, bool lockstep) {
   const std::string what = ended.program + " ended (" + exit_text(ended.status) + "). ";
   if (ended.program == kRecorderProgram || ended.program == kLcmLogger)
     return what + (ended.comes_back ? "It is started again, into another log."
-                                    : "The run goes on without a log: sprung record writes one.");
+                                    : "The run goes on without a log; when that is mended: sprung record.");
   if (ended.comes_back)
     return what +
            "The robot's own safety acts; it is started again once no drive has torque: sprung estop if need "
@@ -37,16 +38,20 @@ std::string end_text(const Launcher::Ended& ended, bool lockstep) {
 /// Until a stop is asked for or nothing is left to watch. @return exit status.
 int watch_over(Launcher& launcher, LaunchView& view, ServiceNotify& service, const LaunchRequest& request) {
   int exit_status = kExitDone;
+  const auto complain = [&](const std::string& what) {
+    launcher.say("error " + what);
+    service.status(what);
+  };
   while (!stop_requested()) {
     launcher.look();
     service.keep_alive(monotonic_us());
     for (const Launcher::Ended& ended : launcher.newly_ended()) {
       if (ended.status == 0 && request.cycles > 0) return exit_status;
-      launcher.say("error " + end_text(ended, request.clock == "lockstep"));
+      complain(end_text(ended, request.clock == "lockstep"));
       if (!ended.comes_back) exit_status = kExitFailed;
     }
     for (const std::string& trouble : launcher.new_trouble()) {
-      launcher.say("error " + trouble);
+      complain(trouble);
       exit_status = kExitFailed;
     }
     if (launcher.lead_is_gone()) {
@@ -67,10 +72,20 @@ void warn_of_ttl(const LaunchRequest& request, const RobotConfig& robot, Launche
         "'udpm://239.255.76.67:7667?ttl=1&recv_buf_size=4194304' on every host");
 }
 
-int run_up(const LaunchRequest& request, bool plain) {
+void refuse_contradictions(const LaunchRequest& request, const RobotConfig& robot) {
   if (!(request.patience_s > 0.0)) throw WrongUse("--patience is more than 0 s");
+  try {
+    check_request(request, robot);
+    check_recording(request.recorder, request.recording);
+  } catch (const std::invalid_argument& error) {
+    throw WrongUse(error.what());
+  }
+}
+
+int run_up(const LaunchRequest& request, bool plain) {
   start_log("sprung");
   const RobotConfig robot = load_robot(request.robot);
+  refuse_contradictions(request, robot);
   ServiceNotify service;
   Launcher launcher(request, robot);
   int status = kExitFailed;
@@ -88,6 +103,7 @@ int run_up(const LaunchRequest& request, bool plain) {
     if (plain || !has_terminal()) std::printf("%s: stopping, drives first\n", robot.name.c_str());
     std::fflush(stdout);
     launcher.stop();
+    if (!launcher.stopped_in_order()) status = kExitFailed;
   }
   if (!launcher.info().log.empty()) std::printf("log: %s\n", launcher.info().log.c_str());
   return status;
@@ -130,7 +146,7 @@ void add_up(CommandLine& sprung) {
   up.option("--cycles", request->cycles, "end after that many cycles, 0 = never");
   up.option("--log", request->log_folder, "folder of the LCM log");
   up.flag("--no-record", *no_record, "write no log");
-  up.choice("--with", request->recorder, {kRecorderProgram, kLcmLogger}, "what writes the log");
+  add_recording_options(up, request->recorder, request->recording);
   up.option("--host", request->host,
             "start the processes that robot.yaml gives to this host; without: those that have no host");
   up.flag("--plain", *plain, "lines instead of a screen, also in a terminal");

@@ -78,7 +78,23 @@ void refuse_unknown_host(const LaunchRequest& request, const RobotConfig& robot)
           : "robot " + robot.name + " gives no process to host '" + request.host + "'; its hosts: " + known);
 }
 
-void refuse_contradictions(const LaunchRequest& request, const RobotConfig& robot) {
+void refuse_processes(const RobotConfig& robot) {
+  const auto& all = robot.processes;
+  for (auto process = all.begin(); process != all.end(); ++process) {
+    const auto same = [&](const ProcessConfig& other) { return other.program == process->program; };
+    if (std::any_of(all.begin(), process, same))
+      throw std::invalid_argument("robot " + robot.name + " lists " + process->program +
+                                  " twice among its processes");
+    if (process->program == kBridgeProgram && process->restart != RestartPolicy::kNever)
+      throw std::invalid_argument(
+          "robot " + robot.name + ": " + kBridgeProgram +
+          " has restart: without_torque, but the bridge never comes back by itself; leave it out");
+  }
+}
+
+}  // namespace
+
+void check_request(const LaunchRequest& request, const RobotConfig& robot) {
   (void)robot.preset(request.preset);
   if (request.clock == "lockstep" && !request.simulation) {
     throw std::invalid_argument("--clock lockstep needs --sim: real drives do not wait");
@@ -91,14 +107,13 @@ void refuse_contradictions(const LaunchRequest& request, const RobotConfig& robo
     throw std::invalid_argument("robot " + robot.name + " lists no " + kBridgeProgram +
                                 " among its processes");
   }
+  refuse_processes(robot);
   refuse_unknown_host(request, robot);
 }
 
-}  // namespace
-
 std::vector<PlannedProcess> plan_processes(const LaunchRequest& request, const RobotConfig& robot,
                                            std::int64_t session, std::int64_t epoch_us) {
-  refuse_contradictions(request, robot);
+  check_request(request, robot);
   std::vector<PlannedProcess> plan;
   if (request.simulation && leads(request, robot)) {
     ProcessConfig drives;

@@ -9,6 +9,16 @@
 
 namespace sprung {
 
+/// What sprung-recorder is told of its files; LCM's own lcm-logger knows none of it.
+struct RecordingRequest {
+  std::string channels = ".*";   ///< regular expression
+  double split_MB = 0.0;         ///< 0 = never
+  double split_min = 0.0;        ///< 0 = never
+  double least_free_MB = 500.0;  ///< of the disk; 0 = never ends for it
+
+  bool splits() const noexcept { return split_MB > 0.0 || split_min > 0.0; }
+};
+
 /// What `sprung up` was asked for.
 struct LaunchRequest {
   std::string robot;  ///< name or folder
@@ -29,7 +39,8 @@ struct LaunchRequest {
   std::string log_folder;    ///< empty = no recording
   std::string host;          ///< starts what robot.yaml gives to this host; empty = what it gives to none
   std::string recorder = "sprung-recorder";  ///< or "lcm-logger"
-  std::string command_line;                  ///< what was typed, for the log's metadata
+  RecordingRequest recording;
+  std::string command_line;  ///< what was typed, for the log's metadata
   std::string instance = "default";
 };
 
@@ -41,8 +52,11 @@ struct PlannedProcess {
 
 inline constexpr const char* kBridgeProgram = "sprung-can-bridge";
 
+/// @throws std::invalid_argument where the request contradicts itself or the robot, naming what to change.
+void check_request(const LaunchRequest& request, const RobotConfig& robot);
+
 /// In order of start, those of this host alone; the bridge, where it is one of them, comes last.
-/// @throws std::invalid_argument where the request contradicts itself.
+/// @throws as check_request.
 std::vector<PlannedProcess> plan_processes(const LaunchRequest& request, const RobotConfig& robot,
                                            std::int64_t session, std::int64_t epoch_us);
 

@@ -19,16 +19,32 @@
 #include "runtime/types_hash.h"
 #include "tools/launcher/lead_finder.h"
 #include "tools/launcher/recorder_plan.h"
+#include "tools/launcher/run_conflict.h"
 
 namespace sprung {
 
 namespace {
 
-constexpr double kStop_s = 3.0;  // a bridge may damp its robot for half a second first
+constexpr double kStop_s = 3.0;                     // a bridge may damp its robot for half a second first
+constexpr double kStopRecorder_s = 10.0;            // a disk that is slow must still get everything
+constexpr std::int64_t kStoodStill_us = 1'000'000;  // a look comes many times a second
 
 BuildIdentity own_identity(const LaunchRequest& request, const RobotConfig& robot) {
   return {SPRUNG_VERSION, SPRUNG_GIT_HASH, types_hash(), configuration_hash(robot, request.preset),
           robot.name,     request.clock};
+}
+
+/// What cannot be is refused before anything is locked, or another host is waited for.
+bool checked_leads(const LaunchRequest& request, const RobotConfig& robot) {
+  check_request(request, robot);
+  return leads(request, robot);
+}
+
+std::vector<RunInfo> others(const std::string& instance) {
+  std::vector<RunInfo> runs = runs_that_are_up();
+  const auto is_own = [&](const RunInfo& run) { return run.instance == instance; };
+  runs.erase(std::remove_if(runs.begin(), runs.end(), is_own), runs.end());
+  return runs;
 }
 
 }  // namespace
@@ -36,7 +52,7 @@ BuildIdentity own_identity(const LaunchRequest& request, const RobotConfig& robo
 Launcher::Launcher(const LaunchRequest& request, const RobotConfig& robot)
     : request_(request),
       robot_(robot),
-      leads_(leads(request, robot)),
+      leads_(checked_leads(request, robot)),
       run_file_(request.instance),
       info_(leads_ ? describe_run(request, robot) : describe_joined_run(request, robot)),
       plan_(plan_processes(request_, robot_, info_.session, info_.epoch_us)),
@@ -47,8 +63,10 @@ Launcher::Launcher(const LaunchRequest& request, const RobotConfig& robot)
       publisher_(node_.publisher<ProcessStatus>(channels::kProcessStatus)) {
   node_.subscribe_message(channels::kProcessStatus, CountLimits::none(), statuses_);
   node_.subscribe_message(channels::kSafetyState, CountLimits::none(), safeties_);
+  run_file_.write(info_);  // first, so that of two that begin at once none misses the other
+  const std::string conflict = why_not_beside(info_, others(request.instance));
+  if (!conflict.empty()) throw std::runtime_error(conflict);
   node_.start();
-  run_file_.write(info_);
 }
 
 Launcher::~Launcher() {
@@ -81,7 +99,9 @@ void Launcher::start_recorder() {
   if (request_.log_folder.empty()) return;
   info_.log = log_path(request_.log_folder, robot_.name);
   line_file_.open(lines_path(info_.log));
-  start(plan_recorder(request_, robot_, info_));
+  const PlannedProcess planned = plan_recorder(request_, robot_, info_);
+  info_.log = first_file(info_.log, request_.recording);
+  start(planned);
   children_.back().end.harmless = true;
   if (says_status(children_.back().planned)) wait_for(children_.back().planned.program, ProcessState::kReady);
 }
@@ -101,31 +121,78 @@ void Launcher::start(const PlannedProcess& planned) {
   run_file_.write(info_);
 }
 
-void Launcher::start_again(Child& child) {
-  read_lines(child);
-  if (child.end.harmless) {  // a log that was cut off stays as it is
-    info_.log = log_path(request_.log_folder, robot_.name);
-    child.planned = plan_recorder(request_, robot_, info_);
-  }
+/// A log that was cut off stays as it is.
+void Launcher::start_new_log(Child& recorder) {
+  RunInfo info = info_;
+  info.log = log_path(request_.log_folder, robot_.name);
+  recorder.planned = plan_recorder(request_, robot_, info);
+  recorder.process = run_program(recorder.planned);
+  info_.log = first_file(info.log, request_.recording);
+}
+
+void Launcher::start_anew(Child& child) {
   board_.forget(child.planned.program);
-  child.process = run_program(child.planned);
+  if (child.end.harmless)
+    start_new_log(child);
+  else
+    child.process = run_program(child.planned);
   child.reported = false;
-  ++child.end.restarts;
   for (RunningProcess& process : info_.processes) {
     if (process.program == child.planned.program) process.pid = child.process->pid();
   }
   run_file_.write(info_);
-  say(child.planned.program + " was started again (" + std::to_string(child.end.restarts) + " of at most " +
+}
+
+/// Where that fails the run goes on as it would have without.
+void Launcher::start_again(Child& child) {
+  const std::string& program = child.planned.program;
+  read_lines(child);
+  ++child.end.restarts;
+  try {
+    start_anew(child);
+  } catch (const std::exception& error) {
+    child.end.restarts = RestartRule::kMost;
+    return trouble_.push_back(program + " is not started again: " + error.what());
+  }
+  say(program + " was started again (" + std::to_string(child.end.restarts) + " of at most " +
       std::to_string(RestartRule::kMost) + " times)" +
       (child.end.harmless ? "" : "; torque stays off: sprung clear, sprung stand"));
+}
+
+Launcher::Child* Launcher::child_named(const std::string& program) {
+  const auto is_it = [&](const Child& child) { return child.planned.program == program; };
+  const auto found = std::find_if(children_.begin(), children_.end(), is_it);
+  return found == children_.end() ? nullptr : &*found;
+}
+
+/// @param child of this launcher that says so; nullptr = another host's.
+void Launcher::refuse_stranger(const sprung_msgs::process_status_t& status, Child* child) {
+  const std::string why = why_not_together(identity_, status, mixed_builds_);
+  if (why.empty()) return;
+  if (named_.insert(status.process + status.host + std::to_string(status.pid)).second)
+    trouble_.push_back(why);
+  if (child == nullptr || state_ != ProcessState::kRunning) return;
+  child->process->signal(SIGTERM);  // its program was built anew, or robot.yaml changed, since the run began
+  child->end.restarts = RestartRule::kMost;
+}
+
+void Launcher::name_twice(const sprung_msgs::process_status_t& status) {
+  if (!named_.insert("twice " + status.process).second) return;
+  trouble_.push_back(status.process + " runs twice in this run, once as process " +
+                     std::to_string(status.pid) + " on " + status.host +
+                     ": one host too many was started with the same --host");
 }
 
 void Launcher::read_statuses() {
   while (auto status = statuses_.pop()) {
     if (status->process == kLauncherProgram && leads_) continue;  // its own
-    const std::string why = why_not_together(identity_, *status, mixed_builds_);
-    if (!why.empty() && named_.insert(status->process + status->host).second) trouble_.push_back(why);
-    board_.hear(*status, node_.utime_us());
+    Child* const child = child_named(status->process);
+    const bool own = child != nullptr && status->pid == child->process->pid() && status->host == host_name_;
+    refuse_stranger(*status, own ? child : nullptr);
+    // Of this host it is the recorder of `sprung record`, or the last word of one that was started again.
+    const bool second = child != nullptr && !own && !child->end.harmless && status->host != host_name_;
+    if (child != nullptr && !own && !second) continue;
+    if (second || board_.hear(*status, node_.utime_us())) name_twice(*status);
   }
   while (auto safety = safeties_.pop()) safety_ = std::move(*safety);
 }
@@ -145,22 +212,28 @@ void Launcher::start_again_what_may() {
 }
 
 void Launcher::look() {
+  const std::int64_t now_us = node_.utime_us();
+  if (looked_us_ > 0 && now_us - looked_us_ > kStoodStill_us) board_.begin_to_listen(now_us);
+  looked_us_ = now_us;
   read_statuses();
   start_again_what_may();
-  const std::int64_t now_us = node_.utime_us();
-  for (Child& child : children_) {
-    read_lines(child);
-    const std::string& program = child.planned.program;
-    if (!child.process->ended() && board_.silent(program, now_us) && named_.insert(program).second)
-      trouble_.push_back(program +
-                         " runs but has said nothing for 3 s: see its last lines, then sprung down");
-  }
-  for (const RemoteProcess& remote : remote_) {
-    if (board_.silent(remote.program, now_us) && named_.insert(remote.program).second)
-      trouble_.push_back(remote.program + " on another host has said nothing for 3 s: look there");
-  }
+  for (Child& child : children_) read_lines(child);
+  name_the_silent();
   publish_status();
   if (turn_) turn_();
+}
+
+void Launcher::name_the_silent() {
+  const std::int64_t now_us = node_.utime_us();
+  const auto name = [&](const std::string& program, const char* what) {
+    if (board_.silent(program, now_us) && named_.insert(program).second) trouble_.push_back(program + what);
+  };
+  for (Child& child : children_) {
+    if (!child.process->ended())
+      name(child.planned.program, " runs but has said nothing for 3 s: see its last lines, then sprung down");
+  }
+  for (const RemoteProcess& remote : remote_)
+    name(remote.program, " on another host has said nothing for 3 s: look there");
 }
 
 void Launcher::publish_status() {
@@ -174,7 +247,7 @@ void Launcher::publish_status() {
   status.state = state_;
   status.memory_kB = resident_kB();
   status.process = kLauncherProgram;
-  status.host = host_name();
+  status.host = host_name_;
   status.version = identity_.version;
   status.git_hash = identity_.git_hash;
   status.robot = identity_.robot;
@@ -223,6 +296,7 @@ std::vector<Launcher::Ended> Launcher::newly_ended() {
     read_lines(child);
     child.reported = true;
     child.end.ended_utime_us = node_.utime_us();
+    child.end.by_signal = *child.process->ended() >= 128;
     ended.push_back({child.planned.program, *child.process->ended(), RestartRule::hopeful(child.end)});
   }
   return ended;
@@ -274,7 +348,11 @@ void Launcher::tell(const LogLine& line) {
 void Launcher::say(const std::string& text) { tell({utc_us(), kLauncherProgram, text}); }
 
 void Launcher::stop_one(Child& child, double patience_s) {
-  if (!child.process->ended()) child.process->stop(patience_s);
+  if (!child.process->ended() && child.process->stop(patience_s) == 128 + SIGKILL) {
+    stopped_in_order_ = false;
+    say("error " + child.planned.program + " did not end when asked and was killed" +
+        (child.planned.program == kBridgeProgram ? ": the drives were left to their own watchdogs" : ""));
+  }
   child.reported = true;
   read_lines(child);
 }
@@ -284,7 +362,7 @@ void Launcher::stop() {
   publish_status();
   const auto stop_if = [&](const auto& chosen) {
     for (auto child = children_.rbegin(); child != children_.rend(); ++child) {
-      if (chosen(*child)) stop_one(*child, kStop_s);
+      if (chosen(*child)) stop_one(*child, child->end.harmless ? kStopRecorder_s : kStop_s);
     }
   };
   stop_if([](const Child& child) { return child.planned.program == kBridgeProgram; });

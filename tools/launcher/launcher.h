@@ -13,6 +13,7 @@
 
 #include "runtime/node.h"
 #include "runtime/process_status.h"
+#include "runtime/resource_use.h"
 #include "tools/launcher/build_match.h"
 #include "tools/launcher/child_process.h"
 #include "tools/launcher/launch_plan.h"
@@ -28,7 +29,7 @@ namespace sprung {
 class Launcher {
  public:
   /// Takes the instance and writes its run file; with a host that has no bridge, waits for the launcher that has it.
-  /// @throws std::runtime_error when the instance runs already, or nobody leads.
+  /// @throws std::runtime_error when the instance runs already, another run is in the way, or nobody leads; as check_request.
   Launcher(const LaunchRequest& request, const RobotConfig& robot);
   ~Launcher();  ///< stops whatever still runs and removes the run file
   Launcher(const Launcher&) = delete;
@@ -55,12 +56,15 @@ class Launcher {
   std::vector<Ended> newly_ended();
   /// Reads what came, starts again what may, says on PROCESS_STATUS that it lives. Call it many times a second.
   void look();
-  /// What went wrong since the last call without a process having ended: one that is silent, or does not belong here.
+  /// What went wrong since the last call without a process having ended: one that is silent, does not belong here, runs twice, or cannot
+  /// be started again.
   std::vector<std::string> new_trouble();
   /// The launcher that leads has ended or is silent; false on the lead itself.
   bool lead_is_gone() const;
   /// Bridge first, so that the drives come to rest while their simulation still runs; recorder last.
   void stop();
+  /// Whether every process that stop() asked ended by itself; each that did not was named.
+  bool stopped_in_order() const { return stopped_in_order_; }
 
   const RunInfo& info() const { return info_; }
   std::size_t running() const;
@@ -80,11 +84,17 @@ class Launcher {
   void start_recorder();
   std::unique_ptr<ChildProcess> run_program(const PlannedProcess& planned) const;
   void start_again(Child& child);
+  void start_anew(Child& child);
+  void start_new_log(Child& recorder);
   void start_again_what_may();
   void wait_for(const std::string& program, ProcessState state);
   std::string not_ready_text(const std::string& program, ProcessState state) const;
   void refuse_trouble();
   void read_statuses();
+  void refuse_stranger(const sprung_msgs::process_status_t& status, Child* child);
+  void name_twice(const sprung_msgs::process_status_t& status);
+  Child* child_named(const std::string& program);
+  void name_the_silent();
   void read_lines(Child& child);
   void tell(const LogLine& line);
   void publish_status();
@@ -93,6 +103,7 @@ class Launcher {
 
   LaunchRequest request_;
   RobotConfig robot_;
+  const std::string host_name_ = host_name();
   bool leads_;
   RunFile run_file_;
   RunInfo info_;
@@ -107,6 +118,8 @@ class Launcher {
   StatusSchedule schedule_;
   ProcessState state_ = ProcessState::kStarting;
   StatusBoard board_;
+  std::int64_t looked_us_ = 0;
+  bool stopped_in_order_ = true;
   std::optional<sprung_msgs::safety_state_t> safety_;
   std::unique_ptr<TorqueWatch> torque_watch_;  ///< while a process waits to be started again
   std::vector<std::string> trouble_;

@@ -14,7 +14,7 @@ std::int64_t epoch_here_us(std::int64_t utc_offset_us, std::int64_t utc_here_us,
 }
 
 std::optional<sprung_msgs::process_status_t> find_lead(const std::string& lcm_url, const std::string& robot,
-                                                       double patience_s) {
+                                                       double patience_s, std::string* refusal) {
   InputQueue<sprung_msgs::process_status_t> statuses(256);
   Node node(NodeOptions{lcm_url, 0, 0, {}});  // any session
   node.subscribe_message(channels::kProcessStatus, CountLimits::none(), statuses);
@@ -28,6 +28,7 @@ std::optional<sprung_msgs::process_status_t> find_lead(const std::string& lcm_ur
       if (leads) return status;
     }
   }
+  if (refusal != nullptr && node.refused_messages() > 0) *refusal = node.last_refusal();
   return std::nullopt;
 }
 

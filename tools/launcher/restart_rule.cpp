@@ -3,7 +3,7 @@
 namespace sprung {
 
 bool RestartRule::hopeful(const EndedProcess& ended) noexcept {
-  const bool allowed = ended.harmless || ended.policy == RestartPolicy::kWithoutTorque;
+  const bool allowed = ended.harmless ? ended.by_signal : ended.policy == RestartPolicy::kWithoutTorque;
   return allowed && ended.restarts < kMost && (ended.harmless || !ended.lockstep);
 }
 

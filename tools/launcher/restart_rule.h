@@ -16,10 +16,13 @@ struct TorqueHeard {
 
 struct EndedProcess {
   RestartPolicy policy = RestartPolicy::kNever;
-  bool harmless = false;  ///< commands nothing (the recorder): is started again at once
+  /// Commands nothing (the recorder): is started again at once where a signal ended it. Where it ended by itself it has said why (the
+  /// disk is nearly full, its file cannot be written), and would soon end again.
+  bool harmless = false;
   bool lockstep = false;  ///< a deterministic run ends with any of its processes
   int restarts = 0;       ///< so far
   std::int64_t ended_utime_us = 0;
+  bool by_signal = false;  ///< killed, not by its own exit
 };
 
 class RestartRule {

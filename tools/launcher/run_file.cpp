@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <thread>
 
 namespace sprung {
@@ -37,6 +38,7 @@ Json to_json(const RunInfo& info) {
            {"preset", info.preset},     {"clock", info.clock},       {"simulation", info.simulation},
            {"session", info.session},   {"epoch_us", info.epoch_us}, {"lcm_url", info.lcm_url},
            {"log", info.log},           {"can", info.can},           {"launcher_pid", info.launcher_pid}};
+  out["buses"] = info.buses;
   out["processes"] = Json::array();
   for (const RunningProcess& process : info.processes) {
     out["processes"].push_back({{"program", process.program}, {"pid", process.pid}});
@@ -58,6 +60,7 @@ RunInfo from_json(const Json& in) {
   info.log = in.at("log");
   info.can = in.at("can").get<std::vector<std::string>>();
   info.launcher_pid = in.at("launcher_pid");
+  info.buses = in.at("buses").get<std::vector<std::string>>();
   for (const Json& process : in.at("processes")) {
     info.processes.push_back({process.at("program"), process.at("pid")});
   }
@@ -134,6 +137,19 @@ std::optional<RunInfo> read_run_file(const std::string& instance) {
   } catch (const Json::exception&) {
     return std::nullopt;
   }
+}
+
+std::vector<RunInfo> runs_that_are_up() {
+  std::set<std::string> instances;
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(run_folder(), none)) {
+    if (entry.path().extension() == ".json") instances.insert(entry.path().stem().string());
+  }
+  std::vector<RunInfo> runs;
+  for (const std::string& instance : instances) {
+    if (auto info = read_run_file(instance)) runs.push_back(std::move(*info));
+  }
+  return runs;
 }
 
 RunInfo require_running(const std::string& instance, const std::string& robot) {

@@ -24,8 +24,9 @@ struct RunInfo {
   std::int64_t session = 0;
   std::int64_t epoch_us = 0;  ///< CLOCK_MONOTONIC at the session's begin
   std::string lcm_url;
-  std::string log;               ///< LCM log being written, empty = none
-  std::vector<std::string> can;  ///< BUS=ADDRESS where it is not robot.yaml's
+  std::string log;                 ///< LCM log being written, empty = none
+  std::vector<std::string> can;    ///< BUS=ADDRESS where it is not robot.yaml's
+  std::vector<std::string> buses;  ///< addresses of all that this launcher's bridge uses
   std::int64_t launcher_pid = 0;
   std::vector<RunningProcess> processes;
 };
@@ -57,6 +58,8 @@ class RunFile {
 
 /// nullopt where nobody holds the instance, or its description is not there yet.
 std::optional<RunInfo> read_run_file(const std::string& instance);
+/// All that are up, as far as their descriptions are there; in the order of their instances' names.
+std::vector<RunInfo> runs_that_are_up();
 /// @param robot empty = any. @throws NotRunning when nothing runs as `instance` or another robot does.
 RunInfo require_running(const std::string& instance, const std::string& robot);
 

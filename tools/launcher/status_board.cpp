@@ -1,5 +1,6 @@
 #include "tools/launcher/status_board.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -37,8 +38,19 @@ std::string exit_text(int status) {
   return status < 128 ? "exit status " + std::to_string(status) : std::string(strsignal(status - 128));
 }
 
-void StatusBoard::hear(const sprung_msgs::process_status_t& status, std::int64_t now_us) {
-  heard_[status.process] = {status, now_us};
+bool StatusBoard::hear(const sprung_msgs::process_status_t& status, std::int64_t now_us) {
+  Heard& heard = heard_[status.process];
+  const std::pair<std::string, std::int64_t> before{heard.status.host, heard.status.pid},
+      now{status.host, status.pid};
+  const bool in_turn = now != before && now == heard.forerunner;
+  if (now != before) heard.forerunner = before;
+  heard.status = status;
+  heard.at_us = now_us;
+  return in_turn;
+}
+
+void StatusBoard::begin_to_listen(std::int64_t now_us) {
+  for (auto& [program, heard] : heard_) heard.at_us = std::max(heard.at_us, now_us);
 }
 
 void StatusBoard::forget(const std::string& program) { heard_.erase(program); }

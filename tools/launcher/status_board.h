@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "signals/modes.h"
@@ -41,7 +42,10 @@ class StatusBoard {
  public:
   static constexpr std::int64_t kSilent_us = 3'000'000;  ///< PROCESS_STATUS comes twice a second
 
-  void hear(const sprung_msgs::process_status_t& status, std::int64_t now_us);
+  /// @return whether two processes of that name speak in turn: this one was heard before, and another since.
+  bool hear(const sprung_msgs::process_status_t& status, std::int64_t now_us);
+  /// Nobody listened until now (this process was stopped, or the machine stood still): nothing of that is silence.
+  void begin_to_listen(std::int64_t now_us);
   void forget(const std::string& program);  ///< it starts again
 
   ProcessState state_of(const std::string& program) const;  ///< kStarting as long as nothing was heard
@@ -54,6 +58,7 @@ class StatusBoard {
   struct Heard {
     sprung_msgs::process_status_t status;
     std::int64_t at_us = 0;
+    std::pair<std::string, std::int64_t> forerunner;  ///< host and pid of who spoke under that name before
   };
   std::map<std::string, Heard> heard_;
 };

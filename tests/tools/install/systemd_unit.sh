@@ -17,7 +17,7 @@ if [ -n "$said" ] || ! systemd-analyze verify --man=no "$work/sprung@single_leg.
   echo "systemd does not accept the unit"
   exit 1
 fi
-for key in Type=notify WatchdogSec= LimitRTPRIO= LimitMEMLOCK=; do grep -q "^$key" "$unit" || { echo "no $key"; exit 1; }; done
+for key in Type=notify WatchdogSec= LimitRTPRIO= LimitMEMLOCK= RuntimeDirectoryPreserve=yes; do grep -q "^$key" "$unit" || { echo "no $key"; exit 1; }; done
 # A unit with a mistake must not pass, or this test shows nothing.
 sed 's/^WatchdogSec=.*/WatchdogSec=soon/' "$work/sprung@.service" >"$work/sprung@broken.service"
 systemd-analyze verify --man=no "$work/sprung@broken.service" 2>&1 | grep -q "sprung@broken.service:.*Failed to parse" || { echo "a mistake was not found"; exit 1; }
