@@ -122,8 +122,8 @@ TEST_F(InspectCommands, SpyWithoutATerminalNamesTheOtherCommands) {
 
 /// Its keys would never come, and it would ask for them without end.
 TEST_F(InspectCommands, SpyWithoutKeysNamesTheOtherCommands) {
-  const auto end = test::run_command("timeout -s KILL 10 script -qec '" SPRUNG_BIN_DIR "/sprung spy --url " +
-                                     test::own_lcm_url() + " </dev/null' /dev/null");
+  const std::string spy = SPRUNG_BIN_DIR "/sprung spy --url \"" + test::own_lcm_url() + "\" </dev/null";
+  const auto end = test::run_command("timeout -s KILL 10 script -qec '" + spy + "' /dev/null");
   EXPECT_EQ(end.status, 1) << end.output;
   EXPECT_THAT(end.output, HasSubstr("sprung watch"));
 }
