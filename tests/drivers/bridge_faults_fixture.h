@@ -1,0 +1,55 @@
+#pragma once
+/// A bridge with its drives enabled, and what is expected of it when something fails.
+#include <gmock/gmock.h>
+
+#include "drivers/can/can_errors.h"
+#include "tests/support/bridge_fixture.h"
+
+namespace sprung {
+
+class BridgeFaults : public testing::PoweredBridge {
+ protected:
+  static constexpr std::uint32_t kHipSample = 0x181;
+
+  const BusHealth& bus() const { return bench_.bridge->bus_state().buses[0]; }
+  void expect_damping(SafetyCause expected, const char* text) {
+    EXPECT_EQ(level(), SafetyLevel::kDamping);
+    EXPECT_EQ(cause(), expected);
+    EXPECT_TRUE(latched());
+    EXPECT_THAT(bench_.detail(), ::testing::HasSubstr(text));
+    bench_.run(205);
+    EXPECT_EQ(level(), SafetyLevel::kQuickStop);
+  }
+  void expect_bus_lost(const char* text) {
+    EXPECT_EQ(level(), SafetyLevel::kQuickStop);
+    EXPECT_EQ(cause(), SafetyCause::kBusLost);
+    EXPECT_TRUE(latched());
+    EXPECT_THAT(bench_.detail(), ::testing::HasSubstr(text));
+  }
+  void expect_cleared() {
+    bench_.on_answers = nullptr;
+    bench_.run(900);
+    EXPECT_EQ(bench_.ask_and_wait(OperatorKind::kClear).outcome, OperatorOutcome::kDone) << bench_.detail();
+    bench_.enable();
+    EXPECT_EQ(enabled(), 2);
+  }
+  /// Calls `change` for every sample of the hip.
+  template <class Change>
+  void bend_samples(Change change) {
+    bench_.on_answers = [change](std::vector<CanFrame>& frames) {
+      for (std::size_t i = 0; i < frames.size(); ++i) {
+        if (frames[i].id == kHipSample) change(frames, i);
+      }
+    };
+  }
+  void controller_error(std::uint8_t detail) {
+    CanFrame frame;
+    frame.error = true;
+    frame.length = 8;
+    frame.id = kCanErrorController;
+    frame.data[1] = detail;
+    bench_.bridge->receive(0, frame, bench_.time_us);
+  }
+};
+
+}  // namespace sprung
