@@ -78,7 +78,7 @@ void refuse_same_file(const std::vector<std::string>& logs, const std::string& o
   for (const std::string& log : logs) {
     std::error_code error;
     if (std::filesystem::equivalent(log, out, error) && !error)
-      throw std::invalid_argument(out + " is the log that is read; give another -o");
+      throw std::invalid_argument(out + " is the log that is read: give the new file another name");
   }
 }
 

@@ -59,7 +59,7 @@ class LcmReplay {
       ++result_.laps;
       if (result_.messages == before) break;  // nothing to send: a loop would never end
     } while (request_.loop);
-    result_.not_renamed = names_.unused();
+    if (result_.laps > 0) result_.not_renamed = names_.unused();
     return result_;
   }
 

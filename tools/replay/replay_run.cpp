@@ -31,6 +31,8 @@ class OutputLog {
     run_.simulation = run.metadata && run.metadata->simulation != 0;
     run_.command_line =
         "sprung replay " + request.log + " --into " + names(request.cores) + " --out " + request.out;
+    if (!request.robot.empty()) run_.command_line += " --robot " + request.robot;
+    if (!request.preset.empty()) run_.command_line += " --preset " + request.preset;
   }
   void add(const MessagePair& pair) {
     if (writer_.events() == 0) write_metadata(pair);

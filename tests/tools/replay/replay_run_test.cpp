@@ -214,6 +214,7 @@ TEST_F(ReplayRun, WhatTheCoresSayNowSaysWhatMadeIt) {
   EXPECT_EQ(made.metadata->simulation, 1);
   EXPECT_NE(made.metadata->robot_yaml.find("friction_compensation: 0.8"), std::string::npos);
   EXPECT_NE(made.metadata->command_line.find("--into estimator,planner,controller"), std::string::npos);
+  EXPECT_NE(made.metadata->command_line.find("--robot " + request.robot), std::string::npos);
 }
 
 TEST_F(ReplayRun, TheLogItselfIsNotOverwritten) {
