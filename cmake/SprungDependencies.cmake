@@ -25,6 +25,6 @@ find_file(CHART_JS chart.min.js PATHS /usr/share/javascript/chart.js NO_DEFAULT_
 # libmd: digest of the log that friction was identified from (tools/identify/file_digest.cpp).
 find_path(MD_INCLUDE_DIR sha2.h REQUIRED)
 find_library(MD_LIBRARY md REQUIRED)
-# zstd: chunks of MCAP files (tools/log/mcap_writer.cpp).
+# zstd: chunks of MCAP files (tools/log/chunk_packer.cpp).
 find_path(ZSTD_INCLUDE_DIR zstd.h REQUIRED)
 find_library(ZSTD_LIBRARY zstd REQUIRED)

@@ -1,15 +1,20 @@
-"""`sprung log mcap` read by Foxglove's own reader: every message, by index, with the values that stand in the LCM log's bytes."""
+"""`sprung log mcap` read by Foxglove's own reader and Google's protocol buffers: every message, by index, with the values that stand in
+the LCM log's bytes."""
 
 import json
 import pathlib
 import struct
 import subprocess
 
+import lcm_types
+import programs
 import pytest
+from google.protobuf.descriptor_pb2 import FileDescriptorSet
 from mcap.reader import NonSeekingReader, SeekingReader
+from mcap_protobuf.decoder import DecoderFactory
 
 _SYNC = 0xEDA1DA01
-_STAMP = struct.Struct(">qqqqi")  # hash, session, utime, seq, n_actuators
+_PROTOBUF = ["packed.mcap", "plain.mcap"]
 
 
 def lcm_events(path):
@@ -24,42 +29,97 @@ def lcm_events(path):
         at = begin + data_bytes
 
 
+def comparable(value):
+    """Real numbers by their bits, since NaN equals nothing."""
+    return struct.pack(">d", value) if isinstance(value, float) else value
+
+
+def same(value, message):
+    """Whether a protobuf message has every value of an LCM message: {} or the members' paths that differ."""
+    wrong = {}
+    for name, expected in value.items():
+        found = getattr(message, name)
+        listed, several = isinstance(expected, list), hasattr(found, "__len__") and not isinstance(found, (str, bytes))
+        assert listed == several, name
+        pairs = list(zip(expected, found)) if listed else [(expected, found)]
+        if listed and len(expected) != len(found):
+            wrong[name] = (expected, found)
+        for one, other in pairs:
+            if isinstance(one, dict):
+                wrong.update(same(one, other))
+            elif isinstance(one, bytes) and isinstance(other, str):  # text in bytes of a fixed number
+                if one.split(b"\0")[0].decode() != other:
+                    wrong[name] = (one, other)
+            elif comparable(one) != comparable(other):
+                wrong[name] = (one, other)
+    return wrong
+
+
 @pytest.fixture(scope="module")
 def recording(request, tmp_path_factory):
-    """An LCM log of a knee on its bench, and the same as MCAP, packed and plain."""
+    """A log of a leg that gets up, and more; its first seconds as LCM log and as MCAP; all of it as MCAP."""
     sprung = pathlib.Path(request.config.getoption("--programs")) / "sprung"
     folder = tmp_path_factory.mktemp("mcap")
 
     def run(*arguments):
         subprocess.run([sprung, *arguments], cwd=folder, check=True, timeout=120, stdout=subprocess.DEVNULL)
 
-    run("identify", "--record", "single_leg", "knee", "--in-process", "--out", "knee.lcm")
-    run("log", "mcap", "knee.lcm", "-o", "packed.mcap")
-    run("log", "mcap", "knee.lcm", "--plain", "-o", "plain.mcap")
+    run("experiment", "--logs", ".", "step_response", "--robot", "single_leg")
+    run("log", "cut", "single_leg-000.lcm", "--to", "2", "-o", "part.lcm")
+    run("log", "mcap", "part.lcm", "-o", "packed.mcap")
+    run("log", "mcap", "part.lcm", "--plain", "-o", "plain.mcap")
+    run("log", "mcap", "part.lcm", "--encoding", "json", "-o", "json.mcap")
+    run("log", "mcap", "single_leg-000.lcm", "-o", "long.mcap")
+    run("log", "mcap", "single_leg-000.lcm", "--encoding", "json", "-o", "long_json.mcap")
     return folder
 
 
-@pytest.mark.parametrize("name", ["packed.mcap", "plain.mcap"])
+@pytest.fixture(scope="module")
+def types():
+    return lcm_types.read_types(programs.TOP / "lcmtypes")
+
+
+@pytest.mark.parametrize("name", _PROTOBUF)
 @pytest.mark.parametrize("reader", [SeekingReader, NonSeekingReader])
-def test_every_message_has_the_values_of_the_log(recording, name, reader):
-    events = [event for event in lcm_events(recording / "knee.lcm") if event[1] == "DRIVE_STATE"]
+def test_every_protobuf_message_has_every_value_of_the_log(recording, types, name, reader):
+    by_channel = {}
+    for received_us, channel, data in lcm_events(recording / "part.lcm"):
+        by_channel.setdefault(channel, []).append((received_us, data))
+    found = 0
     with open(recording / name, "rb") as file:
-        messages = [found for found in reader(file, validate_crcs=True).iter_messages(topics=["DRIVE_STATE"])]
+        opened = reader(file, validate_crcs=True, decoder_factories=[DecoderFactory()])
+        for schema, channel, message, decoded in opened.iter_decoded_messages(log_time_order=False):
+            assert (schema.encoding, channel.message_encoding) == ("protobuf", "protobuf")
+            package, kind = schema.name.split(".")
+            assert package == "sprung_msgs"
+            received_us, data = by_channel[channel.topic][message.sequence]
+            assert message.publish_time == received_us * 1000
+            assert same(lcm_types.Decoder(types, data).decode(kind), decoded) == {}
+            found += 1
+    assert found == sum(map(len, by_channel.values())) > 10_000
+    assert {"JOINT_STATE", "MOTION_STATE", "OPERATOR_COMMAND", "LOG_METADATA"} <= set(by_channel)
+
+
+def test_every_json_message_has_the_values_of_the_log(recording, types):
+    events = [event for event in lcm_events(recording / "part.lcm") if event[1] == "DRIVE_STATE"]
+    with open(recording / "json.mcap", "rb") as file:
+        messages = [found for found in SeekingReader(file).iter_messages(topics=["DRIVE_STATE"])]
     assert len(messages) == len(events) > 1000
     for (received_us, _, data), (schema, channel, message) in zip(events, messages):
         assert (schema.name, schema.encoding, channel.message_encoding) == ("drive_state_t", "jsonschema", "json")
         assert message.publish_time == received_us * 1000
-        value = json.loads(message.data)
-        _, session, utime, seq, actuators = _STAMP.unpack_from(data)
-        assert (value["session"], value["utime"], value["seq"]) == (session, utime, seq)
-        assert len(value["actuators"]) == actuators
-        (position,) = struct.unpack_from(">d", data, _STAMP.size)
-        found = value["actuators"][0]["measured_position_rad"]
-        assert found == position or (found is None and position != position)
+        value, expected = json.loads(message.data), lcm_types.Decoder(types, data).decode("drive_state_t")
+        for name in ("session", "utime", "seq"):
+            assert value[name] == expected[name]
+        assert len(value["actuators"]) == len(expected["actuators"])
+        for found, actuator in zip(value["actuators"], expected["actuators"]):
+            for name, number in actuator.items():
+                assert found[name] == number or (found[name] is None and number != number), name
 
 
-def test_the_index_finds_a_stretch_of_time(recording):
-    with open(recording / "packed.mcap", "rb") as file:
+@pytest.mark.parametrize("name", ["long.mcap", "long_json.mcap"])
+def test_the_index_finds_a_stretch_of_time(recording, name):
+    with open(recording / name, "rb") as file:
         reader = SeekingReader(file)
         summary = reader.get_summary()
         statistics = summary.statistics
@@ -69,10 +129,23 @@ def test_the_index_finds_a_stretch_of_time(recording):
     assert found and all(middle <= time < middle + 10**8 for time in found)
 
 
-def test_schemas_describe_the_messages(recording):
-    with open(recording / "packed.mcap", "rb") as file:
+def test_json_schemas_describe_the_messages(recording):
+    with open(recording / "json.mcap", "rb") as file:
         schemas = SeekingReader(file).get_summary().schemas
     for schema in schemas.values():
         text = json.loads(schema.data)
         assert text["type"] == "object" and text["title"] == schema.name
         assert text["properties"]["seq"] == {"type": "integer", "description": text["properties"]["seq"]["description"]}
+
+
+def test_protobuf_schemas_have_units_and_comments(recording):
+    with open(recording / "packed.mcap", "rb") as file:
+        schemas = SeekingReader(file).get_summary().schemas
+    (schema,) = [schema for schema in schemas.values() if schema.name == "sprung_msgs.joint_state_t"]
+    comments = {}
+    for described in FileDescriptorSet.FromString(schema.data).file:
+        for place in described.source_code_info.location:
+            assert list(place.path[:3]) == [4, 0, 2]
+            comments[described.message_type[0].field[place.path[3]].name] = place.trailing_comments
+    assert comments["gear_output_torque_Nm"].startswith(" Nm; what the link feels")
+    assert comments["estimated_velocity_rad_s"] == " rad/s\n"

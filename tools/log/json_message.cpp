@@ -4,8 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "tools/fields/units.h"
 #include "tools/fields/value_text.h"
+#include "tools/log/member_text.h"
 
 namespace sprung::log {
 
@@ -129,9 +129,7 @@ Json schema_of(const fields::StructType& type) {
   Json properties = Json::object();
   for (const fields::Member& member : type.members) {
     Json schema = schema_of(member);
-    const std::string unit = fields::unit_of(member.name);
-    const std::string what =
-        unit.empty() || member.comment.empty() ? unit + member.comment : unit + "; " + member.comment;
+    const std::string what = member_text(member);
     if (!what.empty()) schema["description"] = what;
     properties[member.name] = std::move(schema);
   }

@@ -28,12 +28,19 @@ enum class McapOp : std::uint8_t {
   kDataEnd = 0x0F,
 };
 
+template <class Unsigned>
+void append_little_endian(Unsigned value, std::string& out) {
+  char bytes[sizeof(Unsigned)];
+  for (std::size_t i = 0; i < sizeof(Unsigned); ++i) bytes[i] = static_cast<char>((value >> (8 * i)) & 0xFF);
+  out.append(bytes, sizeof bytes);
+}
+
 /// The content of one record, put together field by field.
 class McapFields {
  public:
   template <class Unsigned>
   McapFields& number(Unsigned value) {
-    for (std::size_t i = 0; i < sizeof(Unsigned); ++i) bytes_ += static_cast<char>((value >> (8 * i)) & 0xFF);
+    append_little_endian(value, bytes_);
     return *this;
   }
   McapFields& text(std::string_view value) {  ///< length (4 bytes) and text
@@ -51,18 +58,38 @@ class McapFields {
     return text(pairs.bytes_);
   }
   const std::string& bytes() const noexcept { return bytes_; }
-  void clear() noexcept { bytes_.clear(); }
 
  private:
   std::string bytes_;
 };
 
+/// What stands before a record's content.
+inline void append_record_head(McapOp op, std::size_t content_bytes, std::string& out) {
+  out += static_cast<char>(op);
+  append_little_endian(static_cast<std::uint64_t>(content_bytes), out);
+}
+
 /// Appends the record: operation, length (8 bytes), content.
 inline void append_record(McapOp op, std::string_view content, std::string& out) {
-  McapFields head;
-  out +=
-      head.number(static_cast<std::uint8_t>(op)).number(static_cast<std::uint64_t>(content.size())).bytes();
+  append_record_head(op, content.size(), out);
   out += content;
+}
+
+struct McapMessageHead {
+  std::uint16_t channel = 0;
+  std::uint32_t sequence = 0;
+  std::uint64_t log_ns = 0;  ///< since 1970, like the next
+  std::uint64_t publish_ns = 0;
+};
+
+/// Appends a message's record, without a copy in between.
+inline void append_message(const McapMessageHead& head, std::string_view data, std::string& out) {
+  append_record_head(McapOp::kMessage, 2 + 4 + 8 + 8 + data.size(), out);
+  append_little_endian(head.channel, out);
+  append_little_endian(head.sequence, out);
+  append_little_endian(head.log_ns, out);
+  append_little_endian(head.publish_ns, out);
+  out += data;
 }
 
 }  // namespace sprung::log

@@ -1,23 +1,13 @@
 #include "tools/log/mcap_writer.h"
 
-#include <zstd.h>
-
 #include <algorithm>
-#include <stdexcept>
+#include <utility>
 
 namespace sprung::log {
 
 namespace {
 
 constexpr std::uint32_t kNoChecksum = 0;  // what the format says where there is none
-constexpr int kFastZstd = 1;
-
-void compress(const std::string& from, std::string& to) {
-  to.resize(ZSTD_compressBound(from.size()));
-  const std::size_t size = ZSTD_compress(to.data(), to.size(), from.data(), from.size(), kFastZstd);
-  if (ZSTD_isError(size) != 0) throw std::runtime_error(std::string("zstd: ") + ZSTD_getErrorName(size));
-  to.resize(size);
-}
 
 }  // namespace
 
@@ -27,7 +17,7 @@ void McapWriter::Span::add(std::uint64_t time_ns, bool first) noexcept {
 }
 
 McapWriter::McapWriter(Sink sink, const std::string& library, const McapOptions& options)
-    : sink_(std::move(sink)), options_(options) {
+    : sink_(std::move(sink)), options_(options), packer_(options.zstd_level) {
   sink_(kMcapMagic);
   position_ = kMcapMagic.size();
   put(McapOp::kHeader, McapFields().text("").text(library).bytes());
@@ -42,6 +32,7 @@ void McapWriter::put(McapOp op, std::string_view content) {
 
 std::uint16_t McapWriter::add_schema(const std::string& name, const std::string& encoding,
                                      const std::string& text) {
+  settle();
   const std::uint16_t id = ++schemas_;  // 0 means that there is none
   const std::string content = McapFields().number(id).text(name).text(encoding).text(text).bytes();
   put(McapOp::kSchema, content);
@@ -51,6 +42,7 @@ std::uint16_t McapWriter::add_schema(const std::string& name, const std::string&
 
 std::uint16_t McapWriter::add_channel(std::uint16_t schema, const std::string& topic,
                                       const std::string& message_encoding) {
+  settle();
   const std::uint16_t id = channels_++;
   const std::string content =
       McapFields().number(id).number(schema).text(topic).text(message_encoding).texts({}).bytes();
@@ -61,17 +53,16 @@ std::uint16_t McapWriter::add_channel(std::uint16_t schema, const std::string& t
 
 void McapWriter::add_message(std::uint16_t channel, std::uint32_t sequence, std::uint64_t log_ns,
                              std::uint64_t publish_ns, std::string_view data) {
-  chunk_index_[channel].push_back({log_ns, chunk_.size()});
-  fields_.clear();
-  fields_.number(channel).number(sequence).number(log_ns).number(publish_ns).raw(data);
-  append_record(McapOp::kMessage, fields_.bytes(), chunk_);
-  chunk_span_.add(log_ns, chunk_messages_++ == 0);
+  filling_.index[channel].push_back({log_ns, filling_.records.size()});
+  append_message({channel, sequence, log_ns, publish_ns}, data, filling_.records);
+  filling_.span.add(log_ns, filling_.messages++ == 0);
   span_.add(log_ns, message_count_++ == 0);
   ++counts_[channel];
-  if (chunk_.size() >= options_.chunk_bytes) close_chunk();
+  if (filling_.records.size() >= options_.chunk_bytes) close_chunk();
 }
 
 void McapWriter::add_metadata(const std::string& name, const std::map<std::string, std::string>& values) {
+  settle();
   const std::uint64_t begin = position_;
   put(McapOp::kMetadata, McapFields().text(name).texts(values).bytes());
   append_record(McapOp::kMetadataIndex,
@@ -81,6 +72,7 @@ void McapWriter::add_metadata(const std::string& name, const std::map<std::strin
 
 void McapWriter::add_attachment(std::uint64_t log_ns, const std::string& name, const std::string& media_type,
                                 std::string_view data) {
+  settle();
   const std::uint64_t begin = position_;
   const auto size = static_cast<std::uint64_t>(data.size());
   put(McapOp::kAttachment, McapFields()
@@ -107,9 +99,9 @@ void McapWriter::add_attachment(std::uint64_t log_ns, const std::string& name, c
 }
 
 /// @param offsets receives where each channel's index is, as a chunk index says it. @return bytes of all indices.
-std::uint64_t McapWriter::write_message_indices(McapFields& offsets) {
+std::uint64_t McapWriter::write_message_indices(Chunk& chunk, McapFields& offsets) {
   const std::uint64_t begin = position_;
-  for (auto& [channel, entries] : chunk_index_) {
+  for (auto& [channel, entries] : chunk.index) {
     if (entries.empty()) continue;
     offsets.number(channel).number(position_);
     McapFields pairs;
@@ -120,27 +112,38 @@ std::uint64_t McapWriter::write_message_indices(McapFields& offsets) {
   return position_ - begin;
 }
 
+/// The chunk that is full goes to the packer, once the one before it is written: the order of records depends on nothing else.
 void McapWriter::close_chunk() {
-  if (chunk_messages_ == 0) return;
-  if (options_.compress) compress(chunk_, packed_);
-  const std::string& records = options_.compress ? packed_ : chunk_;
-  const std::string_view packing = options_.compress ? "zstd" : "";
-  const auto plain_size = static_cast<std::uint64_t>(chunk_.size());
+  settle();
+  if (filling_.messages == 0) return;
+  if (!options_.compress) return write_chunk(filling_, "", filling_.records);
+  std::swap(filling_, packing_);
+  packer_.begin(packing_.records);
+}
+
+/// Writes the chunk that the packer is at, so that something else may follow it.
+void McapWriter::settle() {
+  if (packing_.messages > 0) write_chunk(packing_, "zstd", packer_.finish());
+}
+
+/// Empties the chunk.
+void McapWriter::write_chunk(Chunk& chunk, std::string_view packing, std::string_view records) {
+  const auto plain_size = static_cast<std::uint64_t>(chunk.records.size());
   const auto size = static_cast<std::uint64_t>(records.size());
   const std::uint64_t begin = position_;
-  McapFields chunk;
-  chunk.number(chunk_span_.first_ns).number(chunk_span_.last_ns).number(plain_size).number(kNoChecksum);
-  put(McapOp::kChunk, chunk.text(packing).number(size).raw(records).bytes());
+  McapFields content;
+  content.number(chunk.span.first_ns).number(chunk.span.last_ns).number(plain_size).number(kNoChecksum);
+  put(McapOp::kChunk, content.text(packing).number(size).raw(records).bytes());
   const std::uint64_t length = position_ - begin;
   McapFields offsets;
-  const std::uint64_t index_length = write_message_indices(offsets);
+  const std::uint64_t index_length = write_message_indices(chunk, offsets);
   McapFields index;
-  index.number(chunk_span_.first_ns).number(chunk_span_.last_ns).number(begin).number(length);
+  index.number(chunk.span.first_ns).number(chunk.span.last_ns).number(begin).number(length);
   index.text(offsets.bytes()).number(index_length).text(packing).number(size).number(plain_size);
   append_record(McapOp::kChunkIndex, index.bytes(), chunk_indices_);
   ++chunk_count_;
-  chunk_.clear();
-  chunk_messages_ = 0;
+  chunk.records.clear();
+  chunk.messages = 0;
 }
 
 std::string McapWriter::statistics() const {
@@ -194,6 +197,7 @@ void McapWriter::write_summary() {
 
 void McapWriter::finish() {
   close_chunk();
+  settle();
   put(McapOp::kDataEnd, McapFields().number(kNoChecksum).bytes());
   write_summary();
   sink_(kMcapMagic);

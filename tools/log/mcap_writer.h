@@ -1,6 +1,7 @@
 #pragma once
 /// Writes MCAP files: schemas, channels, messages in chunks with an index, so that Foxglove and PlotJuggler open them and jump to any
-/// time. Pure: bytes go to a function.
+/// time. Bytes go to a function, called by the caller's own thread; one chunk is compressed in another while the next one fills. The
+/// bytes are the same whichever is faster.
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -8,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tools/log/chunk_packer.h"
 #include "tools/log/mcap_bytes.h"
 
 namespace sprung::log {
@@ -16,6 +18,7 @@ struct McapOptions {
   std::size_t chunk_bytes = std::size_t{2}
                             << 20;  ///< a chunk is closed when its messages are as large as this
   bool compress = true;             ///< chunks with zstd
+  int zstd_level = 1;               ///< negative: faster, and larger
 };
 
 class McapWriter {
@@ -49,9 +52,18 @@ class McapWriter {
     std::uint64_t offset = 0;  ///< in the chunk's records
   };
 
+  struct Chunk {
+    std::string records;
+    Span span;
+    std::uint64_t messages = 0;
+    std::map<std::uint16_t, std::vector<IndexEntry>> index;  ///< by channel
+  };
+
   void put(McapOp op, std::string_view content);
   void close_chunk();
-  std::uint64_t write_message_indices(McapFields& offsets);
+  void settle();
+  void write_chunk(Chunk& chunk, std::string_view packing, std::string_view records);
+  std::uint64_t write_message_indices(Chunk& chunk, McapFields& offsets);
   void write_summary();
   void write_group(McapOp op, const std::string& records, std::string& offsets);
   std::string statistics() const;
@@ -73,12 +85,9 @@ class McapWriter {
   std::map<std::uint16_t, std::uint64_t> counts_;  ///< of messages, by channel
   Span span_;
 
-  std::string chunk_;
-  Span chunk_span_;
-  std::uint64_t chunk_messages_ = 0;
-  std::map<std::uint16_t, std::vector<IndexEntry>> chunk_index_;  ///< by channel
-  std::string packed_;
-  McapFields fields_;
+  Chunk filling_;
+  Chunk packing_;  ///< what the packer is at; without messages where it rests
+  ChunkPacker packer_;
 };
 
 }  // namespace sprung::log

@@ -52,7 +52,8 @@ TEST_F(LogBench, EachToolHasARowAndSoHasMemory) {
   }
   EXPECT_EQ(names,
             (std::set<std::string>{"log.size", "log.read_alone", "log.info", "log.verify", "log.csv_torques",
-                                   "log.csv_everything", "log.mcap", "log.memory"}));
+                                   "log.csv_everything", "log.mcap_protobuf", "log.mcap_protobuf_size",
+                                   "log.mcap_json", "log.mcap_json_size", "log.memory"}));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "proto_reader.h"
 #include "robot_sample.h"
 #include "tools/log/mcap_export.h"
 
@@ -64,7 +65,7 @@ class McapTest : public testing::Test {
     options.compress = compress;
     options.chunk_bytes = chunk_bytes;
     McapWriter writer([this](std::string_view part) { bytes_ += part; }, "sprung test", options);
-    result_ = export_mcap(reader, all, writer);
+    result_ = export_mcap(reader, all, encoding_, writer);
     writer.finish();
     EXPECT_EQ(writer.bytes(), bytes_.size());
     EXPECT_EQ(bytes_.substr(0, 8), kMcapMagic);
@@ -89,6 +90,7 @@ class McapTest : public testing::Test {
 
   LogFolder folder_;
   std::string path_ = folder_("robot.lcm");
+  McapEncoding encoding_ = McapEncoding::kProtobuf;
   std::string bytes_;
   McapResult result_;
 };
@@ -99,6 +101,7 @@ std::size_t count(const std::vector<Record>& records, McapOp op) {
 }
 
 TEST_F(McapTest, EveryMessageIsThereAsJson) {
+  encoding_ = McapEncoding::kJson;
   for (const bool compress : {false, true}) {
     const auto records = exported(robot_events(30), compress);
     std::vector<double> torques;
@@ -117,6 +120,52 @@ TEST_F(McapTest, EveryMessageIsThereAsJson) {
     for (std::size_t k = 0; k < 30; ++k) EXPECT_EQ(torques[k], static_cast<double>(k) / 100.0);
     EXPECT_EQ(result_.written, 63);
   }
+}
+
+TEST_F(McapTest, EveryMessageIsThereInProtocolBuffers) {
+  std::vector<std::int64_t> cycles;
+  for (const Record& record : exported(robot_events(30), true)) {
+    if (record.op != McapOp::kChunk) continue;
+    const std::string inner = records_in(record);
+    for (const Record& message : records_of(inner, 0, inner.size())) {
+      Cursor cursor(message.content);
+      cursor.take(2 + 4 + 8 + 8);
+      const std::string data = cursor.rest();
+      if (proto_values(data, 6).size() == 2)  // joints
+        cycles.push_back(static_cast<std::int64_t>(proto_values(data, 3)[0].number));
+    }
+  }
+  ASSERT_EQ(cycles.size(), 30u);
+  for (std::size_t k = 0; k < 30; ++k) EXPECT_EQ(cycles[k], static_cast<std::int64_t>(k));
+  EXPECT_EQ(result_.written, 63);
+}
+
+/// Chunks are compressed beside, whatever comes between them: every byte must be the same each time, and in its place.
+TEST_F(McapTest, TheFileIsTheSameEveryTime) {
+  std::vector<Kept> events = robot_events(200);
+  events.push_back(metadata_event());
+  exported(events, true, 2000);
+  const std::string once = bytes_;
+  for (int i = 0; i < 10; ++i) {
+    exported(events, true, 2000);
+    ASSERT_EQ(bytes_, once);
+  }
+}
+
+TEST_F(McapTest, AFullDiskIsToldWhoeverIsAtWork) {
+  exported(robot_events(100), true, 2000);
+  Reader reader(path_);
+  ChannelFilter all({});
+  McapOptions options;
+  options.chunk_bytes = 2000;
+  std::size_t room = bytes_.size() / 2;
+  McapWriter writer(
+      [&room](std::string_view part) {
+        if (part.size() > room) throw std::runtime_error("no room");
+        room -= part.size();
+      },
+      "sprung test", options);
+  EXPECT_THROW(export_mcap(reader, all, encoding_, writer), std::runtime_error);
 }
 
 TEST_F(McapTest, TimesAreTheRobotsAndWhenItWasReceived) {
@@ -172,7 +221,26 @@ TEST_F(McapTest, TheIndexLeadsToEveryMessage) {
   EXPECT_EQ(found, 1u + 120u + 1u + 1u);
 }
 
+TEST_F(McapTest, ProtobufSchemasHaveTheirFullName) {
+  for (const Record& record : exported(robot_events(5), true)) {
+    if (record.op == McapOp::kChannel) {
+      Cursor cursor(record.content);
+      cursor.take(2 + 2);
+      cursor.text();
+      EXPECT_EQ(cursor.text(), "protobuf");
+    }
+    if (record.op != McapOp::kSchema) continue;
+    Cursor cursor(record.content);
+    cursor.number<std::uint16_t>();
+    const std::string name = cursor.text();
+    EXPECT_EQ(cursor.text(), "protobuf");
+    const std::string last_file = proto_values(cursor.text()).back().bytes;
+    EXPECT_EQ(name, "sprung_msgs." + proto_bytes(proto_bytes(last_file, 4), 1));
+  }
+}
+
 TEST_F(McapTest, ASchemaIsWrittenOnceAChannelForEachTopic) {
+  encoding_ = McapEncoding::kJson;
   const auto records = exported(robot_events(5), true);
   EXPECT_EQ(count(records, McapOp::kSchema), 2 * 5u);  // in front of the messages, and in the summary
   EXPECT_EQ(count(records, McapOp::kChannel), 2 * 5u);
