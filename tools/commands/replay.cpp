@@ -84,12 +84,16 @@ int run_into(const ReplayOptions& options) {
   return result.identical() ? kExitDone : kExitFailed;
 }
 
+/// Address and port of a network; what follows is how one computer uses it.
+std::string network_of(const std::string& lcm_url) { return lcm_url.substr(0, lcm_url.find('?')); }
+
 /// A robot that is up on this network would hear two of everything.
 void refuse_live_network(const ReplayOptions& options) {
-  const auto running = read_run_file("default");
-  if (!running || running->lcm_url != options.lcm_url) return;
-  throw WrongUse(running->robot + " is up on " + options.lcm_url +
-                 ": sprung down first, or replay onto another network with --lcm-url");
+  for (const RunInfo& running : runs_that_are_up()) {
+    if (network_of(running.lcm_url) != network_of(options.lcm_url)) continue;
+    throw WrongUse(running.robot + " is up on " + running.lcm_url + " (instance '" + running.instance +
+                   "'): sprung down first, or replay onto another network with --lcm-url");
+  }
 }
 
 /// On the terminal: Enter goes on, q ends.

@@ -1,8 +1,22 @@
 /// sprung: the operator's and the engineer's one command.
+#include <cstdio>
+
 #include "runtime/stop_request.h"
 #include "tools/commands/commands.h"
 #include "tools/commands/installed_robots.h"
 #include "tools/launcher/child_process.h"
+
+namespace {
+
+/// A command whose answer nobody could read has failed: a full disk behind `sprung log info x.lcm > y.txt`.
+int or_unsaid(int status) {
+  const bool said = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+  if (said || status != sprung::kExitDone) return status;
+  std::fprintf(stderr, "sprung: not all could be written to standard output: is its disk full?\n");
+  return sprung::kExitFailed;
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   using namespace sprung::commands;
@@ -32,5 +46,5 @@ int main(int argc, char** argv) {
   add_fault(line);
   add_doctor(line);
   add_help(line);
-  return line.run(argc, argv);
+  return or_unsaid(line.run(argc, argv));
 }
