@@ -33,6 +33,25 @@ TEST_F(Up, SecondRobotOnTheSameBusIsRefusedAndTheFirstNotDisturbed) {
   EXPECT_EQ(sprung("stand").status, 0);
 }
 
+/// Else two bridges would be on one bus.
+TEST_F(Up, NothingStartsBesideABridgeWhoseLauncherWasKilled) {
+  up("lockstep", "--speed 1");
+  const auto bridge = static_cast<pid_t>(pid_of("sprung-can-bridge"));
+  kill(bridge, SIGSTOP);
+  up_process().signal(SIGKILL);
+  EXPECT_EQ(wait_for_up(), 128 + SIGKILL);
+  const std::string again = "up single_leg --sim --no-record --cycles 10 --clock lockstep --lcm-url '" +
+                            lcm_url() + "' --can leg=" + can_address();
+  const CommandResult refused = sprung(again + " --patience 0.5");
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.output,
+              AllOf(HasSubstr("sprung-can-bridge (process " + std::to_string(bridge)), HasSubstr("kill -9")));
+  kill(bridge, SIGKILL);
+  EXPECT_TRUE(all_end(10.0));
+  const CommandResult next = sprung(again + " --patience 10");
+  EXPECT_EQ(next.status, 0) << next.output;
+}
+
 TEST_F(Up, LauncherThatWasStoppedForAWhileDoesNotTakeTheOthersForSilent) {
   up("lockstep", "--speed 1");
   up_process().signal(SIGSTOP);
@@ -54,7 +73,7 @@ TEST_F(Up, WhatDoesNotEndWhenAskedIsKilledAndNamed) {
 
 TEST_F(Up, ContradictionsAreWrongUseBeforeAnybodyIsWaitedFor) {
   for (const char* wrong : {"--sim --host tail", "--clock lockstep", "--sim --preset worst",
-                            "--sim --with lcm-logger --split-mb 5"}) {
+                            "--sim --can arm=socketcan:can0", "--sim --with lcm-logger --split-mb 5"}) {
     const CommandResult result = sprung("up single_leg " + std::string(wrong));
     EXPECT_EQ(result.status, 2) << wrong << result.output;
     EXPECT_EQ(result.output.find("is heard"), std::string::npos) << result.output;
@@ -86,6 +105,15 @@ TEST_F(Up, RealTimeControllerComesBackWithoutTorqueAndStandsAgainOnlyWhenAsked) 
   EXPECT_EQ(sprung("clear").status, 0);
   const CommandResult stand = sprung("stand");
   EXPECT_EQ(stand.status, 0) << stand.output;
+}
+
+TEST_F(Up, RealTimeProcessThatStayedDeadUntilTheEndIsAFailure) {
+  up("realtime");
+  ASSERT_EQ(sprung("stand").status, 0);
+  kill_program("sprung-motion-planner");  // the robot is damped, with power: it waits for an estop
+  EXPECT_TRUE(says("it is started again once no drive has torque")) << said();
+  EXPECT_EQ(sprung("down").status, 0);
+  EXPECT_EQ(wait_for_up(), 1);
 }
 
 TEST_F(Up, NothingComesBackInLockStep) {

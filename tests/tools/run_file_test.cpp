@@ -9,6 +9,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "tools/launcher/child_process.h"
+
 namespace sprung {
 namespace {
 
@@ -65,6 +67,28 @@ TEST_F(RunFileTest, AllThatAreUpAreListed) {
   EXPECT_EQ(all[0].instance, "one");
   EXPECT_EQ(all[0].buses, std::vector<std::string>{"socketcan:can1"});
   EXPECT_EQ(all[1].instance, "two");
+}
+
+TEST_F(RunFileTest, ProcessesOfALauncherThatWasKilledAreFoundAsLongAsTheyRun) {
+  ChildProcess sleeper("/bin/sleep", {"1000"});
+  RunInfo info = sample();
+  info.processes = {{"sleep", sleeper.pid()}, {"sprung-can-bridge", sleeper.pid()}, {"sleep", 0}};
+  const pid_t launcher = fork();
+  if (launcher == 0) {
+    RunFile file("killed");
+    file.write(info);
+    _exit(0);  // without a destructor
+  }
+  waitpid(launcher, nullptr, 0);
+  EXPECT_FALSE(read_run_file("killed"));
+  const auto left = left_behind("mine");
+  ASSERT_EQ(left.size(), 1u) << "only where the program fits";
+  EXPECT_EQ(left[0].pid, sleeper.pid());
+  const RunFile again("killed");
+  EXPECT_EQ(left_behind("killed").size(), 1u) << "whoever has the lock now";
+  EXPECT_TRUE(left_behind("mine").empty()) << "of a run that is up nothing is left behind";
+  sleeper.stop(5.0);
+  EXPECT_TRUE(left_behind("killed").empty());
 }
 
 TEST_F(RunFileTest, NothingRunningSaysHowToStart) {

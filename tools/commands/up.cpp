@@ -62,7 +62,7 @@ int watch_over(Launcher& launcher, LaunchView& view, ServiceNotify& service, con
     view.turn();
     poll(nullptr, 0, 20);
   }
-  return exit_status;
+  return launcher.all_run() ? exit_status : kExitFailed;  // one that waited to be started again stayed dead
 }
 
 void warn_of_ttl(const LaunchRequest& request, const RobotConfig& robot, Launcher& launcher) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "drivers/can/bus_addresses.h"
+
 namespace sprung {
 
 namespace {
@@ -109,6 +111,7 @@ void check_request(const LaunchRequest& request, const RobotConfig& robot) {
   }
   refuse_processes(robot);
   refuse_unknown_host(request, robot);
+  (void)bus_addresses(robot, request.can);
 }
 
 std::vector<PlannedProcess> plan_processes(const LaunchRequest& request, const RobotConfig& robot,

@@ -25,9 +25,8 @@ namespace sprung {
 
 namespace {
 
-constexpr double kStop_s = 3.0;                     // a bridge may damp its robot for half a second first
-constexpr double kStopRecorder_s = 10.0;            // a disk that is slow must still get everything
-constexpr std::int64_t kStoodStill_us = 1'000'000;  // a look comes many times a second
+constexpr double kStop_s = 3.0;           // a bridge may damp its robot for half a second first
+constexpr double kStopRecorder_s = 10.0;  // a disk that is slow must still get everything
 
 BuildIdentity own_identity(const LaunchRequest& request, const RobotConfig& robot) {
   return {SPRUNG_VERSION, SPRUNG_GIT_HASH, types_hash(), configuration_hash(robot, request.preset),
@@ -47,6 +46,23 @@ std::vector<RunInfo> others(const std::string& instance) {
   return runs;
 }
 
+/// Two bridges on one bus: the one whose launcher was killed is still bringing its drives to rest.
+/// @throws std::runtime_error where one does not end.
+void wait_for_left_behind(const LaunchRequest& request) {
+  const std::int64_t end_us = monotonic_us() + std::llround(request.patience_s * 1e6);
+  for (auto left = left_behind(request.instance); !left.empty(); left = left_behind(request.instance)) {
+    if (stop_requested()) throw std::runtime_error("stopped while starting");
+    if (monotonic_us() > end_us) {
+      const std::string pid = std::to_string(left.front().pid);
+      throw std::runtime_error(
+          left.front().program + " (process " + pid +
+          ") of a run whose launcher was killed does not end. Press the emergency stop, then: kill -9 " +
+          pid);
+    }
+    usleep(20'000);
+  }
+}
+
 }  // namespace
 
 Launcher::Launcher(const LaunchRequest& request, const RobotConfig& robot)
@@ -63,6 +79,7 @@ Launcher::Launcher(const LaunchRequest& request, const RobotConfig& robot)
       publisher_(node_.publisher<ProcessStatus>(channels::kProcessStatus)) {
   node_.subscribe_message(channels::kProcessStatus, CountLimits::none(), statuses_);
   node_.subscribe_message(channels::kSafetyState, CountLimits::none(), safeties_);
+  wait_for_left_behind(request);
   run_file_.write(info_);  // first, so that of two that begin at once none misses the other
   const std::string conflict = why_not_beside(info_, others(request.instance));
   if (!conflict.empty()) throw std::runtime_error(conflict);
@@ -159,44 +176,6 @@ void Launcher::start_again(Child& child) {
       (child.end.harmless ? "" : "; torque stays off: sprung clear, sprung stand"));
 }
 
-Launcher::Child* Launcher::child_named(const std::string& program) {
-  const auto is_it = [&](const Child& child) { return child.planned.program == program; };
-  const auto found = std::find_if(children_.begin(), children_.end(), is_it);
-  return found == children_.end() ? nullptr : &*found;
-}
-
-/// @param child of this launcher that says so; nullptr = another host's.
-void Launcher::refuse_stranger(const sprung_msgs::process_status_t& status, Child* child) {
-  const std::string why = why_not_together(identity_, status, mixed_builds_);
-  if (why.empty()) return;
-  if (named_.insert(status.process + status.host + std::to_string(status.pid)).second)
-    trouble_.push_back(why);
-  if (child == nullptr || state_ != ProcessState::kRunning) return;
-  child->process->signal(SIGTERM);  // its program was built anew, or robot.yaml changed, since the run began
-  child->end.restarts = RestartRule::kMost;
-}
-
-void Launcher::name_twice(const sprung_msgs::process_status_t& status) {
-  if (!named_.insert("twice " + status.process).second) return;
-  trouble_.push_back(status.process + " runs twice in this run, once as process " +
-                     std::to_string(status.pid) + " on " + status.host +
-                     ": one host too many was started with the same --host");
-}
-
-void Launcher::read_statuses() {
-  while (auto status = statuses_.pop()) {
-    if (status->process == kLauncherProgram && leads_) continue;  // its own
-    Child* const child = child_named(status->process);
-    const bool own = child != nullptr && status->pid == child->process->pid() && status->host == host_name_;
-    refuse_stranger(*status, own ? child : nullptr);
-    // Of this host it is the recorder of `sprung record`, or the last word of one that was started again.
-    const bool second = child != nullptr && !own && !child->end.harmless && status->host != host_name_;
-    if (child != nullptr && !own && !second) continue;
-    if (second || board_.hear(*status, node_.utime_us())) name_twice(*status);
-  }
-  while (auto safety = safeties_.pop()) safety_ = std::move(*safety);
-}
-
 void Launcher::start_again_what_may() {
   bool waiting = false;
   for (Child& child : children_) {
@@ -209,50 +188,6 @@ void Launcher::start_again_what_may() {
     if (RestartRule::due(child.end, torque, node_.utime_us())) start_again(child);
   }
   if (!waiting) torque_watch_.reset();
-}
-
-void Launcher::look() {
-  const std::int64_t now_us = node_.utime_us();
-  if (looked_us_ > 0 && now_us - looked_us_ > kStoodStill_us) board_.begin_to_listen(now_us);
-  looked_us_ = now_us;
-  read_statuses();
-  start_again_what_may();
-  for (Child& child : children_) read_lines(child);
-  name_the_silent();
-  publish_status();
-  if (turn_) turn_();
-}
-
-void Launcher::name_the_silent() {
-  const std::int64_t now_us = node_.utime_us();
-  const auto name = [&](const std::string& program, const char* what) {
-    if (board_.silent(program, now_us) && named_.insert(program).second) trouble_.push_back(program + what);
-  };
-  for (Child& child : children_) {
-    if (!child.process->ended())
-      name(child.planned.program, " runs but has said nothing for 3 s: see its last lines, then sprung down");
-  }
-  for (const RemoteProcess& remote : remote_)
-    name(remote.program, " on another host has said nothing for 3 s: look there");
-}
-
-void Launcher::publish_status() {
-  if (!leads_ || !schedule_.due(state_, node_.utime_us())) return;
-  ProcessStatus status;
-  status.stamp = {node_.utime_us(), -1};
-  status.pid = getpid();
-  status.utc_offset_us = node_.clock().utc_offset_us();
-  status.configuration_hash = identity_.configuration_hash;
-  status.types_hash = identity_.types_hash;
-  status.state = state_;
-  status.memory_kB = resident_kB();
-  status.process = kLauncherProgram;
-  status.host = host_name_;
-  status.version = identity_.version;
-  status.git_hash = identity_.git_hash;
-  status.robot = identity_.robot;
-  status.clock = identity_.clock;
-  publisher_.publish(status);
 }
 
 void Launcher::wait_for(const std::string& program, ProcessState state) {
@@ -287,47 +222,6 @@ void Launcher::refuse_trouble() {
     throw std::runtime_error(ended.program + " ended while starting: " + exit_text(ended.status));
   }
   if (!trouble_.empty()) throw std::runtime_error(trouble_.front());
-}
-
-std::vector<Launcher::Ended> Launcher::newly_ended() {
-  std::vector<Ended> ended;
-  for (Child& child : children_) {
-    if (child.reported || !child.process->ended()) continue;
-    read_lines(child);
-    child.reported = true;
-    child.end.ended_utime_us = node_.utime_us();
-    child.end.by_signal = *child.process->ended() >= 128;
-    ended.push_back({child.planned.program, *child.process->ended(), RestartRule::hopeful(child.end)});
-  }
-  return ended;
-}
-
-std::vector<std::string> Launcher::new_trouble() { return std::exchange(trouble_, {}); }
-
-bool Launcher::lead_is_gone() const {
-  if (leads_) return false;
-  return board_.state_of(kLauncherProgram) == ProcessState::kStopping ||
-         board_.silent(kLauncherProgram, node_.utime_us());
-}
-
-std::size_t Launcher::running() const {
-  const auto runs = [](const Child& child) { return !child.process->ended(); };
-  return static_cast<std::size_t>(std::count_if(children_.begin(), children_.end(), runs));
-}
-
-std::vector<ProcessRow> Launcher::rows() const {
-  std::vector<ProcessRow> rows;
-  for (const Child& child : children_) {
-    const KnownProcess known{child.planned.program, "",
-                             child.process->pid(),  child.process->ended(),
-                             child.end.restarts,    says_status(child.planned)};
-    rows.push_back(board_.row(known, node_.utime_us()));
-  }
-  for (const RemoteProcess& remote : remote_) {
-    const std::string host = remote.host.empty() ? "(has the bridge)" : remote.host;
-    rows.push_back(board_.row({remote.program, host, 0, std::nullopt, 0, true}, node_.utime_us()));
-  }
-  return rows;
 }
 
 void Launcher::read_lines(Child& child) {

@@ -68,6 +68,7 @@ class Launcher {
 
   const RunInfo& info() const { return info_; }
   std::size_t running() const;
+  bool all_run() const { return running() == children_.size(); }
   std::vector<ProcessRow> rows() const;
   const std::optional<sprung_msgs::safety_state_t>& safety() const { return safety_; }
   void say(const std::string& text);  ///< a line of the launcher's own

@@ -4,12 +4,14 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <thread>
@@ -84,6 +86,33 @@ bool held(const std::string& instance) {
   return taken;
 }
 
+std::optional<RunInfo> read_description(const std::string& instance) {
+  std::ifstream in(run_file_path(instance));
+  if (!in) return std::nullopt;
+  try {
+    return from_json(Json::parse(in));
+  } catch (const Json::exception&) {
+    return std::nullopt;
+  }
+}
+
+std::set<std::string> described_instances() {
+  std::set<std::string> instances;
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(run_folder(), none)) {
+    if (entry.path().extension() == ".json") instances.insert(entry.path().stem().string());
+  }
+  return instances;
+}
+
+/// Not one that got the same number later: its command line begins with the program.
+bool still_runs(const RunningProcess& process) {
+  std::ifstream in("/proc/" + std::to_string(process.pid) + "/cmdline", std::ios::binary);
+  std::string program;
+  std::getline(in, program, '\0');
+  return fs::path(program).filename() == process.program;
+}
+
 }  // namespace
 
 std::string run_file_path(const std::string& instance) {
@@ -128,28 +157,26 @@ void RunFile::write(const RunInfo& info) {
 }
 
 std::optional<RunInfo> read_run_file(const std::string& instance) {
-  std::ifstream in(run_file_path(instance));
-  if (!in || !held(instance)) {
-    return std::nullopt;
-  }
-  try {
-    return from_json(Json::parse(in));
-  } catch (const Json::exception&) {
-    return std::nullopt;
-  }
+  return held(instance) ? read_description(instance) : std::nullopt;
 }
 
 std::vector<RunInfo> runs_that_are_up() {
-  std::set<std::string> instances;
-  std::error_code none;
-  for (const auto& entry : fs::directory_iterator(run_folder(), none)) {
-    if (entry.path().extension() == ".json") instances.insert(entry.path().stem().string());
-  }
   std::vector<RunInfo> runs;
-  for (const std::string& instance : instances) {
+  for (const std::string& instance : described_instances()) {
     if (auto info = read_run_file(instance)) runs.push_back(std::move(*info));
   }
   return runs;
+}
+
+std::vector<RunningProcess> left_behind(const std::string& own_instance) {
+  std::vector<RunningProcess> left;
+  for (const std::string& instance : described_instances()) {
+    if (instance != own_instance && held(instance)) continue;
+    const auto info = read_description(instance);
+    if (!info) continue;
+    std::copy_if(info->processes.begin(), info->processes.end(), std::back_inserter(left), still_runs);
+  }
+  return left;
 }
 
 RunInfo require_running(const std::string& instance, const std::string& robot) {

@@ -60,6 +60,9 @@ class RunFile {
 std::optional<RunInfo> read_run_file(const std::string& instance);
 /// All that are up, as far as their descriptions are there; in the order of their instances' names.
 std::vector<RunInfo> runs_that_are_up();
+/// Processes that still run although their launcher is gone: it was killed, and they are about to end. @param own_instance whose lock the
+/// caller has.
+std::vector<RunningProcess> left_behind(const std::string& own_instance);
 /// @param robot empty = any. @throws NotRunning when nothing runs as `instance` or another robot does.
 RunInfo require_running(const std::string& instance, const std::string& robot);
 
