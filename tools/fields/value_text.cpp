@@ -24,7 +24,7 @@ void append_number(Number value, std::string& out) {
   }
   char text[32];
   const auto [end, error] = std::to_chars(text, text + sizeof text, value);
-  if (error == std::errc()) out.append(text, end);
+  if (error == std::errc()) out.append(text, static_cast<std::size_t>(end - text));
 }
 
 std::string rounded(double value, int digits) {

@@ -30,7 +30,8 @@ void append_quoted(std::string_view text, std::string& out) {
 template <class Number>
 void append_number(Number value, std::string& out) {
   char text[32];
-  out.append(text, std::to_chars(text, text + sizeof text, value).ptr);
+  const char* const end = std::to_chars(text, text + sizeof text, value).ptr;
+  out.append(text, static_cast<std::size_t>(end - text));
 }
 
 void append_time(double time_s, std::string& out) {

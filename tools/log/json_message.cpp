@@ -1,6 +1,5 @@
 #include "tools/log/json_message.h"
 
-#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -71,9 +70,8 @@ void append_text(std::string_view text, std::string& out) {
 void append_bytes(const fields::MessageView& message, const fields::Field& field, std::string& out) {
   out += '[';
   for (const std::uint8_t byte : message.bytes(field)) {
-    char digits[4];
     if (out.back() != '[') out += ',';
-    out.append(digits, std::to_chars(digits, digits + sizeof digits, byte).ptr);
+    out += std::to_string(byte);
   }
   out += ']';
 }

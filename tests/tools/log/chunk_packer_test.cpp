@@ -31,7 +31,7 @@ TEST(ChunkPacker, MayBeLeftWhileItIsAtWork) {
 
 TEST(ChunkPacker, AHigherLevelPacksTighter) {
   std::string plain;
-  for (int i = 0; i < 50'000; ++i) plain += std::to_string(i * i % 977);
+  for (unsigned i = 0; i < 50'000; ++i) plain += std::to_string(i * i % 977);
   ChunkPacker fast(-10), tight(9);
   fast.begin(plain);
   tight.begin(plain);
