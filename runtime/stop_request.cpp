@@ -14,11 +14,16 @@ namespace sprung {
 namespace {
 
 std::atomic<bool> requested{false};
+std::atomic<bool> looked_at{false};       // whether anybody here would notice a request
 std::atomic<InputEvent*> event{nullptr};  // made once and kept: a signal may come at any time
 
-extern "C" void on_stop_signal(int) {
+extern "C" void on_stop_signal(int number) {
   const int saved_errno = errno;
   request_stop();
+  if (!looked_at) {
+    signal(number, SIG_DFL);
+    raise(number);
+  }
   errno = saved_errno;
 }
 
@@ -39,9 +44,13 @@ void install_stop_signals() {
   sigaction(SIGPIPE, &action, nullptr);
 }
 
-bool stop_requested() noexcept { return requested.load(); }
+bool stop_requested() noexcept {
+  looked_at = true;
+  return requested.load();
+}
 
 int stop_fd() noexcept {
+  looked_at = true;
   const InputEvent* const made = event.load();
   return made == nullptr ? -1 : made->fd();
 }
@@ -52,7 +61,7 @@ void request_stop() noexcept {
 }
 
 void clear_stop_request() noexcept {
-  requested = false;
+  requested = looked_at = false;
   if (InputEvent* const made = event.load(); made != nullptr) made->clear();
 }
 

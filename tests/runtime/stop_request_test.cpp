@@ -20,6 +20,7 @@ class StopRequestTest : public ::testing::Test {
   void SetUp() override {
     install_stop_signals();
     clear_stop_request();
+    EXPECT_FALSE(stop_requested());  // and so it is looked at
   }
   void TearDown() override { clear_stop_request(); }
 };
@@ -39,6 +40,33 @@ TEST_F(StopRequestTest, SignalsAskAndWakeAndASecondOneDoesNotKill) {
 TEST_F(StopRequestTest, HangUpAsksToo) {
   raise(SIGHUP);
   EXPECT_TRUE(stop_requested());
+}
+
+TEST_F(StopRequestTest, WhatNeverLooksForItEndsAtOnce) {
+  const pid_t child = fork();
+  if (child == 0) {
+    clear_stop_request();
+    raise(SIGTERM);
+    _exit(0);
+  }
+  int status = -1;
+  waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFSIGNALED(status));
+  EXPECT_EQ(WTERMSIG(status), SIGTERM);
+}
+
+TEST_F(StopRequestTest, WhoWaitsForItHasLooked) {
+  const pid_t child = fork();
+  if (child == 0) {
+    clear_stop_request();
+    [[maybe_unused]] const int looked = stop_fd();
+    raise(SIGTERM);
+    _exit(stop_requested() ? 7 : 0);
+  }
+  int status = -1;
+  waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 7);
 }
 
 TEST_F(StopRequestTest, HangUpThatNohupIgnoresStaysIgnored) {
