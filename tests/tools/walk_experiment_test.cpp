@@ -44,6 +44,15 @@ TEST(WalkRows, HybridSwingIsComparedWithForceControl) {
   EXPECT_FALSE(row(walk_rows(result), "walk.hybrid.swing_ratio").ok());
 }
 
+TEST(WalkRows, WhoFellOrWasTrippedHasNoSwingToCompare) {
+  WalkExperiment result = walked();
+  result.controls[1].vitals.fell = true;
+  EXPECT_FALSE(row(walk_rows(result), "walk.hybrid.swing_ratio").ok());
+  result.controls[1].vitals = {};
+  result.controls[1].vitals.trips = 1;
+  EXPECT_FALSE(row(walk_rows(result), "walk.hybrid.swing_ratio").ok());
+}
+
 TEST(WalkRows, SpeedMustBeWithinATenthAndHeadingWithinFiveDegreesToEitherSide) {
   WalkExperiment result = walked();
   EXPECT_TRUE(row(walk_rows(result), "walk.crawl.speed").ok());
@@ -73,6 +82,13 @@ TEST(Walk, AStretchIsMeasuredFromWhenTheSpeedIsReached) {
   EXPECT_NEAR(out.speed_m_s, 0.3, 0.06);
 }
 
+TEST(Walk, ARefusedWalkIsNoResult) {
+  WalkTask task;
+  const RobotConfig robot = load_robot("pegasus");
+  EXPECT_THROW(go(robot, task, {"trot", "trot", 9.0, true}), std::runtime_error);
+  EXPECT_THROW(walk_uneven(robot, {}, {"crawl", 9.0, 0.01, true}, 1, 1.0), std::runtime_error);
+}
+
 GroundErrorResult stepped(double own_N, double own_Nm) {
   GroundErrorResult out;
   for (const GroundCase& config : ground_cases())
@@ -94,6 +110,14 @@ TEST(GroundErrorRows, OwnTouchdownsAreComparedWithPlainHybrid) {
   const auto bad = ground_error_rows(stepped(310.0, 46.0));
   EXPECT_FALSE(row(bad, "ground_error.rig.force_ratio").ok());
   EXPECT_FALSE(row(bad, "ground_error.crawl.output_ratio").ok());
+}
+
+TEST(GroundErrorRows, WhoIsStoppedBySafetyCountsAsFallen) {
+  GroundErrorResult result = stepped(250.0, 42.0);
+  EXPECT_TRUE(row(ground_error_rows(result), "ground_error.rig.own_falls").ok());
+  for (GroundOutcome& outcome : result.touchdowns)
+    if (outcome.control == GaitControl::kOwn) outcome.vitals.trips = 1;
+  EXPECT_FALSE(row(ground_error_rows(result), "ground_error.rig.own_falls").ok());
 }
 
 TEST(GroundErrorRows, NobodyMayFallInACrawlOnAnUnevenFloor) {

@@ -56,6 +56,9 @@ SimOptions plant_of(const RobotConfig& robot, const GroundErrorTask& task, const
   return sim;
 }
 
+/// A robot that safety stopped has no touchdowns to be judged by either.
+bool ended_early(const WalkVitals& vitals) { return vitals.fell || vitals.trips > 0; }
+
 const GroundOutcome& find(const std::vector<GroundOutcome>& outcomes, const std::string& name,
                           GaitControl control) {
   for (const GroundOutcome& o : outcomes)
@@ -86,14 +89,14 @@ void add_case(const std::string& name, const GroundErrorResult& result, std::vec
   rows.push_back(row(name + ".hybrid_force", "N", hybrid.worst_N));
   rows.push_back(row(name + ".own_output", "Nm", own.worst_Nm));
   rows.push_back(row(name + ".hybrid_output", "Nm", hybrid.worst_Nm));
-  rows.push_back(row(name + ".own_falls", "", own_run.vitals.fell ? 1 : 0));
+  rows.push_back(row(name + ".own_falls", "", ended_early(own_run.vitals) ? 1 : 0));
   rows.back().high = 0.0;
-  rows.push_back(row(name + ".hybrid_falls", "", hybrid_run.vitals.fell ? 1 : 0));
+  rows.push_back(row(name + ".hybrid_falls", "", ended_early(hybrid_run.vitals) ? 1 : 0));
 }
 
 int falls(const UnevenOutcome& outcome) {
   int count = 0;
-  for (const WalkVitals& v : outcome.runs) count += v.fell || v.trips > 0 ? 1 : 0;
+  for (const WalkVitals& v : outcome.runs) count += ended_early(v) ? 1 : 0;
   return count;
 }
 
@@ -107,7 +110,7 @@ report::Section touchdowns_section(const GroundErrorResult& result, const std::s
     if (o.name != name) continue;
     const TouchdownPeaks p = touchdown_peaks(o.touchdowns);
     table.rows.push_back({sprung::name(o.control), o.touchdowns.size(), p.worst_N, p.mean_N, p.worst_Nm,
-                          p.mean_Nm, o.vitals.fell ? o.vitals.why : "no"});
+                          p.mean_Nm, ended_early(o.vitals) ? o.vitals.why : "no"});
     report::Series series{sprung::name(o.control), {}, {}, report::Style::kPoints};
     for (const Touchdown& t : o.touchdowns) {
       series.x.push_back(t.time_s);
@@ -181,7 +184,11 @@ WalkVitals walk_uneven(const RobotConfig& robot, const GroundErrorTask& task, co
   WalkingRobot walker(robot, task.preset, sim);
   walker.walk(config.gait, {config.speed_m_s, 0.0, 0.0});
   for (double time_s = 0.0; time_s < duration_s && walker.upright(); time_s += 1.0) walker.run(1.0);
-  return walker.vitals();
+  WalkVitals vitals = walker.vitals();
+  const MotionState& motion = walker.robot().motion_state();
+  if (walker.upright() && motion.state != MotionPhase::kWalking)
+    vitals.why = std::string("stopped walking: ") + motion.last_transition;
+  return vitals;
 }
 
 GroundErrorResult run_ground_error(const RobotConfig& robot, const GroundErrorTask& task) {

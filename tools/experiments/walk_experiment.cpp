@@ -61,7 +61,8 @@ void add_control(const ControlOutcome& c, double force_rms_m, std::vector<Report
   rows.push_back(row(name + ".knee_output_peak", "Nm", c.peaks.mean_Nm));
   rows.push_back(row(name + ".fell", "", c.vitals.fell ? 1 : 0));
   if (c.control == GaitControl::kForce) return;
-  rows.push_back(row(name + ".swing_ratio", "", c.swing_rms_m / force_rms_m));
+  const bool arrived = !c.vitals.fell && c.vitals.trips == 0;
+  rows.push_back(row(name + ".swing_ratio", "", arrived ? c.swing_rms_m / force_rms_m : kNaN));
   if (c.control == GaitControl::kHybrid) rows.back().high = kMostRatio;
 }
 

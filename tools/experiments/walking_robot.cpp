@@ -16,6 +16,7 @@ void WalkingRobot::walk(const std::string& gait, const Vec3& speed, GaitControl 
   command.gait = gait_index(config_, gait);
   command.walk_speed = speed;
   command.gait_control = control;
+  must_walk_ = true;
   say(command);
 }
 
@@ -36,6 +37,7 @@ void WalkingRobot::run(double duration_s, const OnCycle& on_cycle) {
       if (reply.outcome != OperatorOutcome::kRefused) continue;
       ++refusals_;
       last_refusal_ = reply.reason;
+      if (must_walk_) throw std::runtime_error("the robot refuses to walk: " + last_refusal_);
     }
     if (r.sim().failed()) throw std::runtime_error(std::string("simulation: ") + r.sim().failure());
     vitals_.add({r.drive_state(), r.joint_state(), r.motion_state(), r.bridge().safety(), r.truth()});

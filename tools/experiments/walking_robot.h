@@ -16,12 +16,13 @@ class WalkingRobot {
   /// Boots, homes and stands up as LeggedTrial; watched from then on. @throws as LeggedTrial, also where it cannot stand.
   WalkingRobot(const RobotConfig& robot, const std::string& preset, const SimOptions& sim);
 
-  /// In that gait; what the command leaves open is the preset's.
+  /// In that gait; what the command leaves open is the preset's. run() then throws where the planner refuses it: a robot that only stands
+  /// would score well.
   void walk(const std::string& gait, const Vec3& speed, GaitControl control = GaitControl::kOwn);
   void say(const OperatorCommand& command) { trial_.say(command); }
   /// Impulse at the trunk's centre, evenly over `duration_s`; world axes.
   void push(const std::array<double, 2>& impulse_Ns, double duration_s);
-  /// @throws std::runtime_error when the plant fails.
+  /// @throws std::runtime_error when the plant fails, or walk() was refused.
   void run(double duration_s, const OnCycle& on_cycle = {});
 
   const WalkVitals& vitals() const noexcept { return vitals_.result(); }
@@ -35,6 +36,7 @@ class WalkingRobot {
   const RobotConfig& config_;
   LeggedTrial trial_;
   VitalsWatch vitals_;
+  bool must_walk_ = false;
   int refusals_ = 0;
   std::string last_refusal_;
 };
