@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "log_sample.h"
+#include "tools/log/big_endian.h"
 
 namespace sprung::log {
 namespace {
@@ -240,6 +241,26 @@ TEST_F(LogReader, RandomDamageLosesNoMoreThanItTouches) {
     // A hit spoils its own event; in a sync word also the one before.
     EXPECT_GE(whole, 60 - 2 * hits) << round;
   }
+}
+
+/// Took minutes where each header had all that was read ahead moved.
+TEST(Reader, HeadersThatAllClaimALongEventAreReadInOneGo) {
+  const LogFolder folder;
+  const std::string path = folder("claims.lcm");
+  constexpr std::uint32_t kClaimed_bytes = 4 << 20;
+  std::string header(kHeaderBytes, '\0');
+  auto* const bytes = reinterpret_cast<std::uint8_t*>(header.data());
+  put_big_endian(kSyncWord, bytes);
+  put_big_endian(std::uint32_t{1}, bytes + 20);
+  put_big_endian(kClaimed_bytes, bytes + 24);
+  std::string all;
+  for (int i = 0; i < 300'000; ++i) all += header;
+  put_bytes(path, all);
+  ReaderOptions options;
+  options.buffer_bytes = 1 << 16;
+  Reader reader(path, options);
+  EXPECT_TRUE(read_all(reader).empty());
+  EXPECT_EQ(reader.skipped_bytes(), all.size());
 }
 
 }  // namespace
