@@ -28,6 +28,25 @@ function(sprung_program name)
   target_link_libraries(${name} PRIVATE sprung_flags ${ARG_LINK})
 endfunction()
 
+# Tests are more than half of all compiling: what they test is optimised, they need not be.
+function(sprung_test_flags name)
+  target_compile_options(${name} PRIVATE -O0)
+  target_compile_definitions(${name} PRIVATE
+    SPRUNG_SOURCE_DIR="${CMAKE_SOURCE_DIR}" SPRUNG_BIN_DIR="${CMAKE_BINARY_DIR}/bin")
+endfunction()
+
+# GoogleTest is compiled once for all of them: a precompiled header has 95 MB.
+function(sprung_precompiled_googletest)
+  if(TARGET sprung_googletest)
+    return()
+  endif()
+  file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/sprung_googletest.cpp CONTENT "")
+  add_library(sprung_googletest OBJECT ${CMAKE_BINARY_DIR}/sprung_googletest.cpp)
+  target_link_libraries(sprung_googletest PRIVATE sprung_flags GTest::gmock)
+  sprung_test_flags(sprung_googletest)
+  target_precompile_headers(sprung_googletest PRIVATE <gmock/gmock.h> <gtest/gtest.h>)
+endfunction()
+
 # sprung_tests(NAME SOURCES a_test.cpp ... LINK x ... [REALTIME filter]): a GoogleTest program; every case becomes a ctest. Cases
 # that match the REALTIME filter run with nothing beside them: whatever else runs steals their time.
 function(sprung_tests name)
@@ -35,11 +54,9 @@ function(sprung_tests name)
   add_executable(${name} ${ARG_SOURCES})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
   target_link_libraries(${name} PRIVATE sprung_flags ${ARG_LINK} GTest::gmock GTest::gtest_main)
-  # Tests are more than half of all compiling: what they test is optimised, they need not be, and GoogleTest is read once a program.
-  target_compile_options(${name} PRIVATE -O0)
-  target_precompile_headers(${name} PRIVATE <gmock/gmock.h> <gtest/gtest.h>)
-  target_compile_definitions(${name} PRIVATE
-    SPRUNG_SOURCE_DIR="${CMAKE_SOURCE_DIR}" SPRUNG_BIN_DIR="${CMAKE_BINARY_DIR}/bin")
+  sprung_test_flags(${name})
+  sprung_precompiled_googletest()
+  target_precompile_headers(${name} REUSE_FROM sprung_googletest)
   set(common TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
   if(ARG_REALTIME)
     gtest_discover_tests(${name} TEST_FILTER "${ARG_REALTIME}" TEST_LIST ${name}_realtime ${common} RUN_SERIAL TRUE)
