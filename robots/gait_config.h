@@ -55,11 +55,13 @@ struct WalkConfig {
       0.0;  ///< how far a foot is set beyond its place, per m/s that the body is too fast
   std::array<double, 3>
       body_stiffness{};  ///< roll Nm/rad, pitch Nm/rad, height N/m; what the springs at the feet do not give
-  std::array<double, 3> body_damping{};   ///< roll Nm s/rad, pitch Nm s/rad, height N s/m
-  std::array<double, 2> speed_damping{};  ///< forward and sideways, N s/m
-  double stance_friction_compensation = 0.0;
-  double swing_inertia_compensation = 0.0;
-  double swing_friction_compensation = 0.0;
+  std::array<double, 3> body_damping{};       ///< roll Nm s/rad, pitch Nm s/rad, height N s/m
+  std::array<double, 2> speed_damping{};      ///< forward and sideways, N s/m
+  double stance_friction_compensation = 0.0;  ///< share, of a standing foot's joints in a gait that steps
+  double swing_inertia_compensation =
+      0.0;  ///< share, fed forward to position loops of swinging legs; on springs none
+  double swing_friction_compensation =
+      0.0;  ///< share, fed forward in the same way, and on the springs of kForce
 };
 
 }  // namespace sprung

@@ -268,6 +268,17 @@ TEST_F(ComplianceLawTest, LegThatIsLedTakesItsLinksAndTheSharesOfRotorsAndFricti
   EXPECT_NEAR(led_Nm[1] - links_Nm[1], -0.8 * 7.0 + 0.9 * 0.8 * acceleration[1], 1e-6);
 }
 
+TEST_F(ComplianceLawTest, LegThatIsLedWithoutKnownRotorsTakesItsLinksAlone) {
+  joints_.friction = {coulomb(5.0), coulomb(7.0)};
+  joints_.armature_kg_m2.clear();
+  foot_.acceleration_m_s2 = {0.0, 0.0, 4.0};
+  desired_.inertia_compensation = 1.0;
+  const JointVector acceleration = desired_acceleration_rad_s2(leg_, foot_, measured_);
+  const JointVector links_Nm =
+      leg_.inverse_dynamics_Nm(measured_.position_rad, measured_.velocity_rad_s, acceleration);
+  EXPECT_EQ(led_torque_Nm(leg_, desired_, foot_, measured_, joints_), links_Nm);
+}
+
 TEST(FootMotionTest, ExtrapolatesWithConstantAcceleration) {
   DesiredLeg desired;
   desired.desired_foot_in_hip_m = {0.0, 0.0, -0.4};

@@ -66,7 +66,7 @@ class Walker : public WalkFixture {
     ASSERT_GE(standing(), 2);
     const GaitConfig& config = robot_.gaits[static_cast<std::size_t>(std::max(0, motion_.gait))];
     const double swing_s = std::max(0.1, config.period_s * (1.0 - config.duty));
-    // Least jerk: 1.875 times the mean speed over the longest step; the lift's bump: 3.1 lift over the time before the approach.
+    // Least jerk: 1.875 times the mean speed over the longest step; the lift: less than 3.1 lift over the time before the approach.
     const double most_m_s = 1.875 * 0.35 / swing_s + 3.1 * 0.08 / (swing_s * (1.0 - config.pre_stance)) + 0.5;
     for (std::size_t i = 0; i < 4; ++i) {
       const Eigen::Vector3d moved_m =

@@ -50,6 +50,10 @@ TEST(StandPushTest, SpringsSpareTheMotorsWhatAPoundPutsThroughEveryGear) {
   EXPECT_GT(rows.at("stand_push.impulse_30Ns.position").value, 10.0);
   EXPECT_GT(rows.at("stand_push.impulse_30Ns.output_ratio").value, 0.8);
   EXPECT_LT(rows.at("stand_push.impulse_30Ns.foot_off").value, 5.0);
+  // As commanded, and not as one key of the preset says.
+  EXPECT_GT(rows.at("stand_push.gains.friction_compensation").value,
+            load_robot("pegasus").preset("best").walk.stance_friction_compensation);
+  EXPECT_EQ(rows.at("stand_push.gains.stiffness_up").value, 4000.0);
 }
 
 }  // namespace

@@ -54,6 +54,7 @@ void stand_on_springs(LeggedTrial& trial, const RobotConfig& robot) {
 
 struct Timed {
   PushRun run;
+  DesiredLeg standing;  ///< as the legs were commanded before the push
   double simulated_s = 0.0;
 };
 
@@ -64,6 +65,7 @@ Timed run_push(const RobotConfig& robot, const std::string& preset, const SimOpt
   if (compliant) stand_on_springs(trial, robot);
   trial.run(kSettle_s);
   Timed out;
+  out.standing = trial.robot().leg_command().legs.front();
   TrunkHand hand(push, robot.cycle_s);
   double time_s = -kBefore_s, start_m = 0.0;
   trial.run(kBefore_s + push.length_s() + kWatch_s, [&](InProcessRobot& in) {
@@ -90,16 +92,18 @@ std::optional<double> highest_ratio(const std::string& push) {
 StandPushResult run_stand_push(const RobotConfig& robot, const std::string& preset, const SimOptions& sim,
                                const std::vector<TrunkPush>& pushes, const ParallelOptions& parallel) {
   StandPushResult out;
-  const PresetConfig& own = robot.preset(preset);
   const ActuatorConfig& knee =
       robot.actuators.at(static_cast<std::size_t>(robot.legs.at(0).actuators.back()));
-  out.gains = own.walk.stance;
-  out.friction_compensation = own.walk.stance_friction_compensation;
   out.position_stiffness_Nm_rad = knee.position_stiffness_Nm_rad;
   out.position_damping_Nm_s_rad = knee.position_damping_Nm_s_rad;
   std::vector<Timed> runs = parallel_map(
       2 * pushes.size(),
       [&](std::size_t i) { return run_push(robot, preset, sim, pushes[i / 2], i % 2 == 1); }, parallel);
+  if (!runs.empty()) {  // what acted, whatever the preset and the gait made of it
+    const DesiredLeg& standing = runs[1].standing;
+    out.gains = {standing.stiffness_N_m, standing.damping_N_s_m, standing.velocity_feedforward};
+    out.friction_compensation = standing.friction_compensation;
+  }
   for (std::size_t i = 0; i < pushes.size(); ++i) {
     out.pushes.push_back({pushes[i], std::move(runs[2 * i].run), std::move(runs[2 * i + 1].run)});
     out.simulated_s += runs[2 * i].simulated_s + runs[2 * i + 1].simulated_s;
