@@ -11,6 +11,9 @@ namespace {
 
 /// In which the tilt by which an IMU that has come back differs from the estimate fades.
 constexpr double kFading_s = 0.2;
+/// Over which an IMU's own attitude and its rates are mixed. Without, 0.7 mrad of noise are 0.4 mm at a foot, and its position loop,
+/// which takes a set-point's rate for wanted speed, answers with 10 Nm from cycle to cycle. 2 mrad/s of bias lag by 0.1 mrad.
+constexpr double kImuSmoothing_s = 0.05;
 /// Gravity holds the gyro's drift: 2 mrad/s of bias leave 2 mrad, and a push of 0.1 s at 1 m/s^2 moves it by 10.
 constexpr double kGravityHolds_s = 1.0;
 /// A specific force whose length differs by more is not gravity alone.
@@ -64,14 +67,18 @@ void BodyAttitude::follow_imu(const ImuReading& imu, double dt_s) noexcept {
   if (!known_) {
     start(imu.attitude);
     imu_to_world_ = about_z(trunk_to_world_ * imu.attitude.conjugate());
-  } else if (!follows_imu_) {
-    const Eigen::Quaterniond goes_on = trunk_to_world_ * turned_by(dt_s * angular_velocity_rad_s_);
-    imu_to_world_ = goes_on * imu.attitude.conjugate();
-  } else {
-    const Eigen::Quaterniond heading = about_z(imu_to_world_);
-    imu_to_world_ = heading.slerp(std::exp(-dt_s / kFading_s), imu_to_world_).normalized();
+    trunk_to_world_ = imu_to_world_ * imu.attitude;
+    return;
   }
-  trunk_to_world_ = imu_to_world_ * imu.attitude;
+  const Eigen::Quaterniond goes_on = trunk_to_world_ * turned_by(dt_s * angular_velocity_rad_s_);
+  if (!follows_imu_) {
+    imu_to_world_ = goes_on * imu.attitude.conjugate();
+    trunk_to_world_ = goes_on;
+    return;
+  }
+  const Eigen::Quaterniond heading = about_z(imu_to_world_);
+  imu_to_world_ = heading.slerp(std::exp(-dt_s / kFading_s), imu_to_world_).normalized();
+  trunk_to_world_ = goes_on.slerp(share(dt_s, kImuSmoothing_s), imu_to_world_ * imu.attitude);
 }
 
 void BodyAttitude::follow_rates(const ImuReading& imu, double dt_s) noexcept {

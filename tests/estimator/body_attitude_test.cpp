@@ -70,6 +70,23 @@ TEST_F(BodyAttitudeTest, ImusAttitudeIsUsedWithHeadingFromTheFirstSample) {
               1e-6);
 }
 
+TEST_F(BodyAttitudeTest, NoiseOfAnImusAttitudeIsSmoothedWithItsRates) {
+  constexpr double kNoise_rad = 1e-3;
+  run(Source::kAttitude, 0.5);
+  const Eigen::Vector3d axis = Eigen::Vector3d::UnitX();
+  double worst_rad = 0.0;
+  for (int k = 0; k < 200; ++k) {
+    ImuReading noisy;
+    noisy.has_attitude = true;
+    noisy.angular_velocity_rad_s.setZero();
+    noisy.attitude = Eigen::AngleAxisd(k % 2 == 0 ? kNoise_rad : -kNoise_rad, axis);
+    const Eigen::Quaterniond before = attitude_.trunk_to_world();
+    attitude_.step(&noisy, feet_, 0.002);
+    if (k >= 150) worst_rad = std::max(worst_rad, angle_rad(before, attitude_.trunk_to_world()));
+  }
+  EXPECT_LT(worst_rad, 0.05 * 2.0 * kNoise_rad);
+}
+
 TEST_F(BodyAttitudeTest, RatesAndGravityGiveTheAttitudeToHalfADegree) {
   step(Source::kRates);
   ASSERT_TRUE(attitude_.known());
