@@ -57,7 +57,13 @@ bool LegStep::step(const StepPlan& plan, const Eigen::Vector3d& foot_m, const Ei
     wanted_m_ += wanted_m_s_ * plan.dt_s;
     return false;
   }
-  if (in_swing_s_ == 0.0) control_ = plan.control;
+  if (in_swing_s_ == 0.0) {
+    control_ = plan.control;
+    ground_z_m_ = plan.ground_z_m;
+  } else {
+    ground_z_m_ += plan.sunk_m;
+    from_m_.z() += plan.sunk_m;
+  }
   in_swing_s_ += plan.dt_s;
   swing(plan, foothold_m);
   look(plan, contact);
@@ -72,7 +78,7 @@ bool LegStep::step(const StepPlan& plan, const Eigen::Vector3d& foot_m, const Ei
 void LegStep::swing(const StepPlan& plan, const Eigen::Vector3d& foothold_m) noexcept {
   SwingPath path;
   path.from_m = from_m_;
-  path.to_m = {foothold_m.x(), foothold_m.y(), plan.ground_z_m};
+  path.to_m = {foothold_m.x(), foothold_m.y(), ground_z_m_};
   path.ground_m_s = {-plan.body_m_s.x(), -plan.body_m_s.y(), 0.0};
   path.duration_s = plan.swing_s;
   path.lift_m = plan.gait->lift_m + extra_lift_m_;
@@ -113,7 +119,7 @@ bool LegStep::landed(const StepPlan& plan, bool contact) noexcept {
     if (share < 1.0 - 0.5 * plan.gait->pre_stance) note(LegEvent::kEarlyContact);
     return true;
   }
-  if (wanted_m_.z() > plan.ground_z_m - plan.law->step_down_m || share < 1.0) return false;
+  if (wanted_m_.z() > ground_z_m_ - plan.law->step_down_m || share < 1.0) return false;
   note(LegEvent::kNoGround);
   return gave_up_ = true;
 }

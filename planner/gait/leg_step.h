@@ -23,7 +23,8 @@ struct StepPlan {
   double swing_s = 0.0;
   Eigen::Vector3d body_m_s;  ///< wanted, over the ground; z: of the height
   double turning_rad_s = 0.0;
-  double ground_z_m = 0.0;  ///< expected
+  double ground_z_m = 0.0;  ///< expected, of a foot that leaves now
+  double sunk_m = 0.0;      ///< of the trunk against the standing feet, in this cycle
 };
 
 class LegStep {
@@ -69,6 +70,7 @@ class LegStep {
   bool stumbled_ = false;      ///< in this swing
   GaitControl control_ = GaitControl::kOwn;
   bool gave_up_ = false;
+  double ground_z_m_ = 0.0;  ///< where this swing expects it, from its first cycle on
   Eigen::Vector3d from_m_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d wanted_m_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d wanted_m_s_ = Eigen::Vector3d::Zero();

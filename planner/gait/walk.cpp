@@ -14,9 +14,9 @@ constexpr double kStandingFriction = 0.9;
 constexpr double kHeadingGain_1_s = 1.0;
 constexpr double kMostHeadingCorrection_rad_s = 0.2;
 constexpr double kHeightRate_m_s = 0.05;  // of a wanted height or width
-constexpr double kGroundRate_m_s = 0.5;   // faster than a trunk that walks rises or sinks
 constexpr double kSlip_m = 0.03;          // more than feet that hold move against each other
-constexpr double kHeightGain_1_s = 3.0;   // in which the feet's places follow the wanted height
+constexpr double kMostStretch_m = 0.04;  // of a standing foot's spring along the ground, in a gait that steps
+constexpr double kHeightGain_1_s = 3.0;  // in which the feet's places follow the wanted height
 constexpr double kLeanAhead = 0.12;  // share of the period before a swing at which its foot no longer counts
 constexpr double kLeanTime = 0.22;   // share of the period in which the body leans over
 
@@ -38,6 +38,7 @@ Walk::Walk(const RobotConfig& robot, const PresetConfig& preset)
       distribution_(preset.walk.floor_friction),
       feet_(robot.legs.size()) {
   width_m_ = law_.stance_width_m;
+  for (const GaitConfig& gait : gaits_) backward_gaits_.push_back(backward_order(gait, shape_));
 }
 
 const char* Walk::mistake(const WalkRequest& request, bool walking) const noexcept {
@@ -60,8 +61,8 @@ const char* Walk::mistake(const WalkRequest& request, bool walking) const noexce
   if (!(request.stance_width_m >= -0.05 && request.stance_width_m <= 0.15))
     return "stance width beyond -50 to 150 mm";
   if (walking && failure_ != nullptr) return failure_;
-  if (!walking || request.gait == current_) return nullptr;
-  const GaitConfig& now = gaits_[static_cast<std::size_t>(current_)];
+  if (!walking || request.gait == now_.gait) return nullptr;
+  const GaitConfig& now = gaits_[static_cast<std::size_t>(now_.gait)];
   const bool follows = std::find(now.to.begin(), now.to.end(), wanted.name) != now.to.end();
   return follows ? nullptr : "no transition between these gaits: stop first";
 }
@@ -76,8 +77,9 @@ Vec3 Walk::stance_foot_in_hip_m(std::size_t leg, double height_m) const noexcept
 void Walk::begin(const JointState& in, const WalkRequest& request) noexcept {
   view_ = BodyView::of(in, shape_);
   request_ = request;
-  current_ = request.gait;
-  clock_.begin(gaits_[static_cast<std::size_t>(current_)], shape_.legs);
+  wanted_ = {};
+  wanted_ = now_ = order_of(request);
+  start_clock();
   ramp_.reset();
   ramp_.want(request.speed);
   lean_.reset();
@@ -87,8 +89,8 @@ void Walk::begin(const JointState& in, const WalkRequest& request) noexcept {
     steps_[i].forget_event();
     sum_m += view_.foot_m[i].z();
   }
-  ground_z_m_ = sum_m / static_cast<double>(shape_.legs);
-  height_m_ = -ground_z_m_;
+  ground_.begin(sum_m / static_cast<double>(shape_.legs));
+  height_m_ = -ground_.z_m();
   heading_rad_ = view_.attitude.yaw_rad;
   body_m_s_.setZero();
   last_us_ = in.stamp.utime_us;
@@ -103,7 +105,8 @@ void Walk::change(const WalkRequest& request) noexcept {
   stopping_ = false;
   placing_ = false;
   ramp_.want(request.speed);
-  if (request.gait != current_ && !comes_to_rest()) {
+  wanted_ = order_of(request);
+  if (!(wanted_ == now_) && !comes_to_rest()) {
     clock_.hold();
   } else {
     clock_.resume();
@@ -113,9 +116,23 @@ void Walk::change(const WalkRequest& request) noexcept {
 void Walk::stop() noexcept {
   stopping_ = true;
   ramp_.want({});
-  if (request_.gait == current_ || failure_ != nullptr || ended_) return;
-  request_.gait = current_;  // not the gait that was to come: this one sets the feet in their places
+  if (wanted_ == now_ || failure_ != nullptr || ended_) return;
+  wanted_ = now_;  // not the gait that was to come: this one sets the feet in their places
   clock_.resume();
+}
+
+/// Turning or sideways alone it keeps the order that it has.
+GaitOrder Walk::order_of(const WalkRequest& request) const noexcept {
+  const auto place = static_cast<std::size_t>(request.gait);
+  const bool mirrored = backward_gaits_[place].offsets != gaits_[place].offsets;
+  const double forward_m_s = request.speed[0];
+  const bool backward = forward_m_s < 0.0 || (forward_m_s == 0.0 && wanted_.backward);
+  return {request.gait, mirrored && backward};
+}
+
+void Walk::start_clock() noexcept {
+  const auto place = static_cast<std::size_t>(now_.gait);
+  clock_.begin(now_.backward ? backward_gaits_[place] : gaits_[place], shape_.legs);
 }
 
 void Walk::fail(const char* why) noexcept {
@@ -132,6 +149,7 @@ void Walk::step(const JointState& in) noexcept {
   steer(dt_s);
   lean(dt_s);
   step_legs(in, dt_s);
+  follow_ground(dt_s);
   hold_height(dt_s);
   share_weight();
   next_gait();
@@ -170,7 +188,7 @@ Eigen::Vector3d Walk::place_m(std::size_t leg) const noexcept {
   Eigen::Vector3d place = shape_.hip_in_trunk_m[leg] + shape_.foot_beside_hip_m[leg];
   place.y() += shape_.side[leg] * width_m_;
   place.head<2>() -= lean_.at_m();
-  place.z() = ground_z_m_;
+  place.z() = ground_.z_m();
   return place;
 }
 
@@ -204,8 +222,8 @@ void Walk::step_legs(const JointState& in, double dt_s) noexcept {
   for (std::size_t i = 0; i < shape_.legs; ++i)
     late = late || (clock_.swings(i) && clock_.swing_share(i) >= 1.0 && !steps_[i].stands());
   clock_.advance(late ? 0.0 : dt_s);
-  const StepPlan plan{&gait(),          &law_,     request_.control, dt_s,
-                      clock_.swing_s(), body_m_s_, turning_rad_s_,   ground_z_m_};
+  const StepPlan plan{&gait(),        &law_,         request_.control, dt_s, clock_.swing_s(), body_m_s_,
+                      turning_rad_s_, ground_.z_m(), ground_.sunk_m()};
   for (std::size_t i = 0; i < shape_.legs; ++i) {
     if (clock_.swings(i) && steps_[i].stands()) steps_[i].lift(view_.foot_m[i]);
     if (!steps_[i].step(plan, view_.foot_m[i], foothold_m(i), touches(i, in.legs[i]))) continue;
@@ -214,6 +232,7 @@ void Walk::step_legs(const JointState& in, double dt_s) noexcept {
     if (steps_[i].gave_up()) fail("a foot found no ground");
   }
   for (std::size_t i = 0; i < shape_.legs; ++i) look_for_slip(i);
+  for (std::size_t i = 0; i < shape_.legs; ++i) yield(i);
 }
 
 /// How far the feet that stand are from where they are wanted, on average: what a foot that joins them takes over, so that the springs'
@@ -240,20 +259,32 @@ void Walk::look_for_slip(std::size_t leg) noexcept {
   step.shift(by_m);
 }
 
+/// A robot that was pushed goes on from where it is: springs that would pull it all the way back throw it over to the other side.
+void Walk::yield(std::size_t leg) noexcept {
+  LegStep& step = steps_[leg];
+  if (!step.stands() || gait().duty >= 1.0) return;
+  Eigen::Vector3d stretch_m = step.wanted_m() - view_.foot_m[leg];
+  stretch_m.z() = 0.0;
+  const double length_m = stretch_m.norm();
+  if (length_m > kMostStretch_m) step.shift((kMostStretch_m / length_m - 1.0) * stretch_m);
+}
+
+void Walk::follow_ground(double dt_s) noexcept {
+  std::array<GroundFoot, kMostLegs> feet{};
+  for (std::size_t i = 0; i < shape_.legs; ++i) feet[i] = {view_.foot_m[i].z(), steps_[i].stands()};
+  ground_.follow(feet, dt_s);
+}
+
 /// The feet that stand follow the wanted height together; how they differ is the ground's doing.
 void Walk::hold_height(double dt_s) noexcept {
   double wanted_m = 0.0;
-  double measured_m = 0.0;
   int feet = 0;
   for (std::size_t i = 0; i < shape_.legs; ++i) {
     if (!steps_[i].stands()) continue;
     wanted_m += steps_[i].wanted_m().z();
-    measured_m += view_.foot_m[i].z();
     ++feet;
   }
   if (feet == 0) return;
-  // Another foot among those that stand is another ground: the paths of feet in the air must not jump for that.
-  ground_z_m_ = toward(ground_z_m_, measured_m / feet, kGroundRate_m_s * dt_s);
   const double by_m = (-height_m_ - wanted_m / feet) * std::min(1.0, kHeightGain_1_s * dt_s);
   for (std::size_t i = 0; i < shape_.legs; ++i)
     if (steps_[i].stands()) steps_[i].shift({0.0, 0.0, by_m});
@@ -271,7 +302,7 @@ double Walk::load(std::size_t leg) const noexcept {
 void Walk::share_weight() noexcept {
   for (Eigen::Vector3d& force : force_N_) force.setZero();
   if (!law_.distribute_force) return;
-  const BodyWish wish{body_m_s_, turning_rad_s_, height_m_, -ground_z_m_};
+  const BodyWish wish{body_m_s_, turning_rad_s_, height_m_, -ground_.z_m()};
   for (std::size_t i = 0; i < shape_.legs; ++i)
     feet_[i] = {view_.foot_m[i] - view_.com_m, load(i) * shape_.mass_kg * kGravity_m_s2, 0.0,
                 steps_[i].stands()};
@@ -281,7 +312,7 @@ void Walk::share_weight() noexcept {
 
 /// To a gait that never swings: the one that does slows down first, and sets each foot in its place once more.
 bool Walk::comes_to_rest() const noexcept {
-  return gait().duty < 1.0 && gaits_[static_cast<std::size_t>(request_.gait)].duty >= 1.0;
+  return gait().duty < 1.0 && gaits_[static_cast<std::size_t>(wanted_.gait)].duty >= 1.0;
 }
 
 void Walk::next_gait() noexcept {
@@ -297,10 +328,10 @@ void Walk::next_gait() noexcept {
   const bool done = gait().duty >= 1.0 || failure_ != nullptr || (placing_ && clock_.rounds() > 0);
   if (stopping_ && ramp_.arrived() && settled && all_stand && done) ended_ = true;
   const bool placed = !comes_to_rest() || (placing_ && clock_.rounds() > 0);
-  if (!stopping_ && all_stand && placed && request_.gait != current_) {
-    current_ = request_.gait;
+  if (!stopping_ && all_stand && placed && !(wanted_ == now_)) {
+    now_ = wanted_;
     placing_ = false;
-    clock_.begin(gaits_[static_cast<std::size_t>(current_)], shape_.legs);
+    start_clock();
   }
 }
 

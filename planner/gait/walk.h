@@ -4,7 +4,9 @@
 #include <array>
 
 #include "planner/gait/body_law.h"
+#include "planner/gait/expected_ground.h"
 #include "planner/gait/force_distribution.h"
+#include "planner/gait/gait_order.h"
 #include "planner/gait/leg_step.h"
 #include "planner/gait/speed_ramp.h"
 
@@ -48,8 +50,12 @@ class Walk {
   void step_legs(const JointState& in, double dt_s) noexcept;
   bool touches(std::size_t i, const EstimatedLeg& leg) const noexcept;
   void look_for_slip(std::size_t leg) noexcept;
+  void yield(std::size_t leg) noexcept;
+  void follow_ground(double dt_s) noexcept;
   void hold_height(double dt_s) noexcept;
   void share_weight() noexcept;
+  GaitOrder order_of(const WalkRequest& request) const noexcept;
+  void start_clock() noexcept;
   bool comes_to_rest() const noexcept;
   void next_gait() noexcept;
   void fail(const char* why) noexcept;
@@ -62,6 +68,8 @@ class Walk {
 
   const WalkConfig law_;
   const std::vector<GaitConfig> gaits_;
+  std::vector<GaitConfig>
+      backward_gaits_;  ///< of the same indices; a gait that is its own mirror image is itself
   const double cycle_s_;
   const double stand_height_m_;
   const double stance_friction_;    ///< compensated of a standing foot's joints while others swing
@@ -76,10 +84,11 @@ class Walk {
   std::array<Eigen::Vector3d, kMostLegs> force_N_;  ///< ground on foot, level axes; written by begin()
   BodyView view_;
   WalkRequest request_;
-  int current_ = -1;
+  GaitOrder now_;
+  GaitOrder wanted_;       ///< as soon as it can be
   double height_m_ = 0.0;  ///< as ramped
   double width_m_ = 0.0;
-  double ground_z_m_ = 0.0;
+  ExpectedGround ground_;
   double heading_rad_ = 0.0;
   double turning_rad_s_ = 0.0;  ///< as steered
   Eigen::Vector3d body_m_s_ = Eigen::Vector3d::Zero();

@@ -263,5 +263,26 @@ TEST_F(LegStepTest, EventsAreForgottenButStayCounted) {
   EXPECT_EQ(count(LegEvent::kSlip), 1);
 }
 
+TEST_F(LegStepTest, WhatOtherFeetLearnOfTheGroundDoesNotJerkASwing) {
+  lift();
+  swing_to(0.5);
+  LegStep undisturbed = leg_;
+  undisturbed.step(plan_, foot_m_, foothold_m_, false);
+  plan_.ground_z_m += 0.01;
+  cycle();
+  EXPECT_EQ(leg_.wanted_m(), undisturbed.wanted_m());
+}
+
+TEST_F(LegStepTest, TrunkThatSinksUnderASwingLeavesItsPathOverTheGround) {
+  lift();
+  swing_to(0.5);
+  LegStep level = leg_;
+  level.step(plan_, foot_m_, foothold_m_, false);
+  plan_.sunk_m = 0.001;
+  cycle();
+  EXPECT_NEAR(leg_.wanted_m().z() - level.wanted_m().z(), 0.001, 1e-12);
+  EXPECT_NEAR((leg_.wanted_m() - level.wanted_m()).head<2>().norm(), 0.0, 1e-12);
+}
+
 }  // namespace
 }  // namespace sprung

@@ -4,7 +4,23 @@
 namespace sprung {
 namespace {
 
-class WalkChangeTest : public WalkFixture {};
+class WalkChangeTest : public WalkFixture {
+ protected:
+  /// Legs in the order in which they leave the ground.
+  std::vector<std::string> lifts(double seconds) {
+    std::vector<std::string> out;
+    std::vector<LegPhase> before(4, LegPhase::kStance);
+    for (std::size_t i = 0; i < 4; ++i) before[i] = wanted_[i].phase;
+    run(seconds, [&] {
+      for (std::size_t i = 0; i < 4; ++i) {
+        if (before[i] == LegPhase::kStance && wanted_[i].phase == LegPhase::kSwing)
+          out.push_back(robot_.legs[i].name);
+        before[i] = wanted_[i].phase;
+      }
+    });
+    return out;
+  }
+};
 
 TEST_F(WalkChangeTest, StopSlowsDownSetsTheFeetInTheirPlacesAndEnds) {
   for (const char* name : {"crawl", "walk", "trot"}) {
@@ -61,6 +77,55 @@ TEST_F(WalkChangeTest, GaitThatNeverSwingsBeginsOnlyWhenTheRobotStandsStillOverI
     run(10.0);
     EXPECT_TRUE(walk_.ended());
   }
+}
+
+/// The order that keeps a crawl from tipping forward, turned round: which foot is ahead of which is a matter of the way it goes.
+TEST_F(WalkChangeTest, BackwardFrontAndHindLegsChangePlacesInTheOrder) {
+  begin(request("crawl", {0.08, 0.0, 0.0}));
+  const std::vector<std::string> forward = lifts(4.0);
+  begin(request("crawl", {-0.08, 0.0, 0.0}));
+  const std::vector<std::string> backward = lifts(4.0);
+  ASSERT_GE(forward.size(), 4u);
+  ASSERT_GE(backward.size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    std::string mirrored = forward[i];
+    mirrored[0] = mirrored[0] == 'f' ? 'h' : 'f';
+    EXPECT_EQ(backward[i], mirrored) << i;
+  }
+}
+
+TEST_F(WalkChangeTest, OrderOfLegsTurnsRoundWhileAllFeetStandAndSidewaysItStays) {
+  begin(request("crawl", {0.08, 0.0, 0.0}));
+  run(7.9);
+  ASSERT_LT(standing(), 4);
+  change(request("crawl", {-0.08, 0.0, 0.0}));
+  run(8.0, [&] { ASSERT_GE(standing(), 3); });
+  const std::vector<std::string> backward = lifts(4.0);
+  change(request("crawl", {0.0, 0.02, 0.0}));
+  run(3.4);
+  const std::vector<std::string> sideways = lifts(4.0);
+  begin(request("crawl", {-0.08, 0.0, 0.0}));
+  const std::vector<std::string> from_rest = lifts(9.0);
+  const auto follows = [&](const std::vector<std::string>& order) {
+    return std::search(from_rest.begin(), from_rest.end(), order.begin(), order.end()) != from_rest.end();
+  };
+  EXPECT_GE(backward.size(), 3u);
+  EXPECT_TRUE(follows(backward));
+  EXPECT_GE(sideways.size(), 3u);
+  EXPECT_TRUE(follows(sideways));
+}
+
+TEST_F(WalkChangeTest, TrotIsItsOwnMirrorImageAndGoesOnBackward) {
+  begin(request("trot", {0.2, 0.0, 0.0}));
+  run(3.0);
+  change(request("trot", {-0.2, 0.0, 0.0}));
+  double before = motion_.gait_phase;
+  run(3.0, [&] {
+    const double on = std::remainder(motion_.gait_phase - before, 1.0);
+    ASSERT_GE(on, 0.0);
+    ASSERT_LT(on, 0.01);
+    before = motion_.gait_phase;
+  });
 }
 
 TEST_F(WalkChangeTest, StopBeforeAnotherGaitBeganStopsTheOneThatIsWalked) {

@@ -127,7 +127,8 @@ TEST_F(WalkTest, LateContactFreezesTheClockUntilTheFootFoundTheGround) {
     before = motion_.gait_phase;
   });
   EXPECT_EQ(count(LegEvent::kLateContact), 1);
-  EXPECT_NEAR(frozen_s, 0.02 / preset_.walk.approach_m_s, 0.01);
+  // When it leaves the ground is expected where it is on average, a quarter of the way down the hole.
+  EXPECT_NEAR(frozen_s, 0.75 * 0.02 / preset_.walk.approach_m_s, 0.01);
   EXPECT_EQ(walk_.failure(), nullptr);
 }
 
@@ -152,6 +153,24 @@ TEST_F(WalkTest, FeetThatAllMoveTogetherWerePushedAndDoNotSlip) {
   slipped_m_.fill(0.06);
   run(0.5);
   EXPECT_EQ(count(LegEvent::kSlip), 0);
+}
+
+TEST_F(WalkTest, PushedInAGaitThatStepsItGoesOnFromWhereItIsAndStandingItComesBack) {
+  for (const char* name : {"trot", "stand"}) {
+    begin(request(name));
+    run(1.0);
+    slipped_m_.fill(0.1);
+    cycle();
+    slipped_m_.fill(0.0);
+    const JointState pushed = in_;
+    cycle();
+    double stretch_m = 0.0;
+    for (std::size_t i = 0; i < 4; ++i)
+      if (wanted_[i].phase == LegPhase::kStance)
+        stretch_m = std::max(stretch_m, std::abs(wanted_[i].desired_foot_in_hip_m[0] -
+                                                 pushed.legs[i].estimated_foot_in_hip_m[0]));
+    EXPECT_NEAR(stretch_m, name == std::string("stand") ? 0.1 : 0.04, 0.005) << name;
+  }
 }
 
 TEST_F(WalkTest, NoGroundStopsTheWalkAndSaysWhy) {
