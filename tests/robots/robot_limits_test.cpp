@@ -127,7 +127,7 @@ void add_joints(std::vector<Limit>& limits) {
   const Deeds slowly = walking("trot", {0.1, 0.0, 0.0}, 2.0);
   for (const Limit& limit : std::vector<Limit>{
            {"actuators[].torque_limit", "25 Nm", {"torque"}, carry, true},
-           {"actuators[].speed_limit", "1.5 rad/s", {"speed"}, slowly, true},
+           {"actuators[].speed_limit", "1 rad/s", {"speed"}, slowly, true},
            {"actuators[].power_limit", "1 W", {"power"}, slowly, true},
            {"actuators[].rated_current", "0.35 A", {"drive's current"}, walking("stand", {}, 3.0), true},
            {"actuators[].winding_time_constant", "0.1 s", {"drive's current"}, carry, true},
