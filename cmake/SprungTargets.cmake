@@ -21,10 +21,13 @@ function(sprung_library name)
   target_link_libraries(${name} PUBLIC sprung_flags ${ARG_LINK})
 endfunction()
 
+add_custom_target(programs)  # all of them and no test
+
 # sprung_program(NAME SOURCES a_main.cpp ... LINK x ...): a program in build/<preset>/bin.
 function(sprung_program name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
+  add_dependencies(programs ${name})
   target_link_libraries(${name} PRIVATE sprung_flags ${ARG_LINK})
 endfunction()
 
