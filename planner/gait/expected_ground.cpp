@@ -5,7 +5,7 @@
 namespace sprung {
 namespace {
 
-constexpr double kLearned_m_s = 0.1;  // a step of 20 mm within a swing of a trot
+constexpr double kLearned_m_s = 0.1;  // 20 mm in half a swing of a trot
 
 }  // namespace
 

@@ -77,7 +77,7 @@ Vec3 Walk::stance_foot_in_hip_m(std::size_t leg, double height_m) const noexcept
 void Walk::begin(const JointState& in, const WalkRequest& request) noexcept {
   view_ = BodyView::of(in, shape_);
   request_ = request;
-  wanted_ = {};
+  wanted_ = {};  // not the order of a walk before this one
   wanted_ = now_ = order_of(request);
   start_clock();
   ramp_.reset();

@@ -33,6 +33,13 @@ class BridgeFaults : public testing::PoweredBridge {
     bench_.enable();
     EXPECT_EQ(enabled(), 2);
   }
+  /// For bend_samples: a second device answers after the first one, told apart by its data.
+  static void a_second_device_answers(std::vector<CanFrame>& frames, std::size_t i) {
+    if (i > 0 && frames[i - 1].id == kHipSample) return;
+    CanFrame other = frames[i];
+    other.data[0] = static_cast<std::uint8_t>(~other.data[0]);
+    frames.insert(frames.begin() + static_cast<std::ptrdiff_t>(i) + 1, other);
+  }
   /// Calls `change` for every sample of the hip.
   template <class Change>
   void bend_samples(Change change) {

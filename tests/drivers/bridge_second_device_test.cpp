@@ -189,12 +189,7 @@ TEST_F(BridgeFaults, SecondDeviceIsNoticedWithinTenCyclesAlsoAfterASilenceThatWa
   bench_.drives[0].nmt = NmtState::kPreOperational;
   bench_.drives[0].power = PowerState::kSwitchOnDisabled;
   expect_cleared();
-  bend_samples([](std::vector<CanFrame>& frames, std::size_t i) {
-    if (i > 0 && frames[i - 1].id == kHipSample) return;
-    CanFrame other = frames[i];
-    other.data[0] = static_cast<std::uint8_t>(~other.data[0]);
-    frames.insert(frames.begin() + static_cast<std::ptrdiff_t>(i) + 1, other);
-  });
+  bend_samples(a_second_device_answers);
   bench_.run(10);
   EXPECT_EQ(cause(), SafetyCause::kDuplicateNode) << "answers from before its reset are not owed";
 }
@@ -233,12 +228,7 @@ TEST_F(BridgeFaults, StoppedHeartbeatsBesideASecondAnswerAreASecondDevice) {
 }
 
 TEST_F(BridgeFaults, SecondDeviceIsNoticedWithinTenCycles) {
-  bend_samples([](std::vector<CanFrame>& frames, std::size_t i) {
-    if (i > 0 && frames[i - 1].id == kHipSample) return;
-    CanFrame other = frames[i];
-    other.data[0] = static_cast<std::uint8_t>(~other.data[0]);
-    frames.insert(frames.begin() + static_cast<std::ptrdiff_t>(i) + 1, other);
-  });
+  bend_samples(a_second_device_answers);
   bench_.run(10);
   EXPECT_EQ(cause(), SafetyCause::kDuplicateNode);
 }
