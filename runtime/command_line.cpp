@@ -3,12 +3,14 @@
 #include <sprung_version.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <map>
 #include <utility>
 
 #include "runtime/command_info.h"
+#include "runtime/spelling.h"
 
 namespace sprung {
 
@@ -34,18 +36,70 @@ struct CommandLine::Impl {
     return *this;
   }
 
-  int run_action(const std::string& program) const {
+  /// "sprung log plot", as far as it was chosen.
+  std::string chosen_words() const {
+    for (const auto& child : children) {
+      if (app->got_subcommand(child->impl_->app)) return app->get_name() + " " + child->impl_->chosen_words();
+    }
+    return app->get_name();
+  }
+
+  std::vector<std::string> subcommand_names() const {
+    std::vector<std::string> names;
+    for (const auto& child : children) names.push_back(child->impl_->app->get_name());
+    return names;
+  }
+
+  /// "--count", "-n", of all options with dashes.
+  std::vector<std::string> option_names() const {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app->get_options()) {
+      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+      for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+    }
+    return names;
+  }
+
+  std::string mistake(const CLI::ParseError& error) const;
+
+  /// What was wrong, on standard error, and where the help to it is. @return exit status.
+  int refuse(const std::string& what) const {
+    std::cerr << app->get_name() << ": " << what << "\nRun '" << chosen_words()
+              << " --help' for what it takes.\n";
+    return kExitWrongUse;
+  }
+
+  int run_action() const {
+    const Impl& command = chosen();
     try {
-      return action ? action() : kExitDone;
+      return command.action ? command.action() : kExitDone;
     } catch (const WrongUse& error) {
-      std::cerr << program << ": " << error.what() << "\nRun '" << program << " --help' for what it takes.\n";
-      return kExitWrongUse;
+      return refuse(error.what());
     } catch (const std::exception& error) {
-      std::cerr << program << ": " << error.what() << "\n";
+      std::cerr << app->get_name() << ": " << error.what() << "\n";
       return kExitFailed;
     }
   }
 };
+
+/// CLI11 names neither a command nor what an option may have meant.
+std::string CommandLine::Impl::mistake(const CLI::ParseError& error) const {
+  const Impl& command = chosen();
+  const std::vector<std::string> unknown = command.app->remaining();
+  const auto option = std::find_if(unknown.begin(), unknown.end(), [](const std::string& word) {
+    return word.size() > 1 && word.front() == '-' && word != "--";
+  });
+  if (!command.children.empty() && (unknown.empty() || option != unknown.begin())) {
+    const std::vector<std::string> names = command.subcommand_names();
+    const std::string what =
+        unknown.empty() ? "which command?"
+                        : "no command '" + unknown.front() + "'" + did_you_mean(unknown.front(), names);
+    return what + "\nThere are: " + CLI::detail::join(names, ", ");
+  }
+  if (option != unknown.end())
+    return "no option '" + *option + "'" + did_you_mean(*option, command.option_names());
+  return unknown.empty() ? error.what() : "one word too many: '" + unknown.front() + "'";
+}
 
 CommandLine::CommandLine(const std::string& program, const std::string& description)
     : impl_(std::make_unique<Impl>()) {
@@ -137,9 +191,11 @@ int CommandLine::run(int argc, const char* const* argv) {
   try {
     impl_->app->parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return impl_->app->exit(error) == 0 ? kExitDone : kExitWrongUse;  // prints help, version or the mistake
+    if (error.get_exit_code() != 0) return impl_->refuse(impl_->mistake(error));
+    impl_->app->exit(error);  // prints help or version
+    return kExitDone;
   }
-  return impl_->chosen().run_action(impl_->app->get_name());
+  return impl_->run_action();
 }
 
 }  // namespace sprung

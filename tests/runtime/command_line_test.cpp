@@ -130,6 +130,19 @@ TEST_F(CommandLineTest, RequiredOptionIsRequired) {
   EXPECT_EQ(robot, "x");
 }
 
+TEST_F(CommandLineTest, AnOptionThatIsNoneIsNamedWithTheOneThatWasMeant) {
+  EXPECT_EQ(run({"--hieght", "1"}), kExitWrongUse);
+  EXPECT_EQ(error_,
+            "tool: no option '--hieght'; did you mean '--height'?\nRun 'tool --help' for what it takes.\n");
+  EXPECT_EQ(run({"--something"}), kExitWrongUse);
+  EXPECT_EQ(error_, "tool: no option '--something'\nRun 'tool --help' for what it takes.\n");
+}
+
+TEST_F(CommandLineTest, AWordTooManyIsNamed) {
+  EXPECT_EQ(run({"here", "there"}), kExitWrongUse);
+  EXPECT_THAT(error_, HasSubstr("one word too many: 'here'"));
+}
+
 class SubcommandTest : public CommandLineTest {
  protected:
   SubcommandTest() {
@@ -170,6 +183,41 @@ TEST_F(SubcommandTest, OneMustBeGivenAndKnown) {
   EXPECT_EQ(run({"log"}), kExitWrongUse);
   EXPECT_EQ(run({"log", "info"}), kExitWrongUse);
   EXPECT_EQ(ran_ + jumped_ + informed_, 0);
+}
+
+TEST_F(SubcommandTest, ACommandThatIsNoneIsNamedWithTheOneThatWasMeant) {
+  EXPECT_EQ(run({"jmp", "--height", "0.2"}), kExitWrongUse);
+  EXPECT_EQ(error_,
+            "tool: no command 'jmp'; did you mean 'jump'?\nThere are: jump, log\nRun 'tool --help' for what "
+            "it takes.\n");
+  EXPECT_EQ(run({"log", "inof", "a.log"}), kExitWrongUse);
+  EXPECT_EQ(error_,
+            "tool: no command 'inof'; did you mean 'info'?\nThere are: info\nRun 'tool log --help' for what "
+            "it takes.\n");
+}
+
+TEST_F(SubcommandTest, WithoutACommandAllOfThemAreNamed) {
+  EXPECT_EQ(run({}), kExitWrongUse);
+  EXPECT_THAT(error_, HasSubstr("which command?\nThere are: jump, log\n"));
+}
+
+TEST_F(SubcommandTest, AMistakeLeadsToTheHelpOfItsOwnCommand) {
+  EXPECT_EQ(run({"jump", "--hieght", "0.2"}), kExitWrongUse);
+  EXPECT_EQ(
+      error_,
+      "tool: no option '--hieght'; did you mean '--height'?\nRun 'tool jump --help' for what it takes.\n");
+  EXPECT_EQ(run({"log", "info"}), kExitWrongUse);
+  EXPECT_THAT(error_, ::testing::AllOf(HasSubstr("file is required"), HasSubstr("'tool log info --help'")));
+  EXPECT_EQ(run({"jump", "--height", "high"}), kExitWrongUse);
+  EXPECT_THAT(error_,
+              ::testing::AllOf(HasSubstr("--height"), HasSubstr("high"), HasSubstr("'tool jump --help'")));
+}
+
+TEST_F(SubcommandTest, WrongUseThatTheActionFindsLeadsToItsOwnHelpToo) {
+  CommandLine& hop = line_.subcommand("hop", "Hop.");
+  hop.action([]() -> int { throw WrongUse("on which leg?"); });
+  EXPECT_EQ(run({"hop"}), kExitWrongUse);
+  EXPECT_EQ(error_, "tool: on which leg?\nRun 'tool hop --help' for what it takes.\n");
 }
 
 TEST_F(SubcommandTest, HelpOfASubcommandIsItsOwn) {

@@ -39,8 +39,8 @@ TEST_F(UpScreen, ShowsEveryProcessAndGivesTheTerminalBack) {
                        (folder_ / "terminal.txt").string()},
                       Output::kCaptured);
   EXPECT_TRUE(shows("single_leg is up")) << shown();
-  for (const char* part : {"\x1b[?1049h", "cpu %", "input ms", "sprung-can-bridge         running",
-                           "sprung-sim-drives", "safety  operational", "ready in", "Ctrl-C stops it"})
+  for (const char* part : {"\x1b[?1049h", "cpu %", "age ms", "sprung-can-bridge       running",
+                           "sprung-sim-drives", "safety  operational", "ready in", "Ctrl-C ends it"})
     EXPECT_TRUE(shows(part)) << part;
   EXPECT_EQ(sprung("down").status, 0);
   EXPECT_TRUE(script.wait(10.0));

@@ -52,6 +52,14 @@ TEST_F(Up, NothingStartsBesideABridgeWhoseLauncherWasKilled) {
   EXPECT_EQ(next.status, 0) << next.output;
 }
 
+TEST_F(Up, WhereNoDriveAnswersSimulatedOnesAreNamed) {
+  const CommandResult result = sprung("up single_leg --no-record --patience 5 --lcm-url '" + lcm_url() +
+                                      "' --can leg=" + can_address());
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.output, AllOf(HasSubstr("sprung-can-bridge is not running after 5 s"),
+                                   HasSubstr("With simulated drives: sprung up single_leg --sim")));
+}
+
 TEST_F(Up, LauncherThatWasStoppedForAWhileDoesNotTakeTheOthersForSilent) {
   up("lockstep", "--speed 1");
   up_process().signal(SIGSTOP);

@@ -57,8 +57,8 @@ TEST(LaunchScreen, TitlesStandOverTheirNumbers) {
   };
   EXPECT_EQ(end(titles, "pid"), end(row, "4711"));
   EXPECT_EQ(end(titles, "cpu %"), end(row, "12.3"));
-  EXPECT_EQ(end(titles, "rate Hz"), end(row, "500"));
-  EXPECT_EQ(end(titles, "input ms"), end(row, "0.25"));
+  EXPECT_EQ(end(titles, "Hz"), end(row, "500"));
+  EXPECT_EQ(end(titles, "age ms"), end(row, "0.25"));
 }
 
 TEST(LaunchScreen, WhatWasNotToldIsADash) {
@@ -79,6 +79,51 @@ TEST(LaunchScreen, FillsTheTerminalExactlyAndNoMore) {
 TEST(LaunchScreen, NewestLogLinesStandLast) {
   const auto lines = launch_screen(sample(), log_of(100), 120, 24);
   EXPECT_THAT(lines[lines.size() - 2].text, HasSubstr("line 99"));
+}
+
+TEST(LaunchScreen, TheTableFitsIntoEightyColumns) {
+  ScreenContent content = sample();
+  content.rows[0].program = "sprung-torque-estimator";
+  content.rows[0].pid = 4194304;  // the highest that Linux gives
+  content.rows[0].rate_Hz = 1000.0;
+  content.rows[0].overruns = 12345.0;
+  content.rows[0].restarts = 3;
+  const auto lines = launch_screen(content, {}, 80, 24);
+  EXPECT_EQ(lines[4].text.substr(lines[4].text.size() - 5), "again");
+  EXPECT_EQ(lines[5].text.size(), lines[4].text.size());
+  EXPECT_EQ(lines[5].text.back(), '3');
+}
+
+std::string joined(const std::vector<ScreenLine>& lines) {
+  std::string all;
+  for (const ScreenLine& line : lines) all += line.text + "\n";
+  return all;
+}
+
+TEST(LaunchScreen, LongLinesGoOnInTheNext) {
+  ScreenContent content = sample();
+  content.hint = "In a second terminal: sprung stand, sprung jump, sprung status, sprung down";
+  content.rows[0].detail = "commanded; limits acted: torque 12, rate 3";
+  const std::deque<LogLine> log{
+      {0, "p", "2026-11-21T20:01:25.123456 warning p: one two three four five six seven"}};
+  const std::string all = joined(launch_screen(content, log, 40, 24));
+  EXPECT_THAT(all, HasSubstr("20:01:25.123 warning p: one two three\n  four five six seven\n"));
+  EXPECT_THAT(
+      all, HasSubstr("In a second terminal: sprung stand,\n  sprung jump, sprung status, sprung\n  down\n"));
+  EXPECT_THAT(all, HasSubstr("\n  commanded; limits acted: torque 12,\n  rate 3\n"));
+}
+
+TEST(LaunchScreen, NewestPieceOfALongLineIsSeenWhereRoomIsShort) {
+  const std::deque<LogLine> log{
+      {0, "p", "2026-11-21T20:01:25.123456 info p: one two three four five six seven"}};
+  const auto lines = launch_screen(sample(), log, 40, 9);  // room for one
+  EXPECT_EQ(lines[7].text, "  five six seven");
+}
+
+TEST(LaunchScreen, TheLogHasALineOfItsOwn) {
+  ScreenContent content = sample();
+  content.log = "logs/x.lcm";
+  EXPECT_EQ(launch_screen(content, {}, 80, 24)[2].text, "log     logs/x.lcm");
 }
 
 TEST(LaunchScreen, HostsAreShownWhereThereAreSeveral) {

@@ -25,8 +25,10 @@ std::string progress_text(const std::string& label, std::size_t done, std::size_
   return text + left;
 }
 
-ProgressBar::ProgressBar(std::string label)
-    : label_(std::move(label)), terminal_(isatty(STDERR_FILENO) != 0) {}
+ProgressBar::ProgressBar(std::string label) : ProgressBar(std::move(label), isatty(STDERR_FILENO) != 0) {}
+
+ProgressBar::ProgressBar(std::string label, bool on_terminal)
+    : label_(std::move(label)), terminal_(on_terminal) {}
 
 ProgressBar::~ProgressBar() {
   if (terminal_) std::fputs(kWipeLine, stderr);
@@ -34,6 +36,10 @@ ProgressBar::~ProgressBar() {
 
 void ProgressBar::show(std::size_t done, std::size_t count) {
   if (!terminal_) return;
+  if (done >= count) {
+    std::fputs(kWipeLine, stderr);  // what is printed next begins the line
+    return;
+  }
   const double elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
   std::fprintf(stderr, "%s%s", kWipeLine, progress_text(label_, done, count, elapsed_s).c_str());
 }

@@ -13,10 +13,12 @@ std::string progress_text(const std::string& label, std::size_t done, std::size_
 class ProgressBar {
  public:
   explicit ProgressBar(std::string label);
-  ~ProgressBar();  ///< wipes the line
+  ProgressBar(std::string label, bool on_terminal);  ///< where that is known
+  ~ProgressBar();                                    ///< wipes the line
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
+  /// Wipes the line when all is done, so that results can be printed.
   void show(std::size_t done, std::size_t count);
 
  private:

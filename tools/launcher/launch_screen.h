@@ -13,7 +13,8 @@ namespace sprung {
 struct ScreenContent {
   std::string robot;
   std::string phase;  ///< "starting", "up", "stopping"
-  std::string facts;  ///< clock, preset, network, log
+  std::string facts;  ///< clock, preset, network
+  std::string log;    ///< its file; "" = none
   std::string safety;
   bool safety_bad = false;
   double up_s = 0.0;
@@ -27,7 +28,8 @@ struct ScreenLine {
   LineStyle style = LineStyle::kPlain;
 };
 
-/// At most `height` lines of at most `width` columns: heading, table, the newest log lines in what is left, the hint last.
+/// At most `height` lines of at most `width` columns: heading, table, the newest log lines in what is left, the hint last. The table
+/// has 80 columns; longer lines go on in the next one.
 std::vector<ScreenLine> launch_screen(const ScreenContent& content, const std::deque<LogLine>& log,
                                       std::size_t width, std::size_t height);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 
 #include "runtime/session_clock.h"
 
@@ -14,8 +15,14 @@ constexpr std::size_t kLinesLeftBehind = 20;
 std::string facts_of(const RunInfo& info) {
   std::string facts = "clock " + info.clock + ", preset " + info.preset;
   if (info.simulation) facts += ", simulated drives";
-  if (!info.log.empty()) facts += "   log " + info.log;
-  return facts + "   LCM " + info.lcm_url;
+  return facts + ", LCM " + info.lcm_url;
+}
+
+/// As it is named from this folder, where it lies below it.
+std::string from_here(const std::string& path) {
+  std::error_code unknown;
+  const std::string near = std::filesystem::proximate(path, unknown).string();
+  return unknown || near.rfind("..", 0) == 0 ? path : near;
 }
 
 }  // namespace
@@ -85,6 +92,7 @@ ScreenContent LaunchView::content() const {
   content.robot = robot_.name;
   content.phase = phase_;
   content.facts = facts_of(launcher_.info());
+  content.log = launcher_.info().log.empty() ? "" : from_here(launcher_.info().log);
   content.safety = "nothing heard of the bridge yet";
   if (const auto& safety = launcher_.safety()) {
     content.safety = safety->level_name + ", cause " + safety->cause_name;
@@ -93,7 +101,7 @@ ScreenContent LaunchView::content() const {
   }
   content.up_s = static_cast<double>(monotonic_us() - begin_us_) * 1e-6;
   content.rows = launcher_.rows();
-  content.hint = "Ctrl-C stops it, drives first.  In a second terminal: " + first_commands(robot_);
+  content.hint = "Ctrl-C ends it, drives first. In a second terminal: " + first_commands(robot_);
   return content;
 }
 

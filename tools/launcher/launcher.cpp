@@ -204,8 +204,9 @@ void Launcher::wait_for(const std::string& program, ProcessState state) {
 
 std::string Launcher::not_ready_text(const std::string& program, ProcessState state) const {
   const auto* const status = board_.last(program);
-  std::string text =
-      program + " is not " + name(state) + " after " + std::to_string(request_.patience_s) + " s";
+  char after[32];
+  std::snprintf(after, sizeof after, " after %g s", request_.patience_s);
+  std::string text = program + " is not " + name(state) + after;
   for (const RemoteProcess& remote : remote_) {
     if (remote.program != program) continue;
     text += "; start it there: sprung up " + request_.robot +
@@ -213,6 +214,8 @@ std::string Launcher::not_ready_text(const std::string& program, ProcessState st
             ", with an --lcm-url whose ttl is 1 on every host";
   }
   if (status != nullptr && !status->detail.empty()) text += ": " + status->detail;
+  if (program == kBridgeProgram && leads_ && !request_.simulation)
+    text += ". With simulated drives: sprung up " + request_.robot + " --sim";
   const std::string refusal = node_.last_refusal();
   return refusal.empty() ? text : text + " (" + refusal + ")";
 }

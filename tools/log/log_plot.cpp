@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "tools/fields/value_text.h"
+#include "tools/log/field_hint.h"
 #include "tools/log/robot_names.h"
 #include "tools/log/thin_series.h"
 
@@ -210,7 +211,9 @@ LogPlot collect_plot(Reader& reader, const PlotRequest& request, const Progress&
     plot.subtitle += (plot.subtitle.empty() ? "" : "; ") + note;
   for (report::Plot& one : plot.plots) shorten_names(one);
   if (plot.plots.empty())
-    throw std::invalid_argument("no number in that log and time is named so; sprung log info lists channels");
+    throw std::invalid_argument(plot.unmatched.empty()
+                                    ? "there is no number to draw: only texts, or nothing in that time"
+                                    : no_field_text(reader.path(), plot.unmatched.front()));
   return plot;
 }
 

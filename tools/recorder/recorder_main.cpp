@@ -11,6 +11,7 @@
 #include "runtime/stop_request.h"
 #include "tools/recorder/log_metadata.h"
 #include "tools/recorder/network_tap.h"
+#include "tools/recorder/news_pace.h"
 #include "tools/recorder/recording_report.h"
 
 namespace sprung {
@@ -22,7 +23,6 @@ constexpr int kTurn_ms = 20;
 constexpr std::int64_t kTick_us = 100'000;
 /// Ahead of all that is not in real time: the kernel holds what is not taken for about a second, then it is lost.
 constexpr int kNice = -15;
-constexpr std::int64_t kNewsInterval_us = 1'000'000;
 /// Where the launcher died: how long the others may be silent, and how long the recorder outlives them at most.
 constexpr std::int64_t kQuiet_us =
     3'000'000;  // in lock-step the bridge waits a second for a command and another for its drives, and says nothing
@@ -99,9 +99,9 @@ class Recorder {
     if (now_us < next_tick_us_) return;
     next_tick_us_ = now_us + kTick_us;
     recording_.tick(utc_us());
-    if (now_us < next_news_us_) return;
-    next_news_us_ = now_us + kNewsInterval_us;
+    if (!news_pace_.due(now_us)) return;
     const std::string news = recording_.take_news();
+    news_pace_.asked(now_us, !news.empty());
     if (!news.empty()) log_warn(news);
   }
 
@@ -145,7 +145,7 @@ class Recorder {
   MessageQueue queue_;
   MessageQueue::Batch batch_;
   std::int64_t next_tick_us_ = 0;
-  std::int64_t next_news_us_ = 0;
+  NewsPace news_pace_;
   NetworkTap tap_;  ///< last: its thread ends before the queue does
 };
 

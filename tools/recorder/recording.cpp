@@ -157,11 +157,13 @@ std::int64_t Recording::missing() const noexcept {
 }
 
 std::string Recording::take_news() {
+  if (news_.empty()) return "";
   std::string out;
   for (const auto& [channel, cycles] : news_)
-    out += (out.empty() ? "" : ", ") + channel + " misses " + std::to_string(cycles) + " more cycles";
+    out += (out.empty() ? "cycles missing: " : ", ") + channel + " " + std::to_string(cycles);
   news_.clear();
-  return out;
+  const bool may_skip = metadata_.clock == "realtime";
+  return out + (may_skip ? " (in real time, who comes late skips them)" : "");
 }
 
 }  // namespace sprung

@@ -156,6 +156,22 @@ TEST_F(LogPlotTest, NothingOrTooMuchIsRefused) {
   EXPECT_THROW(plot(robot_events(5), request), std::invalid_argument);
 }
 
+TEST_F(LogPlotTest, ARefusalNamesTheField) {
+  const auto refusal = [this](const std::string& field) {
+    PlotRequest request;
+    request.fields = {field};
+    try {
+      plot(robot_events(5), request);
+    } catch (const std::invalid_argument& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_THAT(refusal("JOINT_STATE.n_joint"),
+              HasSubstr("'JOINT_STATE.n_joint'; did you mean 'JOINT_STATE.n_joints'?"));
+  EXPECT_THAT(refusal("MOTION_STATE.state_name"), HasSubstr("no number to draw: only texts"));
+}
+
 TEST_F(LogPlotTest, SvgHasCurvesShadesUnitsAndEscapedNames) {
   LogPlot got = plot(robot_events(100), torques());
   got.plots[1].series[0].name = "<a & b>";

@@ -237,10 +237,17 @@ TEST_F(RecordingTest, GapsAreCountedByChannelAndSaidOnce) {
   for (const int k : {0, 1, 4, 5}) add(recording, k);
   for (const int k : {0, 7}) add(recording, k, channels::kSafetyState);
   EXPECT_EQ(recording.missing(), 2);
-  EXPECT_EQ(recording.take_news(), "IMU misses 2 more cycles");
+  EXPECT_EQ(recording.take_news(), "cycles missing: IMU 2");
   EXPECT_EQ(recording.take_news(), "");
   recording.end(kStart_us, LogEndReason::kAsked, "");
   EXPECT_EQ(read(options_.path).end->missing, 2);
+}
+
+TEST_F(RecordingTest, InRealTimeAGapIsNoAlarm) {
+  metadata_.clock = "realtime";
+  Recording recording = this->recording();
+  for (const int k : {0, 2}) add(recording, k);
+  EXPECT_EQ(recording.take_news(), "cycles missing: IMU 1 (in real time, who comes late skips them)");
 }
 
 TEST_F(RecordingTest, ForeignMessagesAreRecordedAndNotTakenForCycles) {

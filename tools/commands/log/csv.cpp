@@ -26,10 +26,9 @@ int run_csv(const CsvRequest& request) {
   log::FieldSelection selection = or_wrong_use(
       [&] { return log::FieldSelection(request.fields, log::names_of_robot(log::robot_of(reader)).lists); });
   OutputFile out(request.out);
-  LogProgress progress("csv");
   const auto write = [&out](std::string_view text) { out.write(text); };
   const log::CsvResult result =
-      log::export_csv(reader, std::move(selection), request.options, span, write, progress.show());
+      log::export_csv(reader, std::move(selection), request.options, span, write, progress_line("csv"));
   out.finish();
   tell_unmatched(request.log, result.unmatched);
   if (result.columns == 0) return kExitFailed;

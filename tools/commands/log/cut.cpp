@@ -22,8 +22,7 @@ int run_part(const PartRequest& request, const char* ending) {
   log::Reader reader(request.log);
   or_wrong_use([&] { log::refuse_same_file({request.log}, out); });
   log::Writer writer(out);
-  LogProgress progress("copy");
-  const log::RewriteResult result = log::copy_part(reader, span, channels, writer, progress.show());
+  const log::RewriteResult result = log::copy_part(reader, span, channels, writer, progress_line("copy"));
   return tell_rewrite(request.log, out, result);
 }
 

@@ -21,8 +21,7 @@ int run_info(const InfoRequest& request) {
   for (const std::string& path : request.logs) {
     log::Reader reader(path);
     const std::vector<std::string> legs = log::names_of_robot(log::robot_of(reader)).legs;
-    LogProgress progress("info");
-    const log::LogInfo info = log::collect_info(reader, legs, progress.show());
+    const log::LogInfo info = log::collect_info(reader, legs, progress_line("info"));
     const std::string text =
         request.as_json ? log::info_json(info) + "\n" : log::info_text(info, {request.every_incident});
     std::printf("%s%s", first || request.as_json ? "" : "\n", text.c_str());

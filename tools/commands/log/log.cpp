@@ -1,24 +1,18 @@
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 
 #include "tools/commands/commands.h"
 #include "tools/commands/log/log_commands.h"
 #include "tools/experiments/progress_bar.h"
+#include "tools/log/field_hint.h"
 
 namespace sprung::commands {
 
-struct LogProgress::Impl {
-  explicit Impl(const std::string& label) : bar(label) {}
-  ProgressBar bar;
-};
-
-LogProgress::LogProgress(const std::string& label) : impl_(std::make_unique<Impl>(label)) {}
-LogProgress::~LogProgress() = default;
-
-log::Progress LogProgress::show() {
-  return [this](std::uint64_t done, std::uint64_t all) {
+log::Progress progress_line(const std::string& label) {
+  return [bar = std::make_shared<ProgressBar>(label)](std::uint64_t done, std::uint64_t all) {
     constexpr std::uint64_t kMega = 1'000'000;
-    impl_->bar.show(done / kMega, all / kMega);
+    bar->show(done / kMega, all / kMega);
   };
 }
 
@@ -52,12 +46,8 @@ int tell_rewrite(const std::string& log, const std::string& out, const log::Rewr
 }
 
 void tell_unmatched(const std::string& log, const std::vector<std::string>& fields) {
-  for (const std::string& field : fields) {
-    std::fprintf(
-        stderr,
-        "%s has no number or text named %s: sprung log info lists channels, lcmtypes/ has their fields\n",
-        log.c_str(), field.c_str());
-  }
+  for (const std::string& field : fields)
+    std::fprintf(stderr, "%s\n", log::no_field_text(log, field).c_str());
 }
 
 void add_log(CommandLine& sprung) {

@@ -1,6 +1,5 @@
 #pragma once
 /// What the subcommands of `sprung log` share.
-#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -33,19 +32,8 @@ auto or_wrong_use(Work&& work) {
   }
 }
 
-/// Shows how far a log is, on a terminal.
-class LogProgress {
- public:
-  explicit LogProgress(const std::string& label);
-  ~LogProgress();
-  LogProgress(const LogProgress&) = delete;
-  LogProgress& operator=(const LogProgress&) = delete;
-  log::Progress show();
-
- private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
-};
+/// Shows how far a log is, on a terminal. Hand it over as a temporary: with its end the line is wiped, and results can be printed.
+log::Progress progress_line(const std::string& label);
 
 /// Names fields that were asked for and are not in the log, on standard error.
 void tell_unmatched(const std::string& log, const std::vector<std::string>& fields);

@@ -29,8 +29,7 @@ int run_mcap(const McapRequest& request) {
   options.compress = !request.plain;
   log::McapWriter writer([&out](std::string_view bytes) { out.write(bytes); }, "sprung " SPRUNG_VERSION,
                          options);
-  LogProgress progress("mcap");
-  const log::McapResult result = log::export_mcap(reader, channels, encoding, writer, progress.show());
+  const log::McapResult result = log::export_mcap(reader, channels, encoding, writer, progress_line("mcap"));
   writer.finish();
   out.finish();
   std::printf("%s: %lld of %lld events, %llu bytes\n", path.c_str(), static_cast<long long>(result.written),

@@ -16,8 +16,7 @@ int run_merge(const MergeRequest& request) {
   for (const std::string& path : request.logs)
     log::Reader probe(path);  // all must be there before anything is written
   log::Writer writer(request.out);
-  LogProgress progress("merge");
-  const log::RewriteResult result = log::merge(request.logs, writer, progress.show());
+  const log::RewriteResult result = log::merge(request.logs, writer, progress_line("merge"));
   return tell_rewrite(request.logs.front(), request.out, result);
 }
 

@@ -13,8 +13,7 @@ int run_verify(const std::vector<std::string>& logs) {
   bool good = true;
   for (const std::string& path : logs) {
     log::Reader reader(path);
-    LogProgress progress("verify");
-    const log::VerifyResult result = log::verify(reader, progress.show());
+    const log::VerifyResult result = log::verify(reader, progress_line("verify"));
     std::printf("%s", log::verify_text(path, result).c_str());
     if (!result.good() && result.skipped_bytes > 0)
       std::printf("sprung log repair %s writes what can be saved\n", path.c_str());
@@ -28,8 +27,7 @@ int run_repair(const std::string& path, const std::string& out_or_none) {
   log::Reader reader(path);
   or_wrong_use([&] { log::refuse_same_file({path}, out); });
   log::Writer writer(out);
-  LogProgress progress("repair");
-  const log::RewriteResult result = log::repair(reader, writer, progress.show());
+  const log::RewriteResult result = log::repair(reader, writer, progress_line("repair"));
   return tell_rewrite(path, out, result);
 }
 
