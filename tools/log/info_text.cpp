@@ -98,12 +98,12 @@ std::string printable(const std::string& name) {
 }
 
 std::string channels_text(const LogInfo& info) {
-  std::string out = format("\n%-18s %-20s %9s %10s %9s %8s %8s %11s %10s\n", "channel", "type", "messages",
+  std::string out = format("\n%-18s %-18s %9s %8s %7s %7s %7s %9s %8s\n", "channel", "type", "messages",
                            "size", "Hz", "missing", "repeats", "pause, ms", "at, s");
   for (const auto& [name, report] : info.channels) {
     const std::string type = report.type.empty() ? "unknown" : report.type;
     out += printable(name) + std::string(name.size() < kNameWidth ? kNameWidth - name.size() : 0, ' ');
-    out += format(" %-20s %9lld %10s %9s %8s %8lld %11.1f %10.3f\n", type.c_str(),
+    out += format(" %-18s %9lld %8s %7s %7s %7lld %9.1f %8.3f\n", type.c_str(),
                   static_cast<long long>(report.messages), size_text(report.bytes).c_str(),
                   rate_text(report).c_str(), gap_text(report).c_str(),
                   static_cast<long long>(report.cycles.repeats), 1e3 * report.longest_pause_s,
