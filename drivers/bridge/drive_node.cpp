@@ -102,7 +102,8 @@ void DriveNode::take_sample(const CanFrame& frame, std::int64_t time_us, bool la
 }
 
 bool DriveNode::accept_sample() noexcept {
-  const Motion motion = tracker_.add(sample_.measured_position_rad, sync_us(), received_us_);
+  const Motion motion =
+      tracker_.add(sample_.measured_position_rad, {sync_us(), earliest_sync_us(), received_us_});
   implausible_ = motion != Motion::kGood;
   if (implausible_) count_implausible();
   // Also an absolute encoder's: what it shows from now on is not the place that the reference was found for.

@@ -60,6 +60,8 @@ class NodeLink {
   const std::string& name() const noexcept { return setup_.name; }
   const NodeSetup& setup() const noexcept { return setup_; }
   bool answered() const noexcept { return answered_; }
+  /// Answered, and no more answers are on their way as far as one can tell: one that was silent may send older ones first.
+  bool caught_up() const noexcept { return answered_ && !(catching_up_ && owed_ > 0); }
   int age_cycles() const noexcept { return age_cycles_; }
   bool silent() const noexcept { return age_cycles_ > setup_.watchdogs.silent_cycles; }
   bool lost(std::int64_t time_us) const noexcept;  ///< not operational any more, or no heartbeat
@@ -89,6 +91,9 @@ class NodeLink {
   virtual bool step_background(std::int64_t, canopen::SdoClient&, CanFrame&) noexcept { return false; }
 
   std::int64_t sync_us() const noexcept { return sync_us_; }
+  /// Of the oldest SYNC that this cycle's answer may belong to: answers come in order, and those that are owed may be lost, or
+  /// still to come. None is older than the silence that a node is allowed.
+  std::int64_t earliest_sync_us() const noexcept;
   void count_missing(int samples) noexcept { health_.missing_samples += samples; }
   void count_implausible() noexcept { ++health_.implausible_samples; }
   void count_sdo_failure() noexcept { ++health_.sdo_failures; }
@@ -101,7 +106,7 @@ class NodeLink {
   void forget_emergency() noexcept;
   bool receive_process_data(const CanFrame& frame, std::int64_t time_us) noexcept;
   void receive_sample(const CanFrame& frame, std::int64_t time_us) noexcept;
-  void second_answer(const CanFrame& frame) noexcept;
+  bool is_newer_answer(const CanFrame& frame) noexcept;
   void judge_contradiction() noexcept;
   void confirm_operational(std::int64_t time_us) noexcept;
   void watch_heartbeat(std::int64_t time_us) noexcept;
@@ -113,12 +118,18 @@ class NodeLink {
   int sample_pdo_ = -1;                                      ///< the TPDO that answers SYNC
   NodeHealth health_;
 
+  static constexpr int kMostOwed = 64;  ///< [design choice] more would hide a second device for long
+
   std::int64_t sync_us_ = 0;
-  CanFrame answer_;          ///< the first one to this SYNC
-  bool sampling_ = false;    ///< between begin_sampling() and end_sampling()
-  bool answered_ = false;    ///< this SYNC
-  int owed_ = 0;             ///< answers to SYNCs that have not come, as far as they may still come
-  int punctual_cycles_ = 0;  ///< in a row that were answered
+  std::array<std::int64_t, kMostOwed> syncs_us_{};  ///< of the last cycles, a ring
+  std::int64_t syncs_ = 0;
+  CanFrame answer_;           ///< the newest one to this SYNC
+  bool sampling_ = false;     ///< between begin_sampling() and end_sampling()
+  bool answered_ = false;     ///< this SYNC
+  int owed_ = 0;              ///< answers to SYNCs that have not come, as far as they may still come
+  int answers_ = 0;           ///< since this SYNC, to whichever
+  bool catching_up_ = false;  ///< it owes answers, and did not send just one in the last cycle
+  int punctual_cycles_ = 0;   ///< in a row that were answered
   int age_cycles_ = 0;
 
   bool conflict_ = false;      ///< two different answers to this SYNC

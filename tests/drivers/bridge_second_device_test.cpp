@@ -117,22 +117,6 @@ TEST_F(BridgeFaults, AnswersLostLongAgoNeitherHideASecondDeviceNorLetItsSamplesI
   EXPECT_EQ(cause(), SafetyCause::kDuplicateNode) << bench_.detail();
 }
 
-TEST_F(BridgeFaults, AnswerThatIsOwedDoesNotReplaceOneInTime) {
-  bench_.drives[0].mute_samples = true;
-  bench_.tick();
-  bench_.drives[0].mute_samples = false;
-  const double position_rad = bench_.state.actuators[0].measured_position_rad;
-  bend_samples([](std::vector<CanFrame>& frames, std::size_t i) {
-    if (i > 0 && frames[i - 1].id == kHipSample) return;
-    CanFrame other = frames[i];
-    other.data[0] ^= 0x55;
-    frames.insert(frames.begin() + static_cast<std::ptrdiff_t>(i) + 1, other);
-  });
-  bench_.tick();
-  EXPECT_EQ(health(0).late_samples, 1);
-  EXPECT_EQ(bench_.state.actuators[0].measured_position_rad, position_rad);
-}
-
 TEST_F(BridgeFaults, FramesThatTheBusRepeatsDoNothing) {
   bench_.on_answers = [](std::vector<CanFrame>& frames) {
     const std::vector<CanFrame> again = frames;
