@@ -43,6 +43,11 @@ class LateAnswers : public BridgeFaults {
   void run(int cycles, std::size_t paid) {
     for (int i = 0; i < cycles; ++i) move(paid);
   }
+  /// The first `count` of those that are kept, when the cycle is over.
+  void pay_after_the_cycle(std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) bench_.bridge->receive(0, held_[i], bench_.time_us + 900);
+    held_.erase(held_.begin(), held_.begin() + static_cast<std::ptrdiff_t>(count));
+  }
   double true_position_rad() { return 0.1 + bench_.drives[0].position_counts / kCounts_per_rad; }
   double position_rad() { return bench_.state.actuators[0].measured_position_rad; }
   void expect_well() { EXPECT_EQ(level(), SafetyLevel::kOperational) << bench_.detail(); }
@@ -93,11 +98,49 @@ TEST_F(LateAnswers, ThatComeAfterTheirCycleAreNotMistakenForTheNext) {
   run(10, 1);
   run(kStall_cycles, 0);
   move(1);  // of twenty cycles ago; the others when the cycle is over
-  for (const CanFrame& frame : held_) bench_.bridge->receive(0, frame, bench_.time_us + 500);
-  held_.clear();
+  pay_after_the_cycle(held_.size());
   move(1);
   expect_well();
   EXPECT_NEAR(position_rad(), true_position_rad(), 1e-5);
+}
+
+TEST_F(LateAnswers, ThatComeAfterTheirCycleShowThatTheNodeLives) {
+  run(10, 1);
+  run(kStall_cycles, 0);
+  pay_after_the_cycle(kStall_cycles);
+  const double position_then_rad = true_position_rad();
+  run(kStall_cycles, 0);
+  EXPECT_NEAR(position_rad(), position_then_rad, 1e-5);
+  EXPECT_EQ(bench_.state.actuators[0].age_cycles, kStall_cycles);
+  EXPECT_EQ(health(0).missing_samples, 2 * kStall_cycles);
+  expect_well();
+  move(kStall_cycles + 1);
+  EXPECT_NEAR(position_rad(), true_position_rad(), 1e-5);
+  run(20, 1);
+  expect_well();
+}
+
+TEST_F(LateAnswers, OldOnesDoNotMakeTheSampleYoungerThanItIs) {
+  run(10, 1);
+  run(kStall_cycles, 0);
+  pay_after_the_cycle(5);
+  move(0);
+  EXPECT_EQ(bench_.state.actuators[0].age_cycles, kStall_cycles + 1 - 5);
+  run(30 - (kStall_cycles + 1 - 5), 0);
+  expect_well();
+  move(0);
+  EXPECT_EQ(cause(), SafetyCause::kDriveSilent);
+  EXPECT_THAT(bench_.detail(), ::testing::HasSubstr("hip_motor: did not answer SYNC for 31 cycles"));
+}
+
+TEST_F(LateAnswers, JumpThatComesAfterTheCycleIsCaught) {
+  run(10, 1);
+  move(0);
+  bench_.drives[0].position_counts += 131072 * 20;
+  move(0);
+  pay_after_the_cycle(2);
+  move(0);
+  expect_damping(SafetyCause::kImplausible, "hip_motor: measured position jumped");
 }
 
 TEST_F(LateAnswers, JumpThatComesWithThemIsCaught) {

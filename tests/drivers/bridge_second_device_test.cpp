@@ -33,9 +33,12 @@ TEST_F(BridgeFaults, SampleThatCameBeforeThisSyncIsLate) {
     old.length = 8;
     bench_.bridge->receive(0, old, bench_.time_us - 300);
   };
-  bench_.run(3);
-  EXPECT_GE(health(0).late_samples, 3);
-  EXPECT_EQ(cause(), SafetyCause::kDriveSilent);
+  bench_.run(4);
+  EXPECT_EQ(level(), SafetyLevel::kOperational) << "the newest answer is two cycles old at most";
+  bench_.tick();
+  EXPECT_GE(health(0).late_samples, 5);
+  EXPECT_EQ(cause(), SafetyCause::kDriveSilent) << "but none ever comes in its cycle";
+  EXPECT_THAT(bench_.detail(), ::testing::HasSubstr("hip_motor: did not answer SYNC in time for 5 cycles"));
 }
 
 TEST_F(BridgeFaults, LateSampleInTheNextWindowIsNoSecondDevice) {
