@@ -44,7 +44,7 @@ void BridgeCore::receive(int bus, const CanFrame& frame, std::int64_t time_us) n
 }
 
 bool BridgeCore::all_answered() const noexcept {
-  return impl_->all_links([](const NodeLink& link) { return !link.boot().started() || link.answered(); });
+  return impl_->all_links([](const NodeLink& link) { return !link.boot().started() || link.caught_up(); });
 }
 
 bool BridgeCore::end_sampling(std::int64_t time_us, DriveState& out) noexcept {

@@ -6,7 +6,7 @@
 /// One tick, whatever the clock:
 ///   begin_tick(t, out)   NMT, SDO, heartbeat frames that are due, then SYNC last on every bus
 ///   receive(bus, f, t)   for every frame that comes in, at any time
-///   all_answered()       every operational drive has answered this SYNC (else the shell waits until its deadline)
+///   all_answered()       every operational drive has answered this SYNC, and older ones first if it owed them (else the shell waits until its deadline)
 ///   end_sampling(t, s)   true once cyclic operation began: s is DRIVE_STATE(k), k counts from 0
 ///   command(c, t)        DRIVE_COMMAND(k) came in: checked, stored, or refused and counted
 ///   emit_setpoints(t, o) RPDOs of this cycle: the command if it is good, else what safety says

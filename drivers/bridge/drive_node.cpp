@@ -91,18 +91,18 @@ void DriveNode::take_other(const CanFrame& frame) noexcept {
   if (profile_->decode_mode_display(frame, mode_display_)) mode_display_known_ = true;
 }
 
-void DriveNode::take_sample(const CanFrame& frame, std::int64_t time_us, bool late) noexcept {
+void DriveNode::take_sample(const CanFrame& frame, std::int64_t time_us) noexcept {
   DriveSample sample;
   if (!profile_->decode_sample(frame, sample)) return;
   power_state_ = cia402::decode_status(sample.status_word);
   power_.observe(power_state_);
-  if (late) return;  // its position belongs to a SYNC that is over
   sample_ = sample;
   received_us_ = time_us;
 }
 
 bool DriveNode::accept_sample() noexcept {
-  const Motion motion = tracker_.add(sample_.measured_position_rad, sync_us(), received_us_);
+  const Motion motion =
+      tracker_.add(sample_.measured_position_rad, {sample_sync_us(), earliest_sync_us(), received_us_});
   implausible_ = motion != Motion::kGood;
   if (implausible_) count_implausible();
   // Also an absolute encoder's: what it shows from now on is not the place that the reference was found for.

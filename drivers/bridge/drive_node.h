@@ -53,7 +53,7 @@ class DriveNode final : public NodeLink {
   double index_position_rad() const noexcept { return index_position_rad_; }
 
  protected:
-  void take_sample(const CanFrame& frame, std::int64_t time_us, bool late) noexcept override;
+  void take_sample(const CanFrame& frame, std::int64_t time_us) noexcept override;
   bool accept_sample() noexcept override;
   void take_other(const CanFrame& frame) noexcept override;
   void on_operational(std::int64_t time_us) noexcept override;

@@ -20,8 +20,8 @@ EncoderCardNode::EncoderCardNode(const EncoderCardConfig& card, const WatchdogCo
     : NodeLink({card.name, card.bus, card.node, -1, watchdogs}, card.identity, *profile, false),
       profile_(std::move(profile)) {}
 
-void EncoderCardNode::take_sample(const CanFrame& frame, std::int64_t, bool late) noexcept {
-  if (!late) profile_->decode_sample(frame, sample_);
+void EncoderCardNode::take_sample(const CanFrame& frame, std::int64_t) noexcept {
+  profile_->decode_sample(frame, sample_);
 }
 
 /// The counter goes up by one with each sample. Answers that were lost on the bus are counted when they are missed;

@@ -20,7 +20,7 @@ class EncoderCardNode final : public NodeLink {
   void restart() noexcept override;
 
  protected:
-  void take_sample(const CanFrame& frame, std::int64_t time_us, bool late) noexcept override;
+  void take_sample(const CanFrame& frame, std::int64_t time_us) noexcept override;
   bool accept_sample() noexcept override;
 
  private:

@@ -10,6 +10,7 @@ constexpr double kTurn_rad = 2.0 * 3.14159265358979323846;
 constexpr double kStill_rad_s = 0.05;  // [design choice] moves 0.05 mrad in a millisecond
 constexpr std::int64_t kTimeout_us =
     1'000'000;  // index counters of all drives are read within tenths of a second
+constexpr const char* kNoAnswer = "a drive does not answer";
 
 ReferenceSource source_of(ReferenceMethod method) noexcept {
   switch (method) {
@@ -34,12 +35,19 @@ const char* why_not(const DriveNode& drive, ReferenceSource source) noexcept {
     return "an actuator has no index in robot.yaml, or its drive does not keep the count at the index";
   if (source == ReferenceSource::kJig && method != ReferenceMethod::kJig && method != ReferenceMethod::kIndex)
     return "an actuator has no jig position in robot.yaml";
-  if (!drive.boot().operational() || !drive.answered()) return "a drive does not answer";
+  if (!drive.boot().operational() || drive.silent()) return kNoAnswer;
   if (drive.powered()) return "a drive has power: sprung sit or estop first";
   if (std::abs(drive.filtered_velocity_rad_s()) > kStill_rad_s) return "a joint moves";
+  return nullptr;
+}
+
+/// What a drive lacks in this cycle to be homed in it. One answer may be lost, so it is waited for. nullptr = nothing.
+const char* missing(const DriveNode& drive, ReferenceSource source) noexcept {
+  if (!drive.answered()) return kNoAnswer;
   if (source == ReferenceSource::kLink && !std::isfinite(drive.measured_link_position_rad()))
     return "no sample from an encoder card";
-  return nullptr;
+  const bool waits = source == ReferenceSource::kIndex && drive.index_answer() == IndexAnswer::kWaiting;
+  return waits ? "a drive does not tell its count at the index" : nullptr;
 }
 
 }  // namespace
@@ -80,18 +88,16 @@ const char* Homing::choose(const OperatorCommand& command) noexcept {
 Homing::Result Homing::step(std::int64_t time_us, const char* refusal) noexcept {
   if (!running_) return Result::kNothing;
   reason_ = refusal;
-  bool waiting = false;
+  const char* lacks = nullptr;
   for (std::size_t i = 0; i < drives_.size(); ++i) {
     if (sources_[i] == ReferenceSource::kConfigured) continue;
     if (reason_ == nullptr) reason_ = why_not(*drives_[i], sources_[i]);
-    if (sources_[i] != ReferenceSource::kIndex) continue;
-    waiting = waiting || drives_[i]->index_answer() == IndexAnswer::kWaiting;
-    if (drives_[i]->index_answer() == IndexAnswer::kFailed)
+    if (lacks == nullptr) lacks = missing(*drives_[i], sources_[i]);
+    if (sources_[i] == ReferenceSource::kIndex && drives_[i]->index_answer() == IndexAnswer::kFailed)
       reason_ = "a drive has seen no index pulse: turn the joint by hand, a motor turn or more";
   }
-  if (reason_ == nullptr && waiting && time_us - begun_us_ > kTimeout_us)
-    reason_ = "a drive does not tell its count at the index";
-  if (reason_ == nullptr && waiting) return Result::kNothing;
+  if (reason_ == nullptr && time_us - begun_us_ > kTimeout_us) reason_ = lacks;
+  if (reason_ == nullptr && lacks != nullptr) return Result::kNothing;
   running_ = false;
   if (reason_ != nullptr) return Result::kFailed;
   for (std::size_t i = 0; i < drives_.size(); ++i) {

@@ -4,6 +4,7 @@
 #include <cstdarg>
 #include <cstdio>
 #include <cstring>
+#include <utility>
 
 namespace sprung {
 namespace {
@@ -14,9 +15,9 @@ constexpr std::int64_t kSdoTimeout_us =
     100'000;                                  // [design choice] an attempt; drives answer within milliseconds
 constexpr std::int64_t kStampError_us = 200;  // [design choice] between the kernel's stamps and our clock
 constexpr int kConflictsOfTwo = 3;            // [design choice] of ten cycles
-constexpr int kMostOwed =
-    64;  // [design choice] SYNCs whose answers may still come; more would hide a second device for long
-constexpr int kDebtsExpire = 10;               // [design choice] cycles in a row that were answered in time
+constexpr int kDebtsExpire = 10;              // [design choice] cycles in a row that were answered in time
+// [design choice] of silent_cycles: answers that come after their cycle show that a node lives, but nobody can control by them
+constexpr int kUntimelyShare = 2;
 constexpr int kContradictionsOfTwo = 2;        // [design choice] one may have been on its way
 constexpr double kContradictionsFade = 20.0;   // [design choice] heartbeats
 constexpr double kHeartbeatsOnTheirWay = 2.0;  // sent before NMT start, they lose arbitration to samples
@@ -150,34 +151,30 @@ bool NodeLink::receive_process_data(const CanFrame& frame, std::int64_t time_us)
 
 void NodeLink::receive_sample(const CanFrame& frame, std::int64_t time_us) noexcept {
   confirm_operational(time_us);
-  if (answered_) {
-    second_answer(frame);
-    return;
-  }
+  if (answered_ && !is_newer_answer(frame)) return;
   const bool late = !sampling_ || time_us < sync_us_ - kStampError_us;
-  if (late) {
-    ++health_.late_samples;
-  } else {
+  if (late || answered_) ++health_.late_samples;  // this one, or the one that it replaces
+  if (!late) {
     answered_ = true;
     answer_ = frame;
   }
-  owed_ -= owed_ > 0 ? 1 : 0;
-  take_sample(frame, time_us, late);
+  ++answers_;
+  const bool too_early = late && sampling_ && !answered_;  // for this SYNC's answer, which stays owed
+  const bool owed = owed_ > (too_early ? 1 : 0);
+  if (late && !owed) return;  // nobody knows what it answers
+  owed_ -= owed ? 1 : 0;
+  heard_late_ = late;
+  take_sample(frame, time_us);
 }
 
-/// A frame that the bus repeats is harmless. One that differs answers an earlier SYNC, as long as such an answer is owed: a device
-/// that stalls pays late, but never twice. Beyond that there is another device. The first one came in time by its stamp and
-/// stays the sample: the second might be the other device's.
-void NodeLink::second_answer(const CanFrame& frame) noexcept {
-  if (frame == answer_) {
-    ++health_.duplicate_samples;
-  } else if (owed_ > 0) {
-    ++health_.late_samples;
-    --owed_;
-  } else {
-    ++health_.duplicate_samples;
-    conflict_ = true;
-  }
+/// A frame that the bus repeats is harmless. One that differs is the next of those that the node owes: a device that stalls pays
+/// late and in order, but never twice, so the last one is the sample. Beyond what is owed there is another device; what that
+/// one can bring in before, after a loss, must follow from where the drive was, as any sample.
+bool NodeLink::is_newer_answer(const CanFrame& frame) noexcept {
+  if (!(frame == answer_) && owed_ > 0) return true;
+  ++health_.duplicate_samples;
+  conflict_ = conflict_ || !(frame == answer_);
+  return false;
 }
 
 void NodeLink::confirm_operational(std::int64_t time_us) noexcept {
@@ -186,7 +183,7 @@ void NodeLink::confirm_operational(std::int64_t time_us) noexcept {
   if (!boot_.operational()) return;
   nmt_state_ = NmtState::kOperational;
   operational_us_ = heartbeat_us_ = time_us;
-  age_cycles_ = 0;
+  age_cycles_ = untimely_cycles_ = 0;
   sdo_.finish();
   on_operational(time_us);
 }
@@ -196,19 +193,31 @@ void NodeLink::begin_sampling(std::int64_t sync_us) noexcept {
   conflicts_[0] = conflict_;
   if (conflicts_.count() >= kConflictsOfTwo) duplicate_ = true;
   conflict_ = false;
-  sync_us_ = sync_us;
+  last_sync_us_ = std::exchange(sync_us_, sync_us);
+  syncs_us_[static_cast<std::size_t>(syncs_++ % kMostOwed)] = sync_us;
+  catching_up_ = owed_ > 0 && answers_ != 1;
+  answers_ = 0;
   answered_ = false;
   sampling_ = true;
   if (boot_.operational() && owed_ < kMostOwed) ++owed_;
   if (emergency_withdrawn_ && emergency_seen_) forget_emergency();
 }
 
+std::int64_t NodeLink::earliest_sync_us() const noexcept {
+  const int cycles = std::min({owed_, setup_.watchdogs.silent_cycles, kMostOwed - 1});
+  return syncs_us_[static_cast<std::size_t>((syncs_ - 1 - cycles) % kMostOwed)];
+}
+
 void NodeLink::end_sampling() noexcept {
   sampling_ = false;
   const bool good = answered_ && accept_sample();
+  const bool older = !answered_ && heard_late_ && accept_sample();
   punctual_cycles_ = answered_ ? punctual_cycles_ + 1 : 0;
   if (punctual_cycles_ >= kDebtsExpire) owed_ = 0;
   age_cycles_ = good ? 0 : age_cycles_ + 1;
+  if (older) age_cycles_ = std::min(age_cycles_, owed_);
+  untimely_cycles_ = good ? 0 : untimely_cycles_ + 1;
+  heard_late_ = false;
   if (!good && boot_.operational()) ++health_.missing_samples;
   judge_contradiction();
 }
@@ -222,6 +231,11 @@ void NodeLink::watch_heartbeat(std::int64_t time_us) noexcept {
 bool NodeLink::lost(std::int64_t time_us) const noexcept {
   return !boot_.operational() || nmt_state_ != NmtState::kOperational || rebooted_ ||
          heartbeat_missing(time_us);
+}
+
+bool NodeLink::silent() const noexcept {
+  const int allowed = setup_.watchdogs.silent_cycles;
+  return age_cycles_ > allowed || untimely_cycles_ > kUntimelyShare * allowed;
 }
 
 bool NodeLink::gone() const noexcept {
@@ -247,7 +261,9 @@ bool NodeLink::trouble(std::int64_t time_us, bool ignore_faults, Trouble& out) c
     print(out.detail, "%s: no longer operational: %s", who,
           left_text(rebooted_ ? NmtState::kBootUp : nmt_state_));
   } else if (silent()) {
-    print(out.detail, "%s: did not answer SYNC for %d cycles", who, age_cycles_);
+    const bool late = age_cycles_ <= setup_.watchdogs.silent_cycles;
+    print(out.detail, "%s: did not answer SYNC%s for %d cycles", who, late ? " in time" : "",
+          late ? untimely_cycles_ : age_cycles_);
   } else if (heartbeat_missing(time_us)) {
     print(out.detail, "%s: no heartbeat", who);
   } else {
@@ -274,7 +290,8 @@ void NodeLink::restart() noexcept {
   conflict_ = duplicate_ = rebooted_ = heartbeat_lost_ = false;
   left_ = false;
   contradictions_ = 0;
-  age_cycles_ = owed_ = punctual_cycles_ = 0;
+  age_cycles_ = untimely_cycles_ = owed_ = answers_ = punctual_cycles_ = 0;
+  catching_up_ = heard_late_ = false;
   bus_loss_ = "";
 }
 

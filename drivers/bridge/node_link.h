@@ -60,8 +60,11 @@ class NodeLink {
   const std::string& name() const noexcept { return setup_.name; }
   const NodeSetup& setup() const noexcept { return setup_; }
   bool answered() const noexcept { return answered_; }
+  /// Answered, and no more answers are on their way as far as one can tell: one that was silent may send older ones first.
+  bool caught_up() const noexcept { return answered_ && !(catching_up_ && owed_ > 0); }
   int age_cycles() const noexcept { return age_cycles_; }
-  bool silent() const noexcept { return age_cycles_ > setup_.watchdogs.silent_cycles; }
+  /// Its newest answer is too old, or for twice that long none came in its cycle.
+  bool silent() const noexcept;
   bool lost(std::int64_t time_us) const noexcept;  ///< not operational any more, or no heartbeat
   /// It says that it is not operational, and does not answer. One that says so and answers is two devices.
   bool gone() const noexcept;
@@ -76,9 +79,9 @@ class NodeLink {
   __attribute__((format(printf, 2, 3))) void set_recovery_text(const char* format, ...) noexcept;
 
  protected:
-  /// Process data of the sample's own length. @param late it answers an older SYNC than the last.
-  virtual void take_sample(const CanFrame& frame, std::int64_t time_us, bool late) noexcept = 0;
-  /// Judges what take_sample() took, at the end of its cycle. @return false when it is no new measurement.
+  /// Process data of the sample's own length.
+  virtual void take_sample(const CanFrame& frame, std::int64_t time_us) noexcept = 0;
+  /// Judges what take_sample() took last, at the end of a cycle. @return false when it is no new measurement.
   virtual bool accept_sample() noexcept = 0;
   virtual void take_other(const CanFrame&) noexcept {}
   virtual void on_operational(std::int64_t) noexcept {}
@@ -88,7 +91,11 @@ class NodeLink {
   virtual const char* note() const noexcept { return ""; }
   virtual bool step_background(std::int64_t, canopen::SdoClient&, CanFrame&) noexcept { return false; }
 
-  std::int64_t sync_us() const noexcept { return sync_us_; }
+  /// Of the cycle that the sample counts for: the one before, when it came after that was over.
+  std::int64_t sample_sync_us() const noexcept { return answered_ ? sync_us_ : last_sync_us_; }
+  /// Of the oldest SYNC that this cycle's answer may belong to: answers come in order, and those that are owed may be lost, or
+  /// still to come. None is older than the silence that a node is allowed.
+  std::int64_t earliest_sync_us() const noexcept;
   void count_missing(int samples) noexcept { health_.missing_samples += samples; }
   void count_implausible() noexcept { ++health_.implausible_samples; }
   void count_sdo_failure() noexcept { ++health_.sdo_failures; }
@@ -101,7 +108,7 @@ class NodeLink {
   void forget_emergency() noexcept;
   bool receive_process_data(const CanFrame& frame, std::int64_t time_us) noexcept;
   void receive_sample(const CanFrame& frame, std::int64_t time_us) noexcept;
-  void second_answer(const CanFrame& frame) noexcept;
+  bool is_newer_answer(const CanFrame& frame) noexcept;
   void judge_contradiction() noexcept;
   void confirm_operational(std::int64_t time_us) noexcept;
   void watch_heartbeat(std::int64_t time_us) noexcept;
@@ -113,13 +120,22 @@ class NodeLink {
   int sample_pdo_ = -1;                                      ///< the TPDO that answers SYNC
   NodeHealth health_;
 
+  static constexpr int kMostOwed = 64;  ///< [design choice] more would hide a second device for long
+
   std::int64_t sync_us_ = 0;
-  CanFrame answer_;          ///< the first one to this SYNC
-  bool sampling_ = false;    ///< between begin_sampling() and end_sampling()
-  bool answered_ = false;    ///< this SYNC
-  int owed_ = 0;             ///< answers to SYNCs that have not come, as far as they may still come
-  int punctual_cycles_ = 0;  ///< in a row that were answered
-  int age_cycles_ = 0;
+  std::int64_t last_sync_us_ = 0;
+  std::array<std::int64_t, kMostOwed> syncs_us_{};  ///< of the last cycles, a ring
+  std::int64_t syncs_ = 0;
+  CanFrame answer_;           ///< the newest one to this SYNC
+  bool sampling_ = false;     ///< between begin_sampling() and end_sampling()
+  bool answered_ = false;     ///< this SYNC
+  int owed_ = 0;              ///< answers to SYNCs that have not come, as far as they may still come
+  int answers_ = 0;           ///< since this SYNC, to whichever
+  bool catching_up_ = false;  ///< it owes answers, and did not send just one in the last cycle
+  int punctual_cycles_ = 0;   ///< in a row that were answered
+  int age_cycles_ = 0;        ///< of the newest answer
+  int untimely_cycles_ = 0;   ///< in a row without an answer in time
+  bool heard_late_ = false;   ///< an answer has come since the last cycle was over, to an older SYNC
 
   bool conflict_ = false;      ///< two different answers to this SYNC
   std::bitset<10> conflicts_;  ///< of the last cycles

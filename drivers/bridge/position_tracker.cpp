@@ -19,16 +19,15 @@ double seconds(std::int64_t time_us) noexcept { return 1e-6 * static_cast<double
 
 bool PositionTracker::can_follow(const Sample& before, double position_rad,
                                  std::int64_t received_us) const noexcept {
-  const double longest_s = seconds(std::max<std::int64_t>(received_us - before.sync_us, 0));
+  const double longest_s = seconds(std::max<std::int64_t>(received_us - before.time.earliest_us, 0));
   return std::abs(position_rad - before.position_rad) <=
          kSpeedFactor * speed_limit_rad_s_ * longest_s + kQuanta * quantum_rad_;
 }
 
-Motion PositionTracker::add(double measured_position_rad, std::int64_t sync_us,
-                            std::int64_t received_us) noexcept {
-  const Sample sample{measured_position_rad, sync_us, true};
-  if (good_.known && !can_follow(good_, measured_position_rad, received_us)) {
-    const bool beside = rejected_.known && can_follow(rejected_, measured_position_rad, received_us);
+Motion PositionTracker::add(double measured_position_rad, const SampleTime& time) noexcept {
+  const Sample sample{measured_position_rad, time, true};
+  if (good_.known && !can_follow(good_, measured_position_rad, time.received_us)) {
+    const bool beside = rejected_.known && can_follow(rejected_, measured_position_rad, time.received_us);
     rejected_ = sample;
     rejected_beside_ = beside ? rejected_beside_ + 1 : 1;
     if (rejected_beside_ < kJumpSamples) return Motion::kRejected;
@@ -37,7 +36,7 @@ Motion PositionTracker::add(double measured_position_rad, std::int64_t sync_us,
     return Motion::kJumped;
   }
   const double step_rad = measured_position_rad - good_.position_rad;
-  const double dt_s = seconds(sync_us - good_.sync_us);
+  const double dt_s = seconds(time.sync_us - good_.time.sync_us);
   const bool moves = good_.known && !resumed_ && dt_s > 0.0;
   good_ = sample;
   resumed_ = false;

@@ -13,6 +13,15 @@ enum class Motion : std::int8_t {
   kJumped,    ///< the same place again and again, but not where it was: the position goes on from there
 };
 
+/// When a sample was taken: between the two ends, so no more time than from the earliest of one until the reception of the
+/// next can lie between two positions.
+struct SampleTime {
+  std::int64_t sync_us = 0;  ///< of the cycle that it counts for
+  std::int64_t earliest_us =
+      0;  ///< of the oldest SYNC that it may answer: sync_us unless older answers have not come
+  std::int64_t received_us = 0;
+};
+
 class PositionTracker {
  public:
   /// @param speed_limit_rad_s of the actuator; what moves several times faster is no measurement.
@@ -20,11 +29,9 @@ class PositionTracker {
   PositionTracker(double speed_limit_rad_s, double quantum_rad) noexcept
       : speed_limit_rad_s_(speed_limit_rad_s), quantum_rad_(quantum_rad) {}
 
-  /// @param sync_us of the SYNC that sampled. @param received_us when the sample came in: it was taken between the
-  /// two, so no more time than from the last good sample's SYNC until then can lie between the positions.
   /// Several rejected samples in a row that follow one another show that the position itself has jumped; no velocity comes
   /// from that.
-  Motion add(double measured_position_rad, std::int64_t sync_us, std::int64_t received_us) noexcept;
+  Motion add(double measured_position_rad, const SampleTime& time) noexcept;
   /// The drive begins anew: at rest, but where it was, as far as it cannot have turned in the meantime.
   void resume() noexcept;
 
@@ -36,7 +43,7 @@ class PositionTracker {
  private:
   struct Sample {
     double position_rad = 0.0;
-    std::int64_t sync_us = 0;
+    SampleTime time;
     bool known = false;
   };
   bool can_follow(const Sample& before, double position_rad, std::int64_t received_us) const noexcept;

@@ -172,6 +172,33 @@ TEST_F(BridgeHoming, LinkWithoutASampleOrAnEncoderIsRefused) {
   EXPECT_STREQ(home(1).reason, "no sample from an encoder card");
 }
 
+TEST_F(BridgeHoming, AnswersThatAreMissingInACycleAreWaitedFor) {
+  boot(unreferenced_robot(ReferenceMethod::kLink));
+  bench_->drives[0].mute_samples = true;
+  bench_->tick();
+  int answers = 0;
+  bench_->on_answers = [this, &answers](std::vector<CanFrame>& frames) {
+    // First the drive is back without the card, then both.
+    if (frames.empty() || ++answers > 2) return;
+    bench_->drives[0].mute_samples = false;
+    bench_->cards[0].mute_samples = answers == 1;
+  };
+  EXPECT_EQ(home().outcome, OperatorOutcome::kDone);
+  EXPECT_TRUE(actuator(0).referenced);
+  EXPECT_NEAR(actuator(1).measured_position_rad, actuator(1).measured_link_position_rad, 1e-9);
+}
+
+TEST_F(BridgeHoming, DriveThatStaysSilentIsNotWaitedFor) {
+  boot(unreferenced_robot(ReferenceMethod::kLink));
+  bench_->drives[0].mute_samples = true;
+  bench_->tick();
+  const std::int64_t begun_us = bench_->time_us;
+  EXPECT_STREQ(home().reason, "a drive does not answer");
+  EXPECT_LE(bench_->time_us - begun_us, 5'000);
+  EXPECT_STREQ(home().reason, "a drive does not answer") << "refused at once";
+  EXPECT_FALSE(actuator(1).referenced) << "all or none";
+}
+
 TEST_F(BridgeHoming, MethodThatRobotYamlDoesNotNameIsRefused) {
   boot(unreferenced_robot(ReferenceMethod::kNone));
   EXPECT_STREQ(home().reason, "robot.yaml names no way to find this reference");

@@ -30,6 +30,22 @@ TEST(HealthReport, TroubleNamesEveryCounterThatIsNotZero) {
   EXPECT_THAT(node_trouble(node), HasSubstr("not operational, 2 emergencies"));
 }
 
+TEST(HealthReport, SafetyThatIsLatchedSaysWhatToTypeNext) {
+  sprung_msgs::safety_state_t state{};
+  state.level_name = "quick stop";
+  state.cause_name = "drive silent";
+  state.detail = "hip_motor: did not answer SYNC for 31 cycles";
+  state.latched = 1;
+  EXPECT_EQ(safety_text(safety_json(state)),
+            "safety  quick stop, cause drive silent: hip_motor: did not answer SYNC for 31 cycles\n"
+            "        next: sprung clear, then sprung stand");
+  state = {};
+  state.level_name = "operational";
+  state.cause_name = "none";
+  EXPECT_EQ(safety_text(safety_json(state)), "safety  operational, cause none");
+  EXPECT_EQ(safety_text(safety_json(std::nullopt)), "safety  unknown, cause the bridge says nothing");
+}
+
 TEST(HealthReport, JsonHoldsTheCountersByTheirNames) {
   sprung_msgs::bus_state_t state{};
   state.nodes.push_back(healthy_node());

@@ -125,4 +125,13 @@ Json safety_json(const std::optional<sprung_msgs::safety_state_t>& safety) {
           {"commands_refused", safety->commands_refused}};
 }
 
+std::string safety_text(const Json& safety) {
+  std::string text =
+      "safety  " + safety["state"].get<std::string>() + ", cause " + safety["cause"].get<std::string>();
+  const std::string detail = safety.value("detail", "");
+  if (!detail.empty()) text += ": " + detail;
+  if (safety.value("latched", 0) != 0) text += "\n        next: sprung clear, then sprung stand";
+  return text;
+}
+
 }  // namespace sprung

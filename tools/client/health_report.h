@@ -46,5 +46,7 @@ std::string node_trouble(const sprung_msgs::node_health_t& node);
 nlohmann::ordered_json buses_json(const RobotConfig& robot, const sprung_msgs::bus_state_t& state);
 nlohmann::ordered_json nodes_json(const RobotConfig& robot, const sprung_msgs::bus_state_t& state);
 nlohmann::ordered_json safety_json(const std::optional<sprung_msgs::safety_state_t>& safety);
+/// safety_json() for people: state, cause, detail, and where torque is latched off, what to type next.
+std::string safety_text(const nlohmann::ordered_json& safety);
 
 }  // namespace sprung

@@ -32,12 +32,6 @@ void print_recovery(const RobotConfig& robot, const sprung_msgs::bus_state_t& st
   std::fflush(stdout);
 }
 
-void print_safety(const Json& safety) {
-  const std::string detail = safety.value("detail", "");
-  std::printf("safety  %s, cause %s%s%s\n", safety["state"].get<std::string>().c_str(),
-              safety["cause"].get<std::string>().c_str(), detail.empty() ? "" : ": ", detail.c_str());
-}
-
 Json clear_json(const RobotConfig& robot, const std::optional<OperatorAnswer>& answer,
                 const HealthListener& health) {
   Json out{{"outcome", answer ? name(answer->outcome) : "no answer"},
@@ -78,7 +72,7 @@ int run_clear(const std::string& instance, bool as_json) {
   }
   const bool good = report_answer("clear", answer);
   if (health.bus()) print_recovery(robot, *health.bus());
-  print_safety(safety_json(health.safety()));
+  std::printf("%s\n", safety_text(safety_json(health.safety())).c_str());
   return good ? kExitDone : kExitFailed;
 }
 

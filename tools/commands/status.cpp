@@ -155,12 +155,7 @@ void print_table(const Json& status) {
                 process["overruns"].is_number() ? process["overruns"].dump().c_str() : "-",
                 process.contains("real_time") ? text_of(process["real_time"]).c_str() : "");
   }
-  std::printf("safety  %s, cause %s", text_of(status["safety"]["state"]).c_str(),
-              text_of(status["safety"]["cause"]).c_str());
-  if (status["safety"].contains("detail") && !text_of(status["safety"]["detail"]).empty()) {
-    std::printf(": %s", text_of(status["safety"]["detail"]).c_str());
-  }
-  std::printf("\n");
+  std::printf("%s\n", safety_text(status["safety"]).c_str());
   for (const std::string& line : motion_lines(status["motion"], status["body"]))
     std::printf("%s\n", line.c_str());
   print_buses(status);
