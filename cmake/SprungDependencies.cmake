@@ -28,3 +28,5 @@ find_library(MD_LIBRARY md REQUIRED)
 # zstd: chunks of MCAP files (tools/log/chunk_packer.cpp).
 find_path(ZSTD_INCLUDE_DIR zstd.h REQUIRED)
 find_library(ZSTD_LIBRARY zstd REQUIRED)
+# zlib: checksums of MCAP files (tools/log/mcap_writer.cpp).
+find_package(ZLIB REQUIRED)

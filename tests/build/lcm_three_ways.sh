@@ -9,6 +9,8 @@ mkdir -p "$work/project" "$work/prefix/lib/cmake/lcm" "$work/prefix/lib/pkgconfi
 cat >"$work/project/CMakeLists.txt" <<EOT
 cmake_minimum_required(VERSION 3.22)
 project(ways CXX)
+# Packages beside the programs on the PATH are found too: another LCM there is none of this test's.
+set(CMAKE_FIND_USE_SYSTEM_ENVIRONMENT_PATH OFF)
 include($source_dir/cmake/FindLcmThreeWays.cmake)
 file(WRITE \${CMAKE_BINARY_DIR}/probe.cpp "#include <lcm/lcm.h>\nint main() { lcm_destroy(lcm_create(\"memq://\")); }\n")
 add_executable(probe \${CMAKE_BINARY_DIR}/probe.cpp)

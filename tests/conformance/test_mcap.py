@@ -5,12 +5,15 @@ import json
 import pathlib
 import struct
 import subprocess
+import zlib
 
 import lcm_types
 import programs
 import pytest
+import zstandard
 from google.protobuf.descriptor_pb2 import FileDescriptorSet
 from mcap.reader import NonSeekingReader, SeekingReader
+from mcap.stream_reader import CRCValidationError
 from mcap_protobuf.decoder import DecoderFactory
 
 _SYNC = 0xEDA1DA01
@@ -98,6 +101,50 @@ def test_every_protobuf_message_has_every_value_of_the_log(recording, types, nam
             found += 1
     assert found == sum(map(len, by_channel.values())) > 10_000
     assert {"JOINT_STATE", "MOTION_STATE", "OPERATOR_COMMAND", "LOG_METADATA"} <= set(by_channel)
+
+
+def read_all(file, reader):
+    for _ in reader(file, validate_crcs=True).iter_messages(log_time_order=False):
+        pass
+
+
+def with_damage_at(path, offset, folder):
+    damaged = bytearray(path.read_bytes())
+    damaged[offset] ^= 0x01
+    (folder / path.name).write_bytes(damaged)
+    return open(folder / path.name, "rb")
+
+
+@pytest.mark.parametrize("name", _PROTOBUF)
+@pytest.mark.parametrize("reader", [SeekingReader, NonSeekingReader])
+def test_damage_in_the_messages_is_noticed(recording, tmp_path, name, reader):
+    with open(recording / name, "rb") as file:
+        chunk = SeekingReader(file).get_summary().chunk_indexes[1]
+    end = chunk.chunk_start_offset + chunk.chunk_length
+    with with_damage_at(recording / name, end - 10, tmp_path) as file:
+        with pytest.raises((CRCValidationError, zstandard.ZstdError)):  # zstd may be the first to stumble
+            read_all(file, reader)
+
+
+def test_damage_between_the_messages_is_noticed_by_who_reads_all(recording, tmp_path):
+    with open(recording / "packed.mcap", "rb") as file:
+        metadata = SeekingReader(file).get_summary().metadata_indexes[0]
+    with with_damage_at(recording / "packed.mcap", metadata.offset + metadata.length - 5, tmp_path) as file:
+        with pytest.raises(CRCValidationError, match="DataEnd"):
+            read_all(file, NonSeekingReader)
+
+
+@pytest.mark.parametrize("name", [*_PROTOBUF, "json.mcap"])
+def test_attachment_and_summary_have_the_checksums_of_the_format(recording, name):
+    """Which the reader does not look at; by the words of mcap.dev/spec."""
+    written = (recording / name).read_bytes()
+    with open(recording / name, "rb") as file:
+        (attachment,) = SeekingReader(file).get_summary().attachment_indexes
+    record = written[attachment.offset : attachment.offset + attachment.length]
+    assert zlib.crc32(record[9:-4]) == int.from_bytes(record[-4:], "little")
+    end = len(written) - 8  # magic bytes; in front of them the footer: 9, 8 and 8 bytes, checksum
+    summary_start = int.from_bytes(written[end - 20 : end - 12], "little")
+    assert zlib.crc32(written[summary_start : end - 4]) == int.from_bytes(written[end - 4 : end], "little")
 
 
 def test_every_json_message_has_the_values_of_the_log(recording, types):

@@ -5,6 +5,8 @@
 #include <new>
 #include <stdexcept>
 
+#include "tools/log/checksum.h"
+
 namespace sprung::log {
 
 void ChunkPacker::Free::operator()(ZSTD_CCtx_s* context) const noexcept { ZSTD_freeCCtx(context); }
@@ -19,9 +21,9 @@ void ChunkPacker::begin(const std::string& plain) {
   packing_ = std::async(std::launch::async, [this, &plain] { pack(plain); });
 }
 
-const std::string& ChunkPacker::finish() {
+PackedChunk ChunkPacker::finish() {
   packing_.get();
-  return packed_;
+  return {packed_, plain_checksum_};
 }
 
 void ChunkPacker::pack(const std::string& plain) {
@@ -30,6 +32,7 @@ void ChunkPacker::pack(const std::string& plain) {
                                              plain.size(), zstd_level_);
   if (ZSTD_isError(size) != 0) throw std::runtime_error(std::string("zstd: ") + ZSTD_getErrorName(size));
   packed_.resize(size);
+  plain_checksum_ = checksum(plain);
 }
 
 }  // namespace sprung::log

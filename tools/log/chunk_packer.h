@@ -1,12 +1,19 @@
 #pragma once
 /// Compresses with zstd in another thread while the caller goes on. Shell: makes threads.
+#include <cstdint>
 #include <future>
 #include <memory>
 #include <string>
+#include <string_view>
 
 struct ZSTD_CCtx_s;
 
 namespace sprung::log {
+
+struct PackedChunk {
+  std::string_view bytes;            ///< compressed; valid until the packer's next begin()
+  std::uint32_t plain_checksum = 0;  ///< CRC-32 of what they were made from
+};
 
 /// One stretch of bytes at a time, so that memory is bounded and order is kept.
 class ChunkPacker {
@@ -16,8 +23,8 @@ class ChunkPacker {
 
   /// Must not be called again before finish(). @param plain stays as it is until then.
   void begin(const std::string& plain);
-  /// Waits. @return what begin() was given, compressed; valid until the next begin(). @throws std::runtime_error what went wrong.
-  const std::string& finish();
+  /// Waits. @return what begin() was given. @throws std::runtime_error what went wrong.
+  PackedChunk finish();
 
  private:
   void pack(const std::string& plain);
@@ -28,6 +35,7 @@ class ChunkPacker {
   int zstd_level_;
   std::unique_ptr<ZSTD_CCtx_s, Free> context_;
   std::string packed_;
+  std::uint32_t plain_checksum_ = 0;
   std::future<void> packing_;  // last: it is waited for before the others are gone
 };
 

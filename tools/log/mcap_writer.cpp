@@ -3,13 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "tools/log/checksum.h"
+
 namespace sprung::log {
-
-namespace {
-
-constexpr std::uint32_t kNoChecksum = 0;  // what the format says where there is none
-
-}  // namespace
 
 void McapWriter::Span::add(std::uint64_t time_ns, bool first) noexcept {
   first_ns = first ? time_ns : std::min(first_ns, time_ns);
@@ -18,16 +14,20 @@ void McapWriter::Span::add(std::uint64_t time_ns, bool first) noexcept {
 
 McapWriter::McapWriter(Sink sink, const std::string& library, const McapOptions& options)
     : sink_(std::move(sink)), options_(options), packer_(options.zstd_level) {
-  sink_(kMcapMagic);
-  position_ = kMcapMagic.size();
+  send(kMcapMagic);
   put(McapOp::kHeader, McapFields().text("").text(library).bytes());
+}
+
+void McapWriter::send(std::string_view bytes) {
+  sink_(bytes);
+  position_ += bytes.size();
+  section_checksum_ = checksum(bytes, section_checksum_);
 }
 
 void McapWriter::put(McapOp op, std::string_view content) {
   std::string record;
   append_record(op, content, record);
-  sink_(record);
-  position_ += record.size();
+  send(record);
 }
 
 std::uint16_t McapWriter::add_schema(const std::string& name, const std::string& encoding,
@@ -75,15 +75,9 @@ void McapWriter::add_attachment(std::uint64_t log_ns, const std::string& name, c
   settle();
   const std::uint64_t begin = position_;
   const auto size = static_cast<std::uint64_t>(data.size());
-  put(McapOp::kAttachment, McapFields()
-                               .number(log_ns)
-                               .number(log_ns)
-                               .text(name)
-                               .text(media_type)
-                               .number(size)
-                               .raw(data)
-                               .number(kNoChecksum)
-                               .bytes());
+  McapFields content;
+  content.number(log_ns).number(log_ns).text(name).text(media_type).number(size).raw(data);
+  put(McapOp::kAttachment, content.number(checksum(content.bytes())).bytes());
   append_record(McapOp::kAttachmentIndex,
                 McapFields()
                     .number(begin)
@@ -116,7 +110,7 @@ std::uint64_t McapWriter::write_message_indices(Chunk& chunk, McapFields& offset
 void McapWriter::close_chunk() {
   settle();
   if (filling_.messages == 0) return;
-  if (!options_.compress) return write_chunk(filling_, "", filling_.records);
+  if (!options_.compress) return write_chunk(filling_, "", {filling_.records, checksum(filling_.records)});
   std::swap(filling_, packing_);
   packer_.begin(packing_.records);
 }
@@ -127,13 +121,14 @@ void McapWriter::settle() {
 }
 
 /// Empties the chunk.
-void McapWriter::write_chunk(Chunk& chunk, std::string_view packing, std::string_view records) {
+void McapWriter::write_chunk(Chunk& chunk, std::string_view packing, const PackedChunk& packed) {
   const auto plain_size = static_cast<std::uint64_t>(chunk.records.size());
-  const auto size = static_cast<std::uint64_t>(records.size());
+  const auto size = static_cast<std::uint64_t>(packed.bytes.size());
   const std::uint64_t begin = position_;
   McapFields content;
-  content.number(chunk.span.first_ns).number(chunk.span.last_ns).number(plain_size).number(kNoChecksum);
-  put(McapOp::kChunk, content.text(packing).number(size).raw(records).bytes());
+  content.number(chunk.span.first_ns).number(chunk.span.last_ns).number(plain_size);
+  content.number(packed.plain_checksum);
+  put(McapOp::kChunk, content.text(packing).number(size).raw(packed.bytes).bytes());
   const std::uint64_t length = position_ - begin;
   McapFields offsets;
   const std::uint64_t index_length = write_message_indices(chunk, offsets);
@@ -176,12 +171,12 @@ void McapWriter::write_group(McapOp op, const std::string& records, std::string&
                     .number(static_cast<std::uint64_t>(records.size()))
                     .bytes(),
                 offsets);
-  sink_(records);
-  position_ += records.size();
+  send(records);
 }
 
 void McapWriter::write_summary() {
   const std::uint64_t summary = position_;
+  section_checksum_ = 0;
   std::string offsets;
   write_group(McapOp::kSchema, schema_records_, offsets);
   write_group(McapOp::kChannel, channel_records_, offsets);
@@ -190,18 +185,27 @@ void McapWriter::write_summary() {
   write_group(McapOp::kAttachmentIndex, attachment_indices_, offsets);
   write_group(McapOp::kMetadataIndex, metadata_indices_, offsets);
   const std::uint64_t summary_offsets = position_;
-  sink_(offsets);
-  position_ += offsets.size();
-  put(McapOp::kFooter, McapFields().number(summary).number(summary_offsets).number(kNoChecksum).bytes());
+  send(offsets);
+  write_footer(summary, summary_offsets);
+}
+
+/// Its checksum covers the summary and what stands in front of itself in the footer.
+void McapWriter::write_footer(std::uint64_t summary, std::uint64_t summary_offsets) {
+  constexpr std::size_t kContentBytes = 8 + 8 + 4;
+  std::string record;
+  append_record_head(McapOp::kFooter, kContentBytes, record);
+  append_little_endian(summary, record);
+  append_little_endian(summary_offsets, record);
+  append_little_endian(checksum(record, section_checksum_), record);
+  send(record);
 }
 
 void McapWriter::finish() {
   close_chunk();
   settle();
-  put(McapOp::kDataEnd, McapFields().number(kNoChecksum).bytes());
+  put(McapOp::kDataEnd, McapFields().number(section_checksum_).bytes());
   write_summary();
-  sink_(kMcapMagic);
-  position_ += kMcapMagic.size();
+  send(kMcapMagic);
 }
 
 }  // namespace sprung::log

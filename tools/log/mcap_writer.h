@@ -1,6 +1,6 @@
 #pragma once
 /// Writes MCAP files: schemas, channels, messages in chunks with an index, so that Foxglove and PlotJuggler open them and jump to any
-/// time. Bytes go to a function, called by the caller's own thread; one chunk is compressed in another while the next one fills. The
+/// time; with checksums, so that they notice damage. Bytes go to a function, called by the caller's own thread; one chunk is compressed in another while the next one fills. The
 /// bytes are the same whichever is faster.
 #include <cstdint>
 #include <functional>
@@ -59,18 +59,21 @@ class McapWriter {
     std::map<std::uint16_t, std::vector<IndexEntry>> index;  ///< by channel
   };
 
+  void send(std::string_view bytes);
   void put(McapOp op, std::string_view content);
   void close_chunk();
   void settle();
-  void write_chunk(Chunk& chunk, std::string_view packing, std::string_view records);
+  void write_chunk(Chunk& chunk, std::string_view packing, const PackedChunk& packed);
   std::uint64_t write_message_indices(Chunk& chunk, McapFields& offsets);
   void write_summary();
+  void write_footer(std::uint64_t summary, std::uint64_t summary_offsets);
   void write_group(McapOp op, const std::string& records, std::string& offsets);
   std::string statistics() const;
 
   Sink sink_;
   McapOptions options_;
   std::uint64_t position_ = 0;
+  std::uint32_t section_checksum_ = 0;  ///< of the section at hand: the data's, then the summary's
   std::uint16_t schemas_ = 0;
   std::uint16_t channels_ = 0;
   std::string schema_records_;

@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 #include <zstd.h>
 
+#include "tools/log/checksum.h"
+
 namespace sprung::log {
 namespace {
 
-std::string unpacked(const std::string& packed, std::size_t size) {
+std::string unpacked(std::string_view packed, std::size_t size) {
   std::string plain(size, '\0');
   EXPECT_EQ(ZSTD_decompress(plain.data(), plain.size(), packed.data(), packed.size()), size);
   return plain;
@@ -17,9 +19,10 @@ TEST(ChunkPacker, PacksOneAfterTheOther) {
   for (int i = 0; i < 20; ++i) {
     const std::string plain(static_cast<std::size_t>(i) * 50'000, static_cast<char>('a' + i));
     packer.begin(plain);
-    const std::string& packed = packer.finish();
-    EXPECT_EQ(unpacked(packed, plain.size()), plain);
-    EXPECT_LT(packed.size(), 20 + plain.size() / 100);
+    const PackedChunk packed = packer.finish();
+    EXPECT_EQ(unpacked(packed.bytes, plain.size()), plain);
+    EXPECT_LT(packed.bytes.size(), 20 + plain.size() / 100);
+    EXPECT_EQ(packed.plain_checksum, checksum(plain));
   }
 }
 
@@ -35,7 +38,7 @@ TEST(ChunkPacker, AHigherLevelPacksTighter) {
   ChunkPacker fast(-10), tight(9);
   fast.begin(plain);
   tight.begin(plain);
-  EXPECT_LT(tight.finish().size(), fast.finish().size());
+  EXPECT_LT(tight.finish().bytes.size(), fast.finish().bytes.size());
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "proto_reader.h"
 #include "robot_sample.h"
+#include "tools/log/checksum.h"
 #include "tools/log/mcap_export.h"
 
 namespace sprung::log {
@@ -280,6 +281,43 @@ TEST_F(McapTest, TheFooterLeadsToTheSummary) {
     for (const Record& member : records_of(bytes_, begin, begin + cursor.number<std::uint64_t>()))
       EXPECT_EQ(member.op, op);
   }
+}
+
+TEST_F(McapTest, EveryChunkHasTheChecksumOfItsRecords) {
+  for (const bool compress : {false, true}) {
+    std::size_t chunks = 0;
+    for (const Record& record : exported(robot_events(60), compress)) {
+      if (record.op != McapOp::kChunk) continue;
+      Cursor cursor(record.content);
+      cursor.take(8 + 8 + 8);
+      EXPECT_EQ(cursor.number<std::uint32_t>(), checksum(records_in(record)));
+      ++chunks;
+    }
+    EXPECT_GT(chunks, 1u);
+  }
+}
+
+TEST_F(McapTest, AnAttachmentHasTheChecksumOfItsFields) {
+  for (const Record& record : exported(robot_events(5), true)) {
+    if (record.op != McapOp::kAttachment) continue;
+    const std::size_t fields = record.content.size() - 4;
+    EXPECT_EQ(Cursor(record.content, fields).number<std::uint32_t>(),
+              checksum(record.content.substr(0, fields)));
+  }
+}
+
+TEST_F(McapTest, DataAndSummaryHaveChecksums) {
+  const auto records = exported(robot_events(60), true);
+  for (const Record& record : records) {
+    if (record.op != McapOp::kDataEnd) continue;
+    EXPECT_EQ(Cursor(record.content).number<std::uint32_t>(), checksum(bytes_.substr(0, record.offset)));
+  }
+  ASSERT_EQ(count(records, McapOp::kDataEnd), 1u);
+  Cursor footer(records.back().content);
+  const auto summary = footer.number<std::uint64_t>();
+  footer.number<std::uint64_t>();
+  const std::size_t end = bytes_.size() - kMcapMagic.size() - 4;  // all of the footer but the checksum itself
+  EXPECT_EQ(footer.number<std::uint32_t>(), checksum(bytes_.substr(summary, end - summary)));
 }
 
 TEST_F(McapTest, WhatNobodyKnowsIsLeftOutAndCounted) {
