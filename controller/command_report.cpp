@@ -29,6 +29,7 @@ void CommandReport::write() {
   add("rate", limits_.rate);
   add("position", limits_.position);
   add("velocity", limits_.velocity);
+  add("window", limits_.window);
 }
 
 }  // namespace sprung

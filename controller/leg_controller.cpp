@@ -54,7 +54,8 @@ LegController::LegController(const RobotConfig& robot, const LegConfig& leg, con
       compensation_(compensation(joints_, preset)),
       blend_(actuators_),
       gains_(preset.stiffness_ramp_s),
-      limiters_(actuators_.begin(), actuators_.end()) {
+      limiters_(actuators_.begin(), actuators_.end()),
+      windows_(actuators_.begin(), actuators_.end()) {
   const int n = transmission_.size();
   for (JointVector* v :
        {&offset_Nm_, &motor_torque_Nm_, &measured_.position_rad, &measured_.velocity_rad_s,
@@ -158,11 +159,19 @@ void LegController::send_position(const SetPoints& desired, double dt_s, DriveCo
   SetPoints actuators{transmission_.actuator_from_joint(sent_.position_rad),
                       transmission_.actuator_from_joint(sent_.velocity_rad_s)};
   blend_.add_torque(actuators);
+  send(actuators, dt_s, out);
+}
+
+void LegController::send(const SetPoints& actuators, double dt_s, DriveCommand& out) noexcept {
+  const JointVector measured_rad = transmission_.actuator_from_joint(measured_.position_rad);
   fill(out, DriveMode::kPosition);
   for (int i = 0; i < transmission_.size(); ++i) {
-    const double fastest = actuators_[static_cast<std::size_t>(i)].speed_limit_rad_s;
-    command(out, i).commanded_position_rad = actuators.position_rad[i];
+    const auto place = static_cast<std::size_t>(i);
+    const double fastest = actuators_[place].speed_limit_rad_s;
+    command(out, i).commanded_position_rad =
+        windows_[place].hold(actuators.position_rad[i], measured_rad[i], dt_s);
     command(out, i).commanded_velocity_rad_s = std::clamp(actuators.velocity_rad_s[i], -fastest, fastest);
+    if (windows_[place].acts()) ++counts_.window;
     if (std::abs(actuators.velocity_rad_s[i]) > fastest) ++counts_.velocity;
   }
 }

@@ -19,6 +19,7 @@
 #include "controller/compliance_law.h"
 #include "controller/fade.h"
 #include "controller/gain_ramp.h"
+#include "controller/position_window.h"
 #include "controller/set_point_blend.h"
 #include "controller/torque_limits.h"
 #include "controller/transmission.h"
@@ -53,6 +54,7 @@ class LegController {
   void send_position(const SetPoints& desired, double dt_s, DriveCommand& out) noexcept;
   LegOutcome compliance(const DesiredLeg& desired, const FootMotion& foot, double dt_s,
                         DriveCommand& out) noexcept;
+  void send(const SetPoints& actuators, double dt_s, DriveCommand& out) noexcept;
   void enter_position(const SetPoints& desired, double dt_s) noexcept;
   void enter_compliance(const JointVector& law_Nm, double dt_s) noexcept;
   void add_soft_stops(JointVector& torque_Nm) noexcept;
@@ -81,7 +83,8 @@ class LegController {
   JointVector lowest_rad_, highest_rad_;  ///< position mode: between them each joint's set-point may be
   LegMotion measured_;
   JointVector motor_torque_Nm_;
-  std::vector<TorqueLimiter> limiters_;
+  std::vector<TorqueLimiter> limiters_;  ///< compliance
+  std::vector<PositionWindow> windows_;  ///< position and joint mode
   LimitCounts counts_;
 };
 

@@ -32,6 +32,7 @@ LimitCounts& LimitCounts::operator+=(const LimitCounts& other) noexcept {
   rate += other.rate;
   position += other.position;
   velocity += other.velocity;
+  window += other.window;
   return *this;
 }
 

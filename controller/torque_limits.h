@@ -16,10 +16,11 @@ struct LimitCounts {
   std::int64_t rate = 0;       ///< torque may not change faster
   std::int64_t position = 0;   ///< position mode: set-point held inside the joint limits
   std::int64_t velocity = 0;  ///< position mode: velocity feed-forward held inside the actuator's speed limit
+  std::int64_t window = 0;    ///< position mode: set-point held near the actuator (position_window.h)
 
   LimitCounts& operator+=(const LimitCounts& other) noexcept;
   std::int64_t total() const noexcept {
-    return soft_stop + torque + speed + power + rate + position + velocity;
+    return soft_stop + torque + speed + power + rate + position + velocity + window;
   }
 };
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "controller/position_window.h"
 #include "tests/controller/controller_fixture.h"
 
 namespace sprung {
@@ -56,8 +57,23 @@ TEST_F(LegControllerTest, FarTargetIsApproachedNoFasterThanALimit) {
     cycle();
     EXPECT_LT((commanded_position() - before).cwiseAbs().maxCoeff(), 3.1e-3);
     before = commanded_position();
+    set_joints(before);
   }
   EXPECT_NEAR(leg_->foot_in_hip_m(before).z(), -0.25, 1e-9);
+}
+
+TEST_F(LegControllerTest, ALegThatIsTornAwayGetsSetPointsWithinReachAndThenTheDriveMayTrip) {
+  cycles(100);
+  const JointVector away = measured() + pair(0.0, 0.8);
+  set_joints(away);
+  cycle();
+  const ActuatorConfig& a = robot_.actuators[1];
+  const double window_rad = PositionWindow::kShare * a.torque_limit_Nm / a.position_stiffness_Nm_rad;
+  ASSERT_LT(window_rad, 0.8);
+  EXPECT_NEAR(commanded_position()[1], away[1] - window_rad, 1e-9);
+  EXPECT_EQ(core_.limits().window, 1);
+  cycles(static_cast<int>(1e3 * PositionWindow::kPatience_s));
+  EXPECT_NEAR(commanded_position()[1], away[1] - 0.8, 1e-6);
 }
 
 TEST_F(LegControllerTest, PositionAfterComplianceBeginsWithTheTorqueThatIsThere) {
@@ -249,6 +265,7 @@ TEST_F(LegControllerTest, JointModeStaysInsideJointAndSpeedLimits) {
   want(ControlMode::kJoint);
   command_.legs[0].desired_joint_position_rad = {measured()[0], 2.0, 0.0};
   cycles(2000);
+  set_joints(pair(measured()[0], 2.4));
   command_.legs[0].desired_joint_position_rad[1] = 7.0;
   cycles(3);
   EXPECT_NEAR(commanded_position()[1], robot_.joints[1].position_max_rad - kPositionMargin_rad, 1e-9);
