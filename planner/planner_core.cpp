@@ -19,7 +19,10 @@ struct Active {
 
 struct PlannerCore::Impl {
   Impl(const RobotConfig& robot, const PresetConfig& preset_in)
-      : preset(preset_in), why_not_standing(robot.why_not_standing()), motion(robot, preset_in) {}
+      : preset(preset_in),
+        gaits(robot.gaits),
+        why_not_standing(robot.why_not_standing()),
+        motion(robot, preset_in) {}
 
   void step(const JointState& in) noexcept;
   void execute(const OperatorCommand& command, const JointState& in) noexcept;
@@ -52,6 +55,7 @@ struct PlannerCore::Impl {
   }
 
   const PresetConfig preset;
+  const std::vector<GaitConfig> gaits;
   const char* const why_not_standing;  ///< nullptr: it can
   Motion motion;
   OperatorDesk desk;
@@ -153,7 +157,7 @@ void PlannerCore::Impl::walk(const OperatorCommand& command, const JointState& i
   const bool possible = motion.state() == MotionPhase::kStanding || motion.state() == MotionPhase::kWalking;
   if (!possible) return refuse(command, busy(motion.state()));
   if (stopping.kind != OperatorKind::kNone) return refuse(command, "already stopping");
-  const WalkRequest request = walk_request(command, preset);
+  const WalkRequest request = walk_request(command, preset, gaits);
   if (const char* mistake = motion.walk_mistake(request)) return refuse(command, mistake);
   if (motion.walk(in, request)) {
     note = "";

@@ -31,7 +31,8 @@ struct GaitConfig {
   std::vector<double> offsets;  ///< one for each leg, share of the period, 0..1
   double lift_m = 0.0;          ///< of a foot over the line from where it left to where it lands
   double pre_stance = 0.3;      ///< share of the swing, at its end, in which the leg expects the ground
-  double sway_m = 0.0;          ///< how far the body leans over the feet that go on standing, at most
+  double sway_m = 0.0;  ///< how far the body leans over the feet that go on standing, at most; 0: it does not
+  double height_m = 0.0;  ///< of the hips over the feet where nobody asks for another; 0: the preset's
   double fastest_forward_m_s = 0.0;
   double fastest_sideways_m_s = 0.0;
   double fastest_turning_rad_s = 0.0;

@@ -19,9 +19,12 @@ BodyWrench wanted_wrench(const WalkConfig& law, const BodyShape& shape, const Bo
 }
 
 void Lean::follow(const Eigen::Vector2d& wanted_m, double settle_s, double dt_s) noexcept {
-  constexpr double kNineTenths = 3.89;  // of a critically damped step: (1 + x) exp(-x) = 0.1
+  constexpr double kNineTenths =
+      5.32;  // of a step through three equal poles: (1 + x + x^2 / 2) exp(-x) = 0.1
   const double w = kNineTenths / settle_s;
-  speed_m_s_ += dt_s * (w * w * (wanted_m - at_m_) - 2.0 * w * speed_m_s_);
+  const Eigen::Vector2d pull = w * (w * (wanted_m - at_m_) - 3.0 * speed_m_s_);
+  acceleration_m_s2_ += dt_s * w * (pull - 3.0 * acceleration_m_s2_);
+  speed_m_s_ += dt_s * acceleration_m_s2_;
   at_m_ += dt_s * speed_m_s_;
 }
 

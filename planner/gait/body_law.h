@@ -17,12 +17,14 @@ struct BodyWish {
 BodyWrench wanted_wrench(const WalkConfig& law, const BodyShape& shape, const BodyView& view,
                          const BodyWish& wish) noexcept;
 
-/// Follows a wanted lean critically damped, so that neither place nor speed jumps.
+/// Follows a wanted lean through three equal poles: neither place, speed nor acceleration jumps. (With two the body began with twice the
+/// acceleration, and what is over one foot's line then tips the wrong way.)
 class Lean {
  public:
   void reset() noexcept {
     at_m_.setZero();
     speed_m_s_.setZero();
+    acceleration_m_s2_.setZero();
   }
   /// @param settle_s in which nine tenths of the way are done.
   void follow(const Eigen::Vector2d& wanted_m, double settle_s, double dt_s) noexcept;
@@ -32,6 +34,7 @@ class Lean {
  private:
   Eigen::Vector2d at_m_ = Eigen::Vector2d::Zero();
   Eigen::Vector2d speed_m_s_ = Eigen::Vector2d::Zero();
+  Eigen::Vector2d acceleration_m_s2_ = Eigen::Vector2d::Zero();
 };
 
 }  // namespace sprung

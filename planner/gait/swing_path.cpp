@@ -56,11 +56,12 @@ SwingPoint SwingPath::at(double time_s) const noexcept {
   const double t = std::clamp(time_s, 0.0, duration_s);
   SwingPoint out;
   // Against the ground the foot is at rest at both ends; the body sees the ground move.
-  const Point way = smooth(t / duration_s);
+  const double way_s = duration_s - approach_s;
+  const Point way = smooth(std::min(1.0, t / way_s));
   const Eigen::Vector3d over_ground_m = to_m - from_m - ground_m_s * duration_s;
   out.position_m = from_m + over_ground_m * way.value + ground_m_s * t;
-  out.velocity_m_s = over_ground_m * (way.rate / duration_s) + ground_m_s;
-  out.acceleration_m_s2 = over_ground_m * (way.rate2 / (duration_s * duration_s));
+  out.velocity_m_s = over_ground_m * (way.rate / way_s) + ground_m_s;
+  out.acceleration_m_s2 = over_ground_m * (way.rate2 / (way_s * way_s));
 
   const Point z = height(*this, time_s);
   out.position_m.z() = z.value;

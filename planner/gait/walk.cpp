@@ -17,8 +17,7 @@ constexpr double kHeightRate_m_s = 0.05;  // of a wanted height or width
 constexpr double kSlip_m = 0.03;          // more than feet that hold move against each other
 constexpr double kMostStretch_m = 0.04;  // of a standing foot's spring along the ground, in a gait that steps
 constexpr double kHeightGain_1_s = 3.0;  // in which the feet's places follow the wanted height
-constexpr double kLeanAhead = 0.12;  // share of the period before a swing at which its foot no longer counts
-constexpr double kLeanTime = 0.22;   // share of the period in which the body leans over
+constexpr double kPaceTime_s = 0.2;      // in which the body stops or goes on where the clock does
 
 double toward(double from, double to, double most) noexcept {
   return from + std::clamp(to - from, -most, most);
@@ -34,6 +33,7 @@ Walk::Walk(const RobotConfig& robot, const PresetConfig& preset)
       stance_friction_(preset.walk.stance_friction_compensation),
       standing_friction_(std::max(stance_friction_, kStandingFriction * preset.friction_compensation)),
       shape_(robot),
+      weight_(shape_.legs),
       ramp_(preset.walk.acceleration_m_s2, preset.walk.turning_acceleration_rad_s2),
       distribution_(preset.walk.floor_friction),
       feet_(robot.legs.size()) {
@@ -82,7 +82,9 @@ void Walk::begin(const JointState& in, const WalkRequest& request) noexcept {
   start_clock();
   ramp_.reset();
   ramp_.want(request.speed);
-  lean_.reset();
+  weight_.reset();
+  waits_ = false;
+  pace_ = 1.0;
   double sum_m = 0.0;
   for (std::size_t i = 0; i < shape_.legs; ++i) {
     steps_[i].stand(view_.foot_m[i], law_.force_rise_s);  // it carries its share already
@@ -160,34 +162,25 @@ void Walk::steer(double dt_s) noexcept {
   height_m_ = toward(height_m_, request_.height_m, kHeightRate_m_s * dt_s);
   width_m_ = toward(width_m_, request_.stance_width_m, kHeightRate_m_s * dt_s);
   const std::array<double, 3>& speed = ramp_.now();
-  heading_rad_ += speed[2] * dt_s;
+  heading_rad_ += pace_ * speed[2] * dt_s;
   const double error_rad = view_.uses_imu ? wrapped_rad(heading_rad_ - view_.attitude.yaw_rad) : 0.0;
-  turning_rad_s_ = speed[2] + std::clamp(kHeadingGain_1_s * error_rad, -kMostHeadingCorrection_rad_s,
-                                         kMostHeadingCorrection_rad_s);
+  turning_rad_s_ = pace_ * speed[2] + std::clamp(kHeadingGain_1_s * error_rad, -kMostHeadingCorrection_rad_s,
+                                                 kMostHeadingCorrection_rad_s);
 }
 
-/// Over the middle of the feet that will go on standing.
+/// While the clock waits, so does the body: feet that stand still must not be left behind.
 void Walk::lean(double dt_s) noexcept {
-  const double period_s = gait().period_s;
-  Eigen::Vector2d middle_m = Eigen::Vector2d::Zero();
-  int feet = 0;
-  for (std::size_t i = 0; i < shape_.legs; ++i) {
-    if (clock_.swings(i) || clock_.until_swing_s(i) < kLeanAhead * period_s) continue;
-    middle_m += (shape_.hip_in_trunk_m[i] + shape_.foot_beside_hip_m[i]).head<2>();
-    ++feet;
-  }
-  if (feet > 0) middle_m /= feet;
-  const double far_m = middle_m.norm();
-  if (far_m > gait().sway_m) middle_m *= gait().sway_m / far_m;
-  if (gait().sway_m <= 0.0) middle_m.setZero();
-  lean_.follow(middle_m, kLeanTime * period_s, dt_s);
-  body_m_s_ = {ramp_.now()[0] + lean_.speed_m_s().x(), ramp_.now()[1] + lean_.speed_m_s().y(), 0.0};
+  pace_ = toward(pace_, waits_ ? 0.0 : 1.0, dt_s / kPaceTime_s);
+  const Eigen::Vector2d speed_m_s = pace_ * Eigen::Vector2d(ramp_.now()[0], ramp_.now()[1]);
+  weight_.step(clock_, view_, speed_m_s, dt_s);
+  if (weight_.gave_up()) fail("the body cannot be brought over three feet");
+  body_m_s_ << speed_m_s + weight_.speed_m_s(), 0.0;
 }
 
 Eigen::Vector3d Walk::place_m(std::size_t leg) const noexcept {
   Eigen::Vector3d place = shape_.hip_in_trunk_m[leg] + shape_.foot_beside_hip_m[leg];
   place.y() += shape_.side[leg] * width_m_;
-  place.head<2>() -= lean_.at_m();
+  place.head<2>() -= weight_.at_m();
   place.z() = ground_.z_m();
   return place;
 }
@@ -218,10 +211,10 @@ bool Walk::touches(std::size_t i, const EstimatedLeg& leg) const noexcept {
 }
 
 void Walk::step_legs(const JointState& in, double dt_s) noexcept {
-  bool late = false;
+  waits_ = weight_.holds();
   for (std::size_t i = 0; i < shape_.legs; ++i)
-    late = late || (clock_.swings(i) && clock_.swing_share(i) >= 1.0 && !steps_[i].stands());
-  clock_.advance(late ? 0.0 : dt_s);
+    waits_ = waits_ || (clock_.swings(i) && clock_.swing_share(i) >= 1.0 && !steps_[i].stands());
+  clock_.advance(waits_ ? 0.0 : dt_s);
   const StepPlan plan{&gait(),        &law_,         request_.control, dt_s, clock_.swing_s(), body_m_s_,
                       turning_rad_s_, ground_.z_m(), ground_.sunk_m()};
   for (std::size_t i = 0; i < shape_.legs; ++i) {
@@ -326,7 +319,7 @@ void Walk::next_gait() noexcept {
       std::all_of(steps_.begin(), steps_.begin() + static_cast<std::ptrdiff_t>(shape_.legs),
                   [&](const LegStep& s) { return s.stands() && s.in_phase_s() >= law_.force_rise_s; });
   const bool done = gait().duty >= 1.0 || failure_ != nullptr || (placing_ && clock_.rounds() > 0);
-  if (stopping_ && ramp_.arrived() && settled && all_stand && done) ended_ = true;
+  if (stopping_ && ramp_.arrived() && settled && all_stand && done && weight_.upright()) ended_ = true;
   const bool placed = !comes_to_rest() || (placing_ && clock_.rounds() > 0);
   if (!stopping_ && all_stand && placed && !(wanted_ == now_)) {
     now_ = wanted_;

@@ -9,6 +9,7 @@
 #include "planner/gait/gait_order.h"
 #include "planner/gait/leg_step.h"
 #include "planner/gait/speed_ramp.h"
+#include "planner/gait/weight_shift.h"
 
 namespace sprung {
 
@@ -75,9 +76,9 @@ class Walk {
   const double stance_friction_;    ///< compensated of a standing foot's joints while others swing
   const double standing_friction_;  ///< and in a gait that never swings
   BodyShape shape_;
+  WeightShift weight_;
   GaitClock clock_;
   SpeedRamp ramp_;
-  Lean lean_;
   ForceDistribution distribution_;
   std::array<LegStep, kMostLegs> steps_;
   std::vector<FootLoad> feet_;
@@ -92,6 +93,8 @@ class Walk {
   double heading_rad_ = 0.0;
   double turning_rad_s_ = 0.0;  ///< as steered
   Eigen::Vector3d body_m_s_ = Eigen::Vector3d::Zero();
+  bool waits_ = false;  ///< the clock, for a foot that is late or the body's weight
+  double pace_ = 1.0;   ///< share of the wanted speed: falls while the clock waits
   bool stopping_ = false;
   bool ended_ = true;
   bool placing_ = false;  ///< slow enough to stop: each foot is set in its place once more

@@ -1,5 +1,6 @@
 #include "planner/gait/walk.h"
 
+#include "planner/gait/support_triangle.h"
 #include "tests/planner/walk_fixture.h"
 #include "tests/support/allocation_count.h"
 
@@ -71,7 +72,7 @@ TEST_F(WalkTest, HeadingIsHeldByTheImuAndNotWithout) {
   }
 }
 
-TEST_F(WalkTest, CrawlLeansAwayFromTheFootThatIsToLeave) {
+TEST_F(WalkTest, CrawlHasTheBodyOverThreeFeetWhenTheFourthLeaves) {
   begin(request("crawl"));
   int checked = 0;
   std::vector<LegPhase> before(4, LegPhase::kStance);
@@ -80,11 +81,13 @@ TEST_F(WalkTest, CrawlLeansAwayFromTheFootThatIsToLeave) {
       const bool lifts = before[i] == LegPhase::kStance && wanted_[i].phase == LegPhase::kSwing;
       before[i] = wanted_[i].phase;
       if (!lifts) continue;
-      const LegConfig& leg = robot_.legs[i];
-      // Where the feet are seen from the trunk: moved toward the one that leaves, for the trunk leans away.
-      double x_m = 0.0;
-      for (const EstimatedLeg& l : in_.legs) x_m += 0.25 * l.estimated_foot_in_hip_m[0];
-      EXPECT_GT(x_m * leg.hip_in_trunk_m[0], 0.0) << leg.name;
+      std::array<Eigen::Vector2d, 3> others;
+      for (std::size_t k = 0, n = 0; k < 4; ++k) {
+        const Vec3& foot = in_.legs[k].estimated_foot_in_hip_m;
+        const Vec3& hip = robot_.legs[k].hip_in_trunk_m;
+        if (k != i) others[n++] = {hip[0] + foot[0], hip[1] + foot[1]};
+      }
+      EXPECT_GT(SupportTriangle(others).margin_m({0.0, 0.0}), 0.01) << robot_.legs[i].name;
       ++checked;
     }
   });

@@ -54,6 +54,12 @@ TEST_F(WalkingPegasus, GaitsAreData) {
   EXPECT_EQ(odd.to, (std::vector<std::string>{"trot", "crawl"}));
 }
 
+TEST_F(WalkingPegasus, AGaitMayHaveAHeightOfItsOwn) {
+  EXPECT_EQ(with(gait("0.75", "[0, 0.25, 0.5, 0.75]")).gaits[0].height_m, 0.0);
+  EXPECT_EQ(with(gait("0.75", "[0, 0.25, 0.5, 0.75]") + ", height: 0.44 m").gaits[0].height_m, 0.44);
+  EXPECT_THAT(complaint("height: 0.5 m,", "height: 0.5 kg,"), HasSubstr("height"));
+}
+
 TEST_F(WalkingPegasus, ShippedGaitsAreStandCrawlWalkAndTrot) {
   std::vector<std::string> names;
   for (const GaitConfig& g : folder_.load(text_).gaits) names.push_back(g.name);
@@ -115,8 +121,8 @@ TEST_F(WalkingPegasus, TransitionToAGaitThatThereIsNotIsRefused) {
 }
 
 TEST_F(WalkingPegasus, UnknownAndMissingKeysAreNamed) {
-  EXPECT_THAT(complaint("sway: 0.06 m,", ""), HasSubstr("sway' is missing"));
-  EXPECT_THAT(complaint("sway: 0.06 m,", "sway: 0.06 m, bounce: 1,"), HasSubstr("bounce' is unknown"));
+  EXPECT_THAT(complaint("sway: 0.1 m,", ""), HasSubstr("sway' is missing"));
+  EXPECT_THAT(complaint("sway: 0.1 m,", "sway: 0.1 m, bounce: 1,"), HasSubstr("bounce' is unknown"));
   EXPECT_THAT(complaint("  imu: true", "  imu: perhaps"), HasSubstr("imu"));
 }
 

@@ -133,7 +133,7 @@ TEST(GroundErrorRows, NobodyMayFallInACrawlOnAnUnevenFloor) {
 }
 
 TEST(GroundError, EveryTouchdownThatCountsIsOnGroundThatLiesWrong) {
-  const GroundCase rig{"rig", "walk", 0.0, true, 3.0};
+  const GroundCase rig{"rig", "crawl", 0.0, true, 8.0};
   const GroundOutcome out = step_on_errors(load_robot("pegasus"), {}, rig, GaitControl::kOwn);
   EXPECT_FALSE(out.vitals.fell) << out.vitals.why;
   ASSERT_GE(out.touchdowns.size(), 4u);

@@ -1,0 +1,84 @@
+#include "planner/gait/weight_shift.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "controller/leg_kinematics.h"
+#include "planner/gait/support_triangle.h"
+
+namespace sprung {
+namespace {
+
+constexpr std::size_t kLegs = 4;     // three feet and one in the air: all that is known of leaning
+constexpr double kWanted = 0.6;      // margin that the body goes for, share of the gait's sway,
+constexpr double kNeeded = 0.2;      // and without which no leg leaves
+constexpr double kLeanTime = 0.16;   // share of the period in which nine tenths of the way are done
+constexpr double kFarAhead_s = 1.0;  // further the feet's way is not foreseen
+
+/// A body in motion is as near to tipping as one at rest that is its speed times this further on (Hof 2008).
+double capture_s(const BodyView& view) noexcept {
+  double lowest_m = 0.0;
+  for (const Eigen::Vector3d& foot_m : view.foot_m)
+    lowest_m = std::min(lowest_m, foot_m.z() - view.com_m.z());
+  return std::sqrt(-lowest_m / kGravity_m_s2);
+}
+
+std::array<Eigen::Vector2d, 3> others_m(const BodyView& view, std::size_t lifted) noexcept {
+  std::array<Eigen::Vector2d, 3> feet_m;
+  for (std::size_t i = 0, k = 0; i < kLegs; ++i)
+    if (i != lifted) feet_m[k++] = view.foot_m[i].head<2>();
+  return feet_m;
+}
+
+}  // namespace
+
+void WeightShift::reset() noexcept {
+  lean_.reset();
+  waited_s_ = 0.0;
+  holds_ = false;
+}
+
+/// The leg that swings, else the one whose turn is next.
+std::size_t WeightShift::lifted(const GaitClock& clock) const noexcept {
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < legs_; ++i) {
+    if (clock.swings(i)) return i;
+    if (clock.until_swing_s(i) < clock.until_swing_s(next)) next = i;
+  }
+  return next;
+}
+
+/// From where the body would be without leaning, halfway through the swing.
+void WeightShift::step(const GaitClock& clock, const BodyView& view, const Eigen::Vector2d& speed_m_s,
+                       double dt_s) noexcept {
+  holds_ = false;
+  const double sway_m = clock.gait().sway_m;
+  if (sway_m <= 0.0 || legs_ != kLegs) return follow(clock, Eigen::Vector2d::Zero(), dt_s);
+  const std::size_t leg = lifted(clock);
+  const bool none_to_come = !clock.swings(leg) && clock.until_swing_s(leg) > clock.gait().period_s;
+  if (none_to_come) return follow(clock, Eigen::Vector2d::Zero(), dt_s);
+  const SupportTriangle support(others_m(view, leg));
+  const Eigen::Vector2d com_m = view.com_m.head<2>();
+
+  const bool swings = clock.swings(leg);
+  const double until_s = swings ? 0.0 : std::min(kFarAhead_s, clock.until_swing_s(leg));
+  const double left_s = swings ? (1.0 - clock.swing_share(leg)) * clock.swing_s() : clock.swing_s();
+  const Eigen::Vector2d upright_m = com_m - lean_.at_m();
+  const Eigen::Vector2d then_m = (until_s + 0.5 * left_s) * speed_m_s;
+  follow(clock, support.safe_place_m(upright_m + then_m, kWanted * sway_m) - upright_m - then_m, dt_s);
+
+  const Eigen::Vector2d beyond_m_s = view.velocity_known
+                                         ? Eigen::Vector2d(view.velocity_m_s.head<2>() - speed_m_s)
+                                         : Eigen::Vector2d::Zero();
+  const bool due = clock.all_stand() && until_s <= 2.0 * dt_s;  // else it left in the next cycle
+  holds_ = due && support.margin_m(com_m + capture_s(view) * beyond_m_s) < kNeeded * sway_m;
+  waited_s_ = holds_ ? waited_s_ + dt_s : 0.0;
+}
+
+void WeightShift::follow(const GaitClock& clock, const Eigen::Vector2d& wanted_m, double dt_s) noexcept {
+  const double far_m = wanted_m.norm(), most_m = clock.gait().sway_m;
+  const Eigen::Vector2d within_m = far_m > most_m ? Eigen::Vector2d(wanted_m * (most_m / far_m)) : wanted_m;
+  lean_.follow(within_m, kLeanTime * clock.gait().period_s, dt_s);
+}
+
+}  // namespace sprung

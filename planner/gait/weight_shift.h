@@ -1,0 +1,42 @@
+#pragma once
+/// A gait that lifts one leg at a time leans: the body goes over the three feet that will go on standing, and the leg waits until it is
+/// there. Level axes. Pure.
+#include "planner/gait/body_law.h"
+#include "planner/gait/body_view.h"
+#include "planner/gait/gait_clock.h"
+
+namespace sprung {
+
+class WeightShift {
+ public:
+  explicit WeightShift(std::size_t legs) noexcept : legs_(legs) {}
+  void reset() noexcept;
+
+  /// One cycle, before the clock's. Gaits whose sway is 0 do not lean. @param speed_m_s of the body as wanted, without leaning.
+  void step(const GaitClock& clock, const BodyView& view, const Eigen::Vector2d& speed_m_s,
+            double dt_s) noexcept;
+
+  /// The leg whose turn it is must not leave yet.
+  bool holds() const noexcept { return holds_; }
+  /// It has been waiting for kGiveUp_s.
+  bool gave_up() const noexcept { return waited_s_ >= kGiveUp_s; }
+  /// It leans no further than kUpright_m.
+  bool upright() const noexcept { return lean_.at_m().norm() <= kUpright_m; }
+  /// Of the body, from where it is without leaning.
+  const Eigen::Vector2d& at_m() const noexcept { return lean_.at_m(); }
+  const Eigen::Vector2d& speed_m_s() const noexcept { return lean_.speed_m_s(); }
+
+  static constexpr double kGiveUp_s = 4.0;
+  static constexpr double kUpright_m = 0.005;
+
+ private:
+  std::size_t lifted(const GaitClock& clock) const noexcept;
+  void follow(const GaitClock& clock, const Eigen::Vector2d& wanted_m, double dt_s) noexcept;
+
+  const std::size_t legs_;
+  Lean lean_;
+  double waited_s_ = 0.0;
+  bool holds_ = false;
+};
+
+}  // namespace sprung
