@@ -205,7 +205,8 @@ void NodeLink::begin_sampling(std::int64_t sync_us) noexcept {
 
 std::int64_t NodeLink::earliest_sync_us() const noexcept {
   const int cycles = std::min({owed_, setup_.watchdogs.silent_cycles, kMostOwed - 1});
-  return syncs_us_[static_cast<std::size_t>((syncs_ - 1 - cycles) % kMostOwed)];
+  const std::int64_t place = std::max<std::int64_t>(0, syncs_ - 1 - cycles);  // none is older than the first
+  return syncs_us_[static_cast<std::size_t>(place % kMostOwed)];
 }
 
 void NodeLink::end_sampling() noexcept {
