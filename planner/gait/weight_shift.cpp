@@ -71,11 +71,13 @@ void WeightShift::step(const GaitClock& clock, const BodyView& view, const Eigen
                                          ? Eigen::Vector2d(view.velocity_m_s.head<2>() - speed_m_s)
                                          : Eigen::Vector2d::Zero();
   const bool due = clock.all_stand() && until_s <= 2.0 * dt_s;  // else it left in the next cycle
-  holds_ = due && support.margin_m(com_m + capture_s(view) * beyond_m_s) < kNeeded * sway_m;
+  const double margin_m = support.margin_m(com_m + capture_s(view) * beyond_m_s);
+  holds_ = due && !(margin_m >= kNeeded * sway_m);  // unknown is not safe
   waited_s_ = holds_ ? waited_s_ + dt_s : 0.0;
 }
 
 void WeightShift::follow(const GaitClock& clock, const Eigen::Vector2d& wanted_m, double dt_s) noexcept {
+  if (!wanted_m.allFinite()) return;  // a foot that nobody knows for a cycle
   const double far_m = wanted_m.norm(), most_m = clock.gait().sway_m;
   const Eigen::Vector2d within_m = far_m > most_m ? Eigen::Vector2d(wanted_m * (most_m / far_m)) : wanted_m;
   lean_.follow(within_m, kLeanTime * clock.gait().period_s, dt_s);

@@ -104,6 +104,17 @@ TEST_F(WeightShiftTest, ABodyThatMovesTheWrongWayIsNotSafeWhereItIs) {
   }
 }
 
+TEST_F(WeightShiftTest, AFootThatNobodyKnowsKeepsTheLegDownAndTheLeanFinite) {
+  begin(crawl());
+  for (int k = 0; k < 750; ++k) cycle(false);
+  view_.foot_m[0].setConstant(kNaN);
+  for (int k = 0; k < 10; ++k) {
+    shift_.step(clock_, view_, Eigen::Vector2d::Zero(), kCycle_s);
+    EXPECT_TRUE(shift_.holds());
+    EXPECT_TRUE(shift_.at_m().allFinite());
+  }
+}
+
 TEST_F(WeightShiftTest, NoFartherThanTheGaitsSway) {
   begin(crawl(0.03));
   for (int k = 0; k < 1500; ++k) {
