@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "controller/leg_kinematics.h"
 #include "planner/gait/support_triangle.h"
@@ -51,16 +52,16 @@ std::size_t WeightShift::lifted(const GaitClock& clock) const noexcept {
 /// From where the body would be without leaning, halfway through the swing.
 void WeightShift::step(const GaitClock& clock, const BodyView& view, const Eigen::Vector2d& speed_m_s,
                        double dt_s) noexcept {
+  const double waited_s = std::exchange(waited_s_, 0.0);
   holds_ = false;
   const double sway_m = clock.gait().sway_m;
-  if (sway_m <= 0.0 || legs_ != kLegs) return follow(clock, Eigen::Vector2d::Zero(), dt_s);
   const std::size_t leg = lifted(clock);
-  const bool none_to_come = !clock.swings(leg) && clock.until_swing_s(leg) > clock.gait().period_s;
-  if (none_to_come) return follow(clock, Eigen::Vector2d::Zero(), dt_s);
+  const bool swings = clock.swings(leg);
+  const bool to_come = swings || clock.until_swing_s(leg) <= clock.gait().period_s;
+  if (sway_m <= 0.0 || legs_ != kLegs || !to_come) return follow(clock, Eigen::Vector2d::Zero(), dt_s);
   const SupportTriangle support(others_m(view, leg));
   const Eigen::Vector2d com_m = view.com_m.head<2>();
 
-  const bool swings = clock.swings(leg);
   const double until_s = swings ? 0.0 : std::min(kFarAhead_s, clock.until_swing_s(leg));
   const double left_s = swings ? (1.0 - clock.swing_share(leg)) * clock.swing_s() : clock.swing_s();
   const Eigen::Vector2d upright_m = com_m - lean_.at_m();
@@ -73,7 +74,7 @@ void WeightShift::step(const GaitClock& clock, const BodyView& view, const Eigen
   const bool due = clock.all_stand() && until_s <= 2.0 * dt_s;  // else it left in the next cycle
   const double margin_m = support.margin_m(com_m + capture_s(view) * beyond_m_s);
   holds_ = due && !(margin_m >= kNeeded * sway_m);  // unknown is not safe
-  waited_s_ = holds_ ? waited_s_ + dt_s : 0.0;
+  if (holds_) waited_s_ = waited_s + dt_s;
 }
 
 void WeightShift::follow(const GaitClock& clock, const Eigen::Vector2d& wanted_m, double dt_s) noexcept {

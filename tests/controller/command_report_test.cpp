@@ -27,11 +27,11 @@ TEST(CommandReportTest, LimitsAreNamedWhenTheirCountsGrow) {
   limits.rate = 3;
   EXPECT_EQ(report.update(CommandBasis::kCommanded, limits, 1000), News::kLimits);
   EXPECT_EQ(report.text(), "commanded; limits acted: torque 12, rate 3");
-  limits.soft_stop = limits.speed = limits.power = limits.position = limits.velocity = 1;
+  limits.soft_stop = limits.speed = limits.power = limits.position = limits.velocity = limits.window = 1;
   report.update(CommandBasis::kCommanded, limits, 2'000'000);
-  EXPECT_EQ(
-      report.text(),
-      "commanded; limits acted: soft stop 1, torque 12, speed 1, power 1, rate 3, position 1, velocity 1");
+  EXPECT_EQ(report.text(),
+            "commanded; limits acted: soft stop 1, torque 12, speed 1, power 1, rate 3, position 1, velocity "
+            "1, window 1");
 }
 
 TEST(CommandReportTest, LimitsThatActInEveryCycleAreNewsOnceASecondAndAllocateNothingBetween) {

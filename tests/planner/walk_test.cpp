@@ -135,6 +135,35 @@ TEST_F(WalkTest, LateContactFreezesTheClockUntilTheFootFoundTheGround) {
   EXPECT_EQ(walk_.failure(), nullptr);
 }
 
+TEST_F(WalkTest, WhileAFootIsLateTheBodyWaitsForItToo) {
+  begin(request("trot", {0.3, 0.0, 0.0}));
+  run(2.0);
+  floor_m_[1] = -1.0;
+  while (count(LegEvent::kLateContact) == 0) cycle();
+  run(0.25);
+  ASSERT_EQ(walk_.failure(), nullptr);
+  int stand = 0;
+  for (const DesiredLeg& leg : wanted_) {
+    if (leg.phase != LegPhase::kStance) continue;
+    EXPECT_EQ(leg.desired_foot_velocity_m_s[0], 0.0);
+    ++stand;
+  }
+  EXPECT_GT(stand, 0);
+}
+
+TEST_F(WalkTest, ABodyThatDoesNotComeOverThreeFeetEndsTheCrawlAndSaysWhy) {
+  begin(request("crawl", {0.1, 0.0, 0.0}));
+  for (int k = 0; k < 3500 && !walk_.ended(); ++k) {  // its feet stay where they are
+    in_.stamp.utime_us += 2000;
+    ++in_.stamp.seq;
+    walk_.step(in_);
+    look();
+    EXPECT_EQ(standing(), 4);
+  }
+  EXPECT_TRUE(walk_.ended());
+  EXPECT_STREQ(walk_.failure(), "the body cannot be brought over three feet");
+}
+
 TEST_F(WalkTest, FootThatMovesAgainstTheOthersSlippedAndIsWantedWhereItIs) {
   begin(request("stand"));
   run(0.5);

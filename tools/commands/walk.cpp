@@ -84,7 +84,7 @@ void add_walk(CommandLine& sprung) {
               "m/s forward; default: two thirds of the gait's fastest, or 0 beside --sideways or --turn");
   walk.option("--sideways", wish->gait.left_m_s, "m/s to the left; default: 0");
   walk.option("--turn", wish->gait.turning_rad_s, "rad/s to the left; default: 0");
-  walk.option("--height", wish->height_m, "m, hips over feet; default: the preset's");
+  walk.option("--height", wish->height_m, "m, hips over feet; default: the gait's, else the preset's");
   walk.option("--width", wish->width_m, "m by which each foot stands further out; default: the preset's");
   walk.choice("--control", wish->control, control_names(),
               "of swinging legs: position with a slow approach of sprung's own, or with the papers' soft "
