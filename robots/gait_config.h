@@ -32,7 +32,8 @@ struct GaitConfig {
   double lift_m = 0.0;          ///< of a foot over the line from where it left to where it lands
   double pre_stance = 0.3;      ///< share of the swing, at its end, in which the leg expects the ground
   double sway_m = 0.0;  ///< how far the body leans over the feet that go on standing, at most; 0: it does not
-  double height_m = 0.0;  ///< of the hips over the feet where nobody asks for another; 0: the preset's
+  double height_m = 0.0;      ///< of the hips over the feet where nobody asks for another; 0: the preset's
+  double approach_m_s = 0.0;  ///< at which a foot comes down where the ground is expected; 0: the preset's
   double fastest_forward_m_s = 0.0;
   double fastest_sideways_m_s = 0.0;
   double fastest_turning_rad_s = 0.0;
@@ -48,8 +49,9 @@ struct WalkConfig {
   double floor_friction = 0.5;    ///< of the cones that forces stay in
   double stance_width_m = 0.0;    ///< how much further out than its hip each foot stands
   double force_rise_s = 0.0;      ///< in which a foot that has landed takes up its share
-  double approach_m_s = 0.0;  ///< GaitControl::kOwn: how fast a foot comes down where the ground is expected
-  double step_down_m = 0.0;   ///< how far a foot reaches below the expected ground before it gives up
+  double approach_m_s =
+      0.0;  ///< GaitControl::kOwn: how fast a foot comes down where the ground is expected, unless the gait says
+  double step_down_m = 0.0;        ///< how far a foot reaches below the expected ground before it gives up
   double acceleration_m_s2 = 0.0;  ///< of the desired speed
   double turning_acceleration_rad_s2 = 0.0;
   double foothold_gain_s =

@@ -53,6 +53,7 @@ GaitConfig read_gait(const std::string& name, const YamlMap& map, std::size_t le
   gait.pre_stance = map.quantity("pre_stance", "", 0, 0.9);
   gait.sway_m = map.quantity("sway", "m", 0, 0.2);
   if (map.has("height")) gait.height_m = map.quantity("height", "m", 0.05, 3);
+  if (map.has("approach_speed")) gait.approach_m_s = map.quantity("approach_speed", "m/s", 0.01, 2);
   const YamlMap fastest = map.map("fastest");
   gait.fastest_forward_m_s = fastest.quantity("forward", "m/s", 0, 5);
   gait.fastest_sideways_m_s = fastest.quantity("sideways", "m/s", 0, 5);

@@ -85,15 +85,15 @@ void LegStep::swing(const StepPlan& plan, const Eigen::Vector3d& foothold_m) noe
   // Whoever waits for contact comes down slowly; plain hybrid trusts its clock.
   const bool waits = control_ == GaitControl::kOwn;
   path.approach_s = waits ? plan.gait->pre_stance * plan.swing_s : 0.0;
-  path.approach_m_s = waits ? plan.law->approach_m_s : 0.0;
+  path.approach_m_s = waits ? plan.approach_m_s() : 0.0;
   const SwingPoint point = path.at(in_swing_s_);
   wanted_m_ = point.position_m;
   wanted_m_s_ = point.velocity_m_s;
   wanted_m_s2_ = point.acceleration_m_s2;
   const double over_s = in_swing_s_ - plan.swing_s;
   if (!waits && over_s > 0.0 && control_ != GaitControl::kHybrid) {
-    wanted_m_.z() -= plan.law->approach_m_s * over_s;
-    wanted_m_s_.z() = -plan.law->approach_m_s;
+    wanted_m_.z() -= plan.approach_m_s() * over_s;
+    wanted_m_s_.z() = -plan.approach_m_s();
   }
 }
 

@@ -150,6 +150,16 @@ TEST_F(LegStepTest, LateWhileItLooksForTheGround) {
   EXPECT_FALSE(leg_.late(plan_));
 }
 
+TEST_F(LegStepTest, ComesDownAtTheGaitsOwnSpeedWhereItHasOne) {
+  gait_.approach_m_s = 0.3;
+  lift();
+  floor_m_ = kGround_m - 0.02;
+  swing_to(0.95);
+  EXPECT_NEAR(leg_.wanted_m_s().z(), -0.3, 1e-12);
+  swing_to(1.1);
+  EXPECT_NEAR(leg_.wanted_m_s().z(), -0.3, 1e-12);
+}
+
 TEST_F(LegStepTest, WithoutGroundItGivesUpAtTheLimitOfSteppingDown) {
   for (const GaitControl control : {GaitControl::kOwn, GaitControl::kForce, GaitControl::kPreStance}) {
     foot_m_ = kPlace_m;

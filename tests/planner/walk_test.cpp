@@ -131,7 +131,8 @@ TEST_F(WalkTest, LateContactFreezesTheClockUntilTheFootFoundTheGround) {
   });
   EXPECT_EQ(count(LegEvent::kLateContact), 1);
   // When it leaves the ground is expected where it is on average, a quarter of the way down the hole.
-  EXPECT_NEAR(frozen_s, 0.75 * 0.02 / preset_.walk.approach_m_s, 0.01);
+  const double approach_m_s = robot_.gaits[static_cast<std::size_t>(gait("trot"))].approach_m_s;
+  EXPECT_NEAR(frozen_s, 0.75 * 0.02 / approach_m_s, 0.01);
   EXPECT_EQ(walk_.failure(), nullptr);
 }
 

@@ -60,6 +60,13 @@ TEST_F(WalkingPegasus, AGaitMayHaveAHeightOfItsOwn) {
   EXPECT_THAT(complaint("height: 0.5 m,", "height: 0.5 kg,"), HasSubstr("height"));
 }
 
+TEST_F(WalkingPegasus, AGaitMayHaveAnApproachSpeedOfItsOwn) {
+  EXPECT_EQ(with(gait("0.75", "[0, 0.25, 0.5, 0.75]")).gaits[0].approach_m_s, 0.0);
+  EXPECT_EQ(with(gait("0.75", "[0, 0.25, 0.5, 0.75]") + ", approach_speed: 0.3 m/s").gaits[0].approach_m_s,
+            0.3);
+  EXPECT_THAT(complaint("approach_speed: 0.22 m/s,", "approach_speed: 0 m/s,"), HasSubstr("approach_speed"));
+}
+
 TEST_F(WalkingPegasus, ShippedGaitsAreStandCrawlWalkAndTrot) {
   std::vector<std::string> names;
   for (const GaitConfig& g : folder_.load(text_).gaits) names.push_back(g.name);
