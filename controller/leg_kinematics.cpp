@@ -32,24 +32,17 @@ double eigenvalue_bound(double trace, double determinant, int size) noexcept {
   return bound;
 }
 
-}  // namespace
-
-std::unique_ptr<LegKinematics> make_leg_kinematics(const LegConfig& leg) {
-  if (leg.kinematics == kNoKinematics) return nullptr;
-  if (leg.kinematics == kOneLink) return std::make_unique<OneLink>(leg);
-  if (leg.kinematics == kTwoLink) return std::make_unique<TwoLink>(leg);
-  if (leg.kinematics == kThreeJoint) return std::make_unique<ThreeJoint>(leg);
-  throw std::invalid_argument("leg '" + leg.name + "': unknown kinematics '" + leg.kinematics +
-                              "', there are: " + kOneLink + ", " + kTwoLink + ", " + kThreeJoint + ", " +
-                              kNoKinematics);
+/// Trace and determinant of J^T J.
+bool surely_regular(double trace, double determinant, int size) noexcept {
+  return eigenvalue_bound(trace, determinant, size) > kSurely * kSingularBelow_m * kSingularBelow_m;
 }
 
-DampedInverse damped_inverse(const LegJacobian& jacobian) noexcept {
+/// For every J.
+DampedInverse damped_inverse_of_gram(const LegJacobian& jacobian) noexcept {
   JointMatrix gram = jacobian.transpose() * jacobian;
   DampedInverse out;
   const Eigen::PartialPivLU<JointMatrix> factors(gram);
-  if (eigenvalue_bound(gram.trace(), factors.determinant(), static_cast<int>(gram.rows())) >
-      kSurely * kSingularBelow_m * kSingularBelow_m) {
+  if (surely_regular(gram.trace(), factors.determinant(), static_cast<int>(gram.rows()))) {
     out.matrix = jacobian * JointMatrix(factors.inverse());
     return out;
   }
@@ -62,6 +55,29 @@ DampedInverse damped_inverse(const LegJacobian& jacobian) noexcept {
   const JointMatrix inverse = gram.partialPivLu().inverse();
   out.matrix = jacobian * inverse;
   return out;
+}
+
+}  // namespace
+
+std::unique_ptr<LegKinematics> make_leg_kinematics(const LegConfig& leg) {
+  if (leg.kinematics == kNoKinematics) return nullptr;
+  if (leg.kinematics == kOneLink) return std::make_unique<OneLink>(leg);
+  if (leg.kinematics == kTwoLink) return std::make_unique<TwoLink>(leg);
+  if (leg.kinematics == kThreeJoint) return std::make_unique<ThreeJoint>(leg);
+  throw std::invalid_argument("leg '" + leg.name + "': unknown kinematics '" + leg.kinematics +
+                              "', there are: " + kOneLink + ", " + kTwoLink + ", " + kThreeJoint + ", " +
+                              kNoKinematics);
+}
+
+/// Three joints, away from singular poses: J is square and W its inverse, transposed; the general way costs ten times as much.
+DampedInverse damped_inverse(const LegJacobian& jacobian) noexcept {
+  if (jacobian.cols() == 3) {
+    const Eigen::Matrix3d square = jacobian;
+    const double determinant = square.determinant();
+    if (surely_regular(square.squaredNorm(), determinant * determinant, 3))
+      return {square.inverse().transpose(), false};
+  }
+  return damped_inverse_of_gram(jacobian);
 }
 
 }  // namespace sprung

@@ -77,25 +77,64 @@ TEST_F(LegKinematicsTest, DampingSetsInWithoutAStep) {
   EXPECT_TRUE(was_singular);
 }
 
-/// The bound that spares the eigenvalues must never change an answer: by hand, with them, over straight, folded and common poses.
+/// With the eigenvalues, and by LU, whatever the pose.
+DampedInverse damped_inverse_by_hand(const LegJacobian& jacobian) {
+  Eigen::MatrixXd gram = jacobian.transpose() * jacobian;
+  const double smallest =
+      std::max(0.0, Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(gram).eigenvalues()[0]);
+  const bool singular = smallest < 0.02 * 0.02;
+  if (singular) gram.diagonal().array() += 0.02 * 0.02 * (1.0 - smallest / (0.02 * 0.02));
+  return {jacobian * Eigen::MatrixXd(gram.partialPivLu().inverse()), singular};
+}
+
+/// The bound that spares the eigenvalues, and the short way of a leg of three joints, must never change an answer: over straight,
+/// folded and common poses.
 TEST_F(LegKinematicsTest, DampedInverseIsTheSameWhetherOrNotTheEigenvaluesWereNeeded) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> hip(0.3, 3.0), knee(0.0, 2.6);
   int singular = 0;
   for (int i = 0; i < 2000; ++i) {
     const LegJacobian jacobian = leg_->jacobian(joints(hip(random), knee(random)));
-    Eigen::MatrixXd gram = jacobian.transpose() * jacobian;
-    const double smallest =
-        std::max(0.0, Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(gram).eigenvalues()[0]);
-    const DampedInverse inverse = damped_inverse(jacobian);
-    EXPECT_EQ(inverse.singular, smallest < 0.02 * 0.02);
+    const DampedInverse inverse = damped_inverse(jacobian), expected = damped_inverse_by_hand(jacobian);
+    EXPECT_EQ(inverse.singular, expected.singular);
     singular += inverse.singular ? 1 : 0;
-    if (inverse.singular) gram.diagonal().array() += 0.02 * 0.02 * (1.0 - smallest / (0.02 * 0.02));
-    const Eigen::MatrixXd expected = jacobian * gram.partialPivLu().inverse();
-    EXPECT_LT((inverse.matrix - expected).norm(), 1e-11 * expected.norm());
+    EXPECT_LT((inverse.matrix - expected.matrix).norm(), 1e-11 * expected.matrix.norm());
   }
   EXPECT_GT(singular, 10);
   EXPECT_LT(singular, 1000);
+}
+
+TEST_F(LegKinematicsTest, DampedInverseOfThreeJointsIsThatOfTheGeneralWay) {
+  const auto leg = make_leg_kinematics(load_robot("pegasus").legs[0]);
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> abduction(-0.6, 0.6), hip(0.4, 3.0), knee(0.0, 2.5);
+  int singular = 0;
+  for (int i = 0; i < 2000; ++i) {
+    JointVector q(3);
+    q << abduction(random), hip(random), knee(random);
+    const LegJacobian jacobian = leg->jacobian(q);
+    const DampedInverse inverse = damped_inverse(jacobian), expected = damped_inverse_by_hand(jacobian);
+    ASSERT_EQ(inverse.singular, expected.singular) << q.transpose();
+    singular += inverse.singular ? 1 : 0;
+    ASSERT_LT((inverse.matrix - expected.matrix).norm(), 1e-12 * expected.matrix.norm()) << q.transpose();
+  }
+  EXPECT_GT(singular, 10);
+  EXPECT_LT(singular, 1000);
+}
+
+/// From a common pose to the straight leg: the short way, then the general one without and with damping.
+TEST_F(LegKinematicsTest, DampingOfThreeJointsSetsInWithoutAStep) {
+  const auto leg = make_leg_kinematics(load_robot("pegasus").legs[0]);
+  JointVector q(3);
+  q << 0.1, 1.4, 1.2;
+  DampedInverse before = damped_inverse(leg->jacobian(q));
+  EXPECT_FALSE(before.singular);
+  for (; q[2] > 0.0; q[2] -= 2e-5) {
+    const DampedInverse inverse = damped_inverse(leg->jacobian(q));
+    ASSERT_LT((inverse.matrix - before.matrix).norm(), 0.003 * before.matrix.norm()) << q[2];
+    before = inverse;
+  }
+  EXPECT_TRUE(before.singular);
 }
 
 TEST_F(LegKinematicsTest, NothingIsAllocated) {
