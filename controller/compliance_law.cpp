@@ -36,30 +36,24 @@ double friction_compensation_Nm(const JointCompensation& joints, std::size_t j, 
                    (1.0 - share) * sure_share(joints, j, wanted) * in_motion_Nm);
 }
 
-/// J' q': what the foot accelerates by while the joints move evenly.
-Eigen::Vector3d even_motion_acceleration_m_s2(const LegKinematics& kinematics,
-                                              const LegMotion& leg) noexcept {
-  constexpr double kHalf_s =
-      1e-4;  // way at 10 rad/s: 1 mrad, so that the difference is good to 1e-6 of J' q'
-  const JointVector way_rad = kHalf_s * leg.velocity_rad_s;
-  const LegJacobian change =
-      kinematics.jacobian(leg.position_rad + way_rad) - kinematics.jacobian(leg.position_rad - way_rad);
-  return change * leg.velocity_rad_s / (2.0 * kHalf_s);
-}
-
 }  // namespace
 
-JointVector desired_acceleration_rad_s2(const LegKinematics& kinematics, const FootMotion& foot,
-                                        const LegMotion& leg) noexcept {
-  const DampedInverse to_joints = damped_inverse(kinematics.jacobian(leg.position_rad));
-  return to_joints.matrix.transpose() *
-         (foot.acceleration_m_s2 - even_motion_acceleration_m_s2(kinematics, leg));
+PosedLeg posed(const LegKinematics& kinematics, const JointVector& position_rad) noexcept {
+  const LegPose pose = kinematics.pose(position_rad);
+  return {pose, damped_inverse(kinematics.jacobian(pose))};
 }
 
-JointVector led_torque_Nm(const LegKinematics& kinematics, const DesiredLeg& desired, const FootMotion& foot,
-                          const LegMotion& leg, const JointCompensation& joints) noexcept {
-  const JointVector acceleration = desired_acceleration_rad_s2(kinematics, foot, leg);
-  JointVector torque = kinematics.inverse_dynamics_Nm(leg.position_rad, leg.velocity_rad_s, acceleration);
+JointVector desired_acceleration_rad_s2(const LegKinematics& kinematics, const PosedLeg& at,
+                                        const FootMotion& foot, const JointVector& velocity_rad_s) noexcept {
+  return at.to_joints.matrix.transpose() *
+         (foot.acceleration_m_s2 - kinematics.even_motion_acceleration_m_s2(at.pose, velocity_rad_s));
+}
+
+JointVector led_torque_Nm(const LegKinematics& kinematics, const PosedLeg& at, const DesiredLeg& desired,
+                          const FootMotion& foot, const LegMotion& leg,
+                          const JointCompensation& joints) noexcept {
+  const JointVector acceleration = desired_acceleration_rad_s2(kinematics, at, foot, leg.velocity_rad_s);
+  JointVector torque = kinematics.inverse_dynamics_Nm(at.pose, leg.velocity_rad_s, acceleration);
   for (int j = 0; j < torque.size(); ++j) {
     const auto place = static_cast<std::size_t>(j);
     const double w = leg.velocity_rad_s[j];
@@ -74,15 +68,16 @@ JointVector led_torque_Nm(const LegKinematics& kinematics, const DesiredLeg& des
 JointVector compliance_torque_Nm(const LegKinematics& kinematics, const DesiredLeg& desired,
                                  const FootMotion& foot, const LegMotion& leg,
                                  const JointCompensation& joints) noexcept {
-  const LegJacobian jacobian = kinematics.jacobian(leg.position_rad);
-  const Eigen::Vector3d error_m = foot.position_m - kinematics.foot_in_hip_m(leg.position_rad);
+  const LegPose pose = kinematics.pose(leg.position_rad);
+  const LegJacobian jacobian = kinematics.jacobian(pose);
+  const Eigen::Vector3d error_m = foot.position_m - kinematics.foot_in_hip_m(pose);
   const Eigen::Vector3d slip_m_s =
       desired.velocity_feedforward * foot.velocity_m_s - jacobian * leg.velocity_rad_s;
   const Eigen::Vector3d spring_N = to_eigen(desired.stiffness_N_m).cwiseProduct(error_m);
   const Eigen::Vector3d force_N = spring_N + to_eigen(desired.damping_N_s_m).cwiseProduct(slip_m_s) -
                                   to_eigen(desired.feedforward_force_N);
   const JointVector spring_Nm = jacobian.transpose() * spring_N;
-  JointVector torque = jacobian.transpose() * force_N + kinematics.gravity_torque_Nm(leg.position_rad);
+  JointVector torque = jacobian.transpose() * force_N + kinematics.gravity_torque_Nm(pose);
   for (int j = 0; j < torque.size(); ++j) {
     const auto place = static_cast<std::size_t>(j);
     torque[j] +=
@@ -90,7 +85,8 @@ JointVector compliance_torque_Nm(const LegKinematics& kinematics, const DesiredL
                                  {leg.velocity_rad_s[j], spring_Nm[j], torque[j], leg.temperature_C[j]});
   }
   if (desired.inertia_compensation == 0.0 || joints.armature_kg_m2.empty()) return torque;
-  const JointVector acceleration = desired_acceleration_rad_s2(kinematics, foot, leg);
+  const JointVector acceleration =
+      desired_acceleration_rad_s2(kinematics, {pose, damped_inverse(jacobian)}, foot, leg.velocity_rad_s);
   for (int j = 0; j < torque.size(); ++j)
     torque[j] +=
         desired.inertia_compensation * joints.armature_kg_m2[static_cast<std::size_t>(j)] * acceleration[j];

@@ -112,19 +112,19 @@ LegOutcome LegController::position(const DesiredLeg& desired, const FootMotion& 
                                    DriveCommand& out) noexcept {
   const InverseResult inverse = kinematics_->inverse(foot.position_m, measured_.position_rad);
   if (!inverse.reachable) return LegOutcome::kUnreachable;
-  const DampedInverse to_joints = damped_inverse(kinematics_->jacobian(inverse.position_rad));
-  const SetPoints to{inverse.position_rad, to_joints.matrix.transpose() * foot.velocity_m_s};
-  feed_forward(desired, foot, to);
+  const PosedLeg at = posed(*kinematics_, inverse.position_rad);
+  const SetPoints to{inverse.position_rad, at.to_joints.matrix.transpose() * foot.velocity_m_s};
+  feed_forward(desired, foot, at, to);
   send_position(to, dt_s, out);
   return LegOutcome::kOk;
 }
 
 /// The drive's own loop takes position set-points alone, and lags behind a quick swing by all that its rotor takes.
-void LegController::feed_forward(const DesiredLeg& desired, const FootMotion& foot,
+void LegController::feed_forward(const DesiredLeg& desired, const FootMotion& foot, const PosedLeg& at,
                                  const SetPoints& to) noexcept {
   JointVector torque_Nm = JointVector::Zero(transmission_.size());
   if (desired.inertia_compensation > 0.0)
-    torque_Nm = led_torque_Nm(*kinematics_, desired, foot,
+    torque_Nm = led_torque_Nm(*kinematics_, at, desired, foot,
                               {to.position_rad, to.velocity_rad_s, measured_.temperature_C}, compensation_);
   if (!torque_Nm.allFinite()) torque_Nm.setZero();
   blend_.feed_forward(transmission_.actuator_torque(torque_Nm));

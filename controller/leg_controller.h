@@ -49,7 +49,8 @@ class LegController {
   LegOutcome follow(const DesiredLeg& desired, double desired_age_s, double dt_s, DriveCommand& out) noexcept;
   LegOutcome position(const DesiredLeg& desired, const FootMotion& foot, double dt_s,
                       DriveCommand& out) noexcept;
-  void feed_forward(const DesiredLeg& desired, const FootMotion& foot, const SetPoints& to) noexcept;
+  void feed_forward(const DesiredLeg& desired, const FootMotion& foot, const PosedLeg& at,
+                    const SetPoints& to) noexcept;
   LegOutcome joint(const DesiredLeg& desired, double desired_age_s, double dt_s, DriveCommand& out) noexcept;
   void send_position(const SetPoints& desired, double dt_s, DriveCommand& out) noexcept;
   LegOutcome compliance(const DesiredLeg& desired, const FootMotion& foot, double dt_s,

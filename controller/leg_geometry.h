@@ -19,6 +19,10 @@ inline double turned_toward(double angle_rad, double near_rad) noexcept {
   return angle_rad + kTurn_rad * std::round((near_rad - angle_rad) / kTurn_rad);
 }
 
+inline SineCosine sine_cosine(double angle_rad) noexcept {
+  return {std::sin(angle_rad), std::cos(angle_rad)};
+}
+
 template <class... Values>
 JointVector joint_vector(Values... values) noexcept {
   JointVector v(static_cast<Eigen::Index>(sizeof...(values)));

@@ -32,24 +32,56 @@ struct [[nodiscard]] DampedInverse {
   bool singular = false;  ///< damped: leg nearly straight or folded, W is too small in the lost direction
 };
 
+struct SineCosine {
+  double sine = 0.0;
+  double cosine = 1.0;
+};
+
+/// Directions of a leg's links: all that foot, forces and torques take from joint angles, so that who asks several questions about
+/// one pose works the sines out once (LegKinematics::pose). What a kinematics does not have stays as it is here.
+struct LegPose {
+  SineCosine abduction;  ///< of the leg's plane
+  SineCosine thigh;      ///< in the plane; of one_link: its arm
+  SineCosine shank;      ///< in the plane: thigh less knee
+};
+
 class LegKinematics {
  public:
   virtual ~LegKinematics() = default;
 
   virtual int joint_count() const noexcept = 0;
-  virtual Eigen::Vector3d foot_in_hip_m(const JointVector& position_rad) const noexcept = 0;
-  virtual LegJacobian jacobian(const JointVector& position_rad) const noexcept = 0;
+  virtual LegPose pose(const JointVector& position_rad) const noexcept = 0;
+  virtual Eigen::Vector3d foot_in_hip_m(const LegPose& pose) const noexcept = 0;
+  virtual LegJacobian jacobian(const LegPose& pose) const noexcept = 0;
+  /// J' q': what the foot accelerates by while the joints move evenly.
+  virtual Eigen::Vector3d even_motion_acceleration_m_s2(const LegPose& pose,
+                                                        const JointVector& velocity_rad_s) const noexcept = 0;
   /// Of the poses that reach the foot, the one with the knee bent as in `near_rad`, turned by 2 pi toward it. A foot that
   /// is not finite: near_rad, not reachable.
   virtual InverseResult inverse(const Eigen::Vector3d& foot_in_hip_m,
                                 const JointVector& near_rad) const noexcept = 0;
   /// Torque that holds the leg's own weight with the hip at rest: gradient of the potential energy (errata
   /// E1).
-  virtual JointVector gravity_torque_Nm(const JointVector& position_rad) const noexcept = 0;
+  virtual JointVector gravity_torque_Nm(const LegPose& pose) const noexcept = 0;
   /// Torque at the gear outputs for this motion of the links, hip fixed (errata E16: in flight and in stance
   /// the hip accelerates, which this leaves out): M qdd + V + G. Rotors are not in it.
-  virtual JointVector inverse_dynamics_Nm(const JointVector& position_rad, const JointVector& velocity_rad_s,
+  virtual JointVector inverse_dynamics_Nm(const LegPose& pose, const JointVector& velocity_rad_s,
                                           const JointVector& acceleration_rad_s2) const noexcept = 0;
+
+  /// The same for who asks one question alone.
+  Eigen::Vector3d foot_in_hip_m(const JointVector& position_rad) const noexcept {
+    return foot_in_hip_m(pose(position_rad));
+  }
+  LegJacobian jacobian(const JointVector& position_rad) const noexcept {
+    return jacobian(pose(position_rad));
+  }
+  JointVector gravity_torque_Nm(const JointVector& position_rad) const noexcept {
+    return gravity_torque_Nm(pose(position_rad));
+  }
+  JointVector inverse_dynamics_Nm(const JointVector& position_rad, const JointVector& velocity_rad_s,
+                                  const JointVector& acceleration_rad_s2) const noexcept {
+    return inverse_dynamics_Nm(pose(position_rad), velocity_rad_s, acceleration_rad_s2);
+  }
 };
 
 /// @return nullptr for joints alone (kNoKinematics).

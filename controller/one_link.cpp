@@ -18,14 +18,23 @@ OneLink::OneLink(const LegConfig& leg) {
   require_of_leg(arm_.length_m > 0.0, leg, kOneLink, "a link of positive length");
 }
 
-Eigen::Vector3d OneLink::foot_in_hip_m(const JointVector& position_rad) const noexcept {
-  return {arm_.length_m * std::sin(position_rad[0]), 0.0, -arm_.length_m * std::cos(position_rad[0])};
+LegPose OneLink::pose(const JointVector& position_rad) const noexcept {
+  return {{}, sine_cosine(position_rad[0]), {}};
 }
 
-LegJacobian OneLink::jacobian(const JointVector& position_rad) const noexcept {
+Eigen::Vector3d OneLink::foot_in_hip_m(const LegPose& pose) const noexcept {
+  return {arm_.length_m * pose.thigh.sine, 0.0, -arm_.length_m * pose.thigh.cosine};
+}
+
+LegJacobian OneLink::jacobian(const LegPose& pose) const noexcept {
   LegJacobian j(3, 1);
-  j << arm_.length_m * std::cos(position_rad[0]), 0.0, arm_.length_m * std::sin(position_rad[0]);
+  j << arm_.length_m * pose.thigh.cosine, 0.0, arm_.length_m * pose.thigh.sine;
   return j;
+}
+
+Eigen::Vector3d OneLink::even_motion_acceleration_m_s2(const LegPose& pose,
+                                                       const JointVector& velocity_rad_s) const noexcept {
+  return -velocity_rad_s[0] * velocity_rad_s[0] * foot_in_hip_m(pose);
 }
 
 InverseResult OneLink::inverse(const Eigen::Vector3d& foot_in_hip_m,
@@ -38,15 +47,14 @@ InverseResult OneLink::inverse(const Eigen::Vector3d& foot_in_hip_m,
   return out;
 }
 
-JointVector OneLink::gravity_torque_Nm(const JointVector& position_rad) const noexcept {
-  return joint_vector(arm_.mass_kg * kGravity_m_s2 * arm_.com_m * std::sin(position_rad[0]));
+JointVector OneLink::gravity_torque_Nm(const LegPose& pose) const noexcept {
+  return joint_vector(arm_.mass_kg * kGravity_m_s2 * arm_.com_m * pose.thigh.sine);
 }
 
-JointVector OneLink::inverse_dynamics_Nm(const JointVector& position_rad,
-                                         const JointVector& /*velocity_rad_s*/,
+JointVector OneLink::inverse_dynamics_Nm(const LegPose& pose, const JointVector& /*velocity_rad_s*/,
                                          const JointVector& acceleration_rad_s2) const noexcept {
   const double inertia_kg_m2 = arm_.inertia_kg_m2 + arm_.mass_kg * arm_.com_m * arm_.com_m;
-  return joint_vector(inertia_kg_m2 * acceleration_rad_s2[0]) + gravity_torque_Nm(position_rad);
+  return joint_vector(inertia_kg_m2 * acceleration_rad_s2[0]) + gravity_torque_Nm(pose);
 }
 
 }  // namespace sprung

@@ -29,17 +29,25 @@ class ThreeJoint final : public LegKinematics {
   /// @throws std::invalid_argument unless there are three joints and three links, thigh and shank of positive length.
   explicit ThreeJoint(const LegConfig& leg);
 
+  using LegKinematics::foot_in_hip_m;
+  using LegKinematics::gravity_torque_Nm;
+  using LegKinematics::inverse_dynamics_Nm;
+  using LegKinematics::jacobian;
+
   int joint_count() const noexcept override { return 3; }
-  Eigen::Vector3d foot_in_hip_m(const JointVector& position_rad) const noexcept override;
-  LegJacobian jacobian(const JointVector& position_rad) const noexcept override;
+  LegPose pose(const JointVector& position_rad) const noexcept override;
+  Eigen::Vector3d foot_in_hip_m(const LegPose& pose) const noexcept override;
+  LegJacobian jacobian(const LegPose& pose) const noexcept override;
+  Eigen::Vector3d even_motion_acceleration_m_s2(const LegPose& pose,
+                                                const JointVector& velocity_rad_s) const noexcept override;
   /// Of the two abductions that reach a foot (leg's plane with the foot below or above O) the one nearer to near_rad,
   /// and then the knee bent as there. Unreachable: more than 1 nm out of reach, be it too far, too near, or nearer
   /// to the abduction axis than the offset; the pose is that of the nearest foot that is reachable. A foot that is not
   /// finite leaves the joints where they are.
   InverseResult inverse(const Eigen::Vector3d& foot_in_hip_m,
                         const JointVector& near_rad) const noexcept override;
-  JointVector gravity_torque_Nm(const JointVector& position_rad) const noexcept override;
-  JointVector inverse_dynamics_Nm(const JointVector& position_rad, const JointVector& velocity_rad_s,
+  JointVector gravity_torque_Nm(const LegPose& pose) const noexcept override;
+  JointVector inverse_dynamics_Nm(const LegPose& pose, const JointVector& velocity_rad_s,
                                   const JointVector& acceleration_rad_s2) const noexcept override;
   /// Of all links, zero at the height of the abduction axis.
   double potential_energy_J(const JointVector& position_rad) const noexcept;
@@ -47,16 +55,17 @@ class ThreeJoint final : public LegKinematics {
  private:
   struct RollInertia;  // about the abduction axis
 
-  RollInertia roll_inertia(const JointVector& in_plane_rad) const noexcept;
+  RollInertia roll_inertia(const LegPose& pose) const noexcept;
   /// To (distance along the abduction axis, distance from it).
   Eigen::Vector2d nearest_in_reach_m(double forward_m, double from_axis_m) const noexcept;
 
   LinkConfig thigh_;
   LinkConfig shank_;
   TwoLink plane_;
-  double offset_m_;               // of the leg's plane, positive to the left
-  double lateral_moment_kg_m_;    // sum of mass times distance to the left, of all links
-  double lateral_inertia_kg_m2_;  // about the abduction axis, of what does not depend on hip and knee
+  double nearest_m_, farthest_m_;  // of all feet in reach, from O
+  double offset_m_;                // of the leg's plane, positive to the left
+  double lateral_moment_kg_m_;     // sum of mass times distance to the left, of all links
+  double lateral_inertia_kg_m2_;   // about the abduction axis, of what does not depend on hip and knee
 };
 
 }  // namespace sprung

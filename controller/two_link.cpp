@@ -19,6 +19,11 @@ double clamped_acos(double cosine, bool& inside) noexcept {
   return std::acos(std::clamp(cosine, -1.0, 1.0));
 }
 
+/// Of the angle a less b.
+SineCosine between(const SineCosine& a, const SineCosine& b) noexcept {
+  return {a.sine * b.cosine - a.cosine * b.sine, a.cosine * b.cosine + a.sine * b.sine};
+}
+
 }  // namespace
 
 TwoLink::TwoLink(const LegConfig& leg) {
@@ -27,24 +32,36 @@ TwoLink::TwoLink(const LegConfig& leg) {
   thigh_ = leg.links[0];
   shank_ = leg.links[1];
   require_of_leg(thigh_.length_m > 0.0 && shank_.length_m > 0.0, leg, kTwoLink, "links of positive length");
+  thigh_moment_kg_m_ = thigh_.mass_kg * thigh_.com_m + shank_.mass_kg * thigh_.length_m;
+  shank_moment_kg_m_ = shank_.mass_kg * shank_.com_m;
 }
 
-Eigen::Vector3d TwoLink::foot_in_hip_m(const JointVector& position_rad) const noexcept {
-  const double thigh_angle = position_rad[0];
-  const double shank_angle = position_rad[0] - position_rad[1];
-  return {thigh_.length_m * std::cos(thigh_angle) + shank_.length_m * std::cos(shank_angle), 0.0,
-          -(thigh_.length_m * std::sin(thigh_angle) + shank_.length_m * std::sin(shank_angle))};
+LegPose TwoLink::pose(const JointVector& position_rad) const noexcept {
+  return {{}, sine_cosine(position_rad[0]), sine_cosine(position_rad[0] - position_rad[1])};
 }
 
-LegJacobian TwoLink::jacobian(const JointVector& position_rad) const noexcept {
-  const double shank_angle = position_rad[0] - position_rad[1];
-  const double l1s1 = thigh_.length_m * std::sin(position_rad[0]);
-  const double l1c1 = thigh_.length_m * std::cos(position_rad[0]);
-  const double l2s12 = shank_.length_m * std::sin(shank_angle);
-  const double l2c12 = shank_.length_m * std::cos(shank_angle);
+Eigen::Vector3d TwoLink::foot_in_hip_m(const LegPose& pose) const noexcept {
+  return {thigh_.length_m * pose.thigh.cosine + shank_.length_m * pose.shank.cosine, 0.0,
+          -(thigh_.length_m * pose.thigh.sine + shank_.length_m * pose.shank.sine)};
+}
+
+LegJacobian TwoLink::jacobian(const LegPose& pose) const noexcept {
+  const double l1s1 = thigh_.length_m * pose.thigh.sine;
+  const double l1c1 = thigh_.length_m * pose.thigh.cosine;
+  const double l2s12 = shank_.length_m * pose.shank.sine;
+  const double l2c12 = shank_.length_m * pose.shank.cosine;
   LegJacobian j(3, 2);
   j << -l1s1 - l2s12, l2s12, 0.0, 0.0, -l1c1 - l2c12, l2c12;
   return j;
+}
+
+Eigen::Vector3d TwoLink::even_motion_acceleration_m_s2(const LegPose& pose,
+                                                       const JointVector& velocity_rad_s) const noexcept {
+  const double shank_rad_s = velocity_rad_s[0] - velocity_rad_s[1];
+  const double thigh_m_s2 = thigh_.length_m * velocity_rad_s[0] * velocity_rad_s[0];  // toward the hip
+  const double shank_m_s2 = shank_.length_m * shank_rad_s * shank_rad_s;              // toward the knee
+  return {-thigh_m_s2 * pose.thigh.cosine - shank_m_s2 * pose.shank.cosine, 0.0,
+          thigh_m_s2 * pose.thigh.sine + shank_m_s2 * pose.shank.sine};
 }
 
 InverseResult TwoLink::inverse(const Eigen::Vector3d& foot_in_hip_m,
@@ -67,63 +84,54 @@ InverseResult TwoLink::inverse(const Eigen::Vector3d& foot_in_hip_m,
   return out;
 }
 
-JointVector TwoLink::weight_torque_Nm(const JointVector& position_rad, double gravity_m_s2) const noexcept {
-  const double c1 = std::cos(position_rad[0]);
-  const double c12 = std::cos(position_rad[0] - position_rad[1]);
-  const double knee = shank_.mass_kg * gravity_m_s2 * shank_.com_m * c12;
-  const double thigh = (thigh_.mass_kg * thigh_.com_m + shank_.mass_kg * thigh_.length_m) * gravity_m_s2 * c1;
-  return joint_vector(-(thigh + knee), knee);
+Eigen::Vector2d TwoLink::weight_torque_Nm(const LegPose& pose, double gravity_m_s2) const noexcept {
+  const double knee = shank_moment_kg_m_ * gravity_m_s2 * pose.shank.cosine;
+  const double thigh = thigh_moment_kg_m_ * gravity_m_s2 * pose.thigh.cosine;
+  return {-(thigh + knee), knee};
 }
 
-JointVector TwoLink::gravity_torque_Nm(const JointVector& position_rad) const noexcept {
-  return weight_torque_Nm(position_rad, kGravity_m_s2);
+JointVector TwoLink::gravity_torque_Nm(const LegPose& pose) const noexcept {
+  return weight_torque_Nm(pose, kGravity_m_s2);
 }
 
-JointVector TwoLink::motion_torque_Nm(const JointVector& position_rad, const JointVector& velocity_rad_s,
-                                      const JointVector& acceleration_rad_s2) const noexcept {
+Eigen::Vector2d TwoLink::motion_torque_Nm(const LegPose& pose, const Eigen::Vector2d& velocity_rad_s,
+                                          const Eigen::Vector2d& acceleration_rad_s2) const noexcept {
   const double coupling = shank_.mass_kg * thigh_.length_m * shank_.com_m;
-  const double c2 = std::cos(position_rad[1]);
-  const double s2 = std::sin(position_rad[1]);
+  const SineCosine knee = between(pose.thigh, pose.shank);
   const double m22 = shank_.inertia_kg_m2 + shank_.mass_kg * shank_.com_m * shank_.com_m;
-  const double m12 = -(m22 + coupling * c2);
+  const double m12 = -(m22 + coupling * knee.cosine);
   const double m11 = thigh_.inertia_kg_m2 + thigh_.mass_kg * thigh_.com_m * thigh_.com_m + m22 +
-                     shank_.mass_kg * thigh_.length_m * thigh_.length_m + 2.0 * coupling * c2;
+                     shank_.mass_kg * thigh_.length_m * thigh_.length_m + 2.0 * coupling * knee.cosine;
   const double w1 = velocity_rad_s[0];
   const double w2 = velocity_rad_s[1];
   const double a1 = acceleration_rad_s2[0];
   const double a2 = acceleration_rad_s2[1];
-  return joint_vector(m11 * a1 + m12 * a2 + coupling * s2 * w2 * (w2 - 2.0 * w1),
-                      m12 * a1 + m22 * a2 + coupling * s2 * w1 * w1);
+  return {m11 * a1 + m12 * a2 + coupling * knee.sine * w2 * (w2 - 2.0 * w1),
+          m12 * a1 + m22 * a2 + coupling * knee.sine * w1 * w1};
 }
 
-JointVector TwoLink::inverse_dynamics_Nm(const JointVector& position_rad, const JointVector& velocity_rad_s,
+JointVector TwoLink::inverse_dynamics_Nm(const LegPose& pose, const JointVector& velocity_rad_s,
                                          const JointVector& acceleration_rad_s2) const noexcept {
-  return motion_torque_Nm(position_rad, velocity_rad_s, acceleration_rad_s2) +
-         gravity_torque_Nm(position_rad);
+  return motion_torque_Nm(pose, velocity_rad_s.head<2>(), acceleration_rad_s2.head<2>()) +
+         weight_torque_Nm(pose, kGravity_m_s2);
 }
 
-double TwoLink::mass_moment_kg_m(const JointVector& position_rad) const noexcept {
-  const double s1 = std::sin(position_rad[0]);
-  const double s12 = std::sin(position_rad[0] - position_rad[1]);
-  return -(thigh_.mass_kg * thigh_.com_m * s1 + shank_.mass_kg * (thigh_.length_m * s1 + shank_.com_m * s12));
+double TwoLink::mass_moment_kg_m(const LegPose& pose) const noexcept {
+  return -(thigh_moment_kg_m_ * pose.thigh.sine + shank_moment_kg_m_ * pose.shank.sine);
 }
 
-double TwoLink::mass_moment_acceleration_N(const JointVector& position_rad, const JointVector& velocity_rad_s,
-                                           const JointVector& acceleration_rad_s2) const noexcept {
-  const double thigh_kg_m = thigh_.mass_kg * thigh_.com_m + shank_.mass_kg * thigh_.length_m;
-  const double shank_kg_m = shank_.mass_kg * shank_.com_m;
-  const double thigh = position_rad[0];
-  const double shank = position_rad[0] - position_rad[1];
+double TwoLink::mass_moment_acceleration_N(const LegPose& pose, const Eigen::Vector2d& velocity_rad_s,
+                                           const Eigen::Vector2d& acceleration_rad_s2) const noexcept {
   const double w_thigh = velocity_rad_s[0];
   const double w_shank = velocity_rad_s[0] - velocity_rad_s[1];
   const double a_thigh = acceleration_rad_s2[0];
   const double a_shank = acceleration_rad_s2[0] - acceleration_rad_s2[1];
-  return thigh_kg_m * (std::sin(thigh) * w_thigh * w_thigh - std::cos(thigh) * a_thigh) +
-         shank_kg_m * (std::sin(shank) * w_shank * w_shank - std::cos(shank) * a_shank);
+  return thigh_moment_kg_m_ * (pose.thigh.sine * w_thigh * w_thigh - pose.thigh.cosine * a_thigh) +
+         shank_moment_kg_m_ * (pose.shank.sine * w_shank * w_shank - pose.shank.cosine * a_shank);
 }
 
 double TwoLink::potential_energy_J(const JointVector& position_rad) const noexcept {
-  return kGravity_m_s2 * mass_moment_kg_m(position_rad);
+  return kGravity_m_s2 * mass_moment_kg_m(pose(position_rad));
 }
 
 }  // namespace sprung

@@ -102,14 +102,15 @@ void LegEstimator::step_foot(double dt_s, std::vector<EstimatedJoint>& joints, E
 }
 
 void LegEstimator::write_motion(EstimatedLeg& out) noexcept {
-  jacobian_ = kinematics_->jacobian(position_rad_);
-  out.estimated_foot_in_hip_m = to_vec3(kinematics_->foot_in_hip_m(position_rad_));
+  pose_ = kinematics_->pose(position_rad_);
+  jacobian_ = kinematics_->jacobian(pose_);
+  out.estimated_foot_in_hip_m = to_vec3(kinematics_->foot_in_hip_m(pose_));
   out.estimated_foot_velocity_m_s = to_vec3(jacobian_ * velocity_rad_s_);
 }
 
 void LegEstimator::write_force(std::vector<EstimatedJoint>& joints, EstimatedLeg& out) noexcept {
-  link_torque_Nm_ = kinematics_->inverse_dynamics_Nm(position_rad_, velocity_rad_s_, acceleration_rad_s2_);
-  weight_Nm_ = kinematics_->gravity_torque_Nm(position_rad_);
+  link_torque_Nm_ = kinematics_->inverse_dynamics_Nm(pose_, velocity_rad_s_, acceleration_rad_s2_);
+  weight_Nm_ = kinematics_->gravity_torque_Nm(pose_);
   const JointVector external_Nm = link_torque_Nm_ - output_torque_Nm_;
   const LegJacobian to_force = damped_inverse(jacobian_).matrix;
   out.foot_force_N = to_vec3(to_force * external_Nm);

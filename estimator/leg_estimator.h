@@ -42,6 +42,7 @@ class LegEstimator {
   std::vector<ContactEvidence> evidence_;
   JointVector position_rad_, velocity_rad_s_, acceleration_rad_s2_, output_torque_Nm_;
   JointVector link_torque_Nm_, weight_Nm_, external_bound_Nm_;
+  LegPose pose_;  ///< of this cycle, as jacobian_
   LegJacobian jacobian_;
 };
 

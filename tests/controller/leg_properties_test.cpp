@@ -79,6 +79,27 @@ TEST_P(LegProperties, JacobianIsTheDerivativeOfTheFoot) {
   }
 }
 
+TEST_P(LegProperties, EvenMotionAcceleratesTheFootByTheJacobiansChange) {
+  constexpr double kStep_s = 1e-6;
+  for (int i = 0; i < 2000; ++i) {
+    const JointVector q = random(kPi), w = random(10.0);
+    const JointVector ahead = q + kStep_s * w, behind = q - kStep_s * w;
+    const Eigen::Vector3d change = (leg_->jacobian(ahead) - leg_->jacobian(behind)) * w / (2 * kStep_s);
+    ASSERT_LT((leg_->even_motion_acceleration_m_s2(leg_->pose(q), w) - change).norm(), 1e-6) << q.transpose();
+  }
+}
+
+TEST_P(LegProperties, OnePoseAnswersAsJointAnglesDo) {
+  for (int i = 0; i < 200; ++i) {
+    const JointVector q = random(kPi), w = random(10.0), a = random(200.0);
+    const LegPose pose = leg_->pose(q);
+    ASSERT_EQ(leg_->foot_in_hip_m(pose), leg_->foot_in_hip_m(q));
+    ASSERT_EQ(leg_->jacobian(pose), leg_->jacobian(q));
+    ASSERT_EQ(leg_->gravity_torque_Nm(pose), leg_->gravity_torque_Nm(q));
+    ASSERT_EQ(leg_->inverse_dynamics_Nm(pose, w, a), leg_->inverse_dynamics_Nm(q, w, a));
+  }
+}
+
 TEST_P(LegProperties, GravityTorqueIsTheGradientOfThePotentialEnergy) {
   for (int i = 0; i < 1000; ++i) {
     const JointVector q = random(kPi);
