@@ -58,13 +58,13 @@ void GearFrictionEstimator::hold(const Motion& motion) noexcept {
   output_Nm_ = std::clamp(output_Nm_, possible.low_Nm, possible.high_Nm);
   friction_Nm_ = motion.motor_torque_Nm - output_Nm_;
   rest_distance_Nm_ = std::max(possible.high_Nm - output_Nm_, output_Nm_ - possible.low_Nm);
-  friction_ = evaluate(law_, input(0.0, 1.0, output_Nm_));
+  friction_ = loaded_friction(law_, input(0.0, 1.0, output_Nm_));
 }
 
 void GearFrictionEstimator::follow(const Motion& motion) noexcept {
   output_Nm_ = motion.tracked_output_Nm;
   const double sign = law_.presliding_rad > 0.0 ? presliding_.sign() : kNaN;
-  friction_ = evaluate(law_, input(motion.velocity_rad_s, sign, output_Nm_));
+  friction_ = loaded_friction(law_, input(motion.velocity_rad_s, sign, output_Nm_));
   friction_Nm_ = friction_.torque_Nm;
   rest_distance_Nm_ = 0.0;
 }

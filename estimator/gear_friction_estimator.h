@@ -34,7 +34,7 @@ class GearFrictionEstimator {
   void learn_output(double output_Nm) noexcept;
 
   double output_torque_Nm() const noexcept { return output_Nm_; }
-  const FrictionValue& friction() const noexcept {
+  const LoadedFriction& friction() const noexcept {
     return friction_;
   }  ///< moving: by the law; at rest: its limits
   /// Friction as estimated: by the law, or at rest the motor's torque less the output's.
@@ -57,7 +57,7 @@ class GearFrictionEstimator {
   double friction_Nm_ = 0.0;
   double temperature_C_ = kNaN;
   double rest_distance_Nm_ = 0.0;
-  FrictionValue friction_;
+  LoadedFriction friction_;
 };
 
 }  // namespace sprung

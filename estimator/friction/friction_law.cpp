@@ -7,6 +7,9 @@ namespace {
 
 double sign_of(double value) noexcept { return value > 0.0 ? 1.0 : value < 0.0 ? -1.0 : 0.0; }
 
+/// exp(-x). Most laws have no temperature in them, and at rest there is nothing to fall: then it is 1 without being worked out.
+double decay(double x) noexcept { return x == 0.0 ? 1.0 : std::exp(-x); }
+
 /// What value and derivatives have in common.
 struct Terms {
   Terms(const FrictionParameters& p, const FrictionInput& in) noexcept {
@@ -14,11 +17,11 @@ struct Terms {
     s = std::isnan(in.sign) ? sign_of(in.velocity_rad_s) : in.sign;
     direction = 1.0 + p.asymmetry * sign_of(s);
     dT = std::isnan(in.temperature_C) ? 0.0 : in.temperature_C - p.reference_temperature_C;
-    cool_dry = std::exp(-p.coulomb_temperature_1_K * dT);
-    cool_viscous = std::exp(-p.viscous_temperature_1_K * dT);
+    cool_dry = decay(p.coulomb_temperature_1_K * dT);
+    cool_viscous = decay(p.viscous_temperature_1_K * dT);
     ratio = speed / p.stribeck_speed_rad_s;
     power = p.stribeck_exponent == 2.0 ? ratio * ratio : std::pow(ratio, p.stribeck_exponent);
-    stribeck = std::exp(-power);
+    stribeck = decay(power);
     shear = p.viscous_exponent == 1.0 ? speed : std::pow(speed, p.viscous_exponent);
     moving = sign_of(in.velocity_rad_s);
     load = std::abs(in.gear_output_torque_Nm);
@@ -33,6 +36,9 @@ struct Terms {
   double dry_Nm, share, viscous_Nm;
 
   double total() const noexcept { return s * direction * (dry_Nm + share * load) + viscous_Nm; }
+  double by_load(double gear_output_torque_Nm) const noexcept {
+    return s * direction * share * sign_of(gear_output_torque_Nm);
+  }
 };
 
 void write_dry(const FrictionParameters& p, const Terms& t, FrictionVector& g) noexcept {
@@ -74,17 +80,27 @@ FrictionValue evaluate(const FrictionParameters& p, const FrictionInput& in) noe
     out.by_velocity_Nm_s_rad =
         (p.viscous_exponent * t.viscous_Nm * t.moving - t.s * t.moving * t.direction * fall_Nm) / t.speed;
   }
-  out.by_load = t.s * t.direction * t.share * sign_of(in.gear_output_torque_Nm);
+  out.by_load = t.by_load(in.gear_output_torque_Nm);
   out.by_sign_Nm = t.direction * (t.dry_Nm + t.share * t.load);
   out.gradient[static_cast<std::size_t>(FrictionParameter::kPresliding)] =
       out.by_sign_Nm * in.sign_by_presliding_1_rad;
   return out;
 }
 
-FrictionParts friction_parts(const FrictionParameters& p, const FrictionInput& in) noexcept {
+LoadedFriction loaded_friction(const FrictionParameters& p, const FrictionInput& in) noexcept {
   const Terms t(p, in);
-  return {t.s, t.direction * t.dry_Nm, t.viscous_Nm, t.direction * p.load_share_driving,
-          t.direction * p.load_share_driven};
+  return {t.total(), t.by_load(in.gear_output_torque_Nm)};
+}
+
+FrictionAtSpeed friction_at_speed(const FrictionParameters& p, const FrictionInput& in) noexcept {
+  const Terms t(p, in);
+  return {t.s, t.dry_Nm, t.viscous_Nm};
+}
+
+FrictionParts friction_parts(const FrictionParameters& p, const FrictionAtSpeed& at, double sign) noexcept {
+  const double direction = 1.0 + p.asymmetry * sign_of(sign);
+  return {sign, direction * at.dry_Nm, at.viscous_Nm, direction * p.load_share_driving,
+          direction * p.load_share_driven};
 }
 
 }  // namespace sprung

@@ -33,7 +33,22 @@ struct [[nodiscard]] FrictionValue {
 double friction_torque_Nm(const FrictionParameters& parameters, const FrictionInput& in) noexcept;
 FrictionValue evaluate(const FrictionParameters& parameters, const FrictionInput& in) noexcept;
 
-/// Parts that do not depend on the load, for who solves for it (gear_output.h).
+/// Value and slope by the load, for who follows both in every cycle.
+struct [[nodiscard]] LoadedFriction {
+  double torque_Nm = 0.0;
+  double by_load = 0.0;  ///< as in FrictionValue
+};
+LoadedFriction loaded_friction(const FrictionParameters& parameters, const FrictionInput& in) noexcept;
+
+/// What neither the load nor the sign of motion changes, so that both can be tried (gear_output.h) without the exponentials anew.
+struct FrictionAtSpeed {
+  double sign = 0.0;        ///< s as given, or sgn(w)
+  double dry_Nm = 0.0;      ///< [...] of Coulomb and Stribeck, >= 0
+  double viscous_Nm = 0.0;  ///< signed
+};
+FrictionAtSpeed friction_at_speed(const FrictionParameters& parameters, const FrictionInput& in) noexcept;
+
+/// Parts that do not depend on the load, for who solves for it.
 struct FrictionParts {
   double sign = 0.0;        ///< s
   double dry_Nm = 0.0;      ///< (1 + a sgn s)[...] of Coulomb and Stribeck, >= 0
@@ -41,6 +56,7 @@ struct FrictionParts {
   double driving = 0.0;     ///< (1 + a sgn s) K
   double driven = 0.0;
 };
-FrictionParts friction_parts(const FrictionParameters& parameters, const FrictionInput& in) noexcept;
+FrictionParts friction_parts(const FrictionParameters& parameters, const FrictionAtSpeed& at,
+                             double sign) noexcept;
 
 }  // namespace sprung

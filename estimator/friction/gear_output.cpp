@@ -10,8 +10,9 @@ struct Solution {
   double by_available;
 };
 
-Solution solve(const FrictionParameters& parameters, double available_Nm, const FrictionInput& in) noexcept {
-  const FrictionParts parts = friction_parts(parameters, in);
+Solution solve(const FrictionParameters& parameters, const FrictionAtSpeed& at, double available_Nm,
+               double sign) noexcept {
+  const FrictionParts parts = friction_parts(parameters, at, sign);
   const double left_Nm = available_Nm - parts.sign * parts.dry_Nm - parts.viscous_Nm;
   const bool drives = left_Nm * parts.sign > 0.0;
   const double by_available =
@@ -23,16 +24,15 @@ Solution solve(const FrictionParameters& parameters, double available_Nm, const 
 
 GearOutput solve_gear_output(const FrictionParameters& parameters, double available_torque_Nm,
                              const FrictionInput& in) noexcept {
-  const Solution here = solve(parameters, available_torque_Nm, in);
-  FrictionInput extreme = in;
+  const FrictionAtSpeed at = friction_at_speed(parameters, in);
+  const Solution here = solve(parameters, at, available_torque_Nm, at.sign);
   GearOutput out;
   out.torque_Nm = here.torque_Nm;
   out.friction_Nm = available_torque_Nm - here.torque_Nm;
   out.by_available = here.by_available;
-  extreme.sign = 1.0;  // the torque falls with the sign all the way, so the ends are the extremes
-  out.low_Nm = solve(parameters, available_torque_Nm, extreme).torque_Nm;
-  extreme.sign = -1.0;
-  out.high_Nm = solve(parameters, available_torque_Nm, extreme).torque_Nm;
+  // The torque falls with the sign all the way, so the ends are the extremes.
+  out.low_Nm = solve(parameters, at, available_torque_Nm, 1.0).torque_Nm;
+  out.high_Nm = solve(parameters, at, available_torque_Nm, -1.0).torque_Nm;
   return out;
 }
 

@@ -49,6 +49,27 @@ TEST(FrictionLawTest, LoadShareDependsOnTheDirectionOfPower) {
   EXPECT_DOUBLE_EQ(friction_torque_Nm(p, at(-1.0, -100.0)), -5.0);
 }
 
+TEST(FrictionLawTest, ShortAnswersAreThoseOfTheWholeLaw) {
+  for (const double w : {-0.7, -0.1, 0.0, 0.2, 3.0}) {
+    for (const double load : {-40.0, 0.0, 25.0}) {
+      const FrictionInput in = at(w, load, 31.0);
+      const FrictionValue whole = evaluate(full_friction(), in);
+      EXPECT_EQ(friction_torque_Nm(full_friction(), in), whole.torque_Nm);
+      EXPECT_EQ(loaded_friction(full_friction(), in).torque_Nm, whole.torque_Nm);
+      EXPECT_EQ(loaded_friction(full_friction(), in).by_load, whole.by_load);
+    }
+  }
+}
+
+/// An exponential that is 1 is not worked out: the law must not step there.
+TEST(FrictionLawTest, AtRestAndAtTheReferenceTemperatureItIsTheLimit) {
+  const FrictionParameters p = full_friction();
+  FrictionInput rest = at(0.0, 5.0, p.reference_temperature_C),
+                nearly = at(1e-13, 5.0, 1e-10 + p.reference_temperature_C);
+  rest.sign = nearly.sign = 1.0;
+  EXPECT_NEAR(friction_torque_Nm(p, rest), friction_torque_Nm(p, nearly), 1e-9);
+}
+
 TEST(FrictionLawTest, WithoutTemperatureItIsTheReferences) {
   const FrictionParameters p = full_friction();
   FrictionInput in = at(0.3, 5.0);
