@@ -46,8 +46,9 @@ void ResidualModel::reset() noexcept {
 }
 
 void ResidualModel::step(const JointResidual& in, double dt_s, bool free) noexcept {
-  age(dt_s);
-  rest_Nm_ = std::max(kUniformStd * in.unknown_friction_Nm, rest_Nm_ * std::exp(-dt_s / kReversalTime_s));
+  if (dt_s != decay_.dt_s) decay_ = decay(dt_s);
+  age();
+  rest_Nm_ = std::max(kUniformStd * in.unknown_friction_Nm, rest_Nm_ * decay_.reversal);
   torque_Nm_ = in.torque_Nm - error_Nm(in.part_Nm);
   model_Nm2_ = error_Nm2(in.part_Nm);
   if (free) {
@@ -81,13 +82,17 @@ double ResidualModel::error_Nm2(const ErrorShares& part_Nm) const noexcept {
   return sum_Nm2;
 }
 
+ResidualModel::Decay ResidualModel::decay(double dt_s) noexcept {
+  return {dt_s, std::exp(-dt_s / kMemory_s), std::exp(-dt_s / kReversalTime_s)};
+}
+
 /// d(share)/dt = -share / memory + white noise that keeps the prior.
-void ResidualModel::age(double dt_s) noexcept {
-  const double kept = std::exp(-dt_s / kMemory_s);
+void ResidualModel::age() noexcept {
+  const double kept_squared = decay_.shares * decay_.shares;
   for (std::size_t i = 0; i < kErrorSources; ++i) {
-    share_[i] *= kept;
-    for (std::size_t k = 0; k < kErrorSources; ++k) covariance_[i][k] *= kept * kept;
-    covariance_[i][i] += (1.0 - kept * kept) * prior_[i] * prior_[i];
+    share_[i] *= decay_.shares;
+    for (std::size_t k = 0; k < kErrorSources; ++k) covariance_[i][k] *= kept_squared;
+    covariance_[i][i] += (1.0 - kept_squared) * prior_[i] * prior_[i];
   }
 }
 

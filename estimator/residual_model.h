@@ -46,13 +46,21 @@ class ResidualModel {
     JointResidual residual;
     double rest_Nm2 = 0.0;
   };
-  void age(double dt_s) noexcept;
+  /// Of what is there, the shares that are left after dt_s.
+  struct Decay {
+    double dt_s = 0.0;
+    double shares = 1.0;
+    double reversal = 1.0;
+  };
+  static Decay decay(double dt_s) noexcept;
+  void age() noexcept;
   void wait(const JointResidual& in, double dt_s) noexcept;
   void learn(const Sample& sample, double dt_s) noexcept;
   double error_Nm(const ErrorShares& part_Nm) const noexcept;
   double error_Nm2(const ErrorShares& part_Nm) const noexcept;
 
   ErrorShares prior_;
+  Decay decay_;  ///< of the last step: cycles are alike, and need no exponentials anew
   double first_noise_Nm_;
   ErrorShares share_{};
   std::array<ErrorShares, kErrorSources> covariance_{};

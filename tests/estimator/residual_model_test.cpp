@@ -121,5 +121,25 @@ TEST_F(ResidualModelTest, ResetForgetsEverything) {
   EXPECT_NEAR(model_.torque_Nm(), in.torque_Nm, 1e-12);
 }
 
+/// What one long cycle forgets is what many short ones do, whatever came before.
+TEST_F(ResidualModelTest, UncertaintyComesBackWithTheTimeAndNotWithTheNumberOfCycles) {
+  run(3000, {0.2, 0.03, -0.03, 0.5});
+  ResidualModel other = model_;
+  JointResidual in;
+  in.part_Nm = {7.0, 80.0, 85.0, 0.5};
+  in.unknown_friction_Nm = 3.0;
+  model_.step(in, kDt_s, false);
+  other.step(in, kDt_s, false);
+  in.unknown_friction_Nm = 0.0;
+  const double before_Nm2 = model_.model_Nm2();
+  for (int i = 0; i < 8; ++i) model_.step(in, kDt_s, false);
+  other.step(in, 3 * kDt_s, false);
+  other.step(in, 5 * kDt_s, false);
+  EXPECT_GT(model_.model_Nm2(), before_Nm2);
+  EXPECT_NEAR(other.model_Nm2(), model_.model_Nm2(), 1e-9 * model_.model_Nm2());
+  EXPECT_NEAR(other.rest_Nm2(), model_.rest_Nm2(), 1e-9 * model_.rest_Nm2());
+  EXPECT_NEAR(model_.rest_Nm2(), 3.0 * std::exp(-2.0 * 8e-3 / 4e-3), 1e-9);
+}
+
 }  // namespace
 }  // namespace sprung
