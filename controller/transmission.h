@@ -22,6 +22,8 @@ class Transmission {
   bool couples(int joint, int actuator) const noexcept {
     return to_joint_(joint, actuator) != 0.0 || to_actuator_(actuator, joint) != 0.0;
   }
+  /// Of one joint: of an actuator that is not coupled to it nothing is read, be it NaN.
+  double joint_from_coupled(int joint, const JointVector& actuator_motion) const noexcept;
   /// Bounds add up, whatever the signs of T: |T| * actuator bound.
   JointVector joint_motion_bound(const JointVector& actuator_bound) const noexcept;
   /// Bounds add up: |T^-T| * actuator bound.

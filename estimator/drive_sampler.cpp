@@ -77,11 +77,8 @@ void DriveSampler::sample(const std::vector<ActuatorState>& actuators,
 
 /// NaN where a link encoder that this joint needs is missing.
 double DriveSampler::joint_link(int joint, const JointVector& link_rad) const noexcept {
-  JointVector used = link_rad;
-  for (int i = 0; i < transmission_.size(); ++i) {
-    if (!transmission_.couples(joint, i)) used[i] = 0.0;  // 0 * NaN is NaN
-  }
-  return used.allFinite() ? transmission_.joint_from_actuator(used)[joint] : kNaN;
+  const double joint_rad = transmission_.joint_from_coupled(joint, link_rad);
+  return std::isfinite(joint_rad) ? joint_rad : kNaN;
 }
 
 JointSample DriveSampler::joint_sample(int joint,

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "estimator/coulomb_friction.h"
+#include "estimator/root_sum_square.h"
 #include "estimator/torque_bound.h"
 
 namespace sprung {
@@ -157,7 +158,7 @@ void JointEstimator::follow_temperature(const JointSample& sample, double last_e
 }
 
 double JointEstimator::sampling_std_rad() const noexcept {
-  return std::hypot(kUniformStd * encoder_step_rad_, kSamplingJitter_s * filter_.velocity_rad_s());
+  return root_sum_square(kUniformStd * encoder_step_rad_, kSamplingJitter_s * filter_.velocity_rad_s());
 }
 
 JointStatus JointEstimator::status(const JointSample& sample) const noexcept {
@@ -177,11 +178,12 @@ void JointEstimator::write_motion(EstimatedJoint& out) const noexcept {
   out.estimated_position_rad = filter_.position_rad();
   out.estimated_velocity_rad_s = filter_.velocity_rad_s();
   out.estimated_acceleration_rad_s2 = acceleration_rad_s2();
-  out.estimated_position_bound_rad = kBoundStds * std::hypot(filter_.position_std_rad(), sampling_std_rad());
+  out.estimated_position_bound_rad =
+      kBoundStds * root_sum_square(filter_.position_std_rad(), sampling_std_rad());
   out.estimated_velocity_bound_rad_s = kBoundStds * filter_.velocity_std_rad_s();
   out.estimated_acceleration_bound_rad_s2 =
-      kBoundStds * std::hypot(filter_.unexplained_std_rad_s2(), filter_.unexplained_step_rad_s2(),
-                              kCurrentNoise_Nm / inertia(joint_));
+      kBoundStds * root_sum_square(filter_.unexplained_std_rad_s2(), filter_.unexplained_step_rad_s2(),
+                                   kCurrentNoise_Nm / inertia(joint_));
 }
 
 void JointEstimator::write_torques(EstimatedJoint& out) const noexcept {
@@ -217,7 +219,7 @@ void JointEstimator::fuse_torsion(const JointSample& sample, double dt_s, Estima
   if (!out.at_rest && out.status == JointStatus::kOk)
     torsion_zero_.observe(seen_rad, twist_of_rad(gear, out.gear_output_torque_Nm), dt_s);
   const TorsionTorque twist = torsion_torque(gear, seen_rad - torsion_zero_.zero_rad(),
-                                             std::hypot(gear.angle_std_rad, torsion_zero_.std_rad()));
+                                             root_sum_square(gear.angle_std_rad, torsion_zero_.std_rad()));
   out.torsion_torque_Nm = twist.torque_Nm;
   const TorsionTorque motor{out.gear_output_torque_Nm, out.gear_output_torque_bound_Nm / kBoundStds};
   const TorsionTorque both = fused(motor, twist);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "estimator/friction/friction_law.h"
+#include "estimator/root_sum_square.h"
 
 namespace sprung {
 namespace {
@@ -119,9 +120,9 @@ void LegEstimator::write_force(std::vector<EstimatedJoint>& joints, EstimatedLeg
     EstimatedJoint& joint = joints[static_cast<std::size_t>(joints_[j])];
     joint.external_torque_Nm = external_Nm[i];
     joint.external_torque_bound_Nm =
-        std::hypot(joint.gear_output_torque_bound_Nm,
-                   kStdsFor95 * std::hypot(configs_[j].uncertainty.mass * link_torque_Nm_[i],
-                                           kHipAcceleration * weight_Nm_[i]));
+        root_sum_square(joint.gear_output_torque_bound_Nm,
+                        kStdsFor95 * root_sum_square(configs_[j].uncertainty.mass * link_torque_Nm_[i],
+                                                     kHipAcceleration * weight_Nm_[i]));
     external_bound_Nm_[i] = joint.external_torque_bound_Nm;
   }
   for (int axis = 0; axis < 3; ++axis) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <stdexcept>
 
 #include "robots/robot_loader.h"
@@ -58,6 +59,14 @@ TEST(TransmissionTest, KnowsWhichDriveMovesWhichJoint) {
   leg.transmission = {1.0, 0.0, 0.0, 1.0};
   EXPECT_FALSE(Transmission(leg).couples(1, 0));
   EXPECT_TRUE(Transmission(leg).couples(1, 1));
+}
+
+TEST(TransmissionTest, OneJointIsMovedByTheDrivesThatItIsCoupledToAndReadsNoOther) {
+  LegConfig leg = belt_leg();
+  EXPECT_DOUBLE_EQ(Transmission(leg).joint_from_coupled(1, pair(0.5, 1.0)), 0.005 - 1.0);
+  leg.transmission = {1.0, 0.0, 0.0, 1.0};
+  EXPECT_EQ(Transmission(leg).joint_from_coupled(1, pair(kNaN, 0.3)), 0.3);
+  EXPECT_TRUE(std::isnan(Transmission(leg).joint_from_coupled(0, pair(kNaN, 0.3))));
 }
 
 TEST(TransmissionTest, SingularOrMisshapenIsRefused) {
