@@ -7,11 +7,9 @@ namespace sprung {
 namespace {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
-constexpr int kSides = 8;  ///< of the pyramid in place of the cone
 constexpr double kPi = 3.14159265358979323846;
 
 static_assert(ForceDistributionQp::kVariables == 3 * DistributedForce::kMostFeet);
-static_assert(ForceDistributionQp::kMostRows == (kSides + 2) * DistributedForce::kMostFeet);
 
 double most_N(const FootLoad& foot) noexcept { return std::max(0.0, foot.most_N); }
 double least_N(const FootLoad& foot) noexcept { return std::clamp(foot.least_N, 0.0, most_N(foot)); }
@@ -45,6 +43,13 @@ ForceDistribution::ForceDistribution(double floor_friction, const ForceWeights& 
     : friction_(floor_friction), foot_force_weight_(weights.foot_force) {
   weights_ << weights.horizontal_force, weights.horizontal_force, weights.vertical_force,  //
       weights.roll_pitch_torque, weights.roll_pitch_torque, weights.yaw_torque;
+  static_assert(ForceDistributionQp::kMostRows == (kSides + 2) * DistributedForce::kMostFeet);
+  const double inside =
+      friction_ * std::cos(kPi / kSides);  // middle of a side, its corners being on the cone
+  for (int side = 0; side < kSides; ++side) {
+    const double angle_rad = (2 * side + 1) * kPi / kSides;
+    sides_[side] = {-std::cos(angle_rad), -std::sin(angle_rad), inside};
+  }
   clear(ForceStatus::kNoFeet);
 }
 
@@ -55,17 +60,11 @@ const DistributedForce& ForceDistribution::solve(const BodyWrench& wanted,
     clear(ForceStatus::kInvalid);
     return out_;
   }
-  if (std::none_of(feet.begin(), feet.end(), [](const FootLoad& foot) { return foot.stands; })) return out_;
-  for (int i = 0; i < static_cast<int>(feet.size()); ++i) {
-    if (feet[i].stands) effect_.middleCols<3>(3 * i) = effect_of_foot(feet[i].foot_from_com_m);
-  }
-  const Eigen::Matrix<double, ForceDistributionQp::kVariables, 6> weighted =
-      effect_.transpose() * weights_.asDiagonal();
-  ForceDistributionQp::Matrix cost = weighted * effect_;
-  cost.diagonal().array() += foot_force_weight_;
-  qp_.begin(cost, -weighted * stacked(wanted));
-  for (int i = 0; i < static_cast<int>(feet.size()); ++i) {
-    if (feet[i].stands) add_rows(3 * i, least_N(feet[i]), most_N(feet[i]));
+  if (take_feet(feet) == 0) return out_;
+  pose(wanted);
+  for (int i = 0; i < standing_count_; ++i) {
+    const FootLoad& foot = feet[standing_[i]];
+    add_rows(3 * i, least_N(foot), most_N(foot));
   }
   qp_.solve();
   if (!qp_.solution().allFinite()) {  // numbers so large that they overflowed
@@ -78,31 +77,49 @@ const DistributedForce& ForceDistribution::solve(const BodyWrench& wanted,
 }
 
 void ForceDistribution::clear(ForceStatus status) noexcept {
-  effect_.setZero();
+  standing_count_ = 0;
   out_.ground_on_foot_N.fill(Eigen::Vector3d::Zero());
   out_.reached = BodyWrench{};
   out_.status = status;
 }
 
+int ForceDistribution::take_feet(const std::vector<FootLoad>& feet) noexcept {
+  for (int i = 0; i < static_cast<int>(feet.size()); ++i) {
+    if (!feet[i].stands) continue;
+    effect_[standing_count_] = effect_of_foot(feet[i].foot_from_com_m);
+    standing_[standing_count_++] = i;
+  }
+  return standing_count_;
+}
+
+/// Cost and gradient of the standing feet's forces, the former's lower triangle by blocks of two feet.
+void ForceDistribution::pose(const BodyWrench& wanted) noexcept {
+  ForceDistributionQp::Matrix cost;
+  ForceDistributionQp::Vector gradient;
+  const Vector6 weighted_wish = weights_.cwiseProduct(stacked(wanted));
+  for (int i = 0; i < standing_count_; ++i) {
+    const Eigen::Matrix<double, 3, 6> weighted = effect_[i].transpose() * weights_.asDiagonal();
+    gradient.segment<3>(3 * i) = -effect_[i].transpose() * weighted_wish;
+    for (int k = 0; k <= i; ++k) cost.block<3, 3>(3 * i, 3 * k) = weighted * effect_[k];
+    cost.diagonal().segment<3>(3 * i).array() += foot_force_weight_;
+  }
+  qp_.begin(cost, gradient, 3 * standing_count_);
+}
+
 void ForceDistribution::add_rows(int first, double least_N, double most_N) noexcept {
   qp_.add({first, Eigen::Vector3d::UnitZ(), least_N});
   qp_.add({first, -Eigen::Vector3d::UnitZ(), -most_N});
-  const double inside =
-      friction_ * std::cos(kPi / kSides);  // middle of a side, its corners being on the cone
-  for (int side = 0; side < kSides; ++side) {
-    const double angle_rad = (2 * side + 1) * kPi / kSides;
-    qp_.add({first, {-std::cos(angle_rad), -std::sin(angle_rad), inside}, 0.0});
-  }
+  for (const Eigen::Vector3d& side : sides_) qp_.add({first, side, 0.0});
 }
 
 /// Inside bounds and cone to the last digit, and also should the solver ever have stopped half-way.
 void ForceDistribution::keep(const ForceDistributionQp::Vector& forces,
                              const std::vector<FootLoad>& feet) noexcept {
-  for (int i = 0; i < static_cast<int>(feet.size()); ++i) {
-    if (!feet[i].stands) continue;
-    Eigen::Vector3d& force = out_.ground_on_foot_N[i];
+  for (int i = 0; i < standing_count_; ++i) {
+    const FootLoad& foot = feet[standing_[i]];
+    Eigen::Vector3d& force = out_.ground_on_foot_N[standing_[i]];
     force = forces.segment<3>(3 * i);
-    force.z() = std::clamp(force.z(), least_N(feet[i]), most_N(feet[i]));
+    force.z() = std::clamp(force.z(), least_N(foot), most_N(foot));
     const double horizontal = force.head<2>().norm();
     const double most = friction_ * force.z();
     if (horizontal > most) force.head<2>() *= most / horizontal;
@@ -111,8 +128,7 @@ void ForceDistribution::keep(const ForceDistributionQp::Vector& forces,
 
 void ForceDistribution::compare(const BodyWrench& wanted) noexcept {
   Vector6 reached = Vector6::Zero();
-  for (int i = 0; i < DistributedForce::kMostFeet; ++i)
-    reached += effect_.middleCols<3>(3 * i) * out_.ground_on_foot_N[i];
+  for (int i = 0; i < standing_count_; ++i) reached += effect_[i] * out_.ground_on_foot_N[standing_[i]];
   out_.reached = {reached.head<3>(), reached.tail<3>()};
   const Vector6 lacking = stacked(wanted) - reached;
   const bool exact = lacking.dot(weights_.asDiagonal() * lacking) <= kExactWithin_N * kExactWithin_N;

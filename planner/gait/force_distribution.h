@@ -65,9 +65,12 @@ class ForceDistribution {
 
  private:
   using Weights = Eigen::Matrix<double, 6, 1>;
-  using WrenchOfForces = Eigen::Matrix<double, 6, ForceDistributionQp::kVariables>;
+  using WrenchOfForce = Eigen::Matrix<double, 6, 3>;
+  static constexpr int kSides = 8;  ///< of the pyramid in place of the cone
 
   void clear(ForceStatus status) noexcept;
+  int take_feet(const std::vector<FootLoad>& feet) noexcept;
+  void pose(const BodyWrench& wanted) noexcept;
   void add_rows(int first, double least_N, double most_N) noexcept;
   void keep(const ForceDistributionQp::Vector& forces, const std::vector<FootLoad>& feet) noexcept;
   void compare(const BodyWrench& wanted) noexcept;
@@ -75,7 +78,11 @@ class ForceDistribution {
   double friction_;
   Weights weights_;
   double foot_force_weight_;
-  WrenchOfForces effect_ = WrenchOfForces::Zero();  ///< columns of feet that don't stand are 0
+  std::array<Eigen::Vector3d, kSides> sides_;  ///< normals of the pyramid, inward
+  std::array<int, DistributedForce::kMostFeet>
+      standing_{};  ///< feet that stand; forces of others are no variables
+  std::array<WrenchOfForce, DistributedForce::kMostFeet> effect_;  ///< of the feet that stand
+  int standing_count_ = 0;
   ForceDistributionQp qp_;
   DistributedForce out_;
 };

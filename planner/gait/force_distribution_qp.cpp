@@ -12,9 +12,14 @@ constexpr double kDependent = 1e-20;
 
 }  // namespace
 
-void ForceDistributionQp::begin(const Matrix& cost, const Vector& gradient) noexcept {
-  cost_.compute(cost);
-  x_ = -cost_.solve(gradient);
+void ForceDistributionQp::begin(const Matrix& cost, const Vector& gradient, int variables) noexcept {
+  convex_ = cost_.factorize(cost, variables);
+  x_.setZero();
+  x_.head(variables) = -gradient.head(variables);
+  if (convex_) {
+    cost_.forward(x_);
+    cost_.backward(x_);
+  }
   row_count_ = 0;
   active_count_ = 0;
   steps_ = 0;
@@ -27,7 +32,7 @@ bool ForceDistributionQp::add(const Row& row) noexcept {
 }
 
 bool ForceDistributionQp::solve() noexcept {
-  if (cost_.info() != Eigen::Success) return false;
+  if (!convex_) return false;
   for (int row = most_violated(); row >= 0; row = most_violated()) {
     if (!enforce(row)) return false;
   }
@@ -56,7 +61,7 @@ int ForceDistributionQp::most_violated() const noexcept {
 ForceDistributionQp::Vector ForceDistributionQp::scaled_normal(int row) const noexcept {
   Vector normal = Vector::Zero();
   normal.segment<3>(rows_[row].first) = rows_[row].normal;
-  cost_.matrixL().solveInPlace(normal);
+  cost_.forward(normal);
   return normal;
 }
 
@@ -104,7 +109,8 @@ bool ForceDistributionQp::enforce(int row) noexcept {
     if (!free && leaving < 0) return false;
     const double step = full <= length ? full : length;
     if (free) {
-      const Vector toward = cost_.matrixU().solve(along.rest);
+      Vector toward = along.rest;
+      cost_.backward(toward);
       x_ += step * toward;
     }
     prices_ -= step * along.prices;

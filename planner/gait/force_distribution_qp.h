@@ -3,9 +3,10 @@
 /// Dual active-set method of Goldfarb and Idnani (Math. Programming 27, 1983): starts at the unconstrained minimum, which is
 /// the answer when no row is violated, and adds one violated row after the other. It needs no feasible start, and rows that
 /// meet in one point (a foot without load) don't make it cycle. Pure; all of it lies on the stack or in the object.
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <array>
+
+#include "planner/gait/small_cholesky.h"
 
 namespace sprung {
 
@@ -23,8 +24,9 @@ class ForceDistributionQp {
     double least = 0.0;
   };
 
-  /// A new problem without rows. Only the lower triangle of `cost` is read; it must be positive definite.
-  void begin(const Matrix& cost, const Vector& gradient) noexcept;
+  /// A new problem without rows in the first `variables` numbers; the others are 0, and no row may be about them. Only the lower
+  /// triangle of `cost` is read; it must be positive definite.
+  void begin(const Matrix& cost, const Vector& gradient, int variables = kVariables) noexcept;
   /// Beyond kMostRows it is not taken, and false comes back.
   bool add(const Row& row) noexcept;
 
@@ -60,7 +62,8 @@ class ForceDistributionQp {
   void take_in(int row, double price, const Direction& along) noexcept;
   void let_go(int place) noexcept;
 
-  Eigen::LLT<Matrix> cost_;
+  SmallCholesky<kVariables> cost_;
+  bool convex_ = false;
   Vector x_ = Vector::Zero();
   std::array<Row, kMostRows> rows_;
   int row_count_ = 0;
