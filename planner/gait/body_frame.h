@@ -21,11 +21,13 @@ inline Attitude attitude(const std::array<double, 4>& wxyz) noexcept {
           std::atan2(2.0 * (w * z + x * y), 1.0 - 2.0 * (y * y + z * z))};
 }
 
-/// Turns trunk axes into level axes.
+/// Turns trunk axes into level axes: Ry(pitch) Rx(roll).
 inline Eigen::Matrix3d level_from_trunk(const Attitude& a) noexcept {
-  return (Eigen::AngleAxisd(a.pitch_rad, Eigen::Vector3d::UnitY()) *
-          Eigen::AngleAxisd(a.roll_rad, Eigen::Vector3d::UnitX()))
-      .toRotationMatrix();
+  const double sp = std::sin(a.pitch_rad), cp = std::cos(a.pitch_rad);
+  const double sr = std::sin(a.roll_rad), cr = std::cos(a.roll_rad);
+  Eigen::Matrix3d turned;
+  turned << cp, sp * sr, sp * cr, 0.0, cr, -sr, -sp, cp * sr, cp * cr;
+  return turned;
 }
 
 inline double wrapped_rad(double angle_rad) noexcept { return std::remainder(angle_rad, 6.283185307179586); }

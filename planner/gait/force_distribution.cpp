@@ -6,7 +6,6 @@
 namespace sprung {
 namespace {
 
-using Vector6 = Eigen::Matrix<double, 6, 1>;
 constexpr double kPi = 3.14159265358979323846;
 
 static_assert(ForceDistributionQp::kVariables == 3 * DistributedForce::kMostFeet);
@@ -24,25 +23,20 @@ bool valid(const BodyWrench& wanted, const std::vector<FootLoad>& feet) noexcept
          feet.size() <= DistributedForce::kMostFeet && std::all_of(feet.begin(), feet.end(), finite);
 }
 
-Eigen::Matrix<double, 6, 3> effect_of_foot(const Eigen::Vector3d& r) noexcept {
-  Eigen::Matrix<double, 6, 3> effect;
-  effect << 1, 0, 0, 0, 1, 0, 0, 0, 1,  //
-      0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
-  return effect;
-}
-
-Vector6 stacked(const BodyWrench& wrench) noexcept {
-  Vector6 all;
-  all << wrench.force_N, wrench.torque_Nm;
-  return all;
+/// r x as a matrix.
+Eigen::Matrix3d cross(const Eigen::Vector3d& r) noexcept {
+  Eigen::Matrix3d matrix;
+  matrix << 0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
+  return matrix;
 }
 
 }  // namespace
 
 ForceDistribution::ForceDistribution(double floor_friction, const ForceWeights& weights) noexcept
-    : friction_(floor_friction), foot_force_weight_(weights.foot_force) {
-  weights_ << weights.horizontal_force, weights.horizontal_force, weights.vertical_force,  //
-      weights.roll_pitch_torque, weights.roll_pitch_torque, weights.yaw_torque;
+    : friction_(floor_friction),
+      force_weights_(weights.horizontal_force, weights.horizontal_force, weights.vertical_force),
+      torque_weights_(weights.roll_pitch_torque, weights.roll_pitch_torque, weights.yaw_torque),
+      foot_force_weight_(weights.foot_force) {
   static_assert(ForceDistributionQp::kMostRows == (kSides + 2) * DistributedForce::kMostFeet);
   const double inside =
       friction_ * std::cos(kPi / kSides);  // middle of a side, its corners being on the cone
@@ -86,7 +80,7 @@ void ForceDistribution::clear(ForceStatus status) noexcept {
 int ForceDistribution::take_feet(const std::vector<FootLoad>& feet) noexcept {
   for (int i = 0; i < static_cast<int>(feet.size()); ++i) {
     if (!feet[i].stands) continue;
-    effect_[standing_count_] = effect_of_foot(feet[i].foot_from_com_m);
+    torque_of_force_m_[standing_count_] = cross(feet[i].foot_from_com_m);
     standing_[standing_count_++] = i;
   }
   return standing_count_;
@@ -96,11 +90,16 @@ int ForceDistribution::take_feet(const std::vector<FootLoad>& feet) noexcept {
 void ForceDistribution::pose(const BodyWrench& wanted) noexcept {
   ForceDistributionQp::Matrix cost;
   ForceDistributionQp::Vector gradient;
-  const Vector6 weighted_wish = weights_.cwiseProduct(stacked(wanted));
+  const Eigen::Vector3d wish = force_weights_.cwiseProduct(wanted.force_N);
+  const Eigen::Vector3d torque_wish = torque_weights_.cwiseProduct(wanted.torque_Nm);
   for (int i = 0; i < standing_count_; ++i) {
-    const Eigen::Matrix<double, 3, 6> weighted = effect_[i].transpose() * weights_.asDiagonal();
-    gradient.segment<3>(3 * i) = -effect_[i].transpose() * weighted_wish;
-    for (int k = 0; k <= i; ++k) cost.block<3, 3>(3 * i, 3 * k) = weighted * effect_[k];
+    const Eigen::Matrix3d turning = torque_of_force_m_[i].transpose() * torque_weights_.asDiagonal();
+    gradient.segment<3>(3 * i) = -(wish + torque_of_force_m_[i].transpose() * torque_wish);
+    for (int k = 0; k <= i; ++k) {
+      auto block = cost.block<3, 3>(3 * i, 3 * k);
+      block = turning * torque_of_force_m_[k];
+      block.diagonal() += force_weights_;
+    }
     cost.diagonal().segment<3>(3 * i).array() += foot_force_weight_;
   }
   qp_.begin(cost, gradient, 3 * standing_count_);
@@ -127,11 +126,17 @@ void ForceDistribution::keep(const ForceDistributionQp::Vector& forces,
 }
 
 void ForceDistribution::compare(const BodyWrench& wanted) noexcept {
-  Vector6 reached = Vector6::Zero();
-  for (int i = 0; i < standing_count_; ++i) reached += effect_[i] * out_.ground_on_foot_N[standing_[i]];
-  out_.reached = {reached.head<3>(), reached.tail<3>()};
-  const Vector6 lacking = stacked(wanted) - reached;
-  const bool exact = lacking.dot(weights_.asDiagonal() * lacking) <= kExactWithin_N * kExactWithin_N;
+  BodyWrench& reached = out_.reached;
+  for (int i = 0; i < standing_count_; ++i) {
+    const Eigen::Vector3d& force_N = out_.ground_on_foot_N[standing_[i]];
+    reached.force_N += force_N;
+    reached.torque_Nm += torque_of_force_m_[i] * force_N;
+  }
+  const Eigen::Vector3d force_N = wanted.force_N - reached.force_N;
+  const Eigen::Vector3d torque_Nm = wanted.torque_Nm - reached.torque_Nm;
+  const double lacking = force_N.dot(force_weights_.cwiseProduct(force_N)) +
+                         torque_Nm.dot(torque_weights_.cwiseProduct(torque_Nm));
+  const bool exact = lacking <= kExactWithin_N * kExactWithin_N;
   out_.status = exact ? ForceStatus::kExact : ForceStatus::kBounded;
 }
 

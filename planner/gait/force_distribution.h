@@ -64,8 +64,6 @@ class ForceDistribution {
   static constexpr double kExactWithin_N = 0.5;
 
  private:
-  using Weights = Eigen::Matrix<double, 6, 1>;
-  using WrenchOfForce = Eigen::Matrix<double, 6, 3>;
   static constexpr int kSides = 8;  ///< of the pyramid in place of the cone
 
   void clear(ForceStatus status) noexcept;
@@ -76,12 +74,12 @@ class ForceDistribution {
   void compare(const BodyWrench& wanted) noexcept;
 
   double friction_;
-  Weights weights_;
+  Eigen::Vector3d force_weights_, torque_weights_;
   double foot_force_weight_;
   std::array<Eigen::Vector3d, kSides> sides_;  ///< normals of the pyramid, inward
   std::array<int, DistributedForce::kMostFeet>
       standing_{};  ///< feet that stand; forces of others are no variables
-  std::array<WrenchOfForce, DistributedForce::kMostFeet> effect_;  ///< of the feet that stand
+  std::array<Eigen::Matrix3d, DistributedForce::kMostFeet> torque_of_force_m_;  ///< of the feet that stand
   int standing_count_ = 0;
   ForceDistributionQp qp_;
   DistributedForce out_;
