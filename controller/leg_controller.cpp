@@ -19,12 +19,6 @@ std::vector<T> pick(const std::vector<T>& all, const std::vector<int>& indices) 
   return out;
 }
 
-/// Before friction and rotor inertia: the papers' joint torque has lost the papers' friction, whatever is identified.
-double motor_torque_Nm(const JointConfig& joint, const EstimatedJoint& state) noexcept {
-  return state.motor_side_torque_Nm +
-         papers_friction(joint.coulomb_friction_Nm, state.estimated_velocity_rad_s).torque_Nm;
-}
-
 JointCompensation compensation(const std::vector<JointConfig>& joints, const PresetConfig& preset) {
   const bool paper = preset.compensated_friction == CompensatedFriction::kPaper;
   JointCompensation out;
@@ -58,7 +52,7 @@ LegController::LegController(const RobotConfig& robot, const LegConfig& leg, con
       windows_(actuators_.begin(), actuators_.end()) {
   const int n = transmission_.size();
   for (JointVector* v :
-       {&offset_Nm_, &motor_torque_Nm_, &measured_.position_rad, &measured_.velocity_rad_s,
+       {&offset_Nm_, &motor_side_torque_Nm_, &measured_.position_rad, &measured_.velocity_rad_s,
         &measured_.temperature_C, &lowest_rad_, &highest_rad_, &sent_.position_rad, &sent_.velocity_rad_s}) {
     v->setZero(n);
   }
@@ -101,11 +95,20 @@ bool LegController::read(const std::vector<EstimatedJoint>& joints) noexcept {
     measured_.position_rad[j] = joint.estimated_position_rad;
     measured_.velocity_rad_s[j] = joint.estimated_velocity_rad_s;
     measured_.temperature_C[j] = joint.estimated_temperature_degC;
-    motor_torque_Nm_[j] = motor_torque_Nm(joints_[static_cast<std::size_t>(j)], joint);
+    motor_side_torque_Nm_[j] = joint.motor_side_torque_Nm;
     all_enabled_ = all_enabled_ && joint.drive_enabled;
   }
   return measured_.position_rad.allFinite() && measured_.velocity_rad_s.allFinite() &&
-         motor_torque_Nm_.allFinite();
+         motor_side_torque_Nm_.allFinite();
+}
+
+JointVector LegController::motor_torque_Nm() const noexcept {
+  JointVector torque_Nm = motor_side_torque_Nm_;
+  for (int j = 0; j < torque_Nm.size(); ++j) {
+    const double coulomb_Nm = joints_[static_cast<std::size_t>(j)].coulomb_friction_Nm;
+    torque_Nm[j] += papers_friction(coulomb_Nm, measured_.velocity_rad_s[j]).torque_Nm;
+  }
+  return torque_Nm;
 }
 
 LegOutcome LegController::position(const DesiredLeg& desired, const FootMotion& foot, double dt_s,
@@ -185,7 +188,7 @@ void LegController::enter_position(const SetPoints& desired, double dt_s) noexce
   }
   blend_.start_motion({measured_.position_rad, measured_.velocity_rad_s}, desired);
   const bool loaded = before_ != ControlMode::kDisabled && all_enabled_;
-  blend_.start_torque((loaded ? 1.0 : 0.0) * transmission_.actuator_torque(motor_torque_Nm_), dt_s);
+  blend_.start_torque((loaded ? 1.0 : 0.0) * transmission_.actuator_torque(motor_torque_Nm()), dt_s);
 }
 
 /// A joint that was beyond a limit when the mode began must not be pulled back at once: enabling would kick. From there
@@ -240,7 +243,7 @@ void LegController::add_soft_stops(JointVector& torque_Nm) noexcept {
 }
 
 void LegController::enter_compliance(const JointVector& law_Nm, double dt_s) noexcept {
-  const JointVector there_Nm = (all_enabled_ ? 1.0 : 0.0) * motor_torque_Nm_;
+  const JointVector there_Nm = (all_enabled_ ? 1.0 : 0.0) * motor_torque_Nm();
   offset_Nm_ = there_Nm - law_Nm;
   const JointVector actuator_Nm = transmission_.actuator_torque(there_Nm);
   const JointVector change_Nm = transmission_.actuator_torque(offset_Nm_);

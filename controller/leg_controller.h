@@ -46,6 +46,8 @@ class LegController {
 
  private:
   bool read(const std::vector<EstimatedJoint>& joints) noexcept;
+  /// As measured, before friction and rotor inertia: the papers' joint torque has lost the papers' friction, whatever is identified.
+  JointVector motor_torque_Nm() const noexcept;
   LegOutcome follow(const DesiredLeg& desired, double desired_age_s, double dt_s, DriveCommand& out) noexcept;
   LegOutcome position(const DesiredLeg& desired, const FootMotion& foot, double dt_s,
                       DriveCommand& out) noexcept;
@@ -83,7 +85,7 @@ class LegController {
   GainRamp gains_;
   JointVector lowest_rad_, highest_rad_;  ///< position mode: between them each joint's set-point may be
   LegMotion measured_;
-  JointVector motor_torque_Nm_;
+  JointVector motor_side_torque_Nm_;
   std::vector<TorqueLimiter> limiters_;  ///< compliance
   std::vector<PositionWindow> windows_;  ///< position and joint mode
   LimitCounts counts_;
