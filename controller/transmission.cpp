@@ -20,22 +20,20 @@ Transmission::Transmission(const LegConfig& leg) {
   to_actuator_ = lu.inverse();
 }
 
-// A leg has so few joints that Eigen's product for matrices of any size costs more than the sums themselves: lazyProduct is the sums.
-
 JointVector Transmission::joint_from_actuator(const JointVector& actuator_motion) const noexcept {
-  return to_joint_.lazyProduct(actuator_motion);
+  return to_joint_ * actuator_motion;
 }
 
 JointVector Transmission::actuator_from_joint(const JointVector& joint_motion) const noexcept {
-  return to_actuator_.lazyProduct(joint_motion);
+  return to_actuator_ * joint_motion;
 }
 
 JointVector Transmission::joint_torque(const JointVector& actuator_torque_Nm) const noexcept {
-  return to_actuator_.transpose().lazyProduct(actuator_torque_Nm);
+  return to_actuator_.transpose() * actuator_torque_Nm;
 }
 
 JointVector Transmission::actuator_torque(const JointVector& joint_torque_Nm) const noexcept {
-  return to_joint_.transpose().lazyProduct(joint_torque_Nm);
+  return to_joint_.transpose() * joint_torque_Nm;
 }
 
 double Transmission::joint_from_coupled(int joint, const JointVector& actuator_motion) const noexcept {

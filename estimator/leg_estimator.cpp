@@ -22,17 +22,17 @@ constexpr double kFirstNoise = 0.1;
 /// Along the floor, on a foot that lands under a trunk that moves: friction 0.6 of the 170 N of a trot's touchdown.
 constexpr double kTangential_N = 100.0;
 
-double dry_friction_Nm(const JointConfig& joint, double output_torque_Nm) noexcept {
+double dry_friction_Nm(const FrictionParameters& law, double output_torque_Nm) noexcept {
   FrictionInput in;
   in.gear_output_torque_Nm = output_torque_Nm;
   in.sign = 1.0;
-  return friction_torque_Nm(joint.estimated_friction(), in);
+  return friction_torque_Nm(law, in);
 }
 
 ResidualModel residual_model(const JointConfig& joint, double cycle_s) {
   const JointUncertainty& known = joint.uncertainty;
   return {{known.friction, known.armature, known.torque_constant, kHipAcceleration},
-          kFirstNoise * (1.0 + known.friction) * dry_friction_Nm(joint, 0.0),
+          kFirstNoise * (1.0 + known.friction) * dry_friction_Nm(joint.estimated_friction(), 0.0),
           cycle_s};
 }
 
@@ -50,6 +50,7 @@ LegEstimator::LegEstimator(const RobotConfig& robot, const LegConfig& leg, int l
     const JointConfig& joint =
         robot.joints.at(static_cast<std::size_t>(joints_[static_cast<std::size_t>(j)]));
     configs_.push_back(joint);
+    friction_laws_.push_back(joint.estimated_friction());
     estimators_.emplace_back(joint, robot.cycle_s, sampler_.encoder_step_rad(j), longest_coast_cycles);
     residuals.push_back(residual_model(joint, robot.cycle_s));
   }
@@ -149,7 +150,7 @@ void LegEstimator::gather_evidence(const std::vector<EstimatedJoint>& joints) no
     residual.part_Nm = {joint.at_rest ? 0.0 : joint.friction_torque_Nm, inertia_Nm, motor_Nm, weight_Nm_[i]};
     residual.unknown_friction_Nm =
         joint.at_rest ? joint.gear_output_torque_bound_Nm
-                      : std::exp(-slow * slow) * dry_friction_Nm(configs_[j], output_torque_Nm_[i]);
+                      : std::exp(-slow * slow) * dry_friction_Nm(friction_laws_[j], output_torque_Nm_[i]);
     evidence_[j].lever_m = jacobian_(2, i);
     evidence_[j].tangential_lever_m = {jacobian_(0, i), jacobian_(1, i)};
   }

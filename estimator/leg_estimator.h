@@ -34,6 +34,7 @@ class LegEstimator {
 
   std::vector<int> joints_;  ///< indices of this leg's joints in the robot
   std::vector<JointConfig> configs_;
+  std::vector<FrictionParameters> friction_laws_;
   DriveSampler sampler_;
   std::unique_ptr<LegKinematics> kinematics_;  ///< nullptr: joints alone
   std::optional<ContactDetector> contact_;     ///< of the foot, where there is one
