@@ -7,9 +7,9 @@ namespace sprung {
 namespace {
 
 constexpr std::int64_t kProgressEvents = 20'000;
-/// A millisecond of work: much longer than waking a thread takes.
-constexpr std::size_t kCyclesOfBatch = 64;
-/// Some 3 MB of pegasus. More would let a thread that was held up catch up from further behind, and leave the caches.
+/// Some 0.3 ms of work: longer than waking a thread takes.
+constexpr std::size_t kCyclesOfBatch = 32;
+/// Enough for one thread to go on while the other is held up a little; more would only leave the processor's caches.
 constexpr std::size_t kBatches = 8;
 
 CycleBatch empty_batch(const RobotConfig& robot) {
