@@ -1,6 +1,9 @@
 #include "runtime/message_layout.h"
 
+#include <endian.h>
+
 #include <cstddef>
+#include <cstring>
 #include <limits>
 
 namespace sprung {
@@ -128,15 +131,15 @@ MessageLayout layout_of<sprung_msgs::process_status_t>() {
 }
 
 std::int64_t read_int64(const std::uint8_t* data, std::size_t offset) noexcept {
-  std::uint64_t value = 0;
-  for (std::size_t i = 0; i < 8; ++i) value = (value << 8U) | data[offset + i];
-  return static_cast<std::int64_t>(value);
+  std::uint64_t value;
+  std::memcpy(&value, data + offset, sizeof value);
+  return static_cast<std::int64_t>(be64toh(value));
 }
 
 std::int32_t read_int32(const std::uint8_t* data, std::size_t offset) noexcept {
-  std::uint32_t value = 0;
-  for (std::size_t i = 0; i < 4; ++i) value = (value << 8U) | data[offset + i];
-  return static_cast<std::int32_t>(value);
+  std::uint32_t value;
+  std::memcpy(&value, data + offset, sizeof value);
+  return static_cast<std::int32_t>(be32toh(value));
 }
 
 }  // namespace sprung

@@ -147,8 +147,10 @@ void Reader::deliver(const Header& header, Event& event) noexcept {
 
 /// By a sync word, or by as much of one as the file still has.
 bool Reader::followed_well(std::size_t event_bytes) const noexcept {
-  const std::size_t left = std::min(end_ - begin_ - event_bytes, kSyncBytes);
-  return std::memcmp(buffer_.data() + begin_ + event_bytes, kSync, left) == 0;
+  const std::uint8_t* const next = buffer_.data() + begin_ + event_bytes;
+  const std::size_t left = end_ - begin_ - event_bytes;
+  if (left >= kSyncBytes) return get_big_endian<std::uint32_t>(next) == kSyncWord;
+  return std::memcmp(next, kSync, left) == 0;
 }
 
 /// To the next sync word behind the byte at begin_, or to the end of the file.

@@ -1,5 +1,5 @@
 #pragma once
-/// Reads an LCM log from its first byte to its last, in a buffer of a few megabytes however long the file is. Shell: reads a file.
+/// Reads an LCM log from its first byte to its last, in a small buffer however long the file is. Shell: reads a file.
 ///
 ///   log::Reader reader("jump.lcm");
 ///   for (log::Event event; reader.next(event);) use(event.channel, event.data, event.size);
@@ -29,8 +29,8 @@ struct Damage {
 };
 
 struct ReaderOptions {
-  std::size_t buffer_bytes = std::size_t{4}
-                             << 20;  ///< how much is read at once; grows to hold the largest event
+  /// How much is read at once; grows to hold the largest event. This stays in a processor's own cache: with 4 MB a replay took 7 % more processor time.
+  std::size_t buffer_bytes = std::size_t{128} << 10;
   std::size_t largest_event = std::size_t{64} << 20;  ///< data of an event; more counts as damage
 };
 

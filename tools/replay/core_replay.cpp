@@ -1,14 +1,12 @@
 #include "tools/replay/core_replay.h"
 
 #include <algorithm>
-#include <cstring>
 #include <limits>
-#include <optional>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "controller/controller_core.h"
-#include "estimator/estimator_core.h"
 #include "lcmtypes/channels.h"
 #include "planner/planner_core.h"
 #include "tools/replay/history.h"
@@ -17,14 +15,6 @@
 namespace sprung {
 
 namespace {
-
-/// used_imu_seq stands right before the trunk, with which JOINT_STATE ends. Nothing of a message that is none, or too short for one.
-std::optional<std::int64_t> used_imu_seq(const Bytes& joint_state) {
-  const auto body = static_cast<std::size_t>(sprung_msgs::estimated_body_t()._getEncodedSizeNoHash());
-  const std::size_t tail = body + sizeof(std::int64_t);
-  if (joint_state.size() < kCountsOffset + tail) return std::nullopt;
-  return read_int64(joint_state.data(), joint_state.size() - tail);
-}
 
 /// DRIVE_COMMAND ends with it.
 std::int64_t used_leg_command_seq(const Bytes& drive_command) {
@@ -77,30 +67,21 @@ struct CoreReplay::Impl {
 
   void restart(const std::array<bool, kCores>& which) {
     const auto is = [&](Core core) { return which[static_cast<std::size_t>(core)]; };
-    if (is(Core::kEstimator)) estimator = std::make_unique<EstimatorCore>(robot, watchdogs);
     if (is(Core::kPlanner)) planner = std::make_unique<PlannerCore>(robot, preset);
     if (is(Core::kController)) controller = std::make_unique<ControllerCore>(robot, preset, watchdogs);
   }
 
   void begin_anew() {
     restart({true, true, true});
-    imus.clear();
     leg_history.clear();
   }
 
-  bool wanted(const LoggedCycle& cycle) const {
-    return !(cycle.joint_state.empty() && cycle.leg_command.empty() && cycle.motion_state.empty() &&
-             cycle.drive_command.empty());
-  }
-
-  void step(const LoggedCycle& cycle);
-  bool has_joint_state(const LoggedCycle& cycle);
-  const Imu* imu_of(const LoggedCycle& cycle);
+  void step(const LoggedCycle& cycle, EstimatedCycle& estimated);
   void run_controller(const LoggedCycle& cycle);
   void run_planner(const LoggedCycle& cycle);
   void take_leg_command(const LoggedCycle& cycle);
   void compare_replies(const LoggedCycle& cycle);
-  void miss(const LoggedCycle& cycle, const char* core, const char* channel, std::int64_t seq);
+  void miss(const LoggedCycle& cycle, const MissingInput& input);
   template <class Signal>
   void compare(const LoggedCycle& cycle, const Bytes& recorded, MessageSlot<Signal>& ours);
 
@@ -108,15 +89,12 @@ struct CoreReplay::Impl {
   const PresetConfig& preset;
   const WatchdogConfig watchdogs;
   const CoreChoice choice;
-  std::unique_ptr<EstimatorCore> estimator;
   std::unique_ptr<PlannerCore> planner;
   std::unique_ptr<ControllerCore> controller;
 
   const CountLimits by_actuator = CountLimits::exactly(robot.actuators.size());
   const CountLimits by_leg = CountLimits::exactly(robot.legs.size());
   const CountLimits by_joint_and_leg = CountLimits::exactly(robot.joints.size(), robot.legs.size());
-  MessageSlot<DriveState> drive_state{channels::kDriveState, by_actuator, DriveState(robot.actuators.size())};
-  MessageSlot<Imu> imu{channels::kImu, CountLimits::none(), Imu()};
   MessageSlot<JointState> joint_state{channels::kJointState, by_joint_and_leg,
                                       JointState(robot.joints.size(), robot.legs.size())};
   MessageSlot<LegCommand> leg_command{channels::kLegCommand, by_leg, LegCommand(robot.legs.size())};
@@ -125,7 +103,6 @@ struct CoreReplay::Impl {
                                           DriveCommand(robot.actuators.size())};
   MessageSlot<OperatorCommand> operator_command{channels::kOperatorCommand, CountLimits::none(), {}};
   MessageSlot<OperatorReply> reply{channels::kOperatorReply, CountLimits::none(), {}};
-  History<Imu> imus{Imu()};
   History<LegCommand> leg_history{LegCommand(robot.legs.size())};
 
   bool begun = false;
@@ -137,56 +114,26 @@ struct CoreReplay::Impl {
   Use use_output;
 };
 
-void CoreReplay::Impl::step(const LoggedCycle& cycle) {
+void CoreReplay::Impl::step(const LoggedCycle& cycle, EstimatedCycle& estimated) {
   if (cycle.anew) begin_anew();
   restart(cycle.restarted);
-  if (imu.read(cycle.imu)) imus.keep(imu.value);
-  if (!wanted(cycle)) return;
-  if (has_joint_state(cycle)) {
-    if (!begun) counts.first_seq = cycle.seq;
-    begun = true;
-    ++counts.cycles;
-    counts.last_seq = cycle.seq;
-    if (choice[Core::kController] && !cycle.drive_command.empty()) run_controller(cycle);
-    run_planner(cycle);
-  } else {
-    take_leg_command(cycle);
-  }
-}
-
-/// Of this cycle: made by the estimator, else as the log has it.
-bool CoreReplay::Impl::has_joint_state(const LoggedCycle& cycle) {
-  if (!choice[Core::kEstimator]) {
-    if (joint_state.read(cycle.joint_state)) return true;
-    if (begun) miss(cycle, "planner and controller", channels::kJointState, cycle.seq);
-    return false;
-  }
-  if (!drive_state.read(cycle.drive_state)) {
-    if (begun) miss(cycle, "estimator", channels::kDriveState, cycle.seq);
-    return begun && joint_state.read(cycle.joint_state);
-  }
-  const Imu* const sample = imu_of(cycle);
-  estimator->step(drive_state.value, joint_state.value, sample);
-  compare(cycle, cycle.joint_state, joint_state);
-  return true;
-}
-
-const Imu* CoreReplay::Impl::imu_of(const LoggedCycle& cycle) {
-  if (!robot.body.imu) return nullptr;
-  const std::optional<std::int64_t> used = used_imu_seq(cycle.joint_state);
-  if (!used) return imus.newest_at_or_before(cycle.seq);
-  const Imu* const sample = imus.find(*used);
-  const bool recent =
-      *used >
-      cycle.seq - History<Imu>::kDepth;  // what is older is known to the estimator, and of no use to it
-  if (*used >= 0 && recent && sample == nullptr) miss(cycle, "estimator", channels::kImu, *used);
-  return sample;
+  if (!cycle.answered()) return;
+  if (estimated.missing) miss(cycle, *estimated.missing);
+  if (!estimated.known) return take_leg_command(cycle);
+  std::swap(joint_state.value, estimated.joint_state);
+  if (estimated.made) compare(cycle, cycle.joint_state, joint_state);
+  if (!begun) counts.first_seq = cycle.seq;
+  begun = true;
+  ++counts.cycles;
+  counts.last_seq = cycle.seq;
+  if (choice[Core::kController] && !cycle.drive_command.empty()) run_controller(cycle);
+  run_planner(cycle);
 }
 
 void CoreReplay::Impl::run_controller(const LoggedCycle& cycle) {
   const std::int64_t used = used_leg_command_seq(cycle.drive_command);
   const LegCommand* const command = leg_history.find(used);
-  if (used >= 0 && command == nullptr) miss(cycle, "controller", channels::kLegCommand, used);
+  if (used >= 0 && command == nullptr) miss(cycle, {"controller", channels::kLegCommand, used});
   controller->step(joint_state.value, command, drive_command.value);
   compare(cycle, cycle.drive_command, drive_command);
 }
@@ -228,11 +175,11 @@ void CoreReplay::Impl::compare_replies(const LoggedCycle& cycle) {
   }
 }
 
-void CoreReplay::Impl::miss(const LoggedCycle& cycle, const char* core, const char* channel,
-                            std::int64_t seq) {
+void CoreReplay::Impl::miss(const LoggedCycle& cycle, const MissingInput& input) {
   if (counts.incomplete++ > 0) return;
-  counts.first_incomplete = std::string("cycle ") + std::to_string(cycle.seq) + ": the " + core + " had " +
-                            channel + " " + std::to_string(seq) + ", which is not in the log";
+  counts.first_incomplete = std::string("cycle ") + std::to_string(cycle.seq) + ": the " + input.core +
+                            " had " + input.channel + " " + std::to_string(input.seq) +
+                            ", which is not in the log";
 }
 
 template <class Signal>
@@ -257,7 +204,7 @@ CoreReplay::~CoreReplay() = default;
 void CoreReplay::on_difference(Use use) { impl_->use_difference = std::move(use); }
 void CoreReplay::compare_from(double time_s) { impl_->compare_from_s = time_s; }
 void CoreReplay::on_output(Use use) { impl_->use_output = std::move(use); }
-void CoreReplay::step(const LoggedCycle& cycle) { impl_->step(cycle); }
+void CoreReplay::step(const LoggedCycle& cycle, EstimatedCycle& estimated) { impl_->step(cycle, estimated); }
 const ReplayCounts& CoreReplay::counts() const noexcept { return impl_->counts; }
 
 }  // namespace sprung

@@ -1,6 +1,6 @@
 #pragma once
-/// Estimator, planner and leg controller on what a log says that they were given, and whether they say what the log says that they said.
-/// Pure: cycles in, differences out. The same binary gives the same bits.
+/// Planner and leg controller on what a log says that they were given, after the estimator (estimator_replay.h), and whether all of them
+/// say what the log says that they said. Pure: cycles in, differences out. The same binary gives the same bits.
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "robots/robot_config.h"
+#include "tools/replay/estimator_replay.h"
 #include "tools/replay/log_cycles.h"
 
 namespace sprung {
@@ -57,8 +58,9 @@ class CoreReplay {
   void on_output(Use use);           ///< gets every message that a core made
   void compare_from(double time_s);  ///< earlier cycles run, but are not compared; at first: all are
 
-  /// Cycles in ascending order. @throws std::runtime_error on messages of another robot, or of another version of their type.
-  void step(const LoggedCycle& cycle);
+  /// Cycles in ascending order. @param estimated of this cycle; its joint state is taken, and another one of that size left.
+  /// @throws std::runtime_error on messages of another robot, or of another version of their type.
+  void step(const LoggedCycle& cycle, EstimatedCycle& estimated);
   const ReplayCounts& counts() const noexcept;
 
  private:

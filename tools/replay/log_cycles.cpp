@@ -52,6 +52,10 @@ bool LoggedCycle::empty() const noexcept {
          motion_state.empty() && drive_command.empty();
 }
 
+bool LoggedCycle::answered() const noexcept {
+  return !(joint_state.empty() && leg_command.empty() && motion_state.empty() && drive_command.empty());
+}
+
 void LoggedCycle::clear() noexcept {
   seq = -1;
   time_us = 0;

@@ -38,7 +38,8 @@ struct LoggedCycle {
   std::vector<Bytes> replies;            ///< of the planner, made in this cycle
 
   bool empty() const noexcept;
-  void clear() noexcept;  ///< keeps the memory
+  bool answered() const noexcept;  ///< some core made something in it
+  void clear() noexcept;           ///< keeps the memory
 };
 
 /// What the log itself lacks, for the one who reads the result.
@@ -51,8 +52,8 @@ struct LogFlaws {
 
 class LogCycles {
  public:
-  using Use = std::function<void(const LoggedCycle&)>;
-  /// @param use gets each cycle once, in order of seq within one run of the bridge.
+  using Use = std::function<void(LoggedCycle&)>;
+  /// @param use gets each cycle once, in order of seq within one run of the bridge; may keep it by leaving another one, whose memory is used.
   explicit LogCycles(Use use);
 
   /// @param time_s robot's time of the event since the begin of the log (tools/log/timeline.h).

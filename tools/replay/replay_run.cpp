@@ -7,18 +7,15 @@
 
 #include "lcmtypes/channels.h"
 #include "runtime/message_layout.h"
-#include "tools/log/reader.h"
 #include "tools/log/rewrite.h"
-#include "tools/log/timeline.h"
 #include "tools/log/writer.h"
 #include "tools/recorder/log_messages.h"
 #include "tools/recorder/log_metadata.h"
+#include "tools/replay/cycle_feed.h"
 
 namespace sprung {
 
 namespace {
-
-constexpr std::int64_t kProgressEvents = 20'000;
 
 /// The log of what the cores say now. Begins with LOG_METADATA, as every log does: of the robot that they have.
 class OutputLog {
@@ -78,6 +75,7 @@ ReplayResult run_replay(const ReplayRequest& request, const ReplayProgress& prog
   result.source = with.source;
   result.robot = with.robot.name;
   result.clock = run.clock;
+  EstimatorReplay estimator(with.robot, with.preset, with.watchdogs, request.cores[Core::kEstimator]);
   CoreReplay replay(with.robot, with.preset, with.watchdogs, request.cores);
   replay.compare_from(request.from_s);
   MessageComparison comparison;
@@ -89,33 +87,27 @@ ReplayResult run_replay(const ReplayRequest& request, const ReplayProgress& prog
   if (!request.out.empty()) out.emplace(request, run, with);
   if (out) replay.on_output([&](const MessagePair& pair) { out->add(pair); });
   double first_s = std::numeric_limits<double>::quiet_NaN(), last_s = first_s;
-  LogCycles cycles([&](const LoggedCycle& cycle) {
-    if (cycle.time_s > request.to_s) return;
-    if (std::isnan(first_s)) first_s = cycle.time_s;
-    last_s = cycle.time_s;
-    result.last_logged_seq = cycle.seq;
-    replay.step(cycle);
-  });
 
   const auto started = std::chrono::steady_clock::now();
   const std::clock_t processor_started = std::clock();
-  log::Reader reader(request.log);
-  log::Timeline timeline;
-  std::int64_t events = 0;
-  for (log::Event event; reader.next(event);) {
-    if (progress && ++events % kProgressEvents == 0) progress(reader.position(), reader.file_bytes());
-    const bool first = timeline.begin_us() == 0;
-    if (!first && !LogCycles::uses(event.channel)) continue;
-    cycles.add(event, timeline.next(event).time_s);
+  CycleFeed feed(request.log, request.to_s, with.robot, estimator);
+  while (CycleBatch* const batch = feed.next()) {
+    for (std::size_t i = 0; i < batch->count; ++i) {
+      auto& [cycle, estimated] = batch->cycles[i];
+      if (std::isnan(first_s)) first_s = cycle.time_s;
+      last_s = cycle.time_s;
+      result.last_logged_seq = cycle.seq;
+      replay.step(cycle, estimated);
+    }
+    if (progress && batch->position) progress(*batch->position, feed.file_bytes());
   }
-  cycles.finish();
   if (out) out->close();
   result.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
   result.processor_s = static_cast<double>(std::clock() - processor_started) / CLOCKS_PER_SEC;
   result.replayed_s = std::isnan(first_s) ? 0.0 : last_s - first_s;
   result.counts = replay.counts();
-  result.flaws = cycles.flaws();
-  result.damages = reader.damage_count();
+  result.flaws = feed.flaws();
+  result.damages = feed.damage_count();
   return result;
 }
 

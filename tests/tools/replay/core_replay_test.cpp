@@ -30,7 +30,14 @@ class CoreReplayTest : public testing::Test {
     return out;
   }
 
+  void step(const LoggedCycle& cycle) {
+    estimator_.step(cycle, estimated_);
+    replay_.step(cycle, estimated_);
+  }
+
   const RobotConfig robot_ = load_robot("pegasus");
+  EstimatorReplay estimator_{robot_, "best", robot_.watchdogs, true};
+  EstimatedCycle estimated_{robot_};
   CoreReplay replay_{robot_, "best", robot_.watchdogs, core_choice("estimator")};
   std::vector<std::string> differing_;
 };
@@ -39,7 +46,7 @@ TEST_F(CoreReplayTest, JointStateThatIsCutShortIsADifferenceAndNoMore) {
   LoggedCycle damaged = cycle(0);
   damaged.joint_state = message_of(JointState(robot_.joints.size(), robot_.legs.size()));
   damaged.joint_state.resize(kCountsOffset + 8);
-  replay_.step(damaged);
+  step(damaged);
   EXPECT_EQ(differing_, std::vector<std::string>{channels::kJointState});
   EXPECT_EQ(replay_.counts().incomplete, 0) << "which sample of the IMU it had, it does not say";
 }
@@ -49,7 +56,7 @@ TEST_F(CoreReplayTest, CyclesBeforeTheComparedOnesRunAndAreNotCounted) {
   for (std::int64_t k = 0; k < 4; ++k) {
     LoggedCycle one = cycle(k);
     one.joint_state = message_of(JointState(robot_.joints.size(), robot_.legs.size()));  // not what it makes
-    replay_.step(one);
+    step(one);
   }
   EXPECT_EQ(replay_.counts().cycles, 4);
   EXPECT_EQ(replay_.counts().compared, 2);

@@ -298,6 +298,29 @@ TEST_F(LogCyclesTest, CommandsOfOneCycleKeepTheirOrder) {
   EXPECT_EQ(at(1).operator_commands[0], message_of(first));
 }
 
+TEST(LogCyclesUse, MayKeepACycleAndLeaveAnother) {
+  std::vector<LoggedCycle> kept;
+  LogCycles cycles([&](LoggedCycle& cycle) {
+    LoggedCycle other;
+    other.replies.push_back({1, 2, 3});
+    other.imu = {4};
+    std::swap(cycle, other);
+    kept.push_back(std::move(other));
+  });
+  DriveState state;
+  for (state.stamp.seq = 0; state.stamp.seq < 600; ++state.stamp.seq) {
+    const Bytes bytes = message_of(state);
+    cycles.add(event_of(channels::kDriveState, bytes), 0.0);
+  }
+  cycles.finish();
+  ASSERT_EQ(kept.size(), 600u);
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    EXPECT_EQ(kept[k].seq, static_cast<std::int64_t>(k));
+    EXPECT_TRUE(kept[k].imu.empty());
+    EXPECT_TRUE(kept[k].replies.empty());
+  }
+}
+
 TEST(LogCyclesUses, WhatCoresTakeAndMake) {
   for (const char* channel : {"DRIVE_STATE", "IMU", "JOINT_STATE", "LEG_COMMAND", "MOTION_STATE",
                               "DRIVE_COMMAND", "OPERATOR_COMMAND", "OPERATOR_REPLY", "PROCESS_STATUS"})

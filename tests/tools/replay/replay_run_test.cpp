@@ -3,6 +3,10 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <thread>
+#include <utility>
+
 #include "lcmtypes/channels.h"
 #include "tests/tools/replay/logged_run_fixture.h"
 #include "tools/log/reader.h"
@@ -236,6 +240,69 @@ TEST_F(ReplayRun, LogOfAnotherRobotIsRefusedInWords) {
   } catch (const std::runtime_error& error) {
     EXPECT_NE(std::string(error.what()).find("another robot"), std::string::npos);
   }
+}
+
+/// The estimator is cycles ahead of the others, in another thread: which error comes must not depend on that.
+TEST_F(ReplayRun, ErrorInTheEarlierCycleIsTheOneThatComes) {
+  const auto damaged = [](const char* name, std::int64_t drive_state_seq, std::int64_t leg_command_seq) {
+    const std::string path = *folder_ / name;
+    log::Reader reader(log());
+    log::Writer writer(path);
+    for (log::Event event; reader.next(event);) {
+      Bytes bytes(event.data, event.data + event.size);
+      if (is(event, channels::kDriveState, drive_state_seq) ||
+          is(event, channels::kLegCommand, leg_command_seq))
+        bytes[0] ^= 0xFF;
+      writer.write(event.time_us, event.channel, bytes.data(), bytes.size());
+    }
+    writer.close();
+    return path;
+  };
+  const auto error_and_cycles_of = [&](const std::string& path) {
+    ReplayRequest request = this->request();
+    request.log = path;
+    request.cores = core_choice("estimator,controller");  // leg commands are read, not made
+    request.out = *folder_ / "before-error.lcm";
+    std::string error;
+    try {
+      run_replay(request);
+    } catch (const std::runtime_error& thrown) {
+      error = thrown.what();
+    }
+    std::int64_t last = -1;
+    log::Reader reader(request.out);
+    for (log::Event event; reader.next(event);) {
+      if (event.channel == channels::kJointState) last = read_int64(event.data, kSeqOffset);
+    }
+    return std::pair(error.substr(0, error.find(" is of")), last);
+  };
+  using Seen = std::pair<std::string, std::int64_t>;
+  EXPECT_EQ(error_and_cycles_of(damaged("a.lcm", 1000, 1001)), Seen("the log's DRIVE_STATE", 999));
+  EXPECT_EQ(error_and_cycles_of(damaged("b.lcm", 1001, 1000)), Seen("the log's LEG_COMMAND", 1000));
+  EXPECT_EQ(error_and_cycles_of(damaged("c.lcm", 1000, 1000)), Seen("the log's DRIVE_STATE", 999));
+}
+
+TEST_F(ReplayRun, ProgressIsToldInTheCallersThreadAndMayEndTheReplay) {
+  ReplayRequest request = this->request();
+  request.log = *folder_ / "long.lcm";  // enough events
+  log::Reader reader(log());
+  log::Writer writer(request.log);
+  for (log::Event event; reader.next(event);) {
+    writer.write(event);
+    for (int i = 0; i < 5; ++i) writer.write(event.time_us, "OTHER", "x", 1);
+  }
+  writer.close();
+  std::vector<std::uint64_t> told;
+  const auto caller = std::this_thread::get_id();
+  run_replay(request, [&](std::uint64_t done, std::uint64_t all) {
+    EXPECT_EQ(std::this_thread::get_id(), caller);
+    EXPECT_LE(done, all);
+    told.push_back(done);
+  });
+  ASSERT_FALSE(told.empty());
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_THROW(run_replay(request, [](std::uint64_t, std::uint64_t) { throw std::out_of_range("enough"); }),
+               std::out_of_range);
 }
 
 TEST_F(ReplayRun, CoresBeginFreshWithASecondSession) {
