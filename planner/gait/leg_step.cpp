@@ -47,6 +47,7 @@ void LegStep::lift(const Eigen::Vector3d& foot_m) noexcept {
   held_up_s_ = 0.0;
   gave_up_ = false;
   from_m_ = foot_m;
+  stretch_at_lift_m_ = wanted_m_ - foot_m;
 }
 
 bool LegStep::step(const StepPlan& plan, const Eigen::Vector3d& foot_m, const Eigen::Vector3d& foothold_m,

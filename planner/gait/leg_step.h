@@ -53,6 +53,8 @@ class LegStep {
   const Eigen::Vector3d& wanted_m() const noexcept { return wanted_m_; }
   const Eigen::Vector3d& wanted_m_s() const noexcept { return wanted_m_s_; }
   const Eigen::Vector3d& wanted_m_s2() const noexcept { return wanted_m_s2_; }
+  /// Of its wanted place from where it was, when it left the ground.
+  const Eigen::Vector3d& stretch_at_lift_m() const noexcept { return stretch_at_lift_m_; }
   /// Moves the wanted place of a standing foot, e.g. for the height of the body.
   void shift(const Eigen::Vector3d& by_m) noexcept { wanted_m_ += by_m; }
   LegEvent last_event() const noexcept { return last_event_; }
@@ -76,6 +78,7 @@ class LegStep {
   bool gave_up_ = false;
   double ground_z_m_ = 0.0;  ///< where this swing expects it, from its first cycle on
   Eigen::Vector3d from_m_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d stretch_at_lift_m_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d wanted_m_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d wanted_m_s_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d wanted_m_s2_ = Eigen::Vector3d::Zero();

@@ -18,7 +18,6 @@ constexpr double kHeightRate_m_s = 0.05;  // of a wanted height or width
 constexpr double kSlip_m = 0.03;          // more than feet that hold move against each other
 constexpr double kMostStretch_m = 0.04;  // of a standing foot's spring along the ground, in a gait that steps
 constexpr double kHeightGain_1_s = 3.0;  // in which the feet's places follow the wanted height
-constexpr double kPaceTime_s = 0.2;      // in which the body stops or goes on where the clock does
 
 double toward(double from, double to, double most) noexcept {
   return from + std::clamp(to - from, -most, most);
@@ -85,7 +84,7 @@ void Walk::begin(const JointState& in, const WalkRequest& request) noexcept {
   ramp_.want(request.speed);
   weight_.reset();
   waits_ = false;
-  pace_ = 1.0;
+  pace_.reset();
   double sum_m = 0.0;
   for (std::size_t i = 0; i < shape_.legs; ++i) {
     steps_[i].stand(view_.foot_m[i], law_.force_rise_s);  // it carries its share already
@@ -162,17 +161,18 @@ void Walk::steer(double dt_s) noexcept {
   ramp_.advance(dt_s);
   height_m_ = toward(height_m_, request_.height_m, kHeightRate_m_s * dt_s);
   width_m_ = toward(width_m_, request_.stance_width_m, kHeightRate_m_s * dt_s);
-  const std::array<double, 3>& speed = ramp_.now();
-  heading_rad_ += pace_ * speed[2] * dt_s;
+  const GaitConfig& in = gait();
+  pace_.advance(waits_, ramp_.now(),
+                {in.fastest_forward_m_s, in.fastest_sideways_m_s, in.fastest_turning_rad_s}, dt_s);
+  const double wanted_rad_s = pace_.now() * pace_.speed()[2];
+  heading_rad_ += wanted_rad_s * dt_s;
   const double error_rad = view_.uses_imu ? wrapped_rad(heading_rad_ - view_.attitude.yaw_rad) : 0.0;
-  turning_rad_s_ = pace_ * speed[2] + std::clamp(kHeadingGain_1_s * error_rad, -kMostHeadingCorrection_rad_s,
-                                                 kMostHeadingCorrection_rad_s);
+  turning_rad_s_ = wanted_rad_s + std::clamp(kHeadingGain_1_s * error_rad, -kMostHeadingCorrection_rad_s,
+                                             kMostHeadingCorrection_rad_s);
 }
 
-/// While the clock waits, so does the body: feet that stand still must not be left behind.
 void Walk::lean(double dt_s) noexcept {
-  pace_ = toward(pace_, waits_ ? 0.0 : 1.0, dt_s / kPaceTime_s);
-  const Eigen::Vector2d speed_m_s = pace_ * Eigen::Vector2d(ramp_.now()[0], ramp_.now()[1]);
+  const Eigen::Vector2d speed_m_s = pace_.now() * Eigen::Vector2d(pace_.speed()[0], pace_.speed()[1]);
   weight_.step(clock_, view_, speed_m_s, dt_s);
   if (weight_.gave_up()) fail("the body cannot be brought over three feet");
   body_m_s_ << speed_m_s + weight_.speed_m_s(), 0.0;
@@ -189,8 +189,8 @@ Eigen::Vector3d Walk::place_m(std::size_t leg) const noexcept {
 /// Half a stance ahead of its place, and further where the body is faster than it should be.
 Eigen::Vector3d Walk::foothold_m(std::size_t leg) const noexcept {
   const Eigen::Vector3d place = place_m(leg);
-  const Eigen::Vector3d turning(0.0, 0.0, ramp_.now()[2]);
-  const Eigen::Vector3d speed(ramp_.now()[0], ramp_.now()[1], 0.0);
+  const Eigen::Vector3d turning(0.0, 0.0, pace_.speed()[2]);
+  const Eigen::Vector3d speed(pace_.speed()[0], pace_.speed()[1], 0.0);
   Eigen::Vector3d out = place + 0.5 * clock_.stance_s() * (speed + turning.cross(place));
   if (view_.velocity_known) {
     constexpr double kFarthest_m = 0.1;
@@ -222,11 +222,20 @@ void Walk::step_legs(const JointState& in, double dt_s) noexcept {
     if (clock_.swings(i) && steps_[i].stands()) steps_[i].lift(view_.foot_m[i]);
     if (!steps_[i].step(plan, view_.foot_m[i], foothold_m(i), touches(i, in.legs[i]))) continue;
     clock_.land(i);
-    steps_[i].shift(pull_m(i));
+    join(i);
     if (steps_[i].gave_up()) fail("a foot found no ground");
   }
   for (std::size_t i = 0; i < shape_.legs; ++i) look_for_slip(i);
   for (std::size_t i = 0; i < shape_.legs; ++i) yield(i);
+}
+
+/// A foot that landed takes over the others' pull; what its own spring had lagged by when it left is not forgotten, but way to catch up with.
+void Walk::join(std::size_t leg) noexcept {
+  const Eigen::Vector3d pull = pull_m(leg);
+  const Eigen::Vector3d behind_m =
+      (pull - steps_[leg].stretch_at_lift_m()) / static_cast<double>(shape_.legs);
+  pace_.lose(behind_m.x(), behind_m.y());
+  steps_[leg].shift(pull);
 }
 
 /// How far the feet that stand are from where they are wanted, on average: what a foot that joins them takes over, so that the springs'

@@ -8,6 +8,7 @@
 #include "planner/gait/force_distribution.h"
 #include "planner/gait/gait_order.h"
 #include "planner/gait/leg_step.h"
+#include "planner/gait/pace.h"
 #include "planner/gait/speed_ramp.h"
 #include "planner/gait/weight_shift.h"
 
@@ -63,6 +64,7 @@ class Walk {
   Eigen::Vector3d place_m(std::size_t leg) const noexcept;
   Eigen::Vector3d foothold_m(std::size_t leg) const noexcept;
   double load(std::size_t leg) const noexcept;
+  void join(std::size_t leg) noexcept;
   Eigen::Vector3d pull_m(std::size_t joining) const noexcept;
   bool on_spring(std::size_t leg) const noexcept;
   const GaitConfig& gait() const noexcept { return clock_.gait(); }
@@ -94,7 +96,7 @@ class Walk {
   double turning_rad_s_ = 0.0;  ///< as steered
   Eigen::Vector3d body_m_s_ = Eigen::Vector3d::Zero();
   bool waits_ = false;  ///< the clock, for a foot that is late or the body's weight
-  double pace_ = 1.0;   ///< share of the wanted speed: falls while the clock waits
+  Pace pace_;
   bool stopping_ = false;
   bool ended_ = true;
   bool placing_ = false;  ///< slow enough to stop: each foot is set in its place once more
