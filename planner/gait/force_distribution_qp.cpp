@@ -13,13 +13,10 @@ constexpr double kDependent = 1e-20;
 }  // namespace
 
 void ForceDistributionQp::begin(const Matrix& cost, const Vector& gradient, int variables) noexcept {
-  convex_ = cost_.factorize(cost, variables);
+  variables_ = variables;
+  cost_.compute(cost.topLeftCorner(variables, variables));
   x_.setZero();
-  x_.head(variables) = -gradient.head(variables);
-  if (convex_) {
-    cost_.forward(x_);
-    cost_.backward(x_);
-  }
+  x_.head(variables) = -cost_.solve(gradient.head(variables));
   row_count_ = 0;
   active_count_ = 0;
   steps_ = 0;
@@ -32,7 +29,7 @@ bool ForceDistributionQp::add(const Row& row) noexcept {
 }
 
 bool ForceDistributionQp::solve() noexcept {
-  if (!convex_) return false;
+  if (cost_.info() != Eigen::Success) return false;
   for (int row = most_violated(); row >= 0; row = most_violated()) {
     if (!enforce(row)) return false;
   }
@@ -61,7 +58,8 @@ int ForceDistributionQp::most_violated() const noexcept {
 ForceDistributionQp::Vector ForceDistributionQp::scaled_normal(int row) const noexcept {
   Vector normal = Vector::Zero();
   normal.segment<3>(rows_[row].first) = rows_[row].normal;
-  cost_.forward(normal);
+  auto part = normal.head(variables_);
+  cost_.matrixL().solveInPlace(part);
   return normal;
 }
 
@@ -110,7 +108,8 @@ bool ForceDistributionQp::enforce(int row) noexcept {
     const double step = full <= length ? full : length;
     if (free) {
       Vector toward = along.rest;
-      cost_.backward(toward);
+      auto part = toward.head(variables_);
+      cost_.matrixU().solveInPlace(part);
       x_ += step * toward;
     }
     prices_ -= step * along.prices;

@@ -3,10 +3,9 @@
 /// Dual active-set method of Goldfarb and Idnani (Math. Programming 27, 1983): starts at the unconstrained minimum, which is
 /// the answer when no row is violated, and adds one violated row after the other. It needs no feasible start, and rows that
 /// meet in one point (a foot without load) don't make it cycle. Pure; all of it lies on the stack or in the object.
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <array>
-
-#include "planner/gait/small_cholesky.h"
 
 namespace sprung {
 
@@ -62,8 +61,10 @@ class ForceDistributionQp {
   void take_in(int row, double price, const Direction& along) noexcept;
   void let_go(int place) noexcept;
 
-  SmallCholesky<kVariables> cost_;
-  bool convex_ = false;
+  using Part = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kVariables, kVariables>;
+
+  int variables_ = 0;
+  Eigen::LLT<Part> cost_;  ///< of the first `variables_` rows
   Vector x_ = Vector::Zero();
   std::array<Row, kMostRows> rows_;
   int row_count_ = 0;

@@ -29,7 +29,7 @@ struct Damage {
 };
 
 struct ReaderOptions {
-  /// How much is read at once; grows to hold the largest event. This stays in a processor's own cache: with 4 MB a replay took 7 % more processor time.
+  /// How much is read at once; grows to hold the largest event. This stays in a processor's own cache; a replay with 4 MB took more processor time.
   std::size_t buffer_bytes = std::size_t{128} << 10;
   std::size_t largest_event = std::size_t{64} << 20;  ///< data of an event; more counts as damage
 };
