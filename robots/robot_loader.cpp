@@ -195,7 +195,7 @@ std::string robots_found(const fs::path& folder) {
 
 std::string robot_folder(const std::string& robot) {
   const char* variable = std::getenv("SPRUNG_ROBOTS");
-  const fs::path robots = variable != nullptr ? variable : SPRUNG_ROBOTS_DIR;
+  const fs::path robots = variable != nullptr && *variable != '\0' ? variable : SPRUNG_ROBOTS_DIR;
   for (const fs::path& folder : {fs::path(robot), robots / robot}) {
     if (!robot.empty() && fs::exists(folder / "robot.yaml")) {
       return folder.string();

@@ -181,5 +181,15 @@ TEST_F(ChangedRobot, HashFollowsTheFile) {
   EXPECT_NE(load_robot(folder_.string()).hash, load_robot("single_leg").hash);
 }
 
+TEST(RobotFolder, AnEmptyVariableIsAsGoodAsNone) {
+  unsetenv("SPRUNG_ROBOTS");
+  const std::string usual = robot_folder("single_leg");
+  setenv("SPRUNG_ROBOTS", "", 1);
+  EXPECT_EQ(robot_folder("single_leg"), usual);
+  setenv("SPRUNG_ROBOTS", "/nowhere", 1);
+  EXPECT_THROW(robot_folder("single_leg"), ConfigError);
+  unsetenv("SPRUNG_ROBOTS");
+}
+
 }  // namespace
 }  // namespace sprung
