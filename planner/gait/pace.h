@@ -3,6 +3,8 @@
 /// still must not be left behind; and what springs lag by is forgotten with each foot that is set anew. What was lost so is caught up with. Pure.
 #include <array>
 
+#include "robots/gait_config.h"
+
 namespace sprung {
 
 class Pace {
@@ -10,9 +12,9 @@ class Pace {
   using Speed = std::array<double, 3>;  ///< forward, left, m/s; turning, rad/s
 
   void reset() noexcept { *this = Pace(); }
-  /// One cycle. @param fastest of the gait: what is caught up with goes no faster, nor by more than a share kMost of what is wanted.
-  void advance(bool waits, const Speed& wanted, const Speed& fastest, double dt_s) noexcept;
-  /// The body is that much behind where it was to be, forward and left.
+  /// One cycle. @param gait how fast it may go: nothing is caught up with beyond, nor by more than a share kMost of what is wanted.
+  void advance(bool waits, const Speed& wanted, const GaitConfig& gait, double dt_s) noexcept;
+  /// The body is that much behind where it was to be, forward and left; no number of a foot that nobody knows counts.
   void lose(double forward_m, double left_m) noexcept;
 
   double now() const noexcept { return now_; }  ///< 0: the body stands still with the clock, 1: it goes
@@ -21,6 +23,8 @@ class Pace {
   static constexpr double kMost = 0.2;
 
  private:
+  void slow_down(double most_share, const GaitConfig& gait) noexcept;
+
   double now_ = 1.0;
   std::array<double, 3> lost_{};  ///< m, m, rad
   Speed speed_{};

@@ -161,9 +161,7 @@ void Walk::steer(double dt_s) noexcept {
   ramp_.advance(dt_s);
   height_m_ = toward(height_m_, request_.height_m, kHeightRate_m_s * dt_s);
   width_m_ = toward(width_m_, request_.stance_width_m, kHeightRate_m_s * dt_s);
-  const GaitConfig& in = gait();
-  pace_.advance(waits_, ramp_.now(),
-                {in.fastest_forward_m_s, in.fastest_sideways_m_s, in.fastest_turning_rad_s}, dt_s);
+  pace_.advance(waits_, ramp_.now(), gait(), dt_s);
   const double wanted_rad_s = pace_.now() * pace_.speed()[2];
   heading_rad_ += wanted_rad_s * dt_s;
   const double error_rad = view_.uses_imu ? wrapped_rad(heading_rad_ - view_.attitude.yaw_rad) : 0.0;

@@ -150,6 +150,13 @@ TEST_F(LegStepTest, LateWhileItLooksForTheGround) {
   EXPECT_FALSE(leg_.late(plan_));
 }
 
+TEST_F(LegStepTest, RemembersWhatItsSpringLaggedByWhenItLeft) {
+  leg_.shift({-0.03, 0.01, 0.0});
+  lift();
+  EXPECT_NEAR(leg_.stretch_at_lift_m().x(), -0.03, 1e-12);
+  EXPECT_NEAR(leg_.stretch_at_lift_m().y(), 0.01, 1e-12);
+}
+
 TEST_F(LegStepTest, ComesDownAtTheGaitsOwnSpeedWhereItHasOne) {
   gait_.approach_m_s = 0.3;
   lift();

@@ -2,23 +2,34 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "robots/gait_speed.h"
+
 namespace sprung {
 namespace {
 
 constexpr double kStep_s = 0.002;
-constexpr Pace::Speed kFastest{0.12, 0.06, 0.15};
+GaitConfig crawl() {
+  GaitConfig gait;
+  gait.fastest_forward_m_s = 0.12;
+  gait.fastest_sideways_m_s = 0.06;
+  gait.fastest_turning_rad_s = 0.15;
+  return gait;
+}
 
 class PaceTest : public testing::Test {
  protected:
   void run(double duration_s, bool waits) {
     for (int k = 0; k < duration_s / kStep_s - 0.5; ++k) {
-      pace_.advance(waits, wanted_, kFastest, kStep_s);
+      pace_.advance(waits, wanted_, gait_, kStep_s);
       gone_m_ += pace_.now() * pace_.speed()[0] * kStep_s;
       wanted_m_ += wanted_[0] * kStep_s;
     }
   }
   Pace pace_;
-  Pace::Speed wanted_{0.1, -0.05, 0.1};
+  const GaitConfig gait_ = crawl();
+  Pace::Speed wanted_{0.1, 0.0, 0.0};
   double gone_m_ = 0.0;
   double wanted_m_ = 0.0;
 };
@@ -66,12 +77,42 @@ TEST_F(PaceTest, SlowsDownAfterGoingTooFar) {
   EXPECT_NEAR(gone_m_ - wanted_m_, -0.02, 1e-4);
 }
 
-TEST_F(PaceTest, DoesNotGoFasterThanTheGaitMayOrThanAFifthMore) {
-  wanted_ = {0.11, -0.04, 0.16};
+TEST_F(PaceTest, GoesAtMostAFifthFasterOrSlower) {
+  wanted_ = {0.05, 0.0, 0.0};
   run(30.0, true);
-  EXPECT_EQ(pace_.speed()[0], 0.12);
-  EXPECT_NEAR(pace_.speed()[1], -(1.0 + Pace::kMost) * 0.04, 1e-12);
-  EXPECT_EQ(pace_.speed()[2], 0.16);  // what is wanted, and no more
+  EXPECT_NEAR(pace_.speed()[0], (1.0 + Pace::kMost) * 0.05, 1e-12);
+  pace_.lose(-9.0, 0.0);
+  run(2 * kStep_s, true);
+  EXPECT_NEAR(pace_.speed()[0], (1.0 - Pace::kMost) * 0.05, 1e-12);
+}
+
+TEST_F(PaceTest, DoesNotGoFasterThanTheGaitMay) {
+  wanted_ = {-0.11, 0.0, 0.0};
+  run(30.0, true);
+  EXPECT_NEAR(pace_.speed()[0], -0.12, 1e-9);  // but for rounding
+}
+
+TEST_F(PaceTest, DoesNotGoFasterInAllDirectionsTogetherThanTheGaitMay) {
+  const double share = 0.95 / speed_share(gait_, {0.12, 0.06, 0.15});
+  wanted_ = {0.12 * share, -0.06 * share, 0.15 * share};
+  run(30.0, true);
+  EXPECT_NEAR(speed_share(gait_, pace_.speed()), 1.0, 1e-9);
+  EXPECT_NEAR(pace_.speed()[1] / pace_.speed()[0], -0.5, 1e-9);
+}
+
+TEST_F(
+    PaceTest,
+    WhatIsWantedStaysEvenBeyondWhatTheGaitMay) {  // a change to a slower gait, while the ramp still comes down
+  wanted_ = {0.2, 0.0, 0.0};
+  run(30.0, true);
+  EXPECT_NEAR(pace_.speed()[0], 0.2, 1e-12);
+}
+
+TEST_F(PaceTest, AFootThatNobodyKnowsCountsForNothing) {
+  pace_.lose(std::nan(""), 0.0);
+  pace_.lose(0.0, std::nan(""));
+  run(1.0, false);
+  EXPECT_EQ(pace_.speed(), wanted_);
 }
 
 TEST_F(PaceTest, NothingIsCaughtUpWithWhereNobodyWantsToGo) {

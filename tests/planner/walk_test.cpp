@@ -136,6 +136,27 @@ TEST_F(WalkTest, LateContactFreezesTheClockUntilTheFootFoundTheGround) {
   EXPECT_EQ(walk_.failure(), nullptr);
 }
 
+TEST_F(WalkTest, CatchesUpWithWhatASpringLaggedBy) {
+  const auto fastest_m_s = [&] {
+    double fastest = 0.0;
+    for (const DesiredLeg& leg : wanted_)
+      if (leg.phase == LegPhase::kStance) fastest = std::max(fastest, -leg.desired_foot_velocity_m_s[0]);
+    return fastest;
+  };
+  // Off where it is wanted before it leaves, and not as long as others land, who would take over a part of it.
+  const auto lags_by = [&](double behind_m) {
+    return [this, behind_m] { slipped_m_[0] = standing() == 4 ? behind_m : 0.0; };
+  };
+  constexpr double kRound_s = 0.8, kLegs = 4.0;
+  begin(request("trot", {0.3, 0.0, 0.0}));
+  run(4.0);
+  EXPECT_NEAR(fastest_m_s(), 0.3, 1e-3);
+  run(16.0, lags_by(0.02));
+  EXPECT_NEAR(fastest_m_s(), 0.3 + 0.02 / kLegs / kRound_s, 2e-3);
+  run(24.0, lags_by(-0.02));
+  EXPECT_NEAR(fastest_m_s(), 0.3 - 0.02 / kLegs / kRound_s, 2e-3);
+}
+
 TEST_F(WalkTest, WhileAFootIsLateTheBodyWaitsForItToo) {
   begin(request("trot", {0.3, 0.0, 0.0}));
   run(2.0);
