@@ -118,6 +118,9 @@ TEST(ForceDistribution, NoFeetAndNumbersThatAreNoneGiveNoForce) {
   expect_zero(ForceStatus::kInvalid, {{0.0, nan, kWeight_N}, Eigen::Vector3d::Zero()});
   expect_zero(ForceStatus::kInvalid, {kStand.force_N, {0.0, 0.0, std::numeric_limits<double>::infinity()}});
   expect_zero(ForceStatus::kInvalid, {kStand.force_N, {1e308, 0.0, 0.0}});  // overflows on the way
+  feet[3].foot_from_com_m.x() = 1e200;
+  expect_zero(ForceStatus::kInvalid, kStand);
+  feet = four_feet();
   feet[2].most_N = nan;
   expect_zero(ForceStatus::kInvalid, kStand);
   feet[2].stands = false;  // nobody reads it then

@@ -105,7 +105,6 @@ struct CoreReplay::Impl {
   MessageSlot<OperatorReply> reply{channels::kOperatorReply, CountLimits::none(), {}};
   History<LegCommand> leg_history{LegCommand(robot.legs.size())};
 
-  bool begun = false;
   bool planner_runs = false;  ///< leg commands come from the planner, not from an experiment
   std::int64_t session = 0;   ///< of the log
   double compare_from_s = -std::numeric_limits<double>::infinity();
@@ -122,8 +121,7 @@ void CoreReplay::Impl::step(const LoggedCycle& cycle, EstimatedCycle& estimated)
   if (!estimated.known) return take_leg_command(cycle);
   std::swap(joint_state.value, estimated.joint_state);
   if (estimated.made) compare(cycle, cycle.joint_state, joint_state);
-  if (!begun) counts.first_seq = cycle.seq;
-  begun = true;
+  if (counts.cycles == 0) counts.first_seq = cycle.seq;
   ++counts.cycles;
   counts.last_seq = cycle.seq;
   if (choice[Core::kController] && !cycle.drive_command.empty()) run_controller(cycle);
