@@ -1,5 +1,7 @@
 #include "tools/identify/record_session.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <set>
 #include <stdexcept>
@@ -10,6 +12,19 @@ namespace sprung::identify {
 namespace {
 
 constexpr double kLook_s = 2.0;
+constexpr std::int64_t kStarting_us =
+    1'000'000;  // of the robot's time: estimates settle within some ten cycles
+
+/// Who asks right after `sprung up` meets joints whose estimates still settle, and waits for them.
+const JointState* look_settled(JointMover& mover) {
+  const auto starts = [](const EstimatedJoint& joint) { return joint.status == JointStatus::kStarting; };
+  const JointState* state = mover.look(kLook_s);
+  const std::int64_t until_us = state == nullptr ? 0 : state->stamp.utime_us + kStarting_us;
+  while (state != nullptr && state->stamp.utime_us < until_us &&
+         std::any_of(state->joints.begin(), state->joints.end(), starts))
+    state = mover.look(kLook_s);
+  return state;
+}
 
 void require_ready(const RobotConfig& robot, const JointState& state) {
   if (state.safety != SafetyLevel::kOperational)
@@ -55,7 +70,7 @@ std::optional<std::string> carry_out_moves(const RecordPlan& plan, JointMover& m
 
 RecordPlan plan_recording(const RobotConfig& robot, int joint, const RecordOptions& options,
                           JointMover& mover) {
-  const JointState* state = mover.look(kLook_s);
+  const JointState* state = look_settled(mover);
   if (state == nullptr) throw std::runtime_error("no JOINT_STATE comes in: see sprung status");
   require_ready(robot, *state);
   RecordPlan plan;

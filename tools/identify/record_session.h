@@ -18,7 +18,7 @@ struct RecordPlan {
   std::vector<RecordMove> moves;
 };
 
-/// @throws std::runtime_error saying what to do first: no JOINT_STATE,
+/// Waits up to a second for joints that are starting. @throws std::runtime_error saying what to do first: no JOINT_STATE,
 /// safety not operational, a joint that is not referenced or not ready. std::invalid_argument where nothing is left to move in.
 RecordPlan plan_recording(const RobotConfig& robot, int joint, const RecordOptions& options,
                           JointMover& mover);
