@@ -40,7 +40,8 @@ constexpr const char* kNoLimits[] = {
     // gains, and what contact is
     R"(actuators\[\]\.(position_loop\..*|safety_damping))", R"(legs\[\]\.contact\..*)",
     // gaits as data; one that stands goes nowhere already
-    R"(gaits\.\w+\.(approach_speed|duty|height|lift|offsets|period|pre_stance|sway))", R"(gaits\.stand\.fastest\.\w+)",
+    R"(gaits\.\w+\.(approach_speed|duty|height|lift|offsets|period|pre_stance|sway))",
+    R"(gaits\.stand\.fastest\.\w+)",
     // laws of motion
     R"(presets\.\w+\.(stand_length|sit_length|rise_time|settle_time|recover_time|stiffness_ramp))",
     R"(presets\.\w+\.(friction_compensation|friction_smoothing|rest_friction\..*|compliance\..*))",
