@@ -1,7 +1,5 @@
 # Every library that sprung stands on; docs/dependencies.md gives the reason for each.
-include(GoogleTest)
 find_package(Threads REQUIRED)
-find_package(GTest)  # tests/ alone; who installed for the programs (./setup programs) has none
 find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(spdlog REQUIRED)
 find_package(yaml-cpp REQUIRED)

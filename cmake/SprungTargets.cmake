@@ -5,6 +5,10 @@ target_compile_options(sprung_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Werror
   # The same source must give the same bits in every process and on every CPU: no fused multiply-add.
   -ffp-contract=off)
+if(SPRUNG_BATCH)
+  # It asks whether a type is in the file that is compiled or in an included one, and here every source is included.
+  target_compile_options(sprung_flags INTERFACE -Wno-subobject-linkage)
+endif()
 target_include_directories(sprung_flags INTERFACE ${CMAKE_SOURCE_DIR})
 if(SPRUNG_SANITIZE)
   # GCC 12 with sanitizers sees uninitialised members inside std::regex (a known false alarm); the sanitizers themselves look.
@@ -14,11 +18,64 @@ if(SPRUNG_SANITIZE)
   target_link_options(sprung_flags INTERFACE -fsanitize=address,undefined)
 endif()
 
+# What nearly every source reads, read once: for presets that build from nothing. A source still includes what it uses, which the
+# develop preset checks by going without.
+set(sprung_common_headers <algorithm> <array> <cmath> <cstdint> <filesystem> <fstream> <functional> <map> <memory> <optional> <set>
+  <sstream> <string> <vector> <Eigen/Core>)
+
+# sprung_precompile(NAME OWNER [HEADER...]): the headers are compiled once, by the object library OWNER, which NAME's flags must match.
+function(sprung_precompile name owner)
+  if(SPRUNG_PRECOMPILED)
+    target_precompile_headers(${name} REUSE_FROM ${owner})
+  endif()
+endfunction()
+
+# sprung_precompiled(OWNER HEADER...): an object library that holds these headers, compiled.
+function(sprung_precompiled owner)
+  file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/${owner}.cpp CONTENT "")
+  add_library(${owner} OBJECT ${CMAKE_BINARY_DIR}/${owner}.cpp)
+  target_link_libraries(${owner} PRIVATE sprung_flags Eigen3::Eigen)
+  target_precompile_headers(${owner} PRIVATE ${ARGN})
+endfunction()
+if(SPRUNG_PRECOMPILED)
+  sprung_precompiled(sprung_common ${sprung_common_headers})
+endif()
+
+# sprung_batches(OUT NAME SOURCE...): where SPRUNG_BATCH is set, sources that include so many of the given ones each, so that what
+# these share is read once a batch. CMake's own unity files name absolute paths, with which another clone finds nothing in ccache.
+function(sprung_batches out name)
+  set(${out} ${ARGN} PARENT_SCOPE)
+  list(LENGTH ARGN count)
+  if(NOT SPRUNG_BATCH OR count LESS 2)
+    return()
+  endif()
+  # As many batches as are needed, of about the same size.
+  math(EXPR batches "(${count} + ${SPRUNG_BATCH} - 1) / ${SPRUNG_BATCH}")
+  math(EXPR size "(${count} + ${batches} - 1) / ${batches}")
+  set(files "")
+  foreach(batch RANGE 1 ${batches})
+    math(EXPR first "(${batch} - 1) * ${size}")
+    list(SUBLIST ARGN ${first} ${size} sources)
+    set(text "")
+    foreach(source IN LISTS sources)
+      file(REAL_PATH ${source} path BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
+      file(RELATIVE_PATH path ${CMAKE_SOURCE_DIR} ${path})
+      string(APPEND text "#include \"${path}\"\n")
+    endforeach()
+    set(file ${CMAKE_CURRENT_BINARY_DIR}/batches/${name}_${batch}.cpp)
+    file(CONFIGURE OUTPUT ${file} CONTENT "${text}" @ONLY)
+    list(APPEND files ${file})
+  endforeach()
+  set(${out} ${files} PARENT_SCOPE)
+endfunction()
+
 # sprung_library(NAME SOURCES a.cpp ... LINK x ...): a static library; headers are found from the top folder.
 function(sprung_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
-  add_library(${name} STATIC ${ARG_SOURCES})
+  sprung_batches(sources ${name} ${ARG_SOURCES})
+  add_library(${name} STATIC ${sources})
   target_link_libraries(${name} PUBLIC sprung_flags ${ARG_LINK})
+  sprung_precompile(${name} sprung_common)
 endfunction()
 
 add_custom_target(programs)  # all of them and no test
@@ -26,9 +83,11 @@ add_custom_target(programs)  # all of them and no test
 # sprung_program(NAME SOURCES a_main.cpp ... LINK x ...): a program in build/<preset>/bin.
 function(sprung_program name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
-  add_executable(${name} ${ARG_SOURCES})
+  sprung_batches(sources ${name} ${ARG_SOURCES})
+  add_executable(${name} ${sources})
   add_dependencies(programs ${name})
   target_link_libraries(${name} PRIVATE sprung_flags ${ARG_LINK})
+  sprung_precompile(${name} sprung_common)
 endfunction()
 
 # Tests are more than half of all compiling: what they test is optimised, they need not be.

@@ -9,13 +9,13 @@
 namespace sprung::commands {
 namespace {
 
-struct Options {
+struct EstimatorOptions {
   EstimatorRequest request;
   std::string out;
   bool as_json = false;
 };
 
-int run(const Options& options) {
+int run_estimator(const EstimatorOptions& options) {
   start_log("sprung");
   const ExperimentReport report = run_estimator_experiment(options.request);
   if (!options.out.empty()) write_rows(report, options.out);
@@ -25,7 +25,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_estimator_experiment(CommandLine& experiment) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<EstimatorOptions>();
   CommandLine& estimator = experiment.subcommand(
       "estimator",
       "What the torque estimate is worth: against the simulation's truth and against recordings.");
@@ -40,7 +40,7 @@ void add_estimator_experiment(CommandLine& experiment) {
   estimator.option("--out", options->out, "folder for the report");
   estimator.flag("--json", options->as_json, "one JSON object on standard output");
   estimator.example("sprung experiment estimator --robot test_axis --seed 1 --json");
-  estimator.action([=] { return run(*options); });
+  estimator.action([=] { return run_estimator(*options); });
 }
 
 }  // namespace sprung::commands

@@ -8,7 +8,7 @@
 namespace sprung {
 namespace {
 
-constexpr GaitControl kControls[] = {GaitControl::kForce, GaitControl::kHybrid, GaitControl::kPreStance,
+constexpr GaitControl kWalkControls[] = {GaitControl::kForce, GaitControl::kHybrid, GaitControl::kPreStance,
                                      GaitControl::kOwn};
 constexpr const char* kCompared = "walk";
 constexpr double kCompared_m_s = 0.2;
@@ -35,7 +35,7 @@ double ramp_s(const RobotConfig& robot, const WalkTask& task, const GaitCase& co
   return config.speed_m_s / robot.preset(task.preset).walk.acceleration_m_s2 + kStarting_s;
 }
 
-ReportRow row(const std::string& name, const char* unit, double value) {
+ReportRow walk_row(const std::string& name, const char* unit, double value) {
   return {"walk." + name, unit, value, std::nullopt, std::nullopt, std::nullopt};
 }
 
@@ -55,14 +55,14 @@ const char* row_name(GaitControl control) {
 
 void add_control(const ControlOutcome& c, double force_rms_m, std::vector<ReportRow>& rows) {
   const std::string name = row_name(c.control);
-  rows.push_back(row(name + ".swing_rms", "mm", 1e3 * c.swing_rms_m));
-  rows.push_back(row(name + ".touchdown_peak", "N", c.peaks.mean_N));
-  rows.push_back(row(name + ".touchdown_worst", "N", c.peaks.worst_N));
-  rows.push_back(row(name + ".knee_output_peak", "Nm", c.peaks.mean_Nm));
-  rows.push_back(row(name + ".fell", "", c.vitals.fell ? 1 : 0));
+  rows.push_back(walk_row(name + ".swing_rms", "mm", 1e3 * c.swing_rms_m));
+  rows.push_back(walk_row(name + ".touchdown_peak", "N", c.peaks.mean_N));
+  rows.push_back(walk_row(name + ".touchdown_worst", "N", c.peaks.worst_N));
+  rows.push_back(walk_row(name + ".knee_output_peak", "Nm", c.peaks.mean_Nm));
+  rows.push_back(walk_row(name + ".fell", "", c.vitals.fell ? 1 : 0));
   if (c.control == GaitControl::kForce) return;
   const bool arrived = !c.vitals.fell && c.vitals.trips == 0;
-  rows.push_back(row(name + ".swing_ratio", "", arrived ? c.swing_rms_m / force_rms_m : kNaN));
+  rows.push_back(walk_row(name + ".swing_ratio", "", arrived ? c.swing_rms_m / force_rms_m : kNaN));
   if (c.control == GaitControl::kHybrid) rows.back().high = kMostRatio;
 }
 
@@ -70,12 +70,12 @@ void add_gait(const GaitOutcome& g, std::vector<ReportRow>& rows) {
   const std::string name = g.config.name;
   const std::size_t first = rows.size();
   const bool arrived = !g.vitals.fell && g.vitals.trips == 0;
-  rows.push_back(row(name + ".speed", "mm/s", arrived ? 1e3 * g.speed_m_s : kNaN));
-  rows.push_back(row(name + ".drift", "deg", arrived ? std::abs(g.drift_rad) * kDegrees : kNaN));
-  rows.push_back(row(name + ".joint_speed_max", "rad/s", g.vitals.fastest_rad_s));
-  rows.push_back(row(name + ".motor_torque_max", "Nm", g.vitals.strongest_Nm));
-  rows.push_back(row(name + ".saturated", "%", 100.0 * g.vitals.saturated_share));
-  rows.push_back(row(name + ".trips", "", g.vitals.trips));
+  rows.push_back(walk_row(name + ".speed", "mm/s", arrived ? 1e3 * g.speed_m_s : kNaN));
+  rows.push_back(walk_row(name + ".drift", "deg", arrived ? std::abs(g.drift_rad) * kDegrees : kNaN));
+  rows.push_back(walk_row(name + ".joint_speed_max", "rad/s", g.vitals.fastest_rad_s));
+  rows.push_back(walk_row(name + ".motor_torque_max", "Nm", g.vitals.strongest_Nm));
+  rows.push_back(walk_row(name + ".saturated", "%", 100.0 * g.vitals.saturated_share));
+  rows.push_back(walk_row(name + ".trips", "", g.vitals.trips));
   if (!g.config.demanded) return;
   rows[first].low = 1e3 * (1.0 - kSpeedShare) * g.config.speed_m_s;
   rows[first].high = 1e3 * (1.0 + kSpeedShare) * g.config.speed_m_s;
@@ -171,14 +171,14 @@ WalkExperiment run_walk_experiment(const RobotConfig& robot, const WalkTask& tas
   if (!(task.distance_m > 0.0)) throw std::invalid_argument("--distance must be more than 0 m");
   WalkExperiment out;
   out.gaits.resize(gait_cases().size());
-  out.controls.resize(std::size(kControls));
+  out.controls.resize(std::size(kWalkControls));
   run_parallel(
       out.gaits.size() + out.controls.size(),
       [&](std::size_t i) {
         if (i < out.gaits.size())
           out.gaits[i] = go(robot, task, gait_cases()[i]);
         else
-          out.controls[i - out.gaits.size()] = walk_under(robot, task, kControls[i - out.gaits.size()]);
+          out.controls[i - out.gaits.size()] = walk_under(robot, task, kWalkControls[i - out.gaits.size()]);
       },
       task.parallel);
   for (const GaitOutcome& g : out.gaits) out.simulated_s += g.simulated_s;

@@ -10,7 +10,6 @@ namespace sprung::log {
 namespace {
 
 constexpr int kEventsToLookAt = 20'000;          // a robot's processes say who they are twice a second
-constexpr std::int64_t kEventsBetween = 65'536;  // of two calls of a Progress
 
 /// Counts that need the event before.
 class Clockwork {

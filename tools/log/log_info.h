@@ -38,6 +38,7 @@ struct LogInfo {
 
 /// Told now and then how many bytes of how many are done.
 using Progress = std::function<void(std::uint64_t done, std::uint64_t all)>;
+inline constexpr std::int64_t kEventsBetween = 65'536;  ///< of two calls of a Progress that reads fast
 
 LogInfo collect_info(Reader& reader, const std::vector<std::string>& leg_names = {},
                      const Progress& progress = {});

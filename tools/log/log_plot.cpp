@@ -17,7 +17,6 @@ namespace {
 
 constexpr std::size_t kMostCurves = 60;
 constexpr std::size_t kMostShades = 400;
-constexpr std::int64_t kEventsBetween = 65'536;  // of two calls of a Progress
 
 /// The curves of one channel.
 struct ChannelCurves {

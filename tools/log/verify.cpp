@@ -13,7 +13,6 @@ namespace {
 using Kind = Finding::Kind;
 
 constexpr std::int64_t kShownOfAKind = 20;
-constexpr std::int64_t kEventsBetween = 65'536;  // of two calls of a Progress
 
 bool is_wrong(Kind kind) {
   return kind != Kind::kUnfinished && kind != Kind::kOrder && kind != Kind::kUnknown;

@@ -13,7 +13,7 @@ namespace sprung {
 
 namespace {
 
-constexpr std::int64_t kProgressEvents = 20'000;
+constexpr std::int64_t kDiffProgressEvents = 20'000;
 
 /// One message that may have its like in the other log.
 struct Candidate {
@@ -184,7 +184,7 @@ DiffResult diff_logs(const DiffRequest& request, const ReplayProgress& progress)
     const bool second = sides[0].ended() || (!sides[1].ended() && sides[1].time_s() < sides[0].time_s());
     Side& side = sides[second ? 1 : 0];
     if (side.next(candidate)) matcher.add(candidate, second ? 1 : 0, sides[second ? 0 : 1].ended());
-    if (progress && ++events % kProgressEvents == 0)
+    if (progress && ++events % kDiffProgressEvents == 0)
       progress(sides[0].position() + sides[1].position(), sides[0].file_bytes() + sides[1].file_bytes());
   }
   matcher.finish();
