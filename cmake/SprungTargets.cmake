@@ -1,5 +1,14 @@
 # One place for flags and for the three kinds of target, so that a folder's CMakeLists.txt is a list of files.
 
+# A quicker linker where there is one: mold, else lld.
+find_program(MOLD mold)
+find_program(LLD ld.lld)
+if(MOLD)
+  add_link_options(-fuse-ld=mold)
+elseif(LLD)
+  add_link_options(-fuse-ld=lld)
+endif()
+
 add_library(sprung_flags INTERFACE)
 target_compile_options(sprung_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Werror
@@ -93,37 +102,25 @@ endfunction()
 # Tests are more than half of all compiling: what they test is optimised, they need not be.
 function(sprung_test_flags name)
   target_compile_options(${name} PRIVATE -O0)
-  target_compile_definitions(${name} PRIVATE
-    SPRUNG_SOURCE_DIR="${CMAKE_SOURCE_DIR}" SPRUNG_BIN_DIR="${CMAKE_BINARY_DIR}/bin")
 endfunction()
 
-# GoogleTest is compiled once for all of them: a precompiled header has 95 MB.
-function(sprung_precompiled_googletest)
-  if(TARGET sprung_googletest)
-    return()
-  endif()
-  file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/sprung_googletest.cpp CONTENT "")
-  add_library(sprung_googletest OBJECT ${CMAKE_BINARY_DIR}/sprung_googletest.cpp)
-  target_link_libraries(sprung_googletest PRIVATE sprung_flags GTest::gmock)
-  sprung_test_flags(sprung_googletest)
-  target_precompile_headers(sprung_googletest PRIVATE <gmock/gmock.h> <gtest/gtest.h>)
-endfunction()
-
-# sprung_tests(NAME SOURCES a_test.cpp ... LINK x ... [REALTIME filter]): a GoogleTest program; every case becomes a ctest. Cases
-# that match the REALTIME filter run with nothing beside them: whatever else runs steals their time.
+# sprung_tests(NAME SOURCES a_test.cpp ... LINK x ... [REALTIME filter] [COST seconds]): a GoogleTest program; every suite becomes a
+# ctest. Cases that match the REALTIME filter are a ctest each, labelled `realtime`, and run with nothing beside them: whatever else
+# runs steals their time. COST says about how long a suite takes, where that is much: ctest starts the longest first.
 function(sprung_tests name)
-  cmake_parse_arguments(ARG "" "REALTIME" "SOURCES;LINK" ${ARGN})
-  add_executable(${name} ${ARG_SOURCES})
+  cmake_parse_arguments(ARG "" "REALTIME;COST" "SOURCES;LINK" ${ARGN})
+  sprung_batches(sources ${name} ${ARG_SOURCES})
+  add_executable(${name} ${sources})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
-  target_link_libraries(${name} PRIVATE sprung_flags ${ARG_LINK} GTest::gmock GTest::gtest_main)
+  target_link_libraries(${name} PRIVATE sprung_flags sprung_test_paths ${ARG_LINK} GTest::gmock GTest::gtest_main)
   sprung_test_flags(${name})
-  sprung_precompiled_googletest()
-  target_precompile_headers(${name} REUSE_FROM sprung_googletest)
-  set(common TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
-  if(ARG_REALTIME)
-    gtest_discover_tests(${name} TEST_FILTER "${ARG_REALTIME}" TEST_LIST ${name}_realtime ${common} RUN_SERIAL TRUE)
-    gtest_discover_tests(${name} TEST_FILTER "-${ARG_REALTIME}" ${common})
-  else()
-    gtest_discover_tests(${name} ${common})
+  sprung_precompile(${name} sprung_googletest)
+  if(NOT ARG_COST)
+    set(ARG_COST 1)
   endif()
+  set(file ${CMAKE_CURRENT_BINARY_DIR}/${name}_suites.cmake)
+  file(CONFIGURE OUTPUT ${file} @ONLY CONTENT
+    "set(NAME @name@)\nset(PROGRAM \"@CMAKE_BINARY_DIR@/tests/@name@\")\nset(FOLDER \"@CMAKE_CURRENT_BINARY_DIR@\")
+set(REALTIME \"@ARG_REALTIME@\")\nset(COST @ARG_COST@)\ninclude(\"@CMAKE_SOURCE_DIR@/cmake/TestSuites.cmake\")\n")
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${file})
 endfunction()

@@ -1,4 +1,5 @@
 #include "robots/robot_loader.h"
+#include "tests/support/paths.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -16,7 +17,7 @@ using testing::HasSubstr;
 namespace fs = std::filesystem;
 
 std::string shipped_text() {
-  std::ifstream in(std::string(SPRUNG_SOURCE_DIR) + "/robots/single_leg/robot.yaml");
+  std::ifstream in(test::source_dir() + "/robots/single_leg/robot.yaml");
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 

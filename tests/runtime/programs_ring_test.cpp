@@ -14,6 +14,7 @@
 #include "tests/runtime/child.h"
 #include "tests/runtime/lcm_network.h"
 #include "tests/signals/message_bytes.h"
+#include "tests/support/paths.h"
 
 namespace sprung {
 namespace {
@@ -35,9 +36,9 @@ class Programs {
     receiving_ = std::make_unique<Receiving>(node_);
     for (const char* program :
          {"sprung-leg-controller", "sprung-motion-planner", "sprung-torque-estimator"}) {
-      std::vector<std::string> words{std::string(SPRUNG_BIN_DIR) + "/" + program,
+      std::vector<std::string> words{test::bin_dir() + "/" + program,
                                      "--robot",
-                                     std::string(SPRUNG_SOURCE_DIR) + "/robots/single_leg",
+                                     test::source_dir() + "/robots/single_leg",
                                      "--session",
                                      std::to_string(kSession),
                                      "--lcm-url",

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "tests/support/paths.h"
 #include "tests/system/system_fixture.h"
 
 namespace sprung {
@@ -107,7 +108,7 @@ TEST_F(Operator, EmergencyStopLatchesUntilClearAndTorqueStaysOff) {
 TEST_F(Operator, RecordWritesAnLcmLogOfEveryChannel) {
   up("lockstep", "--speed 2");
   const std::string file = (folder_ / "record.lcm").string();
-  const std::string command = "exec " SPRUNG_BIN_DIR "/sprung record " + file + " > /dev/null";
+  const std::string command = "exec " + test::bin_dir() + "/sprung record " + file + " > /dev/null";
   ChildProcess record("/bin/sh", {"-c", command});
   usleep(1'500'000);
   record.signal(SIGINT);

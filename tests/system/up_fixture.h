@@ -13,6 +13,7 @@
 #include <string>
 #include <thread>
 
+#include "tests/support/paths.h"
 #include "tests/system/system_fixture.h"
 
 namespace sprung {
@@ -52,7 +53,7 @@ class Up : public SystemTest {
     const std::filesystem::path programs = folder_ / "programs";
     if (!std::filesystem::exists(programs)) {
       std::filesystem::create_directories(programs);
-      for (const auto& entry : std::filesystem::directory_iterator(SPRUNG_BIN_DIR))
+      for (const auto& entry : std::filesystem::directory_iterator(test::bin_dir()))
         std::filesystem::create_symlink(entry.path(), programs / entry.path().filename());
     }
     std::filesystem::remove(programs / program);

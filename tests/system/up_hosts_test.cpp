@@ -1,6 +1,7 @@
 /// `sprung up` on several hosts, and what others say on its network.
 #include "lcmtypes/channels.h"
 #include "runtime/resource_use.h"
+#include "tests/support/paths.h"
 #include "tests/system/up_fixture.h"
 #include "tools/launcher/launcher.h"
 
@@ -93,7 +94,7 @@ class UpOnTwoHosts : public Up {
   void start_trunk(const std::string& more = "") {
     trunk_ = std::make_unique<ChildProcess>(
         "/bin/sh",
-        std::vector<std::string>{"-c", "exec " SPRUNG_BIN_DIR
+        std::vector<std::string>{"-c", "exec " + test::bin_dir() +
                                        "/sprung up single_leg --sim --clock lockstep --no-record --host trunk"
                                        " --instance trunk --lcm-url '" +
                                            lcm_url() + "' " + more + " > " +

@@ -1,3 +1,4 @@
+#include "tests/support/paths.h"
 #include "tools/bench/recorder_bench.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +19,7 @@ const ReportRow& row(const std::vector<ReportRow>& rows, const std::string& name
 }
 
 TEST(RecorderBench, OwnRecorderLosesNothingAndLcmLoggerIsMeasuredBesideIt) {
-  setenv("SPRUNG_PROGRAMS", SPRUNG_BIN_DIR, 1);
+  setenv("SPRUNG_PROGRAMS", test::bin_dir().c_str(), 1);
   RecorderBench bench;
   bench.runs = 2;
   bench.messages = 500;

@@ -1,3 +1,4 @@
+#include "tests/support/paths.h"
 #include "tools/help/man_page.h"
 
 #include <gmock/gmock.h>
@@ -61,8 +62,8 @@ TEST_F(Groff, TakesTheSampleWithoutAWarning) {
 }
 
 TEST_F(Groff, TakesTheWholeManualWithoutAWarning) {
-  EXPECT_GT(output_of(SPRUNG_BIN_DIR "/sprung man").size(), 20'000u);
-  EXPECT_EQ(output_of(SPRUNG_BIN_DIR "/sprung man | groff -man -Tascii -ww -z"), "");
+  EXPECT_GT(output_of(test::bin_dir() + "/sprung man").size(), 20'000u);
+  EXPECT_EQ(output_of(test::bin_dir() + "/sprung man | groff -man -Tascii -ww -z"), "");
 }
 
 }  // namespace

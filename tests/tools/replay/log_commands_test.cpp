@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "tests/support/paths.h"
 #include "tests/tools/replay/logged_run_fixture.h"
 #include "tests/tools/spy/run_command.h"
 #include "tools/launcher/run_file.h"
@@ -90,7 +91,7 @@ TEST_F(LogCommands, AFileThatIsNoLogIsNamed) {
 
 TEST_F(LogCommands, AnswerThatNobodyCouldReadIsAFailure) {
   const test::CommandEnd end =
-      test::run_command("( " SPRUNG_BIN_DIR "/sprung log info " + log() + " > /dev/full )");
+      test::run_command("( " + test::bin_dir() + "/sprung log info " + log() + " > /dev/full )");
   EXPECT_EQ(end.status, 1);
   EXPECT_THAT(end.output, HasSubstr("standard output"));
 }
