@@ -51,7 +51,8 @@ function(sprung_precompiled_googletest)
 endfunction()
 
 # sprung_tests(NAME SOURCES a_test.cpp ... LINK x ... [REALTIME filter]): a GoogleTest program; every case becomes a ctest. Cases
-# that match the REALTIME filter run with nothing beside them: whatever else runs steals their time.
+# that match the REALTIME filter run with nothing beside them, whatever else runs steals their time, and have the label `realtime`: they alone may be
+# tried again (.ci/second-try).
 function(sprung_tests name)
   cmake_parse_arguments(ARG "" "REALTIME" "SOURCES;LINK" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
@@ -62,7 +63,7 @@ function(sprung_tests name)
   target_precompile_headers(${name} REUSE_FROM sprung_googletest)
   set(common TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
   if(ARG_REALTIME)
-    gtest_discover_tests(${name} TEST_FILTER "${ARG_REALTIME}" TEST_LIST ${name}_realtime ${common} RUN_SERIAL TRUE)
+    gtest_discover_tests(${name} TEST_FILTER "${ARG_REALTIME}" TEST_LIST ${name}_realtime ${common} RUN_SERIAL TRUE LABELS realtime)
     gtest_discover_tests(${name} TEST_FILTER "-${ARG_REALTIME}" ${common})
   else()
     gtest_discover_tests(${name} ${common})

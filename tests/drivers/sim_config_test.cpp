@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "robots/robot_loader.h"
+#include "tests/support/own_folder.h"
 
 namespace sprung::sim {
 namespace {
@@ -27,7 +28,7 @@ class SimConfigTest : public testing::Test {
     changed.replace(at, from.size(), to);
     RobotConfig robot = robot_;
     robot.folder =
-        testing::TempDir() + "sim_config_" + testing::UnitTest::GetInstance()->current_test_info()->name();
+        test::temp_dir() + "sim_config_" + testing::UnitTest::GetInstance()->current_test_info()->name();
     std::filesystem::create_directories(robot.folder);
     std::ofstream(robot.folder + "/sim.yaml") << changed;
     return load_sim_config(robot, {});

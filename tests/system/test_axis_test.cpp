@@ -20,11 +20,11 @@ using testing::HasSubstr;
 class TestAxis : public SystemTest {
  protected:
   TestAxis() { robot_ = load_robot("test_axis"); }
-  /// Everything that is published in some seconds.
+  /// Everything that is published for a while: some thousand cycles.
   std::string record() const {
     const std::string file = (folder_ / "record.lcm").string();
     ChildProcess record("/bin/sh", {"-c", "exec " SPRUNG_BIN_DIR "/sprung record " + file + " > /dev/null"});
-    usleep(2'000'000);
+    EXPECT_TRUE(grows(file, 3'000'000));
     record.signal(SIGINT);
     while (!record.ended()) usleep(10'000);
     return file;

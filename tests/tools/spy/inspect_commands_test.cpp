@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "tests/support/own_folder.h"
 #include "tests/tools/spy/network_sender.h"
 #include "tests/tools/spy/run_command.h"
 
@@ -104,7 +105,7 @@ TEST_F(InspectCommands, TopicsNeedsTimeToListen) {
 }
 
 TEST_F(InspectCommands, OwnTypesAreReadFromTheirFiles) {
-  const std::string path = testing::TempDir() + "own_" + std::to_string(getpid()) + ".lcm";
+  const std::string path = test::temp_dir() + "own.lcm";
   std::ofstream(path) << "package own; struct thing_t { double length_m; }";
   EXPECT_EQ(run_sprung("topics --for 0.3 --types " + path + here()).status, 0);
   std::ofstream(path) << "package own; struct thing_t { lost_t x; }";
