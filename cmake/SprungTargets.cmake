@@ -51,8 +51,8 @@ function(sprung_precompiled_googletest)
 endfunction()
 
 # sprung_tests(NAME SOURCES a_test.cpp ... LINK x ... [REALTIME filter]): a GoogleTest program; every case becomes a ctest. Cases
-# that match the REALTIME filter run with nothing beside them, whatever else runs steals their time, and have the label `realtime`: they alone may be
-# tried again (.ci/second-try).
+# that match the REALTIME filter run with nothing beside them, since whatever else runs steals their time, and have the label `realtime`:
+# they alone are tried again where they fail (.ci/second-try).
 function(sprung_tests name)
   cmake_parse_arguments(ARG "" "REALTIME" "SOURCES;LINK" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})

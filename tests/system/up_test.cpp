@@ -45,12 +45,19 @@ class Adoption {
   Adoption& operator=(const Adoption&) = delete;
 };
 
+bool is_stopped(pid_t pid) {
+  std::ifstream stat("/proc/" + std::to_string(pid) + "/stat");
+  std::string id, program, state;
+  return stat >> id >> program >> state && state == "T";
+}
+
 /// Else two bridges would be on one bus.
 TEST_F(Up, NothingStartsBesideABridgeWhoseLauncherWasKilled) {
   const Adoption adoption;
   up("lockstep", "--speed 1");
   const auto bridge = static_cast<pid_t>(pid_of("sprung-can-bridge"));
   kill(bridge, SIGSTOP);
+  ASSERT_TRUE(within(kPatience_s, [&] { return is_stopped(bridge); }));
   up_process().signal(SIGKILL);
   EXPECT_EQ(wait_for_up(), 128 + SIGKILL);
   const std::string again = "up single_leg --sim --no-record --cycles 10 --clock lockstep --lcm-url '" +
