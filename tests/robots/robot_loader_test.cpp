@@ -3,11 +3,12 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+
+#include "tests/support/own_folder.h"
 
 namespace sprung {
 namespace {
@@ -25,7 +26,7 @@ std::string shipped_text() {
 class ChangedRobot : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("sprung_robot_" + std::to_string(getpid()));
+    folder_ = test::temp_dir() + "sprung_robot";
     fs::create_directories(folder_);
   }
   void TearDown() override { fs::remove_all(folder_); }

@@ -29,7 +29,8 @@ using Faults = std::vector<std::string>;
 
 class Programs {
  public:
-  Programs(const std::string& clock, const Faults& faults) : node_({url_, kSession, 0, {}}) {
+  Programs(const std::string& clock, const Faults& faults)
+      : repeat_us_(clock == "lockstep" ? kRepeat_us : kLong_us), node_({url_, kSession, 0, {}}) {
     node_.subscribe(channels::kDriveCommand, CountLimits::exactly(2), commands_);
     node_.subscribe_message(channels::kOperatorReply, CountLimits::none(), replies_);
     node_.subscribe_message(channels::kProcessStatus, CountLimits::none(), statuses_);
@@ -82,7 +83,7 @@ class Programs {
     DriveCommand command(2);
     for (const std::int64_t end_us = node_.utime_us() + kLong_us; node_.utime_us() < end_us;) {
       send(seq);
-      for (const std::int64_t again_us = node_.utime_us() + kRepeat_us; node_.utime_us() < again_us;) {
+      for (const std::int64_t again_us = node_.utime_us() + repeat_us_; node_.utime_us() < again_us;) {
         if (commands_.get(seq, command)) return encoded(command);
         node_.wait_for_input(again_us);
       }
@@ -139,6 +140,7 @@ class Programs {
   }
 
   const std::string url_ = test::own_lcm_url();
+  const std::int64_t repeat_us_;  ///< in real time a bridge never asks twice
   Slot<DriveCommand> commands_{DriveCommand(2)};
   InputQueue<sprung_msgs::operator_reply_t> replies_;
   InputQueue<sprung_msgs::process_status_t> statuses_{1000};

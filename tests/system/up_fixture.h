@@ -36,13 +36,13 @@ class Up : public SystemTest {
     return 0;
   }
   bool comes_back(const std::string& program, std::int64_t old_pid) const {
-    return within(10.0, [&] { return pid_of(program) != old_pid; });
+    return within(kPatience_s, [&] { return pid_of(program) != old_pid; });
   }
   static std::string read_all(const std::filesystem::path& path) {
     std::ifstream in(path);
     return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
   }
-  bool says(const std::string& what, double patience_s = 5.0) const {
+  bool says(const std::string& what, double patience_s = kPatience_s) const {
     return within(patience_s, [&] { return said().find(what) != std::string::npos; });
   }
   void signal_program(const std::string& program, int number) const {

@@ -3,10 +3,11 @@
 
 #include <gtest/gtest.h>
 #include <stdlib.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
+
+#include "tests/support/own_folder.h"
 
 namespace sprung {
 namespace {
@@ -25,8 +26,7 @@ TEST(RecorderBench, OwnRecorderLosesNothingAndLcmLoggerIsMeasuredBesideIt) {
   bench.messages = 500;
   bench.rate_Hz = 1000.0;
   bench.hogs = 1;
-  bench.folder =
-      (std::filesystem::path(testing::TempDir()) / ("recorder-bench-" + std::to_string(getpid()))).string();
+  bench.folder = test::temp_dir() + "recorder-bench";
   int said = 0;
   bench.on_run = [&](int) { ++said; };
   const std::vector<ReportRow> rows = bench_recorder(bench);

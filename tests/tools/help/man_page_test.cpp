@@ -12,6 +12,7 @@
 #include <memory>
 #include <string>
 
+#include "tests/support/own_folder.h"
 #include "tests/tools/help/sample_command.h"
 
 namespace sprung {
@@ -53,7 +54,7 @@ class Groff : public testing::Test {
 };
 
 TEST_F(Groff, TakesTheSampleWithoutAWarning) {
-  const auto file = std::filesystem::temp_directory_path() / ("sprung_man_" + std::to_string(getpid()));
+  const std::filesystem::path file = test::temp_dir() + "sprung_man";
   std::ofstream(file) << man_page(test::SampleCommand().line.info(), "1.0");
   EXPECT_EQ(output_of("groff -man -Tascii -ww -z " + file.string()), "");
   EXPECT_THAT(output_of("groff -man -Tascii -P-c " + file.string()),
