@@ -11,6 +11,7 @@
 
 #include "robots/robot_loader.h"
 #include "tests/support/own_folder.h"
+#include "tests/support/paths.h"
 
 namespace sprung::sim {
 namespace {
@@ -41,7 +42,7 @@ class SimConfigTest : public testing::Test {
     }
     return "accepted";
   }
-  RobotConfig robot_ = load_robot(std::string(SPRUNG_SOURCE_DIR) + "/robots/single_leg");
+  RobotConfig robot_ = load_robot(test::source_dir() + "/robots/single_leg");
 };
 
 TEST_F(SimConfigTest, ShippedFileIsPlantJ3) {

@@ -10,6 +10,7 @@
 
 #include "robots/robot_loader.h"
 #include "tests/support/own_folder.h"
+#include "tests/support/paths.h"
 
 namespace sprung {
 namespace {
@@ -25,7 +26,7 @@ class ChangedLanding : public testing::Test {
   ~ChangedLanding() override { fs::remove_all(folder_); }
 
   std::string complaint(const std::string& from, const std::string& to) {
-    std::ifstream in(std::string(SPRUNG_SOURCE_DIR) + "/robots/single_leg/robot.yaml");
+    std::ifstream in(test::source_dir() + "/robots/single_leg/robot.yaml");
     std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
     const std::size_t at = text.find(from);
     EXPECT_NE(at, std::string::npos) << from;

@@ -11,6 +11,7 @@
 
 #include "robots/robot_loader.h"
 #include "tests/support/own_folder.h"
+#include "tests/support/paths.h"
 
 namespace sprung {
 namespace {
@@ -25,7 +26,7 @@ class ChangedPreset : public testing::Test {
   ~ChangedPreset() override { fs::remove_all(folder_); }
 
   PresetConfig paper_with(const std::string& lines) {
-    std::ifstream in(std::string(SPRUNG_SOURCE_DIR) + "/robots/single_leg/robot.yaml");
+    std::ifstream in(test::source_dir() + "/robots/single_leg/robot.yaml");
     std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
     const std::size_t at = text.find("    compensated_friction: paper");
     EXPECT_NE(at, std::string::npos);

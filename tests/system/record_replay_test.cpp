@@ -15,6 +15,7 @@
 #include "lcmtypes/channels.h"
 #include "runtime/node.h"
 #include "signals/modes.h"
+#include "tests/support/paths.h"
 #include "tests/system/system_fixture.h"
 #include "tools/log/reader.h"
 #include "tools/recorder/log_messages.h"
@@ -171,7 +172,7 @@ TEST_F(RecordReplay, LcmsOwnPlayerAndLoggerReadAndWriteTheSameFiles) {
   {
     ChildProcess logger(system_program("lcm-logger", "liblcm-bin"),
                         {"--lcm-url=" + lcm_url(), "-q", "-f", theirs});
-    ChildProcess recorder(SPRUNG_BIN_DIR "/sprung-recorder",
+    ChildProcess recorder(test::bin_dir() + "/sprung-recorder",
                           {"--robot", "single_leg", "--session", "1", "--lcm-url", lcm_url(), "--file", ours},
                           Output::kCaptured);
     ASSERT_TRUE(hears_status_of("sprung-recorder"));
@@ -239,7 +240,7 @@ TEST_F(RecordReplay, SplitRecordingIsReplayedPartByPart) {
   log_folder_.clear();
   up("lockstep", "--speed 1");
   const std::string file = (folder_ / "split.lcm").string();
-  ChildProcess record(SPRUNG_BIN_DIR "/sprung", {"record", file, "--split-mb", "1"}, Output::kCaptured);
+  ChildProcess record(test::bin_dir() + "/sprung", {"record", file, "--split-mb", "1"}, Output::kCaptured);
   EXPECT_TRUE(grows(folder_ / "split-001.lcm", 100'000));
   record.signal(SIGINT);
   ASSERT_TRUE(record.wait(kPatience_s));

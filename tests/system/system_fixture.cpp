@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "runtime/own_port.h"
+#include "tests/support/paths.h"
 #include "tools/launcher/launcher.h"
 
 namespace sprung {
@@ -35,7 +36,7 @@ bool runs(std::int64_t pid) {
 }  // namespace
 
 void SystemTest::SetUp() {
-  setenv("SPRUNG_PROGRAMS", SPRUNG_BIN_DIR, 1);
+  setenv("SPRUNG_PROGRAMS", test::bin_dir(), 1);
   setenv("SPRUNG_RUN_DIR", folder_.c_str(), 1);
   setenv("SPRUNG_MIXED_BUILDS", "1",
          1);  // behaviour is tested here, while the tree is worked on and built in parts
@@ -58,7 +59,7 @@ void SystemTest::TearDown() {
 CommandResult SystemTest::sprung(const std::string& arguments) const {
   const std::filesystem::path file = folder_ / "output.txt";
   const int raw =
-      std::system((SPRUNG_BIN_DIR "/sprung " + arguments + " > " + file.string() + " 2>&1").c_str());
+      std::system((test::bin_dir() + "/sprung " + arguments + " > " + file.string() + " 2>&1").c_str());
   return {WIFEXITED(raw) ? WEXITSTATUS(raw) : 128 + WTERMSIG(raw), read_all(file)};
 }
 
@@ -75,7 +76,7 @@ std::string SystemTest::can_options() const {
 std::string SystemTest::said() const { return read_all(folder_ / "up.txt"); }
 
 void SystemTest::up(const std::string& clock, const std::string& more) {
-  const std::string command = "exec " SPRUNG_BIN_DIR "/sprung up " + robot_.name + " --sim --clock " + clock +
+  const std::string command = "exec " + test::bin_dir() + "/sprung up " + robot_.name + " --sim --clock " + clock +
                               (log_folder_.empty() ? " --no-record" : " --log " + log_folder_.string()) +
                               " --lcm-url '" + lcm_url_ + "'" + can_options() + " " + more + " > " +
                               (folder_ / "up.txt").string() + " 2>&1";

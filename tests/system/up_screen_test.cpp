@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "runtime/own_port.h"
+#include "tests/support/paths.h"
 #include "tests/system/system_fixture.h"
 
 namespace sprung {
@@ -32,7 +33,7 @@ class UpScreen : public SystemTest {
 
 TEST_F(UpScreen, ShowsEveryProcessAndGivesTheTerminalBack) {
   const std::string command =
-      SPRUNG_BIN_DIR "/sprung up single_leg --sim --clock lockstep --speed 1 --no-record --lcm-url '" +
+      test::bin_dir() + "/sprung up single_leg --sim --clock lockstep --speed 1 --no-record --lcm-url '" +
       lcm_url() + "' --can leg=udp:239.74.163.2:" + std::to_string(own_port());
   ChildProcess script("/usr/bin/env",
                       {"TERM=xterm", "script", "-qfec", "stty cols 140 rows 30; " + command,

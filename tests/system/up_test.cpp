@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "runtime/own_port.h"
+#include "tests/support/paths.h"
 #include "tests/system/up_fixture.h"
 #include "tools/launcher/run_description.h"
 #include "tools/launcher/status_board.h"
@@ -112,11 +113,11 @@ TEST_F(Up, ContradictionsAreWrongUseBeforeAnybodyIsWaitedFor) {
 }
 
 TEST_F(Up, DownOfAnotherUsersRobotSaysSo) {
-  if (getuid() != 0 || std::system("setpriv --reuid=65534 --clear-groups " SPRUNG_BIN_DIR
+  if (getuid() != 0 || std::system("setpriv --reuid=65534 --clear-groups " + test::bin_dir() +
                                    "/sprung --version > /dev/null 2>&1") != 0)
     GTEST_SKIP() << "needs root, and programs that others may run";
   up("lockstep", "--speed 1");
-  const int raw = std::system(("setpriv --reuid=65534 --clear-groups " SPRUNG_BIN_DIR "/sprung down > " +
+  const int raw = std::system(("setpriv --reuid=65534 --clear-groups " + test::bin_dir() + "/sprung down > " +
                                (folder_ / "down.txt").string() + " 2>&1")
                                   .c_str());
   EXPECT_EQ(WEXITSTATUS(raw), 1);
@@ -159,7 +160,7 @@ TEST_F(Up, NothingComesBackInLockStep) {
   EXPECT_EQ(wait_for_up(), 1) << "a process died: the run has failed";
 }
 
-constexpr const char* kPlannerOfPaper = "exec " SPRUNG_BIN_DIR "/sprung-motion-planner \"${@/#best/paper}\"";
+constexpr const char* kPlannerOfPaper = "exec " + test::bin_dir() + "/sprung-motion-planner \"${@/#best/paper}\"";
 
 TEST_F(Up, ProcessWithAnotherConfigurationIsRefusedAndNamed) {
   replace_program("sprung-motion-planner", kPlannerOfPaper);
@@ -169,7 +170,7 @@ TEST_F(Up, ProcessWithAnotherConfigurationIsRefusedAndNamed) {
 }
 
 TEST_F(Up, RealTimeProcessThatIsStartedAgainAndDoesNotBelongHereIsEndedAndNamed) {
-  replace_program("sprung-motion-planner", "exec " SPRUNG_BIN_DIR "/sprung-motion-planner \"$@\"");
+  replace_program("sprung-motion-planner", "exec " + test::bin_dir() + "/sprung-motion-planner \"$@\"");
   up("realtime");
   replace_program("sprung-motion-planner", kPlannerOfPaper);
   kill_program("sprung-motion-planner");

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "tests/support/own_folder.h"
+#include "tests/support/paths.h"
 #include "tests/tools/spy/network_sender.h"
 #include "tests/tools/spy/run_command.h"
 
@@ -123,7 +124,7 @@ TEST_F(InspectCommands, SpyWithoutATerminalNamesTheOtherCommands) {
 
 /// Its keys would never come, and it would ask for them without end.
 TEST_F(InspectCommands, SpyWithoutKeysNamesTheOtherCommands) {
-  const std::string spy = SPRUNG_BIN_DIR "/sprung spy --url \"" + test::own_lcm_url() + "\" </dev/null";
+  const std::string spy = test::bin_dir() + "/sprung spy --url \"" + test::own_lcm_url() + "\" </dev/null";
   const auto end = test::run_command("timeout -s KILL 10 script -qec '" + spy + "' /dev/null");
   EXPECT_EQ(end.status, 1) << end.output;
   EXPECT_THAT(end.output, HasSubstr("sprung watch"));
