@@ -5,6 +5,7 @@
 #include "runtime/log.h"
 #include "tools/commands/experiment_rows.h"
 #include "tools/experiments/estimator_experiment.h"
+#include "tools/experiments/progress_bar.h"
 
 namespace sprung::commands {
 namespace {
@@ -17,7 +18,10 @@ struct EstimatorOptions {
 
 int run_estimator(const EstimatorOptions& options) {
   start_log("sprung");
-  const ExperimentReport report = run_estimator_experiment(options.request);
+  const ExperimentReport report = with_progress("estimator", [&](ProgressBar& bar) {
+    return run_estimator_experiment(options.request,
+                                    [&bar](std::size_t done, std::size_t count) { bar.show(done, count); });
+  });
   if (!options.out.empty()) write_rows(report, options.out);
   return print_rows(report, options.as_json);
 }

@@ -12,6 +12,7 @@
 #include "runtime/log.h"
 #include "tools/experiments/drag_report.h"
 #include "tools/experiments/friction_sweep_report.h"
+#include "tools/experiments/progress_bar.h"
 #include "tools/report/report_shell.h"
 
 namespace sprung::commands {
@@ -79,7 +80,7 @@ int timed(const JointRequest& request, const std::string& experiment,
   const auto started = std::chrono::steady_clock::now();
   const RobotConfig robot = load_robot(request.robot);
   JointOutput out = begin(request, robot, experiment);
-  run(robot, out);
+  with_progress(experiment, [&](ProgressBar&) { run(robot, out); });
   out.rows.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
   return finish(request, out);
 }

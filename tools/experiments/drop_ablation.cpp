@@ -95,6 +95,7 @@ std::vector<AblationRow> run_drop_ablation(const RobotConfig& robot, const DropR
   }
   ParallelOptions parallel;
   parallel.jobs = request.jobs;
+  parallel.on_progress = request.on_progress;
   const auto results =
       parallel_map((cases.size() + 1) * drops.size(),
                    [&](std::size_t i) {

@@ -144,9 +144,17 @@ class Matcher {
   std::map<std::string, Waiting> waiting_[2];
 };
 
+std::string without_metadata(const LoggedRun& first, const LoggedRun& second) {
+  const char* const which = first.metadata    ? "the second log"
+                            : second.metadata ? "the first log"
+                                              : "either log";
+  return std::string("no LOG_METADATA in ") + which +
+         ": whether both are of one robot.yaml, preset and version cannot be told";
+}
+
 /// Of the fields that say what ran; not of host and time.
 std::vector<std::string> compare_metadata(const LoggedRun& first, const LoggedRun& second) {
-  if (!first.metadata || !second.metadata) return {};
+  if (!first.metadata || !second.metadata) return {without_metadata(first, second)};
   std::vector<std::string> out;
   const auto text = [&](const char* what, const std::string& a, const std::string& b) {
     if (a != b) out.push_back(std::string(what) + ": " + a + " and " + b);
