@@ -8,6 +8,7 @@
 
 #include "drivers/sim/plant_model.h"
 #include "robots/robot_loader.h"
+#include "tests/support/paths.h"
 
 namespace sprung::sim {
 namespace {
@@ -36,7 +37,7 @@ class PlantModelTest : public testing::Test {
     }
     return "accepted";
   }
-  RobotConfig robot_ = load_robot(std::string(SPRUNG_SOURCE_DIR) + "/robots/single_leg");
+  RobotConfig robot_ = load_robot(test::source_dir() + "/robots/single_leg");
 };
 
 TEST_F(PlantModelTest, ATagThatIsNotClosedIsNamedWithFileLineAndRemedyInOneLine) {

@@ -36,7 +36,7 @@ bool runs(std::int64_t pid) {
 }  // namespace
 
 void SystemTest::SetUp() {
-  setenv("SPRUNG_PROGRAMS", test::bin_dir(), 1);
+  setenv("SPRUNG_PROGRAMS", test::bin_dir().c_str(), 1);
   setenv("SPRUNG_RUN_DIR", folder_.c_str(), 1);
   setenv("SPRUNG_MIXED_BUILDS", "1",
          1);  // behaviour is tested here, while the tree is worked on and built in parts

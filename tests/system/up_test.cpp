@@ -113,8 +113,9 @@ TEST_F(Up, ContradictionsAreWrongUseBeforeAnybodyIsWaitedFor) {
 }
 
 TEST_F(Up, DownOfAnotherUsersRobotSaysSo) {
-  if (getuid() != 0 || std::system("setpriv --reuid=65534 --clear-groups " + test::bin_dir() +
-                                   "/sprung --version > /dev/null 2>&1") != 0)
+  if (getuid() != 0 || std::system(("setpriv --reuid=65534 --clear-groups " + test::bin_dir() +
+                                    "/sprung --version > /dev/null 2>&1")
+                                       .c_str()) != 0)
     GTEST_SKIP() << "needs root, and programs that others may run";
   up("lockstep", "--speed 1");
   const int raw = std::system(("setpriv --reuid=65534 --clear-groups " + test::bin_dir() + "/sprung down > " +
@@ -160,10 +161,12 @@ TEST_F(Up, NothingComesBackInLockStep) {
   EXPECT_EQ(wait_for_up(), 1) << "a process died: the run has failed";
 }
 
-constexpr const char* kPlannerOfPaper = "exec " + test::bin_dir() + "/sprung-motion-planner \"${@/#best/paper}\"";
+std::string planner_of_paper() {
+  return "exec " + test::bin_dir() + "/sprung-motion-planner \"${@/#best/paper}\"";
+}
 
 TEST_F(Up, ProcessWithAnotherConfigurationIsRefusedAndNamed) {
-  replace_program("sprung-motion-planner", kPlannerOfPaper);
+  replace_program("sprung-motion-planner", planner_of_paper());
   EXPECT_THAT([&] { up("lockstep"); }, testing::ThrowsMessage<std::runtime_error>(
                                            AllOf(HasSubstr("sprung-motion-planner on "),
                                                  HasSubstr("another configuration"), HasSubstr("--preset"))));
@@ -172,7 +175,7 @@ TEST_F(Up, ProcessWithAnotherConfigurationIsRefusedAndNamed) {
 TEST_F(Up, RealTimeProcessThatIsStartedAgainAndDoesNotBelongHereIsEndedAndNamed) {
   replace_program("sprung-motion-planner", "exec " + test::bin_dir() + "/sprung-motion-planner \"$@\"");
   up("realtime");
-  replace_program("sprung-motion-planner", kPlannerOfPaper);
+  replace_program("sprung-motion-planner", planner_of_paper());
   kill_program("sprung-motion-planner");
   EXPECT_TRUE(says("another configuration")) << said();
   EXPECT_TRUE(says("sprung-motion-planner ended (exit status 0). It is not started again")) << said();

@@ -14,6 +14,7 @@
 #include "sprung_msgs/log_metadata_t.hpp"
 #include "sprung_msgs/motion_state_t.hpp"
 #include "sprung_msgs/safety_state_t.hpp"
+#include "tests/support/paths.h"
 
 namespace sprung::log {
 
@@ -80,7 +81,7 @@ inline constexpr const char* kSampleYaml = "name: no_such_robot\n";
 /// The text of a shipped robot's file, with one word for another wherever it stands.
 inline std::string robot_yaml(const std::string& robot, const std::string& from = "",
                               const std::string& to = "") {
-  std::ifstream in(std::string(SPRUNG_SOURCE_DIR) + "/robots/" + robot + "/robot.yaml");
+  std::ifstream in(test::source_dir() + "/robots/" + robot + "/robot.yaml");
   std::string text{std::istreambuf_iterator<char>(in), {}};
   for (std::size_t at = 0; !from.empty() && (at = text.find(from, at)) != std::string::npos; at += to.size())
     text.replace(at, from.size(), to);
