@@ -13,7 +13,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-using BridgeSafety = testing::PoweredBridge;
+using BridgeSafety = test::PoweredBridge;
 
 TEST_F(BridgeSafety, StaleCommandIsHeldThenDampedThenStoppedForGood) {
   bench_.command_all(DriveMode::kTorque, 30.8);
