@@ -53,6 +53,7 @@ int run_command(const Request& request, const WalkingExperiment& experiment) {
   start_log("sprung");
   WalkingInput input = request.input;
   input.robot = load_robot(request.robot);
+  input.preset = input.robot.preset(input.preset).name;
   if (input.robot.gaits.empty())
     throw WrongUse("experiment " + experiment.name + " needs a robot that walks; " + request.robot +
                    " has no gaits");
@@ -70,7 +71,8 @@ void add(CommandLine& parent, const WalkingExperiment& experiment) {
   const auto request = std::make_shared<Request>();
   CommandLine& line = parent.subcommand(experiment.name, experiment.what);
   line.option("--robot", request->robot, "name or folder");
-  line.option("--preset", request->input.preset, "set of parameters in robot.yaml");
+  line.option("--preset", request->input.preset,
+              "set of parameters in robot.yaml; default: best, else the only one");
   line.option("--seed", request->input.seed, "of every noise and draw; 0 was used for tuning");
   if (experiment.name == "endurance") {
     line.option("--seeds", request->input.seeds, "how many, from --seed on");

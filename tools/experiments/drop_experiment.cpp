@@ -108,7 +108,7 @@ DropExperiment run_drop_experiment(const RobotConfig& robot, const DropRequest& 
       [&](std::size_t i) { return pair(robot, request, i, counted); }, parallel);
   out.rows.experiment = "drop";
   out.rows.robot = robot.name;
-  out.rows.preset = request.preset;
+  out.rows.preset = robot.preset(request.preset).name;
   out.rows.seed = request.sim.seed;
   add_landings(out.landings, out.rows);
   add_own_over_hybrid(out.landings, out.rows);

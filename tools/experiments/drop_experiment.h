@@ -29,8 +29,8 @@ struct DropExperiment {
 };
 
 struct DropRequest {
-  std::string preset = "best";
-  SimOptions sim;  ///< its seed is the first of the comparison's
+  std::string preset;  ///< empty = the robot's usual one
+  SimOptions sim;      ///< its seed is the first of the comparison's
   int seeds = 50;
   int jobs = 0;  ///< of parallel.h
 };
