@@ -43,6 +43,7 @@ class SystemTest : public testing::Test {
 
   std::filesystem::path folder_;
   RobotConfig robot_ = load_robot("single_leg");  ///< another one: before up()
+  std::string typed_robot_;                       ///< for `sprung up`, before up(); empty = robot_'s name
   std::filesystem::path log_folder_;              ///< a log is written where one is named, before up()
 
  private:
