@@ -1,7 +1,13 @@
 # Every library that sprung stands on; docs/dependencies.md gives the reason for each.
-include(GoogleTest)
 find_package(Threads REQUIRED)
-find_package(GTest)  # tests/ alone; who installed for the programs (./setup programs) has none
+# For tests/ alone; who installed for the programs (./setup programs) has none. Debian packs GoogleMock apart from GoogleTest.
+if(BUILD_TESTING)
+  find_package(GTest QUIET)
+  if(NOT TARGET GTest::gtest OR NOT TARGET GTest::gmock)
+    message(FATAL_ERROR "The tests need GoogleTest and GoogleMock: run ./setup (or apt-get install libgtest-dev libgmock-dev), "
+      "or build the programs alone: cmake --preset demo.")
+  endif()
+endif()
 find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(spdlog REQUIRED)
 find_package(yaml-cpp REQUIRED)
