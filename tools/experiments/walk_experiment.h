@@ -13,7 +13,7 @@
 namespace sprung {
 
 struct WalkTask {
-  std::string preset = "best";
+  std::string preset;  ///< empty = the robot's usual one
   SimOptions sim;
   double distance_m = 10.0;  ///< that speed and drift are taken over
   ParallelOptions parallel;
