@@ -48,12 +48,19 @@ struct GaitOutcome {
   double simulated_s = 0.0;
 };
 
+/// What the rows of one robot are held against.
+struct WalkLimits {
+  double compared_m_s = kNaN;  ///< speed of the controls' gait
+  double speed_rad_s = 0.0;    ///< of the joints: robot.yaml's speed cap, the highest
+  double torque_Nm = 0.0;  ///< of the motors, true: what the plant's drives can give (sim.yaml), the highest
+};
+/// @throws as gait_cases(), ConfigError as SimCore.
+WalkLimits walk_limits(const RobotConfig& robot, const SimOptions& sim);
+
 struct WalkExperiment {
+  WalkLimits limits;
   std::vector<ControlOutcome> controls;
   std::vector<GaitOutcome> gaits;
-  double compared_m_s = kNaN;      ///< of the controls' gait
-  double speed_limit_rad_s = 0.0;  ///< of the joints: robot.yaml's speed cap, the highest
-  double torque_limit_Nm = 0.0;    ///< that true motor torques are held against: sim.yaml's peak, the highest
   double simulated_s = 0.0;
 };
 

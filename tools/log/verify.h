@@ -39,9 +39,10 @@ struct VerifyResult {
   std::int64_t events = 0;
   std::uint64_t bytes = 0;
   std::uint64_t skipped_bytes = 0;
-  std::int64_t late = 0;       ///< cycles in all Kind::kLate
-  bool being_written = false;  ///< when it was opened
+  std::map<std::string, std::int64_t> late;  ///< by channel: cycles of all Kind::kLate
+  bool being_written = false;                ///< when it was opened
 
+  std::int64_t late_cycles() const noexcept;
   bool good() const noexcept;  ///< nothing wrong was found
 };
 

@@ -131,6 +131,8 @@ TEST_F(LogCommands, ALogWithoutItsRobotSaysSoAndWhatFollowsFromThat) {
   expect("log csv " + bare + " --fields 'JOINT_STATE.joints[knee].status'", 1,
          "say joints[0], not joints[knee]");
   expect("log plot " + bare + " --fields JOINT_STATE.n_joints -o " + (*folder_ / "n.svg"), 0, says);
+  expect("log mcap " + bare + " -o " + (*folder_ / "bare.mcap"), 0,
+         "no robot.yaml is in it, so none is attached");
   expect("can dump --log " + bare, 0, "buses, nodes and objects have numbers and no names");
   expect("log diff " + log() + " " + bare, 0, "no LOG_METADATA in the second log");
 }
