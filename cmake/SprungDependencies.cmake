@@ -2,7 +2,6 @@
 find_package(Threads REQUIRED)
 # For tests/ alone; who installed for the programs (./setup programs) has none. Debian packs GoogleMock apart from GoogleTest.
 if(BUILD_TESTING)
-  include(GoogleTest)
   find_package(GTest QUIET)
   if(NOT TARGET GTest::gtest OR NOT TARGET GTest::gmock)
     message(FATAL_ERROR "The tests need GoogleTest and GoogleMock: run ./setup (or apt-get install libgtest-dev libgmock-dev), "

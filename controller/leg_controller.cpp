@@ -8,7 +8,7 @@
 namespace sprung {
 namespace {
 
-constexpr double kFadeStep = 0.045;            // of the torque limit in a cycle: under 5 %
+constexpr double kModeFadeStep = 0.045;            // of the torque limit in a cycle: under 5 %
 constexpr double kBackIntoLimits_rad_s = 3.0;  // a quarter of what the joints can do
 
 template <class T>
@@ -252,7 +252,7 @@ void LegController::enter_compliance(const JointVector& law_Nm, double dt_s) noe
     limiters_[static_cast<std::size_t>(i)].start_from(actuator_Nm[i]);
     share = std::max(share, std::abs(change_Nm[i]) / actuators_[static_cast<std::size_t>(i)].torque_limit_Nm);
   }
-  fade_.start(fade_time_s(share, kFadeStep, dt_s));
+  fade_.start(fade_time_s(share, kModeFadeStep, dt_s));
 }
 
 void LegController::damp(DriveCommand& out) noexcept {

@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "controller/leg_geometry.h"
+#include "signals/angles.h"
 
 namespace sprung {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kInPlane_m = 1e-6;
 constexpr double kAtHip_m = 1e-9;  // direction of the foot is undefined closer than this
 

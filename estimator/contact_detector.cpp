@@ -12,10 +12,10 @@ namespace {
 
 /// What is wrong with the model is bounded (friction within 25 %, say, is 1.7 of its standard deviations):
 /// this many are enough, since most of it was learnt in the swing or lies in several joints at once.
-constexpr double kModelStds = 3.5;
+constexpr double kForceModelStds = 3.5;
 /// Noise is new in every sample: with some 10^2 independent ones in a swing, 4.5 standard deviations are
 /// passed in one of 3000 swings, and must last for the rise time besides.
-constexpr double kNoiseStds = 4.5;
+constexpr double kForceNoiseStds = 4.5;
 /// A stuck gear holds any torque up to its half-width, sqrt 3 standard deviations, of both signs when it just
 /// reverses.
 constexpr double kRestStds = 2.0;
@@ -114,7 +114,7 @@ ContactDetector::Force ContactDetector::force(const std::vector<ContactEvidence>
 
 double ContactDetector::least_rise_N(const Force& force) const noexcept {
   const double error_N =
-      std::sqrt(kModelStds * kModelStds * force.model_N2 + kNoiseStds * kNoiseStds * force.noise_N2);
+      std::sqrt(kForceModelStds * kForceModelStds * force.model_N2 + kForceNoiseStds * kForceNoiseStds * force.noise_N2);
   return std::max(params_.on_N, error_N + kRestStds * std::sqrt(force.rest_N2));
 }
 

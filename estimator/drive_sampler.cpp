@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "signals/angles.h"
+
 namespace sprung {
 namespace {
 
@@ -10,7 +12,6 @@ namespace {
 constexpr double kCurrentStep = 1e-3;
 /// The drive counts as limited this close to its torque limit.
 constexpr double kSaturatedAt = 0.99;
-constexpr double kPi = 3.14159265358979323846;
 
 double torque_per_A(const ActuatorConfig& a) noexcept { return a.gear_ratio * a.torque_constant_Nm_A; }
 

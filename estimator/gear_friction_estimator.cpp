@@ -13,7 +13,7 @@ namespace {
 constexpr double kRest_rad_s = 0.005;
 constexpr double kResume = 2.0;
 /// The encoder of a joint at rest may flicker: this many standard deviations are no motion.
-constexpr double kNoiseStds = 4.0;
+constexpr double kVelocityNoiseStds = 4.0;
 /// Of the motor's torque at rest: ten times a cycle of 1 kHz, short beside all that people and gravity do.
 constexpr double kSmoothing_s = 0.01;
 
@@ -46,7 +46,7 @@ double GearFrictionEstimator::ahead_Nm(double motor_torque_Nm) const noexcept {
 }
 
 void GearFrictionEstimator::decide_rest(const Motion& motion) noexcept {
-  const double least_rad_s = std::max(kRest_rad_s, kNoiseStds * motion.velocity_std_rad_s);
+  const double least_rad_s = std::max(kRest_rad_s, kVelocityNoiseStds * motion.velocity_std_rad_s);
   const bool was_at_rest = at_rest_;
   at_rest_ = std::abs(motion.velocity_rad_s) < (was_at_rest ? kResume : 1.0) * least_rad_s;
   if (at_rest_ && !was_at_rest) motor_Nm_ = motion.motor_torque_Nm;

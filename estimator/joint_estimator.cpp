@@ -24,7 +24,7 @@ constexpr double kNewestShare = 0.625;
 /// The estimate is good this long after the start.
 constexpr double kSettling_s = 0.013;
 /// An encoder step is spread evenly: 1 / sqrt 12.
-constexpr double kUniformStd = 0.2886751345948129;
+constexpr double kStepStd = 0.2886751345948129;
 /// Of a drive's current, joint side (facts C2).
 constexpr double kCurrentNoise_Nm = 0.5;
 /// At the start the load is known as well as breakaway friction lets it be; what is not identified may be this much.
@@ -158,7 +158,7 @@ void JointEstimator::follow_temperature(const JointSample& sample, double last_e
 }
 
 double JointEstimator::sampling_std_rad() const noexcept {
-  return root_sum_square(kUniformStd * encoder_step_rad_, kSamplingJitter_s * filter_.velocity_rad_s());
+  return root_sum_square(kStepStd * encoder_step_rad_, kSamplingJitter_s * filter_.velocity_rad_s());
 }
 
 JointStatus JointEstimator::status(const JointSample& sample) const noexcept {

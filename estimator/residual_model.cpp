@@ -25,7 +25,7 @@ constexpr double kReversalTime_s = 4e-3;
 /// Contact that is not found within this time may be learnt as an error; the slowest touchdown should take 20
 /// ms.
 constexpr double kPatience_s = 0.025;
-constexpr double kUniformStd = 0.5773502691896258;  // of a half-width: 1 / sqrt 3
+constexpr double kHalfWidthStd = 0.5773502691896258;  // of a half-width: 1 / sqrt 3
 
 }  // namespace
 
@@ -48,7 +48,7 @@ void ResidualModel::reset() noexcept {
 void ResidualModel::step(const JointResidual& in, double dt_s, bool free) noexcept {
   if (dt_s != decay_.dt_s) decay_ = decay(dt_s);
   age();
-  rest_Nm_ = std::max(kUniformStd * in.unknown_friction_Nm, rest_Nm_ * decay_.reversal);
+  rest_Nm_ = std::max(kHalfWidthStd * in.unknown_friction_Nm, rest_Nm_ * decay_.reversal);
   torque_Nm_ = in.torque_Nm - error_Nm(in.part_Nm);
   model_Nm2_ = error_Nm2(in.part_Nm);
   if (free) {

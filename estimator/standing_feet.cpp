@@ -9,7 +9,7 @@ namespace sprung {
 namespace {
 
 /// In which a foot that has come down gains its weight: an impact on 60 kN/m rings for less.
-constexpr double kSettling_s = 0.03;
+constexpr double kFootSettling_s = 0.03;
 /// A foot counts fully from this many times the contact threshold on.
 constexpr double kLoaded = 2.0;
 constexpr double kCounts = 0.5;
@@ -46,8 +46,8 @@ void StandingFeet::update_foot(Leg& leg, const EstimatedLeg& estimated, double d
     foot = StandingFoot{};
     return;
   }
-  leg.since_s = std::min(kSettling_s, leg.since_s + dt_s);
-  foot.weight = leg.since_s / kSettling_s * std::clamp(load, 0.0, 1.0) *
+  leg.since_s = std::min(kFootSettling_s, leg.since_s + dt_s);
+  foot.weight = leg.since_s / kFootSettling_s * std::clamp(load, 0.0, 1.0) *
                 std::clamp(estimated.contact_confidence, 0.0, 1.0);
 }
 

@@ -214,6 +214,12 @@ RobotConfig load_robot(const std::string& robot) {
   return config;
 }
 
+RobotConfig read_robot_text(const std::string& yaml, const std::string& name) {
+  RobotConfig config = read_robot(YamlMap::parse(yaml, name));
+  config.hash = hash_text(yaml);
+  return config;
+}
+
 std::set<std::string> robot_numbers(const std::string& robot) {
   const YamlMap file = YamlMap::load((fs::path(robot_folder(robot)) / "robot.yaml").string());
   (void)read_robot(file);

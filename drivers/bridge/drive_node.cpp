@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "drivers/canopen/objects.h"
+#include "signals/angles.h"
 
 namespace sprung {
 namespace {
@@ -10,7 +11,6 @@ namespace {
 using canopen::SdoStatus;
 using cia402::PowerTarget;
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr std::int64_t kSupplyPeriod_us = 1'000'000;
 constexpr std::int64_t kSupplyStagger_us = 20'000;  // a node: not all drives ask the bus in one cycle
 // [design choice] a TPDO2 that was lost is asked for after this; drives switch within milliseconds

@@ -2,10 +2,11 @@
 
 #include <cmath>
 
+#include "signals/angles.h"
+
 namespace sprung {
 namespace {
 
-constexpr double kTurn_rad = 2.0 * 3.14159265358979323846;
 
 }  // namespace
 

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "signals/angles.h"
+
 namespace sprung {
 namespace {
 
-constexpr double kTurn_rad = 2.0 * 3.14159265358979323846;
 constexpr double kStill_rad_s = 0.05;  // [design choice] moves 0.05 mrad in a millisecond
-constexpr std::int64_t kTimeout_us =
+constexpr std::int64_t kHomingTimeout_us =
     1'000'000;  // index counters of all drives are read within tenths of a second
 constexpr const char* kNoAnswer = "a drive does not answer";
 
@@ -96,7 +97,7 @@ Homing::Result Homing::step(std::int64_t time_us, const char* refusal) noexcept 
     if (sources_[i] == ReferenceSource::kIndex && drives_[i]->index_answer() == IndexAnswer::kFailed)
       reason_ = "a drive has seen no index pulse: turn the joint by hand, a motor turn or more";
   }
-  if (reason_ == nullptr && time_us - begun_us_ > kTimeout_us) reason_ = lacks;
+  if (reason_ == nullptr && time_us - begun_us_ > kHomingTimeout_us) reason_ = lacks;
   if (reason_ == nullptr && lacks != nullptr) return Result::kNothing;
   running_ = false;
   if (reason_ != nullptr) return Result::kFailed;

@@ -28,8 +28,6 @@ const char* left_text(NmtState state) noexcept {
 
 bool is_communication_fault(int code) noexcept { return (code & 0xFF00) == 0x8100 || code == 0x8210; }
 
-double seconds(std::int64_t time_us) noexcept { return 1e-6 * static_cast<double>(time_us); }
-
 }  // namespace
 
 NodeLink::NodeLink(const NodeSetup& setup, const IdentityConfig& identity, const NodeProfile& profile,

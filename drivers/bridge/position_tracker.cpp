@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "signals/stamp.h"
+
 namespace sprung {
 namespace {
 
@@ -12,8 +14,6 @@ constexpr double kSpeedFactor = 3.0;  // [design choice] over speed_limit: impac
 constexpr double kQuanta = 2.0;       // each of two samples is off by up to one
 // [design choice] bits that flip on their way do not show one place so often in a row
 constexpr int kJumpSamples = 5;
-
-double seconds(std::int64_t time_us) noexcept { return 1e-6 * static_cast<double>(time_us); }
 
 }  // namespace
 

@@ -6,7 +6,7 @@
 namespace sprung {
 namespace {
 
-constexpr std::int64_t kTimeout_us = 5'000'000;  // [design choice] ten resets of a node that does not answer
+constexpr std::int64_t kRecoveryTimeout_us = 5'000'000;  // [design choice] ten resets of a node that does not answer
 constexpr std::int64_t kReset_us = 300'000;      // [design choice] several edges of the fault-reset bit
 constexpr std::int64_t kWatch_us = 500'000;      // [design choice] for the first heartbeats and answers
 
@@ -54,7 +54,7 @@ void Recovery::abort(const char* reason) noexcept {
 Recovery::Result Recovery::step(std::int64_t time_us) noexcept {
   if (!running()) return Result::kNothing;
   const bool over = !failed_ && step_phase(time_us);
-  if (!over && !failed_ && time_us - begun_us_ > kTimeout_us) {
+  if (!over && !failed_ && time_us - begun_us_ > kRecoveryTimeout_us) {
     fail(phase_ == Phase::kStopping  ? "a drive does not stop"
          : phase_ == Phase::kBooting ? "a node does not answer or cannot be configured; see BUS_STATE"
                                      : "a drive is still in trouble; see BUS_STATE");

@@ -18,8 +18,8 @@
 namespace sprung {
 namespace {
 
-constexpr int kBatch = 32;
-constexpr int kReceiveBuffer_bytes =
+constexpr int kFrameBatch = 32;
+constexpr int kSocketBuffer_bytes =
     1 << 20;  // what the kernel's limit allows of it: a stall must not lose frames
 
 /// Everything that says a bus is failing; not CAN_ERR_BUSERROR, which may flood (facts canopen section 5).
@@ -37,10 +37,10 @@ struct SocketCanBus::Socket {
   std::vector<can_filter> filters{{0, 0}};  ///< as the kernel has them: everything passes
   KernelDrops drops;
   SendConfirmations confirmations;
-  std::array<can_frame, kBatch> frames{};
-  std::array<iovec, kBatch> vectors{};
-  std::array<mmsghdr, kBatch> messages{};
-  alignas(cmsghdr) std::array<std::array<char, kReceiveControl_bytes>, kBatch> controls{};
+  std::array<can_frame, kFrameBatch> frames{};
+  std::array<iovec, kFrameBatch> vectors{};
+  std::array<mmsghdr, kFrameBatch> messages{};
+  alignas(cmsghdr) std::array<std::array<char, kReceiveControl_bytes>, kFrameBatch> controls{};
   UtcOffset utc_offset;
 
   Socket() = default;
@@ -85,7 +85,7 @@ void SocketCanBus::configure() {
   }
   if (!socket_->set(SOL_CAN_RAW, CAN_RAW_RECV_OWN_MSGS, 1)) fail(interface_, "cannot ask for confirmations");
   if (!ask_for_receive_controls(socket_->fd)) fail(interface_, "cannot ask for time stamps");
-  (void)socket_->set(SOL_SOCKET, SO_RCVBUF, kReceiveBuffer_bytes);
+  (void)socket_->set(SOL_SOCKET, SO_RCVBUF, kSocketBuffer_bytes);
   if (!bind_interface()) fail(interface_, "cannot bind (ip link set " + interface_ + " up)");
 }
 
@@ -116,7 +116,7 @@ bool SocketCanBus::send(const CanFrame* frames, int count) noexcept {
   int done = 0;
   bool tried_again = false;
   while (done < count) {
-    const int sent = send_batch(frames + done, std::min(kBatch, count - done));
+    const int sent = send_batch(frames + done, std::min(kFrameBatch, count - done));
     if (sent > 0) {
       done += sent;
     } else if (const int error = errno; tried_again || !worth_another_try(error)) {
@@ -175,7 +175,7 @@ int SocketCanBus::receive(CanFrame* frames, int max) noexcept { return receive_t
 int SocketCanBus::receive_timed(CanFrame* frames, std::int64_t* arrival_us, int max) noexcept {
   int count = 0;
   while (count < max) {
-    const int wanted = std::min(kBatch, max - count);
+    const int wanted = std::min(kFrameBatch, max - count);
     const int got = read_batch(wanted);
     for (int i = 0; i < got; ++i) {
       std::int64_t time_us = 0;

@@ -15,8 +15,8 @@
 namespace sprung {
 namespace {
 
-constexpr int kBatch = 32;
-constexpr int kReceiveBuffer_bytes =
+constexpr int kDatagramBatch = 32;
+constexpr int kUdpBuffer_bytes =
     4 << 20;  // what the kernel's limit allows of it: bursts must not be dropped
 
 [[noreturn]] void fail(const std::string& what) {
@@ -76,11 +76,11 @@ struct UdpBus::Sockets {
   std::uint16_t own_port = 0;
   KernelDrops drops;
 
-  std::array<UdpDatagram, kBatch> datagrams;
-  std::array<iovec, kBatch> vectors{};
-  std::array<mmsghdr, kBatch> messages{};
-  std::array<sockaddr_in, kBatch> sources{};
-  alignas(cmsghdr) std::array<std::array<char, kReceiveControl_bytes>, kBatch> controls{};
+  std::array<UdpDatagram, kDatagramBatch> datagrams;
+  std::array<iovec, kDatagramBatch> vectors{};
+  std::array<mmsghdr, kDatagramBatch> messages{};
+  std::array<sockaddr_in, kDatagramBatch> sources{};
+  alignas(cmsghdr) std::array<std::array<char, kReceiveControl_bytes>, kDatagramBatch> controls{};
   UtcOffset utc_offset;
 
   Sockets(in_addr group_address, int port) : group(address_of(group_address, port)) {
@@ -91,7 +91,7 @@ struct UdpBus::Sockets {
   void open_receiver(in_addr group_address) {
     set_option(receiver.fd(), SOL_SOCKET, SO_REUSEADDR, 1, "SO_REUSEADDR");
     set_option(receiver.fd(), SOL_SOCKET, SO_REUSEPORT, 1, "SO_REUSEPORT");
-    set_option(receiver.fd(), SOL_SOCKET, SO_RCVBUF, kReceiveBuffer_bytes, "SO_RCVBUF");
+    set_option(receiver.fd(), SOL_SOCKET, SO_RCVBUF, kUdpBuffer_bytes, "SO_RCVBUF");
     if (!ask_for_receive_controls(receiver.fd())) fail("cannot ask for time stamps");
     if (::bind(receiver.fd(), reinterpret_cast<const sockaddr*>(&group), sizeof group) != 0)
       fail("cannot bind");
@@ -146,10 +146,10 @@ int UdpBus::fd() const noexcept { return sockets_->receiver.fd(); }
 std::string UdpBus::describe() const { return "udp:" + group_ + ":" + std::to_string(port_); }
 
 bool UdpBus::send(const CanFrame* frames, int count) noexcept {
-  std::array<StampedFrame, kBatch> stamped;
+  std::array<StampedFrame, kDatagramBatch> stamped;
   bool all = true;
-  for (int done = 0; done < count; done += kBatch) {
-    const int batch = std::min(kBatch, count - done);
+  for (int done = 0; done < count; done += kDatagramBatch) {
+    const int batch = std::min(kDatagramBatch, count - done);
     for (int i = 0; i < batch; ++i) stamped[static_cast<std::size_t>(i)] = {frames[done + i], 0.0};
     all = send_stamped(stamped.data(), batch) && all;
   }
@@ -159,7 +159,7 @@ bool UdpBus::send(const CanFrame* frames, int count) noexcept {
 bool UdpBus::send_stamped(const StampedFrame* frames, int count) noexcept {
   int done = 0;
   while (done < count) {
-    const int batch = std::min(kBatch, count - done);
+    const int batch = std::min(kDatagramBatch, count - done);
     for (int i = 0; i < batch; ++i) {
       encode_datagram(frames[done + i], sockets_->datagrams[static_cast<std::size_t>(i)]);
       sockets_->prepare(i, false);
@@ -177,10 +177,10 @@ bool UdpBus::send_stamped(const StampedFrame* frames, int count) noexcept {
 int UdpBus::receive(CanFrame* frames, int max) noexcept { return receive_timed(frames, nullptr, max); }
 
 int UdpBus::receive_timed(CanFrame* frames, std::int64_t* arrival_us, int max) noexcept {
-  std::array<StampedFrame, kBatch> stamped;
+  std::array<StampedFrame, kDatagramBatch> stamped;
   int count = 0;
   while (count < max) {
-    const int wanted = std::min(kBatch, max - count);
+    const int wanted = std::min(kDatagramBatch, max - count);
     const int got = receive_stamped(stamped.data(), wanted);
     for (int i = 0; i < got; ++i, ++count) {
       frames[count] = stamped[static_cast<std::size_t>(i)].frame;
@@ -192,7 +192,7 @@ int UdpBus::receive_timed(CanFrame* frames, std::int64_t* arrival_us, int max) n
 }
 
 int UdpBus::read_batch(int max) noexcept {
-  const int batch = std::min(kBatch, max);
+  const int batch = std::min(kDatagramBatch, max);
   for (int i = 0; i < batch; ++i) sockets_->prepare(i, true);
   sockets_->utc_offset.update();
   return ::recvmmsg(sockets_->receiver.fd(), sockets_->messages.data(), static_cast<unsigned>(batch),

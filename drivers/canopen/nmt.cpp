@@ -3,7 +3,7 @@
 namespace sprung::canopen {
 namespace {
 
-constexpr std::uint8_t kToggle = 0x80;
+constexpr std::uint8_t kHeartbeatToggle = 0x80;
 
 }  // namespace
 
@@ -85,19 +85,19 @@ CanFrame guard_reply(int node, const GuardReply& reply) noexcept {
   frame.id = heartbeat_id(node);
   frame.length = 1;
   frame.data[0] = static_cast<std::uint8_t>(reply.state);
-  if (reply.toggle) frame.data[0] |= kToggle;
+  if (reply.toggle) frame.data[0] |= kHeartbeatToggle;
   return frame;
 }
 
 GuardReply decode_guard_reply(const CanFrame& frame) noexcept {
   if (frame.length != 1 || frame.remote || frame.error) return {};
-  const auto state = static_cast<NmtState>(frame.data[0] & ~kToggle);
+  const auto state = static_cast<NmtState>(frame.data[0] & ~kHeartbeatToggle);
   switch (state) {
     case NmtState::kBootUp:
     case NmtState::kStopped:
     case NmtState::kOperational:
     case NmtState::kPreOperational:
-      return {state, (frame.data[0] & kToggle) != 0};
+      return {state, (frame.data[0] & kHeartbeatToggle) != 0};
     case NmtState::kUnknown:
       break;
   }

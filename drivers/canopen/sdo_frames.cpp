@@ -23,7 +23,7 @@ constexpr std::uint8_t kAbort = 0x80;
 
 constexpr std::uint8_t kSpecifierMask = 0xE0;
 constexpr std::uint8_t kUnusedMask = 0x0C;
-constexpr std::uint8_t kToggle = 0x10;
+constexpr std::uint8_t kSegmentToggle = 0x10;
 constexpr std::uint8_t kLast = 0x01;
 
 std::uint8_t with_size(std::uint8_t command, int size) noexcept {
@@ -31,7 +31,7 @@ std::uint8_t with_size(std::uint8_t command, int size) noexcept {
 }
 
 std::uint8_t with_toggle(std::uint8_t command, bool toggle) noexcept {
-  return toggle ? static_cast<std::uint8_t>(command | kToggle) : command;
+  return toggle ? static_cast<std::uint8_t>(command | kSegmentToggle) : command;
 }
 
 CanFrame sdo_frame(std::uint32_t id, std::uint8_t command, ObjectId object, std::uint32_t value,
@@ -87,7 +87,7 @@ SdoMessage segment(SdoKind kind, const CanFrame& frame) noexcept {
   const std::uint8_t command = frame.data[0];
   SdoMessage result;
   result.kind = kind;
-  result.toggle = (command & kToggle) != 0;
+  result.toggle = (command & kSegmentToggle) != 0;
   result.last = (command & kLast) != 0;
   result.size = kSegmentBytes - ((command >> 1) & 7);
   return result;
@@ -96,7 +96,7 @@ SdoMessage segment(SdoKind kind, const CanFrame& frame) noexcept {
 SdoMessage bare_segment(SdoKind kind, const CanFrame& frame) noexcept {
   SdoMessage result;
   result.kind = kind;
-  result.toggle = (frame.data[0] & kToggle) != 0;
+  result.toggle = (frame.data[0] & kSegmentToggle) != 0;
   return result;
 }
 
@@ -131,7 +131,7 @@ CanFrame sdo_client_abort(int node, ObjectId object, std::uint32_t abort_code) n
 SdoMessage decode_sdo_reply(const CanFrame& frame) noexcept {
   if (!is_sdo(frame)) return {};
   const std::uint8_t command = frame.data[0];
-  const int untoggled = command & ~kToggle;
+  const int untoggled = command & ~kSegmentToggle;
   if (command == kAbort) return message(SdoKind::kAbort, frame, 4);
   if (command == kWriteReply) return message(SdoKind::kDownload, frame, 0);
   if (command == kReadReplyBegin || command == kReadReplyBeginNoSize) {
@@ -145,7 +145,7 @@ SdoMessage decode_sdo_reply(const CanFrame& frame) noexcept {
 SdoMessage decode_sdo_request(const CanFrame& frame) noexcept {
   if (!is_sdo(frame)) return {};
   const std::uint8_t command = frame.data[0];
-  const int untoggled = command & ~kToggle;
+  const int untoggled = command & ~kSegmentToggle;
   if (command == kAbort) return message(SdoKind::kAbort, frame, 4);
   if (command == kReadRequest) return message(SdoKind::kUpload, frame, 0);
   if (command == kWriteBegin || command == kWriteBeginNoSize) {

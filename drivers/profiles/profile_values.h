@@ -9,10 +9,9 @@
 
 #include "drivers/canopen/objects.h"
 #include "drivers/profiles/drive_profile.h"
+#include "signals/angles.h"
 
 namespace sprung::profiles {
-
-inline constexpr double kPi = 3.14159265358979323846;
 
 /// Rounded to nearest, half away from zero; saturating, since wrapping would reverse a torque. Not a number
 /// gives 0.

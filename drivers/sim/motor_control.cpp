@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "signals/angles.h"
+
 namespace sprung::sim {
 namespace {
 
-constexpr double kTwoPi = 6.283185307179586;
 constexpr double kCapBand = 0.1;  ///< of the speed cap [design choice]
 
 }  // namespace
@@ -34,7 +35,7 @@ PositionLoop::Reference PositionLoop::step(double dt_s, double period_s) noexcep
 }
 
 CurrentLoop::CurrentLoop(double bandwidth_Hz, double dt_s) noexcept
-    : share_(1.0 - std::exp(-kTwoPi * bandwidth_Hz * dt_s)) {}
+    : share_(1.0 - std::exp(-kTurn_rad * bandwidth_Hz * dt_s)) {}
 
 double CurrentLoop::step(double target_A) noexcept {
   current_A_ += share_ * (target_A - current_A_);

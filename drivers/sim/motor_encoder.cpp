@@ -3,20 +3,20 @@
 #include <cmath>
 
 #include "drivers/sim/hash_noise.h"
+#include "signals/angles.h"
 
 namespace sprung::sim {
 namespace {
 
-constexpr double kTwoPi = 6.283185307179586;
 
 }  // namespace
 
 MotorEncoder::MotorEncoder(const EncoderTruth& truth) noexcept
-    : truth_(truth), counts_per_rad_(truth.counts_per_turn * truth.gear_ratio / kTwoPi) {}
+    : truth_(truth), counts_per_rad_(truth.counts_per_turn * truth.gear_ratio / kTurn_rad) {}
 
 /// Number of the motor turn, counted from index pulse to index pulse.
 double MotorEncoder::index_turn(double shaft_rad) const noexcept {
-  return std::floor((shaft_rad * truth_.gear_ratio - truth_.index_rad) / kTwoPi);
+  return std::floor((shaft_rad * truth_.gear_ratio - truth_.index_rad) / kTurn_rad);
 }
 
 double MotorEncoder::tick(double shaft_rad) noexcept {
@@ -37,7 +37,7 @@ double MotorEncoder::tick(double shaft_rad) noexcept {
 void MotorEncoder::pass_index(double shaft_rad) noexcept {
   const double turn = index_turn(shaft_rad);
   if (turn == index_turn_) return;
-  const double pulse_rad = (turn < index_turn_ ? turn + 1.0 : turn) * kTwoPi + truth_.index_rad;
+  const double pulse_rad = (turn < index_turn_ ? turn + 1.0 : turn) * kTurn_rad + truth_.index_rad;
   counts_at_index_ =
       std::floor(pulse_rad / truth_.gear_ratio * counts_per_rad_) - zero_counts_ + jumped_counts_;
   index_turn_ = turn;

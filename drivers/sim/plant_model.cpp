@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
+#include <cstring>
 #include <mutex>
 
 #include "drivers/sim/foot_contact.h"
@@ -27,13 +29,42 @@ int require(const mjModel& model, mjtObj type, const std::string& name) {
   return id;
 }
 
+/// MuJoCo's text in one line: what shows only the first line of an error would show "XML parse error 15:" and nothing after.
+std::string in_one_line(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    const bool gap = c == '\n' || c == '\r' || c == '\t' || c == ' ';
+    if (!gap) out += c;
+    if (gap && !out.empty() && out.back() != ' ') out += ' ';
+  }
+  while (!out.empty() && out.back() == ' ') out.pop_back();
+  return out;
+}
+
+/// ":20" where MuJoCo says "Line number=20", "line 20" or "line = 20"; "" where it names none.
+std::string line_of(const std::string& text) {
+  for (const char* const before : {"Line number=", "line = ", "line "}) {
+    const std::size_t at = text.find(before);
+    const int line = at == std::string::npos ? 0 : std::atoi(text.c_str() + at + std::strlen(before));
+    if (line > 0) return ":" + std::to_string(line);
+  }
+  return "";
+}
+
+[[noreturn]] void refuse_xml(const std::string& path, const std::string& says) {
+  const std::string text = in_one_line(says);
+  throw ConfigError(path + line_of(text) +
+                    ": MuJoCo cannot make a model of it: " + (text.empty() ? "it does not say why" : text) +
+                    "; mend that place, or take the file back as it was (git diff shows what was changed)");
+}
+
 /// One at a time: MuJoCo keeps the last XML of the process.
 ModelPtr load_xml(const std::string& path) {
   static std::mutex mutex;
   const std::lock_guard lock(mutex);
   std::array<char, 1000> error{};
   ModelPtr model(mj_loadXML(path.c_str(), nullptr, error.data(), static_cast<int>(error.size())));
-  if (!model) throw ConfigError(path + ": " + error.data());
+  if (!model) refuse_xml(path, error.data());
   return model;
 }
 

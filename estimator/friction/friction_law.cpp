@@ -5,6 +5,8 @@
 namespace sprung {
 namespace {
 
+using P = FrictionParameter;
+
 double sign_of(double value) noexcept { return value > 0.0 ? 1.0 : value < 0.0 ? -1.0 : 0.0; }
 
 /// exp(-x). Most laws have no temperature in them, and at rest there is nothing to fall: then it is 1 without being worked out.
@@ -42,7 +44,6 @@ struct Terms {
 };
 
 void write_dry(const FrictionParameters& p, const Terms& t, FrictionVector& g) noexcept {
-  using P = FrictionParameter;
   const auto set = [&g](P parameter, double value) { g[static_cast<std::size_t>(parameter)] = value; };
   const double dry = t.s * t.direction * t.cool_dry;
   const double fall_Nm = dry * p.stribeck_Nm * t.stribeck * t.power;  // by -log of the exponent's argument
@@ -57,7 +58,6 @@ void write_dry(const FrictionParameters& p, const Terms& t, FrictionVector& g) n
 }
 
 void write_viscous(const Terms& t, FrictionVector& g) noexcept {
-  using P = FrictionParameter;
   g[static_cast<std::size_t>(P::kViscous)] = t.cool_viscous * t.moving * t.shear;
   g[static_cast<std::size_t>(P::kViscousExponent)] = t.speed > 0.0 ? t.viscous_Nm * std::log(t.speed) : 0.0;
   g[static_cast<std::size_t>(P::kViscousTemperature)] = -t.dT * t.viscous_Nm;

@@ -8,7 +8,7 @@ namespace {
 
 using Index = Eigen::Index;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 /// Compliances of gears from the size of a finger to that of a waist: 1e3 to 1e6 Nm/rad.
 constexpr double kLeastCompliance_rad_Nm = 1e-7;
 constexpr double kUsualCompliance_rad_Nm = 3e-5;  ///< facts papers D7: 2.5 to 3.4e4 Nm/rad
@@ -35,7 +35,7 @@ JointDataset encoder_difference(const JointDataset& data) {
 }
 
 FootprintModel::FootprintModel(FootprintTerms terms) : terms_(std::move(terms)) {
-  parameters_.push_back({"offset", "rad", 0.0, -kInfinity, kInfinity, {}, "any motion"});
+  parameters_.push_back({"offset", "rad", 0.0, -kUnbounded, kUnbounded, {}, "any motion"});
   add_harmonics("motor", terms_.motor_harmonics);
   add_harmonics("link", terms_.link_harmonics);
   if (!terms_.spring)
@@ -43,7 +43,7 @@ FootprintModel::FootprintModel(FootprintTerms terms) : terms_(std::move(terms)) 
                            "rad/Nm",
                            kUsualCompliance_rad_Nm,
                            kLeastCompliance_rad_Nm,
-                           kInfinity,
+                           kUnbounded,
                            {},
                            "different loads at the same position"});
 }
@@ -54,8 +54,8 @@ void FootprintModel::add_harmonics(const char* side, const std::vector<int>& har
       parameters_.push_back({std::string(side) + "_" + std::to_string(harmonic) + part,
                              "rad",
                              0.0,
-                             -kInfinity,
-                             kInfinity,
+                             -kUnbounded,
+                             kUnbounded,
                              {},
                              "a whole turn of the link"});
   }

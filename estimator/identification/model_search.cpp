@@ -13,9 +13,9 @@ JointTerms sorted(JointTerms terms) {
 }
 
 /// Every model is validated once, whatever the order of its terms.
-class Search {
+class ModelSearch {
  public:
-  Search(const std::vector<FitPiece>& training, const SearchOptions& options,
+  ModelSearch(const std::vector<FitPiece>& training, const SearchOptions& options,
          const std::function<void(const std::string&)>& progress)
       : training_(training), options_(options), progress_(progress) {
     if (training.empty()) throw std::invalid_argument("there are no training data");
@@ -82,7 +82,7 @@ std::vector<JointTerms> named_models() {
 
 std::vector<TriedModel> search_models(const std::vector<FitPiece>& training, const SearchOptions& options,
                                       const std::function<void(const std::string&)>& progress) {
-  Search search(training, options, progress);
+  ModelSearch search(training, options, progress);
   for (const JointTerms& terms : options.only.empty() ? named_models() : options.only) search.keep(terms);
   if (!options.only.empty()) return search.tried();
   for (JointTerms terms, next;; terms = next) {

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "signals/angles.h"
+
 namespace sprung {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 
 static_assert(ForceDistributionQp::kVariables == 3 * DistributedForce::kMostFeet);
 

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/paths.h"
+
 namespace sprung {
 namespace {
 
@@ -36,7 +38,7 @@ bool is_source(const fs::path& path) { return path.extension() == ".h" || path.e
 std::vector<fs::path> cores() {
   std::vector<fs::path> found;
   for (const std::string& folder : kCoreFolders) {
-    for (const auto& entry : fs::recursive_directory_iterator(fs::path(SPRUNG_SOURCE_DIR) / folder)) {
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(test::source_dir()) / folder)) {
       if (is_source(entry.path()) && !std::regex_search(entry.path().string(), kShell))
         found.push_back(entry.path());
     }
@@ -78,7 +80,7 @@ TEST(Layering, OnlySimulationReadsThePlant) {
   std::string found;
   for (const char* folder :
        {"estimator", "controller", "planner", "drivers/bridge", "drivers/profiles", "runtime", "robots"}) {
-    for (const auto& entry : fs::recursive_directory_iterator(fs::path(SPRUNG_SOURCE_DIR) / folder)) {
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(test::source_dir()) / folder)) {
       const bool device = std::regex_search(entry.path().string(), kSimulatedDevice);
       if (is_source(entry.path()) && !device) found += lines_with(entry.path(), plant);
     }
@@ -98,8 +100,8 @@ TEST(Layering, HeavyHeadersStayInOneFile) {
   for (const auto& [pattern, owner] : owners) {
     for (const char* folder :
          {"runtime", "robots", "drivers", "estimator", "controller", "planner", "tools", "signals"}) {
-      for (const auto& entry : fs::recursive_directory_iterator(fs::path(SPRUNG_SOURCE_DIR) / folder)) {
-        const bool owns = entry.path() == fs::path(SPRUNG_SOURCE_DIR) / owner;
+      for (const auto& entry : fs::recursive_directory_iterator(fs::path(test::source_dir()) / folder)) {
+        const bool owns = entry.path() == fs::path(test::source_dir()) / owner;
         if (is_source(entry.path()) && !owns) {
           EXPECT_EQ(lines_with(entry.path(), std::regex(pattern)), "");
         }

@@ -9,6 +9,7 @@
 
 #include "controller/three_joint.h"
 #include "tests/controller/pegasus_leg.h"
+#include "tests/support/paths.h"
 
 namespace sprung {
 namespace {
@@ -27,7 +28,7 @@ class PegasusModel : public testing::Test {
 
   static mjModel* load() {
     std::array<char, 1000> error{};
-    const std::string path = std::string(SPRUNG_SOURCE_DIR) + "/robots/pegasus/model.xml";
+    const std::string path = test::source_dir() + "/robots/pegasus/model.xml";
     mjModel* model = mj_loadXML(path.c_str(), nullptr, error.data(), static_cast<int>(error.size()));
     if (model == nullptr) throw std::runtime_error(error.data());
     return model;

@@ -9,6 +9,7 @@
 
 #include "drivers/canopen/eds.h"
 #include "drivers/profiles/profile_registry.h"
+#include "tests/support/paths.h"
 
 namespace sprung {
 namespace {
@@ -21,7 +22,7 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
 constexpr int kNode = 5;
-const std::string kTop = SPRUNG_SOURCE_DIR;
+const std::string kTop = test::source_dir();
 
 std::string read_file(const std::string& path) {
   std::ifstream in(path, std::ios::binary);

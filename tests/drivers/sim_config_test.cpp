@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "robots/robot_loader.h"
+#include "tests/support/own_folder.h"
+#include "tests/support/paths.h"
 
 namespace sprung::sim {
 namespace {
@@ -27,7 +29,7 @@ class SimConfigTest : public testing::Test {
     changed.replace(at, from.size(), to);
     RobotConfig robot = robot_;
     robot.folder =
-        testing::TempDir() + "sim_config_" + testing::UnitTest::GetInstance()->current_test_info()->name();
+        test::temp_dir() + "sim_config_" + testing::UnitTest::GetInstance()->current_test_info()->name();
     std::filesystem::create_directories(robot.folder);
     std::ofstream(robot.folder + "/sim.yaml") << changed;
     return load_sim_config(robot, {});
@@ -40,7 +42,7 @@ class SimConfigTest : public testing::Test {
     }
     return "accepted";
   }
-  RobotConfig robot_ = load_robot(std::string(SPRUNG_SOURCE_DIR) + "/robots/single_leg");
+  RobotConfig robot_ = load_robot(test::source_dir() + "/robots/single_leg");
 };
 
 TEST_F(SimConfigTest, ShippedFileIsPlantJ3) {

@@ -9,6 +9,7 @@
 #include "drivers/sim/drive_train.h"
 #include "robots/robot_loader.h"
 #include "tests/support/allocation_count.h"
+#include "tests/support/paths.h"
 
 namespace sprung::sim {
 namespace {
@@ -22,7 +23,7 @@ class PegasusTrain : public testing::Test {
     for (SimDriveConfig& drive : config_.drives) drive.kinematic_error = {};
     for (SimCardConfig& card : config_.cards) card.noise_rad = 0.0;
   }
-  static RobotConfig pegasus() { return load_robot(std::string(SPRUNG_SOURCE_DIR) + "/robots/pegasus"); }
+  static RobotConfig pegasus() { return load_robot(test::source_dir() + "/robots/pegasus"); }
   void start(DriveTrain& train) {
     train.open(&out_);
     for (time_us_ = 250; time_us_ < 5000; time_us_ += 250) train.step_drives(time_us_);

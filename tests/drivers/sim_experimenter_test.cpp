@@ -2,6 +2,7 @@
 
 #include "drivers/sim/experimenter.h"
 #include "robots/robot_loader.h"
+#include "tests/support/paths.h"
 
 namespace sprung::sim {
 namespace {
@@ -27,7 +28,7 @@ class ExperimenterTest : public testing::Test {
       experimenter_.after_step();
     }
   }
-  RobotConfig robot_ = load_robot(std::string(SPRUNG_SOURCE_DIR) + "/robots/single_leg");
+  RobotConfig robot_ = load_robot(test::source_dir() + "/robots/single_leg");
   DriveTrain train_{robot_, load_sim_config(robot_, {}), 1};
   BusFaults buses_{1};
   ImuSensor imu_{ImuConfig{}, 1};
@@ -215,7 +216,7 @@ class BodyExperimenterTest : public testing::Test {
     experimenter_.add(control);
     experimenter_.start_cycle(0);
   }
-  RobotConfig robot_ = load_robot(std::string(SPRUNG_SOURCE_DIR) + "/robots/pegasus");
+  RobotConfig robot_ = load_robot(test::source_dir() + "/robots/pegasus");
   DriveTrain train_{robot_, load_sim_config(robot_, {{"suspended", 0.8}}), 1};
   BusFaults buses_{4};
   ImuSensor imu_{ImuConfig{}, 1};

@@ -7,6 +7,7 @@
 #include "drivers/sim/linkage.h"
 #include "drivers/sim/plant.h"
 #include "robots/robot_loader.h"
+#include "tests/support/paths.h"
 
 namespace sprung::sim {
 namespace {
@@ -16,7 +17,7 @@ constexpr std::size_t kHip = 1, kKnee = 2;  // of the front left leg
 class LinkageTest : public testing::Test {
  protected:
   void make(bool parallelogram, std::map<std::string, double> changes) {
-    RobotConfig robot = load_robot(std::string(SPRUNG_SOURCE_DIR) + "/robots/pegasus");
+    RobotConfig robot = load_robot(test::source_dir() + "/robots/pegasus");
     if (parallelogram) {
       for (LegConfig& leg : robot.legs) leg.transmission = {1, 0, 0, 0, 1, 0, 0, 1, 1};
     }
@@ -127,7 +128,7 @@ TEST_F(LinkageTest, SecondLifeHasTheSameBits) {
 
 TEST_F(LinkageTest, TorsionBehindALinkageAndALinkageWithoutATendonAreRefused) {
   EXPECT_THROW(make(true, {{"torsion", 1.0}}), ConfigError);
-  RobotConfig robot = load_robot(std::string(SPRUNG_SOURCE_DIR) + "/robots/pegasus");
+  RobotConfig robot = load_robot(test::source_dir() + "/robots/pegasus");
   robot.legs[0].transmission = {1, 0, 0, 1, 1, 0, 0, 0, 1};  // the hip's motor on the trunk
   EXPECT_THROW(Plant(robot, load_sim_config(robot, {}).plant), ConfigError);
 }

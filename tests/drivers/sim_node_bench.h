@@ -10,12 +10,13 @@
 
 #include "drivers/canopen/eds.h"
 #include "drivers/sim/canopen_device.h"
+#include "tests/support/paths.h"
 
 namespace sprung::sim {
 
 inline canopen::Eds load_eds(const std::string& device, int node) {
   const std::string path =
-      std::string(SPRUNG_SOURCE_DIR) + "/drivers/profiles/" + device + "/" + device + ".eds";
+      test::source_dir() + "/drivers/profiles/" + device + "/" + device + ".eds";
   std::ifstream in(path, std::ios::binary);
   EXPECT_TRUE(in) << path;
   return canopen::parse_eds({std::istreambuf_iterator<char>(in), {}}, path, node);

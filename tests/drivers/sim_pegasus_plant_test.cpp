@@ -6,6 +6,7 @@
 #include "controller/three_joint.h"
 #include "drivers/sim/plant.h"
 #include "robots/robot_loader.h"
+#include "tests/support/paths.h"
 
 namespace sprung::sim {
 namespace {
@@ -52,7 +53,7 @@ class PegasusPlant : public testing::Test {
     }
     return sum;
   }
-  RobotConfig robot_ = load_robot(std::string(SPRUNG_SOURCE_DIR) + "/robots/pegasus");
+  RobotConfig robot_ = load_robot(test::source_dir() + "/robots/pegasus");
   std::optional<Plant> plant_;
   std::array<double, 12> target_rad_{};
   SimTruth truth_{12, 4};

@@ -5,6 +5,7 @@
 
 #include "drivers/sim/drive_train.h"
 #include "robots/robot_loader.h"
+#include "tests/support/paths.h"
 
 namespace sprung::sim {
 namespace {
@@ -33,7 +34,7 @@ class PlantChanges : public testing::TestWithParam<const char*> {
     plant.fill_truth(truth);
     return truth.joints[joint].true_acceleration_rad_s2 - without;
   }
-  RobotConfig robot_ = load_robot(std::string(SPRUNG_SOURCE_DIR) + "/robots/" + GetParam());
+  RobotConfig robot_ = load_robot(test::source_dir() + "/robots/" + GetParam());
 };
 
 TEST_P(PlantChanges, FrictionScaleIsOnEveryPartAndTheOthersOnTheirs) {
@@ -141,24 +142,24 @@ TEST_P(PlantChanges, GroundKeysReachTheGround) {
 INSTANTIATE_TEST_SUITE_P(Robots, PlantChanges, testing::Values("single_leg", "pegasus", "test_axis"));
 
 TEST(PlantChange, NoiseScaleReachesTheTorqueSensor) {
-  const RobotConfig bench = load_robot(std::string(SPRUNG_SOURCE_DIR) + "/robots/test_axis");
+  const RobotConfig bench = load_robot(test::source_dir() + "/robots/test_axis");
   EXPECT_EQ(load_sim_config(bench, {}).torque_sensor.value().noise_Nm, 0.1);
   EXPECT_EQ(load_sim_config(bench, {{"noise_scale", 0.0}}).torque_sensor.value().noise_Nm, 0.0);
 }
 
 TEST(PlantChange, LyingTakesEveryJointsOwnAngleAndLetsTheTrunkGo) {
-  const RobotConfig robot = load_robot(std::string(SPRUNG_SOURCE_DIR) + "/robots/pegasus");
+  const RobotConfig robot = load_robot(test::source_dir() + "/robots/pegasus");
   const PlantConfig hanging = load_sim_config(robot, {{"suspended", 0.8}}).plant;
   const PlantConfig lying = load_sim_config(robot, {{"lying", 1}}).plant;
   EXPECT_GT(hanging.suspended_m, 0.0);
   EXPECT_EQ(lying.suspended_m, 0.0);
   for (std::size_t j = 0; j < 12; ++j) EXPECT_EQ(lying.joints[j].initial_rad, hanging.joints[j].lying_rad);
-  const RobotConfig leg = load_robot(std::string(SPRUNG_SOURCE_DIR) + "/robots/single_leg");
+  const RobotConfig leg = load_robot(test::source_dir() + "/robots/single_leg");
   EXPECT_THROW(load_sim_config(leg, {{"lying", 1}}), ConfigError);
 }
 
 TEST(PlantChange, ImuCanBeTakenOffAndNoiseScaleIsOnItsErrors) {
-  const RobotConfig robot = load_robot(std::string(SPRUNG_SOURCE_DIR) + "/robots/pegasus");
+  const RobotConfig robot = load_robot(test::source_dir() + "/robots/pegasus");
   const ImuConfig plain = load_sim_config(robot, {}).imu.value();
   const ImuConfig loud = load_sim_config(robot, {{"noise_scale", 2}}).imu.value();
   EXPECT_GT(plain.rate_noise_rad_s, 0.0);
@@ -167,7 +168,7 @@ TEST(PlantChange, ImuCanBeTakenOffAndNoiseScaleIsOnItsErrors) {
   EXPECT_EQ(loud.tilt_bias_rad, 2 * plain.tilt_bias_rad);
   EXPECT_EQ(loud.yaw_drift_rad_s, 2 * plain.yaw_drift_rad_s);
   EXPECT_FALSE(load_sim_config(robot, {{"imu", 0}}).imu);
-  const RobotConfig leg = load_robot(std::string(SPRUNG_SOURCE_DIR) + "/robots/single_leg");
+  const RobotConfig leg = load_robot(test::source_dir() + "/robots/single_leg");
   EXPECT_THROW(load_sim_config(leg, {{"imu", 1}}), ConfigError);
 }
 

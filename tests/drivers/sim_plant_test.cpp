@@ -4,6 +4,7 @@
 
 #include "drivers/sim/plant.h"
 #include "robots/robot_loader.h"
+#include "tests/support/paths.h"
 
 namespace sprung::sim {
 namespace {
@@ -25,7 +26,7 @@ class PlantTest : public testing::Test {
     for (long i = std::lround(seconds / plant.step_s()); i > 0; --i) plant.step(torque_Nm);
     ASSERT_FALSE(plant.failed()) << plant.failure();
   }
-  RobotConfig robot_ = load_robot(std::string(SPRUNG_SOURCE_DIR) + "/robots/single_leg");
+  RobotConfig robot_ = load_robot(test::source_dir() + "/robots/single_leg");
 };
 
 TEST_F(PlantTest, StartsWithTheFootUnderTheHipOnTheFloor) {

@@ -5,6 +5,7 @@
 
 #include "drivers/sim/plant.h"
 #include "robots/robot_loader.h"
+#include "tests/support/paths.h"
 
 namespace sprung::sim {
 namespace {
@@ -21,7 +22,7 @@ class TwistingAxis : public testing::Test {
     config.plant.joints[0].torsion = torsion;
     return Plant(robot_, config.plant);
   }
-  RobotConfig robot_ = load_robot(std::string(SPRUNG_SOURCE_DIR) + "/robots/test_axis");
+  RobotConfig robot_ = load_robot(test::source_dir() + "/robots/test_axis");
 };
 
 TEST_F(TwistingAxis, StaticTwistIsLoadOverStiffness) {

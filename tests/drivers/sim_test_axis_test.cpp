@@ -5,6 +5,7 @@
 
 #include "drivers/sim/plant.h"
 #include "robots/robot_loader.h"
+#include "tests/support/paths.h"
 
 namespace sprung::sim {
 namespace {
@@ -40,7 +41,7 @@ class TestAxisPlant : public testing::Test {
     }
     return sum_Nm / count;
   }
-  RobotConfig robot_ = load_robot(std::string(SPRUNG_SOURCE_DIR) + "/robots/test_axis");
+  RobotConfig robot_ = load_robot(test::source_dir() + "/robots/test_axis");
 };
 
 TEST_F(TestAxisPlant, HangsStillAndItsEndIsWhereTheControllersHaveIt) {

@@ -11,11 +11,12 @@
 #include "drivers/canopen/protocol.h"
 #include "drivers/sim/sim_core.h"
 #include "robots/robot_loader.h"
+#include "tests/support/paths.h"
 
 namespace sprung::sim {
 
 inline RobotConfig shipped(const std::string& name) {
-  return load_robot(std::string(SPRUNG_SOURCE_DIR) + "/robots/" + name);
+  return load_robot(test::source_dir() + "/robots/" + name);
 }
 inline RobotConfig single_leg() { return shipped("single_leg"); }
 

@@ -2,12 +2,13 @@
 
 #include "drivers/sim/transmission.h"
 #include "robots/robot_loader.h"
+#include "tests/support/paths.h"
 
 namespace sprung::sim {
 namespace {
 
 RobotConfig coupled(const std::vector<double>& transmission) {
-  RobotConfig robot = load_robot(std::string(SPRUNG_SOURCE_DIR) + "/robots/single_leg");
+  RobotConfig robot = load_robot(test::source_dir() + "/robots/single_leg");
   robot.legs[0].transmission = transmission;
   return robot;
 }
@@ -33,7 +34,7 @@ TEST(Transmission, KeepsPower) {
 }
 
 TEST(Transmission, LegsAreEachTheirOwn) {
-  RobotConfig robot = load_robot(std::string(SPRUNG_SOURCE_DIR) + "/robots/pegasus");
+  RobotConfig robot = load_robot(test::source_dir() + "/robots/pegasus");
   robot.legs[1].transmission = {1, 0, 0, 0, 1, 0, 0, 1, 1};  // knee driven from the trunk
   const Transmission linkage(robot);
   const std::vector<double> ones(12, 1.0);

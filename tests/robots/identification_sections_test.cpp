@@ -8,6 +8,7 @@
 
 #include "robots/robot_loader.h"
 #include "robots/robot_sections.h"
+#include "tests/support/paths.h"
 
 namespace sprung {
 namespace {
@@ -163,7 +164,7 @@ TEST(IdentificationSections, EverySubsetOfTermsIsReadBackUnderItsSmallestModel) 
 }
 
 TEST(IdentificationSections, ExampleInTheDocsIsOne) {
-  std::ifstream in(std::string(SPRUNG_SOURCE_DIR) + "/docs/friction.md");
+  std::ifstream in(test::source_dir() + "/docs/friction.md");
   const std::string page{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
   const std::size_t begin = page.find("```yaml\n") + 8;
   const std::string example = page.substr(begin, page.find("```", begin) - begin);

@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -10,6 +9,8 @@
 #include <string>
 
 #include "robots/robot_loader.h"
+#include "tests/support/own_folder.h"
+#include "tests/support/paths.h"
 
 namespace sprung {
 namespace {
@@ -21,13 +22,11 @@ namespace fs = std::filesystem;
 /// The shipped single_leg with one text replaced; gone at the end.
 class ChangedLanding : public testing::Test {
  protected:
-  ChangedLanding() : folder_(fs::temp_directory_path() / ("sprung_landing_" + std::to_string(getpid()))) {
-    fs::create_directories(folder_);
-  }
+  ChangedLanding() : folder_(test::temp_dir() + "sprung_landing") { fs::create_directories(folder_); }
   ~ChangedLanding() override { fs::remove_all(folder_); }
 
   std::string complaint(const std::string& from, const std::string& to) {
-    std::ifstream in(std::string(SPRUNG_SOURCE_DIR) + "/robots/single_leg/robot.yaml");
+    std::ifstream in(test::source_dir() + "/robots/single_leg/robot.yaml");
     std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
     const std::size_t at = text.find(from);
     EXPECT_NE(at, std::string::npos) << from;

@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -11,6 +10,8 @@
 #include <string>
 
 #include "robots/robot_loader.h"
+#include "tests/support/own_folder.h"
+#include "tests/support/paths.h"
 
 namespace sprung {
 namespace {
@@ -21,13 +22,11 @@ namespace fs = std::filesystem;
 /// single_leg's robot.yaml with lines put before its first preset's keys; gone at the end.
 class ChangedPreset : public testing::Test {
  protected:
-  ChangedPreset() : folder_(fs::temp_directory_path() / ("sprung_preset_" + std::to_string(getpid()))) {
-    fs::create_directories(folder_);
-  }
+  ChangedPreset() : folder_(test::temp_dir() + "sprung_preset") { fs::create_directories(folder_); }
   ~ChangedPreset() override { fs::remove_all(folder_); }
 
   PresetConfig paper_with(const std::string& lines) {
-    std::ifstream in(std::string(SPRUNG_SOURCE_DIR) + "/robots/single_leg/robot.yaml");
+    std::ifstream in(test::source_dir() + "/robots/single_leg/robot.yaml");
     std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
     const std::size_t at = text.find("    compensated_friction: paper");
     EXPECT_NE(at, std::string::npos);

@@ -1,12 +1,14 @@
 #include "robots/robot_loader.h"
+#include "tests/support/paths.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+
+#include "tests/support/own_folder.h"
 
 namespace sprung {
 namespace {
@@ -16,7 +18,7 @@ using testing::HasSubstr;
 namespace fs = std::filesystem;
 
 std::string shipped_text() {
-  std::ifstream in(std::string(SPRUNG_SOURCE_DIR) + "/robots/single_leg/robot.yaml");
+  std::ifstream in(test::source_dir() + "/robots/single_leg/robot.yaml");
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
@@ -24,7 +26,7 @@ std::string shipped_text() {
 class ChangedRobot : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("sprung_robot_" + std::to_string(getpid()));
+    folder_ = test::temp_dir() + "sprung_robot";
     fs::create_directories(folder_);
   }
   void TearDown() override { fs::remove_all(folder_); }

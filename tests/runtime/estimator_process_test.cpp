@@ -11,6 +11,7 @@
 #include "runtime/process_status.h"
 #include "tests/runtime/child.h"
 #include "tests/runtime/lcm_network.h"
+#include "tests/support/paths.h"
 
 namespace sprung {
 namespace {
@@ -29,9 +30,9 @@ class EstimatorProcessTest : public ::testing::Test {
   }
 
   std::vector<std::string> command(const std::string& clock, std::vector<std::string> more = {}) const {
-    std::vector<std::string> words{std::string(SPRUNG_BIN_DIR) + "/sprung-torque-estimator",
+    std::vector<std::string> words{test::bin_dir() + "/sprung-torque-estimator",
                                    "--robot",
-                                   std::string(SPRUNG_SOURCE_DIR) + "/robots/single_leg",
+                                   test::source_dir() + "/robots/single_leg",
                                    "--session",
                                    std::to_string(kSession),
                                    "--lcm-url",
@@ -174,12 +175,12 @@ TEST_F(EstimatorProcessTest, RefusesMessagesOfAnotherSession) {
 }
 
 TEST_F(EstimatorProcessTest, WrongUseEndsWithTwoAndAMissingRobotWithOne) {
-  Child no_session({std::string(SPRUNG_BIN_DIR) + "/sprung-torque-estimator"});
+  Child no_session({test::bin_dir() + "/sprung-torque-estimator"});
   EXPECT_EQ(WEXITSTATUS(no_session.wait()), 2);
   Child no_preset(command("lockstep", {"--preset", "nope"}));
   EXPECT_EQ(WEXITSTATUS(no_preset.wait()), 2);
   Child no_robot(
-      {std::string(SPRUNG_BIN_DIR) + "/sprung-torque-estimator", "--session", "1", "--robot", "/nowhere"});
+      {test::bin_dir() + "/sprung-torque-estimator", "--session", "1", "--robot", "/nowhere"});
   EXPECT_EQ(WEXITSTATUS(no_robot.wait()), 1);
 }
 

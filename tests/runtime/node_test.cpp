@@ -15,7 +15,7 @@ namespace sprung {
 namespace {
 
 constexpr std::int64_t kSession = 77;
-constexpr std::int64_t kLong_us = 5'000'000;
+constexpr std::int64_t kLong_us = 20'000'000;
 
 class NodeTest : public ::testing::Test {
  protected:
@@ -58,16 +58,17 @@ TEST_F(NodeTest, TwoNodesTalk) {
   EXPECT_EQ(sender.send_failures(), 0);
 }
 
+/// A burst that the kernel's buffer holds (200 kB by default): UDP drops what comes to a full one.
 TEST_F(NodeTest, BurstEndsInTheNewestFour) {
   Node receiver(options());
   receiver.subscribe(channels::kLegCommand, CountLimits::exactly(1), slot_);
   const Receiving receiving(receiver);
   Node sender(options());
   auto publisher = sender.publisher<LegCommand>(channels::kLegCommand);
-  for (std::int64_t seq = 0; seq < 500; ++seq) publisher.publish(command(seq));
-  ASSERT_TRUE(eventually(receiver, [&] { return slot_.held().newest(-1) == 499; }));
+  for (std::int64_t seq = 0; seq < 50; ++seq) publisher.publish(command(seq));
+  ASSERT_TRUE(eventually(receiver, [&] { return slot_.held().newest(-1) == 49; }));
   EXPECT_EQ(slot_.held().count, 4);
-  EXPECT_EQ(slot_.held().seqs[0], 496);
+  EXPECT_EQ(slot_.held().seqs[0], 46);
 }
 
 TEST_F(NodeTest, RefusesOtherSessionsAndOtherRobots) {
@@ -171,7 +172,7 @@ TEST_F(NodeTest, EventCanBePolledBesideOtherDescriptors) {
   Node sender(options());
   sender.publisher<LegCommand>(channels::kLegCommand).publish(command(0));
   pollfd wait{receiver.event_fd(), POLLIN, 0};
-  EXPECT_EQ(poll(&wait, 1, 5'000), 1);
+  EXPECT_EQ(poll(&wait, 1, 20'000), 1);
   receiver.clear_event();
   EXPECT_EQ(poll(&wait, 1, 0), 0);
 }
@@ -180,9 +181,17 @@ TEST_F(NodeTest, TimeBeginsAtTheEpoch) {
   NodeOptions with_epoch = options();
   with_epoch.epoch_us = monotonic_us() - 1'000'000;
   const Node node(with_epoch);
-  EXPECT_NEAR(static_cast<double>(node.utime_us()), 1e6, 5e5);
-  EXPECT_NEAR(static_cast<double>(node.utime_us() + node.clock().utc_offset_us()),
-              static_cast<double>(utc_us()), 5e5);
+  const std::int64_t earliest_us = monotonic_us() - with_epoch.epoch_us;
+  const std::int64_t utime_us = node.utime_us();
+  EXPECT_GE(utime_us, earliest_us);
+  EXPECT_LE(utime_us, monotonic_us() - with_epoch.epoch_us);
+  EXPECT_GE(utime_us, 1'000'000);
+  constexpr std::int64_t kCut_us = 2;  // clocks are cut to whole microseconds
+  const std::int64_t utc_before_us = utc_us();
+  const std::int64_t offset_us = node.clock().utc_offset_us();
+  const std::int64_t utime_after_us = node.utime_us();
+  EXPECT_GE(offset_us, utc_before_us - utime_after_us - kCut_us);
+  EXPECT_LE(offset_us, utc_us() - utime_us + kCut_us);
 }
 
 TEST_F(NodeTest, RefusesABadNetworkAndABadInjection) {

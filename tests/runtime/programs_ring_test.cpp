@@ -14,6 +14,7 @@
 #include "tests/runtime/child.h"
 #include "tests/runtime/lcm_network.h"
 #include "tests/signals/message_bytes.h"
+#include "tests/support/paths.h"
 
 namespace sprung {
 namespace {
@@ -28,16 +29,17 @@ using Faults = std::vector<std::string>;
 
 class Programs {
  public:
-  Programs(const std::string& clock, const Faults& faults) : node_({url_, kSession, 0, {}}) {
+  Programs(const std::string& clock, const Faults& faults)
+      : repeat_us_(clock == "lockstep" ? kRepeat_us : kLong_us), node_({url_, kSession, 0, {}}) {
     node_.subscribe(channels::kDriveCommand, CountLimits::exactly(2), commands_);
     node_.subscribe_message(channels::kOperatorReply, CountLimits::none(), replies_);
     node_.subscribe_message(channels::kProcessStatus, CountLimits::none(), statuses_);
     receiving_ = std::make_unique<Receiving>(node_);
     for (const char* program :
          {"sprung-leg-controller", "sprung-motion-planner", "sprung-torque-estimator"}) {
-      std::vector<std::string> words{std::string(SPRUNG_BIN_DIR) + "/" + program,
+      std::vector<std::string> words{test::bin_dir() + "/" + program,
                                      "--robot",
-                                     std::string(SPRUNG_SOURCE_DIR) + "/robots/single_leg",
+                                     test::source_dir() + "/robots/single_leg",
                                      "--session",
                                      std::to_string(kSession),
                                      "--lcm-url",
@@ -81,7 +83,7 @@ class Programs {
     DriveCommand command(2);
     for (const std::int64_t end_us = node_.utime_us() + kLong_us; node_.utime_us() < end_us;) {
       send(seq);
-      for (const std::int64_t again_us = node_.utime_us() + kRepeat_us; node_.utime_us() < again_us;) {
+      for (const std::int64_t again_us = node_.utime_us() + repeat_us_; node_.utime_us() < again_us;) {
         if (commands_.get(seq, command)) return encoded(command);
         node_.wait_for_input(again_us);
       }
@@ -138,6 +140,7 @@ class Programs {
   }
 
   const std::string url_ = test::own_lcm_url();
+  const std::int64_t repeat_us_;  ///< in real time a bridge never asks twice
   Slot<DriveCommand> commands_{DriveCommand(2)};
   InputQueue<sprung_msgs::operator_reply_t> replies_;
   InputQueue<sprung_msgs::process_status_t> statuses_{1000};

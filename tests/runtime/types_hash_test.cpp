@@ -1,4 +1,5 @@
 #include "runtime/types_hash.h"
+#include "tests/support/paths.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +12,7 @@ namespace sprung {
 namespace {
 
 std::string read_all(const std::string& path) {
-  std::ifstream in(std::string(SPRUNG_SOURCE_DIR) + "/" + path);
+  std::ifstream in(test::source_dir() + "/" + path);
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 

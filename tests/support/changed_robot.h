@@ -11,11 +11,12 @@
 #include <string>
 
 #include "robots/robot_loader.h"
+#include "tests/support/paths.h"
 
 namespace sprung::test {
 
 inline std::string shipped_yaml(const std::string& robot) {
-  std::ifstream in(std::string(SPRUNG_SOURCE_DIR) + "/robots/" + robot + "/robot.yaml");
+  std::ifstream in(test::source_dir() + "/robots/" + robot + "/robot.yaml");
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 

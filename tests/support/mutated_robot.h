@@ -11,6 +11,7 @@
 
 #include "robots/robot_loader.h"
 #include "tests/support/changed_robot.h"
+#include "tests/support/paths.h"
 
 namespace sprung::test {
 
@@ -60,7 +61,7 @@ class MutatedRobot {
     std::string pattern = (std::filesystem::temp_directory_path() / "sprung_mutant_XXXXXX").string();
     folder_ = mkdtemp(pattern.data());
     for (const char* file : {"sim.yaml", "model.xml"})
-      std::filesystem::create_symlink(std::string(SPRUNG_SOURCE_DIR) + "/robots/" + robot + "/" + file,
+      std::filesystem::create_symlink(test::source_dir() + "/robots/" + robot + "/" + file,
                                       folder_ / file);
   }
   ~MutatedRobot() { std::filesystem::remove_all(folder_); }

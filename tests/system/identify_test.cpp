@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "drivers/sim/sim_config.h"
+#include "tests/support/paths.h"
 #include "tests/system/system_fixture.h"
 
 namespace sprung {
@@ -59,7 +60,7 @@ TEST_F(Identify, CtrlCLetsTheJointGoAndKeepsWhatWasRecorded) {
   up("lockstep", "--speed 2");
   const std::string said = path("said.txt");
   ChildProcess recording(
-      "/bin/sh", {"-c", "exec " SPRUNG_BIN_DIR "/sprung " + record_command() + " > " + said + " 2>&1"});
+      "/bin/sh", {"-c", "exec " + test::bin_dir() + "/sprung " + record_command() + " > " + said + " 2>&1"});
   const auto text = [&] {
     std::ifstream in(said);
     return std::string(std::istreambuf_iterator<char>(in), {});

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "tests/support/paths.h"
 #include "tests/system/system_fixture.h"
 
 namespace sprung {
@@ -107,9 +108,10 @@ TEST_F(Operator, EmergencyStopLatchesUntilClearAndTorqueStaysOff) {
 TEST_F(Operator, RecordWritesAnLcmLogOfEveryChannel) {
   up("lockstep", "--speed 2");
   const std::string file = (folder_ / "record.lcm").string();
-  const std::string command = "exec " SPRUNG_BIN_DIR "/sprung record " + file + " > /dev/null";
+  const std::string command = "exec " + test::bin_dir() + "/sprung record " + file + " > /dev/null";
   ChildProcess record("/bin/sh", {"-c", command});
-  usleep(1'500'000);
+  EXPECT_TRUE(grows(file, 500'000));
+  usleep(1'000'000);  // every process says twice a second that it lives
   record.signal(SIGINT);
   while (!record.ended()) usleep(10'000);
   EXPECT_EQ(*record.ended(), 0);
@@ -132,7 +134,7 @@ TEST_F(Operator, DeathOfTheLauncherEndsEveryProcess) {
   up("lockstep", "--speed 2");
   up_process().signal(SIGKILL);
   wait_for_up();
-  EXPECT_TRUE(all_end(20.0));  // a bridge brings its drives to rest first
+  EXPECT_TRUE(all_end(kPatience_s));  // a bridge brings its drives to rest first
 }
 
 }  // namespace

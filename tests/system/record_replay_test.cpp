@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <lcm/lcm-cpp.hpp>
@@ -12,7 +13,9 @@
 #include <vector>
 
 #include "lcmtypes/channels.h"
+#include "runtime/node.h"
 #include "signals/modes.h"
+#include "tests/support/paths.h"
 #include "tests/system/system_fixture.h"
 #include "tools/log/reader.h"
 #include "tools/recorder/log_messages.h"
@@ -42,6 +45,21 @@ class RecordReplay : public SystemTest {
     const CommandResult down = sprung("down");
     EXPECT_EQ(down.status, 0) << down.output;
     EXPECT_EQ(wait_for_up(), 0);
+  }
+  /// Whether a process of any session on our network comes to say that it lives.
+  bool hears_status_of(const std::string& process) const {
+    InputQueue<sprung_msgs::process_status_t> statuses(256);
+    Node node(NodeOptions{lcm_url(), 0, 0, {}});
+    node.subscribe_message(channels::kProcessStatus, CountLimits::none(), statuses);
+    const Receiving receiving(node);
+    for (const std::int64_t end_us = node.utime_us() + std::llround(1e6 * kPatience_s);
+         node.utime_us() < end_us;) {
+      node.wait_for_input(node.utime_us() + 50'000);
+      while (const auto status = statuses.pop()) {
+        if (status->process == process) return true;
+      }
+    }
+    return false;
   }
   static ReplayResult replay(const std::string& log) {
     ReplayRequest request;
@@ -154,13 +172,14 @@ TEST_F(RecordReplay, LcmsOwnPlayerAndLoggerReadAndWriteTheSameFiles) {
   {
     ChildProcess logger(system_program("lcm-logger", "liblcm-bin"),
                         {"--lcm-url=" + lcm_url(), "-q", "-f", theirs});
-    ChildProcess recorder(SPRUNG_BIN_DIR "/sprung-recorder",
+    ChildProcess recorder(test::bin_dir() + "/sprung-recorder",
                           {"--robot", "single_leg", "--session", "1", "--lcm-url", lcm_url(), "--file", ours},
                           Output::kCaptured);
-    usleep(700'000);
+    ASSERT_TRUE(hears_status_of("sprung-recorder"));
+    ASSERT_TRUE(grows(theirs, 0)) << "it hears its own network's PROCESS_STATUS";
     ChildProcess player(system_program("lcm-logplayer", "liblcm-bin"), {"--lcm-url=" + lcm_url(), log()},
                         Output::kCaptured);
-    ASSERT_TRUE(player.wait(20.0));
+    ASSERT_TRUE(player.wait(kPatience_s));
     EXPECT_EQ(player.ended(), 0);
     usleep(200'000);
     recorder.stop(5.0);
@@ -196,7 +215,7 @@ TEST_F(RecordReplay, RecorderIsTheLastToStopAlsoWhenTheLauncherDies) {
   ASSERT_EQ(sprung("stand").status, 0);
   up_process().signal(SIGKILL);
   wait_for_up();
-  ASSERT_TRUE(all_end(20.0));
+  ASSERT_TRUE(all_end(kPatience_s));
   const std::vector<Event> events = read_by_lcm(log());
   ASSERT_FALSE(events.empty());
   EXPECT_EQ(events.back().channel, channels::kLogEnd);
@@ -221,10 +240,10 @@ TEST_F(RecordReplay, SplitRecordingIsReplayedPartByPart) {
   log_folder_.clear();
   up("lockstep", "--speed 1");
   const std::string file = (folder_ / "split.lcm").string();
-  ChildProcess record(SPRUNG_BIN_DIR "/sprung", {"record", file, "--split-mb", "1"}, Output::kCaptured);
-  usleep(2'000'000);
+  ChildProcess record(test::bin_dir() + "/sprung", {"record", file, "--split-mb", "1"}, Output::kCaptured);
+  EXPECT_TRUE(grows(folder_ / "split-001.lcm", 100'000));
   record.signal(SIGINT);
-  ASSERT_TRUE(record.wait(10.0));
+  ASSERT_TRUE(record.wait(kPatience_s));
   EXPECT_EQ(record.ended(), 0);
   EXPECT_THAT(record.output(), HasSubstr("0 cycles missing"));
   for (const char* part : {"split-000.lcm", "split-001.lcm"}) {

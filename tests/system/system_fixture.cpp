@@ -12,7 +12,8 @@
 #include <stdexcept>
 #include <thread>
 
-#include "tools/experiments/separate_run.h"
+#include "runtime/own_port.h"
+#include "tests/support/paths.h"
 #include "tools/launcher/launcher.h"
 
 namespace sprung {
@@ -35,19 +36,17 @@ bool runs(std::int64_t pid) {
 }  // namespace
 
 void SystemTest::SetUp() {
-  folder_ = std::filesystem::temp_directory_path() / ("sprung_system_" + std::to_string(getpid()));
-  std::filesystem::create_directories(folder_);
-  setenv("SPRUNG_PROGRAMS", SPRUNG_BIN_DIR, 1);
+  setenv("SPRUNG_PROGRAMS", test::bin_dir().c_str(), 1);
   setenv("SPRUNG_RUN_DIR", folder_.c_str(), 1);
   setenv("SPRUNG_MIXED_BUILDS", "1",
          1);  // behaviour is tested here, while the tree is worked on and built in parts
-  can_address_ = "udp:239.74.163.2:" + std::to_string(random_port());
-  lcm_url_ = lcm_url_on_port(random_port());
+  can_address_ = "udp:239.74.163.2:" + std::to_string(own_port());
+  lcm_url_ = lcm_url_on_port(own_port());
 }
 
 void SystemTest::TearDown() {
   if (up_) {
-    up_->stop(20.0);
+    up_->stop(kPatience_s);
   }
   for (const RunningProcess& process : started_) {
     EXPECT_FALSE(runs(process.pid)) << process.program << " was left behind";
@@ -55,13 +54,12 @@ void SystemTest::TearDown() {
   if (HasFailure() && up_) {
     std::printf("sprung up said:\n%s\n", read_all(folder_ / "up.txt").c_str());
   }
-  std::filesystem::remove_all(folder_);
 }
 
 CommandResult SystemTest::sprung(const std::string& arguments) const {
   const std::filesystem::path file = folder_ / "output.txt";
   const int raw =
-      std::system((SPRUNG_BIN_DIR "/sprung " + arguments + " > " + file.string() + " 2>&1").c_str());
+      std::system((test::bin_dir() + "/sprung " + arguments + " > " + file.string() + " 2>&1").c_str());
   return {WIFEXITED(raw) ? WEXITSTATUS(raw) : 128 + WTERMSIG(raw), read_all(file)};
 }
 
@@ -69,7 +67,7 @@ std::string SystemTest::can_options() const {
   std::string options;
   for (const BusConfig& bus : robot_.buses) {
     const bool first = &bus == robot_.buses.data();
-    const std::string address = first ? can_address_ : "udp:239.74.163.2:" + std::to_string(random_port());
+    const std::string address = first ? can_address_ : "udp:239.74.163.2:" + std::to_string(own_port());
     options += " --can " + bus.name + "=" + address;
   }
   return options;
@@ -78,7 +76,7 @@ std::string SystemTest::can_options() const {
 std::string SystemTest::said() const { return read_all(folder_ / "up.txt"); }
 
 void SystemTest::up(const std::string& clock, const std::string& more) {
-  const std::string command = "exec " SPRUNG_BIN_DIR "/sprung up " + robot_.name + " --sim --clock " + clock +
+  const std::string command = "exec " + test::bin_dir() + "/sprung up " + robot_.name + " --sim --clock " + clock +
                               (log_folder_.empty() ? " --no-record" : " --log " + log_folder_.string()) +
                               " --lcm-url '" + lcm_url_ + "'" + can_options() + " " + more + " > " +
                               (folder_ / "up.txt").string() + " 2>&1";
@@ -117,6 +115,17 @@ bool SystemTest::all_end(double patience_s) const {
 }
 
 RunInfo SystemTest::info() const { return require_running("default", robot_.name); }
+
+bool SystemTest::grows(const std::filesystem::path& file, std::uintmax_t bytes) {
+  const auto end = Clock::now() + std::chrono::duration<double>(kPatience_s);
+  std::error_code not_there_yet;
+  const auto long_enough = [&] {
+    const std::uintmax_t size = std::filesystem::file_size(file, not_there_yet);
+    return !not_there_yet && size > bytes;
+  };
+  while (!long_enough() && Clock::now() < end) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  return long_enough();
+}
 
 void SystemTest::kill_program(const std::string& program) const {
   for (const RunningProcess& process : info().processes) {

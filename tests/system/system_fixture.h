@@ -2,12 +2,14 @@
 /// Real processes for tests: own run folder, LCM port and CAN port each time, so that two runs on one machine never meet.
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "robots/robot_loader.h"
+#include "tests/support/own_folder.h"
 #include "tools/launcher/child_process.h"
 #include "tools/launcher/run_file.h"
 
@@ -20,6 +22,9 @@ struct CommandResult {
 
 class SystemTest : public testing::Test {
  protected:
+  /// Nothing takes so long; what waits for it ends at once when it has come.
+  static constexpr double kPatience_s = 60.0;
+
   void SetUp() override;
   void TearDown() override;  ///< ends what still runs; fails when a process was left behind
 
@@ -28,7 +33,7 @@ class SystemTest : public testing::Test {
   /// `sprung up ROBOT --sim ...` of robot_ in the background, until the robot is up.
   void up(const std::string& clock, const std::string& more = "");
   /// Waits for `sprung up` to end by itself or after a signal.
-  int wait_for_up(double patience_s = 20.0);
+  int wait_for_up(double patience_s = kPatience_s);
   ChildProcess& up_process() { return *up_; }
 
   /// Whether every process of the run is gone within that time.
@@ -36,12 +41,15 @@ class SystemTest : public testing::Test {
 
   RunInfo info() const;
   void kill_program(const std::string& program) const;
+  /// Whether the file comes to be longer than that: a process that writes it has begun, however busy the machine is.
+  static bool grows(const std::filesystem::path& file, std::uintmax_t bytes);
   std::string can_address() const { return can_address_; }  ///< of the robot's first bus
   std::string lcm_url() const { return lcm_url_; }
   /// What up() has said so far.
   std::string said() const;
 
-  std::filesystem::path folder_;
+  const test::OwnFolder own_folder_{"system"};
+  const std::filesystem::path folder_ = own_folder_.path();
   RobotConfig robot_ = load_robot("single_leg");  ///< another one: before up()
   std::filesystem::path log_folder_;              ///< a log is written where one is named, before up()
 

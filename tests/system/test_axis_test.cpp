@@ -9,6 +9,7 @@
 
 #include "lcmtypes/channels.h"
 #include "signals/messages.h"
+#include "tests/support/paths.h"
 #include "tests/system/system_fixture.h"
 #include "tools/inprocess/inprocess_robot.h"
 
@@ -20,11 +21,11 @@ using testing::HasSubstr;
 class TestAxis : public SystemTest {
  protected:
   TestAxis() { robot_ = load_robot("test_axis"); }
-  /// Everything that is published in some seconds.
+  /// Everything that is published for a while: some thousand cycles.
   std::string record() const {
     const std::string file = (folder_ / "record.lcm").string();
-    ChildProcess record("/bin/sh", {"-c", "exec " SPRUNG_BIN_DIR "/sprung record " + file + " > /dev/null"});
-    usleep(2'000'000);
+    ChildProcess record("/bin/sh", {"-c", "exec " + test::bin_dir() + "/sprung record " + file + " > /dev/null"});
+    EXPECT_TRUE(grows(file, 3'000'000));
     record.signal(SIGINT);
     while (!record.ended()) usleep(10'000);
     return file;

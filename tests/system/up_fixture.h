@@ -13,6 +13,7 @@
 #include <string>
 #include <thread>
 
+#include "tests/support/paths.h"
 #include "tests/system/system_fixture.h"
 
 namespace sprung {
@@ -35,13 +36,13 @@ class Up : public SystemTest {
     return 0;
   }
   bool comes_back(const std::string& program, std::int64_t old_pid) const {
-    return within(10.0, [&] { return pid_of(program) != old_pid; });
+    return within(kPatience_s, [&] { return pid_of(program) != old_pid; });
   }
   static std::string read_all(const std::filesystem::path& path) {
     std::ifstream in(path);
     return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
   }
-  bool says(const std::string& what, double patience_s = 5.0) const {
+  bool says(const std::string& what, double patience_s = kPatience_s) const {
     return within(patience_s, [&] { return said().find(what) != std::string::npos; });
   }
   void signal_program(const std::string& program, int number) const {
@@ -52,7 +53,7 @@ class Up : public SystemTest {
     const std::filesystem::path programs = folder_ / "programs";
     if (!std::filesystem::exists(programs)) {
       std::filesystem::create_directories(programs);
-      for (const auto& entry : std::filesystem::directory_iterator(SPRUNG_BIN_DIR))
+      for (const auto& entry : std::filesystem::directory_iterator(test::bin_dir()))
         std::filesystem::create_symlink(entry.path(), programs / entry.path().filename());
     }
     std::filesystem::remove(programs / program);

@@ -1,6 +1,7 @@
 /// `sprung up` on several hosts, and what others say on its network.
 #include "lcmtypes/channels.h"
 #include "runtime/resource_use.h"
+#include "tests/support/paths.h"
 #include "tests/system/up_fixture.h"
 #include "tools/launcher/launcher.h"
 
@@ -93,7 +94,7 @@ class UpOnTwoHosts : public Up {
   void start_trunk(const std::string& more = "") {
     trunk_ = std::make_unique<ChildProcess>(
         "/bin/sh",
-        std::vector<std::string>{"-c", "exec " SPRUNG_BIN_DIR
+        std::vector<std::string>{"-c", "exec " + test::bin_dir() +
                                        "/sprung up single_leg --sim --clock lockstep --no-record --host trunk"
                                        " --instance trunk --lcm-url '" +
                                            lcm_url() + "' " + more + " > " +
@@ -107,16 +108,17 @@ TEST_F(UpOnTwoHosts, EachStartsItsOwnAndTheSecondEndsWithTheFirst) {
   start_trunk();
   up("lockstep", "--speed 2");
   EXPECT_EQ(pid_of("sprung-motion-planner"), 0) << "the planner is the other host's";
-  EXPECT_TRUE(within(5.0, [&] { return trunk_said().find("is up: 1 processes") != std::string::npos; }))
-      << trunk_said();
+  EXPECT_TRUE(within(kPatience_s, [&] {
+    return trunk_said().find("is up: 1 processes") != std::string::npos;
+  })) << trunk_said();
   const CommandResult stand = sprung("stand");
   EXPECT_EQ(stand.status, 0) << stand.output;
   EXPECT_EQ(sprung("down").status, 0);
-  EXPECT_TRUE(trunk_->wait(10.0)) << "it goes on without its lead";
+  EXPECT_TRUE(trunk_->wait(kPatience_s)) << "it goes on without its lead";
 }
 
 TEST_F(UpOnTwoHosts, HostThatIsMissingIsNamedWithWhatToTypeThere) {
-  EXPECT_THAT([&] { up("lockstep", "--patience 1"); },
+  EXPECT_THAT([&] { up("lockstep", "--patience 5"); },
               testing::ThrowsMessage<std::runtime_error>(
                   AllOf(HasSubstr("sprung-motion-planner is not ready"),
                         HasSubstr("sprung up single_leg --host trunk"), HasSubstr("ttl"))));
@@ -126,7 +128,7 @@ TEST_F(UpOnTwoHosts, AnotherRobotFileOnTheSecondHostIsRefusedAndNamed) {
   start_trunk("--preset paper");
   EXPECT_THAT([&] { up("lockstep", "--patience 3"); },
               testing::ThrowsMessage<std::runtime_error>(HasSubstr("sprung-motion-planner")));
-  EXPECT_TRUE(trunk_->wait(15.0));
+  EXPECT_TRUE(trunk_->wait(kPatience_s));
   EXPECT_THAT(trunk_said(), HasSubstr("another configuration"));
 }
 

@@ -7,8 +7,9 @@
 #include <iterator>
 #include <thread>
 
+#include "runtime/own_port.h"
+#include "tests/support/paths.h"
 #include "tests/system/system_fixture.h"
-#include "tools/experiments/separate_run.h"
 
 namespace sprung {
 namespace {
@@ -24,7 +25,7 @@ class UpScreen : public SystemTest {
     return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
   }
   bool shows(const std::string& what) const {
-    for (int i = 0; i < 1000 && shown().find(what) == std::string::npos; ++i)
+    for (int i = 0; i < 3000 && shown().find(what) == std::string::npos; ++i)
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
     return shown().find(what) != std::string::npos;
   }
@@ -32,8 +33,8 @@ class UpScreen : public SystemTest {
 
 TEST_F(UpScreen, ShowsEveryProcessAndGivesTheTerminalBack) {
   const std::string command =
-      SPRUNG_BIN_DIR "/sprung up single_leg --sim --clock lockstep --speed 1 --no-record --lcm-url '" +
-      lcm_url() + "' --can leg=udp:239.74.163.2:" + std::to_string(random_port());
+      test::bin_dir() + "/sprung up single_leg --sim --clock lockstep --speed 1 --no-record --lcm-url '" +
+      lcm_url() + "' --can leg=udp:239.74.163.2:" + std::to_string(own_port());
   ChildProcess script("/usr/bin/env",
                       {"TERM=xterm", "script", "-qfec", "stty cols 140 rows 30; " + command,
                        (folder_ / "terminal.txt").string()},
@@ -43,7 +44,7 @@ TEST_F(UpScreen, ShowsEveryProcessAndGivesTheTerminalBack) {
                            "sprung-sim-drives", "safety  operational", "ready in", "Ctrl-C ends it"})
     EXPECT_TRUE(shows(part)) << part;
   EXPECT_EQ(sprung("down").status, 0);
-  EXPECT_TRUE(script.wait(10.0));
+  EXPECT_TRUE(script.wait(kPatience_s));
   EXPECT_THAT(shown(), HasSubstr("\x1b[?1049l"));
   EXPECT_EQ(script.ended(), 0);
   if (!script.ended()) script.stop(5.0);

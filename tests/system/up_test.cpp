@@ -1,4 +1,5 @@
 /// What `sprung up` does with its processes: which come back, which do not, which are refused.
+#include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/un.h>
 #include <unistd.h>
@@ -6,8 +7,9 @@
 #include <array>
 #include <cstring>
 
+#include "runtime/own_port.h"
+#include "tests/support/paths.h"
 #include "tests/system/up_fixture.h"
-#include "tools/experiments/separate_run.h"
 #include "tools/launcher/run_description.h"
 #include "tools/launcher/status_board.h"
 
@@ -15,6 +17,7 @@ namespace sprung {
 namespace {
 
 using testing::AllOf;
+using testing::ContainsRegex;
 using testing::HasSubstr;
 
 TEST_F(Up, ClosedTerminalStopsItInOrder) {
@@ -27,28 +30,49 @@ TEST_F(Up, ClosedTerminalStopsItInOrder) {
 TEST_F(Up, SecondRobotOnTheSameBusIsRefusedAndTheFirstNotDisturbed) {
   up("lockstep", "--speed 1");
   const CommandResult second = sprung("up single_leg --sim --no-record --instance second --lcm-url '" +
-                                      lcm_url_on_port(random_port()) + "' --can leg=" + can_address());
+                                      lcm_url_on_port(own_port()) + "' --can leg=" + can_address());
   EXPECT_EQ(second.status, 1);
   EXPECT_THAT(second.output, AllOf(HasSubstr("'default'"), HasSubstr(can_address()), HasSubstr("--can")));
   EXPECT_EQ(sprung("stand").status, 0);
 }
 
+/// Whoever loses its parent becomes this process's child, as long as this lives: in its session, where a stopped process stays stopped. Below
+/// a parent of another session the kernel wakes it with SIGHUP and SIGCONT (POSIX: an orphaned process group), and it ends in order.
+class Adoption {
+ public:
+  Adoption() { prctl(PR_SET_CHILD_SUBREAPER, 1); }
+  ~Adoption() { prctl(PR_SET_CHILD_SUBREAPER, 0); }
+  Adoption(const Adoption&) = delete;
+  Adoption& operator=(const Adoption&) = delete;
+};
+
+bool is_stopped(pid_t pid) {
+  std::ifstream stat("/proc/" + std::to_string(pid) + "/stat");
+  std::string id, program, state;
+  return stat >> id >> program >> state && state == "T";
+}
+
 /// Else two bridges would be on one bus.
 TEST_F(Up, NothingStartsBesideABridgeWhoseLauncherWasKilled) {
+  const Adoption adoption;
   up("lockstep", "--speed 1");
   const auto bridge = static_cast<pid_t>(pid_of("sprung-can-bridge"));
   kill(bridge, SIGSTOP);
+  ASSERT_TRUE(within(kPatience_s, [&] { return is_stopped(bridge); }));
   up_process().signal(SIGKILL);
   EXPECT_EQ(wait_for_up(), 128 + SIGKILL);
   const std::string again = "up single_leg --sim --no-record --cycles 10 --clock lockstep --lcm-url '" +
                             lcm_url() + "' --can leg=" + can_address();
-  const CommandResult refused = sprung(again + " --patience 0.5");
-  EXPECT_EQ(refused.status, 1);
-  EXPECT_THAT(refused.output,
-              AllOf(HasSubstr("sprung-can-bridge (process " + std::to_string(bridge)), HasSubstr("kill -9")));
+  const std::string number = std::to_string(bridge);
+  for (int tries = 0; tries < 2; ++tries) {  // who is refused tries again
+    const CommandResult refused = sprung(again + " --patience 0.5");
+    EXPECT_EQ(refused.status, 1);
+    EXPECT_THAT(refused.output, AllOf(HasSubstr("sprung-can-bridge (process " + number), HasSubstr("kill -9"),
+                                      ContainsRegex("kill -9[0-9 ]* " + number)));
+  }
   kill(bridge, SIGKILL);
-  EXPECT_TRUE(all_end(10.0));
-  const CommandResult next = sprung(again + " --patience 10");
+  EXPECT_TRUE(all_end(kPatience_s));
+  const CommandResult next = sprung(again);
   EXPECT_EQ(next.status, 0) << next.output;
 }
 
@@ -89,11 +113,12 @@ TEST_F(Up, ContradictionsAreWrongUseBeforeAnybodyIsWaitedFor) {
 }
 
 TEST_F(Up, DownOfAnotherUsersRobotSaysSo) {
-  if (getuid() != 0 || std::system("setpriv --reuid=65534 --clear-groups " SPRUNG_BIN_DIR
-                                   "/sprung --version > /dev/null 2>&1") != 0)
+  if (getuid() != 0 || std::system(("setpriv --reuid=65534 --clear-groups " + test::bin_dir() +
+                                    "/sprung --version > /dev/null 2>&1")
+                                       .c_str()) != 0)
     GTEST_SKIP() << "needs root, and programs that others may run";
   up("lockstep", "--speed 1");
-  const int raw = std::system(("setpriv --reuid=65534 --clear-groups " SPRUNG_BIN_DIR "/sprung down > " +
+  const int raw = std::system(("setpriv --reuid=65534 --clear-groups " + test::bin_dir() + "/sprung down > " +
                                (folder_ / "down.txt").string() + " 2>&1")
                                   .c_str());
   EXPECT_EQ(WEXITSTATUS(raw), 1);
@@ -107,7 +132,8 @@ TEST_F(Up, RealTimeControllerComesBackWithoutTorqueAndStandsAgainOnlyWhenAsked) 
   const std::int64_t old_pid = pid_of("sprung-leg-controller");
   kill_program("sprung-leg-controller");
   ASSERT_TRUE(comes_back("sprung-leg-controller", old_pid)) << said();
-  EXPECT_TRUE(within(5.0, [&] { return said().find("torque stays off") != std::string::npos; })) << said();
+  EXPECT_TRUE(within(kPatience_s, [&] { return said().find("torque stays off") != std::string::npos; }))
+      << said();
   EXPECT_THAT(said(), HasSubstr("sprung-leg-controller was started again (1 of at most 3 times)"));
   EXPECT_NE(sprung("stand").status, 0) << "the cause is latched";
   EXPECT_EQ(sprung("clear").status, 0);
@@ -127,28 +153,31 @@ TEST_F(Up, RealTimeProcessThatStayedDeadUntilTheEndIsAFailure) {
 TEST_F(Up, NothingComesBackInLockStep) {
   up("lockstep", "--speed 1");
   kill_program("sprung-motion-planner");
-  EXPECT_TRUE(within(5.0, [&] { return said().find("It is not started again") != std::string::npos; }))
-      << said();
+  EXPECT_TRUE(within(kPatience_s, [&] {
+    return said().find("It is not started again") != std::string::npos;
+  })) << said();
   EXPECT_THAT(said(), HasSubstr("sprung-motion-planner ended (Killed)"));
   EXPECT_EQ(sprung("down").status, 0);
   EXPECT_EQ(wait_for_up(), 1) << "a process died: the run has failed";
 }
 
-constexpr const char* kPlannerOfPaper = "exec " SPRUNG_BIN_DIR "/sprung-motion-planner \"${@/#best/paper}\"";
+std::string planner_of_paper() {
+  return "exec " + test::bin_dir() + "/sprung-motion-planner \"${@/#best/paper}\"";
+}
 
 TEST_F(Up, ProcessWithAnotherConfigurationIsRefusedAndNamed) {
-  replace_program("sprung-motion-planner", kPlannerOfPaper);
+  replace_program("sprung-motion-planner", planner_of_paper());
   EXPECT_THAT([&] { up("lockstep"); }, testing::ThrowsMessage<std::runtime_error>(
                                            AllOf(HasSubstr("sprung-motion-planner on "),
                                                  HasSubstr("another configuration"), HasSubstr("--preset"))));
 }
 
 TEST_F(Up, RealTimeProcessThatIsStartedAgainAndDoesNotBelongHereIsEndedAndNamed) {
-  replace_program("sprung-motion-planner", "exec " SPRUNG_BIN_DIR "/sprung-motion-planner \"$@\"");
+  replace_program("sprung-motion-planner", "exec " + test::bin_dir() + "/sprung-motion-planner \"$@\"");
   up("realtime");
-  replace_program("sprung-motion-planner", kPlannerOfPaper);
+  replace_program("sprung-motion-planner", planner_of_paper());
   kill_program("sprung-motion-planner");
-  EXPECT_TRUE(says("another configuration", 10.0)) << said();
+  EXPECT_TRUE(says("another configuration")) << said();
   EXPECT_TRUE(says("sprung-motion-planner ended (exit status 0). It is not started again")) << said();
   EXPECT_EQ(sprung("down").status, 0);
   EXPECT_EQ(wait_for_up(), 1);
@@ -174,7 +203,7 @@ TEST_F(Up, SystemdHearsReadyAliveAndStopping) {
   up("lockstep", "--speed 1");
   std::string heard;
   const auto listen = [&](const char* what) {
-    return within(5.0, [&] {
+    return within(kPatience_s, [&] {
       std::array<char, 256> text{};
       while (recv(fd, text.data(), text.size() - 1, 0) > 0) {
         heard += std::string(text.data()) + ";";

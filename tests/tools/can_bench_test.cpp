@@ -1,3 +1,4 @@
+#include "tests/support/paths.h"
 #include "tools/bench/can_bench.h"
 
 #include <gtest/gtest.h>
@@ -42,7 +43,7 @@ TEST(CanBench, EveryCodecHasATimeAndARatio) {
 }
 
 TEST(CanBench, ShareIsTheCycleTimeOverTheRobotsCycle) {
-  const RobotConfig robot = load_robot(SPRUNG_SOURCE_DIR "/robots/single_leg");
+  const RobotConfig robot = load_robot(test::source_dir() + "/robots/single_leg");
   const std::vector<ReportRow> rows = bench_bridge(robot, 1, 20);
   const ReportRow* cycle = find(rows, "can.single_leg.bridge_cycle");
   const ReportRow* share = find(rows, "can.single_leg.bridge_share");

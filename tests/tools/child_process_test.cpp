@@ -54,8 +54,9 @@ TEST(ChildProcess, StopIsPolite) {
 }
 
 TEST(ChildProcess, StopEndsWhatWillNotListen) {
-  ChildProcess child("/bin/sh", {"-c", "trap '' TERM; while :; do sleep 0.01; done"});
-  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  ChildProcess child("/bin/sh", {"-c", "trap '' TERM; echo deaf; while :; do sleep 0.01; done"},
+                     Output::kCaptured);
+  while (child.output().empty() && !child.ended()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   EXPECT_EQ(child.stop(0.05), 128 + SIGKILL);
 }
 

@@ -68,6 +68,14 @@ TEST_F(DropExperimentTest, EveryModeLandsFromEveryHeight) {
   }
 }
 
+TEST_F(DropExperimentTest, ProgressCountsLandingsAndSeedsTogether) {
+  std::vector<std::pair<std::size_t, std::size_t>> told;
+  request_.on_progress = [&](std::size_t done, std::size_t count) { told.emplace_back(done, count); };
+  run();
+  ASSERT_THAT(told, SizeIs(22));
+  for (std::size_t i = 0; i < told.size(); ++i) EXPECT_EQ(told[i], std::pair(i + 1, std::size_t{22}));
+}
+
 TEST_F(DropExperimentTest, BothLawsOfASeedMeetTheSameSurprise) {
   std::mutex mutex;
   std::map<std::tuple<std::string, std::uint64_t>, double> floor_m;

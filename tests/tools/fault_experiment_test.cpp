@@ -1,3 +1,4 @@
+#include "tests/support/paths.h"
 #include "tools/experiments/fault_experiment.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +28,7 @@ std::vector<FaultOutcome> all_faults(const RobotConfig& robot, std::uint64_t see
 
 /// What stands in docs/drivers.md between the marks of this robot.
 std::string documented(const std::string& robot) {
-  std::ifstream file(std::string(SPRUNG_SOURCE_DIR) + "/docs/drivers.md");
+  std::ifstream file(test::source_dir() + "/docs/drivers.md");
   std::stringstream text;
   text << file.rdbuf();
   const std::string begin = "<!-- begin faults " + robot + " -->\n",

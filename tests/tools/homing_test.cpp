@@ -16,6 +16,7 @@
 
 #include "drivers/sim/sim_config.h"
 #include "robots/robot_loader.h"
+#include "tests/support/own_folder.h"
 #include "tools/inprocess/inprocess_robot.h"
 
 namespace sprung {
@@ -56,7 +57,7 @@ class Homing : public testing::Test {
   /// A copy of a shipped robot, its robot.yaml and sim.yaml edited by line.
   RobotConfig copy_of(const std::string& name, const LineEdit& robot_edit, const LineEdit& sim_edit) {
     const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    const std::string folder = testing::TempDir() + "homing_" + test->name();
+    const std::string folder = test::temp_dir() + "homing_" + test->name();
     const std::string shipped = robot_folder(name);
     std::filesystem::create_directories(folder);
     std::filesystem::copy_file(shipped + "/model.xml", folder + "/model.xml",

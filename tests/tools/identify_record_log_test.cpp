@@ -8,6 +8,7 @@
 #include <string>
 
 #include "sprung_msgs/drive_state_t.hpp"
+#include "tests/support/own_folder.h"
 #include "tools/identify/record_log.h"
 
 namespace sprung::identify {
@@ -23,7 +24,7 @@ class RecordLog : public testing::Test {
       states_.push_back(state);
     }
   }
-  std::string path(const char* name) const { return testing::TempDir() + name; }
+  std::string path(const char* name) const { return test::temp_dir() + name; }
   static std::string bytes(const std::string& file) {
     std::ifstream in(file, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};

@@ -12,6 +12,7 @@
 #include "robots/robot_loader.h"
 #include "runtime/command_line.h"
 #include "signals/messages.h"
+#include "tests/support/own_folder.h"
 #include "tests/tools/identify_sample.h"
 #include "tools/identify/drive_log.h"
 
@@ -21,7 +22,7 @@ namespace {
 using testing::Contains;
 using testing::HasSubstr;
 
-std::string path_of(const char* name) { return testing::TempDir() + "identify_recording_" + name; }
+std::string path_of(const char* name) { return test::temp_dir() + "identify_recording_" + name; }
 
 /// What the drives of single_leg measure while the knee of the sample moves and the hip holds.
 std::vector<DriveState> sample_states() {

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "tests/support/own_folder.h"
 #include "tools/identify/csv_series.h"
 #include "tools/identify/file_digest.h"
 #include "tools/identify/protocol_request.h"
@@ -98,7 +99,7 @@ TEST(CsvSeries, EverySignalFindsItsPlace) {
 }
 
 TEST(FileDigest, IsThePublishedOneOfThreeLetters) {
-  const std::string path = testing::TempDir() + "identify_digest.txt";
+  const std::string path = test::temp_dir() + "identify_digest.txt";
   std::ofstream(path) << "abc";
   EXPECT_EQ(short_sha256(path), "ba7816bf8f01cfea");  // FIPS 180-2, appendix B.1
   EXPECT_THROW(short_sha256("/nowhere/x"), std::runtime_error);

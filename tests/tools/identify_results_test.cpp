@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "robots/robot_loader.h"
+#include "tests/support/own_folder.h"
 #include "tests/tools/identify_sample.h"
 #include "tools/identify/fragment.h"
 #include "tools/identify/leg_comparison.h"
@@ -109,7 +110,7 @@ TEST(ResultTable, NumbersHaveAsManyDigitsAsTheirError) {
 
 /// single_leg with the fragment's keys of the knee in the place of its own.
 RobotConfig loaded_with(const std::string& fragment) {
-  const std::string folder = testing::TempDir() + "identify_fragment";
+  const std::string folder = test::temp_dir() + "identify_fragment";
   std::filesystem::create_directories(folder);
   std::ifstream in(load_robot("single_leg").folder + "/robot.yaml");
   std::string line;

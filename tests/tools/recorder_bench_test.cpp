@@ -1,11 +1,13 @@
+#include "tests/support/paths.h"
 #include "tools/bench/recorder_bench.h"
 
 #include <gtest/gtest.h>
 #include <stdlib.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
+
+#include "tests/support/own_folder.h"
 
 namespace sprung {
 namespace {
@@ -18,14 +20,13 @@ const ReportRow& row(const std::vector<ReportRow>& rows, const std::string& name
 }
 
 TEST(RecorderBench, OwnRecorderLosesNothingAndLcmLoggerIsMeasuredBesideIt) {
-  setenv("SPRUNG_PROGRAMS", SPRUNG_BIN_DIR, 1);
+  setenv("SPRUNG_PROGRAMS", test::bin_dir().c_str(), 1);
   RecorderBench bench;
   bench.runs = 2;
   bench.messages = 500;
   bench.rate_Hz = 1000.0;
   bench.hogs = 1;
-  bench.folder =
-      (std::filesystem::path(testing::TempDir()) / ("recorder-bench-" + std::to_string(getpid()))).string();
+  bench.folder = test::temp_dir() + "recorder-bench";
   int said = 0;
   bench.on_run = [&](int) { ++said; };
   const std::vector<ReportRow> rows = bench_recorder(bench);

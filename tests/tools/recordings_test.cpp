@@ -1,11 +1,12 @@
 #include "tools/recordings/recordings.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+
+#include "tests/support/own_folder.h"
 
 namespace sprung::recordings {
 namespace {
@@ -14,9 +15,8 @@ namespace {
 class Recordings : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() /
-              ("recordings_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) +
-               "_" + std::to_string(::getpid()));
+    folder_ =
+        test::temp_dir() + "recordings_" + testing::UnitTest::GetInstance()->current_test_info()->name();
     std::filesystem::create_directories(folder_ / "ur10e");
     std::filesystem::create_directories(folder_ / "lara8");
   }

@@ -1,19 +1,18 @@
 #include "tools/bench/replay_bench.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
 
 #include "robots/robot_loader.h"
+#include "tests/support/own_folder.h"
 
 namespace sprung {
 namespace {
 
 TEST(ReplayBench, LogOfATrotIsReproducedAndEachPartIsMeasured) {
-  const std::string folder =
-      (std::filesystem::path(testing::TempDir()) / ("replay-bench-" + std::to_string(getpid()))).string();
+  const std::string folder = test::temp_dir() + "replay-bench";
   const std::vector<ReportRow> rows = bench_replay(load_robot("pegasus"), 1, 0.5, folder);
   const auto value = [&](const std::string& name) {
     const auto found = std::find_if(
@@ -30,7 +29,7 @@ TEST(ReplayBench, LogOfATrotIsReproducedAndEachPartIsMeasured) {
 }
 
 TEST(ReplayBench, RobotThatDoesNotWalkIsRefused) {
-  EXPECT_THROW(bench_replay(load_robot("single_leg"), 1, 0.5, testing::TempDir() + "replay-bench-leg"),
+  EXPECT_THROW(bench_replay(load_robot("single_leg"), 1, 0.5, test::temp_dir() + "replay-bench-leg"),
                std::invalid_argument);
 }
 

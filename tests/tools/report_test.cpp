@@ -1,3 +1,4 @@
+#include "tests/support/paths.h"
 #include "tools/report/report.h"
 
 #include <gmock/gmock.h>
@@ -23,7 +24,7 @@ std::string html_of(Section section) {
 
 std::string source(const std::string& file) {
   std::ostringstream text;
-  text << std::ifstream(SPRUNG_SOURCE_DIR "/tools/report/" + file).rdbuf();
+  text << std::ifstream(test::source_dir() + "/tools/report/" + file).rdbuf();
   return text.str();
 }
 

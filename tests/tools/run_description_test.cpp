@@ -11,14 +11,15 @@
 #include <filesystem>
 #include <fstream>
 #include <lcm/lcm-cpp.hpp>
-#include <random>
 #include <set>
 #include <thread>
 
 #include "lcmtypes/channels.h"
 #include "robots/robot_loader.h"
 #include "runtime/node.h"
+#include "runtime/own_port.h"
 #include "runtime/process_status.h"
+#include "tests/support/own_folder.h"
 #include "tools/launcher/lead_finder.h"
 #include "tools/launcher/recorder_plan.h"
 
@@ -35,8 +36,7 @@ LaunchRequest request() {
   request.robot = "single_leg";
   request.simulation = true;
   request.patience_s = 0.2;
-  std::random_device device;
-  request.lcm_url = lcm_url_on_port(20000 + static_cast<int>(device() % 40000));
+  request.lcm_url = lcm_url_on_port(own_port());
   return request;
 }
 
@@ -153,7 +153,7 @@ TEST(RunDescription, SessionsDiffer) {
 }
 
 TEST(LogPath, NeverNamesAFileThatIsThere) {
-  const fs::path folder = fs::temp_directory_path() / ("sprung_log_path_" + std::to_string(getpid()));
+  const fs::path folder = test::temp_dir() + "sprung_log_path";
   std::set<std::string> paths;
   for (int i = 0; i < 5; ++i) {
     const std::string path = log_path(folder.string(), "single_leg");

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "tests/support/own_folder.h"
 #include "tools/launcher/child_process.h"
 
 namespace sprung {
@@ -20,7 +21,7 @@ using testing::HasSubstr;
 class RunFileTest : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() / ("sprung_run_" + std::to_string(getpid()));
+    folder_ = test::temp_dir() + "sprung_run";
     setenv("SPRUNG_RUN_DIR", folder_.c_str(), 1);
   }
   void TearDown() override {
@@ -89,6 +90,24 @@ TEST_F(RunFileTest, ProcessesOfALauncherThatWasKilledAreFoundAsLongAsTheyRun) {
   EXPECT_TRUE(left_behind("mine").empty()) << "of a run that is up nothing is left behind";
   sleeper.stop(5.0);
   EXPECT_TRUE(left_behind("killed").empty());
+}
+
+/// Else the second try would begin beside what made the first one stop.
+TEST_F(RunFileTest, LauncherThatGivesUpBeforeItWroteLeavesWhatAKilledOneWrote) {
+  ChildProcess sleeper("/bin/sleep", {"1000"});
+  RunInfo info = sample();
+  info.processes = {{"sleep", sleeper.pid()}};
+  const pid_t launcher = fork();
+  if (launcher == 0) {
+    RunFile file("killed");
+    file.write(info);
+    _exit(0);  // without a destructor
+  }
+  waitpid(launcher, nullptr, 0);
+  { const RunFile gives_up("killed"); }
+  EXPECT_EQ(left_behind("killed").size(), 1u);
+  EXPECT_EQ(left_behind("mine").size(), 1u);
+  sleeper.stop(5.0);
 }
 
 TEST_F(RunFileTest, NothingRunningSaysHowToStart) {

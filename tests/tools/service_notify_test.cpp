@@ -12,6 +12,8 @@
 #include <filesystem>
 #include <string>
 
+#include "tests/support/own_folder.h"
+
 namespace sprung {
 namespace {
 
@@ -19,7 +21,7 @@ namespace {
 class ServiceNotifyTest : public testing::TestWithParam<const char*> {
  protected:
   void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() / ("sprung_notify_" + std::to_string(getpid()));
+    folder_ = test::temp_dir() + "sprung_notify";
     std::filesystem::create_directories(folder_);
     name_ = GetParam() + (folder_ / "notify").string();
     sockaddr_un address{};

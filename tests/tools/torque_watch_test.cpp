@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
-#include <random>
 #include <thread>
 
 #include "lcmtypes/channels.h"
 #include "robots/robot_loader.h"
+#include "runtime/own_port.h"
 #include "tools/launcher/run_description.h"
 
 namespace sprung {
@@ -35,15 +35,14 @@ TEST(MayHaveTorque, OneDriveIsEnough) {
 }
 
 TEST(TorqueWatch, HearsTheBridgeOfItsSession) {
-  std::random_device device;
-  const NodeOptions options{lcm_url_on_port(20000 + static_cast<int>(device() % 40000)), 77, 0, {}};
+  const NodeOptions options{lcm_url_on_port(own_port()), 77, 0, {}};
   const TorqueWatch watch(options, load_robot("single_leg"));
   EXPECT_FALSE(watch.heard());
   Node bridge(options);
   auto publisher = bridge.publisher<DriveState>(channels::kDriveState);
   DriveState state = both(PowerState::kSwitchOnDisabled);
   state.stamp = {123'456, 5};
-  for (int i = 0; i < 500 && !watch.heard(); ++i) {
+  for (int i = 0; i < 4000 && !watch.heard(); ++i) {
     publisher.publish(state);
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }

@@ -1,21 +1,21 @@
+#include "tests/support/paths.h"
 #include "tools/bench/up_bench.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
 
 #include "robots/robot_loader.h"
+#include "tests/support/own_folder.h"
 
 namespace sprung {
 namespace {
 
 TEST(UpBench, TimesOneStartAndLeavesItsLog) {
-  const auto folder =
-      std::filesystem::temp_directory_path() / ("sprung_up_bench_" + std::to_string(getpid()));
+  const std::filesystem::path folder = test::temp_dir() + "sprung_up_bench";
   std::filesystem::create_directories(folder);
-  setenv("SPRUNG_PROGRAMS", SPRUNG_BIN_DIR, 1);
+  setenv("SPRUNG_PROGRAMS", test::bin_dir().c_str(), 1);
   setenv("SPRUNG_RUN_DIR", folder.c_str(), 1);
   setenv("SPRUNG_MIXED_BUILDS", "1", 1);
   const auto rows = bench_up(load_robot("single_leg"), 1, folder.string());

@@ -26,7 +26,7 @@ WalkExperiment walked() {
     out.controls.back().control = control;
     out.controls.back().swing_rms_m = rms_m;
   }
-  for (const GaitCase& config : gait_cases()) {
+  for (const GaitCase& config : gait_cases(load_robot("pegasus"))) {
     out.gaits.emplace_back();
     out.gaits.back().config = config;
     out.gaits.back().speed_m_s = 0.95 * config.speed_m_s;
@@ -71,6 +71,38 @@ TEST(WalkRows, WhoFellOrWasTrippedHasNoSpeed) {
   EXPECT_TRUE(row(walk_rows(result), "walk.trot.speed").ok());
   result.gaits[2].vitals.trips = 1;
   EXPECT_FALSE(row(walk_rows(result), "walk.trot.speed").ok());
+}
+
+TEST(WalkCases, AreAtSharesOfTheRobotsOwnFastestSpeeds) {
+  const auto speeds = [](const char* robot) {
+    std::vector<double> out;
+    for (const GaitCase& config : gait_cases(load_robot(robot))) out.push_back(config.speed_m_s);
+    return out;
+  };
+  EXPECT_EQ(speeds("pegasus"), (std::vector<double>{0.1, 0.2, 0.35, 0.4}));
+  EXPECT_EQ(speeds("fennec"), (std::vector<double>{0.075, 0.15, 0.265, 0.305}));
+  EXPECT_THROW(gait_cases(load_robot("single_leg")), std::invalid_argument);
+}
+
+TEST(WalkRows, TorquesAreHeldAgainstTheRobotsOwnDrives) {
+  WalkExperiment result = walked();
+  result.torque_limit_Nm = 57.0;
+  result.gaits[0].vitals.strongest_Nm = 57.1;
+  EXPECT_EQ(row(walk_rows(result), "walk.crawl.motor_torque_max").high, 57.0);
+  EXPECT_FALSE(row(walk_rows(result), "walk.crawl.motor_torque_max").ok());
+}
+
+/// The second quadruped: the planner refused pegasus's speeds.
+TEST(Walk, AnotherRobotWalksAtItsOwnSpeedsAndIsHeldAgainstItsOwnLimits) {
+  WalkTask task;
+  task.distance_m = 0.2;
+  const RobotConfig robot = load_robot("fennec");
+  const WalkExperiment out = run_walk_experiment(robot, task);
+  EXPECT_EQ(out.torque_limit_Nm, 57.0);
+  EXPECT_EQ(out.speed_limit_rad_s, 7.0);
+  for (const GaitOutcome& gait : out.gaits)
+    EXPECT_FALSE(gait.vitals.fell) << gait.config.name << gait.vitals.why;
+  EXPECT_EQ(out.controls.size(), 4u);
 }
 
 TEST(Walk, AStretchIsMeasuredFromWhenTheSpeedIsReached) {

@@ -16,6 +16,7 @@
 #include "drivers/can/socketcan_bus.h"
 #include "drivers/sim/sim_core.h"
 #include "robots/robot_loader.h"
+#include "tests/support/paths.h"
 
 namespace sprung {
 namespace {
@@ -109,7 +110,7 @@ class FourBuses : public testing::Test {
     return reply.outcome;
   }
 
-  const RobotConfig robot_ = load_robot(std::string(SPRUNG_SOURCE_DIR) + "/robots/pegasus");
+  const RobotConfig robot_ = load_robot(test::source_dir() + "/robots/pegasus");
   const std::int64_t cycle_us_ = std::llround(1e6 * robot_.cycle_s);
   BridgeCore bridge_{robot_, BridgeOptions{robot_.watchdogs}};
   SimCore sim_{robot_, SimOptions{}};

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "tools/experiments/separate_run.h"
+#include "runtime/own_port.h"
 #include "tools/launcher/child_process.h"
 #include "tools/launcher/launcher.h"
 #include "tools/log/reader.h"
@@ -81,7 +81,7 @@ struct Lost {
 };
 
 Lost run_once(const RecorderBench& bench, int run) {
-  const std::string url = lcm_url_on_port(random_port());
+  const std::string url = lcm_url_on_port(own_port());
   const std::string stem = (fs::path(bench.folder) / ("run-" + std::to_string(run))).string();
   const std::string own = stem + "-sprung.lcm", theirs = stem + "-lcm-logger.lcm";
   fs::remove(own);  // of a bench that was interrupted

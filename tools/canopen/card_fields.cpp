@@ -2,10 +2,11 @@
 
 #include <cmath>
 
+#include "signals/angles.h"
+
 namespace sprung::cantools {
 namespace {
 
-constexpr double kTurn_rad = 6.28318530717958647692;
 
 double position_rad(const LinkEncoderConfig& encoder, std::uint32_t counts) {
   const double turned_rad = encoder.direction * counts * kTurn_rad / encoder.counts_per_turn;

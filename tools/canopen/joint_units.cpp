@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "drivers/canopen/objects.h"
+#include "signals/angles.h"
 
 namespace sprung::cantools {
 namespace {
 
-constexpr double kTwoPi = 6.28318530717958647692;
 
 /// Measured from the drive's own zero, so robot.yaml's offset belongs to them; a following error, say, is a difference. With 0x6062,
 /// 0x6063: demand and internal value; 0x2062: EPOS2's position mode setting.
@@ -35,13 +35,13 @@ std::vector<JointValue> in_joint_units(const ActuatorConfig& actuator, canopen::
                                        const std::string& unit, double raw) {
   const double value = actuator.direction * raw;
   if (unit == "counts" || unit == "qc") {
-    const double counts_per_rad = actuator.encoder_counts_per_turn * actuator.gear_ratio / kTwoPi;
+    const double counts_per_rad = actuator.encoder_counts_per_turn * actuator.gear_ratio / kTurn_rad;
     return {{value / counts_per_rad + (is_absolute_position(object) ? actuator.offset_rad : 0.0), "rad"}};
   }
   if (unit == "counts/s" || unit == "qc/s") {
-    return {{value * kTwoPi / (actuator.encoder_counts_per_turn * actuator.gear_ratio), "rad/s"}};
+    return {{value * kTurn_rad / (actuator.encoder_counts_per_turn * actuator.gear_ratio), "rad/s"}};
   }
-  if (unit == "rpm") return {{value * kTwoPi / 60.0 / actuator.gear_ratio, "rad/s"}};
+  if (unit == "rpm") return {{value * kTurn_rad / 60.0 / actuator.gear_ratio, "rad/s"}};
   if (unit == "mA") return current(actuator, 1e-3 * value);
   if (unit == "per mille of rated current") return current(actuator, 1e-3 * value * actuator.rated_current_A);
   if (unit == "per mille of rated torque")

@@ -1,14 +1,12 @@
 #pragma once
-/// Puts the messages of each cycle together again, in order: for experiments on separate processes. Nothing
-/// waits for it, so it keeps deep queues; a cycle of which a message was lost on the way is counted, never
-/// made up.
+/// Listens to a running robot and hands over its cycles (cycle_assembler.h): for experiments on separate processes. Nothing waits for it, so
+/// it keeps deep queues; a cycle of which a message was lost on the way is counted, never made up.
 #include <cstdint>
-#include <map>
-#include <string>
+#include <utility>
 
 #include "robots/robot_config.h"
 #include "runtime/node.h"
-#include "tools/client/cycle_record.h"
+#include "tools/client/cycle_assembler.h"
 #include "tools/launcher/run_file.h"
 
 namespace sprung {
@@ -25,26 +23,19 @@ class CycleCollector {
     node_.wait_for_input(node_.utime_us() + static_cast<std::int64_t>(seconds * 1e6));
   }
 
-  std::int64_t last_cycle() const { return next_ - 1; }  ///< handed over or given up
-  std::int64_t lost_cycles() const { return lost_; }
+  std::int64_t last_cycle() const { return assembler_.last_cycle(); }  ///< handed over or given up
+  std::int64_t lost_cycles() const { return assembler_.lost_cycles(); }
   std::int64_t overruns() const { return overruns_; }            ///< as the bridge counts them
   std::int64_t missed_cycles() const { return missed_cycles_; }  ///< without a DRIVE_COMMAND
   std::int64_t repeats() const { return repeats_; }  ///< lock-step: what the bridge had to ask for again
 
  private:
-  struct Cycle {
-    DriveState drive_state;
-    JointState joint_state;
-    MotionState motion_state;
-    DriveCommand drive_command;
-    SimTruth truth;
-    LegCommand leg_command;
-    unsigned parts = 0;
-  };
-  void take_all(const ReplyObserver& on_reply);
-  Cycle& cycle(std::int64_t seq);
   template <class Signal>
-  void take(InputQueue<Signal>& queue, Signal Cycle::*member, unsigned part);
+  void take(InputQueue<Signal>& queue) {
+    while (auto signal = queue.pop()) assembler_.add(std::move(*signal));
+  }
+  void take_motions();
+  void take_all(const ReplyObserver& on_reply);
 
   RobotConfig robot_;
   InputQueue<DriveState> drive_states_;
@@ -56,9 +47,7 @@ class CycleCollector {
   InputQueue<sprung_msgs::operator_reply_t> replies_;
   InputQueue<sprung_msgs::safety_state_t> safeties_;
   InputQueue<sprung_msgs::process_status_t> statuses_;
-  std::map<std::int64_t, Cycle> pending_;
-  std::int64_t next_ = -1;  ///< -1: the first that comes
-  std::int64_t lost_ = 0;
+  CycleAssembler assembler_;
   std::int64_t overruns_ = 0;
   std::int64_t missed_cycles_ = 0;
   std::int64_t repeats_ = 0;

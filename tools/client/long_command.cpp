@@ -6,7 +6,7 @@
 namespace sprung {
 namespace {
 
-constexpr double kAnswer_s = 3.0;
+constexpr double kAcceptance_s = 3.0;
 constexpr double kTurn_s = 0.1;
 constexpr double kPatience_s =
     30.0;  // some 5 s of message time; a loaded lock-step run may take longer by the wall
@@ -29,7 +29,7 @@ std::string who_is_up(const sprung_msgs::bus_state_t& state) {
 std::optional<OperatorAnswer> run_long_command(const RunInfo& info, OperatorCommand& command,
                                                HealthListener& health, const HealthProgress& progress) {
   OperatorClient client(info);
-  std::optional<OperatorAnswer> answer = client.send(command, kAnswer_s);
+  std::optional<OperatorAnswer> answer = client.send(command, kAcceptance_s);
   const std::int64_t end_us = monotonic_us() + static_cast<std::int64_t>(1e6 * kPatience_s);
   std::string told;
   while (!stop_requested() && monotonic_us() < end_us && !is_over(answer)) {

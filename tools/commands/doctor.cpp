@@ -1,10 +1,10 @@
 #include <cstdio>
 #include <memory>
-#include <random>
 
 #include "drivers/can/bus_addresses.h"
 #include "robots/robot_loader.h"
 #include "runtime/node.h"
+#include "runtime/own_port.h"
 #include "tools/commands/commands.h"
 #include "tools/doctor/loopback_probe_shell.h"
 #include "tools/doctor/machine_reader_shell.h"
@@ -36,11 +36,6 @@ void append(std::vector<Check>& checks, const std::vector<Check>& more) {
   checks.insert(checks.end(), more.begin(), more.end());
 }
 
-int any_port() {
-  std::random_device device;
-  return 20000 + static_cast<int>(device() % 40000);
-}
-
 std::vector<doctor::BusFacts> read_buses(const RobotConfig& robot) {
   constexpr const char* kSocketCan = "socketcan:";
   std::vector<doctor::BusFacts> buses;
@@ -61,7 +56,7 @@ int run_doctor(const DoctorRequest& request) {
   const RobotConfig robot = with_bus_addresses(load_robot(request.robot), request.can);
   const doctor::KernelFacts kernel = doctor::read_kernel("/");
   std::vector<Check> checks = doctor::network_checks(
-      kernel, doctor::probe_loopback(request.lcm_url, any_port(), kLoopbackMessages), &robot);
+      kernel, doctor::probe_loopback(request.lcm_url, own_port(), kLoopbackMessages), &robot);
   append(checks, doctor::real_time_checks(kernel, doctor::read_limits(), doctor::read_utc(), &robot));
   append(checks, doctor::can_checks(read_buses(robot), robot));
   append(checks, doctor::software_checks(

@@ -14,7 +14,7 @@ namespace sprung::commands {
 
 namespace {
 
-constexpr int kPatience_ms = 40'000;  // every process may need its three seconds, the recorder ten
+constexpr int kShutdown_ms = 40'000;  // every process may need its three seconds, the recorder ten
 
 int run_down(const std::string& instance) {
   const RunInfo info = require_running(instance, "");
@@ -24,7 +24,7 @@ int run_down(const std::string& instance) {
         " was started by another user: sudo --preserve-env sprung down, or for a service: "
         "systemctl stop sprung@" +
         info.robot);
-  for (int waited_ms = 0; waited_ms < kPatience_ms && !stop_requested(); waited_ms += 20) {
+  for (int waited_ms = 0; waited_ms < kShutdown_ms && !stop_requested(); waited_ms += 20) {
     if (!read_run_file(instance)) {
       std::printf("%s is down\n", info.robot.c_str());
       return kExitDone;

@@ -16,6 +16,7 @@
 #include "tools/commands/experiment_tune.h"
 #include "tools/commands/experiment_walking.h"
 #include "tools/experiments/fault_experiment.h"
+#include "tools/experiments/progress_bar.h"
 #include "tools/recorder/inprocess_log.h"
 
 namespace sprung::commands {
@@ -43,10 +44,17 @@ int run_faults(const ExperimentRequest& request) {
   sim.seed = request.seed;
   sim.plant = parse_plant(request.plant);
   const RobotConfig robot = load_robot(request.robot);
-  std::vector<FaultOutcome> outcomes;
+  std::vector<FaultCase> cases;
   for (const FaultCase& fault : fault_cases(robot)) {
-    if (wanted(fault, request.only)) outcomes.push_back(run_fault(robot, request.preset, sim, fault));
+    if (wanted(fault, request.only)) cases.push_back(fault);
   }
+  std::vector<FaultOutcome> outcomes;
+  with_progress("faults", [&](ProgressBar& bar) {
+    for (const FaultCase& fault : cases) {
+      bar.show(outcomes.size(), cases.size());
+      outcomes.push_back(run_fault(robot, request.preset, sim, fault));
+    }
+  });
   if (outcomes.empty()) {
     throw std::invalid_argument("no fault '" + request.only + "'; see sprung fault --help");
   }

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct AllOptions {
   std::string robot = "single_leg";
   std::uint64_t seed = 1;
   int jobs = 0;
@@ -53,7 +53,7 @@ std::vector<ExperimentEntry> entries_or_refusal(const RobotConfig& robot) {
   }
 }
 
-int run(const Options& options) {
+int run_all(const AllOptions& options) {
   start_log("sprung");
   const auto started = std::chrono::steady_clock::now();
   ExperimentInput input;
@@ -84,7 +84,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_all_experiments(CommandLine& experiment) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<AllOptions>();
   CommandLine& all = experiment.subcommand(
       "all", "Every experiment of a robot: one page with all tables and figures, a page and JSON for each.");
   all.option("--robot", options->robot, "name or folder");
@@ -93,7 +93,7 @@ void add_all_experiments(CommandLine& experiment) {
   all.option("--out", options->out, "folder for index.html, index.json and the experiments' own");
   all.flag("--json", options->as_json, "one JSON object on standard output");
   all.example("sprung experiment all --robot single_leg --seed 1 --out report");
-  all.action([=] { return run(*options); });
+  all.action([=] { return run_all(*options); });
 }
 
 }  // namespace sprung::commands

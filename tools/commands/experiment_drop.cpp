@@ -13,6 +13,7 @@
 #include "tools/commands/experiment_rows.h"
 #include "tools/experiments/drop_ablation.h"
 #include "tools/experiments/drop_report.h"
+#include "tools/experiments/progress_bar.h"
 #include "tools/experiments/separate_run.h"
 #include "tools/report/report_shell.h"
 
@@ -78,6 +79,8 @@ int run_drops(const DropOptions& options) {
   request.sim.plant = parse_plant(options.plant);
   request.seeds = options.seeds;
   request.jobs = options.separate ? 1 : options.jobs;
+  ProgressBar bar("drop");
+  request.on_progress = [&bar](std::size_t done, std::size_t count) { bar.show(done, count); };
   if (options.ablation) return run_ablation(options, robot, request);
   DropExperiment experiment = run_drop_experiment(robot, request, script_runner(options.separate));
   experiment.rows.separate_processes = options.separate;

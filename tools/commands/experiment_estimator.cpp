@@ -5,19 +5,23 @@
 #include "runtime/log.h"
 #include "tools/commands/experiment_rows.h"
 #include "tools/experiments/estimator_experiment.h"
+#include "tools/experiments/progress_bar.h"
 
 namespace sprung::commands {
 namespace {
 
-struct Options {
+struct EstimatorOptions {
   EstimatorRequest request;
   std::string out;
   bool as_json = false;
 };
 
-int run(const Options& options) {
+int run_estimator(const EstimatorOptions& options) {
   start_log("sprung");
-  const ExperimentReport report = run_estimator_experiment(options.request);
+  const ExperimentReport report = with_progress("estimator", [&](ProgressBar& bar) {
+    return run_estimator_experiment(options.request,
+                                    [&bar](std::size_t done, std::size_t count) { bar.show(done, count); });
+  });
   if (!options.out.empty()) write_rows(report, options.out);
   return print_rows(report, options.as_json);
 }
@@ -25,7 +29,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_estimator_experiment(CommandLine& experiment) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<EstimatorOptions>();
   CommandLine& estimator = experiment.subcommand(
       "estimator",
       "What the torque estimate is worth: against the simulation's truth and against recordings.");
@@ -40,7 +44,7 @@ void add_estimator_experiment(CommandLine& experiment) {
   estimator.option("--out", options->out, "folder for the report");
   estimator.flag("--json", options->as_json, "one JSON object on standard output");
   estimator.example("sprung experiment estimator --robot test_axis --seed 1 --json");
-  estimator.action([=] { return run(*options); });
+  estimator.action([=] { return run_estimator(*options); });
 }
 
 }  // namespace sprung::commands

@@ -12,12 +12,13 @@
 #include "runtime/log.h"
 #include "tools/experiments/drag_report.h"
 #include "tools/experiments/friction_sweep_report.h"
+#include "tools/experiments/progress_bar.h"
 #include "tools/report/report_shell.h"
 
 namespace sprung::commands {
 namespace {
 
-struct Request {
+struct JointRequest {
   std::string robot = "test_axis";
   std::string joint;
   std::uint64_t seed = 1;
@@ -47,14 +48,14 @@ struct Request {
 constexpr const char* kPreset = "best";
 
 /// What one of the experiments produced, besides its rows.
-struct Output {
+struct JointOutput {
   ExperimentReport rows;
   report::Report report;
   std::string tables;
 };
 
-Output begin(const Request& request, const RobotConfig& robot, const std::string& experiment) {
-  Output out;
+JointOutput begin(const JointRequest& request, const RobotConfig& robot, const std::string& experiment) {
+  JointOutput out;
   out.rows.experiment = experiment;
   out.rows.robot = robot.name;
   out.rows.preset = kPreset;
@@ -66,20 +67,20 @@ Output begin(const Request& request, const RobotConfig& robot, const std::string
   return out;
 }
 
-int finish(const Request& request, const Output& out) {
+int finish(const JointRequest& request, const JointOutput& out) {
   if (!request.report.empty()) report::write_report(out.report, request.report);
   const std::string text = request.as_json ? out.rows.json() : out.tables + "\n" + out.rows.table();
   std::printf("%s\n", text.c_str());
   return out.rows.ok() ? kExitDone : kExitFailed;
 }
 
-int timed(const Request& request, const std::string& experiment,
-          const std::function<void(const RobotConfig&, Output&)>& run) {
+int timed(const JointRequest& request, const std::string& experiment,
+          const std::function<void(const RobotConfig&, JointOutput&)>& run) {
   start_log("sprung");
   const auto started = std::chrono::steady_clock::now();
   const RobotConfig robot = load_robot(request.robot);
-  Output out = begin(request, robot, experiment);
-  run(robot, out);
+  JointOutput out = begin(request, robot, experiment);
+  with_progress(experiment, [&](ProgressBar&) { run(robot, out); });
   out.rows.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
   return finish(request, out);
 }
@@ -89,7 +90,7 @@ std::vector<SweepProtocol> protocols(const std::string& text) {
   return {*sweep_protocol_of(text)};
 }
 
-void run_sweep(const Request& request, const RobotConfig& robot, Output& out) {
+void run_sweep(const JointRequest& request, const RobotConfig& robot, JointOutput& out) {
   const int joint = bench_joint(robot, request.joint);
   for (const SweepProtocol protocol : protocols(request.protocol)) {
     const SweepResult result = run_friction_sweep(robot, kPreset, request.sim(), joint, protocol);
@@ -101,14 +102,14 @@ void run_sweep(const Request& request, const RobotConfig& robot, Output& out) {
   }
 }
 
-void add_drag(const DragResult& result, const std::string& prefix, Output& out) {
+void add_drag(const DragResult& result, const std::string& prefix, JointOutput& out) {
   for (const ReportRow& row : drag_rows(result, prefix)) out.rows.rows.push_back(row);
   out.rows.simulated_s += result.simulated_s;
   out.report.sections.push_back(drag_section(result));
   out.tables += drag_table(result);
 }
 
-void run_drag_experiment(const Request& request, const RobotConfig& robot, Output& out) {
+void run_drag_experiment(const JointRequest& request, const RobotConfig& robot, JointOutput& out) {
   const int joint = bench_joint(robot, request.joint);
   if (request.friction != "sweep") add_drag(run_drag(robot, kPreset, request.sim(), joint), "drag", out);
   if (request.friction == "yaml") return;
@@ -116,7 +117,7 @@ void run_drag_experiment(const Request& request, const RobotConfig& robot, Outpu
   add_drag(run_drag(swept, kPreset, request.sim(), joint), "drag_swept", out);
 }
 
-void add_common(CommandLine& line, const std::shared_ptr<Request>& request) {
+void add_common(CommandLine& line, const std::shared_ptr<JointRequest>& request) {
   line.option("--robot", request->robot, "test_axis, pegasus, or a folder");
   line.option("--joint", request->joint, "by name; default: the bench's arm, or the first knee");
   line.option("--seed", request->seed, "of every noise");
@@ -128,7 +129,7 @@ void add_common(CommandLine& line, const std::shared_ptr<Request>& request) {
 }  // namespace
 
 void add_joint_experiments(CommandLine& experiment) {
-  const auto sweep_request = std::make_shared<Request>();
+  const auto sweep_request = std::make_shared<JointRequest>();
   CommandLine& sweep = experiment.subcommand("friction_sweep",
                                              "Constant speeds on one joint by the papers' protocols and with "
                                              "loads: every friction model beside the others.");
@@ -137,10 +138,10 @@ void add_joint_experiments(CommandLine& experiment) {
   sweep.example("sprung experiment friction_sweep --robot pegasus --protocol s1 --report sweep.html");
   sweep.action([=] {
     return timed(*sweep_request, "friction_sweep",
-                 [&](const RobotConfig& robot, Output& out) { run_sweep(*sweep_request, robot, out); });
+                 [&](const RobotConfig& robot, JointOutput& out) { run_sweep(*sweep_request, robot, out); });
   });
 
-  const auto drag_request = std::make_shared<Request>();
+  const auto drag_request = std::make_shared<JointRequest>();
   CommandLine& drag = experiment.subcommand(
       "drag",
       "The link is moved from outside: torque estimate against torque sensor, or truth where there is none.");
@@ -150,7 +151,7 @@ void add_joint_experiments(CommandLine& experiment) {
       "that the estimator knows: robot.yaml's, or what a loaded friction sweep of another seed finds");
   drag.example("sprung experiment drag --robot test_axis --friction both --report drag.html");
   drag.action([=] {
-    return timed(*drag_request, "drag", [&](const RobotConfig& robot, Output& out) {
+    return timed(*drag_request, "drag", [&](const RobotConfig& robot, JointOutput& out) {
       run_drag_experiment(*drag_request, robot, out);
     });
   });

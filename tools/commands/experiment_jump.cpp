@@ -64,8 +64,9 @@ int run_jump(const JumpOptions& options) {
   sim.seed = options.seed;
   sim.plant = parse_plant(options.plant);
   const RobotConfig robot = load_robot(options.robot);
-  JumpExperiment experiment =
-      run_jump_experiment(robot, options.preset, sim, script_runner(options.separate));
+  JumpExperiment experiment = with_progress("jump", [&](ProgressBar&) {
+    return run_jump_experiment(robot, options.preset, sim, script_runner(options.separate));
+  });
   experiment.rows.separate_processes = options.separate;
   if (!options.out.empty()) {
     write_rows(experiment.rows, options.out);

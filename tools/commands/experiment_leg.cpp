@@ -23,7 +23,7 @@
 namespace sprung::commands {
 namespace {
 
-struct Request {
+struct LegRequest {
   std::string experiment;
   std::string robot = "single_leg";
   std::string preset;
@@ -55,7 +55,7 @@ struct Means {
 using Experiment = std::function<Outcome(const RobotConfig& robot, const std::string& preset,
                                          const SimOptions& sim, const Means& means)>;
 
-void write_folder(const Request& request, const ExperimentReport& rows, const report::Section& section) {
+void write_folder(const LegRequest& request, const ExperimentReport& rows, const report::Section& section) {
   report::Report page;
   page.title = request.experiment + " on " + rows.robot;
   page.subtitle = "preset " + rows.preset + ", seed " + std::to_string(rows.seed) +
@@ -66,7 +66,7 @@ void write_folder(const Request& request, const ExperimentReport& rows, const re
   report::write_report(page, (std::filesystem::path(request.out) / (request.experiment + ".html")).string());
 }
 
-int run_command(const Request& request, const Experiment& experiment) {
+int run_command(const LegRequest& request, const Experiment& experiment) {
   start_log("sprung");
   const auto started = std::chrono::steady_clock::now();
   const RobotConfig robot = load_robot(request.robot);
@@ -128,7 +128,7 @@ Outcome step_response(const RobotConfig& robot, const std::string& preset, const
 
 void add(CommandLine& parent, const std::string& name, const std::string& what, const std::string& preset,
          const Experiment& experiment, const std::string& robot = "single_leg") {
-  const auto request = std::make_shared<Request>();
+  const auto request = std::make_shared<LegRequest>();
   request->experiment = name;
   request->robot = robot;
   request->preset = preset;

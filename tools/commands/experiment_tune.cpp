@@ -20,7 +20,7 @@
 namespace sprung::commands {
 namespace {
 
-struct Options {
+struct TuneOptions {
   std::string robot = "single_leg";
   std::string preset = "best";
   std::string mode = "hybrid";
@@ -47,7 +47,7 @@ void write_text(const std::filesystem::path& path, const std::string& text) {
   if (!out) throw std::runtime_error("cannot write " + path.string());
 }
 
-void write_files(const Options& options, const TuneSpace& space, const TuneResult& result,
+void write_files(const TuneOptions& options, const TuneSpace& space, const TuneResult& result,
                  const ExperimentReport& rows) {
   const std::filesystem::path folder = options.out;
   std::filesystem::create_directories(folder);
@@ -60,7 +60,7 @@ void write_files(const Options& options, const TuneSpace& space, const TuneResul
   report::write_report(page, folder / "tune.html");
 }
 
-int run(Options options) {
+int run_tune(TuneOptions options) {
   start_log("sprung");
   const auto started = std::chrono::steady_clock::now();
   options.request.mode = jump_mode(options.mode);
@@ -91,7 +91,7 @@ int run(Options options) {
 }  // namespace
 
 void add_tune_experiment(CommandLine& experiment) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<TuneOptions>();
   TuneRequest& request = options->request;
   CommandLine& tune = experiment.subcommand(
       "tune",
@@ -116,7 +116,7 @@ void add_tune_experiment(CommandLine& experiment) {
   tune.example(
       "sprung experiment tune --vary hybrid_landing.stiffness.z=400:3000 --vary "
       "hybrid_landing.damping.z=5:120 --samples 64 --objective landing_output --out tuned");
-  tune.action([=] { return run(*options); });
+  tune.action([=] { return run_tune(*options); });
 }
 
 }  // namespace sprung::commands

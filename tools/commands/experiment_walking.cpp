@@ -19,7 +19,7 @@
 namespace sprung::commands {
 namespace {
 
-struct Request {
+struct WalkingRequest {
   std::string robot = "pegasus";
   WalkingInput input;
   std::vector<std::string> plant;
@@ -27,7 +27,7 @@ struct Request {
   bool as_json = false;
 };
 
-std::string command_line(const Request& request, const WalkingExperiment& experiment) {
+std::string command_line(const WalkingRequest& request, const WalkingExperiment& experiment) {
   const WalkingInput& in = request.input;
   std::string line = "sprung experiment " + experiment.name + " --robot " + request.robot + " --preset " +
                      in.preset + " --seed " + std::to_string(in.seed);
@@ -38,7 +38,7 @@ std::string command_line(const Request& request, const WalkingExperiment& experi
   return line;
 }
 
-void write_page(const Request& request, const WalkingExperiment& experiment, const WalkingOutput& output) {
+void write_page(const WalkingRequest& request, const WalkingExperiment& experiment, const WalkingOutput& output) {
   report::Report page;
   page.title = experiment.name + " of " + output.rows.robot;
   page.subtitle = "preset " + output.rows.preset + ", seed " + std::to_string(output.rows.seed) +
@@ -49,7 +49,7 @@ void write_page(const Request& request, const WalkingExperiment& experiment, con
   report::write_report(page, (std::filesystem::path(request.out) / (experiment.name + ".html")).string());
 }
 
-int run_command(const Request& request, const WalkingExperiment& experiment) {
+int run_command(const WalkingRequest& request, const WalkingExperiment& experiment) {
   start_log("sprung");
   WalkingInput input = request.input;
   input.robot = load_robot(request.robot);
@@ -67,7 +67,7 @@ int run_command(const Request& request, const WalkingExperiment& experiment) {
 }
 
 void add(CommandLine& parent, const WalkingExperiment& experiment) {
-  const auto request = std::make_shared<Request>();
+  const auto request = std::make_shared<WalkingRequest>();
   CommandLine& line = parent.subcommand(experiment.name, experiment.what);
   line.option("--robot", request->robot, "name or folder");
   line.option("--preset", request->input.preset, "set of parameters in robot.yaml");

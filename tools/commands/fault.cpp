@@ -15,12 +15,12 @@ namespace sprung::commands {
 
 namespace {
 
-constexpr double kSilence_s = 2.0;
-constexpr int kSendings = 3;  // nothing acknowledges it; sim-drives tells a repeat by its stamp
+constexpr double kSimulationSilence_s = 2.0;
+constexpr int kFaultSendings = 3;  // nothing acknowledges it; sim-drives tells a repeat by its stamp
 constexpr std::int64_t kSendingPeriod_us = 20'000;
 constexpr double kLead_s = 0.080;  // in real time the last one still comes before its cycle
 
-struct Request {
+struct FaultCall {
   FaultRequest fault;
   double value = std::numeric_limits<double>::quiet_NaN();
   double after_s = 0.0;
@@ -29,7 +29,7 @@ struct Request {
 
 /// Newest cycle of DRIVE_STATE. @throws std::runtime_error when none comes in time.
 std::int64_t next_cycle(Node& node, InputQueue<sprung_msgs::drive_state_t>& states) {
-  const std::int64_t end_us = node.utime_us() + static_cast<std::int64_t>(1e6 * kSilence_s);
+  const std::int64_t end_us = node.utime_us() + static_cast<std::int64_t>(1e6 * kSimulationSilence_s);
   while (node.utime_us() < end_us && !stop_requested()) {
     node.wait_for_input(end_us);
     std::int64_t seq = -1;
@@ -48,7 +48,7 @@ RunInfo require_simulation(const std::string& instance) {
   return info;
 }
 
-SimControl control_of(const RobotConfig& robot, Request request) {
+SimControl control_of(const RobotConfig& robot, FaultCall request) {
   if (!std::isnan(request.value)) request.fault.value = request.value;
   if (request.after_s < 0.0) throw WrongUse("--after must not be negative");
   try {
@@ -61,17 +61,17 @@ SimControl control_of(const RobotConfig& robot, Request request) {
 /// All with one stamp, so that it acts once.
 void send(Node& node, InputQueue<sprung_msgs::drive_state_t>& states, const SimControl& control) {
   Publisher<SimControl> controls = node.publisher<SimControl>(channels::kSimControl);
-  for (int i = 0; i < kSendings; ++i) {
+  for (int i = 0; i < kFaultSendings; ++i) {
     controls.publish(control);
     const std::int64_t next_us = node.utime_us() + kSendingPeriod_us;
-    while (i + 1 < kSendings && node.utime_us() < next_us && !stop_requested()) {
+    while (i + 1 < kFaultSendings && node.utime_us() < next_us && !stop_requested()) {
       node.wait_for_input(next_us);
       while (states.pop()) continue;
     }
   }
 }
 
-void tell(const Request& request, const SimControl& control) {
+void tell(const FaultCall& request, const SimControl& control) {
   std::printf("%s at %s", request.fault.kind.c_str(), request.fault.target.c_str());
   const FaultGuide& guide = guide_of(control.fault);
   if (*guide.value != '\0') std::printf(", %g %s", control.value, guide.value);
@@ -81,7 +81,7 @@ void tell(const Request& request, const SimControl& control) {
   std::fflush(stdout);
 }
 
-int run_fault(const Request& request) {
+int run_fault(const FaultCall& request) {
   const RunInfo info = require_simulation(request.instance);
   const RobotConfig robot = load_robot(info.robot_folder);
   SimControl control = control_of(robot, request);
@@ -113,7 +113,7 @@ std::string all_names() {
 }  // namespace
 
 void add_fault(CommandLine& sprung) {
-  const auto request = std::make_shared<Request>();
+  const auto request = std::make_shared<FaultCall>();
   CommandLine& fault =
       sprung.subcommand("fault", "Makes a fault in the simulated drives: " + all_names() + ".");
   fault.option("target", request->fault.target, "joint, actuator or bus", Need::kRequired);

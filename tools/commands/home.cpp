@@ -14,7 +14,7 @@ namespace sprung::commands {
 
 namespace {
 
-struct Request {
+struct HomeRequest {
   std::string joint;
   std::string from = "configured";
   bool yes = false;
@@ -63,7 +63,7 @@ void print_where_stored(const RobotConfig& robot, const RunInfo& info) {
                                    : ("stored by the bridge in " + file).c_str());
 }
 
-int run_home(const Request& request) {
+int run_home(const HomeRequest& request) {
   const RunInfo info = require_running(request.instance, "");
   const RobotConfig robot = load_robot(info.robot_folder);
   OperatorCommand command;
@@ -88,7 +88,7 @@ int run_home(const Request& request) {
 }  // namespace
 
 void add_home(CommandLine& sprung) {
-  const auto request = std::make_shared<Request>();
+  const auto request = std::make_shared<HomeRequest>();
   CommandLine& home =
       sprung.subcommand("home", "Finds the zero of actuators that have no power and stand still.");
   home.option("joint", request->joint, "joint or actuator; default: all that robot.yaml tells how to home");

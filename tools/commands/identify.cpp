@@ -24,7 +24,7 @@ namespace {
 
 using identify::IdentifiedJoint;
 
-struct Request {
+struct IdentifyCall {
   identify::RecordingRequest recording;
   GuidedRecording guided;
   std::string fragment;
@@ -84,7 +84,7 @@ void write_fragment(const identify::Recording& recording, const identify::Proven
   write_text(identify::fragment_text(recording.joints, configs), path);
 }
 
-int run(const Request& request) {
+int run_identify(const IdentifyCall& request) {
   if (request.guided.wanted) return run_guided_recording(request.guided);
   const identify::Recording recording = [&] {
     Progress progress;
@@ -142,7 +142,7 @@ void add_protocol_options(CommandLine& identify, identify::ProtocolRequest& p) {
 }  // namespace
 
 void add_identify(CommandLine& sprung) {
-  const auto r = std::make_shared<Request>();
+  const auto r = std::make_shared<IdentifyCall>();
   CommandLine& identify = sprung.subcommand("identify",
                                             "Fits inertia, gravity and friction of a joint to a recording "
                                             "and chooses the simplest model that it supports.");
@@ -161,7 +161,7 @@ void add_identify(CommandLine& sprung) {
       "--joint knee --fragment "
       "knee.yaml "
       "--report knee.html");
-  identify.action([=] { return run(*r); });
+  identify.action([=] { return run_identify(*r); });
 }
 
 }  // namespace sprung::commands

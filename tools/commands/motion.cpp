@@ -102,7 +102,7 @@ void add_simple(CommandLine& sprung, const char* what, const char* help, Operato
   });
 }
 
-void add_jump(CommandLine& sprung) {
+void add_jump_command(CommandLine& sprung) {
   const auto request = std::make_shared<MotionRequest>();
   CommandLine& jump = sprung.subcommand("jump", "Jump; the robot must stand.");
   jump.option("--height", request->height_mm,
@@ -173,7 +173,7 @@ void add_land(CommandLine& sprung) {
 void add_motion(CommandLine& sprung) {
   add_simple(sprung, "stand", "Switch the drives on and rise to the stand.", OperatorKind::kStand);
   add_simple(sprung, "sit", "Lower the body, then switch the drives off.", OperatorKind::kSit);
-  add_jump(sprung);
+  add_jump_command(sprung);
   add_comply(sprung);
   add_land(sprung);
   add_walk(sprung);

@@ -16,10 +16,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kLook_s = 2.0;
+constexpr double kFirstLook_s = 2.0;
 constexpr std::int64_t kTell_us = 500'000;  // of the robot's time
 
-struct Request {
+struct MoveRequest {
   std::string joint;
   std::string to;
   std::string by;
@@ -41,12 +41,12 @@ double angle_of(const char* option, const std::string& text, const char* per) {
 }
 
 const EstimatedJoint& look_at(JointMover& mover, int joint) {
-  const JointState* state = mover.look(kLook_s);
+  const JointState* state = mover.look(kFirstLook_s);
   if (state == nullptr) throw std::runtime_error("no JOINT_STATE comes in: see sprung status");
   return state->joints[static_cast<std::size_t>(joint)];
 }
 
-OperatorCommand order_of(const Request& request, const RobotConfig& robot, JointMover& mover) {
+OperatorCommand order_of(const MoveRequest& request, const RobotConfig& robot, JointMover& mover) {
   int joint = -1;
   try {
     joint = joint_named(robot, request.joint);
@@ -69,7 +69,7 @@ OperatorCommand order_of(const Request& request, const RobotConfig& robot, Joint
   return order;
 }
 
-Json answer_json(const Request& request, const OperatorCommand& order,
+Json answer_json(const MoveRequest& request, const OperatorCommand& order,
                  const std::optional<OperatorAnswer>& answer, double position_rad) {
   return {{"joint", request.joint},
           {"target_rad", order.joint_target_rad},
@@ -106,7 +106,7 @@ JointMover::Progress teller(const RobotConfig& robot, const OperatorCommand& ord
   };
 }
 
-int run_move(const Request& request) {
+int run_move(const MoveRequest& request) {
   const RunInfo info = require_running(request.instance, request.robot);
   const RobotConfig robot = load_robot(info.robot_folder);
   JointMover mover(info, robot);
@@ -130,7 +130,7 @@ int run_move(const Request& request) {
 }  // namespace
 
 void add_move(CommandLine& sprung) {
-  const auto request = std::make_shared<Request>();
+  const auto request = std::make_shared<MoveRequest>();
   CommandLine& move = sprung.subcommand(
       "move", "Move one joint, hold all others. Switches the drives on; `sprung sit` lets go.");
   move.option("joint", request->joint, "which", Need::kRequired);

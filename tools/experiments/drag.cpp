@@ -8,12 +8,12 @@
 namespace sprung {
 namespace {
 
-constexpr double kRest_s = 0.5;
+constexpr double kDragRest_s = 0.5;
 constexpr double kDamped_s = 1.5;  // sitting down from a held joint: damped, then off
 constexpr double kFirstMove_rad = 0.05;
 constexpr double kSpeed_rad_s = 0.5;
-constexpr double kAcceleration_rad_s2 = 10.0;
-constexpr double kSenseOfRated = 0.6;
+constexpr double kDragAcceleration_rad_s2 = 10.0;
+constexpr double kDragSenseOfRated = 0.6;
 /// The sweep that finds friction must not be the run that is scored.
 constexpr std::uint64_t kSweepSeedOffset = 1000;
 
@@ -43,21 +43,21 @@ class DragRun {
   /// In the middle of the range, where the drive's stiffness shows which way the hand pushes.
   void find_sense() {
     bench_.move(0.5 * (limits_.position_min_rad + limits_.position_max_rad) + kFirstMove_rad, kSpeed_rad_s,
-                kAcceleration_rad_s2);
-    bench_.find_load_sense(kSenseOfRated * limits_.rated_torque_Nm);
+                kDragAcceleration_rad_s2);
+    bench_.find_load_sense(kDragSenseOfRated * limits_.rated_torque_Nm);
     powered_ = true;
   }
 
   void supply(bool on) {
     if (on == powered_) return;
     if (on) {
-      bench_.move(bench_.sample().position_rad, kSpeed_rad_s, kAcceleration_rad_s2);
+      bench_.move(bench_.sample().position_rad, kSpeed_rad_s, kDragAcceleration_rad_s2);
     } else {
       bench_.sit();
       bench_.run(kDamped_s);
     }
     powered_ = on;
-    bench_.run(kRest_s);
+    bench_.run(kDragRest_s);
   }
 
   void play(const DragPhase& phase) {
@@ -69,13 +69,13 @@ class DragRun {
     const auto observe = [&](JointBench&) { step(phase); };
     const double from_rad = bench_.sample().position_rad;
     for (const double to_rad : phase.moves_rad)
-      bench_.move(from_rad + to_rad, phase.move_speed_rad_s, kAcceleration_rad_s2, observe);
+      bench_.move(from_rad + to_rad, phase.move_speed_rad_s, kDragAcceleration_rad_s2, observe);
     bench_.run(phase.duration_s, observe);
     bench_.load(0.0);
     DragPhaseResult& done = result_.phases.back();
     done.to_s = bench_.time_s();
     done.score = drag_score(done.samples);
-    bench_.run(kRest_s);
+    bench_.run(kDragRest_s);
   }
 
   void step(const DragPhase& phase) {

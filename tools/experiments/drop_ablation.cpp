@@ -10,10 +10,10 @@
 namespace sprung {
 namespace {
 
-constexpr double kCompared_m = 0.3;
+constexpr double kAblationHeight_m = 0.3;
 constexpr double kNeverBraked_m_s = 100.0;
 constexpr double kBelievedAnywhere_s = 10.0;
-constexpr const char* kPaper = "paper";
+constexpr const char* kPaperPreset = "paper";
 
 void nothing(const PresetConfig&, OwnLandingConfig&) {}
 void stretching(const PresetConfig& preset, OwnLandingConfig& landing) {
@@ -95,6 +95,7 @@ std::vector<AblationRow> run_drop_ablation(const RobotConfig& robot, const DropR
   }
   ParallelOptions parallel;
   parallel.jobs = request.jobs;
+  parallel.on_progress = request.on_progress;
   const auto results =
       parallel_map((cases.size() + 1) * drops.size(),
                    [&](std::size_t i) {
@@ -102,7 +103,7 @@ std::vector<AblationRow> run_drop_ablation(const RobotConfig& robot, const DropR
                      const AblationDrop& drop = drops[i % drops.size()];
                      return which < cases.size()
                                 ? drop_once(robots[which], request.preset, request, JumpMode::kOwn, drop, run)
-                                : drop_once(robot, kPaper, request, JumpMode::kHybrid, drop, run);
+                                : drop_once(robot, kPaperPreset, request, JumpMode::kHybrid, drop, run);
                    },
                    parallel);
   std::vector<AblationRow> out;
@@ -121,7 +122,7 @@ std::vector<ReportRow> ablation_rows(const std::vector<AblationRow>& ablation) {
       const double peak_Nm = a.drops[i].peak_output_torque_Nm;
       most_Nm = std::max(most_Nm, peak_Nm);
       folded += a.drops[i].folded ? 1 : 0;
-      if (ablation_drops()[i].height_m != kCompared_m) continue;
+      if (ablation_drops()[i].height_m != kAblationHeight_m) continue;
       worst_Nm = std::max(worst_Nm, peak_Nm);
       sum_Nm += peak_Nm;
       ++compared;

@@ -97,15 +97,22 @@ DropExperiment run_drop_experiment(const RobotConfig& robot, const DropRequest& 
     run(script, on_cycle, on_reply);
     cycles += script.cycles;
   };
-  ParallelOptions parallel;
-  parallel.jobs = request.jobs;
+  const std::size_t landings = std::size(kModes) * std::size(kHeights_m);
+  const auto pairs = static_cast<std::size_t>(request.seeds);
+  const auto from = [&](std::size_t before) {
+    ParallelOptions parallel;
+    parallel.jobs = request.jobs;
+    if (request.on_progress)
+      parallel.on_progress = [&request, before, all = landings + pairs](std::size_t done, std::size_t) {
+        request.on_progress(before + done, all);
+      };
+    return parallel;
+  };
   DropExperiment out;
   out.landings = parallel_map(
-      std::size(kModes) * std::size(kHeights_m),
-      [&](std::size_t i) { return landing(robot, request, i, counted); }, parallel);
+      landings, [&](std::size_t i) { return landing(robot, request, i, counted); }, from(0));
   out.pairs = parallel_map(
-      static_cast<std::size_t>(request.seeds),
-      [&](std::size_t i) { return pair(robot, request, i, counted); }, parallel);
+      pairs, [&](std::size_t i) { return pair(robot, request, i, counted); }, from(landings));
   out.rows.experiment = "drop";
   out.rows.robot = robot.name;
   out.rows.preset = request.preset;

@@ -1,6 +1,7 @@
 #pragma once
 /// `sprung experiment drop`: landings from 0.1 to 0.5 m in each mode, and sprung's own landing against the papers' hybrid law
 /// (preset `paper`) on the same plant, 50 times with a floor that is not where it is expected.
+#include <functional>
 #include <vector>
 
 #include "tools/experiments/drop.h"
@@ -33,6 +34,8 @@ struct DropRequest {
   SimOptions sim;  ///< its seed is the first of the comparison's
   int seeds = 50;
   int jobs = 0;  ///< of parallel.h
+  std::function<void(std::size_t done, std::size_t count)> on_progress =
+      {};  ///< of parallel.h, over all drops
 };
 
 /// @throws std::invalid_argument where fewer than one seed is asked for, CaseError where a drop failed (no preset `paper`, refusals).

@@ -94,6 +94,17 @@ constexpr Section kSections[] = {
 
 constexpr const char* kWholeTable = "test_axis";
 
+/// The robot's own, or the whole table. @param only "" = all.
+std::vector<const Section*> sections_of(const RobotConfig& robot, const std::string& only) {
+  std::vector<const Section*> out;
+  for (const Section& section : kSections) {
+    const bool own = robot.name == section.robot;
+    const bool in_table = robot.name == kWholeTable && std::string_view(section.name) != kWalkingContact;
+    if ((only.empty() || only == section.name) && (own || in_table)) out.push_back(&section);
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string estimator_sections() {
@@ -107,7 +118,8 @@ std::string estimator_sections() {
   return text;
 }
 
-ExperimentReport run_estimator_experiment(const EstimatorRequest& request) {
+ExperimentReport run_estimator_experiment(const EstimatorRequest& request,
+                                          const SectionProgress& on_progress) {
   ExperimentReport report;
   const RobotConfig named = load_robot(request.robot);
   report.experiment = "estimator";
@@ -115,13 +127,11 @@ ExperimentReport run_estimator_experiment(const EstimatorRequest& request) {
   report.preset = request.preset;
   report.seed = request.seed;
   const auto started = std::chrono::steady_clock::now();
-  for (const Section& section : kSections) {
-    if (!request.only.empty() && request.only != section.name) continue;
-    if (named.name == section.robot) {
-      section.add(named, request, report);
-    } else if (named.name == kWholeTable && std::string_view(section.name) != kWalkingContact) {
-      section.add(load_robot(section.robot), request, report);
-    }
+  const std::vector<const Section*> sections = sections_of(named, request.only);
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    if (on_progress) on_progress(i, sections.size());
+    const bool own = named.name == sections[i]->robot;
+    sections[i]->add(own ? named : load_robot(sections[i]->robot), request, report);
   }
   if (report.rows.empty() && request.only != "recordings")
     throw std::invalid_argument("no rows of " + named.name + " in '" + request.only +

@@ -1,6 +1,7 @@
 #pragma once
 /// `sprung experiment estimator`: the overall table of what the estimate is worth, against truth and recordings.
 #include <cstdint>
+#include <functional>
 #include <string>
 
 #include "robots/robot_config.h"
@@ -19,7 +20,11 @@ struct EstimatorRequest {
 /// Names of the table's sections, one line each, for --help and for errors.
 std::string estimator_sections();
 
+/// Told before each section how many of how many are done.
+using SectionProgress = std::function<void(std::size_t done, std::size_t count)>;
+
 /// @throws ConfigError, std::invalid_argument on a request that cannot be, std::runtime_error where a run fails.
-ExperimentReport run_estimator_experiment(const EstimatorRequest& request);
+ExperimentReport run_estimator_experiment(const EstimatorRequest& request,
+                                          const SectionProgress& on_progress = {});
 
 }  // namespace sprung

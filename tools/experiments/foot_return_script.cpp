@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "signals/angles.h"
 #include "tools/experiments/scripted_run.h"
 
 namespace sprung {
@@ -10,7 +11,6 @@ namespace {
 
 using namespace foot_return;
 
-constexpr double kPi = 3.14159265358979323846;
 
 /// Cycle that is `in_period_s` after the begin of that pull's period.
 std::int64_t cycle_of(std::size_t pull, double in_period_s, double cycle_s) {

@@ -6,12 +6,12 @@ namespace sprung {
 namespace {
 
 constexpr double kShort_min = 1.0;
-constexpr const char* kBest = "best";
+constexpr const char* kBestPreset = "best";
 
 ExperimentOutput run_one(const WalkingExperiment& experiment, const ExperimentInput& input) {
   WalkingInput in;
   in.robot = input.robot;
-  in.preset = kBest;
+  in.preset = kBestPreset;
   in.seed = input.seed;
   in.minutes = kShort_min;
   in.parallel.jobs = input.jobs;
@@ -24,7 +24,7 @@ ExperimentOutput run_one(const WalkingExperiment& experiment, const ExperimentIn
 std::vector<ExperimentEntry> gait_entries() {
   std::vector<ExperimentEntry> out;
   for (const WalkingExperiment& experiment : gait_experiments())
-    out.push_back({experiment.name, kBest, experiment.question, true,
+    out.push_back({experiment.name, kBestPreset, experiment.question, true,
                    [&experiment](const ExperimentInput& input) { return run_one(experiment, input); }});
   return out;
 }

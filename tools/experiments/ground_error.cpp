@@ -76,7 +76,7 @@ const GroundOutcome& find(const std::vector<GroundOutcome>& outcomes, const std:
   throw std::out_of_range("ground_error: no case " + name);
 }
 
-ReportRow row(const std::string& name, const char* unit, double value) {
+ReportRow ground_row(const std::string& name, const char* unit, double value) {
   return {"ground_error." + name, unit, value, std::nullopt, std::nullopt, std::nullopt};
 }
 
@@ -87,21 +87,21 @@ void add_case(const std::string& name, const GroundErrorResult& result, std::vec
   const TouchdownPeaks own = touchdown_peaks(own_run.touchdowns);
   const TouchdownPeaks paper =
       touchdown_peaks(find(result.touchdowns, name, GaitControl::kPreStance).touchdowns);
-  rows.push_back(row(name + ".force_ratio", "", own.worst_N / hybrid.worst_N));
+  rows.push_back(ground_row(name + ".force_ratio", "", own.worst_N / hybrid.worst_N));
   rows.back().high = kMostForceRatio;
-  rows.push_back(row(name + ".output_ratio", "", own.worst_Nm / hybrid.worst_Nm));
+  rows.push_back(ground_row(name + ".output_ratio", "", own.worst_Nm / hybrid.worst_Nm));
   rows.back().high = kMostOutputRatio;
-  rows.push_back(row(name + ".mean_force_ratio", "", own.mean_N / hybrid.mean_N));
-  rows.push_back(row(name + ".mean_output_ratio", "", own.mean_Nm / hybrid.mean_Nm));
-  rows.push_back(row(name + ".paper_force_ratio", "", paper.worst_N / hybrid.worst_N));
-  rows.push_back(row(name + ".paper_output_ratio", "", paper.worst_Nm / hybrid.worst_Nm));
-  rows.push_back(row(name + ".own_force", "N", own.worst_N));
-  rows.push_back(row(name + ".hybrid_force", "N", hybrid.worst_N));
-  rows.push_back(row(name + ".own_output", "Nm", own.worst_Nm));
-  rows.push_back(row(name + ".hybrid_output", "Nm", hybrid.worst_Nm));
-  rows.push_back(row(name + ".own_falls", "", ended_early(own_run.vitals) ? 1 : 0));
+  rows.push_back(ground_row(name + ".mean_force_ratio", "", own.mean_N / hybrid.mean_N));
+  rows.push_back(ground_row(name + ".mean_output_ratio", "", own.mean_Nm / hybrid.mean_Nm));
+  rows.push_back(ground_row(name + ".paper_force_ratio", "", paper.worst_N / hybrid.worst_N));
+  rows.push_back(ground_row(name + ".paper_output_ratio", "", paper.worst_Nm / hybrid.worst_Nm));
+  rows.push_back(ground_row(name + ".own_force", "N", own.worst_N));
+  rows.push_back(ground_row(name + ".hybrid_force", "N", hybrid.worst_N));
+  rows.push_back(ground_row(name + ".own_output", "Nm", own.worst_Nm));
+  rows.push_back(ground_row(name + ".hybrid_output", "Nm", hybrid.worst_Nm));
+  rows.push_back(ground_row(name + ".own_falls", "", ended_early(own_run.vitals) ? 1 : 0));
   rows.back().high = 0.0;
-  rows.push_back(row(name + ".hybrid_falls", "", ended_early(hybrid_run.vitals) ? 1 : 0));
+  rows.push_back(ground_row(name + ".hybrid_falls", "", ended_early(hybrid_run.vitals) ? 1 : 0));
 }
 
 int falls(const UnevenOutcome& outcome) {
@@ -235,7 +235,7 @@ std::vector<ReportRow> ground_error_rows(const GroundErrorResult& result) {
   for (const GroundCase& config : ground_cases()) add_case(config.name, result, rows);
   for (const UnevenOutcome& u : result.uneven) {
     const std::string name = u.config.gait + "_uneven_" + std::to_string(std::lround(1e3 * u.config.error_m));
-    rows.push_back(row(name + ".falls", "", falls(u)));
+    rows.push_back(ground_row(name + ".falls", "", falls(u)));
     if (u.config.demanded) rows.back().high = 0.0;
   }
   return rows;

@@ -12,7 +12,7 @@ constexpr std::size_t kLeg = 2;          // left hind
 constexpr std::size_t kPullsOfARun = 5;  // short runs fill the cores
 constexpr double kHeight_m = 0.8;        // no floor in reach
 constexpr double kCalm_s = 0.5;          // of compliance before the hand comes
-constexpr double kWatch_s = 2.5;         // from when it has gone
+constexpr double kReturnWatch_s = 2.5;         // from when it has gone
 /// 3.2 Nm of stick friction, which S1's return errors imply (facts papers C5), over the 4.3 Nm of sim.yaml, which are a gear
 /// catalogue's (C4): the two disagree, and only the former can give the paper's errors.
 constexpr double kPapersFriction = 3.2 / 4.3;
@@ -74,7 +74,7 @@ class Puller {
     PullTrace trace;
     PlanePoint held_m;
     double time_s = 0.0;
-    trial_.run(hand.length_s() + kWatch_s, [&](InProcessRobot& robot) {
+    trial_.run(hand.length_s() + kReturnWatch_s, [&](InProcessRobot& robot) {
       const Vec3 away = away_m(robot_, preset_, robot.truth());
       if (time_s < hand.length_s())
         push_foot(robot, hand.step_N(time_s, {away[0] - start_m[0], away[2] - start_m[2]}), robot_.cycle_s);

@@ -1,6 +1,7 @@
 #include "tools/experiments/legged_trial.h"
 
 #include <cmath>
+#include <cstdio>
 #include <stdexcept>
 
 #include "tools/experiments/scripted_run.h"
@@ -8,7 +9,11 @@
 namespace sprung {
 namespace {
 
-constexpr double kWake_s = 0.2;    // the estimator has settled
+constexpr double kWake_s = 0.2;      // the estimator has settled
+constexpr double kRest_s = 0.05;     // of all joints, so that a turning point is none
+constexpr double kLongest_s = 20.0;  // that legs swing after the robot was switched on
+/// Half of the speed at which the bridge refuses to home.
+constexpr double kRest_rad_s = 0.025;
 constexpr double kHome_s = 1.0;    // references are taken within a few cycles
 constexpr double kEnable_s = 1.0;  // and settling, beside the preset's rise_time
 
@@ -18,17 +23,57 @@ const RobotConfig& walking(const RobotConfig& robot) {
   return robot;
 }
 
+/// The joint that moves fastest, as measured.
+struct Fastest {
+  std::size_t joint = 0;
+  double speed_rad_s = 0.0;
+};
+
+Fastest fastest(const JointState& state) {
+  Fastest out;
+  for (std::size_t i = 0; i < state.joints.size(); ++i) {
+    const double speed_rad_s = std::abs(state.joints[i].estimated_velocity_rad_s);
+    if (!(speed_rad_s <= out.speed_rad_s)) out = {i, speed_rad_s};
+  }
+  return out;
+}
+
+std::string restless(const RobotConfig& robot, const Fastest& now) {
+  char text[200];
+  std::snprintf(
+      text, sizeof text,
+      "the robot does not come to rest: after %.0f s joint %s still moves at %.3g rad/s, so it cannot home; "
+      "sim.yaml's friction is small, or `lying` is no pose that it can lie in",
+      kLongest_s, robot.joints[now.joint].name.c_str(), now.speed_rad_s);
+  return text;
+}
+
 }  // namespace
 
 LeggedTrial::LeggedTrial(const RobotConfig& robot, const std::string& preset, const SimOptions& sim)
-    : cycle_s_(robot.cycle_s),
+    : config_(robot),
+      cycle_s_(robot.cycle_s),
       rise_s_(robot.preset(preset).rise_time_s),
       robot_(walking(robot), preset, sim) {
   robot_.boot();
 }
 
+void LeggedTrial::wait_for_rest() {
+  double rested_s = 0.0;
+  Fastest now;
+  const OnCycle watch = [&](InProcessRobot& robot) {
+    now = fastest(robot.joint_state());
+    rested_s = now.speed_rad_s <= kRest_rad_s ? rested_s + cycle_s_ : 0.0;
+  };
+  run(kWake_s, watch);
+  for (double waited_s = kWake_s; rested_s < kRest_s; waited_s += cycle_s_) {
+    if (waited_s > kLongest_s) throw std::runtime_error(restless(config_, now));
+    run(cycle_s_, watch);
+  }
+}
+
 void LeggedTrial::stand_up() {
-  run(kWake_s);
+  wait_for_rest();
   OperatorCommand home;
   home.kind = OperatorKind::kHome;
   home.reference_source = ReferenceSource::kLink;

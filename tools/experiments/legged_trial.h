@@ -17,7 +17,7 @@ class LeggedTrial {
   /// Boots the drives. @throws std::invalid_argument for a robot that does not walk, else as InProcessRobot.
   LeggedTrial(const RobotConfig& robot, const std::string& preset, const SimOptions& sim);
 
-  /// `home --from link`, then `stand`, until it stands. @throws std::runtime_error with the reason where it does not.
+  /// `home --from link` once all joints rest, then `stand`, until it stands. @throws std::runtime_error with the reason where it does not.
   void stand_up();
   /// Executed in the next cycle; @throws std::runtime_error from run() where it is refused.
   void say(OperatorCommand command);
@@ -28,8 +28,10 @@ class LeggedTrial {
   double simulated_s() const noexcept { return static_cast<double>(robot_.cycle()) * cycle_s_; }
 
  private:
+  void wait_for_rest();
   void check() const;
 
+  const RobotConfig& config_;
   double cycle_s_;
   double rise_s_;
   bool up_ = false;

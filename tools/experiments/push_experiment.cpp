@@ -43,7 +43,7 @@ void wait_for_phase(WalkingRobot& walker, const RobotConfig& robot, const PushCa
   }
 }
 
-ReportRow row(const std::string& name, const char* unit, double value) {
+ReportRow push_row(const std::string& name, const char* unit, double value) {
   return {"push." + name, unit, value, std::nullopt, std::nullopt, std::nullopt};
 }
 
@@ -113,18 +113,18 @@ std::vector<ReportRow> push_rows(const std::vector<PushCase>& cases,
                                  const std::vector<PushOutcome>& outcomes) {
   std::vector<ReportRow> rows;
   for (const PushCase& c : cases) {
-    rows.push_back(row(c.name + ".survived_impulse", "N s", survived_impulse_Ns(c, outcomes, true)));
+    rows.push_back(push_row(c.name + ".survived_impulse", "N s", survived_impulse_Ns(c, outcomes, true)));
     if (c.demanded_Ns > 0.0) rows.back().low = c.demanded_Ns;
-    rows.push_back(row(c.name + ".survived_foreaft", "N s", survived_impulse_Ns(c, outcomes, false)));
+    rows.push_back(push_row(c.name + ".survived_foreaft", "N s", survived_impulse_Ns(c, outcomes, false)));
     int uncaught = 0, trips = 0;
     for (const PushOutcome& o : outcomes) {
       if (o.name != c.name) continue;
       uncaught += o.vitals.fell && !o.vitals.caught ? 1 : 0;
       trips += o.vitals.trips;
     }
-    rows.push_back(row(c.name + ".uncaught_falls", "", uncaught));
+    rows.push_back(push_row(c.name + ".uncaught_falls", "", uncaught));
     rows.back().high = 0.0;
-    rows.push_back(row(c.name + ".trips", "", trips));
+    rows.push_back(push_row(c.name + ".trips", "", trips));
     rows.back().high = 0.0;
   }
   return rows;

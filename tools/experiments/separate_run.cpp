@@ -3,11 +3,11 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <random>
 #include <stdexcept>
 #include <thread>
 
 #include "lcmtypes/channels.h"
+#include "runtime/own_port.h"
 #include "runtime/stop_request.h"
 #include "tools/client/cycle_collector.h"
 #include "tools/client/operator_client.h"
@@ -35,11 +35,11 @@ LaunchRequest launch_request(const RunScript& script, const SeparateOptions& opt
   request.seed = script.sim.seed;
   request.truth = true;
   request.cycles = script.cycles;
-  request.lcm_url = lcm_url_on_port(random_port());
+  request.lcm_url = lcm_url_on_port(own_port());
   request.inject = options.inject;
   request.instance = "experiment-" + std::to_string(getpid());
   for (const BusConfig& bus : script.robot.buses) {
-    request.can.push_back(bus.name + "=udp:239.74.163.2:" + std::to_string(random_port()));
+    request.can.push_back(bus.name + "=udp:239.74.163.2:" + std::to_string(own_port()));
   }
   for (const auto& [key, value] : script.sim.plant) {
     request.plant.push_back(plant_text(key, value));
@@ -106,11 +106,6 @@ ScriptRunner script_runner(bool separate) {
   return [](const RunScript& script, const CycleObserver& on_cycle, const ReplyObserver& on_reply) {
     run_separate(script, on_cycle, on_reply);
   };
-}
-
-int random_port() {
-  std::random_device device;
-  return 20000 + static_cast<int>(device() % 40000);
 }
 
 SeparateResult run_separate(const RunScript& script, const CycleObserver& on_cycle,

@@ -24,7 +24,4 @@ SeparateResult run_separate(const RunScript& script, const CycleObserver& on_cyc
 /// For `--separate` of an experiment: real processes, or one.
 ScriptRunner script_runner(bool separate);
 
-/// A UDP port that is unlikely to be used by anyone else.
-int random_port();
-
 }  // namespace sprung

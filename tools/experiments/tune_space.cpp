@@ -20,7 +20,7 @@ double four_digits(double value) {
   return std::strtod(text, nullptr);
 }
 
-std::string number_text(double value) {
+std::string ten_digits(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.10g", value);
   return text;
@@ -113,7 +113,7 @@ std::string TuneSpace::fragment(const std::vector<double>& values, const std::st
       text += std::string(4 + 2 * depth, ' ') + parts[depth] + ":\n";
     open.assign(parts.begin(), parts.end() - 1);
     const std::string unit_text = unit(i).empty() ? "" : " " + unit(i);
-    text += std::string(2 + 2 * parts.size(), ' ') + parts.back() + ": " + number_text(values[i]) +
+    text += std::string(2 + 2 * parts.size(), ' ') + parts.back() + ": " + ten_digits(values[i]) +
             unit_text + "\n";
   }
   return text;

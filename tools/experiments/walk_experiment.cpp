@@ -1,22 +1,26 @@
 #include "tools/experiments/walk_experiment.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
+#include "drivers/sim/sim_config.h"
 #include "tools/experiments/walking_robot.h"
 
 namespace sprung {
 namespace {
 
-constexpr GaitControl kControls[] = {GaitControl::kForce, GaitControl::kHybrid, GaitControl::kPreStance,
+constexpr GaitControl kWalkControls[] = {GaitControl::kForce, GaitControl::kHybrid, GaitControl::kPreStance,
                                      GaitControl::kOwn};
 constexpr const char* kCompared = "walk";
-constexpr double kCompared_m_s = 0.2;
 constexpr double kStarting_s = 2.0, kMeasured_s = 9.0;
 constexpr double kTraced_s = 2.0;
 constexpr double kMostRatio = 0.35;
 constexpr double kSpeedShare = 0.10, kMostDrift_deg = 5.0;
-constexpr double kSpeedLine_rad_s = 4.36, kTorqueLimit_Nm = 108.5;  // sim.yaml's peak_torque
+/// Of the gait's fastest, that speed and heading are taken at.
+constexpr double kCrawlShare = 5.0 / 6.0, kWalkShare = 4.0 / 5.0, kTrotShare = 7.0 / 9.0,
+                 kStretchShare = 8.0 / 9.0;
+constexpr double kSpeedStep_m_s = 0.005;
 constexpr double kPatience = 2.0;
 constexpr double kDegrees = 180.0 / 3.14159265358979323846;
 
@@ -35,7 +39,26 @@ double ramp_s(const RobotConfig& robot, const WalkTask& task, const GaitCase& co
   return config.speed_m_s / robot.preset(task.preset).walk.acceleration_m_s2 + kStarting_s;
 }
 
-ReportRow row(const std::string& name, const char* unit, double value) {
+/// A share of the gait's fastest speed in robot.yaml, as somebody would type it.
+double speed_of(const RobotConfig& robot, const char* gait, double share) {
+  const double fastest_m_s =
+      robot.gaits[static_cast<std::size_t>(gait_index(robot, gait))].fastest_forward_m_s;
+  const double steps_per_m_s = std::round(1.0 / kSpeedStep_m_s);
+  return std::round(share * fastest_m_s * steps_per_m_s) / steps_per_m_s;
+}
+
+/// What true speeds and torques are held against: the speed cap of robot.yaml, and what the plant's drives can give.
+WalkExperiment limits_of(const RobotConfig& robot, const SimOptions& sim) {
+  WalkExperiment out;
+  out.compared_m_s = speed_of(robot, kCompared, kWalkShare);
+  for (const ActuatorConfig& actuator : robot.actuators)
+    out.speed_limit_rad_s = std::max(out.speed_limit_rad_s, actuator.speed_limit_rad_s);
+  for (const sim::SimDriveConfig& drive : sim::load_sim_config(robot, sim.plant).drives)
+    out.torque_limit_Nm = std::max(out.torque_limit_Nm, drive.peak_torque_Nm);
+  return out;
+}
+
+ReportRow walk_row(const std::string& name, const char* unit, double value) {
   return {"walk." + name, unit, value, std::nullopt, std::nullopt, std::nullopt};
 }
 
@@ -55,40 +78,41 @@ const char* row_name(GaitControl control) {
 
 void add_control(const ControlOutcome& c, double force_rms_m, std::vector<ReportRow>& rows) {
   const std::string name = row_name(c.control);
-  rows.push_back(row(name + ".swing_rms", "mm", 1e3 * c.swing_rms_m));
-  rows.push_back(row(name + ".touchdown_peak", "N", c.peaks.mean_N));
-  rows.push_back(row(name + ".touchdown_worst", "N", c.peaks.worst_N));
-  rows.push_back(row(name + ".knee_output_peak", "Nm", c.peaks.mean_Nm));
-  rows.push_back(row(name + ".fell", "", c.vitals.fell ? 1 : 0));
+  rows.push_back(walk_row(name + ".swing_rms", "mm", 1e3 * c.swing_rms_m));
+  rows.push_back(walk_row(name + ".touchdown_peak", "N", c.peaks.mean_N));
+  rows.push_back(walk_row(name + ".touchdown_worst", "N", c.peaks.worst_N));
+  rows.push_back(walk_row(name + ".knee_output_peak", "Nm", c.peaks.mean_Nm));
+  rows.push_back(walk_row(name + ".fell", "", c.vitals.fell ? 1 : 0));
   if (c.control == GaitControl::kForce) return;
   const bool arrived = !c.vitals.fell && c.vitals.trips == 0;
-  rows.push_back(row(name + ".swing_ratio", "", arrived ? c.swing_rms_m / force_rms_m : kNaN));
+  rows.push_back(walk_row(name + ".swing_ratio", "", arrived ? c.swing_rms_m / force_rms_m : kNaN));
   if (c.control == GaitControl::kHybrid) rows.back().high = kMostRatio;
 }
 
-void add_gait(const GaitOutcome& g, std::vector<ReportRow>& rows) {
+void add_gait(const GaitOutcome& g, double torque_limit_Nm, std::vector<ReportRow>& rows) {
   const std::string name = g.config.name;
   const std::size_t first = rows.size();
   const bool arrived = !g.vitals.fell && g.vitals.trips == 0;
-  rows.push_back(row(name + ".speed", "mm/s", arrived ? 1e3 * g.speed_m_s : kNaN));
-  rows.push_back(row(name + ".drift", "deg", arrived ? std::abs(g.drift_rad) * kDegrees : kNaN));
-  rows.push_back(row(name + ".joint_speed_max", "rad/s", g.vitals.fastest_rad_s));
-  rows.push_back(row(name + ".motor_torque_max", "Nm", g.vitals.strongest_Nm));
-  rows.push_back(row(name + ".saturated", "%", 100.0 * g.vitals.saturated_share));
-  rows.push_back(row(name + ".trips", "", g.vitals.trips));
+  rows.push_back(walk_row(name + ".speed", "mm/s", arrived ? 1e3 * g.speed_m_s : kNaN));
+  rows.push_back(walk_row(name + ".drift", "deg", arrived ? std::abs(g.drift_rad) * kDegrees : kNaN));
+  rows.push_back(walk_row(name + ".joint_speed_max", "rad/s", g.vitals.fastest_rad_s));
+  rows.push_back(walk_row(name + ".motor_torque_max", "Nm", g.vitals.strongest_Nm));
+  rows.push_back(walk_row(name + ".saturated", "%", 100.0 * g.vitals.saturated_share));
+  rows.push_back(walk_row(name + ".trips", "", g.vitals.trips));
   if (!g.config.demanded) return;
   rows[first].low = 1e3 * (1.0 - kSpeedShare) * g.config.speed_m_s;
   rows[first].high = 1e3 * (1.0 + kSpeedShare) * g.config.speed_m_s;
   rows[first + 1].high = kMostDrift_deg;
-  rows[first + 3].high = kTorqueLimit_Nm;
+  rows[first + 3].high = torque_limit_Nm;
   rows[first + 5].high = 0.0;
 }
 
 report::Section controls_section(const WalkExperiment& result) {
   report::Section out{"Feet in swing, and touchdowns"};
-  report::Table table{"Gait walk, 0.2 m/s",
-                      {"control", "swing RMS (mm)", "touchdown, mean (N)", "worst (N)",
-                       "knee's true gear output, mean (Nm)", "touchdowns", "fell"}};
+  report::Table table{
+      std::string("Gait ") + kCompared + ", " + report::number_text(result.compared_m_s) + " m/s",
+      {"control", "swing RMS (mm)", "touchdown, mean (N)", "worst (N)", "knee's true gear output, mean (Nm)",
+       "touchdowns", "fell"}};
   report::Plot height{"Left front foot", {"time", "s"}, {"height in hip axes", "m"}};
   report::Plot force{"Left front foot's true contact force", {"time", "s"}, {"vertical", "N"}};
   int colour = 0;
@@ -116,24 +140,23 @@ report::Section gaits_section(const WalkExperiment& result) {
     table.rows.push_back({g.config.gait, g.config.speed_m_s, g.speed_m_s, g.distance_m,
                           g.drift_rad * kDegrees, g.vitals.fastest_rad_s, g.vitals.strongest_Nm,
                           100.0 * g.vitals.saturated_share, g.vitals.why.empty() ? "nothing" : g.vitals.why});
-  table.note = "The drives' no-load speed is " + report::number_text(kSpeedLine_rad_s) + " rad/s.";
+  table.note = "The drives' no-load speed is " + report::number_text(result.speed_limit_rad_s) + " rad/s.";
   out.tables = {table};
   return out;
 }
 
 }  // namespace
 
-const std::vector<GaitCase>& gait_cases() {
-  static const std::vector<GaitCase> cases{{"crawl", "crawl", 0.1, true},
-                                           {"walk", "walk", 0.2, true},
-                                           {"trot", "trot", 0.35, true},
-                                           {"trot_stretch", "trot", 0.4, false}};
-  return cases;
+std::vector<GaitCase> gait_cases(const RobotConfig& robot) {
+  return {{"crawl", "crawl", speed_of(robot, "crawl", kCrawlShare), true},
+          {"walk", "walk", speed_of(robot, "walk", kWalkShare), true},
+          {"trot", "trot", speed_of(robot, "trot", kTrotShare), true},
+          {"trot_stretch", "trot", speed_of(robot, "trot", kStretchShare), false}};
 }
 
 ControlOutcome walk_under(const RobotConfig& robot, const WalkTask& task, GaitControl control) {
   WalkingRobot walker(robot, task.preset, lying(task.sim));
-  walker.walk(kCompared, {kCompared_m_s, 0.0, 0.0}, control);
+  walker.walk(kCompared, {speed_of(robot, kCompared, kWalkShare), 0.0, 0.0}, control);
   walker.run(kStarting_s);
   ControlOutcome out;
   out.control = control;
@@ -169,16 +192,17 @@ GaitOutcome go(const RobotConfig& robot, const WalkTask& task, const GaitCase& c
 
 WalkExperiment run_walk_experiment(const RobotConfig& robot, const WalkTask& task) {
   if (!(task.distance_m > 0.0)) throw std::invalid_argument("--distance must be more than 0 m");
-  WalkExperiment out;
-  out.gaits.resize(gait_cases().size());
-  out.controls.resize(std::size(kControls));
+  const std::vector<GaitCase> cases = gait_cases(robot);
+  WalkExperiment out = limits_of(robot, task.sim);
+  out.gaits.resize(cases.size());
+  out.controls.resize(std::size(kWalkControls));
   run_parallel(
       out.gaits.size() + out.controls.size(),
       [&](std::size_t i) {
         if (i < out.gaits.size())
-          out.gaits[i] = go(robot, task, gait_cases()[i]);
+          out.gaits[i] = go(robot, task, cases[i]);
         else
-          out.controls[i - out.gaits.size()] = walk_under(robot, task, kControls[i - out.gaits.size()]);
+          out.controls[i - out.gaits.size()] = walk_under(robot, task, kWalkControls[i - out.gaits.size()]);
       },
       task.parallel);
   for (const GaitOutcome& g : out.gaits) out.simulated_s += g.simulated_s;
@@ -192,7 +216,7 @@ std::vector<ReportRow> walk_rows(const WalkExperiment& result) {
   for (const ControlOutcome& c : result.controls)
     if (c.control == GaitControl::kForce) force_rms_m = c.swing_rms_m;
   for (const ControlOutcome& c : result.controls) add_control(c, force_rms_m, rows);
-  for (const GaitOutcome& g : result.gaits) add_gait(g, rows);
+  for (const GaitOutcome& g : result.gaits) add_gait(g, result.torque_limit_Nm, rows);
   return rows;
 }
 

@@ -51,13 +51,17 @@ struct GaitOutcome {
 struct WalkExperiment {
   std::vector<ControlOutcome> controls;
   std::vector<GaitOutcome> gaits;
+  double compared_m_s = kNaN;      ///< of the controls' gait
+  double speed_limit_rad_s = 0.0;  ///< of the joints: robot.yaml's speed cap, the highest
+  double torque_limit_Nm = 0.0;    ///< that true motor torques are held against: sim.yaml's peak, the highest
   double simulated_s = 0.0;
 };
 
-/// crawl 0.1 m/s, walk 0.2, trot 0.35, and as a stretch trot 0.4.
-const std::vector<GaitCase>& gait_cases();
+/// crawl, walk and trot at their usual shares of the fastest speeds in robot.yaml, and as a stretch a faster trot. Pegasus: 0.1, 0.2,
+/// 0.35 and 0.4 m/s. @throws std::invalid_argument where the robot has not these gaits.
+std::vector<GaitCase> gait_cases(const RobotConfig& robot);
 
-/// In gait `walk` at 0.2 m/s: nine seconds after two of starting.
+/// In gait `walk` at the speed of its case: nine seconds after two of starting.
 ControlOutcome walk_under(const RobotConfig& robot, const WalkTask& request, GaitControl control);
 /// Measured from when the speed is reached. Given up after a fall, or in twice the time that it should take.
 GaitOutcome go(const RobotConfig& robot, const WalkTask& request, const GaitCase& config);

@@ -8,7 +8,7 @@ namespace sprung::fields {
 
 namespace {
 
-constexpr std::size_t kFingerprint = 8;
+constexpr std::size_t kBody = 8;
 constexpr int kDeepest = 32;  // structs in structs; LCM's types may be rings
 
 Kind kind_of(const Member& member) {
@@ -31,8 +31,8 @@ class Builder {
   Builder(Layout& out, const std::uint8_t* data, std::size_t size) : out_(out), data_(data), size_(size) {}
 
   Fault whole(const StructType& type) {
-    position_ = segment_begin_ = kFingerprint;
-    if (size_ < kFingerprint + type.least_size) return Fault::kTooShort;
+    position_ = segment_begin_ = kBody;
+    if (size_ < kBody + type.least_size) return Fault::kTooShort;
     if (size_ > std::numeric_limits<std::uint32_t>::max()) return Fault::kBadCount;
     const Fault fault = structure(type, "", 0);
     if (fault != Fault::kNone) return fault;

@@ -12,9 +12,9 @@ namespace sprung::identify {
 
 namespace {
 
-class Table {
+class CsvRows {
  public:
-  Table(std::istream& in, std::string name, const CsvOptions& options)
+  CsvRows(std::istream& in, std::string name, const CsvOptions& options)
       : in_(in), name_(std::move(name)), delimiter_(options.delimiter) {}
 
   /// The next line that holds something. @return false at the end.
@@ -81,18 +81,18 @@ bool is_name(std::string_view cell) {
   return !word.empty() && !odd_number && !parse_number(cell);
 }
 
-bool is_header(const Table& table) {
+bool is_header(const CsvRows& table) {
   return std::any_of(table.cells().begin(), table.cells().end(), is_name);
 }
 
-std::string all_names(const Table& table) {
+std::string all_names(const CsvRows& table) {
   std::string out;
   for (const std::string_view cell : table.cells()) out += (out.empty() ? "" : ", ") + std::string(cell);
   return out;
 }
 
 /// From 0. A header's name wins over a number, so that columns may be called "1".
-std::size_t index_of(const Table& table, bool header, const SignalColumns& signal,
+std::size_t index_of(const CsvRows& table, bool header, const SignalColumns& signal,
                      const std::string& column) {
   const auto& cells = table.cells();
   const auto found = std::find(cells.begin(), cells.end(), column);
@@ -114,7 +114,7 @@ struct IndexedTerm {
   double factor;
 };
 
-double cell_value(const Table& table, const SignalColumns& signal, std::size_t column) {
+double cell_value(const CsvRows& table, const SignalColumns& signal, std::size_t column) {
   if (column >= table.cells().size())
     table.refuse("has " + std::to_string(table.cells().size()) + " columns, " + signal.signal +
                  " is column " + std::to_string(column + 1) + "; is the line cut off?");
@@ -131,7 +131,7 @@ double cell_value(const Table& table, const SignalColumns& signal, std::size_t c
 std::vector<std::vector<double>> read_table(std::istream& in, const std::string& name,
                                             const std::vector<SignalColumns>& columns,
                                             const CsvOptions& options) {
-  Table table(in, name, options);
+  CsvRows table(in, name, options);
   if (!table.next()) throw std::runtime_error(name + ": holds no line");
   const bool header = is_header(table);
   std::vector<std::vector<IndexedTerm>> terms;

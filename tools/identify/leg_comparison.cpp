@@ -4,13 +4,13 @@
 #include <cstdio>
 
 #include "controller/leg_kinematics.h"
+#include "signals/angles.h"
 #include "tools/identify/drive_series.h"
 
 namespace sprung::identify {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kLeastWeight_Nm = 1.0;
 constexpr double kClear = 5.0;  ///< standard errors
 

@@ -20,7 +20,7 @@ __attribute__((format(printf, 1, 2))) std::string line(const char* format, ...) 
   return text;
 }
 
-std::string models_table(const IdentifiedJoint& joint, const std::string& unit) {
+std::string models_text(const IdentifiedJoint& joint, const std::string& unit) {
   std::string text = line("  %-44s %10s %12s %12s %12s\n", "model", "parameters", "left-out R2",
                           "held-out R2", ("RMS, " + unit).c_str());
   for (const ModelResult& model : joint.result.models) {
@@ -31,7 +31,7 @@ std::string models_table(const IdentifiedJoint& joint, const std::string& unit) 
   return text;
 }
 
-std::string parameters_table(const ModelResult& model) {
+std::string parameters_text(const ModelResult& model) {
   std::string text;
   const auto& all = model.model->parameters();
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -80,9 +80,9 @@ std::string result_table(const IdentifiedJoint& joint) {
   text += line("%ld samples fitted and %ld scored at %.6g Hz, %.6g to %.6g s\n\n",
                static_cast<long>(chosen.train.samples), static_cast<long>(chosen.held_out.samples),
                1.0 / data.period_s, result.from_s, result.to_s);
-  text += models_table(joint, data.torque_unit);
+  text += models_text(joint, data.torque_unit);
   text += "\n* chosen: " + result.why + ".\n  Rule: " + identification::selection_criterion() + ".\n\n";
-  text += "parameters of '" + chosen.model->name() + "' +- standard error\n" + parameters_table(chosen);
+  text += "parameters of '" + chosen.model->name() + "' +- standard error\n" + parameters_text(chosen);
   text += robot_table(joint);
   for (const std::string& note : joint.notes) text += "note: " + note + "\n";
   for (const std::string& warning : chosen.statistics.warnings) text += "warning: " + warning + "\n";

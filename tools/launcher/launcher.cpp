@@ -46,19 +46,25 @@ std::vector<RunInfo> others(const std::string& instance) {
   return runs;
 }
 
+/// All of them by name: which one is in the way is the operator's to judge.
+std::string do_not_end(const std::vector<RunningProcess>& left) {
+  std::string names, pids;
+  for (const RunningProcess& process : left) {
+    const std::string pid = std::to_string(process.pid);
+    names += (names.empty() ? "" : ", ") + process.program + " (process " + pid + ")";
+    pids += " " + pid;
+  }
+  return names + " of a run whose launcher was killed " + (left.size() == 1 ? "does" : "do") +
+         " not end. Press the emergency stop, then: kill -9" + pids;
+}
+
 /// Two bridges on one bus: the one whose launcher was killed is still bringing its drives to rest.
 /// @throws std::runtime_error where one does not end.
 void wait_for_left_behind(const LaunchRequest& request) {
   const std::int64_t end_us = monotonic_us() + std::llround(request.patience_s * 1e6);
   for (auto left = left_behind(request.instance); !left.empty(); left = left_behind(request.instance)) {
     if (stop_requested()) throw std::runtime_error("stopped while starting");
-    if (monotonic_us() > end_us) {
-      const std::string pid = std::to_string(left.front().pid);
-      throw std::runtime_error(
-          left.front().program + " (process " + pid +
-          ") of a run whose launcher was killed does not end. Press the emergency stop, then: kill -9 " +
-          pid);
-    }
+    if (monotonic_us() > end_us) throw std::runtime_error(do_not_end(left));
     usleep(20'000);
   }
 }

@@ -140,7 +140,7 @@ RunFile::RunFile(const std::string& instance) : instance_(instance) {
 
 RunFile::~RunFile() {
   std::error_code ignored;
-  fs::remove(run_file_path(instance_), ignored);
+  if (written_) fs::remove(run_file_path(instance_), ignored);
   close(lock_);
 }
 
@@ -154,6 +154,7 @@ void RunFile::write(const RunInfo& info) {
     throw std::runtime_error("cannot write " + draft.string() + ": is the disk full?");
   }
   fs::rename(draft, path);
+  written_ = true;
 }
 
 std::optional<RunInfo> read_run_file(const std::string& instance) {

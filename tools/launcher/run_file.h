@@ -44,7 +44,7 @@ class RunFile {
  public:
   /// @throws std::runtime_error when another launcher holds the instance, naming its robot.
   explicit RunFile(const std::string& instance);
-  ~RunFile();  ///< removes the description, then lets go
+  ~RunFile();  ///< removes the description that it wrote, then lets go; what a killed one left stays for the next to see
   RunFile(const RunFile&) = delete;
   RunFile& operator=(const RunFile&) = delete;
 
@@ -54,6 +54,7 @@ class RunFile {
  private:
   std::string instance_;
   int lock_ = -1;
+  bool written_ = false;
 };
 
 /// nullopt where nobody holds the instance, or its description is not there yet.

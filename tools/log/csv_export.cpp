@@ -7,7 +7,7 @@ namespace sprung::log {
 namespace {
 
 constexpr std::size_t kGathered_bytes = std::size_t{1} << 20;
-constexpr std::int64_t kEventsBetween = 16'384;  // of two calls of a Progress
+constexpr std::int64_t kRowsBetween = 16'384;  // of two calls of a Progress
 
 }  // namespace
 
@@ -23,7 +23,7 @@ CsvResult export_csv(Reader& reader, FieldSelection selection, const CsvOptions&
   for (Event event; reader.next(event);) {
     const Timeline::Moment moment = timeline.next(event);
     if (test.holds(moment.time_s, event.time_us)) table.add(event, moment, text);
-    if (progress && ++events % kEventsBetween == 0) progress(reader.position(), reader.file_bytes());
+    if (progress && ++events % kRowsBetween == 0) progress(reader.position(), reader.file_bytes());
     if (text.size() < kGathered_bytes) continue;
     sink(text);
     text.clear();

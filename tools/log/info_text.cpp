@@ -61,6 +61,7 @@ std::string end_text(const LogInfo& info) {
     const std::string why = name(static_cast<LogEndReason>(info.end->reason));
     return "ended      " + why + (info.end->detail.empty() ? "" : ": " + info.end->detail) + "\n";
   }
+  if (info.being_written) return "ended      not yet: it is still being written\n";
   return info.metadata ? "ended      without LOG_END: cut out of another log, or the recorder was killed\n"
                        : "";
 }
@@ -202,6 +203,7 @@ std::string info_json(const LogInfo& info) {
   out["end"] = info.end ? Json{{"reason", name(static_cast<LogEndReason>(info.end->reason))},
                                {"detail", info.end->detail}}
                         : Json(nullptr);
+  out["being_written"] = info.being_written;
   out["channels"] = Json::object();
   for (const auto& [name, report] : info.channels) out["channels"][name] = json_of(report);
   out["incidents"] = Json::array();

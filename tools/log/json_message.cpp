@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kShapesKept = 64;
+constexpr std::size_t kJsonShapesKept = 64;
 
 /// One step of a path: a member, or an element of a list.
 struct Token {
@@ -139,7 +139,7 @@ Json schema_of(const fields::StructType& type) {
 const JsonMessages::Shape& JsonMessages::shape_of(const fields::MessageView& message) {
   const auto found = shapes_.find(message.layout());
   if (found != shapes_.end()) return found->second;
-  if (shapes_.size() >= kShapesKept) shapes_.clear();
+  if (shapes_.size() >= kJsonShapesKept) shapes_.clear();
   Shape shape{message.keep_layout(), {}, ""};
   std::vector<Token> last;
   for (const fields::Field& field : message.fields()) {

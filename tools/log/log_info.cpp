@@ -4,13 +4,12 @@
 
 #include "lcmtypes/channels.h"
 #include "tools/log/time_span.h"
+#include "tools/log/writer.h"
 
 namespace sprung::log {
 
 namespace {
 
-constexpr int kEventsToLookAt = 20'000;          // a robot's processes say who they are twice a second
-constexpr std::int64_t kEventsBetween = 65'536;  // of two calls of a Progress
 
 /// Counts that need the event before.
 class Clockwork {
@@ -45,7 +44,19 @@ void note_frame(const Event& event, LogInfo& info) {
   }
 }
 
+void note_damages(const Reader& reader, LogInfo& info) {
+  info.damages = reader.damage_count();
+  info.skipped_bytes = reader.skipped_bytes();
+  if (!info.being_written || !ends_inside_an_event(reader)) return;
+  --info.damages;
+  info.skipped_bytes -= reader.damages().back().bytes;
+}
+
 }  // namespace
+
+bool ends_inside_an_event(const Reader& reader) noexcept {
+  return !reader.damages().empty() && reader.damages().back().kind == DamageKind::kCutOff;
+}
 
 std::int64_t LogInfo::missing() const noexcept {
   std::int64_t sum = 0;
@@ -57,6 +68,7 @@ LogInfo collect_info(Reader& reader, const std::vector<std::string>& leg_names, 
   LogInfo info;
   info.path = reader.path();
   info.bytes = reader.file_bytes();
+  info.being_written = is_being_written(reader.path());
   Timeline timeline;
   Clockwork clockwork;
   IncidentFinder incidents(leg_names);
@@ -78,8 +90,7 @@ LogInfo collect_info(Reader& reader, const std::vector<std::string>& leg_names, 
   info.incidents = incidents.incidents();
   info.incidents_left_out = incidents.left_out();
   info.leg_counts = incidents.leg_counts();
-  info.damages = reader.damage_count();
-  info.skipped_bytes = reader.skipped_bytes();
+  note_damages(reader, info);
   return info;
 }
 
@@ -100,22 +111,6 @@ std::optional<sprung_msgs::log_metadata_t> find_metadata(Reader& reader) {
   }
   reader.rewind();
   return found;
-}
-
-std::string robot_of(Reader& reader) {
-  std::string robot;
-  fields::Decoder decoder;
-  fields::MessageView message;
-  Event event;
-  for (int i = 0; i < kEventsToLookAt && robot.empty() && reader.next(event); ++i) {
-    if (event.channel != channels::kLogMetadata && event.channel != channels::kProcessStatus) continue;
-    if (decoder.open(event.data, event.size, message) != fields::Fault::kNone) continue;
-    const int field = message.layout()->find("robot");
-    if (field != fields::Layout::kNone)
-      robot = message.text(message.fields()[static_cast<std::size_t>(field)]);
-  }
-  reader.rewind();
-  return robot;
 }
 
 }  // namespace sprung::log

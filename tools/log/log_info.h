@@ -30,6 +30,7 @@ struct LogInfo {
   std::array<std::int64_t, kLegEventCount> leg_counts{};
   std::optional<sprung_msgs::log_metadata_t> metadata;  ///< the first one
   std::optional<sprung_msgs::log_end_t> end;            ///< the last one
+  bool being_written = false;  ///< by somebody, when it was opened or read to its end
   std::uint64_t damages = 0;
   std::uint64_t skipped_bytes = 0;
 
@@ -38,18 +39,22 @@ struct LogInfo {
 
 /// Told now and then how many bytes of how many are done.
 using Progress = std::function<void(std::uint64_t done, std::uint64_t all)>;
+inline constexpr std::int64_t kEventsBetween = 65'536;  ///< of two calls of a Progress that reads fast
 
 LogInfo collect_info(Reader& reader, const std::vector<std::string>& leg_names = {},
                      const Progress& progress = {});
+
+/// Of a reader at the end of its file. Of a log that is still being written this is no damage: the rest is on its way.
+bool ends_inside_an_event(const Reader& reader) noexcept;
 
 struct LogExtent;
 /// Begin and end alone. Reads the whole file, and leaves the reader at its begin.
 LogExtent extent_of(Reader& reader);
 
+/// Where a log is asked of which robot it is: by then each of its processes has said so several times.
+inline constexpr int kEventsToLookAt = 20'000;
+
 /// The first LOG_METADATA among the first events. Leaves the reader at its begin.
 std::optional<sprung_msgs::log_metadata_t> find_metadata(Reader& reader);
-
-/// The robot by name, as LOG_METADATA or else the first PROCESS_STATUS among the first events says; "" where neither does.
-std::string robot_of(Reader& reader);
 
 }  // namespace sprung::log

@@ -8,7 +8,6 @@
 
 #include "tools/fields/value_text.h"
 #include "tools/log/field_hint.h"
-#include "tools/log/robot_names.h"
 #include "tools/log/thin_series.h"
 
 namespace sprung::log {
@@ -17,7 +16,6 @@ namespace {
 
 constexpr std::size_t kMostCurves = 60;
 constexpr std::size_t kMostShades = 400;
-constexpr std::int64_t kEventsBetween = 65'536;  // of two calls of a Progress
 
 /// The curves of one channel.
 struct ChannelCurves {
@@ -65,9 +63,9 @@ class Phases {
 
 class Collector {
  public:
-  Collector(const PlotRequest& request, const std::vector<fields::ListNames>& names)
-      : selection_(request.fields, names),
-        phases_(request.phases, names),
+  explicit Collector(const PlotRequest& request)
+      : selection_(request.fields, request.names),
+        phases_(request.phases, request.names),
         phases_text_(request.phases),
         phases_asked_(!request.phases.empty() && request.phases != PlotRequest().phases),
         names_(request.joint_names) {}
@@ -196,7 +194,7 @@ LogPlot collect_plot(Reader& reader, const PlotRequest& request, const Progress&
   LogPlot plot;
   plot.title = reader.path();
   plot.subtitle = subtitle_of(reader);
-  Collector collector(request, names_of_robot(robot_of(reader)).lists);
+  Collector collector(request);
   const SpanTest span(request.span, request.span.needs_end() ? extent_of(reader) : LogExtent{});
   Timeline timeline;
   std::int64_t events = 0;

@@ -15,7 +15,8 @@ struct PlotRequest {
   std::vector<std::string> fields;
   std::string phases = "MOTION_STATE.state_name";  ///< a field whose values shade the plots; "" = none
   TimeSpan span;
-  bool joint_names = true;  ///< curves have the names of joints and legs, where the robot is known
+  std::vector<fields::ListNames> names;  ///< of joints and legs, see robot_names.h
+  bool joint_names = true;               ///< curves have them, where they are known
 };
 
 struct LogPlot {

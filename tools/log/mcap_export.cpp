@@ -14,7 +14,7 @@ namespace sprung::log {
 
 namespace {
 
-constexpr std::int64_t kEventsBetween = 16'384;  // of two calls of a Progress
+constexpr std::int64_t kMessagesBetween = 16'384;  // of two calls of a Progress
 
 std::uint64_t ns(double us) {
   constexpr double kLatest_us = 1.8e16;  // what the format's 64 bits of ns hold
@@ -110,7 +110,7 @@ McapResult export_mcap(Reader& reader, ChannelFilter& channels, McapEncoding enc
   McapResult result;
   for (Event event; reader.next(event);) {
     const Timeline::Moment moment = timeline.next(event);
-    if (++result.events % kEventsBetween == 0 && progress) progress(reader.position(), reader.file_bytes());
+    if (++result.events % kMessagesBetween == 0 && progress) progress(reader.position(), reader.file_bytes());
     if (!channels.keeps(event.channel)) continue;
     ++(exporter.add(event, moment, timeline.begin_us()) ? result.written : result.not_decoded);
   }

@@ -12,8 +12,8 @@ namespace sprung::log {
 
 namespace {
 
-constexpr std::size_t kShapesKept = 64;
-constexpr std::size_t kFingerprint = 8;
+constexpr std::size_t kProtoShapesKept = 64;
+constexpr std::size_t kFingerprint_bytes = 8;
 constexpr std::size_t kReplaced = 3;  // bytes of U+FFFD, which may stand for one that is no UTF-8
 constexpr std::size_t kDeepest = 40;  // a layout's structs in structs are fewer
 
@@ -143,7 +143,7 @@ class Run {
 const ProtoSteps& ProtoMessages::steps_of(const fields::MessageView& message) {
   const auto found = shapes_.find(message.layout());
   if (found != shapes_.end()) return found->second.steps;
-  if (shapes_.size() >= kShapesKept) shapes_.clear();
+  if (shapes_.size() >= kProtoShapesKept) shapes_.clear();
   Shape shape{message.keep_layout(), proto_steps(*message.layout())};
   return shapes_.emplace(message.layout(), std::move(shape)).first->second.steps;
 }
@@ -153,7 +153,7 @@ std::string_view ProtoMessages::encode(const fields::MessageView& message, const
   const ProtoSteps& steps = steps_of(message);
   const std::size_t most = steps.bytes + kReplaced * size + kLongestVarint;
   if (buffer_.size() < most) buffer_.resize(most);
-  Run run(static_cast<const std::uint8_t*>(data) + kFingerprint, buffer_.data());
+  Run run(static_cast<const std::uint8_t*>(data) + kFingerprint_bytes, buffer_.data());
   for (const ProtoStep& step : steps.steps) run.take(step);
   return {buffer_.data(), static_cast<std::size_t>(run.end_of_output() - buffer_.data())};
 }

@@ -13,7 +13,6 @@ namespace sprung::log {
 
 namespace {
 
-constexpr std::int64_t kEventsBetween = 65'536;                // of two calls of a Progress
 constexpr std::size_t kBuffers_bytes = std::size_t{32} << 20;  // of all logs that are merged
 constexpr std::size_t kLeastBuffer_bytes = std::size_t{64} << 10;
 

@@ -24,7 +24,7 @@ constexpr const char* kColours[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
 constexpr const char* kShades[] = {"#dbe9f6", "#fbe5d6", "#ddf1e4", "#f3e3ef", "#fdf3d0", "#e4e4e4"};
 
 template <class... Values>
-std::string format(const char* pattern, Values... values) {
+std::string svg_format(const char* pattern, Values... values) {
   char line[240];
   std::snprintf(line, sizeof line, pattern, values...);
   return line;
@@ -57,7 +57,7 @@ Range x_range(const std::vector<report::Plot>& plots) {
 }
 
 std::string text_at(double x, double y, const char* anchor, const std::string& text) {
-  return format("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\">", x, y, anchor) + report::escape_html(text) +
+  return svg_format("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\">", x, y, anchor) + report::escape_html(text) +
          "</text>\n";
 }
 
@@ -81,9 +81,9 @@ class Panel {
   std::string svg(int index) const {
     std::string out = shades() + grid();
     out +=
-        format("<clipPath id=\"panel%d\"><rect x=\"%d\" y=\"%d\" width=\"%d\" height=\"%d\"/></clipPath>\n",
+        svg_format("<clipPath id=\"panel%d\"><rect x=\"%d\" y=\"%d\" width=\"%d\" height=\"%d\"/></clipPath>\n",
                index, left_, top_, right_ - left_, bottom_ - top_);
-    out += format("<g clip-path=\"url(#panel%d)\">\n", index);
+    out += svg_format("<g clip-path=\"url(#panel%d)\">\n", index);
     for (std::size_t i = 0; i < plot_.series.size(); ++i) out += line(plot_.series[i], colour(i));
     return out + "</g>\n" + legend();
   }
@@ -111,7 +111,7 @@ std::string Panel::shades() const {
     const std::size_t index = colours.emplace(shade.name, colours.size()).first->second;
     const double from = std::max<double>(px(shade.from), left_), to = std::min<double>(px(shade.to), right_);
     if (!(to > from)) continue;
-    out += format("<rect class=\"shade\" x=\"%.1f\" y=\"%d\" width=\"%.1f\" height=\"%d\" fill=\"%s\"/>\n",
+    out += svg_format("<rect class=\"shade\" x=\"%.1f\" y=\"%d\" width=\"%.1f\" height=\"%d\" fill=\"%s\"/>\n",
                   from, top_, to - from, bottom_ - top_, kShades[index % std::size(kShades)]);
     const double text_px = 7.0 * static_cast<double>(shade.name.size());
     if (from < free_from || to - from < text_px) continue;
@@ -124,12 +124,12 @@ std::string Panel::shades() const {
 std::string Panel::grid() const {
   std::string out = "<g stroke=\"#cccccc\" stroke-width=\"0.7\">\n", words;
   for (const double y : round_ticks(y_.low, y_.high, 6)) {
-    out += format("<line x1=\"%d\" y1=\"%.1f\" x2=\"%d\" y2=\"%.1f\"/>\n", left_, py(y), right_, py(y));
-    words += text_at(left_ - 6, py(y) + 4, "end", format("%g", y));
+    out += svg_format("<line x1=\"%d\" y1=\"%.1f\" x2=\"%d\" y2=\"%.1f\"/>\n", left_, py(y), right_, py(y));
+    words += text_at(left_ - 6, py(y) + 4, "end", svg_format("%g", y));
   }
   for (const double x : round_ticks(x_.low, x_.high, 10)) {
-    out += format("<line x1=\"%.1f\" y1=\"%d\" x2=\"%.1f\" y2=\"%d\"/>\n", px(x), top_, px(x), bottom_);
-    words += text_at(px(x), bottom_ + 15, "middle", format("%g", x));
+    out += svg_format("<line x1=\"%.1f\" y1=\"%d\" x2=\"%.1f\" y2=\"%d\"/>\n", px(x), top_, px(x), bottom_);
+    words += text_at(px(x), bottom_ + 15, "middle", svg_format("%g", x));
   }
   words +=
       text_at(right_, bottom_ + 29, "end", plot_.x.label + (plot_.x.unit.empty() ? "" : ", " + plot_.x.unit));
@@ -144,13 +144,13 @@ std::string Panel::line(const report::Series& series, const char* stroke) const 
   std::string out, path;
   const auto finish = [&] {
     if (!path.empty())
-      out += format("<polyline fill=\"none\" stroke=\"%s\" stroke-width=\"1.2\" points=\"", stroke) + path +
+      out += svg_format("<polyline fill=\"none\" stroke=\"%s\" stroke-width=\"1.2\" points=\"", stroke) + path +
              "\"/>\n";
     path.clear();
   };
   for (std::size_t i = 0; i < series.x.size(); ++i) {
     if (std::isfinite(series.x[i]) && std::isfinite(series.y[i])) {
-      path += format("%.1f,%.1f ", px(series.x[i]), py(series.y[i]));
+      path += svg_format("%.1f,%.1f ", px(series.x[i]), py(series.y[i]));
     } else {
       finish();
     }
@@ -168,7 +168,7 @@ std::string Panel::legend() const {
       return out +
              text_at(right_ + 12, y, "start", "and " + std::to_string(plot_.series.size() - i) + " more");
     }
-    out += format("<line x1=\"%d\" y1=\"%d\" x2=\"%d\" y2=\"%d\" stroke=\"%s\" stroke-width=\"3\"/>\n",
+    out += svg_format("<line x1=\"%d\" y1=\"%d\" x2=\"%d\" y2=\"%d\" stroke=\"%s\" stroke-width=\"3\"/>\n",
                   right_ + 12, y - 4, right_ + 30, y - 4, colour(i));
     out += text_at(right_ + 36, y, "start", plot_.series[i].name);
   }
@@ -196,7 +196,7 @@ std::vector<double> round_ticks(double low, double high, int count) {
 std::string to_svg(const std::string& title, const std::vector<report::Plot>& plots, const SvgSize& size) {
   const int height = svg_height(size, plots.size());
   std::string out =
-      format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" viewBox=\"0 0 %d %d\" ",
+      svg_format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" viewBox=\"0 0 %d %d\" ",
              size.width, height, size.width, height);
   out +=
       "font-family=\"sans-serif\" font-size=\"11\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";

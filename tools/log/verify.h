@@ -1,6 +1,7 @@
 #pragma once
 /// Whether a log is whole: every byte belongs to an event, every event to a numbered row, every message can be decoded, every cycle is
-/// there. Shell: reads a file.
+/// there. In real time a process that comes too late leaves its cycle out, and a hop may be lost: such cycles are listed, and are no
+/// damage as long as the recorder has missed them too. Shell: reads a file.
 #include <cstdint>
 #include <map>
 #include <set>
@@ -20,7 +21,8 @@ struct Finding {
     kNumbers,     ///< event numbers that jump: events were taken out
     kMessage,     ///< a message of a known type that is none
     kOtherType,   ///< a channel of sprung with a type that nobody here knows: another version
-    kMissing,     ///< cycles that are not there
+    kMissing,     ///< cycles that are not there, and nothing in real time explains it
+    kLate,        ///< cycles that are not there in a log of real time: late or lost hops
     kCount,       ///< LOG_END says another number of events
     kUnfinished,  ///< LOG_METADATA, but no LOG_END
     kOrder,       ///< received before the event in front of it
@@ -37,6 +39,8 @@ struct VerifyResult {
   std::int64_t events = 0;
   std::uint64_t bytes = 0;
   std::uint64_t skipped_bytes = 0;
+  std::int64_t late = 0;       ///< cycles in all Kind::kLate
+  bool being_written = false;  ///< when it was opened
 
   bool good() const noexcept;  ///< nothing wrong was found
 };

@@ -21,13 +21,37 @@ constexpr mode_t kReadableByAll = 0644;
   throw WriteError("cannot write " + path + ": " + std::strerror(errno) + hint, full);
 }
 
+/// Of the whole file, for as long as this opening of it lasts: the kernel lets go when the process dies, however it dies.
+struct flock whole_file(short type) {
+  struct flock lock {};
+  lock.l_type = type;
+  lock.l_whence = SEEK_SET;
+  return lock;
+}
+
+/// Some file systems have no locks: a log there is written all the same.
+void mark_as_written(int file) {
+  struct flock lock = whole_file(F_WRLCK);
+  (void)fcntl(file, F_OFD_SETLK, &lock);
+}
+
 }  // namespace
+
+bool is_being_written(const std::string& path) {
+  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  if (file < 0) return false;
+  struct flock lock = whole_file(F_RDLCK);
+  const bool asked = fcntl(file, F_OFD_GETLK, &lock) == 0;
+  ::close(file);
+  return asked && lock.l_type == F_WRLCK;
+}
 
 Writer::Writer(const std::string& path, std::size_t buffer_bytes)
     : path_(path),
       file_(open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, kReadableByAll)),
       buffer_bytes_(buffer_bytes) {
   if (file_ < 0) fail(path);
+  mark_as_written(file_);
   buffer_.reserve(buffer_bytes);
 }
 

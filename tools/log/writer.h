@@ -1,5 +1,6 @@
 #pragma once
-/// Writes an LCM log, byte for byte as LCM's own lcm_eventlog writes it. Shell: writes a file.
+/// Writes an LCM log, byte for byte as LCM's own lcm_eventlog writes it. Shell: writes a file. The file is locked while it is written,
+/// so that a reader can tell a log that still grows from one whose recorder was killed.
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
@@ -53,5 +54,8 @@ class Writer {
   std::uint64_t written_ = 0;
   std::int64_t events_ = 0;
 };
+
+/// Whether a Writer, of any process on this machine, has the file open. False of a file that cannot be opened.
+bool is_being_written(const std::string& path);
 
 }  // namespace sprung::log

@@ -13,7 +13,7 @@ namespace sprung {
 
 namespace {
 
-constexpr std::int64_t kProgressEvents = 20'000;
+constexpr std::int64_t kDiffProgressEvents = 20'000;
 
 /// One message that may have its like in the other log.
 struct Candidate {
@@ -144,9 +144,17 @@ class Matcher {
   std::map<std::string, Waiting> waiting_[2];
 };
 
+std::string without_metadata(const LoggedRun& first, const LoggedRun& second) {
+  const char* const which = first.metadata    ? "the second log"
+                            : second.metadata ? "the first log"
+                                              : "either log";
+  return std::string("no LOG_METADATA in ") + which +
+         ": whether both are of one robot.yaml, preset and version cannot be told";
+}
+
 /// Of the fields that say what ran; not of host and time.
 std::vector<std::string> compare_metadata(const LoggedRun& first, const LoggedRun& second) {
-  if (!first.metadata || !second.metadata) return {};
+  if (!first.metadata || !second.metadata) return {without_metadata(first, second)};
   std::vector<std::string> out;
   const auto text = [&](const char* what, const std::string& a, const std::string& b) {
     if (a != b) out.push_back(std::string(what) + ": " + a + " and " + b);
@@ -184,7 +192,7 @@ DiffResult diff_logs(const DiffRequest& request, const ReplayProgress& progress)
     const bool second = sides[0].ended() || (!sides[1].ended() && sides[1].time_s() < sides[0].time_s());
     Side& side = sides[second ? 1 : 0];
     if (side.next(candidate)) matcher.add(candidate, second ? 1 : 0, sides[second ? 0 : 1].ended());
-    if (progress && ++events % kProgressEvents == 0)
+    if (progress && ++events % kDiffProgressEvents == 0)
       progress(sides[0].position() + sides[1].position(), sides[0].file_bytes() + sides[1].file_bytes());
   }
   matcher.finish();

@@ -1,7 +1,5 @@
 #include "tools/replay/logged_run.h"
 
-#include <unistd.h>
-
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -30,32 +28,6 @@ std::optional<sprung_msgs::process_status_t> read_status(const log::Event& event
   return status;
 }
 
-/// A folder of its own for as long as the file is read.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (fs::temp_directory_path() / "sprung-replay-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make a folder like " + name);
-    path_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  const fs::path& path() const noexcept { return path_; }
-
- private:
-  fs::path path_;
-};
-
-RobotConfig robot_of_text(const std::string& yaml) {
-  const TemporaryFolder folder;
-  std::ofstream(folder.path() / "robot.yaml", std::ios::binary) << yaml;
-  return load_robot(folder.path().string());
-}
-
 std::string text_of(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in) throw std::runtime_error("cannot read " + path);
@@ -69,7 +41,7 @@ void choose_robot(const LoggedRun& run, const std::string& robot, ReplayRobot& o
     throw std::runtime_error("the log does not say of which robot it is: add --robot NAME");
   if (is_file || (robot.empty() && run.metadata)) {
     out.robot_yaml = is_file ? text_of(robot) : run.metadata->robot_yaml;
-    out.robot = robot_of_text(out.robot_yaml);
+    out.robot = read_robot_text(out.robot_yaml, is_file ? robot : "robot.yaml in the log");
   } else {
     out.robot = load_robot(robot.empty() ? run.robot : robot);
     out.robot_yaml = text_of(out.robot.folder + "/robot.yaml");
@@ -77,12 +49,12 @@ void choose_robot(const LoggedRun& run, const std::string& robot, ReplayRobot& o
 }
 
 /// lcm-logger's logs hold no preset, but every process says the hash of robot.yaml and preset.
-std::string preset_by_hash(const LoggedRun& run, const RobotConfig& robot) {
+std::string preset_by_hash(const LoggedRun& run, const RobotConfig& robot, const std::string& file) {
   for (const PresetConfig& preset : robot.presets) {
     if (configuration_hash(robot, preset.name) == run.configuration_hash) return preset.name;
   }
-  throw std::runtime_error("the log was made with another robot.yaml than " + robot.folder +
-                           "/robot.yaml: add --robot FILE that it was made with, or --preset NAME");
+  throw std::runtime_error("the log was made with another robot.yaml than " + file +
+                           ": add --robot FILE that it was made with, or --preset NAME");
 }
 
 }  // namespace
@@ -115,16 +87,18 @@ LoggedRun read_logged_run(const std::string& path) {
 ReplayRobot replay_robot(const LoggedRun& run, const std::string& robot, const std::string& preset) {
   ReplayRobot out;
   choose_robot(run, robot, out);
+  const std::string file = out.robot.folder.empty() ? robot : out.robot.folder + "/robot.yaml";
   out.preset = !preset.empty() ? preset
                : run.metadata  ? run.metadata->preset
-                               : preset_by_hash(run, out.robot);
+                               : preset_by_hash(run, out.robot, file);
   (void)out.robot.preset(out.preset);
   // A log of lcm-logger does not say whether the drives were simulated. In real time they nearly always are where that matters.
   const bool simulated = run.metadata ? run.metadata->simulation != 0 : true;
   out.watchdogs = simulated && run.clock == "realtime" ? out.robot.simulation_watchdogs : out.robot.watchdogs;
-  out.source =
-      (robot.empty() ? (run.metadata ? "robot.yaml in the log" : out.robot.folder + "/robot.yaml") : robot) +
-      ", preset " + out.preset;
+  out.source = (!robot.empty() ? robot
+                : run.metadata ? "robot.yaml in the log"
+                               : file) +
+               ", preset " + out.preset;
   return out;
 }
 

@@ -5,12 +5,12 @@
 
 #include "drivers/sim/device_registry.h"
 #include "drivers/sim/hash_noise.h"
+#include "signals/angles.h"
 #include "sprung_embedded/encoder_card_eds_text.h"
 
 namespace sprung::encoder_card {
 namespace {
 
-constexpr double kTwoPi = 6.283185307179586;
 constexpr canopen::ObjectId kSampleObject{0x2100, 0};
 constexpr std::uint16_t kEncoders = 0x2101;  ///< :01.. each channel's counts
 /// Noise of cards is numbered apart from that of drives.
@@ -53,7 +53,7 @@ void EncoderCardDevice::step(std::int64_t time_us) noexcept {
 std::uint32_t EncoderCardDevice::counts(int channel, double link_rad, std::int64_t cycle) const noexcept {
   const std::uint64_t signal = signal_ + static_cast<std::uint64_t>(channel);
   const double noise_rad = noise_rad_ == 0.0 ? 0.0 : noise_rad_ * sim::hash_noise(seed_, signal, cycle);
-  const double turns = (link_rad + jumped_rad_ + noise_rad) / kTwoPi;
+  const double turns = (link_rad + jumped_rad_ + noise_rad) / kTurn_rad;
   const std::int64_t steps = counts_per_turn_[static_cast<std::size_t>(channel)];
   const std::int64_t count = std::llround(std::floor(turns * static_cast<double>(steps))) % steps;
   return static_cast<std::uint32_t>(count < 0 ? count + steps : count);

@@ -8,6 +8,7 @@
 #include "drivers/cia402/words.h"
 #include "drivers/profiles/epos2/epos2_units.h"
 #include "drivers/sim/device_registry.h"
+#include "signals/angles.h"
 #include "sprung_embedded/epos2_eds_text.h"
 
 namespace sprung::sim {
@@ -15,7 +16,6 @@ namespace {
 
 using namespace epos2;
 
-constexpr double kTwoPi = 6.283185307179586;
 constexpr std::uint16_t kFollowingErrorFault = 0x8611;
 constexpr std::int64_t kNeverTooFar = 0xFFFFFFFF;  ///< of 0x6065
 
@@ -48,7 +48,7 @@ double wrap_u32(double value) { return static_cast<std::uint32_t>(std::llround(v
 Epos2Make::Epos2Make(const SimDriveSetup& setup)
     : setup_(setup),
       dictionary_(epos2_dictionary(setup)),
-      rpm_per_rad_s_(setup.actuator.gear_ratio * 60.0 / kTwoPi) {}
+      rpm_per_rad_s_(setup.actuator.gear_ratio * 60.0 / kTurn_rad) {}
 
 double Epos2Make::object(std::uint16_t index, std::uint8_t sub) const noexcept {
   return static_cast<double>(dictionary_.get({index, sub}));

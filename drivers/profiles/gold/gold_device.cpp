@@ -8,11 +8,11 @@
 #include "drivers/profiles/gold/gold_device_objects.h"
 #include "drivers/profiles/gold/gold_units.h"
 #include "drivers/sim/device_registry.h"
+#include "signals/angles.h"
 
 namespace sprung::sim {
 namespace {
 
-constexpr double kTwoPi = 6.283185307179586;
 
 std::uint32_t rounded(double value) { return static_cast<std::uint32_t>(std::lround(value)); }
 
@@ -22,7 +22,7 @@ GoldCommissioning commissioning(const SimDriveSetup& setup) {
   gold.node = actuator.node;
   gold.rated_current_mA = rounded(1e3 * actuator.rated_current_A);
   gold.rated_torque_mNm = rounded(1e3 * actuator.rated_current_A * actuator.torque_constant_Nm_A);
-  gold.max_motor_speed_rpm = rounded(actuator.speed_limit_rad_s * actuator.gear_ratio * 60.0 / kTwoPi);
+  gold.max_motor_speed_rpm = rounded(actuator.speed_limit_rad_s * actuator.gear_ratio * 60.0 / kTurn_rad);
   gold.supply_mV = rounded(1e3 * setup.truth.supply_V);
   return gold;
 }
@@ -92,7 +92,7 @@ CurrentDemand GoldMake::demand(const DriveMoment& now) noexcept {
     return {};
   }
   const double limit_Nm = std::min(per_mille_to_Nm(object(canopen::kMaxTorque)), setup_.truth.peak_torque_Nm);
-  const double cap_rad_s = object(canopen::kMaxMotorSpeed) * kTwoPi / 60.0 / setup_.actuator.gear_ratio;
+  const double cap_rad_s = object(canopen::kMaxMotorSpeed) * kTurn_rad / 60.0 / setup_.actuator.gear_ratio;
   const double desired_Nm = desired_torque_Nm(now);
   const double torque_Nm = limit_torque(desired_Nm, limit_Nm, now.velocity_rad_s, cap_rad_s);
   show(kTorqueDemand, clamp_i16(torque_Nm / std::max(per_mille_to_Nm(1.0), 1e-9)));

@@ -1,20 +1,13 @@
 #include <gtest/gtest.h>
 
-#include <random>
-
+#include "runtime/own_port.h"
 #include "tools/doctor/loopback_probe_shell.h"
 
 namespace sprung::doctor {
 namespace {
 
-int random_port() {
-  std::random_device device;
-  return 20000 + static_cast<int>(device() % 40000);
-}
-
 TEST(LoopbackProbe, MessagesComeBack) {
-  const auto facts =
-      probe_loopback("udpm://239.255.76.67:7667?ttl=0&recv_buf_size=4194304", random_port(), 50);
+  const auto facts = probe_loopback("udpm://239.255.76.67:7667?ttl=0&recv_buf_size=4194304", own_port(), 50);
   EXPECT_EQ(facts.error, "");
   EXPECT_EQ(facts.sent, 50);
   EXPECT_EQ(facts.received, 50);

@@ -1,11 +1,11 @@
 #include <arpa/inet.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 
+#include "tests/support/own_folder.h"
 #include "tools/doctor/machine_reader_shell.h"
 
 namespace sprung::doctor {
@@ -18,9 +18,7 @@ using testing::IsEmpty;
 /// A machine that is files alone.
 class FakeMachine : public testing::Test {
  protected:
-  void SetUp() override {
-    root_ = fs::temp_directory_path() / ("sprung_machine_" + std::to_string(getpid()));
-  }
+  void SetUp() override { root_ = test::temp_dir() + "sprung_machine"; }
   void TearDown() override { fs::remove_all(root_); }
   void file(const std::string& path, const std::string& text) const {
     fs::create_directories((root_ / path).parent_path());

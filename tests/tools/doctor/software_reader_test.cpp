@@ -1,12 +1,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
+#include "tests/support/own_folder.h"
 #include "tools/doctor/robot_checks.h"
 #include "tools/doctor/software_reader_shell.h"
 
@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 class SoftwareReader : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("sprung_software_" + std::to_string(getpid()));
+    folder_ = test::temp_dir() + "sprung_software";
     fs::create_directories(folder_);
     setenv("SPRUNG_RUN_DIR", folder_.c_str(), 1);
     program("sprung-good", "echo sprung-good 0.1.0 '(abc)'");

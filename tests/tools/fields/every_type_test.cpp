@@ -10,6 +10,7 @@
 #include "every_message_class.h"
 #include "random_message.h"
 #include "tests/signals/message_bytes.h"
+#include "tests/support/paths.h"
 #include "tools/fields/decoder.h"
 #include "tools/fields/lcm_text.h"
 
@@ -52,7 +53,7 @@ TEST(EveryType, IsThereAndHasTheFingerprintOfItsClass) {
 TEST(EveryType, OfEveryFileInTheFolderIsBuiltIn) {
   std::set<std::string> in_folder, built_in;
   for (const auto& entry :
-       std::filesystem::directory_iterator(std::string(SPRUNG_SOURCE_DIR) + "/lcmtypes")) {
+       std::filesystem::directory_iterator(test::source_dir() + "/lcmtypes")) {
     if (entry.path().extension() != ".lcm") continue;
     std::ifstream file(entry.path());
     const std::string text((std::istreambuf_iterator<char>(file)), {});

@@ -10,6 +10,7 @@
 #include <memory>
 #include <sstream>
 
+#include "tests/support/own_folder.h"
 #include "tests/tools/help/sample_command.h"
 
 namespace sprung {
@@ -26,7 +27,7 @@ using testing::UnorderedElementsAre;
 class Completion : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() / ("sprung_completion_" + std::to_string(getpid()));
+    folder_ = test::temp_dir() + "sprung_completion";
     std::filesystem::create_directories(folder_);
     std::ofstream(folder_ / "script") << bash_completion(test::SampleCommand().line.info(), {"cat", "dog"});
   }

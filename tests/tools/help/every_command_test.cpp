@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/paths.h"
+
 namespace sprung {
 namespace {
 
@@ -15,7 +17,7 @@ using Json = nlohmann::json;
 using testing::HasSubstr;
 
 std::string output_of(const std::string& arguments) {
-  const std::string command = "(" SPRUNG_BIN_DIR "/sprung " + arguments + ") 2>&1";
+  const std::string command = "(" + test::bin_dir() + "/sprung " + arguments + ") 2>&1";
   const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
   std::string text;
   char part[4096];

@@ -1,3 +1,4 @@
+#include "tests/support/paths.h"
 #include "tools/help/man_page.h"
 
 #include <gmock/gmock.h>
@@ -11,6 +12,7 @@
 #include <memory>
 #include <string>
 
+#include "tests/support/own_folder.h"
 #include "tests/tools/help/sample_command.h"
 
 namespace sprung {
@@ -52,7 +54,7 @@ class Groff : public testing::Test {
 };
 
 TEST_F(Groff, TakesTheSampleWithoutAWarning) {
-  const auto file = std::filesystem::temp_directory_path() / ("sprung_man_" + std::to_string(getpid()));
+  const std::filesystem::path file = test::temp_dir() + "sprung_man";
   std::ofstream(file) << man_page(test::SampleCommand().line.info(), "1.0");
   EXPECT_EQ(output_of("groff -man -Tascii -ww -z " + file.string()), "");
   EXPECT_THAT(output_of("groff -man -Tascii -P-c " + file.string()),
@@ -61,8 +63,8 @@ TEST_F(Groff, TakesTheSampleWithoutAWarning) {
 }
 
 TEST_F(Groff, TakesTheWholeManualWithoutAWarning) {
-  EXPECT_GT(output_of(SPRUNG_BIN_DIR "/sprung man").size(), 20'000u);
-  EXPECT_EQ(output_of(SPRUNG_BIN_DIR "/sprung man | groff -man -Tascii -ww -z"), "");
+  EXPECT_GT(output_of(test::bin_dir() + "/sprung man").size(), 20'000u);
+  EXPECT_EQ(output_of(test::bin_dir() + "/sprung man | groff -man -Tascii -ww -z"), "");
 }
 
 }  // namespace

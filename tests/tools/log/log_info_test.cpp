@@ -3,8 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "robot_sample.h"
 #include "tools/log/info_text.h"
@@ -155,11 +157,36 @@ TEST_F(LogInfoTest, AnEmptyLogIsNoMistake) {
   EXPECT_FALSE(nlohmann::json::parse(info_json(found)).is_null());
 }
 
-TEST_F(LogInfoTest, ExtentAndRobotLeaveTheReaderAtItsBegin) {
+/// The recorder has the file open, and has handed over half an event.
+TEST_F(LogInfoTest, ALogThatIsStillBeingWrittenIsNotDamagedAndItsRecorderWasNotKilled) {
+  std::vector<Kept> events = robot_events(50);
+  events.pop_back();
+  std::optional<Writer> recorder(path_);
+  for (const Kept& event : events)
+    recorder->write(event.time_us, event.channel, event.data.data(), event.data.size());
+  recorder->flush();
+  const std::string bytes = bytes_of(path_);
+  std::filesystem::resize_file(path_, bytes.size() - 10);
+  {
+    Reader reader(path_);
+    const LogInfo found = collect_info(reader);
+    EXPECT_EQ(found.damages, 0u);
+    EXPECT_EQ(found.skipped_bytes, 0u);
+    EXPECT_THAT(info_text(found), HasSubstr("still being written"));
+    EXPECT_THAT(info_text(found), Not(HasSubstr("killed")));
+    EXPECT_TRUE(nlohmann::json::parse(info_json(found)).at("being_written").get<bool>());
+  }
+  recorder.reset();  // as the kernel does for one that was killed
+  Reader reader(path_);
+  const LogInfo found = collect_info(reader);
+  EXPECT_EQ(found.damages, 1u);
+  EXPECT_THAT(info_text(found), HasSubstr("the recorder was killed"));
+}
+
+TEST_F(LogInfoTest, ExtentAndMetadataLeaveTheReaderAtItsBegin) {
   write_all(path_, robot_events(100));
   Reader reader(path_);
   EXPECT_NEAR(extent_of(reader).end_s, 0.2, 1e-9);
-  EXPECT_EQ(robot_of(reader), "no_such_robot");
   EXPECT_EQ(find_metadata(reader)->preset, "best");
   EXPECT_EQ(read_all(reader), robot_events(100));
 }

@@ -1,6 +1,8 @@
 #pragma once
 /// Events as a robot's recorder would write them: a joint state, a motion state and now and then a safety state in each cycle.
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <vector>
@@ -12,6 +14,7 @@
 #include "sprung_msgs/log_metadata_t.hpp"
 #include "sprung_msgs/motion_state_t.hpp"
 #include "sprung_msgs/safety_state_t.hpp"
+#include "tests/support/paths.h"
 
 namespace sprung::log {
 
@@ -73,19 +76,32 @@ inline Kept safety_event(std::int64_t cycle, const std::string& level, const std
   return kept(channels::kSafetyState, cycle, encoded(message));
 }
 
-inline Kept metadata_event() {
+inline constexpr const char* kSampleYaml = "name: no_such_robot\n";
+
+/// The text of a shipped robot's file, with one word for another wherever it stands.
+inline std::string robot_yaml(const std::string& robot, const std::string& from = "",
+                              const std::string& to = "") {
+  std::ifstream in(test::source_dir() + "/robots/" + robot + "/robot.yaml");
+  std::string text{std::istreambuf_iterator<char>(in), {}};
+  for (std::size_t at = 0; !from.empty() && (at = text.find(from, at)) != std::string::npos; at += to.size())
+    text.replace(at, from.size(), to);
+  return text;
+}
+
+inline Kept metadata_event(const std::string& yaml = kSampleYaml, const std::string& clock = "realtime") {
   auto message = stamped<sprung_msgs::log_metadata_t>(-1);
   message.robot = "no_such_robot";
   message.preset = "best";
-  message.clock = "realtime";
+  message.clock = clock;
   message.command_line = "sprung up no_such_robot";
-  message.robot_yaml = "name: no_such_robot\n";
+  message.robot_yaml = yaml;
   return {0, kSampleBegin_us - 1'000'000, channels::kLogMetadata, encoded(message)};
 }
 
-inline Kept end_event(std::int64_t cycle, std::int64_t events) {
+inline Kept end_event(std::int64_t cycle, std::int64_t events, std::int64_t missing = 0) {
   auto message = stamped<sprung_msgs::log_end_t>(cycle);
   message.events = events;
+  message.missing = missing;
   return kept(channels::kLogEnd, cycle, encoded(message));
 }
 

@@ -3,9 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <limits>
+#include <optional>
 
 #include "robot_sample.h"
+#include "sprung_msgs/process_status_t.hpp"
 #include "tools/log/big_endian.h"
 
 namespace sprung::log {
@@ -39,8 +42,75 @@ TEST_F(LogVerify, AWholeLogIsGood) {
   EXPECT_THAT(text_, HasSubstr("robot.lcm: good, 203 events"));
 }
 
+/// As its recorder wrote it: with these events not there, and said so at the end.
+std::vector<Kept> without(std::vector<Kept> events, std::ptrdiff_t first, std::ptrdiff_t last,
+                          std::int64_t missing) {
+  events.erase(events.begin() + first, events.begin() + last);
+  events.back() = end_event(100, static_cast<std::int64_t>(events.size()) - 1, missing);
+  for (std::size_t i = 0; i < events.size(); ++i) events[i].number = static_cast<std::int64_t>(i);
+  return events;
+}
+
+/// A process that is late leaves its cycle out, and a hop may be lost: what a busy machine does in every minute.
+TEST_F(LogVerify, ALogOfRealTimeWithLateOrLostHopsIsGoodAndTheyAreListed) {
+  const VerifyResult result = check(without(robot_events(100), 20, 26, 6));
+  EXPECT_TRUE(result.good()) << text_;
+  EXPECT_EQ(result.counts.at(Kind::kLate), 2);
+  EXPECT_EQ(result.late, 6);
+  EXPECT_THAT(text_, HasSubstr("note   JOINT_STATE misses 3 cycles before cycle 12, at 0.024 s"));
+  EXPECT_THAT(text_, HasSubstr("robot.lcm: good, "));
+  EXPECT_THAT(text_, HasSubstr("6 cycles came too late or were lost on the way"));
+}
+
+TEST_F(LogVerify, ACycleThatCameOutOfItsOrderIsNotMissing) {
+  std::vector<Kept> events = robot_events(100);
+  std::swap(events[20].data, events[22].data);
+  std::swap(events[20].channel, events[22].channel);
+  const VerifyResult result = check(events);
+  EXPECT_TRUE(result.good()) << text_;
+  EXPECT_EQ(result.late, 0);
+}
+
+TEST_F(LogVerify, CyclesThatTheRecorderHadAndThatAreNotThereAreDamage) {
+  const VerifyResult result = check(without(robot_events(100), 20, 26, 2));
+  EXPECT_FALSE(result.good());
+  EXPECT_THAT(text_, HasSubstr("6 cycles are not there, and LOG_END says that the recorder missed 2"));
+}
+
+TEST_F(LogVerify, InLockStepNothingIsLateSoAMissingCycleIsWrong) {
+  std::vector<Kept> events = without(robot_events(100), 20, 26, 6);
+  events[0].data = metadata_event(kSampleYaml, "lockstep").data;
+  EXPECT_FALSE(check(events).good());
+  EXPECT_THAT(text_, HasSubstr("WRONG  JOINT_STATE misses 3 cycles"));
+}
+
+TEST_F(LogVerify, LcmLoggersLogIsOfRealTimeWhereItsProcessesSaySo) {
+  auto status = stamped<sprung_msgs::process_status_t>(0);
+  status.clock = "realtime";
+  std::vector<Kept> events{joint_event(0), joint_event(5),
+                           kept(channels::kProcessStatus, 5, encoded(status))};
+  EXPECT_TRUE(check(events).good()) << text_;
+  events.pop_back();
+  EXPECT_FALSE(check(events).good());
+}
+
+TEST_F(LogVerify, WhatIsStillBeingWrittenEndsInsideAnEventWithoutDamage) {
+  std::vector<Kept> events = robot_events(50);
+  events.pop_back();
+  std::optional<Writer> recorder(path_);
+  for (const Kept& event : events)
+    recorder->write(event.time_us, event.channel, event.data.data(), event.data.size());
+  recorder->flush();
+  std::filesystem::resize_file(path_, bytes_of(path_).size() - 10);
+  EXPECT_TRUE(check().good()) << text_;
+  EXPECT_THAT(text_, HasSubstr("still being written"));
+  recorder.reset();
+  EXPECT_FALSE(check().good());
+}
+
 TEST_F(LogVerify, MissingCyclesAreNamedWithChannelAndTime) {
   std::vector<Kept> events = robot_events(100);
+  events[0].data = metadata_event(kSampleYaml, "inprocess").data;
   events.erase(events.begin() + 20, events.begin() + 26);
   const VerifyResult result = check(events);
   EXPECT_FALSE(result.good());

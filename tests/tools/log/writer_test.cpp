@@ -1,7 +1,11 @@
 #include "tools/log/writer.h"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <chrono>
+#include <csignal>
 #include <lcm/lcm-cpp.hpp>
 
 #include "log_sample.h"
@@ -14,6 +18,29 @@ class LogWriter : public testing::Test {
   LogFolder folder_;
   std::string path_ = folder_("log.lcm");
 };
+
+TEST_F(LogWriter, AFileIsBeingWrittenUntilItsWriterHasClosedItOrDied) {
+  EXPECT_FALSE(is_being_written(path_));
+  const pid_t child = fork();
+  if (child == 0) {
+    Writer writer(path_);
+    writer.write(1, "A", "x", 1);
+    writer.flush();
+    pause();
+    _exit(1);
+  }
+  const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+  while (!is_being_written(path_) && std::chrono::steady_clock::now() < until) usleep(1000);
+  EXPECT_TRUE(is_being_written(path_));
+  EXPECT_TRUE(is_being_written(path_)) << "looking at it must not take the lock away";
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
+  EXPECT_FALSE(is_being_written(path_));
+  Writer own(path_);
+  EXPECT_TRUE(is_being_written(path_));
+  own.close();
+  EXPECT_FALSE(is_being_written(path_));
+}
 
 TEST_F(LogWriter, WritesTheBytesThatLcmWrites) {
   const std::vector<Kept> events = sample_events(300);

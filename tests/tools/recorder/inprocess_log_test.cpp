@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <csignal>
 #include <filesystem>
@@ -12,6 +11,7 @@
 
 #include "robots/robot_loader.h"
 #include "runtime/log.h"
+#include "tests/support/own_folder.h"
 #include "tools/experiments/scripted_run.h"
 #include "tools/log/reader.h"
 
@@ -24,7 +24,7 @@ constexpr std::int64_t kCycles = 100;
 
 class InProcessLogTest : public testing::Test {
  protected:
-  InProcessLogTest() : folder_(fs::path(testing::TempDir()) / ("inprocess-log-" + std::to_string(getpid()))) {
+  InProcessLogTest() : folder_(test::temp_dir() + "inprocess-log") {
     fs::remove_all(folder_);
     InProcessRobot::observe_all_by(logs_into(folder_.string(), "test"));
   }

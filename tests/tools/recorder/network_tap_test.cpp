@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstring>
+#include <thread>
 
 #include "tests/runtime/lcm_network.h"
 
@@ -17,22 +18,30 @@ class NetworkTapTest : public testing::Test {
   void send(const char* channel, std::int32_t value) {
     ASSERT_EQ(lcm_publish(sender_.get(), channel, &value, sizeof value), 0);
   }
+  /// Whether so many have come; while nobody takes any, the queue's longest is all of them.
+  bool have_come(std::size_t messages) const {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    while (queue_.longest() < messages && std::chrono::steady_clock::now() < end)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return queue_.longest() >= messages;
+  }
   const std::string url_ = test::own_lcm_url();
   Lcm sender_{lcm_create(url_.c_str()), lcm_destroy};
   MessageQueue queue_;
   MessageQueue::Batch batch_;
 };
 
-/// More than LCM's queue of 30 by far, and nobody takes them until the end.
+/// More than LCM's queue of 30 by far, and nobody takes them until the end. The kernel's buffer is finite (200 kB by default): no more are
+/// on their way at once than it holds.
 TEST_F(NetworkTapTest, TakesEveryMessageWhateverTheWriterDoes) {
   constexpr std::int32_t kMessages = 5000;
   NetworkTap tap(url_, ".*", queue_);
   for (std::int32_t i = 0; i < kMessages; ++i) {
     send(i % 2 == 0 ? "EVEN" : "ODD", i);
-    if (i % 100 == 99)
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));  // the kernel's buffer is finite
+    if (i % 100 == 99) {
+      ASSERT_TRUE(have_come(static_cast<std::size_t>(i) + 1)) << i;
+    }
   }
-  std::this_thread::sleep_for(std::chrono::milliseconds(50));
   tap.stop();
   queue_.take(batch_);
   ASSERT_EQ(batch_.size(), static_cast<std::size_t>(kMessages));
@@ -52,7 +61,7 @@ TEST_F(NetworkTapTest, LeavesOutChannelsThatWereNotAskedFor) {
   NetworkTap tap(url_, "JOINT_.*", queue_);
   send("DRIVE_STATE", 1);
   send("JOINT_STATE", 2);
-  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  EXPECT_TRUE(have_come(1));
   tap.stop();
   queue_.take(batch_);
   EXPECT_EQ(batch_.size(), 1u);

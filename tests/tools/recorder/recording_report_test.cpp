@@ -7,6 +7,7 @@
 
 #include "lcmtypes/channels.h"
 #include "sprung_msgs/imu_t.hpp"
+#include "tests/support/own_folder.h"
 
 namespace sprung {
 namespace {
@@ -24,7 +25,7 @@ class RecordingReport : public testing::Test {
     recording_.add(0, channel, bytes.data(), bytes.size());
   }
 
-  const std::string path_ = testing::TempDir() + "recording_report_test.lcm";
+  const std::string path_ = test::temp_dir() + "recording_report_test.lcm";
   Recording recording_{{path_, 0, 0, 0}, {}};
 };
 

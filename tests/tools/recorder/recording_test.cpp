@@ -8,6 +8,7 @@
 #include "lcmtypes/channels.h"
 #include "runtime/receive_guard.h"
 #include "sprung_msgs/imu_t.hpp"
+#include "tests/support/own_folder.h"
 #include "tools/log/reader.h"
 
 namespace sprung {
@@ -19,7 +20,7 @@ constexpr std::int64_t kStart_us = 1'700'000'000'000'000;
 
 class RecordingTest : public testing::Test {
  protected:
-  RecordingTest() : folder_(fs::path(testing::TempDir()) / ("recording-" + test_name())) {
+  RecordingTest() : folder_(fs::path(test::temp_dir()) / ("recording-" + test_name())) {
     fs::remove_all(folder_);
     fs::create_directories(folder_);
     options_.path = (folder_ / "x.lcm").string();

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <lcm/lcm-cpp.hpp>
 #include <thread>
 
 #include "lcmtypes/channels.h"
@@ -44,18 +45,35 @@ class LcmReplayTest : public testing::Test {
     std::vector<std::string> channels;
     std::vector<std::int64_t> seqs;
   };
-  Heard heard() {
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  /// What has come, at least so many messages, and whatever came before an end that is sent after them.
+  Heard heard(std::size_t least) {
+    Heard out;
+    lcm::LCM lcm(url_);
+    bool ended = false;
+    for (const std::int64_t end_us = monotonic_us() + kPatience_us; !ended && monotonic_us() < end_us;) {
+      if (out.seqs.size() >= least) lcm.publish(kEnd, "", 0);
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      ended = take(out);
+    }
+    EXPECT_TRUE(ended) << out.seqs.size() << " of " << least << " messages came";
+    return out;
+  }
+  /// @return whether the end was among it.
+  bool take(Heard& out) {
     MessageQueue::Batch batch;
     queue_.take(batch);
-    Heard out;
+    bool ended = false;
     batch.for_each([&](std::int64_t, std::string_view channel, const std::uint8_t* data, std::size_t) {
+      ended = ended || channel == kEnd;
+      if (channel == kEnd) return;
       out.channels.emplace_back(channel);
       out.seqs.push_back(read_int64(data, kSeqOffset));
     });
-    return out;
+    return ended;
   }
 
+  static constexpr const char* kEnd = "END_OF_TEST";
+  static constexpr std::int64_t kPatience_us = 20'000'000;
   const Folder folder_{"lcm-replay"};
   const std::string url_ = test::own_lcm_url();
   LcmReplayRequest request_;
@@ -69,7 +87,7 @@ TEST_F(LcmReplayTest, SendsEveryMessageInItsOrder) {
   EXPECT_EQ(result.messages, 20);
   EXPECT_EQ(result.failed, 0);
   EXPECT_EQ(result.laps, 1);
-  const Heard heard = this->heard();
+  const Heard heard = this->heard(20);
   ASSERT_EQ(heard.channels.size(), 20u);
   for (std::size_t i = 0; i < 20; ++i) {
     EXPECT_EQ(heard.channels[i], i % 2 == 0 ? "DRIVE_STATE" : "IMU");
@@ -89,7 +107,7 @@ TEST_F(LcmReplayTest, PartOfTheLogAndSomeChannels) {
   request_.duration_s = 0.031;
   request_.channels = {"IM*"};
   EXPECT_EQ(replay_to_lcm(request_).messages, 4);
-  EXPECT_EQ(heard().seqs, (std::vector<std::int64_t>{2, 3, 4, 5}));
+  EXPECT_EQ(heard(4).seqs, (std::vector<std::int64_t>{2, 3, 4, 5}));
 }
 
 TEST_F(LcmReplayTest, ChannelsGetOtherNames) {
@@ -97,7 +115,7 @@ TEST_F(LcmReplayTest, ChannelsGetOtherNames) {
   request_.drop = {"DRIVE_STATE"};
   request_.remaps = {"IMU=IMU_OLD"};
   replay_to_lcm(request_);
-  EXPECT_EQ(heard().channels, std::vector<std::string>(10, "IMU_OLD"));
+  EXPECT_EQ(heard(10).channels, std::vector<std::string>(10, "IMU_OLD"));
 }
 
 TEST_F(LcmReplayTest, StepsCycleByCycleAndEndsWhenToldTo) {
@@ -105,7 +123,7 @@ TEST_F(LcmReplayTest, StepsCycleByCycleAndEndsWhenToldTo) {
   const LcmReplayResult result = replay_to_lcm(request_, [&](double) { return ++steps <= 3; });
   EXPECT_EQ(steps, 4);
   EXPECT_EQ(result.messages, 6);
-  EXPECT_EQ(heard().seqs, (std::vector<std::int64_t>{0, 0, 1, 1, 2, 2}));
+  EXPECT_EQ(heard(6).seqs, (std::vector<std::int64_t>{0, 0, 1, 1, 2, 2}));
 }
 
 TEST_F(LcmReplayTest, StepsByAnotherChannelWhereThatIsNotSent) {
@@ -152,13 +170,16 @@ TEST_F(LcmReplayTest, LoopsUntilAStopIsAskedFor) {
   EXPECT_EQ(result.messages, 50);
 }
 
+/// In the middle of the log, which takes 90 s at this speed.
 TEST_F(LcmReplayTest, StopRequestEndsIt) {
-  request_.loop = true;
-  std::thread stopper([] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(30));
+  request_.speed = 0.001;
+  std::thread stopper([this] {
+    EXPECT_GE(heard(2).seqs.size(), 2u);
     request_stop();
   });
-  EXPECT_LT(replay_to_lcm(request_).messages, 20);
+  const LcmReplayResult result = replay_to_lcm(request_);
+  EXPECT_GE(result.messages, 2);
+  EXPECT_LT(result.messages, 20);
   stopper.join();
   clear_stop_request();
 }

@@ -5,9 +5,14 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "lcmtypes/channels.h"
+#include "tests/support/paths.h"
 #include "tests/tools/replay/logged_run_fixture.h"
 #include "tests/tools/spy/run_command.h"
 #include "tools/launcher/run_file.h"
+#include "tools/log/reader.h"
+#include "tools/log/writer.h"
+#include "tools/recorder/log_messages.h"
 
 namespace sprung {
 namespace {
@@ -33,6 +38,25 @@ class LogCommands : public testing::Test {
   static std::string no_log() {
     const std::string path = *folder_ / "no_log.txt";
     std::ofstream(path) << "time,torque\n1,2\n";
+    return path;
+  }
+  /// The log with the robot.yaml in it changed, or without it where `change` says so.
+  template <class Change>
+  static std::string rewritten(const char* name, Change change) {
+    const std::string path = *folder_ / name;
+    log::Reader reader(log());
+    log::Writer writer(path);
+    for (log::Event event; reader.next(event);) {
+      auto metadata = event.channel == channels::kLogMetadata ? read_log_metadata(event.data, event.size)
+                                                              : std::optional<sprung_msgs::log_metadata_t>();
+      if (!metadata) {
+        writer.write(event);
+      } else if (change(metadata->robot_yaml)) {
+        const std::vector<std::uint8_t> bytes = message_bytes(*metadata);
+        writer.write(event.time_us, event.channel, bytes.data(), bytes.size());
+      }
+    }
+    writer.close();
     return path;
   }
   static void expect(const std::string& arguments, int status, const char* text) {
@@ -82,6 +106,35 @@ TEST_F(LogCommands, WhatHasNothingInItFails) {
   expect("log cut " + log() + " --from 0.05" + out(), 0, "events");
 }
 
+/// Of a robot whose file on disk has other names by now, or was never here.
+TEST_F(LogCommands, JointsHaveTheNamesThatStandInTheLog) {
+  const std::string renamed = rewritten("renamed.lcm", [](std::string& yaml) {
+    for (std::size_t at = 0; (at = yaml.find("knee", at)) != std::string::npos; at += 4)
+      yaml.replace(at, 4, "shin");
+    return true;
+  });
+  const std::string field = " --fields 'JOINT_STATE.joints[shin].gear_output_torque_Nm' ";
+  expect("log csv " + renamed + field + "--names", 0, "JOINT_STATE.joints[shin].gear_output_torque_Nm (Nm)");
+  expect("log plot " + renamed + field + "-o " + (*folder_ / "shin.svg"), 0, "shin.svg");
+  expect("log csv " + renamed + " --fields 'JOINT_STATE.joints[1].gear_torque_Nm'", 1,
+         "did you mean 'JOINT_STATE.joints[shin].gear_output_torque_Nm'");
+  expect("can dump --log " + renamed, 0, "shin");
+  expect("log filter " + renamed + " --channels JOINT_STATE" + out(), 0, "events");
+  expect("log csv " + (*folder_ / "out.lcm") + field, 0, "cycle");
+}
+
+TEST_F(LogCommands, ALogWithoutItsRobotSaysSoAndWhatFollowsFromThat) {
+  const std::string bare = rewritten("bare.lcm", [](std::string&) { return false; });
+  const char* const says = "bare.lcm: no robot.yaml is in it";
+  expect("log info " + bare, 0, says);
+  expect("log csv " + bare + " --fields 'JOINT_STATE.joints[1].status'", 0, says);
+  expect("log csv " + bare + " --fields 'JOINT_STATE.joints[knee].status'", 1,
+         "say joints[0], not joints[knee]");
+  expect("log plot " + bare + " --fields JOINT_STATE.n_joints -o " + (*folder_ / "n.svg"), 0, says);
+  expect("can dump --log " + bare, 0, "buses, nodes and objects have numbers and no names");
+  expect("log diff " + log() + " " + bare, 0, "no LOG_METADATA in the second log");
+}
+
 TEST_F(LogCommands, AFileThatIsNoLogIsNamed) {
   for (const char* command : {"info ", "repair ", "filter --channels X ", "merge "})
     expect("log " + (command + no_log()) + (std::string(command) == "info " ? "" : out()), 1,
@@ -90,7 +143,7 @@ TEST_F(LogCommands, AFileThatIsNoLogIsNamed) {
 
 TEST_F(LogCommands, AnswerThatNobodyCouldReadIsAFailure) {
   const test::CommandEnd end =
-      test::run_command("( " SPRUNG_BIN_DIR "/sprung log info " + log() + " > /dev/full )");
+      test::run_command("( " + test::bin_dir() + "/sprung log info " + log() + " > /dev/full )");
   EXPECT_EQ(end.status, 1);
   EXPECT_THAT(end.output, HasSubstr("standard output"));
 }

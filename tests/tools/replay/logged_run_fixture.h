@@ -8,28 +8,13 @@
 #include <string>
 
 #include "robots/robot_loader.h"
+#include "tests/support/own_folder.h"
 #include "tools/experiments/scripted_run.h"
 #include "tools/recorder/inprocess_log.h"
 
 namespace sprung::test {
 
-/// A folder that is empty at first and goes with the object.
-class Folder {
- public:
-  explicit Folder(const std::string& name)
-      : path_(std::filesystem::path(testing::TempDir()) / (name + "-" + std::to_string(getpid()))) {
-    std::filesystem::remove_all(path_);
-    std::filesystem::create_directories(path_);
-  }
-  ~Folder() { std::filesystem::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
+using Folder = OwnFolder;
 
 /// Logs of every robot that is made in this process as long as it lives.
 class LogsOf {

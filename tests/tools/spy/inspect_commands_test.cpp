@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "tests/support/own_folder.h"
+#include "tests/support/paths.h"
 #include "tests/tools/spy/network_sender.h"
 #include "tests/tools/spy/run_command.h"
 
@@ -104,7 +106,7 @@ TEST_F(InspectCommands, TopicsNeedsTimeToListen) {
 }
 
 TEST_F(InspectCommands, OwnTypesAreReadFromTheirFiles) {
-  const std::string path = testing::TempDir() + "own_" + std::to_string(getpid()) + ".lcm";
+  const std::string path = test::temp_dir() + "own.lcm";
   std::ofstream(path) << "package own; struct thing_t { double length_m; }";
   EXPECT_EQ(run_sprung("topics --for 0.3 --types " + path + here()).status, 0);
   std::ofstream(path) << "package own; struct thing_t { lost_t x; }";
@@ -122,7 +124,7 @@ TEST_F(InspectCommands, SpyWithoutATerminalNamesTheOtherCommands) {
 
 /// Its keys would never come, and it would ask for them without end.
 TEST_F(InspectCommands, SpyWithoutKeysNamesTheOtherCommands) {
-  const std::string spy = SPRUNG_BIN_DIR "/sprung spy --url \"" + test::own_lcm_url() + "\" </dev/null";
+  const std::string spy = test::bin_dir() + "/sprung spy --url \"" + test::own_lcm_url() + "\" </dev/null";
   const auto end = test::run_command("timeout -s KILL 10 script -qec '" + spy + "' /dev/null");
   EXPECT_EQ(end.status, 1) << end.output;
   EXPECT_THAT(end.output, HasSubstr("sprung watch"));

@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <string>
 
+#include "tests/support/paths.h"
+
 namespace sprung::test {
 
 struct CommandEnd {
@@ -27,7 +29,7 @@ inline CommandEnd run_command(const std::string& command) {
 
 /// `sprung ARGUMENTS` of this build.
 inline CommandEnd run_sprung(const std::string& arguments) {
-  return run_command(std::string(SPRUNG_BIN_DIR) + "/sprung " + arguments);
+  return run_command(test::bin_dir() + "/sprung " + arguments);
 }
 
 }  // namespace sprung::test

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <filesystem>
 
+#include "tests/support/paths.h"
 #include "tests/tools/spy/network_sender.h"
 #include "tests/tools/spy/run_command.h"
 #include "tools/launcher/child_process.h"
@@ -41,7 +42,7 @@ class VirtualScreen {
 class SpyGui : public testing::Test {
  protected:
   void SetUp() override {
-    if (!std::filesystem::exists(std::string(SPRUNG_BIN_DIR) + "/sprung_lcm_spy.jar") || !has("java"))
+    if (!std::filesystem::exists(test::bin_dir() + "/sprung_lcm_spy.jar") || !has("java"))
       GTEST_SKIP() << "no Java, or no lcm.jar when this was built: apt-get install default-jdk liblcm-java "
                       "libjchart2d-java";
   }
@@ -66,7 +67,7 @@ TEST_F(SpyGui, ShowsTorquesAndPhases) {
   VirtualScreen screen;
   const std::string display = screen.name();
   setenv("DISPLAY", display.c_str(), 1);
-  ChildProcess gui(std::string(SPRUNG_BIN_DIR) + "/sprung",
+  ChildProcess gui(test::bin_dir() + "/sprung",
                    {"spy", "JOINT_STATE", "--gui", "--url", sender_.url()});
   // Colours of MotionPanel.java: the lines of both joints, and the strip in crouch and thrust.
   const std::vector<std::uint32_t> wanted{0x1B6CA8, 0xD1495B, 0xFDBF6F, 0xE31A1C};
@@ -92,7 +93,7 @@ TEST_F(SpyGui, WithoutADisplaySaysSo) {
 }
 
 TEST_F(SpyGui, WithoutItsLibrariesSaysWhatToInstall) {
-  const auto end = test::run_command("SPRUNG_JAVA_LIBRARIES=/nowhere " + std::string(SPRUNG_BIN_DIR) +
+  const auto end = test::run_command("SPRUNG_JAVA_LIBRARIES=/nowhere " + test::bin_dir() +
                                      "/sprung spy --gui");
   EXPECT_EQ(end.status, 1);
   EXPECT_THAT(end.output, HasSubstr("liblcm-java"));

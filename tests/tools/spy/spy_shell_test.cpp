@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/paths.h"
 #include "tests/tools/spy/network_sender.h"
 #include "tests/tools/spy/pseudo_terminal.h"
 
@@ -11,7 +12,7 @@ namespace {
 class SpyTerminalTest : public testing::Test {
  protected:
   std::vector<std::string> spy(const std::vector<std::string>& more = {}) const {
-    std::vector<std::string> command{std::string(SPRUNG_BIN_DIR) + "/sprung", "spy", "--url", sender_.url()};
+    std::vector<std::string> command{test::bin_dir() + "/sprung", "spy", "--url", sender_.url()};
     command.insert(command.end(), more.begin(), more.end());
     return command;
   }

@@ -3,17 +3,21 @@
 #include "robots/robot_loader.h"
 #include "tools/commands/can/can_commands.h"
 #include "tools/commands/commands.h"
+#include "tools/log/robot_names.h"
 
 namespace sprung::commands {
 
 namespace {
 
-/// "" where there is none.
-std::string robot_name(const BusRequest& where, const std::string& log) {
-  if (!where.robot.empty()) return where.robot;
-  if (!log.empty()) return is_lcm_log(log) ? log_origin(log).robot : "";
-  const std::optional<RunInfo> info = read_run_file(where.instance);
-  return info ? info->robot_folder : "";
+std::optional<RobotConfig> robot_of_log(const std::string& path) {
+  if (!is_lcm_log(path)) return std::nullopt;
+  log::Reader reader(path);
+  log::LoggedRobot logged = log::robot_in_log(reader);
+  if (!logged.robot)
+    std::fprintf(stderr,
+                 "%s: %s; buses, nodes and objects have numbers and no names: add the robot, or its folder\n",
+                 path.c_str(), logged.missing.c_str());
+  return std::move(logged.robot);
 }
 
 }  // namespace
@@ -28,15 +32,11 @@ BusNames names_of(const std::optional<RobotConfig>& robot) {
 }
 
 std::optional<RobotConfig> robot_of(const BusRequest& where, const std::string& log) {
-  const std::string name = robot_name(where, log);
-  if (name.empty()) return std::nullopt;
-  try {
-    return load_robot(name);
-  } catch (const ConfigError& error) {
-    if (log.empty() || !where.robot.empty()) throw;
-    std::fprintf(stderr, "no names of nodes and objects: %s\n", error.what());
-    return std::nullopt;
-  }
+  if (!where.robot.empty()) return load_robot(where.robot);
+  if (!log.empty()) return robot_of_log(log);
+  const std::optional<RunInfo> info = read_run_file(where.instance);
+  if (!info) return std::nullopt;
+  return load_robot(info->robot_folder);
 }
 
 int chosen_bus(const BusRequest& where, const std::optional<RobotConfig>& robot, const FrameSource& source) {

@@ -23,17 +23,17 @@ struct ExportRequest {
 };
 
 /// Writes to a file or to standard output, and complains when the disk is full.
-class Output {
+class ExportFile {
  public:
-  explicit Output(const std::string& path)
+  explicit ExportFile(const std::string& path)
       : path_(path), file_(path == "-" ? stdout : std::fopen(path.c_str(), "wb")) {
     if (file_ == nullptr) throw std::runtime_error("cannot write " + path + ": does its folder exist?");
   }
-  ~Output() {
+  ~ExportFile() {
     if (file_ != nullptr && file_ != stdout) std::fclose(file_);
   }
-  Output(const Output&) = delete;
-  Output& operator=(const Output&) = delete;
+  ExportFile(const ExportFile&) = delete;
+  ExportFile& operator=(const ExportFile&) = delete;
 
   void write(const std::string& bytes) { std::fwrite(bytes.data(), 1, bytes.size(), file_); }
   void finish() {
@@ -49,7 +49,7 @@ class Output {
 /// Interfaces are announced when they are first needed: a log's buses are known only when it was read.
 class PcapngWriter {
  public:
-  explicit PcapngWriter(Output& out) : out_(out) {
+  explicit PcapngWriter(ExportFile& out) : out_(out) {
     out_.write(cantools::pcapng_section("sprung can export"));
   }
   void write(const ObservedFrame& frame, const FrameSource& source) {
@@ -59,17 +59,17 @@ class PcapngWriter {
   }
 
  private:
-  Output& out_;
+  ExportFile& out_;
   std::size_t announced_ = 0;
 };
 
-void write_candump(Output& out, const ObservedFrame& frame, const FrameSource& source) {
+void write_candump(ExportFile& out, const ObservedFrame& frame, const FrameSource& source) {
   const std::string& bus = source.buses()[static_cast<std::size_t>(frame.bus)];
   out.write(cantools::candump_line(frame, bus, frame.time_us + source.utc_offset_us()) + "\n");
 }
 
 /// @param bus -1 = all. @return how many frames.
-std::int64_t write_all(FrameSource& source, int bus, bool pcap, Output& out) {
+std::int64_t write_all(FrameSource& source, int bus, bool pcap, ExportFile& out) {
   std::optional<PcapngWriter> writer;
   if (pcap) writer.emplace(out);
   std::int64_t frames = 0;
@@ -95,7 +95,7 @@ int run_export(const ExportRequest& request) {
   const BusNames names = names_of(robot);
   const auto source = open_file_source(request.log, names.description.buses, names.interfaces);
   const int bus = chosen_bus(request.where, robot, *source);
-  Output out(request.out);
+  ExportFile out(request.out);
   const std::int64_t frames = write_all(*source, bus, pcap, out);
   tell_losses(*source);
   if (frames == 0) {

@@ -1,8 +1,10 @@
 #include <poll.h>
 
+#include <cstdio>
 #include <fstream>
 #include <iterator>
 
+#include "robots/robot_loader.h"
 #include "runtime/node.h"
 #include "runtime/stop_request.h"
 #include "tools/commands/inspect/inspect_commands.h"
@@ -34,6 +36,18 @@ std::unique_ptr<fields::TypeTable> types_with(const std::vector<std::string>& pa
   return types;
 }
 
+/// What can be watched can be watched without names too, also where somebody is editing the robot's file.
+std::vector<fields::ListNames> names_or_told(const std::string& folder) {
+  try {
+    return log::names_of_robot(load_robot(folder)).lists;
+  } catch (const ConfigError& error) {
+    std::fprintf(
+        stderr, "%s\njoints, legs and actuators have numbers and no names: say joints[0], not joints[knee]\n",
+        error.what());
+    return {};
+  }
+}
+
 }  // namespace
 
 void add_inspect_options(CommandLine& command, InspectRequest& request) {
@@ -51,7 +65,7 @@ InspectSource inspect_source(const InspectRequest& request) {
     const auto run = wanted ? require_running(request.instance, "") : read_run_file(request.instance);
     source.url = run ? run->lcm_url : kDefaultLcmUrl;
     source.title = run ? run->robot : "no robot is up";
-    if (run) source.names = log::names_of_robot(run->robot_folder).lists;
+    if (run) source.names = names_or_told(run->robot_folder);
   }
   source.title += (source.title.empty() ? "" : ", ") + source.url;
   return source;

@@ -5,7 +5,6 @@
 #include "tools/commands/log/log_commands.h"
 #include "tools/commands/log/output_file.h"
 #include "tools/log/csv_export.h"
-#include "tools/log/robot_names.h"
 
 namespace sprung::commands {
 
@@ -23,8 +22,8 @@ int run_csv(const CsvRequest& request) {
   const log::TimeSpan span = or_wrong_use([&] { return log::parse_span(request.from, request.to); });
   log::Reader reader(request.log);
   or_wrong_use([&] { log::refuse_same_file({request.log}, request.out); });
-  log::FieldSelection selection = or_wrong_use(
-      [&] { return log::FieldSelection(request.fields, log::names_of_robot(log::robot_of(reader)).lists); });
+  log::FieldSelection selection =
+      or_wrong_use([&] { return log::FieldSelection(request.fields, names_or_told(reader).lists); });
   OutputFile out(request.out);
   const auto write = [&out](std::string_view text) { out.write(text); };
   const log::CsvResult result =

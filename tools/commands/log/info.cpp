@@ -3,7 +3,6 @@
 
 #include "tools/commands/log/log_commands.h"
 #include "tools/log/info_text.h"
-#include "tools/log/robot_names.h"
 
 namespace sprung::commands {
 
@@ -20,7 +19,7 @@ int run_info(const InfoRequest& request) {
   int status = kExitDone;
   for (const std::string& path : request.logs) {
     log::Reader reader(path);
-    const std::vector<std::string> legs = log::names_of_robot(log::robot_of(reader)).legs;
+    const std::vector<std::string> legs = names_or_told(reader).legs;
     const log::LogInfo info = log::collect_info(reader, legs, progress_line("info"));
     const std::string text =
         request.as_json ? log::info_json(info) + "\n" : log::info_text(info, {request.every_incident});

@@ -45,6 +45,12 @@ int tell_rewrite(const std::string& log, const std::string& out, const log::Rewr
   return kExitDone;
 }
 
+log::RobotNames names_or_told(log::Reader& reader) {
+  log::RobotNames names = log::names_in_log(reader);
+  if (!names.missing.empty()) std::fprintf(stderr, "%s\n", names.missing.c_str());
+  return names;
+}
+
 void tell_unmatched(const std::string& log, const std::vector<std::string>& fields) {
   for (const std::string& field : fields)
     std::fprintf(stderr, "%s\n", log::no_field_text(log, field).c_str());

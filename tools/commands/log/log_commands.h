@@ -6,6 +6,7 @@
 
 #include "runtime/command_line.h"
 #include "tools/log/rewrite.h"
+#include "tools/log/robot_names.h"
 
 namespace sprung::commands {
 
@@ -34,6 +35,9 @@ auto or_wrong_use(Work&& work) {
 
 /// Shows how far a log is, on a terminal. Hand it over as a temporary: with its end the line is wiped, and results can be printed.
 log::Progress progress_line(const std::string& label);
+
+/// Names of the log's joints, legs and actuators. Where there are none, says so on standard error, and what follows from that.
+log::RobotNames names_or_told(log::Reader& reader);
 
 /// Names fields that were asked for and are not in the log, on standard error.
 void tell_unmatched(const std::string& log, const std::vector<std::string>& fields);

@@ -52,6 +52,7 @@ int run_plot(PlotLine line) {
   line.plot.span = or_wrong_use([&] { return log::parse_span(line.from, line.to); });
   if (line.plot.phases == "none") line.plot.phases.clear();
   log::Reader reader(line.log);
+  line.plot.names = names_or_told(reader).lists;
   const log::LogPlot plot =
       or_wrong_use([&] { return log::collect_plot(reader, line.plot, progress_line("plot")); });
   tell_unmatched(line.log, plot.unmatched);
