@@ -80,10 +80,10 @@ choose_ccache_folder() {
 
 # The sentence of the first CMake error, without the stack that follows.
 first_configure_error() {
-  awk '/^CMake Error/ { on = 1 } /^Call Stack/ || (on && /^$/ && lines > 1) { exit } on && !/^$/ && lines++ < 8' "$1" | cut -c -300 >&2
+  awk '/^CMake Error/ { on = 1 } /^Call Stack/ || (on && /^$/ && lines > 1) { exit } on && !/^$/ && lines++ < 8' "$1" 2>/dev/null | cut -c -300 >&2
 }
 configure_once() { # PRESET
-  : >"$configure_log" && run_job "$configure_log" cmake --preset "$1"
+  : 2>/dev/null >"$configure_log" && run_job "$configure_log" cmake --preset "$1"
 }
 # What CMake keeps of an earlier configuration, put aside or back.
 move_cache() { # FROM TO
@@ -118,7 +118,7 @@ first_build_error() {
     /^FAILED: / { if (failed) exit; failed = 1; print; getline; next }
     /^\[[0-9]+\/[0-9]+\]/ || /^ninja: / { if (failed) exit; next }
     failed { text[++count] = $0; if (!first && /error|undefined reference|No space|not found|cannot|[Kk]illed/) first = count }
-    END { if (!first) first = 1; for (i = first; i <= count && i < first + 4; ++i) print text[i] }' "$1" | cut -c -300 >&2
+    END { if (!first) first = 1; for (i = first; i <= count && i < first + 4; ++i) print text[i] }' "$1" 2>/dev/null | cut -c -300 >&2
 }
 
 # Progress: on a terminal one line that changes, elsewhere a line at each quarter.
@@ -142,7 +142,7 @@ build() {
   build_started=$SECONDS
   quarter=0
   echo "$name: building $what"
-  : >"$build_log"
+  : 2>/dev/null >"$build_log" || { disk_note; fail "cannot write $PWD/$build_log"; }
   NINJA_STATUS='[%f/%t] ' start_job "$build_log" cmake --build "$@"
   while kill -0 "$job" 2>/dev/null; do
     step=$(last_step)

@@ -20,6 +20,8 @@ using JointMatrix =
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMaxLegJoints, kMaxLegJoints>;
 
 double smallest_eigenvalue(const JointMatrix& symmetric) noexcept {
+  if (symmetric.rows() < 1)  // none; g++ 14 takes it that the solver would read what nobody has written
+    return 0.0;
   const Eigen::SelfAdjointEigenSolver<JointMatrix> solver(symmetric, Eigen::EigenvaluesOnly);
   return std::max(0.0, solver.eigenvalues()[0]);
 }

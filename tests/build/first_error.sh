@@ -14,6 +14,7 @@ add_executable(part part.cpp other.cpp)
 target_compile_options(part PRIVATE -Wall -Werror)
 add_dependencies(programs part)
 if(BUILD_TESTING)
+  add_executable(part_test part.cpp other.cpp)
   add_test(NAME fails COMMAND false)
 endif()
 EOT
@@ -37,6 +38,13 @@ expect() {
 good
 expect 0 15 run-demo "setup: every package is there" "built in" "$ sprung up single_leg" "   1    186.0" "log of all messages: $work/robot.lcm" "report of the jumps: logs/demo-"
 expect 8 40 run-tests "running every test" "fails"
+# The two take turns in one folder: what the one has built the other leaves there.
+tests_built_at() { stat -c %y build/release/part_test build/release/CMakeFiles/part_test.dir/*.o; }
+before=$(tests_built_at)
+expect 0 15 run-demo "   1    186.0"
+said=$(ctest --preset release 2>&1) && { echo "ctest runs what an earlier build has left"; exit 1; }
+expect 8 40 run-tests "fails"
+[ "$(tests_built_at)" = "$before" ] || { echo "run-demo costs run-tests what it had built"; exit 1; }
 
 # A warning is an error; its line, the whole in a file.
 echo 'int other() { int unused; return 0; }' >other.cpp
