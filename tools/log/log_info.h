@@ -43,7 +43,8 @@ using Progress = std::function<void(std::uint64_t done, std::uint64_t all)>;
 LogInfo collect_info(Reader& reader, const std::vector<std::string>& leg_names = {},
                      const Progress& progress = {});
 
-/// Of a reader at the end of its file. Of a log that is still being written this is no damage: the rest is on its way.
+/// Of a reader at the end of its file. Of a log that is still being written this is no damage: the rest is on
+/// its way.
 bool ends_inside_an_event(const Reader& reader) noexcept;
 
 struct LogExtent;

@@ -42,7 +42,8 @@ struct MissingCycles {
   std::vector<std::string> first;              ///< what and where, of as many as are shown
 };
 
-/// Sessions whose processes say that nobody waits for them: LOG_METADATA does, and PROCESS_STATUS in other programs' logs.
+/// Sessions whose processes say that nobody waits for them: LOG_METADATA does, and PROCESS_STATUS in other
+/// programs' logs.
 class RealTimeSessions {
  public:
   void add(const Event& event, const Timeline::Moment& moment) {

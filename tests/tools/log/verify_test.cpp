@@ -51,7 +51,8 @@ std::vector<Kept> without(std::vector<Kept> events, std::ptrdiff_t first, std::p
   return events;
 }
 
-/// A process that is late leaves its cycle out, and a hop may be lost: what a busy machine does in every minute.
+/// A process that is late leaves its cycle out, and a hop may be lost: what a busy machine does in every
+/// minute.
 TEST_F(LogVerify, ALogOfRealTimeWithLateOrLostHopsIsGoodAndTheyAreListed) {
   const VerifyResult result = check(without(robot_events(100), 20, 26, 6));
   EXPECT_TRUE(result.good()) << text_;
