@@ -64,8 +64,9 @@ struct WalkExperiment {
   double simulated_s = 0.0;
 };
 
-/// crawl, walk and trot at their usual shares of the fastest speeds in robot.yaml, and as a stretch a faster trot. Pegasus: 0.1, 0.2,
-/// 0.35 and 0.4 m/s. @throws std::invalid_argument where the robot has not these gaits.
+/// crawl, walk and trot at their usual shares of the fastest speeds in robot.yaml, and as a stretch a faster
+/// trot. Pegasus: 0.1, 0.2, 0.35 and 0.4 m/s. @throws std::invalid_argument where the robot has not these
+/// gaits.
 std::vector<GaitCase> gait_cases(const RobotConfig& robot);
 
 /// In gait `walk` at the speed of its case: nine seconds after two of starting.

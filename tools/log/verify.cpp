@@ -41,7 +41,8 @@ struct MissingCycles {
   std::vector<std::string> first;              ///< what and where, of as many as are shown
 };
 
-/// Sessions whose processes say that nobody waits for them: LOG_METADATA does, and PROCESS_STATUS in other programs' logs.
+/// Sessions whose processes say that nobody waits for them: LOG_METADATA does, and PROCESS_STATUS in other
+/// programs' logs.
 class RealTimeSessions {
  public:
   void add(const Event& event, const Timeline::Moment& moment) {
@@ -201,8 +202,9 @@ std::string late_text(const VerifyResult& result) {
   std::string channels;
   for (const auto& [channel, cycles] : result.late)
     channels += (channels.empty() ? "" : ", ") + channel + " " + std::to_string(cycles);
-  return "; in real time " + std::to_string(result.late_cycles()) +
-         " cycles came too late or were lost on the way (" + channels +
+  const std::string cycles = std::to_string(result.late_cycles()) + " cycles ";
+  if (!result.good()) return "; " + cycles + "are not there (" + channels + ")";
+  return "; in real time " + cycles + "came too late or were lost on the way (" + channels +
          "): no damage, a replay goes around them";
 }
 

@@ -1,7 +1,8 @@
 #pragma once
-/// Whether a log is whole: every byte belongs to an event, every event to a numbered row, every message can be decoded, every cycle is
-/// there. In real time a process that comes too late leaves its cycle out, and a hop may be lost: such cycles are listed, and are no
-/// damage as long as the recorder has missed them too. Shell: reads a file.
+/// Whether a log is whole: every byte belongs to an event, every event to a numbered row, every message can
+/// be decoded, every cycle is there. In real time a process that comes too late leaves its cycle out, and a
+/// hop may be lost: such cycles are listed, and are no damage as long as the recorder has missed them too.
+/// Shell: reads a file.
 #include <cstdint>
 #include <map>
 #include <set>

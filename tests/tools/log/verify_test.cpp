@@ -51,7 +51,8 @@ std::vector<Kept> without(std::vector<Kept> events, std::ptrdiff_t first, std::p
   return events;
 }
 
-/// A process that is late leaves its cycle out, and a hop may be lost: what a busy machine does in every minute.
+/// A process that is late leaves its cycle out, and a hop may be lost: what a busy machine does in every
+/// minute.
 TEST_F(LogVerify, ALogOfRealTimeWithLateOrLostHopsIsGoodAndTheyAreListed) {
   const VerifyResult result = check(without(robot_events(100), 20, 26, 6));
   EXPECT_TRUE(result.good()) << text_;
@@ -77,6 +78,8 @@ TEST_F(LogVerify, CyclesThatTheRecorderHadAndThatAreNotThereAreDamage) {
   const VerifyResult result = check(without(robot_events(100), 20, 26, 2));
   EXPECT_FALSE(result.good());
   EXPECT_THAT(text_, HasSubstr("6 cycles are not there, and LOG_END says that the recorder missed 2"));
+  EXPECT_THAT(text_, HasSubstr("; 6 cycles are not there (JOINT_STATE 3, MOTION_STATE 3)"));
+  EXPECT_THAT(text_, testing::Not(HasSubstr("no damage")));
 }
 
 TEST_F(LogVerify, InLockStepNothingIsLateSoAMissingCycleIsWrong) {
