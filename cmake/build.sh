@@ -59,7 +59,7 @@ free_MB() { df -Pk . | awk 'NR == 2 { print int($4 / 1024) }'; }
 disk_note() {
   local free
   free=$(free_MB)
-  [ "$free" -ge 64 ] || echo "$name: the disk of $PWD is full ($free MB free; programs need 700 MB, with tests 4 GB)" >&2
+  [ "$free" -ge 64 ] || echo "$name: the disk of $PWD is full ($free MB free; a build takes up to 2 GB)" >&2
 }
 
 # apt may ask for sudo's password, for which it must stay in the terminal's foreground; with root it is a job like the others.
