@@ -58,7 +58,7 @@ TEST_F(BridgeSafety, DampingThatIsOverIsToldUntilTheOperatorClears) {
   EXPECT_EQ(cause(), SafetyCause::kNone);
   EXPECT_EQ(detail().find("was damping in cycle "), 0U) << detail();
   EXPECT_NE(detail().find("command stale: no good DRIVE_COMMAND for "), std::string::npos) << detail();
-  EXPECT_EQ(bench_.ask_and_wait(OperatorKind::kClear).reason, "nothing was latched");
+  EXPECT_STREQ(bench_.ask_and_wait(OperatorKind::kClear).reason, "nothing was latched");
   bench_.tick();
   EXPECT_EQ(detail(), "");
   EXPECT_EQ(enabled(), 2) << "to forget takes no torque";

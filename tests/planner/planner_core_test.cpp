@@ -73,14 +73,14 @@ TEST_F(PlannerCoreTest, RefusalIsToldUntilSafetyHasChanged) {
   stand_up();
   state_.safety = SafetyLevel::kDamping;
   cycle();
-  EXPECT_EQ(motion_.last_transition, "stopped by safety");
+  EXPECT_STREQ(motion_.last_transition, "stopped by safety");
   send(OperatorKind::kStand);
   run(0.1);
-  EXPECT_EQ(motion_.last_transition, "safety is not operational: clear it first");
+  EXPECT_STREQ(motion_.last_transition, "safety is not operational: clear it first");
   state_.safety = SafetyLevel::kOperational;
   cycle();
   EXPECT_EQ(motion_.state, MotionPhase::kIdle);
-  EXPECT_EQ(motion_.last_transition, "stopped by safety");
+  EXPECT_STREQ(motion_.last_transition, "stopped by safety");
 }
 
 TEST_F(PlannerCoreTest, SecondCommandWhileMovingIsBusy) {
