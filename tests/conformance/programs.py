@@ -5,6 +5,7 @@ import os
 import pathlib
 import random
 import signal
+import socket
 import subprocess
 
 import yaml
@@ -14,13 +15,35 @@ _PR_SET_PDEATHSIG = 1
 _LIBC = ctypes.CDLL(None)
 
 
+_RESERVED = []  # as long as this process lives
+
+
+def own_port():
+    """A UDP port that nobody else has: runtime/own_port.cpp, by the same names in the kernel's abstract space."""
+    while True:
+        port = random.randrange(16384, 32768)
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+            try:
+                probe.bind(("", port))
+            except OSError:
+                continue
+        name = socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM)
+        try:
+            name.bind(f"\0sprung-port-{port}")
+        except OSError:
+            name.close()
+            continue
+        _RESERVED.append(name)
+        return port
+
+
 def random_bus():
     """python-can's arguments for a bus of our own; hop limit 0 keeps its frames on this machine."""
     group = f"239.74.{random.randint(1, 254)}.{random.randint(1, 254)}"
     return {
         "interface": "udp_multicast",
         "channel": group,
-        "port": random.randint(20000, 60000),
+        "port": own_port(),
         "hop_limit": 0,
     }
 
@@ -32,7 +55,7 @@ def address(bus):
 
 def random_lcm_url():
     group = f"239.255.{random.randint(1, 254)}.{random.randint(1, 254)}"
-    return f"udpm://{group}:{random.randint(20000, 60000)}?ttl=0"
+    return f"udpm://{group}:{own_port()}?ttl=0"
 
 
 class _Loader(yaml.SafeLoader):

@@ -14,7 +14,8 @@ namespace sprung::commands {
 
 namespace {
 
-constexpr int kShutdown_ms = 40'000;  // every process may need its three seconds, the recorder ten
+constexpr int kShutdown_ms =
+    60'000;  // every process may need its three seconds, the recorder ten, a lock-step bridge more
 
 int run_down(const std::string& instance) {
   const RunInfo info = require_running(instance, "");

@@ -251,6 +251,19 @@ void Launcher::tell(const LogLine& line) {
 
 void Launcher::say(const std::string& text) { tell({utc_us(), kLauncherProgram, text}); }
 
+/// In lock-step the bridge brings its drives to rest in the robot's time. How long that is by the wall clock nobody knows: as long as it says
+/// that it lives, it is on its way.
+void Launcher::wait_while_it_speaks(Child& child) {
+  const std::string& program = child.planned.program;
+  const bool spoke = board_.last(program) != nullptr;
+  child.process->signal(SIGTERM);
+  while (spoke && !child.process->ended() && !board_.silent(program, node_.utime_us())) {
+    usleep(20'000);
+    read_statuses();
+    read_lines(child);
+  }
+}
+
 void Launcher::stop_one(Child& child, double patience_s) {
   if (!child.process->ended() && child.process->stop(patience_s) == 128 + SIGKILL) {
     stopped_in_order_ = false;
@@ -269,6 +282,8 @@ void Launcher::stop() {
       if (chosen(*child)) stop_one(*child, child->end.harmless ? kStopRecorder_s : kStop_s);
     }
   };
+  Child* const bridge = child_named(kBridgeProgram);
+  if (bridge != nullptr && request_.clock == "lockstep") wait_while_it_speaks(*bridge);
   stop_if([](const Child& child) { return child.planned.program == kBridgeProgram; });
   stop_if([](const Child& child) { return !child.end.harmless; });
   const bool recording = std::any_of(children_.begin(), children_.end(), [](const Child& child) {
