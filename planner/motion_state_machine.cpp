@@ -41,7 +41,7 @@ const MotionTable kTransitions{{
     {P::kWalking, E::kWalkEnded, P::kRecover, "walk ended, all feet stand"},
     {P::kFallen, E::kSat, P::kIdle, "fell: damped, then off"},
     {std::nullopt, E::kFell, P::kFallen, "a fall was detected: legs are damped"},
-    {std::nullopt, E::kSafetyLost, P::kIdle, "safety is not operational"},
+    {std::nullopt, E::kSafetyLost, P::kIdle, "stopped by safety"},
     {std::nullopt, E::kDriveLost, P::kIdle, "a drive is in fault or no longer enabled"},
     {std::nullopt, E::kFootLost, P::kIdle, "a measured foot position is missing where a move begins"},
     {std::nullopt, E::kRestarted, P::kIdle, "cycle count went back: the bridge was restarted"},

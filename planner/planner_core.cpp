@@ -63,13 +63,16 @@ struct PlannerCore::Impl {
   Active stopping;  ///< stop
   Stamp now;
   bool started = false;
-  const char* note = "";  ///< last refusal, until the next transition
+  SafetyLevel safety = SafetyLevel::kOperational;
+  const char* note = "";  ///< last refusal, until the next transition or another level of safety
 };
 
 void PlannerCore::Impl::step(const JointState& in) noexcept {
   const bool restarted = started && in.stamp.seq < now.seq;
   started = true;
   now = in.stamp;
+  if (in.safety != safety) note = "";  // what was refused for it is no longer true
+  safety = in.safety;
   const char* before = motion.last_transition();
   const MotionPhase state_before = motion.state();
   OperatorCommand command;

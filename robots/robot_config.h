@@ -248,14 +248,17 @@ struct RobotConfig {
   bool has_feet() const { return why_not_standing() == nullptr; }
   /// Static text, nullptr for a robot that has feet.
   const char* why_not_standing() const;
-  /// Of a robot without feet, which needs no presets and may have none: one that moves nothing, whatever the
-  /// name. @throws std::invalid_argument naming the presets there are.
-  const PresetConfig& preset(const std::string& preset_name) const;
+  /// Without a name: the one called `best`, else the only one there is. Of a robot without feet, which needs no presets and
+  /// may have none: one that moves nothing, whatever the name. @throws std::invalid_argument naming the presets there are.
+  const PresetConfig& preset(const std::string& preset_name = "") const;
 };
 
 /// The robot as its processes know it under a preset. One that compensates the papers' friction is there to reproduce
 /// the papers: no joint of it is identified, so that its figures do not depend on what `sprung identify` writes.
 /// @throws std::invalid_argument naming the presets there are.
 RobotConfig as_in_preset(RobotConfig robot, const std::string& preset_name);
+
+/// Name of `wished` where the robot has it, else of `otherwise`, which may be empty. @throws as RobotConfig::preset.
+std::string preset_or(const RobotConfig& robot, const std::string& wished, const std::string& otherwise = "");
 
 }  // namespace sprung

@@ -166,6 +166,8 @@ RobotConfig read_robot(const YamlMap& file) {
   return robot;
 }
 
+constexpr const char* kUsualPreset = "best";
+
 /// What a planner and controller can be made of where there is nothing to preset: any curve, never played.
 PresetConfig still_preset() {
   PresetConfig still;
@@ -237,14 +239,23 @@ const char* RobotConfig::why_not_standing() const {
 const PresetConfig& RobotConfig::preset(const std::string& preset_name) const {
   static const PresetConfig still = still_preset();
   if (presets.empty() && !has_feet()) return still;
+  if (preset_name.empty() && presets.size() == 1) return presets.front();
+  const std::string wanted = preset_name.empty() ? kUsualPreset : preset_name;
   std::string known;
   for (const PresetConfig& candidate : presets) {
-    if (candidate.name == preset_name) {
-      return candidate;
-    }
+    if (candidate.name == wanted) return candidate;
     known += (known.empty() ? "" : ", ") + candidate.name;
   }
-  throw std::invalid_argument("no preset '" + preset_name + "' in robot " + name + "; there are: " + known);
+  throw std::invalid_argument(
+      preset_name.empty() ? "robot " + name + " has several presets and none is called " + kUsualPreset +
+                                ": choose with --preset, one of: " + known
+                          : "no preset '" + preset_name + "' in robot " + name + "; there are: " + known);
+}
+
+std::string preset_or(const RobotConfig& robot, const std::string& wished, const std::string& otherwise) {
+  const bool there = std::any_of(robot.presets.begin(), robot.presets.end(),
+                                 [&](const PresetConfig& preset) { return preset.name == wished; });
+  return robot.preset(there ? wished : otherwise).name;
 }
 
 RobotConfig as_in_preset(RobotConfig robot, const std::string& preset_name) {

@@ -17,7 +17,8 @@ struct ConfigError : std::runtime_error {
 /// one node id.
 RobotConfig load_robot(const std::string& robot);
 
-/// The same from the text of a robot.yaml, as a log holds one. Its folder is "". @param name stands for the path in messages.
+/// The same from the text of a robot.yaml, as a log holds one. Its folder is "". @param name stands for the
+/// path in messages.
 RobotConfig read_robot_text(const std::string& yaml, const std::string& name);
 
 /// Folder of a robot by name or path: $SPRUNG_ROBOTS, else robots/ beside the program's build tree or the

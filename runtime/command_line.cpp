@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <iostream>
 #include <map>
 #include <utility>
@@ -13,6 +14,15 @@
 #include "runtime/spelling.h"
 
 namespace sprung {
+
+namespace {
+
+/// CLI11 takes "nan" and "inf" for numbers. Inside, NaN stands for what nobody has given, so nobody may give it.
+std::string why_not_finite(const std::string& text) {
+  return std::isfinite(std::strtod(text.c_str(), nullptr)) ? "" : "must be a finite number, not " + text;
+}
+
+}  // namespace
 
 struct CommandLine::Impl {
   std::unique_ptr<CLI::App> owned;  ///< of the top command only
@@ -139,6 +149,7 @@ void CommandLine::option(const std::string& name, std::uint64_t& value, const st
 }
 void CommandLine::option(const std::string& name, double& value, const std::string& help, Need need) {
   CLI::Option* const option = impl_->add(name, value, help, need);
+  option->check(why_not_finite);
   if (std::isnan(value)) option->default_str("");  // its help says what is meant
 }
 void CommandLine::option(const std::string& name, std::vector<std::string>& value, const std::string& help,
@@ -152,6 +163,7 @@ void CommandLine::option(const std::string& name, std::vector<std::string>& valu
 void CommandLine::option(const std::string& name, std::array<double, 2>& value, const std::string& help,
                          Need need) {
   CLI::Option* const option = impl_->app->add_option(name, value, help);
+  option->check(why_not_finite);
   if (need == Need::kRequired) option->required();
 }
 

@@ -52,6 +52,7 @@ class CommandLine {
               Need need = Need::kOptional);
   void option(const std::string& name, std::uint64_t& value, const std::string& help,
               Need need = Need::kOptional);
+  /// Finite: nan and inf are wrong use, though `value` itself may begin as NaN (not given).
   void option(const std::string& name, double& value, const std::string& help, Need need = Need::kOptional);
   void option(const std::string& name, std::vector<std::string>& value, const std::string& help,
               Need need = Need::kOptional);

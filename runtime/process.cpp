@@ -15,12 +15,13 @@
 namespace sprung {
 namespace {
 
-int run(const ProgramInfo& info, const ProcessOptions& options, const std::function<int(Process&)>& body) {
+int run(const ProgramInfo& info, ProcessOptions options, const std::function<int(Process&)>& body) {
   start_log(info.program);
   install_stop_signals();
   stop_with_parent();
   RobotConfig robot = load_robot(options.robot);
   try {
+    options.preset = robot.preset(options.preset).name;
     robot = as_in_preset(std::move(robot), options.preset);
   } catch (const std::invalid_argument& error) {
     throw WrongUse(std::string("--preset: ") + error.what());

@@ -15,7 +15,7 @@ RealTimeRequest ProcessOptions::real_time() const noexcept {
 
 void add_process_options(CommandLine& line, ProcessOptions& options) {
   line.option("--robot", options.robot, "robot, by name or folder");
-  line.option("--preset", options.preset, "which of the robot's presets");
+  line.option("--preset", options.preset, "which of the robot's presets; default: best, else the only one");
   line.option("--session", options.node.session, "number of this session; messages of others are refused",
               Need::kRequired);
   line.option("--epoch-us", options.node.epoch_us, "CLOCK_MONOTONIC when the session began, us; 0 = at boot");

@@ -16,7 +16,7 @@ const char* name(ClockMode mode) noexcept;  ///< "lockstep", "realtime": the opt
 
 struct ProcessOptions {
   std::string robot = "single_leg";  ///< --robot: a name or a folder
-  std::string preset = "best";       ///< --preset
+  std::string preset;                ///< --preset; empty = the robot's usual one
   std::string clock = "realtime";    ///< --clock lockstep|realtime
   std::string rt_policy = "warn";    ///< --rt-policy enforce|warn|off
   int priority = 0;                  ///< --priority

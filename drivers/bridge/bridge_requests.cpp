@@ -82,6 +82,7 @@ void BridgeCore::Impl::step_requests(std::int64_t time_us) noexcept {
   if (kind != Recovery::Kind::kFirstCycle) finish_clear(recovered, time_us);
   if (clear_without_work) {
     clear_without_work = false;
+    safety.forget_past();
     for (NodeLink* link : links) link->set_recovery_text("nothing to do");
     answer(last_clear, OperatorOutcome::kDone, "nothing was latched");
   }

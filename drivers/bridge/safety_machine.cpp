@@ -46,6 +46,12 @@ void SafetyMachine::enter(SafetyLevel level, bool latched, const Trouble& troubl
   state_.latched = latched;
   state_.actuator = trouble.actuator;
   state_.detail = trouble.detail;
+  if (level == SafetyLevel::kDamping && !latched) keep_past();
+}
+
+void SafetyMachine::keep_past() noexcept {
+  print(past_, "was damping in cycle %lld, %s: %s", static_cast<long long>(state_.since_seq),
+        name(state_.cause), state_.detail.data());
 }
 
 void SafetyMachine::latch(SafetyLevel level, const Trouble& trouble, const SafetyInputs& inputs) noexcept {
@@ -78,6 +84,7 @@ void SafetyMachine::begin_shutdown(std::int64_t time_us, std::int64_t cycle) noe
 }
 
 void SafetyMachine::clear(std::int64_t time_us, std::int64_t cycle) noexcept {
+  forget_past();
   enter(SafetyLevel::kDisabled, false, trouble_of(SafetyCause::kStarting, "cleared by the operator"), time_us,
         cycle);
 }
@@ -125,7 +132,7 @@ void SafetyMachine::follow_commands(const SafetyInputs& inputs) noexcept {
           trouble_of(SafetyCause::kOverruns, "too many cycles in a row overran"), inputs.time_us,
           inputs.cycle);
   } else {
-    enter(SafetyLevel::kOperational, false, trouble_of(SafetyCause::kNone, ""), inputs.time_us, inputs.cycle);
+    enter(SafetyLevel::kOperational, false, {SafetyCause::kNone, -1, past_}, inputs.time_us, inputs.cycle);
   }
 }
 

@@ -15,7 +15,8 @@
 ///                                            then disabled
 ///
 /// A latched state only gets worse, until clear(). The cause stays the first one, unless a worse level brings
-/// its own.
+/// its own. A damping that was not latched and is over stays in the detail until it is forgotten: by then the motion has
+/// ended, and nobody would know why.
 #include <cstdint>
 
 #include "drivers/bridge/detail_text.h"
@@ -57,6 +58,8 @@ class SafetyMachine {
   void begin_shutdown(std::int64_t time_us, std::int64_t cycle) noexcept;
   /// Forgets a latched cause; the caller has made sure that it is gone.
   void clear(std::int64_t time_us, std::int64_t cycle) noexcept;
+  /// What was not latched and is over.
+  void forget_past() noexcept { past_ = {}; }
 
   SafetyLevel level() const noexcept { return state_.level; }
   SafetyCause cause() const noexcept { return state_.cause; }
@@ -67,6 +70,7 @@ class SafetyMachine {
  private:
   void enter(SafetyLevel level, bool latched, const Trouble& trouble, std::int64_t time_us,
              std::int64_t cycle) noexcept;
+  void keep_past() noexcept;
   void latch(SafetyLevel level, const Trouble& trouble, const SafetyInputs& inputs) noexcept;
   void worsen(const SafetyInputs& inputs) noexcept;
   void follow_commands(const SafetyInputs& inputs) noexcept;
@@ -74,6 +78,7 @@ class SafetyMachine {
 
   WatchdogConfig watchdogs_;
   SafetyState state_;
+  DetailText past_{};
   std::int64_t since_us_ = 0;
   std::int64_t slow_since_us_ = 0;  ///< while damping for a shutdown
 };

@@ -29,7 +29,8 @@ int require(const mjModel& model, mjtObj type, const std::string& name) {
   return id;
 }
 
-/// MuJoCo's text in one line: what shows only the first line of an error would show "XML parse error 15:" and nothing after.
+/// MuJoCo's text in one line: what shows only the first line of an error would show "XML parse error 15:" and
+/// nothing after.
 std::string in_one_line(const std::string& text) {
   std::string out;
   for (const char c : text) {

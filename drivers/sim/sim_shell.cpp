@@ -1,6 +1,7 @@
 #include "drivers/sim/sim_shell.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <stdexcept>
 
@@ -16,9 +17,9 @@ std::map<std::string, double> parse_plant(const std::vector<std::string>& texts)
     const std::string number = equals == std::string::npos ? "" : text.substr(equals + 1);
     char* end = nullptr;
     const double value = std::strtod(number.c_str(), &end);
-    if (number.empty() || *end != '\0') {
-      throw std::invalid_argument("--plant " + text +
-                                  ": expected KEY=NUMBER, for example friction_scale=1.2");
+    if (equals == 0 || number.empty() || *end != '\0' || !std::isfinite(value)) {
+      throw std::invalid_argument(
+          "--plant " + text + ": expected KEY=NUMBER, for example friction_scale=1.2; the number is finite");
     }
     plant[text.substr(0, equals)] = value;
   }

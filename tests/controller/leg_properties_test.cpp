@@ -7,13 +7,12 @@
 
 #include "controller/leg_kinematics.h"
 #include "robots/robot_loader.h"
+#include "signals/angles.h"
 #include "tests/controller/pegasus_leg.h"
 #include "tests/controller/reference_chain.h"
 
 namespace sprung {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 struct NamedLeg {
   const char* name;

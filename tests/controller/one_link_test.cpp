@@ -6,11 +6,10 @@
 #include <stdexcept>
 
 #include "robots/robot_loader.h"
+#include "signals/angles.h"
 
 namespace sprung {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 JointVector at(double angle) {
   JointVector q(1);

@@ -14,7 +14,7 @@
 namespace sprung {
 namespace {
 
-const std::string kLegs[] = {"fl", "fr", "hl", "hr"};
+const std::string kPegasusModelLegs[] = {"fl", "fr", "hl", "hr"};
 
 LegSide side_of(const std::string& leg) { return leg[1] == 'l' ? LegSide::kLeft : LegSide::kRight; }
 
@@ -39,7 +39,7 @@ class PegasusModel : public testing::Test {
     return id(mjOBJ_JOINT, leg + kNames[j]);
   }
   void without_inertia_about_rods() {
-    for (const std::string& leg : kLegs) {
+    for (const std::string& leg : kPegasusModelLegs) {
       for (const char* link : {"_thigh", "_shank"}) {
         const int body = id(mjOBJ_BODY, leg + link);
         int smallest = 0;
@@ -82,7 +82,7 @@ class PegasusModel : public testing::Test {
 };
 
 TEST_F(PegasusModel, FeetAreWhereTheModelHasThem) {
-  for (const std::string& leg : kLegs) {
+  for (const std::string& leg : kPegasusModelLegs) {
     const ThreeJoint kinematics(test::pegasus_leg(side_of(leg)));
     for (int i = 0; i < 200; ++i) {
       const JointVector q = random(3.1), rest = JointVector::Zero(3);
@@ -95,7 +95,7 @@ TEST_F(PegasusModel, FeetAreWhereTheModelHasThem) {
 
 TEST_F(PegasusModel, InverseDynamicsIsTheModelsOnThinRods) {
   without_inertia_about_rods();
-  for (const std::string& leg : kLegs) {
+  for (const std::string& leg : kPegasusModelLegs) {
     const ThreeJoint kinematics(test::pegasus_leg(side_of(leg)));
     for (int i = 0; i < 200; ++i) {
       const JointVector q = random(3.1), w = random(8.0), a = random(200.0);

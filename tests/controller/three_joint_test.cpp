@@ -8,13 +8,12 @@
 #include <stdexcept>
 #include <vector>
 
+#include "signals/angles.h"
 #include "tests/controller/pegasus_leg.h"
 #include "tests/support/allocation_count.h"
 
 namespace sprung {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 JointVector pose(double abduction, double hip, double knee) {
   JointVector q(3);

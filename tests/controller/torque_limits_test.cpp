@@ -9,7 +9,7 @@
 namespace sprung {
 namespace {
 
-ActuatorConfig actuator() {
+ActuatorConfig torque_limits_actuator() {
   ActuatorConfig a;
   a.torque_limit_Nm = 100.0;
   a.speed_limit_rad_s = 10.0;
@@ -26,14 +26,14 @@ JointConfig joint() {
 
 TEST(TorqueLimiterTest, SmallTorquePassesUntouchedAndUncounted) {
   LimitCounts counts;
-  TorqueLimiter limiter(actuator());
+  TorqueLimiter limiter(torque_limits_actuator());
   EXPECT_EQ(limiter.limit(30.0, 0.0, 0.001, counts), 30.0);
   EXPECT_EQ(counts.torque + counts.rate, 0);
 }
 
 TEST(TorqueLimiterTest, TorqueIsLimitedOnBothSides) {
   LimitCounts counts;
-  TorqueLimiter limiter(actuator());
+  TorqueLimiter limiter(torque_limits_actuator());
   limiter.start_from(100.0);
   EXPECT_EQ(limiter.limit(250.0, 0.0, 0.001, counts), 100.0);
   limiter.start_from(-100.0);
@@ -44,7 +44,7 @@ TEST(TorqueLimiterTest, TorqueIsLimitedOnBothSides) {
 
 TEST(TorqueLimiterTest, FullTorqueTakesTwoMilliseconds) {
   LimitCounts counts;
-  TorqueLimiter limiter(actuator());
+  TorqueLimiter limiter(torque_limits_actuator());
   EXPECT_DOUBLE_EQ(limiter.limit(100.0, 0.0, 0.001, counts), 50.0);
   EXPECT_DOUBLE_EQ(limiter.limit(100.0, 0.0, 0.001, counts), 100.0);
   EXPECT_EQ(counts.rate, 1);
@@ -52,7 +52,7 @@ TEST(TorqueLimiterTest, FullTorqueTakesTwoMilliseconds) {
 
 TEST(TorqueLimiterTest, StartsFromWhatIsThere) {
   LimitCounts counts;
-  TorqueLimiter limiter(actuator());
+  TorqueLimiter limiter(torque_limits_actuator());
   limiter.start_from(80.0);
   EXPECT_DOUBLE_EQ(limiter.limit(0.0, 0.0, 0.001, counts), 30.0);
   limiter.start_from(std::numeric_limits<double>::quiet_NaN());
@@ -66,7 +66,7 @@ double settled(TorqueLimiter& limiter, double torque_Nm, double velocity_rad_s, 
 }
 
 TEST(TorqueLimiterTest, NearTheSpeedLimitTorqueTowardMoreSpeedFadesAndBeyondItBrakes) {
-  ActuatorConfig strong = actuator();
+  ActuatorConfig strong = torque_limits_actuator();
   strong.power_limit_W = 0.0;
   TorqueLimiter limiter(strong);
   LimitCounts counts;
@@ -82,7 +82,7 @@ TEST(TorqueLimiterTest, NearTheSpeedLimitTorqueTowardMoreSpeedFadesAndBeyondItBr
 }
 
 TEST(TorqueLimiterTest, PowerThatIsGivenIsLimitedAndBrakingIsNot) {
-  TorqueLimiter limiter(actuator());
+  TorqueLimiter limiter(torque_limits_actuator());
   LimitCounts counts;
   EXPECT_EQ(settled(limiter, 90.0, 4.0, counts), 90.0);
   EXPECT_EQ(settled(limiter, -90.0, 8.0, counts), -90.0);

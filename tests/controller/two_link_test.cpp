@@ -7,11 +7,10 @@
 #include <stdexcept>
 
 #include "robots/robot_loader.h"
+#include "signals/angles.h"
 
 namespace sprung {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 JointVector pose(double hip, double knee) {
   JointVector q(2);

@@ -12,8 +12,8 @@ namespace {
 
 using ::testing::HasSubstr;
 using namespace canopen;
-using testing::BridgeBench;
-using testing::FakeDrive;
+using test::BridgeBench;
+using test::FakeDrive;
 
 std::vector<std::vector<int>> writes(const FakeDrive& drive) {
   std::vector<std::vector<int>> found;
@@ -257,7 +257,7 @@ TEST(Boot, BusErrorThatIsGoneByTheFirstCycleIsForgotten) {
 }
 
 TEST(Boot, BusThatIsLostInTheFirstCycleIsNotForgotten) {
-  RobotConfig robot = testing::two_drive_robot();
+  RobotConfig robot = test::two_drive_robot();
   robot.buses.push_back({"other", "memory:other"});
   BridgeBench bench(robot);
   bench.run(10);

@@ -15,7 +15,7 @@ class BusMonitorTest : public ::testing::Test {
  protected:
   BusMonitorTest() : robot_(two_buses()), monitor_(robot_, robot_.watchdogs) { cycle(); }
   static RobotConfig two_buses() {
-    RobotConfig robot = testing::two_drive_robot();
+    RobotConfig robot = test::two_drive_robot();
     robot.buses.push_back({"spare", "memory:spare"});
     return robot;
   }

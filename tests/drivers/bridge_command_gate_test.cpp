@@ -31,7 +31,7 @@ class CommandGateTest : public ::testing::Test {
   }
   std::string detail() const { return gate_.detail().data(); }
 
-  CommandGate gate_{testing::two_drive_robot()};
+  CommandGate gate_{test::two_drive_robot()};
   DriveState state_{2};
 };
 

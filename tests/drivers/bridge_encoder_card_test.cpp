@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "signals/angles.h"
 #include "tests/support/bridge_fixture.h"
 
 namespace sprung {
@@ -11,25 +12,23 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr double kPi = 3.14159265358979323846;
-
 class BridgeEncoderCard : public ::testing::Test {
  protected:
-  BridgeEncoderCard() : bench_(testing::robot_with_card()) {}
+  BridgeEncoderCard() : bench_(test::robot_with_card()) {}
   void SetUp() override {
     // Motor encoders at 0 with offset 0.1: the link encoders say the same.
     ASSERT_TRUE(bench_.boot()) << bench_.bridge->boot_detail();
     bench_.enable();
     ASSERT_EQ(bench_.state.safety, SafetyLevel::kOperational) << bench_.detail();
   }
-  testing::FakeCard& card() { return bench_.cards[0]; }
+  test::FakeCard& card() { return bench_.cards[0]; }
   NodeHealth health() const { return bench_.bridge->bus_state().nodes[2]; }
   double link_rad(std::size_t actuator) const {
     return bench_.state.actuators[actuator].measured_link_position_rad;
   }
   const SafetyState& safety() const { return bench_.bridge->safety(); }
 
-  testing::BridgeBench bench_;
+  test::BridgeBench bench_;
 };
 
 TEST_F(BridgeEncoderCard, IsBootedAndShownAfterTheDrives) {
@@ -44,7 +43,7 @@ TEST_F(BridgeEncoderCard, IsBootedAndShownAfterTheDrives) {
 }
 
 TEST_F(BridgeEncoderCard, ChannelThatTheCardHasNotIsRefusedAtStart) {
-  RobotConfig robot = testing::robot_with_card();
+  RobotConfig robot = test::robot_with_card();
   for (const int channel : {3, -1}) {
     robot.actuators[1].link_encoder.channel = channel;
     try {
@@ -60,7 +59,7 @@ TEST_F(BridgeEncoderCard, ChannelThatTheCardHasNotIsRefusedAtStart) {
 }
 
 TEST_F(BridgeEncoderCard, NoDriveIsStartedBeforeTheCardIsConfigured) {
-  testing::BridgeBench bench(testing::robot_with_card());
+  test::BridgeBench bench(test::robot_with_card());
   bench.cards[0].dead = true;
   bench.run(1500);
   EXPECT_EQ(bench.drives[0].nmt, canopen::NmtState::kPreOperational);
@@ -151,9 +150,9 @@ TEST_F(BridgeEncoderCard, EmergencyStandsUntilTheErrorRegisterIsEmpty) {
 }
 
 TEST_F(BridgeEncoderCard, PositionsAWholeTurnApartAreTheSame) {
-  RobotConfig robot = testing::robot_with_card();
+  RobotConfig robot = test::robot_with_card();
   robot.actuators[0].offset_rad += 2 * kPi;
-  testing::BridgeBench bench(robot);
+  test::BridgeBench bench(robot);
   ASSERT_TRUE(bench.boot());
   bench.enable();
   bench.run(20);

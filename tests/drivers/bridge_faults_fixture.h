@@ -7,7 +7,7 @@
 
 namespace sprung {
 
-class BridgeFaults : public testing::PoweredBridge {
+class BridgeFaults : public test::PoweredBridge {
  protected:
   static constexpr std::uint32_t kHipSample = 0x181;
 

@@ -46,9 +46,9 @@ TEST_F(BridgeFaults, BusOffLosesTheBusAndComesBack) {
 }
 
 TEST_F(BridgeFaults, BusOffOfOneBusStopsTheOthersToo) {
-  RobotConfig robot = testing::two_drive_robot();
+  RobotConfig robot = test::two_drive_robot();
   robot.buses.push_back({"spare", "memory:spare"});
-  testing::BridgeBench bench(robot);
+  test::BridgeBench bench(robot);
   ASSERT_TRUE(bench.boot());
   bench.enable();
   bench.bridge->receive(1, bus_lost_frame(), bench.time_us);

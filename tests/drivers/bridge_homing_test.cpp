@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "drivers/bridge/homing.h"
+#include "signals/angles.h"
 #include "tests/support/bridge_bench.h"
 
 namespace sprung {
@@ -12,10 +13,8 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr double kPi = 3.14159265358979323846;
-
 RobotConfig unreferenced_robot(ReferenceMethod method) {
-  RobotConfig robot = testing::robot_with_card();
+  RobotConfig robot = test::robot_with_card();
   for (ActuatorConfig& actuator : robot.actuators) {
     actuator.referenced = false;
     actuator.reference = {method, true, 0.4, 0.02};
@@ -26,8 +25,8 @@ RobotConfig unreferenced_robot(ReferenceMethod method) {
 class BridgeHoming : public ::testing::Test {
  protected:
   void boot(const RobotConfig& robot) {
-    bench_ = std::make_unique<testing::BridgeBench>(robot);
-    for (testing::FakeDrive& drive : bench_->drives) drive.position_counts = 10'000;
+    bench_ = std::make_unique<test::BridgeBench>(robot);
+    for (test::FakeDrive& drive : bench_->drives) drive.position_counts = 10'000;
     bench_->cards[0].sample.counts[1] = 1048576 / 10;
     ASSERT_TRUE(bench_->boot()) << bench_->bridge->boot_detail();
     bench_->run(50);
@@ -48,7 +47,7 @@ class BridgeHoming : public ::testing::Test {
   const ActuatorState& actuator(std::size_t i) const { return bench_->state.actuators[i]; }
   NodeHealth health(std::size_t i) const { return bench_->bridge->bus_state().nodes[i]; }
 
-  std::unique_ptr<testing::BridgeBench> bench_;
+  std::unique_ptr<test::BridgeBench> bench_;
   std::int64_t request_ = 100;
 };
 
@@ -234,8 +233,8 @@ class BridgeHomingByIndex : public BridgeHoming {
       actuator.position_gains_object = 0;
       actuator.link_encoder = {};
     }
-    bench_ = std::make_unique<testing::BridgeBench>(robot);
-    for (testing::FakeDrive& drive : bench_->drives) {
+    bench_ = std::make_unique<test::BridgeBench>(robot);
+    for (test::FakeDrive& drive : bench_->drives) {
       drive.position_counts = 900;
       drive.objects[{0x2021, 0}] = 300;
     }
@@ -287,7 +286,7 @@ TEST_F(BridgeHoming, IncrementalEncoderLosesItsReferenceWhenItsDriveRestarts) {
 }
 
 TEST_F(BridgeHoming, RestoredReferenceIsInForceFromTheFirstCycle) {
-  bench_ = std::make_unique<testing::BridgeBench>(unreferenced_robot(ReferenceMethod::kJig));
+  bench_ = std::make_unique<test::BridgeBench>(unreferenced_robot(ReferenceMethod::kJig));
   bench_->bridge->restore_reference(0, {0.1, true, ReferenceSource::kJig});
   ASSERT_TRUE(bench_->boot());
   EXPECT_TRUE(actuator(0).referenced);

@@ -17,9 +17,9 @@ class LateAnswers : public BridgeFaults {
   void SetUp() override { begin(30); }
   /// @param silent_cycles as in simulation_watchdogs, or the robot's.
   void begin(int silent_cycles) {
-    RobotConfig robot = testing::two_drive_robot();
+    RobotConfig robot = test::two_drive_robot();
     robot.watchdogs.silent_cycles = silent_cycles;
-    bench_ = testing::BridgeBench(robot);
+    bench_ = test::BridgeBench(robot);
     ASSERT_TRUE(bench_.boot());
     bench_.enable();
     ASSERT_EQ(enabled(), 2);

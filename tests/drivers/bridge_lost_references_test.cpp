@@ -51,13 +51,13 @@ TEST_F(BridgeFaults, EncoderThatHasJumpedWhileItsDriveWasConfiguredLosesTheRefer
 }
 
 /// A robot with incremental encoders, found by jig, whose hip `strike` hits while a clear configures it.
-void expect_reference_lost_while_configured(void (*strike)(testing::FakeDrive& hip)) {
-  RobotConfig robot = testing::two_drive_robot();
+void expect_reference_lost_while_configured(void (*strike)(test::FakeDrive& hip)) {
+  RobotConfig robot = test::two_drive_robot();
   for (ActuatorConfig& actuator : robot.actuators) {
     actuator.referenced = false;
     actuator.reference = {ReferenceMethod::kJig, false, 1.0, 0.02};
   }
-  testing::BridgeBench bench(robot);
+  test::BridgeBench bench(robot);
   ASSERT_TRUE(bench.boot());
   bench.run(50);
   OperatorCommand home;
@@ -85,17 +85,17 @@ void expect_reference_lost_while_configured(void (*strike)(testing::FakeDrive& h
 }
 
 TEST(BridgeReferences, IncrementalOneIsLostWhenTheDriveRestartsWhileItIsConfigured) {
-  expect_reference_lost_while_configured([](testing::FakeDrive& hip) { hip.restart_now = true; });
+  expect_reference_lost_while_configured([](test::FakeDrive& hip) { hip.restart_now = true; });
 }
 
 TEST(BridgeReferences, IncrementalOneIsLostWhenTheBootNeedsASecondTry) {
-  expect_reference_lost_while_configured([](testing::FakeDrive& hip) { hip.dead = true; });
+  expect_reference_lost_while_configured([](test::FakeDrive& hip) { hip.dead = true; });
 }
 
 TEST(BridgeReferences, IncrementalOneIsKeptByAResetOfTheCommunication) {
-  RobotConfig robot = testing::two_drive_robot();
+  RobotConfig robot = test::two_drive_robot();
   for (ActuatorConfig& actuator : robot.actuators) actuator.reference.absolute_encoder = false;
-  testing::BridgeBench bench(robot);
+  test::BridgeBench bench(robot);
   ASSERT_TRUE(bench.boot());
   bench.run(50);
   bench.bridge->receive(0, canopen::emergency_frame(1, {0x8120, 0x11}), bench.time_us);

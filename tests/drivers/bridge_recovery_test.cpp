@@ -10,7 +10,7 @@ namespace sprung {
 namespace {
 
 using ::testing::HasSubstr;
-using BridgeRecovery = testing::PoweredBridge;
+using BridgeRecovery = test::PoweredBridge;
 
 CanFrame error_passive_frame() {
   CanFrame frame = bus_lost_frame();
@@ -360,9 +360,9 @@ TEST_F(BridgeRecovery, BusThatIsLostAndBackWhileAClearIsUnderWayEndsItToo) {
 }
 
 TEST_F(BridgeRecovery, NodesOfOtherBusesAreLeftAlone) {
-  RobotConfig robot = testing::two_drive_robot();
+  RobotConfig robot = test::two_drive_robot();
   robot.buses.push_back({"spare", "memory:spare"});
-  testing::BridgeBench bench(robot);
+  test::BridgeBench bench(robot);
   ASSERT_TRUE(bench.boot());
   bench.enable();
   CanFrame restarted = bus_lost_frame();

@@ -44,7 +44,7 @@ class ReferenceStoreTest : public ::testing::Test {
     return {std::istreambuf_iterator<char>(in), {}};
   }
 
-  RobotConfig robot_ = testing::two_drive_robot();
+  RobotConfig robot_ = test::two_drive_robot();
   std::string folder_, path_;
 };
 

@@ -137,6 +137,31 @@ TEST_F(SafetyMachineTest, ExpiredCommandDampsHoweverYoungItIs) {
   expect(Level::kOperational, Cause::kNone, false);
 }
 
+TEST_F(SafetyMachineTest, WhatWasNotLatchedStaysInTheDetailUntilItIsForgotten) {
+  const auto detail = [this] { return std::string(machine_.state().detail.data()); };
+  update(good_);
+  EXPECT_EQ(detail(), "");
+  SafetyInputs late = good_;
+  for (const double age_s : {0.041, 0.071}) {
+    late.command_age_s = age_s;
+    update(late);
+  }
+  EXPECT_EQ(detail(), "no good DRIVE_COMMAND for 71 ms");
+  update(good_);
+  expect(Level::kOperational, Cause::kNone, false);
+  EXPECT_EQ(detail(), "was damping in cycle 2, command stale: no good DRIVE_COMMAND for 71 ms");
+  update(good_);
+  EXPECT_EQ(detail(), "was damping in cycle 2, command stale: no good DRIVE_COMMAND for 71 ms");
+  machine_.forget_past();
+  update(good_);
+  EXPECT_EQ(detail(), "");
+  update(late);
+  update(good_);
+  machine_.clear(now_us_, 9);
+  update(good_);
+  EXPECT_EQ(detail(), "") << "forgotten with the latched ones";
+}
+
 TEST_F(SafetyMachineTest, FaultNeverLiftsADisabledRobotToDamping) {
   SafetyInputs inputs;
   inputs.drive = &fault_;

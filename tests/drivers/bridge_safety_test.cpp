@@ -13,7 +13,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-using BridgeSafety = testing::PoweredBridge;
+using BridgeSafety = test::PoweredBridge;
 
 TEST_F(BridgeSafety, StaleCommandIsHeldThenDampedThenStoppedForGood) {
   bench_.command_all(DriveMode::kTorque, 30.8);
@@ -46,6 +46,22 @@ TEST_F(BridgeSafety, GoodCommandEndsTheDampingOfAStaleOne) {
   bench_.mute_commands = false;
   bench_.tick();
   EXPECT_EQ(level(), SafetyLevel::kOperational);
+}
+
+TEST_F(BridgeSafety, DampingThatIsOverIsToldUntilTheOperatorClears) {
+  const auto detail = [this] { return std::string(bench_.bridge->safety().detail.data()); };
+  bench_.mute_commands = true;
+  bench_.run(50);
+  bench_.mute_commands = false;
+  bench_.run(500);
+  EXPECT_EQ(level(), SafetyLevel::kOperational);
+  EXPECT_EQ(cause(), SafetyCause::kNone);
+  EXPECT_EQ(detail().find("was damping in cycle "), 0U) << detail();
+  EXPECT_NE(detail().find("command stale: no good DRIVE_COMMAND for "), std::string::npos) << detail();
+  EXPECT_STREQ(bench_.ask_and_wait(OperatorKind::kClear).reason, "nothing was latched");
+  bench_.tick();
+  EXPECT_EQ(detail(), "");
+  EXPECT_EQ(enabled(), 2) << "to forget takes no torque";
 }
 
 TEST_F(BridgeSafety, DampingOpposesMotionWhileNobodyCommands) {

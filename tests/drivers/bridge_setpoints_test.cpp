@@ -10,10 +10,10 @@
 namespace sprung {
 namespace {
 
-using testing::BridgeBench;
-using testing::FakeDrive;
+using test::BridgeBench;
+using test::FakeDrive;
+using test::two_drive_robot;
 using ::testing::HasSubstr;
-using testing::two_drive_robot;
 
 class StallBeforeEmit : public ::testing::Test {
  protected:

@@ -13,10 +13,10 @@
 namespace sprung {
 namespace {
 
-constexpr char kGroup[] = "239.74.163.77";
-constexpr int kPatience_ms = 20'000;
+constexpr char kCanUdpBusGroup[] = "239.74.163.77";
+constexpr int kCanUdpBusPatience_ms = 20'000;
 /// The test's own: what is still on its way to the one before does not come here.
-int test_port() {
+int can_udp_bus_test_port() {
   static const testing::TestInfo* whose = nullptr;
   static int port = 0;
   const testing::TestInfo* const now = testing::UnitTest::GetInstance()->current_test_info();
@@ -31,14 +31,14 @@ std::vector<CanFrame> collect(CanBus& bus, int count) {
   CanFrame buffer[64];
   while (static_cast<int>(frames.size()) < count) {
     pollfd wait{bus.fd(), POLLIN, 0};
-    if (::poll(&wait, 1, kPatience_ms) <= 0) break;
+    if (::poll(&wait, 1, kCanUdpBusPatience_ms) <= 0) break;
     const int got = bus.receive(buffer, 64);
     frames.insert(frames.end(), buffer, buffer + got);
   }
   return frames;
 }
 
-std::vector<CanFrame> numbered(int count) {
+std::vector<CanFrame> can_udp_bus_numbered(int count) {
   std::vector<CanFrame> frames(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     frames[static_cast<std::size_t>(i)].id = 0x100 + static_cast<std::uint32_t>(i);
@@ -48,8 +48,9 @@ std::vector<CanFrame> numbered(int count) {
 }
 
 TEST(UdpBus, FramesReachOtherEndpointsAndNotTheSender) {
-  UdpBus a(kGroup, test_port()), b(kGroup, test_port()), c(kGroup, test_port());
-  const std::vector<CanFrame> sent = numbered(40);
+  UdpBus a(kCanUdpBusGroup, can_udp_bus_test_port()), b(kCanUdpBusGroup, can_udp_bus_test_port()),
+      c(kCanUdpBusGroup, can_udp_bus_test_port());
+  const std::vector<CanFrame> sent = can_udp_bus_numbered(40);
   EXPECT_TRUE(a.send(sent.data(), 40));
   EXPECT_EQ(collect(b, 40), sent);
   EXPECT_EQ(collect(c, 40), sent);
@@ -60,7 +61,7 @@ TEST(UdpBus, FramesReachOtherEndpointsAndNotTheSender) {
 }
 
 TEST(UdpBus, RemoteFramesArriveAndAreNotMalformed) {
-  UdpBus a(kGroup, test_port()), b(kGroup, test_port());
+  UdpBus a(kCanUdpBusGroup, can_udp_bus_test_port()), b(kCanUdpBusGroup, can_udp_bus_test_port());
   std::vector<CanFrame> sent(1);
   sent[0].id = 0x705;
   sent[0].length = 1;
@@ -71,44 +72,44 @@ TEST(UdpBus, RemoteFramesArriveAndAreNotMalformed) {
 }
 
 TEST(UdpBus, TimestampTravelsWithTheFrame) {
-  UdpBus a(kGroup, test_port()), b(kGroup, test_port());
+  UdpBus a(kCanUdpBusGroup, can_udp_bus_test_port()), b(kCanUdpBusGroup, can_udp_bus_test_port());
   StampedFrame sent;
   sent.timestamp = 123456789012.0;
   ASSERT_TRUE(a.send_stamped(&sent, 1));
   pollfd wait{b.fd(), POLLIN, 0};
-  ASSERT_EQ(::poll(&wait, 1, kPatience_ms), 1);
+  ASSERT_EQ(::poll(&wait, 1, kCanUdpBusPatience_ms), 1);
   StampedFrame received;
   ASSERT_EQ(b.receive_stamped(&received, 1), 1);
   EXPECT_EQ(received.timestamp, 123456789012.0);
 }
 
 TEST(UdpBus, ForeignDatagramsAreCountedAndSkipped) {
-  UdpBus a(kGroup, test_port()), b(kGroup, test_port());
+  UdpBus a(kCanUdpBusGroup, can_udp_bus_test_port()), b(kCanUdpBusGroup, can_udp_bus_test_port());
   const int fd = ::socket(AF_INET, SOCK_DGRAM, 0);
   sockaddr_in to{};
   to.sin_family = AF_INET;
-  to.sin_port = htons(static_cast<std::uint16_t>(test_port()));
-  ::inet_pton(AF_INET, kGroup, &to.sin_addr);
+  to.sin_port = htons(static_cast<std::uint16_t>(can_udp_bus_test_port()));
+  ::inet_pton(AF_INET, kCanUdpBusGroup, &to.sin_addr);
   in_addr loop{htonl(INADDR_LOOPBACK)};
   ASSERT_EQ(::setsockopt(fd, IPPROTO_IP, IP_MULTICAST_IF, &loop, sizeof loop), 0);
   const std::string junk(300, 'x');
   ASSERT_GT(::sendto(fd, junk.data(), junk.size(), 0, reinterpret_cast<sockaddr*>(&to), sizeof to), 0);
   ::close(fd);
-  const std::vector<CanFrame> sent = numbered(1);
+  const std::vector<CanFrame> sent = can_udp_bus_numbered(1);
   a.send(sent.data(), 1);
   EXPECT_EQ(collect(b, 1), sent);
   EXPECT_EQ(b.counters().malformed, 1);
 }
 
 TEST(UdpBus, ReceiveWithoutFramesReturnsAtOnce) {
-  UdpBus bus(kGroup, test_port());
+  UdpBus bus(kCanUdpBusGroup, can_udp_bus_test_port());
   CanFrame frame;
   EXPECT_EQ(bus.receive(&frame, 1), 0);
 }
 
 TEST(UdpBus, DescribesItsAddress) {
-  EXPECT_EQ(UdpBus(kGroup, test_port()).describe(),
-            std::string("udp:") + kGroup + ":" + std::to_string(test_port()));
+  EXPECT_EQ(UdpBus(kCanUdpBusGroup, can_udp_bus_test_port()).describe(),
+            std::string("udp:") + kCanUdpBusGroup + ":" + std::to_string(can_udp_bus_test_port()));
 }
 
 }  // namespace

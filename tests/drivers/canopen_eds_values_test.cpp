@@ -23,7 +23,7 @@ EdsObject read_u32(const std::string& value) {
   return read("DataType=7\nAccessType=rw\nDefaultValue=" + value + "\n");
 }
 
-std::string error_of(const std::string& keys) {
+std::string eds_values_error_of(const std::string& keys) {
   try {
     read(keys);
   } catch (const EdsError& error) {
@@ -64,9 +64,9 @@ TEST(EdsValues, EveryTypeHasItsCodeBytesAndSign) {
 }
 
 TEST(EdsValues, TypesThatNoDriveHasAreRefused) {
-  EXPECT_THAT(error_of("AccessType=ro\nDataType=0x0008\n"),
+  EXPECT_THAT(eds_values_error_of("AccessType=ro\nDataType=0x0008\n"),
               HasSubstr("drive.eds: [2000] DataType=0x0008: is not supported; use 1 boolean"));
-  EXPECT_THAT(error_of("AccessType=ro\n"), HasSubstr("DataType=: is missing"));
+  EXPECT_THAT(eds_values_error_of("AccessType=ro\n"), HasSubstr("DataType=: is missing"));
 }
 
 TEST(EdsValues, NumbersAreDecimalHexadecimalOrOctal) {
@@ -90,35 +90,36 @@ TEST(EdsValues, HexadecimalTwosComplementIsNegativeForSignedTypes) {
   EXPECT_EQ(object.low_limit, -2147483648);
   EXPECT_EQ(object.high_limit, 2147483647);
   EXPECT_EQ(object.default_value, -1);
-  EXPECT_THAT(error_of("DataType=4\nAccessType=rw\nDefaultValue=4294967295\n"), HasSubstr("does not fit"));
+  EXPECT_THAT(eds_values_error_of("DataType=4\nAccessType=rw\nDefaultValue=4294967295\n"),
+              HasSubstr("does not fit"));
 }
 
 TEST(EdsValues, ANumberOutsideItsTypeIsRefusedWithTheRange) {
   EXPECT_THAT(
-      error_of("DataType=3\nAccessType=rw\nDefaultValue=40000\n"),
+      eds_values_error_of("DataType=3\nAccessType=rw\nDefaultValue=40000\n"),
       HasSubstr(
           "[2000] DefaultValue=40000: does not fit into i16; write a whole number from -32768 to 32767"));
-  EXPECT_THAT(error_of("DataType=5\nAccessType=rw\nHighLimit=256\n"),
+  EXPECT_THAT(eds_values_error_of("DataType=5\nAccessType=rw\nHighLimit=256\n"),
               AllOf(HasSubstr("HighLimit=256"), HasSubstr("from 0 to 255")));
-  EXPECT_THAT(error_of("DataType=1\nAccessType=rw\nDefaultValue=2\n"), HasSubstr("from 0 to 1"));
-  EXPECT_THAT(error_of("DataType=0x1B\nAccessType=rw\nDefaultValue=0x8000000000000000\n"),
+  EXPECT_THAT(eds_values_error_of("DataType=1\nAccessType=rw\nDefaultValue=2\n"), HasSubstr("from 0 to 1"));
+  EXPECT_THAT(eds_values_error_of("DataType=0x1B\nAccessType=rw\nDefaultValue=0x8000000000000000\n"),
               HasSubstr("not a number sprung can hold"));
 }
 
 TEST(EdsValues, WhatIsNoNumberIsRefused) {
   for (const char* const value :
        {"many", "12x", "0x", "$NODEID-1", "1 2x", "$NODEIDx", "$NODEID0x180", "1+$NODEID+1"}) {
-    EXPECT_THAT(error_of(std::string("DataType=7\nAccessType=rw\nDefaultValue=") + value + "\n"),
+    EXPECT_THAT(eds_values_error_of(std::string("DataType=7\nAccessType=rw\nDefaultValue=") + value + "\n"),
                 HasSubstr("not a number sprung can hold"))
         << value;
   }
 }
 
 TEST(EdsValues, LimitsMustBeInOrderAndHoldTheDefault) {
-  EXPECT_THAT(error_of("DataType=7\nAccessType=rw\nLowLimit=9\nHighLimit=8\n"),
+  EXPECT_THAT(eds_values_error_of("DataType=7\nAccessType=rw\nLowLimit=9\nHighLimit=8\n"),
               HasSubstr("LowLimit=9: is above HighLimit=8; swap them"));
   EXPECT_THAT(
-      error_of("DataType=7\nAccessType=rw\nLowLimit=1\nHighLimit=8\nDefaultValue=0\n"),
+      eds_values_error_of("DataType=7\nAccessType=rw\nLowLimit=1\nHighLimit=8\nDefaultValue=0\n"),
       HasSubstr("DefaultValue=0: is outside LowLimit and HighLimit; write a whole number from 1 to 8"));
   EXPECT_EQ(read("DataType=7\nAccessType=rw\nHighLimit=8\nDefaultValue=8\n").low_limit, std::nullopt);
 }
@@ -153,13 +154,17 @@ TEST(EdsValues, AccessTypeAndMappingGiveTheDirections) {
 
 TEST(EdsValues, ContradictionsOfAccessAndMapAreRefused) {
   const std::string u32 = "DataType=7\n";
-  EXPECT_THAT(error_of(u32 + "AccessType=maybe\n"), HasSubstr("AccessType=maybe: write ro, wo, rw"));
-  EXPECT_THAT(error_of(u32), HasSubstr("AccessType=: write ro"));
-  EXPECT_THAT(error_of(u32 + "AccessType=rw\nPDOMapping=yes\n"), HasSubstr("PDOMapping=yes"));
-  EXPECT_THAT(error_of(u32 + "AccessType=rw\nPDOMapping=1\nSprungMap=X\n"), HasSubstr("write R, T or RT"));
-  EXPECT_THAT(error_of(u32 + "AccessType=rw\nSprungMap=R\n"), HasSubstr("needs PDOMapping=1"));
-  EXPECT_THAT(error_of(u32 + "AccessType=ro\nPDOMapping=1\nSprungMap=RT\n"), HasSubstr("AccessType=ro"));
-  EXPECT_THAT(error_of(u32 + "AccessType=wo\nPDOMapping=1\nSprungMap=T\n"), HasSubstr("AccessType=wo"));
+  EXPECT_THAT(eds_values_error_of(u32 + "AccessType=maybe\n"),
+              HasSubstr("AccessType=maybe: write ro, wo, rw"));
+  EXPECT_THAT(eds_values_error_of(u32), HasSubstr("AccessType=: write ro"));
+  EXPECT_THAT(eds_values_error_of(u32 + "AccessType=rw\nPDOMapping=yes\n"), HasSubstr("PDOMapping=yes"));
+  EXPECT_THAT(eds_values_error_of(u32 + "AccessType=rw\nPDOMapping=1\nSprungMap=X\n"),
+              HasSubstr("write R, T or RT"));
+  EXPECT_THAT(eds_values_error_of(u32 + "AccessType=rw\nSprungMap=R\n"), HasSubstr("needs PDOMapping=1"));
+  EXPECT_THAT(eds_values_error_of(u32 + "AccessType=ro\nPDOMapping=1\nSprungMap=RT\n"),
+              HasSubstr("AccessType=ro"));
+  EXPECT_THAT(eds_values_error_of(u32 + "AccessType=wo\nPDOMapping=1\nSprungMap=T\n"),
+              HasSubstr("AccessType=wo"));
 }
 
 TEST(EdsValues, TextsKeepTheirTextAndBytesTheirDigits) {
@@ -167,7 +172,7 @@ TEST(EdsValues, TextsKeepTheirTextAndBytesTheirDigits) {
   EXPECT_EQ(name.default_text, "EPOS2 50/5");
   EXPECT_EQ(name.default_value, std::nullopt);
   EXPECT_EQ(read("DataType=0xA\nAccessType=ro\nDefaultValue=01 Fe\n").default_text, "01fe");
-  EXPECT_THAT(error_of("DataType=0xF\nAccessType=ro\nDefaultValue=1 fe\n"),
+  EXPECT_THAT(eds_values_error_of("DataType=0xF\nAccessType=ro\nDefaultValue=1 fe\n"),
               HasSubstr("pairs of hexadecimal digits"));
 }
 

@@ -9,13 +9,13 @@
 namespace sprung::canopen {
 namespace {
 
-struct Row {
+struct EmergencyRow {
   int code;
   const char* text;
 };
 
 // Typed by hand from facts canopen 2.5.
-const Row kEpos2[] = {
+const EmergencyRow kEpos2[] = {
     {0x0000, "no error"},
     {0x1000, "generic error"},
     {0x2310, "over-current"},
@@ -56,7 +56,7 @@ const Row kEpos2[] = {
 };
 
 // CiA 301 table 21.
-const Row kClasses[] = {
+const EmergencyRow kClasses[] = {
     {0x1001, "generic error"},
     {0x2010, "current"},
     {0x2110, "current, input side"},
@@ -88,7 +88,7 @@ const Row kClasses[] = {
 
 TEST(EmergencyText, EveryCodeOfTheFactsHasItsOwnText) {
   std::set<std::string> texts;
-  for (const Row& row : kEpos2) {
+  for (const EmergencyRow& row : kEpos2) {
     const char* text = emergency_text(static_cast<std::uint16_t>(row.code));
     EXPECT_STREQ(text, row.text) << std::hex << row.code;
     EXPECT_TRUE(texts.insert(text).second) << text;
@@ -96,7 +96,7 @@ TEST(EmergencyText, EveryCodeOfTheFactsHasItsOwnText) {
 }
 
 TEST(EmergencyText, OtherCodesHaveTheTextOfTheirClass) {
-  for (const Row& row : kClasses) {
+  for (const EmergencyRow& row : kClasses) {
     EXPECT_STREQ(emergency_text(static_cast<std::uint16_t>(row.code)), row.text) << std::hex << row.code;
   }
 }

@@ -9,7 +9,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-std::string error_of(const std::string& text) {
+std::string ini_text_error_of(const std::string& text) {
   try {
     IniText(text, "drive.eds");
   } catch (const EdsError& error) {
@@ -50,21 +50,23 @@ TEST(IniText, KeepsTheOrderOfSections) {
 }
 
 TEST(IniText, ALineThatIsNoIniIsNamed) {
-  EXPECT_THAT(error_of("[1017]\nA=1\nwhat is this\n"), HasSubstr("drive.eds:3: neither [section] nor"));
+  EXPECT_THAT(ini_text_error_of("[1017]\nA=1\nwhat is this\n"),
+              HasSubstr("drive.eds:3: neither [section] nor"));
 }
 
 TEST(IniText, AKeyGivenTwiceIsNamed) {
-  EXPECT_THAT(error_of("[1017]\nLowLimit=1\nlowlimit=2\n"),
+  EXPECT_THAT(ini_text_error_of("[1017]\nLowLimit=1\nlowlimit=2\n"),
               HasSubstr("drive.eds: [1017] lowlimit=1: given twice"));
-  EXPECT_THAT(error_of("[1017]\nA=1\n[1018]\nA=1\n[1017]\nA=2\n"), HasSubstr("[1017] A=1: given twice"));
-  EXPECT_THAT(error_of("[1017]\nA=1\n  indented\n"), HasSubstr("given twice"));
+  EXPECT_THAT(ini_text_error_of("[1017]\nA=1\n[1018]\nA=1\n[1017]\nA=2\n"),
+              HasSubstr("[1017] A=1: given twice"));
+  EXPECT_THAT(ini_text_error_of("[1017]\nA=1\n  indented\n"), HasSubstr("given twice"));
 }
 
 TEST(IniText, ALineThatWouldBeCutIsRefused) {
   const std::string head = "[1017]\nDescription=";
   const std::string longest(197 - std::string("Description=").size(), 'x');
   EXPECT_EQ(IniText(head + longest + "\n", "drive.eds").find("1017")->text("Description"), longest);
-  EXPECT_THAT(error_of(head + longest + "x\n"),
+  EXPECT_THAT(ini_text_error_of(head + longest + "x\n"),
               AllOf(HasSubstr("drive.eds:2:"), HasSubstr("198 characters")));
 }
 

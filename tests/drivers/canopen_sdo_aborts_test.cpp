@@ -8,14 +8,14 @@
 namespace sprung::canopen {
 namespace {
 
-struct Row {
+struct SdoAbortsRow {
   std::uint32_t named;
   std::uint32_t code;
   const char* text;
 };
 
 // Codes typed by hand from facts canopen 1.4.
-const Row kRows[] = {
+const SdoAbortsRow kSdoAbortsRows[] = {
     {kAbortToggle, 0x05030000, "toggle bit wrong"},
     {kAbortTimeout, 0x05040000, "time-out"},
     {kAbortCommand, 0x05040001, "bad command specifier"},
@@ -56,7 +56,7 @@ const Row kRows[] = {
 
 TEST(AbortText, EveryCodeOfTheFactsHasItsNameAndItsOwnText) {
   std::set<std::string> texts;
-  for (const Row& row : kRows) {
+  for (const SdoAbortsRow& row : kSdoAbortsRows) {
     EXPECT_EQ(row.named, row.code) << row.text;
     EXPECT_STREQ(abort_text(row.code), row.text);
     EXPECT_TRUE(texts.insert(abort_text(row.code)).second) << row.text;

@@ -5,7 +5,7 @@
 namespace sprung::cia402 {
 namespace {
 
-constexpr PowerState kStates[] = {
+constexpr PowerState kCia402WordsStates[] = {
     PowerState::kNotReadyToSwitchOn,  PowerState::kSwitchOnDisabled,
     PowerState::kReadyToSwitchOn,     PowerState::kSwitchedOn,
     PowerState::kOperationEnabled,    PowerState::kQuickStopActive,
@@ -13,7 +13,7 @@ constexpr PowerState kStates[] = {
 };
 
 TEST(StatusWord, EveryStateSurvivesEncodingWithForeignBitsSet) {
-  for (const PowerState state : kStates) {
+  for (const PowerState state : kCia402WordsStates) {
     EXPECT_EQ(decode_status(encode_status(state)), state) << name(state);
     const auto noisy = static_cast<std::uint16_t>(encode_status(state) | kRemoteBit | kWarningBit | 0x4000);
     EXPECT_EQ(decode_status(noisy), state) << name(state);

@@ -21,7 +21,7 @@ using canopen::ObjectId;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-constexpr int kNode = 5;
+constexpr int kEdsNode = 5;
 const std::string kTop = test::source_dir();
 
 std::string read_file(const std::string& path) {
@@ -32,11 +32,11 @@ std::string read_file(const std::string& path) {
 
 Eds load(const std::string& device) {
   const std::string file = device + "/" + device + ".eds";
-  return canopen::parse_eds(read_file(kTop + "/drivers/profiles/" + file), file, kNode);
+  return canopen::parse_eds(read_file(kTop + "/drivers/profiles/" + file), file, kEdsNode);
 }
 
 /// One line of the table, every column as text.
-using Row = std::map<std::string, std::string>;
+using EdsRow = std::map<std::string, std::string>;
 
 std::vector<std::string> columns(const std::string& line) {
   std::vector<std::string> parts(1);
@@ -49,10 +49,10 @@ std::vector<std::string> columns(const std::string& line) {
   return parts;
 }
 
-std::vector<Row> rows_of(const std::string& device) {
+std::vector<EdsRow> rows_of(const std::string& device) {
   std::istringstream in(read_file(kTop + "/tests/conformance/objects_by_hand.csv"));
   std::vector<std::string> names;
-  std::vector<Row> rows;
+  std::vector<EdsRow> rows;
   for (std::string line; std::getline(in, line);) {
     if (line.empty() || line[0] == '#') continue;
     const std::vector<std::string> parts = columns(line);
@@ -61,14 +61,14 @@ std::vector<Row> rows_of(const std::string& device) {
       continue;
     }
     EXPECT_EQ(parts.size(), names.size()) << line;
-    Row row;
+    EdsRow row;
     for (std::size_t n = 0; n < names.size(); ++n) row[names[n]] = parts.at(n);
     if (row["device"] == device) rows.push_back(row);
   }
   return rows;
 }
 
-ObjectId id_of(Row row) {
+ObjectId id_of(EdsRow row) {
   return {static_cast<std::uint16_t>(std::stoul(row["index"], nullptr, 16)),
           static_cast<std::uint8_t>(std::stoul(row["sub"]))};
 }
@@ -79,7 +79,7 @@ std::string number_text(std::string text) {
   const bool relative = text.rfind(node, 0) == 0;
   if (relative) text.erase(0, node.size());
   if (text.empty() || text == "?") return text;
-  return std::to_string(std::stoll(text, nullptr, 0) + (relative ? kNode : 0));
+  return std::to_string(std::stoll(text, nullptr, 0) + (relative ? kEdsNode : 0));
 }
 
 std::string limit_text(const std::optional<std::int64_t>& limit) {
@@ -100,7 +100,7 @@ std::string access_text(EdsAccess access) {
   return "";
 }
 
-Row seen(const EdsObject& object) {
+EdsRow seen(const EdsObject& object) {
   const std::string map = std::string(object.map_receive ? "R" : "") + (object.map_transmit ? "T" : "");
   return {{"type", type_name(object.type)},
           {"access", access_text(object.access)},
@@ -115,7 +115,7 @@ Row seen(const EdsObject& object) {
 std::vector<std::string> differences(const std::string& device) {
   const Eds eds = load(device);
   std::vector<std::string> found;
-  for (Row row : rows_of(device)) {
+  for (EdsRow row : rows_of(device)) {
     const EdsObject* const object = eds.find(id_of(row));
     const std::string id = canopen::id_text(id_of(row));
     if (object == nullptr) {

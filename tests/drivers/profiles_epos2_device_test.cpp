@@ -11,7 +11,7 @@ namespace {
 using namespace epos2;
 
 constexpr double kTorque_Nm_A = 50.0 * 0.217;
-constexpr double kCountsPerRad = 16384 * 50.0 / (2 * M_PI);
+constexpr double kEpos2DeviceCountsPerRad = 16384 * 50.0 / (2 * M_PI);
 
 /// Facts canopen 2.2, column "value & 0x417F".
 TEST(Epos2Drive, ShowsTheTwelveStatusWords) {
@@ -63,7 +63,7 @@ TEST(Epos2Drive, FollowingErrorIsOffAtItsLargestValue) {
   bench.start(kModePosition);
   bench.run(0.1, 1.0);
   EXPECT_TRUE(bench.emergencies.empty());
-  EXPECT_NEAR(bench.read_i16(0x20F4), -0.1 * kCountsPerRad, 2.0);
+  EXPECT_NEAR(bench.read_i16(0x20F4), -0.1 * kEpos2DeviceCountsPerRad, 2.0);
 }
 
 TEST(Epos2Drive, CurrentModeGivesTheCurrentInMilliamperes) {
@@ -126,7 +126,7 @@ TEST(Epos2Drive, SpeedCapTakesTheCurrent) {
 TEST(Epos2Drive, PositionModeIsTheSpringAndDamperOfItsUnits) {
   DriveBench bench;
   const double stiffness_Nm_rad = 500.0, damping_Nm_s_rad = 30.0;
-  const double scale = 1e3 / kTorque_Nm_A / kCountsPerRad;
+  const double scale = 1e3 / kTorque_Nm_A / kEpos2DeviceCountsPerRad;
   bench.write(kPositionRegulator, std::llround(stiffness_Nm_rad * scale / kProportionalUnit_mA_qc), 2, 1);
   bench.write(kPositionRegulator, 0, 2, 2);
   bench.write(kPositionRegulator, std::llround(damping_Nm_s_rad * scale / kDerivativeUnit_mA_s_qc), 2, 3);
@@ -159,7 +159,7 @@ TEST(Epos2Drive, CountsBeginAtZeroAndWrapInTheCounter) {
   DriveBench bench;
   EXPECT_EQ(bench.read_i32(canopen::kPositionActual), 0);
   bench.run(0.1, -0.5);
-  EXPECT_NEAR(bench.read_i32(canopen::kPositionActual), -0.05 * kCountsPerRad, 1.0);
+  EXPECT_NEAR(bench.read_i32(canopen::kPositionActual), -0.05 * kEpos2DeviceCountsPerRad, 1.0);
   EXPECT_EQ(bench.read(kEncoderCounter),
             static_cast<std::uint32_t>(bench.read_i32(canopen::kPositionActual)));
   EXPECT_NEAR(bench.read_i32(0x606C), -0.5 * 50 * 60 / (2 * M_PI), 15.0);  // one count a tick is 15 rpm
@@ -174,7 +174,8 @@ TEST(Epos2Drive, CounterAtIndexGivesTheTrueAngle) {
   EXPECT_EQ(bench.read_i32(kCounterAtIndex), 0);
   bench.run(0.5, 0.4);  // 1.6 motor turns
   const double index_rad =
-      bench.shaft_rad + (bench.read_i32(kCounterAtIndex) - bench.read_i32(kEncoderCounter)) / kCountsPerRad;
+      bench.shaft_rad +
+      (bench.read_i32(kCounterAtIndex) - bench.read_i32(kEncoderCounter)) / kEpos2DeviceCountsPerRad;
   EXPECT_NEAR(std::remainder(index_rad * 50.0 - 0.7, 2 * M_PI), 0.0, 1e-2);
 }
 

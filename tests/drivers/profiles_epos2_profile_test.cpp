@@ -14,7 +14,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr DriveTiming kTiming{0.002, 0.005, 0.020};
+constexpr DriveTiming kEpos2ProfileTiming{0.002, 0.005, 0.020};
 const double kPi = std::acos(-1.0);
 
 ActuatorConfig actuator() {
@@ -45,7 +45,7 @@ const DriveSetting* find(const std::vector<DriveSetting>& settings, canopen::Obj
 }
 
 std::uint32_t value_of(const ActuatorConfig& config, canopen::ObjectId object, int size) {
-  const auto settings = epos2::Epos2Profile(config, kTiming).settings();
+  const auto settings = epos2::Epos2Profile(config, kEpos2ProfileTiming).settings();
   const DriveSetting* setting = find(settings, object);
   if (setting == nullptr) {
     ADD_FAILURE() << "no setting " << std::hex << object.index << ":" << int{object.sub};
@@ -57,7 +57,7 @@ std::uint32_t value_of(const ActuatorConfig& config, canopen::ObjectId object, i
 
 std::string refusal(const ActuatorConfig& config) {
   try {
-    const epos2::Epos2Profile profile(config, kTiming);
+    const epos2::Epos2Profile profile(config, kEpos2ProfileTiming);
   } catch (const std::invalid_argument& error) {
     return error.what();
   }
@@ -87,8 +87,9 @@ TEST(Epos2Settings, WhateverEndsOperationEndsTheCurrent) {
   for (const std::uint16_t option :
        {canopen::kShutdownOption, canopen::kDisableOption, canopen::kFaultReactionOption})
     EXPECT_EQ(value_of(actuator(), {option, 0}, 2), 0U);
-  EXPECT_EQ(find(epos2::Epos2Profile(actuator(), kTiming).settings(), {canopen::kQuickStopOption, 0}),
-            nullptr)
+  EXPECT_EQ(
+      find(epos2::Epos2Profile(actuator(), kEpos2ProfileTiming).settings(), {canopen::kQuickStopOption, 0}),
+      nullptr)
       << "an EPOS2 has no 0x605A";
 }
 
@@ -121,7 +122,7 @@ TEST(Epos2Settings, WhatTheRobotLeavesOpenStaysTheDrivesOwn) {
   config.pole_pairs = 0;
   config.winding_time_constant_s = 0.0;
   config.speed_limit_object = config.position_gains_object = 0;
-  const auto settings = epos2::Epos2Profile(config, kTiming).settings();
+  const auto settings = epos2::Epos2Profile(config, kEpos2ProfileTiming).settings();
   for (const canopen::ObjectId object : std::vector<canopen::ObjectId>{
            {0x6410, 3}, {0x6410, 4}, {0x6410, 5}, {0x60FB, 1}, {0x60FB, 3}, {0x6065, 0}})
     EXPECT_EQ(find(settings, object), nullptr) << std::hex << object.index << ":" << int{object.sub};
@@ -156,7 +157,7 @@ TEST(Epos2Settings, BeyondTheDrivesLimitsIsRefusedWithWhatItCan) {
 }
 
 TEST(Epos2Pdos, SetpointsAndModeTravelInOneFrame) {
-  const auto pdos = epos2::Epos2Profile(actuator(), kTiming).pdos();
+  const auto pdos = epos2::Epos2Profile(actuator(), kEpos2ProfileTiming).pdos();
   const auto entry = [](std::uint16_t index, std::uint8_t bits) {
     return canopen::MapEntry{{index, 0}, bits};
   };
@@ -187,7 +188,7 @@ TEST(Epos2Sample, IsInActuatorSpaceWithSignOffsetAndRatio) {
   ActuatorConfig config = actuator();
   config.direction = -1.0;
   config.offset_rad = 0.5;
-  const epos2::Epos2Profile profile(config, kTiming);
+  const epos2::Epos2Profile profile(config, kEpos2ProfileTiming);
   CanFrame received = frame(0x183, 8);
   canopen::put_le(&received.data[0], static_cast<std::uint32_t>(-16384 * 25),
                   4);  // half an output turn backwards
@@ -201,7 +202,7 @@ TEST(Epos2Sample, IsInActuatorSpaceWithSignOffsetAndRatio) {
 }
 
 TEST(Epos2Sample, FramesOfOthersAndShortOnesAreNotTaken) {
-  const epos2::Epos2Profile profile(actuator(), kTiming);
+  const epos2::Epos2Profile profile(actuator(), kEpos2ProfileTiming);
   DriveSample sample;
   EXPECT_FALSE(profile.decode_sample(frame(0x182, 8), sample));
   EXPECT_FALSE(profile.decode_sample(frame(0x183, 7), sample));
@@ -215,7 +216,7 @@ TEST(Epos2Sample, FramesOfOthersAndShortOnesAreNotTaken) {
 }
 
 TEST(Epos2Sample, NoSupplyVoltageIsKnown) {
-  const epos2::Epos2Profile profile(actuator(), kTiming);
+  const epos2::Epos2Profile profile(actuator(), kEpos2ProfileTiming);
   EXPECT_EQ(profile.supply_voltage_object().index, 0);
   EXPECT_TRUE(std::isnan(profile.supply_V(48000)));
 }
@@ -224,7 +225,7 @@ TEST(Epos2Setpoint, CurrentIsTorqueByRatioAndConstantAndSaturatesAtTheLimit) {
   for (const double direction : {1.0, -1.0}) {
     ActuatorConfig config = actuator();
     config.direction = direction;
-    const epos2::Epos2Profile profile(config, kTiming);
+    const epos2::Epos2Profile profile(config, kEpos2ProfileTiming);
     const auto mA = [&](double torque_Nm) {
       return direction * current_of(profile.encode_setpoint({torque_Nm, 0, DriveMode::kTorque}));
     };
@@ -243,7 +244,7 @@ TEST(Epos2Setpoint, PositionSurvivesTheWireWithinHalfACount) {
     ActuatorConfig config = actuator();
     config.direction = direction;
     config.offset_rad = -0.7;
-    const epos2::Epos2Profile profile(config, kTiming);
+    const epos2::Epos2Profile profile(config, kEpos2ProfileTiming);
     for (double position = -3.0; position < 3.0; position += 0.37) {
       const CanFrame sent = profile.encode_setpoint({0.0, position, DriveMode::kPosition});
       CanFrame back = frame(0x183, 8);
@@ -256,7 +257,7 @@ TEST(Epos2Setpoint, PositionSurvivesTheWireWithinHalfACount) {
 }
 
 TEST(Epos2Setpoint, FarPositionsSaturateInsteadOfWrapping) {
-  const epos2::Epos2Profile profile(actuator(), kTiming);
+  const epos2::Epos2Profile profile(actuator(), kEpos2ProfileTiming);
   const auto qc = [&](double rad) {
     return position_of(profile.encode_setpoint({0, rad, DriveMode::kPosition}));
   };
@@ -266,7 +267,7 @@ TEST(Epos2Setpoint, FarPositionsSaturateInsteadOfWrapping) {
 }
 
 TEST(Epos2Setpoint, FrameHasSevenBytesWithTheModeLast) {
-  const epos2::Epos2Profile profile(actuator(), kTiming);
+  const epos2::Epos2Profile profile(actuator(), kEpos2ProfileTiming);
   const CanFrame torque = profile.encode_setpoint({0, 0, DriveMode::kTorque});
   EXPECT_EQ(torque.id, 0x203U);
   EXPECT_EQ(torque.length, 7);
@@ -278,7 +279,7 @@ TEST(Epos2Setpoint, FrameHasSevenBytesWithTheModeLast) {
 }
 
 TEST(Epos2Setpoint, ControlWordHasItsOwnFrame) {
-  const CanFrame word = epos2::Epos2Profile(actuator(), kTiming).encode_control_word(0x010F);
+  const CanFrame word = epos2::Epos2Profile(actuator(), kEpos2ProfileTiming).encode_control_word(0x010F);
   EXPECT_EQ(word.id, 0x303U);
   EXPECT_EQ(word.length, 2);
   EXPECT_EQ(word.data[0], 0x0F);

@@ -13,9 +13,9 @@
 namespace sprung {
 namespace {
 
-constexpr DriveTiming kTiming{0.001, 0.005, 0.020};
+constexpr DriveTiming kGoldTiming{0.001, 0.005, 0.020};
 
-ActuatorConfig actuator() { return testing::two_drive_robot().actuators[0]; }
+ActuatorConfig gold_actuator() { return test::two_drive_robot().actuators[0]; }
 
 std::uint32_t value_of(const DriveProfile& profile, canopen::ObjectId object) {
   for (const DriveSetting& setting : profile.settings()) {
@@ -28,19 +28,20 @@ std::uint32_t value_of(const DriveProfile& profile, canopen::ObjectId object) {
 std::int16_t torque_of(const CanFrame& frame) {
   return static_cast<std::int16_t>(static_cast<std::uint16_t>(canopen::get_le(&frame.data[0], 2)));
 }
-std::int32_t position_of(const CanFrame& frame) {
+std::int32_t gold_position_of(const CanFrame& frame) {
   return static_cast<std::int32_t>(canopen::get_le(&frame.data[2], 4));
 }
 
 TEST(MakeProfile, UnknownNameListsTheKnownOnes) {
-  ActuatorConfig config = actuator();
+  ActuatorConfig config = gold_actuator();
   config.profile = "epos9";
-  EXPECT_THAT([&] { make_profile(config, kTiming); }, ::testing::ThrowsMessage<std::invalid_argument>(
-                                                          ::testing::HasSubstr("there are: epos2, gold")));
+  EXPECT_THAT(
+      [&] { make_profile(config, kGoldTiming); },
+      ::testing::ThrowsMessage<std::invalid_argument>(::testing::HasSubstr("there are: epos2, gold")));
 }
 
 TEST(GoldSettings, FollowFromTheRobotsFile) {
-  const gold::GoldProfile profile(actuator(), kTiming);
+  const gold::GoldProfile profile(gold_actuator(), kGoldTiming);
   EXPECT_EQ(value_of(profile, {canopen::kHeartbeatProducer, 0}), 5U);
   EXPECT_EQ(value_of(profile, {canopen::kHeartbeatConsumer, 1}), (127U << 16) | 20U);
   EXPECT_EQ(value_of(profile, {canopen::kAbortConnectionOption, 0}), 2U);
@@ -62,42 +63,42 @@ TEST(GoldSettings, InterpolationPeriodHoldsTheCycle) {
     int exponent;
   } cases[] = {{0.001, 1, -3}, {0.002, 2, -3}, {0.0005, 5, -4}, {0.00125, 125, -5}, {0.5, 50, -2}};
   for (const auto& c : cases) {
-    const gold::GoldProfile profile(actuator(), {c.cycle_s, 0.005, 0.020});
+    const gold::GoldProfile profile(gold_actuator(), {c.cycle_s, 0.005, 0.020});
     EXPECT_EQ(value_of(profile, {canopen::kInterpolationPeriod, 1}), c.value) << c.cycle_s;
     EXPECT_EQ(static_cast<std::int8_t>(value_of(profile, {canopen::kInterpolationPeriod, 2})), c.exponent);
   }
-  EXPECT_THROW(gold::GoldProfile(actuator(), {0.0012345678, 0.005, 0.020}), std::invalid_argument);
+  EXPECT_THROW(gold::GoldProfile(gold_actuator(), {0.0012345678, 0.005, 0.020}), std::invalid_argument);
 }
 
 TEST(GoldSettings, ImpossibleActuatorsAreRefused) {
-  ActuatorConfig config = actuator();
+  ActuatorConfig config = gold_actuator();
   config.rated_current_A = 0.0;
-  EXPECT_THROW(gold::GoldProfile(config, kTiming), std::invalid_argument);
-  config = actuator();
+  EXPECT_THROW(gold::GoldProfile(config, kGoldTiming), std::invalid_argument);
+  config = gold_actuator();
   config.speed_limit_rad_s = -1.0;
-  EXPECT_THROW(gold::GoldProfile(config, kTiming).settings(), std::invalid_argument);
-  config = actuator();
+  EXPECT_THROW(gold::GoldProfile(config, kGoldTiming).settings(), std::invalid_argument);
+  config = gold_actuator();
   config.position_stiffness_Nm_rad = -1.0;
-  EXPECT_THROW(gold::GoldProfile(config, kTiming).settings(), std::invalid_argument);
+  EXPECT_THROW(gold::GoldProfile(config, kGoldTiming).settings(), std::invalid_argument);
 }
 
 TEST(GoldSettings, GainsAreWrittenOnlyWhereTheDriveHasAnObjectForThem) {
-  ActuatorConfig config = actuator();
+  ActuatorConfig config = gold_actuator();
   config.position_gains_object = 0x2F01;
-  const std::size_t with = gold::GoldProfile(config, kTiming).settings().size();
+  const std::size_t with = gold::GoldProfile(config, kGoldTiming).settings().size();
   config.position_gains_object = 0;
-  EXPECT_EQ(gold::GoldProfile(config, kTiming).settings().size() + 2, with);
+  EXPECT_EQ(gold::GoldProfile(config, kGoldTiming).settings().size() + 2, with);
 }
 
 TEST(GoldSettings, SpeedCapIsWrittenOnlyWhereTheDriveHasAnObjectForIt) {
-  ActuatorConfig config = actuator();
-  const std::size_t with = gold::GoldProfile(config, kTiming).settings().size();
+  ActuatorConfig config = gold_actuator();
+  const std::size_t with = gold::GoldProfile(config, kGoldTiming).settings().size();
   config.speed_limit_object = 0;
-  EXPECT_EQ(gold::GoldProfile(config, kTiming).settings().size() + 1, with);
+  EXPECT_EQ(gold::GoldProfile(config, kGoldTiming).settings().size() + 1, with);
 }
 
 TEST(GoldPdos, EveryPdoIsMappedOrDisabled) {
-  const gold::GoldProfile profile(actuator(), kTiming);
+  const gold::GoldProfile profile(gold_actuator(), kGoldTiming);
   int transmit = 0, disabled = 0;
   for (const PdoSetting& pdo : profile.pdos()) {
     transmit += pdo.transmit ? 1 : 0;
@@ -113,10 +114,10 @@ TEST(GoldPdos, EveryPdoIsMappedOrDisabled) {
 }
 
 TEST(GoldSample, IsInActuatorSpaceWithSignOffsetAndRatio) {
-  ActuatorConfig config = actuator();
+  ActuatorConfig config = gold_actuator();
   config.direction = -1.0;
   config.offset_rad = 0.5;
-  const gold::GoldProfile profile(config, kTiming);
+  const gold::GoldProfile profile(config, kGoldTiming);
   CanFrame frame;
   frame.id = 0x181;
   frame.length = 8;
@@ -132,7 +133,7 @@ TEST(GoldSample, IsInActuatorSpaceWithSignOffsetAndRatio) {
 }
 
 TEST(GoldSample, FramesOfOthersAndShortOnesAreNotTaken) {
-  const gold::GoldProfile profile(actuator(), kTiming);
+  const gold::GoldProfile profile(gold_actuator(), kGoldTiming);
   CanFrame frame;
   frame.id = 0x182;
   frame.length = 8;
@@ -152,15 +153,15 @@ TEST(GoldSample, FramesOfOthersAndShortOnesAreNotTaken) {
 
 TEST(GoldSetpoint, PositionSurvivesTheWireWithinOneCount) {
   for (const double direction : {1.0, -1.0}) {
-    ActuatorConfig config = actuator();
+    ActuatorConfig config = gold_actuator();
     config.direction = direction;
-    const gold::GoldProfile profile(config, kTiming);
+    const gold::GoldProfile profile(config, kGoldTiming);
     for (double position = -3.0; position < 3.0; position += 0.37) {
       const CanFrame sent = profile.encode_setpoint({0.0, position, DriveMode::kPosition});
       CanFrame back;
       back.id = 0x181;
       back.length = 8;
-      canopen::put_le(&back.data[0], static_cast<std::uint32_t>(position_of(sent)), 4);
+      canopen::put_le(&back.data[0], static_cast<std::uint32_t>(gold_position_of(sent)), 4);
       DriveSample sample;
       ASSERT_TRUE(profile.decode_sample(back, sample));
       EXPECT_NEAR(sample.measured_position_rad, position, 0.5 * 2 * std::acos(-1.0) / (131072 * 100) + 1e-12);
@@ -169,7 +170,7 @@ TEST(GoldSetpoint, PositionSurvivesTheWireWithinOneCount) {
 }
 
 TEST(GoldSetpoint, TorqueIsRoundedHalfAwayFromZeroAndSaturates) {
-  const gold::GoldProfile profile(actuator(), kTiming);
+  const gold::GoldProfile profile(gold_actuator(), kGoldTiming);
   const auto permille = [&](double torque_Nm) {
     return torque_of(profile.encode_setpoint({torque_Nm, 0, DriveMode::kTorque}));
   };
@@ -184,7 +185,7 @@ TEST(GoldSetpoint, TorqueIsRoundedHalfAwayFromZeroAndSaturates) {
 }
 
 TEST(GoldSetpoint, FrameHasSevenBytesWithTheModeLast) {
-  const gold::GoldProfile profile(actuator(), kTiming);
+  const gold::GoldProfile profile(gold_actuator(), kGoldTiming);
   const CanFrame torque = profile.encode_setpoint({0, 0, DriveMode::kTorque});
   EXPECT_EQ(torque.id, 0x201U);
   EXPECT_EQ(torque.length, 7);
@@ -196,10 +197,10 @@ TEST(GoldSetpoint, FrameHasSevenBytesWithTheModeLast) {
 }
 
 TEST(GoldSetpoint, FarPositionsSaturateInsteadOfWrapping) {
-  const gold::GoldProfile profile(actuator(), kTiming);
-  EXPECT_EQ(position_of(profile.encode_setpoint({0, 1e12, DriveMode::kPosition})),
+  const gold::GoldProfile profile(gold_actuator(), kGoldTiming);
+  EXPECT_EQ(gold_position_of(profile.encode_setpoint({0, 1e12, DriveMode::kPosition})),
             std::numeric_limits<std::int32_t>::max());
-  EXPECT_EQ(position_of(profile.encode_setpoint({0, -1e12, DriveMode::kPosition})),
+  EXPECT_EQ(gold_position_of(profile.encode_setpoint({0, -1e12, DriveMode::kPosition})),
             std::numeric_limits<std::int32_t>::min());
 }
 

@@ -13,8 +13,8 @@ namespace {
 using canopen::NmtCommand;
 using canopen::NmtState;
 
-constexpr std::uint32_t kSave = 0x65766173;
-constexpr std::uint32_t kLoad = 0x64616F6C;
+constexpr std::uint32_t kCanopenDeviceSave = 0x65766173;
+constexpr std::uint32_t kCanopenDeviceLoad = 0x64616F6C;
 
 TEST_F(CanopenDeviceTest, FirstTickSendsBootUpThenPreOperational) {
   ASSERT_EQ(frames(0x703).size(), 1U);
@@ -65,7 +65,7 @@ TEST_F(CanopenDeviceTest, ResetNodeRestoresAllAndTellsTheApplication) {
 TEST_F(CanopenDeviceTest, PowerCycleBootsWithWhatWasStored) {
   write(canopen::kHeartbeatProducer, 0, 7, 2);
   EXPECT_EQ(read(canopen::kStoreParameters, 1), 1U);  // saves on command
-  EXPECT_EQ(write(canopen::kStoreParameters, 1, kSave, 4), 0U);
+  EXPECT_EQ(write(canopen::kStoreParameters, 1, kCanopenDeviceSave, 4), 0U);
   write(canopen::kHeartbeatProducer, 0, 9, 2);
   nmt(NmtCommand::kStart);
   node.raise(0x2310);
@@ -84,8 +84,8 @@ TEST_F(CanopenDeviceTest, PowerCycleBootsWithWhatWasStored) {
 TEST_F(CanopenDeviceTest, LoadedDefaultsCountFromTheNextReset) {
   write(canopen::kHeartbeatProducer, 0, 7, 2);
   write(canopen::kMaxTorque, 0, 900, 2);
-  write(canopen::kStoreParameters, 1, kSave, 4);
-  EXPECT_EQ(write(canopen::kRestoreDefaults, 1, kLoad, 4), 0U);
+  write(canopen::kStoreParameters, 1, kCanopenDeviceSave, 4);
+  EXPECT_EQ(write(canopen::kRestoreDefaults, 1, kCanopenDeviceLoad, 4), 0U);
   EXPECT_EQ(read(canopen::kRestoreDefaults, 1), 1U);
   EXPECT_EQ(read(canopen::kHeartbeatProducer), 7U);
   nmt(NmtCommand::kResetCommunication);

@@ -11,7 +11,7 @@ using epos2::kCurrentSetting;
 using epos2::kModeCurrent;
 using epos2::kModePosition;
 
-constexpr double kTorque_Nm_A = 50.0 * 0.217;
+constexpr double kCia402DriveTorque_Nm_A = 50.0 * 0.217;
 
 bool in_fault(DriveBench& bench) { return (bench.status() & 0x4F) == 0x08; }
 
@@ -76,11 +76,11 @@ TEST(Cia402Drive, CurrentSensorOffsetShiftsTheTrueTorque) {
   bench.drive->set_fault(FaultKind::kCurrentOffset, 0.5, true);
   bench.write(kCurrentSetting, 2000, 2);
   bench.run(0.05);
-  EXPECT_NEAR(bench.drive->motor_torque_Nm(), 1.5 * kTorque_Nm_A, 1e-3);
+  EXPECT_NEAR(bench.drive->motor_torque_Nm(), 1.5 * kCia402DriveTorque_Nm_A, 1e-3);
   EXPECT_EQ(bench.read_i16(canopen::kCurrentActual), 2000);
   bench.drive->set_fault(FaultKind::kCurrentOffset, 0.5, false);
   bench.run(0.05);
-  EXPECT_NEAR(bench.drive->motor_torque_Nm(), 2.0 * kTorque_Nm_A, 1e-3);
+  EXPECT_NEAR(bench.drive->motor_torque_Nm(), 2.0 * kCia402DriveTorque_Nm_A, 1e-3);
 }
 
 TEST(Cia402Drive, EncoderFaultsReachTheShownPosition) {
@@ -197,10 +197,10 @@ TEST(Cia402Drive, ModeIsInForceWhenItIsConfirmed) {
   bench.write(canopen::kMode, kModePosition, 1);
   bench.run(0.00175);
   EXPECT_EQ(static_cast<std::int8_t>(bench.read(canopen::kModeDisplay)), kModeCurrent);
-  EXPECT_NEAR(bench.drive->motor_torque_Nm(), kTorque_Nm_A, 1e-3);
+  EXPECT_NEAR(bench.drive->motor_torque_Nm(), kCia402DriveTorque_Nm_A, 1e-3);
   bench.run(0.0005);
   EXPECT_EQ(static_cast<std::int8_t>(bench.read(canopen::kModeDisplay)), kModePosition);
-  EXPECT_LT(bench.drive->motor_torque_Nm(), kTorque_Nm_A);
+  EXPECT_LT(bench.drive->motor_torque_Nm(), kCia402DriveTorque_Nm_A);
 }
 
 /// Torque 1 ms after a step of the position set-point, the joint held.

@@ -10,7 +10,7 @@
 namespace sprung::sim {
 namespace {
 
-constexpr double kCountsPerRad = 131072.0 * 100.0 / 6.283185307179586;
+constexpr double kCoreJumpCountsPerRad = 131072.0 * 100.0 / 6.283185307179586;
 
 /// Both drives in position mode with the foot `length_m` under the hip: facts (11), (12), knee behind.
 void hold_length(SimMaster& master, double length_m) {
@@ -19,7 +19,9 @@ void hold_length(SimMaster& master, double length_m) {
   const double square = length_m * length_m - kShank_m * kShank_m;
   const double knee_rad = std::acos((square - kThigh_m * kThigh_m) / (2 * kThigh_m * kShank_m));
   const double hip_rad = M_PI / 2 + std::acos((square + kThigh_m * kThigh_m) / (2 * kThigh_m * length_m));
-  const auto counts = [](double rad) { return static_cast<std::int32_t>(std::lround(rad * kCountsPerRad)); };
+  const auto counts = [](double rad) {
+    return static_cast<std::int32_t>(std::lround(rad * kCoreJumpCountsPerRad));
+  };
   master.drive(1, {{1, {0, counts(hip_rad), 8}}, {2, {0, counts(knee_rad), 8}}});
 }
 

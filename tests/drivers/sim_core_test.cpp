@@ -8,8 +8,8 @@
 namespace sprung::sim {
 namespace {
 
-constexpr double kPerMille_Nm = 1e-3 * 0.308 * 100.0;  // rated motor torque 7 A * 0.044 Nm/A, ratio 100
-constexpr double kCountsPerRad = 131072.0 * 100.0 / 6.283185307179586;
+constexpr double kCorePerMille_Nm = 1e-3 * 0.308 * 100.0;  // rated motor torque 7 A * 0.044 Nm/A, ratio 100
+constexpr double kCoreCountsPerRad = 131072.0 * 100.0 / 6.283185307179586;
 
 /// Folds the unpowered leg, which its friction holds up otherwise.
 void press(SimMaster& master) {
@@ -36,7 +36,7 @@ TEST(SimCore, PlantIsHeldUntilEveryDriveIsOperational) {
   master.ticks(50);
   EXPECT_EQ(master.sim.cycle(), -1);
   const std::int32_t held = master.drives[1].position_counts;
-  EXPECT_NEAR(held / kCountsPerRad, 3.2733, 1e-6);
+  EXPECT_NEAR(held / kCoreCountsPerRad, 3.2733, 1e-6);
   master.queue(canopen::nmt_frame(canopen::NmtCommand::kStart, 2));
   master.tick();
   EXPECT_EQ(master.sim.cycle(), 0);
@@ -54,8 +54,8 @@ TEST(SimCore, SyncAnswerHoldsPositionTorqueAndStatus) {
   for (const int node : {1, 2}) {
     const DriveAnswer& drive = master.drives[node];
     const double true_rad = truth.joints[static_cast<std::size_t>(node - 1)].true_position_rad;
-    EXPECT_NEAR(drive.position_counts, true_rad * kCountsPerRad, 1.0);
-    EXPECT_LT(std::abs(drive.torque_per_mille) * kPerMille_Nm, 4 * 0.5);
+    EXPECT_NEAR(drive.position_counts, true_rad * kCoreCountsPerRad, 1.0);
+    EXPECT_LT(std::abs(drive.torque_per_mille) * kCorePerMille_Nm, 4 * 0.5);
     EXPECT_EQ(drive.status_word & 0x26F, 0x240);  // switch-on disabled, remote
   }
 }
@@ -70,7 +70,7 @@ TEST(SimCore, PositionLoopHoldsTheLegUnderItsWeight) {
   const std::int32_t start = master.drives[2].position_counts;
   master.drive(2000, {{1, hip}, {2, knee}});
   EXPECT_TRUE(master.powered(1) && master.powered(2));
-  EXPECT_NEAR(master.drives[2].position_counts, start, 0.05 * kCountsPerRad);
+  EXPECT_NEAR(master.drives[2].position_counts, start, 0.05 * kCoreCountsPerRad);
   const SimTruth& truth = master.sim.truth();
   EXPECT_NEAR(truth.legs[0].true_contact_force_N[2], 5.23 * 9.81, 0.5);
   EXPECT_NEAR(truth.base_velocity_m_s[2], 0.0, 1e-3);
@@ -141,10 +141,11 @@ TEST(SimCore, ResetBringsTheInitialPoseBack) {
   master.boot();
   press(master);
   master.ticks(100);
-  ASSERT_GT(master.drives[2].position_counts, (2.3595 + 0.05) * kCountsPerRad);
+  ASSERT_GT(master.drives[2].position_counts, (2.3595 + 0.05) * kCoreCountsPerRad);
   master.control(SimControlKind::kReset, -1, 0.0);
   master.tick();
-  EXPECT_EQ(master.drives[2].position_counts, static_cast<std::int32_t>(std::floor(2.3595 * kCountsPerRad)));
+  EXPECT_EQ(master.drives[2].position_counts,
+            static_cast<std::int32_t>(std::floor(2.3595 * kCoreCountsPerRad)));
 }
 
 TEST(SimCore, TorqueConstantOfThePlantScalesTrueTorqueNotTheShownOne) {
@@ -155,7 +156,7 @@ TEST(SimCore, TorqueConstantOfThePlantScalesTrueTorqueNotTheShownOne) {
   master.enable();
   master.drive(30, {{1, {0, 0, 10}}, {2, {-100, 0, 10}}});
   EXPECT_NEAR(master.drives[2].torque_per_mille, -100, 1);
-  EXPECT_NEAR(master.sim.truth().joints[1].true_motor_torque_Nm, -1.2 * 100 * kPerMille_Nm, 1e-3);
+  EXPECT_NEAR(master.sim.truth().joints[1].true_motor_torque_Nm, -1.2 * 100 * kCorePerMille_Nm, 1e-3);
 }
 
 TEST(SimCore, UnknownPlantKeyIsRefusedWithTheKnownOnes) {
@@ -190,7 +191,7 @@ TEST(SimCore, SyncOffTheGridSamplesAtItsInstant) {
   ASSERT_EQ(positions.size(), 2U);
   const double speed_rad_s = master.sim.truth().joints[1].true_velocity_rad_s;
   ASSERT_GT(std::abs(speed_rad_s), 0.1);
-  EXPECT_NEAR((positions[1] - positions[0]) / kCountsPerRad, 1e-4 * speed_rad_s,
+  EXPECT_NEAR((positions[1] - positions[0]) / kCoreCountsPerRad, 1e-4 * speed_rad_s,
               1e-5 * std::abs(speed_rad_s));
 }
 

@@ -5,7 +5,7 @@
 namespace sprung::sim {
 namespace {
 
-constexpr double kStep_s = 0.001;
+constexpr double kPowerStageStep_s = 0.001;
 constexpr PowerTimes kEpos2Like{0.001, 0.002, 0.005, 0.020};
 
 /// @param words are given at `velocity_rad_s`, one tick each.
@@ -18,7 +18,7 @@ void give(PowerStage& stage, std::initializer_list<int> words, const PowerOption
 }
 
 PowerStage enabled() {
-  PowerStage stage({}, kStep_s);
+  PowerStage stage({}, kPowerStageStep_s);
   stage.advance(0.0);
   give(stage, {0x06, 0x07, 0x0F});
   EXPECT_EQ(stage.state(), PowerState::kOperationEnabled);
@@ -26,7 +26,7 @@ PowerStage enabled() {
 }
 
 TEST(PowerStage, FirstEnableTakesRefreshAndMeasurementOnce) {
-  PowerStage stage(kEpos2Like, kStep_s);
+  PowerStage stage(kEpos2Like, kPowerStageStep_s);
   EXPECT_EQ(stage.extra(), PowerExtra::kStart);
   stage.advance(0.0);
   EXPECT_EQ(stage.extra(), PowerExtra::kNone);
@@ -48,7 +48,7 @@ TEST(PowerStage, FirstEnableTakesRefreshAndMeasurementOnce) {
 }
 
 TEST(PowerStage, RefreshIsLeftWhenEnableIsTakenBack) {
-  PowerStage stage(kEpos2Like, kStep_s);
+  PowerStage stage(kEpos2Like, kPowerStageStep_s);
   for (int i = 0; i < 4; ++i) stage.advance(0.0);
   give(stage, {0x06, 0x07, 0x0F, 0x07});
   EXPECT_EQ(stage.extra(), PowerExtra::kNone);
@@ -146,7 +146,7 @@ TEST(PowerStage, LostConnectionFollowsItsOption) {
     stage.connection_lost(option, options, 3.0);
     EXPECT_EQ(stage.state(), expected[option]) << option;
   }
-  PowerStage unpowered({}, kStep_s);
+  PowerStage unpowered({}, kPowerStageStep_s);
   unpowered.advance(0.0);
   unpowered.connection_lost(1, options, 0.0);
   EXPECT_EQ(unpowered.state(), PowerState::kSwitchOnDisabled);

@@ -10,9 +10,9 @@
 namespace sprung::sim {
 namespace {
 
-constexpr double kWeight_Nm = 3.5 * 9.81 * 0.371429;  // level arm
-constexpr double kArm_kg_m2 = 0.510417;
-constexpr double kRotor_kg_m2 = 0.72;
+constexpr double kAxisWeight_Nm = 3.5 * 9.81 * 0.371429;  // level arm
+constexpr double kAxisArm_kg_m2 = 0.510417;
+constexpr double kAxisRotor_kg_m2 = 0.72;
 
 class TestAxisPlant : public testing::Test {
  protected:
@@ -65,14 +65,15 @@ TEST_F(TestAxisPlant, PositiveTorqueSwingsItTowardXAndTheWeightIsWhatWasWeighed)
   SimTruth truth(1, 1);
   plant.fill_truth(truth);
   EXPECT_GT(truth.legs[0].true_foot_in_world_m[0], 0.39);
-  EXPECT_NEAR(held_Nm, kWeight_Nm * std::sin(plant.position_rad(0)), 1e-3);
+  EXPECT_NEAR(held_Nm, kAxisWeight_Nm * std::sin(plant.position_rad(0)), 1e-3);
   EXPECT_NEAR(plant.gear_output_torque_Nm(0), held_Nm, 1e-3);
 }
 
 TEST_F(TestAxisPlant, RotorAndArmShareTheTorqueByTheirInertias) {
   Plant plant = make({{"friction_scale", 0.0}});
   plant.step({10.0});
-  EXPECT_NEAR(plant.gear_output_torque_Nm(0), 10.0 * kArm_kg_m2 / (kArm_kg_m2 + kRotor_kg_m2), 1e-3);
+  EXPECT_NEAR(plant.gear_output_torque_Nm(0), 10.0 * kAxisArm_kg_m2 / (kAxisArm_kg_m2 + kAxisRotor_kg_m2),
+              1e-3);
 }
 
 TEST_F(TestAxisPlant, FrictionFollowsItsLawOfSpeedAndDirection) {
@@ -147,7 +148,8 @@ TEST_F(TestAxisPlant, PushAtTheEndOfTheArmIsLeverTimesForce) {
   plant.step({0.0});
   SimTruth truth(1, 1);
   plant.fill_truth(truth);
-  EXPECT_NEAR(truth.joints[0].true_acceleration_rad_s2, 10.0 * 0.4 / (kArm_kg_m2 + kRotor_kg_m2), 1e-3);
+  EXPECT_NEAR(truth.joints[0].true_acceleration_rad_s2, 10.0 * 0.4 / (kAxisArm_kg_m2 + kAxisRotor_kg_m2),
+              1e-3);
 }
 
 TEST_F(TestAxisPlant, BenchIsBoltedDown) {

@@ -14,7 +14,7 @@ namespace {
 using test::TrunkPose;
 using test::TrunkSample;
 
-constexpr double kDegree = M_PI / 180.0;
+constexpr double kBodyEstimatorDegree = M_PI / 180.0;
 constexpr double kCycle_s = 0.002;
 
 /// A trot at 0.3 m/s, forward and a little to the left.
@@ -114,7 +114,7 @@ TEST_F(BodyEstimatorTest, TrotWithImuIsKnownToHalfADegreeThreeCentimetresASecond
   trunk_.foot_noise_m_s = 0.05;
   const Errors errors = run(ImuStatus::kGood, true, 4.0);
   EXPECT_TRUE(body_.uses_imu);
-  EXPECT_LT(errors.attitude_rad, 0.5 * kDegree);
+  EXPECT_LT(errors.attitude_rad, 0.5 * kBodyEstimatorDegree);
   EXPECT_LT(errors.velocity_m_s, 0.03);
   EXPECT_LT(errors.height_m, 0.005);
 }
@@ -125,7 +125,7 @@ TEST_F(BodyEstimatorTest, TrotWithAnImuThatGivesNoAttitudeIsKnownToOneDegree) {
   trunk_.foot_noise_m_s = 0.05;
   const Errors errors = run(ImuStatus::kNoAttitude, true, 4.0);
   EXPECT_TRUE(body_.uses_imu);
-  EXPECT_LT(errors.attitude_rad, 1.0 * kDegree);
+  EXPECT_LT(errors.attitude_rad, 1.0 * kBodyEstimatorDegree);
   EXPECT_LT(errors.velocity_m_s, 0.03);
   EXPECT_LT(errors.height_m, 0.005);
 }
@@ -134,7 +134,7 @@ TEST_F(BodyEstimatorTest, StandingWithoutImuOnALevelFloorIsKnownToHalfADegree) {
   run(ImuStatus::kGood, false, 0.3);
   trunk_.foot_noise_m_s = 0.02;
   const Errors errors = run(ImuStatus::kGood, false, 1.0);
-  EXPECT_LT(errors.attitude_rad, 0.5 * kDegree);
+  EXPECT_LT(errors.attitude_rad, 0.5 * kBodyEstimatorDegree);
   EXPECT_LT(errors.velocity_m_s, 0.03);
   EXPECT_LT(errors.height_m, 0.005);
 }
@@ -146,7 +146,7 @@ TEST_F(BodyEstimatorTest, TrotWithoutImuOnALevelFloorIsKnownToFourDegrees) {
   trunk_.foot_noise_m_s = 0.05;
   const Errors errors = run(ImuStatus::kGood, false, 4.0);
   EXPECT_FALSE(body_.uses_imu);
-  EXPECT_LT(errors.attitude_rad, 4.0 * kDegree);
+  EXPECT_LT(errors.attitude_rad, 4.0 * kBodyEstimatorDegree);
   EXPECT_LT(errors.velocity_m_s, 0.12);
   EXPECT_LT(errors.height_m, 0.010);
 }

@@ -9,7 +9,7 @@
 namespace sprung {
 namespace {
 
-constexpr double kDt_s = 0.001;
+constexpr double kGearFrictionEstimatorDt_s = 0.001;
 constexpr double kCoulomb_Nm = 7.0;
 constexpr double kCount_rad = 4.8e-7;
 
@@ -31,7 +31,7 @@ GearFrictionEstimator::Motion motion(double velocity_rad_s, double motor_Nm, dou
   m.velocity_rad_s = velocity_rad_s;
   m.motor_torque_Nm = motor_Nm;
   m.tracked_output_Nm = tracked_Nm;
-  m.dt_s = kDt_s;
+  m.dt_s = kGearFrictionEstimatorDt_s;
   return m;
 }
 

@@ -15,7 +15,7 @@
 namespace sprung {
 namespace {
 
-constexpr double kDt_s = 0.001;
+constexpr double kJointEstimatorDt_s = 0.001;
 constexpr double kEncoderStep_rad = 2.0 * 3.14159265358979 / 131072.0 / 100.0;
 constexpr int kCoast = 2;
 
@@ -41,7 +41,7 @@ class JointEstimatorTest : public testing::Test {
  protected:
   EstimatedJoint step(const JointSample& sample) {
     EstimatedJoint out;
-    estimator_.step(sample, kDt_s, out);
+    estimator_.step(sample, kJointEstimatorDt_s, out);
     return out;
   }
   EstimatedJoint settle(double position_rad, double torque_Nm) {
@@ -51,7 +51,7 @@ class JointEstimatorTest : public testing::Test {
   }
 
   JointConfig joint_ = not_identified();
-  JointEstimator estimator_{joint_, kDt_s, kEncoderStep_rad, kCoast};
+  JointEstimator estimator_{joint_, kJointEstimatorDt_s, kEncoderStep_rad, kCoast};
 };
 
 TEST_F(JointEstimatorTest, FirstSampleStartsWithoutAJump) {
@@ -69,7 +69,7 @@ TEST_F(JointEstimatorTest, FirstSampleStartsWithoutAJump) {
 
 TEST_F(JointEstimatorTest, MotorSideTorqueIsThePapersEquation) {
   EstimatedJoint out;
-  for (int k = 0; k < 200; ++k) out = step(fresh(1.0 - 0.5 * k * kDt_s, -12.0));
+  for (int k = 0; k < 200; ++k) out = step(fresh(1.0 - 0.5 * k * kJointEstimatorDt_s, -12.0));
   EXPECT_NEAR(out.estimated_velocity_rad_s, -0.5, 1e-3);
   EXPECT_NEAR(out.friction_torque_Nm, -joint_.coulomb_friction_Nm, 1e-6);
   EXPECT_NEAR(out.motor_side_torque_Nm, -12.0 + joint_.coulomb_friction_Nm, 1e-6);
@@ -81,7 +81,7 @@ TEST_F(JointEstimatorTest, RotorsOwnAccelerationIsNotGearTorque) {
   const double torque_Nm = 60.0 + joint_.coulomb_friction_Nm;
   const double acceleration = 60.0 / joint_.armature_kg_m2;
   for (int k = 0; k < 100; ++k) {
-    const double t = k * kDt_s;
+    const double t = k * kJointEstimatorDt_s;
     out = step(fresh(1.0 + 0.5 * acceleration * t * t, torque_Nm));
   }
   EXPECT_NEAR(out.estimated_acceleration_rad_s2, acceleration, 0.1);
@@ -90,13 +90,13 @@ TEST_F(JointEstimatorTest, RotorsOwnAccelerationIsNotGearTorque) {
 }
 
 TEST_F(JointEstimatorTest, CoastsThroughAFewMissingSamples) {
-  for (int k = 0; k < 100; ++k) step(fresh(1.0 + 2.0 * k * kDt_s, joint_.coulomb_friction_Nm));
+  for (int k = 0; k < 100; ++k) step(fresh(1.0 + 2.0 * k * kJointEstimatorDt_s, joint_.coulomb_friction_Nm));
   JointSample missing;
   missing.drive_enabled = true;
   EstimatedJoint out;
   for (int k = 0; k < kCoast; ++k) out = step(missing);
   EXPECT_EQ(out.status, JointStatus::kOk);
-  EXPECT_NEAR(out.estimated_position_rad, 1.0 + 2.0 * (99 + kCoast) * kDt_s, 1e-5);
+  EXPECT_NEAR(out.estimated_position_rad, 1.0 + 2.0 * (99 + kCoast) * kJointEstimatorDt_s, 1e-5);
   EXPECT_TRUE(std::isfinite(out.gear_output_torque_Nm));
 }
 
@@ -156,9 +156,9 @@ TEST_F(JointEstimatorTest, MotorTorqueIsOutputAndFrictionAndInertiaAlways) {
 TEST_F(JointEstimatorTest, SaysWhetherItsFrictionIsIdentified) {
   EXPECT_FALSE(step(fresh(1.0, 0.0)).identified);
   joint_.friction = IdentifiedFriction{};
-  JointEstimator identified(joint_, kDt_s, kEncoderStep_rad, kCoast);
+  JointEstimator identified(joint_, kJointEstimatorDt_s, kEncoderStep_rad, kCoast);
   EstimatedJoint out;
-  identified.step(fresh(1.0, 0.0), kDt_s, out);
+  identified.step(fresh(1.0, 0.0), kJointEstimatorDt_s, out);
   EXPECT_TRUE(out.identified);
 }
 
@@ -167,7 +167,7 @@ TEST_F(JointEstimatorTest, StuckJointKeepsItsEstimateWithABoundThatHolds) {
   joint_.friction = IdentifiedFriction{};
   joint_.friction->parameters.coulomb_Nm = 7.0;
   joint_.uncertainty.friction = 0.1;
-  estimator_ = JointEstimator(joint_, kDt_s, kEncoderStep_rad, kCoast);
+  estimator_ = JointEstimator(joint_, kJointEstimatorDt_s, kEncoderStep_rad, kCoast);
   settle(1.0, 10.0);
   for (double torque_Nm : {10.0, 12.0, 15.0, 8.0, 4.0}) {
     const EstimatedJoint out = settle(1.0, torque_Nm);
@@ -187,7 +187,7 @@ TEST_F(JointEstimatorTest, AtRestTheTorsionOfTheGearDecides) {
   joint_.torsion = GearTorsion{};
   joint_.torsion->stiffness_Nm_rad = joint_.torsion->second_stiffness_Nm_rad = kStiffness_Nm_rad;
   joint_.torsion->angle_std_rad = 1e-5;
-  estimator_ = JointEstimator(joint_, kDt_s, kEncoderStep_rad, kCoast);
+  estimator_ = JointEstimator(joint_, kJointEstimatorDt_s, kEncoderStep_rad, kCoast);
   std::mt19937 random(1);
   std::normal_distribution<double> noise(0.0, 1e-5);
   const auto cycle = [&](double q, double motor_Nm, double load_Nm) {
@@ -197,7 +197,7 @@ TEST_F(JointEstimatorTest, AtRestTheTorsionOfTheGearDecides) {
     return step(sample);
   };
   for (int k = 0; k < 2000; ++k) {  // to and fro at 0.2 rad/s under 3 Nm
-    const double w = k < 1000 ? 0.2 : -0.2, q = 1.0 + 0.2 * kDt_s * (k < 1000 ? k : 2000 - k);
+    const double w = k < 1000 ? 0.2 : -0.2, q = 1.0 + 0.2 * kJointEstimatorDt_s * (k < 1000 ? k : 2000 - k);
     cycle(q, 3.0 + std::copysign(kFriction_Nm, w), 3.0);
   }
   double squares = 0.0, covered = 0.0;
@@ -220,7 +220,7 @@ TEST_F(JointEstimatorTest, ALinkEncoderThatFallsSilentLeavesTheMotorsSide) {
   joint_.torsion = GearTorsion{};
   joint_.torsion->stiffness_Nm_rad = joint_.torsion->second_stiffness_Nm_rad = 25000.0;
   joint_.torsion->angle_std_rad = 1e-5;
-  estimator_ = JointEstimator(joint_, kDt_s, kEncoderStep_rad, kCoast);
+  estimator_ = JointEstimator(joint_, kJointEstimatorDt_s, kEncoderStep_rad, kCoast);
   const EstimatedJoint out = settle(1.0, 5.0);
   EXPECT_TRUE(std::isnan(out.torsion_torque_Nm));
   EXPECT_NEAR(out.gear_output_torque_Nm, 5.0, 1e-9);
@@ -290,12 +290,12 @@ struct Quality {
 };
 
 Quality assess(const JointConfig& joint, const PushOff& run) {
-  JointEstimator estimator(joint, kDt_s, kEncoderStep_rad, kCoast);
+  JointEstimator estimator(joint, kJointEstimatorDt_s, kEncoderStep_rad, kCoast);
   Quality q;
   int count = 0;
   for (std::size_t k = 0; k < run.encoder_rad.size(); ++k) {
     EstimatedJoint out;
-    estimator.step(fresh(run.encoder_rad[k], run.motor_Nm[k]), kDt_s, out);
+    estimator.step(fresh(run.encoder_rad[k], run.motor_Nm[k]), kJointEstimatorDt_s, out);
     if (out.status != JointStatus::kOk) continue;
     const double error = out.gear_output_torque_Nm - run.output_Nm[k];
     const double papers_error = out.motor_side_torque_Nm - run.output_Nm[k];

@@ -8,8 +8,8 @@
 namespace sprung {
 namespace {
 
-constexpr double kDt_s = 0.001;
-constexpr ErrorShares kPrior{0.15, 0.02, 0.03, 0.6};
+constexpr double kResidualModelDt_s = 0.001;
+constexpr ErrorShares kResidualModelPrior{0.15, 0.02, 0.03, 0.6};
 
 /// A joint that swings: friction by sign, inertia and motor torque by acceleration.
 JointResidual swing(int k, const ErrorShares& truth, double noise_Nm, double contact_Nm = 0.0) {
@@ -26,11 +26,11 @@ class ResidualModelTest : public testing::Test {
  protected:
   void run(int samples, const ErrorShares& truth, bool free = true, double contact_Nm = 0.0) {
     for (int i = 0; i < samples; ++i)
-      model_.step(swing(k_++, truth, noise_(random_), contact_Nm), kDt_s, free);
+      model_.step(swing(k_++, truth, noise_(random_), contact_Nm), kResidualModelDt_s, free);
   }
   std::mt19937 random_{7};
   std::normal_distribution<double> noise_{0.0, 0.3};
-  ResidualModel model_{kPrior, 0.7, kDt_s};
+  ResidualModel model_{kResidualModelPrior, 0.7, kResidualModelDt_s};
   int k_ = 0;
 };
 
@@ -38,7 +38,7 @@ TEST_F(ResidualModelTest, AtFirstTheErrorIsWhatThePriorSays) {
   JointResidual in;
   in.part_Nm = {7.0, 100.0, 0.0, 0.0};
   in.torque_Nm = 3.0;
-  model_.step(in, kDt_s, true);
+  model_.step(in, kResidualModelDt_s, true);
   EXPECT_NEAR(model_.torque_Nm(), 3.0, 1e-12);
   EXPECT_NEAR(model_.model_Nm2(), 0.15 * 0.15 * 49.0 + 4.0, 1e-9);
   EXPECT_NEAR(model_.noise_Nm2(), 0.49, 1e-9);
@@ -71,10 +71,10 @@ TEST_F(ResidualModelTest, WhatHappenedInTheLastMomentsIsNotLearntYet) {
   const int at = k_;
   run(20, {}, true, 30.0);  // a contact that is found after 20 ms
   run(1, {}, false, 30.0);
-  quiet.step(swing(at + 20, {}, 0.0), kDt_s, false);
+  quiet.step(swing(at + 20, {}, 0.0), kResidualModelDt_s, false);
   JointResidual probe = swing(at + 21, {}, 0.0);
-  model_.step(probe, kDt_s, false);
-  quiet.step(probe, kDt_s, false);
+  model_.step(probe, kResidualModelDt_s, false);
+  quiet.step(probe, kResidualModelDt_s, false);
   EXPECT_NEAR(model_.torque_Nm(), quiet.torque_Nm(), 0.2);
 }
 
@@ -91,24 +91,24 @@ TEST_F(ResidualModelTest, LongAgoIsForgotten) {
 }
 
 TEST_F(ResidualModelTest, FrictionNearRestIsUnknownAndTeachesNothing) {
-  ResidualModel other(kPrior, 0.7, kDt_s);
+  ResidualModel other(kResidualModelPrior, 0.7, kResidualModelDt_s);
   JointResidual in;
   in.part_Nm = {0.0, 0.0, 10.0, 0.5};
   in.torque_Nm = 6.0;
   in.unknown_friction_Nm = 7.0;
-  for (int i = 0; i < 3000; ++i) other.step(in, kDt_s, true);
+  for (int i = 0; i < 3000; ++i) other.step(in, kResidualModelDt_s, true);
   EXPECT_NEAR(other.torque_Nm(), 6.0, 1e-9);
   EXPECT_NEAR(other.rest_Nm2(), 49.0 / 3.0, 1e-9);
   in.unknown_friction_Nm = 0.0;  // it moves on: doubt fades within some milliseconds
-  other.step(in, kDt_s, false);
+  other.step(in, kResidualModelDt_s, false);
   EXPECT_GT(other.rest_Nm2(), 5.0);
-  for (int i = 0; i < 30; ++i) other.step(in, kDt_s, false);
+  for (int i = 0; i < 30; ++i) other.step(in, kResidualModelDt_s, false);
   EXPECT_LT(other.rest_Nm2(), 1e-3);
 }
 
 TEST_F(ResidualModelTest, AJointWithoutAnyErrorStaysFinite) {
-  ResidualModel perfect({}, 0.0, kDt_s);
-  for (int i = 0; i < 100; ++i) perfect.step({}, kDt_s, true);
+  ResidualModel perfect({}, 0.0, kResidualModelDt_s);
+  for (int i = 0; i < 100; ++i) perfect.step({}, kResidualModelDt_s, true);
   EXPECT_EQ(perfect.torque_Nm(), 0.0);
   EXPECT_EQ(perfect.model_Nm2(), 0.0);
 }
@@ -117,7 +117,7 @@ TEST_F(ResidualModelTest, ResetForgetsEverything) {
   run(2000, {0.2, 0.03, -0.03, 0.5});
   model_.reset();
   const JointResidual in = swing(k_, {}, 1.0);
-  model_.step(in, kDt_s, false);
+  model_.step(in, kResidualModelDt_s, false);
   EXPECT_NEAR(model_.torque_Nm(), in.torque_Nm, 1e-12);
 }
 
@@ -128,13 +128,13 @@ TEST_F(ResidualModelTest, UncertaintyComesBackWithTheTimeAndNotWithTheNumberOfCy
   JointResidual in;
   in.part_Nm = {7.0, 80.0, 85.0, 0.5};
   in.unknown_friction_Nm = 3.0;
-  model_.step(in, kDt_s, false);
-  other.step(in, kDt_s, false);
+  model_.step(in, kResidualModelDt_s, false);
+  other.step(in, kResidualModelDt_s, false);
   in.unknown_friction_Nm = 0.0;
   const double before_Nm2 = model_.model_Nm2();
-  for (int i = 0; i < 8; ++i) model_.step(in, kDt_s, false);
-  other.step(in, 3 * kDt_s, false);
-  other.step(in, 5 * kDt_s, false);
+  for (int i = 0; i < 8; ++i) model_.step(in, kResidualModelDt_s, false);
+  other.step(in, 3 * kResidualModelDt_s, false);
+  other.step(in, 5 * kResidualModelDt_s, false);
   EXPECT_GT(model_.model_Nm2(), before_Nm2);
   EXPECT_NEAR(other.model_Nm2(), model_.model_Nm2(), 1e-9 * model_.model_Nm2());
   EXPECT_NEAR(other.rest_Nm2(), model_.rest_Nm2(), 1e-9 * model_.rest_Nm2());

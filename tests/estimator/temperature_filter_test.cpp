@@ -8,7 +8,7 @@
 namespace sprung {
 namespace {
 
-constexpr double kDt_s = 0.001;
+constexpr double kTemperatureFilterDt_s = 0.001;
 const ThermalParameters kThermal{0.6, 1200.0, 24.0};
 
 FrictionParameters law() {
@@ -33,13 +33,13 @@ TemperatureFilter swing(double true_C, double seconds, double bias_Nm, unsigned 
   filter.reset();
   std::mt19937 random(seed);
   std::normal_distribution<double> noise(0.0, 1.0);
-  for (int k = 0; k < std::lround(seconds / kDt_s); ++k) {
-    const double w = 1.5 * std::sin(2.0 * 3.14159265358979 * 0.5 * k * kDt_s);
-    filter.predict(0.0, w, kDt_s);
+  for (int k = 0; k < std::lround(seconds / kTemperatureFilterDt_s); ++k) {
+    const double w = 1.5 * std::sin(2.0 * 3.14159265358979 * 0.5 * k * kTemperatureFilterDt_s);
+    filter.predict(0.0, w, kTemperatureFilterDt_s);
     const double excess_Nm = friction_torque_Nm(law(), moving(w, true_C)) -
                              friction_torque_Nm(law(), moving(w, filter.temperature_C())) + bias_Nm +
                              noise(random);
-    filter.observe(moving(w), excess_Nm, kDt_s);
+    filter.observe(moving(w), excess_Nm, kTemperatureFilterDt_s);
   }
   return filter;
 }
@@ -47,8 +47,8 @@ TemperatureFilter swing(double true_C, double seconds, double bias_Nm, unsigned 
 TEST(TemperatureFilterTest, WithoutThermalParametersNothingIsKnown) {
   TemperatureFilter filter(law(), {});
   filter.reset();
-  filter.predict(10.0, 1.0, kDt_s);
-  filter.observe(moving(1.0), -2.0, kDt_s);
+  filter.predict(10.0, 1.0, kTemperatureFilterDt_s);
+  filter.observe(moving(1.0), -2.0, kTemperatureFilterDt_s);
   EXPECT_FALSE(filter.configured());
   EXPECT_TRUE(std::isnan(filter.temperature_C()));
 }
@@ -79,8 +79,8 @@ TEST(TemperatureFilterTest, AStandingJointSaysNothingAndGrowsUncertain) {
   TemperatureFilter filter = swing(40.0, 8.0, 0.0, 1);
   const double before_C = filter.temperature_C(), before_K = filter.std_K();
   for (int k = 0; k < 1000; ++k) {
-    filter.predict(0.0, 0.0, kDt_s);
-    filter.observe(moving(0.0), 3.0, kDt_s);
+    filter.predict(0.0, 0.0, kTemperatureFilterDt_s);
+    filter.observe(moving(0.0), 3.0, kTemperatureFilterDt_s);
   }
   EXPECT_NEAR(filter.temperature_C(), before_C, 0.05);
   EXPECT_GT(filter.std_K(), before_K);
@@ -89,7 +89,7 @@ TEST(TemperatureFilterTest, AStandingJointSaysNothingAndGrowsUncertain) {
 TEST(TemperatureFilterTest, APushIsNoTemperature) {
   TemperatureFilter filter = swing(40.0, 8.0, 0.0, 1);
   const double before_C = filter.temperature_C();
-  for (int k = 0; k < 1000; ++k) filter.observe(moving(1.0), -12.0, kDt_s);
+  for (int k = 0; k < 1000; ++k) filter.observe(moving(1.0), -12.0, kTemperatureFilterDt_s);
   EXPECT_EQ(filter.temperature_C(), before_C);
 }
 

@@ -8,11 +8,11 @@
 namespace sprung {
 namespace {
 
-constexpr double kDt_s = 0.001;
+constexpr double kTrackingFilterDt_s = 0.001;
 constexpr double kDensity = 5000.0;  // of a joint of 0.8 kg m^2
 constexpr double kStd_rad = 1.4e-7;  // of a 17-bit encoder behind 100:1
 
-TrackingFilter settled(double std_rad = kStd_rad, double dt_s = kDt_s) {
+TrackingFilter settled(double std_rad = kStd_rad, double dt_s = kTrackingFilterDt_s) {
   TrackingFilter filter(kDensity);
   filter.start(0.0, 0.0, std_rad, 10.0);
   for (int k = 0; k < 300; ++k) {
@@ -25,8 +25,8 @@ TrackingFilter settled(double std_rad = kStd_rad, double dt_s = kDt_s) {
 TEST(TrackingFilterTest, ConstantUnexplainedAccelerationIsFoundWithoutError) {
   TrackingFilter filter = settled();
   for (int k = 1; k <= 100; ++k) {
-    const double t = k * kDt_s;
-    filter.predict(kDt_s, 30.0);
+    const double t = k * kTrackingFilterDt_s;
+    filter.predict(kTrackingFilterDt_s, 30.0);
     filter.correct(0.5 * (30.0 - 12.0) * t * t, kStd_rad);
   }
   EXPECT_NEAR(filter.unexplained_rad_s2(), -12.0, 1e-6);
@@ -38,9 +38,9 @@ TEST(TrackingFilterTest, KnownInputIsFollowedWithoutAnyLag) {
   double position = 0.0, velocity = 0.0;
   for (int k = 0; k < 200; ++k) {
     const double input = k < 100 ? 200.0 : -200.0;
-    position += kDt_s * (velocity + 0.5 * kDt_s * input);
-    velocity += kDt_s * input;
-    filter.predict(kDt_s, input);
+    position += kTrackingFilterDt_s * (velocity + 0.5 * kTrackingFilterDt_s * input);
+    velocity += kTrackingFilterDt_s * input;
+    filter.predict(kTrackingFilterDt_s, input);
     filter.correct(position, kStd_rad);
     ASSERT_NEAR(filter.velocity_rad_s(), velocity, 1e-9);
     ASSERT_NEAR(filter.unexplained_rad_s2(), 0.0, 1e-6);
@@ -93,7 +93,7 @@ TEST(TrackingFilterTest, ErrorsOfItsOwnModelHaveTheStandardDeviationsThatItState
 TEST(TrackingFilterTest, AnUncertainEncoderMakesItPatient) {
   TrackingFilter quick = settled(kStd_rad), patient = settled(100.0 * kStd_rad);
   for (TrackingFilter* filter : {&quick, &patient}) {
-    filter->predict(kDt_s, 0.0);
+    filter->predict(kTrackingFilterDt_s, 0.0);
     filter->correct(5e-6, filter == &quick ? kStd_rad : 100.0 * kStd_rad);
   }
   EXPECT_GT(quick.unexplained_step_rad_s2(), 5.0 * patient.unexplained_step_rad_s2());
@@ -104,7 +104,7 @@ TEST(TrackingFilterTest, CoastingIsLessCertainWithEveryCycle) {
   TrackingFilter filter = settled();
   double before = filter.unexplained_std_rad_s2();
   for (int k = 0; k < 5; ++k) {
-    filter.predict(kDt_s, 0.0);
+    filter.predict(kTrackingFilterDt_s, 0.0);
     EXPECT_GT(filter.unexplained_std_rad_s2(), before);
     before = filter.unexplained_std_rad_s2();
   }

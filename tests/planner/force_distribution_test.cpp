@@ -41,13 +41,14 @@ void expect_inside_bounds(const DistributedForce& out, const std::vector<FootLoa
 
 bool chance(std::mt19937& random) { return std::uniform_real_distribution<>(0.0, 1.0)(random) < 0.75; }
 
-double between(double least, double most, std::mt19937& random) {
+double force_distribution_between(double least, double most, std::mt19937& random) {
   return std::uniform_real_distribution<>(least, most)(random);
 }
 
 Eigen::Vector3d vector_within(double x, double y, double z, std::mt19937& random) {
-  const double at_x = between(-x, x, random), at_y = between(-y, y, random);
-  return {at_x, at_y, between(-z, z, random)};
+  const double at_x = force_distribution_between(-x, x, random),
+               at_y = force_distribution_between(-y, y, random);
+  return {at_x, at_y, force_distribution_between(-z, z, random)};
 }
 
 /// Feet anywhere about their places, some in the air, some with the load of a foot that has just landed.
@@ -56,8 +57,9 @@ std::vector<FootLoad> random_feet(std::mt19937& random) {
   for (FootLoad& foot : feet) {
     foot.foot_from_com_m += vector_within(0.1, 0.1, 0.05, random);
     foot.stands = chance(random);
-    foot.most_N = chance(random) ? between(50.0, 300.0, random) : between(-5.0, 20.0, random);
-    foot.least_N = chance(random) ? between(0.0, 20.0, random) : 0.0;
+    foot.most_N = chance(random) ? force_distribution_between(50.0, 300.0, random)
+                                 : force_distribution_between(-5.0, 20.0, random);
+    foot.least_N = chance(random) ? force_distribution_between(0.0, 20.0, random) : 0.0;
   }
   return feet;
 }
@@ -89,9 +91,10 @@ double cost_of(const std::array<Eigen::Vector3d, 4>& forces, const BodyWrench& w
 Eigen::Vector3d allowed_force(const FootLoad& foot, std::mt19937& random) {
   if (!foot.stands) return Eigen::Vector3d::Zero();
   const double most_N = std::max(0.0, foot.most_N);
-  const double vertical = between(std::clamp(foot.least_N, 0.0, most_N), most_N, random);
+  const double vertical = force_distribution_between(std::clamp(foot.least_N, 0.0, most_N), most_N, random);
   const double inner = kFriction * std::cos(M_PI / 8.0) * vertical;  // the circle inside the pyramid
-  const double angle = between(0.0, 2.0 * M_PI, random), share = between(0.0, 1.0, random);
+  const double angle = force_distribution_between(0.0, 2.0 * M_PI, random),
+               share = force_distribution_between(0.0, 1.0, random);
   return {share * inner * std::cos(angle), share * inner * std::sin(angle), vertical};
 }
 
@@ -159,7 +162,7 @@ TEST(ForceDistribution, NoAllowedForcesAreBetter) {
     const double cost = cost_of(found, wanted, feet, weights);
     for (int other = 0; other < 60; ++other) {
       auto forces = found;
-      const double step = std::pow(10.0, between(-4.0, 0.0, random));
+      const double step = std::pow(10.0, force_distribution_between(-4.0, 0.0, random));
       for (std::size_t i = 0; i < feet.size(); ++i) {
         if (chance(random)) forces[i] += step * (allowed_force(feet[i], random) - forces[i]);
       }

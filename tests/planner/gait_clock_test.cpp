@@ -9,7 +9,7 @@
 namespace sprung {
 namespace {
 
-constexpr double kStep_s = 0.002;
+constexpr double kGaitClockStep_s = 0.002;
 
 GaitConfig gait(double period_s, double duty, std::vector<double> offsets) {
   GaitConfig out;
@@ -31,8 +31,8 @@ class GaitClockTest : public testing::Test {
   /// Feet land when their swing's time is over. @return most that were in the air at once.
   int run(double seconds) {
     int most = 0;
-    for (int k = 0; k < static_cast<int>(seconds / kStep_s + 0.5); ++k) {
-      clock_.advance(kStep_s);
+    for (int k = 0; k < static_cast<int>(seconds / kGaitClockStep_s + 0.5); ++k) {
+      clock_.advance(kGaitClockStep_s);
       int air = 0;
       for (std::size_t i = 0; i < 4; ++i) {
         if (clock_.swings(i) && clock_.swing_share(i) >= 1.0) clock_.land(i);
@@ -45,8 +45,8 @@ class GaitClockTest : public testing::Test {
   double until_first_swing_s() {
     double time_s = 0.0;
     while (clock_.all_stand() && time_s < 10.0) {
-      clock_.advance(kStep_s);
-      time_s += kStep_s;
+      clock_.advance(kGaitClockStep_s);
+      time_s += kGaitClockStep_s;
     }
     return time_s;
   }
@@ -64,9 +64,9 @@ TEST_F(GaitClockTest, SwingAndStanceShareThePeriod) {
 TEST_F(GaitClockTest, BeginsAsLongBeforeTheFirstSwingAsAllFeetStand) {
   begin(kTrot);  // both pairs stand for 0.6 - 0.5 of the period
   EXPECT_TRUE(clock_.all_stand());
-  EXPECT_NEAR(until_first_swing_s(), 0.06, 1.5 * kStep_s);
+  EXPECT_NEAR(until_first_swing_s(), 0.06, 1.5 * kGaitClockStep_s);
   begin(kCrawl);  // 0.25 - 0.14 of it
-  EXPECT_NEAR(until_first_swing_s(), 0.11 * 3.6, 1.5 * kStep_s);
+  EXPECT_NEAR(until_first_swing_s(), 0.11 * 3.6, 1.5 * kGaitClockStep_s);
 }
 
 TEST_F(GaitClockTest, DiagonalsOfATrotSwingTogetherAndInTurn) {
@@ -104,12 +104,12 @@ TEST_F(GaitClockTest, SwingShareGrowsFromNothingToOneAndStays) {
   until_first_swing_s();
   EXPECT_LT(clock_.swing_share(0), 0.02);
   for (int k = 0; k < 119; ++k) {
-    clock_.advance(kStep_s);
+    clock_.advance(kGaitClockStep_s);
     EXPECT_GE(clock_.swing_share(0), before);
     before = clock_.swing_share(0);
   }
   EXPECT_GT(before, 0.98);
-  for (int k = 0; k < 5; ++k) clock_.advance(kStep_s);
+  for (int k = 0; k < 5; ++k) clock_.advance(kGaitClockStep_s);
   EXPECT_EQ(clock_.swing_share(0), 1.0);
   EXPECT_TRUE(clock_.swings(0)) << "only the foot itself says that it landed";
 }
@@ -150,15 +150,15 @@ TEST_F(GaitClockTest, CountsDownToTheNextSwing) {
   begin(kTrot);
   const double until_s = clock_.until_swing_s(0);
   EXPECT_NEAR(until_s, 0.06, 1e-6);
-  clock_.advance(kStep_s);
-  EXPECT_NEAR(clock_.until_swing_s(0), until_s - kStep_s, 1e-9);
+  clock_.advance(kGaitClockStep_s);
+  EXPECT_NEAR(clock_.until_swing_s(0), until_s - kGaitClockStep_s, 1e-9);
   EXPECT_NEAR(clock_.until_swing_s(1) - clock_.until_swing_s(0), 0.3, 1e-9);
 }
 
 TEST_F(GaitClockTest, FootThatLandedEarlySwingsNextInItsNextTurn) {
   begin(kTrot);
   until_first_swing_s();
-  clock_.advance(kStep_s);
+  clock_.advance(kGaitClockStep_s);
   clock_.land(0);
   EXPECT_FALSE(clock_.swings(0));
   run(0.5);

@@ -85,7 +85,7 @@ TEST(MotionStateMachineTest, EveryMovingStateEndsIdleWhenSafetyIsLost) {
     MotionStateMachine machine = machine_in(static_cast<MotionPhase>(s));
     ASSERT_NE(machine.process_event(MotionEvent::kSafetyLost), nullptr);
     EXPECT_EQ(machine.state(), MotionPhase::kIdle);
-    EXPECT_STREQ(machine.last()->reason, "safety is not operational");
+    EXPECT_STREQ(machine.last()->reason, "stopped by safety");
   }
 }
 

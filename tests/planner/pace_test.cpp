@@ -9,8 +9,8 @@
 namespace sprung {
 namespace {
 
-constexpr double kStep_s = 0.002;
-GaitConfig crawl() {
+constexpr double kPaceStep_s = 0.002;
+GaitConfig crawling_gait() {
   GaitConfig gait;
   gait.fastest_forward_m_s = 0.12;
   gait.fastest_sideways_m_s = 0.06;
@@ -21,14 +21,14 @@ GaitConfig crawl() {
 class PaceTest : public testing::Test {
  protected:
   void run(double duration_s, bool waits) {
-    for (int k = 0; k < duration_s / kStep_s - 0.5; ++k) {
-      pace_.advance(waits, wanted_, gait_, kStep_s);
-      gone_m_ += pace_.now() * pace_.speed()[0] * kStep_s;
-      wanted_m_ += wanted_[0] * kStep_s;
+    for (int k = 0; k < duration_s / kPaceStep_s - 0.5; ++k) {
+      pace_.advance(waits, wanted_, gait_, kPaceStep_s);
+      gone_m_ += pace_.now() * pace_.speed()[0] * kPaceStep_s;
+      wanted_m_ += wanted_[0] * kPaceStep_s;
     }
   }
   Pace pace_;
-  const GaitConfig gait_ = crawl();
+  const GaitConfig gait_ = crawling_gait();
   Pace::Speed wanted_{0.1, 0.0, 0.0};
   double gone_m_ = 0.0;
   double wanted_m_ = 0.0;
@@ -82,7 +82,7 @@ TEST_F(PaceTest, GoesAtMostAFifthFasterOrSlower) {
   run(30.0, true);
   EXPECT_NEAR(pace_.speed()[0], (1.0 + Pace::kMost) * 0.05, 1e-12);
   pace_.lose(-9.0, 0.0);
-  run(2 * kStep_s, true);
+  run(2 * kPaceStep_s, true);
   EXPECT_NEAR(pace_.speed()[0], (1.0 - Pace::kMost) * 0.05, 1e-12);
 }
 
@@ -121,7 +121,7 @@ TEST_F(PaceTest, NothingIsCaughtUpWithWhereNobodyWantsToGo) {
   run(1.0, false);
   EXPECT_EQ(gone_m_, 0.0);
   wanted_ = {0.1, 0.0, 0.0};
-  run(kStep_s, false);
+  run(kPaceStep_s, false);
   EXPECT_EQ(pace_.speed(), wanted_);
 }
 
@@ -136,7 +136,7 @@ TEST_F(PaceTest, ForgetsWhenItBeginsAnew) {
   run(10.0, true);
   pace_.reset();
   EXPECT_EQ(pace_.now(), 1.0);
-  run(kStep_s, false);
+  run(kPaceStep_s, false);
   EXPECT_EQ(pace_.speed(), wanted_);
 }
 

@@ -68,6 +68,21 @@ TEST_F(PlannerCoreTest, StandNeedsSafetyAndReadyJoints) {
   EXPECT_EQ(motion_.state, MotionPhase::kIdle);
 }
 
+/// `sprung status` prints it: after a clear it may not go on saying that safety is not operational.
+TEST_F(PlannerCoreTest, RefusalIsToldUntilSafetyHasChanged) {
+  stand_up();
+  state_.safety = SafetyLevel::kDamping;
+  cycle();
+  EXPECT_STREQ(motion_.last_transition, "stopped by safety");
+  send(OperatorKind::kStand);
+  run(0.1);
+  EXPECT_STREQ(motion_.last_transition, "safety is not operational: clear it first");
+  state_.safety = SafetyLevel::kOperational;
+  cycle();
+  EXPECT_EQ(motion_.state, MotionPhase::kIdle);
+  EXPECT_STREQ(motion_.last_transition, "stopped by safety");
+}
+
 TEST_F(PlannerCoreTest, SecondCommandWhileMovingIsBusy) {
   send(OperatorKind::kStand);
   cycle();

@@ -7,7 +7,7 @@
 namespace sprung {
 namespace {
 
-constexpr double kStep_s = 0.002;
+constexpr double kSpeedRampStep_s = 0.002;
 
 TEST(SpeedRampTest, GoesToTheWantedSpeedAtItsAcceleration) {
   SpeedRamp ramp(0.2, 0.5);
@@ -15,33 +15,33 @@ TEST(SpeedRampTest, GoesToTheWantedSpeedAtItsAcceleration) {
   int cycles = 0;
   for (; !ramp.arrived() && cycles < 10000; ++cycles) {
     const auto before = ramp.now();
-    ramp.advance(kStep_s);
-    EXPECT_LE(std::abs(ramp.now()[0] - before[0]), 0.2 * kStep_s + 1e-15);
-    EXPECT_LE(std::abs(ramp.now()[1] - before[1]), 0.2 * kStep_s + 1e-15);
-    EXPECT_LE(std::abs(ramp.now()[2] - before[2]), 0.5 * kStep_s + 1e-15);
+    ramp.advance(kSpeedRampStep_s);
+    EXPECT_LE(std::abs(ramp.now()[0] - before[0]), 0.2 * kSpeedRampStep_s + 1e-15);
+    EXPECT_LE(std::abs(ramp.now()[1] - before[1]), 0.2 * kSpeedRampStep_s + 1e-15);
+    EXPECT_LE(std::abs(ramp.now()[2] - before[2]), 0.5 * kSpeedRampStep_s + 1e-15);
   }
-  EXPECT_NEAR(cycles * kStep_s, 1.5, 2 * kStep_s);
+  EXPECT_NEAR(cycles * kSpeedRampStep_s, 1.5, 2 * kSpeedRampStep_s);
   EXPECT_EQ(ramp.now(), (std::array<double, 3>{0.3, -0.1, 0.25}));
 }
 
 TEST(SpeedRampTest, TurnsRoundWithoutAStep) {
   SpeedRamp ramp(1.0, 1.0);
   ramp.want({0.5, 0.0, 0.0});
-  for (int k = 0; k < 100; ++k) ramp.advance(kStep_s);
+  for (int k = 0; k < 100; ++k) ramp.advance(kSpeedRampStep_s);
   const double before = ramp.now()[0];
   ramp.want({-0.5, 0.0, 0.0});
-  ramp.advance(kStep_s);
-  EXPECT_NEAR(ramp.now()[0], before - kStep_s, 1e-12);
+  ramp.advance(kSpeedRampStep_s);
+  EXPECT_NEAR(ramp.now()[0], before - kSpeedRampStep_s, 1e-12);
   EXPECT_FALSE(ramp.arrived());
 }
 
 TEST(SpeedRampTest, ResetItStandsAndWantsToStand) {
   SpeedRamp ramp(1.0, 1.0);
   ramp.want({0.5, 0.5, 0.5});
-  ramp.advance(kStep_s);
+  ramp.advance(kSpeedRampStep_s);
   ramp.reset();
   EXPECT_TRUE(ramp.arrived());
-  ramp.advance(kStep_s);
+  ramp.advance(kSpeedRampStep_s);
   EXPECT_EQ(ramp.now(), (std::array<double, 3>{0.0, 0.0, 0.0}));
 }
 

@@ -8,11 +8,12 @@
 namespace sprung {
 namespace {
 
-using Feet = std::array<Eigen::Vector2d, 3>;
-const Feet kRight{Eigen::Vector2d(0, 0), Eigen::Vector2d(0.4, 0), Eigen::Vector2d(0, 0.3)};  // inradius 0.1
+using SupportTriangleFeet = std::array<Eigen::Vector2d, 3>;
+const SupportTriangleFeet kRight{Eigen::Vector2d(0, 0), Eigen::Vector2d(0.4, 0),
+                                 Eigen::Vector2d(0, 0.3)};  // inradius 0.1
 
 TEST(SupportTriangleTest, MarginIsTheDistanceFromTheNearestSideWhateverTheOrderOfFeet) {
-  for (const Feet& feet : {kRight, Feet{kRight[1], kRight[0], kRight[2]}}) {
+  for (const SupportTriangleFeet& feet : {kRight, SupportTriangleFeet{kRight[1], kRight[0], kRight[2]}}) {
     const SupportTriangle triangle(feet);
     EXPECT_NEAR(triangle.margin_m({0.1, 0.1}), 0.1, 1e-12);
     EXPECT_NEAR(triangle.margin_m({0.05, 0.02}), 0.02, 1e-12);

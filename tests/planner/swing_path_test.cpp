@@ -8,7 +8,7 @@
 namespace sprung {
 namespace {
 
-constexpr double kStep_s = 1e-4;
+constexpr double kSwingPathStep_s = 1e-4;
 
 SwingPath path(double approach_s = 0.0) {
   SwingPath out;
@@ -69,10 +69,11 @@ TEST(SwingPathTest, AtTheEndThePlaceIsTheWantedOneWhateverTheApproach) {
 
 TEST(SwingPathTest, VelocityIsTheChangeOfPosition) {
   for (const SwingPath& swing : paths()) {
-    for (double time_s = kStep_s; time_s < 0.4; time_s += kStep_s) {
-      const Eigen::Vector3d moved_m = swing.at(time_s + kStep_s).position_m - swing.at(time_s).position_m;
-      const Eigen::Vector3d middle_m_s = swing.at(time_s + 0.5 * kStep_s).velocity_m_s;
-      ASSERT_LT((moved_m - middle_m_s * kStep_s).norm(), 0.15 * kStep_s)
+    for (double time_s = kSwingPathStep_s; time_s < 0.4; time_s += kSwingPathStep_s) {
+      const Eigen::Vector3d moved_m =
+          swing.at(time_s + kSwingPathStep_s).position_m - swing.at(time_s).position_m;
+      const Eigen::Vector3d middle_m_s = swing.at(time_s + 0.5 * kSwingPathStep_s).velocity_m_s;
+      ASSERT_LT((moved_m - middle_m_s * kSwingPathStep_s).norm(), 0.15 * kSwingPathStep_s)
           << "at " << time_s << " lift " << swing.lift_m << " approach " << swing.approach_s;
     }
   }
@@ -80,11 +81,12 @@ TEST(SwingPathTest, VelocityIsTheChangeOfPosition) {
 
 TEST(SwingPathTest, AccelerationIsTheChangeOfVelocityAndTheRestlessPartHasNoStepsOfSpeed) {
   for (const SwingPath& swing : paths()) {
-    for (double time_s = kStep_s; time_s < swing.duration_s - swing.approach_s - kStep_s; time_s += kStep_s) {
+    for (double time_s = kSwingPathStep_s; time_s < swing.duration_s - swing.approach_s - kSwingPathStep_s;
+         time_s += kSwingPathStep_s) {
       const Eigen::Vector3d change_m_s =
-          swing.at(time_s + kStep_s).velocity_m_s - swing.at(time_s).velocity_m_s;
-      const Eigen::Vector3d middle_m_s2 = swing.at(time_s + 0.5 * kStep_s).acceleration_m_s2;
-      ASSERT_LT((change_m_s - middle_m_s2 * kStep_s).norm(), 0.15 * kStep_s)
+          swing.at(time_s + kSwingPathStep_s).velocity_m_s - swing.at(time_s).velocity_m_s;
+      const Eigen::Vector3d middle_m_s2 = swing.at(time_s + 0.5 * kSwingPathStep_s).acceleration_m_s2;
+      ASSERT_LT((change_m_s - middle_m_s2 * kSwingPathStep_s).norm(), 0.15 * kSwingPathStep_s)
           << "at " << time_s << " lift " << swing.lift_m << " approach " << swing.approach_s;
     }
     const double down_s = swing.duration_s - swing.approach_s;
@@ -100,7 +102,7 @@ TEST(SwingPathTest, LiftsWithLessSquaredAccelerationThanAQuarticBump) {
   swing.to_m = swing.from_m;
   double spline = 0.0;
   double bump = 0.0;
-  for (double time_s = 0.0; time_s < swing.duration_s; time_s += kStep_s) {
+  for (double time_s = 0.0; time_s < swing.duration_s; time_s += kSwingPathStep_s) {
     const double u = time_s / swing.duration_s;
     const double z_m_s2 =
         swing.lift_m * 16.0 * (2.0 - 12.0 * u + 12.0 * u * u) / (swing.duration_s * swing.duration_s);
@@ -115,7 +117,7 @@ TEST(SwingPathTest, RisesByItsLiftAndNeverBelowItsLine) {
   SwingPath swing = path();
   swing.to_m.z() = swing.from_m.z();
   double highest_m = -1.0;
-  for (double time_s = 0.0; time_s < swing.duration_s; time_s += kStep_s) {
+  for (double time_s = 0.0; time_s < swing.duration_s; time_s += kSwingPathStep_s) {
     const double z_m = swing.at(time_s).position_m.z();
     EXPECT_GE(z_m, swing.from_m.z() - 1e-12);
     highest_m = std::max(highest_m, z_m);

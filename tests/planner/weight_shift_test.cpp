@@ -5,7 +5,7 @@
 namespace sprung {
 namespace {
 
-constexpr double kCycle_s = 0.002;
+constexpr double kWeightShiftCycle_s = 0.002;
 
 GaitConfig crawl(double sway_m = 0.1) {
   GaitConfig out;
@@ -30,8 +30,8 @@ class WeightShiftTest : public testing::Test {
       const double x = i < 2 ? 0.22 : -0.22, y = i % 2 == 0 ? 0.15 : -0.15;
       view_.foot_m[i] = {x - away_m.x(), y - away_m.y(), -0.5};
     }
-    shift_.step(clock_, view_, Eigen::Vector2d::Zero(), kCycle_s);
-    clock_.advance(shift_.holds() ? 0.0 : kCycle_s);
+    shift_.step(clock_, view_, Eigen::Vector2d::Zero(), kWeightShiftCycle_s);
+    clock_.advance(shift_.holds() ? 0.0 : kWeightShiftCycle_s);
   }
   bool any_swings() const { return !clock_.all_stand(); }
 
@@ -78,8 +78,8 @@ TEST_F(WeightShiftTest, ABodyThatDoesNotFollowIsWaitedForAndThenGivenUp) {
   int cycles = 0;
   for (; !shift_.gave_up() && cycles < 5000; ++cycles) cycle(false);
   EXPECT_FALSE(any_swings());
-  EXPECT_GT(cycles * kCycle_s, WeightShift::kGiveUp_s);
-  EXPECT_LT(cycles * kCycle_s, WeightShift::kGiveUp_s + 1.0);
+  EXPECT_GT(cycles * kWeightShiftCycle_s, WeightShift::kGiveUp_s);
+  EXPECT_LT(cycles * kWeightShiftCycle_s, WeightShift::kGiveUp_s + 1.0);
   shift_.reset();
   EXPECT_FALSE(shift_.gave_up());
 }
@@ -92,14 +92,14 @@ TEST_F(WeightShiftTest, ABodyThatMovesTheWrongWayIsNotSafeWhereItIs) {
     WeightShift other(4);
     GaitClock clock;
     clock.begin(gait_, 4);
-    while (clock.until_swing_s(2) > 1.5 * kCycle_s) clock.advance(kCycle_s);
+    while (clock.until_swing_s(2) > 1.5 * kWeightShiftCycle_s) clock.advance(kWeightShiftCycle_s);
     BodyView view = view_;
     for (std::size_t i = 0; i < 4; ++i)
       view.foot_m[i] = {(i < 2 ? 0.22 : -0.22) - there_m.x(), (i % 2 == 0 ? 0.15 : -0.15) - there_m.y(),
                         -0.5};
     view.velocity_known = true;
     view.velocity_m_s = {0.0, speed_m_s, 0.0};
-    other.step(clock, view, Eigen::Vector2d::Zero(), kCycle_s);
+    other.step(clock, view, Eigen::Vector2d::Zero(), kWeightShiftCycle_s);
     EXPECT_EQ(other.holds(), speed_m_s > 0.0);
   }
 }
@@ -109,7 +109,7 @@ TEST_F(WeightShiftTest, AFootThatNobodyKnowsKeepsTheLegDownAndTheLeanFinite) {
   for (int k = 0; k < 750; ++k) cycle(false);
   view_.foot_m[0].setConstant(kNaN);
   for (int k = 0; k < 10; ++k) {
-    shift_.step(clock_, view_, Eigen::Vector2d::Zero(), kCycle_s);
+    shift_.step(clock_, view_, Eigen::Vector2d::Zero(), kWeightShiftCycle_s);
     EXPECT_TRUE(shift_.holds());
     EXPECT_TRUE(shift_.at_m().allFinite());
   }

@@ -13,13 +13,13 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-ProcessConfig read(const std::string& more) {
+ProcessConfig process_section_read(const std::string& more) {
   return robot_sections::read_process(
       YamlMap::parse("program: sprung-motion-planner\npriority: 30\ncpu: 2\n" + more, "robot.yaml"));
 }
 
 TEST(ProcessSection, NothingComesBackAndEverythingIsHereUnlessTheFileSaysSo) {
-  const ProcessConfig process = read("");
+  const ProcessConfig process = process_section_read("");
   EXPECT_EQ(process.program, "sprung-motion-planner");
   EXPECT_EQ(process.priority, 30);
   EXPECT_EQ(process.cpu, 2);
@@ -28,14 +28,14 @@ TEST(ProcessSection, NothingComesBackAndEverythingIsHereUnlessTheFileSaysSo) {
 }
 
 TEST(ProcessSection, RestartAndHostAreRead) {
-  const ProcessConfig process = read("restart: without_torque\nhost: trunk\n");
+  const ProcessConfig process = process_section_read("restart: without_torque\nhost: trunk\n");
   EXPECT_EQ(process.restart, RestartPolicy::kWithoutTorque);
   EXPECT_EQ(process.host, "trunk");
-  EXPECT_EQ(read("restart: never\n").restart, RestartPolicy::kNever);
+  EXPECT_EQ(process_section_read("restart: never\n").restart, RestartPolicy::kNever);
 }
 
 TEST(ProcessSection, UnknownPolicyIsRefusedWithThoseThereAre) {
-  EXPECT_THAT([] { read("restart: always\n"); },
+  EXPECT_THAT([] { process_section_read("restart: always\n"); },
               testing::ThrowsMessage<std::runtime_error>(
                   AllOf(HasSubstr("always"), HasSubstr("never"), HasSubstr("without_torque"))));
 }

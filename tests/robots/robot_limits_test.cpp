@@ -14,7 +14,7 @@
 namespace sprung {
 namespace {
 
-using sprung::testing::DisturbedStack;
+using sprung::test::DisturbedStack;
 using Acts = std::set<std::string>;
 using Deeds = std::function<void(DisturbedStack&)>;
 

@@ -156,6 +156,25 @@ TEST(RobotLoader, PresetPaperCompensatesThePapersFrictionAndBestTheIdentified) {
   EXPECT_EQ(robot.preset("best").compensated_friction, CompensatedFriction::kIdentified);
 }
 
+TEST(RobotLoader, UsualPresetIsBestElseTheOnlyOneElseOneMustBeChosen) {
+  RobotConfig robot = load_robot("single_leg");
+  EXPECT_EQ(robot.preset().name, "best");
+  EXPECT_EQ(as_in_preset(robot, "").presets.size(), 2U);
+  EXPECT_EQ(preset_or(robot, "paper"), "paper");
+  EXPECT_EQ(preset_or(robot, "soft"), "best");
+  EXPECT_EQ(preset_or(robot, "soft", "paper"), "paper");
+  robot.presets[1].name = "soft";
+  EXPECT_THAT([&] { (void)robot.preset(); },
+              testing::ThrowsMessage<std::invalid_argument>(
+                  AllOf(HasSubstr("none is called best"), HasSubstr("--preset, one of: paper, soft"))));
+  robot.presets.erase(robot.presets.begin());
+  EXPECT_EQ(robot.preset().name, "soft");
+  EXPECT_EQ(preset_or(robot, "paper"), "soft");
+  EXPECT_THAT([&] { (void)robot.preset("best"); },
+              testing::ThrowsMessage<std::invalid_argument>(HasSubstr("there are: soft")))
+      << "what was asked is not replaced";
+}
+
 TEST(RobotLoader, UnderPresetPaperNothingIsIdentified) {
   RobotConfig robot = load_robot("single_leg");
   robot.joints[1].friction.emplace();

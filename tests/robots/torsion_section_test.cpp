@@ -9,13 +9,13 @@
 namespace sprung {
 namespace {
 
-GearTorsion read(const std::string& text) {
+GearTorsion torsion_section_read(const std::string& text) {
   return robot_sections::read_torsion(YamlMap::parse(text, "robot.yaml"));
 }
 
 std::string refused(const std::string& text) {
   try {
-    (void)read(text);
+    (void)torsion_section_read(text);
   } catch (const ConfigError& error) {
     return error.what();
   }
@@ -23,7 +23,7 @@ std::string refused(const std::string& text) {
 }
 
 TEST(TorsionSectionTest, ReadsStiffnessesAndHarmonics) {
-  const GearTorsion gear = read(
+  const GearTorsion gear = torsion_section_read(
       "{stiffness: 25000 Nm/rad, second_stiffness: 34000 Nm/rad, second_from: 14 Nm, angle_std: 0.00002 rad, "
       "kinematic_error: [{order: 2, cosine: 0.00001 rad, sine: 0.00029 rad}, {order: 0.98, cosine: 0 rad, "
       "sine: 1e-5 rad}]}");
@@ -37,7 +37,7 @@ TEST(TorsionSectionTest, ReadsStiffnessesAndHarmonics) {
 }
 
 TEST(TorsionSectionTest, OneStiffnessIsEnough) {
-  const GearTorsion gear = read("{stiffness: 31000 Nm/rad, angle_std: 0.00002 rad}");
+  const GearTorsion gear = torsion_section_read("{stiffness: 31000 Nm/rad, angle_std: 0.00002 rad}");
   EXPECT_EQ(gear.second_stiffness_Nm_rad, 31000.0);
   EXPECT_EQ(gear.second_from_Nm, 0.0);
   EXPECT_EQ(gear.kinematic_terms, 0u);

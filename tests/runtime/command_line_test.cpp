@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace sprung {
 namespace {
 
@@ -87,6 +89,28 @@ TEST_F(CommandLineTest, WrongUseIsTwoAndSaysWhatIsWrong) {
     EXPECT_EQ(out_, "") << words[0];
   }
   EXPECT_EQ(ran_, 0);
+}
+
+TEST_F(CommandLineTest, NobodyMayTypeANumberThatIsNotFinite) {
+  for (const char* text : {"nan", "NaN", "-nan", "inf", "INFINITY", "-inf", "nan(1)", "1e999", "-1e999"}) {
+    for (const std::string& typed : {std::string("--height=") + text, std::string("--pair=") + text}) {
+      std::vector<const char*> words{typed.c_str()};
+      if (typed.rfind("--pair", 0) == 0) words.push_back("2");
+      EXPECT_EQ(run(words), kExitWrongUse) << typed;
+      EXPECT_THAT(error_, HasSubstr("must be a finite number, not " + std::string(text))) << typed;
+    }
+  }
+  EXPECT_EQ(run({"--pair", "2", "nan"}), kExitWrongUse);
+  EXPECT_EQ(run({"--height", "nan"}), kExitWrongUse);
+  EXPECT_EQ(run({"--count", "nan"}), kExitWrongUse);
+  EXPECT_EQ(run({"--seed", "inf"}), kExitWrongUse);
+  EXPECT_EQ(ran_, 0);
+}
+
+TEST_F(CommandLineTest, WhatIsNotGivenMayStayNaN) {
+  height_ = std::nan("");
+  EXPECT_EQ(run({}), kExitDone);
+  EXPECT_TRUE(std::isnan(height_));
 }
 
 TEST_F(CommandLineTest, HelpShowsTheExampleAndTheDefaults) {

@@ -21,16 +21,17 @@ namespace {
 
 using test::Child;
 
-constexpr std::int64_t kSession = 815;
+constexpr std::int64_t kProgramsRingSession = 815;
 constexpr std::int64_t kRepeat_us = 50'000;  ///< as the bridge repeats
-constexpr std::int64_t kLong_us = 20'000'000;
+constexpr std::int64_t kProgramsRingLong_us = 20'000'000;
 using Bytes = std::vector<std::uint8_t>;
 using Faults = std::vector<std::string>;
 
 class Programs {
  public:
   Programs(const std::string& clock, const Faults& faults)
-      : repeat_us_(clock == "lockstep" ? kRepeat_us : kLong_us), node_({url_, kSession, 0, {}}) {
+      : repeat_us_(clock == "lockstep" ? kRepeat_us : kProgramsRingLong_us),
+        node_({url_, kProgramsRingSession, 0, {}}) {
     node_.subscribe(channels::kDriveCommand, CountLimits::exactly(2), commands_);
     node_.subscribe_message(channels::kOperatorReply, CountLimits::none(), replies_);
     node_.subscribe_message(channels::kProcessStatus, CountLimits::none(), statuses_);
@@ -41,7 +42,7 @@ class Programs {
                                      "--robot",
                                      test::source_dir() + "/robots/single_leg",
                                      "--session",
-                                     std::to_string(kSession),
+                                     std::to_string(kProgramsRingSession),
                                      "--lcm-url",
                                      url_,
                                      "--rt-policy",
@@ -63,7 +64,7 @@ class Programs {
   }
   /// @return whether that process' status comes to say so within the next seconds.
   bool await_detail(const std::string& process, const std::string& detail) {
-    for (const std::int64_t end_us = node_.utime_us() + kLong_us; node_.utime_us() < end_us;) {
+    for (const std::int64_t end_us = node_.utime_us() + kProgramsRingLong_us; node_.utime_us() < end_us;) {
       while (const auto status = statuses_.pop()) {
         if (status->process == process && status->detail == detail) return true;
       }
@@ -73,15 +74,19 @@ class Programs {
   }
   /// A message that every process refuses.
   void send_as_another_session() {
-    Node({url_, kSession + 1, 0, {}}).publisher<DriveState>(channels::kDriveState).publish(drive_state(0));
-    Node({url_, kSession + 1, 0, {}}).publisher<LegCommand>(channels::kLegCommand).publish(LegCommand(1));
+    Node({url_, kProgramsRingSession + 1, 0, {}})
+        .publisher<DriveState>(channels::kDriveState)
+        .publish(drive_state(0));
+    Node({url_, kProgramsRingSession + 1, 0, {}})
+        .publisher<LegCommand>(channels::kLegCommand)
+        .publish(LegCommand(1));
   }
   void kill(std::size_t child) { children_.at(child).reset(); }
 
   /// One cycle as the bridge paces it. @return the bytes of DRIVE_COMMAND(seq).
   Bytes cycle(std::int64_t seq) {
     DriveCommand command(2);
-    for (const std::int64_t end_us = node_.utime_us() + kLong_us; node_.utime_us() < end_us;) {
+    for (const std::int64_t end_us = node_.utime_us() + kProgramsRingLong_us; node_.utime_us() < end_us;) {
       send(seq);
       for (const std::int64_t again_us = node_.utime_us() + repeat_us_; node_.utime_us() < again_us;) {
         if (commands_.get(seq, command)) return encoded(command);
@@ -110,7 +115,7 @@ class Programs {
  private:
   static Bytes encoded(const DriveCommand& command) {
     sprung_msgs::drive_command_t message{};
-    to_message(command, kSession, message);
+    to_message(command, kProgramsRingSession, message);
     return test::encoded(message);
   }
 
@@ -130,7 +135,7 @@ class Programs {
 
   void await_ready() {
     std::set<std::string> ready;
-    for (const std::int64_t end_us = node_.utime_us() + kLong_us; ready.size() < 3;) {
+    for (const std::int64_t end_us = node_.utime_us() + kProgramsRingLong_us; ready.size() < 3;) {
       ASSERT_LT(node_.utime_us(), end_us) << "programs do not become ready";
       node_.wait_for_input(node_.utime_us() + 10'000);
       while (const auto status = statuses_.pop()) {

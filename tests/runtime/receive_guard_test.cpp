@@ -13,7 +13,7 @@ namespace {
 using test::encoded;
 using Bytes = std::vector<std::uint8_t>;
 
-constexpr std::int64_t kSession = 0x1122334455667788;
+constexpr std::int64_t kReceiveGuardSession = 0x1122334455667788;
 
 void write_int32(Bytes& bytes, std::size_t offset, std::int32_t value) {
   const auto bits = static_cast<std::uint32_t>(value);
@@ -22,7 +22,7 @@ void write_int32(Bytes& bytes, std::size_t offset, std::int32_t value) {
 
 sprung_msgs::joint_state_t joint_state() {
   sprung_msgs::joint_state_t message{};
-  message.session = kSession;
+  message.session = kReceiveGuardSession;
   message.n_joints = 2;
   message.n_legs = 1;
   message.joints.resize(2);
@@ -33,7 +33,7 @@ sprung_msgs::joint_state_t joint_state() {
 
 sprung_msgs::operator_reply_t reply() {
   sprung_msgs::operator_reply_t message{};
-  message.session = kSession;
+  message.session = kReceiveGuardSession;
   message.from = "planner";
   message.reason = "a reason";
   return message;
@@ -42,7 +42,7 @@ sprung_msgs::operator_reply_t reply() {
 /// Refuses bytes, and nothing else happened: counted once, named, nothing accepted.
 template <class M>
 void expect_refused(Refusal why, const Bytes& bytes, const CountLimits& limits) {
-  ReceiveGuard guard("CHANNEL", layout_of<M>(), limits, kSession);
+  ReceiveGuard guard("CHANNEL", layout_of<M>(), limits, kReceiveGuardSession);
   M out{};
   EXPECT_EQ(guard.decode(bytes.data(), bytes.size(), out), why) << name(why);
   EXPECT_EQ(guard.refused(why), 1);
@@ -57,7 +57,7 @@ void expect_joint_state_refused(Refusal why, const Bytes& bytes) {
 
 TEST(ReceiveGuard, AcceptsAGoodMessage) {
   ReceiveGuard guard("JOINT_STATE", layout_of<sprung_msgs::joint_state_t>(), CountLimits::exactly(2, 1),
-                     kSession);
+                     kReceiveGuardSession);
   const Bytes bytes = encoded(joint_state());
   sprung_msgs::joint_state_t out{};
   EXPECT_EQ(guard.decode(bytes.data(), bytes.size(), out), Refusal::kNone);
@@ -87,7 +87,7 @@ TEST(ReceiveGuard, RefusesAnotherTypeOrVersion) {
 
 TEST(ReceiveGuard, RefusesAnotherSession) {
   auto message = joint_state();
-  message.session = kSession + 1;
+  message.session = kReceiveGuardSession + 1;
   expect_joint_state_refused(Refusal::kWrongSession, encoded(message));
 }
 
@@ -112,9 +112,10 @@ TEST(ReceiveGuard, RefusesTrailingBytes) {
 }
 
 TEST(ReceiveGuard, AcceptsCountsUpToAMaximumWithTheRightLength) {
-  ReceiveGuard guard("CAN_TRACE", layout_of<sprung_msgs::can_trace_t>(), CountLimits::up_to(256), kSession);
+  ReceiveGuard guard("CAN_TRACE", layout_of<sprung_msgs::can_trace_t>(), CountLimits::up_to(256),
+                     kReceiveGuardSession);
   sprung_msgs::can_trace_t message{};
-  message.session = kSession;
+  message.session = kReceiveGuardSession;
   for (const int frames : {0, 1, 256, 257}) {
     message.n = frames;
     message.frames.resize(static_cast<std::size_t>(frames));
@@ -143,7 +144,8 @@ TEST(ReceiveGuard, RefusesEveryTruncationOfAMessageWithStrings) {
 }
 
 TEST(ReceiveGuard, CountsWhatIsRefusedLater) {
-  ReceiveGuard guard("X", layout_of<sprung_msgs::joint_state_t>(), CountLimits::exactly(2, 1), kSession);
+  ReceiveGuard guard("X", layout_of<sprung_msgs::joint_state_t>(), CountLimits::exactly(2, 1),
+                     kReceiveGuardSession);
   guard.refuse(Refusal::kBadValue, 9, 3);
   EXPECT_EQ(guard.refused(Refusal::kBadValue), 1);
   EXPECT_EQ(guard.last_refusal(), "X refused: bad value, found 9, expected 3");
@@ -155,7 +157,7 @@ template <class M>
 void expect_survives_rubbish(const M& good, const CountLimits& limits) {
   constexpr int kBuffers = 100'000;
   std::mt19937 random(20261121);
-  ReceiveGuard guard("FUZZ", layout_of<M>(), limits, kSession);
+  ReceiveGuard guard("FUZZ", layout_of<M>(), limits, kReceiveGuardSession);
   const Bytes whole = encoded(good);
   M out{};
   int accepted = 0;
@@ -180,7 +182,7 @@ void expect_survives_rubbish(const M& good, const CountLimits& limits) {
 template <class M>
 M of_this_session() {
   M message{};
-  message.session = kSession;
+  message.session = kReceiveGuardSession;
   return message;
 }
 

@@ -1,6 +1,6 @@
 #include "tests/support/bridge_bench.h"
 
-namespace sprung::testing {
+namespace sprung::test {
 
 RobotConfig two_drive_robot() {
   RobotConfig robot;
@@ -140,4 +140,4 @@ int BridgeBench::enabled() const {
   }));
 }
 
-}  // namespace sprung::testing
+}  // namespace sprung::test

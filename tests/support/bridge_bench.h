@@ -10,7 +10,7 @@
 #include "tests/support/fake_card.h"
 #include "tests/support/fake_drive.h"
 
-namespace sprung::testing {
+namespace sprung::test {
 
 /// Two joints like single_leg's, written here so that tests do not depend on the robot's file.
 RobotConfig two_drive_robot();
@@ -61,4 +61,4 @@ class BridgeBench {
   std::vector<CanFrame> answers_;
 };
 
-}  // namespace sprung::testing
+}  // namespace sprung::test

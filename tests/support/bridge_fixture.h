@@ -7,7 +7,7 @@
 
 #include "tests/support/bridge_bench.h"
 
-namespace sprung::testing {
+namespace sprung::test {
 
 class PoweredBridge : public ::testing::Test {
  protected:
@@ -49,4 +49,4 @@ class PoweredBridge : public ::testing::Test {
   std::vector<int> enabled_before_;
 };
 
-}  // namespace sprung::testing
+}  // namespace sprung::test

@@ -6,7 +6,7 @@
 
 #include "drivers/canopen/nmt.h"
 
-namespace sprung::testing {
+namespace sprung::test {
 namespace {
 
 constexpr double kShort_Nm = 5.0;  // between what a drive is told and what it gives
@@ -181,4 +181,4 @@ void DisturbedStack::note_drives() {
   }
 }
 
-}  // namespace sprung::testing
+}  // namespace sprung::test

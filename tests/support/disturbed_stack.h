@@ -12,7 +12,7 @@
 #include "estimator/estimator_core.h"
 #include "planner/planner_core.h"
 
-namespace sprung::testing {
+namespace sprung::test {
 
 class DisturbedStack {
  public:
@@ -71,4 +71,4 @@ class DisturbedStack {
   bool watching_ = false;
 };
 
-}  // namespace sprung::testing
+}  // namespace sprung::test

@@ -3,7 +3,7 @@
 #include "drivers/profiles/encoder_card/encoder_card_layout.h"
 #include "tests/support/fake_drive.h"
 
-namespace sprung::testing {
+namespace sprung::test {
 
 class FakeCard : public FakeDrive {
  public:
@@ -29,4 +29,4 @@ class FakeCard : public FakeDrive {
   }
 };
 
-}  // namespace sprung::testing
+}  // namespace sprung::test

@@ -3,7 +3,7 @@
 #include "drivers/canopen/objects.h"
 #include "drivers/cia402/words.h"
 
-namespace sprung::testing {
+namespace sprung::test {
 
 using namespace canopen;
 
@@ -125,4 +125,4 @@ void FakeDrive::tick(std::int64_t time_us, std::vector<CanFrame>& out) {
   out.push_back(heartbeat_frame(node_, nmt));
 }
 
-}  // namespace sprung::testing
+}  // namespace sprung::test

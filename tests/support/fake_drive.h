@@ -12,7 +12,7 @@
 #include "robots/robot_config.h"
 #include "signals/modes.h"
 
-namespace sprung::testing {
+namespace sprung::test {
 
 class FakeDrive {
  public:
@@ -71,4 +71,4 @@ class FakeDrive {
   int quick_stop_cycles_ = 0;
 };
 
-}  // namespace sprung::testing
+}  // namespace sprung::test

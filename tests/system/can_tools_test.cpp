@@ -36,7 +36,8 @@ TEST_F(CanTools, HelpHasAnExampleAndWrongUseIsTwo) {
 TEST_F(CanTools, LockstepIsHeardOnceAndAnExportReadsAsItsLog) {
   up("lockstep", "--speed 0.25");  // slow enough that whoever only listens keeps up
   const std::string log = file("trace.lcm");
-  ChildProcess record("/bin/sh", {"-c", "exec " + test::bin_dir() + "/sprung record " + log + " > /dev/null"});
+  ChildProcess record("/bin/sh",
+                      {"-c", "exec " + test::bin_dir() + "/sprung record " + log + " > /dev/null"});
   const CommandResult live = sprung("can dump --filter sync --filter 0x181 --count 400 --json");
   EXPECT_TRUE(grows(log, 300'000));
   record.signal(SIGINT);

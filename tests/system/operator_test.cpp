@@ -3,10 +3,14 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <lcm/lcm-cpp.hpp>
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "tests/support/changed_robot.h"
 #include "tests/support/paths.h"
 #include "tests/system/system_fixture.h"
 
@@ -46,6 +50,94 @@ TEST_F(Operator, UnknownRobotAndPresetAreNamed) {
   EXPECT_THAT(sprung("up single_leg --sim --preset worst").output, HasSubstr("paper, best"));
   EXPECT_THAT(sprung("up single_leg --clock lockstep").output, HasSubstr("needs --sim"));
   EXPECT_THAT(sprung("experiment jump --plant no_such_value=1").output, HasSubstr("friction_scale"));
+}
+
+TEST_F(Operator, NobodyMayTypeANumberThatIsNotFinite) {
+  for (const char* command :
+       {"walk --speed nan", "walk --turn=-inf", "jump --height inf", "land --in nan",
+        "comply --stiffness nan 2", "comply --damping 1 1e999", "fault knee encoder-jump --value nan",
+        "up single_leg --sim --speed nan", "replay no.lcm --speed inf"}) {
+    const CommandResult result = sprung(command);
+    EXPECT_EQ(result.status, 2) << command << result.output;
+    EXPECT_THAT(result.output, HasSubstr("must be a finite number")) << command;
+  }
+  EXPECT_THAT(sprung("experiment jump --plant friction_scale=nan").output, HasSubstr("the number is finite"));
+  EXPECT_NE(sprung("experiment tune --vary hybrid_landing.stiffness.z=nan:3000").status, 0);
+  EXPECT_NE(sprung("log info no.lcm --from nan").status, 0);
+}
+
+/// The shipped leg with one preset, which is called soft, as somebody's own folder.
+void write_soft_leg(const std::filesystem::path& folder) {
+  std::filesystem::copy(test::source_dir() + "/robots/single_leg", folder,
+                        std::filesystem::copy_options::recursive);
+  std::string yaml = test::shipped_yaml("single_leg");
+  const std::size_t paper = yaml.find("\n  paper:");
+  const std::size_t best = yaml.find("\n  best:");
+  yaml = yaml.substr(0, paper) + "\n  soft:" + yaml.substr(best + std::string("\n  best:").size());
+  std::ofstream(folder / "robot.yaml") << yaml;
+}
+
+TEST_F(Operator, ARobotOfOnesOwnFolderIsOperatedFromAnyWorkingFolder) {
+  std::filesystem::create_directories(folder_ / "elsewhere");
+  write_soft_leg(folder_ / "mine");
+  typed_robot_ = "./mine";
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(folder_);
+  up("lockstep", "--speed 4");
+  std::filesystem::current_path(folder_ / "elsewhere");
+  const auto status = nlohmann::json::parse(sprung("status --json").output);
+  EXPECT_EQ(status["preset"], "soft") << "the only one there is";
+  EXPECT_EQ(status["motion"]["state"], "idle");
+  for (const char* command : {"clear", "move knee --by 2deg", "sit"}) {
+    const CommandResult result = sprung(command);
+    EXPECT_EQ(result.status, 0) << command << ": " << result.output;
+  }
+  std::filesystem::current_path(before);
+}
+
+TEST_F(Operator, SeveralPresetsAndNoneCalledBestAreNamed) {
+  const std::filesystem::path folder = folder_ / "mine";
+  write_soft_leg(folder);
+  std::ofstream(folder / "robot.yaml")
+      << test::replaced(test::shipped_yaml("single_leg"), "\n  best:", "\n  soft:");
+  for (const std::string& command :
+       {"up " + folder.string() + " --sim --no-record", "experiment jump --robot " + folder.string()}) {
+    const CommandResult result = sprung(command);
+    EXPECT_NE(result.status, 0) << command;
+    EXPECT_THAT(result.output, HasSubstr("choose with --preset, one of: paper, soft")) << command;
+  }
+}
+
+TEST_F(Operator, MotionOfAPlannerThatIsHaltedIsNotToldAsIfItWereNow) {
+  up("lockstep", "--speed 2");
+  const auto processes = info().processes;
+  const auto planner = std::find_if(processes.begin(), processes.end(), [](const RunningProcess& process) {
+    return process.program == "sprung-motion-planner";
+  });
+  ASSERT_NE(planner, processes.end());
+  kill(static_cast<pid_t>(planner->pid), SIGSTOP);
+  const CommandResult told = sprung("status");
+  kill(static_cast<pid_t>(planner->pid), SIGCONT);
+  EXPECT_THAT(told.output, HasSubstr("motion  unknown: nothing heard of the motion planner"));
+  EXPECT_THAT(told.output, HasSubstr("TROUBLE sprung-motion-planner is stopped"));
+}
+
+TEST_F(Operator, EachJumpIsToldItsHeightWithoutAReport) {
+  up("lockstep", "--speed 4");
+  ASSERT_EQ(sprung("stand").status, 0);
+  const CommandResult jump = sprung("jump --count 2");
+  EXPECT_EQ(jump.status, 0) << jump.output;
+  EXPECT_THAT(jump.output, testing::ContainsRegex("jump 1: 1[789][0-9] mm high, estimated from flight time"));
+  EXPECT_THAT(jump.output, testing::ContainsRegex("jump 2: 1[789][0-9] mm high, estimated from flight time"));
+  EXPECT_THAT(sprung("jump --height 150").output, HasSubstr("mm high (asked 150 mm)"));
+}
+
+TEST_F(Operator, FaultNoneSaysThatFaultsAreTakenAway) {
+  up("lockstep", "--speed 2");
+  const CommandResult none = sprung("fault knee none");
+  EXPECT_EQ(none.status, 0) << none.output;
+  EXPECT_THAT(none.output, HasSubstr("knee: faults that were made there are taken away at cycle"));
+  EXPECT_THAT(none.output, testing::Not(HasSubstr("acts")));
 }
 
 TEST_F(Operator, StandJumpAndDown) {

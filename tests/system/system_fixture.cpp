@@ -76,10 +76,11 @@ std::string SystemTest::can_options() const {
 std::string SystemTest::said() const { return read_all(folder_ / "up.txt"); }
 
 void SystemTest::up(const std::string& clock, const std::string& more) {
-  const std::string command = "exec " + test::bin_dir() + "/sprung up " + robot_.name + " --sim --clock " + clock +
-                              (log_folder_.empty() ? " --no-record" : " --log " + log_folder_.string()) +
-                              " --lcm-url '" + lcm_url_ + "'" + can_options() + " " + more + " > " +
-                              (folder_ / "up.txt").string() + " 2>&1";
+  const std::string command =
+      "exec " + test::bin_dir() + "/sprung up " + (typed_robot_.empty() ? robot_.name : typed_robot_) +
+      " --sim --clock " + clock + (log_folder_.empty() ? " --no-record" : " --log " + log_folder_.string()) +
+      " --lcm-url '" + lcm_url_ + "'" + can_options() + " " + more + " > " + (folder_ / "up.txt").string() +
+      " 2>&1";
   up_ = std::make_unique<ChildProcess>("/bin/sh", std::vector<std::string>{"-c", command});
   while (read_all(folder_ / "up.txt").find("is up") == std::string::npos) {
     if (up_->ended()) {

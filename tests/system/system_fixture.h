@@ -51,6 +51,7 @@ class SystemTest : public testing::Test {
   const test::OwnFolder own_folder_{"system"};
   const std::filesystem::path folder_ = own_folder_.path();
   RobotConfig robot_ = load_robot("single_leg");  ///< another one: before up()
+  std::string typed_robot_;                       ///< for `sprung up`, before up(); empty = robot_'s name
   std::filesystem::path log_folder_;              ///< a log is written where one is named, before up()
 
  private:

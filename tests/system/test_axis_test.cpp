@@ -24,7 +24,8 @@ class TestAxis : public SystemTest {
   /// Everything that is published for a while: some thousand cycles.
   std::string record() const {
     const std::string file = (folder_ / "record.lcm").string();
-    ChildProcess record("/bin/sh", {"-c", "exec " + test::bin_dir() + "/sprung record " + file + " > /dev/null"});
+    ChildProcess record("/bin/sh",
+                        {"-c", "exec " + test::bin_dir() + "/sprung record " + file + " > /dev/null"});
     EXPECT_TRUE(grows(file, 3'000'000));
     record.signal(SIGINT);
     while (!record.ended()) usleep(10'000);

@@ -94,11 +94,11 @@ class UpOnTwoHosts : public Up {
   void start_trunk(const std::string& more = "") {
     trunk_ = std::make_unique<ChildProcess>(
         "/bin/sh",
-        std::vector<std::string>{"-c", "exec " + test::bin_dir() +
-                                       "/sprung up single_leg --sim --clock lockstep --no-record --host trunk"
-                                       " --instance trunk --lcm-url '" +
-                                           lcm_url() + "' " + more + " > " +
-                                           (folder_ / "trunk.txt").string() + " 2>&1"});
+        std::vector<std::string>{
+            "-c", "exec " + test::bin_dir() +
+                      "/sprung up single_leg --sim --clock lockstep --no-record --host trunk"
+                      " --instance trunk --lcm-url '" +
+                      lcm_url() + "' " + more + " > " + (folder_ / "trunk.txt").string() + " 2>&1"});
   }
   std::string trunk_said() const { return read_all(folder_ / "trunk.txt"); }
   std::unique_ptr<ChildProcess> trunk_;

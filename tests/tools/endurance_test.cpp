@@ -21,7 +21,7 @@ const RobotConfig& pegasus() {
   return robot;
 }
 
-const ReportRow& row(const std::vector<ReportRow>& rows, const std::string& quantity) {
+const ReportRow& endurance_row(const std::vector<ReportRow>& rows, const std::string& quantity) {
   for (const ReportRow& row : rows)
     if (row.name == "endurance.all." + quantity) return row;
   throw std::out_of_range(quantity);
@@ -85,15 +85,15 @@ TEST(EndurancePlants, AreDrawnWithinWhatTheIssueAsksFor) {
 
 TEST(EnduranceRows, FallsAndTripsAreNotAllowed) {
   std::vector<EnduranceOutcome> outcomes(3);
-  EXPECT_TRUE(row(endurance_rows(outcomes), "falls").ok());
+  EXPECT_TRUE(endurance_row(endurance_rows(outcomes), "falls").ok());
   outcomes[1].vitals.fell = true;
   outcomes[2].vitals.trips = 2;
   const auto rows = endurance_rows(outcomes);
-  EXPECT_EQ(row(rows, "falls").value, 1.0);
-  EXPECT_EQ(row(rows, "limit_trips").value, 2.0);
-  EXPECT_EQ(row(rows, "uncaught_falls").value, 1.0);
-  EXPECT_FALSE(row(rows, "falls").ok());
-  EXPECT_FALSE(row(rows, "limit_trips").ok());
+  EXPECT_EQ(endurance_row(rows, "falls").value, 1.0);
+  EXPECT_EQ(endurance_row(rows, "limit_trips").value, 2.0);
+  EXPECT_EQ(endurance_row(rows, "uncaught_falls").value, 1.0);
+  EXPECT_FALSE(endurance_row(rows, "falls").ok());
+  EXPECT_FALSE(endurance_row(rows, "limit_trips").ok());
 }
 
 TEST(EnduranceRows, WorstOfAllSeedsAndTheSumOfTheirTime) {
@@ -103,8 +103,8 @@ TEST(EnduranceRows, WorstOfAllSeedsAndTheSumOfTheirTime) {
   outcomes[0].vitals.saturated_share = 0.01;
   outcomes[0].simulated_s = outcomes[1].simulated_s = 50.0;
   outcomes[0].processor_s = outcomes[1].processor_s = 5.0;
-  EXPECT_NEAR(row(endurance_rows(outcomes), "watched").value, 1.5, 1e-12);
-  EXPECT_NEAR(row(endurance_rows(outcomes), "saturated_worst").value, 1.0, 1e-12);
+  EXPECT_NEAR(endurance_row(endurance_rows(outcomes), "watched").value, 1.5, 1e-12);
+  EXPECT_NEAR(endurance_row(endurance_rows(outcomes), "saturated_worst").value, 1.0, 1e-12);
   EXPECT_NEAR(endurance_speed(outcomes), 10.0, 1e-12);
 }
 

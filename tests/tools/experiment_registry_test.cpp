@@ -24,6 +24,15 @@ TEST(ExperimentRegistry, EveryExperimentOfTheSingleLegHasItsOwnNameAndAPresetTha
   EXPECT_TRUE(names.count("jump"));
 }
 
+TEST(ExperimentRegistry, ARobotWithOnePresetOfAnotherNameRunsInIt) {
+  for (const char* name : {"single_leg", "pegasus"}) {
+    RobotConfig robot = load_robot(name);
+    robot.presets.erase(robot.presets.begin());
+    robot.presets.front().name = "soft";
+    for (const ExperimentEntry& entry : experiments_of(robot)) EXPECT_EQ(entry.preset, "soft") << entry.name;
+  }
+}
+
 TEST(ExperimentRegistry, ARobotThatWalksHasExperimentsOfItsOwnAndNoJumps) {
   const RobotConfig robot = load_robot("pegasus");
   std::set<std::string> names;

@@ -62,6 +62,22 @@ TEST_F(FaultRequestTest, RefusalsSayWhatWouldDo) {
   EXPECT_THAT(refusal({"knee", "bus-off", {}, -1.0}), HasSubstr("--for"));
 }
 
+TEST_F(FaultRequestTest, AFaultActsAndNoneTakesItAway) {
+  FaultRequest request{"knee", "encoder-jump", 0.1, 0.5};
+  SimControl made = control(request);
+  made.apply_at_seq = 1200;
+  EXPECT_EQ(announcement(request, made),
+            "encoder-jump at knee, 0.1 rad of the joint: acts at cycle 1200 for 0.5 s");
+  EXPECT_THAT(effect_text(made.fault), HasSubstr("it acts now. Watch: implausible samples"));
+  request = {"knee", "none", {}, 0.0};
+  SimControl mended = control(request);
+  mended.apply_at_seq = 1300;
+  EXPECT_EQ(announcement(request, mended), "knee: faults that were made there are taken away at cycle 1300");
+  EXPECT_EQ(effect_text(mended.fault),
+            "taken away. Then: sprung status; if a cause is latched, sprung clear");
+  EXPECT_THAT(refusal({"knee", "none", {}, 0.5}), HasSubstr("none takes no --for"));
+}
+
 TEST_F(FaultRequestTest, ActuatorsByJointOrName) {
   EXPECT_EQ(actuator_named(robot_, "hip"), 0);
   EXPECT_EQ(actuator_named(robot_, "knee_motor"), 1);

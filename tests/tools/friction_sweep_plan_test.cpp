@@ -11,17 +11,19 @@
 namespace sprung {
 namespace {
 
-const BenchLimits kKnee{0.07, 2.53, 4.36, 133.0, 23.0};
+const BenchLimits kFrictionSweepPlanKnee{0.07, 2.53, 4.36, 133.0, 23.0};
 
 constexpr SweepProtocol kAll[] = {SweepProtocol::kS0, SweepProtocol::kS1, SweepProtocol::kLoaded};
 
 TEST(FrictionSweepPlan, EveryPassStaysWithinTheJointAndReachesItsSpeed) {
   for (const SweepProtocol protocol : kAll) {
-    const SweepPlan plan = sweep_plan(protocol, kKnee);
+    const SweepPlan plan = sweep_plan(protocol, kFrictionSweepPlanKnee);
     for (const SweepPass& pass : plan.passes) {
-      EXPECT_GE(std::min(pass.from_rad, pass.to_rad), kKnee.position_min_rad - 1e-9) << name(protocol);
-      EXPECT_LE(std::max(pass.from_rad, pass.to_rad), kKnee.position_max_rad + 1e-9) << name(protocol);
-      EXPECT_LE(pass.speed_rad_s, kKnee.speed_rad_s);
+      EXPECT_GE(std::min(pass.from_rad, pass.to_rad), kFrictionSweepPlanKnee.position_min_rad - 1e-9)
+          << name(protocol);
+      EXPECT_LE(std::max(pass.from_rad, pass.to_rad), kFrictionSweepPlanKnee.position_max_rad + 1e-9)
+          << name(protocol);
+      EXPECT_LE(pass.speed_rad_s, kFrictionSweepPlanKnee.speed_rad_s);
       const SteadySpan span = steady_span(pass, plan.mirrored);
       EXPECT_GT(span.to_s - span.from_s, 0.1) << name(protocol) << " at " << pass.speed_rad_s;
       EXPECT_GT(span.from_s, pass.speed_rad_s / pass.acceleration_rad_s2);
@@ -31,7 +33,7 @@ TEST(FrictionSweepPlan, EveryPassStaysWithinTheJointAndReachesItsSpeed) {
 
 TEST(FrictionSweepPlan, ThereAndBackAlternateOverTheSameWay) {
   for (const SweepProtocol protocol : kAll) {
-    const SweepPlan plan = sweep_plan(protocol, kKnee);
+    const SweepPlan plan = sweep_plan(protocol, kFrictionSweepPlanKnee);
     ASSERT_EQ(plan.passes.size() % 2, 0u);
     for (std::size_t i = 0; i < plan.passes.size(); i += 2) {
       EXPECT_EQ(plan.passes[i].direction(), 1.0);
@@ -44,7 +46,7 @@ TEST(FrictionSweepPlan, ThereAndBackAlternateOverTheSameWay) {
 }
 
 TEST(FrictionSweepPlan, S1SpeedsAreUniformFromTwoHundredthsToFour) {
-  const SweepPlan plan = sweep_plan(SweepProtocol::kS1, kKnee);
+  const SweepPlan plan = sweep_plan(SweepProtocol::kS1, kFrictionSweepPlanKnee);
   std::set<double> speeds;
   for (const SweepPass& pass : plan.passes) speeds.insert(pass.speed_rad_s);
   EXPECT_DOUBLE_EQ(*speeds.begin(), 0.02);
@@ -58,7 +60,7 @@ TEST(FrictionSweepPlan, S1SpeedsAreUniformFromTwoHundredthsToFour) {
 }
 
 TEST(FrictionSweepPlan, LoadedPassesMeetEveryLoadAtEverySpeedAndHoldOutHalf) {
-  const SweepPlan plan = sweep_plan(SweepProtocol::kLoaded, kKnee);
+  const SweepPlan plan = sweep_plan(SweepProtocol::kLoaded, kFrictionSweepPlanKnee);
   std::set<double> loads, speeds, held_loads, held_speeds;
   std::size_t held = 0;
   double sum_Nm = 0.0;
@@ -76,11 +78,11 @@ TEST(FrictionSweepPlan, LoadedPassesMeetEveryLoadAtEverySpeedAndHoldOutHalf) {
   EXPECT_EQ(held_loads, loads);
   EXPECT_EQ(held_speeds, speeds);
   EXPECT_NEAR(sum_Nm, 0.0, 1e-9);
-  EXPECT_LT(*loads.rbegin(), kKnee.rated_torque_Nm);
+  EXPECT_LT(*loads.rbegin(), kFrictionSweepPlanKnee.rated_torque_Nm);
 }
 
 TEST(FrictionSweepPlan, MirroredSpansSeeTheSameAnglesThereAndBack) {
-  const SweepPlan plan = sweep_plan(SweepProtocol::kS0, kKnee);
+  const SweepPlan plan = sweep_plan(SweepProtocol::kS0, kFrictionSweepPlanKnee);
   for (const SweepPass& pass : plan.passes) {
     const SteadySpan span = steady_span(pass, true);
     const double whole_s = std::abs(pass.to_rad - pass.from_rad) / pass.speed_rad_s +
@@ -90,11 +92,11 @@ TEST(FrictionSweepPlan, MirroredSpansSeeTheSameAnglesThereAndBack) {
 }
 
 TEST(FrictionSweepPlan, AJointThatIsTooShortOrTooSlowIsRefused) {
-  BenchLimits abduction = kKnee;
+  BenchLimits abduction = kFrictionSweepPlanKnee;
   abduction.position_min_rad = -0.3;
   abduction.position_max_rad = 0.3;
   EXPECT_THROW((void)sweep_plan(SweepProtocol::kS1, abduction), std::invalid_argument);
-  BenchLimits slow = kKnee;
+  BenchLimits slow = kFrictionSweepPlanKnee;
   slow.speed_rad_s = 2.0;
   EXPECT_THROW((void)sweep_plan(SweepProtocol::kS0, slow), std::invalid_argument);
 }

@@ -121,7 +121,7 @@ SweepResult small_result(SweepProtocol protocol, SweepPoints points, const std::
   return out;
 }
 
-const ReportRow* find(const std::vector<ReportRow>& rows, const std::string& name) {
+const ReportRow* friction_sweep_find(const std::vector<ReportRow>& rows, const std::string& name) {
   const auto found =
       std::find_if(rows.begin(), rows.end(), [&](const ReportRow& row) { return row.name == name; });
   return found == rows.end() ? nullptr : &*found;
@@ -130,20 +130,21 @@ const ReportRow* find(const std::vector<ReportRow>& rows, const std::string& nam
 TEST(FrictionSweep, LoadedRowsCompareWithAndWithoutTheLoadTerm) {
   const SweepResult result = small_result(SweepProtocol::kLoaded, SweepPoints::kBoth, {-15.0, 0.0, 15.0});
   const std::vector<ReportRow> rows = sweep_rows(result, "x");
-  ASSERT_NE(find(rows, "x.r2"), nullptr);
-  EXPECT_EQ(find(rows, "x.r2")->low, 0.98);
-  EXPECT_TRUE(find(rows, "x.r2")->ok()) << find(rows, "x.r2")->value;
-  EXPECT_LT(find(rows, "x.without_load_term_r2")->value, find(rows, "x.r2")->value);
-  EXPECT_GT(find(rows, "x.load_share_driving")->value, 0.05);
-  EXPECT_GT(find(rows, "x.load_share_driving_standard_error")->value, 0.0);
+  ASSERT_NE(friction_sweep_find(rows, "x.r2"), nullptr);
+  EXPECT_EQ(friction_sweep_find(rows, "x.r2")->low, 0.98);
+  EXPECT_TRUE(friction_sweep_find(rows, "x.r2")->ok()) << friction_sweep_find(rows, "x.r2")->value;
+  EXPECT_LT(friction_sweep_find(rows, "x.without_load_term_r2")->value,
+            friction_sweep_find(rows, "x.r2")->value);
+  EXPECT_GT(friction_sweep_find(rows, "x.load_share_driving")->value, 0.05);
+  EXPECT_GT(friction_sweep_find(rows, "x.load_share_driving_standard_error")->value, 0.0);
 }
 
 TEST(FrictionSweep, BoundsOfS1HoldForItsOwnRatioOnly) {
   SweepResult result = small_result(SweepProtocol::kS1, SweepPoints::kForward, {0.0});
-  EXPECT_FALSE(find(sweep_rows(result, "x"), "x.r2")->low);
+  EXPECT_FALSE(friction_sweep_find(sweep_rows(result, "x"), "x.r2")->low);
   result.recording.gear_ratio = 50.0;
-  EXPECT_EQ(find(sweep_rows(result, "x"), "x.r2")->paper, 0.9319);
-  EXPECT_NEAR(*find(sweep_rows(result, "x"), "x.r2")->low, 0.91, 1e-12);
+  EXPECT_EQ(friction_sweep_find(sweep_rows(result, "x"), "x.r2")->paper, 0.9319);
+  EXPECT_NEAR(*friction_sweep_find(sweep_rows(result, "x"), "x.r2")->low, 0.91, 1e-12);
 }
 
 TEST(FrictionSweep, TheReportNamesItsProtocolAndEveryModel) {

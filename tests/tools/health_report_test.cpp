@@ -43,6 +43,11 @@ TEST(HealthReport, SafetyThatIsLatchedSaysWhatToTypeNext) {
   state.level_name = "operational";
   state.cause_name = "none";
   EXPECT_EQ(safety_text(safety_json(state)), "safety  operational, cause none");
+  EXPECT_EQ(safety_text(safety_json(state, 0.94)),
+            "safety  operational, cause none; STALE: nothing heard of the bridge for 0.9 s");
+  state.detail = "was damping in cycle 5210, command stale: no good DRIVE_COMMAND for 71 ms";
+  EXPECT_EQ(safety_text(safety_json(state)), "safety  operational, cause none: " + state.detail +
+                                                 "\n        over by itself; sprung clear forgets it");
   EXPECT_EQ(safety_text(safety_json(std::nullopt)), "safety  unknown, cause the bridge says nothing");
 }
 

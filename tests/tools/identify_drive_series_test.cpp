@@ -14,7 +14,7 @@ using testing::AllOf;
 using testing::Contains;
 using testing::HasSubstr;
 
-constexpr double kCycle_s = 0.005;
+constexpr double kDriveSeriesCycle_s = 0.005;
 
 /// Hip and knee of single_leg; what a test wants otherwise it changes.
 struct Scene {
@@ -47,8 +47,8 @@ DriveState state_of(const Scene& scene, std::int64_t seq) {
 template <class Change>
 std::vector<DriveState> swing(double seconds, const Change& change) {
   std::vector<DriveState> out;
-  for (std::int64_t k = 0; k < std::llround(seconds / kCycle_s); ++k) {
-    const double t = static_cast<double>(k) * kCycle_s;
+  for (std::int64_t k = 0; k < std::llround(seconds / kDriveSeriesCycle_s); ++k) {
+    const double t = static_cast<double>(k) * kDriveSeriesCycle_s;
     Scene scene;
     scene.knee_rad = 1.0 + 0.5 * std::sin(t);
     change(scene, t);
@@ -62,7 +62,7 @@ const auto kAsItIs = [](Scene&, double) {};
 double counted(const DriveSeries& found) {
   double sum = 0.0;
   for (const double w : found.series.weight) sum += w;
-  return sum * kCycle_s;
+  return sum * kDriveSeriesCycle_s;
 }
 
 TEST(DriveSeries, TorqueIsCurrentTimesConstantTimesRatioAtTheJoint) {

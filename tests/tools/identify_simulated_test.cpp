@@ -15,7 +15,7 @@ namespace sprung::identify {
 namespace {
 
 /// Short passes: the guided procedure's own take four times as long.
-const RecordOptions kShort{1.0, 0.1};
+const RecordOptions kSimulatedShort{1.0, 0.1};
 
 struct Case {
   std::string robot;
@@ -24,7 +24,7 @@ struct Case {
 };
 
 IdentifiedJoint identified(const Case& c, const std::string& models = "viscous+stribeck",
-                           const RecordOptions& options = kShort) {
+                           const RecordOptions& options = kSimulatedShort) {
   const RobotConfig robot = load_robot(c.robot);
   ProtocolRequest protocol;
   protocol.models = models;

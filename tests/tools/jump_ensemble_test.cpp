@@ -10,7 +10,7 @@
 namespace sprung {
 namespace {
 
-const ReportRow& find(const std::vector<ReportRow>& rows, const std::string& name) {
+const ReportRow& jump_ensemble_find(const std::vector<ReportRow>& rows, const std::string& name) {
   for (const ReportRow& row : rows) {
     if (row.name == name) return row;
   }
@@ -53,18 +53,18 @@ TEST(JumpEnsemble, RowsHoldTheWorstHeightAndCountFallsAndTrips) {
   ensemble.plants[2].adapted_mm = 220.0;
   ensemble.grounds = {{{"60", {}, 1}, false, false, 120.0, 165.0, 0.0}};
   std::vector<ReportRow> rows = jump_ensemble_rows(ensemble);
-  EXPECT_DOUBLE_EQ(find(rows, "jump_ensemble.all.worst_first").value, 0.25);
-  EXPECT_NEAR(find(rows, "jump_ensemble.all.worst_adapted").value, 0.10, 1e-12);
-  EXPECT_TRUE(find(rows, "jump_ensemble.all.worst_adapted").ok());
-  EXPECT_TRUE(find(rows, "jump_ensemble.all.falls").ok());
-  EXPECT_DOUBLE_EQ(find(rows, "jump_ensemble.ground.60.first").value, 120.0);
-  EXPECT_FALSE(find(rows, "jump_ensemble.ground.60.adapted").ok());
+  EXPECT_DOUBLE_EQ(jump_ensemble_find(rows, "jump_ensemble.all.worst_first").value, 0.25);
+  EXPECT_NEAR(jump_ensemble_find(rows, "jump_ensemble.all.worst_adapted").value, 0.10, 1e-12);
+  EXPECT_TRUE(jump_ensemble_find(rows, "jump_ensemble.all.worst_adapted").ok());
+  EXPECT_TRUE(jump_ensemble_find(rows, "jump_ensemble.all.falls").ok());
+  EXPECT_DOUBLE_EQ(jump_ensemble_find(rows, "jump_ensemble.ground.60.first").value, 120.0);
+  EXPECT_FALSE(jump_ensemble_find(rows, "jump_ensemble.ground.60.adapted").ok());
   ensemble.plants[0].fell = ensemble.plants[0].tripped = true;
   ensemble.plants[0].adapted_mm = kNaN;
   rows = jump_ensemble_rows(ensemble);
-  EXPECT_FALSE(find(rows, "jump_ensemble.all.falls").ok());
-  EXPECT_FALSE(find(rows, "jump_ensemble.all.trips").ok());
-  EXPECT_FALSE(find(rows, "jump_ensemble.all.worst_adapted").ok());
+  EXPECT_FALSE(jump_ensemble_find(rows, "jump_ensemble.all.falls").ok());
+  EXPECT_FALSE(jump_ensemble_find(rows, "jump_ensemble.all.trips").ok());
+  EXPECT_FALSE(jump_ensemble_find(rows, "jump_ensemble.all.worst_adapted").ok());
 }
 
 TEST(JumpEnsemble, PlantIsJumpedOnThreeTimesWithTheSameBits) {

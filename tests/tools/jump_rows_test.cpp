@@ -6,7 +6,7 @@
 namespace sprung {
 namespace {
 
-const ReportRow* find(const std::vector<ReportRow>& rows, const std::string& name) {
+const ReportRow* jump_rows_find(const std::vector<ReportRow>& rows, const std::string& name) {
   for (const ReportRow& row : rows) {
     if (row.name == name) return &row;
   }
@@ -51,12 +51,12 @@ TEST(JumpRows, FigureThatIsElevenPercentOffOrMissingIsAMiss) {
 TEST(JumpRows, DemandsOfPresetPaper) {
   std::vector<MeasuredJump> jumps = papers_jumps();
   std::vector<ReportRow> rows = jump_rows(jumps, "paper");
-  EXPECT_DOUBLE_EQ(find(rows, "jump.ratio.hybrid_over_torque")->value, 9.46 / 24.21);
-  EXPECT_DOUBLE_EQ(find(rows, "jump.ratio.hybrid_over_torque_output")->value, 1.0);
-  EXPECT_TRUE(find(rows, "jump.ratio.hybrid_over_position")->ok());
-  EXPECT_TRUE(find(rows, "jump.ratio.height_hybrid_over_position")->ok());
-  EXPECT_TRUE(find(rows, "jump.ratio.work_hybrid_over_position")->ok());
-  EXPECT_TRUE(find(rows, "jump.paper.within_10_percent")->ok());
+  EXPECT_DOUBLE_EQ(jump_rows_find(rows, "jump.ratio.hybrid_over_torque")->value, 9.46 / 24.21);
+  EXPECT_DOUBLE_EQ(jump_rows_find(rows, "jump.ratio.hybrid_over_torque_output")->value, 1.0);
+  EXPECT_TRUE(jump_rows_find(rows, "jump.ratio.hybrid_over_position")->ok());
+  EXPECT_TRUE(jump_rows_find(rows, "jump.ratio.height_hybrid_over_position")->ok());
+  EXPECT_TRUE(jump_rows_find(rows, "jump.ratio.work_hybrid_over_position")->ok());
+  EXPECT_TRUE(jump_rows_find(rows, "jump.paper.within_10_percent")->ok());
   jumps[2].result.landing_knee_torque_Nm = 20.0;
   jumps[2].result.height_mm = 150.0;
   jumps[2].result.positive_work_J = 80.0;
@@ -64,7 +64,7 @@ TEST(JumpRows, DemandsOfPresetPaper) {
   for (const char* row :
        {"jump.hybrid.landing_knee_torque", "jump.ratio.hybrid_over_torque", "jump.ratio.hybrid_over_position",
         "jump.ratio.height_hybrid_over_position", "jump.ratio.work_hybrid_over_position"})
-    EXPECT_FALSE(find(rows, row)->ok()) << row;
+    EXPECT_FALSE(jump_rows_find(rows, row)->ok()) << row;
 }
 
 TEST(JumpRows, OwnLandingIsComparedWithPositionControlOfItsOwnPreset) {
@@ -74,21 +74,21 @@ TEST(JumpRows, OwnLandingIsComparedWithPositionControlOfItsOwnPreset) {
   jumps[3].result.landing_knee_torque_Nm = 40.0;
   jumps[4].result.landing_knee_torque_Nm = 8.0;
   const std::vector<ReportRow> rows = jump_rows(jumps, "paper");
-  const ReportRow* ratio = find(rows, "jump.ratio.own_over_position");
+  const ReportRow* ratio = jump_rows_find(rows, "jump.ratio.own_over_position");
   ASSERT_NE(ratio, nullptr);
   EXPECT_DOUBLE_EQ(ratio->value, 0.2);
   EXPECT_FALSE(ratio->ok());
-  EXPECT_DOUBLE_EQ(find(rows, "jump.own.landing_knee_torque")->value, 8.0);
-  EXPECT_DOUBLE_EQ(find(rows, "jump.position.landing_knee_torque")->value, 61.58);
+  EXPECT_DOUBLE_EQ(jump_rows_find(rows, "jump.own.landing_knee_torque")->value, 8.0);
+  EXPECT_DOUBLE_EQ(jump_rows_find(rows, "jump.position.landing_knee_torque")->value, 61.58);
 }
 
 TEST(JumpRows, OtherPresetsAreNotHeldAgainstThePaper) {
   std::vector<MeasuredJump> jumps = papers_jumps();
   for (MeasuredJump& jump : jumps) jump.preset = "best";
   const std::vector<ReportRow> rows = jump_rows(jumps, "best");
-  EXPECT_EQ(find(rows, "jump.paper.within_10_percent"), nullptr);
-  EXPECT_FALSE(find(rows, "jump.ratio.hybrid_over_torque")->high.has_value());
-  EXPECT_EQ(find(rows, "jump.hybrid.height")->low, 150.0);
+  EXPECT_EQ(jump_rows_find(rows, "jump.paper.within_10_percent"), nullptr);
+  EXPECT_FALSE(jump_rows_find(rows, "jump.ratio.hybrid_over_torque")->high.has_value());
+  EXPECT_EQ(jump_rows_find(rows, "jump.hybrid.height")->low, 150.0);
 }
 
 }  // namespace

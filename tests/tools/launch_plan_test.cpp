@@ -53,6 +53,15 @@ TEST_F(LaunchPlan, EveryProcessGetsTheSameSessionAndEpoch) {
   }
 }
 
+TEST_F(LaunchPlan, ProcessesAreToldTheRobotsUsualPresetByName) {
+  for (const PlannedProcess& planned : plan()) EXPECT_EQ(value(planned, "--preset"), "best");
+  robot_.presets.resize(1);
+  robot_.presets[0].name = "soft";
+  for (const PlannedProcess& planned : plan()) EXPECT_EQ(value(planned, "--preset"), "soft");
+  request_.preset = "best";
+  EXPECT_THAT([&] { plan(); }, testing::ThrowsMessage<std::invalid_argument>(HasSubstr("there are: soft")));
+}
+
 TEST_F(LaunchPlan, PriorityComesFromTheRobotFile) { EXPECT_EQ(value(plan().back(), "--priority"), "50"); }
 
 TEST_F(LaunchPlan, PlantAndSeedReachTheSimulatedDrivesOnly) {

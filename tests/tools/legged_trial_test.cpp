@@ -23,6 +23,20 @@ TEST(LeggedTrial, ARobotWithLittleFrictionIsHomedOnceItRests) {
   EXPECT_EQ(trial.robot().motion_state().state, MotionPhase::kStanding);
 }
 
+/// Hung up, its legs are pendulums.
+TEST(LeggedTrial, WhatNeverRestsIsRefusedWithTheJointThatMoves) {
+  SimOptions swinging;
+  swinging.plant = {{"friction_scale", 0.0}, {"suspended", 1.0}};
+  LeggedTrial trial(load_robot("pegasus"), "best", swinging);
+  try {
+    trial.stand_up();
+    FAIL() << "it rests";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(),
+                testing::ContainsRegex("does not come to rest: after 20 s joint [fh][lr]_[a-z]+ still"));
+  }
+}
+
 TEST(LeggedTrial, ARobotThatRestsIsHomedAfterTwoTenthsOfASecondAsEver) {
   const RobotConfig robot = load_robot("pegasus");
   LeggedTrial trial(robot, "best", slippery(1.0));

@@ -10,8 +10,10 @@
 namespace sprung {
 namespace {
 
+using testing::Each;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 
 class MotionReport : public testing::Test {
  protected:
@@ -106,9 +108,22 @@ TEST_F(MotionReport, RobotWithoutBodyOrGaitsSaysItsStateAlone) {
   EXPECT_THAT(lines(), ElementsAre("motion  walking: walk requested"));
 }
 
+TEST_F(MotionReport, WhatWasHeardLongAgoIsCalledStaleWithItsAge) {
+  robot_.gaits.clear();
+  const auto told = [&](double motion_s, double joints_s) {
+    return motion_lines(motion_json(robot_, motion_, motion_s), body_json(robot_, joints_, joints_s));
+  };
+  EXPECT_THAT(told(0.1, 0.1), Each(Not(HasSubstr("STALE"))));
+  EXPECT_EQ(told(0.94, 0.1)[0],
+            "motion  walking: walk requested; STALE: nothing heard of the motion planner for 0.9 s");
+  EXPECT_THAT(told(0.1, 0.94)[1], HasSubstr("; STALE: nothing heard of the torque estimator for 0.9 s"));
+  EXPECT_TRUE(motion_json(robot_, motion_, 0.94)["stale"].get<bool>());
+  EXPECT_FALSE(motion_json(robot_, motion_, 0.1)["stale"].get<bool>());
+}
+
 TEST_F(MotionReport, NothingHeardIsUnknown) {
   EXPECT_THAT(motion_lines(motion_json(robot_, std::nullopt), body_json(robot_, std::nullopt)),
-              ElementsAre("motion  unknown"));
+              ElementsAre("motion  unknown: nothing heard of the motion planner"));
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ PushOutcome outcome(double impulse_Ns, PushDirection direction, bool fell) {
   return out;
 }
 
-const ReportRow& row(const std::vector<ReportRow>& rows, const std::string& name) {
+const ReportRow& push_experiment_row(const std::vector<ReportRow>& rows, const std::string& name) {
   for (const ReportRow& row : rows)
     if (row.name == "push." + name) return row;
   throw std::out_of_range(name);
@@ -32,27 +32,27 @@ TEST(PushRows, TheSurvivedImpulseIsTheLargestBelowTheFirstFallToEitherSide) {
       outcome(10, PushDirection::kForward, true)};
   EXPECT_EQ(survived_impulse_Ns(kCase, outcomes, true), 10.0);
   EXPECT_EQ(survived_impulse_Ns(kCase, outcomes, false), 0.0);
-  EXPECT_FALSE(row(push_rows({kCase}, outcomes), "stand.survived_impulse").ok());
+  EXPECT_FALSE(push_experiment_row(push_rows({kCase}, outcomes), "stand.survived_impulse").ok());
 }
 
 TEST(PushRows, WithoutAFallItIsTheLargestTried) {
   const std::vector<PushOutcome> outcomes{outcome(30, PushDirection::kLeft, false)};
   EXPECT_EQ(survived_impulse_Ns(kCase, outcomes, true), 30.0);
-  EXPECT_TRUE(row(push_rows({kCase}, outcomes), "stand.survived_impulse").ok());
+  EXPECT_TRUE(push_experiment_row(push_rows({kCase}, outcomes), "stand.survived_impulse").ok());
 }
 
 TEST(PushRows, ATripIsNoSurvival) {
   std::vector<PushOutcome> outcomes{outcome(10, PushDirection::kLeft, false)};
   outcomes[0].vitals.trips = 1;
   EXPECT_EQ(survived_impulse_Ns(kCase, outcomes, true), 0.0);
-  EXPECT_FALSE(row(push_rows({kCase}, outcomes), "stand.trips").ok());
+  EXPECT_FALSE(push_experiment_row(push_rows({kCase}, outcomes), "stand.trips").ok());
 }
 
 TEST(PushRows, AFallMustBeCaught) {
   std::vector<PushOutcome> outcomes{outcome(30, PushDirection::kLeft, true)};
-  EXPECT_TRUE(row(push_rows({kCase}, outcomes), "stand.uncaught_falls").ok());
+  EXPECT_TRUE(push_experiment_row(push_rows({kCase}, outcomes), "stand.uncaught_falls").ok());
   outcomes[0].vitals.caught = false;
-  EXPECT_FALSE(row(push_rows({kCase}, outcomes), "stand.uncaught_falls").ok());
+  EXPECT_FALSE(push_experiment_row(push_rows({kCase}, outcomes), "stand.uncaught_falls").ok());
 }
 
 TEST(Push, AStandingRobotIsMovedToTheSideThatItIsPushedToAndStaysUp) {

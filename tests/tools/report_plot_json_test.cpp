@@ -14,7 +14,7 @@ using testing::HasSubstr;
 
 using Column = std::vector<double>;
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kReportPlotJsonNan = std::numeric_limits<double>::quiet_NaN();
 
 Plot plot_of(std::vector<Series> series) {
   return {"torque", {"time", "s"}, {"torque", "Nm"}, std::move(series)};
@@ -30,7 +30,8 @@ TEST(PlotJson, AxesCarryTheirUnits) {
 }
 
 TEST(PlotJson, WhatIsNotFiniteIsNull) {
-  const Json json = json_of(plot_of({{"knee", {0.0, 1.0, kNan}, {kNan, HUGE_VAL, 2.0}}}));
+  const Json json =
+      json_of(plot_of({{"knee", {0.0, 1.0, kReportPlotJsonNan}, {kReportPlotJsonNan, HUGE_VAL, 2.0}}}));
   EXPECT_EQ(json["series"][0]["x"], Json::parse("[0.0, 1.0, null]"));
   EXPECT_EQ(json["series"][0]["y"], Json::parse("[null, null, 2.0]"));
 }
@@ -60,7 +61,7 @@ TEST(PlotJson, LongSeriesAreThinnedAndSayHowLongTheyWere) {
 
 TEST(PlotJson, AGapInXOfALongLineStays) {
   Plot plot = plot_of({{"line", Column(5000, 1.0), Column(5000, 1.0)}});
-  plot.series[0].x[2500] = kNan;
+  plot.series[0].x[2500] = kReportPlotJsonNan;
   plot.max_points = 100;
   EXPECT_THAT(json_of(plot)["series"][0]["x"], testing::Contains(Json(nullptr)));
 }

@@ -8,7 +8,7 @@ namespace {
 
 using Column = std::vector<double>;
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kReportSampleNan = std::numeric_limits<double>::quiet_NaN();
 
 template <typename Function>
 Column values(const Column& x, Function function) {
@@ -43,7 +43,7 @@ Plot torque_plot(std::size_t samples) {
   const auto shifted = [&estimate](double by) {
     return values(estimate, [by](double torque) { return torque + by; });
   };
-  const auto sensor = [](double t) { return t > 2.2 && t < 2.3 ? kNan : torque_Nm(t); };
+  const auto sensor = [](double t) { return t > 2.2 && t < 2.3 ? kReportSampleNan : torque_Nm(t); };
   Plot plot{"Knee torque in a jump", {"time", "s"}, {"gear output torque", "Nm"}, {}};
   plot.series = {{"measured", time, values(time, sensor), Style::kLine, 0},
                  {"estimated", time, estimate, Style::kLine, 1},

@@ -13,7 +13,7 @@ namespace {
 using testing::Contains;
 using testing::ElementsAre;
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kReportThinningNan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kTenMinutes = 600000;  // at 1 kHz
 
 Column wave(std::size_t count) {
@@ -23,7 +23,7 @@ Column wave(std::size_t count) {
 }
 
 TEST(ThinInOrder, ShortSeriesAreLeftAlone) {
-  const Column y = {3.0, kNan, 1.0};
+  const Column y = {3.0, kReportThinningNan, 1.0};
   EXPECT_THAT(thin_in_order({&y}, 3), ElementsAre(0, 1, 2));
   const Column nothing;
   EXPECT_TRUE(thin_in_order({&nothing}, 3).empty());
@@ -61,7 +61,7 @@ TEST(ThinInOrder, FirstAndLastStayAndOrderIsKept) {
 
 TEST(ThinInOrder, AGapOfOneSampleStaysAGap) {
   Column y = wave(kTenMinutes);
-  y[400001] = kNan;
+  y[400001] = kReportThinningNan;
   EXPECT_THAT(thin_in_order({&y}, 1000), Contains(400001u));
 }
 
@@ -76,16 +76,17 @@ TEST(ThinInOrder, APathKeepsItsExtremesInBothDirections) {
 }
 
 TEST(ThinInOrder, AllGapsAndTinyLimitsDoNoHarm) {
-  const Column gaps(1000, kNan);
+  const Column gaps(1000, kReportThinningNan);
   EXPECT_LE(thin_in_order({&gaps}, 10).size(), 7u);
   const Column y = wave(1000);
   EXPECT_LE(thin_in_order({&y}, 0).size(), 4u);
 }
 
 TEST(ThinCloud, SmallCloudsLoseOnlyWhatIsNotFinite) {
-  EXPECT_THAT(thin_cloud({0.0, kNan, 2.0, 3.0}, {1.0, 1.0, HUGE_VAL, 1.0}, 10), ElementsAre(0, 3));
+  EXPECT_THAT(thin_cloud({0.0, kReportThinningNan, 2.0, 3.0}, {1.0, 1.0, HUGE_VAL, 1.0}, 10),
+              ElementsAre(0, 3));
   EXPECT_TRUE(thin_cloud({}, {}, 0).empty());
-  EXPECT_TRUE(thin_cloud({kNan}, {kNan}, 0).empty());
+  EXPECT_TRUE(thin_cloud({kReportThinningNan}, {kReportThinningNan}, 0).empty());
 }
 
 TEST(ThinCloud, KeepsWithinTheLimitTheOutermostAndALonePoint) {

@@ -145,6 +145,15 @@ TEST(RunDescription, BusesAreThoseOfTheBridgeAsTheyAreInThisRun) {
   EXPECT_THROW(describe_run(asked, load_robot("single_leg")), std::invalid_argument);
 }
 
+/// Others read it, from working folders of their own.
+TEST(RunDescription, RobotFolderIsAbsoluteHoweverTheRobotWasNamed) {
+  RobotConfig robot = load_robot("single_leg");
+  const fs::path folder = fs::canonical(robot.folder);
+  robot.folder = fs::proximate(folder).string();
+  ASSERT_TRUE(fs::path(robot.folder).is_relative()) << robot.folder;
+  EXPECT_EQ(describe_run(request(), robot).robot_folder, folder.string());
+}
+
 TEST(RunDescription, SessionsDiffer) {
   std::set<std::int64_t> sessions;
   for (int i = 0; i < 100; ++i) sessions.insert(describe_run(request(), load_robot("single_leg")).session);

@@ -74,7 +74,7 @@ TEST_F(TuneTest, TheReportingSeedMustDifferFromTheTuningSeed) {
 }
 
 /// Made up: no simulation.
-TuneResult made_up() {
+TuneResult tune_made_up() {
   TuneResult result;
   for (const double cost : {50.0, 30.0, 40.0}) {
     TuneCandidate candidate;
@@ -90,24 +90,24 @@ TuneResult made_up() {
 }
 
 TEST_F(TuneTest, TheTableStatesTheCostAndShowsTheBestFirst) {
-  const std::string table = tune_table(space_, small(), made_up());
+  const std::string table = tune_table(space_, small(), tune_made_up());
   EXPECT_THAT(table, HasSubstr("Cost: mean peak of the knee's true gear output torque"));
   EXPECT_LT(table.find("#1"), table.find("#2"));
   EXPECT_THAT(table, HasSubstr("seed 1, which were not tuned on"));
 }
 
 TEST_F(TuneTest, RowsAndFragmentAreOfTheBest) {
-  const std::vector<ReportRow> rows = tune_rows(space_, made_up());
+  const std::vector<ReportRow> rows = tune_rows(space_, tune_made_up());
   EXPECT_EQ(rows[1].name, "tune.present.landing_output_torque");
   EXPECT_EQ(rows[1].value, 50.0);
   EXPECT_EQ(rows.back().name, "tune.best.hybrid_landing.damping.z");
   EXPECT_EQ(rows.back().value, 30.0);
-  const std::string fragment = tune_fragment(space_, small(), made_up(), "sprung experiment tune");
+  const std::string fragment = tune_fragment(space_, small(), tune_made_up(), "sprung experiment tune");
   EXPECT_THAT(fragment, AllOf(HasSubstr("z: 30 N s/m"), HasSubstr("cost 50 before, 30 with these")));
 }
 
 TEST_F(TuneTest, ThePageHasTheTradeAndAPlotForEachParameter) {
-  const std::vector<report::Section> sections = tune_sections(space_, small(), made_up());
+  const std::vector<report::Section> sections = tune_sections(space_, small(), tune_made_up());
   ASSERT_EQ(sections.size(), 4u);
   EXPECT_EQ(sections[2].plots.size(), 2u);
   EXPECT_EQ(sections[3].plots.size(), 2u);

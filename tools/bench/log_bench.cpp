@@ -91,7 +91,7 @@ double peak_memory_MB() {
 
 std::string record_short_log(const RobotConfig& robot, double duration_s, const std::string& folder) {
   const Recorded recorded(folder);
-  LeggedTrial trial(robot, "best", lying(SimOptions{1, {}, true}));
+  LeggedTrial trial(robot, robot.preset().name, lying(SimOptions{1, {}, true}));
   trial.stand_up();
   trial.run(duration_s);
   return (std::filesystem::path(folder) / (robot.name + "-000.lcm")).string();

@@ -14,7 +14,6 @@ namespace sprung {
 namespace {
 
 constexpr double kLeastTimesRealTime = 100.0;  // design section 10
-constexpr const char* kPreset = "best";
 
 /// Logs of robots that are made as long as this lives.
 class LogsInto {
@@ -28,7 +27,7 @@ class LogsInto {
 };
 
 void walk(const RobotConfig& robot, double duration_s) {
-  LeggedTrial trial(robot, kPreset, lying(SimOptions{1, {}, true}));
+  LeggedTrial trial(robot, robot.preset().name, lying(SimOptions{1, {}, true}));
   trial.stand_up();
   OperatorCommand walk;
   walk.kind = OperatorKind::kWalk;

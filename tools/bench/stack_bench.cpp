@@ -46,8 +46,8 @@ class TimedStack {
         bridge_(robot, BridgeOptions{robot.watchdogs}),
         sim_(robot, sim),
         estimator_(robot),
-        planner_(robot, robot.preset("best")),
-        controller_(robot, robot.preset("best"), robot.watchdogs),
+        planner_(robot, robot.preset()),
+        controller_(robot, robot.preset(), robot.watchdogs),
         drive_state_(robot.actuators.size()),
         joint_state_(robot.joints.size(), robot.legs.size()),
         leg_command_(robot.legs.size()),
@@ -63,7 +63,7 @@ class TimedStack {
     ask(OperatorKind::kHome);
     run(kHome_s);
     ask(OperatorKind::kStand);
-    run(robot_.preset("best").rise_time_s + kRise_s);
+    run(robot_.preset().rise_time_s + kRise_s);
     expect(MotionPhase::kStanding);
   }
   void walk(int gait, double speed_m_s) {
@@ -155,12 +155,12 @@ class TimedStack {
 
 /// Two feet in a diagonal, or all four, under a body that leans a little.
 double distribution_us(const RobotConfig& robot, bool diagonal) {
-  ForceDistribution distribution(robot.preset("best").walk.floor_friction);
+  ForceDistribution distribution(robot.preset().walk.floor_friction);
   const double weight_N = 9.81 * robot.body.mass_kg;
   std::vector<FootLoad> feet(robot.legs.size());
   for (std::size_t i = 0; i < feet.size(); ++i) {
     const auto& hip_m = robot.legs[i].hip_in_trunk_m;
-    feet[i].foot_from_com_m = {hip_m[0], hip_m[1], -robot.preset("best").stand_length_m};
+    feet[i].foot_from_com_m = {hip_m[0], hip_m[1], -robot.preset().stand_length_m};
     feet[i].most_N = 2.0 * weight_N;
     feet[i].stands = !diagonal || i == 0 || i == 3;
   }
@@ -184,7 +184,7 @@ double bare_step_us(const RobotConfig& robot) {
   const sim::DataPtr data(mj_makeData(plant.model.get()));
   for (std::size_t j = 0; j < robot.joints.size(); ++j)
     data->qpos[plant.index.joint_qpos[j]] = config.joints[j].initial_rad;
-  data->qpos[plant.index.free_qpos + 2] = robot.preset("best").stand_length_m;
+  data->qpos[plant.index.free_qpos + 2] = robot.preset().stand_length_m;
   std::vector<double> us;
   const int steps = static_cast<int>(std::lround(robot.cycle_s / config.step_s));
   for (int cycle = 0; cycle < kCalls; ++cycle) {

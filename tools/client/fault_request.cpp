@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <stdexcept>
 
 namespace sprung {
@@ -61,7 +62,7 @@ Target find_target(const RobotConfig& robot, const std::string& name) {
 
 const std::vector<FaultGuide>& fault_guides() {
   static const std::vector<FaultGuide> guides = {
-      {FaultKind::kNone, true, true, "", 0.0, "mends every fault of this target; then sprung clear"},
+      {FaultKind::kNone, true, true, "", 0.0, "sprung status; if a cause is latched, sprung clear"},
       {FaultKind::kOverCurrent, true, false, "", 0.0, kEmergency},
       {FaultKind::kUnderVoltage, true, false, "", 0.0, kEmergency},
       {FaultKind::kOverTemperature, true, false, "", 0.0, kEmergency},
@@ -126,6 +127,8 @@ SimControl fault_control(const RobotConfig& robot, const FaultRequest& request) 
     throw std::invalid_argument("--value must be a number");
   if (request.for_s < 0.0 || !std::isfinite(request.for_s))
     throw std::invalid_argument("--for must not be negative");
+  if (guide->kind == FaultKind::kNone && request.for_s > 0.0)
+    throw std::invalid_argument("none takes no --for: what it takes away does not come back");
   SimControl control;
   control.kind = SimControlKind::kNodeFault;
   control.actuator = target.actuator;
@@ -134,6 +137,29 @@ SimControl fault_control(const RobotConfig& robot, const FaultRequest& request) 
   control.value = request.value.value_or(guide->usual_value);
   control.duration_s = request.for_s;
   return control;
+}
+
+std::string announcement(const FaultRequest& request, const SimControl& control) {
+  const std::string cycle = "at cycle " + std::to_string(control.apply_at_seq);
+  if (control.fault == FaultKind::kNone)
+    return request.target + ": faults that were made there are taken away " + cycle;
+  std::string text = request.kind + " at " + request.target;
+  char number[64];
+  if (const char* value = guide_of(control.fault).value; *value != '\0') {
+    std::snprintf(number, sizeof number, ", %g ", control.value);
+    text += number + std::string(value);
+  }
+  text += ": acts " + cycle;
+  if (control.duration_s > 0.0) {
+    std::snprintf(number, sizeof number, " for %g s", control.duration_s);
+    text += number;
+  }
+  return text;
+}
+
+std::string effect_text(FaultKind kind) {
+  return std::string(kind == FaultKind::kNone ? "taken away. Then: " : "it acts now. Watch: ") +
+         guide_of(kind).watch;
 }
 
 }  // namespace sprung

@@ -6,6 +6,7 @@
 #include "drivers/canopen/emergency.h"
 #include "drivers/canopen/nmt.h"
 #include "lcmtypes/channels.h"
+#include "tools/client/motion_report.h"
 
 namespace sprung {
 
@@ -114,7 +115,7 @@ Json nodes_json(const RobotConfig& robot, const sprung_msgs::bus_state_t& state)
   return out;
 }
 
-Json safety_json(const std::optional<sprung_msgs::safety_state_t>& safety) {
+Json safety_json(const std::optional<sprung_msgs::safety_state_t>& safety, double age_s) {
   if (!safety) return {{"state", "unknown"}, {"cause", "the bridge says nothing"}};
   return {{"state", safety->level_name},
           {"cause", safety->cause_name},
@@ -122,7 +123,9 @@ Json safety_json(const std::optional<sprung_msgs::safety_state_t>& safety) {
           {"latched", safety->latched},
           {"overruns", safety->overruns},
           {"missed_cycles", safety->missed_cycles},
-          {"commands_refused", safety->commands_refused}};
+          {"commands_refused", safety->commands_refused},
+          {"age_s", age_s},
+          {"stale", age_s > kStale_s}};
 }
 
 std::string safety_text(const Json& safety) {
@@ -130,6 +133,9 @@ std::string safety_text(const Json& safety) {
       "safety  " + safety["state"].get<std::string>() + ", cause " + safety["cause"].get<std::string>();
   const std::string detail = safety.value("detail", "");
   if (!detail.empty()) text += ": " + detail;
+  text += stale_text(safety, "the bridge");
+  const bool over = safety["cause"] == name(SafetyCause::kNone) && !detail.empty();
+  if (over) text += "\n        over by itself; sprung clear forgets it";
   if (safety.value("latched", 0) != 0) text += "\n        next: sprung clear, then sprung stand";
   return text;
 }

@@ -45,8 +45,11 @@ std::string node_trouble(const sprung_msgs::node_health_t& node);
 
 nlohmann::ordered_json buses_json(const RobotConfig& robot, const sprung_msgs::bus_state_t& state);
 nlohmann::ordered_json nodes_json(const RobotConfig& robot, const sprung_msgs::bus_state_t& state);
-nlohmann::ordered_json safety_json(const std::optional<sprung_msgs::safety_state_t>& safety);
-/// safety_json() for people: state, cause, detail, and where torque is latched off, what to type next.
+/// @param age_s since it was heard: keys age_s, stale.
+nlohmann::ordered_json safety_json(const std::optional<sprung_msgs::safety_state_t>& safety,
+                                   double age_s = 0.0);
+/// safety_json() for people: state, cause, detail, whether that is old, and what to type next where torque is latched off or
+/// something is over and not forgotten.
 std::string safety_text(const nlohmann::ordered_json& safety);
 
 }  // namespace sprung

@@ -72,7 +72,8 @@ std::string body_line(const Json& body) {
   return "body    roll " + degrees(body["roll_rad"]) + ", pitch " + degrees(body["pitch_rad"]) + ", yaw " +
          degrees(body["yaw_rad"]) + ", height " + height +
          (body["uses_imu"].get<bool>() ? "; attitude from the IMU"
-                                       : "; no IMU: attitude from the standing feet");
+                                       : "; no IMU: attitude from the standing feet") +
+         stale_text(body, "the torque estimator");
 }
 
 std::string leg_line(const Json& leg) {
@@ -85,10 +86,20 @@ std::string leg_line(const Json& leg) {
 
 }  // namespace
 
-Json motion_json(const RobotConfig& robot, const std::optional<sprung_msgs::motion_state_t>& motion) {
+std::string stale_text(const Json& told, const char* who) {
+  if (!told.value("stale", false)) return "";
+  char age[32];
+  std::snprintf(age, sizeof age, " for %.1f s", told["age_s"].get<double>());
+  return std::string("; STALE: nothing heard of ") + who + age;
+}
+
+Json motion_json(const RobotConfig& robot, const std::optional<sprung_msgs::motion_state_t>& motion,
+                 double age_s) {
   Json out{{"state", "unknown"}, {"legs", Json::array()}};
   if (!motion) return out;
   out["state"] = motion->state_name;
+  out["age_s"] = age_s;
+  out["stale"] = age_s > kStale_s;
   out["last_transition"] = motion->last_transition;
   if (!robot.gaits.empty()) {
     out["gait"] = gait_name(robot, *motion);
@@ -100,7 +111,8 @@ Json motion_json(const RobotConfig& robot, const std::optional<sprung_msgs::moti
   return out;
 }
 
-Json body_json(const RobotConfig& robot, const std::optional<sprung_msgs::joint_state_t>& joints) {
+Json body_json(const RobotConfig& robot, const std::optional<sprung_msgs::joint_state_t>& joints,
+               double age_s) {
   if (!joints || !(robot.body.mass_kg > 0.0)) return nullptr;
   const auto& body = joints->body;
   std::array<double, 4> wxyz{};
@@ -112,6 +124,8 @@ Json body_json(const RobotConfig& robot, const std::optional<sprung_msgs::joint_
            {"pitch_rad", finite_or_null(now.pitch_rad)},
            {"yaw_rad", finite_or_null(now.yaw_rad)},
            {"height_m", finite_or_null(body.estimated_height_m)},
+           {"age_s", age_s},
+           {"stale", age_s > kStale_s},
            {"velocity_m_s", Json::array()}};
   for (const double v : body.estimated_velocity_m_s) out["velocity_m_s"].push_back(finite_or_null(v));
   return out;
@@ -120,7 +134,9 @@ Json body_json(const RobotConfig& robot, const std::optional<sprung_msgs::joint_
 std::vector<std::string> motion_lines(const Json& motion, const Json& body) {
   std::vector<std::string> out;
   const std::string why = motion.value("last_transition", "");
-  out.push_back("motion  " + motion["state"].get<std::string>() + (why.empty() ? "" : ": " + why));
+  const bool heard = motion.contains("stale");
+  out.push_back("motion  " + motion["state"].get<std::string>() + (why.empty() ? "" : ": " + why) +
+                (heard ? stale_text(motion, "the motion planner") : ": nothing heard of the motion planner"));
   const bool walks = motion.contains("gait") && !motion["gait"].is_null();
   if (walks) out.push_back(gait_line(motion));
   if (!body.is_null()) out.push_back(body_line(body));

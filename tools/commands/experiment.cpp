@@ -25,7 +25,7 @@ namespace {
 
 struct ExperimentRequest {
   std::string robot = "single_leg";
-  std::string preset = "best";
+  std::string preset;
   std::uint64_t seed = 1;
   std::vector<std::string> plant;
   std::string out;
@@ -38,12 +38,13 @@ bool wanted(const FaultCase& fault, const std::string& only) {
   return only.empty() || only == name(fault.kind);
 }
 
-int run_faults(const ExperimentRequest& request) {
+int run_faults(ExperimentRequest request) {
   start_log("sprung");
   SimOptions sim;
   sim.seed = request.seed;
   sim.plant = parse_plant(request.plant);
   const RobotConfig robot = load_robot(request.robot);
+  request.preset = robot.preset(request.preset).name;
   std::vector<FaultCase> cases;
   for (const FaultCase& fault : fault_cases(robot)) {
     if (wanted(fault, request.only)) cases.push_back(fault);
@@ -70,7 +71,8 @@ void add_faults(CommandLine& experiment, const std::shared_ptr<ExperimentRequest
                                               "Every fault on the simulated robot: when it is noticed, what "
                                               "follows, whether clear brings the robot back.");
   faults.option("--robot", request->robot, "name or folder");
-  faults.option("--preset", request->preset, "set of parameters in robot.yaml");
+  faults.option("--preset", request->preset,
+                "set of parameters in robot.yaml; default: best, else the only one");
   faults.option("--seed", request->seed, "of every noise");
   faults.option("--plant", request->plant, "KEY=VALUE changes the plant; may be repeated");
   faults.option("--only", request->only, "one kind of fault, e.g. bus-off");

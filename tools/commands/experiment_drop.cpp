@@ -22,7 +22,7 @@ namespace {
 
 struct DropOptions {
   std::string robot = "single_leg";
-  std::string preset = "best";
+  std::string preset;
   std::uint64_t seed = 1;
   int seeds = 50;
   int jobs = 0;
@@ -70,9 +70,10 @@ int run_ablation(const DropOptions& options, const RobotConfig& robot, const Dro
   return print_rows(report, true);
 }
 
-int run_drops(const DropOptions& options) {
+int run_drops(DropOptions options) {
   start_log("sprung");
   const RobotConfig robot = load_robot(options.robot);
+  options.preset = robot.preset(options.preset).name;
   DropRequest request;
   request.preset = options.preset;
   request.sim.seed = options.seed;
@@ -99,7 +100,8 @@ void add_drop_experiment(CommandLine& experiment) {
       "drop",
       "Landings from 0.1 to 0.5 m in each mode; own landing against the papers' law, floor out of place.");
   drop.option("--robot", options->robot, "name or folder");
-  drop.option("--preset", options->preset, "set of parameters in robot.yaml");
+  drop.option("--preset", options->preset,
+              "set of parameters in robot.yaml; default: best, else the only one");
   drop.option("--seed", options->seed, "of every noise; the comparison's first");
   drop.option("--seeds", options->seeds, "of the comparison");
   drop.option("--jobs", options->jobs, "threads; 0: one for each core");

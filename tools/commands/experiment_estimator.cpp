@@ -37,7 +37,8 @@ void add_estimator_experiment(CommandLine& experiment) {
   estimator.option("--robot", request.robot,
                    "test_axis: the whole table, with the robots that it needs; "
                    "another robot: its own rows");
-  estimator.option("--preset", request.preset, "set of parameters in robot.yaml, of the jumps");
+  estimator.option("--preset", request.preset,
+                   "set of parameters in robot.yaml, of the jumps; default: best, else the only one");
   estimator.option("--seed", request.seed, "of every noise and of the drawn plants; 0 was used for tuning");
   estimator.option("--data", request.data, "folder of recordings; default ../shared/data where it is");
   estimator.option("--only", request.only, "one part of the table: " + estimator_sections());

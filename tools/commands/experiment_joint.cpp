@@ -45,8 +45,6 @@ struct JointRequest {
   }
 };
 
-constexpr const char* kPreset = "best";
-
 /// What one of the experiments produced, besides its rows.
 struct JointOutput {
   ExperimentReport rows;
@@ -58,7 +56,7 @@ JointOutput begin(const JointRequest& request, const RobotConfig& robot, const s
   JointOutput out;
   out.rows.experiment = experiment;
   out.rows.robot = robot.name;
-  out.rows.preset = kPreset;
+  out.rows.preset = robot.preset().name;
   out.rows.seed = request.seed;
   out.report.title = experiment + " on " + robot.name;
   out.report.subtitle =
@@ -93,7 +91,7 @@ std::vector<SweepProtocol> protocols(const std::string& text) {
 void run_sweep(const JointRequest& request, const RobotConfig& robot, JointOutput& out) {
   const int joint = bench_joint(robot, request.joint);
   for (const SweepProtocol protocol : protocols(request.protocol)) {
-    const SweepResult result = run_friction_sweep(robot, kPreset, request.sim(), joint, protocol);
+    const SweepResult result = run_friction_sweep(robot, out.rows.preset, request.sim(), joint, protocol);
     for (const ReportRow& row : sweep_rows(result, std::string("friction_sweep.") + name(protocol)))
       out.rows.rows.push_back(row);
     out.rows.simulated_s += result.recording.simulated_s;
@@ -111,10 +109,11 @@ void add_drag(const DragResult& result, const std::string& prefix, JointOutput& 
 
 void run_drag_experiment(const JointRequest& request, const RobotConfig& robot, JointOutput& out) {
   const int joint = bench_joint(robot, request.joint);
-  if (request.friction != "sweep") add_drag(run_drag(robot, kPreset, request.sim(), joint), "drag", out);
+  if (request.friction != "sweep")
+    add_drag(run_drag(robot, out.rows.preset, request.sim(), joint), "drag", out);
   if (request.friction == "yaml") return;
-  const RobotConfig swept = with_swept_friction(robot, kPreset, request.sim(), joint);
-  add_drag(run_drag(swept, kPreset, request.sim(), joint), "drag_swept", out);
+  const RobotConfig swept = with_swept_friction(robot, out.rows.preset, request.sim(), joint);
+  add_drag(run_drag(swept, out.rows.preset, request.sim(), joint), "drag_swept", out);
 }
 
 void add_common(CommandLine& line, const std::shared_ptr<JointRequest>& request) {

@@ -22,7 +22,7 @@ namespace {
 
 struct JumpOptions {
   std::string robot = "single_leg";
-  std::string preset = "best";
+  std::string preset;
   std::uint64_t seed = 1;
   std::vector<std::string> plant;
   std::string out;
@@ -58,12 +58,13 @@ void write_page(const JumpOptions& options, const RobotConfig& robot, const SimO
   report::write_report(page, (std::filesystem::path(options.out) / "jump.html").string());
 }
 
-int run_jump(const JumpOptions& options) {
+int run_jump(JumpOptions options) {
   start_log("sprung");
   SimOptions sim;
   sim.seed = options.seed;
   sim.plant = parse_plant(options.plant);
   const RobotConfig robot = load_robot(options.robot);
+  options.preset = robot.preset(options.preset).name;
   JumpExperiment experiment = with_progress("jump", [&](ProgressBar&) {
     return run_jump_experiment(robot, options.preset, sim, script_runner(options.separate));
   });
@@ -79,6 +80,7 @@ int run_ensemble(EnsembleOptions options) {
   start_log("sprung");
   const auto started = std::chrono::steady_clock::now();
   const RobotConfig robot = load_robot(options.robot);
+  options.request.preset = robot.preset(options.request.preset).name;
   options.request.mode = jump_mode(options.mode);
   options.request.height_m = 1e-3 * options.height_mm;
   ProgressBar bar("jump_ensemble");
@@ -104,8 +106,9 @@ void add_jump(CommandLine& experiment) {
       "One jump in position, torque and hybrid control beside the paper's numbers, and one with sprung's own "
       "landing.");
   jump.option("--robot", options->robot, "name or folder");
-  jump.option("--preset", options->preset,
-              "set of parameters in robot.yaml; paper: the one that reproduces the paper");
+  jump.option(
+      "--preset", options->preset,
+      "set of parameters in robot.yaml; default: best, else the only one; paper reproduces the paper");
   jump.option("--seed", options->seed, "of every noise");
   jump.option("--plant", options->plant,
               "KEY=VALUE changes the plant, e.g. friction_scale=1.2; may be repeated");
@@ -124,7 +127,8 @@ void add_jump_ensemble(CommandLine& experiment) {
       "Jumps on plants with other friction, mass, torque constant and ground: falls, trips, heights before "
       "and after two jumps that adapt.");
   ensemble.option("--robot", options->robot, "name or folder");
-  ensemble.option("--preset", request.preset, "set of parameters in robot.yaml");
+  ensemble.option("--preset", request.preset,
+                  "set of parameters in robot.yaml; default: best, else the only one");
   ensemble.choice("--mode", options->mode, jump_mode_names(), "control in the jump");
   ensemble.option("--height", options->height_mm, "mm that are asked; 0 = the preset's own jump");
   ensemble.option("--seed", request.seed, "of drawn plants and every noise; 0 was used for tuning");

@@ -26,6 +26,7 @@ namespace {
 struct LegRequest {
   std::string experiment;
   std::string robot = "single_leg";
+  std::string wished;  ///< preset where none is chosen and the robot has it
   std::string preset;
   std::uint64_t seed = 1;
   std::vector<std::string> plant;
@@ -66,10 +67,11 @@ void write_folder(const LegRequest& request, const ExperimentReport& rows, const
   report::write_report(page, (std::filesystem::path(request.out) / (request.experiment + ".html")).string());
 }
 
-int run_command(const LegRequest& request, const Experiment& experiment) {
+int run_command(LegRequest request, const Experiment& experiment) {
   start_log("sprung");
   const auto started = std::chrono::steady_clock::now();
   const RobotConfig robot = load_robot(request.robot);
+  if (request.preset.empty()) request.preset = preset_or(robot, request.wished);
   SimOptions sim;
   sim.seed = request.seed;
   sim.plant = parse_plant(request.plant);
@@ -126,15 +128,16 @@ Outcome step_response(const RobotConfig& robot, const std::string& preset, const
   return {step_response_rows(result), step_response_section(result), result.simulated_s};
 }
 
-void add(CommandLine& parent, const std::string& name, const std::string& what, const std::string& preset,
+void add(CommandLine& parent, const std::string& name, const std::string& what, const std::string& wished,
          const Experiment& experiment, const std::string& robot = "single_leg") {
   const auto request = std::make_shared<LegRequest>();
   request->experiment = name;
   request->robot = robot;
-  request->preset = preset;
+  request->wished = wished;
   CommandLine& line = parent.subcommand(name, what);
   line.option("--robot", request->robot, "name or folder");
-  line.option("--preset", request->preset, "set of parameters in robot.yaml");
+  line.option("--preset", request->preset,
+              "set of parameters in robot.yaml; default: " + wished + ", else the usual one");
   line.option("--seed", request->seed, "of every noise");
   line.option("--plant", request->plant, "KEY=VALUE changes the plant, e.g. noise_scale=2; may be repeated");
   line.flag("--separate", request->separate, "real processes over LCM instead of one process; the same bits");

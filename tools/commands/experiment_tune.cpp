@@ -22,7 +22,7 @@ namespace {
 
 struct TuneOptions {
   std::string robot = "single_leg";
-  std::string preset = "best";
+  std::string preset;
   std::string mode = "hybrid";
   std::string objective = "landing_output";
   std::vector<std::string> vary;
@@ -67,7 +67,9 @@ int run_tune(TuneOptions options) {
   options.request.objective = tune_objective(options.objective);
   std::vector<TuneParameter> parameters;
   for (const std::string& text : options.vary) parameters.push_back(parse_vary(text));
-  const TuneSpace space(load_robot(options.robot), options.preset, parameters);
+  const RobotConfig robot = load_robot(options.robot);
+  options.preset = robot.preset(options.preset).name;
+  const TuneSpace space(robot, options.preset, parameters);
   ProgressBar bar("tune");
   const TuneResult result = run_tune(space, options.request,
                                      [&bar](std::size_t done, std::size_t count) { bar.show(done, count); });
@@ -97,7 +99,8 @@ void add_tune_experiment(CommandLine& experiment) {
       "tune",
       "Varies gains of a preset over jumps on several plants and shows the best and what they trade.");
   tune.option("--robot", options->robot, "name or folder");
-  tune.option("--preset", options->preset, "set of parameters in robot.yaml to begin with");
+  tune.option("--preset", options->preset,
+              "set of parameters in robot.yaml to begin with; default: best, else the only one");
   tune.option("--vary", options->vary,
               "KEY=LOW:HIGH, a number of the preset and its range in robot.yaml's unit; may be repeated",
               Need::kRequired);

@@ -38,7 +38,8 @@ std::string command_line(const WalkingRequest& request, const WalkingExperiment&
   return line;
 }
 
-void write_page(const WalkingRequest& request, const WalkingExperiment& experiment, const WalkingOutput& output) {
+void write_page(const WalkingRequest& request, const WalkingExperiment& experiment,
+                const WalkingOutput& output) {
   report::Report page;
   page.title = experiment.name + " of " + output.rows.robot;
   page.subtitle = "preset " + output.rows.preset + ", seed " + std::to_string(output.rows.seed) +
@@ -53,6 +54,7 @@ int run_command(const WalkingRequest& request, const WalkingExperiment& experime
   start_log("sprung");
   WalkingInput input = request.input;
   input.robot = load_robot(request.robot);
+  input.preset = input.robot.preset(input.preset).name;
   if (input.robot.gaits.empty())
     throw WrongUse("experiment " + experiment.name + " needs a robot that walks; " + request.robot +
                    " has no gaits");
@@ -70,7 +72,8 @@ void add(CommandLine& parent, const WalkingExperiment& experiment) {
   const auto request = std::make_shared<WalkingRequest>();
   CommandLine& line = parent.subcommand(experiment.name, experiment.what);
   line.option("--robot", request->robot, "name or folder");
-  line.option("--preset", request->input.preset, "set of parameters in robot.yaml");
+  line.option("--preset", request->input.preset,
+              "set of parameters in robot.yaml; default: best, else the only one");
   line.option("--seed", request->input.seed, "of every noise and draw; 0 was used for tuning");
   if (experiment.name == "endurance") {
     line.option("--seeds", request->input.seeds, "how many, from --seed on");

@@ -71,13 +71,8 @@ void send(Node& node, InputQueue<sprung_msgs::drive_state_t>& states, const SimC
   }
 }
 
-void tell(const FaultCall& request, const SimControl& control) {
-  std::printf("%s at %s", request.fault.kind.c_str(), request.fault.target.c_str());
-  const FaultGuide& guide = guide_of(control.fault);
-  if (*guide.value != '\0') std::printf(", %g %s", control.value, guide.value);
-  std::printf(": acts at cycle %lld", static_cast<long long>(control.apply_at_seq));
-  if (control.duration_s > 0.0) std::printf(" for %g s", control.duration_s);
-  std::printf("\n");
+void tell(const std::string& what) {
+  std::printf("%s\n", what.c_str());
   std::fflush(stdout);
 }
 
@@ -93,11 +88,11 @@ int run_fault(const FaultCall& request) {
   control.apply_at_seq = seq + std::llround((kLead_s + request.after_s) / robot.cycle_s);
   control.stamp = {node.utime_us(), seq};
   send(node, states, control);
-  tell(request, control);
+  tell(announcement(request.fault, control));
   while (seq < control.apply_at_seq && !stop_requested()) seq = next_cycle(node, states);
   node.stop();
   if (seq < control.apply_at_seq) return kExitFailed;
-  std::printf("it acts now. Watch: %s\n", guide_of(control.fault).watch);
+  tell(effect_text(control.fault));
   return kExitDone;
 }
 
@@ -117,8 +112,8 @@ void add_fault(CommandLine& sprung) {
   CommandLine& fault =
       sprung.subcommand("fault", "Makes a fault in the simulated drives: " + all_names() + ".");
   fault.option("target", request->fault.target, "joint, actuator or bus", Need::kRequired);
-  fault.choice("kind", request->fault.kind, fault_names(), "which fault; none mends what was made before",
-               Need::kRequired);
+  fault.choice("kind", request->fault.kind, fault_names(),
+               "which fault; none takes away what was made before", Need::kRequired);
   fault.option("--value", request->value, "how much, where the fault takes a value");
   fault.option("--after", request->after_s, "seconds from now");
   fault.option("--for", request->fault.for_s, "seconds that it lasts, 0 = until mended");

@@ -4,9 +4,11 @@
 #include <cstdio>
 #include <memory>
 
+#include "lcmtypes/channels.h"
 #include "robots/robot_loader.h"
 #include "runtime/stop_request.h"
 #include "tools/client/cycle_collector.h"
+#include "tools/client/jump_heights.h"
 #include "tools/commands/commands.h"
 #include "tools/commands/jump_mode.h"
 #include "tools/commands/motion_call.h"
@@ -90,6 +92,51 @@ int run_reported_jump(const OperatorCommand& order, const MotionRequest& request
   return status;
 }
 
+/// What is said of heights while the robot jumps.
+class JumpNews {
+ public:
+  JumpNews(const RunInfo& info, double asked_m)
+      : heights_(asked_m), node_({info.lcm_url, info.session, info.epoch_us, {}}) {
+    node_.subscribe_message(channels::kMotionState, CountLimits::up_to(64), motions_);
+    node_.start();
+  }
+  /// @return whether anything was heard since the last time.
+  bool tell() {
+    bool any = false;
+    while (const auto motion = motions_.pop()) {
+      any = true;
+      for (const std::string& line : heights_.add(*motion)) std::printf("%s\n", line.c_str());
+    }
+    std::fflush(stdout);
+    return any;
+  }
+
+ private:
+  JumpHeights heights_;
+  InputQueue<sprung_msgs::motion_state_t> motions_{1 << 16};
+  Node node_;
+};
+
+/// Tells how high each jump was as soon as it has landed.
+int run_jump(const OperatorCommand& order, const MotionRequest& request) {
+  if (request.no_wait) return run_motion("jump", order, request);
+  const RunInfo info = require_running(request.instance, request.robot);
+  JumpNews news(info, order.jump_height_m);
+  OperatorClient client(info);
+  OperatorCommand command = order;
+  command.apply_at_seq = request.at_seq;
+  std::optional<OperatorAnswer> answer = client.send(command, kAnswer_s);
+  const int status = motion_exit("jump", answer);
+  if (status != kExitDone || answer->outcome == OperatorOutcome::kDone) return status;
+  answer.reset();
+  int silent_turns = 0;
+  while (!answer && !stop_requested() && silent_turns++ < kSilence_s / kLook_s) {
+    answer = client.wait_done(command, kLook_s);
+    if (news.tell()) silent_turns = 0;
+  }
+  return motion_exit("jump", answer);
+}
+
 void add_simple(CommandLine& sprung, const char* what, const char* help, OperatorKind kind) {
   const auto request = std::make_shared<MotionRequest>();
   CommandLine& command = sprung.subcommand(what, help);
@@ -112,7 +159,9 @@ void add_jump_command(CommandLine& sprung) {
   jump.choice("--mode", request->mode, jump_mode_names(), "control through thrust, flight and landing");
   jump.option("--count", request->count, "how many, one after the other");
   add_motion_call(jump, *request);
-  jump.flag("--report", request->report, "simulated drives: measure the jumps and print a table");
+  jump.flag(
+      "--report", request->report,
+      "simulated drives: measure the jumps and print a table instead of the heights that are estimated");
   jump.option("--html", request->html, "with --report: a page with the table and the first jump drawn");
   jump.example("sprung jump --height 150 --mode hybrid --count 3; sprung jump --height 150 --forward 40");
   jump.action([=] {
@@ -123,7 +172,7 @@ void add_jump_command(CommandLine& sprung) {
     order.jump_mode = jump_mode(request->mode);
     order.jump_count = request->count;
     if (!request->html.empty() && !request->report) throw WrongUse("--html needs --report");
-    return request->report ? run_reported_jump(order, *request) : run_motion("jump", order, *request);
+    return request->report ? run_reported_jump(order, *request) : run_jump(order, *request);
   });
 }
 

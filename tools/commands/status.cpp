@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -20,46 +21,64 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::int64_t kListen_us = 1'200'000;  // PROCESS_STATUS comes twice a second
+constexpr std::int64_t kLook_us = 50'000;
+
+/// The newest of its kind, and when it came in.
+template <class Message>
+struct Newest {
+  std::optional<Message> message;
+  std::int64_t heard_us = 0;
+
+  void take(InputQueue<Message>& queue, std::int64_t now_us) {
+    while (auto next = queue.pop()) {
+      message = std::move(*next);
+      heard_us = now_us;
+    }
+  }
+  double age_s(std::int64_t now_us) const { return 1e-6 * static_cast<double>(now_us - heard_us); }
+};
 
 /// What could be heard of a running robot in about a second.
 struct Heard {
   std::map<std::string, sprung_msgs::process_status_t> processes;
-  std::optional<sprung_msgs::motion_state_t> motion;
-  std::optional<sprung_msgs::joint_state_t> joints;
-  std::optional<sprung_msgs::safety_state_t> safety;
-  std::optional<sprung_msgs::bus_state_t> buses;
+  Newest<sprung_msgs::motion_state_t> motion;
+  Newest<sprung_msgs::joint_state_t> joints;
+  Newest<sprung_msgs::safety_state_t> safety;
+  Newest<sprung_msgs::bus_state_t> buses;
+  std::int64_t end_us = 0;
 };
 
 Heard listen(const RunInfo& info, const RobotConfig& robot) {
   InputQueue<sprung_msgs::process_status_t> processes(256);
   InputQueue<sprung_msgs::motion_state_t> motions(1 << 16);
   InputQueue<sprung_msgs::joint_state_t> joint_states(64);  // only the newest counts
+  InputQueue<sprung_msgs::safety_state_t> safeties(256);
+  InputQueue<sprung_msgs::bus_state_t> buses(256);
   Heard heard;
-  HealthListener health(info, robot);
   Node node({info.lcm_url, info.session, info.epoch_us, {}});
   node.subscribe_message(channels::kProcessStatus, CountLimits::none(), processes);
   node.subscribe_message(channels::kMotionState, CountLimits::up_to(64), motions);
   node.subscribe_message(channels::kJointState, CountLimits::exactly(robot.joints.size(), robot.legs.size()),
                          joint_states);
+  node.subscribe_message(channels::kSafetyState, CountLimits::none(), safeties);
+  const std::size_t nodes = robot.actuators.size() + robot.encoder_cards.size();
+  node.subscribe_message(channels::kBusState, CountLimits::exactly(robot.buses.size(), nodes), buses);
   node.start();
   const std::int64_t end_us = node.utime_us() + kListen_us;
   while (node.utime_us() < end_us && !stop_requested()) {
-    node.wait_for_input(end_us);
-    while (auto status = processes.pop()) {
-      heard.processes[status->process] = *status;
-    }
-    while (auto motion = motions.pop()) {
-      heard.motion = *motion;
-    }
-    while (auto joints = joint_states.pop()) heard.joints = std::move(*joints);
+    node.wait_for_input(std::min(end_us, node.utime_us() + kLook_us));
+    const std::int64_t now_us = node.utime_us();
+    while (auto status = processes.pop()) heard.processes[status->process] = *status;
+    heard.motion.take(motions, now_us);
+    heard.joints.take(joint_states, now_us);
+    heard.safety.take(safeties, now_us);
+    heard.buses.take(buses, now_us);
   }
-  health.wait(0.0, [] { return true; });
-  heard.safety = health.safety();
-  heard.buses = health.bus();
+  heard.end_us = node.utime_us();
   return heard;
 }
 
-/// "dead" when the launcher's child is gone, "silent" when it says nothing.
+/// "dead" when the launcher's child is gone, "stopped" when somebody halted it, "silent" when it says nothing.
 std::string state_of(const RunningProcess& process, const Heard& heard) {
   const std::string stat = "/proc/" + std::to_string(process.pid) + "/stat";
   char state = 'X';
@@ -72,6 +91,7 @@ std::string state_of(const RunningProcess& process, const Heard& heard) {
   if (state == 'X' || state == 'Z') {
     return "dead";
   }
+  if (state == 'T' || state == 't') return "stopped";
   const auto found = heard.processes.find(process.program);
   if (found == heard.processes.end()) {
     return process.program == "lcm-logger" ? "running" : "silent";
@@ -115,11 +135,12 @@ Json status_json(const RunInfo& info, const RobotConfig& robot, const Heard& hea
   for (const RunningProcess& process : info.processes) {
     out["processes"].push_back(process_json(process, heard));
   }
-  out["safety"] = safety_json(heard.safety);
-  out["buses"] = heard.buses ? buses_json(robot, *heard.buses) : Json::array();
-  out["nodes"] = heard.buses ? nodes_json(robot, *heard.buses) : Json::array();
-  out["motion"] = motion_json(robot, heard.motion);
-  out["body"] = body_json(robot, heard.joints);
+  out["safety"] = safety_json(heard.safety.message, heard.safety.age_s(heard.end_us));
+  const auto& buses = heard.buses.message;
+  out["buses"] = buses ? buses_json(robot, *buses) : Json::array();
+  out["nodes"] = buses ? nodes_json(robot, *buses) : Json::array();
+  out["motion"] = motion_json(robot, heard.motion.message, heard.motion.age_s(heard.end_us));
+  out["body"] = body_json(robot, heard.joints.message, heard.joints.age_s(heard.end_us));
   return out;
 }
 
@@ -140,6 +161,22 @@ void print_buses(const Json& status) {
   }
 }
 
+/// What a process has complained of or last said of its work, and which do not work at all.
+void print_process_news(const Json& processes) {
+  for (const Json& process : processes) {
+    const std::string name = text_of(process["name"]);
+    const std::string state = text_of(process["state"]);
+    if (state == "stopped")
+      std::printf("TROUBLE %s is stopped: somebody halted it; kill -CONT %s lets it go on\n", name.c_str(),
+                  process["pid"].dump().c_str());
+    if (state == "dead" || state == "silent")
+      std::printf("TROUBLE %s is %s: sprung up tells more; sprung down ends the run\n", name.c_str(),
+                  state.c_str());
+    const std::string detail = process.value("detail", "");
+    if (!detail.empty()) std::printf("says    %s: %s\n", name.c_str(), detail.c_str());
+  }
+}
+
 void print_table(const Json& status) {
   std::printf("%s, clock %s, preset %s%s\n", text_of(status["robot"]).c_str(),
               text_of(status["clock"]).c_str(), text_of(status["preset"]).c_str(),
@@ -155,6 +192,7 @@ void print_table(const Json& status) {
                 process["overruns"].is_number() ? process["overruns"].dump().c_str() : "-",
                 process.contains("real_time") ? text_of(process["real_time"]).c_str() : "");
   }
+  print_process_news(status["processes"]);
   std::printf("%s\n", safety_text(status["safety"]).c_str());
   for (const std::string& line : motion_lines(status["motion"], status["body"]))
     std::printf("%s\n", line.c_str());

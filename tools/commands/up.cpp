@@ -133,7 +133,7 @@ void add_up(CommandLine& sprung) {
   up.flag("--sim", request->simulation, "simulated drives instead of real ones");
   up.choice("--clock", request->clock, {"realtime", "lockstep"},
             "lockstep: deterministic, as fast as it goes, needs --sim");
-  up.option("--preset", request->preset, "set of parameters in robot.yaml");
+  up.option("--preset", request->preset, "set of parameters in robot.yaml; default: best, else the only one");
   up.option("--can", request->can, "BUS=ADDRESS: socketcan:can0, udp:GROUP:PORT; may be repeated");
   up.option("--lcm-url", request->lcm_url, "LCM network of this robot");
   up.option("--rt-policy", request->rt_policy, "real-time scheduling: enforce, warn or off");

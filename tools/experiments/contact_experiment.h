@@ -14,7 +14,7 @@
 namespace sprung {
 
 struct ContactRequest {
-  std::string preset = "best";
+  std::string preset;              ///< empty = the robot's usual one
   std::vector<SimOptions> plants;  ///< each of them jumps and steps
   int steps_per_plant = 40;
   bool jumps = true;  ///< one in each mode
@@ -41,8 +41,8 @@ std::vector<ReportRow> contact_rows(const std::vector<ContactStep>& steps);
 
 /// A robot that stands up from lying flat and walks straight ahead.
 struct WalkingContactRequest {
-  std::string preset = "best";
-  std::string gait;  ///< of robot.yaml
+  std::string preset;  ///< empty = the robot's usual one
+  std::string gait;    ///< of robot.yaml
   double forward_m_s = 0.0;
   double walking_s = 8.0;
   SimOptions sim;

@@ -90,7 +90,7 @@ std::vector<AblationRow> run_drop_ablation(const RobotConfig& robot, const DropR
   const std::vector<AblationDrop>& drops = ablation_drops();
   std::vector<RobotConfig> robots(cases.size(), robot);
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    PresetConfig& preset = preset_named(robots[i], request.preset);
+    PresetConfig& preset = preset_named(robots[i], robots[i].preset(request.preset).name);
     cases[i].take_out(preset, preset.own_landing);
   }
   ParallelOptions parallel;

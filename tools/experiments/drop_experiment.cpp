@@ -115,7 +115,7 @@ DropExperiment run_drop_experiment(const RobotConfig& robot, const DropRequest& 
       pairs, [&](std::size_t i) { return pair(robot, request, i, counted); }, from(landings));
   out.rows.experiment = "drop";
   out.rows.robot = robot.name;
-  out.rows.preset = request.preset;
+  out.rows.preset = robot.preset(request.preset).name;
   out.rows.seed = request.sim.seed;
   add_landings(out.landings, out.rows);
   add_own_over_hybrid(out.landings, out.rows);

@@ -30,8 +30,8 @@ struct DropExperiment {
 };
 
 struct DropRequest {
-  std::string preset = "best";
-  SimOptions sim;  ///< its seed is the first of the comparison's
+  std::string preset;  ///< empty = the robot's usual one
+  SimOptions sim;      ///< its seed is the first of the comparison's
   int seeds = 50;
   int jobs = 0;  ///< of parallel.h
   std::function<void(std::size_t done, std::size_t count)> on_progress =

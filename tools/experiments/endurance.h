@@ -13,7 +13,7 @@
 namespace sprung {
 
 struct EnduranceRequest {
-  std::string preset = "best";
+  std::string preset;      ///< empty = the robot's usual one
   std::uint64_t seed = 1;  ///< the first
   int seeds = 20;
   double minutes = 10.0;                ///< of each

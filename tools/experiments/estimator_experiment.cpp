@@ -124,7 +124,7 @@ ExperimentReport run_estimator_experiment(const EstimatorRequest& request,
   const RobotConfig named = load_robot(request.robot);
   report.experiment = "estimator";
   report.robot = named.name;
-  report.preset = request.preset;
+  report.preset = named.preset(request.preset).name;
   report.seed = request.seed;
   const auto started = std::chrono::steady_clock::now();
   const std::vector<const Section*> sections = sections_of(named, request.only);

@@ -11,10 +11,10 @@ namespace sprung {
 
 struct EstimatorRequest {
   std::string robot = "test_axis";  ///< test_axis: the whole table; another: the rows that this robot gives
-  std::string preset = "best";
-  std::uint64_t seed = 1;  ///< 0 was used to tune the estimator
-  std::string data;        ///< folder of recordings; "" = /work/shared/data or ../shared/data where one is
-  std::string only;        ///< "" = all; else one section: see estimator_sections()
+  std::string preset;               ///< empty = the robot's usual one
+  std::uint64_t seed = 1;           ///< 0 was used to tune the estimator
+  std::string data;  ///< folder of recordings; "" = /work/shared/data or ../shared/data where one is
+  std::string only;  ///< "" = all; else one section: see estimator_sections()
 };
 
 /// Names of the table's sections, one line each, for --help and for errors.

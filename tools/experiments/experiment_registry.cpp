@@ -15,8 +15,7 @@ namespace sprung {
 
 namespace {
 
-constexpr const char* kPaper = "paper";
-constexpr const char* kBest = "best";
+std::string paper(const RobotConfig& robot) { return preset_or(robot, "paper"); }
 
 SimOptions sim_of(const ExperimentInput& input) {
   SimOptions sim;
@@ -24,7 +23,7 @@ SimOptions sim_of(const ExperimentInput& input) {
   return sim;
 }
 
-ExperimentReport rows_of(const ExperimentInput& input, const char* experiment, const char* preset) {
+ExperimentReport rows_of(const ExperimentInput& input, const char* experiment, const std::string& preset) {
   ExperimentReport rows;
   rows.experiment = experiment;
   rows.robot = input.robot.name;
@@ -35,40 +34,44 @@ ExperimentReport rows_of(const ExperimentInput& input, const char* experiment, c
 
 ExperimentOutput jump_output(const ExperimentInput& input) {
   const SimOptions sim = sim_of(input);
-  const JumpExperiment experiment = run_jump_experiment(input.robot, kPaper, sim, run_in_process);
+  const JumpExperiment experiment = run_jump_experiment(input.robot, paper(input.robot), sim, run_in_process);
   return {experiment.rows, jump_sections(input.robot, sim, experiment)};
 }
 
 ExperimentOutput foot_return_output(const ExperimentInput& input) {
-  const FootReturnResult result = run_foot_return(
-      input.robot, kBest, sim_of(input), foot_return_cases(input.robot.preset(kBest)), run_in_process);
-  ExperimentOutput out{rows_of(input, "foot_return", kBest), {foot_return_section(result)}};
+  const PresetConfig& preset = input.robot.preset();
+  const FootReturnResult result =
+      run_foot_return(input.robot, preset.name, sim_of(input), foot_return_cases(preset), run_in_process);
+  ExperimentOutput out{rows_of(input, "foot_return", preset.name), {foot_return_section(result)}};
   out.rows.simulated_s = result.simulated_s;
   out.rows.rows = foot_return_rows(result);
   return out;
 }
 
 ExperimentOutput hanging_return_output(const ExperimentInput& input) {
+  const std::string& preset = input.robot.preset().name;
   const HangingReturnResult result = run_hanging_return(
-      input.robot, sim_of(input), hanging_cases(input.robot, kBest), hand_pulls(), {input.jobs, {}});
-  ExperimentOutput out{rows_of(input, "foot_return", kBest), {hanging_return_section(result)}};
+      input.robot, sim_of(input), hanging_cases(input.robot, preset), hand_pulls(), {input.jobs, {}});
+  ExperimentOutput out{rows_of(input, "foot_return", preset), {hanging_return_section(result)}};
   out.rows.simulated_s = result.simulated_s;
   out.rows.rows = hanging_return_rows(result);
   return out;
 }
 
 ExperimentOutput stand_push_output(const ExperimentInput& input) {
+  const std::string& preset = input.robot.preset().name;
   const StandPushResult result =
-      run_stand_push(input.robot, kBest, sim_of(input), trunk_pushes(), {input.jobs, {}});
-  ExperimentOutput out{rows_of(input, "stand_push", kBest), {stand_push_section(result)}};
+      run_stand_push(input.robot, preset, sim_of(input), trunk_pushes(), {input.jobs, {}});
+  ExperimentOutput out{rows_of(input, "stand_push", preset), {stand_push_section(result)}};
   out.rows.simulated_s = result.simulated_s;
   out.rows.rows = stand_push_rows(result);
   return out;
 }
 
 ExperimentOutput step_response_output(const ExperimentInput& input) {
-  const StepResponseResult result = run_step_response(input.robot, kPaper, sim_of(input), run_in_process);
-  ExperimentOutput out{rows_of(input, "step_response", kPaper), {step_response_section(result)}};
+  const std::string preset = paper(input.robot);
+  const StepResponseResult result = run_step_response(input.robot, preset, sim_of(input), run_in_process);
+  ExperimentOutput out{rows_of(input, "step_response", preset), {step_response_section(result)}};
   out.rows.simulated_s = result.simulated_s;
   out.rows.rows = step_response_rows(result);
   return out;
@@ -76,7 +79,7 @@ ExperimentOutput step_response_output(const ExperimentInput& input) {
 
 ExperimentOutput drop_output(const ExperimentInput& input) {
   DropRequest request;
-  request.preset = kBest;
+  request.preset = input.robot.preset().name;
   request.sim = sim_of(input);
   request.jobs = input.jobs;
   const DropExperiment experiment = run_drop_experiment(input.robot, request, run_in_process);
@@ -85,24 +88,24 @@ ExperimentOutput drop_output(const ExperimentInput& input) {
 
 ExperimentOutput jump_ensemble_output(const ExperimentInput& input) {
   JumpEnsembleRequest request;
-  request.preset = kBest;
+  request.preset = input.robot.preset().name;
   request.seed = input.seed;
   const JumpEnsemble ensemble = run_jump_ensemble(input.robot, request, {input.jobs, {}});
-  ExperimentOutput out{rows_of(input, "jump_ensemble", kBest), {}};
+  ExperimentOutput out{rows_of(input, "jump_ensemble", request.preset), {}};
   out.rows.simulated_s = ensemble.simulated_s;
   out.rows.rows = jump_ensemble_rows(ensemble);
   return out;
 }
 
 /// Of a robot that walks.
-std::vector<ExperimentEntry> walking_experiments() {
+std::vector<ExperimentEntry> walking_experiments(const std::string& preset) {
   return {
-      {"foot_return", kBest,
+      {"foot_return", preset,
        "Does a foot of the hanging robot come back to where a hand took it from, and how far off without "
        "friction "
        "compensation?",
        true, hanging_return_output},
-      {"stand_push", kBest,
+      {"stand_push", preset,
        "How much less do hip and knee carry on virtual springs than in position control when the standing "
        "robot is "
        "pounded, pushed down or lifted?",
@@ -122,30 +125,31 @@ std::vector<ExperimentEntry> experiments_of(const RobotConfig& robot) {
     throw std::invalid_argument("the experiments of `all` need a leg that stands, and " + robot.name +
                                 " has none (" + why +
                                 "); for a joint alone there are friction_sweep, drag and estimator");
+  const std::string& preset = robot.preset().name;
   if (!robot.gaits.empty()) {
-    std::vector<ExperimentEntry> out = walking_experiments();
-    for (ExperimentEntry& entry : gait_entries()) out.push_back(entry);
+    std::vector<ExperimentEntry> out = walking_experiments(preset);
+    for (ExperimentEntry& entry : gait_entries(preset)) out.push_back(entry);
     return out;
   }
   return {
-      {"jump", kPaper,
+      {"jump", paper(robot),
        "Are the paper's jumps met in position, torque and hybrid control, and what does sprung's own landing "
        "save?",
        false, jump_output},
-      {"foot_return", kBest,
+      {"foot_return", preset,
        "Does a foot on a virtual spring come back to where it was pulled from, and how far off without "
        "friction compensation?",
        false, foot_return_output},
-      {"step_response", kPaper,
+      {"step_response", paper(robot),
        "How soon is a torque there, at the motor and at the gear's output, and what do gear and ground make "
        "of it?",
        false, step_response_output},
-      {"drop", kBest,
+      {"drop", preset,
        "How hard is a landing from 0.1 to 0.5 m in each mode, and what does sprung's own save where the "
        "floor is not "
        "where it is expected?",
        true, drop_output},
-      {"jump_ensemble", kBest,
+      {"jump_ensemble", preset,
        "Does the leg stay up, and jump as high as asked, on plants and grounds that it does not know?", true,
        jump_ensemble_output},
   };

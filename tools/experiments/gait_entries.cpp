@@ -6,12 +6,11 @@ namespace sprung {
 namespace {
 
 constexpr double kShort_min = 1.0;
-constexpr const char* kBestPreset = "best";
 
 ExperimentOutput run_one(const WalkingExperiment& experiment, const ExperimentInput& input) {
   WalkingInput in;
   in.robot = input.robot;
-  in.preset = kBestPreset;
+  in.preset = input.robot.preset().name;
   in.seed = input.seed;
   in.minutes = kShort_min;
   in.parallel.jobs = input.jobs;
@@ -21,10 +20,10 @@ ExperimentOutput run_one(const WalkingExperiment& experiment, const ExperimentIn
 
 }  // namespace
 
-std::vector<ExperimentEntry> gait_entries() {
+std::vector<ExperimentEntry> gait_entries(const std::string& preset) {
   std::vector<ExperimentEntry> out;
   for (const WalkingExperiment& experiment : gait_experiments())
-    out.push_back({experiment.name, kBestPreset, experiment.question, true,
+    out.push_back({experiment.name, preset, experiment.question, true,
                    [&experiment](const ExperimentInput& input) { return run_one(experiment, input); }});
   return out;
 }

@@ -6,7 +6,7 @@
 
 namespace sprung {
 
-/// endurance is short here: a minute of each seed; the command alone takes ten.
-std::vector<ExperimentEntry> gait_entries();
+/// All under `preset`. endurance is short here: a minute of each seed; the command alone takes ten.
+std::vector<ExperimentEntry> gait_entries(const std::string& preset);
 
 }  // namespace sprung

@@ -43,7 +43,7 @@ struct UnevenOutcome {
 };
 
 struct GroundErrorTask {
-  std::string preset = "best";
+  std::string preset;  ///< empty = the robot's usual one
   SimOptions sim;
   int grounds = 3;  ///< draws of uneven floor for each case
   ParallelOptions parallel;

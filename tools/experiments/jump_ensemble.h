@@ -37,7 +37,7 @@ struct JumpOutcome {
 };
 
 struct JumpEnsembleRequest {
-  std::string preset = "best";
+  std::string preset;  ///< empty = the robot's usual one
   JumpMode mode = JumpMode::kHybrid;
   std::uint64_t seed = 1;
   int plants = 50;

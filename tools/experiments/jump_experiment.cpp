@@ -9,7 +9,6 @@ namespace sprung {
 namespace {
 
 constexpr std::int64_t kStandCycle = 100;       // the estimator has settled by then
-constexpr const char* kOwnPreset = "best";      // of mode own (issue 5)
 constexpr const char* kFloor = "floor_height";  // key of --plant
 
 struct JumpCase {
@@ -17,12 +16,12 @@ struct JumpCase {
   JumpMode mode;
 };
 
-/// The papers' three under the preset that was asked for; own, and position to compare it with, under `best`.
-std::vector<JumpCase> cases(const std::string& preset) {
+/// The papers' three under the preset that was asked for; own, and position to compare it with, under `best` where there is one.
+std::vector<JumpCase> cases(const std::string& preset, const std::string& best) {
   std::vector<JumpCase> out = {
       {preset, JumpMode::kPosition}, {preset, JumpMode::kTorque}, {preset, JumpMode::kHybrid}};
-  if (preset != kOwnPreset) out.push_back({kOwnPreset, JumpMode::kPosition});
-  out.push_back({kOwnPreset, JumpMode::kOwn});
+  if (preset != best) out.push_back({best, JumpMode::kPosition});
+  out.push_back({best, JumpMode::kOwn});
   return out;
 }
 
@@ -75,7 +74,7 @@ JumpExperiment run_jump_experiment(const RobotConfig& robot, const std::string& 
   out.rows.preset = preset;
   out.rows.seed = sim.seed;
   const auto started = std::chrono::steady_clock::now();
-  for (const JumpCase& jump : cases(preset))
+  for (const JumpCase& jump : cases(preset, preset_or(robot, "best", preset)))
     add_jump(jump_script(robot, jump.preset, sim, jump.mode, 1), jump.mode, run, out);
   out.rows.rows = jump_rows(out.jumps, preset);
   out.rows.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();

@@ -185,7 +185,8 @@ Table preset_table(const PresetConfig& preset) {
 Section parameter_section(const RobotConfig& robot, const SimOptions& sim, const JumpExperiment& experiment) {
   Section out{"Parameters"};
   out.tables.push_back(preset_table(robot.preset(experiment.rows.preset)));
-  if (experiment.rows.preset != "best") out.tables.push_back(preset_table(robot.preset("best")));
+  const std::string best = preset_or(robot, "best", experiment.rows.preset);
+  if (experiment.rows.preset != best) out.tables.push_back(preset_table(robot.preset(best)));
   Table plant{"Plant", {"change", "value"}};
   plant.note = "The plant is robots/" + robot.name + "/sim.yaml, with these changes.";
   for (const auto& [key, value] : sim.plant) plant.rows.push_back({key, value});

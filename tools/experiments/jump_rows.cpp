@@ -1,5 +1,6 @@
 #include "tools/experiments/jump_rows.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace sprung {
@@ -156,9 +157,10 @@ std::vector<ReportRow> jump_rows(const std::vector<MeasuredJump>& jumps, const s
   const JumpResult* of[3];
   for (int i = 0; i < 3; ++i) of[i] = find_jump(jumps, preset, kPapersModes[i]);
   if (of[0] && of[1] && of[2]) add_hybrid_ratios(*of[2], *of[0], *of[1], preset == "paper", rows);
-  const JumpResult* own = find_jump(jumps, "best", JumpMode::kOwn);
-  const JumpResult* firm = find_jump(jumps, "best", JumpMode::kPosition);
-  if (own && firm) add_landing_ratio("own_over_position", *own, *firm, std::nullopt, 1.0 / 6.0, rows);
+  const auto own = std::find_if(jumps.begin(), jumps.end(),
+                                [](const MeasuredJump& jump) { return jump.mode == JumpMode::kOwn; });
+  const JumpResult* firm = own == jumps.end() ? nullptr : find_jump(jumps, own->preset, JumpMode::kPosition);
+  if (firm) add_landing_ratio("own_over_position", own->result, *firm, std::nullopt, 1.0 / 6.0, rows);
   const PaperScore score = score_against_paper(jumps);
   if (score.figures > 0) {
     rows.push_back(plain("jump.paper.within_10_percent", "", score.within));

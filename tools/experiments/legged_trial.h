@@ -17,7 +17,8 @@ class LeggedTrial {
   /// Boots the drives. @throws std::invalid_argument for a robot that does not walk, else as InProcessRobot.
   LeggedTrial(const RobotConfig& robot, const std::string& preset, const SimOptions& sim);
 
-  /// `home --from link` once all joints rest, then `stand`, until it stands. @throws std::runtime_error with the reason where it does not.
+  /// `home --from link` once all joints rest, then `stand`, until it stands. @throws std::runtime_error with
+  /// the reason where it does not.
   void stand_up();
   /// Executed in the next cycle; @throws std::runtime_error from run() where it is refused.
   void say(OperatorCommand command);

@@ -1,6 +1,7 @@
 #pragma once
-/// A line on standard error that shows how far something long is, and that it is still at work: on a terminal one line that changes every
-/// second, elsewhere (a log, a script) a plain line every ten seconds. What is done sooner than that says nothing.
+/// A line on standard error that shows how far something long is, and that it is still at work: on a terminal
+/// one line that changes every second, elsewhere (a log, a script) a plain line every ten seconds. What is
+/// done sooner than that says nothing.
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
@@ -26,8 +27,9 @@ struct ProgressLook {
 /// Of this process's standard error.
 ProgressLook standard_error_look();
 
-/// Give it to ParallelOptions::on_progress by reference: [&bar](auto done, auto count) { bar.show(done, count); }. Nothing else may be
-/// written on the terminal while something is being counted.
+/// Give it to ParallelOptions::on_progress by reference:
+///   [&bar](auto done, auto count) { bar.show(done, count); }
+/// Nothing else may be written on the terminal while something is being counted.
 class ProgressBar {
  public:
   explicit ProgressBar(std::string label) : ProgressBar(std::move(label), standard_error_look()) {}
@@ -36,7 +38,8 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  /// Of any thread. Wipes the line when all is done, and is silent until more is shown, so that results can be printed.
+  /// Of any thread. Wipes the line when all is done, and is silent until more is shown, so that results can
+  /// be printed.
   void show(std::size_t done, std::size_t count);
 
  private:

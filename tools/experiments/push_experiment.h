@@ -36,7 +36,7 @@ struct PushOutcome {
 };
 
 struct PushTask {
-  std::string preset = "best";
+  std::string preset;  ///< empty = the robot's usual one
   SimOptions sim;
   ParallelOptions parallel;
 };

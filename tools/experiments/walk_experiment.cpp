@@ -47,17 +47,6 @@ double speed_of(const RobotConfig& robot, const char* gait, double share) {
   return std::round(share * fastest_m_s * steps_per_m_s) / steps_per_m_s;
 }
 
-/// What true speeds and torques are held against: the speed cap of robot.yaml, and what the plant's drives can give.
-WalkExperiment limits_of(const RobotConfig& robot, const SimOptions& sim) {
-  WalkExperiment out;
-  out.compared_m_s = speed_of(robot, kCompared, kWalkShare);
-  for (const ActuatorConfig& actuator : robot.actuators)
-    out.speed_limit_rad_s = std::max(out.speed_limit_rad_s, actuator.speed_limit_rad_s);
-  for (const sim::SimDriveConfig& drive : sim::load_sim_config(robot, sim.plant).drives)
-    out.torque_limit_Nm = std::max(out.torque_limit_Nm, drive.peak_torque_Nm);
-  return out;
-}
-
 ReportRow walk_row(const std::string& name, const char* unit, double value) {
   return {"walk." + name, unit, value, std::nullopt, std::nullopt, std::nullopt};
 }
@@ -110,7 +99,7 @@ void add_gait(const GaitOutcome& g, double torque_limit_Nm, std::vector<ReportRo
 report::Section controls_section(const WalkExperiment& result) {
   report::Section out{"Feet in swing, and touchdowns"};
   report::Table table{
-      std::string("Gait ") + kCompared + ", " + report::number_text(result.compared_m_s) + " m/s",
+      std::string("Gait ") + kCompared + ", " + report::number_text(result.limits.compared_m_s) + " m/s",
       {"control", "swing RMS (mm)", "touchdown, mean (N)", "worst (N)", "knee's true gear output, mean (Nm)",
        "touchdowns", "fell"}};
   report::Plot height{"Left front foot", {"time", "s"}, {"height in hip axes", "m"}};
@@ -140,7 +129,7 @@ report::Section gaits_section(const WalkExperiment& result) {
     table.rows.push_back({g.config.gait, g.config.speed_m_s, g.speed_m_s, g.distance_m,
                           g.drift_rad * kDegrees, g.vitals.fastest_rad_s, g.vitals.strongest_Nm,
                           100.0 * g.vitals.saturated_share, g.vitals.why.empty() ? "nothing" : g.vitals.why});
-  table.note = "The drives' no-load speed is " + report::number_text(result.speed_limit_rad_s) + " rad/s.";
+  table.note = "The drives' no-load speed is " + report::number_text(result.limits.speed_rad_s) + " rad/s.";
   out.tables = {table};
   return out;
 }
@@ -152,6 +141,16 @@ std::vector<GaitCase> gait_cases(const RobotConfig& robot) {
           {"walk", "walk", speed_of(robot, "walk", kWalkShare), true},
           {"trot", "trot", speed_of(robot, "trot", kTrotShare), true},
           {"trot_stretch", "trot", speed_of(robot, "trot", kStretchShare), false}};
+}
+
+WalkLimits walk_limits(const RobotConfig& robot, const SimOptions& sim) {
+  WalkLimits out;
+  out.compared_m_s = speed_of(robot, kCompared, kWalkShare);
+  for (const ActuatorConfig& actuator : robot.actuators)
+    out.speed_rad_s = std::max(out.speed_rad_s, actuator.speed_limit_rad_s);
+  for (const sim::SimDriveConfig& drive : sim::load_sim_config(robot, sim.plant).drives)
+    out.torque_Nm = std::max(out.torque_Nm, drive.peak_torque_Nm);
+  return out;
 }
 
 ControlOutcome walk_under(const RobotConfig& robot, const WalkTask& task, GaitControl control) {
@@ -193,7 +192,8 @@ GaitOutcome go(const RobotConfig& robot, const WalkTask& task, const GaitCase& c
 WalkExperiment run_walk_experiment(const RobotConfig& robot, const WalkTask& task) {
   if (!(task.distance_m > 0.0)) throw std::invalid_argument("--distance must be more than 0 m");
   const std::vector<GaitCase> cases = gait_cases(robot);
-  WalkExperiment out = limits_of(robot, task.sim);
+  WalkExperiment out;
+  out.limits = walk_limits(robot, task.sim);
   out.gaits.resize(cases.size());
   out.controls.resize(std::size(kWalkControls));
   run_parallel(
@@ -216,7 +216,7 @@ std::vector<ReportRow> walk_rows(const WalkExperiment& result) {
   for (const ControlOutcome& c : result.controls)
     if (c.control == GaitControl::kForce) force_rms_m = c.swing_rms_m;
   for (const ControlOutcome& c : result.controls) add_control(c, force_rms_m, rows);
-  for (const GaitOutcome& g : result.gaits) add_gait(g, result.torque_limit_Nm, rows);
+  for (const GaitOutcome& g : result.gaits) add_gait(g, result.limits.torque_Nm, rows);
   return rows;
 }
 

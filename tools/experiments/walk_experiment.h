@@ -13,7 +13,7 @@
 namespace sprung {
 
 struct WalkTask {
-  std::string preset = "best";
+  std::string preset;  ///< empty = the robot's usual one
   SimOptions sim;
   double distance_m = 10.0;  ///< that speed and drift are taken over
   ParallelOptions parallel;
@@ -48,17 +48,25 @@ struct GaitOutcome {
   double simulated_s = 0.0;
 };
 
+/// What the rows of one robot are held against.
+struct WalkLimits {
+  double compared_m_s = kNaN;  ///< speed of the controls' gait
+  double speed_rad_s = 0.0;    ///< of the joints: robot.yaml's speed cap, the highest
+  double torque_Nm = 0.0;  ///< of the motors, true: what the plant's drives can give (sim.yaml), the highest
+};
+/// @throws as gait_cases(), ConfigError as SimCore.
+WalkLimits walk_limits(const RobotConfig& robot, const SimOptions& sim);
+
 struct WalkExperiment {
+  WalkLimits limits;
   std::vector<ControlOutcome> controls;
   std::vector<GaitOutcome> gaits;
-  double compared_m_s = kNaN;      ///< of the controls' gait
-  double speed_limit_rad_s = 0.0;  ///< of the joints: robot.yaml's speed cap, the highest
-  double torque_limit_Nm = 0.0;    ///< that true motor torques are held against: sim.yaml's peak, the highest
   double simulated_s = 0.0;
 };
 
-/// crawl, walk and trot at their usual shares of the fastest speeds in robot.yaml, and as a stretch a faster trot. Pegasus: 0.1, 0.2,
-/// 0.35 and 0.4 m/s. @throws std::invalid_argument where the robot has not these gaits.
+/// crawl, walk and trot at their usual shares of the fastest speeds in robot.yaml, and as a stretch a faster
+/// trot. Pegasus: 0.1, 0.2, 0.35 and 0.4 m/s. @throws std::invalid_argument where the robot has not these
+/// gaits.
 std::vector<GaitCase> gait_cases(const RobotConfig& robot);
 
 /// In gait `walk` at the speed of its case: nine seconds after two of starting.

@@ -25,7 +25,7 @@ WalkingOutput output(const char* experiment, const WalkingInput& input,
   WalkingOutput out;
   out.rows.experiment = experiment;
   out.rows.robot = input.robot.name;
-  out.rows.preset = input.preset;
+  out.rows.preset = input.robot.preset(input.preset).name;
   out.rows.seed = input.seed;
   run(out);
   out.rows.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();

@@ -14,7 +14,7 @@ namespace sprung {
 
 struct WalkingInput {
   RobotConfig robot;
-  std::string preset = "best";
+  std::string preset;  ///< empty = the robot's usual one
   std::uint64_t seed = 1;
   std::map<std::string, double> plant;
   int seeds = 20;            ///< endurance: how many, from `seed` on

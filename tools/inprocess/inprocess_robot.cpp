@@ -28,7 +28,7 @@ InProcessRobot::InProcessRobot(const RobotConfig& robot, const std::string& pres
       leg_command_(robot.legs.size()),
       motion_state_(robot.legs.size()),
       drive_command_(robot.actuators.size()),
-      observer_(observer_source() ? observer_source()(robot, preset, sim) : nullptr) {}
+      observer_(observer_source() ? observer_source()(robot, robot.preset(preset).name, sim) : nullptr) {}
 
 bool InProcessRobot::tick() {
   time_us_ += cycle_us_;

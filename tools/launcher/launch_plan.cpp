@@ -33,7 +33,7 @@ PlannedProcess plan_process(const ProcessConfig& config, const LaunchRequest& re
                             const RobotConfig& robot, std::int64_t session, std::int64_t epoch_us) {
   PlannedProcess process{config.program, {}, config.restart};
   process.arguments = {"--robot",     robot.folder,
-                       "--preset",    request.preset,
+                       "--preset",    robot.preset(request.preset).name,
                        "--session",   std::to_string(session),
                        "--epoch-us",  std::to_string(epoch_us),
                        "--lcm-url",   request.lcm_url,

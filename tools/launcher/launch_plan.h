@@ -21,8 +21,8 @@ struct RecordingRequest {
 
 /// What `sprung up` was asked for.
 struct LaunchRequest {
-  std::string robot;  ///< name or folder
-  std::string preset = "best";
+  std::string robot;               ///< name or folder
+  std::string preset;              ///< empty = the robot's usual one
   std::string clock = "realtime";  ///< realtime or lockstep
   bool simulation = false;
   std::vector<std::string> can;  ///< BUS=ADDRESS

@@ -29,7 +29,8 @@ constexpr double kStop_s = 3.0;           // a bridge may damp its robot for hal
 constexpr double kStopRecorder_s = 10.0;  // a disk that is slow must still get everything
 
 BuildIdentity own_identity(const LaunchRequest& request, const RobotConfig& robot) {
-  return {SPRUNG_VERSION, SPRUNG_GIT_HASH, types_hash(), configuration_hash(robot, request.preset),
+  const std::string preset = robot.preset(request.preset).name;
+  return {SPRUNG_VERSION, SPRUNG_GIT_HASH, types_hash(), configuration_hash(robot, preset),
           robot.name,     request.clock};
 }
 

@@ -33,7 +33,7 @@ PlannedProcess plan_recorder(const LaunchRequest& request, const RobotConfig& ro
   }
   PlannedProcess process{kRecorderProgram, {}, RestartPolicy::kNever};
   process.arguments = {"--robot",    robot.folder,
-                       "--preset",   request.preset,
+                       "--preset",   robot.preset(request.preset).name,
                        "--session",  std::to_string(info.session),
                        "--epoch-us", std::to_string(info.epoch_us),
                        "--lcm-url",  request.lcm_url,

@@ -30,8 +30,8 @@ RunInfo describe_run(const LaunchRequest& request, const RobotConfig& robot) {
   RunInfo info;
   info.instance = request.instance;
   info.robot = robot.name;
-  info.robot_folder = robot.folder;
-  info.preset = request.preset;
+  info.robot_folder = fs::canonical(robot.folder).string();  // read by commands in any working folder
+  info.preset = robot.preset(request.preset).name;
   info.clock = request.clock;
   info.simulation = request.simulation;
   info.session = random_session();

@@ -16,8 +16,8 @@ struct RunningProcess {
 
 struct RunInfo {
   std::string instance = "default";
-  std::string robot;  ///< name
-  std::string robot_folder;
+  std::string robot;         ///< name
+  std::string robot_folder;  ///< absolute
   std::string preset;
   std::string clock;  ///< realtime or lockstep
   bool simulation = false;

@@ -44,7 +44,8 @@ inline constexpr std::int64_t kEventsBetween = 65'536;  ///< of two calls of a P
 LogInfo collect_info(Reader& reader, const std::vector<std::string>& leg_names = {},
                      const Progress& progress = {});
 
-/// Of a reader at the end of its file. Of a log that is still being written this is no damage: the rest is on its way.
+/// Of a reader at the end of its file. Of a log that is still being written this is no damage: the rest is on
+/// its way.
 bool ends_inside_an_event(const Reader& reader) noexcept;
 
 struct LogExtent;

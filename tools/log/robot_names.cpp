@@ -48,7 +48,10 @@ Hello first_hello(Reader& reader) {
 }
 
 bool made_with(const RobotConfig& robot, std::int64_t hash) {
-  if (robot.presets.empty()) return configuration_hash(robot, "best") == hash;
+  // Where there is nothing to preset it is called none; logs from before that say best.
+  if (robot.presets.empty())
+    return configuration_hash(robot, robot.preset().name) == hash ||
+           configuration_hash(robot, "best") == hash;
   for (const PresetConfig& preset : robot.presets)
     if (configuration_hash(robot, preset.name) == hash) return true;
   return false;

@@ -1,5 +1,6 @@
 #pragma once
-/// The robot of a log, and names of its joints, legs and actuators for fields that have only numbers. Shell: reads the log and robots/.
+/// The robot of a log, and names of its joints, legs and actuators for fields that have only numbers. Shell:
+/// reads the log and robots/.
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,8 +16,9 @@ struct LoggedRobot {
   std::string missing;  ///< why it is not known; "" where it is
 };
 
-/// From the robot.yaml that stands in the log. Another program's log has none: then from robots/, where that file has the hash that the
-/// log's processes say, and from nowhere else: joints of another robot.yaml may have the same numbers. Leaves the reader at its begin.
+/// From the robot.yaml that stands in the log. Another program's log has none: then from robots/, where that
+/// file has the hash that the log's processes say, and from nowhere else: joints of another robot.yaml may
+/// have the same numbers. Leaves the reader at its begin.
 LoggedRobot robot_in_log(Reader& reader);
 
 struct RobotNames {

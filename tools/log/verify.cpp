@@ -37,11 +37,12 @@ bool is_ours(std::string_view channel) {
 /// Cycles of one session that are not there.
 struct MissingCycles {
   std::int64_t gaps = 0;
-  std::int64_t cycles = 0;
-  std::vector<std::string> first;  ///< what and where, of as many as are shown
+  std::map<std::string, std::int64_t> cycles;  ///< by channel
+  std::vector<std::string> first;              ///< what and where, of as many as are shown
 };
 
-/// Sessions whose processes say that nobody waits for them: LOG_METADATA does, and PROCESS_STATUS in other programs' logs.
+/// Sessions whose processes say that nobody waits for them: LOG_METADATA does, and PROCESS_STATUS in other
+/// programs' logs.
 class RealTimeSessions {
  public:
   void add(const Event& event, const Timeline::Moment& moment) {
@@ -143,8 +144,10 @@ void Verifier::check_cycle(const Event& event, const Timeline::Moment& moment) {
   if (found == cycles_.end()) found = cycles_.emplace(event.channel, SessionGapTracker()).first;
   const std::int64_t before = found->second.counts().missing;
   const std::int64_t missing = found->second.add(moment.stamp->session, moment.stamp->seq);
+  const std::int64_t more = found->second.counts().missing - before;
+  if (more == 0) return;
   MissingCycles& all = missing_[moment.stamp->session];
-  all.cycles += found->second.counts().missing - before;  // one that comes out of its order is not missing after all
+  all.cycles[found->first] += more;  // one that comes out of its order is not missing after all
   if (missing == 0 || ++all.gaps > kShownOfAKind) return;
   char time[40];
   std::snprintf(time, sizeof time, "%.3f s", moment.time_s);
@@ -158,10 +161,13 @@ void Verifier::finish_cycles() {
     const Kind kind = real_time_.has(session) ? Kind::kLate : Kind::kMissing;
     for (const std::string& text : missing.first) find(kind, text);
     if (missing.gaps > kShownOfAKind) result_.counts[kind] += missing.gaps - kShownOfAKind;
-    if (kind == Kind::kLate) result_.late += missing.cycles;
+    if (kind != Kind::kLate) continue;
+    for (const auto& [channel, cycles] : missing.cycles)
+      if (cycles > 0) result_.late[channel] += cycles;
   }
-  if (has_end_ && result_.late > recorder_missed_)
-    find(Kind::kMissing, std::to_string(result_.late) +
+  const std::int64_t late = result_.late_cycles();
+  if (has_end_ && late > recorder_missed_)
+    find(Kind::kMissing, std::to_string(late) +
                              " cycles are not there, and LOG_END says that the recorder missed " +
                              std::to_string(recorder_missed_) + ": the others were taken out of the file");
 }
@@ -190,6 +196,16 @@ VerifyResult Verifier::finish(const Reader& reader) {
   if (result_.being_written && ends_inside_an_event(reader))
     result_.skipped_bytes -= reader.damages().back().bytes;
   return result_;
+}
+
+std::string late_text(const VerifyResult& result) {
+  std::string channels;
+  for (const auto& [channel, cycles] : result.late)
+    channels += (channels.empty() ? "" : ", ") + channel + " " + std::to_string(cycles);
+  const std::string cycles = std::to_string(result.late_cycles()) + " cycles ";
+  if (!result.good()) return "; " + cycles + "are not there (" + channels + ")";
+  return "; in real time " + cycles + "came too late or were lost on the way (" + channels +
+         "): no damage, a replay goes around them";
 }
 
 const char* title(Kind kind) {
@@ -227,6 +243,12 @@ bool VerifyResult::good() const noexcept {
                       [](const auto& count) { return count.second > 0 && is_wrong(count.first); });
 }
 
+std::int64_t VerifyResult::late_cycles() const noexcept {
+  std::int64_t sum = 0;
+  for (const auto& [channel, cycles] : late) sum += cycles;
+  return sum;
+}
+
 VerifyResult verify(Reader& reader, const Progress& progress) {
   Verifier verifier(is_being_written(reader.path()));
   std::int64_t events = 0;
@@ -248,9 +270,7 @@ std::string verify_text(const std::string& path, const VerifyResult& result) {
       std::to_string(result.events) + " events, " + std::to_string(result.bytes) + " bytes";
   out += path + ": " + (result.good() ? "good" : "NOT good") + ", " + what;
   if (result.skipped_bytes > 0) out += ", " + std::to_string(result.skipped_bytes) + " of them in no event";
-  if (result.late > 0)
-    out += "; in real time " + std::to_string(result.late) +
-           " cycles came too late or were lost on the way, as listed: no damage, a replay goes around them";
+  if (!result.late.empty()) out += late_text(result);
   if (result.being_written) out += "; still being written: this is so far";
   return out + "\n";
 }

@@ -1,7 +1,8 @@
 #pragma once
-/// Whether a log is whole: every byte belongs to an event, every event to a numbered row, every message can be decoded, every cycle is
-/// there. In real time a process that comes too late leaves its cycle out, and a hop may be lost: such cycles are listed, and are no
-/// damage as long as the recorder has missed them too. Shell: reads a file.
+/// Whether a log is whole: every byte belongs to an event, every event to a numbered row, every message can
+/// be decoded, every cycle is there. In real time a process that comes too late leaves its cycle out, and a
+/// hop may be lost: such cycles are listed, and are no damage as long as the recorder has missed them too.
+/// Shell: reads a file.
 #include <cstdint>
 #include <map>
 #include <set>
@@ -39,9 +40,10 @@ struct VerifyResult {
   std::int64_t events = 0;
   std::uint64_t bytes = 0;
   std::uint64_t skipped_bytes = 0;
-  std::int64_t late = 0;       ///< cycles in all Kind::kLate
-  bool being_written = false;  ///< when it was opened
+  std::map<std::string, std::int64_t> late;  ///< by channel: cycles of all Kind::kLate
+  bool being_written = false;                ///< when it was opened
 
+  std::int64_t late_cycles() const noexcept;
   bool good() const noexcept;  ///< nothing wrong was found
 };
 

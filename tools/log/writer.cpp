@@ -21,7 +21,8 @@ constexpr mode_t kReadableByAll = 0644;
   throw WriteError("cannot write " + path + ": " + std::strerror(errno) + hint, full);
 }
 
-/// Of the whole file, for as long as this opening of it lasts: the kernel lets go when the process dies, however it dies.
+/// Of the whole file, for as long as this opening of it lasts: the kernel lets go when the process dies,
+/// however it dies.
 struct flock whole_file(short type) {
   struct flock lock {};
   lock.l_type = type;

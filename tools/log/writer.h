@@ -1,6 +1,7 @@
 #pragma once
-/// Writes an LCM log, byte for byte as LCM's own lcm_eventlog writes it. Shell: writes a file. The file is locked while it is written,
-/// so that a reader can tell a log that still grows from one whose recorder was killed.
+/// Writes an LCM log, byte for byte as LCM's own lcm_eventlog writes it. Shell: writes a file. The file is
+/// locked while it is written, so that a reader can tell a log that still grows from one whose recorder was
+/// killed.
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
@@ -55,7 +56,8 @@ class Writer {
   std::int64_t events_ = 0;
 };
 
-/// Whether a Writer, of any process on this machine, has the file open. False of a file that cannot be opened.
+/// Whether a Writer, of any process on this machine, has the file open. False of a file that cannot be
+/// opened.
 bool is_being_written(const std::string& path);
 
 }  // namespace sprung::log

@@ -10,7 +10,7 @@
 namespace sprung::identification {
 namespace {
 
-const double kInf = std::numeric_limits<double>::infinity();
+const double kLeastSquaresInf = std::numeric_limits<double>::infinity();
 
 /// torque = a sin(k q) + c: far from the right k the squares have other valleys.
 class RippleModel : public FitModel {
@@ -87,9 +87,9 @@ TEST(LeastSquares, ABoundThatActsHoldsAndTheOthersFitAroundIt) {
 
 TEST(LeastSquares, AStartOnABoundThatDoesNotActIsLeft) {
   for (const double bound_start : {0.0, 50.0}) {
-    LinearModel model("bounded",
-                      {{"coulomb", "Nm", bound_start, 0.0, 50.0}, {"viscous", "", 0.0, -kInf, 0.0}},
-                      {coulomb_column, viscous_column});
+    LinearModel model(
+        "bounded", {{"coulomb", "Nm", bound_start, 0.0, 50.0}, {"viscous", "", 0.0, -kLeastSquaresInf, 0.0}},
+        {coulomb_column, viscous_column});
     const JointDataset data = simulated(model, vector({5.0, -2.0}), swinging_joint(700), 0.0, 1);
     const Fit found = fitted(model, data);
     EXPECT_NEAR(found.parameters[0], 5.0, 1e-6) << bound_start;

@@ -1,4 +1,3 @@
-#include "tests/support/paths.h"
 #include "tools/help/man_page.h"
 
 #include <gmock/gmock.h>
@@ -13,6 +12,7 @@
 #include <string>
 
 #include "tests/support/own_folder.h"
+#include "tests/support/paths.h"
 #include "tests/tools/help/sample_command.h"
 
 namespace sprung {
@@ -22,7 +22,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-std::string output_of(const std::string& command) {
+std::string man_page_output_of(const std::string& command) {
   const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen((command + " 2>&1").c_str(), "r"), pclose);
   std::string text;
   char part[4096];
@@ -56,15 +56,15 @@ class Groff : public testing::Test {
 TEST_F(Groff, TakesTheSampleWithoutAWarning) {
   const std::filesystem::path file = test::temp_dir() + "sprung_man";
   std::ofstream(file) << man_page(test::SampleCommand().line.info(), "1.0");
-  EXPECT_EQ(output_of("groff -man -Tascii -ww -z " + file.string()), "");
-  EXPECT_THAT(output_of("groff -man -Tascii -P-c " + file.string()),
+  EXPECT_EQ(man_page_output_of("groff -man -Tascii -ww -z " + file.string()), "");
+  EXPECT_THAT(man_page_output_of("groff -man -Tascii -P-c " + file.string()),
               AllOf(HasSubstr("leg jump single_leg --count 3"), HasSubstr("A leg - and \\more.")));
   std::filesystem::remove(file);
 }
 
 TEST_F(Groff, TakesTheWholeManualWithoutAWarning) {
-  EXPECT_GT(output_of(test::bin_dir() + "/sprung man").size(), 20'000u);
-  EXPECT_EQ(output_of(test::bin_dir() + "/sprung man | groff -man -Tascii -ww -z"), "");
+  EXPECT_GT(man_page_output_of(test::bin_dir() + "/sprung man").size(), 20'000u);
+  EXPECT_EQ(man_page_output_of(test::bin_dir() + "/sprung man | groff -man -Tascii -ww -z"), "");
 }
 
 }  // namespace

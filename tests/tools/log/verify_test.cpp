@@ -51,15 +51,18 @@ std::vector<Kept> without(std::vector<Kept> events, std::ptrdiff_t first, std::p
   return events;
 }
 
-/// A process that is late leaves its cycle out, and a hop may be lost: what a busy machine does in every minute.
+/// A process that is late leaves its cycle out, and a hop may be lost: what a busy machine does in every
+/// minute.
 TEST_F(LogVerify, ALogOfRealTimeWithLateOrLostHopsIsGoodAndTheyAreListed) {
   const VerifyResult result = check(without(robot_events(100), 20, 26, 6));
   EXPECT_TRUE(result.good()) << text_;
   EXPECT_EQ(result.counts.at(Kind::kLate), 2);
-  EXPECT_EQ(result.late, 6);
+  EXPECT_EQ(result.late_cycles(), 6);
   EXPECT_THAT(text_, HasSubstr("note   JOINT_STATE misses 3 cycles before cycle 12, at 0.024 s"));
   EXPECT_THAT(text_, HasSubstr("robot.lcm: good, "));
-  EXPECT_THAT(text_, HasSubstr("6 cycles came too late or were lost on the way"));
+  EXPECT_THAT(
+      text_,
+      HasSubstr("6 cycles came too late or were lost on the way (JOINT_STATE 3, MOTION_STATE 3): no damage"));
 }
 
 TEST_F(LogVerify, ACycleThatCameOutOfItsOrderIsNotMissing) {
@@ -68,13 +71,15 @@ TEST_F(LogVerify, ACycleThatCameOutOfItsOrderIsNotMissing) {
   std::swap(events[20].channel, events[22].channel);
   const VerifyResult result = check(events);
   EXPECT_TRUE(result.good()) << text_;
-  EXPECT_EQ(result.late, 0);
+  EXPECT_EQ(result.late_cycles(), 0);
 }
 
 TEST_F(LogVerify, CyclesThatTheRecorderHadAndThatAreNotThereAreDamage) {
   const VerifyResult result = check(without(robot_events(100), 20, 26, 2));
   EXPECT_FALSE(result.good());
   EXPECT_THAT(text_, HasSubstr("6 cycles are not there, and LOG_END says that the recorder missed 2"));
+  EXPECT_THAT(text_, HasSubstr("; 6 cycles are not there (JOINT_STATE 3, MOTION_STATE 3)"));
+  EXPECT_THAT(text_, testing::Not(HasSubstr("no damage")));
 }
 
 TEST_F(LogVerify, InLockStepNothingIsLateSoAMissingCycleIsWrong) {

@@ -19,7 +19,7 @@ namespace {
 using test::message_of;
 
 constexpr double kAll_s = std::numeric_limits<double>::infinity();
-constexpr std::int64_t kCycles = 2000;  // more than all batches hold
+constexpr std::int64_t kCycleFeedCycles = 2000;  // more than all batches hold
 
 class CycleFeedTest : public testing::Test {
  protected:
@@ -35,7 +35,7 @@ class CycleFeedTest : public testing::Test {
     const std::string path = folder_ / "log.lcm";
     log::Writer writer(path);
     JointState joints(robot_.joints.size(), robot_.legs.size());
-    for (std::int64_t k = 0; k < kCycles; ++k) {
+    for (std::int64_t k = 0; k < kCycleFeedCycles; ++k) {
       joints.stamp = {1000 * k, k};
       Bytes in = message_of(drives(k));
       if (k == damaged) in[0] ^= 0xFF;
@@ -70,7 +70,7 @@ TEST_F(CycleFeedTest, EveryCycleComesOnceInOrderWithWhatTheEstimatorMakesOfIt) {
       ASSERT_EQ(message_of(estimated.joint_state), message_of(expected)) << next;
     }
   }
-  EXPECT_EQ(next, kCycles);
+  EXPECT_EQ(next, kCycleFeedCycles);
   EXPECT_EQ(feed.flaws().late, 0);
   EXPECT_EQ(feed.damage_count(), 0u);
   EXPECT_EQ(feed.next(), nullptr);
@@ -88,7 +88,7 @@ TEST_F(CycleFeedTest, WhatTheCallerTakesOutOfACycleDoesNotComeAgain) {
       estimated.joint_state = JointState(robot_.joints.size(), robot_.legs.size());
     }
   }
-  EXPECT_EQ(next, kCycles);
+  EXPECT_EQ(next, kCycleFeedCycles);
 }
 
 TEST_F(CycleFeedTest, LaterCyclesAreLeftOut) {
@@ -142,7 +142,7 @@ TEST_F(CycleFeedTest, DamageOfTheFileIsCounted) {
   CycleFeed feed(path, kAll_s, robot_, estimator_);
   std::int64_t seen = 0;
   while (const CycleBatch* const batch = feed.next()) seen += static_cast<std::int64_t>(batch->count);
-  EXPECT_EQ(seen, kCycles);
+  EXPECT_EQ(seen, kCycleFeedCycles);
   EXPECT_EQ(feed.damage_count(), 1u);
 }
 

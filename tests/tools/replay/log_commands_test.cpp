@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "lcmtypes/channels.h"
+#include "sprung_msgs/can_trace_t.hpp"
 #include "tests/support/paths.h"
 #include "tests/tools/replay/logged_run_fixture.h"
 #include "tests/tools/spy/run_command.h"
@@ -58,6 +59,22 @@ class LogCommands : public testing::Test {
     }
     writer.close();
     return path;
+  }
+  /// The log with one more event: node 2 of the leg's bus has answered a SYNC.
+  static std::string with_a_frame(const std::string& path) {
+    const std::string longer = *folder_ / "traced.lcm";
+    log::Reader reader(path);
+    log::Writer writer(longer);
+    for (log::Event event; reader.next(event);) writer.write(event);
+    sprung_msgs::can_trace_t trace{};
+    trace.n = 1;
+    trace.frames.resize(1);
+    trace.frames[0].can_id = 0x182;
+    trace.frames[0].dlc = 8;
+    const std::vector<std::uint8_t> bytes = message_bytes(trace);
+    writer.write(0, channels::kCanTrace, bytes.data(), bytes.size());
+    writer.close();
+    return longer;
   }
   static void expect(const std::string& arguments, int status, const char* text) {
     const test::CommandEnd end = run_sprung(arguments);
@@ -118,7 +135,7 @@ TEST_F(LogCommands, JointsHaveTheNamesThatStandInTheLog) {
   expect("log plot " + renamed + field + "-o " + (*folder_ / "shin.svg"), 0, "shin.svg");
   expect("log csv " + renamed + " --fields 'JOINT_STATE.joints[1].gear_torque_Nm'", 1,
          "did you mean 'JOINT_STATE.joints[shin].gear_output_torque_Nm'");
-  expect("can dump --log " + renamed, 0, "shin");
+  expect("can dump --log " + with_a_frame(renamed), 0, "shin");
   expect("log filter " + renamed + " --channels JOINT_STATE" + out(), 0, "events");
   expect("log csv " + (*folder_ / "out.lcm") + field, 0, "cycle");
 }
@@ -131,6 +148,8 @@ TEST_F(LogCommands, ALogWithoutItsRobotSaysSoAndWhatFollowsFromThat) {
   expect("log csv " + bare + " --fields 'JOINT_STATE.joints[knee].status'", 1,
          "say joints[0], not joints[knee]");
   expect("log plot " + bare + " --fields JOINT_STATE.n_joints -o " + (*folder_ / "n.svg"), 0, says);
+  expect("log mcap " + bare + " -o " + (*folder_ / "bare.mcap"), 0,
+         "no robot.yaml is in it, so none is attached");
   expect("can dump --log " + bare, 0, "buses, nodes and objects have numbers and no names");
   expect("log diff " + log() + " " + bare, 0, "no LOG_METADATA in the second log");
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -83,6 +84,24 @@ TEST_F(InspectCommands, WatchOfAFieldThatIsNotIsWrongUse) {
   const auto end = run_sprung("watch JOINT_STATE.nothing --for 20" + here());
   EXPECT_EQ(end.status, 2);
   EXPECT_THAT(end.output, HasSubstr("has no field 'nothing'"));
+}
+
+/// A log that is replayed onto a network of its own: no robot is up there.
+TEST_F(InspectCommands, WatchHasTheNamesOfALogOrOfARobotThatIsNotUp) {
+  const std::string watch =
+      "watch 'JOINT_STATE.joints[hip].gear_output_torque_Nm' --count 1 --for 20" + here();
+  const auto without = run_sprung(watch);
+  EXPECT_EQ(without.status, 2);
+  EXPECT_THAT(without.output, HasSubstr("joints have names with --names-of LOG or ROBOT"));
+  const std::string folder = testing::TempDir() + "watch_names_" + std::to_string(getpid());
+  ASSERT_EQ(run_sprung("experiment --logs " + folder + " jump").status, 0);
+  for (const std::string& from : {std::string("single_leg"), folder + "/single_leg-000.lcm"}) {
+    const auto end = run_sprung(watch + " --names-of " + from);
+    EXPECT_EQ(end.status, 0) << end.output;
+    EXPECT_THAT(end.output, HasSubstr("joints[hip].gear_output_torque_Nm  500 Nm"));
+  }
+  EXPECT_EQ(run_sprung(watch + " --names-of no_such_robot").status, 1);
+  std::filesystem::remove_all(folder);
 }
 
 TEST_F(InspectCommands, WatchOfASilentChannelFails) {

@@ -23,8 +23,9 @@ struct BusNames {
 };
 BusNames names_of(const std::optional<RobotConfig>& robot);
 
-/// The robot that was named, of the robot.yaml in the log, or that is up. Where a log has none, says so on standard error: there are
-/// numbers instead of names. @param log "" = live. @throws ConfigError where it was named and is not there.
+/// The robot that was named, of the robot.yaml in the log, or that is up. Where a log has none, says so on
+/// standard error: there are numbers instead of names. @param log "" = live. @throws ConfigError where it was
+/// named and is not there.
 std::optional<RobotConfig> robot_of(const BusRequest& where, const std::string& log);
 
 /// -1 = all. @throws WrongUse where the one named is not there.

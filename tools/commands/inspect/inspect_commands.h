@@ -18,6 +18,7 @@ struct InspectRequest {
   std::string instance = "default";
   std::string url;                 ///< empty = of the robot that is up, else the default
   std::vector<std::string> types;  ///< .lcm files of types that are not sprung's
+  std::string names_of;            ///< a log or a robot; empty = the robot that is up
 };
 void add_inspect_options(CommandLine& command, InspectRequest& request);
 

@@ -1,8 +1,10 @@
 #include <poll.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <utility>
 
 #include "robots/robot_loader.h"
 #include "runtime/node.h"
@@ -48,11 +50,24 @@ std::vector<fields::ListNames> names_or_told(const std::string& folder) {
   }
 }
 
+/// Of a robot, or of a log that is replayed here.
+std::vector<fields::ListNames> names_of(const std::string& log_or_robot) {
+  if (!std::filesystem::is_regular_file(log_or_robot))
+    return log::names_of_robot(load_robot(log_or_robot)).lists;
+  log::Reader reader(log_or_robot);
+  log::RobotNames names = log::names_in_log(reader);
+  if (!names.missing.empty()) std::fprintf(stderr, "%s\n", names.missing.c_str());
+  return std::move(names.lists);
+}
+
 }  // namespace
 
 void add_inspect_options(CommandLine& command, InspectRequest& request) {
   command.option("--instance", request.instance, "which run");
   command.option("--url", request.url, "LCM address; default that of the robot that is up");
+  command.option("--names-of", request.names_of,
+                 "whose joints have names: an LCM log, for one that is replayed, or a robot; default: the "
+                 "one that is up");
   command.option("--types", request.types, ".lcm file of types that are not sprung's");
 }
 
@@ -65,8 +80,9 @@ InspectSource inspect_source(const InspectRequest& request) {
     const auto run = wanted ? require_running(request.instance, "") : read_run_file(request.instance);
     source.url = run ? run->lcm_url : kDefaultLcmUrl;
     source.title = run ? run->robot : "no robot is up";
-    if (run) source.names = names_or_told(run->robot_folder);
+    if (run && request.names_of.empty()) source.names = names_or_told(run->robot_folder);
   }
+  if (!request.names_of.empty()) source.names = names_of(request.names_of);
   source.title += (source.title.empty() ? "" : ", ") + source.url;
   return source;
 }

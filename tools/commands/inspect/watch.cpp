@@ -83,8 +83,10 @@ class Watcher {
     channel.layout = message_.keep_layout();
     channel.chosen = fields::choose(*channel.layout, channel.patterns, source_.names);
     if (channel.chosen.empty())
-      throw WrongUse(std::string(name) + " (" + channel.layout->type->name + ") has no field '" +
-                     channel.patterns[0] + "'; 'sprung watch " + std::string(name) + " --count 1' shows all");
+      throw WrongUse(
+          std::string(name) + " (" + channel.layout->type->name + ") has no field '" + channel.patterns[0] +
+          "'; 'sprung watch " + std::string(name) + " --count 1' shows all" +
+          (source_.names.empty() ? ", by numbers: joints have names with --names-of LOG or ROBOT" : ""));
   }
 
   void print(std::string_view name, const Channel& channel) const {

@@ -36,7 +36,8 @@ auto or_wrong_use(Work&& work) {
 /// Shows how far a log is, on a terminal. Hand it over as a temporary: with its end the line is wiped, and results can be printed.
 log::Progress progress_line(const std::string& label);
 
-/// Names of the log's joints, legs and actuators. Where there are none, says so on standard error, and what follows from that.
+/// Names of the log's joints, legs and actuators. Where there are none, says so on standard error, and what
+/// follows from that.
 log::RobotNames names_or_told(log::Reader& reader);
 
 /// Names fields that were asked for and are not in the log, on standard error.

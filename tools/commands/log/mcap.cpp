@@ -4,6 +4,7 @@
 #include "sprung_version.h"
 #include "tools/commands/log/log_commands.h"
 #include "tools/commands/log/output_file.h"
+#include "tools/log/log_info.h"
 #include "tools/log/mcap_export.h"
 
 namespace sprung::commands {
@@ -23,6 +24,9 @@ int run_mcap(const McapRequest& request) {
   log::ChannelFilter channels = or_wrong_use([&] { return log::ChannelFilter(request.keep, request.drop); });
   log::Reader reader(request.log);
   or_wrong_use([&] { log::refuse_same_file({request.log}, path); });
+  const auto metadata = log::find_metadata(reader);
+  if (!metadata || metadata->robot_yaml.empty())
+    std::fprintf(stderr, "%s: no robot.yaml is in it, so none is attached\n", request.log.c_str());
   OutputFile out(path);
   const auto encoding = request.encoding == "json" ? log::McapEncoding::kJson : log::McapEncoding::kProtobuf;
   log::McapOptions options = log::options_for(encoding);
