@@ -1,9 +1,10 @@
 #include "robots/identification_sections.h"
 
 #include <cstdio>
-#include <regex>
 #include <stdexcept>
 #include <vector>
+
+#include "signals/text_pattern.h"
 
 namespace sprung {
 
@@ -80,7 +81,7 @@ IdentifiedFriction read_friction(const YamlMap& map) {
 
 std::string matching(const YamlMap& map, const std::string& key, const char* pattern, const char* expected) {
   const std::string text = map.text(key);
-  if (!std::regex_match(text, std::regex(pattern)))
+  if (!TextPattern(pattern).matches(text))
     map.fail(key, std::string("expected ") + expected + ", found '" + text + "'");
   return text;
 }

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <regex>
 #include <set>
 
 #include "drivers/canopen/eds_values.h"
+#include "signals/text_pattern.h"
 
 namespace sprung::canopen {
 namespace {
@@ -123,11 +123,11 @@ void read_object(const IniText& text, std::uint16_t index, int node, Eds& eds) {
 
 /// A section that no list names would be left out without a word.
 void refuse_unlisted(const IniText& text, const std::set<std::uint16_t>& listed) {
-  const std::regex form("([0-9a-f]{4})(sub[0-9a-f]+)?", std::regex::icase);
-  std::smatch match;
+  const TextPattern form("([0-9a-f]{4})(sub[0-9a-f]+)?", Letters::kAnyCase);
   for (const IniSection& section : text.sections()) {
-    if (!std::regex_match(section.name(), match, form)) continue;
-    const auto index = static_cast<std::uint16_t>(std::stoul(match[1].str(), nullptr, 16));
+    const std::vector<std::string> match = form.groups(section.name());
+    if (match.empty()) continue;
+    const auto index = static_cast<std::uint16_t>(std::stoul(match[1], nullptr, 16));
     if (listed.count(index) == 0)
       section.fail("",
                    "is in none of the lists MandatoryObjects, OptionalObjects, ManufacturerObjects; add it");

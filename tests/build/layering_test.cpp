@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <regex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -96,6 +97,7 @@ TEST(Layering, HeavyHeadersStayInOneFile) {
       {R"(#include\s+<yaml-cpp/)", "robots/yaml_reader.cpp"},
       {R"(#include\s+<msgpack)", "drivers/can/udp_datagram.cpp"},
       {R"(#include\s+<ini\.h)", "drivers/canopen/ini_text.cpp"},
+      {R"(#include\s+<regex>)", "signals/text_pattern.cpp"},
       {R"(#include\s+<curses\.h)", "tools/spy/spy_shell.cpp"}};
   for (const auto& [pattern, owner] : owners) {
     for (const char* folder :
@@ -108,6 +110,52 @@ TEST(Layering, HeavyHeadersStayInOneFile) {
       }
     }
   }
+}
+
+/// What whoever includes a file reads besides, each of which costs from half a second to some: tests/build/cost has the figures.
+const std::regex kHeavy(
+    R"(#include\s+<(regex|nlohmann/json\.hpp|CLI/|spdlog/|yaml-cpp/|msgpack|lcm/|gtest/|iostream|random|future|Eigen/(Dense|Eigen|QR|SVD|LU|Eigenvalues|Sparse)))");
+const std::regex kOwnInclude(R"(^#include\s+"([^"]+)\")");
+
+/// Headers that a header reaches, itself among them.
+std::set<fs::path> reached_from(const fs::path& header) {
+  std::set<fs::path> reached;
+  std::vector<fs::path> open{header};
+  while (!open.empty()) {
+    const fs::path path = open.back();
+    open.pop_back();
+    if (!fs::exists(path) || !reached.insert(path).second) continue;
+    std::ifstream in(path);
+    std::smatch match;
+    for (std::string line; std::getline(in, line);) {
+      if (std::regex_search(line, match, kOwnInclude))
+        open.push_back(fs::path(test::source_dir()) / match[1].str());
+    }
+  }
+  return reached;
+}
+
+TEST(Layering, NoHeaderOfACoreReachesAHeavyOne) {
+  std::string found;
+  for (const fs::path& path : cores()) {
+    if (path.extension() != ".h") continue;
+    for (const fs::path& reached : reached_from(path)) {
+      const std::string lines = lines_with(reached, kHeavy);
+      if (!lines.empty()) found += path.string() + " reaches " + lines;
+    }
+  }
+  EXPECT_EQ(found, "");
+}
+
+TEST(Layering, HeadersDeclareJsonAndNeverMakeIt) {
+  std::string found;
+  for (const char* folder : {"drivers", "estimator", "controller", "planner", "robots", "runtime", "tools"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(test::source_dir()) / folder)) {
+      if (entry.path().extension() == ".h")
+        found += lines_with(entry.path(), std::regex(R"(#include\s+<nlohmann/json\.hpp>)"));
+    }
+  }
+  EXPECT_EQ(found, "") << "include <nlohmann/json_fwd.hpp>";
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "tools/canopen/frame_line.h"
 
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 namespace sprung::cantools {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 /// One decoded frame as a line for people or as a JSON object. Pure.
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "tools/canopen/frame_decoder.h"

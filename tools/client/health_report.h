@@ -1,6 +1,6 @@
 #pragma once
 /// BUS_STATE and SAFETY_STATE of a running robot, listened to and told. Names and numbers come from robot.yaml.
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "planner/gait/body_frame.h"
 #include "signals/modes.h"

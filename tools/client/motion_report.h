@@ -1,6 +1,6 @@
 #pragma once
 /// What a robot does, told: MOTION_STATE, and its body and feet from JOINT_STATE.
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>

@@ -1,6 +1,5 @@
 #pragma once
 /// Looks at nodes over SDO without changing anything: who is there, and what one says of itself. Shell.
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 

@@ -1,5 +1,6 @@
 #include <cstdio>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "robots/robot_loader.h"
 #include "tools/client/health_report.h"

@@ -2,11 +2,11 @@
 
 #include <cstdint>
 #include <exception>
-#include <regex>
 
 #include "lcmtypes/channels.h"
 #include "runtime/node.h"
 #include "runtime/process_status.h"
+#include "signals/text_pattern.h"
 
 namespace sprung::doctor {
 namespace {
@@ -16,8 +16,8 @@ constexpr std::int64_t kPatience_us = 1'000'000;
 }  // namespace
 
 std::string with_port(const std::string& url, int port) {
-  static const std::regex kPort(R"(^(udpm://[^:?]+:)\d+)");
-  return std::regex_replace(url, kPort, "$01" + std::to_string(port));
+  const std::vector<std::string> parts = TextPattern(R"((udpm://[^:?]+:)\d+(.*))").groups(url);
+  return parts.empty() ? url : parts[1] + std::to_string(port) + parts[2];
 }
 
 LoopbackFacts probe_loopback(const std::string& url, int port, int messages) {

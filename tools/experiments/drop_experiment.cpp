@@ -87,8 +87,10 @@ void add_comparison(const std::vector<DropPair>& pairs, ExperimentReport& out) {
 
 }  // namespace
 
-DropExperiment run_drop_experiment(const RobotConfig& robot, const DropRequest& request,
+DropExperiment run_drop_experiment(const RobotConfig& robot, const DropRequest& asked,
                                    const ScriptRunner& run) {
+  DropRequest request = asked;
+  request.preset = robot.preset(asked.preset).name;
   if (request.seeds < 1) throw std::invalid_argument("--seeds must be 1 or more");
   const auto started = std::chrono::steady_clock::now();
   std::atomic<std::int64_t> cycles{0};
@@ -115,7 +117,7 @@ DropExperiment run_drop_experiment(const RobotConfig& robot, const DropRequest& 
       pairs, [&](std::size_t i) { return pair(robot, request, i, counted); }, from(landings));
   out.rows.experiment = "drop";
   out.rows.robot = robot.name;
-  out.rows.preset = robot.preset(request.preset).name;
+  out.rows.preset = request.preset;
   out.rows.seed = request.sim.seed;
   add_landings(out.landings, out.rows);
   add_own_over_hybrid(out.landings, out.rows);

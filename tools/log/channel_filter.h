@@ -2,10 +2,11 @@
 /// Channels by pattern: "JOINT_STATE" is that one, "DRIVE_*" and "IM?" have stars and question marks, "/IMU|DRIVE_.*/" is a regular
 /// expression on the whole name. Pure.
 #include <map>
-#include <regex>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "signals/text_pattern.h"
 
 namespace sprung::log {
 
@@ -16,7 +17,7 @@ class ChannelPattern {
   bool matches(std::string_view channel) const;
 
  private:
-  std::regex regex_;
+  TextPattern pattern_;
 };
 
 class ChannelFilter {

@@ -1,6 +1,7 @@
 #include "tools/spy/topic_text.h"
 
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 namespace sprung::spy {
 

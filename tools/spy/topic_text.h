@@ -1,7 +1,7 @@
 #pragma once
 /// A channel's row in tables. Pure.
 #include <cstdint>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "tools/spy/channel_book.h"

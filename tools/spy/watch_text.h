@@ -1,7 +1,7 @@
 #pragma once
 /// What `sprung watch` prints of one message. Pure.
 #include <cstdint>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <vector>

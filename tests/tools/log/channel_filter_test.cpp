@@ -59,7 +59,7 @@ TEST(ChannelFilter, ARegularExpressionThatIsNoneIsNamed) {
     ChannelFilter filter({"/DRIVE_(/"});
     FAIL();
   } catch (const std::invalid_argument& error) {
-    EXPECT_NE(std::string(error.what()).find("'/DRIVE_(/' is no regular expression"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("'DRIVE_(' is no regular expression"), std::string::npos);
   }
 }
 

@@ -1,4 +1,5 @@
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "runtime/session_clock.h"
 #include "runtime/stop_request.h"

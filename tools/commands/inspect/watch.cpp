@@ -1,5 +1,6 @@
 #include <cstdio>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "runtime/session_clock.h"
