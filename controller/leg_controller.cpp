@@ -8,7 +8,7 @@
 namespace sprung {
 namespace {
 
-constexpr double kModeFadeStep = 0.045;            // of the torque limit in a cycle: under 5 %
+constexpr double kModeFadeStep = 0.045;        // of the torque limit in a cycle: under 5 %
 constexpr double kBackIntoLimits_rad_s = 3.0;  // a quarter of what the joints can do
 
 template <class T>

@@ -113,8 +113,8 @@ ContactDetector::Force ContactDetector::force(const std::vector<ContactEvidence>
 }
 
 double ContactDetector::least_rise_N(const Force& force) const noexcept {
-  const double error_N =
-      std::sqrt(kForceModelStds * kForceModelStds * force.model_N2 + kForceNoiseStds * kForceNoiseStds * force.noise_N2);
+  const double error_N = std::sqrt(kForceModelStds * kForceModelStds * force.model_N2 +
+                                   kForceNoiseStds * kForceNoiseStds * force.noise_N2);
   return std::max(params_.on_N, error_N + kRestStds * std::sqrt(force.rest_N2));
 }
 

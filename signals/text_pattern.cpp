@@ -10,10 +10,9 @@ struct TextPattern::Compiled {
 };
 
 TextPattern::TextPattern(const std::string& expression, Letters letters) try
-    : compiled_(std::make_shared<const Compiled>(
-          Compiled{std::regex(expression, letters == Letters::kAnyCase
-                                              ? std::regex::ECMAScript | std::regex::icase
-                                              : std::regex::ECMAScript)})) {
+    : compiled_(std::make_shared<const Compiled>(Compiled{
+          std::regex(expression, letters == Letters::kAnyCase ? std::regex::ECMAScript | std::regex::icase
+                                                              : std::regex::ECMAScript)})) {
 } catch (const std::regex_error& error) {
   throw std::invalid_argument("'" + expression + "' is no regular expression: " + error.what());
 }

@@ -5,10 +5,7 @@
 #include "signals/angles.h"
 
 namespace sprung {
-namespace {
-
-
-}  // namespace
+namespace {}  // namespace
 
 EncoderCardNode::EncoderCardNode(const EncoderCardConfig& card, double cycle_s,
                                  const WatchdogConfig& watchdogs)

@@ -6,9 +6,10 @@
 namespace sprung {
 namespace {
 
-constexpr std::int64_t kRecoveryTimeout_us = 5'000'000;  // [design choice] ten resets of a node that does not answer
-constexpr std::int64_t kReset_us = 300'000;      // [design choice] several edges of the fault-reset bit
-constexpr std::int64_t kWatch_us = 500'000;      // [design choice] for the first heartbeats and answers
+constexpr std::int64_t kRecoveryTimeout_us =
+    5'000'000;                               // [design choice] ten resets of a node that does not answer
+constexpr std::int64_t kReset_us = 300'000;  // [design choice] several edges of the fault-reset bit
+constexpr std::int64_t kWatch_us = 500'000;  // [design choice] for the first heartbeats and answers
 
 const char* trouble_of(const NodeLink& node, std::int64_t time_us) noexcept {
   if (node.duplicate()) return "two devices with this id";

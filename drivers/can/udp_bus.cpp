@@ -16,8 +16,7 @@ namespace sprung {
 namespace {
 
 constexpr int kDatagramBatch = 32;
-constexpr int kUdpBuffer_bytes =
-    4 << 20;  // what the kernel's limit allows of it: bursts must not be dropped
+constexpr int kUdpBuffer_bytes = 4 << 20;  // what the kernel's limit allows of it: bursts must not be dropped
 
 [[noreturn]] void fail(const std::string& what) {
   throw std::runtime_error("udp bus: " + what + ": " + std::strerror(errno));

@@ -6,10 +6,7 @@
 #include "signals/angles.h"
 
 namespace sprung::sim {
-namespace {
-
-
-}  // namespace
+namespace {}  // namespace
 
 MotorEncoder::MotorEncoder(const EncoderTruth& truth) noexcept
     : truth_(truth), counts_per_rad_(truth.counts_per_turn * truth.gear_ratio / kTurn_rad) {}

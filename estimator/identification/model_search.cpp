@@ -16,7 +16,7 @@ JointTerms sorted(JointTerms terms) {
 class ModelSearch {
  public:
   ModelSearch(const std::vector<FitPiece>& training, const SearchOptions& options,
-         const std::function<void(const std::string&)>& progress)
+              const std::function<void(const std::string&)>& progress)
       : training_(training), options_(options), progress_(progress) {
     if (training.empty()) throw std::invalid_argument("there are no training data");
   }

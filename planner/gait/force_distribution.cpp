@@ -8,7 +8,6 @@
 namespace sprung {
 namespace {
 
-
 static_assert(ForceDistributionQp::kVariables == 3 * DistributedForce::kMostFeet);
 
 double most_N(const FootLoad& foot) noexcept { return std::max(0.0, foot.most_N); }

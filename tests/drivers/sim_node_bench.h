@@ -15,8 +15,7 @@
 namespace sprung::sim {
 
 inline canopen::Eds load_eds(const std::string& device, int node) {
-  const std::string path =
-      test::source_dir() + "/drivers/profiles/" + device + "/" + device + ".eds";
+  const std::string path = test::source_dir() + "/drivers/profiles/" + device + "/" + device + ".eds";
   std::ifstream in(path, std::ios::binary);
   EXPECT_TRUE(in) << path;
   return canopen::parse_eds({std::istreambuf_iterator<char>(in), {}}, path, node);

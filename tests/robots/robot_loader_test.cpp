@@ -1,5 +1,4 @@
 #include "robots/robot_loader.h"
-#include "tests/support/paths.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,6 +8,7 @@
 #include <iterator>
 
 #include "tests/support/own_folder.h"
+#include "tests/support/paths.h"
 
 namespace sprung {
 namespace {

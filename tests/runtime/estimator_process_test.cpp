@@ -179,8 +179,7 @@ TEST_F(EstimatorProcessTest, WrongUseEndsWithTwoAndAMissingRobotWithOne) {
   EXPECT_EQ(WEXITSTATUS(no_session.wait()), 2);
   Child no_preset(command("lockstep", {"--preset", "nope"}));
   EXPECT_EQ(WEXITSTATUS(no_preset.wait()), 2);
-  Child no_robot(
-      {test::bin_dir() + "/sprung-torque-estimator", "--session", "1", "--robot", "/nowhere"});
+  Child no_robot({test::bin_dir() + "/sprung-torque-estimator", "--session", "1", "--robot", "/nowhere"});
   EXPECT_EQ(WEXITSTATUS(no_robot.wait()), 1);
 }
 

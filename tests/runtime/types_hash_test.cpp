@@ -1,5 +1,4 @@
 #include "runtime/types_hash.h"
-#include "tests/support/paths.h"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +6,8 @@
 #include <iterator>
 #include <regex>
 #include <string>
+
+#include "tests/support/paths.h"
 
 namespace sprung {
 namespace {

@@ -61,8 +61,7 @@ class MutatedRobot {
     std::string pattern = (std::filesystem::temp_directory_path() / "sprung_mutant_XXXXXX").string();
     folder_ = mkdtemp(pattern.data());
     for (const char* file : {"sim.yaml", "model.xml"})
-      std::filesystem::create_symlink(test::source_dir() + "/robots/" + robot + "/" + file,
-                                      folder_ / file);
+      std::filesystem::create_symlink(test::source_dir() + "/robots/" + robot + "/" + file, folder_ / file);
   }
   ~MutatedRobot() { std::filesystem::remove_all(folder_); }
   MutatedRobot(const MutatedRobot&) = delete;

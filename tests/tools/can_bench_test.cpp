@@ -1,4 +1,3 @@
-#include "tests/support/paths.h"
 #include "tools/bench/can_bench.h"
 
 #include <gtest/gtest.h>
@@ -6,6 +5,7 @@
 #include <algorithm>
 
 #include "robots/robot_loader.h"
+#include "tests/support/paths.h"
 #include "tools/bench/stopwatch.h"
 
 namespace sprung {

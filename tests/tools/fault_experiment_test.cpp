@@ -1,4 +1,3 @@
-#include "tests/support/paths.h"
 #include "tools/experiments/fault_experiment.h"
 
 #include <gtest/gtest.h>
@@ -8,6 +7,7 @@
 #include <sstream>
 
 #include "robots/robot_loader.h"
+#include "tests/support/paths.h"
 #include "tools/experiments/fault_counters.h"
 
 namespace sprung {

@@ -1,4 +1,3 @@
-#include "tests/support/paths.h"
 #include "tools/bench/recorder_bench.h"
 
 #include <gtest/gtest.h>
@@ -8,6 +7,7 @@
 #include <filesystem>
 
 #include "tests/support/own_folder.h"
+#include "tests/support/paths.h"
 
 namespace sprung {
 namespace {

@@ -1,4 +1,3 @@
-#include "tests/support/paths.h"
 #include "tools/report/report.h"
 
 #include <gmock/gmock.h>
@@ -9,6 +8,7 @@
 #include <stdexcept>
 
 #include "report_sample.h"
+#include "tests/support/paths.h"
 
 namespace sprung::report {
 namespace {

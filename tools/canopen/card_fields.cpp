@@ -7,7 +7,6 @@
 namespace sprung::cantools {
 namespace {
 
-
 double position_rad(const LinkEncoderConfig& encoder, std::uint32_t counts) {
   const double turned_rad = encoder.direction * counts * kTurn_rad / encoder.counts_per_turn;
   return std::remainder(turned_rad + encoder.offset_rad, kTurn_rad);

@@ -10,7 +10,6 @@
 namespace sprung::cantools {
 namespace {
 
-
 /// Measured from the drive's own zero, so robot.yaml's offset belongs to them; a following error, say, is a difference. With 0x6062,
 /// 0x6063: demand and internal value; 0x2062: EPOS2's position mode setting.
 bool is_absolute_position(canopen::ObjectId object) {

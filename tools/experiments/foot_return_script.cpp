@@ -11,7 +11,6 @@ namespace {
 
 using namespace foot_return;
 
-
 /// Cycle that is `in_period_s` after the begin of that pull's period.
 std::int64_t cycle_of(std::size_t pull, double in_period_s, double cycle_s) {
   return std::llround((kFirst_s + kPeriod_s * static_cast<double>(pull) + in_period_s) / cycle_s);

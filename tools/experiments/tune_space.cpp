@@ -113,8 +113,8 @@ std::string TuneSpace::fragment(const std::vector<double>& values, const std::st
       text += std::string(4 + 2 * depth, ' ') + parts[depth] + ":\n";
     open.assign(parts.begin(), parts.end() - 1);
     const std::string unit_text = unit(i).empty() ? "" : " " + unit(i);
-    text += std::string(2 + 2 * parts.size(), ' ') + parts.back() + ": " + ten_digits(values[i]) +
-            unit_text + "\n";
+    text += std::string(2 + 2 * parts.size(), ' ') + parts.back() + ": " + ten_digits(values[i]) + unit_text +
+            "\n";
   }
   return text;
 }

@@ -11,7 +11,7 @@ namespace sprung {
 namespace {
 
 constexpr GaitControl kWalkControls[] = {GaitControl::kForce, GaitControl::kHybrid, GaitControl::kPreStance,
-                                     GaitControl::kOwn};
+                                         GaitControl::kOwn};
 constexpr const char* kCompared = "walk";
 constexpr double kStarting_s = 2.0, kMeasured_s = 9.0;
 constexpr double kTraced_s = 2.0;

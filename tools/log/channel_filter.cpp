@@ -44,9 +44,7 @@ bool any_matches(const std::vector<ChannelPattern>& patterns, std::string_view c
 ChannelPattern::ChannelPattern(const std::string& text)
     : pattern_(in_slashes(text) ? text.substr(1, text.size() - 2) : regex_of_glob(text)) {}
 
-bool ChannelPattern::matches(std::string_view channel) const {
-  return pattern_.matches(channel);
-}
+bool ChannelPattern::matches(std::string_view channel) const { return pattern_.matches(channel); }
 
 ChannelFilter::ChannelFilter(const std::vector<std::string>& keep, const std::vector<std::string>& drop)
     : keep_(patterns(keep)), drop_(patterns(drop)) {}

@@ -10,7 +10,6 @@ namespace sprung::log {
 
 namespace {
 
-
 /// Counts that need the event before.
 class Clockwork {
  public:

@@ -57,8 +57,8 @@ Range x_range(const std::vector<report::Plot>& plots) {
 }
 
 std::string text_at(double x, double y, const char* anchor, const std::string& text) {
-  return svg_format("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\">", x, y, anchor) + report::escape_html(text) +
-         "</text>\n";
+  return svg_format("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\">", x, y, anchor) +
+         report::escape_html(text) + "</text>\n";
 }
 
 /// One plot's place on the picture.
@@ -80,9 +80,9 @@ class Panel {
 
   std::string svg(int index) const {
     std::string out = shades() + grid();
-    out +=
-        svg_format("<clipPath id=\"panel%d\"><rect x=\"%d\" y=\"%d\" width=\"%d\" height=\"%d\"/></clipPath>\n",
-               index, left_, top_, right_ - left_, bottom_ - top_);
+    out += svg_format(
+        "<clipPath id=\"panel%d\"><rect x=\"%d\" y=\"%d\" width=\"%d\" height=\"%d\"/></clipPath>\n", index,
+        left_, top_, right_ - left_, bottom_ - top_);
     out += svg_format("<g clip-path=\"url(#panel%d)\">\n", index);
     for (std::size_t i = 0; i < plot_.series.size(); ++i) out += line(plot_.series[i], colour(i));
     return out + "</g>\n" + legend();
@@ -111,8 +111,9 @@ std::string Panel::shades() const {
     const std::size_t index = colours.emplace(shade.name, colours.size()).first->second;
     const double from = std::max<double>(px(shade.from), left_), to = std::min<double>(px(shade.to), right_);
     if (!(to > from)) continue;
-    out += svg_format("<rect class=\"shade\" x=\"%.1f\" y=\"%d\" width=\"%.1f\" height=\"%d\" fill=\"%s\"/>\n",
-                  from, top_, to - from, bottom_ - top_, kShades[index % std::size(kShades)]);
+    out +=
+        svg_format("<rect class=\"shade\" x=\"%.1f\" y=\"%d\" width=\"%.1f\" height=\"%d\" fill=\"%s\"/>\n",
+                   from, top_, to - from, bottom_ - top_, kShades[index % std::size(kShades)]);
     const double text_px = 7.0 * static_cast<double>(shade.name.size());
     if (from < free_from || to - from < text_px) continue;
     out += text_at(from + 3, top_ - 5, "start", shade.name);
@@ -144,8 +145,8 @@ std::string Panel::line(const report::Series& series, const char* stroke) const 
   std::string out, path;
   const auto finish = [&] {
     if (!path.empty())
-      out += svg_format("<polyline fill=\"none\" stroke=\"%s\" stroke-width=\"1.2\" points=\"", stroke) + path +
-             "\"/>\n";
+      out += svg_format("<polyline fill=\"none\" stroke=\"%s\" stroke-width=\"1.2\" points=\"", stroke) +
+             path + "\"/>\n";
     path.clear();
   };
   for (std::size_t i = 0; i < series.x.size(); ++i) {
@@ -169,7 +170,7 @@ std::string Panel::legend() const {
              text_at(right_ + 12, y, "start", "and " + std::to_string(plot_.series.size() - i) + " more");
     }
     out += svg_format("<line x1=\"%d\" y1=\"%d\" x2=\"%d\" y2=\"%d\" stroke=\"%s\" stroke-width=\"3\"/>\n",
-                  right_ + 12, y - 4, right_ + 30, y - 4, colour(i));
+                      right_ + 12, y - 4, right_ + 30, y - 4, colour(i));
     out += text_at(right_ + 36, y, "start", plot_.series[i].name);
   }
   return out;
@@ -195,9 +196,9 @@ std::vector<double> round_ticks(double low, double high, int count) {
 
 std::string to_svg(const std::string& title, const std::vector<report::Plot>& plots, const SvgSize& size) {
   const int height = svg_height(size, plots.size());
-  std::string out =
-      svg_format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" viewBox=\"0 0 %d %d\" ",
-             size.width, height, size.width, height);
+  std::string out = svg_format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" viewBox=\"0 0 %d %d\" ",
+      size.width, height, size.width, height);
   out +=
       "font-family=\"sans-serif\" font-size=\"11\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
   out += "<g font-size=\"14\">" + text_at(kLeft, 22, "start", title) + "</g>\n";

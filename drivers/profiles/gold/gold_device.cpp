@@ -13,7 +13,6 @@
 namespace sprung::sim {
 namespace {
 
-
 std::uint32_t rounded(double value) { return static_cast<std::uint32_t>(std::lround(value)); }
 
 GoldCommissioning commissioning(const SimDriveSetup& setup) {

@@ -52,8 +52,7 @@ TEST(EveryType, IsThereAndHasTheFingerprintOfItsClass) {
 
 TEST(EveryType, OfEveryFileInTheFolderIsBuiltIn) {
   std::set<std::string> in_folder, built_in;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(test::source_dir() + "/lcmtypes")) {
+  for (const auto& entry : std::filesystem::directory_iterator(test::source_dir() + "/lcmtypes")) {
     if (entry.path().extension() != ".lcm") continue;
     std::ifstream file(entry.path());
     const std::string text((std::istreambuf_iterator<char>(file)), {});

@@ -67,8 +67,7 @@ TEST_F(SpyGui, ShowsTorquesAndPhases) {
   VirtualScreen screen;
   const std::string display = screen.name();
   setenv("DISPLAY", display.c_str(), 1);
-  ChildProcess gui(test::bin_dir() + "/sprung",
-                   {"spy", "JOINT_STATE", "--gui", "--url", sender_.url()});
+  ChildProcess gui(test::bin_dir() + "/sprung", {"spy", "JOINT_STATE", "--gui", "--url", sender_.url()});
   // Colours of MotionPanel.java: the lines of both joints, and the strip in crouch and thrust.
   const std::vector<std::uint32_t> wanted{0x1B6CA8, 0xD1495B, 0xFDBF6F, 0xE31A1C};
   std::vector<long> found(wanted.size(), 0);
@@ -93,8 +92,8 @@ TEST_F(SpyGui, WithoutADisplaySaysSo) {
 }
 
 TEST_F(SpyGui, WithoutItsLibrariesSaysWhatToInstall) {
-  const auto end = test::run_command("SPRUNG_JAVA_LIBRARIES=/nowhere " + test::bin_dir() +
-                                     "/sprung spy --gui");
+  const auto end =
+      test::run_command("SPRUNG_JAVA_LIBRARIES=/nowhere " + test::bin_dir() + "/sprung spy --gui");
   EXPECT_EQ(end.status, 1);
   EXPECT_THAT(end.output, HasSubstr("liblcm-java"));
 }
