@@ -39,7 +39,7 @@ try() {
   command=$1 moment=$2 signal=$3 to=$5
   rm -rf build "$work/reached" "$work/missing"
   [ "$moment" != setup ] || echo ninja-build >"$work/missing"
-  HANG=$moment setsid env --default-signal=INT "./$command" >"$work/said" 2>&1 &
+  HANG=$moment setsid env --default-signal=INT,HUP "./$command" >"$work/said" 2>&1 &
   run=$!
   wait_for "it never came to that moment" test -e "$work/reached"
   [ "$to" = script ] && kill -"$signal" "$run" || kill -"$signal" -- "-$run"

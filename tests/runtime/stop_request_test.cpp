@@ -18,6 +18,7 @@ bool readable(int fd, int timeout_ms = 0) {
 class StopRequestTest : public ::testing::Test {
  protected:
   void SetUp() override {
+    std::signal(SIGHUP, SIG_DFL);  // the tests may run under nohup
     install_stop_signals();
     clear_stop_request();
     EXPECT_FALSE(stop_requested());  // and so it is looked at
@@ -40,6 +41,13 @@ TEST_F(StopRequestTest, SignalsAskAndWakeAndASecondOneDoesNotKill) {
 TEST_F(StopRequestTest, HangUpAsksToo) {
   raise(SIGHUP);
   EXPECT_TRUE(stop_requested());
+}
+
+TEST_F(StopRequestTest, UnderNohupAHangUpAsksNothing) {
+  std::signal(SIGHUP, SIG_IGN);
+  install_stop_signals();
+  raise(SIGHUP);
+  EXPECT_FALSE(stop_requested());
 }
 
 TEST_F(StopRequestTest, WhatNeverLooksForItEndsAtOnce) {

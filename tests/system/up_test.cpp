@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <csignal>
 #include <cstring>
 
 #include "runtime/own_port.h"
@@ -21,6 +22,7 @@ using testing::ContainsRegex;
 using testing::HasSubstr;
 
 TEST_F(Up, ClosedTerminalStopsItInOrder) {
+  std::signal(SIGHUP, SIG_DFL);  // inherited: the tests may run under nohup
   up("lockstep", "--speed 1");
   up_process().signal(SIGHUP);
   EXPECT_EQ(wait_for_up(), 0);
