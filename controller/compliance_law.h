@@ -24,6 +24,7 @@
 #include "controller/foot_motion.h"
 #include "estimator/friction/friction_law.h"
 #include "robots/robot_config.h"
+#include "signals/leg_command.h"
 
 namespace sprung {
 

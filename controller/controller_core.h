@@ -5,7 +5,9 @@
 
 #include "controller/torque_limits.h"
 #include "robots/robot_config.h"
-#include "signals/signals.h"
+#include "signals/drive_command.h"
+#include "signals/joint_state.h"
+#include "signals/leg_command.h"
 
 namespace sprung {
 

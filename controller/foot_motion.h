@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include "controller/leg_kinematics.h"
+#include "signals/leg_command.h"
 
 namespace sprung {
 

@@ -5,7 +5,7 @@
 /// step from 0 or to 0 takes all of it, a schedule that changes slowly is followed without lag.
 #include <array>
 
-#include "signals/signals.h"
+#include "signals/leg_command.h"
 
 namespace sprung {
 

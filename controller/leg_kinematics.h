@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "robots/robot_config.h"
-#include "signals/signals.h"
+#include "signals/vec3.h"
 
 namespace sprung {
 

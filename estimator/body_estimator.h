@@ -5,6 +5,8 @@
 #include "estimator/body_motion.h"
 #include "estimator/imu_input.h"
 #include "estimator/standing_feet.h"
+#include "signals/joint_state.h"
+#include "signals/sensors.h"
 
 namespace sprung {
 

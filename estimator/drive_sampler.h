@@ -4,6 +4,7 @@
 
 #include "controller/transmission.h"
 #include "estimator/joint_estimator.h"
+#include "signals/drive_state.h"
 
 namespace sprung {
 

@@ -13,7 +13,9 @@
 #include <memory>
 
 #include "robots/robot_config.h"
-#include "signals/signals.h"
+#include "signals/drive_state.h"
+#include "signals/joint_state.h"
+#include "signals/sensors.h"
 
 namespace sprung {
 

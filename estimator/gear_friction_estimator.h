@@ -7,7 +7,7 @@
 #include "estimator/friction/friction_law.h"
 #include "estimator/friction/presliding_state.h"
 #include "robots/robot_config.h"
-#include "signals/signals.h"
+#include "signals/vec3.h"
 
 namespace sprung {
 

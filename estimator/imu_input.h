@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <cstdint>
 
-#include "signals/signals.h"
+#include "signals/sensors.h"
 
 namespace sprung {
 

@@ -5,7 +5,8 @@
 #include "estimator/torsion_sensor.h"
 #include "estimator/tracking_filter.h"
 #include "robots/robot_config.h"
-#include "signals/signals.h"
+#include "signals/joint_state.h"
+#include "signals/vec3.h"
 
 namespace sprung {
 

@@ -8,6 +8,8 @@
 #include "estimator/contact_detector.h"
 #include "estimator/drive_sampler.h"
 #include "estimator/joint_estimator.h"
+#include "signals/drive_state.h"
+#include "signals/joint_state.h"
 
 namespace sprung {
 

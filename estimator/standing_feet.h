@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "robots/robot_config.h"
-#include "signals/signals.h"
+#include "signals/joint_state.h"
 
 namespace sprung {
 

@@ -1,7 +1,7 @@
 #pragma once
 /// What `comply` asks for, completed from the preset. Pure.
 #include "robots/robot_config.h"
-#include "signals/signals.h"
+#include "signals/operator.h"
 
 namespace sprung {
 

@@ -1,7 +1,7 @@
 #pragma once
 /// Whether a robot on legs has fallen: tilted too far, or too low over its feet. Pure.
 #include "robots/gait_config.h"
-#include "signals/signals.h"
+#include "signals/joint_state.h"
 
 namespace sprung {
 

@@ -1,7 +1,7 @@
 #pragma once
 /// Slow straight move of a foot, at rest at both ends: the polynomial of degree five with least jerk (Flash
 /// and Hogan 1985), s = 10 x^3 - 15 x^4 + 6 x^5. Pure.
-#include "signals/signals.h"
+#include "signals/vec3.h"
 
 namespace sprung {
 

@@ -6,7 +6,9 @@
 
 #include "planner/joint_limits.h"
 #include "planner/joint_move.h"
-#include "signals/signals.h"
+#include "signals/joint_state.h"
+#include "signals/leg_command.h"
+#include "signals/vec3.h"
 
 namespace sprung {
 

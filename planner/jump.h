@@ -10,6 +10,8 @@
 #include "planner/jump_reach.h"
 #include "planner/leg_gains.h"
 #include "planner/motion_state_machine.h"
+#include "signals/joint_state.h"
+#include "signals/vec3.h"
 
 namespace sprung {
 

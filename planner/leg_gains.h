@@ -1,7 +1,7 @@
 #pragma once
 /// Which control a leg is under in each part of a jump, and with which gains. Pure.
 #include "robots/robot_config.h"
-#include "signals/signals.h"
+#include "signals/leg_command.h"
 
 namespace sprung {
 

@@ -1,6 +1,7 @@
 #pragma once
 /// Questions that a motion asks of JOINT_STATE. Pure.
-#include "signals/signals.h"
+#include "signals/joint_state.h"
+#include "signals/vec3.h"
 
 namespace sprung {
 

@@ -12,6 +12,10 @@
 #include "planner/jump.h"
 #include "planner/motion_state_machine.h"
 #include "planner/own_landing.h"
+#include "signals/joint_state.h"
+#include "signals/leg_command.h"
+#include "signals/motion_state.h"
+#include "signals/vec3.h"
 
 namespace sprung {
 

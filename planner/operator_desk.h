@@ -4,7 +4,7 @@
 /// storage.
 #include <array>
 
-#include "signals/signals.h"
+#include "signals/operator.h"
 
 namespace sprung {
 

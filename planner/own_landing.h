@@ -16,7 +16,8 @@
 #include "planner/foot_move.h"
 #include "planner/leg_gains.h"
 #include "robots/robot_config.h"
-#include "signals/signals.h"
+#include "signals/joint_state.h"
+#include "signals/vec3.h"
 
 namespace sprung {
 

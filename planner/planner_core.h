@@ -4,7 +4,10 @@
 #include <memory>
 
 #include "robots/robot_config.h"
-#include "signals/signals.h"
+#include "signals/joint_state.h"
+#include "signals/leg_command.h"
+#include "signals/motion_state.h"
+#include "signals/operator.h"
 
 namespace sprung {
 

@@ -1,6 +1,7 @@
 #pragma once
 /// Why an operator's command cannot be done now: static texts for people; nullptr where it can. Pure.
-#include "signals/signals.h"
+#include "signals/joint_state.h"
+#include "signals/operator.h"
 
 namespace sprung {
 

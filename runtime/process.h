@@ -16,6 +16,7 @@
 #include "runtime/process_options.h"
 #include "runtime/process_status.h"
 #include "runtime/resource_use.h"
+#include "signals/modes.h"
 
 namespace sprung {
 

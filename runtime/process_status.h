@@ -6,7 +6,9 @@
 
 #include "runtime/loop_statistics.h"
 #include "signals/messages.h"
-#include "signals/signals.h"
+#include "signals/modes.h"
+#include "signals/stamp.h"
+#include "signals/vec3.h"
 #include "sprung_msgs/process_status_t.hpp"
 
 namespace sprung {

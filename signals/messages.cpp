@@ -1,7 +1,13 @@
 /// The signals of every cycle: drives, joints, legs, IMU, and the simulation's truth.
 #include "signals/messages.h"
 
+#include "signals/drive_command.h"
+#include "signals/drive_state.h"
+#include "signals/joint_state.h"
+#include "signals/leg_command.h"
 #include "signals/message_fields.h"
+#include "signals/sensors.h"
+#include "signals/simulation.h"
 
 namespace sprung {
 namespace {

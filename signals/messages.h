@@ -6,7 +6,6 @@
 /// differs from the vectors it comes with or an enumeration holds a value that this build does not know.
 #include <cstdint>
 
-#include "signals/signals.h"
 #include "sprung_msgs/bus_state_t.hpp"
 #include "sprung_msgs/drive_command_t.hpp"
 #include "sprung_msgs/drive_state_t.hpp"
@@ -22,6 +21,20 @@
 #include "sprung_msgs/torque_sensor_t.hpp"
 
 namespace sprung {
+
+struct BusState;
+struct DriveCommand;
+struct DriveState;
+struct Imu;
+struct JointState;
+struct LegCommand;
+struct MotionState;
+struct OperatorCommand;
+struct OperatorReply;
+struct SafetyState;
+struct SimControl;
+struct SimTruth;
+struct TorqueSensor;
 
 void to_message(const DriveState& in, std::int64_t session, sprung_msgs::drive_state_t& out);
 void to_message(const DriveCommand& in, std::int64_t session, sprung_msgs::drive_command_t& out);

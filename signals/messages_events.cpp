@@ -1,8 +1,14 @@
 /// The signals that come now and then: motion, safety, operator, simulation control.
 #include <cstring>
 
+#include "signals/bus_state.h"
 #include "signals/message_fields.h"
 #include "signals/messages.h"
+#include "signals/motion_state.h"
+#include "signals/operator.h"
+#include "signals/safety_state.h"
+#include "signals/sensors.h"
+#include "signals/simulation.h"
 
 namespace sprung {
 namespace {

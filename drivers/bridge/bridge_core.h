@@ -16,7 +16,11 @@
 #include "drivers/bridge/bus_monitor.h"
 #include "drivers/can/can_frame.h"
 #include "robots/robot_config.h"
-#include "signals/signals.h"
+#include "signals/bus_state.h"
+#include "signals/drive_command.h"
+#include "signals/drive_state.h"
+#include "signals/operator.h"
+#include "signals/safety_state.h"
 
 namespace sprung {
 

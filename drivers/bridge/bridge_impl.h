@@ -14,6 +14,10 @@
 #include "drivers/bridge/homing.h"
 #include "drivers/bridge/recovery.h"
 #include "drivers/bridge/safety_machine.h"
+#include "signals/bus_state.h"
+#include "signals/drive_state.h"
+#include "signals/operator.h"
+#include "signals/safety_state.h"
 
 namespace sprung {
 

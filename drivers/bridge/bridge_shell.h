@@ -10,6 +10,11 @@
 #include "drivers/bridge/reference_store_shell.h"
 #include "drivers/can/can_bus.h"
 #include "runtime/process.h"
+#include "signals/bus_state.h"
+#include "signals/drive_command.h"
+#include "signals/drive_state.h"
+#include "signals/operator.h"
+#include "signals/safety_state.h"
 
 namespace sprung {
 

@@ -7,7 +7,7 @@
 #include "drivers/bridge/safety_machine.h"
 #include "drivers/can/can_frame.h"
 #include "robots/robot_config.h"
-#include "signals/signals.h"
+#include "signals/bus_state.h"
 
 namespace sprung {
 

@@ -5,7 +5,8 @@
 
 #include "drivers/bridge/detail_text.h"
 #include "robots/robot_config.h"
-#include "signals/signals.h"
+#include "signals/drive_command.h"
+#include "signals/drive_state.h"
 
 namespace sprung {
 

@@ -8,6 +8,10 @@
 #include "drivers/bridge/node_link.h"
 #include "drivers/bridge/position_tracker.h"
 #include "drivers/bridge/power_control.h"
+#include "signals/bus_state.h"
+#include "signals/drive_command.h"
+#include "signals/drive_state.h"
+#include "signals/vec3.h"
 
 namespace sprung {
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "drivers/bridge/drive_node.h"
+#include "signals/operator.h"
 
 namespace sprung {
 

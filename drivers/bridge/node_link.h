@@ -10,7 +10,7 @@
 #include "drivers/bridge/node_boot.h"
 #include "drivers/bridge/safety_machine.h"
 #include "drivers/profiles/drive_profile.h"
-#include "signals/signals.h"
+#include "signals/bus_state.h"
 
 namespace sprung {
 

@@ -21,7 +21,7 @@
 
 #include "drivers/bridge/detail_text.h"
 #include "robots/robot_config.h"
-#include "signals/signals.h"
+#include "signals/safety_state.h"
 
 namespace sprung {
 

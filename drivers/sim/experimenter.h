@@ -6,7 +6,7 @@
 #include "drivers/sim/bus_faults.h"
 #include "drivers/sim/drive_train.h"
 #include "drivers/sim/imu_sensor.h"
-#include "signals/signals.h"
+#include "signals/simulation.h"
 
 namespace sprung::sim {
 

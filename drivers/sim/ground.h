@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "signals/signals.h"
+#include "signals/vec3.h"
 
 namespace sprung::sim {
 

@@ -3,7 +3,8 @@
 #include <array>
 #include <cstdint>
 
-#include "signals/signals.h"
+#include "signals/sensors.h"
+#include "signals/vec3.h"
 
 namespace sprung::sim {
 

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "signals/signals.h"
+#include "signals/vec3.h"
 
 namespace sprung::sim {
 

@@ -11,7 +11,8 @@
 #include "drivers/sim/ground.h"
 #include "drivers/sim/imu_sensor.h"
 #include "drivers/sim/plant_model.h"
-#include "signals/signals.h"
+#include "signals/simulation.h"
+#include "signals/vec3.h"
 
 namespace sprung::sim {
 

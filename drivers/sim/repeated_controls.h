@@ -5,7 +5,7 @@
 #include <array>
 #include <cstddef>
 
-#include "signals/signals.h"
+#include "signals/stamp.h"
 
 namespace sprung::sim {
 

@@ -11,7 +11,8 @@
 
 #include "drivers/can/can_frame.h"
 #include "robots/robot_config.h"
-#include "signals/signals.h"
+#include "signals/sensors.h"
+#include "signals/simulation.h"
 
 namespace sprung {
 

@@ -7,6 +7,8 @@
 #include "drivers/sim/repeated_controls.h"
 #include "drivers/sim/sim_core.h"
 #include "runtime/process.h"
+#include "signals/sensors.h"
+#include "signals/simulation.h"
 
 namespace sprung {
 

@@ -5,7 +5,7 @@
 #include "planner/gait/body_frame.h"
 #include "planner/gait/gait_clock.h"
 #include "robots/robot_config.h"
-#include "signals/signals.h"
+#include "signals/joint_state.h"
 
 namespace sprung {
 

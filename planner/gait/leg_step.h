@@ -10,7 +10,7 @@
 
 #include "planner/gait/swing_path.h"
 #include "robots/gait_config.h"
-#include "signals/signals.h"
+#include "signals/modes.h"
 
 namespace sprung {
 

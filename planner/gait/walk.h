@@ -11,6 +11,10 @@
 #include "planner/gait/pace.h"
 #include "planner/gait/speed_ramp.h"
 #include "planner/gait/weight_shift.h"
+#include "signals/joint_state.h"
+#include "signals/leg_command.h"
+#include "signals/motion_state.h"
+#include "signals/vec3.h"
 
 namespace sprung {
 

@@ -5,6 +5,9 @@
 #include "controller/controller_core.h"
 #include "controller/leg_kinematics.h"
 #include "robots/robot_loader.h"
+#include "signals/drive_command.h"
+#include "signals/joint_state.h"
+#include "signals/leg_command.h"
 
 namespace sprung {
 

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "drivers/can/can_errors.h"
+#include "signals/bus_state.h"
 #include "tests/support/bridge_fixture.h"
 
 namespace sprung {

@@ -11,6 +11,7 @@
 #include "drivers/canopen/protocol.h"
 #include "drivers/sim/sim_core.h"
 #include "robots/robot_loader.h"
+#include "signals/simulation.h"
 #include "tests/support/paths.h"
 
 namespace sprung::sim {

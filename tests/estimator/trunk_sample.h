@@ -8,7 +8,8 @@
 #include "controller/leg_kinematics.h"
 #include "estimator/rotation.h"
 #include "robots/robot_config.h"
-#include "signals/signals.h"
+#include "signals/joint_state.h"
+#include "signals/sensors.h"
 
 namespace sprung::test {
 

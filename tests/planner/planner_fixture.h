@@ -7,6 +7,11 @@
 
 #include "planner/planner_core.h"
 #include "robots/robot_loader.h"
+#include "signals/joint_state.h"
+#include "signals/leg_command.h"
+#include "signals/motion_state.h"
+#include "signals/operator.h"
+#include "signals/vec3.h"
 
 namespace sprung {
 

@@ -12,6 +12,10 @@
 #include "controller/leg_kinematics.h"
 #include "planner/gait/walk.h"
 #include "robots/robot_loader.h"
+#include "signals/joint_state.h"
+#include "signals/leg_command.h"
+#include "signals/motion_state.h"
+#include "signals/vec3.h"
 
 namespace sprung {
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "signals/signals.h"
+#include "signals/leg_command.h"
 
 namespace sprung {
 namespace {

@@ -9,6 +9,7 @@
 #include "runtime/receive_guard.h"
 #include "runtime/responder.h"
 #include "runtime/slot.h"
+#include "signals/joint_state.h"
 #include "signals/messages.h"
 #include "tests/support/allocation_count.h"
 

@@ -9,6 +9,8 @@
 #include "lcmtypes/channels.h"
 #include "runtime/node.h"
 #include "runtime/process_status.h"
+#include "signals/drive_state.h"
+#include "signals/joint_state.h"
 #include "tests/runtime/child.h"
 #include "tests/runtime/lcm_network.h"
 #include "tests/support/paths.h"

@@ -9,6 +9,8 @@
 
 #include "lcmtypes/channels.h"
 #include "runtime/stop_request.h"
+#include "signals/leg_command.h"
+#include "signals/operator.h"
 #include "tests/runtime/lcm_network.h"
 
 namespace sprung {

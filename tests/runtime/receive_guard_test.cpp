@@ -5,6 +5,15 @@
 #include <limits>
 #include <random>
 
+#include "signals/drive_command.h"
+#include "signals/drive_state.h"
+#include "signals/joint_state.h"
+#include "signals/leg_command.h"
+#include "signals/motion_state.h"
+#include "signals/operator.h"
+#include "signals/safety_state.h"
+#include "signals/sensors.h"
+#include "signals/simulation.h"
 #include "tests/signals/message_bytes.h"
 
 namespace sprung {

@@ -5,6 +5,12 @@
 #include <string>
 
 #include "signals/messages.h"
+#include "signals/motion_state.h"
+#include "signals/operator.h"
+#include "signals/safety_state.h"
+#include "signals/sensors.h"
+#include "signals/simulation.h"
+#include "signals/vec3.h"
 #include "tests/signals/message_bytes.h"
 
 namespace sprung {

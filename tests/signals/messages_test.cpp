@@ -4,6 +4,13 @@
 
 #include <cstring>
 
+#include "signals/drive_command.h"
+#include "signals/drive_state.h"
+#include "signals/joint_state.h"
+#include "signals/leg_command.h"
+#include "signals/sensors.h"
+#include "signals/simulation.h"
+#include "signals/vec3.h"
 #include "tests/signals/message_bytes.h"
 
 namespace sprung {

@@ -7,6 +7,9 @@
 #include <vector>
 
 #include "drivers/bridge/bridge_core.h"
+#include "signals/drive_command.h"
+#include "signals/drive_state.h"
+#include "signals/operator.h"
 #include "tests/support/fake_card.h"
 #include "tests/support/fake_drive.h"
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "signals/bus_state.h"
 #include "tests/support/bridge_bench.h"
 
 namespace sprung::test {

@@ -11,6 +11,12 @@
 #include "drivers/sim/sim_core.h"
 #include "estimator/estimator_core.h"
 #include "planner/planner_core.h"
+#include "signals/drive_command.h"
+#include "signals/drive_state.h"
+#include "signals/joint_state.h"
+#include "signals/leg_command.h"
+#include "signals/motion_state.h"
+#include "signals/operator.h"
 
 namespace sprung::test {
 

@@ -11,6 +11,8 @@
 #include "drivers/cia402/words.h"
 #include "lcmtypes/channels.h"
 #include "runtime/node.h"
+#include "signals/drive_command.h"
+#include "signals/drive_state.h"
 #include "tests/system/system_fixture.h"
 
 namespace sprung {

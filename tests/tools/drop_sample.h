@@ -1,5 +1,11 @@
 #pragma once
 /// Landings that were made up: no simulation.
+#include "signals/drive_command.h"
+#include "signals/drive_state.h"
+#include "signals/joint_state.h"
+#include "signals/leg_command.h"
+#include "signals/motion_state.h"
+#include "signals/simulation.h"
 #include "tools/experiments/drop.h"
 
 namespace sprung {

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "robots/robot_loader.h"
-#include "signals/signals.h"
+#include "signals/vec3.h"
 
 namespace sprung {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "signals/signals.h"
+#include "signals/vec3.h"
 
 namespace sprung {
 namespace {

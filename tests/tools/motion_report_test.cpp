@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "signals/modes.h"
-#include "signals/signals.h"
+#include "signals/vec3.h"
 
 namespace sprung {
 namespace {

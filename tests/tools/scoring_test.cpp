@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "robots/robot_loader.h"
-#include "signals/signals.h"
+#include "signals/vec3.h"
 
 namespace sprung {
 namespace {

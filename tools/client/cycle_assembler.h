@@ -5,6 +5,12 @@
 #include <map>
 #include <utility>
 
+#include "signals/drive_command.h"
+#include "signals/drive_state.h"
+#include "signals/joint_state.h"
+#include "signals/leg_command.h"
+#include "signals/motion_state.h"
+#include "signals/simulation.h"
 #include "tools/client/cycle_record.h"
 
 namespace sprung {

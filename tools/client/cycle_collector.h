@@ -6,6 +6,11 @@
 
 #include "robots/robot_config.h"
 #include "runtime/node.h"
+#include "signals/drive_command.h"
+#include "signals/drive_state.h"
+#include "signals/joint_state.h"
+#include "signals/leg_command.h"
+#include "signals/simulation.h"
 #include "tools/client/cycle_assembler.h"
 #include "tools/launcher/run_file.h"
 

@@ -2,7 +2,13 @@
 /// What one cycle of the whole stack produced, whichever way it was run.
 #include <functional>
 
-#include "signals/signals.h"
+#include "signals/drive_command.h"
+#include "signals/drive_state.h"
+#include "signals/joint_state.h"
+#include "signals/leg_command.h"
+#include "signals/motion_state.h"
+#include "signals/operator.h"
+#include "signals/simulation.h"
 
 namespace sprung {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "robots/robot_config.h"
-#include "signals/signals.h"
+#include "signals/simulation.h"
 
 namespace sprung {
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "robots/robot_config.h"
-#include "signals/signals.h"
+#include "signals/vec3.h"
 
 namespace sprung {
 

@@ -7,6 +7,7 @@
 #include "drivers/canopen/emergency.h"
 #include "drivers/canopen/nmt.h"
 #include "lcmtypes/channels.h"
+#include "signals/modes.h"
 #include "tools/client/motion_report.h"
 
 namespace sprung {

@@ -7,6 +7,8 @@
 
 #include "robots/robot_config.h"
 #include "runtime/node.h"
+#include "signals/joint_state.h"
+#include "signals/operator.h"
 #include "tools/client/operator_client.h"
 
 namespace sprung {

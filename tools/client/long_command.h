@@ -3,6 +3,7 @@
 #include <functional>
 #include <optional>
 
+#include "signals/operator.h"
 #include "tools/client/health_report.h"
 #include "tools/client/operator_client.h"
 

@@ -6,7 +6,7 @@
 
 #include "planner/gait/body_frame.h"
 #include "signals/modes.h"
-#include "signals/signals.h"
+#include "signals/vec3.h"
 
 namespace sprung {
 namespace {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "runtime/node.h"
+#include "signals/operator.h"
 #include "tools/launcher/run_file.h"
 
 namespace sprung {

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "signals/operator.h"
 #include "tools/client/operator_client.h"
 #include "tools/commands/commands.h"
 

@@ -9,6 +9,7 @@
 #include "robots/robot_loader.h"
 #include "runtime/node.h"
 #include "runtime/stop_request.h"
+#include "signals/modes.h"
 #include "tools/client/health_report.h"
 #include "tools/client/motion_report.h"
 #include "tools/commands/commands.h"

@@ -10,7 +10,8 @@
 #include <optional>
 #include <vector>
 
-#include "signals/signals.h"
+#include "signals/joint_state.h"
+#include "signals/simulation.h"
 
 namespace sprung {
 

@@ -3,6 +3,7 @@
 /// expected. Scored by the simulation's truth.
 #include <cstdint>
 
+#include "signals/vec3.h"
 #include "tools/experiments/jump_experiment.h"
 #include "tools/experiments/scripted_run.h"
 

@@ -7,7 +7,7 @@
 
 #include "drivers/sim/sim_core.h"
 #include "robots/robot_config.h"
-#include "signals/signals.h"
+#include "signals/operator.h"
 
 namespace sprung {
 

@@ -2,7 +2,9 @@
 /// How far an estimate is from the simulation's truth: windows of a jump, and sums over samples. Pure.
 #include <cstdint>
 
-#include "signals/signals.h"
+#include "signals/joint_state.h"
+#include "signals/motion_state.h"
+#include "signals/simulation.h"
 
 namespace sprung {
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "signals/signals.h"
+#include "signals/bus_state.h"
 
 namespace sprung {
 

@@ -3,7 +3,6 @@
 #include <array>
 #include <vector>
 
-#include "signals/signals.h"
 #include "tools/experiments/foot_return_script.h"
 
 namespace sprung {

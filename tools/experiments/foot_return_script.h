@@ -8,7 +8,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "signals/signals.h"
+#include "signals/operator.h"
+#include "signals/simulation.h"
 
 namespace sprung {
 

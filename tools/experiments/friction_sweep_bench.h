@@ -5,6 +5,10 @@
 #include <string>
 
 #include "controller/transmission.h"
+#include "signals/joint_state.h"
+#include "signals/operator.h"
+#include "signals/simulation.h"
+#include "signals/vec3.h"
 #include "tools/inprocess/inprocess_robot.h"
 
 namespace sprung {

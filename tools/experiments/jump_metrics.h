@@ -11,7 +11,11 @@
 #include <vector>
 
 #include "robots/robot_config.h"
-#include "signals/signals.h"
+#include "signals/joint_state.h"
+#include "signals/leg_command.h"
+#include "signals/motion_state.h"
+#include "signals/simulation.h"
+#include "signals/vec3.h"
 
 namespace sprung {
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "robots/robot_config.h"
+#include "signals/vec3.h"
 #include "tools/client/cycle_record.h"
 
 namespace sprung {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "robots/robot_config.h"
+#include "signals/operator.h"
 #include "tools/inprocess/inprocess_robot.h"
 
 namespace sprung {

@@ -8,7 +8,8 @@
 
 #include "drivers/sim/sim_core.h"
 #include "robots/robot_config.h"
-#include "signals/signals.h"
+#include "signals/operator.h"
+#include "signals/simulation.h"
 #include "tools/client/cycle_record.h"
 #include "tools/inprocess/inprocess_robot.h"
 

@@ -3,7 +3,7 @@
 /// are afterwards. Pure.
 #include <vector>
 
-#include "signals/signals.h"
+#include "signals/vec3.h"
 
 namespace sprung {
 

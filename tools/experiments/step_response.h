@@ -13,6 +13,7 @@
 
 #include "drivers/sim/sim_core.h"
 #include "robots/robot_config.h"
+#include "signals/vec3.h"
 #include "tools/experiments/experiment_report.h"
 #include "tools/experiments/parallel.h"
 #include "tools/experiments/scripted_run.h"

@@ -2,7 +2,7 @@
 /// How fast a torque follows a step: pure, from samples once a cycle.
 #include <vector>
 
-#include "signals/signals.h"
+#include "signals/vec3.h"
 
 namespace sprung {
 

@@ -6,7 +6,8 @@
 
 #include "planner/foot_move.h"
 #include "robots/robot_config.h"
-#include "signals/signals.h"
+#include "signals/joint_state.h"
+#include "signals/leg_command.h"
 
 namespace sprung {
 

@@ -2,8 +2,6 @@
 /// What a person does to the trunk of a standing robot (S1, Fig. 11: "pounded, lifted, pushed down"). Pure.
 #include <vector>
 
-#include "signals/signals.h"
-
 namespace sprung {
 
 struct TrunkPush {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "signals/vec3.h"
 #include "tools/experiments/jump_metrics.h"
 
 namespace sprung {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "drivers/sim/sim_core.h"
+#include "signals/vec3.h"
 #include "tools/experiments/experiment_report.h"
 #include "tools/experiments/parallel.h"
 #include "tools/experiments/step_score.h"

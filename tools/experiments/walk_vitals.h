@@ -3,7 +3,12 @@
 #include <string>
 
 #include "robots/robot_config.h"
-#include "signals/signals.h"
+#include "signals/drive_state.h"
+#include "signals/joint_state.h"
+#include "signals/motion_state.h"
+#include "signals/safety_state.h"
+#include "signals/simulation.h"
+#include "signals/vec3.h"
 
 namespace sprung {
 

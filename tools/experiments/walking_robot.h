@@ -4,6 +4,8 @@
 #include <functional>
 #include <string>
 
+#include "signals/operator.h"
+#include "signals/vec3.h"
 #include "tools/experiments/legged_trial.h"
 #include "tools/experiments/walk_vitals.h"
 

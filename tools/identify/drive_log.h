@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "robots/robot_config.h"
-#include "signals/signals.h"
+#include "signals/drive_state.h"
 
 namespace sprung::identify {
 

@@ -12,7 +12,7 @@
 
 #include "estimator/identification/raw_series.h"
 #include "robots/robot_config.h"
-#include "signals/signals.h"
+#include "signals/drive_state.h"
 
 namespace sprung::identify {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "robots/robot_config.h"
-#include "signals/signals.h"
+#include "signals/drive_state.h"
 #include "tools/identify/csv_series.h"
 #include "tools/identify/identified_joint.h"
 #include "tools/identify/protocol_request.h"

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "drivers/sim/sim_core.h"
+#include "signals/drive_state.h"
 #include "tools/client/cycle_record.h"
 #include "tools/identify/record_protocol.h"
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "signals/signals.h"
+#include "signals/drive_state.h"
 
 namespace sprung::identify {
 

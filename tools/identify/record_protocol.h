@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "planner/joint_limits.h"
-#include "signals/signals.h"
+#include "signals/vec3.h"
 
 namespace sprung::identify {
 

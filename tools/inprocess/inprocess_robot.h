@@ -14,7 +14,14 @@
 #include "estimator/estimator_core.h"
 #include "planner/planner_core.h"
 #include "robots/robot_config.h"
-#include "signals/signals.h"
+#include "signals/drive_command.h"
+#include "signals/drive_state.h"
+#include "signals/joint_state.h"
+#include "signals/leg_command.h"
+#include "signals/motion_state.h"
+#include "signals/operator.h"
+#include "signals/sensors.h"
+#include "signals/simulation.h"
 
 namespace sprung {
 

@@ -5,6 +5,7 @@
 #include "lcmtypes/channels.h"
 #include "runtime/node.h"
 #include "runtime/stop_request.h"
+#include "signals/modes.h"
 
 namespace sprung {
 

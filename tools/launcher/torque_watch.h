@@ -6,7 +6,7 @@
 #include "robots/robot_config.h"
 #include "runtime/node.h"
 #include "runtime/slot.h"
-#include "signals/signals.h"
+#include "signals/drive_state.h"
 #include "tools/launcher/restart_rule.h"
 
 namespace sprung {

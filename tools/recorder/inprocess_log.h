@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "signals/operator.h"
 #include "tools/inprocess/inprocess_robot.h"
 #include "tools/recorder/recording.h"
 

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "robots/robot_config.h"
-#include "signals/signals.h"
+#include "signals/joint_state.h"
 #include "tools/replay/log_cycles.h"
 
 namespace sprung {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "robots/robot_loader.h"
-#include "signals/signals.h"
+#include "signals/vec3.h"
 
 namespace sprung {
 namespace {

@@ -5,6 +5,8 @@
 #include "lcmtypes/channels.h"
 #include "robots/robot_loader.h"
 #include "runtime/message_layout.h"
+#include "signals/drive_state.h"
+#include "signals/sensors.h"
 #include "tests/tools/replay/logged_message.h"
 
 namespace sprung {

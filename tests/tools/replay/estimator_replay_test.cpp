@@ -4,6 +4,9 @@
 
 #include "lcmtypes/channels.h"
 #include "robots/robot_loader.h"
+#include "signals/drive_command.h"
+#include "signals/drive_state.h"
+#include "signals/sensors.h"
 #include "tests/tools/replay/logged_message.h"
 
 namespace sprung {

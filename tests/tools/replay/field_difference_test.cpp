@@ -4,6 +4,10 @@
 
 #include <cmath>
 
+#include "signals/drive_state.h"
+#include "signals/joint_state.h"
+#include "signals/motion_state.h"
+#include "signals/vec3.h"
 #include "tests/tools/replay/logged_message.h"
 
 namespace sprung {

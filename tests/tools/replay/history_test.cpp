@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "signals/signals.h"
+#include "signals/sensors.h"
 
 namespace sprung {
 namespace {

@@ -8,6 +8,10 @@
 
 #include "lcmtypes/channels.h"
 #include "runtime/process_status.h"
+#include "signals/drive_state.h"
+#include "signals/joint_state.h"
+#include "signals/leg_command.h"
+#include "signals/operator.h"
 #include "tests/tools/replay/logged_message.h"
 
 namespace sprung {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "robots/robot_loader.h"
+#include "signals/operator.h"
 #include "tests/support/own_folder.h"
 #include "tools/experiments/scripted_run.h"
 #include "tools/recorder/inprocess_log.h"

@@ -1,0 +1,67 @@
+#pragma once
+/// JOINT_STATE: what the estimator makes of a cycle's measurements. Units and frames: lcmtypes/README.md.
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "signals/modes.h"
+#include "signals/stamp.h"
+#include "signals/vec3.h"
+
+namespace sprung {
+
+struct EstimatedJoint {
+  double estimated_position_rad = kNaN;
+  double estimated_velocity_rad_s = kNaN;
+  double estimated_acceleration_rad_s2 = kNaN;
+  double motor_side_torque_Nm = kNaN;
+  double gear_output_torque_Nm = kNaN;
+  double gear_output_torque_bound_Nm = kNaN;
+  double friction_torque_Nm = kNaN;
+  double external_torque_Nm = kNaN;
+  double estimated_position_bound_rad = kNaN;
+  double estimated_velocity_bound_rad_s = kNaN;
+  double estimated_acceleration_bound_rad_s2 = kNaN;
+  double friction_torque_bound_Nm = kNaN;
+  double external_torque_bound_Nm = kNaN;
+  double torsion_torque_Nm = kNaN;  ///< from motor and link encoder; NaN where there is no link encoder
+  double estimated_temperature_degC = kNaN;
+  JointStatus status = JointStatus::kStarting;
+  bool drive_enabled = false;
+  bool identified = false;  ///< friction and armature come from `sprung identify`
+  bool at_rest = false;  ///< friction's sign is not known: torques are the last possible, bounds the far end
+};
+
+struct EstimatedLeg {
+  Vec3 estimated_foot_in_hip_m{kNaN, kNaN, kNaN};
+  Vec3 estimated_foot_velocity_m_s{kNaN, kNaN, kNaN};
+  Vec3 foot_force_N{kNaN, kNaN, kNaN};
+  Vec3 foot_force_bound_N{kNaN, kNaN, kNaN};
+  double contact_confidence = 0.0;
+  bool contact = false;
+};
+
+/// Attitude and motion of the trunk. Trunk axes: x forward, y left, z up; yaw counts from the first sample.
+struct EstimatedBody {
+  std::array<double, 4> estimated_quaternion_wxyz{kNaN, kNaN, kNaN,
+                                                  kNaN};    ///< turns trunk axes into world axes
+  Vec3 estimated_angular_velocity_rad_s{kNaN, kNaN, kNaN};  ///< trunk axes
+  Vec3 estimated_velocity_m_s{kNaN, kNaN, kNaN};            ///< trunk axes; NaN while no foot stands
+  double estimated_height_m = kNaN;  ///< of the trunk's hips' middle over the feet that stand
+  bool uses_imu = false;             ///< false: attitude is that of the plane through the standing feet
+};
+
+struct JointState {
+  Stamp stamp;
+  EstimatedBody body;
+  std::vector<EstimatedJoint> joints;
+  std::vector<EstimatedLeg> legs;
+  SafetyLevel safety = SafetyLevel::kDisabled;
+  std::int64_t used_drive_state_seq = -1;
+  std::int64_t used_imu_seq = -1;  ///< newest that had come; -1 = none yet, or a robot without body.imu
+  JointState() = default;
+  JointState(std::size_t joint_count, std::size_t leg_count) : joints(joint_count), legs(leg_count) {}
+};
+
+}  // namespace sprung
