@@ -10,7 +10,7 @@ import tempfile
 
 TOP = pathlib.Path(__file__).resolve().parents[2]
 # Whoever says one of these starts programs of the build, or a browser.
-PROCESSES = re.compile(r"SPRUNG_BIN_DIR|chromium --headless")
+PROCESSES = re.compile(r"test::bin_dir\(\)|chromium --headless")
 INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
 LEFT_OUT = {"vm"}  # labels: boots a machine of its own, whose clock does not go by ours
 

@@ -137,7 +137,8 @@ SeparateResult run_separate(const RunScript& script, const CycleObserver& on_cyc
   if (collector.missed_cycles() > 0 || collector.lost_cycles() > 0 ||
       collector.last_cycle() < script.cycles - 1) {
     throw std::runtime_error("messages of " + std::to_string(collector.lost_cycles()) +
-                             " cycles were lost on the way here, last cycle " +
+                             " cycles were lost on the way here, the bridge missed " +
+                             std::to_string(collector.missed_cycles()) + " commands, last cycle " +
                              std::to_string(collector.last_cycle()) + " of " + std::to_string(script.cycles) +
                              ": the machine is overloaded; try again");
   }
