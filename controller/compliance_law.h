@@ -22,7 +22,7 @@
 #include <vector>
 
 #include "controller/foot_motion.h"
-#include "estimator/friction/friction_law.h"
+#include "model/friction/friction_law.h"
 #include "robots/robot_config.h"
 #include "signals/leg_command.h"
 

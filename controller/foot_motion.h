@@ -2,7 +2,7 @@
 /// Desired foot motion between the planner's cycle and now. Pure.
 #include <Eigen/Core>
 
-#include "controller/leg_kinematics.h"
+#include "model/leg_kinematics.h"
 #include "signals/leg_command.h"
 
 namespace sprung {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "estimator/coulomb_friction.h"
+#include "model/friction/coulomb_friction.h"
 
 namespace sprung {
 namespace {

@@ -22,7 +22,7 @@
 #include "controller/position_window.h"
 #include "controller/set_point_blend.h"
 #include "controller/torque_limits.h"
-#include "controller/transmission.h"
+#include "model/transmission.h"
 #include "signals/drive_command.h"
 #include "signals/joint_state.h"
 #include "signals/leg_command.h"

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "controller/fade.h"
-#include "controller/leg_kinematics.h"
-#include "controller/transmission.h"
+#include "model/leg_kinematics.h"
+#include "model/transmission.h"
 
 namespace sprung {
 

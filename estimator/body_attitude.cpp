@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "controller/leg_kinematics.h"
+#include "model/leg_kinematics.h"
 #include "estimator/rotation.h"
 
 namespace sprung {

@@ -1,6 +1,6 @@
 #include "estimator/body_estimator.h"
 
-#include "controller/leg_kinematics.h"
+#include "model/leg_kinematics.h"
 
 namespace sprung {
 

@@ -2,7 +2,7 @@
 /// What the drives of one leg measured, in joint space. Pure: no heap after construction.
 #include <vector>
 
-#include "controller/transmission.h"
+#include "model/transmission.h"
 #include "estimator/joint_estimator.h"
 #include "signals/drive_state.h"
 

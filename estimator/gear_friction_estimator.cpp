@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "estimator/friction/gear_output.h"
+#include "model/friction/gear_output.h"
 
 namespace sprung {
 namespace {

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "estimator/coulomb_friction.h"
+#include "model/friction/coulomb_friction.h"
 #include "estimator/root_sum_square.h"
 #include "estimator/torque_bound.h"
 

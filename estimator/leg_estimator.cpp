@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "estimator/friction/friction_law.h"
+#include "model/friction/friction_law.h"
 #include "estimator/root_sum_square.h"
 
 namespace sprung {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "controller/leg_kinematics.h"
+#include "model/leg_kinematics.h"
 #include "estimator/contact_detector.h"
 #include "estimator/drive_sampler.h"
 #include "estimator/joint_estimator.h"

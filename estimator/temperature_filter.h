@@ -4,8 +4,8 @@
 ///
 /// It is the temperature at which the law of robot.yaml gives the friction that is seen: where friction has changed for another
 /// reason, it follows that.
-#include "estimator/friction/friction_law.h"
-#include "estimator/friction/thermal_state.h"
+#include "model/friction/friction_law.h"
+#include "model/friction/thermal_state.h"
 
 namespace sprung {
 

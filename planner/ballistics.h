@@ -3,7 +3,7 @@
 /// at touchdown. Pure.
 #include <cstdint>
 
-#include "controller/leg_kinematics.h"
+#include "model/leg_kinematics.h"
 
 namespace sprung {
 

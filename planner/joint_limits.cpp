@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "controller/torque_limits.h"
-#include "controller/transmission.h"
+#include "model/transmission.h"
 
 namespace sprung {
 namespace {

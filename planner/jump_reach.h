@@ -3,8 +3,8 @@
 #include <memory>
 #include <vector>
 
-#include "controller/leg_kinematics.h"
-#include "controller/transmission.h"
+#include "model/leg_kinematics.h"
+#include "model/transmission.h"
 #include "planner/jump_curve.h"
 
 namespace sprung {

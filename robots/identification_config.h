@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <string>
 
-#include "estimator/friction/friction_parameters.h"
-#include "estimator/friction/thermal_state.h"
+#include "model/friction/friction_parameters.h"
+#include "model/friction/thermal_state.h"
 
 namespace sprung {
 

@@ -5,10 +5,10 @@
 #include <complex>
 #include <stdexcept>
 
-#include "estimator/coulomb_friction.h"
-#include "estimator/friction/friction_law.h"
-#include "estimator/friction/gear_output.h"
-#include "estimator/friction/presliding_state.h"
+#include "model/friction/coulomb_friction.h"
+#include "model/friction/friction_law.h"
+#include "model/friction/gear_output.h"
+#include "model/friction/presliding_state.h"
 #include "estimator/identification/joint_parameters.h"
 
 namespace sprung::identification {

@@ -4,10 +4,10 @@
 ///   torque = inertia qdd + L + offset + f(qd, L) + sum over h of ripple_h (c_h cos(h R q) + s_h sin(h R q))
 ///   L = gravity_cos cos q + gravity_sin sin q, or load_gain * load where the dataset knows the load
 ///
-/// f is the friction law (estimator/friction/friction_law.h), R q the motor's angle. Where the load is known, inertia is
+/// f is the friction law (model/friction/friction_law.h), R q the motor's angle. Where the load is known, inertia is
 /// what lies on the motor's side of it: the armature; else it is all that turns with the joint, and its share of L is left
 /// out, since no motion tells armature from link. All torques are in the unit of the measured one.
-#include "estimator/friction/friction_law.h"
+#include "model/friction/friction_law.h"
 #include "estimator/identification/fit_model.h"
 #include "estimator/identification/joint_terms.h"
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "estimator/friction/friction_parameters.h"
+#include "model/friction/friction_parameters.h"
 #include "estimator/identification/dataset.h"
 
 namespace sprung::identification {

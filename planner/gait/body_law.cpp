@@ -1,6 +1,6 @@
 #include "planner/gait/body_law.h"
 
-#include "controller/leg_kinematics.h"
+#include "model/leg_kinematics.h"
 
 namespace sprung {
 

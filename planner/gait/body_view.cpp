@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "controller/leg_kinematics.h"
+#include "model/leg_kinematics.h"
 
 namespace sprung {
 namespace {

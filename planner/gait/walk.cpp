@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "controller/leg_kinematics.h"
+#include "model/leg_kinematics.h"
 #include "robots/gait_speed.h"
 
 namespace sprung {

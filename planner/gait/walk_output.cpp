@@ -1,4 +1,4 @@
-#include "controller/leg_kinematics.h"
+#include "model/leg_kinematics.h"
 #include "planner/gait/walk.h"
 
 namespace sprung {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "controller/leg_kinematics.h"
+#include "model/leg_kinematics.h"
 #include "planner/gait/support_triangle.h"
 
 namespace sprung {

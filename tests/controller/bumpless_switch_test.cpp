@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "estimator/coulomb_friction.h"
+#include "model/friction/coulomb_friction.h"
 #include "tests/controller/controller_fixture.h"
 
 namespace sprung {

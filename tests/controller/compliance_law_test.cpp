@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "controller/two_link.h"
+#include "model/two_link.h"
 #include "robots/robot_loader.h"
 
 namespace sprung {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "controller/controller_core.h"
-#include "controller/leg_kinematics.h"
+#include "model/leg_kinematics.h"
 #include "robots/robot_loader.h"
 #include "signals/drive_command.h"
 #include "signals/joint_state.h"

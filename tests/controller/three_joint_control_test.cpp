@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "controller/controller_core.h"
-#include "controller/leg_kinematics.h"
+#include "model/leg_kinematics.h"
 #include "robots/robot_loader.h"
-#include "tests/controller/pegasus_leg.h"
+#include "tests/model/pegasus_leg.h"
 
 namespace sprung {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "controller/three_joint.h"
+#include "model/three_joint.h"
 #include "drivers/sim/plant.h"
 #include "robots/robot_loader.h"
 #include "tests/support/paths.h"

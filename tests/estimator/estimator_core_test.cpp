@@ -6,7 +6,7 @@
 #include <cstring>
 #include <random>
 
-#include "controller/leg_kinematics.h"
+#include "model/leg_kinematics.h"
 #include "robots/robot_loader.h"
 #include "tests/support/allocation_count.h"
 

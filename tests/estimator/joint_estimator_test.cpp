@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "estimator/coulomb_friction.h"
+#include "model/friction/coulomb_friction.h"
 #include "robots/robot_loader.h"
 
 namespace sprung {

@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "controller/leg_kinematics.h"
+#include "model/leg_kinematics.h"
 #include "estimator/rotation.h"
 #include "robots/robot_config.h"
 #include "signals/joint_state.h"

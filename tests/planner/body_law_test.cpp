@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "controller/leg_kinematics.h"
+#include "model/leg_kinematics.h"
 #include "robots/robot_loader.h"
 
 namespace sprung {

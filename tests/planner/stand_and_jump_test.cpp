@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "controller/controller_core.h"
-#include "controller/leg_kinematics.h"
+#include "model/leg_kinematics.h"
 #include "planner/planner_core.h"
 #include "robots/robot_loader.h"
 

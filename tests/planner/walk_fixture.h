@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "controller/leg_kinematics.h"
+#include "model/leg_kinematics.h"
 #include "planner/gait/walk.h"
 #include "robots/robot_loader.h"
 #include "signals/joint_state.h"

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "controller/leg_kinematics.h"
+#include "model/leg_kinematics.h"
 #include "estimator/rotation.h"
 #include "robots/robot_loader.h"
 #include "tools/inprocess/inprocess_robot.h"

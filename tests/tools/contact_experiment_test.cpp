@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "controller/leg_kinematics.h"
+#include "model/leg_kinematics.h"
 #include "robots/robot_loader.h"
 #include "tools/experiments/jump_experiment.h"
 #include "tools/experiments/scripted_run.h"

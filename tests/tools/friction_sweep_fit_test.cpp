@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "drivers/sim/hash_noise.h"
-#include "estimator/friction/friction_law.h"
+#include "model/friction/friction_law.h"
 
 namespace sprung {
 namespace {

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "controller/leg_kinematics.h"
+#include "model/leg_kinematics.h"
 #include "drivers/sim/hash_noise.h"
 #include "tools/experiments/scoring.h"
 

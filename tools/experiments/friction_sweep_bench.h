@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "controller/transmission.h"
+#include "model/transmission.h"
 #include "signals/joint_state.h"
 #include "signals/operator.h"
 #include "signals/simulation.h"

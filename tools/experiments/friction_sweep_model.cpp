@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "estimator/friction/friction_law.h"
+#include "model/friction/friction_law.h"
 
 namespace sprung {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <set>
 
-#include "estimator/friction/friction_law.h"
+#include "model/friction/friction_law.h"
 
 namespace sprung {
 namespace {

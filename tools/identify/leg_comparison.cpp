@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "controller/leg_kinematics.h"
+#include "model/leg_kinematics.h"
 #include "signals/angles.h"
 #include "tools/identify/drive_series.h"
 
