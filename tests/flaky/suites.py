@@ -98,7 +98,7 @@ def _suites_of_program(build, program, entries):
                     name=name,
                     command=(program, f"--gtest_filter={chosen}"),
                     folder=folder,
-                    processes=_starts_processes(build / source),  # as the compiler was called: there
+                    processes=_starts_processes(_of_this_tree(source)),
                     realtime=is_realtime,
                     program=program,
                 )
@@ -128,6 +128,11 @@ def _matches(case, gtest_filter):
     return any(fnmatch.fnmatchcase(case, p) for p in (take or "*").split(":")) and not any(
         fnmatch.fnmatchcase(case, p) for p in leave.split(":") if p
     )
+
+
+def _of_this_tree(source):
+    """@param source as the compiler was called; ccache may have it from another clone."""
+    return TOP / "tests" / source.rpartition("/tests/")[2]
 
 
 def _starts_processes(source, seen=None):

@@ -98,6 +98,14 @@ TEST_F(CanTools, AFaultIsNamedByStatusAndToldByClear) {
   EXPECT_THAT(clear["nodes"][0]["recovery"].get<std::string>(), Not(HasSubstr("fault reset")));
 }
 
+/// BUS_STATE comes once a second of the robot's time.
+TEST_F(CanTools, BusesOfASlowRobotAreHeardToo) {
+  up("lockstep", "--speed 0.3");
+  const auto status = nlohmann::json::parse(sprung("status --json").output);
+  ASSERT_FALSE(status["buses"].empty());
+  EXPECT_EQ(status["buses"][0]["condition"], "active");
+}
+
 TEST_F(CanTools, RealTimeHomeFromLinkStoresWhatItFound) {
   setenv("SPRUNG_STATE_DIR", folder_.c_str(), 1);
   robot_ = load_robot("pegasus");

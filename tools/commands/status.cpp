@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -22,6 +24,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::int64_t kListen_us = 1'200'000;  // PROCESS_STATUS comes twice a second
+constexpr std::int64_t kPatience_us =
+    6'000'000;  // for what comes by message time: once a second, and --speed may be low
 constexpr std::int64_t kLook_us = 50'000;
 
 /// The newest of its kind, and when it came in.
@@ -39,7 +43,7 @@ struct Newest {
   double age_s(std::int64_t now_us) const { return 1e-6 * static_cast<double>(now_us - heard_us); }
 };
 
-/// What could be heard of a running robot in about a second.
+/// What could be heard of a running robot in about a second; in some, where its clock is slow.
 struct Heard {
   std::map<std::string, sprung_msgs::process_status_t> processes;
   Newest<sprung_msgs::motion_state_t> motion;
@@ -48,6 +52,27 @@ struct Heard {
   Newest<sprung_msgs::bus_state_t> buses;
   std::int64_t end_us = 0;
 };
+
+/// As in /proc/PID/stat; X where there is no such process.
+char run_state(std::int64_t pid) {
+  char state = 'X';
+  if (FILE* file = std::fopen(("/proc/" + std::to_string(pid) + "/stat").c_str(), "r")) {
+    if (std::fscanf(file, "%*d %*[^)]) %c", &state) != 1) state = 'X';
+    std::fclose(file);
+  }
+  return state;
+}
+
+bool runs(const RunInfo& info, const char* program) {
+  return std::any_of(info.processes.begin(), info.processes.end(), [program](const RunningProcess& process) {
+    return process.program == program && std::strchr("XZTt", run_state(process.pid)) == nullptr;
+  });
+}
+
+/// Whether more would be heard of the bridge by waiting.
+bool bridge_is_awaited(const RunInfo& info, const Heard& heard) {
+  return (!heard.safety.message || !heard.buses.message) && runs(info, "sprung-can-bridge");
+}
 
 Heard listen(const RunInfo& info, const RobotConfig& robot) {
   InputQueue<sprung_msgs::process_status_t> processes(256);
@@ -65,10 +90,15 @@ Heard listen(const RunInfo& info, const RobotConfig& robot) {
   const std::size_t nodes = robot.actuators.size() + robot.encoder_cards.size();
   node.subscribe_message(channels::kBusState, CountLimits::exactly(robot.buses.size(), nodes), buses);
   node.start();
-  const std::int64_t end_us = node.utime_us() + kListen_us;
-  while (node.utime_us() < end_us && !stop_requested()) {
-    node.wait_for_input(std::min(end_us, node.utime_us() + kLook_us));
-    const std::int64_t now_us = node.utime_us();
+  const std::int64_t begin_us = node.utime_us();
+  std::int64_t now_us = begin_us;
+  const auto goes_on = [&] {
+    return now_us < begin_us + kListen_us ||
+           (now_us < begin_us + kPatience_us && bridge_is_awaited(info, heard));
+  };
+  while (!stop_requested() && goes_on()) {
+    node.wait_for_input(now_us + kLook_us);
+    now_us = node.utime_us();
     while (auto status = processes.pop()) heard.processes[status->process] = *status;
     heard.motion.take(motions, now_us);
     heard.joints.take(joint_states, now_us);
@@ -81,14 +111,7 @@ Heard listen(const RunInfo& info, const RobotConfig& robot) {
 
 /// "dead" when the launcher's child is gone, "stopped" when somebody halted it, "silent" when it says nothing.
 std::string state_of(const RunningProcess& process, const Heard& heard) {
-  const std::string stat = "/proc/" + std::to_string(process.pid) + "/stat";
-  char state = 'X';
-  if (FILE* file = std::fopen(stat.c_str(), "r")) {
-    if (std::fscanf(file, "%*d %*[^)]) %c", &state) != 1) {
-      state = 'X';
-    }
-    std::fclose(file);
-  }
+  const char state = run_state(process.pid);
   if (state == 'X' || state == 'Z') {
     return "dead";
   }
