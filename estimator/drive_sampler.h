@@ -2,8 +2,8 @@
 /// What the drives of one leg measured, in joint space. Pure: no heap after construction.
 #include <vector>
 
-#include "model/transmission.h"
 #include "estimator/joint_estimator.h"
+#include "model/transmission.h"
 #include "signals/drive_state.h"
 
 namespace sprung {

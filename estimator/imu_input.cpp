@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "model/leg_kinematics.h"
 #include "estimator/rotation.h"
+#include "model/leg_kinematics.h"
 
 namespace sprung {
 namespace {

@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "model/friction/coulomb_friction.h"
 #include "estimator/root_sum_square.h"
 #include "estimator/torque_bound.h"
+#include "model/friction/coulomb_friction.h"
 
 namespace sprung {
 namespace {

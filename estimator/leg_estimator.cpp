@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "model/friction/friction_law.h"
 #include "estimator/root_sum_square.h"
+#include "model/friction/friction_law.h"
 
 namespace sprung {
 namespace {

@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
-#include "model/leg_kinematics.h"
 #include "estimator/contact_detector.h"
 #include "estimator/drive_sampler.h"
 #include "estimator/joint_estimator.h"
+#include "model/leg_kinematics.h"
 #include "signals/drive_state.h"
 #include "signals/joint_state.h"
 

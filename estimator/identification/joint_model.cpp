@@ -5,11 +5,11 @@
 #include <complex>
 #include <stdexcept>
 
+#include "estimator/identification/joint_parameters.h"
 #include "model/friction/coulomb_friction.h"
 #include "model/friction/friction_law.h"
 #include "model/friction/gear_output.h"
 #include "model/friction/presliding_state.h"
-#include "estimator/identification/joint_parameters.h"
 
 namespace sprung::identification {
 namespace {

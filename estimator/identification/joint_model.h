@@ -7,9 +7,9 @@
 /// f is the friction law (model/friction/friction_law.h), R q the motor's angle. Where the load is known, inertia is
 /// what lies on the motor's side of it: the armature; else it is all that turns with the joint, and its share of L is left
 /// out, since no motion tells armature from link. All torques are in the unit of the measured one.
-#include "model/friction/friction_law.h"
 #include "estimator/identification/fit_model.h"
 #include "estimator/identification/joint_terms.h"
+#include "model/friction/friction_law.h"
 
 namespace sprung::identification {
 

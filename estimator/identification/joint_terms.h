@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "model/friction/friction_parameters.h"
 #include "estimator/identification/dataset.h"
+#include "model/friction/friction_parameters.h"
 
 namespace sprung::identification {
 

@@ -19,9 +19,9 @@ namespace fs = std::filesystem;
 
 /// Folders whose files are cores, and the files in them that are shells.
 const std::vector<std::string> kCoreFolders = {
-    "signals",        "estimator",        "controller",     "planner",      "drivers/canopen",
-    "drivers/cia402", "drivers/profiles", "drivers/bridge", "drivers/sim",  "tools/inprocess",
-    "tools/canopen",  "tools/report",     "tools/doctor",   "tools/fields", "tools/spy"};
+    "signals",         "model",          "estimator",        "controller",     "planner",
+    "drivers/canopen", "drivers/cia402", "drivers/profiles", "drivers/bridge", "simulation",
+    "tools/canopen",   "tools/report",   "tools/doctor",     "tools/fields",   "tools/spy"};
 const std::regex kShell(R"((_main|_shell|_lockstep|_realtime)\.(h|cpp)$)");
 const std::regex kMessages(R"(signals/messages|signals/message_fields)");
 
@@ -77,7 +77,7 @@ TEST(Layering, OnlyTheConversionsKnowMessages) {
 }
 
 TEST(Layering, OnlySimulationReadsThePlant) {
-  const std::regex plant(R"(sim\.yaml|model\.xml|drivers/sim/)");
+  const std::regex plant(R"(sim\.yaml|model\.xml|simulation/)");
   std::string found;
   for (const char* folder :
        {"estimator", "controller", "planner", "drivers/bridge", "drivers/profiles", "runtime", "robots"}) {

@@ -25,7 +25,7 @@ expect_in() { # registry, line
 }
 for kind in gold acme; do
   expect_in "$work/build/drivers/profiles/profile_registry.cpp" "&profiles::${kind}_profile_kind"
-  expect_in "$work/build/drivers/sim/device_kinds.cpp" "&profiles::${kind}_device_kind"
+  expect_in "$work/build/simulation/device_kinds.cpp" "&profiles::${kind}_device_kind"
 done
 after=$(cd "$tree" && find . -path ./drivers/profiles/acme -prune -o -type f -print0 | sort -z | xargs -0 sha256sum)
 [[ $before == "$after" ]] || { echo "files outside of the new folder changed"; exit 1; }

@@ -5,8 +5,8 @@
 #include <random>
 #include <vector>
 
-#include "model/leg_kinematics.h"
 #include "estimator/rotation.h"
+#include "model/leg_kinematics.h"
 #include "robots/robot_config.h"
 #include "signals/joint_state.h"
 #include "signals/sensors.h"

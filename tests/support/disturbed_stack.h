@@ -8,7 +8,6 @@
 
 #include "controller/controller_core.h"
 #include "drivers/bridge/bridge_core.h"
-#include "drivers/sim/sim_core.h"
 #include "estimator/estimator_core.h"
 #include "planner/planner_core.h"
 #include "signals/drive_command.h"
@@ -17,6 +16,7 @@
 #include "signals/leg_command.h"
 #include "signals/motion_state.h"
 #include "signals/operator.h"
+#include "simulation/sim_core.h"
 
 namespace sprung::test {
 

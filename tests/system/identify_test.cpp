@@ -8,7 +8,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "drivers/sim/sim_config.h"
+#include "simulation/plant/sim_config.h"
 #include "tests/support/paths.h"
 #include "tests/system/system_fixture.h"
 

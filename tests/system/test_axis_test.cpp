@@ -9,9 +9,9 @@
 
 #include "lcmtypes/channels.h"
 #include "signals/messages.h"
+#include "simulation/in_process/inprocess_robot.h"
 #include "tests/support/paths.h"
 #include "tests/system/system_fixture.h"
-#include "tools/inprocess/inprocess_robot.h"
 
 namespace sprung {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "drivers/sim/hash_noise.h"
 #include "model/friction/friction_law.h"
+#include "simulation/hash_noise.h"
 
 namespace sprung {
 namespace {

@@ -6,8 +6,8 @@
 #include <random>
 #include <string>
 
-#include "drivers/sim/sim_config.h"
 #include "robots/robot_loader.h"
+#include "simulation/plant/sim_config.h"
 #include "tools/identify/identify_recording.h"
 #include "tools/identify/record_in_process.h"
 

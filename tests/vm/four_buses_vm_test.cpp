@@ -14,8 +14,8 @@
 
 #include "drivers/bridge/bridge_core.h"
 #include "drivers/can/socketcan_bus.h"
-#include "drivers/sim/sim_core.h"
 #include "robots/robot_loader.h"
+#include "simulation/sim_core.h"
 #include "tests/support/paths.h"
 
 namespace sprung {

@@ -6,7 +6,7 @@
 #include "drivers/bridge/bridge_core.h"
 #include "drivers/can/kernel_frame.h"
 #include "drivers/can/udp_datagram.h"
-#include "drivers/sim/sim_core.h"
+#include "simulation/sim_core.h"
 #include "tools/bench/stopwatch.h"
 
 namespace sprung {

@@ -9,12 +9,12 @@
 
 #include "controller/controller_core.h"
 #include "drivers/bridge/bridge_core.h"
-#include "drivers/sim/plant_model.h"
-#include "drivers/sim/sim_config.h"
-#include "drivers/sim/sim_core.h"
 #include "estimator/estimator_core.h"
 #include "planner/gait/force_distribution.h"
 #include "planner/planner_core.h"
+#include "simulation/plant/plant_model.h"
+#include "simulation/plant/sim_config.h"
+#include "simulation/sim_core.h"
 #include "tools/bench/stopwatch.h"
 
 namespace sprung {

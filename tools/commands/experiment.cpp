@@ -2,9 +2,9 @@
 #include <memory>
 #include <mutex>
 
-#include "drivers/sim/sim_shell.h"
 #include "robots/robot_loader.h"
 #include "runtime/log.h"
+#include "simulation/sim_shell.h"
 #include "tools/commands/commands.h"
 #include "tools/commands/experiment_all.h"
 #include "tools/commands/experiment_drop.h"

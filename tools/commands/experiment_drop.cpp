@@ -7,9 +7,9 @@
 #include <memory>
 #include <stdexcept>
 
-#include "drivers/sim/sim_shell.h"
 #include "robots/robot_loader.h"
 #include "runtime/log.h"
+#include "simulation/sim_shell.h"
 #include "tools/commands/experiment_rows.h"
 #include "tools/experiments/drop_ablation.h"
 #include "tools/experiments/drop_report.h"

@@ -7,9 +7,9 @@
 #include <functional>
 #include <memory>
 
-#include "drivers/sim/sim_shell.h"
 #include "robots/robot_loader.h"
 #include "runtime/log.h"
+#include "simulation/sim_shell.h"
 #include "tools/experiments/drag_report.h"
 #include "tools/experiments/friction_sweep_report.h"
 #include "tools/experiments/progress_bar.h"

@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <memory>
 
-#include "drivers/sim/sim_shell.h"
 #include "robots/robot_loader.h"
 #include "runtime/log.h"
+#include "simulation/sim_shell.h"
 #include "tools/commands/experiment_rows.h"
 #include "tools/commands/jump_mode.h"
 #include "tools/experiments/jump_ensemble.h"

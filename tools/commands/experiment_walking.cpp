@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "drivers/sim/sim_shell.h"
 #include "robots/robot_loader.h"
 #include "runtime/log.h"
+#include "simulation/sim_shell.h"
 #include "tools/commands/experiment_rows.h"
 #include "tools/experiments/progress_bar.h"
 #include "tools/experiments/walking_experiments.h"

@@ -4,10 +4,10 @@
 #include <ctime>
 #include <filesystem>
 
-#include "drivers/sim/sim_shell.h"
 #include "lcmtypes/channels.h"
 #include "robots/robot_loader.h"
 #include "runtime/log.h"
+#include "simulation/sim_shell.h"
 #include "tools/client/angle_text.h"
 #include "tools/commands/answers.h"
 #include "tools/identify/record_in_process.h"

@@ -5,11 +5,11 @@
 #include <stdexcept>
 #include <utility>
 
+#include "simulation/in_process/inprocess_robot.h"
 #include "tools/experiments/jump_experiment.h"
 #include "tools/experiments/legged_trial.h"
 #include "tools/experiments/scripted_run.h"
 #include "tools/experiments/stepping_leg.h"
-#include "tools/inprocess/inprocess_robot.h"
 
 namespace sprung {
 

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "drivers/sim/sim_core.h"
 #include "robots/robot_config.h"
 #include "signals/joint_state.h"
 #include "signals/simulation.h"
+#include "simulation/sim_core.h"
 #include "tools/experiments/contact_scorer.h"
 #include "tools/experiments/experiment_report.h"
 

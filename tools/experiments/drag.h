@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "drivers/sim/sim_core.h"
 #include "robots/robot_config.h"
+#include "simulation/sim_core.h"
 #include "tools/experiments/drag_score.h"
 #include "tools/experiments/drag_script.h"
 #include "tools/experiments/experiment_report.h"

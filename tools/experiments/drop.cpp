@@ -6,7 +6,7 @@
 #include <string>
 
 #include "model/leg_kinematics.h"
-#include "drivers/sim/hash_noise.h"
+#include "simulation/hash_noise.h"
 #include "tools/experiments/scoring.h"
 
 namespace sprung {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "drivers/sim/sim_core.h"
 #include "robots/robot_config.h"
 #include "signals/operator.h"
+#include "simulation/sim_core.h"
 
 namespace sprung {
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "drivers/sim/sim_core.h"
 #include "robots/robot_config.h"
+#include "simulation/sim_core.h"
 #include "tools/experiments/estimator_score.h"
 
 namespace sprung {

@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "simulation/in_process/inprocess_robot.h"
 #include "tools/experiments/fault_counters.h"
 #include "tools/experiments/scripted_run.h"
-#include "tools/inprocess/inprocess_robot.h"
 
 namespace sprung {
 namespace {

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "drivers/sim/sim_core.h"
 #include "robots/robot_config.h"
 #include "signals/vec3.h"
+#include "simulation/sim_core.h"
 #include "tools/experiments/experiment_report.h"
 #include "tools/experiments/fault_cases.h"
 

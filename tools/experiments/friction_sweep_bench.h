@@ -9,7 +9,7 @@
 #include "signals/operator.h"
 #include "signals/simulation.h"
 #include "signals/vec3.h"
-#include "tools/inprocess/inprocess_robot.h"
+#include "simulation/in_process/inprocess_robot.h"
 
 namespace sprung {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "drivers/sim/hash_noise.h"
+#include "simulation/hash_noise.h"
 #include "tools/experiments/walking_robot.h"
 
 namespace sprung {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "drivers/sim/sim_core.h"
+#include "simulation/sim_core.h"
 #include "tools/experiments/experiment_report.h"
 #include "tools/experiments/parallel.h"
 #include "tools/experiments/step_score.h"

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "drivers/sim/sim_core.h"
 #include "robots/robot_config.h"
+#include "simulation/sim_core.h"
 #include "tools/experiments/experiment_report.h"
 #include "tools/experiments/jump_rows.h"
 #include "tools/experiments/jump_trace.h"

@@ -6,7 +6,7 @@
 
 #include "robots/robot_config.h"
 #include "signals/operator.h"
-#include "tools/inprocess/inprocess_robot.h"
+#include "simulation/in_process/inprocess_robot.h"
 
 namespace sprung {
 

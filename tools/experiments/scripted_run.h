@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "drivers/sim/sim_core.h"
 #include "robots/robot_config.h"
 #include "signals/operator.h"
 #include "signals/simulation.h"
+#include "simulation/in_process/inprocess_robot.h"
+#include "simulation/sim_core.h"
 #include "tools/client/cycle_record.h"
-#include "tools/inprocess/inprocess_robot.h"
 
 namespace sprung {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drivers/sim/hash_noise.h"
+#include "simulation/hash_noise.h"
 
 namespace sprung {
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "drivers/sim/sim_core.h"
+#include "simulation/sim_core.h"
 
 namespace sprung {
 

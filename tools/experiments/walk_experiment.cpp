@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "drivers/sim/sim_config.h"
+#include "simulation/plant/sim_config.h"
 #include "tools/experiments/walking_robot.h"
 
 namespace sprung {

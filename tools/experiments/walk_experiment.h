@@ -3,8 +3,8 @@
 /// the gaits go.
 #include <vector>
 
-#include "drivers/sim/sim_core.h"
 #include "signals/vec3.h"
+#include "simulation/sim_core.h"
 #include "tools/experiments/experiment_report.h"
 #include "tools/experiments/parallel.h"
 #include "tools/experiments/step_score.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "tools/inprocess/inprocess_robot.h"
+#include "simulation/in_process/inprocess_robot.h"
 
 namespace sprung::identify {
 namespace {

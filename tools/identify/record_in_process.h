@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "drivers/sim/sim_core.h"
 #include "signals/drive_state.h"
+#include "simulation/sim_core.h"
 #include "tools/client/cycle_record.h"
 #include "tools/identify/record_protocol.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "signals/operator.h"
-#include "tools/inprocess/inprocess_robot.h"
+#include "simulation/in_process/inprocess_robot.h"
 #include "tools/recorder/recording.h"
 
 namespace sprung {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drivers/sim/device_registry.h"
-#include "drivers/sim/hash_noise.h"
 #include "signals/angles.h"
+#include "simulation/device_registry.h"
+#include "simulation/hash_noise.h"
 #include "sprung_embedded/encoder_card_eds_text.h"
 
 namespace sprung::encoder_card {

@@ -5,8 +5,8 @@
 #include <cstdint>
 
 #include "drivers/profiles/encoder_card/encoder_card_layout.h"
-#include "drivers/sim/canopen_device.h"
-#include "drivers/sim/sim_device.h"
+#include "simulation/node/canopen_device.h"
+#include "simulation/node/sim_device.h"
 
 namespace sprung::encoder_card {
 

@@ -7,8 +7,8 @@
 #include "drivers/canopen/objects.h"
 #include "drivers/cia402/words.h"
 #include "drivers/profiles/epos2/epos2_units.h"
-#include "drivers/sim/device_registry.h"
 #include "signals/angles.h"
+#include "simulation/device_registry.h"
 #include "sprung_embedded/epos2_eds_text.h"
 
 namespace sprung::sim {

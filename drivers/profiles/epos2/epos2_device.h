@@ -5,7 +5,7 @@
 /// Not simulated: modes 1, 3, 6, 7, -2, -4..-6. An EPOS2 takes them; here 0x6061 keeps showing the mode
 /// before, so that nobody mistakes them for working. Neither are software limits (0x607D), Hall sensors,
 /// analog and digital inputs, auxiliary encoder.
-#include "drivers/sim/cia402_drive.h"
+#include "simulation/node/cia402_drive.h"
 
 namespace sprung::sim {
 

@@ -7,8 +7,8 @@
 #include "drivers/cia402/words.h"
 #include "drivers/profiles/gold/gold_device_objects.h"
 #include "drivers/profiles/gold/gold_units.h"
-#include "drivers/sim/device_registry.h"
 #include "signals/angles.h"
+#include "simulation/device_registry.h"
 
 namespace sprung::sim {
 namespace {

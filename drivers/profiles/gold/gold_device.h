@@ -1,7 +1,7 @@
 #pragma once
 /// One simulated Elmo Gold drive with its motor: torque (CST) and position (CSP) modes, in per mille of the
 /// ratings (facts canopen 3).
-#include "drivers/sim/cia402_drive.h"
+#include "simulation/node/cia402_drive.h"
 
 namespace sprung::sim {
 

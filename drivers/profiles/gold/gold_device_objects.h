@@ -2,7 +2,7 @@
 /// Object dictionary of a simulated Elmo Gold drive: gold.eds, and what a real drive has from its commissioning.
 #include <cstdint>
 
-#include "drivers/sim/object_dictionary.h"
+#include "simulation/node/object_dictionary.h"
 
 namespace sprung::sim {
 

@@ -1,0 +1,24 @@
+#include "simulation/bus_schedule.h"
+
+#include <algorithm>
+
+namespace sprung::sim {
+namespace {
+
+constexpr std::int64_t kSync_us = 55;  ///< SYNC has no data
+
+}  // namespace
+
+void BusSchedule::start_burst(std::int64_t last_sync_us) noexcept {
+  for (std::size_t bus = 0; bus < free_us_.size(); ++bus) {
+    free_us_[bus] = last_sync_us + kSync_us + answers_us_[bus] + compute_us_;
+  }
+}
+
+std::int64_t BusSchedule::acts_us(const BusFrame& frame, std::int64_t sync_us) noexcept {
+  std::int64_t& free_us = free_us_[static_cast<std::size_t>(frame.bus)];
+  free_us += frame_us(frame.frame);
+  return std::min(free_us, sync_us);
+}
+
+}  // namespace sprung::sim

@@ -1,0 +1,107 @@
+#pragma once
+/// The whole robot in one process: the same cores as the separate processes, called in the same order on the
+/// same frames, so that a run here and a lock-step run of separate processes agree bit for bit (design
+/// section 4). For experiments, sweeps and tests.
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "controller/controller_core.h"
+#include "drivers/bridge/bridge_core.h"
+#include "estimator/estimator_core.h"
+#include "planner/planner_core.h"
+#include "robots/robot_config.h"
+#include "signals/drive_command.h"
+#include "signals/drive_state.h"
+#include "signals/joint_state.h"
+#include "signals/leg_command.h"
+#include "signals/motion_state.h"
+#include "signals/operator.h"
+#include "signals/sensors.h"
+#include "signals/simulation.h"
+#include "simulation/sim_core.h"
+
+namespace sprung {
+
+/// LEG_COMMAND(k) from JOINT_STATE(k).
+using LegCommandSource = std::function<void(const JointState&, LegCommand&)>;
+
+class InProcessRobot;
+
+/// Sees what goes into a robot in this process and what comes out, e.g. to write it to a log.
+class InProcessObserver {
+ public:
+  virtual ~InProcessObserver() = default;
+  virtual void on_command(
+      const OperatorCommand& command) = 0;                 ///< before the cycle in which it can take effect
+  virtual void on_cycle(const InProcessRobot& robot) = 0;  ///< after each
+  virtual void on_reply(const OperatorReply& reply) = 0;   ///< when the robot's user takes it
+};
+
+class InProcessRobot {
+ public:
+  /// Gives an observer to a robot that is being made; nullptr: none. Called in the thread that makes it.
+  using ObserverSource = std::function<std::unique_ptr<InProcessObserver>(
+      const RobotConfig& robot, const std::string& preset, const SimOptions& sim)>;
+  /// For every robot made from now on. Call it before there are threads.
+  static void observe_all_by(ObserverSource source);
+
+  /// @throws ConfigError, std::invalid_argument as the cores do.
+  InProcessRobot(const RobotConfig& robot, const std::string& preset, const SimOptions& sim);
+
+  /// One SYNC and all that follows from it. @return true when it was a cycle, false while the drives boot.
+  bool tick();
+  /// Ticks until cycle 0 has run. @throws std::runtime_error with the bridge's boot detail after `limit_s` of
+  /// message time.
+  void boot(double limit_s = 5.0);
+
+  /// From now on these commands instead of the planner's, which is stepped no more: for experiments with
+  /// motions that no planner makes. @param source does not throw.
+  void command_legs_by(LegCommandSource source) { leg_source_ = std::move(source); }
+
+  /// To planner or bridge, by kind. Takes effect at command.apply_at_seq or in the next cycle.
+  void submit(const OperatorCommand& command);
+  /// Replies in order; false when there is none left.
+  bool next_reply(OperatorReply& out);
+
+  std::int64_t cycle() const { return drive_state_.stamp.seq; }
+  const DriveState& drive_state() const { return drive_state_; }
+  const JointState& joint_state() const { return joint_state_; }
+  const LegCommand& leg_command() const { return leg_command_; }
+  const MotionState& motion_state() const { return motion_state_; }
+  const DriveCommand& drive_command() const { return drive_command_; }
+  const Imu& imu() const { return sim_.imu(); }  ///< seq -1: none
+  /// Whether the planner makes the leg commands.
+  bool planned() const { return !leg_source_; }
+  const SimTruth& truth() const { return sim_.truth(); }
+  const BridgeCore& bridge() const { return bridge_; }
+  SimCore& sim() { return sim_; }
+
+ private:
+  void exchange_frames();
+  void run_cores();
+  bool take_reply(OperatorReply& out);
+
+  const std::int64_t cycle_us_;
+  std::int64_t time_us_ = 0;
+  BridgeCore bridge_;
+  SimCore sim_;
+  EstimatorCore estimator_;
+  PlannerCore planner_;
+  ControllerCore controller_;
+  LegCommandSource leg_source_;  ///< nothing: the planner
+  DriveState drive_state_;
+  JointState joint_state_;
+  LegCommand leg_command_;  ///< of the last cycle when the controller reads it
+  MotionState motion_state_;
+  DriveCommand drive_command_;
+  FrameBatch to_drives_;
+  FrameBatch from_drives_;
+  OperatorReply bridge_reply_;
+  bool has_bridge_reply_ = false;
+  std::unique_ptr<InProcessObserver> observer_;  ///< nullptr: none
+};
+
+}  // namespace sprung

@@ -1,0 +1,107 @@
+#include "simulation/plant/ground.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "simulation/hash_noise.h"
+
+namespace sprung::sim {
+namespace {
+
+constexpr double kEdge_m = 0.02;        // [design choice] width of a step's ramp
+constexpr double kClearance_m = 0.005;  // above the highest stone, before the next is drawn
+
+/// How far inside [from, from + length] x is, from 0 at the edge to 1 behind its ramp, and how that grows with x.
+struct Share {
+  double value = 1.0;
+  double slope_1_m = 0.0;
+};
+
+Share ramp(double inside_m, double direction) noexcept {
+  if (inside_m <= 0.0) return {0.0, 0.0};
+  if (inside_m >= kEdge_m) return {1.0, 0.0};
+  return {inside_m / kEdge_m, direction / kEdge_m};
+}
+
+Share within(double x_m, double from_m, double length_m) noexcept {
+  const double begun_m = x_m - from_m;
+  const double left_m = from_m + length_m - x_m;
+  return length_m <= 0.0 || begun_m < left_m ? ramp(begun_m, 1.0) : ramp(left_m, -1.0);
+}
+
+Vec3 upward(double gradient_x, double gradient_y) noexcept {
+  const double length = std::sqrt(1.0 + gradient_x * gradient_x + gradient_y * gradient_y);
+  return {-gradient_x / length, -gradient_y / length, 1.0 / length};
+}
+
+/// Uniform in -1 .. 1.
+double draw(std::uint64_t seed, std::uint64_t leg, std::int64_t stone) noexcept {
+  const std::uint64_t bits = mix_bits(mix_bits(mix_bits(seed) ^ leg) ^ static_cast<std::uint64_t>(stone));
+  return 2.0 * static_cast<double>(bits >> 11) / 9007199254740992.0 - 1.0;  // 2^53
+}
+
+}  // namespace
+
+Ground::Ground(const GroundConfig& config, double height_m, std::size_t legs)
+    : config_(config), reset_height_m_(height_m), height_m_(height_m), footholds_(legs) {
+  reset();
+}
+
+void Ground::reset() noexcept {
+  std::fill(footholds_.begin(), footholds_.end(), Foothold{});
+  set_height(-1, reset_height_m_);
+}
+
+void Ground::set_height(int leg, double height_m) noexcept {
+  if (leg < 0) {
+    height_m_ = height_m;
+    for (Foothold& foothold : footholds_) foothold.height_m = height_m;
+  } else if (leg < static_cast<int>(footholds_.size())) {
+    footholds_[static_cast<std::size_t>(leg)].height_m = height_m;
+  }
+}
+
+bool Ground::uneven() const noexcept {
+  return config_.slope_rad != 0.0 || config_.side_slope_rad != 0.0 || config_.error_m > 0.0 ||
+         !config_.steps.empty();
+}
+
+double Ground::Place::distance_m(const Vec3& point) const noexcept {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) sum += normal[i] * (point[i] - point_m[i]);
+  return sum;
+}
+
+void Ground::notice(std::size_t leg, const Vec3& foot_in_world_m) noexcept {
+  if (config_.error_m <= 0.0) return;
+  Foothold& foothold = footholds_[leg];
+  const Place floor = raised(foothold.height_m, foot_in_world_m[0], foot_in_world_m[1]);
+  const bool left = foot_in_world_m[2] > floor.point_m[2] + config_.error_m + kClearance_m;
+  if (left && !foothold.left)
+    foothold.error_m = config_.error_m * draw(config_.error_seed, leg, ++foothold.stones);
+  foothold.left = left;
+}
+
+Ground::Place Ground::raised(double height_m, double x_m, double y_m) const noexcept {
+  double gradient_x = std::tan(config_.slope_rad);
+  double gradient_y = std::tan(config_.side_slope_rad);
+  double height = height_m + gradient_x * x_m + gradient_y * y_m;
+  for (const GroundStep& step : config_.steps) {
+    const Share x = within(x_m, step.from_m, step.length_m);
+    const Share y = step.width_m > 0.0 ? within(y_m, step.right_m, step.width_m) : Share{};
+    height += step.height_m * x.value * y.value;
+    gradient_x += step.height_m * x.slope_1_m * y.value;
+    gradient_y += step.height_m * x.value * y.slope_1_m;
+  }
+  return {{x_m, y_m, height}, upward(gradient_x, gradient_y)};
+}
+
+Ground::Place Ground::under(std::size_t leg, double x_m, double y_m) const noexcept {
+  return raised(footholds_[leg].height_m + footholds_[leg].error_m, x_m, y_m);
+}
+
+Ground::Place Ground::below_trunk() const noexcept {
+  return {{0, 0, height_m_}, upward(std::tan(config_.slope_rad), std::tan(config_.side_slope_rad))};
+}
+
+}  // namespace sprung::sim

@@ -1,0 +1,205 @@
+#include "simulation/plant/sim_config.h"
+
+#include <algorithm>
+
+#include "robots/robot_loader.h"
+#include "robots/yaml_reader.h"
+
+namespace sprung::sim {
+namespace {
+
+/// Whether an optional key says `yes`, where it may say `no`.
+bool chosen(const YamlMap& map, const std::string& key, const std::string& yes, const std::string& no,
+            bool otherwise) {
+  if (!map.has(key)) return otherwise;
+  const std::string found = map.text(key);
+  if (found != yes && found != no) map.fail(key, "found '" + found + "', expected " + yes + " or " + no);
+  return found == yes;
+}
+
+KinematicErrorConfig read_kinematic_error(const YamlMap& map) {
+  KinematicErrorConfig error;
+  error.amplitude_rad = map.quantity("amplitude", "rad", 0, 0.1);
+  error.order = map.quantity_or("order", "", 0, 1000, error.order);
+  error.phase_rad = map.quantity_or("phase", "rad", -10, 10, 0.0);
+  map.finish();
+  return error;
+}
+
+void read_optional(const YamlMap& map, SimDriveConfig& drive) {
+  drive.supply_min_V = map.quantity_or("supply_min", "V", 0, drive.supply_V, drive.supply_min_V);
+  drive.supply_max_V = map.quantity_or("supply_max", "V", drive.supply_V, 1000, drive.supply_max_V);
+  drive.absolute_encoder = chosen(map, "encoder", "absolute", "incremental", drive.absolute_encoder);
+  drive.index_angle_rad = map.quantity_or("index_angle", "rad", -10, 10, drive.index_angle_rad);
+  drive.smoothing_s = map.quantity_or("position_smoothing", "s", 0, 1, drive.smoothing_s);
+  drive.mode_delay_s = map.quantity_or("mode_delay", "s", 0, 1, drive.mode_delay_s);
+  if (map.has("starts_in_fault")) drive.starts_in_fault = map.flag("starts_in_fault");
+  if (map.has("communication_faults"))
+    drive.latches_communication_faults = chosen(map, "communication_faults", "latched", "passing", false);
+  if (map.has("kinematic_error")) drive.kinematic_error = read_kinematic_error(map.map("kinematic_error"));
+}
+
+SimDriveConfig read_drive(const YamlMap& map) {
+  SimDriveConfig drive;
+  drive.actuator = map.text("actuator");
+  drive.torque_constant_Nm_A = map.quantity("torque_constant", "Nm/A", 1e-4, 100);
+  drive.torque_loop_Hz = map.quantity("torque_loop", "Hz", 1, 10000);
+  drive.peak_torque_Nm = map.quantity("peak_torque", "Nm", 0.001, 10000);
+  drive.torque_noise_Nm = map.quantity("torque_noise", "Nm", 0, 100);
+  drive.supply_V = map.quantity("supply", "V", 0, 1000);
+  drive.quick_stop_damping_Nm_s_rad = map.quantity("quick_stop_damping", "Nm s/rad", 0, 1000);
+  read_optional(map, drive);
+  map.finish();
+  return drive;
+}
+
+SimCardConfig read_card(const YamlMap& map) {
+  SimCardConfig card;
+  card.name = map.text("card");
+  card.noise_rad = map.quantity_or("noise", "rad", 0, 1, 0.0);
+  map.finish();
+  return card;
+}
+
+ContactConfig read_contact(const YamlMap& map) {
+  ContactConfig contact;
+  contact.stiffness_N_m = map.quantity("stiffness", "N/m", 1, 1e7);
+  contact.damping_N_s_m = map.quantity("damping", "N s/m", 0, 1e6);
+  contact.friction = map.quantity("friction", "", 0, 10);
+  map.finish();
+  return contact;
+}
+
+GroundStep read_step(const YamlMap& map) {
+  GroundStep step;
+  step.from_m = map.quantity("from", "m", -1000, 1000);
+  step.length_m = map.quantity_or("length", "m", 0, 1000, 0.0);
+  step.right_m = map.quantity_or("right", "m", -1000, 1000, 0.0);
+  step.width_m = map.quantity_or("width", "m", 0, 1000, 0.0);
+  step.height_m = map.quantity("height", "m", -1, 1);
+  map.finish();
+  return step;
+}
+
+GroundConfig read_ground(const YamlMap& map) {
+  GroundConfig ground;
+  ground.slope_rad = map.quantity_or("slope", "rad", -1, 1, 0.0);
+  ground.side_slope_rad = map.quantity_or("side_slope", "rad", -1, 1, 0.0);
+  ground.error_m = map.quantity_or("error", "m", 0, 1, 0.0);
+  if (map.has("steps")) {
+    for (const YamlMap& step : map.list("steps")) ground.steps.push_back(read_step(step));
+  }
+  map.finish();
+  return ground;
+}
+
+PlantConfig read_plant(const YamlMap& map) {
+  PlantConfig plant;
+  plant.step_s = map.quantity("step", "s", 50e-6, 1e-3);
+  plant.rail_x_locked = chosen(map, "rail_x", "locked", "free", false);
+  plant.torsion = chosen(map, "gears", "elastic", "rigid", true);
+  plant.suspended_m = map.quantity_or("suspended", "m", 0.01, 10, 0.0);
+  plant.lies = chosen(map, "starts", "lying", "standing", false);
+  plant.floor_height_m = map.quantity("floor_height", "m", -10, 10);
+  if (map.has("ground")) plant.ground = read_ground(map.map("ground"));
+  plant.ambient_degC = map.quantity_or("ambient", "degC", -50, 150, plant.ambient_degC);
+  for (const YamlMap& body : map.list("bodies")) {
+    plant.bodies.push_back({body.text("name"), body.quantity("mass", "kg", 1e-4, 1000)});
+    body.finish();
+  }
+  for (const YamlMap& joint : map.list("joints")) plant.joints.push_back(read_plant_joint(joint));
+  plant.contact = read_contact(map.map("contact"));
+  map.finish();
+  return plant;
+}
+
+TorqueSensorConfig read_torque_sensor(const YamlMap& map, const RobotConfig& robot) {
+  TorqueSensorConfig sensor;
+  const std::string name = map.text("joint");
+  const auto found = std::find_if(robot.joints.begin(), robot.joints.end(),
+                                  [&](const JointConfig& joint) { return joint.name == name; });
+  if (found == robot.joints.end()) map.fail("joint", "robot.yaml has no joint '" + name + "'");
+  sensor.joint = static_cast<int>(found - robot.joints.begin());
+  sensor.rate_Hz = map.quantity("rate", "Hz", 1, 1000);
+  sensor.noise_Nm = map.quantity("noise", "Nm", 0, 100);
+  sensor.resolution_Nm = map.quantity("resolution", "Nm", 0, 100);
+  map.finish();
+  return sensor;
+}
+
+ImuConfig read_imu(const YamlMap& map) {
+  ImuConfig imu;
+  const YamlMap rate = map.map("angular_velocity");
+  imu.rate_noise_rad_s = rate.quantity("noise", "rad/s", 0, 10);
+  imu.rate_bias_rad_s = rate.quantity("bias", "rad/s", 0, 10);
+  rate.finish();
+  const YamlMap force = map.map("specific_force");
+  imu.force_noise_m_s2 = force.quantity("noise", "m/s^2", 0, 100);
+  imu.force_bias_m_s2 = force.quantity("bias", "m/s^2", 0, 100);
+  force.finish();
+  const YamlMap attitude = map.map("attitude");
+  imu.attitude_noise_rad = attitude.quantity("noise", "rad", 0, 1);
+  imu.tilt_bias_rad = attitude.quantity("tilt_bias", "rad", 0, 1);
+  imu.yaw_drift_rad_s = attitude.quantity("yaw_drift", "rad/s", 0, 1);
+  attitude.finish();
+  map.finish();
+  return imu;
+}
+
+/// sim.yaml may list joints and drives in any order, but every one of robot.yaml's exactly once.
+template <typename Item, typename Wanted, typename NameOf>
+std::vector<Item> in_robot_order(const std::vector<Item>& found, const std::vector<Wanted>& wanted,
+                                 NameOf name_of, const YamlMap& map, const std::string& key) {
+  std::vector<Item> ordered;
+  for (const Wanted& entry : wanted) {
+    int matches = 0;
+    for (const Item& item : found) {
+      if (name_of(item) != entry.name) continue;
+      ordered.push_back(item);
+      ++matches;
+    }
+    if (matches != 1) map.fail(key, "robot.yaml's '" + entry.name + "' must be listed exactly once");
+  }
+  if (found.size() != wanted.size()) map.fail(key, "lists names that robot.yaml does not have");
+  return ordered;
+}
+
+/// All or none of robot.yaml's.
+std::vector<SimCardConfig> read_cards(const YamlMap& file, const RobotConfig& robot) {
+  std::vector<SimCardConfig> cards;
+  if (file.has("encoder_cards")) {
+    for (const YamlMap& card : file.list("encoder_cards")) cards.push_back(read_card(card));
+  } else {
+    for (const EncoderCardConfig& card : robot.encoder_cards) cards.push_back({card.name});
+  }
+  return in_robot_order(
+      cards, robot.encoder_cards, [](const SimCardConfig& c) { return c.name; }, file, "encoder_cards");
+}
+
+}  // namespace
+
+SimConfig load_sim_config(const RobotConfig& robot, const std::map<std::string, double>& changes) {
+  const YamlMap file = YamlMap::load(robot.folder + "/sim.yaml");
+  const std::string name = file.text("robot");
+  if (name != robot.name) file.fail("robot", "found '" + name + "', expected '" + robot.name + "'");
+  SimConfig config;
+  const YamlMap plant = file.map("plant");
+  config.plant = read_plant(plant);
+  for (const YamlMap& drive : file.list("drives")) config.drives.push_back(read_drive(drive));
+  config.cards = read_cards(file, robot);
+  if (file.has("torque_sensor")) config.torque_sensor = read_torque_sensor(file.map("torque_sensor"), robot);
+  if (file.has("imu")) config.imu = read_imu(file.map("imu"));
+  const YamlMap timing = file.map("timing");
+  config.timing.compute_s = timing.quantity("compute_time", "s", 0, 0.1);
+  config.timing.sync_jitter_s = 1e-6 * timing.quantity("sync_jitter", "us", 0, 1000);
+  timing.finish();
+  file.finish();
+  config.plant.joints = in_robot_order(
+      config.plant.joints, robot.joints, [](const PlantJointConfig& j) { return j.name; }, plant, "joints");
+  config.drives = in_robot_order(
+      config.drives, robot.actuators, [](const SimDriveConfig& d) { return d.actuator; }, file, "drives");
+  apply_plant_changes(changes, config);
+  return config;
+}
+
+}  // namespace sprung::sim

@@ -1,0 +1,122 @@
+#include "simulation/plant/ground.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+namespace sprung::sim {
+namespace {
+
+TEST(Ground, IsFlatAndLevelByItself) {
+  const Ground ground(GroundConfig{}, 0.3, 2);
+  EXPECT_FALSE(ground.uneven());
+  for (const double x : {-5.0, 0.0, 0.7}) {
+    const Ground::Place place = ground.under(1, x, 2.0);
+    EXPECT_EQ(place.point_m[2], 0.3);
+    EXPECT_EQ(place.normal, (Vec3{0, 0, 1}));
+  }
+}
+
+TEST(Ground, RisesForwardAndToTheLeftByItsSlopes) {
+  GroundConfig config;
+  config.slope_rad = 0.2;
+  config.side_slope_rad = -0.1;
+  const Ground ground(config, 0.0, 1);
+  EXPECT_TRUE(ground.uneven());
+  const Ground::Place place = ground.under(0, 2.0, 3.0);
+  EXPECT_NEAR(place.point_m[2], 2.0 * std::tan(0.2) - 3.0 * std::tan(0.1), 1e-12);
+  EXPECT_NEAR(place.normal[0] / place.normal[2], -std::tan(0.2), 1e-12);
+  EXPECT_NEAR(place.normal[1] / place.normal[2], std::tan(0.1), 1e-12);
+  // The trunk's plane is the same one.
+  EXPECT_NEAR(ground.below_trunk().distance_m(place.point_m), 0.0, 1e-12);
+}
+
+TEST(Ground, StepIsItsHeightInsideAndRampsAtItsEdges) {
+  GroundConfig config;
+  config.steps = {{1.0, 0.5, -0.2, 0.4, 0.02}};  // x 1.0 to 1.5, y -0.2 to 0.2
+  const Ground ground(config, 0.0, 1);
+  EXPECT_EQ(ground.under(0, 1.25, 0.0).point_m[2], 0.02);
+  EXPECT_EQ(ground.under(0, 1.25, 0.0).normal[2], 1.0);
+  for (const auto& [x, y] : {std::pair{0.99, 0.0}, {1.51, 0.0}, {1.25, 0.21}, {1.25, -0.21}})
+    EXPECT_EQ(ground.under(0, x, y).point_m[2], 0.0) << x << ' ' << y;
+  EXPECT_NEAR(ground.under(0, 1.01, 0.0).point_m[2], 0.01, 1e-12);
+  EXPECT_LT(ground.under(0, 1.01, 0.0).normal[0], -0.5);  // 45 degrees, against who comes
+  EXPECT_GT(ground.under(0, 1.49, 0.0).normal[0], 0.5);
+  EXPECT_LT(ground.under(0, 1.25, -0.19).normal[1], -0.5);
+}
+
+TEST(Ground, StepWithoutLengthAndWidthGoesOn) {
+  GroundConfig config;
+  config.steps = {{1.0, 0.0, 0.0, 0.0, -0.1}};
+  const Ground ground(config, 0.0, 1);
+  EXPECT_EQ(ground.under(0, 50.0, -7.0).point_m[2], -0.1);
+  EXPECT_EQ(ground.under(0, 0.9, -7.0).point_m[2], 0.0);
+}
+
+TEST(Ground, HeightIsOfOneLegOrOfAll) {
+  Ground ground(GroundConfig{}, 0.0, 3);
+  ground.set_height(1, 0.02);
+  EXPECT_EQ(ground.under(0, 0, 0).point_m[2], 0.0);
+  EXPECT_EQ(ground.under(1, 0, 0).point_m[2], 0.02);
+  EXPECT_EQ(ground.below_trunk().point_m[2], 0.0);
+  ground.set_height(-1, -0.1);
+  for (std::size_t leg = 0; leg < 3; ++leg) EXPECT_EQ(ground.under(leg, 0, 0).point_m[2], -0.1);
+  ground.set_height(3, 9.0);  // no such leg
+  ground.reset();
+  EXPECT_EQ(ground.under(1, 0, 0).point_m[2], 0.0);
+}
+
+TEST(Ground, StoneStaysWhileTheFootIsDownAndIsDrawnAnewWhenItIsAboveAll) {
+  GroundConfig config;
+  config.error_m = 0.02;
+  Ground ground(config, 0.0, 1);
+  const auto height = [&] { return ground.under(0, 0, 0).point_m[2]; };
+  ground.notice(0, {0, 0, 0.001});
+  EXPECT_EQ(height(), 0.0);
+  ground.notice(0, {0, 0, 0.024});
+  EXPECT_EQ(height(), 0.0);
+  ground.notice(0, {0, 0, 0.026});
+  const double first = height();
+  EXPECT_NE(first, 0.0);
+  ground.notice(0, {0, 0, 0.05});
+  ground.notice(0, {0, 0, first});
+  EXPECT_EQ(height(), first);
+  ground.notice(0, {0, 0, 0.05});
+  EXPECT_NE(height(), first);
+}
+
+/// Heights of the stones that a leg finds.
+std::vector<double> stones(std::uint64_t seed, std::size_t leg, int count) {
+  GroundConfig config;
+  config.error_m = 0.02;
+  config.error_seed = seed;
+  Ground ground(config, 0.0, 4);
+  std::vector<double> found;
+  while (count-- > 0) {
+    ground.notice(leg, {0, 0, 0.1});
+    ground.notice(leg, {0, 0, 0.0});
+    found.push_back(ground.under(leg, 0, 0).point_m[2]);
+  }
+  return found;
+}
+
+TEST(Ground, StonesAreSeededUniformAndOfEachLegItsOwn) {
+  const std::vector<double> found = stones(1, 0, 4000);
+  double sum = 0.0, squares = 0.0, most = 0.0;
+  for (const double height : found) {
+    sum += height;
+    squares += height * height;
+    most = std::max(most, std::abs(height));
+  }
+  EXPECT_LE(most, 0.02);
+  EXPECT_GT(most, 0.0199);
+  EXPECT_NEAR(sum / 4000, 0.0, 0.0006);  // 3 sigma of a uniform's mean
+  EXPECT_NEAR(std::sqrt(squares / 4000), 0.02 / std::sqrt(3.0), 0.0003);
+  EXPECT_EQ(stones(1, 0, 5), stones(1, 0, 5));
+  EXPECT_NE(stones(1, 0, 5), stones(2, 0, 5));
+  EXPECT_NE(stones(1, 0, 5), stones(1, 1, 5));
+}
+
+}  // namespace
+}  // namespace sprung::sim
