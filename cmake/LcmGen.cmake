@@ -15,7 +15,7 @@ function(sprung_lcm_types target)
       COMMAND ${LCM_GEN} --cpp --cpp-std=c++11 --cpp-hpath ${out_dir} ${path}
       DEPENDS ${path} COMMENT "lcm-gen ${file}" VERBATIM)
     list(APPEND headers ${outputs})
-    set_property(GLOBAL APPEND PROPERTY SPRUNG_LCM_FILES ${path})  # tools/fields builds them in
+    set_property(GLOBAL APPEND PROPERTY SPRUNG_LCM_FILES ${path})  # tools/logs/fields builds them in
     set_property(GLOBAL APPEND PROPERTY SPRUNG_LCM_HEADERS ${outputs})
   endforeach()
   add_custom_target(${target}_generate DEPENDS ${headers})

@@ -26,13 +26,13 @@ find_path(MSGPACK_INCLUDE_DIR msgpack.hpp REQUIRED)
 add_library(sprung_msgpack INTERFACE)
 target_compile_definitions(sprung_msgpack INTERFACE MSGPACK_NO_BOOST)
 target_include_directories(sprung_msgpack SYSTEM INTERFACE ${MSGPACK_INCLUDE_DIR})
-# Chart.js draws the plots of reports; it is built into what writes them (tools/report).
+# Chart.js draws the plots of reports; it is built into what writes them (tools/common/report).
 find_file(CHART_JS chart.min.js PATHS /usr/share/javascript/chart.js NO_DEFAULT_PATH REQUIRED)
-# libmd: digest of the log that friction was identified from (tools/identify/file_digest.cpp).
+# libmd: digest of the log that friction was identified from (tools/lab/identify/file_digest.cpp).
 find_path(MD_INCLUDE_DIR sha2.h REQUIRED)
 find_library(MD_LIBRARY md REQUIRED)
-# zstd: chunks of MCAP files (tools/log/chunk_packer.cpp).
+# zstd: chunks of MCAP files (tools/logs/log/chunk_packer.cpp).
 find_path(ZSTD_INCLUDE_DIR zstd.h REQUIRED)
 find_library(ZSTD_LIBRARY zstd REQUIRED)
-# zlib: checksums of MCAP files (tools/log/mcap_writer.cpp).
+# zlib: checksums of MCAP files (tools/logs/log/mcap_writer.cpp).
 find_package(ZLIB REQUIRED)

@@ -13,5 +13,5 @@ if(SPRUNG_BATCH)
     COMMAND ${CMAKE_COMMAND} -E false VERBATIM)
 else()
   add_custom_target(tidy WORKING_DIRECTORY ${CMAKE_SOURCE_DIR} VERBATIM
-    COMMAND ${RUN_CLANG_TIDY} -quiet -p ${CMAKE_BINARY_DIR} ^${CMAKE_SOURCE_DIR}/\(drivers|estimator|controller|planner|robots|runtime|signals|tools\)/)
+    COMMAND ${RUN_CLANG_TIDY} -quiet -p ${CMAKE_BINARY_DIR} ^${CMAKE_SOURCE_DIR}/\(drivers|estimator|controller|model|planner|robots|runtime|signals|simulation|tools\)/)
 endif()

@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 #include <memory>
 
-#include "robots/robot_config.h"
+#include "model/leg_config.h"
 #include "signals/vec3.h"
 
 namespace sprung {

@@ -17,11 +17,25 @@ namespace {
 
 namespace fs = std::filesystem;
 
+const std::vector<std::string> kRooms = {"signals",   "model",      "robots",  "runtime",    "drivers",
+                                         "estimator", "controller", "planner", "simulation", "tools"};
+
 /// Folders whose files are cores, and the files in them that are shells.
-const std::vector<std::string> kCoreFolders = {
-    "signals",         "model",          "estimator",        "controller",     "planner",
-    "drivers/canopen", "drivers/cia402", "drivers/profiles", "drivers/bridge", "simulation",
-    "tools/canopen",   "tools/report",   "tools/doctor",     "tools/fields",   "tools/spy"};
+const std::vector<std::string> kCoreFolders = {"signals",
+                                               "model",
+                                               "estimator",
+                                               "controller",
+                                               "planner",
+                                               "drivers/canopen",
+                                               "drivers/cia402",
+                                               "drivers/profiles",
+                                               "drivers/bridge",
+                                               "simulation",
+                                               "tools/can/decode",
+                                               "tools/common/report",
+                                               "tools/operate/doctor",
+                                               "tools/logs/fields",
+                                               "tools/logs/spy"};
 const std::regex kShell(R"((_main|_shell|_lockstep|_realtime)\.(h|cpp)$)");
 const std::regex kMessages(R"(signals/messages|signals/message_fields)");
 
@@ -33,6 +47,8 @@ const std::regex kMessageHeader(R"(#include\s+[<"]sprung_msgs/)");
 const std::regex kReadsFiles(R"((sim_config|plant_model|plant|foot_contact)\.(h|cpp)$)");
 /// A profile's folder holds both sides of the cable; the simulated one is told by its name.
 const std::regex kSimulatedDevice(R"(drivers/profiles/[^/]+/\w+_device\w*\.(h|cpp)$)");
+
+const std::regex kOwnInclude(R"(^#include\s+"([^"]+)\")");
 
 bool is_source(const fs::path& path) { return path.extension() == ".h" || path.extension() == ".cpp"; }
 
@@ -79,8 +95,8 @@ TEST(Layering, OnlyTheConversionsKnowMessages) {
 TEST(Layering, OnlySimulationReadsThePlant) {
   const std::regex plant(R"(sim\.yaml|model\.xml|simulation/)");
   std::string found;
-  for (const char* folder :
-       {"estimator", "controller", "planner", "drivers/bridge", "drivers/profiles", "runtime", "robots"}) {
+  for (const char* folder : {"model", "estimator", "controller", "planner", "drivers/bridge",
+                             "drivers/profiles", "runtime", "robots"}) {
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(test::source_dir()) / folder)) {
       const bool device = std::regex_search(entry.path().string(), kSimulatedDevice);
       if (is_source(entry.path()) && !device) found += lines_with(entry.path(), plant);
@@ -88,6 +104,79 @@ TEST(Layering, OnlySimulationReadsThePlant) {
   }
   found = std::regex_replace(found, std::regex(R"([^\n]*: *//[^\n]*\n)"), "");  // comments may name it
   EXPECT_EQ(found, "");
+}
+
+/// From the bottom up; what stands in one row are neighbours, and none includes another. A tool's commands are the roof: they may use
+/// whatever they command.
+const std::vector<std::vector<std::string>> kFloors = {
+    {"lcmtypes"},     {"signals"},
+    {"model"},        {"robots"},
+    {"runtime"},      {"drivers", "estimator", "controller"},
+    {"planner"},      {"simulation"},
+    {"tools/common"}, {"tools/operate"},
+    {"tools/can"},    {"tools/logs"},
+    {"tools/lab"},    {"tools/*/commands", "tools/*.h", "tools/*.cpp"}};
+
+bool is_roof(const std::string& path) {
+  static const std::regex roof(R"(^tools/(\w+/commands/|\w+\.(h|cpp)$))");
+  return std::regex_search(path, roof);
+}
+
+/// @return the row of kFloors; -1: in none. A simulated device belongs to the simulation, wherever it lies.
+int floor_of(const std::string& path) {
+  if (is_roof(path)) return static_cast<int>(kFloors.size()) - 1;
+  const std::string placed = std::regex_search(path, kSimulatedDevice) ? "simulation/" : path;
+  for (std::size_t floor = 0; floor < kFloors.size(); ++floor) {
+    for (const std::string& room : kFloors[floor]) {
+      if (placed.rfind(room + "/", 0) == 0) return static_cast<int>(floor);
+    }
+  }
+  return -1;
+}
+
+/// drivers, tools/lab, ...: two files of one room may include each other.
+std::string room_of(const std::string& path) {
+  if (is_roof(path)) return "roof";
+  if (std::regex_search(path, kSimulatedDevice)) return "simulation";
+  const std::size_t end = path.find('/', path.rfind("tools/", 0) == 0 ? 6 : 0);
+  return path.substr(0, end);
+}
+
+bool may_include(const std::string& from, const std::string& to) {
+  return room_of(from) == room_of(to) || floor_of(to) < floor_of(from);
+}
+
+TEST(Layering, NoRoomIncludesANeighbourOrUpward) {
+  EXPECT_TRUE(may_include("planner/a.h", "controller/b.h"));
+  EXPECT_FALSE(may_include("estimator/a.h", "controller/b.h"));
+  EXPECT_FALSE(may_include("drivers/can/a.h", "drivers/profiles/gold/gold_device.h"));
+  EXPECT_FALSE(may_include("tools/logs/log/a.h", "tools/lab/run/b.h"));
+  const fs::path top = test::source_dir();
+  for (const std::string& room : kRooms) {
+    for (const auto& entry : fs::recursive_directory_iterator(top / room)) {
+      if (!is_source(entry.path())) continue;
+      const std::string from = fs::relative(entry.path(), top).string();
+      ASSERT_GE(floor_of(from), 0) << from << " is on no floor";
+      std::ifstream in(entry.path());
+      std::smatch match;
+      for (std::string line; std::getline(in, line);) {
+        if (!std::regex_search(line, match, kOwnInclude) || !fs::exists(top / match[1].str())) continue;
+        EXPECT_TRUE(may_include(from, match[1])) << from << " includes " << match[1];
+      }
+    }
+  }
+}
+
+/// A test is found by its source's path.
+TEST(Layering, TestsLieAsTheirSourcesDo) {
+  const fs::path top = test::source_dir();
+  for (const std::string& room : kRooms) {
+    for (const auto& entry : fs::recursive_directory_iterator(top / "tests" / room)) {
+      if (!entry.is_directory()) continue;
+      const fs::path source = top / fs::relative(entry.path(), top / "tests");
+      EXPECT_TRUE(fs::is_directory(source)) << entry.path() << " holds tests of a folder that is not there";
+    }
+  }
 }
 
 TEST(Layering, HeavyHeadersStayInOneFile) {
@@ -98,10 +187,9 @@ TEST(Layering, HeavyHeadersStayInOneFile) {
       {R"(#include\s+<msgpack)", "drivers/can/udp_datagram.cpp"},
       {R"(#include\s+<ini\.h)", "drivers/canopen/ini_text.cpp"},
       {R"(#include\s+<regex>)", "signals/text_pattern.cpp"},
-      {R"(#include\s+<curses\.h)", "tools/spy/spy_shell.cpp"}};
+      {R"(#include\s+<curses\.h)", "tools/logs/spy/spy_shell.cpp"}};
   for (const auto& [pattern, owner] : owners) {
-    for (const char* folder :
-         {"runtime", "robots", "drivers", "estimator", "controller", "planner", "tools", "signals"}) {
+    for (const std::string& folder : kRooms) {
       for (const auto& entry : fs::recursive_directory_iterator(fs::path(test::source_dir()) / folder)) {
         const bool owns = entry.path() == fs::path(test::source_dir()) / owner;
         if (is_source(entry.path()) && !owns) {
@@ -115,7 +203,6 @@ TEST(Layering, HeavyHeadersStayInOneFile) {
 /// What whoever includes a file reads besides, each of which costs from half a second to some: tests/build/cost has the figures.
 const std::regex kHeavy(
     R"(#include\s+<(regex|nlohmann/json\.hpp|CLI/|spdlog/|yaml-cpp/|msgpack|lcm/|gtest/|iostream|random|future|Eigen/(Dense|Eigen|QR|SVD|LU|Eigenvalues|Sparse)))");
-const std::regex kOwnInclude(R"(^#include\s+"([^"]+)\")");
 
 /// Headers that a header reaches, itself among them.
 std::set<fs::path> reached_from(const fs::path& header) {
@@ -149,7 +236,7 @@ TEST(Layering, NoHeaderOfACoreReachesAHeavyOne) {
 
 TEST(Layering, HeadersDeclareJsonAndNeverMakeIt) {
   std::string found;
-  for (const char* folder : {"drivers", "estimator", "controller", "planner", "robots", "runtime", "tools"}) {
+  for (const std::string& folder : kRooms) {
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(test::source_dir()) / folder)) {
       if (entry.path().extension() == ".h")
         found += lines_with(entry.path(), std::regex(R"(#include\s+<nlohmann/json\.hpp>)"));

@@ -11,8 +11,8 @@
 
 #include "signals/messages.h"
 #include "tests/system/system_fixture.h"
-#include "tools/experiments/jump_experiment.h"
-#include "tools/experiments/separate_run.h"
+#include "tools/lab/jump/jump_experiment.h"
+#include "tools/lab/run/separate_run.h"
 
 namespace sprung {
 namespace {

@@ -17,9 +17,9 @@
 #include "signals/modes.h"
 #include "tests/support/paths.h"
 #include "tests/system/system_fixture.h"
-#include "tools/log/reader.h"
-#include "tools/recorder/log_messages.h"
-#include "tools/replay/replay_run.h"
+#include "tools/logs/log/reader.h"
+#include "tools/logs/recorder/log_messages.h"
+#include "tools/logs/replay/replay_run.h"
 
 namespace sprung {
 namespace {

@@ -2,10 +2,10 @@
 #include <gtest/gtest.h>
 
 #include "tests/system/system_fixture.h"
-#include "tools/experiments/drop.h"
-#include "tools/experiments/foot_return.h"
-#include "tools/experiments/separate_run.h"
-#include "tools/experiments/step_response.h"
+#include "tools/lab/landing/drop.h"
+#include "tools/lab/leg/foot_return.h"
+#include "tools/lab/leg/step_response.h"
+#include "tools/lab/run/separate_run.h"
 
 namespace sprung {
 namespace {

@@ -14,7 +14,7 @@
 
 #include "runtime/own_port.h"
 #include "tests/support/paths.h"
-#include "tools/launcher/launcher.h"
+#include "tools/operate/launcher/launcher.h"
 
 namespace sprung {
 
@@ -58,8 +58,9 @@ void SystemTest::TearDown() {
 
 CommandResult SystemTest::sprung(const std::string& arguments) const {
   const std::filesystem::path file = folder_ / "output.txt";
+  // In braces: a command may send its progress lines elsewhere.
   const int raw =
-      std::system((test::bin_dir() + "/sprung " + arguments + " > " + file.string() + " 2>&1").c_str());
+      std::system(("{ " + test::bin_dir() + "/sprung " + arguments + "; } > " + file.string() + " 2>&1").c_str());
   return {WIFEXITED(raw) ? WEXITSTATUS(raw) : 128 + WTERMSIG(raw), read_all(file)};
 }
 

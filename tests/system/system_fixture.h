@@ -10,8 +10,8 @@
 
 #include "robots/robot_loader.h"
 #include "tests/support/own_folder.h"
-#include "tools/launcher/child_process.h"
-#include "tools/launcher/run_file.h"
+#include "tools/operate/launcher/child_process.h"
+#include "tools/operate/launcher/run_file.h"
 
 namespace sprung {
 

@@ -3,7 +3,7 @@
 #include "runtime/resource_use.h"
 #include "tests/support/paths.h"
 #include "tests/system/up_fixture.h"
-#include "tools/launcher/launcher.h"
+#include "tools/operate/launcher/launcher.h"
 
 namespace sprung {
 namespace {

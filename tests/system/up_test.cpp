@@ -11,8 +11,8 @@
 #include "runtime/own_port.h"
 #include "tests/support/paths.h"
 #include "tests/system/up_fixture.h"
-#include "tools/launcher/run_description.h"
-#include "tools/launcher/status_board.h"
+#include "tools/operate/launcher/run_description.h"
+#include "tools/operate/launcher/status_board.h"
 
 namespace sprung {
 namespace {

@@ -1,0 +1,59 @@
+#include "tools/lab/leg/hanging_return.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "robots/robot_loader.h"
+
+namespace sprung {
+namespace {
+
+class HangingReturnTest : public testing::Test {
+ protected:
+  HangingReturnResult run(const std::string& name) const {
+    std::vector<HangingCase> cases;
+    for (const HangingCase& config : hanging_cases(robot_, "best"))
+      if (config.name == name) cases.push_back(config);
+    SimOptions sim;
+    sim.seed = 1;
+    return run_hanging_return(robot_, sim, cases, {hand_pulls()[4]});
+  }
+  RobotConfig robot_ = load_robot("pegasus");
+};
+
+TEST_F(HangingReturnTest, CompensationBringsTheFootHomeAndWithoutItSticks) {
+  const HangingReturnResult with = run("with");
+  const HangingReturnResult without = run("without_as_is");
+  ASSERT_EQ(with.cases.at(0).pulls.size(), 1u);
+  EXPECT_LT(with.cases[0].summary.max_mm, 3.5);
+  EXPECT_EQ(with.cases[0].summary.limit_cycles, 0);
+  EXPECT_GT(with.cases[0].summary.moved_least_mm, 36.0);
+  EXPECT_GT(without.cases.at(0).summary.max_mm, 3.0 * with.cases[0].summary.max_mm);
+}
+
+TEST_F(HangingReturnTest, SameSeedGivesTheSameBits) {
+  EXPECT_EQ(run("with").cases.at(0).summary.mean_mm, run("with").cases.at(0).summary.mean_mm);
+}
+
+TEST_F(HangingReturnTest, RowsHaveTheNamesAndBoundsOfTheIssue) {
+  HangingReturnResult result;
+  for (const HangingCase& config : hanging_cases(robot_, "best"))
+    result.cases.push_back({config, {}, {}, {}});
+  int found = 0;
+  for (const ReportRow& row : hanging_return_rows(result)) {
+    if (row.name == "foot_return.with.mean") found += *row.high == 1.8;
+    if (row.name == "foot_return.with.max") found += *row.high == 3.5;
+    if (row.name == "foot_return.with_friction_120.max") found += *row.high == 4.5;
+    if (row.name == "foot_return.without.mean") found += *row.paper == 8.91 && row.low && row.high;
+  }
+  EXPECT_EQ(found, 4);
+}
+
+TEST_F(HangingReturnTest, RobotThatDoesNotWalkIsRefused) {
+  const RobotConfig leg = load_robot("single_leg");
+  EXPECT_THROW(run_hanging_return(leg, {}, hanging_cases(leg, "best"), hand_pulls()), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace sprung

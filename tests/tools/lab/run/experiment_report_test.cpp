@@ -1,0 +1,57 @@
+#include "tools/lab/run/experiment_report.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+namespace sprung {
+namespace {
+
+ReportRow bounded(double value) { return {"jump.hybrid.height", "mm", value, 188.0, 150.0, 210.0}; }
+
+TEST(ReportRow, RowWithoutBoundsIsAlwaysOk) {
+  EXPECT_TRUE((ReportRow{"a", "mm", std::numeric_limits<double>::quiet_NaN(), {}, {}, {}}.ok()));
+}
+
+TEST(ReportRow, BoundsAreInclusive) {
+  EXPECT_TRUE(bounded(150.0).ok());
+  EXPECT_TRUE(bounded(210.0).ok());
+  EXPECT_FALSE(bounded(149.9).ok());
+  EXPECT_FALSE(bounded(210.1).ok());
+}
+
+TEST(ReportRow, WhatWasNotReachedIsNotOk) {
+  EXPECT_FALSE(bounded(std::numeric_limits<double>::quiet_NaN()).ok());
+}
+
+TEST(ExperimentReport, JsonHoldsTheAgreedKeys) {
+  ExperimentReport report;
+  report.experiment = "jump";
+  report.robot = "single_leg";
+  report.seed = 7;
+  report.rows = {bounded(187.2),
+                 {"jump.hybrid.x", "mm", std::numeric_limits<double>::quiet_NaN(), {}, {}, {}}};
+  const auto json = nlohmann::json::parse(report.json());
+  EXPECT_EQ(json["experiment"], "jump");
+  EXPECT_EQ(json["seed"], 7);
+  EXPECT_EQ(json["rows"][0]["name"], "jump.hybrid.height");
+  EXPECT_EQ(json["rows"][0]["value"], 187.2);
+  EXPECT_EQ(json["rows"][0]["paper"], 188.0);
+  EXPECT_EQ(json["rows"][0]["ok"], true);
+  EXPECT_TRUE(json["rows"][1]["value"].is_null());
+  EXPECT_TRUE(json["rows"][1]["low"].is_null());
+}
+
+TEST(ExperimentReport, OneBadRowMakesItBad) {
+  ExperimentReport report;
+  report.rows = {bounded(187.2)};
+  EXPECT_TRUE(report.ok());
+  report.rows.push_back(bounded(20.0));
+  EXPECT_FALSE(report.ok());
+  EXPECT_THAT(report.table(), testing::HasSubstr("NOT OK"));
+}
+
+}  // namespace
+}  // namespace sprung

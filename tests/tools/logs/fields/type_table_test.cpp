@@ -1,0 +1,58 @@
+#include "tools/logs/fields/type_table.h"
+
+#include <gtest/gtest.h>
+
+#include "tools/logs/fields/lcm_text.h"
+
+namespace sprung::fields {
+namespace {
+
+TEST(TypeTable, FindsByNameWithAndWithoutPackage) {
+  TypeTable table;
+  table.add({"package a; struct x_t { int8_t v; }", "package b; struct x_t { int16_t v; }"});
+  ASSERT_NE(table.by_name("b.x_t"), nullptr);
+  EXPECT_EQ(table.by_name("b.x_t")->package, "b");
+  EXPECT_EQ(table.by_name("x_t")->package, "a");
+  EXPECT_EQ(table.by_name("y_t"), nullptr);
+  EXPECT_EQ(table.by_name("c.x_t"), nullptr);
+}
+
+TEST(TypeTable, LinksTypesOfOtherTexts) {
+  TypeTable table;
+  table.add({"package a; struct x_t { y_t v[2]; }", "package a; struct y_t { double w; string s; }"});
+  EXPECT_EQ(table.by_name("x_t")->members[0].type, table.by_name("y_t"));
+  EXPECT_EQ(table.by_name("x_t")->least_size, 2 * (8 + 5));
+  table.add({"package b; struct z_t { a.x_t v; }"});
+  EXPECT_EQ(table.by_name("z_t")->members[0].type, table.by_name("x_t"));
+}
+
+TEST(TypeTable, AMissingTypeIsNamed) {
+  TypeTable table;
+  try {
+    table.add({"package a; struct x_t { lost_t v; }"});
+    FAIL();
+  } catch (const BadLcmText& bad) {
+    EXPECT_STREQ(bad.what(), "x_t.v: no type lost_t");
+  }
+}
+
+TEST(TypeTable, TheFirstOfTwoWithOneNameStays) {
+  TypeTable table;
+  table.add({"struct x_t { double v; }"});
+  table.add({"struct x_t { int8_t v; }"});
+  EXPECT_EQ(table.all().size(), 1u);
+  EXPECT_EQ(table.by_name("x_t")->members[0].wire, Wire::kDouble);
+}
+
+TEST(TypeTable, FingerprintsDifferWithNamesTypesAndSizesButNotWithTheTypesOwnName) {
+  TypeTable table;
+  table.add(
+      {"struct a_t { double v; } struct b_t { double v; } struct c_t { double w; } struct d_t { float v; }"
+       "struct e_t { double v[1]; }"});
+  EXPECT_EQ(table.by_name("a_t")->hash, table.by_name("b_t")->hash);
+  for (const char* other : {"c_t", "d_t", "e_t"})
+    EXPECT_NE(table.by_name("a_t")->hash, table.by_name(other)->hash);
+}
+
+}  // namespace
+}  // namespace sprung::fields

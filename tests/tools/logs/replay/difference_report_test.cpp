@@ -1,0 +1,150 @@
+#include "tools/logs/replay/difference_report.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+namespace sprung {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+ReplayResult result_of(std::int64_t compared) {
+  ReplayResult result;
+  result.robot = "single_leg";
+  result.clock = "lockstep";
+  result.source = "robot.yaml in the log, preset best";
+  result.counts.compared = compared;
+  result.counts.first_seq = 0;
+  result.counts.last_seq = 999;
+  result.replayed_s = 1.0;
+  result.wall_s = 0.01;
+  result.differences = DifferenceTable(true);
+  return result;
+}
+
+ReplayResult differing() {
+  ReplayResult result = result_of(4000);
+  result.counts.differing = 3;
+  for (int k = 0; k < 3; ++k)
+    result.differences.add("JOINT_STATE", 5 + k, 0.005 + 0.001 * k,
+                           {{"joints[1].gear_output_torque_Nm", "Nm", "1.5", "1.75", 0.25},
+                            {"joints[1].status", "", "ok (0)", "stale (1)", 1.0}});
+  return result;
+}
+
+ReplayRequest request() {
+  ReplayRequest request;
+  request.log = "x.lcm";
+  return request;
+}
+
+TEST(ReplayText, SaysIdenticalInALineOfItsOwn) {
+  const std::string text = replay_text(request(), result_of(4000));
+  EXPECT_THAT(text, HasSubstr("\nidentical\n"));
+  EXPECT_THAT(text, HasSubstr("x.lcm: single_leg, lockstep, robot.yaml in the log, preset best"));
+  EXPECT_THAT(text, HasSubstr("estimator, planner, controller: cycles 0 to 999, 4000 messages compared"));
+  EXPECT_THAT(text, HasSubstr("100 x real time"));
+}
+
+TEST(ReplayText, LongNamesAreNotCutOff) {
+  ReplayRequest long_name = request();
+  long_name.log = std::string(600, 'x') + ".lcm";
+  EXPECT_THAT(replay_text(long_name, result_of(1)),
+              HasSubstr("x.lcm: single_leg, lockstep, robot.yaml in the log, preset best\n"));
+}
+
+TEST(ReplayJson, TextThatIsNoUtf8DoesNotEndIt) {
+  ReplayResult result = result_of(1);
+  result.differences.add("SAFETY_STATE", 1, 0.0, {{"detail", "", "\xff", "a", 0.0}});
+  const nlohmann::json json = nlohmann::json::parse(replay_json(request(), result));
+  EXPECT_EQ(json["first_difference"]["replayed"], "a");
+}
+
+TEST(ReplayText, MessagesThatWereLeftOutAreTold) {
+  ReplayResult result = result_of(1);
+  result.flaws.foreign = 3;
+  EXPECT_THAT(replay_text(request(), result), HasSubstr("note: 3 messages are none"));
+}
+
+TEST(ReplayText, NamesTimeFieldAndBothValuesOfTheFirstDifference) {
+  const std::string text = replay_text(request(), differing());
+  EXPECT_THAT(text,
+              HasSubstr("first difference: JOINT_STATE cycle 5 (0.005000 s): joints[1].gear_output_torque_Nm "
+                        "1.5 Nm in the log, 1.75 Nm now\n"));
+  EXPECT_THAT(text, HasSubstr("3 messages from 0.005 s on, largest 0.25 Nm"));
+  EXPECT_THAT(text, Not(HasSubstr("identical")));
+}
+
+TEST(ReplayText, NotesWhatMakesTheVerdictWeaker) {
+  ReplayResult result = result_of(100);
+  result.counts.first_seq = 500;
+  result.counts.incomplete = 2;
+  result.counts.first_incomplete = "cycle 600: the estimator had IMU 599, which is not in the log";
+  result.flaws.unanswered = 1;
+  result.flaws.late = 4;
+  result.damages = 1;
+  const std::string text = replay_text(request(), result);
+  EXPECT_THAT(text, HasSubstr("begins with cycle 500"));
+  EXPECT_THAT(text, HasSubstr("2 inputs are missing, first cycle 600"));
+  EXPECT_THAT(text, HasSubstr("1 commands of the operator"));
+  EXPECT_THAT(text, HasSubstr("4 messages came too late"));
+  EXPECT_THAT(text, HasSubstr("damaged"));
+  EXPECT_THAT(text, HasSubstr("identical, where the log has the inputs"));
+}
+
+TEST(ReplayText, NothingComparedIsNotIdentical) {
+  EXPECT_THAT(replay_text(request(), result_of(0)), HasSubstr("nothing to compare"));
+}
+
+TEST(ReplayJson, HasTheFirstDifferenceForScripts) {
+  const auto json = nlohmann::json::parse(replay_json(request(), differing()));
+  EXPECT_FALSE(json["identical"]);
+  EXPECT_EQ(json["first_difference"]["field"], "joints[1].gear_output_torque_Nm");
+  EXPECT_EQ(json["first_difference"]["seq"], 5);
+  const auto same = nlohmann::json::parse(replay_json(request(), result_of(10)));
+  EXPECT_TRUE(same["identical"]);
+  EXPECT_TRUE(same["first_difference"].is_null());
+}
+
+TEST(ReplayPage, HasTableAndPlotsOfTheDifferences) {
+  const report::Report page = replay_page(request(), differing(), "sprung replay x.lcm");
+  const std::string html = report::to_html(page);
+  EXPECT_THAT(html, HasSubstr("joints[1].gear_output_torque_Nm"));
+  ASSERT_EQ(page.sections.size(), 3u);
+  EXPECT_EQ(page.sections[1].tables[0].rows.size(), 2u);
+  EXPECT_EQ(page.sections[2].plots.size(), 2u);
+  EXPECT_EQ(page.sections[2].plots[0].series[0].x.size(), 3u);
+  EXPECT_EQ(replay_page(request(), result_of(10), "").sections.size(), 1u);
+}
+
+TEST(DiffText, SaysWhatIsInWhichLog) {
+  DiffResult result;
+  result.channels["IMU"] = {100, 0, 2, 0};
+  result.metadata = {"preset: best and paper"};
+  DiffRequest request;
+  request.first = "a.lcm";
+  request.second = "b.lcm";
+  const std::string text = diff_text(request, result);
+  EXPECT_THAT(text, HasSubstr("note: preset: best and paper"));
+  EXPECT_THAT(text, HasSubstr("100 in both, 0 differ, 2 in the first only"));
+  EXPECT_THAT(text, Not(HasSubstr("identical")));
+  result.channels["IMU"].only_first = 0;
+  EXPECT_THAT(diff_text(request, result), HasSubstr("identical\n"));
+  EXPECT_THAT(diff_text(request, DiffResult()), HasSubstr("nothing to compare"));
+}
+
+TEST(DiffPage, HasTheChannels) {
+  DiffResult result;
+  result.channels["IMU"] = {100, 1, 0, 0};
+  result.differences = DifferenceTable(true);
+  result.differences.add("IMU", 1, 0.1, {{"x", "m", "1", "2", 1.0}});
+  const report::Report page = diff_page({}, result, "");
+  EXPECT_EQ(page.sections[0].tables[0].rows.size(), 1u);
+  EXPECT_THAT(report::to_html(page), HasSubstr("in the second minus in the first"));
+}
+
+}  // namespace
+}  // namespace sprung

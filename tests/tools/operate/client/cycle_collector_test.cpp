@@ -1,0 +1,65 @@
+#include "tools/operate/client/cycle_collector.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "lcmtypes/channels.h"
+#include "robots/robot_loader.h"
+#include "tests/runtime/lcm_network.h"
+
+namespace sprung {
+namespace {
+
+/// Plays the stack's messages over a network of its own. Which cycles are whole is cycle_assembler_test's.
+class CycleCollectorTest : public testing::Test {
+ protected:
+  RunInfo info() const {
+    RunInfo run;
+    run.session = kSession;
+    run.lcm_url = url_;
+    return run;
+  }
+  template <class Signal>
+  void publish(const char* channel, Signal signal) {
+    signal.stamp.seq = kSeq;
+    sender_.publisher<Signal>(channel).publish(signal);
+  }
+  void send_cycle() {
+    publish(channels::kDriveState, DriveState(2));
+    publish(channels::kJointState, JointState(2, 1));
+    publish(channels::kDriveCommand, DriveCommand(2));
+    publish(channels::kSimTruth, SimTruth(2, 1));
+    publish(channels::kMotionState, MotionState(1));
+    publish(channels::kLegCommand, LegCommand(1));
+  }
+
+  static constexpr std::int64_t kSession = 42, kSeq = 7, kPatience_us = 20'000'000;
+  const std::string url_ = test::own_lcm_url();
+  RobotConfig robot_ = load_robot("single_leg");
+  CycleCollector collector_{info(), robot_};
+  Node sender_{NodeOptions{url_, kSession, 0, {}}};
+};
+
+/// LCM may lose any of them: what was sent is sent again until all have come.
+TEST_F(CycleCollectorTest, EveryChannelOfACycleIsHeardAndTheRepliesToo) {
+  std::vector<std::int64_t> seqs, requests;
+  for (const std::int64_t end_us = sender_.utime_us() + kPatience_us;
+       (seqs.empty() || requests.empty()) && sender_.utime_us() < end_us;) {
+    send_cycle();
+    OperatorReply reply;
+    reply.request_id = 5;
+    sender_.publisher<OperatorReply>(channels::kOperatorReply).publish(reply);
+    collector_.wait(0.02);
+    collector_.collect([&](const CycleRecord& cycle) { seqs.push_back(cycle.drive_state.stamp.seq); },
+                       [&](const OperatorReply& heard) { requests.push_back(heard.request_id); });
+  }
+  EXPECT_EQ(seqs, std::vector<std::int64_t>{kSeq});
+  ASSERT_FALSE(requests.empty());
+  EXPECT_EQ(requests.front(), 5);
+  EXPECT_EQ(collector_.last_cycle(), kSeq);
+  EXPECT_EQ(collector_.lost_cycles(), 0);
+}
+
+}  // namespace
+}  // namespace sprung

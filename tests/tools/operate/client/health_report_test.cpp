@@ -1,0 +1,75 @@
+#include "tools/operate/client/health_report.h"
+
+#include <gmock/gmock.h>
+
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+namespace sprung {
+namespace {
+
+using ::testing::HasSubstr;
+
+sprung_msgs::node_health_t healthy_node() {
+  sprung_msgs::node_health_t node{};
+  node.operational = 1;
+  node.nmt_state = 5;
+  return node;
+}
+
+TEST(HealthReport, HealthyNodeHasNoTrouble) { EXPECT_EQ(node_trouble(healthy_node()), ""); }
+
+TEST(HealthReport, TroubleNamesEveryCounterThatIsNotZero) {
+  sprung_msgs::node_health_t node = healthy_node();
+  node.emergencies = 2;
+  node.last_emergency_code = 0x8130;
+  node.missing_samples = 3;
+  node.implausible_samples = 4;
+  EXPECT_EQ(node_trouble(node),
+            "2 emergencies (last 0x8130 life guard or heartbeat lost), 3 samples missing, 4 implausible");
+  node.operational = 0;
+  EXPECT_THAT(node_trouble(node), HasSubstr("not operational, 2 emergencies"));
+}
+
+TEST(HealthReport, SafetyThatIsLatchedSaysWhatToTypeNext) {
+  sprung_msgs::safety_state_t state{};
+  state.level_name = "quick stop";
+  state.cause_name = "drive silent";
+  state.detail = "hip_motor: did not answer SYNC for 31 cycles";
+  state.latched = 1;
+  EXPECT_EQ(safety_text(safety_json(state)),
+            "safety  quick stop, cause drive silent: hip_motor: did not answer SYNC for 31 cycles\n"
+            "        next: sprung clear, then sprung stand");
+  state = {};
+  state.level_name = "operational";
+  state.cause_name = "none";
+  EXPECT_EQ(safety_text(safety_json(state)), "safety  operational, cause none");
+  EXPECT_EQ(safety_text(safety_json(state, 0.94)),
+            "safety  operational, cause none; STALE: nothing heard of the bridge for 0.9 s");
+  state.detail = "was damping in cycle 5210, command stale: no good DRIVE_COMMAND for 71 ms";
+  EXPECT_EQ(safety_text(safety_json(state)), "safety  operational, cause none: " + state.detail +
+                                                 "\n        over by itself; sprung clear forgets it");
+  EXPECT_EQ(safety_text(safety_json(std::nullopt)), "safety  unknown, cause the bridge says nothing");
+}
+
+TEST(HealthReport, JsonHoldsTheCountersByTheirNames) {
+  sprung_msgs::bus_state_t state{};
+  state.nodes.push_back(healthy_node());
+  state.nodes[0].implausible_samples = 7;
+  state.nodes[0].bus = 9;
+  const auto json = nodes_json(RobotConfig{}, state);
+  ASSERT_EQ(json.size(), 1U);
+  EXPECT_EQ(json[0]["implausible_samples"], 7);
+  EXPECT_EQ(json[0]["nmt_state"], "operational");
+  EXPECT_TRUE(json[0]["bus"].is_null()) << "the robot has no such bus";
+}
+
+TEST(HealthReport, RecoveryTextMayFillItsField) {
+  sprung_msgs::node_health_t node = healthy_node();
+  EXPECT_EQ(recovery_text(node), "");
+  std::memset(node.recovery, 'x', sizeof node.recovery);
+  EXPECT_EQ(recovery_text(node), std::string(128, 'x'));
+}
+
+}  // namespace
+}  // namespace sprung

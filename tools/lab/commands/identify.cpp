@@ -1,0 +1,167 @@
+#include <unistd.h>
+
+#include <cstdio>
+#include <ctime>
+#include <fstream>
+#include <memory>
+#include <stdexcept>
+
+#include "robots/robot_loader.h"
+#include "tools/commands.h"
+#include "tools/common/report/report_shell.h"
+#include "tools/lab/commands/identify_record.h"
+#include "tools/lab/identify/file_digest.h"
+#include "tools/lab/identify/footprint_result.h"
+#include "tools/lab/identify/fragment.h"
+#include "tools/lab/identify/identify_recording.h"
+#include "tools/lab/identify/result_json.h"
+#include "tools/lab/identify/result_report.h"
+#include "tools/lab/identify/result_table.h"
+
+namespace sprung::commands {
+
+namespace {
+
+using identify::IdentifiedJoint;
+
+struct IdentifyCall {
+  identify::RecordingRequest recording;
+  GuidedRecording guided;
+  std::string fragment;
+  std::string report;
+  bool as_json = false;
+};
+
+std::string today() {
+  char text[16];
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  std::strftime(text, sizeof text, "%Y-%m-%d", &utc);
+  return text;
+}
+
+/// The whole command line of this process, words with blanks in quotes.
+std::string own_command() {
+  std::ifstream in("/proc/self/cmdline", std::ios::binary);
+  std::string out, word;
+  while (std::getline(in, word, '\0')) {
+    const bool blank = word.find(' ') != std::string::npos;
+    out += (out.empty() ? "" : " ") + (blank ? "'" + word + "'" : word);
+  }
+  return out;
+}
+
+/// One line on a terminal, nothing elsewhere.
+class Progress {
+ public:
+  void operator()(const std::string& what) {
+    if (isatty(STDERR_FILENO) == 0) return;
+    std::fprintf(stderr, "\r\x1b[K%s", what.c_str());
+    std::fflush(stderr);
+    shown_ = true;
+  }
+  ~Progress() {
+    if (shown_) std::fprintf(stderr, "\r\x1b[K");
+  }
+
+ private:
+  bool shown_ = false;
+};
+
+void write_text(const std::string& text, const std::string& path) {
+  std::ofstream out(path);
+  out << text;
+  out.close();
+  if (!out) throw std::runtime_error("cannot write " + path + ": does its folder exist?");
+}
+
+void write_fragment(const identify::Recording& recording, const identify::Provenance& provenance,
+                    const std::string& path) {
+  std::vector<JointConfig> configs;
+  for (std::size_t i = 0; i < recording.joints.size(); ++i)
+    configs.push_back(identify::identified_config(recording.joints[i], recording.configs[i], provenance));
+  write_text(identify::fragment_text(recording.joints, configs), path);
+}
+
+int run_identify(const IdentifyCall& request) {
+  if (request.guided.wanted) return run_guided_recording(request.guided);
+  const identify::Recording recording = [&] {
+    Progress progress;
+    return identify::identify_recording(request.recording, std::ref(progress));
+  }();
+  const std::string& file = request.recording.file();
+  const identify::Provenance provenance{file, identify::short_sha256(file), today(), own_command()};
+  if (!request.fragment.empty()) write_fragment(recording, provenance, request.fragment);
+  if (!request.report.empty())
+    report::write_report(identify::result_report(recording.joints, provenance), request.report);
+  if (request.as_json) {
+    std::printf("%s\n", identify::result_json(recording.joints, provenance).c_str());
+    return kExitDone;
+  }
+  for (const std::string& note : recording.notes) std::printf("note: %s\n", note.c_str());
+  for (const IdentifiedJoint& joint : recording.joints) {
+    std::printf("%s", identify::result_table(joint).c_str());
+    if (!joint.footprint.empty()) std::printf("%s", identify::footprint_table(joint.footprint).c_str());
+  }
+  return kExitDone;
+}
+
+void add_recording_options(CommandLine& identify, identify::RecordingRequest& r) {
+  identify.option("--csv", r.csv, "table with a column for each signal");
+  identify.option(
+      "--columns", r.columns,
+      "signal=COLUMN[*FACTOR],...: time, position, current (A) or torque (Nm at the joint); velocity, "
+      "link_position, load, temperature where there are; COLUMN from 1 or by name");
+  identify.choice("--delimiter", r.delimiter, {"", ",", ";", "tab"}, "default: what the first line has");
+  identify.option("--ratio", r.drive.gear_ratio, "motor turns for a turn of the joint");
+  identify.option("--torque-constant", r.drive.torque_constant_Nm_A,
+                  "Nm/A of the motor; 0: currents stay amperes");
+  identify.option("--log", r.log, "LCM log of a robot, e.g. of sprung identify --record");
+  identify.option("--robot", r.robot, "name or folder; default: the one that the log names");
+  identify.option("--joint", r.joint, "of the robot; default: every one that moves alone");
+  identify.flag("--all", r.all, "every joint must be in the log");
+}
+
+void add_protocol_options(CommandLine& identify, identify::ProtocolRequest& p) {
+  identify.option("--window", p.window, "FROM:TO seconds after the first sample; default: all");
+  identify.option("--resample", p.resample_Hz, "Hz; 0: the table's own, of a log 200");
+  identify.option("--smoothing", p.smoothing_s,
+                  "s, width of the fits for velocity and acceleration; 0: by rate, of a log 0.025");
+  identify.option(
+      "--train", p.train,
+      "FROM:TO[,FROM:TO...] fractions of the window that decide everything; default: 0:0.5, of a log every "
+      "other twentieth");
+  identify.option("--test", p.test,
+                  "fractions that are only scored; default: 0.5:1, of a log the other twentieths");
+  identify.option("--models", p.models, "all, or some to compare: coulomb,viscous+stribeck");
+  identify.choice("--robust", p.robust, {"none", "huber", "tukey"}, "how far residuals count");
+  identify.option("--blocks", p.blocks, "of the training part, each left out once to choose the model");
+}
+
+}  // namespace
+
+void add_identify(CommandLine& sprung) {
+  const auto r = std::make_shared<IdentifyCall>();
+  CommandLine& identify = sprung.subcommand("identify",
+                                            "Fits inertia, gravity and friction of a joint to a recording "
+                                            "and chooses the simplest model that it supports.");
+  add_recording_options(identify, r->recording);
+  add_protocol_options(identify, r->recording.protocol);
+  add_guided_recording(identify, r->guided);
+  identify.flag("--footprint", r->recording.footprint,
+                "kinematic error and torsion too, from encoders on both sides of the gear");
+  identify.option("--fragment", r->fragment, "file to write: the keys of robot.yaml that were found");
+  identify.option("--report", r->report, "HTML file to write: tables and plots");
+  identify.flag("--json", r->as_json, "one JSON object on standard output");
+  identify.example(
+      "sprung identify --csv joint_1.csv --columns time=1,position=2,velocity=8,current=14 --ratio 101 "
+      "--window 8:60 "
+      "--resample 100 --train 0:0.5 --test 0.5:1\n  sprung identify --log knee.lcm --robot single_leg "
+      "--joint knee --fragment "
+      "knee.yaml "
+      "--report knee.html");
+  identify.action([=] { return run_identify(*r); });
+}
+
+}  // namespace sprung::commands

@@ -1,0 +1,143 @@
+#include "tools/lab/gait/stand_push.h"
+
+#include <Eigen/Geometry>
+#include <string>
+
+#include "tools/lab/gait/legged_trial.h"
+
+namespace sprung {
+namespace {
+
+constexpr double kSettle_s = 2.0;  // on the springs, or as long in position control
+constexpr double kBefore_s = 1.0;
+constexpr double kWatch_s = 3.0;
+
+Vec3 foot_in_trunk_m(const SimTruth& truth, std::size_t leg) {
+  const auto& q = truth.base_quaternion_wxyz;
+  const Eigen::Quaterniond world_from_trunk(q[0], q[1], q[2], q[3]);
+  const Vec3& foot = truth.legs[leg].true_foot_in_world_m;
+  const Vec3& base = truth.base_in_world_m;
+  const Eigen::Vector3d away(foot[0] - base[0], foot[1] - base[1], foot[2] - base[2]);
+  const Eigen::Vector3d out = world_from_trunk.conjugate() * away;
+  return {out.x(), out.y(), out.z()};
+}
+
+PushSample sample_of(const RobotConfig& config, const InProcessRobot& robot, double time_s) {
+  PushSample out;
+  out.time_s = time_s;
+  for (std::size_t leg = 0; leg < config.legs.size(); ++leg) {
+    for (std::size_t j = 1; j < config.legs[leg].joints.size(); ++j) {  // hip and knee
+      const auto joint = static_cast<std::size_t>(config.legs[leg].joints[j]);
+      out.gear_output_Nm.push_back(robot.truth().joints[joint].true_gear_output_torque_Nm);
+      out.motor_side_Nm.push_back(robot.joint_state().joints[joint].motor_side_torque_Nm);
+    }
+    out.foot_in_trunk_m.push_back(foot_in_trunk_m(robot.truth(), leg));
+  }
+  return out;
+}
+
+void push_trunk(InProcessRobot& robot, double force_N, double cycle_s) {
+  SimControl control;
+  control.kind = SimControlKind::kWrench;
+  control.wrench = {0.0, 0.0, force_N, 0.0, 0.0, 0.0};
+  control.value = cycle_s;  // a straight line to the next cycle's
+  control.duration_s = 2.0 * cycle_s;
+  robot.sim().control(control);
+}
+
+void stand_on_springs(LeggedTrial& trial, const RobotConfig& robot) {
+  OperatorCommand walk;
+  walk.kind = OperatorKind::kWalk;
+  walk.gait = gait_index(robot, "stand");
+  trial.say(walk);
+}
+
+struct Timed {
+  PushRun run;
+  DesiredLeg standing;  ///< as the legs were commanded before the push
+  double simulated_s = 0.0;
+};
+
+Timed run_push(const RobotConfig& robot, const std::string& preset, const SimOptions& sim,
+               const TrunkPush& push, bool compliant) {
+  LeggedTrial trial(robot, preset, lying(sim));
+  trial.stand_up();
+  if (compliant) stand_on_springs(trial, robot);
+  trial.run(kSettle_s);
+  Timed out;
+  out.standing = trial.robot().leg_command().legs.front();
+  TrunkHand hand(push, robot.cycle_s);
+  double time_s = -kBefore_s, start_m = 0.0;
+  trial.run(kBefore_s + push.length_s() + kWatch_s, [&](InProcessRobot& in) {
+    const double height_m = in.truth().base_in_world_m[2];
+    if (time_s < 0.0) start_m = height_m;
+    if (time_s >= 0.0 && time_s < push.length_s())
+      push_trunk(in, hand.step_N(time_s, height_m - start_m), robot.cycle_s);
+    out.run.samples.push_back(sample_of(robot, in, time_s));
+    time_s += robot.cycle_s;
+  });
+  out.run.score = score_push(out.run.samples);
+  out.simulated_s = trial.simulated_s();
+  return out;
+}
+
+std::optional<double> highest_ratio(const std::string& push) {
+  if (push == "impulse") return 0.4;
+  if (push == "pushdown") return 0.6;
+  return std::nullopt;
+}
+
+}  // namespace
+
+StandPushResult run_stand_push(const RobotConfig& robot, const std::string& preset, const SimOptions& sim,
+                               const std::vector<TrunkPush>& pushes, const ParallelOptions& parallel) {
+  StandPushResult out;
+  const ActuatorConfig& knee =
+      robot.actuators.at(static_cast<std::size_t>(robot.legs.at(0).actuators.back()));
+  out.position_stiffness_Nm_rad = knee.position_stiffness_Nm_rad;
+  out.position_damping_Nm_s_rad = knee.position_damping_Nm_s_rad;
+  std::vector<Timed> runs = parallel_map(
+      2 * pushes.size(),
+      [&](std::size_t i) { return run_push(robot, preset, sim, pushes[i / 2], i % 2 == 1); }, parallel);
+  if (!runs.empty()) {  // what acted, whatever the preset and the gait made of it
+    const DesiredLeg& standing = runs[1].standing;
+    out.gains = {standing.stiffness_N_m, standing.damping_N_s_m, standing.velocity_feedforward};
+    out.friction_compensation = standing.friction_compensation;
+  }
+  for (std::size_t i = 0; i < pushes.size(); ++i) {
+    out.pushes.push_back({pushes[i], std::move(runs[2 * i].run), std::move(runs[2 * i + 1].run)});
+    out.simulated_s += runs[2 * i].simulated_s + runs[2 * i + 1].simulated_s;
+  }
+  return out;
+}
+
+std::vector<ReportRow> stand_push_rows(const StandPushResult& result) {
+  std::vector<ReportRow> out;
+  const auto row = [&](const std::string& name, const char* unit, double value,
+                       std::optional<double> high = {}) {
+    out.push_back({"stand_push." + name, unit, value, std::nullopt, std::nullopt, high});
+  };
+  for (const PushPair& pair : result.pushes) {
+    const std::string name = pair.push.name;
+    const PushScore& position = pair.position.score;
+    const PushScore& compliance = pair.compliance.score;
+    row(name + ".ratio", "", push_ratio(compliance.excess_motor_Nm, position.excess_motor_Nm),
+        highest_ratio(name));
+    row(name + ".position", "Nm", position.excess_motor_Nm);
+    row(name + ".compliance", "Nm", compliance.excess_motor_Nm);
+    row(name + ".output_ratio", "", push_ratio(compliance.excess_output_Nm, position.excess_output_Nm));
+    row(name + ".output_position", "Nm", position.excess_output_Nm);
+    row(name + ".output_compliance", "Nm", compliance.excess_output_Nm);
+    row(name + ".foot_off", "mm", compliance.foot_off_mm, 5.0);
+  }
+  row("gains.stiffness_forward", "N/m", result.gains.stiffness_N_m[0]);
+  row("gains.stiffness_up", "N/m", result.gains.stiffness_N_m[2]);
+  row("gains.damping_forward", "Ns/m", result.gains.damping_N_s_m[0]);
+  row("gains.damping_up", "Ns/m", result.gains.damping_N_s_m[2]);
+  row("gains.friction_compensation", "", result.friction_compensation);
+  row("gains.position_stiffness", "Nm/rad", result.position_stiffness_Nm_rad);
+  row("gains.position_damping", "Nms/rad", result.position_damping_Nm_s_rad);
+  return out;
+}
+
+}  // namespace sprung

@@ -1,0 +1,227 @@
+#include "tools/lab/gait/walk_experiment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "simulation/plant/sim_config.h"
+#include "tools/lab/gait/walking_robot.h"
+
+namespace sprung {
+namespace {
+
+constexpr GaitControl kWalkControls[] = {GaitControl::kForce, GaitControl::kHybrid, GaitControl::kPreStance,
+                                         GaitControl::kOwn};
+constexpr const char* kCompared = "walk";
+constexpr double kStarting_s = 2.0, kMeasured_s = 9.0;
+constexpr double kTraced_s = 2.0;
+constexpr double kMostRatio = 0.35;
+constexpr double kSpeedShare = 0.10, kMostDrift_deg = 5.0;
+/// Of the gait's fastest, that speed and heading are taken at.
+constexpr double kCrawlShare = 5.0 / 6.0, kWalkShare = 4.0 / 5.0, kTrotShare = 7.0 / 9.0,
+                 kStretchShare = 8.0 / 9.0;
+constexpr double kSpeedStep_m_s = 0.005;
+constexpr double kPatience = 2.0;
+constexpr double kDegrees = 180.0 / 3.14159265358979323846;
+
+void trace(const InProcessRobot& robot, double time_s, FootTrace& out) {
+  const Vec3& wanted = robot.leg_command().legs.front().desired_foot_in_hip_m;
+  const Vec3& foot = robot.joint_state().legs.front().estimated_foot_in_hip_m;
+  out.time_s.push_back(time_s);
+  out.wanted_x_m.push_back(wanted[0]);
+  out.wanted_z_m.push_back(wanted[2]);
+  out.foot_x_m.push_back(foot[0]);
+  out.foot_z_m.push_back(foot[2]);
+  out.force_N.push_back(robot.truth().legs.front().true_contact_force_N[2]);
+}
+
+double ramp_s(const RobotConfig& robot, const WalkTask& task, const GaitCase& config) {
+  return config.speed_m_s / robot.preset(task.preset).walk.acceleration_m_s2 + kStarting_s;
+}
+
+/// A share of the gait's fastest speed in robot.yaml, as somebody would type it.
+double speed_of(const RobotConfig& robot, const char* gait, double share) {
+  const double fastest_m_s =
+      robot.gaits[static_cast<std::size_t>(gait_index(robot, gait))].fastest_forward_m_s;
+  const double steps_per_m_s = std::round(1.0 / kSpeedStep_m_s);
+  return std::round(share * fastest_m_s * steps_per_m_s) / steps_per_m_s;
+}
+
+ReportRow walk_row(const std::string& name, const char* unit, double value) {
+  return {"walk." + name, unit, value, std::nullopt, std::nullopt, std::nullopt};
+}
+
+const char* row_name(GaitControl control) {
+  switch (control) {
+    case GaitControl::kForce:
+      return "force";
+    case GaitControl::kHybrid:
+      return "hybrid";
+    case GaitControl::kPreStance:
+      return "prestance";
+    case GaitControl::kOwn:
+      break;
+  }
+  return "own";
+}
+
+void add_control(const ControlOutcome& c, double force_rms_m, std::vector<ReportRow>& rows) {
+  const std::string name = row_name(c.control);
+  rows.push_back(walk_row(name + ".swing_rms", "mm", 1e3 * c.swing_rms_m));
+  rows.push_back(walk_row(name + ".touchdown_peak", "N", c.peaks.mean_N));
+  rows.push_back(walk_row(name + ".touchdown_worst", "N", c.peaks.worst_N));
+  rows.push_back(walk_row(name + ".knee_output_peak", "Nm", c.peaks.mean_Nm));
+  rows.push_back(walk_row(name + ".fell", "", c.vitals.fell ? 1 : 0));
+  if (c.control == GaitControl::kForce) return;
+  const bool arrived = !c.vitals.fell && c.vitals.trips == 0;
+  rows.push_back(walk_row(name + ".swing_ratio", "", arrived ? c.swing_rms_m / force_rms_m : kNaN));
+  if (c.control == GaitControl::kHybrid) rows.back().high = kMostRatio;
+}
+
+void add_gait(const GaitOutcome& g, double torque_limit_Nm, std::vector<ReportRow>& rows) {
+  const std::string name = g.config.name;
+  const std::size_t first = rows.size();
+  const bool arrived = !g.vitals.fell && g.vitals.trips == 0;
+  rows.push_back(walk_row(name + ".speed", "mm/s", arrived ? 1e3 * g.speed_m_s : kNaN));
+  rows.push_back(walk_row(name + ".drift", "deg", arrived ? std::abs(g.drift_rad) * kDegrees : kNaN));
+  rows.push_back(walk_row(name + ".joint_speed_max", "rad/s", g.vitals.fastest_rad_s));
+  rows.push_back(walk_row(name + ".motor_torque_max", "Nm", g.vitals.strongest_Nm));
+  rows.push_back(walk_row(name + ".saturated", "%", 100.0 * g.vitals.saturated_share));
+  rows.push_back(walk_row(name + ".trips", "", g.vitals.trips));
+  if (!g.config.demanded) return;
+  rows[first].low = 1e3 * (1.0 - kSpeedShare) * g.config.speed_m_s;
+  rows[first].high = 1e3 * (1.0 + kSpeedShare) * g.config.speed_m_s;
+  rows[first + 1].high = kMostDrift_deg;
+  rows[first + 3].high = torque_limit_Nm;
+  rows[first + 5].high = 0.0;
+}
+
+report::Section controls_section(const WalkExperiment& result) {
+  report::Section out{"Feet in swing, and touchdowns"};
+  report::Table table{
+      std::string("Gait ") + kCompared + ", " + report::number_text(result.limits.compared_m_s) + " m/s",
+      {"control", "swing RMS (mm)", "touchdown, mean (N)", "worst (N)", "knee's true gear output, mean (Nm)",
+       "touchdowns", "fell"}};
+  report::Plot height{"Left front foot", {"time", "s"}, {"height in hip axes", "m"}};
+  report::Plot force{"Left front foot's true contact force", {"time", "s"}, {"vertical", "N"}};
+  int colour = 0;
+  for (const ControlOutcome& c : result.controls) {
+    table.rows.push_back({row_name(c.control), 1e3 * c.swing_rms_m, c.peaks.mean_N, c.peaks.worst_N,
+                          c.peaks.mean_Nm, c.touchdowns, c.vitals.fell ? "yes" : "no"});
+    const std::string name = row_name(c.control);
+    height.series.push_back({name, c.trace.time_s, c.trace.foot_z_m, report::Style::kLine, colour});
+    height.series.push_back(
+        {name + ", wanted", c.trace.time_s, c.trace.wanted_z_m, report::Style::kDashedLine, colour});
+    force.series.push_back({name, c.trace.time_s, c.trace.force_N, report::Style::kLine, colour++});
+  }
+  out.tables = {table};
+  out.plots = {height, force};
+  return out;
+}
+
+report::Section gaits_section(const WalkExperiment& result) {
+  report::Section out{"Speed and heading"};
+  report::Table table{
+      "From when the speed is reached",
+      {"gait", "asked (m/s)", "speed (m/s)", "over (m)", "turned (deg)", "joint speed, most (rad/s)",
+       "motor torque, most (Nm)", "at a limit (%)", "what befell it"}};
+  for (const GaitOutcome& g : result.gaits)
+    table.rows.push_back({g.config.gait, g.config.speed_m_s, g.speed_m_s, g.distance_m,
+                          g.drift_rad * kDegrees, g.vitals.fastest_rad_s, g.vitals.strongest_Nm,
+                          100.0 * g.vitals.saturated_share, g.vitals.why.empty() ? "nothing" : g.vitals.why});
+  table.note = "The drives' no-load speed is " + report::number_text(result.limits.speed_rad_s) + " rad/s.";
+  out.tables = {table};
+  return out;
+}
+
+}  // namespace
+
+std::vector<GaitCase> gait_cases(const RobotConfig& robot) {
+  return {{"crawl", "crawl", speed_of(robot, "crawl", kCrawlShare), true},
+          {"walk", "walk", speed_of(robot, "walk", kWalkShare), true},
+          {"trot", "trot", speed_of(robot, "trot", kTrotShare), true},
+          {"trot_stretch", "trot", speed_of(robot, "trot", kStretchShare), false}};
+}
+
+WalkLimits walk_limits(const RobotConfig& robot, const SimOptions& sim) {
+  WalkLimits out;
+  out.compared_m_s = speed_of(robot, kCompared, kWalkShare);
+  for (const ActuatorConfig& actuator : robot.actuators)
+    out.speed_rad_s = std::max(out.speed_rad_s, actuator.speed_limit_rad_s);
+  for (const sim::SimDriveConfig& drive : sim::load_sim_config(robot, sim.plant).drives)
+    out.torque_Nm = std::max(out.torque_Nm, drive.peak_torque_Nm);
+  return out;
+}
+
+ControlOutcome walk_under(const RobotConfig& robot, const WalkTask& task, GaitControl control) {
+  WalkingRobot walker(robot, task.preset, lying(task.sim));
+  walker.walk(kCompared, {speed_of(robot, kCompared, kWalkShare), 0.0, 0.0}, control);
+  walker.run(kStarting_s);
+  ControlOutcome out;
+  out.control = control;
+  StepScore score(robot);
+  double time_s = 0.0;
+  walker.run(kMeasured_s, [&](InProcessRobot& r) {
+    if (!walker.upright()) return;
+    score.add({r.joint_state(), r.leg_command(), r.motion_state(), r.truth()});
+    if (time_s < kTraced_s) trace(r, time_s, out.trace);
+    time_s += robot.cycle_s;
+  });
+  out.swing_rms_m = score.swing_rms_m();
+  out.peaks = touchdown_peaks(score.touchdowns());
+  out.touchdowns = static_cast<int>(score.touchdowns().size());
+  out.vitals = walker.vitals();
+  out.simulated_s = walker.simulated_s();
+  return out;
+}
+
+GaitOutcome go(const RobotConfig& robot, const WalkTask& task, const GaitCase& config) {
+  WalkingRobot walker(robot, task.preset, lying(task.sim));
+  walker.walk(config.gait, {config.speed_m_s, 0.0, 0.0});
+  walker.run(ramp_s(robot, task, config));
+  TravelScore travel;
+  const double longest_s = kPatience * task.distance_m / config.speed_m_s;
+  for (double time_s = 0.0; time_s < longest_s && walker.upright(); time_s += 0.1) {
+    walker.run(0.1, [&](InProcessRobot& r) { travel.add(r.truth(), robot.cycle_s); });
+    if (travel.distance_m() >= task.distance_m) break;
+  }
+  return {config,          travel.speed_m_s(),  travel.drift_rad(), travel.distance_m(),
+          walker.vitals(), walker.simulated_s()};
+}
+
+WalkExperiment run_walk_experiment(const RobotConfig& robot, const WalkTask& task) {
+  if (!(task.distance_m > 0.0)) throw std::invalid_argument("--distance must be more than 0 m");
+  const std::vector<GaitCase> cases = gait_cases(robot);
+  WalkExperiment out;
+  out.limits = walk_limits(robot, task.sim);
+  out.gaits.resize(cases.size());
+  out.controls.resize(std::size(kWalkControls));
+  run_parallel(
+      out.gaits.size() + out.controls.size(),
+      [&](std::size_t i) {
+        if (i < out.gaits.size())
+          out.gaits[i] = go(robot, task, cases[i]);
+        else
+          out.controls[i - out.gaits.size()] = walk_under(robot, task, kWalkControls[i - out.gaits.size()]);
+      },
+      task.parallel);
+  for (const GaitOutcome& g : out.gaits) out.simulated_s += g.simulated_s;
+  for (const ControlOutcome& c : out.controls) out.simulated_s += c.simulated_s;
+  return out;
+}
+
+std::vector<ReportRow> walk_rows(const WalkExperiment& result) {
+  std::vector<ReportRow> rows;
+  double force_rms_m = kNaN;
+  for (const ControlOutcome& c : result.controls)
+    if (c.control == GaitControl::kForce) force_rms_m = c.swing_rms_m;
+  for (const ControlOutcome& c : result.controls) add_control(c, force_rms_m, rows);
+  for (const GaitOutcome& g : result.gaits) add_gait(g, result.limits.torque_Nm, rows);
+  return rows;
+}
+
+std::vector<report::Section> walk_sections(const WalkExperiment& result) {
+  return {controls_section(result), gaits_section(result)};
+}
+
+}  // namespace sprung

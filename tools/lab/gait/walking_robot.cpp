@@ -1,0 +1,48 @@
+#include "tools/lab/gait/walking_robot.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace sprung {
+
+WalkingRobot::WalkingRobot(const RobotConfig& robot, const std::string& preset, const SimOptions& sim)
+    : config_(robot), trial_(robot, preset, sim), vitals_(robot) {
+  trial_.stand_up();
+}
+
+void WalkingRobot::walk(const std::string& gait, const Vec3& speed, GaitControl control) {
+  OperatorCommand command;
+  command.kind = OperatorKind::kWalk;
+  command.gait = gait_index(config_, gait);
+  command.walk_speed = speed;
+  command.gait_control = control;
+  must_walk_ = true;
+  say(command);
+}
+
+void WalkingRobot::push(const std::array<double, 2>& impulse_Ns, double duration_s) {
+  SimControl wrench;
+  wrench.kind = SimControlKind::kWrench;
+  wrench.wrench = {impulse_Ns[0] / duration_s, impulse_Ns[1] / duration_s, 0.0, 0.0, 0.0, 0.0};
+  wrench.duration_s = duration_s;
+  robot().sim().control(wrench);
+}
+
+void WalkingRobot::run(double duration_s, const OnCycle& on_cycle) {
+  const std::int64_t cycles = std::llround(duration_s / config_.cycle_s);
+  InProcessRobot& r = robot();
+  for (std::int64_t i = 0; i < cycles; ++i) {
+    r.tick();
+    for (OperatorReply reply; r.next_reply(reply);) {
+      if (reply.outcome != OperatorOutcome::kRefused) continue;
+      ++refusals_;
+      last_refusal_ = reply.reason;
+      if (must_walk_) throw std::runtime_error("the robot refuses to walk: " + last_refusal_);
+    }
+    if (r.sim().failed()) throw std::runtime_error(std::string("simulation: ") + r.sim().failure());
+    vitals_.add({r.drive_state(), r.joint_state(), r.motion_state(), r.bridge().safety(), r.truth()});
+    if (on_cycle) on_cycle(r);
+  }
+}
+
+}  // namespace sprung

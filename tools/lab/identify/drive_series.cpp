@@ -1,0 +1,183 @@
+#include "tools/lab/identify/drive_series.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+#include "estimator/drive_sampler.h"
+
+namespace sprung::identify {
+
+namespace {
+
+constexpr double kStill_rad = 0.02;         ///< others' distance from their pose
+constexpr double kRestHalfWindow_s = 0.05;  ///< before and after a sample
+constexpr double kRestSpeed_rad_s = 5e-4;   ///< mean over that window, below which the joint is at rest
+constexpr double kLeastMoving_s = 2.0;
+constexpr double kWorthSaying = 0.02;  ///< share of samples left out
+
+/// Of one leg: a row for each time stamp at which every drive of the leg answered with finite numbers.
+struct LegSamples {
+  std::vector<double> time_s;
+  std::vector<std::vector<double>> position_rad;  ///< by joint of the leg
+  std::vector<double> torque_Nm;                  ///< of the joint that is identified
+  std::vector<double> link_position_rad;          ///< of it; NaN where there is none
+  std::vector<bool> enabled;
+};
+
+/// Link side of one joint, through the transmission that the actuators' link encoders see too. NaN unless all are there.
+double link_position_rad(const Transmission& transmission, const LegConfig& leg, const DriveState& state,
+                         int place) {
+  JointVector link(transmission.size());
+  for (int i = 0; i < link.size(); ++i)
+    link[i] = state.actuators[static_cast<std::size_t>(leg.actuators[static_cast<std::size_t>(i)])]
+                  .measured_link_position_rad;
+  return transmission.joint_from_actuator(link)[place];
+}
+
+LegSamples samples_of(const RobotConfig& robot, const LegPlace& at, const std::vector<DriveState>& states) {
+  const LegConfig& leg = robot.legs[static_cast<std::size_t>(at.leg)];
+  const DriveSampler sampler(robot, leg);
+  const Transmission transmission(leg);
+  const std::size_t joints = leg.joints.size();
+  std::vector<JointSample> samples(joints);
+  LegSamples out;
+  out.position_rad.resize(joints);
+  std::int64_t last_seq = -1;
+  for (const DriveState& state : states) {
+    if (state.stamp.seq <= last_seq || state.actuators.size() != robot.actuators.size()) continue;
+    last_seq = state.stamp.seq;
+    sampler.sample(state.actuators, samples);
+    if (!std::all_of(samples.begin(), samples.end(), [](const JointSample& s) { return s.fresh; })) continue;
+    const JointSample& own = samples[static_cast<std::size_t>(at.place)];
+    out.time_s.push_back(1e-6 * static_cast<double>(state.stamp.utime_us));
+    for (std::size_t j = 0; j < joints; ++j) out.position_rad[j].push_back(samples[j].measured_position_rad);
+    out.torque_Nm.push_back(own.motor_torque_Nm);
+    out.link_position_rad.push_back(link_position_rad(transmission, leg, state, at.place));
+    out.enabled.push_back(own.drive_enabled);
+  }
+  return out;
+}
+
+/// Mean speed around each sample is that of a joint in motion.
+std::vector<bool> moving(const std::vector<double>& time_s, const std::vector<double>& position_rad) {
+  std::vector<bool> out(time_s.size());
+  std::size_t first = 0, last = 0;
+  for (std::size_t i = 0; i < time_s.size(); ++i) {
+    while (time_s[i] - time_s[first] > kRestHalfWindow_s) ++first;
+    while (last + 1 < time_s.size() && time_s[last + 1] - time_s[i] <= kRestHalfWindow_s) ++last;
+    const auto [low, high] =
+        std::minmax_element(position_rad.begin() + static_cast<std::ptrdiff_t>(first),
+                            position_rad.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+    out[i] = *high - *low > kRestSpeed_rad_s * (time_s[last] - time_s[first]);
+  }
+  return out;
+}
+
+double median_where(const std::vector<double>& values, const std::vector<bool>& where) {
+  std::vector<double> kept;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (where[i]) kept.push_back(values[i]);
+  }
+  if (kept.empty()) return values.empty() ? 0.0 : values.front();
+  const auto middle = kept.begin() + static_cast<std::ptrdiff_t>(kept.size() / 2);
+  std::nth_element(kept.begin(), middle, kept.end());
+  return *middle;
+}
+
+std::string share_text(const char* what, double share) {
+  char text[120];
+  std::snprintf(text, sizeof text, "%.0f %% of the samples are left out: %s", 100.0 * share, what);
+  return text;
+}
+
+/// Turns samples off and says so where they are many.
+class Filter {
+ public:
+  explicit Filter(std::size_t samples) : weight_(samples, 1.0) {}
+
+  template <class Keep>
+  void keep(const char* otherwise, std::vector<std::string>& notes, const Keep& keep) {
+    std::size_t dropped = 0;
+    for (std::size_t i = 0; i < weight_.size(); ++i) {
+      if (weight_[i] == 0.0 || keep(i)) continue;
+      weight_[i] = 0.0;
+      ++dropped;
+    }
+    const double share =
+        static_cast<double>(dropped) / static_cast<double>(std::max<std::size_t>(weight_.size(), 1));
+    if (share > kWorthSaying) notes.push_back(share_text(otherwise, share));
+  }
+
+  const std::vector<double>& weight() const { return weight_; }
+
+ private:
+  std::vector<double> weight_;
+};
+
+double counted_s(const std::vector<double>& time_s, const std::vector<double>& weight) {
+  double sum = 0.0;
+  for (std::size_t i = 1; i < time_s.size(); ++i) sum += weight[i] * std::min(time_s[i] - time_s[i - 1], 0.1);
+  return sum;
+}
+
+void fill_series(const RobotConfig& robot, const LegPlace& at, LegSamples&& samples, DriveSeries& out) {
+  const LegConfig& leg = robot.legs[static_cast<std::size_t>(at.leg)];
+  const auto place = static_cast<std::size_t>(at.place);
+  out.series.gear_ratio = robot.actuators[static_cast<std::size_t>(leg.actuators[place])].gear_ratio;
+  out.series.time_s = std::move(samples.time_s);
+  out.series.position_rad = std::move(samples.position_rad[place]);
+  out.series.measured_torque = std::move(samples.torque_Nm);
+  const bool linked = std::all_of(samples.link_position_rad.begin(), samples.link_position_rad.end(),
+                                  [](double q) { return std::isfinite(q); });
+  if (linked) out.series.link_position_rad = std::move(samples.link_position_rad);
+}
+
+}  // namespace
+
+LegPlace place_of(const RobotConfig& robot, int joint) {
+  for (std::size_t l = 0; l < robot.legs.size(); ++l) {
+    const auto& joints = robot.legs[l].joints;
+    const auto found = std::find(joints.begin(), joints.end(), joint);
+    if (found != joints.end()) return {static_cast<int>(l), static_cast<int>(found - joints.begin())};
+  }
+  throw std::runtime_error("joint " + std::to_string(joint) + " belongs to no leg");
+}
+
+DriveSeries drive_series(const RobotConfig& robot, int joint, const std::vector<DriveState>& states) {
+  const std::string& name = robot.joints.at(static_cast<std::size_t>(joint)).name;
+  const LegPlace at = place_of(robot, joint);
+  LegSamples samples = samples_of(robot, at, states);
+  const std::size_t n = samples.time_s.size();
+  if (n == 0) throw std::runtime_error("no sample in which every drive of joint " + name + "'s leg answered");
+  const std::vector<bool> moves =
+      moving(samples.time_s, samples.position_rad[static_cast<std::size_t>(at.place)]);
+  DriveSeries out;
+  for (const auto& position_rad : samples.position_rad)
+    out.pose_rad.push_back(median_where(position_rad, moves));
+  Filter filter(n);
+  filter.keep("a drive was not enabled", out.notes, [&](std::size_t i) { return samples.enabled[i]; });
+  filter.keep("the joint was at rest, where friction may be anything", out.notes,
+              [&](std::size_t i) { return moves[i]; });
+  filter.keep("other joints of the leg moved or held another pose", out.notes, [&](std::size_t i) {
+    for (std::size_t j = 0; j < samples.position_rad.size(); ++j) {
+      const bool other = j != static_cast<std::size_t>(at.place);
+      if (other && std::abs(samples.position_rad[j][i] - out.pose_rad[j]) > kStill_rad) return false;
+    }
+    return true;
+  });
+  out.moving_s = counted_s(samples.time_s, filter.weight());
+  if (out.moving_s < kLeastMoving_s) {
+    std::string why;
+    for (const std::string& note : out.notes) why += "; " + note;
+    throw std::runtime_error("joint " + name + " moves alone for only " + std::to_string(out.moving_s) +
+                             " s" + why + ". Record it with: sprung identify --record " + robot.name + " " +
+                             name);
+  }
+  fill_series(robot, at, std::move(samples), out);
+  out.series.weight = filter.weight();
+  return out;
+}
+
+}  // namespace sprung::identify

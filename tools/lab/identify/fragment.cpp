@@ -1,0 +1,118 @@
+#include "tools/lab/identify/fragment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+#include "robots/identification_sections.h"
+#include "tools/lab/identify/result_table.h"
+
+namespace sprung::identify {
+
+using identification::has;
+using identification::JointTerm;
+using identification::JointTerms;
+using identification::ModelResult;
+
+namespace {
+
+/// Below this a share of uncertainty is not believed, however small the standard error: Kt, temperature and lubrication
+/// drift more, and a fit is only promised to be within 5 %.
+constexpr double kLeastShare = 0.02;
+
+/// The simplest named model that allows these terms.
+FrictionModelKind kind_of(const JointTerms& terms) {
+  if (has(terms, JointTerm::kPresliding)) return FrictionModelKind::kPresliding;
+  if (has(terms, JointTerm::kLoad) || has(terms, JointTerm::kAsymmetry)) return FrictionModelKind::kLoad;
+  if (has(terms, JointTerm::kStribeck)) return FrictionModelKind::kStribeck;
+  if (has(terms, JointTerm::kViscous)) return FrictionModelKind::kViscous;
+  return FrictionModelKind::kCoulomb;
+}
+
+double standard_error_of(const ModelResult& model, const std::string& name) {
+  const auto& all = model.model->parameters();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].name == name) return model.statistics.standard_error[static_cast<Eigen::Index>(i)];
+  }
+  return 0.0;
+}
+
+/// RMS of what the model misses on held-out data, over the friction without load at the mean speed of the joint.
+double friction_share(const ModelResult& model, const FrictionParameters& friction, double mean_speed_rad_s) {
+  const double typical_Nm =
+      friction.coulomb_Nm + friction.viscous_Nm_s_rad * std::pow(mean_speed_rad_s, friction.viscous_exponent);
+  return typical_Nm > 0.0 ? std::clamp(model.held_out.rms / typical_Nm, kLeastShare, 10.0) : 10.0;
+}
+
+double mean_speed_rad_s(const IdentifiedJoint& joint) {
+  return joint.result.training.front().data.velocity_rad_s.cwiseAbs().mean();
+}
+
+std::string comment(const std::string& text) { return "    # " + text + "\n"; }
+
+std::string other_parameters(const ModelResult& model) {
+  std::string out;
+  const auto& all = model.model->parameters();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    std::string value =
+        with_error(model.fit.parameters[at], model.statistics.standard_error[at], all[i].unit);
+    value.erase(0, value.find_first_not_of(' '));
+    out += comment(all[i].name + ": " + value);
+  }
+  return out;
+}
+
+std::string entry(const IdentifiedJoint& joint, const JointConfig& config) {
+  char text[160];
+  std::string out = "  - name: " + config.name + "\n";
+  if (joint.armature) {
+    std::snprintf(text, sizeof text, "    armature: %.6g kg m^2\n", config.armature_kg_m2);
+    out += text + comment(joint.armature->note);
+  } else {
+    out += comment("armature: as it was; links are not known, so that rotor and link cannot be told apart");
+  }
+  out += identification_text(config);
+  out += comment("model " + joint.chosen().model->name() + ", value +- standard error:");
+  out += other_parameters(joint.chosen());
+  for (const std::string& warning : joint.chosen().statistics.warnings) out += comment("warning: " + warning);
+  return out;
+}
+
+}  // namespace
+
+JointConfig identified_config(const IdentifiedJoint& joint, const JointConfig& known,
+                              const Provenance& provenance) {
+  const ModelResult& model = joint.chosen();
+  if (joint.result.training.front().data.torque_unit != "Nm")
+    throw std::invalid_argument(
+        "a fragment needs torques in Nm: give --torque-constant, or a column 'torque'");
+  JointConfig out = known;
+  IdentifiedFriction friction;
+  friction.model = kind_of(model.model->terms());
+  friction.parameters = model.model->friction(model.fit.parameters);
+  friction.record = {provenance.date,   provenance.file,
+                     provenance.sha256, static_cast<std::int64_t>(model.train.samples),
+                     model.held_out.r2, model.held_out.rms,
+                     provenance.command};
+  out.uncertainty.friction = friction_share(model, friction.parameters, mean_speed_rad_s(joint));
+  if (joint.armature && joint.armature->value_kg_m2 > 0.0) {
+    out.armature_kg_m2 = joint.armature->value_kg_m2;
+    const double share = standard_error_of(model, "inertia") / out.armature_kg_m2;
+    out.uncertainty.armature = std::clamp(share, kLeastShare, 1.0);
+  }
+  out.friction = friction;
+  return out;
+}
+
+std::string fragment_text(const std::vector<IdentifiedJoint>& joints,
+                          const std::vector<JointConfig>& configs) {
+  std::string out =
+      "# Written by sprung identify: put the keys of each joint in the place of the same keys in "
+      "robot.yaml.\njoints:\n";
+  for (std::size_t i = 0; i < joints.size(); ++i) out += entry(joints[i], configs[i]);
+  return out;
+}
+
+}  // namespace sprung::identify

@@ -1,0 +1,21 @@
+#pragma once
+/// What was identified, as keys of robot.yaml. Pure.
+#include <string>
+#include <vector>
+
+#include "robots/robot_config.h"
+#include "tools/lab/identify/identified_joint.h"
+
+namespace sprung::identify {
+
+/// The joint as robot.yaml will hold it: `known` with armature, friction and their uncertainty as found.
+/// @param known of robot.yaml, or a joint with a name alone.
+/// @throws std::invalid_argument where the torque is in amperes: robot.yaml wants Nm.
+JointConfig identified_config(const IdentifiedJoint& joint, const JointConfig& known,
+                              const Provenance& provenance);
+
+/// A list entry under `joints:` for each, with comments that say what else was found.
+std::string fragment_text(const std::vector<IdentifiedJoint>& joints,
+                          const std::vector<JointConfig>& configs);
+
+}  // namespace sprung::identify

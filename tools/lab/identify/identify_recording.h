@@ -1,0 +1,47 @@
+#pragma once
+/// From a file to identified joints. Reads files.
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "robots/robot_config.h"
+#include "signals/drive_state.h"
+#include "tools/lab/identify/csv_series.h"
+#include "tools/lab/identify/identified_joint.h"
+#include "tools/lab/identify/protocol_request.h"
+
+namespace sprung::identify {
+
+/// Either a table or a log.
+struct RecordingRequest {
+  std::string csv;
+  std::string columns;
+  std::string delimiter;  ///< "" = what the first line has; "tab"
+  Drive drive;
+  std::string log;
+  std::string robot;
+  std::string joint;       ///< "" = every joint that moves alone
+  bool all = false;        ///< a joint that does not is a failure
+  bool footprint = false;  ///< both sides' encoders too
+  ProtocolRequest protocol;
+
+  const std::string& file() const { return csv.empty() ? log : csv; }
+};
+
+struct Recording {
+  std::vector<IdentifiedJoint> joints;  ///< at least one
+  std::vector<JointConfig> configs;     ///< of robot.yaml; of a table one with nothing but a name
+  std::vector<std::string> notes;       ///< joints that were left out
+};
+
+/// @param progress gets what is being done.
+/// @throws WrongUse where the request makes no sense, std::runtime_error or std::invalid_argument where the recording does not.
+Recording identify_recording(const RecordingRequest& request,
+                             const std::function<void(const std::string&)>& progress);
+
+/// One joint of a robot from its DRIVE_STATEs.
+IdentifiedJoint identify_drives(const RobotConfig& robot, int joint, const std::vector<DriveState>& states,
+                                const ProtocolRequest& protocol,
+                                const std::function<void(const std::string&)>& progress = {});
+
+}  // namespace sprung::identify

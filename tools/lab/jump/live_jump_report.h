@@ -1,0 +1,24 @@
+#pragma once
+/// The page of jumps that were measured while a simulated robot ran: a table of all, and the first one drawn. Pure.
+#include <string>
+#include <vector>
+
+#include "tools/common/report/report.h"
+#include "tools/lab/jump/jump_rows.h"
+#include "tools/lab/jump/jump_trace.h"
+
+namespace sprung {
+
+struct LiveJumps {
+  std::string robot;
+  std::string preset;
+  JumpMode mode = JumpMode::kHybrid;
+  std::string command;              ///< that made them
+  std::vector<JumpResult> jumps;    ///< all
+  std::vector<JumpSample> samples;  ///< of the first
+};
+
+/// @throws std::invalid_argument where there is no jump.
+report::Report live_jump_report(const LiveJumps& live);
+
+}  // namespace sprung

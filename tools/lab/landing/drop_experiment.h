@@ -1,0 +1,45 @@
+#pragma once
+/// `sprung experiment drop`: landings from 0.1 to 0.5 m in each mode, and sprung's own landing against the papers' hybrid law
+/// (preset `paper`) on the same plant, 50 times with a floor that is not where it is expected.
+#include <functional>
+#include <vector>
+
+#include "tools/lab/landing/drop.h"
+#include "tools/lab/run/experiment_report.h"
+
+namespace sprung {
+
+struct DropRow {
+  JumpMode mode = JumpMode::kHybrid;
+  double height_m = 0.0;
+  DropResult result;
+};
+
+/// One seed: both laws, the same surprise.
+struct DropPair {
+  std::uint64_t seed = 0;
+  double surprise_s = 0.0;
+  DropResult own;
+  DropResult paper;
+};
+
+struct DropExperiment {
+  std::vector<DropRow> landings;
+  std::vector<DropPair> pairs;
+  ExperimentReport rows;
+};
+
+struct DropRequest {
+  std::string preset;  ///< empty = the robot's usual one
+  SimOptions sim;      ///< its seed is the first of the comparison's
+  int seeds = 50;
+  int jobs = 0;  ///< of parallel.h
+  std::function<void(std::size_t done, std::size_t count)> on_progress =
+      {};  ///< of parallel.h, over all drops
+};
+
+/// @throws std::invalid_argument where fewer than one seed is asked for, CaseError where a drop failed (no preset `paper`, refusals).
+DropExperiment run_drop_experiment(const RobotConfig& robot, const DropRequest& request,
+                                   const ScriptRunner& run);
+
+}  // namespace sprung

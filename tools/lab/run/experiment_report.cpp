@@ -1,0 +1,91 @@
+#include "tools/lab/run/experiment_report.h"
+
+#include <sprung_version.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+namespace sprung {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(const std::optional<double>& value) {
+  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
+}
+
+/// Shares and ratios, which have no unit, say more in four digits.
+std::string cell(const std::optional<double>& value, const std::string& unit) {
+  if (!value) {
+    return "";
+  }
+  char text[32];
+  std::snprintf(text, sizeof text, unit.empty() ? "%.4g" : "%.1f", *value);
+  return std::isfinite(*value) ? text : "not reached";
+}
+
+std::string bounds(const ReportRow& row) {
+  if (!row.low && !row.high) {
+    return "";
+  }
+  const std::string range =
+      (row.low ? cell(row.low, row.unit) : "") + ".." + (row.high ? cell(row.high, row.unit) : "");
+  return range + (row.ok() ? "  ok" : "  NOT OK");
+}
+
+}  // namespace
+
+bool ReportRow::ok() const {
+  if (!low && !high) {
+    return true;
+  }
+  return std::isfinite(value) && (!low || value >= *low) && (!high || value <= *high);
+}
+
+bool ExperimentReport::ok() const {
+  return std::all_of(rows.begin(), rows.end(), [](const ReportRow& row) { return row.ok(); });
+}
+
+std::string ExperimentReport::json() const {
+  Json out;
+  out["experiment"] = experiment;
+  out["robot"] = robot;
+  out["preset"] = preset;
+  out["seed"] = seed;
+  out["version"] = SPRUNG_VERSION "-" SPRUNG_GIT_HASH;
+  out["separate"] = separate_processes;
+  out["wall_s"] = wall_s;
+  out["simulated_s"] = simulated_s;
+  out["rows"] = Json::array();
+  for (const ReportRow& row : rows) {
+    out["rows"].push_back({{"name", row.name},
+                           {"unit", row.unit},
+                           {"value", number(row.value)},
+                           {"paper", number(row.paper)},
+                           {"low", number(row.low)},
+                           {"high", number(row.high)},
+                           {"ok", row.ok()}});
+  }
+  return out.dump(1);
+}
+
+std::string ExperimentReport::table() const {
+  char line[200];
+  std::snprintf(line, sizeof line, "%s on %s, preset %s, seed %llu: %.1f s simulated in %.1f s\n",
+                experiment.c_str(), robot.c_str(), preset.c_str(), static_cast<unsigned long long>(seed),
+                simulated_s, wall_s);
+  std::string text = line;
+  std::snprintf(line, sizeof line, "%-44s %5s %12s %9s  %s\n", "row", "unit", "value", "paper", "bounds");
+  text += line;
+  for (const ReportRow& row : rows) {
+    std::snprintf(line, sizeof line, "%-44s %5s %12s %9s  %s\n", row.name.c_str(), row.unit.c_str(),
+                  cell(row.value, row.unit).c_str(), cell(row.paper, row.unit).c_str(), bounds(row).c_str());
+    text += line;
+  }
+  return text;
+}
+
+}  // namespace sprung

@@ -1,0 +1,64 @@
+#include <cstdio>
+#include <memory>
+
+#include "sprung_version.h"
+#include "tools/logs/commands/log/log_commands.h"
+#include "tools/logs/commands/log/output_file.h"
+#include "tools/logs/log/log_info.h"
+#include "tools/logs/log/mcap_export.h"
+
+namespace sprung::commands {
+
+namespace {
+
+struct McapRequest {
+  std::string log;
+  std::vector<std::string> keep, drop;
+  bool plain = false;
+  std::string encoding = "protobuf";
+  std::string out;
+};
+
+int run_mcap(const McapRequest& request) {
+  const std::string path = request.out.empty() ? beside(request.log, ".mcap") : request.out;
+  log::ChannelFilter channels = or_wrong_use([&] { return log::ChannelFilter(request.keep, request.drop); });
+  log::Reader reader(request.log);
+  or_wrong_use([&] { log::refuse_same_file({request.log}, path); });
+  const auto metadata = log::find_metadata(reader);
+  if (!metadata || metadata->robot_yaml.empty())
+    std::fprintf(stderr, "%s: no robot.yaml is in it, so none is attached\n", request.log.c_str());
+  OutputFile out(path);
+  const auto encoding = request.encoding == "json" ? log::McapEncoding::kJson : log::McapEncoding::kProtobuf;
+  log::McapOptions options = log::options_for(encoding);
+  options.compress = !request.plain;
+  log::McapWriter writer([&out](std::string_view bytes) { out.write(bytes); }, "sprung " SPRUNG_VERSION,
+                         options);
+  const log::McapResult result = log::export_mcap(reader, channels, encoding, writer, progress_line("mcap"));
+  writer.finish();
+  out.finish();
+  std::printf("%s: %lld of %lld events, %llu bytes\n", path.c_str(), static_cast<long long>(result.written),
+              static_cast<long long>(result.events), static_cast<unsigned long long>(writer.bytes()));
+  if (result.not_decoded > 0)
+    std::fprintf(stderr, "left out: %lld messages of types that are not known here\n",
+                 static_cast<long long>(result.not_decoded));
+  return kExitDone;
+}
+
+}  // namespace
+
+void add_log_mcap(CommandLine& log) {
+  const auto request = std::make_shared<McapRequest>();
+  CommandLine& mcap =
+      log.subcommand("mcap", "A log for Foxglove or PlotJuggler: MCAP with messages and their schemas.");
+  mcap.option("log", request->log, "LCM log", Need::kRequired);
+  mcap.option("--channels", request->keep, "which: NAME, GLOB_* or /regular expression/; may be repeated");
+  mcap.option("--drop", request->drop, "which not; may be repeated, wins");
+  mcap.choice("--encoding", request->encoding, {"protobuf", "json"},
+              "of messages; json is text that anything reads, and takes longer; NaN is null there");
+  mcap.flag("--plain", request->plain, "do not compress (zstd)");
+  mcap.option("-o,--output", request->out, "file; default: named after the log, in this folder");
+  mcap.example("sprung log mcap logs/pegasus.lcm --drop CAN_TRACE -o pegasus.mcap");
+  mcap.action([=] { return run_mcap(*request); });
+}
+
+}  // namespace sprung::commands

@@ -1,0 +1,98 @@
+#include "tools/logs/log/incidents.h"
+
+#include "lcmtypes/channels.h"
+
+namespace sprung::log {
+
+namespace {
+
+constexpr std::int64_t kKept =
+    1000;  // of a kind: a log may alternate between two sessions, or states, for hours
+
+}  // namespace
+
+void IncidentFinder::add(const Event& event, const Timeline::Moment& moment) {
+  const bool safety = event.channel == channels::kSafetyState;
+  if (!safety && event.channel != channels::kMotionState) return;
+  if (decoder_.open(event.data, event.size, message_) != fields::Fault::kNone) return;
+  if (moment.stamp && moment.stamp->session != session_) {
+    session_ = moment.stamp->session;
+    safety_.clear();
+    motion_.clear();
+    seen_.clear();
+    note(IncidentKind::kSession, moment, "session " + std::to_string(session_));
+  }
+  safety ? add_safety(moment) : add_motion(moment);
+}
+
+void IncidentFinder::add_safety(const Timeline::Moment& moment) {
+  const fields::Layout& layout = *message_.layout();
+  std::string now = text(layout.find("level_name"));
+  const std::string cause = text(layout.find("cause_name"));
+  const std::string detail = text(layout.find("detail"));
+  if (!cause.empty() && cause != "none") now += ", " + cause;
+  if (!detail.empty()) now += ": " + detail;
+  if (now == safety_) return;
+  safety_ = now;
+  note(IncidentKind::kSafety, moment, "safety " + now);
+}
+
+void IncidentFinder::find_motion_fields() {
+  const fields::Layout& layout = *message_.layout();
+  motion_fields_ = {message_.keep_layout(), layout.find("state_name"), layout.find("last_transition"), {}};
+  for (std::size_t leg = 0;; ++leg) {
+    const std::string counts = "legs[" + std::to_string(leg) + "].event_counts[";
+    std::array<int, kLegEventCount> found{};
+    for (std::size_t i = 0; i < kLegEventCount; ++i) found[i] = layout.find(counts + std::to_string(i) + "]");
+    if (found[0] == fields::Layout::kNone) break;
+    motion_fields_.counts.push_back(found);
+  }
+}
+
+void IncidentFinder::add_motion(const Timeline::Moment& moment) {
+  if (message_.layout() != motion_fields_.layout.get()) find_motion_fields();
+  const std::string state = text(motion_fields_.state);
+  if (state != motion_) {
+    motion_ = state;
+    const std::string why = text(motion_fields_.reason);
+    note(IncidentKind::kMotion, moment, "motion " + state + (why.empty() ? "" : ": " + why));
+  }
+  add_legs(moment);
+}
+
+void IncidentFinder::add_legs(const Timeline::Moment& moment) {
+  for (std::size_t leg = 0; leg < motion_fields_.counts.size(); ++leg) {
+    std::array<std::int64_t, kLegEventCount> now{};
+    for (std::size_t i = 0; i < kLegEventCount; ++i) {
+      const int field = motion_fields_.counts[leg][i];
+      if (field != fields::Layout::kNone)
+        now[i] = message_.integer(message_.fields()[static_cast<std::size_t>(field)]);
+    }
+    if (seen_.size() <= leg) seen_.push_back(now);  // what befell it before the log begins is no news
+    for (std::size_t i = 1; i < kLegEventCount; ++i) {
+      if (now[i] <= seen_[leg][i]) continue;
+      leg_counts_[i] += now[i] - seen_[leg][i];
+      note(IncidentKind::kLeg, moment, "leg " + leg_name(leg) + " " + name(static_cast<LegEvent>(i)));
+    }
+    seen_[leg] = now;
+  }
+}
+
+void IncidentFinder::note(IncidentKind kind, const Timeline::Moment& moment, std::string text) {
+  if (++of_kind_[static_cast<std::size_t>(kind)] > kKept) {
+    ++left_out_;
+    return;
+  }
+  incidents_.push_back({kind, moment.time_s, moment.stamp ? moment.stamp->seq : -1, std::move(text)});
+}
+
+std::string IncidentFinder::text(int field) const {
+  if (field == fields::Layout::kNone) return "";
+  return std::string(message_.text(message_.fields()[static_cast<std::size_t>(field)]));
+}
+
+std::string IncidentFinder::leg_name(std::size_t leg) const {
+  return leg < leg_names_.size() ? leg_names_[leg] : std::to_string(leg);
+}
+
+}  // namespace sprung::log

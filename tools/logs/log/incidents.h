@@ -1,0 +1,71 @@
+#pragma once
+/// What happened in a log, in words: changes of safety and of the motion's state, and what befell legs. Pure.
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "signals/modes.h"
+#include "tools/logs/fields/decoder.h"
+#include "tools/logs/log/event.h"
+#include "tools/logs/log/timeline.h"
+
+namespace sprung::log {
+
+enum class IncidentKind : std::int8_t { kSession, kSafety, kMotion, kLeg };
+inline constexpr std::size_t kIncidentKinds = 4;
+
+struct Incident {
+  IncidentKind kind = IncidentKind::kMotion;
+  double time_s = 0.0;    ///< robot's time since the log's begin
+  std::int64_t seq = -1;  ///< cycle
+  std::string text;
+};
+
+class IncidentFinder {
+ public:
+  /// @param leg_names by index; legs beyond them are named by number.
+  explicit IncidentFinder(std::vector<std::string> leg_names = {}) : leg_names_(std::move(leg_names)) {}
+
+  void add(const Event& event, const Timeline::Moment& moment);
+  /// In their order; of each kind the first thousand.
+  const std::vector<Incident>& incidents() const noexcept { return incidents_; }
+  /// Those that were left out.
+  std::int64_t left_out() const noexcept { return left_out_; }
+  /// How often each befell any leg, by LegEvent.
+  const std::array<std::int64_t, kLegEventCount>& leg_counts() const noexcept { return leg_counts_; }
+
+ private:
+  /// Where the fields of the newest MOTION_STATE's shape are.
+  struct MotionFields {
+    std::shared_ptr<const fields::Layout> layout;  ///< kept, so that no other gets its address
+    int state = fields::Layout::kNone;
+    int reason = fields::Layout::kNone;
+    std::vector<std::array<int, kLegEventCount>> counts;  ///< of each leg
+  };
+
+  void add_safety(const Timeline::Moment& moment);
+  void add_motion(const Timeline::Moment& moment);
+  void add_legs(const Timeline::Moment& moment);
+  void find_motion_fields();
+  void note(IncidentKind kind, const Timeline::Moment& moment, std::string text);
+  std::string text(int field) const;
+  std::string leg_name(std::size_t leg) const;
+
+  std::vector<std::string> leg_names_;
+  fields::Decoder decoder_;
+  fields::MessageView message_;
+  std::int64_t session_ = 0;
+  std::string safety_;
+  std::string motion_;
+  MotionFields motion_fields_;
+  std::vector<std::array<std::int64_t, kLegEventCount>>
+      seen_;  ///< event counts of each leg, as last published
+  std::array<std::int64_t, kLegEventCount> leg_counts_{};
+  std::array<std::int64_t, kIncidentKinds> of_kind_{};
+  std::int64_t left_out_ = 0;
+  std::vector<Incident> incidents_;
+};
+
+}  // namespace sprung::log

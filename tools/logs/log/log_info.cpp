@@ -1,0 +1,115 @@
+#include "tools/logs/log/log_info.h"
+
+#include <algorithm>
+
+#include "lcmtypes/channels.h"
+#include "tools/logs/log/time_span.h"
+#include "tools/logs/log/writer.h"
+
+namespace sprung::log {
+
+namespace {
+
+/// Counts that need the event before.
+class Clockwork {
+ public:
+  void add(const Event& event, const Timeline::Moment& moment, LogInfo& info) {
+    ++info.events;
+    if (moment.stamp && sessions_.insert(moment.stamp->session).second) ++info.sessions;
+    info.duration_s = std::max(info.duration_s, moment.time_s);
+    if (event.channel == channels::kLogMetadata) return;  // see timeline.cpp
+    if (!begun_) newest_us_ = earliest_us_ = before_us_ = event.time_us;
+    begun_ = true;
+    info.went_back += event.time_us < before_us_ ? 1 : 0;
+    before_us_ = event.time_us;
+    newest_us_ = std::max(newest_us_, event.time_us);
+    earliest_us_ = std::min(earliest_us_, event.time_us);
+    info.received_s = 1e-6 * (static_cast<double>(newest_us_) - static_cast<double>(earliest_us_));
+  }
+
+ private:
+  bool begun_ = false;
+  std::int64_t before_us_ = 0;
+  std::int64_t newest_us_ = 0;
+  std::int64_t earliest_us_ = 0;
+  std::set<std::int64_t> sessions_;
+};
+
+void note_frame(const Event& event, LogInfo& info) {
+  if (event.channel == channels::kLogMetadata && !info.metadata)
+    info.metadata = read_log_metadata(event.data, event.size);
+  if (event.channel == channels::kLogEnd) {
+    if (const auto end = read_log_end(event.data, event.size)) info.end = end;
+  }
+}
+
+void note_damages(const Reader& reader, LogInfo& info) {
+  info.damages = reader.damage_count();
+  info.skipped_bytes = reader.skipped_bytes();
+  if (!info.being_written || !ends_inside_an_event(reader)) return;
+  --info.damages;
+  info.skipped_bytes -= reader.damages().back().bytes;
+}
+
+}  // namespace
+
+bool ends_inside_an_event(const Reader& reader) noexcept {
+  return !reader.damages().empty() && reader.damages().back().kind == DamageKind::kCutOff;
+}
+
+std::int64_t LogInfo::missing() const noexcept {
+  std::int64_t sum = 0;
+  for (const auto& [name, channel] : channels) sum += channel.cycles.missing;
+  return sum;
+}
+
+LogInfo collect_info(Reader& reader, const std::vector<std::string>& leg_names, const Progress& progress) {
+  LogInfo info;
+  info.path = reader.path();
+  info.bytes = reader.file_bytes();
+  info.being_written = is_being_written(reader.path());
+  Timeline timeline;
+  Clockwork clockwork;
+  IncidentFinder incidents(leg_names);
+  std::map<std::string, ChannelCounter, std::less<>> counters;
+  for (Event event; reader.next(event);) {
+    const Timeline::Moment moment = timeline.next(event);
+    clockwork.add(event, moment, info);
+    auto counter = counters.find(event.channel);
+    if (counter == counters.end())
+      counter =
+          counters.try_emplace(std::string(event.channel), event.channel, fields::TypeTable::sprung()).first;
+    counter->second.add(event, moment);
+    incidents.add(event, moment);
+    note_frame(event, info);
+    if (progress && info.events % kEventsBetween == 0) progress(reader.position(), info.bytes);
+  }
+  for (const auto& [name, counter] : counters) info.channels.emplace(name, counter.report());
+  info.begin_us = timeline.begin_us();
+  info.incidents = incidents.incidents();
+  info.incidents_left_out = incidents.left_out();
+  info.leg_counts = incidents.leg_counts();
+  note_damages(reader, info);
+  return info;
+}
+
+LogExtent extent_of(Reader& reader) {
+  Timeline timeline;
+  LogExtent extent;
+  for (Event event; reader.next(event);) extent.end_s = std::max(extent.end_s, timeline.next(event).time_s);
+  extent.begin_us = timeline.begin_us();
+  reader.rewind();
+  return extent;
+}
+
+std::optional<sprung_msgs::log_metadata_t> find_metadata(Reader& reader) {
+  std::optional<sprung_msgs::log_metadata_t> found;
+  Event event;
+  for (int i = 0; i < kEventsToLookAt && !found && reader.next(event); ++i) {
+    if (event.channel == channels::kLogMetadata) found = read_log_metadata(event.data, event.size);
+  }
+  reader.rewind();
+  return found;
+}
+
+}  // namespace sprung::log

@@ -1,0 +1,145 @@
+#include "tools/operate/client/health_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "drivers/canopen/emergency.h"
+#include "drivers/canopen/nmt.h"
+#include "lcmtypes/channels.h"
+#include "signals/modes.h"
+#include "tools/operate/client/motion_report.h"
+
+namespace sprung {
+
+using Json = nlohmann::ordered_json;
+
+HealthListener::HealthListener(const RunInfo& info, const RobotConfig& robot)
+    : node_({info.lcm_url, info.session, info.epoch_us, {}}) {
+  const std::size_t nodes = robot.actuators.size() + robot.encoder_cards.size();
+  node_.subscribe_message(channels::kBusState, CountLimits::exactly(robot.buses.size(), nodes), buses_);
+  node_.subscribe_message(channels::kSafetyState, CountLimits::none(), safeties_);
+  node_.start();
+}
+
+void HealthListener::take() {
+  while (auto state = buses_.pop()) bus_ = std::move(*state);
+  while (auto state = safeties_.pop()) safety_ = std::move(*state);
+}
+
+std::string node_name(const RobotConfig& robot, const sprung_msgs::node_health_t& node, std::size_t index) {
+  const std::size_t card = index - robot.actuators.size();
+  if (index < robot.actuators.size()) return robot.actuators[index].name;
+  if (card < robot.encoder_cards.size()) return robot.encoder_cards[card].name;
+  return "node " + std::to_string(node.node);
+}
+
+std::string recovery_text(const sprung_msgs::node_health_t& node) {
+  const auto* text = reinterpret_cast<const char*>(node.recovery);
+  return {text, std::find(text, text + sizeof node.recovery, '\0')};
+}
+
+std::string node_trouble(const sprung_msgs::node_health_t& node) {
+  std::string text;
+  const auto add = [&text](std::int64_t count, const std::string& what) {
+    if (count != 0) text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + what;
+  };
+  std::string emergency = "emergencies";
+  if (node.last_emergency_code != 0) {
+    char code[16];
+    std::snprintf(code, sizeof code, "0x%04X ", static_cast<unsigned>(node.last_emergency_code));
+    emergency += " (last " + std::string(code) +
+                 canopen::emergency_text(static_cast<std::uint16_t>(node.last_emergency_code)) + ")";
+  }
+  add(node.emergencies, emergency);
+  add(node.boot_ups, "unasked boot-ups");
+  add(node.missing_samples, "samples missing");
+  add(node.late_samples, "late");
+  add(node.short_frames, "short");
+  add(node.duplicate_samples, "double");
+  add(node.implausible_samples, "implausible");
+  add(node.heartbeat_losses, "heartbeat losses");
+  add(node.sdo_failures, "failed SDO transfers");
+  if (!node.operational) text = std::string("not operational") + (text.empty() ? "" : ", ") + text;
+  return text;
+}
+
+Json buses_json(const RobotConfig& robot, const sprung_msgs::bus_state_t& state) {
+  Json out = Json::array();
+  for (std::size_t i = 0; i < state.buses.size() && i < robot.buses.size(); ++i) {
+    const sprung_msgs::bus_health_t& bus = state.buses[i];
+    out.push_back({{"name", robot.buses[i].name},
+                   {"condition", name(static_cast<BusCondition>(bus.condition))},
+                   {"load_share", bus.load_share},
+                   {"sent", bus.sent},
+                   {"received", bus.received},
+                   {"send_failed", bus.send_failed},
+                   {"no_buffers", bus.no_buffers},
+                   {"dropped", bus.dropped},
+                   {"malformed", bus.malformed},
+                   {"unexpected", bus.unexpected},
+                   {"error_frames", bus.error_frames},
+                   {"bus_offs", bus.bus_offs},
+                   {"restarts", bus.restarts}});
+  }
+  return out;
+}
+
+Json nodes_json(const RobotConfig& robot, const sprung_msgs::bus_state_t& state) {
+  Json out = Json::array();
+  for (std::size_t i = 0; i < state.nodes.size(); ++i) {
+    const sprung_msgs::node_health_t& node = state.nodes[i];
+    const bool known_bus = node.bus >= 0 && node.bus < static_cast<int>(robot.buses.size());
+    out.push_back(
+        {{"name", node_name(robot, node, i)},
+         {"bus", known_bus ? Json(robot.buses[static_cast<std::size_t>(node.bus)].name) : Json(nullptr)},
+         {"node", node.node},
+         {"operational", node.operational != 0},
+         {"nmt_state",
+          node.nmt_state < 0 ? "unknown" : canopen::nmt_text(static_cast<canopen::NmtState>(node.nmt_state))},
+         {"last_emergency_code", node.last_emergency_code},
+         {"error_register", node.error_register},
+         {"emergencies", node.emergencies},
+         {"boot_ups", node.boot_ups},
+         {"missing_samples", node.missing_samples},
+         {"late_samples", node.late_samples},
+         {"short_frames", node.short_frames},
+         {"duplicate_samples", node.duplicate_samples},
+         {"implausible_samples", node.implausible_samples},
+         {"heartbeat_losses", node.heartbeat_losses},
+         {"sdo_failures", node.sdo_failures},
+         {"reference_source", name(static_cast<ReferenceSource>(node.reference_source))},
+         {"reference_offset_rad",
+          std::isfinite(node.reference_offset_rad) ? Json(node.reference_offset_rad) : Json(nullptr)},
+         {"trouble", node_trouble(node)},
+         {"recovery", recovery_text(node)}});
+  }
+  return out;
+}
+
+Json safety_json(const std::optional<sprung_msgs::safety_state_t>& safety, double age_s) {
+  if (!safety) return {{"state", "unknown"}, {"cause", "the bridge says nothing"}};
+  return {{"state", safety->level_name},
+          {"cause", safety->cause_name},
+          {"detail", safety->detail},
+          {"latched", safety->latched},
+          {"overruns", safety->overruns},
+          {"missed_cycles", safety->missed_cycles},
+          {"commands_refused", safety->commands_refused},
+          {"age_s", age_s},
+          {"stale", age_s > kStale_s}};
+}
+
+std::string safety_text(const Json& safety) {
+  std::string text =
+      "safety  " + safety["state"].get<std::string>() + ", cause " + safety["cause"].get<std::string>();
+  const std::string detail = safety.value("detail", "");
+  if (!detail.empty()) text += ": " + detail;
+  text += stale_text(safety, "the bridge");
+  const bool over = safety["cause"] == name(SafetyCause::kNone) && !detail.empty();
+  if (over) text += "\n        over by itself; sprung clear forgets it";
+  if (safety.value("latched", 0) != 0) text += "\n        next: sprung clear, then sprung stand";
+  return text;
+}
+
+}  // namespace sprung

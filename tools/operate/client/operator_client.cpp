@@ -1,0 +1,86 @@
+#include "tools/operate/client/operator_client.h"
+
+#include <algorithm>
+#include <random>
+
+#include "lcmtypes/channels.h"
+#include "runtime/stop_request.h"
+
+namespace sprung {
+
+namespace {
+
+constexpr std::int64_t kSendAgain_us = 100'000;
+constexpr std::int64_t kAskAgain_us = 500'000;
+
+std::int64_t random_id() {
+  std::random_device device;
+  return static_cast<std::int64_t>((static_cast<std::uint64_t>(device()) << 31) ^ device()) &
+         0x7FFFFFFFFFFFFFFF;
+}
+
+bool ends(OperatorOutcome outcome) {
+  return outcome != OperatorOutcome::kAccepted && outcome != OperatorOutcome::kQueued;
+}
+
+}  // namespace
+
+OperatorClient::OperatorClient(const RunInfo& info)
+    : node_(NodeOptions{info.lcm_url, info.session, info.epoch_us, {}}),
+      commands_(node_.publisher<OperatorCommand>(channels::kOperatorCommand)) {
+  node_.subscribe_message(channels::kOperatorReply, CountLimits::none(), replies_);
+  node_.start();
+}
+
+std::optional<OperatorAnswer> OperatorClient::next_answer(std::int64_t request_id) {
+  while (const auto reply = replies_.pop()) {
+    if (reply->request_id == request_id) {
+      return OperatorAnswer{static_cast<OperatorOutcome>(reply->outcome), reply->took_effect_at_seq,
+                            reply->from, reply->reason};
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<OperatorAnswer> OperatorClient::send(OperatorCommand& command, double patience_s) {
+  if (command.request_id == 0) {
+    command.request_id = random_id();
+  }
+  const std::int64_t end_us = node_.utime_us() + static_cast<std::int64_t>(patience_s * 1e6);
+  std::int64_t send_us = 0;
+  while (node_.utime_us() < end_us && !stop_requested()) {
+    if (node_.utime_us() >= send_us) {
+      command.stamp.utime_us = node_.utime_us();
+      commands_.publish(command);
+      send_us = node_.utime_us() + kSendAgain_us;
+    }
+    if (auto answer = next_answer(command.request_id)) {
+      next_ask_us_ = node_.utime_us() + kAskAgain_us;
+      return answer;
+    }
+    node_.wait_for_input(std::min(send_us, end_us));
+  }
+  return std::nullopt;
+}
+
+std::optional<OperatorAnswer> OperatorClient::wait_done(const OperatorCommand& command, double patience_s) {
+  const auto patience_us = static_cast<std::int64_t>(patience_s * 1e6);
+  std::int64_t end_us = node_.utime_us() + patience_us;
+  while (node_.utime_us() < end_us && !stop_requested()) {
+    if (const auto answer = next_answer(command.request_id)) {
+      if (ends(answer->outcome)) {
+        return answer;
+      }
+      end_us = node_.utime_us() + patience_us;  // it is alive and at work
+      continue;
+    }
+    if (node_.utime_us() >= next_ask_us_) {
+      commands_.publish(command);
+      next_ask_us_ = node_.utime_us() + kAskAgain_us;
+    }
+    node_.wait_for_input(std::min(next_ask_us_, end_us));
+  }
+  return std::nullopt;
+}
+
+}  // namespace sprung

@@ -1,0 +1,40 @@
+#pragma once
+/// An operator's end of OPERATOR_COMMAND and OPERATOR_REPLY. Commands are sent again until they are answered
+/// (the receivers do not execute one id twice), so a lost datagram costs a tenth of a second and nothing
+/// else.
+#include <optional>
+#include <string>
+
+#include "runtime/node.h"
+#include "signals/operator.h"
+#include "tools/operate/launcher/run_file.h"
+
+namespace sprung {
+
+struct OperatorAnswer {
+  OperatorOutcome outcome = OperatorOutcome::kFailed;
+  std::int64_t took_effect_at_seq = -1;
+  std::string from;
+  std::string reason;
+};
+
+class OperatorClient {
+ public:
+  explicit OperatorClient(const RunInfo& info);
+
+  /// Sends with a new request id unless one is set. @return the first answer (accepted, refused or queued);
+  /// nullopt when nobody answered in patience_s of wall time.
+  std::optional<OperatorAnswer> send(OperatorCommand& command, double patience_s);
+  /// Waits for `done` or `failed` (or a refusal) of a command that was sent; asks again twice a second, in case the answer was
+  /// lost. nullopt on a stop request, or when patience_s passed without any answer.
+  std::optional<OperatorAnswer> wait_done(const OperatorCommand& command, double patience_s);
+
+ private:
+  std::optional<OperatorAnswer> next_answer(std::int64_t request_id);
+  InputQueue<sprung_msgs::operator_reply_t> replies_{256};
+  std::int64_t next_ask_us_ = 0;
+  Node node_;
+  Publisher<OperatorCommand> commands_;
+};
+
+}  // namespace sprung

@@ -1,0 +1,251 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "lcmtypes/channels.h"
+#include "robots/robot_loader.h"
+#include "runtime/node.h"
+#include "runtime/stop_request.h"
+#include "signals/modes.h"
+#include "tools/commands.h"
+#include "tools/operate/client/health_report.h"
+#include "tools/operate/client/motion_report.h"
+#include "tools/operate/launcher/run_file.h"
+
+namespace sprung::commands {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::int64_t kListen_us = 1'200'000;  // PROCESS_STATUS comes twice a second
+constexpr std::int64_t kPatience_us =
+    6'000'000;  // for what comes by message time: once a second, and --speed may be low
+constexpr std::int64_t kLook_us = 50'000;
+
+/// The newest of its kind, and when it came in.
+template <class Message>
+struct Newest {
+  std::optional<Message> message;
+  std::int64_t heard_us = 0;
+
+  void take(InputQueue<Message>& queue, std::int64_t now_us) {
+    while (auto next = queue.pop()) {
+      message = std::move(*next);
+      heard_us = now_us;
+    }
+  }
+  double age_s(std::int64_t now_us) const { return 1e-6 * static_cast<double>(now_us - heard_us); }
+};
+
+/// What could be heard of a running robot in about a second; in some, where its clock is slow.
+struct Heard {
+  std::map<std::string, sprung_msgs::process_status_t> processes;
+  Newest<sprung_msgs::motion_state_t> motion;
+  Newest<sprung_msgs::joint_state_t> joints;
+  Newest<sprung_msgs::safety_state_t> safety;
+  Newest<sprung_msgs::bus_state_t> buses;
+  std::int64_t end_us = 0;
+};
+
+/// As in /proc/PID/stat; X where there is no such process.
+char run_state(std::int64_t pid) {
+  char state = 'X';
+  if (FILE* file = std::fopen(("/proc/" + std::to_string(pid) + "/stat").c_str(), "r")) {
+    if (std::fscanf(file, "%*d %*[^)]) %c", &state) != 1) state = 'X';
+    std::fclose(file);
+  }
+  return state;
+}
+
+bool runs(const RunInfo& info, const char* program) {
+  return std::any_of(info.processes.begin(), info.processes.end(), [program](const RunningProcess& process) {
+    return process.program == program && std::strchr("XZTt", run_state(process.pid)) == nullptr;
+  });
+}
+
+/// Whether more would be heard of the bridge by waiting.
+bool bridge_is_awaited(const RunInfo& info, const Heard& heard) {
+  return (!heard.safety.message || !heard.buses.message) && runs(info, "sprung-can-bridge");
+}
+
+Heard listen(const RunInfo& info, const RobotConfig& robot) {
+  InputQueue<sprung_msgs::process_status_t> processes(256);
+  InputQueue<sprung_msgs::motion_state_t> motions(1 << 16);
+  InputQueue<sprung_msgs::joint_state_t> joint_states(64);  // only the newest counts
+  InputQueue<sprung_msgs::safety_state_t> safeties(256);
+  InputQueue<sprung_msgs::bus_state_t> buses(256);
+  Heard heard;
+  Node node({info.lcm_url, info.session, info.epoch_us, {}});
+  node.subscribe_message(channels::kProcessStatus, CountLimits::none(), processes);
+  node.subscribe_message(channels::kMotionState, CountLimits::up_to(64), motions);
+  node.subscribe_message(channels::kJointState, CountLimits::exactly(robot.joints.size(), robot.legs.size()),
+                         joint_states);
+  node.subscribe_message(channels::kSafetyState, CountLimits::none(), safeties);
+  const std::size_t nodes = robot.actuators.size() + robot.encoder_cards.size();
+  node.subscribe_message(channels::kBusState, CountLimits::exactly(robot.buses.size(), nodes), buses);
+  node.start();
+  const std::int64_t begin_us = node.utime_us();
+  std::int64_t now_us = begin_us;
+  const auto goes_on = [&] {
+    return now_us < begin_us + kListen_us ||
+           (now_us < begin_us + kPatience_us && bridge_is_awaited(info, heard));
+  };
+  while (!stop_requested() && goes_on()) {
+    node.wait_for_input(now_us + kLook_us);
+    now_us = node.utime_us();
+    while (auto status = processes.pop()) heard.processes[status->process] = *status;
+    heard.motion.take(motions, now_us);
+    heard.joints.take(joint_states, now_us);
+    heard.safety.take(safeties, now_us);
+    heard.buses.take(buses, now_us);
+  }
+  heard.end_us = node.utime_us();
+  return heard;
+}
+
+/// "dead" when the launcher's child is gone, "stopped" when somebody halted it, "silent" when it says nothing.
+std::string state_of(const RunningProcess& process, const Heard& heard) {
+  const char state = run_state(process.pid);
+  if (state == 'X' || state == 'Z') {
+    return "dead";
+  }
+  if (state == 'T' || state == 't') return "stopped";
+  const auto found = heard.processes.find(process.program);
+  if (found == heard.processes.end()) {
+    return process.program == "lcm-logger" ? "running" : "silent";
+  }
+  return name(static_cast<ProcessState>(found->second.state));
+}
+
+Json process_json(const RunningProcess& process, const Heard& heard) {
+  Json out{{"name", process.program},
+           {"state", state_of(process, heard)},
+           {"pid", process.pid},
+           {"rate_hz", nullptr},
+           {"overruns", nullptr}};
+  const auto found = heard.processes.find(process.program);
+  if (found != heard.processes.end()) {
+    const auto& status = found->second;
+    out["rate_hz"] = status.loop_period_us > 0 ? Json(1e6 / status.loop_period_us) : Json(nullptr);
+    out["overruns"] = status.overruns;
+    out["host"] = status.host;
+    out["cpu_percent"] = 100.0 * status.cpu_share;
+    out["memory_MB"] = static_cast<double>(status.memory_kB) / 1024.0;
+    out["input_age_ms"] =
+        std::isfinite(status.input_age_us) ? Json(status.input_age_us * 1e-3) : Json(nullptr);
+    out["cycles"] = status.cycles;
+    out["refused_messages"] = status.refused_messages;
+    out["real_time"] = status.real_time;
+    out["detail"] = status.detail;
+  }
+  return out;
+}
+
+Json status_json(const RunInfo& info, const RobotConfig& robot, const Heard& heard) {
+  Json out{{"robot", info.robot},
+           {"preset", info.preset},
+           {"clock", info.clock},
+           {"simulation", info.simulation},
+           {"instance", info.instance},
+           {"lcm_url", info.lcm_url},
+           {"log", info.log}};
+  out["processes"] = Json::array();
+  for (const RunningProcess& process : info.processes) {
+    out["processes"].push_back(process_json(process, heard));
+  }
+  out["safety"] = safety_json(heard.safety.message, heard.safety.age_s(heard.end_us));
+  const auto& buses = heard.buses.message;
+  out["buses"] = buses ? buses_json(robot, *buses) : Json::array();
+  out["nodes"] = buses ? nodes_json(robot, *buses) : Json::array();
+  out["motion"] = motion_json(robot, heard.motion.message, heard.motion.age_s(heard.end_us));
+  out["body"] = body_json(robot, heard.joints.message, heard.joints.age_s(heard.end_us));
+  return out;
+}
+
+std::string text_of(const Json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
+
+/// Buses in a line each; of the nodes those that have had trouble.
+void print_buses(const Json& status) {
+  for (const Json& bus : status["buses"]) {
+    const long long errors = bus["error_frames"].get<long long>() + bus["send_failed"].get<long long>() +
+                             bus["dropped"].get<long long>() + bus["malformed"].get<long long>();
+    std::printf("bus     %-10s %s, load %.1f %% worst case, %lld errors, %s strange frames\n",
+                text_of(bus["name"]).c_str(), text_of(bus["condition"]).c_str(),
+                100.0 * bus["load_share"].get<double>(), errors, bus["unexpected"].dump().c_str());
+  }
+  for (const Json& node : status["nodes"]) {
+    if (text_of(node["trouble"]).empty()) continue;
+    std::printf("node    %-10s %s\n", text_of(node["name"]).c_str(), text_of(node["trouble"]).c_str());
+  }
+}
+
+/// What a process has complained of or last said of its work, and which do not work at all.
+void print_process_news(const Json& processes) {
+  for (const Json& process : processes) {
+    const std::string name = text_of(process["name"]);
+    const std::string state = text_of(process["state"]);
+    if (state == "stopped")
+      std::printf("TROUBLE %s is stopped: somebody halted it; kill -CONT %s lets it go on\n", name.c_str(),
+                  process["pid"].dump().c_str());
+    if (state == "dead" || state == "silent")
+      std::printf("TROUBLE %s is %s: sprung up tells more; sprung down ends the run\n", name.c_str(),
+                  state.c_str());
+    const std::string detail = process.value("detail", "");
+    if (!detail.empty()) std::printf("says    %s: %s\n", name.c_str(), detail.c_str());
+  }
+}
+
+void print_table(const Json& status) {
+  std::printf("%s, clock %s, preset %s%s\n", text_of(status["robot"]).c_str(),
+              text_of(status["clock"]).c_str(), text_of(status["preset"]).c_str(),
+              status["simulation"].get<bool>() ? ", simulated drives" : "");
+  std::printf("%-26s %-9s %8s %9s %9s  %s\n", "process", "state", "pid", "rate Hz", "overruns", "real time");
+  for (const Json& process : status["processes"]) {
+    char rate[32] = "-";
+    if (process["rate_hz"].is_number()) {
+      std::snprintf(rate, sizeof rate, "%.0f", process["rate_hz"].get<double>());
+    }
+    std::printf("%-26s %-9s %8s %9s %9s  %s\n", text_of(process["name"]).c_str(),
+                text_of(process["state"]).c_str(), process["pid"].dump().c_str(), rate,
+                process["overruns"].is_number() ? process["overruns"].dump().c_str() : "-",
+                process.contains("real_time") ? text_of(process["real_time"]).c_str() : "");
+  }
+  print_process_news(status["processes"]);
+  std::printf("%s\n", safety_text(status["safety"]).c_str());
+  for (const std::string& line : motion_lines(status["motion"], status["body"]))
+    std::printf("%s\n", line.c_str());
+  print_buses(status);
+}
+
+int run_status(const std::string& instance, bool as_json) {
+  const RunInfo info = require_running(instance, "");
+  const RobotConfig robot = load_robot(info.robot_folder);
+  const Json status = status_json(info, robot, listen(info, robot));
+  if (as_json) {
+    std::printf("%s\n", status.dump(1).c_str());
+  } else {
+    print_table(status);
+  }
+  return kExitDone;
+}
+
+}  // namespace
+
+void add_status(CommandLine& sprung) {
+  const auto instance = std::make_shared<std::string>("default");
+  const auto as_json = std::make_shared<bool>(false);
+  CommandLine& status = sprung.subcommand(
+      "status", "Processes, safety, motion and body, buses and nodes of the robot that is up.");
+  status.option("--instance", *instance, "which run");
+  status.flag("--json", *as_json, "one JSON object");
+  status.example("sprung status --json");
+  status.action([=] { return run_status(*instance, *as_json); });
+}
+
+}  // namespace sprung::commands

@@ -1,0 +1,50 @@
+/// sprung: the operator's and the engineer's one command.
+#include <cstdio>
+
+#include "runtime/stop_request.h"
+#include "tools/commands.h"
+#include "tools/operate/commands/installed_robots.h"
+#include "tools/operate/launcher/child_process.h"
+
+namespace {
+
+/// A command whose answer nobody could read has failed: a full disk behind `sprung log info x.lcm > y.txt`.
+int or_unsaid(int status) {
+  const bool said = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+  if (said || status != sprung::kExitDone) return status;
+  std::fprintf(stderr, "sprung: not all could be written to standard output: is its disk full?\n");
+  return sprung::kExitFailed;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace sprung::commands;
+  sprung::install_stop_signals();
+  use_installed_robots(sprung::program_folder());
+  sprung::CommandLine line("sprung", "Virtual springs for geared, torque-sensorless legged robots.");
+  line.example(
+      "sprung up single_leg --sim      then, in a second terminal: sprung stand; sprung jump; sprung down");
+  add_up(line);
+  add_down(line);
+  add_motion(line);
+  add_safety(line);
+  add_status(line);
+  add_topics(line);
+  add_watch(line);
+  add_spy(line);
+  add_record(line);
+  add_replay(line);
+  add_experiment(line);
+  add_bench(line);
+  add_can(line);
+  add_drive(line);
+  add_home(line);
+  add_identify(line);
+  add_log(line);
+  add_move(line);
+  add_fault(line);
+  add_doctor(line);
+  add_help(line);
+  return or_unsaid(line.run(argc, argv));
+}
