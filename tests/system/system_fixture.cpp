@@ -59,8 +59,8 @@ void SystemTest::TearDown() {
 CommandResult SystemTest::sprung(const std::string& arguments) const {
   const std::filesystem::path file = folder_ / "output.txt";
   // In braces: a command may send its progress lines elsewhere.
-  const int raw =
-      std::system(("{ " + test::bin_dir() + "/sprung " + arguments + "; } > " + file.string() + " 2>&1").c_str());
+  const int raw = std::system(
+      ("{ " + test::bin_dir() + "/sprung " + arguments + "; } > " + file.string() + " 2>&1").c_str());
   return {WIFEXITED(raw) ? WEXITSTATUS(raw) : 128 + WTERMSIG(raw), read_all(file)};
 }
 
