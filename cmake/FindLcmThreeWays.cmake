@@ -1,6 +1,7 @@
-# LCM as it really comes: 1.4 and later have a CMake package (broken in 1.5.2 without GLib2's), Debian 12's 1.3.1 has only
-# a pkg-config file that asks for packages nobody installed. So: package, then pkg-config, then plain header and library.
-# SPRUNG_LCM_WAY forces one of them (config, pkgconfig, plain), so that each can be tested.
+# LCM as it really comes: 1.4 and later have a CMake package (broken in 1.5.2 without GLib2's), Debian 12's
+# 1.3.1 has only a pkg-config file that asks for packages nobody installed. So: package, then pkg-config, then
+# plain header and library. SPRUNG_LCM_WAY forces one of them (config, pkgconfig, plain), so that each can be
+# tested.
 set(SPRUNG_LCM_WAY "any" CACHE STRING "how to find LCM: any, config, pkgconfig, plain")
 add_library(sprung_lcm INTERFACE)
 set(SPRUNG_LCM_FOUND_BY "")

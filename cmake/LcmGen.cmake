@@ -1,5 +1,6 @@
-# sprung_lcm_types(TARGET file.lcm ...): C++ headers from message definitions, by our own rule (lcm#617: the rule that
-# LCM ships breaks between versions). Package sprung_msgs; include as "sprung_msgs/drive_state_t.hpp".
+# sprung_lcm_types(TARGET file.lcm ...): C++ headers from message definitions, by our own rule (lcm#617: the
+# rule that LCM ships breaks between versions). Package sprung_msgs; include as
+# "sprung_msgs/drive_state_t.hpp".
 function(sprung_lcm_types target)
   set(out_dir ${CMAKE_CURRENT_BINARY_DIR}/generated)
   set(headers "")

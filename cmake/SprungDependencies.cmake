@@ -1,6 +1,7 @@
 # Every library that sprung stands on; docs/dependencies.md gives the reason for each.
 find_package(Threads REQUIRED)
-# For tests/ alone; who installed for the programs (./setup programs) has none. Debian packs GoogleMock apart from GoogleTest.
+# For tests/ alone; who installed for the programs (./setup programs) has none. Debian packs GoogleMock apart
+# from GoogleTest.
 if(BUILD_TESTING)
   find_package(GTest QUIET)
   if(NOT TARGET GTest::gtest OR NOT TARGET GTest::gmock)

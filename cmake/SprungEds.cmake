@@ -2,8 +2,9 @@
 find_path(INIH_INCLUDE_DIR ini.h REQUIRED)
 find_library(INIH_LIBRARY inih REQUIRED)
 
-# sprung_embed_text(TARGET FILE x.eds SYMBOL epos2_eds_text [NAMESPACE sprung]): the file's text in the program, so that it needs no
-# path at run time: `const char* epos2_eds_text() noexcept;`, declared in "sprung_embedded/epos2_eds_text.h". TARGET must exist.
+# sprung_embed_text(TARGET FILE x.eds SYMBOL epos2_eds_text [NAMESPACE sprung]): the file's text in the
+# program, so that it needs no path at run time: `const char* epos2_eds_text() noexcept;`, declared in
+# "sprung_embedded/epos2_eds_text.h". TARGET must exist.
 function(sprung_embed_text target)
   cmake_parse_arguments(ARG "" "FILE;SYMBOL;NAMESPACE" "" ${ARGN})
   if(NOT ARG_NAMESPACE)

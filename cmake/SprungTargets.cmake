@@ -15,24 +15,27 @@ target_compile_options(sprung_flags INTERFACE
   # The same source must give the same bits in every process and on every CPU: no fused multiply-add.
   -ffp-contract=off)
 if(SPRUNG_BATCH)
-  # It asks whether a type is in the file that is compiled or in an included one, and here every source is included.
+  # It asks whether a type is in the file that is compiled or in an included one, and here every source is
+  # included.
   target_compile_options(sprung_flags INTERFACE -Wno-subobject-linkage)
 endif()
 target_include_directories(sprung_flags INTERFACE ${CMAKE_SOURCE_DIR})
 if(SPRUNG_SANITIZE)
-  # GCC 12 with sanitizers sees uninitialised members inside std::regex (a known false alarm); the sanitizers themselves look.
+  # GCC 12 with sanitizers sees uninitialised members inside std::regex (a known false alarm); the sanitizers
+  # themselves look.
   target_compile_options(sprung_flags INTERFACE -Wno-maybe-uninitialized)
   target_compile_options(sprung_flags INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
   string(APPEND CMAKE_CXX_FLAGS " -O1")
   target_link_options(sprung_flags INTERFACE -fsanitize=address,undefined)
 endif()
 
-# What nearly every source reads, read once: for presets that build from nothing. A source still includes what it uses, which the
-# develop preset checks by going without.
+# What nearly every source reads, read once: for presets that build from nothing. A source still includes what
+# it uses, which the develop preset checks by going without.
 set(sprung_common_headers <algorithm> <array> <cmath> <cstdint> <filesystem> <fstream> <functional> <map> <memory> <optional> <set>
   <sstream> <string> <vector> <Eigen/Core>)
 
-# sprung_precompile(NAME OWNER [HEADER...]): the headers are compiled once, by the object library OWNER, which NAME's flags must match.
+# sprung_precompile(NAME OWNER [HEADER...]): the headers are compiled once, by the object library OWNER, which
+# NAME's flags must match.
 function(sprung_precompile name owner)
   if(SPRUNG_PRECOMPILED)
     target_precompile_headers(${name} REUSE_FROM ${owner})
@@ -50,8 +53,9 @@ if(SPRUNG_PRECOMPILED)
   sprung_precompiled(sprung_common ${sprung_common_headers})
 endif()
 
-# sprung_batches(OUT NAME SOURCE...): where SPRUNG_BATCH is set, sources that include so many of the given ones each, so that what
-# these share is read once a batch. CMake's own unity files name absolute paths, with which another clone finds nothing in ccache.
+# sprung_batches(OUT NAME SOURCE...): where SPRUNG_BATCH is set, sources that include so many of the given
+# ones each, so that what these share is read once a batch. CMake's own unity files name absolute paths, with
+# which another clone finds nothing in ccache.
 function(sprung_batches out name)
   set(${out} ${ARGN} PARENT_SCOPE)
   list(LENGTH ARGN count)
@@ -104,9 +108,10 @@ function(sprung_test_flags name)
   target_compile_options(${name} PRIVATE -O0)
 endfunction()
 
-# sprung_tests(NAME SOURCES a_test.cpp ... LINK x ... [REALTIME filter] [COST seconds]): a GoogleTest program; every suite becomes a
-# ctest. Cases that match the REALTIME filter are a ctest each, labelled `realtime`, and run with nothing beside them: whatever else
-# runs steals their time. COST says about how long a suite takes, where that is much: ctest starts the longest first.
+# sprung_tests(NAME SOURCES a_test.cpp ... LINK x ... [REALTIME filter] [COST seconds]): a GoogleTest program;
+# every suite becomes a ctest. Cases that match the REALTIME filter are a ctest each, labelled `realtime`, and
+# run with nothing beside them: whatever else runs steals their time. COST says about how long a suite takes,
+# where that is much: ctest starts the longest first.
 function(sprung_tests name)
   cmake_parse_arguments(ARG "" "REALTIME;COST" "SOURCES;LINK" ${ARGN})
   sprung_batches(sources ${name} ${ARG_SOURCES})

@@ -1,5 +1,5 @@
-# Version and git hash go into every hello message. The hash is read at each build, by a script that touches its output
-# only when it changed.
+# Version and git hash go into every hello message. The hash is read at each build, by a script that touches
+# its output only when it changed.
 add_custom_target(sprung_version_file
   COMMAND ${CMAKE_COMMAND} -DSOURCE_DIR=${CMAKE_SOURCE_DIR} -DVERSION=${PROJECT_VERSION}
     -DOUTPUT=${CMAKE_BINARY_DIR}/generated/sprung_version.h -P ${CMAKE_SOURCE_DIR}/cmake/WriteVersion.cmake

@@ -1,5 +1,5 @@
-# Read by ctest when it starts (see sprung_tests): an entry for each suite of the GoogleTest program PROGRAM, and one for each case that
-# matches REALTIME, labelled `realtime`, which runs with nothing beside it.
+# Read by ctest when it starts (see sprung_tests): an entry for each suite of the GoogleTest program PROGRAM,
+# and one for each case that matches REALTIME, labelled `realtime`, which runs with nothing beside it.
 
 # Calls add_suite(SUITE CASE...) for what the filter selects.
 macro(sprung_for_each_suite filter)

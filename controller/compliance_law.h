@@ -1,24 +1,29 @@
 #pragma once
 /// The virtual spring: joint torque for a desired foot motion, without a torque sensor. Pure.
 ///
-///   tau = tau_s + k f(w, tau_s, tau_k) + c A q_des'',  tau_s = J^T [ K (P_des - P) + D (s P_des' - P') - f_ground ] + G
+///   tau = tau_s + k f(w, tau_s, tau_k) + c A q_des''
+///   tau_s = J^T [ K (P_des - P) + D (s P_des' - P') - f_ground ] + G
 ///
 /// S0 (7) with errata E2 (D resists the actual velocity), E1 (gravity G of the leg, hip fixed), E5 (smooth
 /// friction). s is `velocity_feedforward`, f_ground `feedforward_force_N` (ground on foot), k
 /// `friction_compensation`, c `inertia_compensation`, A the armature.
 ///
 /// Friction. In motion f is the friction law with tanh(w / w0) for its sign: no chatter. w is the
-/// measured joint velocity, as in the papers: the compensation then also helps a push from outside, which the desired
-/// velocity knows nothing of. It is positive feedback of slope k f / w0, stable as long as k f is below the true
-/// friction. Load-dependent friction is that of tau_s, which the gear is to put out, and no measurement: no second
-/// feedback. At rest the papers' law gives nothing, and the foot sticks wherever the spring is weaker than friction. The
-/// rest law (E5; facts physics.md "The law that works at rest") takes the sign from where the spring pulls, tau_k = J^T K e
-/// alone: tanh(tau_k / tau0). With weight or feed-forward in it, it would push a leg that hangs where it should.
-///     k f = h k f_rest + (1 - h) min(k, 1 - u) f_motion,  h = exp(-(w / w_rest)^2);  w_rest = 0: k f_motion, the papers' law.
-/// u is friction's relative uncertainty. What is compensated beyond the true friction drives a motion on (at 0.8 of the friction a foot with
-/// k = 0.97 never came to rest), so in motion no more is than there surely is. At rest the spring's sign drives toward the target alone.
+/// measured joint velocity, as in the papers: the compensation then also helps a push from outside, which the
+/// desired velocity knows nothing of. It is positive feedback of slope k f / w0, stable as long as k f is
+/// below the true friction. Load-dependent friction is that of tau_s, which the gear is to put out, and no
+/// measurement: no second feedback. At rest the papers' law gives nothing, and the foot sticks wherever the
+/// spring is weaker than friction. The rest law (E5; facts physics.md "The law that works at rest") takes the
+/// sign from where the spring pulls, tau_k = J^T K e alone: tanh(tau_k / tau0). With weight or feed-forward
+/// in it, it would push a leg that hangs where it should.
+///     k f = h k f_rest + (1 - h) min(k, 1 - u) f_motion,  h = exp(-(w / w_rest)^2)
+///     w_rest = 0: k f_motion, the papers' law
+/// u is friction's relative uncertainty. What is compensated beyond the true friction drives a motion on (at
+/// 0.8 of the friction a foot with k = 0.97 never came to rest), so in motion no more is than there surely
+/// is. At rest the spring's sign drives toward the target alone.
 ///
-/// Inertia. q_des'' = J^-1 (P_des'' - J' q'): joint acceleration that the desired foot acceleration asks for here and now.
+/// Inertia. q_des'' = J^-1 (P_des'' - J' q'): joint acceleration that the desired foot acceleration asks for
+/// here and now.
 #include <vector>
 
 #include "controller/foot_motion.h"
@@ -43,7 +48,8 @@ struct JointCompensation {
   std::vector<double> armature_kg_m2{};        ///< empty: inertia is not compensated
 };
 
-/// A pose, and the way from its foot's motion to that of its joints: made once by who asks more than one question about it.
+/// A pose, and the way from its foot's motion to that of its joints: made once by who asks more than one
+/// question about it.
 struct PosedLeg {
   LegPose pose;
   DampedInverse to_joints;
@@ -54,8 +60,9 @@ PosedLeg posed(const LegKinematics& kinematics, const JointVector& position_rad)
 JointVector desired_acceleration_rad_s2(const LegKinematics& kinematics, const PosedLeg& at,
                                         const FootMotion& foot, const JointVector& velocity_rad_s) noexcept;
 
-/// What a leg whose foot is led takes that nothing touches: inverse dynamics of its links, and of rotors and friction the shares that are
-/// compensated: of the motion that is wanted, not of the one that is measured. `leg` is that motion, `at` its position.
+/// What a leg whose foot is led takes that nothing touches: inverse dynamics of its links, and of rotors and
+/// friction the shares that are compensated: of the motion that is wanted, not of the one that is measured.
+/// `leg` is that motion, `at` its position.
 JointVector led_torque_Nm(const LegKinematics& kinematics, const PosedLeg& at, const DesiredLeg& desired,
                           const FootMotion& foot, const LegMotion& leg,
                           const JointCompensation& joints) noexcept;

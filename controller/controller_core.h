@@ -34,7 +34,8 @@ class ControllerCore {
   ControllerCore& operator=(const ControllerCore&) = delete;
 
   /// DRIVE_COMMAND(k) from JOINT_STATE(k) and the newest LEG_COMMAND of seq <= k-1 (nullptr: none yet),
-  /// extrapolated by its derivatives to now. Stale, non-finite or unsafe input gives a damping command, or none of power: see CommandBasis.
+  /// extrapolated by its derivatives to now. Stale, non-finite or unsafe input gives a damping command, or
+  /// none of power: see CommandBasis.
   void step(const JointState& state, const LegCommand* command, DriveCommand& out) noexcept;
 
   CommandBasis basis() const noexcept;  ///< of the last command

@@ -1,8 +1,10 @@
 #pragma once
-/// Gains of the virtual spring that change while it acts go over to their new value instead of stepping. Pure.
+/// Gains of the virtual spring that change while it acts go over to their new value instead of stepping.
+/// Pure.
 ///
-/// Each gain moves at a constant speed that takes the larger of its old and its new value through in the ramp's time: a
-/// step from 0 or to 0 takes all of it, a schedule that changes slowly is followed without lag.
+/// Each gain moves at a constant speed that takes the larger of its old and its new value through in the
+/// ramp's time: a step from 0 or to 0 takes all of it, a schedule that changes slowly is followed without
+/// lag.
 #include <array>
 
 #include "signals/leg_command.h"
@@ -16,7 +18,8 @@ class GainRamp {
 
   /// From now on as in `desired`, at once: the mode begins, and its own fade takes up the change.
   void start(const DesiredLeg& desired) noexcept;
-  /// Replaces stiffness, damping, shares of friction, inertia and velocity in `desired` by those that act now.
+  /// Replaces stiffness, damping, shares of friction, inertia and velocity in `desired` by those that act
+  /// now.
   void advance(double dt_s, DesiredLeg& desired) noexcept;
 
  private:

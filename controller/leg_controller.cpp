@@ -122,7 +122,8 @@ LegOutcome LegController::position(const DesiredLeg& desired, const FootMotion& 
   return LegOutcome::kOk;
 }
 
-/// The drive's own loop takes position set-points alone, and lags behind a quick swing by all that its rotor takes.
+/// The drive's own loop takes position set-points alone, and lags behind a quick swing by all that its rotor
+/// takes.
 void LegController::feed_forward(const DesiredLeg& desired, const FootMotion& foot, const PosedLeg& at,
                                  const SetPoints& to) noexcept {
   JointVector torque_Nm = JointVector::Zero(transmission_.size());
@@ -191,8 +192,8 @@ void LegController::enter_position(const SetPoints& desired, double dt_s) noexce
   blend_.start_torque((loaded ? 1.0 : 0.0) * transmission_.actuator_torque(motor_torque_Nm()), dt_s);
 }
 
-/// A joint that was beyond a limit when the mode began must not be pulled back at once: enabling would kick. From there
-/// on the bound moves to the limit, and a joint that is pushed out later takes it nowhere.
+/// A joint that was beyond a limit when the mode began must not be pulled back at once: enabling would kick.
+/// From there on the bound moves to the limit, and a joint that is pushed out later takes it nowhere.
 void LegController::clamp_to_limits(double dt_s, JointVector& position_rad,
                                     JointVector& velocity_rad_s) noexcept {
   const double back_rad = kBackIntoLimits_rad_s * dt_s;

@@ -3,12 +3,14 @@
 /// step.
 ///
 /// Bumpless: no switch changes a drive's torque by more than 5 % of its limit in a cycle.
-///   to position or joints  set-points go over as set_point_blend.h says: from those of before, or from the measured
-///                  position and velocity with the torque that the motors give now (none when the drives were off);
-///   to compliance  the difference between the torque measured at the motor and the law's own, soft stops included, fades:
-///                  the first set-point is the torque that is there. Stiffness and damping act in full at once: a ramp
-///                  of them would slow the jumps of preset `paper`, which switch in flight (hybrid) or while
-///                  standing still before the thrust (torque), where this difference is small;
+///   to position or joints  set-points go over as set_point_blend.h says: from those of before, or from the
+///                          measured position and velocity with the torque that the motors give now (none
+///                          when the drives were off);
+///   to compliance  the difference between the torque measured at the motor and the law's own, soft stops
+///                  included, fades: the first set-point is the torque that is there. Stiffness and damping
+///                  act in full at once: a ramp of them would slow the jumps of preset `paper`, which switch
+///                  in flight (hybrid) or while standing still before the thrust (torque), where this
+///                  difference is small;
 ///   gains          that change in compliance are ramped (gain_ramp.h) where the preset says so.
 /// Joint mode is position mode with joint angles in the place of the foot.
 /// While not all of the leg's drives are enabled, set-points are the measured position or no torque: enabling
@@ -49,7 +51,8 @@ class LegController {
 
  private:
   bool read(const std::vector<EstimatedJoint>& joints) noexcept;
-  /// As measured, before friction and rotor inertia: the papers' joint torque has lost the papers' friction, whatever is identified.
+  /// As measured, before friction and rotor inertia: the papers' joint torque has lost the papers' friction,
+  /// whatever is identified.
   JointVector motor_torque_Nm() const noexcept;
   LegOutcome follow(const DesiredLeg& desired, double desired_age_s, double dt_s, DriveCommand& out) noexcept;
   LegOutcome position(const DesiredLeg& desired, const FootMotion& foot, double dt_s,

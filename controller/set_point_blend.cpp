@@ -8,8 +8,8 @@ namespace {
 
 constexpr double kFadeSpeed_rad_s = 3.0;   // mean, a quarter of what the joints can do
 constexpr double kPeakToMeanOfFade = 1.5;  // of the cubic
-/// Largest acceleration of a fading set-point: with the position loop of facts C2, 29.7 Nm s/rad, 1 ms of it is 3 Nm, 1.7 %
-/// of the limit. Its speed adds 1.5 Nm, an old torque that fades 2 %: together under 5 %.
+/// Largest acceleration of a fading set-point: with the position loop of facts C2, 29.7 Nm s/rad, 1 ms of it
+/// is 3 Nm, 1.7 % of the limit. Its speed adds 1.5 Nm, an old torque that fades 2 %: together under 5 %.
 constexpr double kFadeAcceleration_rad_s2 = 100.0;
 constexpr double kFadeStep = 0.02;
 constexpr double kAskedStep =

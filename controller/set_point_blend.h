@@ -1,13 +1,16 @@
 #pragma once
-/// How position set-points go over from what was to what is wanted, without a step of torque in a drive whose position
-/// loop is  torque = K (set-point - position) + D (its rate - velocity). Pure; no heap after construction.
+/// How position set-points go over from what was to what is wanted, without a step of torque in a drive whose
+/// position loop is  torque = K (set-point - position) + D (its rate - velocity). Pure; no heap after
+/// construction.
 ///
-/// Motion: the difference of old and new set-point and of their speeds fades along a cubic (Hermite), so that the first
-/// set-point is the old one at its speed: measured position and velocity where the leg was not in position control.
-/// Torque: what the motors gave before, tau, is asked of the position loop too, fading with it: a displacement p with
+/// Motion: the difference of old and new set-point and of their speeds fades along a cubic (Hermite), so that
+/// the first set-point is the old one at its speed: measured position and velocity where the leg was not in
+/// position control. Torque: what the motors gave before, tau, is asked of the position loop too, fading with
+/// it: a displacement p with
 ///     D p' + K p = tau (t),   p (0) = 0.
-/// A step of the set-point would not do: p = tau / K at once is tau / K / cycle for the rate, hundreds of Nm in the drive's D.
-/// In the same way a torque that is known beforehand (feed-forward) is asked of a drive that takes none: it comes as the old one goes.
+/// A step of the set-point would not do: p = tau / K at once is tau / K / cycle for the rate, hundreds of Nm
+/// in the drive's D. In the same way a torque that is known beforehand (feed-forward) is asked of a drive
+/// that takes none: it comes as the old one goes.
 #include <vector>
 
 #include "controller/fade.h"
@@ -28,7 +31,8 @@ class SetPointBlend {
 
   /// The joints' motion begins at `from` instead of at `to`.
   void start_motion(const SetPoints& from, const SetPoints& to) noexcept;
-  /// The actuators' loops are to begin with these torques. An actuator whose stiffness is unknown begins with none.
+  /// The actuators' loops are to begin with these torques. An actuator whose stiffness is unknown begins with
+  /// none.
   void start_torque(const JointVector& actuator_torque_Nm, double dt_s) noexcept;
   /// Of the actuators, from this cycle on, until the next call. Zero at first.
   void feed_forward(const JointVector& actuator_torque_Nm) noexcept;

@@ -36,8 +36,8 @@ inline constexpr double kSoftStopZone_rad = 0.06;
 double with_soft_stop(double torque_Nm, const JointConfig& joint, double position_rad, double velocity_rad_s,
                       double stiffness_Nm_rad, double damping_Nm_s_rad, LimitCounts& counts) noexcept;
 
-/// From this share of the speed limit on, torque toward more speed falls in a straight line to none at the limit, and
-/// beyond it brakes. The same as simulated drives do by 0x6080 [design choice].
+/// From this share of the speed limit on, torque toward more speed falls in a straight line to none at the
+/// limit, and beyond it brakes. The same as simulated drives do by 0x6080 [design choice].
 inline constexpr double kSpeedBand = 0.1;
 
 /// Torque, speed, power and rate limit of one actuator, in this order.

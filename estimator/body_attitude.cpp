@@ -11,10 +11,12 @@ namespace {
 
 /// In which the tilt by which an IMU that has come back differs from the estimate fades.
 constexpr double kFading_s = 0.2;
-/// Over which an IMU's own attitude and its rates are mixed. Without, 0.7 mrad of noise are 0.4 mm at a foot, and its position loop,
-/// which takes a set-point's rate for wanted speed, answers with 10 Nm from cycle to cycle. 2 mrad/s of bias lag by 0.1 mrad.
+/// Over which an IMU's own attitude and its rates are mixed. Without, 0.7 mrad of noise are 0.4 mm at a foot,
+/// and its position loop, which takes a set-point's rate for wanted speed, answers with 10 Nm from cycle to
+/// cycle. 2 mrad/s of bias lag by 0.1 mrad.
 constexpr double kImuSmoothing_s = 0.05;
-/// Gravity holds the gyro's drift: 2 mrad/s of bias leave 2 mrad, and a push of 0.1 s at 1 m/s^2 moves it by 10.
+/// Gravity holds the gyro's drift: 2 mrad/s of bias leave 2 mrad, and a push of 0.1 s at 1 m/s^2 moves it
+/// by 10.
 constexpr double kGravityHolds_s = 1.0;
 /// A specific force whose length differs by more is not gravity alone.
 constexpr double kGravityError_m_s2 = 1.0;

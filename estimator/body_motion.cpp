@@ -14,7 +14,8 @@ constexpr double kLongestFlight_s = 0.5;
 constexpr double kStartStd_m_s = 1.0;
 /// Error of a standing foot's velocity, 0.03 m/s for 10 ms: it rolls, slides and twists its gears.
 constexpr double kFootDensity_m2_s = 0.03 * 0.03 * 0.01;
-/// With an IMU two feet are smoothed over 0.15 s, in which its bias and tilt (0.05 m/s^2) add 8 mm/s; without, over 10 ms.
+/// With an IMU two feet are smoothed over 0.15 s, in which its bias and tilt (0.05 m/s^2) add 8 mm/s;
+/// without, over 10 ms.
 constexpr double kImuDensity_m2_s3 = 2e-4;
 constexpr double kUnknownDensity_m2_s3 = 0.05;
 /// A foot that disagrees by more pulls no harder than this (Huber).

@@ -1,10 +1,11 @@
 #pragma once
 /// Velocity and height of the trunk over the feet that stand. Pure.
 ///
-/// A Kalman filter whose noise has no direction, so that its variance is one number: specific force moves the velocity (without an
-/// IMU it is taken to go on as it is), each standing foot says -(its velocity) - w x (its place). A foot that disagrees by much, as
-/// one that slides, counts less. The height follows the vertical velocity and is held by the standing feet.
-/// In flight both go on for a while, and are then unknown.
+/// A Kalman filter whose noise has no direction, so that its variance is one number: specific force moves the
+/// velocity (without an IMU it is taken to go on as it is), each standing foot says -(its velocity) - w x
+/// (its place). A foot that disagrees by much, as one that slides, counts less. The height follows the
+/// vertical velocity and is held by the standing feet. In flight both go on for a while, and are then
+/// unknown.
 #include <Eigen/Geometry>
 
 #include "estimator/imu_input.h"

@@ -9,10 +9,10 @@
 /// vertical force does not load, counts little. Contact is declared above max(on, kSure standard deviations)
 /// and lost below `off`.
 ///
-/// A foot that lands while its trunk moves is also pushed along the floor, and at a hip that force outweighs the
-/// vertical one: it has the longer lever. With `tangential_N` the two forces along the floor are unknowns of the
-/// same least squares, expected to be zero give or take so much. They change how the joints are weighed, not how
-/// sure the answer must be: a foot in the air has no such forces.
+/// A foot that lands while its trunk moves is also pushed along the floor, and at a hip that force outweighs
+/// the vertical one: it has the longer lever. With `tangential_N` the two forces along the floor are unknowns
+/// of the same least squares, expected to be zero give or take so much. They change how the joints are
+/// weighed, not how sure the answer must be: a foot in the air has no such forces.
 #include <array>
 #include <vector>
 

@@ -6,10 +6,11 @@
 ///   gear output torque = R Kt i - tau_f - R^2 I qdd   (errata E6: the inertia term is 40-80 times the
 ///   friction in a jump)
 ///
-/// qdd comes from a Kalman filter on encoder and motor torque, not from differences. tau_f is the law of robot.yaml, the papers'
-/// Coulomb where a joint is not identified; at rest its sign is unknown, and the estimate is the last one that is possible
-/// (docs/estimation.md). Joint status, NaN torques and `starting` are the answer to silent drives and numbers that are
-/// not finite. Sign: positive torque accelerates the joint toward +q. Joint space through each leg's transmission.
+/// qdd comes from a Kalman filter on encoder and motor torque, not from differences. tau_f is the law of
+/// robot.yaml, the papers' Coulomb where a joint is not identified; at rest its sign is unknown, and the
+/// estimate is the last one that is possible (docs/estimation.md). Joint status, NaN torques and `starting`
+/// are the answer to silent drives and numbers that are not finite. Sign: positive torque accelerates the
+/// joint toward +q. Joint space through each leg's transmission.
 #include <memory>
 
 #include "robots/robot_config.h"
@@ -31,10 +32,10 @@ class EstimatorCore {
   EstimatorCore& operator=(const EstimatorCore&) = delete;
 
   /// JOINT_STATE(k) from DRIVE_STATE(k). `out` must have been sized for this robot. dt is the difference of
-  /// utime. A repeated seq gives the same answer again; a seq or time that goes back, or a gap above joint_state,
-  /// starts the filters anew.
-  /// @param imu newest sample, for a robot with a body (robot.body); nullptr: none. Other robots' JOINT_STATE does not
-  /// depend on it, and says nothing of a body.
+  /// utime. A repeated seq gives the same answer again; a seq or time that goes back, or a gap above
+  /// joint_state, starts the filters anew.
+  /// @param imu newest sample, for a robot with a body (robot.body); nullptr: none. Other robots' JOINT_STATE
+  /// does not depend on it, and says nothing of a body.
   void step(const DriveState& in, JointState& out, const Imu* imu = nullptr) noexcept;
 
  private:

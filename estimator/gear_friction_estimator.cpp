@@ -8,8 +8,8 @@
 namespace sprung {
 namespace {
 
-/// Below this a joint may be at rest: the slowest motion that the papers identify at is ten times faster; above it friction's
-/// sign is known. Hysteresis, since the filter's velocity is noisy.
+/// Below this a joint may be at rest: the slowest motion that the papers identify at is ten times faster;
+/// above it friction's sign is known. Hysteresis, since the filter's velocity is noisy.
 constexpr double kRest_rad_s = 0.005;
 constexpr double kResume = 2.0;
 /// The encoder of a joint at rest may flicker: this many standard deviations are no motion.

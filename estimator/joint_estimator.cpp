@@ -13,13 +13,14 @@
 namespace sprung {
 namespace {
 
-/// Random walk of the gear output torque: 1.8 Nm in 1 ms. Tuned on hybrid jumps (docs/estimation.md): half as much is 1 Nm worse at
-/// a landing on 60 kN/m, twice as much as much noisier in the push-off.
+/// Random walk of the gear output torque: 1.8 Nm in 1 ms. Tuned on hybrid jumps (docs/estimation.md): half as
+/// much is 1 Nm worse at a landing on 60 kN/m, twice as much as much noisier in the push-off.
 constexpr double kLoadWalk_Nm_sqrt_s = 57.0;
-/// Of the instant at which a drive reads its encoder; facts physics 11: more than 1 us shows in every derivative.
+/// Of the instant at which a drive reads its encoder; facts physics 11: more than 1 us shows in every
+/// derivative.
 constexpr double kSamplingJitter_s = 2e-6;
-/// Share of the newest current in the mean over a cycle: drives hold each value for one turn of their loop, four in a cycle
-/// (facts A1, 4 kHz), so that the newest counts (4 + 1) / (2 * 4).
+/// Share of the newest current in the mean over a cycle: drives hold each value for one turn of their loop,
+/// four in a cycle (facts A1, 4 kHz), so that the newest counts (4 + 1) / (2 * 4).
 constexpr double kNewestShare = 0.625;
 /// The estimate is good this long after the start.
 constexpr double kSettling_s = 0.013;
@@ -27,7 +28,8 @@ constexpr double kSettling_s = 0.013;
 constexpr double kStepStd = 0.2886751345948129;
 /// Of a drive's current, joint side (facts C2).
 constexpr double kCurrentNoise_Nm = 0.5;
-/// At the start the load is known as well as breakaway friction lets it be; what is not identified may be this much.
+/// At the start the load is known as well as breakaway friction lets it be; what is not identified may be
+/// this much.
 constexpr double kStartStd_Nm = 10.0;
 /// Slower cycles cannot follow a leg's impact: 4 ms are half of its rise on soft ground.
 constexpr double kLongestCycle_s = 1.0 / 250.0;
@@ -45,7 +47,8 @@ std::string too_slow(double cycle_s) {
   return text;
 }
 
-/// A joint without armature in its file has no inertia to divide by: its filter then follows the encoder alone.
+/// A joint without armature in its file has no inertia to divide by: its filter then follows the encoder
+/// alone.
 double inertia(const JointConfig& joint) noexcept {
   return std::max(joint.armature_kg_m2, kLeastArmature_kg_m2);
 }
@@ -144,7 +147,8 @@ void JointEstimator::use(const JointSample& sample, double dt_s) noexcept {
   input_rad_s2_ = (motor_torque_Nm_ - friction_.friction_torque_Nm()) / inertia(joint_);
 }
 
-/// By what the last cycle found. Only while the drive moves the joint: whoever moves it by hand is no friction.
+/// By what the last cycle found. Only while the drive moves the joint: whoever moves it by hand is no
+/// friction.
 void JointEstimator::follow_temperature(const JointSample& sample, double last_external_Nm,
                                         double dt_s) noexcept {
   if (!temperature_.configured()) return;
@@ -169,7 +173,8 @@ JointStatus JointEstimator::status(const JointSample& sample) const noexcept {
   return sample.drive_status;
 }
 
-/// Motor torque = gear output + friction + armature * acceleration, always. A stuck joint does not accelerate.
+/// Motor torque = gear output + friction + armature * acceleration, always. A stuck joint does not
+/// accelerate.
 double JointEstimator::acceleration_rad_s2() const noexcept {
   return (motor_torque_Nm_ - friction_.friction_torque_Nm() - friction_.output_torque_Nm()) / inertia(joint_);
 }
@@ -207,8 +212,8 @@ void JointEstimator::write_torques(EstimatedJoint& out) const noexcept {
   out.friction_torque_bound_Nm = bounds.friction_Nm;
 }
 
-/// The motor's side follows what is fast, the twist knows what stands still: each where its variance is small. What the output
-/// torque gains, friction loses, or at rest it too.
+/// The motor's side follows what is fast, the twist knows what stands still: each where its variance is
+/// small. What the output torque gains, friction loses, or at rest it too.
 void JointEstimator::fuse_torsion(const JointSample& sample, double dt_s, EstimatedJoint& out) noexcept {
   if (!joint_.torsion || out.status == JointStatus::kNotReferenced || out.status == JointStatus::kStarting)
     return;

@@ -35,8 +35,9 @@ class JointEstimator {
   void reset() noexcept;
   /// Without a fresh sample the filter coasts on its last acceleration; when that lasts, torques become NaN
   /// and the status stale, and the next fresh sample starts it anew.
-  /// @param out of the last cycle, overwritten. Its external_torque_Nm is the leg's to fill, and is read back: on a joint
-  ///        that nothing touches it is what friction differs from its law, by which the gear's temperature is known.
+  /// @param out of the last cycle, overwritten. Its external_torque_Nm is the leg's to fill, and is read
+  ///        back: on a joint that nothing touches it is what friction differs from its law, by which the
+  ///        gear's temperature is known.
   void step(const JointSample& sample, double dt_s, EstimatedJoint& out) noexcept;
 
  private:

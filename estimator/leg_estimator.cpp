@@ -19,7 +19,8 @@ constexpr double kStdsFor95 = 1.96;
 constexpr double kAlike = 0.25;
 /// Noise of an external torque before any swing was seen, as a share of dry friction as large as it may be.
 constexpr double kFirstNoise = 0.1;
-/// Along the floor, on a foot that lands under a trunk that moves: friction 0.6 of the 170 N of a trot's touchdown.
+/// Along the floor, on a foot that lands under a trunk that moves: friction 0.6 of the 170 N of a trot's
+/// touchdown.
 constexpr double kTangential_N = 100.0;
 
 double dry_friction_Nm(const FrictionParameters& law, double output_torque_Nm) noexcept {

@@ -1,6 +1,6 @@
 #pragma once
-/// Square root of a sum of squares, of torques, angles and the like: nothing whose square could overflow. std::hypot guards against
-/// that, and costs several times as much.
+/// Square root of a sum of squares, of torques, angles and the like: nothing whose square could overflow.
+/// std::hypot guards against that, and costs several times as much.
 #include <cmath>
 
 namespace sprung {

@@ -70,7 +70,8 @@ int StandingFeet::count() const noexcept {
       std::count_if(feet_.begin(), feet_.end(), [](const StandingFoot& f) { return f.weight >= kCounts; }));
 }
 
-/// A foot that stays where it is moves with -w x p as seen from a trunk that turns with w: least squares over the feet.
+/// A foot that stays where it is moves with -w x p as seen from a trunk that turns with w: least squares over
+/// the feet.
 Eigen::Vector3d StandingFeet::angular_velocity_rad_s() const noexcept {
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Identity() * (kLeastSpread_m * kLeastSpread_m);
   Eigen::Vector3d momentum = Eigen::Vector3d::Zero();

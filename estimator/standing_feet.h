@@ -1,6 +1,6 @@
 #pragma once
-/// The feet that stand, and what they say about the trunk as long as they stay where they are. Pure: no heap after construction.
-/// Trunk axes: x forward, y left, z up, origin in the middle of the hips.
+/// The feet that stand, and what they say about the trunk as long as they stay where they are. Pure: no heap
+/// after construction. Trunk axes: x forward, y left, z up, origin in the middle of the hips.
 #include <Eigen/Geometry>
 #include <vector>
 
@@ -20,16 +20,16 @@ class StandingFeet {
   explicit StandingFeet(const std::vector<LegConfig>& legs);
 
   void reset() noexcept;
-  /// @param legs one for each leg. A foot counts for as much as its contact is sure and loaded, and fully only
-  /// some time after its touchdown, in which it slides and bounces.
+  /// @param legs one for each leg. A foot counts for as much as its contact is sure and loaded, and fully
+  /// only some time after its touchdown, in which it slides and bounces.
   void update(const std::vector<EstimatedLeg>& legs, double dt_s) noexcept;
 
   const std::vector<StandingFoot>& feet() const noexcept { return feet_; }  ///< one for each leg
   double weight() const noexcept { return weight_; }                        ///< sum
   int count() const noexcept;  ///< feet that count for half or more
 
-  /// Of the trunk, from how the feet turn about their middle; what they cannot show (with two feet, turning about
-  /// the line between them) is 0. Trunk axes.
+  /// Of the trunk, from how the feet turn about their middle; what they cannot show (with two feet, turning
+  /// about the line between them) is 0. Trunk axes.
   Eigen::Vector3d angular_velocity_rad_s() const noexcept;
   /// Small rotation about world x and y that makes the feet level; what they cannot show is 0.
   Eigen::Vector3d tilt_error_rad(const Eigen::Quaterniond& trunk_to_world) const noexcept;

@@ -10,7 +10,8 @@ namespace {
 constexpr double kStartStd_K = 13.0;
 /// What heat and cooling do besides the model: 1 K in a minute.
 constexpr double kWalk_K_sqrt_s = 0.13;
-/// Of friction seen once: 2 Nm of wrong weight, inertia and filter that stay for 0.1 s, as white noise of a rate.
+/// Of friction seen once: 2 Nm of wrong weight, inertia and filter that stay for 0.1 s, as white noise of a
+/// rate.
 constexpr double kNoise_Nm2_s = 0.4;
 /// Friction that differs by more is something that pushes the joint.
 constexpr double kGateStds = 3.0;

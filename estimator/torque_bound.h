@@ -1,7 +1,8 @@
 #pragma once
-/// How wrong an estimated torque may be, at 95 %. What is not known has independent causes, so that variances add up: friction,
-/// torque constant and armature of this joint by robot.yaml's `uncertainty`, the filter's own covariance, what the filter
-/// did not expect, the current's resolution. At rest friction may be anything that the gear can hold. Pure.
+/// How wrong an estimated torque may be, at 95 %. What is not known has independent causes, so that variances
+/// add up: friction, torque constant and armature of this joint by robot.yaml's `uncertainty`, the filter's
+/// own covariance, what the filter did not expect, the current's resolution. At rest friction may be anything
+/// that the gear can hold. Pure.
 #include "robots/robot_config.h"
 
 namespace sprung {
@@ -9,9 +10,9 @@ namespace sprung {
 inline constexpr double kBoundProbability = 0.95;
 /// Standard deviations to either side that hold 95 % of a normal distribution.
 inline constexpr double kBoundStds = 1.96;
-/// Instead of 1.96, found on the tuning half of the ensemble (docs/estimation.md): a plant whose friction or torque constant is off is
-/// off for the whole run, and plants at the edge must keep 85 % too; the filter's covariance allows for an impact in every
-/// cycle, and its errors are half of it.
+/// Instead of 1.96, found on the tuning half of the ensemble (docs/estimation.md): a plant whose friction or
+/// torque constant is off is off for the whole run, and plants at the edge must keep 85 % too; the filter's
+/// covariance allows for an impact in every cycle, and its errors are half of it.
 inline constexpr double kModelStds = 2.25;
 inline constexpr double kFilterStds = 0.93;
 

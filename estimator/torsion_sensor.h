@@ -1,5 +1,6 @@
 #pragma once
-/// A gear as a torque sensor: what it is twisted between motor encoder and link encoder, times its stiffness (facts papers D8). Pure.
+/// A gear as a torque sensor: what it is twisted between motor encoder and link encoder, times its stiffness
+/// (facts papers D8). Pure.
 #include <limits>
 
 #include "robots/torsion_config.h"
@@ -22,9 +23,9 @@ TorsionTorque torsion_torque(const GearTorsion& gear, double twist_rad, double a
 /// The inverse.
 double twist_of_rad(const GearTorsion& gear, double torque_Nm) noexcept;
 
-/// Twist that is shown without a load. A zero that was found by the link encoder has in it what the gear was twisted by then and what the
-/// teeth added, 7 Nm and more; so it is learned while the joint moves, when the motor's side knows the torque: errors of its
-/// friction change sign with the direction, and a zero does not.
+/// Twist that is shown without a load. A zero that was found by the link encoder has in it what the gear was
+/// twisted by then and what the teeth added, 7 Nm and more; so it is learned while the joint moves, when the
+/// motor's side knows the torque: errors of its friction change sign with the direction, and a zero does not.
 class TorsionZero {
  public:
   void reset() noexcept;

@@ -1,6 +1,6 @@
 #pragma once
-/// Position, velocity and acceleration of one joint from its encoder, by a Kalman filter with the motor's own acceleration
-/// as known input. Pure, no heap; about a hundred multiplications a step.
+/// Position, velocity and acceleration of one joint from its encoder, by a Kalman filter with the motor's own
+/// acceleration as known input. Pure, no heap; about a hundred multiplications a step.
 ///
 ///   model   qdd = input + unexplained,  d(unexplained)/dt = white noise,  measurement = position + white
 ///   noise
@@ -10,9 +10,9 @@
 /// E6, D6), so that the gear's output torque -R^2 I * unexplained comes without differences and without the
 /// lag of an acceleration filter.
 ///
-/// The covariance is propagated and not a steady state's: an encoder that is read at an uncertain instant is worse the faster the
-/// joint moves, by a factor of 100 in a jump, and samples may be missing. So the filter is quick on a slow joint and
-/// patient on a fast one, at any cycle rate, and knows how wrong it may be.
+/// The covariance is propagated and not a steady state's: an encoder that is read at an uncertain instant is
+/// worse the faster the joint moves, by a factor of 100 in a jump, and samples may be missing. So the filter
+/// is quick on a slow joint and patient on a fast one, at any cycle rate, and knows how wrong it may be.
 
 namespace sprung {
 
@@ -35,13 +35,15 @@ class TrackingFilter {
   double position_std_rad() const noexcept;
   double velocity_std_rad_s() const noexcept;
   double unexplained_std_rad_s2() const noexcept;
-  /// By how much the last correction moved `unexplained`: large while something happens that the model did not expect.
+  /// By how much the last correction moved `unexplained`: large while something happens that the model did
+  /// not expect.
   double unexplained_step_rad_s2() const noexcept { return step_rad_s2_; }
 
  private:
   double density_;
   double x_[3] = {};
-  /// Covariance, symmetric: position, position-velocity, position-unexplained, velocity, velocity-unexplained, unexplained.
+  /// Covariance, symmetric: position, position-velocity, position-unexplained, velocity,
+  /// velocity-unexplained, unexplained.
   double p_[6] = {};
   double step_rad_s2_ = 0.0;
 };

@@ -21,7 +21,8 @@ inline constexpr const char* kNoKinematics = "none";
 /// LegConfig::kinematics of a single swinging arm, as on a bench: it has an end that can be moved and pushed,
 /// but nothing stands on it.
 inline constexpr const char* kOneLink = "one_link";
-/// LegConfig::kinematics of hip and knee in the x-z plane, frame of facts E1 (papers' y is our z): model/two_link.h.
+/// LegConfig::kinematics of hip and knee in the x-z plane, frame of facts E1 (papers' y is our z):
+/// model/two_link.h.
 inline constexpr const char* kTwoLink = "two_link";
 /// LegConfig::kinematics of abduction, hip and knee: model/three_joint.h.
 inline constexpr const char* kThreeJoint = "three_joint";

@@ -26,8 +26,9 @@ double smallest_eigenvalue(const JointMatrix& symmetric) noexcept {
   return std::max(0.0, solver.eigenvalues()[0]);
 }
 
-/// No eigenvalue of a symmetric positive definite matrix is less: the others' product is at most that of their mean. Where it
-/// is well above what matters, nobody needs the eigenvalues themselves, which cost more than all else here.
+/// No eigenvalue of a symmetric positive definite matrix is less: the others' product is at most that of
+/// their mean. Where it is well above what matters, nobody needs the eigenvalues themselves, which cost more
+/// than all else here.
 double eigenvalue_bound(double trace, double determinant, int size) noexcept {
   double bound = determinant;
   for (int others = 1; others < size; ++others) bound *= (size - 1) / trace;
@@ -71,7 +72,8 @@ std::unique_ptr<LegKinematics> make_leg_kinematics(const LegConfig& leg) {
                               kNoKinematics);
 }
 
-/// Three joints, away from singular poses: J is square and W its inverse, transposed; the general way costs ten times as much.
+/// Three joints, away from singular poses: J is square and W its inverse, transposed; the general way costs
+/// ten times as much.
 DampedInverse damped_inverse(const LegJacobian& jacobian) noexcept {
   if (jacobian.cols() == 3) {
     const Eigen::Matrix3d square = jacobian;

@@ -1,9 +1,8 @@
 #pragma once
 /// Geometry and statics of one leg. Pure: no I/O, clock, log or heap after construction; safe in the loop.
-/// Frame: hip axes, x forward, y left, z up, origin at the hip (three_joint.h: on the abduction axis). The papers' planar
-/// y is our z. Equations: docs/control.md, "Leg kinematics".
-/// Joint torques are positive along their joint's positive direction; forces are in N, on the foot, in hip
-/// axes.
+/// Frame: hip axes, x forward, y left, z up, origin at the hip (three_joint.h: on the abduction axis). The
+/// papers' planar y is our z. Equations: docs/control.md, "Leg kinematics". Joint torques are positive along
+/// their joint's positive direction; forces are in N, on the foot, in hip axes.
 #include <Eigen/Core>
 #include <memory>
 
@@ -37,8 +36,9 @@ struct SineCosine {
   double cosine = 1.0;
 };
 
-/// Directions of a leg's links: all that foot, forces and torques take from joint angles, so that who asks several questions about
-/// one pose works the sines out once (LegKinematics::pose). What a kinematics does not have stays as it is here.
+/// Directions of a leg's links: all that foot, forces and torques take from joint angles, so that who asks
+/// several questions about one pose works the sines out once (LegKinematics::pose). What a kinematics does
+/// not have stays as it is here.
 struct LegPose {
   SineCosine abduction;  ///< of the leg's plane
   SineCosine thigh;      ///< in the plane; of one_link: its arm
@@ -56,8 +56,8 @@ class LegKinematics {
   /// J' q': what the foot accelerates by while the joints move evenly.
   virtual Eigen::Vector3d even_motion_acceleration_m_s2(const LegPose& pose,
                                                         const JointVector& velocity_rad_s) const noexcept = 0;
-  /// Of the poses that reach the foot, the one with the knee bent as in `near_rad`, turned by 2 pi toward it. A foot that
-  /// is not finite: near_rad, not reachable.
+  /// Of the poses that reach the foot, the one with the knee bent as in `near_rad`, turned by 2 pi toward it.
+  /// A foot that is not finite: near_rad, not reachable.
   virtual InverseResult inverse(const Eigen::Vector3d& foot_in_hip_m,
                                 const JointVector& near_rad) const noexcept = 0;
   /// Torque that holds the leg's own weight with the hip at rest: gradient of the potential energy (errata

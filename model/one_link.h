@@ -1,6 +1,7 @@
 #pragma once
-/// An arm that swings in the x-z plane about a horizontal axis, as on S0's bench (section II-A); its "foot" is the
-/// arm's end. theta: 0 is straight down, positive toward +x, so that the weight pulls back with m g c sin(theta).
+/// An arm that swings in the x-z plane about a horizontal axis, as on S0's bench (section II-A); its "foot"
+/// is the arm's end. theta: 0 is straight down, positive toward +x, so that the weight pulls back with m g c
+/// sin(theta).
 #include "model/leg_kinematics.h"
 
 namespace sprung {
@@ -21,8 +22,8 @@ class OneLink final : public LegKinematics {
   LegJacobian jacobian(const LegPose& pose) const noexcept override;
   Eigen::Vector3d even_motion_acceleration_m_s2(const LegPose& pose,
                                                 const JointVector& velocity_rad_s) const noexcept override;
-  /// The angle toward the foot; unreachable when the foot is more than 1 mm off the arm's circle: a foot that is
-  /// extrapolated along the tangent stays nearer.
+  /// The angle toward the foot; unreachable when the foot is more than 1 mm off the arm's circle: a foot that
+  /// is extrapolated along the tangent stays nearer.
   InverseResult inverse(const Eigen::Vector3d& foot_in_hip_m,
                         const JointVector& near_rad) const noexcept override;
   JointVector gravity_torque_Nm(const LegPose& pose) const noexcept override;

@@ -74,7 +74,8 @@ LegJacobian ThreeJoint::jacobian(const LegPose& pose) const noexcept {
   return j;
 }
 
-/// That of the plane, what turning takes (toward the abduction axis), and Coriolis: sideways, where the foot moves up or down in the plane.
+/// That of the plane, what turning takes (toward the abduction axis), and Coriolis: sideways, where the foot
+/// moves up or down in the plane.
 Eigen::Vector3d ThreeJoint::even_motion_acceleration_m_s2(const LegPose& pose,
                                                           const JointVector& velocity_rad_s) const noexcept {
   const Eigen::Vector2d w = in_plane(velocity_rad_s);

@@ -1,8 +1,8 @@
 #pragma once
 /// Abduction (HAA), hip (HFE) and knee (KFE): a two_link leg in a plane that turns about the forward axis.
 ///
-/// Frame: x forward along the abduction axis, y left, z up, as the trunk; origin on the abduction axis, beside the hip.
-/// Seen from behind, a left leg that stands straight (the right one is its mirror image):
+/// Frame: x forward along the abduction axis, y left, z up, as the trunk; origin on the abduction axis,
+/// beside the hip. Seen from behind, a left leg that stands straight (the right one is its mirror image):
 ///
 ///            z up
 ///   y left <--|
@@ -12,13 +12,14 @@
 ///      |           abduction > 0 of either leg: all of it turns about O, the foot toward the left
 ///      F foot      hip, knee: as two_link in that plane; hip 90 degrees and knee 0 is straight down
 ///
-/// Zero: abduction 0 is the plane upright; hip 0 thigh forward, positive downward; knee 0 straight, positive flexion
-/// (foot under the hip: knee behind). As robots/pegasus: axes +x, +y, -y of its model.xml. A right leg is the mirror
-/// image of a left one in y = 0 when its abduction has the other sign; hip and knee have the same.
+/// Zero: abduction 0 is the plane upright; hip 0 thigh forward, positive downward; knee 0 straight, positive
+/// flexion (foot under the hip: knee behind). As robots/pegasus: axes +x, +y, -y of its model.xml. A right
+/// leg is the mirror image of a left one in y = 0 when its abduction has the other sign; hip and knee have
+/// the same.
 ///
-/// Links: hip (from the abduction axis sideways: length is the offset, com along it, inertia about the forward axis),
-/// thigh, shank (in the plane at the offset; as thin rods, with no inertia about their own axis).
-/// Equations: docs/control.md, "Leg kinematics".
+/// Links: hip (from the abduction axis sideways: length is the offset, com along it, inertia about the
+/// forward axis), thigh, shank (in the plane at the offset; as thin rods, with no inertia about their own
+/// axis). Equations: docs/control.md, "Leg kinematics".
 #include "model/leg_kinematics.h"
 #include "model/two_link.h"
 
@@ -26,7 +27,8 @@ namespace sprung {
 
 class ThreeJoint final : public LegKinematics {
  public:
-  /// @throws std::invalid_argument unless there are three joints and three links, thigh and shank of positive length.
+  /// @throws std::invalid_argument unless there are three joints and three links, thigh and shank of positive
+  /// length.
   explicit ThreeJoint(const LegConfig& leg);
 
   using LegKinematics::foot_in_hip_m;
@@ -40,10 +42,10 @@ class ThreeJoint final : public LegKinematics {
   LegJacobian jacobian(const LegPose& pose) const noexcept override;
   Eigen::Vector3d even_motion_acceleration_m_s2(const LegPose& pose,
                                                 const JointVector& velocity_rad_s) const noexcept override;
-  /// Of the two abductions that reach a foot (leg's plane with the foot below or above O) the one nearer to near_rad,
-  /// and then the knee bent as there. Unreachable: more than 1 nm out of reach, be it too far, too near, or nearer
-  /// to the abduction axis than the offset; the pose is that of the nearest foot that is reachable. A foot that is not
-  /// finite leaves the joints where they are.
+  /// Of the two abductions that reach a foot (leg's plane with the foot below or above O) the one nearer to
+  /// near_rad, and then the knee bent as there. Unreachable: more than 1 nm out of reach, be it too far, too
+  /// near, or nearer to the abduction axis than the offset; the pose is that of the nearest foot that is
+  /// reachable. A foot that is not finite leaves the joints where they are.
   InverseResult inverse(const Eigen::Vector3d& foot_in_hip_m,
                         const JointVector& near_rad) const noexcept override;
   JointVector gravity_torque_Nm(const LegPose& pose) const noexcept override;

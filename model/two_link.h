@@ -23,14 +23,15 @@ class TwoLink final : public LegKinematics {
   LegJacobian jacobian(const LegPose& pose) const noexcept override;
   Eigen::Vector3d even_motion_acceleration_m_s2(const LegPose& pose,
                                                 const JointVector& velocity_rad_s) const noexcept override;
-  /// Unreachable also when the foot is out of the leg's plane by more than 1 um. A foot within 1 nm of the hip leaves
-  /// the hip's angle where it is; one that is not finite leaves both.
+  /// Unreachable also when the foot is out of the leg's plane by more than 1 um. A foot within 1 nm of the
+  /// hip leaves the hip's angle where it is; one that is not finite leaves both.
   InverseResult inverse(const Eigen::Vector3d& foot_in_hip_m,
                         const JointVector& near_rad) const noexcept override;
   JointVector gravity_torque_Nm(const LegPose& pose) const noexcept override;
   JointVector inverse_dynamics_Nm(const LegPose& pose, const JointVector& velocity_rad_s,
                                   const JointVector& acceleration_rad_s2) const noexcept override;
-  /// Gradient of mass_moment_kg_m times gravity: what holds the links where gravity in their plane is this much.
+  /// Gradient of mass_moment_kg_m times gravity: what holds the links where gravity in their plane is this
+  /// much.
   Eigen::Vector2d weight_torque_Nm(const LegPose& pose, double gravity_m_s2) const noexcept;
   /// M qdd + V, without gravity.
   Eigen::Vector2d motion_torque_Nm(const LegPose& pose, const Eigen::Vector2d& velocity_rad_s,

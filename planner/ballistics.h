@@ -1,6 +1,6 @@
 #pragma once
-/// A hip in free flight over level ground: it rises from the leg's length at lift-off and meets the ground with the leg's length
-/// at touchdown. Pure.
+/// A hip in free flight over level ground: it rises from the leg's length at lift-off and meets the ground
+/// with the leg's length at touchdown. Pure.
 #include <cstdint>
 
 #include "model/leg_kinematics.h"
@@ -20,13 +20,14 @@ struct LiftOff {
   double speed_m_s = 0.0;
 };
 
-/// Rise of the hip above its height at lift-off (errata E11), by v = (L1 - L0) / t + g t / 2 and h = v^2 / (2 g); 0 where v is
-/// not upward. @param flight_s > 0.
+/// Rise of the hip above its height at lift-off (errata E11), by v = (L1 - L0) / t + g t / 2 and h = v^2 / (2
+/// g); 0 where v is not upward. @param flight_s > 0.
 double rise_m(double liftoff_length_m, double touchdown_length_m, double flight_s) noexcept;
 
-/// From the rise since the ground's force was gone to the rise since the foot left its undented surface, which is what jumps are
-/// measured by. Soft ground is dented for longer, and throws the hip up faster than the leg extends: share of that speed.
-/// Measured on 5 to 60 kN/m, within 7 % at 150 to 200 mm (docs/control.md).
+/// From the rise since the ground's force was gone to the rise since the foot left its undented surface,
+/// which is what jumps are measured by. Soft ground is dented for longer, and throws the hip up faster than
+/// the leg extends: share of that speed. Measured on 5 to 60 kN/m, within 7 % at 150 to 200 mm
+/// (docs/control.md).
 inline constexpr double kFirmShare = 0.90;
 inline constexpr double kDentSlope = 0.6;
 double rise_from_surface_m(double rise_m, double hip_over_leg_speed) noexcept;

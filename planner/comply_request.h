@@ -17,7 +17,8 @@ struct ComplyRequest {
 /// Each value that the command leaves open (NaN) is the preset's.
 ComplyRequest comply_request(const OperatorCommand& command, const PresetConfig& preset) noexcept;
 
-/// Why it cannot be done, static text; nullptr: it can. The sideways axis may stay open: planar legs have none.
+/// Why it cannot be done, static text; nullptr: it can. The sideways axis may stay open: planar legs have
+/// none.
 const char* comply_mistake(const OperatorCommand& command, const PresetConfig& preset) noexcept;
 
 }  // namespace sprung

@@ -1,6 +1,6 @@
 #pragma once
-/// How high a jump gets: from the amplitude of its curve (measured law), and what was learned from jumps that came out higher or
-/// lower than asked. Pure.
+/// How high a jump gets: from the amplitude of its curve (measured law), and what was learned from jumps that
+/// came out higher or lower than asked. Pure.
 #include <array>
 
 #include "robots/robot_config.h"
@@ -8,18 +8,19 @@
 
 namespace sprung {
 
-/// Below it the curve's amplitude hardly changes the height: the rest of the curve, from crouch to landing length, lifts the leg
-/// off by itself.
+/// Below it the curve's amplitude hardly changes the height: the rest of the curve, from crouch to landing
+/// length, lifts the leg off by itself.
 inline constexpr double kLeastAmplitude = 0.4;
 
-/// Height over the height at amplitude 1. Measured with preset `best`, hybrid, on single_leg's ground of 8.2 kN/m, 0.4 to 1.4:
-/// 0.566 - 0.738 s + 1.172 s^2, within 2 % there (docs/control.md, "Height and adaptation").
+/// Height over the height at amplitude 1. Measured with preset `best`, hybrid, on single_leg's ground of 8.2
+/// kN/m, 0.4 to 1.4: 0.566 - 0.738 s + 1.172 s^2, within 2 % there (docs/control.md, "Height and
+/// adaptation").
 double height_share(double amplitude) noexcept;
 /// The other way round, at least kLeastAmplitude. @param share of the height at amplitude 1.
 double amplitude_for(double share) noexcept;
 
-/// One jump that came out otherwise changes the factor at most by this much, and all of them together within these bounds:
-/// a wrong estimate must not make the next jump wild.
+/// One jump that came out otherwise changes the factor at most by this much, and all of them together within
+/// these bounds: a wrong estimate must not make the next jump wild.
 inline constexpr double kMostChange = 2.0;
 inline constexpr double kLeastFactor = 0.4;
 inline constexpr double kMostFactor = 2.5;

@@ -168,8 +168,8 @@ void Jump::lift_off(const JointState& in) noexcept {
   expected_ = expected_touchdown(hip, curve_.end_length_m());
 }
 
-/// Measured, and sure where the force estimate is not: in a thrust the rotors' inertia hides the ground force (errata E6), but
-/// a leg that is shorter again than it was cannot push any more.
+/// Measured, and sure where the force estimate is not: in a thrust the rotors' inertia hides the ground force
+/// (errata E6), but a leg that is shorter again than it was cannot push any more.
 bool Jump::drawn_in_again(const JointState& in) noexcept {
   return longest_m_ > extended_m(kExtended) && longest_leg_m(in) < longest_m_ - kDrawnIn_m;
 }

@@ -1,6 +1,6 @@
 #pragma once
-/// A request to jump, from its first crouch to its last landing, or to catch a fall: what was asked, how far it is, and the
-/// measured conditions that end thrust and flight. Pure.
+/// A request to jump, from its first crouch to its last landing, or to catch a fall: what was asked, how far
+/// it is, and the measured conditions that end thrust and flight. Pure.
 #include <optional>
 #include <string>
 
@@ -19,14 +19,16 @@ namespace sprung {
 /// can look like it.
 inline constexpr double kTouchdownGuard_s = 0.05;
 
-/// A thrust has ended when the leg, once extended by this share of its stroke, is shorter again by this length.
+/// A thrust has ended when the leg, once extended by this share of its stroke, is shorter again by this
+/// length.
 inline constexpr double kExtended = 0.5;
 inline constexpr double kDrawnIn_m = 0.005;
 
-/// In a fall the foot goes to its landing length first, in this time or, if less, in half the time that is left.
+/// In a fall the foot goes to its landing length first, in this time or, if less, in half the time that is
+/// left.
 inline constexpr double kFallMove_s = 0.1;
-/// Contact counts as touchdown only after this share of the fall, at most kTouchdownGuard_s after that move: moving the hanging
-/// leg can look like it.
+/// Contact counts as touchdown only after this share of the fall, at most kTouchdownGuard_s after that move:
+/// moving the hanging leg can look like it.
 inline constexpr double kFallBlind = 0.75;
 
 struct FallRequest {
@@ -34,11 +36,11 @@ struct FallRequest {
   double touchdown_in_s = 0.0;  ///< > 0; falling from rest now
 };
 
-/// Contact that is lost before the leg is extended by this share of its stroke is no lift-off: the sudden start of a thrust can
-/// look like it.
+/// Contact that is lost before the leg is extended by this share of its stroke is no lift-off: the sudden
+/// start of a thrust can look like it.
 inline constexpr double kPushed = 0.25;
-/// The ground lets go of the foot about when the leg extends slower than this share of its fastest: measured on ground of 5 to
-/// 60 kN/m, where lost contact is noticed up to 40 ms later (docs/control.md).
+/// The ground lets go of the foot about when the leg extends slower than this share of its fastest: measured
+/// on ground of 5 to 60 kN/m, where lost contact is noticed up to 40 ms later (docs/control.md).
 inline constexpr double kSlowed = 0.9;
 
 struct JumpRequest {

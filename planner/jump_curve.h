@@ -9,8 +9,9 @@
 
 namespace sprung {
 
-/// Where the foot is along x in a jump forward, as control points over this speed times the curve's duration (first) and over
-/// the distance of landing (second): it rests, goes backward while the leg pushes, swings ahead and rests again.
+/// Where the foot is along x in a jump forward, as control points over this speed times the curve's duration
+/// (first) and over the distance of landing (second): it rests, goes backward while the leg pushes, swings
+/// ahead and rests again.
 inline constexpr std::array<double, 7> kForwardPush{0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0};
 inline constexpr std::array<double, 7> kForwardLanding{0.0, 0.0, 0.0, 0.0, -1.0, 1.0, 1.0};
 /// Slope of kForwardPush's curve in the middle, where the leg leaves the ground.
@@ -26,8 +27,8 @@ class JumpCurve {
   explicit JumpCurve(const PresetConfig& preset);
 
   void scale(double factor) noexcept;  ///< of the next jump
-  /// Of the next jump, too: foot that pushes the hip forward and lands ahead. Apart from the height, as in the papers: it is in
-  /// the control points' x alone. @param flight_s expected; > 0.
+  /// Of the next jump, too: foot that pushes the hip forward and lands ahead. Apart from the height, as in
+  /// the papers: it is in the control points' x alone. @param flight_s expected; > 0.
   void forward(double distance_m, double flight_s) noexcept;
   double factor() const noexcept { return factor_; }
   double duration_s() const noexcept { return at_unit_.duration_s(); }

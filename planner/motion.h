@@ -32,7 +32,8 @@ class Motion {
   Motion(const RobotConfig& robot, const PresetConfig& preset);
 
   MotionPhase state() const noexcept { return machine_.state(); }
-  /// Why the motion is where it is: the last transition; of a walk that ended by itself, why, until something else is asked for.
+  /// Why the motion is where it is: the last transition; of a walk that ended by itself, why, until something
+  /// else is asked for.
   const char* last_transition() const noexcept;
 
   // Requests of the operator, each only where the state machine has a transition for it; @return false
@@ -55,8 +56,8 @@ class Motion {
   bool sit(const JointState& in) noexcept;
   /// From idle, or where joints are held and none moves.
   bool move_joint(const JointState& in, const JointRequest& request) noexcept;
-  /// Finish the phase, then stand: no thrust any more if it has not begun, no further jumps; no compliance. A joint that moves
-  /// brakes, and all are held.
+  /// Finish the phase, then stand: no thrust any more if it has not begun, no further jumps; no compliance. A
+  /// joint that moves brakes, and all are held.
   void stop() noexcept;
   /// The bridge was restarted: off at once.
   void restart(const JointState& in) noexcept;

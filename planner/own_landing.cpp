@@ -151,9 +151,9 @@ void OwnLanding::brake(double dt_s) noexcept {
   foot_.position_m[2] += velocity * dt_s;
 }
 
-/// The planner's contact is not asked: it takes the force as vertical (a foot that sticks while its leg yields is pushed along the
-/// shank, too), and a leg whose rotors reverse can look like a landed one. So the force itself is looked at, and believed at once
-/// where the ground is near.
+/// The planner's contact is not asked: it takes the force as vertical (a foot that sticks while its leg
+/// yields is pushed along the shank, too), and a leg whose rotors reverse can look like a landed one. So the
+/// force itself is looked at, and believed at once where the ground is near.
 bool OwnLanding::touched(const OwnLandingInput& in) const noexcept {
   const double over_ground_m = hip_height_m() + in.measured.estimated_foot_in_hip_m[2];
   const bool near = over_ground_m < config_.timing_s * std::max(0.0, -hip_velocity_m_s());

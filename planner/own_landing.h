@@ -1,14 +1,15 @@
 #pragma once
-/// sprung's own landing (JumpMode::kOwn) of one leg: from lift-off, or from the beginning of a fall, to the end of the landing.
-/// docs/control.md, "Landing", derives it. Pure; time is the message's.
+/// sprung's own landing (JumpMode::kOwn) of one leg: from lift-off, or from the beginning of a fall, to the
+/// end of the landing. docs/control.md, "Landing", derives it. Pure; time is the message's.
 ///
 /// In a fall the foot meets the ground nearly at rest instead of the ground stopping the rotors:
 ///   stretch   the leg gets longer: an earlier and slower touchdown, more way to stop in;
-///   braking   the foot is drawn in so that it slows down over ground, to a small speed a little above where the ground is
-///             expected; with that speed it goes on until there is contact;
-///   ground    from measured contact on the leg yields so that the body stops evenly over the way that is left. First the
-///             motors move the rotors as the measured force would move a light foot, and take its horizontal part off; then
-///             a soft spring and damper are left, and the planned force is fed forward.
+///   braking   the foot is drawn in so that it slows down over ground, to a small speed a little above where
+///             the ground is expected; with that speed it goes on until there is contact;
+///   ground    from measured contact on the leg yields so that the body stops evenly over the way that is
+///             left. First the motors move the rotors as the measured force would move a light foot, and take
+///             its horizontal part off; then a soft spring and damper are left, and the planned force is fed
+///             forward.
 /// In a jump, unless the preset says otherwise: the jump's curve in position, then late a spring of its own.
 #include <cstdint>
 
@@ -45,7 +46,8 @@ class OwnLanding {
 
   /// Flight begins.
   void begin(const ExpectedTouchdown& expected, FlightKind kind) noexcept;
-  /// Once a cycle, in flight and landing. @param in.progress.phase says which; kLanding from the cycle of the measured touchdown.
+  /// Once a cycle, in flight and landing. @param in.progress.phase says which; kLanding from the cycle of the
+  /// measured touchdown.
   OwnLandingOutput step(const OwnLandingInput& in) noexcept;
 
  private:

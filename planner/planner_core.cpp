@@ -154,7 +154,8 @@ void PlannerCore::Impl::comply(const OperatorCommand& command, const JointState&
   }
 }
 
-/// Done as soon as it is accepted: it lasts until `stop`. A walk that ends by itself says why in MOTION_STATE.
+/// Done as soon as it is accepted: it lasts until `stop`. A walk that ends by itself says why in
+/// MOTION_STATE.
 void PlannerCore::Impl::walk(const OperatorCommand& command, const JointState& in) noexcept {
   if (why_not_standing != nullptr) return refuse(command, why_not_standing);
   const bool possible = motion.state() == MotionPhase::kStanding || motion.state() == MotionPhase::kWalking;

@@ -1,6 +1,7 @@
 #pragma once
 /// Motion state machine: idle, rising, standing, crouch, thrust, flight, landing, recover, sitting, moving
-/// joint; foot paths for each leg, or angles for each joint. Pure: no I/O, clock, log or heap in step. Time is the message's.
+/// joint; foot paths for each leg, or angles for each joint. Pure: no I/O, clock, log or heap in step. Time
+/// is the message's.
 #include <memory>
 
 #include "robots/robot_config.h"

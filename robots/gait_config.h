@@ -1,5 +1,6 @@
 #pragma once
-/// What robot.yaml says about a body on several legs: its mass, its gaits, and a preset's law of walking. docs/locomotion.md.
+/// What robot.yaml says about a body on several legs: its mass, its gaits, and a preset's law of walking.
+/// docs/locomotion.md.
 #include <array>
 #include <string>
 #include <vector>
@@ -23,7 +24,8 @@ struct BodyConfig {
   double fallen_height_m = 0.0;            ///< height of the hips over the standing feet, below which it does
 };
 
-/// A pattern of steps: data, checked when it is read. A leg swings from its offset for (1 - duty) of the period.
+/// A pattern of steps: data, checked when it is read. A leg swings from its offset for (1 - duty) of the
+/// period.
 struct GaitConfig {
   std::string name;
   double period_s = 0.0;
@@ -49,9 +51,9 @@ struct WalkConfig {
   double floor_friction = 0.5;    ///< of the cones that forces stay in
   double stance_width_m = 0.0;    ///< how much further out than its hip each foot stands
   double force_rise_s = 0.0;      ///< in which a foot that has landed takes up its share
-  double approach_m_s =
-      0.0;  ///< GaitControl::kOwn: how fast a foot comes down where the ground is expected, unless the gait says
-  double step_down_m = 0.0;        ///< how far a foot reaches below the expected ground before it gives up
+  double approach_m_s = 0.0;  ///< GaitControl::kOwn: how fast a foot comes down where the ground is expected,
+                              ///< unless the gait says
+  double step_down_m = 0.0;   ///< how far a foot reaches below the expected ground before it gives up
   double acceleration_m_s2 = 0.0;  ///< of the desired speed
   double turning_acceleration_rad_s2 = 0.0;
   double foothold_gain_s =

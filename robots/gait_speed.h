@@ -8,8 +8,9 @@
 
 namespace sprung {
 
-/// Root of the sum of the squared shares of the fastest forward, sideways and turning: a gait's steps serve all three, so that it goes each
-/// of its fastest only alone. Beyond 1 the gait does not go so. NaN where a speed is.
+/// Root of the sum of the squared shares of the fastest forward, sideways and turning: a gait's steps serve
+/// all three, so that it goes each of its fastest only alone. Beyond 1 the gait does not go so. NaN where a
+/// speed is.
 /// @param speed forward, left m/s; turning rad/s.
 inline double speed_share(const GaitConfig& gait, const std::array<double, 3>& speed) noexcept {
   const std::array<double, 3> fastest{gait.fastest_forward_m_s, gait.fastest_sideways_m_s,

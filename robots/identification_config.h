@@ -1,6 +1,6 @@
 #pragma once
-/// What `sprung identify` found about a joint, as robot.yaml holds it: friction, where it comes from, how certain the
-/// numbers are, and the gear's temperature.
+/// What `sprung identify` found about a joint, as robot.yaml holds it: friction, where it comes from, how
+/// certain the numbers are, and the gear's temperature.
 #include <cstdint>
 #include <string>
 
@@ -32,17 +32,17 @@ struct IdentifiedFriction {
   IdentificationRecord record;
 };
 
-/// Relative, one standard deviation each. Where robot.yaml is silent: friction within 25 %, torque constant within 5 %
-/// and mass within 10 %, spread evenly (so 1 / sqrt 3 of these); armature from memory (facts C3, [M]), where the
-/// plants that fit the papers ask for up to 0.35 more than the data sheets (facts C2).
+/// Relative, one standard deviation each. Where robot.yaml is silent: friction within 25 %, torque constant
+/// within 5 % and mass within 10 %, spread evenly (so 1 / sqrt 3 of these); armature from memory (facts C3,
+/// [M]), where the plants that fit the papers ask for up to 0.35 more than the data sheets (facts C2).
 struct JointUncertainty {
   double friction = 0.144;
   double torque_constant = 0.029;
   double armature = 0.2;
   double mass = 0.058;
 };
-/// Of friction that is a paper's: the same experiments need 7.3 Nm where the bench gave 1.79 (facts E12, C2, E13), 3.1 times
-/// the value more, spread evenly.
+/// Of friction that is a paper's: the same experiments need 7.3 Nm where the bench gave 1.79 (facts E12, C2,
+/// E13), 3.1 times the value more, spread evenly.
 inline constexpr double kPapersFrictionUncertainty = 1.8;
 
 }  // namespace sprung

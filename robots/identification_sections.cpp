@@ -49,8 +49,8 @@ void refuse_poor_model(const YamlMap& map, FrictionModelKind model) {
   map.fail("model", std::string("model ") + name(model) + " needs at least one of: " + added);
 }
 
-/// What is given must mean something: a speed without breakaway, or a temperature factor without its reference, does
-/// not.
+/// What is given must mean something: a speed without breakaway, or a temperature factor without its
+/// reference, does not.
 void refuse_half_terms(const YamlMap& map, const FrictionParameters& p) {
   if (map.has("breakaway") != map.has("stribeck_speed"))
     map.fail("breakaway", "breakaway and stribeck_speed belong together");

@@ -1,6 +1,6 @@
 #pragma once
-/// The parts of a joint in robot.yaml that `sprung identify` writes: read for robot_sections.cpp, and written as the
-/// same text.
+/// The parts of a joint in robot.yaml that `sprung identify` writes: read for robot_sections.cpp, and written
+/// as the same text.
 #include <string>
 
 #include "robots/robot_config.h"
@@ -15,8 +15,8 @@ void read_identification(const YamlMap& joint_map, JointConfig& joint);
 
 }  // namespace robot_sections
 
-/// The keys `friction`, `uncertainty`, `identified` and, where there is a time constant, `thermal` of a joint as lines
-/// of robot.yaml, each indented by four blanks; what load_robot() reads back.
+/// The keys `friction`, `uncertainty`, `identified` and, where there is a time constant, `thermal` of a joint
+/// as lines of robot.yaml, each indented by four blanks; what load_robot() reads back.
 /// @param joint its friction must be there: @throws std::invalid_argument if not.
 std::string identification_text(const JointConfig& joint);
 

@@ -1,9 +1,10 @@
 #pragma once
-/// Parameters of sprung's own landing, the law of planner/own_landing.h: a preset's optional key `own_landing`.
+/// Parameters of sprung's own landing, the law of planner/own_landing.h: a preset's optional key
+/// `own_landing`.
 namespace sprung {
 
-/// What the foot is to feel like along x and z in one phase of the landing: a spring, a damper, and the mass that the rotors are
-/// made to have there.
+/// What the foot is to feel like along x and z in one phase of the landing: a spring, a damper, and the mass
+/// that the rotors are made to have there.
 struct LandingGains {
   double mass_x_kg = 0.0;  ///< 0: the rotors' own, as their gears make it
   double mass_z_kg = 0.0;
@@ -35,7 +36,8 @@ struct OwnLandingConfig {
   double mass_s = 0.0;                ///< after contact, in which the masses give way to the rotors' own
   LandingGains air;
   LandingGains ground;
-  // A jump: from `jump_switch_s` after its thrust began on a spring of its own; 0: as in a fall, from lift-off on.
+  // A jump: from `jump_switch_s` after its thrust began on a spring of its own; 0: as in a fall, from
+  // lift-off on.
   double jump_switch_s = 0.0;
   LandingGains jump;
   double jump_friction_compensation =

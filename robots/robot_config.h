@@ -129,12 +129,12 @@ struct JumpCurveConfig {
   double duration_s = 0.0;
   std::vector<double> lengths_m;  ///< control points
   double height_m = 0.0;          ///< that it jumps to, as measured; other heights scale from here
-  double drift_m =
-      0.0;  ///< how far back it lands by itself where the hip is free, as measured; ways forward make up for it
+  double drift_m = 0.0;  ///< how far back it lands by itself where the hip is free, as measured; ways forward
+                         ///< make up for it
 };
 
-/// At rest the sign of friction is unknown: there the compensation follows the sign of the virtual spring's torque
-/// (errata E5). speed 0: it does not, as in the papers.
+/// At rest the sign of friction is unknown: there the compensation follows the sign of the virtual spring's
+/// torque (errata E5). speed 0: it does not, as in the papers.
 struct RestFrictionConfig {
   double speed_rad_s = 0.0;  ///< share of the rest law: exp(-(w / this)^2)
   double torque_Nm = 0.1;    ///< its smooth sign: tanh(spring's torque / this)
@@ -209,17 +209,20 @@ struct RobotConfig {
   bool has_feet() const { return why_not_standing() == nullptr; }
   /// Static text, nullptr for a robot that has feet.
   const char* why_not_standing() const;
-  /// Without a name: the one called `best`, else the only one there is. Of a robot without feet, which needs no presets and
-  /// may have none: one that moves nothing, whatever the name. @throws std::invalid_argument naming the presets there are.
+  /// Without a name: the one called `best`, else the only one there is. Of a robot without feet, which needs
+  /// no presets and may have none: one that moves nothing, whatever the name. @throws std::invalid_argument
+  /// naming the presets there are.
   const PresetConfig& preset(const std::string& preset_name = "") const;
 };
 
-/// The robot as its processes know it under a preset. One that compensates the papers' friction is there to reproduce
-/// the papers: no joint of it is identified, so that its figures do not depend on what `sprung identify` writes.
+/// The robot as its processes know it under a preset. One that compensates the papers' friction is there to
+/// reproduce the papers: no joint of it is identified, so that its figures do not depend on what `sprung
+/// identify` writes.
 /// @throws std::invalid_argument naming the presets there are.
 RobotConfig as_in_preset(RobotConfig robot, const std::string& preset_name);
 
-/// Name of `wished` where the robot has it, else of `otherwise`, which may be empty. @throws as RobotConfig::preset.
+/// Name of `wished` where the robot has it, else of `otherwise`, which may be empty. @throws as
+/// RobotConfig::preset.
 std::string preset_or(const RobotConfig& robot, const std::string& wished, const std::string& otherwise = "");
 
 }  // namespace sprung

@@ -32,8 +32,8 @@ EncoderCardConfig read_encoder_card(const YamlMap& map, const std::vector<BusCon
 ActuatorConfig read_actuator(const YamlMap& map, const RobotConfig& robot);
 LinkEncoderConfig read_link_encoder(const YamlMap& map, const std::vector<EncoderCardConfig>& cards);
 ReferenceConfig read_reference(const YamlMap& map);
-/// A link position is known within half a turn either way of zero: an actuator with a link encoder must stay there
-/// wherever its leg's joints are within their limits.
+/// A link position is known within half a turn either way of zero: an actuator with a link encoder must stay
+/// there wherever its leg's joints are within their limits.
 void refuse_folded_link_positions(const YamlMap& file, const RobotConfig& robot);
 /// +1 or -1. @throws ConfigError on 0 too.
 double read_direction(const YamlMap& map);

@@ -43,14 +43,15 @@ class YamlMap {
   std::vector<YamlMap> list(const std::string& key) const;       ///< of maps
   std::vector<std::pair<std::string, YamlMap>> entries() const;  ///< every key as a map, for named sets
 
-  /// Number and unit as they stand at a dotted path below this map, whatever they are: "stiffness.z", "lengths.4".
+  /// Number and unit as they stand at a dotted path below this map, whatever they are: "stiffness.z",
+  /// "lengths.4".
   /// @throws ConfigError where the path leads to no number.
   std::pair<double, std::string> quantity_at(const std::string& path) const;
   /// A copy in which that number is another one; its unit stays. @throws ConfigError as quantity_at().
   YamlMap with_number_at(const std::string& path, double value) const;
 
-  /// Every number that was asked for so far in the whole file, with its path, "joints[3].position.min"; optional ones also where
-  /// they are not there.
+  /// Every number that was asked for so far in the whole file, with its path, "joints[3].position.min";
+  /// optional ones also where they are not there.
   const std::set<std::string>& numbers() const;
 
   /// @throws ConfigError naming the first key that nobody asked for, and the keys that are known.

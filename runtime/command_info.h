@@ -1,5 +1,6 @@
 #pragma once
-/// What a command takes, as values: one source for --help, completion, man page and the test that every command has an example.
+/// What a command takes, as values: one source for --help, completion, man page and the test that every
+/// command has an example.
 #include <string>
 #include <vector>
 

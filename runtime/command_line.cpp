@@ -17,7 +17,8 @@ namespace sprung {
 
 namespace {
 
-/// CLI11 takes "nan" and "inf" for numbers. Inside, NaN stands for what nobody has given, so nobody may give it.
+/// CLI11 takes "nan" and "inf" for numbers. Inside, NaN stands for what nobody has given, so nobody may give
+/// it.
 std::string why_not_finite(const std::string& text) {
   return std::isfinite(std::strtod(text.c_str(), nullptr)) ? "" : "must be a finite number, not " + text;
 }

@@ -56,7 +56,8 @@ class CommandLine {
   void option(const std::string& name, double& value, const std::string& help, Need need = Need::kOptional);
   void option(const std::string& name, std::vector<std::string>& value, const std::string& help,
               Need need = Need::kOptional);
-  /// As many values at once as the array has, e.g. --stiffness 2000 1500. Its content is no default: it stays as it is.
+  /// As many values at once as the array has, e.g. --stiffness 2000 1500. Its content is no default: it stays
+  /// as it is.
   void option(const std::string& name, std::array<double, 2>& value, const std::string& help,
               Need need = Need::kOptional);
   /// A text that must be one of `allowed`.

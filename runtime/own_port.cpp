@@ -15,11 +15,13 @@
 namespace sprung {
 namespace {
 
-// Below Linux's range for ports that it hands out itself (32768 and up): one of those may be taken between our look and the first use.
+// Below Linux's range for ports that it hands out itself (32768 and up): one of those may be taken between
+// our look and the first use.
 constexpr int kFirst = 16'384, kCount = 16'384;
 constexpr int kTries = 1'000;
 
-/// A name in the kernel's abstract space (man 7 unix) is had by one socket at a time, and is gone with its process, however that ends.
+/// A name in the kernel's abstract space (man 7 unix) is had by one socket at a time, and is gone with its
+/// process, however that ends.
 bool reserve(int port) {
   sockaddr_un name{};
   name.sun_family = AF_UNIX;

@@ -5,12 +5,12 @@
 ///
 /// Lock-step. Cycles are answered strictly in order; a cycle is skipped only when it cannot come any more
 /// (its sender is two cycles further, or silent about it for `patience`). A
-/// responder with a partner (the leg controller: LEG_COMMAND) answers k >= 1 only with the partner's k-1, or, when its lag is 0
-/// (the estimator of a robot with an IMU), k only with the partner's k. A
-/// repeated input that was answered already asks for the stored answers again: the bridge repeats
-/// DRIVE_STATE(k) after 50 ms, and so every lost message of the ring is repaired without stepping anything
-/// twice. What stays missing for `patience` (its sender died) is counted and done without; from then on only
-/// for `short_patience`, until it is there in time again.
+/// responder with a partner (the leg controller: LEG_COMMAND) answers k >= 1 only with the partner's k-1, or,
+/// when its lag is 0 (the estimator of a robot with an IMU), k only with the partner's k. A repeated input
+/// that was answered already asks for the stored answers again: the bridge repeats DRIVE_STATE(k) after 50
+/// ms, and so every lost message of the ring is repaired without stepping anything twice. What stays missing
+/// for `patience` (its sender died) is counted and done without; from then on only for `short_patience`,
+/// until it is there in time again.
 ///
 /// Real time. The newest input is answered at once with the partner's newest of seq <= k-1; gaps are counted.
 /// When no input comes, nothing is answered: to a responder that is silent the bridge itself reacts

@@ -6,11 +6,12 @@
 
 namespace sprung {
 
-/// How many letters must be changed, added, left out or swapped with their neighbour to make one of the other.
+/// How many letters must be changed, added, left out or swapped with their neighbour to make one of the
+/// other.
 std::size_t typing_slips(const std::string& a, const std::string& b);
 
-/// The candidate with the fewest slips, the first of several; a piece that was left out counts as one. "" where none has as few as one
-/// in three letters.
+/// The candidate with the fewest slips, the first of several; a piece that was left out counts as one. ""
+/// where none has as few as one in three letters.
 std::string nearest_word(const std::string& typed, const std::vector<std::string>& candidates);
 
 /// "; did you mean 'stand'?", or "" where nothing is near.

@@ -1,7 +1,8 @@
 #pragma once
-/// Orderly stop. SIGINT, SIGTERM and SIGHUP (its terminal is gone) only set a mark and wake who waits; a second one does no more, so
-/// it cannot tear down a process that is bringing its drives to rest. Where nobody has ever looked for the mark (a command that only
-/// computes) they end the process at once, as they would any other.
+/// Orderly stop. SIGINT, SIGTERM and SIGHUP (its terminal is gone) only set a mark and wake who waits; a
+/// second one does no more, so it cannot tear down a process that is bringing its drives to rest. Where
+/// nobody has ever looked for the mark (a command that only computes) they end the process at once, as they
+/// would any other.
 namespace sprung {
 
 void install_stop_signals();  ///< call before any thread is started; also ignores SIGPIPE

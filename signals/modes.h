@@ -157,10 +157,10 @@ enum class SimControlKind : std::int8_t {
   kSuspend = 2,
   kDriveFault = 3,   ///< actuator's drive: emergency code `value`
   kDriveSilent = 4,  ///< cable of the actuator's drive
-  kNodeFault =
-      5,  ///< `fault` of the actuator's drive or, with actuator -1, of bus `bus`; for duration_s, 0 = for good
-  kFloor = 6,  ///< height of the floor in the world: `value`, m; `actuator` n >= 0: under leg n alone
-  kImu = 7,    ///< `value` 0: it works; 1: silent; 2: says kFault; 3: no attitude
+  kNodeFault = 5,  ///< `fault` of the actuator's drive or, with actuator -1, of bus `bus`; for duration_s, 0
+                   ///< = for good
+  kFloor = 6,      ///< height of the floor in the world: `value`, m; `actuator` n >= 0: under leg n alone
+  kImu = 7,        ///< `value` 0: it works; 1: silent; 2: says kFault; 3: no attitude
 };
 
 /// Faults on demand (`sprung fault`). `value` where one is given; others ignore it.

@@ -1,5 +1,6 @@
 #pragma once
-/// Every simulated device that was built in: one for each folder of drivers/profiles (cmake/SprungProfiles.cmake finds them).
+/// Every simulated device that was built in: one for each folder of drivers/profiles
+/// (cmake/SprungProfiles.cmake finds them).
 #include <memory>
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
-/// SIM_CONTROL has no acknowledgement, so senders publish it several times: one with the stamp of a former one is the same
-/// again. Pure.
+/// SIM_CONTROL has no acknowledgement, so senders publish it several times: one with the stamp of a former
+/// one is the same again. Pure.
 #include <algorithm>
 #include <array>
 #include <cstddef>

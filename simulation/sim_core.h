@@ -34,8 +34,8 @@ class SimCore {
 
   /// A frame from the master that acts at time_us (>= the last advance_to); kept until then.
   void receive(int bus, const CanFrame& frame, std::int64_t time_us) noexcept;
-  /// Steps drives and plant up to and including time_us; what the drives sent is appended to out. Time never goes back:
-  /// an earlier time_us, or a frame that came too late, acts at the present.
+  /// Steps drives and plant up to and including time_us; what the drives sent is appended to out. Time never
+  /// goes back: an earlier time_us, or a frame that came too late, acts at the present.
   void advance_to(std::int64_t time_us, FrameBatch& out) noexcept;
   /// When the master's i-th frame of a burst acts: SYNC at the tick, answers and set-points after it by the
   /// bus schedule (55 + 10 n us a frame at 1 Mbit/s) and the configured compute time. Used by lock-step and
@@ -50,8 +50,8 @@ class SimCore {
   std::int64_t torque_reading_count() const noexcept;
   const TorqueSensor& torque_reading(std::int64_t n) const noexcept;
   const TorqueSensor& torque_sensor() const noexcept;
-  /// sim.yaml's IMU, sampled at a SYNC from cycle 0 on: of this cycle when its stamp's seq is cycle(). Older, -1 at
-  /// first, while it is silent or where there is none.
+  /// sim.yaml's IMU, sampled at a SYNC from cycle 0 on: of this cycle when its stamp's seq is cycle(). Older,
+  /// -1 at first, while it is silent or where there is none.
   const Imu& imu() const noexcept;
   /// Of one actuator's motor at its gear's output, now: not what the bus says. For experiments.
   double true_motor_torque_Nm(int actuator) noexcept;

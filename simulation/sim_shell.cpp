@@ -43,7 +43,8 @@ void SimShell::take_controls() {
   }
 }
 
-/// After a stall of real time there may be more than the core keeps: the oldest are lost, as on a serial line.
+/// After a stall of real time there may be more than the core keeps: the oldest are lost, as on a serial
+/// line.
 void SimShell::publish_torque_readings() {
   const std::int64_t count = core_.torque_reading_count();
   const std::int64_t oldest = count - sim::TorqueSensorDevice::kKept;

@@ -27,10 +27,11 @@ class SimShell {
  public:
   SimShell(Process& process, SimCore& core, bool truth);
   void take_controls();
-  /// SIM_TRUTH and IMU once a cycle, TORQUE_SENSOR at the sensor's rate. @throws std::runtime_error when the plant failed.
+  /// SIM_TRUTH and IMU once a cycle, TORQUE_SENSOR at the sensor's rate. @throws std::runtime_error when the
+  /// plant failed.
   void publish();
-  /// IMU of the present cycle, once. Lock-step: before the answers to its SYNC, and of a robot with an IMU also when there is
-  /// nothing measured (kStarting), since the estimator waits for it.
+  /// IMU of the present cycle, once. Lock-step: before the answers to its SYNC, and of a robot with an IMU
+  /// also when there is nothing measured (kStarting), since the estimator waits for it.
   void publish_imu(std::int64_t sync_us);
   /// IMU of the present cycle once more, for whoever has not got it.
   void repeat();

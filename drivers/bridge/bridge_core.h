@@ -6,7 +6,8 @@
 /// One tick, whatever the clock:
 ///   begin_tick(t, out)   NMT, SDO, heartbeat frames that are due, then SYNC last on every bus
 ///   receive(bus, f, t)   for every frame that comes in, at any time
-///   all_answered()       every operational drive has answered this SYNC, and older ones first if it owed them (else the shell waits until its deadline)
+///   all_answered()       every operational drive has answered this SYNC, and older ones first if it owed
+///                        them (else the shell waits until its deadline)
 ///   end_sampling(t, s)   true once cyclic operation began: s is DRIVE_STATE(k), k counts from 0
 ///   command(c, t)        DRIVE_COMMAND(k) came in: checked, stored, or refused and counted
 ///   emit_setpoints(t, o) RPDOs of this cycle: the command if it is good, else what safety says
@@ -37,8 +38,8 @@ struct BridgeOptions {
 
 class BridgeCore {
  public:
-  /// @throws std::invalid_argument on an unknown profile, naming it and those there are, and on a channel that an encoder
-  /// card has not.
+  /// @throws std::invalid_argument on an unknown profile, naming it and those there are, and on a channel
+  /// that an encoder card has not.
   BridgeCore(const RobotConfig& robot, const BridgeOptions& options);
   ~BridgeCore();
   BridgeCore(const BridgeCore&) = delete;
@@ -53,8 +54,8 @@ class BridgeCore {
   bool command(const DriveCommand& command, std::int64_t time_us) noexcept;
   void emit_setpoints(std::int64_t time_us, FrameBatch& out) noexcept;
 
-  /// Estop acts at once. Clear and home are accepted or refused, and answered again by next_reply() when they are done
-  /// or have failed; a request that comes twice gets its last answer. Others are not the bridge's.
+  /// Estop acts at once. Clear and home are accepted or refused, and answered again by next_reply() when they
+  /// are done or have failed; a request that comes twice gets its last answer. Others are not the bridge's.
   OperatorReply operator_command(const OperatorCommand& command, std::int64_t time_us) noexcept;
   /// Answers that have become due by themselves. @return false when there is none.
   bool next_reply(OperatorReply& out) noexcept;

@@ -75,7 +75,8 @@ void BridgeCore::Impl::count_sent(const FrameBatch& batch, int first) noexcept {
   for (int i = first; i < batch.size(); ++i) buses.sent(batch[i].bus, batch[i].frame);
 }
 
-/// NMT start goes out when every node is configured; one that boots again in operation finds the others started.
+/// NMT start goes out when every node is configured; one that boots again in operation finds the others
+/// started.
 void BridgeCore::Impl::step_boot(std::int64_t time_us) noexcept {
   refuse_nodes(time_us);
   if (!cyclic) restart_lost_nodes(time_us);
@@ -86,8 +87,8 @@ void BridgeCore::Impl::step_boot(std::int64_t time_us) noexcept {
   for (NodeLink* link : links) link->start();
 }
 
-/// One that has left operational while the others still boot: before the first cycle nobody is asked. Of two devices on one id
-/// none can be brought back; they become trouble in the first cycle.
+/// One that has left operational while the others still boot: before the first cycle nobody is asked. Of two
+/// devices on one id none can be brought back; they become trouble in the first cycle.
 void BridgeCore::Impl::restart_lost_nodes(std::int64_t time_us) noexcept {
   for (NodeLink* link : links) {
     const bool gone = link->lost(time_us) || link->silent();

@@ -81,8 +81,8 @@ class RealTimeBridge {
   }
 
  private:
-  /// What ends a sleep. Frames that come when nothing is done about them before the next deadline wait in the kernel, which has
-  /// stamped them.
+  /// What ends a sleep. Frames that come when nothing is done about them before the next deadline wait in the
+  /// kernel, which has stamped them.
   enum class Wake : std::int8_t { kOnFramesAndCommands, kOnCommands };
 
   std::int64_t now_us() const { return process_.node().utime_us(); }
@@ -123,7 +123,8 @@ class RealTimeBridge {
     const auto window_us = static_cast<std::int64_t>(kAnswerShare * static_cast<double>(cycle_us_));
     const std::int64_t answers_us =
         std::max(deadline_us, now_us()) + window_us;  // in full also after a late start
-    // The last answer cannot be there before the wire has carried them all: one wake-up instead of one a frame.
+    // The last answer cannot be there before the wire has carried them all: one wake-up instead of one a
+    // frame.
     if (core_.operational()) sleep_until(std::min(now_us() + wire_us_, answers_us), nullptr, 0);
     wait_until(answers_us, Wake::kOnFramesAndCommands, [this] { return core_.all_answered(); });
     count_traffic();
@@ -152,7 +153,8 @@ class RealTimeBridge {
   void send() {
     for (std::size_t bus = 0; bus < buses_.size(); ++bus) {
       const int count = frames_of_bus(out_, static_cast<int>(bus), sending_.data());
-      // The queue to the bus is first in, first out: SYNC must not wait behind heartbeats, its jitter is the encoders' noise.
+      // The queue to the bus is first in, first out: SYNC must not wait behind heartbeats, its jitter is the
+      // encoders' noise.
       const auto sent = sending_.begin() + count;
       const auto sync =
           std::find_if(sending_.begin(), sent, [](const CanFrame& f) { return f.id == canopen::kSyncId; });

@@ -38,7 +38,8 @@ bool is_cyclic(const PdoSetting& pdo) {
   return pdo.transmit ? canopen::is_sync_type(pdo.transmission_type) : !is_control_word(pdo);
 }
 
-/// The bridge sends at the beginning of a cycle, rather early than late, and never twice in one (BridgeCore::begin_tick).
+/// The bridge sends at the beginning of a cycle, rather early than late, and never twice in one
+/// (BridgeCore::begin_tick).
 double bridge_heartbeat_s(double heartbeat_s, double cycle_s) {
   const long long cycle_us = std::llround(1e6 * cycle_s);
   const long long cycles = std::max(1LL, std::llround(1e6 * heartbeat_s) / cycle_us);

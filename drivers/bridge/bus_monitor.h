@@ -1,6 +1,6 @@
 #pragma once
-/// Condition and counters of every bus, from the frames that pass, the controller's error frames and what the shell
-/// could not send. Pure; stepped by time.
+/// Condition and counters of every bus, from the frames that pass, the controller's error frames and what the
+/// shell could not send. Pure; stepped by time.
 #include <cstdint>
 #include <vector>
 
@@ -46,8 +46,9 @@ class BusMonitor {
   const char* what_to_mend() const noexcept;
   const BusHealth& health(std::size_t bus) const noexcept { return watches_[bus].health; }
 
-  /// That the bus was lost since the last forget_losses(), whether or not it is back, e.g. "bus was off"; nullptr = it was not.
-  /// Its nodes have missed the bridge, and may have restarted unheard (facts canopen 5). Static text.
+  /// That the bus was lost since the last forget_losses(), whether or not it is back, e.g. "bus was off";
+  /// nullptr = it was not. Its nodes have missed the bridge, and may have restarted unheard (facts canopen
+  /// 5). Static text.
   const char* loss(int bus) const noexcept;
   void forget_losses() noexcept;
   /// A bus was lost since the last forget_trouble(), whether or not it is back; nullptr = none.

@@ -18,8 +18,8 @@ class CommandGate {
   /// Refused, counted and named in detail(): another number of actuators; seq not newer than the last good
   /// one, or of a cycle that has not been; expired, or valid for more than a second; unknown mode; a number
   /// that its mode uses and that is not finite; |torque| above the actuator's limit (a thousandth more is
-  /// rounding); damping below 0 or above 10 times safety_damping; a position more than 20 rad from the measured
-  /// one.
+  /// rounding); damping below 0 or above 10 times safety_damping; a position more than 20 rad from the
+  /// measured one.
   bool accept(const DriveCommand& command, std::int64_t cycle, std::int64_t time_us,
               const DriveState& state) noexcept;
 

@@ -16,7 +16,8 @@ constexpr std::int64_t kSupplyStagger_us = 20'000;  // a node: not all drives as
 // [design choice] a TPDO2 that was lost is asked for after this; drives switch within milliseconds
 constexpr std::int64_t kModeRead_us = 50'000;
 constexpr std::int64_t kModeLimit_us = 1'000'000;
-// [design choice] more than a loaded gear twists, less than half a motor turn at 50:1 (0.063 rad) and 100:1 tells
+// [design choice] more than a loaded gear twists, less than half a motor turn at 50:1 (0.063 rad) and 100:1
+// tells
 constexpr double kApart_rad = 0.05;
 constexpr int kApartCycles = 10;
 

@@ -1,6 +1,6 @@
 #pragma once
-/// One drive as the bridge sees it: what NodeLink does for every node, and samples, faults, power, modes, supply
-/// voltage and the reference of its position. Stepped by time.
+/// One drive as the bridge sees it: what NodeLink does for every node, and samples, faults, power, modes,
+/// supply voltage and the reference of its position. Stepped by time.
 #include <cstdint>
 #include <memory>
 
@@ -37,7 +37,8 @@ class DriveNode final : public NodeLink {
   /// The last control word may not have gone out.
   void resend_control_word() noexcept { power_.resend(); }
 
-  /// Link side of the gear, from the card, once a cycle after end_sampling(); NaN when there is none in this cycle.
+  /// Link side of the gear, from the card, once a cycle after end_sampling(); NaN when there is none in this
+  /// cycle.
   void set_link_position(double measured_link_position_rad) noexcept;
 
   double filtered_velocity_rad_s() const noexcept { return tracker_.filtered_velocity_rad_s(); }

@@ -22,8 +22,8 @@ void EncoderCardNode::take_sample(const CanFrame& frame, std::int64_t) noexcept 
   profile_->decode_sample(frame, sample_);
 }
 
-/// The counter goes up by one with each sample. Answers that were lost on the bus are counted when they are missed;
-/// here are counted those that the card never measured.
+/// The counter goes up by one with each sample. Answers that were lost on the bus are counted when they are
+/// missed; here are counted those that the card never measured.
 bool EncoderCardNode::accept_sample() noexcept {
   const int modulus = profile_->counter_modulus();
   const int steps = (sample_.counter - last_counter_ + modulus) % modulus;

@@ -1,6 +1,6 @@
 #pragma once
-/// One encoder card as the bridge sees it: link-side positions of the actuators that name it. Its sample counter
-/// shows samples that were lost, or a card that repeats itself. Stepped by time.
+/// One encoder card as the bridge sees it: link-side positions of the actuators that name it. Its sample
+/// counter shows samples that were lost, or a card that repeats itself. Stepped by time.
 #include <memory>
 
 #include "drivers/bridge/node_link.h"
@@ -11,8 +11,8 @@ class EncoderCardNode final : public NodeLink {
  public:
   EncoderCardNode(const EncoderCardConfig& card, double cycle_s, const WatchdogConfig& watchdogs);
 
-  /// Position at the output, within half a turn of 0, by the actuator's own link encoder settings. NaN unless this
-  /// SYNC was answered with a new sample.
+  /// Position at the output, within half a turn of 0, by the actuator's own link encoder settings. NaN unless
+  /// this SYNC was answered with a new sample.
   double measured_link_position_rad(const LinkEncoderConfig& encoder) const noexcept;
 
   int channels() const noexcept { return profile_->channels(); }

@@ -42,7 +42,8 @@ const char* why_not(const DriveNode& drive, ReferenceSource source) noexcept {
   return nullptr;
 }
 
-/// What a drive lacks in this cycle to be homed in it. One answer may be lost, so it is waited for. nullptr = nothing.
+/// What a drive lacks in this cycle to be homed in it. One answer may be lost, so it is waited for. nullptr =
+/// nothing.
 const char* missing(const DriveNode& drive, ReferenceSource source) noexcept {
   if (!drive.answered()) return kNoAnswer;
   if (source == ReferenceSource::kLink && !std::isfinite(drive.measured_link_position_rad()))
@@ -120,7 +121,8 @@ bool Homing::find_offset(std::size_t i, double& offset_rad) const noexcept {
       offset_rad = reference.jig_position_rad - drive.encoder_position_rad();
       return true;
     case ReferenceSource::kIndex: {
-      // An index comes once a motor turn: the right one puts the actuator nearest to where it is believed to be.
+      // An index comes once a motor turn: the right one puts the actuator nearest to where it is believed to
+      // be.
       const double turn_rad = kTurn_rad / drive.actuator().gear_ratio;
       const double first_rad = reference.index_position_rad - drive.index_position_rad();
       const double wanted_rad = guess_rad(drive) - drive.encoder_position_rad();

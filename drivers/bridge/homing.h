@@ -1,6 +1,7 @@
 #pragma once
-/// `sprung home`: finds the zero of actuators that have no power and stand still, from the link encoder, the motor
-/// encoder's index pulse or the jig that the robot stands in. All or none. Goes through it over cycles. Pure.
+/// `sprung home`: finds the zero of actuators that have no power and stand still, from the link encoder, the
+/// motor encoder's index pulse or the jig that the robot stands in. All or none. Goes through it over cycles.
+/// Pure.
 #include <cstdint>
 #include <vector>
 

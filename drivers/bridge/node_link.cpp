@@ -16,7 +16,8 @@ constexpr std::int64_t kSdoTimeout_us =
 constexpr std::int64_t kStampError_us = 200;  // [design choice] between the kernel's stamps and our clock
 constexpr int kConflictsOfTwo = 3;            // [design choice] of ten cycles
 constexpr int kDebtsExpire = 10;              // [design choice] cycles in a row that were answered in time
-// [design choice] of silent_cycles: answers that come after their cycle show that a node lives, but nobody can control by them
+// [design choice] of silent_cycles: answers that come after their cycle show that a node lives, but nobody
+// can control by them
 constexpr int kUntimelyShare = 2;
 constexpr int kContradictionsOfTwo = 2;        // [design choice] one may have been on its way
 constexpr double kContradictionsFade = 20.0;   // [design choice] heartbeats
@@ -97,8 +98,8 @@ void NodeLink::follow_unasked_state(NmtState state) noexcept {
   }
   if (!boot_.operational()) return;
   rebooted_ = rebooted_ || state == NmtState::kBootUp;
-  // "Stopped" is one flipped bit away from "operational", the others are two and more: it needs a second witness. Another
-  // device that is stopped and answers nothing disturbs nobody.
+  // "Stopped" is one flipped bit away from "operational", the others are two and more: it needs a second
+  // witness. Another device that is stopped and answers nothing disturbs nobody.
   const bool doubtful = state == NmtState::kStopped && !conflict_ && conflicts_.none();
   if (state == NmtState::kOperational || left_ || doubtful) return;
   left_ = true;
@@ -165,9 +166,10 @@ void NodeLink::receive_sample(const CanFrame& frame, std::int64_t time_us) noexc
   take_sample(frame, time_us);
 }
 
-/// A frame that the bus repeats is harmless. One that differs is the next of those that the node owes: a device that stalls pays
-/// late and in order, but never twice, so the last one is the sample. Beyond what is owed there is another device; what that
-/// one can bring in before, after a loss, must follow from where the drive was, as any sample.
+/// A frame that the bus repeats is harmless. One that differs is the next of those that the node owes: a
+/// device that stalls pays late and in order, but never twice, so the last one is the sample. Beyond what is
+/// owed there is another device; what that one can bring in before, after a loss, must follow from where the
+/// drive was, as any sample.
 bool NodeLink::is_newer_answer(const CanFrame& frame) noexcept {
   if (!(frame == answer_) && owed_ > 0) return true;
   ++health_.duplicate_samples;

@@ -1,6 +1,7 @@
 #pragma once
-/// What every node of a bus needs, drive or encoder card: boot, SDO, NMT state and heartbeat watch, emergencies, the
-/// answer to each SYNC, counters. Drives and cards derive from it and say what their process data mean. Stepped by time.
+/// What every node of a bus needs, drive or encoder card: boot, SDO, NMT state and heartbeat watch,
+/// emergencies, the answer to each SYNC, counters. Drives and cards derive from it and say what their process
+/// data mean. Stepped by time.
 #include <array>
 #include <bitset>
 #include <cstdint>
@@ -38,7 +39,8 @@ class NodeLink {
   /// Judges the answer to this SYNC, or counts that there is none.
   void end_sampling() noexcept;
 
-  /// What is wrong with a node that should be running. @return false when nothing is; `out` is then untouched.
+  /// What is wrong with a node that should be running. @return false when nothing is; `out` is then
+  /// untouched.
   virtual bool trouble(std::int64_t time_us, bool ignore_faults, Trouble& out) const noexcept;
   virtual bool faulted() const noexcept { return emergency_.code != 0; }
   virtual bool powered() const noexcept { return false; }
@@ -50,7 +52,8 @@ class NodeLink {
   virtual bool needs_restart(std::int64_t time_us) const noexcept;
 
   void start() noexcept { boot_.start(); }
-  /// Its bus was lost, so it may have let go or restarted unheard; until restart(). @param loss static text, e.g. "bus was off".
+  /// Its bus was lost, so it may have let go or restarted unheard; until restart(). @param loss static text,
+  /// e.g. "bus was off".
   void doubt(const char* loss) noexcept { bus_loss_ = loss; }
   const char* bus_loss() const noexcept { return bus_loss_; }  ///< "" = none
   /// Faults have been judged: one that the node has withdrawn may now be forgotten.
@@ -60,7 +63,8 @@ class NodeLink {
   const std::string& name() const noexcept { return setup_.name; }
   const NodeSetup& setup() const noexcept { return setup_; }
   bool answered() const noexcept { return answered_; }
-  /// Answered, and no more answers are on their way as far as one can tell: one that was silent may send older ones first.
+  /// Answered, and no more answers are on their way as far as one can tell: one that was silent may send
+  /// older ones first.
   bool caught_up() const noexcept { return answered_ && !(catching_up_ && owed_ > 0); }
   int age_cycles() const noexcept { return age_cycles_; }
   /// Its newest answer is too old, or for twice that long none came in its cycle.
@@ -93,8 +97,8 @@ class NodeLink {
 
   /// Of the cycle that the sample counts for: the one before, when it came after that was over.
   std::int64_t sample_sync_us() const noexcept { return answered_ ? sync_us_ : last_sync_us_; }
-  /// Of the oldest SYNC that this cycle's answer may belong to: answers come in order, and those that are owed may be lost, or
-  /// still to come. None is older than the silence that a node is allowed.
+  /// Of the oldest SYNC that this cycle's answer may belong to: answers come in order, and those that are
+  /// owed may be lost, or still to come. None is older than the silence that a node is allowed.
   std::int64_t earliest_sync_us() const noexcept;
   void count_missing(int samples) noexcept { health_.missing_samples += samples; }
   void count_implausible() noexcept { ++health_.implausible_samples; }

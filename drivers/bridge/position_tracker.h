@@ -1,7 +1,7 @@
 #pragma once
-/// Position and velocity of one actuator for the bridge's own damping. A sample that cannot be (a flipped bit, an
-/// encoder that jumped) is rejected and touches neither; velocity is differences through a first-order low-pass.
-/// Pure.
+/// Position and velocity of one actuator for the bridge's own damping. A sample that cannot be (a flipped
+/// bit, an encoder that jumped) is rejected and touches neither; velocity is differences through a
+/// first-order low-pass. Pure.
 #include <cstdint>
 
 namespace sprung {
@@ -13,8 +13,8 @@ enum class Motion : std::int8_t {
   kJumped,    ///< the same place again and again, but not where it was: the position goes on from there
 };
 
-/// When a sample was taken: between the two ends, so no more time than from the earliest of one until the reception of the
-/// next can lie between two positions.
+/// When a sample was taken: between the two ends, so no more time than from the earliest of one until the
+/// reception of the next can lie between two positions.
 struct SampleTime {
   std::int64_t sync_us = 0;  ///< of the cycle that it counts for
   std::int64_t earliest_us =
@@ -29,8 +29,8 @@ class PositionTracker {
   PositionTracker(double speed_limit_rad_s, double quantum_rad) noexcept
       : speed_limit_rad_s_(speed_limit_rad_s), quantum_rad_(quantum_rad) {}
 
-  /// Several rejected samples in a row that follow one another show that the position itself has jumped; no velocity comes
-  /// from that.
+  /// Several rejected samples in a row that follow one another show that the position itself has jumped; no
+  /// velocity comes from that.
   Motion add(double measured_position_rad, const SampleTime& time) noexcept;
   /// The drive begins anew: at rest, but where it was, as far as it cannot have turned in the meantime.
   void resume() noexcept;

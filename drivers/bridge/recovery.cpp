@@ -146,8 +146,9 @@ bool Recovery::resets_over(std::int64_t time_us) noexcept {
   return true;
 }
 
-/// A fault that stays although it was reset may have a lost link behind it, which only a reset of the communication heals
-/// (facts canopen 2.5): the emergency that said so may not have been heard. Once for each node; then it fails.
+/// A fault that stays although it was reset may have a lost link behind it, which only a reset of the
+/// communication heals (facts canopen 2.5): the emergency that said so may not have been heard. Once for each
+/// node; then it fails.
 /// @return true when nodes are booting again.
 bool Recovery::escalate() noexcept {
   bool restarted = false;

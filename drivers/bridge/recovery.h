@@ -1,7 +1,8 @@
 #pragma once
-/// Brings a robot back after trouble, without a new process, in the order of facts canopen 2.5: wait until the drives
-/// have stopped; reset the communication of every node that needs it and configure it again; start it; reset faults;
-/// see that all is well. Nodes without trouble are left alone and keep their SYNC. Goes through it over cycles. Pure.
+/// Brings a robot back after trouble, without a new process, in the order of facts canopen 2.5: wait until
+/// the drives have stopped; reset the communication of every node that needs it and configure it again; start
+/// it; reset faults; see that all is well. Nodes without trouble are left alone and keep their SYNC. Goes
+/// through it over cycles. Pure.
 #include <array>
 #include <cstdint>
 #include <vector>

@@ -1,7 +1,8 @@
 #pragma once
-/// Zeros that `sprung home` found, kept over a restart: one YAML file a robot. Only an absolute motor encoder keeps its count
-/// without power, so only such an actuator gets its stored zero back, and only when everything that it hangs on still stands in
-/// robot.yaml as it did then. A drive that was swapped is noticed only where robot.yaml names serials. Not for the loop.
+/// Zeros that `sprung home` found, kept over a restart: one YAML file a robot. Only an absolute motor encoder
+/// keeps its count without power, so only such an actuator gets its stored zero back, and only when
+/// everything that it hangs on still stands in robot.yaml as it did then. A drive that was swapped is noticed
+/// only where robot.yaml names serials. Not for the loop.
 ///
 ///   robot: pegasus
 ///   robot_hash: 1234            # of robot.yaml, for the record
@@ -22,8 +23,8 @@
 
 namespace sprung {
 
-/// $SPRUNG_STATE_DIR, else ~/.local/state/sprung. A simulated robot has a file of its own, so that it never gives a real one its
-/// zero. @return "" when neither variable nor home is known.
+/// $SPRUNG_STATE_DIR, else ~/.local/state/sprung. A simulated robot has a file of its own, so that it never
+/// gives a real one its zero. @return "" when neither variable nor home is known.
 std::string reference_file(const std::string& robot, bool simulation);
 
 class ReferenceStore {

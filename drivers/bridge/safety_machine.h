@@ -15,8 +15,8 @@
 ///                                            then disabled
 ///
 /// A latched state only gets worse, until clear(). The cause stays the first one, unless a worse level brings
-/// its own. A damping that was not latched and is over stays in the detail until it is forgotten: by then the motion has
-/// ended, and nobody would know why.
+/// its own. A damping that was not latched and is over stays in the detail until it is forgotten: by then the
+/// motion has ended, and nobody would know why.
 #include <cstdint>
 
 #include "drivers/bridge/detail_text.h"

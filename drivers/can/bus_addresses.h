@@ -22,7 +22,8 @@ RobotConfig with_bus_addresses(const RobotConfig& robot, const std::vector<std::
 /// udp:GROUP:PORT.
 std::unique_ptr<UdpBus> open_udp_bus(const std::string& address);
 
-/// Tests of the lock-step link. @param texts can-drop:TICK:INDEX or can-repeat:TICK:INDEX, acting on this program's own frames.
+/// Tests of the lock-step link. @param texts can-drop:TICK:INDEX or can-repeat:TICK:INDEX, acting on this
+/// program's own frames.
 /// @throws std::invalid_argument naming the two forms.
 std::vector<BurstFault> parse_burst_faults(const std::vector<std::string>& texts);
 

@@ -12,8 +12,9 @@ namespace sprung {
 /// Why the last send() did not take all frames.
 enum class CanSendError : std::int8_t {
   kNone,
-  kNoBuffers,  ///< the interface's queue is full (ENOBUFS), or the socket's (EAGAIN): the bus is slower than we are
-  kLinkDown,  ///< the interface is down or gone
+  kNoBuffers,  ///< the interface's queue is full (ENOBUFS), or the socket's (EAGAIN): the bus is slower than
+               ///< we are
+  kLinkDown,   ///< the interface is down or gone
   kOther,
 };
 const char* text(CanSendError error) noexcept;
@@ -27,7 +28,8 @@ struct CanBusCounters {
   std::int64_t link_down = 0;    ///< of these: CanSendError::kLinkDown
   std::int64_t dropped = 0;      ///< frames lost before we read them: receive queue full
   std::int64_t malformed = 0;    ///< datagrams or frames that are no classic 11-bit frame; ignored
-  /// Own frames that came back from the bus after they were sent on it (socketcan only); those that pass the filter.
+  /// Own frames that came back from the bus after they were sent on it (socketcan only); those that pass the
+  /// filter.
   std::int64_t confirmed = 0;
   std::int64_t confirmation_us = 0;          ///< from send() to being on the bus, newest
   std::int64_t longest_confirmation_us = 0;  ///< since opening
@@ -44,12 +46,14 @@ class CanBus {
   virtual bool send(const CanFrame* frames, int count) noexcept = 0;
   /// @return frames read now, 0..max; never this endpoint's own.
   virtual int receive(CanFrame* frames, int max) noexcept = 0;
-  /// The same with each frame's arrival at the kernel, us on CLOCK_MONOTONIC; back ends without kernel time stamps give the
-  /// time of reading. Sampling jitter is what hurts an encoder's derivative most, and a process wakes up late.
+  /// The same with each frame's arrival at the kernel, us on CLOCK_MONOTONIC; back ends without kernel time
+  /// stamps give the time of reading. Sampling jitter is what hurts an encoder's derivative most, and a
+  /// process wakes up late.
   virtual int receive_timed(CanFrame* frames, std::int64_t* arrival_us, int max) noexcept;
-  /// Only frames that pass wake up and are received, so that foreign traffic costs nothing; count 0 = all again. Not for the loop.
-  /// @return false where this back end lets everything through: udp: and memory: carry no foreign traffic worth the work, and whoever
-  /// receives must ignore unknown ids anyway.
+  /// Only frames that pass wake up and are received, so that foreign traffic costs nothing; count 0 = all
+  /// again. Not for the loop.
+  /// @return false where this back end lets everything through: udp: and memory: carry no foreign traffic
+  /// worth the work, and whoever receives must ignore unknown ids anyway.
   virtual bool accept_only(const CanFilter* filters, int count);
   /// For poll(), readable when receive() may return something; -1 where there is no such descriptor.
   virtual int fd() const noexcept = 0;

@@ -12,8 +12,8 @@ inline constexpr std::uint32_t kCanErrorRestarted = 0x100;
 inline constexpr std::uint8_t kControllerPassive = 0x30;     ///< data[1]: receive or transmit error passive
 inline constexpr std::uint8_t kControllerTxOverflow = 0x02;  ///< data[1]
 
-/// sprung's own: SocketCAN has no error frame for a link that is down, but refuses to send (ENETDOWN). In data[5], which
-/// belongs to the controller's maker and is 0 in a kernel's transmit time-out.
+/// sprung's own: SocketCAN has no error frame for a link that is down, but refuses to send (ENETDOWN). In
+/// data[5], which belongs to the controller's maker and is 0 in a kernel's transmit time-out.
 inline constexpr std::uint8_t kLinkDownMark = 0x4C;
 
 /// Bus off.
@@ -25,8 +25,8 @@ inline CanFrame bus_lost_frame() noexcept {
   return frame;
 }
 
-/// What a simulated bus tells when the interface's queue is full (ENOBUFS): bus off too, since set-points are lost, but
-/// told apart.
+/// What a simulated bus tells when the interface's queue is full (ENOBUFS): bus off too, since set-points are
+/// lost, but told apart.
 inline CanFrame queue_full_frame() noexcept {
   CanFrame frame = bus_lost_frame();
   frame.id |= kCanErrorController;

@@ -11,8 +11,8 @@
 namespace sprung {
 namespace {
 
-// [design choice] The kernel tells the rate that the controller's clock gives, not the one asked for; standard rates are
-// 20 % apart and more.
+// [design choice] The kernel tells the rate that the controller's clock gives, not the one asked for;
+// standard rates are 20 % apart and more.
 constexpr double kRateTolerance = 0.01;
 constexpr int kLongestQueue = 64;         // frames: 8 ms of a full bus at 1 Mbit/s
 constexpr std::size_t kLongestName = 15;  // IFNAMSIZ - 1

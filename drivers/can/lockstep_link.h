@@ -48,12 +48,12 @@ class LockstepLink {
   /// A plain frame outside any burst, for tools and for drives whose master is gone.
   void send_unstamped(const CanFrame& frame) noexcept { bus_->send(&frame, 1); }
 
-  /// Plain frames of others since the last call, the first 64: they are no part of a lock-step run, but drives whose master is
-  /// gone may answer them.
+  /// Plain frames of others since the last call, the first 64: they are no part of a lock-step run, but
+  /// drives whose master is gone may answer them.
   std::vector<CanFrame> take_outsiders() noexcept;
 
-  /// Reads what has come in, up to the first event or 256 frames; call until kNothing. Never blocks; wait with poll() on
-  /// fd().
+  /// Reads what has come in, up to the first event or 256 frames; call until kNothing. Never blocks; wait
+  /// with poll() on fd().
   LinkEvent poll() noexcept;
   std::int64_t tick() const noexcept { return assembler_.tick(); }
   /// Of the last complete burst, in order, without the mark. Valid until the next poll().

@@ -1,6 +1,6 @@
 #pragma once
-/// What the kernel says beside a received frame: when it arrived, and how many were lost before it. Shared by the back ends that
-/// read sockets.
+/// What the kernel says beside a received frame: when it arrived, and how many were lost before it. Shared by
+/// the back ends that read sockets.
 #include <sys/socket.h>
 #include <time.h>
 
@@ -10,8 +10,9 @@ namespace sprung {
 
 std::int64_t can_clock_us() noexcept;  ///< CLOCK_MONOTONIC: the clock of every arrival time
 
-/// CLOCK_REALTIME (in which the kernel stamps) minus CLOCK_MONOTONIC. A process that is interrupted between reading the two clocks
-/// gets a wrong difference; such a reading changes nothing, so stamps keep their order.
+/// CLOCK_REALTIME (in which the kernel stamps) minus CLOCK_MONOTONIC. A process that is interrupted between
+/// reading the two clocks gets a wrong difference; such a reading changes nothing, so stamps keep their
+/// order.
 class UtcOffset {
  public:
   void update() noexcept;

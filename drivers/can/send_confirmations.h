@@ -15,7 +15,8 @@ class SendConfirmations {
 
   /// @param time_us when it was handed over. The oldest frame is given up when there are too many.
   void sent(const CanFrame& frame, std::int64_t time_us) noexcept;
-  /// Controllers may send by priority instead of in order. @return us from sending to confirmation; kUnknown when no such frame is awaited.
+  /// Controllers may send by priority instead of in order. @return us from sending to confirmation; kUnknown
+  /// when no such frame is awaited.
   std::int64_t confirmed(const CanFrame& frame, std::int64_t time_us) noexcept;
   /// The interface's queue was emptied (link down, bus off): nothing more will come.
   void forget() noexcept;

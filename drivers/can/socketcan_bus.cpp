@@ -145,8 +145,8 @@ int SocketCanBus::send_batch(const CanFrame* frames, int count) noexcept {
   return sent;
 }
 
-/// A link that went down leaves one error on the socket, which the first call after it gets even when the link is up again. An
-/// interface that was removed takes the filters with it, and has to be bound anew.
+/// A link that went down leaves one error on the socket, which the first call after it gets even when the
+/// link is up again. An interface that was removed takes the filters with it, and has to be bound anew.
 bool SocketCanBus::worth_another_try(int error) noexcept {
   if (error == ENETDOWN) return true;
   if ((error != ENODEV && error != ENXIO) || !bind_interface() || !set_filters()) return false;

@@ -1,7 +1,7 @@
 #pragma once
-/// CAN through the kernel (linux/can.h, facts canopen 5): raw socket, error frames delivered. Own frames come back from the
-/// bus as confirmations: they are counted and timed, and never received. An interface that goes down and up again, or is
-/// unplugged and comes back under its name, works again without reopening.
+/// CAN through the kernel (linux/can.h, facts canopen 5): raw socket, error frames delivered. Own frames come
+/// back from the bus as confirmations: they are counted and timed, and never received. An interface that goes
+/// down and up again, or is unplugged and comes back under its name, works again without reopening.
 #include <memory>
 #include <vector>
 

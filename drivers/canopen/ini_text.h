@@ -35,7 +35,8 @@ class IniSection {
 
 class IniText {
  public:
-  /// @param file stands for the text in messages. @throws EdsError on lines that are no INI, on keys given twice.
+  /// @param file stands for the text in messages. @throws EdsError on lines that are no INI, on keys given
+  /// twice.
   IniText(const std::string& text, const std::string& file);
 
   const std::vector<IniSection>& sections() const noexcept { return sections_; }

@@ -1,5 +1,6 @@
 #pragma once
-/// Every device profile that was built in: one for each folder of drivers/profiles (cmake/SprungProfiles.cmake finds them).
+/// Every device profile that was built in: one for each folder of drivers/profiles
+/// (cmake/SprungProfiles.cmake finds them).
 #include <memory>
 #include <string>
 #include <vector>
@@ -8,8 +9,8 @@
 
 namespace sprung {
 
-/// What a profile's folder offers to the bridge and to tools. A folder is either a drive's or an encoder card's: the other
-/// maker is nullptr.
+/// What a profile's folder offers to the bridge and to tools. A folder is either a drive's or an encoder
+/// card's: the other maker is nullptr.
 struct ProfileKind {
   const char* name;  ///< of the folder, as robot.yaml's `profile`
   std::unique_ptr<DriveProfile> (*make_drive)(const ActuatorConfig& actuator, const DriveTiming& timing);

@@ -20,8 +20,8 @@ inline std::int32_t to_integer(double value, double low, double high) noexcept {
   return static_cast<std::int32_t>(std::llround(std::clamp(value, low, high)));
 }
 
-/// A configuration value in whole units of its object. @throws std::invalid_argument naming `owner` ("actuator
-/// 'hip'") and `what` when it is not within 0 and `high`.
+/// A configuration value in whole units of its object. @throws std::invalid_argument naming `owner`
+/// ("actuator 'hip'") and `what` when it is not within 0 and `high`.
 inline std::uint32_t to_object(double value, const std::string& owner, const char* what,
                                double high = std::numeric_limits<std::uint32_t>::max()) {
   if (!(value >= 0.0 && std::round(value) <= high)) {

@@ -2,11 +2,12 @@
 /// Parameters within bounds as variables without: what MINUIT and lmfit do around MINPACK. Pure.
 ///
 ///   both bounds   x = lower + (upper - lower) (1 + sin u) / 2
-///   lower only    x = lower + s (sqrt(u^2 + 1) - 1)         s: distance of start or initial value to the bound; upper only likewise
+///   lower only    x = lower + s (sqrt(u^2 + 1) - 1); upper only likewise
 ///   none          x = u
+/// s: distance of start or initial value to the bound.
 ///
-/// At a bound dx/du is zero, and a search would stay there: what starts on a bound is left out of the variables and keeps
-/// its value; moved_inside() first where that is not wanted.
+/// At a bound dx/du is zero, and a search would stay there: what starts on a bound is left out of the
+/// variables and keeps its value; moved_inside() first where that is not wanted.
 #include <Eigen/Core>
 #include <vector>
 

@@ -7,22 +7,23 @@
 namespace sprung::identification {
 
 struct CrossValidationOptions {
-  /// Contiguous blocks of equal length, each left out once. Contiguous, since neighbouring samples resemble each other:
-  /// a sample left out alone is no test.
+  /// Contiguous blocks of equal length, each left out once. Contiguous, since neighbouring samples resemble
+  /// each other: a sample left out alone is no test.
   int blocks = 8;
   FitOptions fit;
 };
 
 struct CrossValidation {
   std::vector<double> mean_square;  ///< of the residual in each block, over the variance of the training data
-  /// The fit to the whole training part ends on a bound other than zero: the data ask for more than the term can mean (half
-  /// of the friction from one direction, a load share beyond self-locking), so it stands for something else.
+  /// The fit to the whole training part ends on a bound other than zero: the data ask for more than the term
+  /// can mean (half of the friction from one direction, a load share beyond self-locking), so it stands for
+  /// something else.
   bool out_of_bounds = false;
   double r2() const;  ///< 1 - mean of mean_square
 };
 
-/// What `a` is worse by than `b`: mean over blocks and the standard error of that mean, as shares of the variance. The same
-/// blocks for both, so that what is hard in a block drops out.
+/// What `a` is worse by than `b`: mean over blocks and the standard error of that mean, as shares of the
+/// variance. The same blocks for both, so that what is hard in a block drops out.
 struct Difference {
   double mean = 0.0;
   double standard_error = 0.0;

@@ -1,7 +1,8 @@
 #pragma once
 /// Measurements of one joint at a constant rate, ready to be fitted. Pure values.
-/// Signs: positive torque accelerates the joint toward +q. Everything is on the joint side of the gear, at the
-/// joint's own angle; "measured torque" is what the motor gives, R Kt i, or its current where Kt is not known.
+/// Signs: positive torque accelerates the joint toward +q. Everything is on the joint side of the gear, at
+/// the joint's own angle; "measured torque" is what the motor gives, R Kt i, or its current where Kt is not
+/// known.
 #include <Eigen/Core>
 #include <string>
 
@@ -28,8 +29,8 @@ struct JointDataset {
   bool has_temperature() const { return temperature_C.size() > 0; }
 };
 
-/// A dataset and what of it counts: a model with memory (hysteresis, temperature) runs over every sample in order of
-/// time, and starts anew in every piece.
+/// A dataset and what of it counts: a model with memory (hysteresis, temperature) runs over every sample in
+/// order of time, and starts anew in every piece.
 struct FitPiece {
   JointDataset data;
   Eigen::VectorXd weight;  ///< of each sample, >= 0; 0 = only drives the model's memory

@@ -1,6 +1,6 @@
 #pragma once
-/// What can be fitted: a function from a joint's motion and a few parameters to the torque (or current) that the motor
-/// must give. Pure.
+/// What can be fitted: a function from a joint's motion and a few parameters to the torque (or current) that
+/// the motor must give. Pure.
 #include <Eigen/Core>
 #include <limits>
 #include <string>
@@ -16,10 +16,11 @@ struct FitParameter {
   double initial = 0.0;
   double lower = -std::numeric_limits<double>::infinity();  ///< lower <= initial <= upper
   double upper = std::numeric_limits<double>::infinity();
-  /// Further starts for parameters in which the problem is not convex (Stribeck speed, presliding stiffness). Every
-  /// combination of one model's starts is tried, so keep them few.
+  /// Further starts for parameters in which the problem is not convex (Stribeck speed, presliding stiffness).
+  /// Every combination of one model's starts is tried, so keep them few.
   std::vector<double> more_starts = {};
-  /// What motion tells this parameter from others, for warnings: "slow reversals", "the joint loaded both ways".
+  /// What motion tells this parameter from others, for warnings: "slow reversals", "the joint loaded both
+  /// ways".
   std::string told_by = {};
 };
 

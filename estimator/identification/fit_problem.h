@@ -11,8 +11,8 @@ namespace sprung::identification {
 class FitProblem {
  public:
   /// Keeps references: model and pieces must outlive it.
-  /// @throws std::invalid_argument when a piece's weights do not fit its data, are negative or not finite, units differ
-  /// between pieces, or no sample counts.
+  /// @throws std::invalid_argument when a piece's weights do not fit its data, are negative or not finite,
+  /// units differ between pieces, or no sample counts.
   FitProblem(const FitModel& model, const std::vector<FitPiece>& pieces);
 
   const FitModel& model() const { return model_; }

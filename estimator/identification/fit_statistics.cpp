@@ -55,8 +55,8 @@ FreeColumns free_columns(const Fit& fit, const Eigen::MatrixXd& weighted) {
   return out;
 }
 
-/// Covariance of the normalised parameters for a residual variance of 1. Directions that the data do not show are
-/// collected in `hidden` instead, each a unit vector.
+/// Covariance of the normalised parameters for a residual variance of 1. Directions that the data do not show
+/// are collected in `hidden` instead, each a unit vector.
 Eigen::MatrixXd covariance_of(const FreeColumns& free, std::vector<Eigen::VectorXd>& hidden) {
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(free.jacobian.transpose() * free.jacobian, Eigen::ComputeFullV);
   const Eigen::VectorXd& squares = svd.singularValues();
@@ -153,8 +153,8 @@ FitStatistics statistics(const FitProblem& problem, const Fit& fit) {
   const FreeColumns free = free_columns(fit, root.asDiagonal() * jacobian);
   std::vector<Eigen::VectorXd> hidden;
   const Eigen::MatrixXd covariance = covariance_of(free, hidden);
-  // Huber's weights shrink the sum of squares and the curvature alike, so that the mean square of what is left, over
-  // the mean weight, stands for the variance.
+  // Huber's weights shrink the sum of squares and the curvature alike, so that the mean square of what is
+  // left, over the mean weight, stands for the variance.
   const double spare = std::max(1.0, fit.weight.sum() - static_cast<double>(free.norm.size()));
   fill(free, covariance, hidden, weighted.squaredNorm() / spare * out.autocorrelation_time, out);
   out.warnings = fit_warnings(problem.model().parameters(), fit, out, spread(free, hidden, count));

@@ -17,13 +17,15 @@ struct FitScore {
 FitScore score(const FitProblem& problem, const Eigen::VectorXd& parameters);
 FitScore score(const Eigen::VectorXd& measured, const Eigen::VectorXd& residual);
 
-/// Samples that one independent sample is worth of: 1 + 2 * sum of the autocorrelation up to its first zero, >= 1.
+/// Samples that one independent sample is worth of: 1 + 2 * sum of the autocorrelation up to its first zero,
+/// >= 1.
 /// @param stretches as FitProblem::stretches(); lags do not reach over gaps.
 double autocorrelation_time(const Eigen::VectorXd& residual, const std::vector<Eigen::Index>& stretches);
 
 struct FitStatistics {
-  /// sigma^2 * autocorrelation time * (J^T W J)^-1: as if the residuals' slow part were as slow in every direction, which
-  /// errs toward large. NaN for a parameter on its bound, and for one that the data say nothing about.
+  /// sigma^2 * autocorrelation time * (J^T W J)^-1: as if the residuals' slow part were as slow in every
+  /// direction, which errs toward large. NaN for a parameter on its bound, and for one that the data say
+  /// nothing about.
   Eigen::VectorXd standard_error;
   Eigen::MatrixXd
       correlation;  ///< of the parameters that have a standard error; 0 beside the diagonal for others

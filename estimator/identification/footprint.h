@@ -1,11 +1,13 @@
 #pragma once
-/// Calibration of torsion sensing: what the encoders on both sides of a gear differ by besides its torsion. Pure.
+/// Calibration of torsion sensing: what the encoders on both sides of a gear differ by besides its torsion.
+/// Pure.
 ///
-///   motor / R - link = offset + torsion(load) + sum over h of the motor angle's harmonics + the same of the link angle's
+///   motor / R - link = offset + torsion(load) + sum over h of the motor angle's harmonics
+///                    + the same of the link angle's
 ///
-/// The kinematic error of a strain wave gear turns with the motor (facts papers D7: twice a turn, once, four times), that of an
-/// encoder's disc with the link; times the gear's stiffness it is several Nm and must go before torsion is a torque (D7,
-/// D8). Everything but a stiffness in stages is linear in the parameters.
+/// The kinematic error of a strain wave gear turns with the motor (facts papers D7: twice a turn, once, four
+/// times), that of an encoder's disc with the link; times the gear's stiffness it is several Nm and must go
+/// before torsion is a torque (D7, D8). Everything but a stiffness in stages is linear in the parameters.
 #include <optional>
 #include <vector>
 
@@ -20,7 +22,8 @@ struct FootprintTerms {
   std::optional<TorsionSpring> spring;  ///< of the data sheet; none: one compliance is fitted along
 };
 
-/// The same recording with the encoders' difference in the place of the torque, in "rad": what FootprintModel is fitted to.
+/// The same recording with the encoders' difference in the place of the torque, in "rad": what FootprintModel
+/// is fitted to.
 /// @throws std::invalid_argument where link position or load are missing.
 JointDataset encoder_difference(const JointDataset& data);
 

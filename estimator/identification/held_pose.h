@@ -1,8 +1,10 @@
 #pragma once
-/// External torque on a joint that holds its pose: what the motor gives changes, the joint does not move. Pure.
+/// External torque on a joint that holds its pose: what the motor gives changes, the joint does not move.
+/// Pure.
 ///
-/// The motor's torque is load + external torque's opposite + friction, and at rest friction may be anything between minus and
-/// plus breakaway. So a change is known to within twice that, whatever friction was before; it is certain where it is larger.
+/// The motor's torque is load + external torque's opposite + friction, and at rest friction may be anything
+/// between minus and plus breakaway. So a change is known to within twice that, whatever friction was before;
+/// it is certain where it is larger.
 #include <vector>
 
 #include "estimator/identification/dataset.h"

@@ -1,8 +1,8 @@
 #pragma once
 /// From one joint's recording to fitted, scored and compared models. Pure.
 ///
-/// The training part is prepared from its own samples alone and decides everything: parameters, standard errors, choice. The test
-/// part is only scored.
+/// The training part is prepared from its own samples alone and decides everything: parameters, standard
+/// errors, choice. The test part is only scored.
 #include <functional>
 #include <string>
 #include <vector>

@@ -19,7 +19,8 @@ using Index = Eigen::Index;
 constexpr Index kInertia = 0;
 constexpr std::size_t kRipples = 3;  ///< as many as there are JointTerms of them
 
-/// Without presliding the sign of motion is tanh(qd / this): a measured speed has a sign at rest, but it means nothing.
+/// Without presliding the sign of motion is tanh(qd / this): a measured speed has a sign at rest, but it
+/// means nothing.
 constexpr double kSignSmoothing_rad_s = kRestSpeed_rad_s;
 
 /// The friction law's input sample by sample; keeps the presliding state.

@@ -4,9 +4,10 @@
 ///   torque = inertia qdd + L + offset + f(qd, L) + sum over h of ripple_h (c_h cos(h R q) + s_h sin(h R q))
 ///   L = gravity_cos cos q + gravity_sin sin q, or load_gain * load where the dataset knows the load
 ///
-/// f is the friction law (model/friction/friction_law.h), R q the motor's angle. Where the load is known, inertia is
-/// what lies on the motor's side of it: the armature; else it is all that turns with the joint, and its share of L is left
-/// out, since no motion tells armature from link. All torques are in the unit of the measured one.
+/// f is the friction law (model/friction/friction_law.h), R q the motor's angle. Where the load is known,
+/// inertia is what lies on the motor's side of it: the armature; else it is all that turns with the joint,
+/// and its share of L is left out, since no motion tells armature from link. All torques are in the unit of
+/// the measured one.
 #include "estimator/identification/fit_model.h"
 #include "estimator/identification/joint_terms.h"
 #include "model/friction/friction_law.h"
@@ -27,8 +28,9 @@ class JointModel : public FitModel {
   const JointTerms& terms() const { return terms_; }
   /// The friction law's part of `parameters`.
   FrictionParameters friction(const Eigen::VectorXd& parameters) const;
-  /// Gear output torque, in the unit of the measured torque, from that and the motion: what is left after inertia, offset,
-  /// ripple and friction (friction/gear_output.h). The load of the dataset and gravity are not used.
+  /// Gear output torque, in the unit of the measured torque, from that and the motion: what is left after
+  /// inertia, offset, ripple and friction (friction/gear_output.h). The load of the dataset and gravity are
+  /// not used.
   Eigen::VectorXd gear_output(const JointDataset& data, const Eigen::VectorXd& parameters) const;
 
  private:

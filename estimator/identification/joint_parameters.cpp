@@ -12,11 +12,12 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Wide enough for any gear (0.5-1 mrad, facts papers D3), and away from zero, where the derivative ends.
 constexpr double kLeastPresliding_rad = 1e-6;
 constexpr double kMostPresliding_rad = 0.05;
-/// Gears have 0.15 to 2.8 rad/s (facts papers C4), UR10e's joint 5 0.04. Below this a fit describes samples whose smoothing
-/// reaches into a stop: breakaway 37 Nm at 4 mrad/s for a plant with 7.3, 10.8 Nm at 15 mrad/s for one with 5.6. Such a fit
-/// ends here, and counts as not supported.
+/// Gears have 0.15 to 2.8 rad/s (facts papers C4), UR10e's joint 5 0.04. Below this a fit describes samples
+/// whose smoothing reaches into a stop: breakaway 37 Nm at 4 mrad/s for a plant with 7.3, 10.8 Nm at 15
+/// mrad/s for one with 5.6. Such a fit ends here, and counts as not supported.
 constexpr double kLeastStribeckSpeed_rad_s = 0.03;
-/// Gears differ by 0.05 to 0.1 between the directions (facts papers C4). More is an offset that was mistaken for friction.
+/// Gears differ by 0.05 to 0.1 between the directions (facts papers C4). More is an offset that was mistaken
+/// for friction.
 constexpr double kMostAsymmetry = 0.2;
 
 struct Scales {

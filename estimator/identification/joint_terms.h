@@ -8,8 +8,8 @@
 
 namespace sprung::identification {
 
-/// Every model has inertia, offset and Coulomb friction, and gravity or a known load. What may be added, each a group of
-/// parameters that makes sense only as a whole:
+/// Every model has inertia, offset and Coulomb friction, and gravity or a known load. What may be added, each
+/// a group of parameters that makes sense only as a whole:
 enum class JointTerm {
   kViscous,      ///< viscous
   kStribeck,     ///< stribeck, stribeck_speed

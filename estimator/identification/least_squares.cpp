@@ -108,8 +108,9 @@ bool near_a_bound(const FitParameter& p, double value, double range) {
   return std::isfinite(range) && std::min(value - p.lower, p.upper - value) <= kNear * range;
 }
 
-/// Near a bound the transformed search goes wrong both ways: it creeps toward one that acts, and stays on one that does
-/// not, since there the slope is zero. So what is pushed against its bound is set on it, and what is pushed off is moved.
+/// Near a bound the transformed search goes wrong both ways: it creeps toward one that acts, and stays on one
+/// that does not, since there the slope is zero. So what is pushed against its bound is set on it, and what
+/// is pushed off is moved.
 /// @return whether anything was changed.
 bool settle_bounds(const Search& s, const Fit& found, Eigen::VectorXd& parameters) {
   const auto& all = s.problem.model().parameters();

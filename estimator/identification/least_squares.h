@@ -1,6 +1,6 @@
 #pragma once
-/// Robust nonlinear least squares with bounds: Eigen's Levenberg-Marquardt (MINPACK's lmder) inside reweighting. Pure,
-/// deterministic.
+/// Robust nonlinear least squares with bounds: Eigen's Levenberg-Marquardt (MINPACK's lmder) inside
+/// reweighting. Pure, deterministic.
 #include <Eigen/Core>
 #include <vector>
 
@@ -27,7 +27,8 @@ struct Fit {
 
 /// Searches from every start without the robust loss, and goes on with it from the best.
 Fit fit(const FitProblem& problem, const FitOptions& options);
-/// One search from `start`, near which the solution is known to lie; bounds that it lies on are left only if they do not act.
+/// One search from `start`, near which the solution is known to lie; bounds that it lies on are left only if
+/// they do not act.
 Fit fit_from(const FitProblem& problem, const Eigen::VectorXd& start, const FitOptions& options);
 
 }  // namespace sprung::identification

@@ -11,8 +11,8 @@ namespace {
 
 using Index = Eigen::Index;
 
-/// Weights of the samples at `first`..`last` (counted from the one that is asked for) that give the polynomial's
-/// derivative at 0, in units of 1 / sample^derivative.
+/// Weights of the samples at `first`..`last` (counted from the one that is asked for) that give the
+/// polynomial's derivative at 0, in units of 1 / sample^derivative.
 Eigen::RowVectorXd weights(Index first, Index last, int degree, int derivative) {
   const Index count = last - first + 1;
   const Index terms = std::min<Index>(degree + 1, count);

@@ -1,6 +1,7 @@
 #pragma once
-/// Savitzky-Golay smoothing and derivatives: a polynomial is fitted to the samples around each sample and read off
-/// there. No phase lag; at the ends the window is cut off and the polynomial read off at its edge. Pure.
+/// Savitzky-Golay smoothing and derivatives: a polynomial is fitted to the samples around each sample and
+/// read off there. No phase lag; at the ends the window is cut off and the polynomial read off at its edge.
+/// Pure.
 #include <Eigen/Core>
 
 namespace sprung::identification {

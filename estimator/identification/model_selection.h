@@ -1,6 +1,6 @@
 #pragma once
-/// Which of several models the data support: the simplest one whose error on data it has not seen is not clearly larger
-/// than the best one's. Pure.
+/// Which of several models the data support: the simplest one whose error on data it has not seen is not
+/// clearly larger than the best one's. Pure.
 #include <string>
 #include <vector>
 

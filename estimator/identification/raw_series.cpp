@@ -14,9 +14,9 @@ using Index = Eigen::Index;
 using Signal = std::vector<double>;
 
 constexpr double kShortestWindow_s = 0.03;
-/// In a window. The rotor's own inertia shows in fast changes of speed: on UR10e joint 1 at 100 Hz the training half's
-/// cross-validated R2 is 0.9953 with 3 samples, 0.9928 with 5, 0.9910 with 9 (Coulomb + viscous). Positions alone need more:
-/// their second derivative is noisier.
+/// In a window. The rotor's own inertia shows in fast changes of speed: on UR10e joint 1 at 100 Hz the
+/// training half's cross-validated R2 is 0.9953 with 3 samples, 0.9928 with 5, 0.9910 with 9 (Coulomb +
+/// viscous). Positions alone need more: their second derivative is noisier.
 constexpr int kFewestVelocities = 3;
 constexpr int kFewestPositions = 9;
 

@@ -40,11 +40,12 @@ struct TimeSpan {
 };
 
 /// Time is counted from the first sample of `series`. Samples with one time stamp are merged into their mean;
-/// between samples the line is taken; grid points lie at multiples of the period after `span.from_s`, so that datasets of
-/// parts share the grid of the whole. Only samples within the span are looked at, smoothing included: a part prepared
-/// by itself knows nothing of its neighbours. Grid points beside a sample that does not count do not count.
-/// @throws std::invalid_argument naming the problem: lengths that differ, values that are not finite, time that
-/// goes back, nothing within the span.
+/// between samples the line is taken; grid points lie at multiples of the period after `span.from_s`, so that
+/// datasets of parts share the grid of the whole. Only samples within the span are looked at, smoothing
+/// included: a part prepared by itself knows nothing of its neighbours. Grid points beside a sample that does
+/// not count do not count.
+/// @throws std::invalid_argument naming the problem: lengths that differ, values that are not finite, time
+/// that goes back, nothing within the span.
 std::vector<FitPiece> prepare(const RawSeries& series, const TimeSpan& span, const PrepareOptions& options);
 
 /// 1 for samples within one of the spans, else 0.

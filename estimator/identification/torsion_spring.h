@@ -1,6 +1,6 @@
 #pragma once
-/// Spring of a strain wave gear: stiffness that grows in stages with the torque, as data sheets give it. Odd: the same
-/// both ways. Pure.
+/// Spring of a strain wave gear: stiffness that grows in stages with the torque, as data sheets give it. Odd:
+/// the same both ways. Pure.
 #include <vector>
 
 namespace sprung::identification {
@@ -12,7 +12,8 @@ struct TorsionStage {
 
 class TorsionSpring {
  public:
-  /// @throws std::invalid_argument unless there is a stage, the first begins at 0, they ascend, and stiffnesses are positive.
+  /// @throws std::invalid_argument unless there is a stage, the first begins at 0, they ascend, and
+  /// stiffnesses are positive.
   explicit TorsionSpring(std::vector<TorsionStage> stages);
 
   double angle_rad(double torque_Nm) const noexcept;

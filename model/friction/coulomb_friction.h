@@ -22,10 +22,12 @@ inline FrictionEstimate coulomb_friction(double coulomb_Nm, double velocity_rad_
           std::abs(velocity_rad_s) < kRestSpeed_rad_s};
 }
 
-/// Steeper than the controller's compensation, since an estimate may follow the sign that a feedback must smooth.
+/// Steeper than the controller's compensation, since an estimate may follow the sign that a feedback must
+/// smooth.
 inline constexpr double kPapersSmoothing_rad_s = 0.02;
 
-/// What the papers' "joint torque" subtracts (S0 eq. 6): motor_side_torque_Nm of JOINT_STATE plus this is R Kt i.
+/// What the papers' "joint torque" subtracts (S0 eq. 6): motor_side_torque_Nm of JOINT_STATE plus this is R
+/// Kt i.
 inline FrictionEstimate papers_friction(double coulomb_Nm, double velocity_rad_s) noexcept {
   return coulomb_friction(coulomb_Nm, velocity_rad_s, kPapersSmoothing_rad_s);
 }

@@ -9,8 +9,10 @@ struct FrictionUncertainty {
   FrictionVector standard_errors{};  ///< of the parameters, in their units, as identified; uncorrelated
 };
 
-/// Number of standard deviations that holds `probability` of a normal distribution, either side: 0.95 -> 1.96.
-/// @param probability in (0, 1). Slow (bisection): once, at start-up; in a loop multiply friction_std_Nm by what it gave.
+/// Number of standard deviations that holds `probability` of a normal distribution, either side: 0.95
+/// -> 1.96.
+/// @param probability in (0, 1). Slow (bisection): once, at start-up; in a loop multiply friction_std_Nm by
+/// what it gave.
 double two_sided_quantile(double probability) noexcept;
 
 /// One standard deviation of the friction torque.

@@ -9,7 +9,8 @@ using P = FrictionParameter;
 
 double sign_of(double value) noexcept { return value > 0.0 ? 1.0 : value < 0.0 ? -1.0 : 0.0; }
 
-/// exp(-x). Most laws have no temperature in them, and at rest there is nothing to fall: then it is 1 without being worked out.
+/// exp(-x). Most laws have no temperature in them, and at rest there is nothing to fall: then it is 1 without
+/// being worked out.
 double decay(double x) noexcept { return x == 0.0 ? 1.0 : std::exp(-x); }
 
 /// What value and derivatives have in common.

@@ -1,6 +1,6 @@
 #pragma once
-/// Parameters of the friction of one geared joint: one superset, and the named models as subsets of it, so that
-/// identification can treat them as a vector and all others as a struct. Pure.
+/// Parameters of the friction of one geared joint: one superset, and the named models as subsets of it, so
+/// that identification can treat them as a vector and all others as a struct. Pure.
 ///
 /// Joint side, SI. Sign: friction is positive with positive velocity; subtract it from the motor torque.
 /// A parameter that is zero switches its term off (exponents: their plain value stands in the struct).
@@ -88,8 +88,8 @@ inline constexpr std::array<FrictionModelKind, 5> kFrictionModels = {
 const char* name(FrictionModelKind kind) noexcept;
 std::optional<FrictionModelKind> friction_model_of(std::string_view name) noexcept;
 
-/// Is the parameter one of this model's? Exponents and temperature factors are of no model by default: they may
-/// be added to any that has the term which they shape.
+/// Is the parameter one of this model's? Exponents and temperature factors are of no model by default: they
+/// may be added to any that has the term which they shape.
 bool has(FrictionModelKind kind, FrictionParameter parameter) noexcept;
 /// May it be: the model's own, and what may be added to them.
 bool allows(FrictionModelKind kind, FrictionParameter parameter) noexcept;
@@ -99,7 +99,8 @@ FrictionParameters restricted(const FrictionParameters& parameters, FrictionMode
 /// The poorest model that allows every term which these parameters switch on.
 FrictionModelKind smallest_model(const FrictionParameters& parameters) noexcept;
 
-/// Why these parameters cannot be: name of the first that is not finite or outside its bounds, nullptr if none.
+/// Why these parameters cannot be: name of the first that is not finite or outside its bounds, nullptr if
+/// none.
 const char* first_impossible(const FrictionParameters& parameters) noexcept;
 
 }  // namespace sprung

@@ -6,8 +6,8 @@
 namespace sprung {
 namespace {
 
-/// Angles at which the elements slip, in units of presliding_rad: octaves, scaled so that the mean of 1 / angle (the
-/// first stiffness) is 1.
+/// Angles at which the elements slip, in units of presliding_rad: octaves, scaled so that the mean of 1 /
+/// angle (the first stiffness) is 1.
 constexpr std::array<double, 4> kAngles = {0.46875, 0.9375, 1.875, 3.75};
 
 }  // namespace

@@ -1,15 +1,17 @@
 #pragma once
-/// Generalised Maxwell slip: what takes the place of sgn(w) while a joint has not yet slid. Four elastic elements side
-/// by side, each with a quarter of the friction, stick until they are stretched by their own angle and then slip (facts
-/// papers D3, D4). It depends on the path and not on the time: no drift under any oscillation within the elastic
-/// range, not even by rounding, since each element keeps where it is anchored. Pure, no heap.
+/// Generalised Maxwell slip: what takes the place of sgn(w) while a joint has not yet slid. Four elastic
+/// elements side by side, each with a quarter of the friction, stick until they are stretched by their own
+/// angle and then slip (facts papers D3, D4). It depends on the path and not on the time: no drift under any
+/// oscillation within the elastic range, not even by rounding, since each element keeps where it is anchored.
+/// Pure, no heap.
 #include <array>
 
 namespace sprung {
 
 class PreslidingState {
  public:
-  /// @param presliding_rad angle at which the first stiffness would give full friction, >= 0; all elements slide after
+  /// @param presliding_rad angle at which the first stiffness would give full friction, >= 0; all elements
+  /// slide after
   ///        3.75 times that. 0 = rigid: the sign of the last movement (0 before the first).
   explicit PreslidingState(double presliding_rad = 0.0) noexcept : presliding_rad_(presliding_rad) {}
 

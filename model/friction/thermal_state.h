@@ -17,8 +17,8 @@ class ThermalState {
       : parameters_(parameters), temperature_C_(parameters.ambient_C) {}
 
   void reset(double temperature_C) noexcept { temperature_C_ = temperature_C; }
-  /// @param loss_W friction times velocity (and copper loss, where the winding heats the gear); not finite: as if it
-  /// were 0. @return temperature_C()
+  /// @param loss_W friction times velocity (and copper loss, where the winding heats the gear); not finite:
+  /// as if it were 0. @return temperature_C()
   double step(double loss_W, double dt_s) noexcept;
   double temperature_C() const noexcept { return temperature_C_; }
 

@@ -1,5 +1,6 @@
 #pragma once
-/// Trunk, level and world axes. Level: z up, x along the trunk's heading, origin in the middle of the hips. Pure.
+/// Trunk, level and world axes. Level: z up, x along the trunk's heading, origin in the middle of the hips.
+/// Pure.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
-/// How the body is to be held over its feet: wrench on it from height, attitude and speed, and how far it leans before a leg is
-/// lifted. Level axes. Pure. docs/locomotion.md.
+/// How the body is to be held over its feet: wrench on it from height, attitude and speed, and how far it
+/// leans before a leg is lifted. Level axes. Pure. docs/locomotion.md.
 #include "planner/gait/body_view.h"
 #include "planner/gait/force_distribution.h"
 
@@ -17,8 +17,8 @@ struct BodyWish {
 BodyWrench wanted_wrench(const WalkConfig& law, const BodyShape& shape, const BodyView& view,
                          const BodyWish& wish) noexcept;
 
-/// Follows a wanted lean through three equal poles: neither place, speed nor acceleration jumps. (With two the body began with twice the
-/// acceleration, and what is over one foot's line then tips the wrong way.)
+/// Follows a wanted lean through three equal poles: neither place, speed nor acceleration jumps. (With two
+/// the body began with twice the acceleration, and what is over one foot's line then tips the wrong way.)
 class Lean {
  public:
   void reset() noexcept {

@@ -32,7 +32,8 @@ BodyShape::BodyShape(const RobotConfig& robot)
   }
 }
 
-/// Thigh and shank count at the middle between hip and foot, which is 10 mm right where they are heaviest near the hip.
+/// Thigh and shank count at the middle between hip and foot, which is 10 mm right where they are heaviest
+/// near the hip.
 Eigen::Vector3d BodyShape::com_in_trunk_m(const JointState& in) const noexcept {
   Eigen::Vector3d moment = body_.mass_kg * to_eigen(body_.com_in_trunk_m);
   for (std::size_t i = 0; i < legs; ++i) {

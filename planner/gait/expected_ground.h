@@ -11,8 +11,9 @@ struct GroundFoot {
   bool stands = false;
 };
 
-/// The trunk moves over the ground, and another foot that stands is other ground. Whatever is in the air follows the former at once; the
-/// latter is learned slowly, since a drive's position loop passes on every jerk of its set-point, and what jerks feigns contact.
+/// The trunk moves over the ground, and another foot that stands is other ground. Whatever is in the air
+/// follows the former at once; the latter is learned slowly, since a drive's position loop passes on every
+/// jerk of its set-point, and what jerks feigns contact.
 class ExpectedGround {
  public:
   void begin(double z_m) noexcept;

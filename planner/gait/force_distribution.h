@@ -1,11 +1,13 @@
 #pragma once
-/// Shares the force and torque that a body needs among its standing feet. Pure: no heap, no clock, same bits for the same input.
+/// Shares the force and torque that a body needs among its standing feet. Pure: no heap, no clock, same bits
+/// for the same input.
 ///
-/// Smallest sum of: weighted square of what the wrench lacks, and weight.foot_force times the square of all forces; with every
-/// foot between its least and most load and inside its friction cone. Four feet have 12 numbers for 6: the last term chooses.
-/// Two feet cannot turn the body about the line between them but by pushing sideways (height of the com times force): weights
-/// decide how much of that is done. The cone is replaced by the eight-sided pyramid inside it with edges along the axes
-/// and diagonals: all of the friction there, 92 % of it between.
+/// Smallest sum of: weighted square of what the wrench lacks, and weight.foot_force times the square of all
+/// forces; with every foot between its least and most load and inside its friction cone. Four feet have 12
+/// numbers for 6: the last term chooses. Two feet cannot turn the body about the line between them but by
+/// pushing sideways (height of the com times force): weights decide how much of that is done. The cone is
+/// replaced by the eight-sided pyramid inside it with edges along the axes and diagonals: all of the friction
+/// there, 92 % of it between.
 #include <Eigen/Core>
 #include <array>
 #include <vector>

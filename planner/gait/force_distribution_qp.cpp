@@ -6,8 +6,8 @@
 namespace sprung {
 namespace {
 
-/// A normal depends on the active ones when less than this share of it (squared) is left beside them; rounding leaves about
-/// 1e-30. With 1e-13 one of 800 random problems was answered 1e-5 beside the optimum.
+/// A normal depends on the active ones when less than this share of it (squared) is left beside them;
+/// rounding leaves about 1e-30. With 1e-13 one of 800 random problems was answered 1e-5 beside the optimum.
 constexpr double kDependent = 1e-20;
 
 }  // namespace

@@ -1,8 +1,9 @@
 #pragma once
-/// A small strictly convex quadratic program: smallest 1/2 x'Cx + g'x with rows n.x >= b that touch one foot's force each.
-/// Dual active-set method of Goldfarb and Idnani (Math. Programming 27, 1983): starts at the unconstrained minimum, which is
-/// the answer when no row is violated, and adds one violated row after the other. It needs no feasible start, and rows that
-/// meet in one point (a foot without load) don't make it cycle. Pure; all of it lies on the stack or in the object.
+/// A small strictly convex quadratic program: smallest 1/2 x'Cx + g'x with rows n.x >= b that touch one
+/// foot's force each. Dual active-set method of Goldfarb and Idnani (Math. Programming 27, 1983): starts at
+/// the unconstrained minimum, which is the answer when no row is violated, and adds one violated row after
+/// the other. It needs no feasible start, and rows that meet in one point (a foot without load) don't make it
+/// cycle. Pure; all of it lies on the stack or in the object.
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <array>
@@ -23,13 +24,14 @@ class ForceDistributionQp {
     double least = 0.0;
   };
 
-  /// A new problem without rows in the first `variables` numbers; the others are 0, and no row may be about them. Only the lower
-  /// triangle of `cost` is read; it must be positive definite.
+  /// A new problem without rows in the first `variables` numbers; the others are 0, and no row may be about
+  /// them. Only the lower triangle of `cost` is read; it must be positive definite.
   void begin(const Matrix& cost, const Vector& gradient, int variables = kVariables) noexcept;
   /// Beyond kMostRows it is not taken, and false comes back.
   bool add(const Row& row) noexcept;
 
-  /// False where the rows contradict each other, `cost` is not positive definite, or kMostSteps were not enough.
+  /// False where the rows contradict each other, `cost` is not positive definite, or kMostSteps were not
+  /// enough.
   bool solve() noexcept;
 
   /// After solve(): no row is violated by more than kTolerance.

@@ -12,8 +12,9 @@ struct GaitOrder {
   bool operator==(const GaitOrder& o) const noexcept { return gait == o.gait && backward == o.backward; }
 };
 
-/// Front and hind legs change places, so that what keeps a robot from tipping forward keeps it from tipping backward. Another phase of the
-/// same gait is no other order: a trot is its own mirror image, and itself is returned. @param gait one offset for each leg of `shape`.
+/// Front and hind legs change places, so that what keeps a robot from tipping forward keeps it from tipping
+/// backward. Another phase of the same gait is no other order: a trot is its own mirror image, and itself is
+/// returned. @param gait one offset for each leg of `shape`.
 GaitConfig backward_order(const GaitConfig& gait, const BodyShape& shape);
 
 }  // namespace sprung

@@ -1,10 +1,10 @@
 #pragma once
-/// Phases of one leg in a gait: swing, pre-stance, stance; where its foot is wanted, and what befalls it. Level axes
-/// (body_frame.h). Pure.
+/// Phases of one leg in a gait: swing, pre-stance, stance; where its foot is wanted, and what befalls it.
+/// Level axes (body_frame.h). Pure.
 ///
 ///   swing       the foot goes along its path; contact on its way up is a stumble: it lifts higher
-///   pre-stance  the last share of the swing: contact ends it (early contact); late, the foot steps down at the approach speed
-///               (late contact) as far as step_down, and then gives up (no ground)
+///   pre-stance  the last share of the swing: contact ends it (early contact); late, the foot steps down at
+///               the approach speed (late contact) as far as step_down, and then gives up (no ground)
 ///   stance      the foot is wanted where it landed, carried along as the body is to move over it
 #include <Eigen/Geometry>
 

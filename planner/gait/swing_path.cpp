@@ -30,8 +30,9 @@ struct Cubic {
   }
 };
 
-/// Up from rest, over a place half way and down to `to` at to_rate: of all such ways the one whose squared acceleration, and with it the
-/// heat of motors that move little else than their own rotors, is least (a cubic spline).
+/// Up from rest, over a place half way and down to `to` at to_rate: of all such ways the one whose squared
+/// acceleration, and with it the heat of motors that move little else than their own rotors, is least (a
+/// cubic spline).
 Point arc(double from, double over, double to, double to_rate, double duration, double t) noexcept {
   const double half = 0.5 * duration;
   const double over_rate = (3.0 * (to - from) / half - to_rate) / 4.0;  // no step of acceleration there

@@ -1,6 +1,6 @@
 #pragma once
-/// Way of a swinging foot, in level axes that go with the body (x along the heading, z up, origin in the middle of the hips).
-/// It leaves and meets the ground with the ground's own velocity. Pure.
+/// Way of a swinging foot, in level axes that go with the body (x along the heading, z up, origin in the
+/// middle of the hips). It leaves and meets the ground with the ground's own velocity. Pure.
 #include <Eigen/Core>
 
 namespace sprung {
@@ -20,7 +20,8 @@ struct SwingPath {
   double approach_s = 0.0;  ///< at the end: straight down at approach_m_s; 0: none
   double approach_m_s = 0.0;
 
-  /// @param time_s since the foot left; beyond duration_s it goes on down at the approach speed, or rests on the ground.
+  /// @param time_s since the foot left; beyond duration_s it goes on down at the approach speed, or rests on
+  /// the ground.
   SwingPoint at(double time_s) const noexcept;
 };
 

@@ -9,8 +9,9 @@
 namespace sprung {
 namespace {
 
-/// Of what compliance compensates. Feet of a robot that was lifted and set down stay up to 4.9 mm off with this (eight seeds), 6.5 mm with 0.9,
-/// 7.5 mm with 0.97, and 11 mm with the 0.5 of a gait that steps: docs/locomotion.md, "Standing, pushed".
+/// Of what compliance compensates. Feet of a robot that was lifted and set down stay up to 4.9 mm off with
+/// this (eight seeds), 6.5 mm with 0.9, 7.5 mm with 0.97, and 11 mm with the 0.5 of a gait that steps:
+/// docs/locomotion.md, "Standing, pushed".
 constexpr double kStandingFriction = 0.93;
 constexpr double kHeadingGain_1_s = 1.0;
 constexpr double kMostHeadingCorrection_rad_s = 0.2;
@@ -199,8 +200,9 @@ Eigen::Vector3d Walk::foothold_m(std::size_t leg) const noexcept {
   return out;
 }
 
-/// The estimator says so, or a foot on its way down carries so much that it can only stand: a slow touchdown is within what friction
-/// hides, and a foot that nobody believes to stand would push the robot over. Not before: the quick part of a swing feigns as much.
+/// The estimator says so, or a foot on its way down carries so much that it can only stand: a slow touchdown
+/// is within what friction hides, and a foot that nobody believes to stand would push the robot over. Not
+/// before: the quick part of a swing feigns as much.
 bool Walk::touches(std::size_t i, const EstimatedLeg& leg) const noexcept {
   constexpr double kCertain =
       0.35;  // of the weight: more than slow swings were seen to feign (90 N of 294 N)
@@ -227,7 +229,8 @@ void Walk::step_legs(const JointState& in, double dt_s) noexcept {
   for (std::size_t i = 0; i < shape_.legs; ++i) yield(i);
 }
 
-/// A foot that landed takes over the others' pull; what its own spring had lagged by when it left is not forgotten, but way to catch up with.
+/// A foot that landed takes over the others' pull; what its own spring had lagged by when it left is not
+/// forgotten, but way to catch up with.
 void Walk::join(std::size_t leg) noexcept {
   const Eigen::Vector3d pull = pull_m(leg);
   const Eigen::Vector3d behind_m =
@@ -236,8 +239,8 @@ void Walk::join(std::size_t leg) noexcept {
   steps_[leg].shift(pull);
 }
 
-/// How far the feet that stand are from where they are wanted, on average: what a foot that joins them takes over, so that the springs'
-/// pull on the body does not begin anew with every step.
+/// How far the feet that stand are from where they are wanted, on average: what a foot that joins them takes
+/// over, so that the springs' pull on the body does not begin anew with every step.
 Eigen::Vector3d Walk::pull_m(std::size_t joining) const noexcept {
   Eigen::Vector3d sum_m = Eigen::Vector3d::Zero();
   int feet = 0;
@@ -249,7 +252,8 @@ Eigen::Vector3d Walk::pull_m(std::size_t joining) const noexcept {
   return feet == 0 ? sum_m : Eigen::Vector3d(sum_m / feet);
 }
 
-/// A standing foot that moved against the others slips: it is wanted where it is now, so that its spring does not drag it further.
+/// A standing foot that moved against the others slips: it is wanted where it is now, so that its spring does
+/// not drag it further.
 void Walk::look_for_slip(std::size_t leg) noexcept {
   LegStep& step = steps_[leg];
   if (!step.stands()) return;
@@ -260,7 +264,8 @@ void Walk::look_for_slip(std::size_t leg) noexcept {
   step.shift(by_m);
 }
 
-/// A robot that was pushed goes on from where it is: springs that would pull it all the way back throw it over to the other side.
+/// A robot that was pushed goes on from where it is: springs that would pull it all the way back throw it
+/// over to the other side.
 void Walk::yield(std::size_t leg) noexcept {
   LegStep& step = steps_[leg];
   if (!step.stands() || gait().duty >= 1.0) return;
@@ -311,7 +316,8 @@ void Walk::share_weight() noexcept {
   std::copy_n(shared.ground_on_foot_N.begin(), shape_.legs, force_N_.begin());
 }
 
-/// To a gait that never swings: the one that does slows down first, and sets each foot in its place once more.
+/// To a gait that never swings: the one that does slows down first, and sets each foot in its place once
+/// more.
 bool Walk::comes_to_rest() const noexcept {
   return gait().duty < 1.0 && gaits_[static_cast<std::size_t>(wanted_.gait)].duty >= 1.0;
 }

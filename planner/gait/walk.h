@@ -1,6 +1,7 @@
 #pragma once
-/// A robot in a gait: the clock's turns, each leg's steps, the body over them, and how its weight is shared out. Standing on virtual
-/// springs is the gait whose legs never swing. Pure: no heap after construction, never throws in step. docs/locomotion.md.
+/// A robot in a gait: the clock's turns, each leg's steps, the body over them, and how its weight is shared
+/// out. Standing on virtual springs is the gait whose legs never swing. Pure: no heap after construction,
+/// never throws in step. docs/locomotion.md.
 #include <array>
 
 #include "planner/gait/body_law.h"
@@ -34,8 +35,8 @@ class Walk {
   /// Why this cannot be done from where it is; nullptr: it can.
   const char* mistake(const WalkRequest& request, bool walking) const noexcept;
   void begin(const JointState& in, const WalkRequest& request) noexcept;
-  /// Speed, height and width are ramped; another gait begins when all feet stand, one that never swings once it stands still as after
-  /// stop().
+  /// Speed, height and width are ramped; another gait begins when all feet stand, one that never swings once
+  /// it stands still as after stop().
   void change(const WalkRequest& request) noexcept;
   /// Slows down, sets every foot in its place once, then stands.
   void stop() noexcept;

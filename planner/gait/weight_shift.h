@@ -1,6 +1,6 @@
 #pragma once
-/// A gait that lifts one leg at a time leans: the body goes over the three feet that will go on standing, and the leg waits until it is
-/// there. Level axes. Pure.
+/// A gait that lifts one leg at a time leans: the body goes over the three feet that will go on standing, and
+/// the leg waits until it is there. Level axes. Pure.
 #include "planner/gait/body_law.h"
 #include "planner/gait/body_view.h"
 #include "planner/gait/gait_clock.h"
@@ -12,7 +12,8 @@ class WeightShift {
   explicit WeightShift(std::size_t legs) noexcept : legs_(legs) {}
   void reset() noexcept;
 
-  /// One cycle, before the clock's. Gaits whose sway is 0 do not lean. @param speed_m_s of the body as wanted, without leaning.
+  /// One cycle, before the clock's. Gaits whose sway is 0 do not lean. @param speed_m_s of the body as
+  /// wanted, without leaning.
   void step(const GaitClock& clock, const BodyView& view, const Eigen::Vector2d& speed_m_s,
             double dt_s) noexcept;
 

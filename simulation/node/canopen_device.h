@@ -1,7 +1,7 @@
 #pragma once
-/// A CANopen device in front of an object dictionary: NMT slave, boot-up, heartbeats both ways and node guarding, SDO server, PDOs,
-/// emergencies, stored parameters (CiA 301; facts canopen 1, 4). Stepped by frames and times; no clock, no allocation after
-/// construction.
+/// A CANopen device in front of an object dictionary: NMT slave, boot-up, heartbeats both ways and node
+/// guarding, SDO server, PDOs, emergencies, stored parameters (CiA 301; facts canopen 1, 4). Stepped by
+/// frames and times; no clock, no allocation after construction.
 #include <cstdint>
 
 #include "drivers/canopen/protocol.h"
@@ -15,7 +15,8 @@ namespace sprung::sim {
 /// What the device asks and tells the application that lives in it.
 class DeviceApplication : public WriteListener {
  public:
-  /// May this SDO write, in range already, be done now? For rules that hang on other objects or on the device's state.
+  /// May this SDO write, in range already, be done now? For rules that hang on other objects or on the
+  /// device's state.
   /// @param value of numbers; 0 for texts. @return 0 or an abort code.
   virtual std::uint32_t check_write(canopen::ObjectId /*id*/, std::int64_t /*value*/) noexcept { return 0; }
   /// The same for an SDO read.
@@ -32,13 +33,14 @@ class DeviceApplication : public WriteListener {
 
 /// Where makes differ.
 struct DevicePolicy {
-  /// Abort code for writes to PDO objects in NMT operational; 0 = they are taken, by CiA 301's rules. An EPOS2 has 0F00FFC0 for a
-  /// wrong NMT state; that it uses it here is [U].
+  /// Abort code for writes to PDO objects in NMT operational; 0 = they are taken, by CiA 301's rules. An
+  /// EPOS2 has 0F00FFC0 for a wrong NMT state; that it uses it here is [U].
   std::uint32_t remap_in_operational = 0;
-  /// 8210 counts as a lost connection, and stands until it is cleared; else the next PDO that is long enough ends it. On an EPOS2 as
-  /// on an EPOS4 [U] (facts canopen 2.5).
+  /// 8210 counts as a lost connection, and stands until it is cleared; else the next PDO that is long enough
+  /// ends it. On an EPOS2 as on an EPOS4 [U] (facts canopen 2.5).
   bool short_pdo_loses_connection = false;
-  /// NMT state after a communication error where there is no 0x1029: 0 = pre-operational, 1 = no change, 2 = stopped.
+  /// NMT state after a communication error where there is no 0x1029: 0 = pre-operational, 1 = no change, 2 =
+  /// stopped.
   int after_communication_error = 1;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Which SDO writes to the communication objects a device refuses, beyond type and limits (CiA 301; facts canopen 1.1, 1.3, 1.6).
-/// PDO objects: pdo_map.h.
+/// Which SDO writes to the communication objects a device refuses, beyond type and limits (CiA 301; facts
+/// canopen 1.1, 1.3, 1.6). PDO objects: pdo_map.h.
 #include <cstdint>
 
 #include "simulation/node/object_dictionary.h"

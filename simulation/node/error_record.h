@@ -1,6 +1,6 @@
 #pragma once
-/// What is wrong with a device at present, and what was: error register 0x1001, error history 0x1003 (facts canopen 1.3, 2.5).
-/// Several errors may stand at one time; the register is the OR of their classes.
+/// What is wrong with a device at present, and what was: error register 0x1001, error history 0x1003 (facts
+/// canopen 1.3, 2.5). Several errors may stand at one time; the register is the OR of their classes.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -18,7 +18,8 @@ class ErrorRecord {
 
   explicit ErrorRecord(ObjectDictionary& dictionary) noexcept : dictionary_(dictionary) {}
 
-  /// Into register and history, newest first, as many as the dictionary has room for. @return false when it stands already.
+  /// Into register and history, newest first, as many as the dictionary has room for. @return false when it
+  /// stands already.
   bool raise(std::uint16_t code) noexcept;
   /// @return whether it stood, and was the last one.
   bool clear(std::uint16_t code) noexcept;

@@ -1,6 +1,7 @@
 #pragma once
-/// A device's eye on its master: heartbeat consumers (0x1016) and life guarding (0x100C times 0x100D), and its answers when it is
-/// guarded itself (facts canopen 1.2). Each starts with the first heartbeat or guarding request that it hears.
+/// A device's eye on its master: heartbeat consumers (0x1016) and life guarding (0x100C times 0x100D), and
+/// its answers when it is guarded itself (facts canopen 1.2). Each starts with the first heartbeat or
+/// guarding request that it hears.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -23,8 +24,8 @@ class MasterWatch {
   void rearm(int sub) noexcept;
   /// @param frame a heartbeat of any node. @return kBack when everything that was lost is heard again.
   Change hear(const CanFrame& frame, std::int64_t time_us) noexcept;
-  /// The master's question by node guarding. @param reply set when the device has to answer: it does unless it
-  /// has a heartbeat of its own (0x1017), which excludes guarding. @return as hear().
+  /// The master's question by node guarding. @param reply set when the device has to answer: it does unless
+  /// it has a heartbeat of its own (0x1017), which excludes guarding. @return as hear().
   Change guard(int node, canopen::NmtState state, std::int64_t time_us, CanFrame& reply,
                bool& answers) noexcept;
   /// @return kLost once for each one that stays away longer than its time.

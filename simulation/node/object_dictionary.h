@@ -1,6 +1,7 @@
 #pragma once
-/// A CANopen device's objects and their values: SDO reading and writing by the rules of types, access and limits (facts canopen
-/// 1.4), and the copy that outlives power (0x1010, 0x1011). The table is fixed after construction; nothing else allocates.
+/// A CANopen device's objects and their values: SDO reading and writing by the rules of types, access and
+/// limits (facts canopen 1.4), and the copy that outlives power (0x1010, 0x1011). The table is fixed after
+/// construction; nothing else allocates.
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -82,8 +83,8 @@ class ObjectDictionary {
   static constexpr std::uint32_t key(canopen::ObjectId id) noexcept {
     return (static_cast<std::uint32_t>(id.index) << 8) | id.sub;
   }
-  /// Where the object is, or the free slot where it would be. The drives' loops ask 4000 times a second for some twenty, so the
-  /// key is in the table itself.
+  /// Where the object is, or the free slot where it would be. The drives' loops ask 4000 times a second for
+  /// some twenty, so the key is in the table itself.
   std::size_t slot(canopen::ObjectId id) const noexcept {
     constexpr std::uint32_t kGolden = 0x9E3779B1;  // Knuth's multiplicative hash
     const std::size_t mask = slots_.size() - 1;

@@ -1,5 +1,6 @@
 #pragma once
-/// One object of a simulated device: type, access, limits and default, as its EDS has them. The table is made at start-up.
+/// One object of a simulated device: type, access, limits and default, as its EDS has them. The table is made
+/// at start-up.
 #include <cstdint>
 #include <limits>
 #include <string>

@@ -1,6 +1,7 @@
 #pragma once
-/// Where a simulated device puts its frames, and what a bad bus does to them on demand (`sprung fault`). Which frames are hit is a
-/// hash of (seed, node, number of the frame): the same in every run, and none of a fault's frames changes another fault's.
+/// Where a simulated device puts its frames, and what a bad bus does to them on demand (`sprung fault`).
+/// Which frames are hit is a hash of (seed, node, number of the frame): the same in every run, and none of a
+/// fault's frames changes another fault's.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -23,7 +24,8 @@ class Outbox {
   static constexpr std::size_t kLateCapacity = 256;  ///< more are lost [design choice]
 
   explicit Outbox(int bus) noexcept : bus_(bus) {}
-  /// For the hash of faults; call before the first frame. @param signal number of this node, unique within a run.
+  /// For the hash of faults; call before the first frame. @param signal number of this node, unique within a
+  /// run.
   void set_seed(std::uint64_t seed, std::uint64_t signal) noexcept;
 
   /// Frames go here from now on; nullptr = they are lost.

@@ -18,8 +18,9 @@ class WriteListener {
 
 /// What became of a frame.
 enum class PdoReception : std::uint8_t {
-  kForeign,  ///< none of this device's PDOs
-  kTaken,  ///< one that is too long is taken by its first bytes (CiA 301 leaves it open to complain with 8220)
+  kForeign,   ///< none of this device's PDOs
+  kTaken,     ///< one that is too long is taken by its first bytes (CiA 301 leaves it open to complain with
+              ///< 8220)
   kTooShort,  ///< not applied; an emergency is due
 };
 

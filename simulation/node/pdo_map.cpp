@@ -7,7 +7,8 @@ namespace {
 
 constexpr std::uint16_t kLastDummy = 0x0007;
 constexpr std::uint8_t kInhibitSub = 3;
-/// Bits of the dummies 0x0001..0x0007: boolean, i8, i16, i32, u8, u16, u32. No device here has 1-bit granularity.
+/// Bits of the dummies 0x0001..0x0007: boolean, i8, i16, i32, u8, u16, u32. No device here has 1-bit
+/// granularity.
 constexpr int kDummyBits[] = {0, 1, 8, 16, 32, 8, 16, 32};
 
 bool in_block(std::uint16_t index, std::uint16_t first) noexcept {

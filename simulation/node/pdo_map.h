@@ -25,9 +25,10 @@ struct PdoMap {
 /// @param n from 0.
 PdoMap resolve_pdo(const ObjectDictionary& dictionary, PdoDirection direction, int n) noexcept;
 
-/// Whether this SDO write, in range already, may be done. @return 0 when it may or is none of PDOs' objects, else an abort code:
-/// 06090030 identifiers and types that a PDO cannot have, 08000022 changes that need the PDO invalid (identifier, inhibit time,
-/// map) or the map's count 0 (entries), 06020000, 06040041 and 06040042 of what cannot be mapped.
+/// Whether this SDO write, in range already, may be done. @return 0 when it may or is none of PDOs' objects,
+/// else an abort code: 06090030 identifiers and types that a PDO cannot have, 08000022 changes that need the
+/// PDO invalid (identifier, inhibit time, map) or the map's count 0 (entries), 06020000, 06040041 and
+/// 06040042 of what cannot be mapped.
 std::uint32_t check_pdo_write(const ObjectDictionary& dictionary, canopen::ObjectId id,
                               std::uint32_t value) noexcept;
 

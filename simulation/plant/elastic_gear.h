@@ -1,7 +1,7 @@
 #pragma once
-/// Motor side of a gear with torsion: the rotor as a mass of its own (facts physics 10), friction on it, and a
-/// spring with two stiffnesses and a damper to the link. Pure. All on the output side of the ratio.
-/// Sign: positive output torque accelerates the link toward +q and the rotor toward -q.
+/// Motor side of a gear with torsion: the rotor as a mass of its own (facts physics 10), friction on it, and
+/// a spring with two stiffnesses and a damper to the link. Pure. All on the output side of the ratio. Sign:
+/// positive output torque accelerates the link toward +q and the rotor toward -q.
 #include "simulation/plant/joint_config.h"
 
 namespace sprung::sim {
@@ -14,9 +14,9 @@ class ElasticGear {
   void reset(double link_rad) noexcept;
   /// What the gear exerts on the link now.
   double output_torque_Nm(double link_rad, double link_rad_s) const noexcept;
-  /// The rotor's part of a semi-implicit Euler step: speeds with the torques of the step's begin, then positions
-  /// with the new speeds, as MuJoCo does with the link; so spring and masses exchange energy and gain none.
-  /// Friction is implicit: dry friction stops the rotor exactly, and holds it exactly.
+  /// The rotor's part of a semi-implicit Euler step: speeds with the torques of the step's begin, then
+  /// positions with the new speeds, as MuJoCo does with the link; so spring and masses exchange energy and
+  /// gain none. Friction is implicit: dry friction stops the rotor exactly, and holds it exactly.
   /// @param output_torque_Nm that acted on the link in this step.
   void step(double motor_torque_Nm, double output_torque_Nm, double dry_Nm, double viscous_Nm_s_rad,
             double dt_s) noexcept;

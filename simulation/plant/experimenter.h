@@ -11,17 +11,19 @@
 namespace sprung::sim {
 
 /// Meaning of SimControl by kind:
-///   kWrench       wrench for duration_s; actuator -1 = on the base, n >= 0 = at the foot of leg n. It grows from what
-///                 pushes there now in a straight line over the first `value` seconds of that; 0 = at once
+///   kWrench       wrench for duration_s; actuator -1 = on the base, n >= 0 = at the foot of leg n. It grows
+///                 from what pushes there now in a straight line over the first `value` seconds of that; 0 =
+///                 at once
 ///   kReset        plant to its initial pose at rest; drives keep their state; no wrench, not suspended
-///   kSuspend      base held still; value > 0 = put at that height (m, world) first, 0 = let go,
-///                 < 0 = held where it is
+///   kSuspend      base held still; value > 0 = put at that height (m, world) first, 0 = let go, < 0 = held
+///                 where it is
 ///   kDriveFault   emergency `value` (e.g. 0x3210; 0 = over-current 0x2310) of the actuator's drive
 ///   kDriveSilent  value 1 = cable of the actuator's drive cut (it neither hears nor speaks), 0 = mended
 ///   kNodeFault    `fault` with `value` of the actuator's drive or, with actuator -1, of every node of `bus`
 ///                 and of the bus itself; for duration_s of plant time, 0 = until mended. kNone mends all
 ///                 that was done to this target. A kPowerCycle of no duration is off and on again at once.
-///   kFloor        floor to the height `value`, m, world; at once. actuator -1 = everywhere, n >= 0 = under leg n alone
+///   kFloor        floor to the height `value`, m, world; at once. actuator -1 = everywhere, n >= 0 = under
+///                 leg n alone
 ///   kImu          see SimControlKind
 class Experimenter {
  public:

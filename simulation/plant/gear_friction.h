@@ -17,7 +17,8 @@ class GearFriction {
   double temperature_degC() const noexcept { return temperature_degC_; }
 
   /// Magnitude of what stops the joint or holds it.
-  /// @param direction sign of the present dry friction torque, 0 = none: that of the motion, and at rest that in
+  /// @param direction sign of the present dry friction torque, 0 = none: that of the motion, and at rest that
+  /// in
   ///        which it would begin, which the speed cannot tell.
   double dry_Nm(double speed_rad_s, double gear_output_torque_Nm, double direction) const noexcept;
   double viscous_Nm_s_rad(double direction) const noexcept;

@@ -11,7 +11,8 @@ namespace {
 constexpr double kEdge_m = 0.02;        // [design choice] width of a step's ramp
 constexpr double kClearance_m = 0.005;  // above the highest stone, before the next is drawn
 
-/// How far inside [from, from + length] x is, from 0 at the edge to 1 behind its ramp, and how that grows with x.
+/// How far inside [from, from + length] x is, from 0 at the edge to 1 behind its ramp, and how that grows
+/// with x.
 struct Share {
   double value = 1.0;
   double slope_1_m = 0.0;

@@ -1,5 +1,6 @@
 #pragma once
-/// What a foot finds under itself: a floor that may slope, have steps, and lie higher or lower than expected. Pure.
+/// What a foot finds under itself: a floor that may slope, have steps, and lie higher or lower than expected.
+/// Pure.
 ///
 /// Each foot has a floor of its own, so that experiments can move the ground under one leg alone.
 #include <cstdint>
@@ -9,8 +10,8 @@
 
 namespace sprung::sim {
 
-/// A raised (or sunken) rectangle. Its edges are ramps of 20 mm, so that a foot that comes too low is held up and
-/// a foot on the edge slides off.
+/// A raised (or sunken) rectangle. Its edges are ramps of 20 mm, so that a foot that comes too low is held up
+/// and a foot on the edge slides off.
 struct GroundStep {
   double from_m = 0.0;    ///< world x of its near edge
   double length_m = 0.0;  ///< in x; 0 = it does not end
@@ -22,8 +23,9 @@ struct GroundStep {
 struct GroundConfig {
   double slope_rad = 0.0;       ///< uphill toward +x
   double side_slope_rad = 0.0;  ///< uphill toward +y, the left
-  /// Every place where a foot comes down lies at most this much higher or lower than the floor, as stones do: drawn
-  /// anew, uniform, for each leg whenever its foot is above all of them. The ground at the start has no error.
+  /// Every place where a foot comes down lies at most this much higher or lower than the floor, as stones do:
+  /// drawn anew, uniform, for each leg whenever its foot is above all of them. The ground at the start has no
+  /// error.
   double error_m = 0.0;
   std::uint64_t error_seed = 1;
   std::vector<GroundStep> steps;

@@ -35,7 +35,8 @@ Vec3 ImuSensor::specific_force_m_s2(const BaseMotion& motion, double interval_s)
   return trunk;
 }
 
-/// The true one, turned about the trunk's axes by the tilt's error and noise, about the world's z by the drift.
+/// The true one, turned about the trunk's axes by the tilt's error and noise, about the world's z by the
+/// drift.
 std::array<double, 4> ImuSensor::attitude(const BaseMotion& motion, std::int64_t cycle,
                                           double running_s) const noexcept {
   Vec3 error{};

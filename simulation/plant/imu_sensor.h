@@ -1,5 +1,6 @@
 #pragma once
-/// An IMU at the trunk's centre: rates, specific force and attitude, with noise and errors that a run keeps. Pure.
+/// An IMU at the trunk's centre: rates, specific force and attitude, with noise and errors that a run keeps.
+/// Pure.
 #include <array>
 #include <cstdint>
 
@@ -8,7 +9,8 @@
 
 namespace sprung::sim {
 
-/// Errors: `noise` is drawn for each sample, `bias` and `drift` once for a run; all of them rms, for each axis.
+/// Errors: `noise` is drawn for each sample, `bias` and `drift` once for a run; all of them rms, for each
+/// axis.
 struct ImuConfig {
   double rate_noise_rad_s = 0.0;
   double rate_bias_rad_s = 0.0;
@@ -30,8 +32,8 @@ class ImuSensor {
  public:
   ImuSensor(const ImuConfig& config, std::uint64_t seed) noexcept;
 
-  /// At a SYNC. Specific force is the mean since the sample before (an IMU integrates, it does not alias a foot's
-  /// impact), kStarting as long as there is none. @param running_s since cycle 0.
+  /// At a SYNC. Specific force is the mean since the sample before (an IMU integrates, it does not alias a
+  /// foot's impact), kStarting as long as there is none. @param running_s since cycle 0.
   void sample(const BaseMotion& motion, const Stamp& stamp, double running_s) noexcept;
   /// The trunk was put somewhere else.
   void forget_motion() noexcept { has_last_ = false; }

@@ -17,9 +17,9 @@ struct FrictionTemperatureConfig {
 };
 
 /// Friction of one joint, output side; L is the gear output torque, w the speed of the motor side:
-/// (1 + asymmetry sgn w) (coulomb + (breakaway - coulomb) exp(-(w / stribeck_speed)^2) + share |L| + viscous |w|)
-/// against the motion. `share` is driving_share where the gear drives the link (L w > 0), back_driving_share
-/// where the link drives the gear (facts papers D1).
+/// (1 + asymmetry sgn w) (coulomb + (breakaway - coulomb) exp(-(w / stribeck_speed)^2) + share |L| + viscous
+/// |w|) against the motion. `share` is driving_share where the gear drives the link (L w > 0),
+/// back_driving_share where the link drives the gear (facts papers D1).
 struct FrictionConfig {
   double coulomb_Nm = 0.0;
   double breakaway_Nm = 0.0;
@@ -31,8 +31,8 @@ struct FrictionConfig {
   FrictionTemperatureConfig temperature;
 };
 
-/// dT/dt = (friction loss * resistance - (T - ambient)) / time_constant (facts papers D2). A resistance of 0 is a
-/// gear that stays at the ambient temperature.
+/// dT/dt = (friction loss * resistance - (T - ambient)) / time_constant (facts papers D2). A resistance of 0
+/// is a gear that stays at the ambient temperature.
 struct ThermalConfig {
   double resistance_K_W = 0.0;
   double time_constant_s = 1.0;

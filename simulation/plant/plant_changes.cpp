@@ -83,8 +83,8 @@ GroundStep& step(SimConfig& config) {
   return config.plant.ground.steps.front();
 }
 
-/// Whether the robot starts on the floor: as --plant lying says; else not where --plant suspended says how it hangs or stands; else as
-/// sim.yaml says.
+/// Whether the robot starts on the floor: as --plant lying says; else not where --plant suspended says how it
+/// hangs or stands; else as sim.yaml says.
 bool lies(const std::map<std::string, double>& changes, const PlantConfig& plant) {
   const auto lying = changes.find("lying");
   if (lying != changes.end()) return lying->second != 0.0;

@@ -15,8 +15,9 @@ namespace {
 
 /// Impedance of a spring-like contact, facts physics 3: 0.1 is 8 % soft, 0.005 triples the cost.
 constexpr double kContactImpedance = 0.02;
-/// Share of a foot's slip that a contact may take away in one step. More than 2 makes it jump to and fro, as the
-/// damping of facts C6 does (300 N s/m) where the rotor is behind a gear's spring and the foot some 0.1 kg.
+/// Share of a foot's slip that a contact may take away in one step. More than 2 makes it jump to and fro, as
+/// the damping of facts C6 does (300 N s/m) where the rotor is behind a gear's spring and the foot some 0.1
+/// kg.
 constexpr double kFastestContact = 1.0;
 /// Impedance of dry friction that sticks, facts physics 1.
 constexpr double kStickImpedance = 0.9999;

@@ -25,9 +25,10 @@ using DataPtr = std::unique_ptr<mjData, DataDeleter>;
 /// and unlike an equality constraint it adds no row to the solver.
 inline constexpr double kLockedMass = 1e9;
 
-/// Names that model.xml must have: a body `base`, a plane `floor` (of a robot with several legs also `<leg>_floor`,
-/// which meets that leg's foot alone), a joint for each of robot.yaml's, a sphere `<leg>_foot` for each leg, and a base that is fixed, or hangs on a free joint or on slides of which `rail_z`
-/// is vertical.
+/// Names that model.xml must have: a body `base`, a plane `floor` (of a robot with several legs also
+/// `<leg>_floor`, which meets that leg's foot alone), a joint for each of robot.yaml's, a sphere `<leg>_foot`
+/// for each leg, and a base that is fixed, or hangs on a free joint or on slides of which `rail_z` is
+/// vertical.
 struct PlantIndex {
   int base_body = -1;
   int floor_geom = -1;   ///< of all that is not a foot

@@ -43,8 +43,8 @@ struct PlantConfig {
 };
 
 /// Of a strain wave gear: what its link encoder sees besides the joint's angle, amplitude sin(order motor
-/// angle + phase) (facts papers D7). Seen by the encoder alone: it does not twist a gear that has torsion, so it
-/// excites nothing.
+/// angle + phase) (facts papers D7). Seen by the encoder alone: it does not twist a gear that has torsion, so
+/// it excites nothing.
 struct KinematicErrorConfig {
   double amplitude_rad = 0.0;  ///< of the output
   double order = 2.0;          ///< per motor turn; the wave generator has two lobes

@@ -1,5 +1,5 @@
-/// Cores take values and a time and return values and a status. With LCM in /usr/include a wrong include still compiles, so the
-/// walls between cores and shells are checked here, by reading the sources.
+/// Cores take values and a time and return values and a status. With LCM in /usr/include a wrong include
+/// still compiles, so the walls between cores and shells are checked here, by reading the sources.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -106,8 +106,8 @@ TEST(Layering, OnlySimulationReadsThePlant) {
   EXPECT_EQ(found, "");
 }
 
-/// From the bottom up; what stands in one row are neighbours, and none includes another. A tool's commands are the roof: they may use
-/// whatever they command.
+/// From the bottom up; what stands in one row are neighbours, and none includes another. A tool's commands
+/// are the roof: they may use whatever they command.
 const std::vector<std::vector<std::string>> kFloors = {
     {"lcmtypes"},     {"signals"},
     {"model"},        {"robots"},
@@ -200,7 +200,8 @@ TEST(Layering, HeavyHeadersStayInOneFile) {
   }
 }
 
-/// What whoever includes a file reads besides, each of which costs from half a second to some: tests/build/cost has the figures.
+/// What whoever includes a file reads besides, each of which costs from half a second to some:
+/// tests/build/cost has the figures.
 const std::regex kHeavy(
     R"(#include\s+<(regex|nlohmann/json\.hpp|CLI/|spdlog/|yaml-cpp/|msgpack|lcm/|gtest/|iostream|random|future|Eigen/(Dense|Eigen|QR|SVD|LU|Eigenvalues|Sparse)))");
 

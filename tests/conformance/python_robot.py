@@ -18,8 +18,8 @@ VALUES = {
     "encoder_card": {(0x1018, 4): 1},
 }
 
-# python answers in about a millisecond, and a shared machine stalls: 400 Hz (the estimator wants 270 at least),
-# and watchdogs to match.
+# python answers in about a millisecond, and a shared machine stalls: 400 Hz (the estimator wants 270 at
+# least), and watchdogs to match.
 CYCLE_RATE = "400 Hz"
 WATCHDOGS = {
     "command_hold": "300 ms",

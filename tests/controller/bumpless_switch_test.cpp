@@ -1,5 +1,5 @@
-/// No switch of a leg's control may step a drive's torque by more than 5 % of its limit: seeded random states and
-/// sequences of switches, measured as what the drives would give.
+/// No switch of a leg's control may step a drive's torque by more than 5 % of its limit: seeded random states
+/// and sequences of switches, measured as what the drives would give.
 #include <algorithm>
 #include <cmath>
 #include <random>

@@ -1,4 +1,5 @@
-/// The leg controller on four three-joint legs: feet go where they are wanted, and are held by springs, on both sides.
+/// The leg controller on four three-joint legs: feet go where they are wanted, and are held by springs, on
+/// both sides.
 #include <gtest/gtest.h>
 
 #include <memory>

@@ -150,8 +150,8 @@ TEST_F(BodyAttitudeTest, WithoutImuASlopeIsTakenForLevel) {
   EXPECT_NEAR(tilt_rad(attitude_.trunk_to_world()), std::atan(0.1), 1e-3);
 }
 
-/// The trot: each pair of feet shows what the other cannot, so that the error is what the trunk does about the line of the
-/// feet within one step, 0.28 rad/s for 0.25 s, and does not grow.
+/// The trot: each pair of feet shows what the other cannot, so that the error is what the trunk does about
+/// the line of the feet within one step, 0.28 rad/s for 0.25 s, and does not grow.
 TEST_F(BodyAttitudeTest, WithoutImuDiagonalPairsInTurnHoldTheTilt) {
   run(Source::kNone, 0.5);
   for (int k = 0; k < 40; ++k) {

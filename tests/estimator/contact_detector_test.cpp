@@ -123,7 +123,8 @@ TEST_F(ContactDetectorTest, TheJointThatKnowsBetterCountsMore) {
   EXPECT_NEAR(detector.step(evidence, kDt_s).force_N, 30.0, 1.0);
 }
 
-/// Hip and knee of a leg under a trunk that walks: a force along the floor loads the hip by half a metre, a vertical one by 20 mm.
+/// Hip and knee of a leg under a trunk that walks: a force along the floor loads the hip by half a metre, a
+/// vertical one by 20 mm.
 class TangentialForceTest : public testing::Test {
  protected:
   static ContactParams params(double tangential_N) {

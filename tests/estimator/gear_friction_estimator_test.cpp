@@ -78,7 +78,8 @@ TEST(GearFrictionEstimatorTest, LoadDependentFrictionWidensWhatIsPossible) {
   EXPECT_NEAR(gear.rest_distance_Nm(), std::max(60.0 - 53.0 / 1.2, 67.0 / 0.8 - 60.0), 1e-3);
 }
 
-/// Set membership against a gear that truly sticks: whatever the load does, it stays within the stated distance.
+/// Set membership against a gear that truly sticks: whatever the load does, it stays within the stated
+/// distance.
 TEST(GearFrictionEstimatorTest, AnyLoadThatTheGearHoldsIsWithinTheDistance) {
   GearFrictionEstimator gear(joint());
   gear.start(0.0, 0.0);

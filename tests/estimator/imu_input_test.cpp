@@ -47,7 +47,8 @@ TEST(ImuInput, SampleThatIsAheadIsTurnedBack) {
   EXPECT_NEAR(yaw_rad(reading->attitude), 2.0 * 8 * kImuInputCycle_s, 1e-9);
 }
 
-/// A silent IMU says the same whether its last sample comes again, nothing comes, or its driver says that it starts.
+/// A silent IMU says the same whether its last sample comes again, nothing comes, or its driver says that it
+/// starts.
 TEST(ImuInput, StartingIsNoSample) {
   ImuInput input, other;
   const Imu imu = sample(7);

@@ -162,7 +162,8 @@ TEST_F(JointEstimatorTest, SaysWhetherItsFrictionIsIdentified) {
   EXPECT_TRUE(out.identified);
 }
 
-/// A torque that a stuck gear takes is no gear output: the estimate stays, the bound says how wrong it may be.
+/// A torque that a stuck gear takes is no gear output: the estimate stays, the bound says how wrong it may
+/// be.
 TEST_F(JointEstimatorTest, StuckJointKeepsItsEstimateWithABoundThatHolds) {
   joint_.friction = IdentifiedFriction{};
   joint_.friction->parameters.coulomb_Nm = 7.0;
@@ -178,8 +179,8 @@ TEST_F(JointEstimatorTest, StuckJointKeepsItsEstimateWithABoundThatHolds) {
   }
 }
 
-/// A joint at rest under a load that changes: the motor's side cannot see it, the twist of its gear can, once a move has shown
-/// where its zero is.
+/// A joint at rest under a load that changes: the motor's side cannot see it, the twist of its gear can, once
+/// a move has shown where its zero is.
 TEST_F(JointEstimatorTest, AtRestTheTorsionOfTheGearDecides) {
   constexpr double kStiffness_Nm_rad = 25000.0, kZero_rad = 2e-4, kFriction_Nm = 4.0;
   joint_.friction = IdentifiedFriction{};
@@ -326,7 +327,8 @@ TEST_F(JointEstimatorTest, SamplingJitterOfAMicrosecondIsBorne) {
   }
 }
 
-/// Not identified: friction of 1.79 Nm to within 180 %, armature of 0.6 kg m^2 to within 20 %, one standard deviation each.
+/// Not identified: friction of 1.79 Nm to within 180 %, armature of 0.6 kg m^2 to within 20 %, one standard
+/// deviation each.
 TEST_F(JointEstimatorTest, BoundCoversPlantsWithinTheStatedUncertainty) {
   struct Plant {
     double armature_kg_m2, friction_Nm;

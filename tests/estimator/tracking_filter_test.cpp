@@ -47,8 +47,8 @@ TEST(TrackingFilterTest, KnownInputIsFollowedWithoutAnyLag) {
   }
 }
 
-/// In steady state the third pole's circle has radius (density / (variance dt))^(1/6), Butterworth: error of a ramp of the
-/// unexplained acceleration is 2 / radius times its rate.
+/// In steady state the third pole's circle has radius (density / (variance dt))^(1/6), Butterworth: error of
+/// a ramp of the unexplained acceleration is 2 / radius times its rate.
 TEST(TrackingFilterTest, SteadyStateIsTheButterworthFilterOfItsNoises) {
   constexpr double kRate_rad_s3 = 100.0, kFine_s = 1e-4, kNoisy_rad = 0.05;
   const double radius = std::pow(kDensity / (kNoisy_rad * kNoisy_rad * kFine_s), 1.0 / 6.0);

@@ -1,5 +1,6 @@
 #pragma once
-/// A trunk on four feet that moves as told, and what its legs and an IMU say about it: synthetic, exact unless asked.
+/// A trunk on four feet that moves as told, and what its legs and an IMU say about it: synthetic, exact
+/// unless asked.
 #include <cmath>
 #include <functional>
 #include <random>

@@ -87,8 +87,8 @@ DampedInverse damped_inverse_by_hand(const LegJacobian& jacobian) {
   return {jacobian * Eigen::MatrixXd(gram.partialPivLu().inverse()), singular};
 }
 
-/// The bound that spares the eigenvalues, and the short way of a leg of three joints, must never change an answer: over straight,
-/// folded and common poses.
+/// The bound that spares the eigenvalues, and the short way of a leg of three joints, must never change an
+/// answer: over straight, folded and common poses.
 TEST_F(LegKinematicsTest, DampedInverseIsTheSameWhetherOrNotTheEigenvaluesWereNeeded) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> hip(0.3, 3.0), knee(0.0, 2.6);

@@ -160,8 +160,8 @@ TEST_P(LegProperties, InverseIsContinuousAwayFromSingularPoses) {
   EXPECT_GT(compared, 1000);
 }
 
-/// Through the whole workspace and out of it, each answer the next question's `near`: as a controller asks. Within a
-/// millimetre of the hip's or the abduction's axis a foot turns about it at any speed.
+/// Through the whole workspace and out of it, each answer the next question's `near`: as a controller asks.
+/// Within a millimetre of the hip's or the abduction's axis a foot turns about it at any speed.
 TEST_P(LegProperties, FollowedFootNeverMakesTheJointsJumpEvenOutOfReach) {
   constexpr double kStep_m = 1e-5;
   const double offset_m = leg_->joint_count() == 3 ? config_.links[0].length_m : 0.0;

@@ -1,5 +1,6 @@
 #pragma once
-/// A leg of pegasus as facts C6 describe it, and one whose thigh is shorter than its shank, so that near its hip is a hole.
+/// A leg of pegasus as facts C6 describe it, and one whose thigh is shorter than its shank, so that near its
+/// hip is a hole.
 #include "robots/robot_config.h"
 
 namespace sprung::test {

@@ -1,4 +1,5 @@
-/// Three-joint legs against MuJoCo on robots/pegasus/model.xml: joint axes, zeros, sides, and the whole inverse dynamics.
+/// Three-joint legs against MuJoCo on robots/pegasus/model.xml: joint axes, zeros, sides, and the whole
+/// inverse dynamics.
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Legs as chains of rotations, link by link, with energies: knows nothing of the equations in controller/. Torque for a
-/// motion comes from Lagrange's equation by numeric differentiation.
+/// Legs as chains of rotations, link by link, with energies: knows nothing of the equations in controller/.
+/// Torque for a motion comes from Lagrange's equation by numeric differentiation.
 #include <Eigen/Geometry>
 #include <vector>
 

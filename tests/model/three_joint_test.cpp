@@ -74,7 +74,8 @@ TEST_F(ThreeJointTest, StandsAsPegasusDoes) {
   const InverseResult stand = left_.inverse(kStandingFoot, pose(0, 2, 1));
   ASSERT_TRUE(stand.reachable);
   EXPECT_LT((stand.position_rad - pose(0.0, 2.1565, 1.1714)).norm(), 1e-4) << stand.position_rad.transpose();
-  // 73.6 N under the foot: the knee carries what C6 says, the hip nothing, the abduction what the offset makes.
+  // 73.6 N under the foot: the knee carries what C6 says, the hip nothing, the abduction what the offset
+  // makes.
   const JointVector torque = left_.jacobian(stand.position_rad).transpose() * Eigen::Vector3d(0, 0, 73.6);
   EXPECT_NEAR(torque[0], 73.6 * 0.08, 1e-9);
   EXPECT_NEAR(torque[1], 0.0, 1e-9);

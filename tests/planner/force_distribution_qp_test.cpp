@@ -30,7 +30,8 @@ double between(double least, double most, std::mt19937& random) {
   return std::uniform_real_distribution<>(least, most)(random);
 }
 
-/// Six wants on twelve numbers, and little that chooses among the rest: as badly conditioned as the real problem (1e5 and more).
+/// Six wants on twelve numbers, and little that chooses among the rest: as badly conditioned as the real
+/// problem (1e5 and more).
 Problem random_problem(std::mt19937& random) {
   Problem problem;
   const auto number = [&](double) { return between(-1.0, 1.0, random); };
@@ -50,7 +51,8 @@ double excess(const Qp::Row& row, const Qp::Vector& x) {
   return row.normal.dot(x.segment<3>(row.first)) - row.least;
 }
 
-/// Karush, Kuhn and Tucker: for a strictly convex problem necessary and sufficient, so this proves the answer.
+/// Karush, Kuhn and Tucker: for a strictly convex problem necessary and sufficient, so this proves the
+/// answer.
 void expect_optimal(const Problem& problem, const Qp& qp) {
   const Qp::Vector& x = qp.solution();
   Qp::Vector slope = problem.cost * x + problem.gradient;
@@ -155,7 +157,8 @@ TEST(ForceDistributionQp, WithoutViolatedRowsItIsTheClosedForm) {
   EXPECT_LT((qp.solution() - closed).norm(), 1e-9 * closed.norm());
 }
 
-/// What two feet share does not depend on whether the others are there and get nothing, or are not in the problem.
+/// What two feet share does not depend on whether the others are there and get nothing, or are not in the
+/// problem.
 TEST(ForceDistributionQp, FewerVariablesAreTheFirstOfAllWithTheOthersAlone) {
   std::mt19937 random(4);
   Qp few, all;

@@ -231,8 +231,8 @@ TEST(ForceDistribution, TwoFeetOnADiagonalCarryTheWeight) {
   EXPECT_NEAR(out.ground_on_foot_N[2].z(), kWeight_N / 2.0, 0.02);
 }
 
-/// About the line between two feet the body turns only if they push it sideways: force times height. So both can't be had, and
-/// the weights decide: by default level comes first.
+/// About the line between two feet the body turns only if they push it sideways: force times height. So both
+/// can't be had, and the weights decide: by default level comes first.
 TEST(ForceDistribution, TwoFeetTurnTheBodyAboutTheirLineByPushingSideways) {
   std::vector<FootLoad> feet = four_feet();
   feet[0].stands = feet[3].stands = false;
@@ -271,7 +271,8 @@ TEST(ForceDistribution, FeetInOneLineOrInOnePlaceShareTheWeight) {
   for (const Eigen::Vector3d& force : out.ground_on_foot_N) EXPECT_NEAR(force.z(), kWeight_N / 4.0, 0.01);
 }
 
-/// A foot that lands or leaves by a ramp of its most load: nobody's force jumps, neither on the way nor where `stands` changes.
+/// A foot that lands or leaves by a ramp of its most load: nobody's force jumps, neither on the way nor where
+/// `stands` changes.
 TEST(ForceDistribution, RampsOfLoadGiveForcesWithoutJumps) {
   ForceDistribution distribution(kFriction);
   const BodyWrench wanted{{15.0, 10.0, kWeight_N}, {6.0, -4.0, 3.0}};

@@ -23,7 +23,8 @@ class JumpHeightTest : public testing::Test {
     in.legs[0].contact = contact;
     return in;
   }
-  /// Extends at 1.8 m/s from the crouch, leaves at 0.52 m, and is at its landing length when the ground comes.
+  /// Extends at 1.8 m/s from the crouch, leaves at 0.52 m, and is at its landing length when the ground
+  /// comes.
   void jump(Jump& jump, double rise_m) const {
     const double crouch_m = preset_.jump_curve.lengths_m.front();
     const double leave_s = (kLeave_m - crouch_m) / kSpeed_m_s;

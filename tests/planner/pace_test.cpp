@@ -100,9 +100,9 @@ TEST_F(PaceTest, DoesNotGoFasterInAllDirectionsTogetherThanTheGaitMay) {
   EXPECT_NEAR(pace_.speed()[1] / pace_.speed()[0], -0.5, 1e-9);
 }
 
-TEST_F(
-    PaceTest,
-    WhatIsWantedStaysEvenBeyondWhatTheGaitMay) {  // a change to a slower gait, while the ramp still comes down
+TEST_F(PaceTest,
+       WhatIsWantedStaysEvenBeyondWhatTheGaitMay) {  // a change to a slower gait, while the ramp still comes
+                                                     // down
   wanted_ = {0.2, 0.0, 0.0};
   run(30.0, true);
   EXPECT_NEAR(pace_.speed()[0], 0.2, 1e-12);

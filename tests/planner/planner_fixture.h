@@ -1,5 +1,6 @@
 #pragma once
-/// A planner whose joint state the test writes: drives enabled, safe, foot where the planner wants it unless told otherwise.
+/// A planner whose joint state the test writes: drives enabled, safe, foot where the planner wants it unless
+/// told otherwise.
 #include <gtest/gtest.h>
 
 #include <string>

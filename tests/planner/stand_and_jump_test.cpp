@@ -1,5 +1,5 @@
-/// Planner and controller closed over an ideal leg: joints that follow position set-points exactly, and drives that take
-/// 100 ms to enable. No plant: only that the two cores agree on modes, poses and times.
+/// Planner and controller closed over an ideal leg: joints that follow position set-points exactly, and
+/// drives that take 100 ms to enable. No plant: only that the two cores agree on modes, poses and times.
 #include <gtest/gtest.h>
 
 #include <cmath>

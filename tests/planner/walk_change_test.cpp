@@ -79,7 +79,8 @@ TEST_F(WalkChangeTest, GaitThatNeverSwingsBeginsOnlyWhenTheRobotStandsStillOverI
   }
 }
 
-/// The order that keeps a crawl from tipping forward, turned round: which foot is ahead of which is a matter of the way it goes.
+/// The order that keeps a crawl from tipping forward, turned round: which foot is ahead of which is a matter
+/// of the way it goes.
 TEST_F(WalkChangeTest, BackwardFrontAndHindLegsChangePlacesInTheOrder) {
   begin(request("crawl", {0.08, 0.0, 0.0}));
   const std::vector<std::string> forward = lifts(4.0);

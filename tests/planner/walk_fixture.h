@@ -1,6 +1,6 @@
 #pragma once
-/// pegasus walking without physics: every foot is where it is wanted, unless the floor is in its way; the trunk stays level, goes as
-/// fast as it should, and hangs over the feet that stand as their springs have it.
+/// pegasus walking without physics: every foot is where it is wanted, unless the floor is in its way; the
+/// trunk stays level, goes as fast as it should, and hangs over the feet that stand as their springs have it.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-/// What holds in any gait, at any speed, under any control: no jump of a desired foot, two feet on the ground, forces within their cones.
+/// What holds in any gait, at any speed, under any control: no jump of a desired foot, two feet on the
+/// ground, forces within their cones.
 #include <random>
 
 #include "robots/gait_speed.h"
@@ -23,7 +24,8 @@ class Walker : public WalkFixture {
   explicit Walker(const std::string& preset) : WalkFixture(preset) {}
   void TestBody() override {}
 
-  /// Requests at random, then a stop. @param unevenness_m of the floor: drawn for each foot when it leaves the ground.
+  /// Requests at random, then a stop. @param unevenness_m of the floor: drawn for each foot when it leaves
+  /// the ground.
   void wander(const Case& c, unsigned seed, double unevenness_m) {
     random_.seed(seed);
     begin(drawn(c));
@@ -66,7 +68,8 @@ class Walker : public WalkFixture {
     ASSERT_GE(standing(), 2);
     const GaitConfig& config = robot_.gaits[static_cast<std::size_t>(std::max(0, motion_.gait))];
     const double swing_s = std::max(0.1, config.period_s * (1.0 - config.duty));
-    // Least jerk: 1.875 times the mean speed over the longest step; the lift: less than 3.1 lift over the time before the approach.
+    // Least jerk: 1.875 times the mean speed over the longest step; the lift: less than 3.1 lift over the
+    // time before the approach.
     const double most_m_s = 1.875 * 0.35 / swing_s + 3.1 * 0.08 / (swing_s * (1.0 - config.pre_stance)) + 0.5;
     for (std::size_t i = 0; i < 4; ++i) {
       const Eigen::Vector3d moved_m =

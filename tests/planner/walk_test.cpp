@@ -143,7 +143,8 @@ TEST_F(WalkTest, CatchesUpWithWhatASpringLaggedBy) {
       if (leg.phase == LegPhase::kStance) fastest = std::max(fastest, -leg.desired_foot_velocity_m_s[0]);
     return fastest;
   };
-  // Off where it is wanted before it leaves, and not as long as others land, who would take over a part of it.
+  // Off where it is wanted before it leaves, and not as long as others land, who would take over a part of
+  // it.
   const auto lags_by = [&](double behind_m) {
     return [this, behind_m] { slipped_m_[0] = standing() == 4 ? behind_m : 0.0; };
   };

@@ -1,4 +1,5 @@
-/// Encoder cards, link encoders, references, bit rate and joints alone, on the shipped pegasus and after one mistake each.
+/// Encoder cards, link encoders, references, bit rate and joints alone, on the shipped pegasus and after one
+/// mistake each.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

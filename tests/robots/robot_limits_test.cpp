@@ -1,5 +1,6 @@
-/// Every limit of robots/pegasus/robot.yaml acts: each is made tighter in the file, and what then happens is what it is for, and
-/// nothing else; with the file as it is, nothing happens in the same seconds. Which numbers there are is asked of the loader.
+/// Every limit of robots/pegasus/robot.yaml acts: each is made tighter in the file, and what then happens is
+/// what it is for, and nothing else; with the file as it is, nothing happens in the same seconds. Which
+/// numbers there are is asked of the loader.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

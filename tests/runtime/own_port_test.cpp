@@ -56,7 +56,8 @@ TEST(OwnPort, IsNoOtherProcesssEither) {
   for (const int fd : {theirs[0], theirs[1], done[0]}) close(fd);
 }
 
-/// LCM's sockets bind to every address of the machine and let others share the port: they are seen all the same.
+/// LCM's sockets bind to every address of the machine and let others share the port: they are seen all the
+/// same.
 TEST(OwnPort, IsNotOneThatIsInUse) {
   std::set<int> taken, sockets;
   for (int port = 20'000; port < 20'200; ++port) {

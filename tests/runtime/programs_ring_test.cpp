@@ -1,4 +1,5 @@
-/// Estimator, planner and leg controller as the real programs, in lock-step around a test that plays the bridge.
+/// Estimator, planner and leg controller as the real programs, in lock-step around a test that plays the
+/// bridge.
 #include <gtest/gtest.h>
 
 #include <csignal>

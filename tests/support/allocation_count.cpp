@@ -35,7 +35,8 @@ void* counted(std::size_t size) {
 
 void* operator new(std::size_t size) { return counted(size); }
 void* operator new[](std::size_t size) { return counted(size); }
-// std::stable_sort asks so. What is not replaced comes from the sanitizer, which misses it at the replaced delete.
+// std::stable_sort asks so. What is not replaced comes from the sanitizer, which misses it at the replaced
+// delete.
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   ++count;
   return std::malloc(size != 0 ? size : 1);

@@ -1,6 +1,6 @@
 #pragma once
-/// Counts heap allocations of this test program, by new and by malloc and its kin (with the address sanitizer by
-/// new only); link allocation_count.cpp into it.
+/// Counts heap allocations of this test program, by new and by malloc and its kin (with the address sanitizer
+/// by new only); link allocation_count.cpp into it.
 #include <cstdint>
 
 namespace sprung::test {

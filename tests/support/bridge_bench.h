@@ -1,5 +1,6 @@
 #pragma once
-/// Bridge core and fake drives, tick by tick, as a shell would call them. Every tick sends one DRIVE_COMMAND, unless muted.
+/// Bridge core and fake drives, tick by tick, as a shell would call them. Every tick sends one DRIVE_COMMAND,
+/// unless muted.
 #include <cstdint>
 #include <functional>
 #include <memory>

@@ -1,5 +1,6 @@
 #pragma once
-/// The whole stack in this process, as InProcessRobot, but processes may stall: what they say is then missing. Notes who acted.
+/// The whole stack in this process, as InProcessRobot, but processes may stall: what they say is then
+/// missing. Notes who acted.
 #include <array>
 #include <map>
 #include <set>
@@ -44,7 +45,8 @@ class DisturbedStack {
   void push(const std::array<double, 6>& wrench, double duration_s);
 
   Missing missing;
-  /// Since watch(): each limit that has acted by a word or two; of clamps also those that a drive does by itself.
+  /// Since watch(): each limit that has acted by a word or two; of clamps also those that a drive does by
+  /// itself.
   const std::set<std::string>& acted() const { return acted_; }
   void watch();
 

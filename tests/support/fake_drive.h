@@ -1,6 +1,6 @@
 #pragma once
-/// A scripted drive for tests of the bridge: an object dictionary that answers SDO, NMT states, a 402 machine and samples. Not
-/// the product's simulated drive: no dynamics, but every answer can be bent.
+/// A scripted drive for tests of the bridge: an object dictionary that answers SDO, NMT states, a 402 machine
+/// and samples. Not the product's simulated drive: no dynamics, but every answer can be bent.
 #include <cstdint>
 #include <map>
 #include <utility>

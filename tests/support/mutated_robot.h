@@ -15,7 +15,8 @@
 
 namespace sprung::test {
 
-/// "joints[3].position.min" in the parsed file. @throws std::runtime_error where the path leads nowhere, naming it.
+/// "joints[3].position.min" in the parsed file. @throws std::runtime_error where the path leads nowhere,
+/// naming it.
 inline YAML::Node node_at(const YAML::Node& root, const std::string& path) {
   YAML::Node node = root;
   for (std::size_t at = 0; at < path.size();) {
@@ -36,7 +37,8 @@ inline YAML::Node node_at(const YAML::Node& root, const std::string& path) {
   return node;
 }
 
-/// The file with another value at `path`; where an optional key is not there it is added to its map (of one key a line).
+/// The file with another value at `path`; where an optional key is not there it is added to its map (of one
+/// key a line).
 inline std::string with_value(const std::string& yaml, const std::string& path, const std::string& value) {
   const YAML::Node root = YAML::Load(yaml);
   const YAML::Node found = node_at(root, path);

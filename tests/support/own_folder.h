@@ -1,6 +1,6 @@
 #pragma once
-/// A folder for the files of one test, empty at first and gone with the object. No two tests ever have the same, not those of another build,
-/// checkout or user, nor one that was killed and left its files.
+/// A folder for the files of one test, empty at first and gone with the object. No two tests ever have the
+/// same, not those of another build, checkout or user, nor one that was killed and left its files.
 #include <stdlib.h>
 
 #include <filesystem>

@@ -1,6 +1,6 @@
 #pragma once
-/// Where this checkout and the programs of this build are. Functions of one small source, so that no other test has a path in it: what
-/// one clone has compiled serves another.
+/// Where this checkout and the programs of this build are. Functions of one small source, so that no other
+/// test has a path in it: what one clone has compiled serves another.
 #include <string>
 
 namespace sprung::test {

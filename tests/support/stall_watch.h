@@ -1,6 +1,7 @@
 #pragma once
-/// How long this machine kept a thread that was due from running. Real time cannot be judged on a machine that stalls for longer
-/// than the watchdogs of the robot bear: a test that trips there says so and is skipped, aloud.
+/// How long this machine kept a thread that was due from running. Real time cannot be judged on a machine
+/// that stalls for longer than the watchdogs of the robot bear: a test that trips there says so and is
+/// skipped, aloud.
 #include <algorithm>
 #include <atomic>
 #include <chrono>

@@ -1,4 +1,5 @@
-/// The CAN tools against real processes: a live bus, a log and its exports tell the same story; drives are read, compared and hurt.
+/// The CAN tools against real processes: a live bus, a log and its exports tell the same story; drives are
+/// read, compared and hurt.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,4 +1,5 @@
-/// The guided recording of `sprung identify --record`, as an operator starts it, on real processes in lock-step.
+/// The guided recording of `sprung identify --record`, as an operator starts it, on real processes in
+/// lock-step.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>

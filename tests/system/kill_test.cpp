@@ -1,4 +1,5 @@
-/// SIGKILL in the middle of a jump: the drives are damped and then off, with the cause named, and nothing switches them on again.
+/// SIGKILL in the middle of a jump: the drives are damped and then off, with the cause named, and nothing
+/// switches them on again.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <poll.h>
@@ -93,7 +94,8 @@ class Kill : public SystemTest, public testing::WithParamInterface<const char*> 
     ASSERT_TRUE(witness.until([&] { return witness.jumped; }));
     ASSERT_TRUE(witness.until([&] { return witness.enabled; }));
   }
-  /// Slow enough in lock-step that the kill falls into the jump; should it be late, what must happen is the same.
+  /// Slow enough in lock-step that the kill falls into the jump; should it be late, what must happen is the
+  /// same.
   std::string pace() const { return std::string(GetParam()) == "lockstep" ? "--speed 1" : ""; }
 };
 

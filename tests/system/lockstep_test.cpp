@@ -1,5 +1,5 @@
-/// The proof of the seams: separate processes in lock-step and one process give the same bits, with noise on and a jump inside,
-/// also when datagrams are lost or come twice on every path.
+/// The proof of the seams: separate processes in lock-step and one process give the same bits, with noise on
+/// and a jump inside, also when datagrams are lost or come twice on every path.
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -1,4 +1,5 @@
-/// The same binaries in real time. Nothing here depends on how fast this machine is: overruns are read, not judged.
+/// The same binaries in real time. Nothing here depends on how fast this machine is: overruns are read, not
+/// judged.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,7 +15,8 @@ class RealTime : public SystemTest {
  protected:
   nlohmann::json status() const { return nlohmann::json::parse(sprung("status --json").output); }
 
-  /// Whether the bridge stopped the robot although the machine kept time: what the watchdogs are for is a stall.
+  /// Whether the bridge stopped the robot although the machine kept time: what the watchdogs are for is a
+  /// stall.
   bool stopped_by_a_stall() const {
     const double borne_ms = 1e3 * robot_.simulation_watchdogs.command_hold_s;
     return status()["safety"]["state"] != "operational" && watch_.longest_ms() > borne_ms;

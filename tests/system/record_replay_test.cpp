@@ -1,4 +1,5 @@
-/// Logs of real processes: recorded, read and written by LCM's own programs too, replayed into the cores bit for bit.
+/// Logs of real processes: recorded, read and written by LCM's own programs too, replayed into the cores bit
+/// for bit.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -163,7 +164,8 @@ TEST_F(RecordReplay, LogBeginsWithWhatItIsOfAndEndsInOrderAfterAllOthers) {
     EXPECT_EQ(states[process], static_cast<std::int8_t>(ProcessState::kStopping)) << process;
 }
 
-/// Events that lcm-logplayer sends from our log come back the same, recorded by sprung-recorder, and as far as it keeps up by lcm-logger.
+/// Events that lcm-logplayer sends from our log come back the same, recorded by sprung-recorder, and as far
+/// as it keeps up by lcm-logger.
 TEST_F(RecordReplay, LcmsOwnPlayerAndLoggerReadAndWriteTheSameFiles) {
   up("lockstep", "--speed 1");
   usleep(500'000);

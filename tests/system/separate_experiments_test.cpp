@@ -1,4 +1,5 @@
-/// `--separate` of the leg's experiments: real processes, commanded as an operator would, leave the same bits as one process.
+/// `--separate` of the leg's experiments: real processes, commanded as an operator would, leave the same bits
+/// as one process.
 #include <gtest/gtest.h>
 
 #include "tests/system/system_fixture.h"

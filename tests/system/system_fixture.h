@@ -1,5 +1,6 @@
 #pragma once
-/// Real processes for tests: own run folder, LCM port and CAN port each time, so that two runs on one machine never meet.
+/// Real processes for tests: own run folder, LCM port and CAN port each time, so that two runs on one machine
+/// never meet.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -41,7 +42,8 @@ class SystemTest : public testing::Test {
 
   RunInfo info() const;
   void kill_program(const std::string& program) const;
-  /// Whether the file comes to be longer than that: a process that writes it has begun, however busy the machine is.
+  /// Whether the file comes to be longer than that: a process that writes it has begun, however busy the
+  /// machine is.
   static bool grows(const std::filesystem::path& file, std::uintmax_t bytes);
   std::string can_address() const { return can_address_; }  ///< of the robot's first bus
   std::string lcm_url() const { return lcm_url_; }

@@ -1,4 +1,5 @@
-/// The bench by real processes in lock-step: it comes up, refuses to stand, and its torque sensor is on the wire.
+/// The bench by real processes in lock-step: it comes up, refuses to stand, and its torque sensor is on the
+/// wire.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>

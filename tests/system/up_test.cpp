@@ -38,8 +38,9 @@ TEST_F(Up, SecondRobotOnTheSameBusIsRefusedAndTheFirstNotDisturbed) {
   EXPECT_EQ(sprung("stand").status, 0);
 }
 
-/// Whoever loses its parent becomes this process's child, as long as this lives: in its session, where a stopped process stays stopped. Below
-/// a parent of another session the kernel wakes it with SIGHUP and SIGCONT (POSIX: an orphaned process group), and it ends in order.
+/// Whoever loses its parent becomes this process's child, as long as this lives: in its session, where a
+/// stopped process stays stopped. Below a parent of another session the kernel wakes it with SIGHUP and
+/// SIGCONT (POSIX: an orphaned process group), and it ends in order.
 class Adoption {
  public:
   Adoption() { prctl(PR_SET_CHILD_SUBREAPER, 1); }
@@ -97,7 +98,8 @@ TEST_F(Up, LauncherThatWasStoppedForAWhileDoesNotTakeTheOthersForSilent) {
   EXPECT_EQ(said().find("has said nothing"), std::string::npos) << said();
 }
 
-/// The bridge brings its drives to rest in half a second of the robot's time, which is some ten of ours here. A busy machine is as slow.
+/// The bridge brings its drives to rest in half a second of the robot's time, which is some ten of ours here.
+/// A busy machine is as slow.
 TEST_F(Up, SlowLockStepIsStoppedInOrderToo) {
   up("lockstep", "--speed 0.05 --patience 60");
   EXPECT_EQ(sprung("down").status, 0);

@@ -1,4 +1,5 @@
-/// pegasus as an operator walks it: lying on the floor, homed, up, away, and down again, each command as it is typed.
+/// pegasus as an operator walks it: lying on the floor, homed, up, away, and down again, each command as it
+/// is typed.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
-/// pegasus on four vcans: the cores of bridge and simulated drives, every frame through the kernel's CAN, tick by tick in message time, so
-/// that an emulated CPU need not keep a robot's pace (the real processes run beside this with single_leg: guest-robot). Run by
-/// tests/vm/guest-four-buses as root with can0..can3 up and candump listening.
+/// pegasus on four vcans: the cores of bridge and simulated drives, every frame through the kernel's CAN,
+/// tick by tick in message time, so that an emulated CPU need not keep a robot's pace (the real processes run
+/// beside this with single_leg: guest-robot). Run by tests/vm/guest-four-buses as root with can0..can3 up and
+/// candump listening.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <poll.h>

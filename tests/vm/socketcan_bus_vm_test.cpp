@@ -1,4 +1,5 @@
-/// SocketCanBus on a kernel that has CAN; run by tests/vm/guest-socketcan as root, with vcan0 up. Tests prepare the interface themselves.
+/// SocketCanBus on a kernel that has CAN; run by tests/vm/guest-socketcan as root, with vcan0 up. Tests
+/// prepare the interface themselves.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <poll.h>

@@ -1,6 +1,6 @@
 #pragma once
-/// Which robot and which of its buses a tool shall use, and what address each has: as the robot that is up uses it, else
-/// robot.yaml's.
+/// Which robot and which of its buses a tool shall use, and what address each has: as the robot that is up
+/// uses it, else robot.yaml's.
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,7 +21,8 @@ struct BusRequest {
 /// The run of this instance, when it is of this robot.
 std::optional<RunInfo> running_as(const RobotConfig& robot, const std::string& instance);
 
-/// By bus index. @throws std::invalid_argument where `can` names what the robot has not, or leaves open which bus is meant.
+/// By bus index. @throws std::invalid_argument where `can` names what the robot has not, or leaves open which
+/// bus is meant.
 std::vector<LiveBus> robot_buses(const RobotConfig& robot, const BusRequest& request);
 
 /// @throws std::invalid_argument naming the buses there are.

@@ -1,5 +1,6 @@
 #pragma once
-/// Where `sprung can` gets frames from: live buses, the CAN_TRACE of an LCM log, or a candump file. Shell: reads files and sockets.
+/// Where `sprung can` gets frames from: live buses, the CAN_TRACE of an LCM log, or a candump file. Shell:
+/// reads files and sockets.
 #include <memory>
 #include <string>
 #include <vector>
@@ -36,13 +37,16 @@ struct LiveBus {
   std::string address;  ///< see open_can_bus
 };
 
-/// Listens and never sends. Numbered frames of a lock-step run come once each, however often they are repeated.
+/// Listens and never sends. Numbered frames of a lock-step run come once each, however often they are
+/// repeated.
 /// @throws what open_can_bus throws.
 std::unique_ptr<FrameSource> open_live_source(const std::vector<LiveBus>& buses);
 
-/// An LCM log, told by its first bytes, or a candump file. @param buses names by index, as the log has only numbers; a candump file's
-/// interfaces are matched to them by name or by position of `interfaces` ("can0" of socketcan:can0), and further ones are added.
-/// @throws std::runtime_error when it cannot be read, is neither, or a line of it is broken (with its number).
+/// An LCM log, told by its first bytes, or a candump file. @param buses names by index, as the log has only
+/// numbers; a candump file's interfaces are matched to them by name or by position of `interfaces` ("can0" of
+/// socketcan:can0), and further ones are added.
+/// @throws std::runtime_error when it cannot be read, is neither, or a line of it is broken (with its
+/// number).
 std::unique_ptr<FrameSource> open_file_source(const std::string& path, const std::vector<std::string>& buses,
                                               const std::vector<std::string>& interfaces);
 

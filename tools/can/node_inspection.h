@@ -11,7 +11,8 @@ namespace sprung {
 /// Whether a master is at work: SYNC or the bridge's heartbeat within 200 ms.
 bool bridge_drives(CanBus& bus);
 
-/// Whoever answers a read of its device type (0x1000), and how many answers came: two of one id are two devices.
+/// Whoever answers a read of its device type (0x1000), and how many answers came: two of one id are two
+/// devices.
 struct FoundNode {
   int node = 0;
   int answers = 0;
@@ -25,7 +26,8 @@ struct ReportLine {
   std::string text;
 };
 /// Name, identity, NMT state, state word, mode, supply, error register and history: what the node has of it.
-/// @param node its description; eds and actuator may be missing. @throws SdoFailed when it does not answer at all.
+/// @param node its description; eds and actuator may be missing. @throws SdoFailed when it does not answer at
+/// all.
 std::vector<ReportLine> inspect_node(SdoSession& session, const cantools::NodeDescription& node,
                                      const DriveTiming& timing);
 /// Name (0x1008), vendor and so on, short: what is there of it.

@@ -1,6 +1,6 @@
 #pragma once
-/// SDO transfers with one node, in real time, over a bus that others may use too. Shell around canopen::SdoClient: sends, waits
-/// and tells what to do when nobody answers.
+/// SDO transfers with one node, in real time, over a bus that others may use too. Shell around
+/// canopen::SdoClient: sends, waits and tells what to do when nobody answers.
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -27,8 +27,9 @@ struct SdoFailed : std::runtime_error {
 
 class SdoSession {
  public:
-  /// @param node 1..127. @param timeout_s for each reply; a transfer without answer is tried once more. The default is long beside
-  /// a drive's answer (ms): what is inspected may run on a busy machine, and a drive called absent sends people to check cables.
+  /// @param node 1..127. @param timeout_s for each reply; a transfer without answer is tried once more. The
+  /// default is long beside a drive's answer (ms): what is inspected may run on a busy machine, and a drive
+  /// called absent sends people to check cables.
   SdoSession(CanBus& bus, int node, double timeout_s = 0.5);
 
   SdoAnswer read(canopen::ObjectId object);
@@ -50,7 +51,8 @@ class SdoSession {
   canopen::SdoClient client_;
 };
 
-/// Waits for frames, at most that long, and hands them over. Sleeps where the bus has no descriptor (memory:).
+/// Waits for frames, at most that long, and hands them over. Sleeps where the bus has no descriptor
+/// (memory:).
 /// @param take returns false to end.
 template <class Take>
 void listen(CanBus& bus, double seconds, Take take);

@@ -10,8 +10,8 @@ namespace sprung {
 
 namespace {
 
-/// Hands out indices in order and remembers how it went. As cases begin in order and all that began are finished, the first failure
-/// by index does not depend on the threads.
+/// Hands out indices in order and remembers how it went. As cases begin in order and all that began are
+/// finished, the first failure by index does not depend on the threads.
 class CaseQueue {
  public:
   CaseQueue(std::size_t count, const std::function<void(std::size_t)>& run, const ParallelOptions& options)

@@ -1,6 +1,6 @@
 #pragma once
-/// Independent cases on all cores: each a function of its index alone, as in-process simulations are. Results stand in the order of
-/// the indices and are the same bits whatever the number of threads.
+/// Independent cases on all cores: each a function of its index alone, as in-process simulations are. Results
+/// stand in the order of the indices and are the same bits whatever the number of threads.
 #include <cstddef>
 #include <functional>
 #include <stdexcept>
@@ -29,8 +29,10 @@ class CaseError : public std::runtime_error {
 /// How many threads `--jobs` means, at least one. @throws std::invalid_argument when negative.
 int job_count(int asked);
 
-/// Calls run(0) ... run(count - 1), in this order but several at a time, and waits for all. After a failure no further case begins.
-/// @param run must not touch what another case writes. @throws CaseError, std::invalid_argument for the options.
+/// Calls run(0) ... run(count - 1), in this order but several at a time, and waits for all. After a failure
+/// no further case begins.
+/// @param run must not touch what another case writes. @throws CaseError, std::invalid_argument for the
+/// options.
 void run_parallel(std::size_t count, const std::function<void(std::size_t index)>& run,
                   const ParallelOptions& options = {});
 

@@ -12,7 +12,8 @@
 
 namespace sprung {
 
-/// "tune  [######..............]  12 of 40, 31 s left"; pure. @param elapsed_s since the beginning, wall time.
+/// "tune  [######..............]  12 of 40, 31 s left"; pure. @param elapsed_s since the beginning, wall
+/// time.
 std::string progress_text(const std::string& label, std::size_t done, std::size_t count, double elapsed_s);
 
 /// "tune: 12 of 40 done after 20 s, 31 s left"; "jump: at work for 20 s" where nobody counts (count 0). Pure.

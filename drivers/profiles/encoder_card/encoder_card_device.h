@@ -1,6 +1,7 @@
 #pragma once
-/// A simulated encoder card: three absolute 20-bit encoders on the link side of gears, read at every SYNC and sent as one PDO
-/// (encoder_card_layout.h). No power stage: a fault is an emergency and nothing more. What a real card does is [unverified].
+/// A simulated encoder card: three absolute 20-bit encoders on the link side of gears, read at every SYNC and
+/// sent as one PDO (encoder_card_layout.h). No power stage: a fault is an emergency and nothing more. What a
+/// real card does is [unverified].
 #include <array>
 #include <cstdint>
 

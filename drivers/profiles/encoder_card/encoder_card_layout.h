@@ -1,6 +1,7 @@
 #pragma once
-/// The 64 bits of an encoder card's sample (object 0x2100, sent whole as TPDO1), shared by the bridge's profile and the simulated
-/// card: three 20-bit positions and a counter that goes up by one with each sample (design section 2). Pure.
+/// The 64 bits of an encoder card's sample (object 0x2100, sent whole as TPDO1), shared by the bridge's
+/// profile and the simulated card: three 20-bit positions and a counter that goes up by one with each sample
+/// (design section 2). Pure.
 #include <array>
 #include <cstddef>
 #include <cstdint>

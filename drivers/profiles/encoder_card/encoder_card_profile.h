@@ -1,6 +1,7 @@
 #pragma once
-/// Card that reads three absolute 20-bit encoders on the link side of gears (design section 2): one 64-bit object in one PDO at
-/// every SYNC. Layout in encoder_card_layout.h. What a real card does is [unverified]: facts canopen section 9.
+/// Card that reads three absolute 20-bit encoders on the link side of gears (design section 2): one 64-bit
+/// object in one PDO at every SYNC. Layout in encoder_card_layout.h. What a real card does is [unverified]:
+/// facts canopen section 9.
 #include "drivers/profiles/drive_profile.h"
 
 namespace sprung::encoder_card {

@@ -25,10 +25,11 @@ constexpr double kLargestThermal = 5400;  ///< in kThermalUnit_s
 
 constexpr std::int16_t kPowerOff = 2;  ///< 0x6007: disable voltage; coding of CiA 402, unverified for EPOS2
 constexpr std::int16_t kDisableDrive = 0;  ///< 0x605B, 0x605C, 0x605E
-/// [design choice] A mode display waits this long at most: 0x1800:03, 10 ms. An EPOS2 has no event timer to repeat it.
+/// [design choice] A mode display waits this long at most: 0x1800:03, 10 ms. An EPOS2 has no event timer to
+/// repeat it.
 constexpr std::uint16_t kDisplayInhibit_100us = 100;
-/// [design choice] A position set-point may be this many times further off than where the loop asks for all the torque that
-/// there is; further, and something blocks.
+/// [design choice] A position set-point may be this many times further off than where the loop asks for all
+/// the torque that there is; further, and something blocks.
 constexpr double kFollowingErrorShare = 4.0;
 constexpr std::uint8_t kVelocityFeedForwardSub = 4, kAccelerationFeedForwardSub = 5;
 constexpr int kSamplePdo = 0, kSetpointPdo = 0, kDisplayPdo = 1, kControlPdo = 1;
@@ -101,7 +102,8 @@ void Epos2Profile::add_motor(std::vector<DriveSetting>& settings) const {
   }
 }
 
-/// The drive's own integrator and feed-forwards stay out: the loop is to be the spring and damper that robot.yaml names.
+/// The drive's own integrator and feed-forwards stay out: the loop is to be the spring and damper that
+/// robot.yaml names.
 void Epos2Profile::add_position_loop(std::vector<DriveSetting>& settings) const {
   if (actuator_.position_gains_object == 0) return;
   const std::string who = owner(actuator_);

@@ -1,9 +1,9 @@
 #pragma once
-/// maxon EPOS2 50/5 (facts canopen section 2): its own modes for current (-3) and position (-1), since it has no cyclic
-/// synchronous ones.
+/// maxon EPOS2 50/5 (facts canopen section 2): its own modes for current (-3) and position (-1), since it has
+/// no cyclic synchronous ones.
 ///
-/// Scales. Currents in mA, positions in qc = quadrature counts of the motor's encoder (`encoder_counts` of robot.yaml, 4 for
-/// each pulse).
+/// Scales. Currents in mA, positions in qc = quadrature counts of the motor's encoder (`encoder_counts` of
+/// robot.yaml, 4 for each pulse).
 ///   current_mA   = direction * torque_Nm / (gear_ratio * Kt) * 1000
 ///   position_rad = direction * qc * 2 pi / (qc per turn * gear_ratio) + offset
 #include "drivers/profiles/drive_profile.h"
@@ -12,8 +12,8 @@ namespace sprung::epos2 {
 
 class Epos2Profile final : public DriveProfile {
  public:
-  /// @throws std::invalid_argument on values beyond the drive's own limits: 5 A continuous, 10 A peak, 16 to 2 500 000 pulses,
-  /// 25 000 rpm.
+  /// @throws std::invalid_argument on values beyond the drive's own limits: 5 A continuous, 10 A peak, 16 to
+  /// 2 500 000 pulses, 25 000 rpm.
   Epos2Profile(const ActuatorConfig& actuator, const DriveTiming& timing);
 
   std::vector<DriveSetting> settings() const override;

@@ -1,5 +1,6 @@
 #pragma once
-/// Object dictionary of a simulated Elmo Gold drive: gold.eds, and what a real drive has from its commissioning.
+/// Object dictionary of a simulated Elmo Gold drive: gold.eds, and what a real drive has from its
+/// commissioning.
 #include <cstdint>
 
 #include "simulation/node/object_dictionary.h"

@@ -21,8 +21,8 @@ constexpr std::int16_t kPowerOff = 2;         ///< 0x6007: disable voltage when 
 constexpr std::int16_t kSlowDownThenOff = 2;  ///< 0x605A: quick stop ramp, then switch on disabled
 constexpr int kLargestMaxTorque = 50000;      ///< EDS limit of 0x6072
 constexpr std::uint16_t kDisplayPeriod_ms = 100;  ///< [design choice] a lost mode display heals after this
-/// [design choice] At most so often (10 ms), so that what a bus has to carry has an end. Unconfirmed for longer, a mode only
-/// shows later: nothing in the loop waits for it.
+/// [design choice] At most so often (10 ms), so that what a bus has to carry has an end. Unconfirmed for
+/// longer, a mode only shows later: nothing in the loop waits for it.
 constexpr std::uint16_t kDisplayInhibit_100us = 100;
 constexpr std::uint8_t kSamplePdo = 0, kSetpointPdo = 0, kDisplayPdo = 1, kControlPdo = 1;
 

@@ -31,7 +31,8 @@ TEST_F(BridgeFaults, HealthyRobotCountsFramesAndNothingElse) {
 
 TEST_F(BridgeFaults, LoadIsTheWorstCaseOfAllFrames) {
   bench_.run(2100);
-  // A cycle: SYNC, two samples of 8 bytes, two set-points of 7; heartbeats every 5 ms; control words at 10 Hz.
+  // A cycle: SYNC, two samples of 8 bytes, two set-points of 7; heartbeats every 5 ms; control words at 10
+  // Hz.
   const double bits_per_cycle = 55 + 2 * 135 + 2 * 125 + 3 * 65 / 5.0 + 2 * 75 / 100.0;
   EXPECT_NEAR(bus().load_share, bits_per_cycle * 1000 / 1e6, 0.005);
 }

@@ -1,5 +1,5 @@
-// A node that stalls and then answers several SYNCs at once, as a simulation that was not scheduled: which answer is the sample,
-// when it was taken, and what still counts as a jump.
+// A node that stalls and then answers several SYNCs at once, as a simulation that was not scheduled: which
+// answer is the sample, when it was taken, and what still counts as a jump.
 #include <gmock/gmock.h>
 
 #include "tests/drivers/bridge/faults_fixture.h"
@@ -24,7 +24,8 @@ class LateAnswers : public BridgeFaults {
     bench_.enable();
     ASSERT_EQ(enabled(), 2);
   }
-  /// One cycle of steady motion in which the hip's answer is kept, and the first `paid` of all that are kept are sent.
+  /// One cycle of steady motion in which the hip's answer is kept, and the first `paid` of all that are kept
+  /// are sent.
   void move(std::size_t paid) {
     bend_samples([this, paid](std::vector<CanFrame>& frames, std::size_t i) {
       if (bent_) return;
@@ -160,7 +161,8 @@ TEST_F(LateAnswers, OnceTheyAreAllInABoundOfOneCycleHolds) {
   expect_damping(SafetyCause::kImplausible, "hip_motor: measured position jumped");
 }
 
-/// Nobody knows whether an answer that is missing was lost or comes later. After ten cycles in time it was lost.
+/// Nobody knows whether an answer that is missing was lost or comes later. After ten cycles in time it was
+/// lost.
 TEST_F(LateAnswers, ThatNeverComeLoosenTheBoundOnlyForAWhile) {
   run(10, 1);
   run(kStall_cycles, 0);
@@ -172,7 +174,8 @@ TEST_F(LateAnswers, ThatNeverComeLoosenTheBoundOnlyForAWhile) {
   expect_damping(SafetyCause::kImplausible, "hip_motor: measured position jumped");
 }
 
-/// On a robot no answer counts as older than the silence that robot.yaml's watchdogs allow, however many were lost.
+/// On a robot no answer counts as older than the silence that robot.yaml's watchdogs allow, however many were
+/// lost.
 TEST_F(LateAnswers, ThatAreLostOftenLoosenTheBoundByTheSilenceAllowedAtMost) {
   begin(2);
   for (int i = 0; i < 30; ++i) {
@@ -197,8 +200,8 @@ TEST_F(LateAnswers, MakeNoVelocityThatDampingWouldFightAgainst) {
   EXPECT_NEAR(bench_.drives[0].target_torque_permille, -1000.0 * 4.0 * 12.0 / 30.8, 20.0);
 }
 
-/// A second device beside a drive that has just lost an answer: nobody can tell which is which, so what comes last must follow
-/// from where the drive was.
+/// A second device beside a drive that has just lost an answer: nobody can tell which is which, so what comes
+/// last must follow from where the drive was.
 TEST_F(LateAnswers, OfASecondDeviceThatIsElsewhereAreAJump) {
   begin(2);
   move(0);
@@ -215,7 +218,8 @@ TEST_F(LateAnswers, OfASecondDeviceThatIsElsewhereAreAJump) {
 
 class CaughtUp : public LateAnswers {
  protected:
-  /// A cycle in which the hip's frames come in one by one, the knee's before. @return after how many the bridge would go on.
+  /// A cycle in which the hip's frames come in one by one, the knee's before. @return after how many the
+  /// bridge would go on.
   std::size_t frames_waited_for(const std::vector<CanFrame>& hip) {
     FrameBatch begun;
     bench_.time_us += 1000;

@@ -1,4 +1,5 @@
-// `sprung clear` brings the robot back without a new process, in the order of facts canopen 2.5, and says what it did.
+// `sprung clear` brings the robot back without a new process, in the order of facts canopen 2.5, and says
+// what it did.
 #include "drivers/bridge/recovery.h"
 
 #include <gmock/gmock.h>

@@ -51,7 +51,8 @@ TEST_F(SafetyMachineTest, StartsDisabledUntilArmed) {
   expect(Level::kOperational, Cause::kNone, false);
 }
 
-/// One row of the table in safety_machine.h: what comes into a machine that runs well, and what it must say at once.
+/// One row of the table in safety_machine.h: what comes into a machine that runs well, and what it must say
+/// at once.
 struct Row {
   const char* what;
   double command_age_s;

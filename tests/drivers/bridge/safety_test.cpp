@@ -240,7 +240,8 @@ TEST_F(BridgeSafety, OverrunsInARowDampUntilACycleIsInTime) {
 }
 
 TEST_F(BridgeSafety, NewBridgeNeverTurnsTorqueBackOn) {
-  // The bridge is replaced while the drives stand enabled; a controller that kept commanding torque must not move them.
+  // The bridge is replaced while the drives stand enabled; a controller that kept commanding torque must not
+  // move them.
   bench_.command_all(DriveMode::kTorque, 5.0);
   bench_.bridge = std::make_unique<BridgeCore>(bench_.robot, BridgeOptions{bench_.robot.watchdogs});
   ASSERT_TRUE(bench_.boot());

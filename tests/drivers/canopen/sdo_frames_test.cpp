@@ -171,7 +171,8 @@ TEST(SdoFrames, SegmentsKeepToggleLengthAndEnd) {
   }
 }
 
-// 0xA0.. block upload, 0xC0.. block download and its end, 0xE0 nothing; the others have bits set that must not be.
+// 0xA0.. block upload, 0xC0.. block download and its end, 0xE0 nothing; the others have bits set that must
+// not be.
 TEST(SdoFrames, BlockTransferAndUnknownCommandsAreUnsupportedAndKeepTheirObject) {
   for (const int command : {0xA0, 0xA4, 0xC0, 0xC2, 0xC6, 0xE0, 0xFF, 0x41, 0x62, 0x24, 0x81}) {
     const SdoMessage found = decode_sdo_request(with_command(sdo_read_request(1, {0x1008, 2}), command));

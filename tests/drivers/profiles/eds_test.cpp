@@ -1,4 +1,5 @@
-/// The EDS files of the profiles: that they can be read, and that they say what the facts say, by a table typed by hand.
+/// The EDS files of the profiles: that they can be read, and that they say what the facts say, by a table
+/// typed by hand.
 #include "drivers/canopen/eds.h"
 
 #include <gmock/gmock.h>
@@ -184,7 +185,8 @@ TEST(ProfileEds, TheEncoderCardSendsItsEncodersAtEverySync) {
   EXPECT_EQ(card.device.receive_pdos, 0);
 }
 
-/// Every mapped object of a default map is in the file, may go that way, and has as many bits as the entry says.
+/// Every mapped object of a default map is in the file, may go that way, and has as many bits as the entry
+/// says.
 void check_default_maps(const Eds& eds, std::uint16_t first, bool transmit) {
   for (std::uint16_t n = 0; n < 4; ++n) {
     const auto index = static_cast<std::uint16_t>(first + n);

@@ -30,7 +30,8 @@ Eigen::VectorXd truth_of(const FootprintModel& model) {
   return out;
 }
 
-/// The encoders' difference that the model says. It depends on the motor's angle itself, so it is worked out in rounds.
+/// The encoders' difference that the model says. It depends on the motor's angle itself, so it is worked out
+/// in rounds.
 JointDataset simulated_encoders(const FootprintModel& model, const Eigen::VectorXd& truth, double noise_rad) {
   JointDataset data = turning_joint();
   Eigen::VectorXd difference;

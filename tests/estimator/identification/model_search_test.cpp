@@ -12,7 +12,8 @@ namespace {
 
 using T = JointTerm;
 
-/// A joint with inertia, gravity, Coulomb and viscous friction, and with a ripple of the motor angle where asked for.
+/// A joint with inertia, gravity, Coulomb and viscous friction, and with a ripple of the motor angle where
+/// asked for.
 std::vector<FitPiece> joint(bool ripple) {
   JointDataset data = swinging_joint(1600);
   data.gear_ratio = 100.0;

@@ -1,4 +1,5 @@
-/// The estimated trunk against the simulation's truth: pegasus on its virtual springs, pushed, with an IMU and without.
+/// The estimated trunk against the simulation's truth: pegasus on its virtual springs, pushed, with an IMU
+/// and without.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -124,7 +125,8 @@ TEST_F(BodyEstimateOfPegasus, PushedWithAnImuTiltIsAsGoodAsTheSensor) {
   EXPECT_LT(errors.height_m, 0.005);
 }
 
-/// A standing foot whose contact is not seen leaves two or three to tell the tilt, which is then held where they do not.
+/// A standing foot whose contact is not seen leaves two or three to tell the tilt, which is then held where
+/// they do not.
 TEST_F(BodyEstimateOfPegasus, PushedWithoutAnImuOnALevelFloorTiltIsKnownToThreeDegrees) {
   comply({{"imu", 0.0}});
   const BodyErrors errors = push();

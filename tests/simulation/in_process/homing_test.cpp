@@ -1,6 +1,6 @@
-/// `sprung home` against the simulated drives: what a joint is believed to be afterwards, held against where it
-/// truly is, and the torque that waits for it. Each robot is a copy of a shipped one whose robot.yaml asks for
-/// the method.
+/// `sprung home` against the simulated drives: what a joint is believed to be afterwards, held against where
+/// it truly is, and the torque that waits for it. Each robot is a copy of a shipped one whose robot.yaml asks
+/// for the method.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -176,7 +176,8 @@ TEST_F(HomingPegasus, LinkGivesTheTruthUpToWhatLinkEncodersSee) {
 
 class HomingByIndex : public HomingPegasus {
  protected:
-  /// References at the index pulses of the shipped plant. The jig is asked for, but a link encoder goes first.
+  /// References at the index pulses of the shipped plant. The jig is asked for, but a link encoder goes
+  /// first.
   RobotConfig with_index(const std::vector<double>& jig_rad) {
     const RobotConfig shipped = load_robot("pegasus");
     const sim::SimConfig plant = sim::load_sim_config(shipped, {});

@@ -1,5 +1,5 @@
-/// pegasus before it stands: twelve EPOS2 and four encoder cards on four buses come up at 500 Hz, are measured, and stay without
-/// torque, since nothing is referenced.
+/// pegasus before it stands: twelve EPOS2 and four encoder cards on four buses come up at 500 Hz, are
+/// measured, and stay without torque, since nothing is referenced.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,4 +1,5 @@
-/// fennec, a quadruped that is nothing but files in robots/: other size, masses, motors, and encoders of 16 bits.
+/// fennec, a quadruped that is nothing but files in robots/: other size, masses, motors, and encoders of 16
+/// bits.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -120,8 +120,9 @@ TEST_F(EposDeviceTest, RaisesEveryAbortCodeWhereItShould) {
          write(0x1016, 1, (127U << 16) | 20U, 4);
          return write(0x1016, 2, (127U << 16) | 20U, 4);
        }},
-      // 06040047 (internal incompatibility), 06060000 (hardware), 08000000 (general), 08000021 (local control), 08000023 (no
-      // dictionary): a simulated device has no such state; an application may raise them by check_write() as below.
+      // 06040047 (internal incompatibility), 06060000 (hardware), 08000000 (general), 08000021 (local
+      // control), 08000023 (no dictionary): a simulated device has no such state; an application may raise
+      // them by check_write() as below.
       {0x06060000, [&] { return refuse(canopen::kAbortHardware); }},
       {0x06070010,
        [&] {
@@ -152,7 +153,8 @@ TEST_F(EposDeviceTest, RaisesEveryAbortCodeWhereItShould) {
          strict.nmt(NmtCommand::kStart);
          return strict.write(0x1801, 1, 0xC0000283, 4);
        }},
-      // 0F00FFBF, BE, BC, B9 (command, password, service mode, node id): of maxon's service commands, which are not simulated.
+      // 0F00FFBF, BE, BC, B9 (command, password, service mode, node id): of maxon's service commands, which
+      // are not simulated.
   };
   for (const auto& [code, request] : rows) EXPECT_EQ(request(), code) << std::hex << code;
 }

@@ -1,6 +1,6 @@
 #pragma once
-/// One simulated node with the dictionary of an EDS and an application that only notes what it is told; and a client by hand that
-/// reads and writes its objects, expedited and in segments.
+/// One simulated node with the dictionary of an EDS and an application that only notes what it is told; and a
+/// client by hand that reads and writes its objects, expedited and in segments.
 #include <gtest/gtest.h>
 
 #include <fstream>

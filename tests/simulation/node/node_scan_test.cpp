@@ -1,5 +1,6 @@
-/// Every object of every EDS, asked of the simulated node by SDO: type, access, limits, default, and the abort code of every wrong
-/// request. The node is pre-operational and its PDOs are invalid, so that nothing but the object's own rules speaks.
+/// Every object of every EDS, asked of the simulated node by SDO: type, access, limits, default, and the
+/// abort code of every wrong request. The node is pre-operational and its PDOs are invalid, so that nothing
+/// but the object's own rules speaks.
 #include <gtest/gtest.h>
 
 #include <cstdint>

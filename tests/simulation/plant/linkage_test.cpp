@@ -81,7 +81,8 @@ TEST_F(LinkageTest, KneesMotorTurnsTheShankAndLeavesTheThigh) {
 }
 
 TEST_F(LinkageTest, FootIsLessThanHalfAsHeavyAsWithASerialKnee) {
-  // Closed form of facts' leg dynamics in the leg's plane; the rotors alone are 36.8 and 14.7 (facts physics).
+  // Closed form of facts' leg dynamics in the leg's plane; the rotors alone are 36.8 and 14.7 (facts
+  // physics).
   EXPECT_NEAR(apparent_mass_kg(false), 37.30, 0.01);
   EXPECT_NEAR(apparent_mass_kg(true), 15.21, 0.01);
 }

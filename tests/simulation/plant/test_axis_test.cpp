@@ -23,8 +23,8 @@ class TestAxisPlant : public testing::Test {
     for (long i = std::lround(seconds / plant.step_s()); i > 0; --i) plant.step({torque_Nm});
     ASSERT_FALSE(plant.failed()) << plant.failure();
   }
-  /// Motor torque that keeps the arm at a speed, by a velocity loop, until `to_rad`. @return mean over the last
-  /// half of the way of motor torque less weight: friction.
+  /// Motor torque that keeps the arm at a speed, by a velocity loop, until `to_rad`. @return mean over the
+  /// last half of the way of motor torque less weight: friction.
   double friction_at(Plant& plant, double speed_rad_s, double to_rad) {
     double sum_Nm = 0.0;
     int count = 0;

@@ -1,5 +1,5 @@
-/// SDO sessions and looks at nodes against a device in a thread of its own, over a memory: bus: sdo_session.h,
-/// node_inspection.h. The device serves SDO by hand, so that it can be silent, slow or double.
+/// SDO sessions and looks at nodes against a device in a thread of its own, over a memory: bus:
+/// sdo_session.h, node_inspection.h. The device serves SDO by hand, so that it can be silent, slow or double.
 #include "tools/can/sdo_session.h"
 
 #include <gmock/gmock.h>

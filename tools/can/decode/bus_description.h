@@ -1,6 +1,6 @@
 #pragma once
-/// What a tool may know of the nodes on a robot's buses, from robot.yaml, the profiles and their EDS. Pure data; making it
-/// allocates and may throw.
+/// What a tool may know of the nodes on a robot's buses, from robot.yaml, the profiles and their EDS. Pure
+/// data; making it allocates and may throw.
 #include <memory>
 #include <optional>
 #include <string>
@@ -43,7 +43,8 @@ struct BusDescription {
 /// @throws std::invalid_argument on values that a profile cannot hold, canopen::EdsError on a broken EDS.
 BusDescription describe_buses(const RobotConfig& robot);
 
-/// Times that the profile's settings carry, as the bridge has them on a robot or with simulated drives in real time.
+/// Times that the profile's settings carry, as the bridge has them on a robot or with simulated drives in
+/// real time.
 DriveTiming drive_timing(const RobotConfig& robot, const WatchdogConfig& watchdogs);
 
 /// The settings and PDOs that robot.yaml's profile wants of this node.

@@ -82,8 +82,8 @@ CandumpLine parse_log(const std::vector<std::string>& words, std::size_t at, Obs
   return data == CandumpLine::kForeign ? data : id;
 }
 
-/// Words from the interface on: "can0 044 [4] 2A 36 6C 2B" with "can0 TX - - 044 ..." under -x; error frames' explanations follow
-/// on lines of their own and are broken lines to us.
+/// Words from the interface on: "can0 044 [4] 2A 36 6C 2B" with "can0 TX - - 044 ..." under -x; error frames'
+/// explanations follow on lines of their own and are broken lines to us.
 CandumpLine parse_plain(const std::vector<std::string>& words, std::size_t at, ObservedFrame& frame) {
   std::size_t next = at + 1;
   if (words[next] == "TX" || words[next] == "RX") {

@@ -1,10 +1,11 @@
 #pragma once
-/// Lines of can-utils' candump: the log format of `candump -L` (which canplayer and log2asc read) both ways, and its plain
-/// format in. Pure.
+/// Lines of can-utils' candump: the log format of `candump -L` (which canplayer and log2asc read) both ways,
+/// and its plain format in. Pure.
 ///
-///   (1436509052.249713) can0 044#2A366C2B          log format; a remote request is 044#R, error frames have 8 digits
-///   (1436509052.249713) can0 044#2A366C2B T        with candump -x: T = sent by the machine that logs, R = received
+///   (1436509052.249713) can0 044#2A366C2B          log format
+///   (1436509052.249713) can0 044#2A366C2B T        with candump -x
 ///    (000.000123)  can0  044   [4]  2A 36 6C 2B    plain, with any of candump's time stamps or none
+/// A remote request is 044#R, error frames have 8 digits; T = sent by the machine that logs, R = received.
 #include <cstdint>
 #include <string>
 

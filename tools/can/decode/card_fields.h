@@ -8,8 +8,8 @@
 
 namespace sprung::cantools {
 
-/// Channels that robot.yaml gives to an actuator also have the position (rad, at the gear's output, within half a turn of 0),
-/// as the bridge takes it. @param object that the card sends.
+/// Channels that robot.yaml gives to an actuator also have the position (rad, at the gear's output, within
+/// half a turn of 0), as the bridge takes it. @param object that the card sends.
 /// @return empty where `node` is no card, or the frame not its sample.
 std::vector<DecodedField> card_fields(const NodeDescription& node, canopen::ObjectId object,
                                       const CanFrame& frame);

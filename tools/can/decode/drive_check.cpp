@@ -16,7 +16,8 @@ void expect_identity(const IdentityConfig& identity, std::vector<ExpectedObject>
   }
 }
 
-/// A disabled PDO may carry any identifier; whether it may be asked for by a remote request matters to nobody.
+/// A disabled PDO may carry any identifier; whether it may be asked for by a remote request matters to
+/// nobody.
 void expect_pdo(const PdoSetting& pdo, int node, std::vector<ExpectedObject>& out) {
   const auto index = [&pdo](std::uint16_t transmit, std::uint16_t receive) {
     return static_cast<std::uint16_t>((pdo.transmit ? transmit : receive) + pdo.number);

@@ -1,7 +1,7 @@
 #pragma once
-/// Frames of CANopen buses in words: NMT, SYNC, EMCY, SDO with object names and values, PDO fields with units, heartbeats,
-/// error frames. Keeps what it has to for each bus: SDO transfers under way, PDO maps, who was asked by node guarding. Pure;
-/// allocates.
+/// Frames of CANopen buses in words: NMT, SYNC, EMCY, SDO with object names and values, PDO fields with
+/// units, heartbeats, error frames. Keeps what it has to for each bus: SDO transfers under way, PDO maps, who
+/// was asked by node guarding. Pure; allocates.
 #include <map>
 #include <string>
 #include <utility>

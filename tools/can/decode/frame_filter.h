@@ -9,9 +9,9 @@ namespace sprung::cantools {
 
 class FrameFilter {
  public:
-  /// Each text is a kind (nmt, sync, time, emcy, pdo, tpdo, rpdo, sdo, heartbeat, lss, error, unknown), a node's name or number, or an
-  /// identifier (0x181); with `!` in front, what it names is left out. A frame is shown when it fits one of the plain texts, or there
-  /// are none, and fits none with `!`.
+  /// Each text is a kind (nmt, sync, time, emcy, pdo, tpdo, rpdo, sdo, heartbeat, lss, error, unknown), a
+  /// node's name or number, or an identifier (0x181); with `!` in front, what it names is left out. A frame
+  /// is shown when it fits one of the plain texts, or there are none, and fits none with `!`.
   /// @throws std::invalid_argument naming what there is.
   FrameFilter(const std::vector<std::string>& texts, const BusDescription& description);
 

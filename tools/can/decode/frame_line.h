@@ -7,7 +7,8 @@
 
 namespace sprung::cantools {
 
-/// "   12.345678 leg <- 181 TPDO hip_motor 1: position actual 123 counts = 0.01 rad". @param begin_us that time is counted from.
+/// "   12.345678 leg <- 181 TPDO hip_motor 1: position actual 123 counts = 0.01 rad". @param begin_us that
+/// time is counted from.
 std::string frame_line(const ObservedFrame& observed, const DecodedFrame& decoded, const std::string& bus,
                        std::int64_t begin_us);
 

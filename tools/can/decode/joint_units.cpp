@@ -10,8 +10,8 @@
 namespace sprung::cantools {
 namespace {
 
-/// Measured from the drive's own zero, so robot.yaml's offset belongs to them; a following error, say, is a difference. With 0x6062,
-/// 0x6063: demand and internal value; 0x2062: EPOS2's position mode setting.
+/// Measured from the drive's own zero, so robot.yaml's offset belongs to them; a following error, say, is a
+/// difference. With 0x6062, 0x6063: demand and internal value; 0x2062: EPOS2's position mode setting.
 bool is_absolute_position(canopen::ObjectId object) {
   constexpr std::array<std::uint16_t, 5> kAbsolute{0x2062, 0x6062, 0x6063, canopen::kPositionActual,
                                                    canopen::kTargetPosition};

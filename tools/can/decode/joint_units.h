@@ -1,6 +1,6 @@
 #pragma once
-/// Raw values of a drive's objects in joint units (rad, rad/s, A, Nm at the gear's output side), by the unit that its EDS
-/// gives and the actuator's numbers in robot.yaml. Pure.
+/// Raw values of a drive's objects in joint units (rad, rad/s, A, Nm at the gear's output side), by the unit
+/// that its EDS gives and the actuator's numbers in robot.yaml. Pure.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -15,9 +15,9 @@ struct JointValue {
   const char* unit = "";  ///< static text
 };
 
-/// Empty where the unit has no counterpart at the joint. A current or a torque gives both: A of the motor, and Nm at the gear's
-/// output before friction and rotor inertia. Signs are the actuator's (robot.yaml `direction`); its offset is added to absolute
-/// positions only.
+/// Empty where the unit has no counterpart at the joint. A current or a torque gives both: A of the motor,
+/// and Nm at the gear's output before friction and rotor inertia. Signs are the actuator's (robot.yaml
+/// `direction`); its offset is added to absolute positions only.
 std::vector<JointValue> in_joint_units(const ActuatorConfig& actuator, canopen::ObjectId object,
                                        const std::string& unit, double raw);
 

@@ -75,7 +75,8 @@ std::int64_t parse_number(const EdsObject& object, const std::string& text) {
   return negative ? -static_cast<std::int64_t>(value) : static_cast<std::int64_t>(value);
 }
 
-/// Ends of the type, narrowed by the EDS's limits. A u64 is limited to what an int64 holds, as in the EDS reader.
+/// Ends of the type, narrowed by the EDS's limits. A u64 is limited to what an int64 holds, as in the EDS
+/// reader.
 std::pair<std::int64_t, std::int64_t> range_of(const EdsObject& object) {
   const int bits = 8 * canopen::type_bytes(object.type);
   std::int64_t low = 0, high = std::numeric_limits<std::int64_t>::max();

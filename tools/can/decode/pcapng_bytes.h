@@ -1,8 +1,10 @@
 #pragma once
-/// CAN frames as pcapng blocks, for Wireshark: one interface a bus, link type CAN_SOCKETCAN. Pure. Own code, since libpcap reads
-/// pcapng but writes only the older pcap, which has no interface names; three kinds of block are all it takes.
+/// CAN frames as pcapng blocks, for Wireshark: one interface a bus, link type CAN_SOCKETCAN. Pure. Own code,
+/// since libpcap reads pcapng but writes only the older pcap, which has no interface names; three kinds of
+/// block are all it takes.
 ///
-/// Numbers are in this machine's byte order (little-endian), the CAN identifier is big-endian as the link type demands.
+/// Numbers are in this machine's byte order (little-endian), the CAN identifier is big-endian as the link
+/// type demands.
 #include <cstdint>
 #include <string>
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Which objects travel in which PDO of which bus: begins with the robot's map and follows every change that is seen in the
-/// SDO traffic, so that a trace of another configuration is read right too. Pure; allocates.
+/// Which objects travel in which PDO of which bus: begins with the robot's map and follows every change that
+/// is seen in the SDO traffic, so that a trace of another configuration is read right too. Pure; allocates.
 #include <array>
 #include <vector>
 
@@ -28,7 +28,8 @@ class PdoTables {
 
   /// nullptr where no PDO that is known uses this identifier.
   const PdoTable* find(int bus, std::uint32_t id) const noexcept;
-  /// `value` was written to `object` of the node and acknowledged, or read from it; objects that are no PDO's are ignored.
+  /// `value` was written to `object` of the node and acknowledged, or read from it; objects that are no PDO's
+  /// are ignored.
   void learn(int bus, int node, canopen::ObjectId object, std::uint32_t value);
   /// The node came up again: what the bridge configures is in force, as far as anybody can say.
   void restore(int bus, int node);

@@ -1,6 +1,6 @@
 #pragma once
-/// For a listener on a lock-step bus, where bursts are sent again until they are answered: lets every numbered frame through
-/// once. Pure; allocates.
+/// For a listener on a lock-step bus, where bursts are sent again until they are answered: lets every
+/// numbered frame through once. Pure; allocates.
 #include <cstdint>
 #include <set>
 #include <tuple>
@@ -12,8 +12,8 @@ namespace sprung::cantools {
 
 class RepeatFilter {
  public:
-  /// @return false for a frame that was seen already, and for the mark that ends an answer, which is no frame. Frames without a number
-  /// (real time, other tools) always pass.
+  /// @return false for a frame that was seen already, and for the mark that ends an answer, which is no
+  /// frame. Frames without a number (real time, other tools) always pass.
   bool is_new(const StampedFrame& stamped);
 
  private:

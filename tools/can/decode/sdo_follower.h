@@ -1,6 +1,6 @@
 #pragma once
-/// Follows the SDO transfers of one node from outside, so that segments and acknowledgements are told with the object and the
-/// whole value that they belong to. Pure; allocates.
+/// Follows the SDO transfers of one node from outside, so that segments and acknowledgements are told with
+/// the object and the whole value that they belong to. Pure; allocates.
 #include <cstdint>
 #include <vector>
 

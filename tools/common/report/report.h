@@ -1,6 +1,7 @@
 #pragma once
-/// A report for people: one HTML file that opens from disk, with tables and plots that can be zoomed. Pure: structs in, text out;
-/// tools/common/report/report_shell.h writes the file. The same report gives the same bytes: put date and version in as text.
+/// A report for people: one HTML file that opens from disk, with tables and plots that can be zoomed. Pure:
+/// structs in, text out; tools/common/report/report_shell.h writes the file. The same report gives the same
+/// bytes: put date and version in as text.
 #include <limits>
 #include <string>
 #include <type_traits>
@@ -48,8 +49,9 @@ enum class Style {
   kPoints,      ///< a cloud: the order means nothing
 };
 
-/// Dashed lines lie on top, then lines, clouds and bands; among their like the first is on top. Colours are told apart by colour-blind
-/// readers; series of one `colour` belong together ("knee, measured" and "knee, estimated").
+/// Dashed lines lie on top, then lines, clouds and bands; among their like the first is on top. Colours are
+/// told apart by colour-blind readers; series of one `colour` belong together ("knee, measured" and "knee,
+/// estimated").
 struct Series {
   std::string name;
   std::vector<double> x;
@@ -90,7 +92,8 @@ struct Plot {
   std::vector<Marker> markers = {};
   bool equal_axes = false;  ///< one unit is as long in x as in y (path of a foot)
   std::string note = "";    ///< below the plot: what the reader should see
-  /// A series with more samples is thinned to about as many: each stretch keeps its lowest and its highest, and gaps stay.
+  /// A series with more samples is thinned to about as many: each stretch keeps its lowest and its highest,
+  /// and gaps stay.
   std::size_t max_points = 3000;
 };
 
@@ -109,7 +112,8 @@ struct Report {
   std::vector<Section> sections = {};
 };
 
-/// The whole file. @throws std::invalid_argument where columns or samples are not equally many, naming the place.
+/// The whole file. @throws std::invalid_argument where columns or samples are not equally many, naming the
+/// place.
 std::string to_html(const Report& report);
 
 }  // namespace sprung::report

@@ -17,8 +17,8 @@ struct RecorderBench {
   std::function<void(int run)> on_run;
 };
 
-/// sprung-recorder and lcm-logger record the same network in the same runs. @throws std::runtime_error where a program is missing or does
-/// not begin.
+/// sprung-recorder and lcm-logger record the same network in the same runs. @throws std::runtime_error where
+/// a program is missing or does not begin.
 std::vector<ReportRow> bench_recorder(const RecorderBench& bench);
 
 }  // namespace sprung

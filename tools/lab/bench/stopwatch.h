@@ -25,8 +25,8 @@ inline double median(std::vector<double> values) {
 /// Keeps a result, so that the loop which made it is not optimised away.
 inline void keep(std::uint64_t value) { asm volatile("" : : "r"(value) : "memory"); }
 
-/// Reference: a chain of 64 multiplications and exclusive ors (FNV-1a), each of which waits for the one before; nothing that a
-/// compiler, cache or vector unit makes faster. @return ns a chain.
+/// Reference: a chain of 64 multiplications and exclusive ors (FNV-1a), each of which waits for the one
+/// before; nothing that a compiler, cache or vector unit makes faster. @return ns a chain.
 inline double reference_ns() {
   constexpr int kChains = 2000;
   std::uint64_t hash = 14695981039346656037ULL;

@@ -6,7 +6,8 @@
 
 namespace sprung::commands {
 
-/// FOLDER/<experiment>.json; makes the folder. @throws std::runtime_error naming the file that cannot be written.
+/// FOLDER/<experiment>.json; makes the folder. @throws std::runtime_error naming the file that cannot be
+/// written.
 void write_rows(const ExperimentReport& rows, const std::string& folder);
 
 /// Prints JSON or the table. @return the command's exit status: failed where a row is not within its bounds.

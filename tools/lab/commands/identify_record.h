@@ -1,6 +1,6 @@
 #pragma once
-/// `sprung identify --record ROBOT JOINT`: moves one joint of a running robot, or of one simulated in this process, through
-/// the protocol and records it.
+/// `sprung identify --record ROBOT JOINT`: moves one joint of a running robot, or of one simulated in this
+/// process, through the protocol and records it.
 #include <cstdint>
 #include <string>
 #include <vector>

@@ -50,8 +50,8 @@ struct WalkingContactRequest {
   SimOptions sim;
 };
 
-/// Every step of every leg. @throws std::runtime_error where it does not stand up or does not walk to the end;
-/// std::invalid_argument on a gait that the robot does not have.
+/// Every step of every leg. @throws std::runtime_error where it does not stand up or does not walk to the
+/// end; std::invalid_argument on a gait that the robot does not have.
 std::vector<ContactStep> walking_contacts(const RobotConfig& robot, const WalkingContactRequest& request);
 /// <gait>.found, .delay_median, .delay_p95 and .false_alarms, with the bounds demanded of them.
 std::vector<ReportRow> walking_contact_rows(const std::string& gait, const std::vector<ContactStep>& steps);

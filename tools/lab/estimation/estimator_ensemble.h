@@ -1,6 +1,6 @@
 #pragma once
-/// The plants on which the estimator's bounds are held against the truth: friction within 25 %, torque constant within 5 % and
-/// mass within 10 % of sim.yaml's. Pure.
+/// The plants on which the estimator's bounds are held against the truth: friction within 25 %, torque
+/// constant within 5 % and mass within 10 % of sim.yaml's. Pure.
 #include <cstdint>
 #include <map>
 #include <string>

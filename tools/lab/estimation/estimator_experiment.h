@@ -1,5 +1,6 @@
 #pragma once
-/// `sprung experiment estimator`: the overall table of what the estimate is worth, against truth and recordings.
+/// `sprung experiment estimator`: the overall table of what the estimate is worth, against truth and
+/// recordings.
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -23,7 +24,8 @@ std::string estimator_sections();
 /// Told before each section how many of how many are done.
 using SectionProgress = std::function<void(std::size_t done, std::size_t count)>;
 
-/// @throws ConfigError, std::invalid_argument on a request that cannot be, std::runtime_error where a run fails.
+/// @throws ConfigError, std::invalid_argument on a request that cannot be, std::runtime_error where a run
+/// fails.
 ExperimentReport run_estimator_experiment(const EstimatorRequest& request,
                                           const SectionProgress& on_progress = {});
 

@@ -21,7 +21,8 @@ struct JumpScores {
   void add(const JumpScores& other);
 };
 
-/// Stand, one hybrid jump, stand again, in process. @throws std::runtime_error where it did not jump and land.
+/// Stand, one hybrid jump, stand again, in process. @throws std::runtime_error where it did not jump and
+/// land.
 JumpScores score_jump(const RobotConfig& robot, const std::string& preset, const SimOptions& sim);
 
 /// @throws std::invalid_argument where the robot has no joint of that name.

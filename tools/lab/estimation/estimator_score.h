@@ -11,7 +11,8 @@ namespace sprung {
 /// Gear output torque of one joint, sample by sample.
 class TorqueScore {
  public:
-  /// Samples that the estimator does not stand for (stale, starting, fault) and numbers that are not finite are left out.
+  /// Samples that the estimator does not stand for (stale, starting, fault) and numbers that are not finite
+  /// are left out.
   void add(const EstimatedJoint& estimated, const TrueJoint& truth);
   void add(const TorqueScore& other);
 

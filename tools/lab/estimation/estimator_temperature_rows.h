@@ -8,8 +8,9 @@
 
 namespace sprung {
 
-/// estimator.temperature.rms_24, _37, _50: gear output torque of test_axis's arm while it swings to and fro, after some swings in which the
-/// estimator may learn the temperature; .ratio: the worst of them over the best. @param seed of the noise.
+/// estimator.temperature.rms_24, _37, _50: gear output torque of test_axis's arm while it swings to and fro,
+/// after some swings in which the estimator may learn the temperature; .ratio: the worst of them over the
+/// best. @param seed of the noise.
 void add_temperature_rows(const RobotConfig& robot, const std::string& preset, std::uint64_t seed,
                           ExperimentReport& report);
 

@@ -1,6 +1,6 @@
 #pragma once
-/// The faults that `sprung experiment faults` makes, one after the other, and what must follow from each (docs/drivers.md holds
-/// the measured table).
+/// The faults that `sprung experiment faults` makes, one after the other, and what must follow from each
+/// (docs/drivers.md holds the measured table).
 #include <vector>
 
 #include "robots/robot_config.h"

@@ -1,6 +1,6 @@
 #pragma once
-/// Every fault on a standing robot (one without legs: idle), in one process: when it is noticed, what the bridge makes of it, and
-/// whether `clear` and `stand` bring the robot back with no process restarted.
+/// Every fault on a standing robot (one without legs: idle), in one process: when it is noticed, what the
+/// bridge makes of it, and whether `clear` and `stand` bring the robot back with no process restarted.
 #include <string>
 #include <vector>
 

@@ -1,6 +1,6 @@
 #pragma once
-/// `sprung experiment drag`: the link is moved from outside by a hand, the stack's torque estimate against the torque sensor (S0 section
-/// II-A, Fig. 6).
+/// `sprung experiment drag`: the link is moved from outside by a hand, the stack's torque estimate against
+/// the torque sensor (S0 section II-A, Fig. 6).
 #include <string>
 #include <vector>
 

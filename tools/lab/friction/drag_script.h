@@ -1,6 +1,6 @@
 #pragma once
-/// What is done to the joint in `sprung experiment drag`: a hand on the link that goes its own way, and the drive off, holding or moving.
-/// Pure.
+/// What is done to the joint in `sprung experiment drag`: a hand on the link that goes its own way, and the
+/// drive off, holding or moving. Pure.
 #include <string>
 #include <vector>
 

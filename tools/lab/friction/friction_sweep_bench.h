@@ -1,6 +1,6 @@
 #pragma once
-/// One joint of a robot in one process: booted, referenced and moved through the whole stack as an operator would, and loaded from
-/// outside. What it hands out is what the stack measures.
+/// One joint of a robot in one process: booted, referenced and moved through the whole stack as an operator
+/// would, and loaded from outside. What it hands out is what the stack measures.
 #include <functional>
 #include <string>
 
@@ -50,11 +50,14 @@ class JointBench {
   /// Lets the joints go: damped, then without power. @throws std::runtime_error when it is refused.
   void sit();
 
-  /// A pure torque of the outside world on the joint's link, about the lateral axis, so for hips, knees and arms; positive
-  /// accelerates the joint toward +q, once find_load_sense() was called. @param duration_s 0 = until the next.
+  /// A pure torque of the outside world on the joint's link, about the lateral axis, so for hips, knees and
+  /// arms; positive accelerates the joint toward +q, once find_load_sense() was called. @param duration_s 0 =
+  /// until the next.
   void load(double torque_Nm, double duration_s = 0.0);
-  /// With the joint held: which sense of the axis that is, from the motor torque that it takes to hold against it.
-  /// @param torque_Nm well above friction. @throws std::runtime_error for a joint that such a torque does not reach.
+  /// With the joint held: which sense of the axis that is, from the motor torque that it takes to hold
+  /// against it.
+  /// @param torque_Nm well above friction. @throws std::runtime_error for a joint that such a torque does not
+  /// reach.
   void find_load_sense(double torque_Nm);
 
   BenchSample sample() const;

@@ -124,7 +124,8 @@ FitScore score_of(const std::vector<FrictionPoint>& points) {
   return points.empty() ? FitScore{} : score(measured, residual);
 }
 
-/// Means of whole passes have one position, which cannot tell the weight from friction: it comes from the single samples.
+/// Means of whole passes have one position, which cannot tell the weight from friction: it comes from the
+/// single samples.
 void weigh(const SweepRecording& recording, const JointTerms& terms, std::vector<FitPiece>& pieces) {
   const SweepFit single = fit_sweep(recording, SweepPoints::kBoth, terms);
   for (std::size_t i = 0; i < pieces.size(); ++i) {

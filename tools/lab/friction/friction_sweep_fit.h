@@ -36,12 +36,14 @@ struct SweepFit {
   identification::FitStatistics statistics;
   identification::FitScore
       score;  ///< of friction, not of the motor torque: load and weight are taken off before the variance
-  /// The same on passes marked as held out, by a fit to the others; of SweepPoints::kBoth alone, else 0 samples.
+  /// The same on passes marked as held out, by a fit to the others; of SweepPoints::kBoth alone, else 0
+  /// samples.
   identification::FitScore held_out;
   std::vector<FrictionPoint> points;
 };
 
-/// Coulomb; + viscous; + Stribeck (S1 equation 5); + asymmetry where both directions are there; + load where the loads differ; both.
+/// Coulomb; + viscous; + Stribeck (S1 equation 5); + asymmetry where both directions are there; + load where
+/// the loads differ; both.
 std::vector<identification::JointTerms> sweep_models(const SweepRecording& recording, SweepPoints points);
 
 /// Plain least squares, as S1's. @throws std::invalid_argument on a recording without passes.

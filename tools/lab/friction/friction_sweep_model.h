@@ -1,11 +1,11 @@
 #pragma once
-/// Equation (4) of S1 at constant speed, where neither rotor nor link accelerates: what the motor gives is the load and the gear's
-/// friction. Pure.
+/// Equation (4) of S1 at constant speed, where neither rotor nor link accelerates: what the motor gives is
+/// the load and the gear's friction. Pure.
 ///
 ///   torque = L + f(w, L),  L = known load + gravity_cos cos q + gravity_sin sin q
 ///
-/// Other than the joint model of `sprung identify` it has no inertia, which constant speeds do not show, and no offset, which
-/// one direction alone cannot tell from Coulomb friction.
+/// Other than the joint model of `sprung identify` it has no inertia, which constant speeds do not show, and
+/// no offset, which one direction alone cannot tell from Coulomb friction.
 #include "estimator/identification/fit_model.h"
 #include "estimator/identification/joint_terms.h"
 

@@ -8,11 +8,14 @@ namespace sprung {
 
 struct BenchLimits;
 
-/// R^2 of a friction fit depends on the protocol as much as on the joint (facts papers C4), so it is named with it.
+/// R^2 of a friction fit depends on the protocol as much as on the joint (facts papers C4), so it is named
+/// with it.
 enum class SweepProtocol {
-  kS0,  ///< S0 Fig. 5: a few speeds, both directions, repeated; motor torque averaged over both
-  kS1,  ///< S1 Fig. 9 as C4 reads it: speeds uniform in 0.02-4 rad/s, no load, single samples of one direction
-  kLoaded,  ///< slow and fast in both directions under constant outside torques, so that the gear drives and is driven back
+  kS0,      ///< S0 Fig. 5: a few speeds, both directions, repeated; motor torque averaged over both
+  kS1,      ///< S1 Fig. 9 as C4 reads it: speeds uniform in 0.02-4 rad/s, no load, single samples of one
+            ///< direction
+  kLoaded,  ///< slow and fast in both directions under constant outside torques, so that the gear drives and
+            ///< is driven back
 };
 const char* name(SweepProtocol protocol);  ///< "s0", "s1", "loaded"
 std::optional<SweepProtocol> sweep_protocol_of(const std::string& name);
@@ -35,7 +38,8 @@ struct SweepPlan {
   bool mirrored = false;  ///< see steady_span()
 };
 
-/// Passes lie around the middle of the joint's range. @throws std::invalid_argument where the range is too short for the speeds.
+/// Passes lie around the middle of the joint's range. @throws std::invalid_argument where the range is too
+/// short for the speeds.
 SweepPlan sweep_plan(SweepProtocol protocol, const BenchLimits& limits);
 
 /// Of a pass that began at 0 s: from when the position loop has settled to when braking begins.
@@ -43,7 +47,8 @@ struct SteadySpan {
   double from_s = 0.0;
   double to_s = 0.0;
 };
-/// @param mirrored the end is cut off as the beginning is, so that there and back see the same angles and a weight drops out of
+/// @param mirrored the end is cut off as the beginning is, so that there and back see the same angles and a
+/// weight drops out of
 ///        the mean of both.
 SteadySpan steady_span(const SweepPass& pass, bool mirrored);
 

@@ -1,5 +1,6 @@
 #pragma once
-/// A friction sweep for people: its protocol in words, every model beside the others, friction over speed, residuals. Pure.
+/// A friction sweep for people: its protocol in words, every model beside the others, friction over speed,
+/// residuals. Pure.
 #include "tools/common/report/report.h"
 #include "tools/lab/friction/friction_sweep.h"
 

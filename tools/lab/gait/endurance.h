@@ -1,5 +1,6 @@
 #pragma once
-/// `sprung experiment endurance`: minutes of an operator's commands at random on drawn plants, flat floor: who falls, what trips.
+/// `sprung experiment endurance`: minutes of an operator's commands at random on drawn plants, flat floor:
+/// who falls, what trips.
 #include <cstdint>
 #include <map>
 #include <string>
@@ -41,7 +42,8 @@ std::vector<EnduranceOutcome> run_endurance(const RobotConfig& robot, const Endu
 /// Rows endurance.all.*: pure, the same bits whatever the machine does.
 std::vector<ReportRow> endurance_rows(const std::vector<EnduranceOutcome>& outcomes);
 report::Section endurance_section(const std::vector<EnduranceOutcome>& outcomes);
-/// Simulated time over a core's time: a measurement of this machine, and so no row. NaN where nothing was measured.
+/// Simulated time over a core's time: a measurement of this machine, and so no row. NaN where nothing was
+/// measured.
 double endurance_speed(const std::vector<EnduranceOutcome>& outcomes) noexcept;
 
 }  // namespace sprung

@@ -58,7 +58,8 @@ SimOptions plant_of(const RobotConfig& robot, const GroundErrorTask& task, const
   return sim;
 }
 
-/// A trunk that is held cannot lean, so that a gait that waits for it would wait for ever; nor has it any other height.
+/// A trunk that is held cannot lean, so that a gait that waits for it would wait for ever; nor has it any
+/// other height.
 RobotConfig robot_for(const RobotConfig& robot, const GroundCase& config) {
   RobotConfig out = robot;
   for (GaitConfig& gait : out.gaits)

@@ -1,6 +1,7 @@
 #pragma once
-/// `sprung experiment ground_error`: ground that lies up to 20 mm higher or lower than a foot expects. How hard feet touch down with
-/// sprung's own pre-stance, with plain hybrid control and with the papers' soft pre-stance; and who falls over it.
+/// `sprung experiment ground_error`: ground that lies up to 20 mm higher or lower than a foot expects. How
+/// hard feet touch down with sprung's own pre-stance, with plain hybrid control and with the papers' soft
+/// pre-stance; and who falls over it.
 #include <string>
 #include <vector>
 
@@ -58,7 +59,8 @@ struct GroundErrorResult {
 const std::vector<GroundCase>& ground_cases();
 const std::vector<UnevenCase>& uneven_cases();
 
-/// Under every footfall the ground is exactly 20 mm higher or lower, as the seed says. Ends when the robot falls.
+/// Under every footfall the ground is exactly 20 mm higher or lower, as the seed says. Ends when the robot
+/// falls.
 GroundOutcome step_on_errors(const RobotConfig& robot, const GroundErrorTask& task, const GroundCase& config,
                              GaitControl control);
 /// @param duration_s of walking. @param ground of the draw.

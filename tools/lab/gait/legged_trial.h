@@ -1,6 +1,6 @@
 #pragma once
-/// A walking robot in this process, for experiments that look and push in every cycle: brought to its feet (or to hang with its legs
-/// under it) by the operator's commands alone, as on the bench.
+/// A walking robot in this process, for experiments that look and push in every cycle: brought to its feet
+/// (or to hang with its legs under it) by the operator's commands alone, as on the bench.
 #include <functional>
 #include <string>
 
@@ -23,7 +23,8 @@ class LeggedTrial {
   void stand_up();
   /// Executed in the next cycle; @throws std::runtime_error from run() where it is refused.
   void say(OperatorCommand command);
-  /// @throws std::runtime_error when the plant fails, a command is refused, or the robot has left its feet (state idle or fallen).
+  /// @throws std::runtime_error when the plant fails, a command is refused, or the robot has left its feet
+  /// (state idle or fallen).
   void run(double duration_s, const OnCycle& on_cycle = {});
 
   InProcessRobot& robot() noexcept { return robot_; }

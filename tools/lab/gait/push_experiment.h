@@ -1,6 +1,7 @@
 #pragma once
-/// `sprung experiment push`: impulses at the trunk's centre while the robot holds its stance in position control, stands on its
-/// springs, or trots; up to what is survived by every push, and whether a fall beyond that is caught.
+/// `sprung experiment push`: impulses at the trunk's centre while the robot holds its stance in position
+/// control, stands on its springs, or trots; up to what is survived by every push, and whether a fall beyond
+/// that is caught.
 #include <string>
 #include <vector>
 

@@ -1,6 +1,7 @@
 #pragma once
-/// `sprung experiment stand_push`: a walking robot stands free on its feet and is pounded, pushed down and lifted, once in position
-/// control and once on its virtual springs (gait `stand`): what hip and knee carry above their static torque (S1 Fig. 11).
+/// `sprung experiment stand_push`: a walking robot stands free on its feet and is pounded, pushed down and
+/// lifted, once in position control and once on its virtual springs (gait `stand`): what hip and knee carry
+/// above their static torque (S1 Fig. 11).
 #include <string>
 #include <vector>
 
@@ -35,9 +36,10 @@ struct StandPushResult {
 StandPushResult run_stand_push(const RobotConfig& robot, const std::string& preset, const SimOptions& sim,
                                const std::vector<TrunkPush>& pushes, const ParallelOptions& parallel = {});
 
-/// Rows stand_push.<push>.<ratio|...>, with issue 6's bounds. `ratio` is of the papers' joint torque, which is the motor's (S1 had no torque
-/// sensor); `output_ratio` of the gear's true output, beside it: what a pound puts through the legs to the floor passes every gear
-/// whatever the control, since rotors and friction hold the joints (docs/locomotion.md "Standing, pushed").
+/// Rows stand_push.<push>.<ratio|...>, with issue 6's bounds. `ratio` is of the papers' joint torque, which
+/// is the motor's (S1 had no torque sensor); `output_ratio` of the gear's true output, beside it: what a
+/// pound puts through the legs to the floor passes every gear whatever the control, since rotors and friction
+/// hold the joints (docs/locomotion.md "Standing, pushed").
 std::vector<ReportRow> stand_push_rows(const StandPushResult& result);
 
 }  // namespace sprung

@@ -1,6 +1,6 @@
 #pragma once
-/// How hard a disturbance is for the legs of a standing robot: what hip and knee carry above what they carry anyway, and where the feet
-/// are afterwards. Pure.
+/// How hard a disturbance is for the legs of a standing robot: what hip and knee carry above what they carry
+/// anyway, and where the feet are afterwards. Pure.
 #include <vector>
 
 #include "signals/vec3.h"

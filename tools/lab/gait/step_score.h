@@ -35,7 +35,8 @@ class StepScore {
   explicit StepScore(const RobotConfig& robot, double floor_m = 0.0);
   void add(const StepSigns& now);
 
-  /// Of the distance between wanted and measured foot, over all cycles of swing and pre-stance before contact; NaN without.
+  /// Of the distance between wanted and measured foot, over all cycles of swing and pre-stance before
+  /// contact; NaN without.
   double swing_rms_m() const noexcept;
   /// Impacts that are over.
   const std::vector<Touchdown>& touchdowns() const noexcept { return touchdowns_; }

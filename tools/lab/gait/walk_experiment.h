@@ -1,6 +1,6 @@
 #pragma once
-/// `sprung experiment walk`: feet in swing and touchdowns in each kind of control (S1, Figs. 12 and 13), and how straight and fast
-/// the gaits go.
+/// `sprung experiment walk`: feet in swing and touchdowns in each kind of control (S1, Figs. 12 and 13), and
+/// how straight and fast the gaits go.
 #include <vector>
 
 #include "signals/vec3.h"

@@ -1,5 +1,6 @@
 #pragma once
-/// How a robot on legs fares, cycle by cycle: falls, safety trips, how near its drives come to their limits. Pure.
+/// How a robot on legs fares, cycle by cycle: falls, safety trips, how near its drives come to their limits.
+/// Pure.
 #include <string>
 
 #include "robots/robot_config.h"

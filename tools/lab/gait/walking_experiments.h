@@ -1,5 +1,6 @@
 #pragma once
-/// The experiments on a robot in a gait, all by one call: for the command line and for `sprung experiment all`.
+/// The experiments on a robot in a gait, all by one call: for the command line and for `sprung experiment
+/// all`.
 #include <cstdint>
 #include <map>
 #include <string>

@@ -1,5 +1,6 @@
 #pragma once
-/// A robot in a gait, in this process, for experiments that go on whatever becomes of it: a fall or a trip ends nothing, it is noted.
+/// A robot in a gait, in this process, for experiments that go on whatever becomes of it: a fall or a trip
+/// ends nothing, it is noted.
 #include <array>
 #include <functional>
 #include <string>
@@ -15,11 +16,12 @@ class WalkingRobot {
  public:
   using OnCycle = std::function<void(InProcessRobot& robot)>;
 
-  /// Boots, homes and stands up as LeggedTrial; watched from then on. @throws as LeggedTrial, also where it cannot stand.
+  /// Boots, homes and stands up as LeggedTrial; watched from then on. @throws as LeggedTrial, also where it
+  /// cannot stand.
   WalkingRobot(const RobotConfig& robot, const std::string& preset, const SimOptions& sim);
 
-  /// In that gait; what the command leaves open is the preset's. run() then throws where the planner refuses it: a robot that only stands
-  /// would score well.
+  /// In that gait; what the command leaves open is the preset's. run() then throws where the planner refuses
+  /// it: a robot that only stands would score well.
   void walk(const std::string& gait, const Vec3& speed, GaitControl control = GaitControl::kOwn);
   void say(const OperatorCommand& command) { trial_.say(command); }
   /// Impulse at the trunk's centre, evenly over `duration_s`; world axes.

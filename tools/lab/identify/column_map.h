@@ -9,8 +9,8 @@
 
 namespace sprung::identify {
 
-/// What identification knows of: time s, position rad, velocity rad/s, current A or torque Nm (joint side; one of both),
-/// link_position rad, load Nm (what the gear gives to the link), temperature degrees C.
+/// What identification knows of: time s, position rad, velocity rad/s, current A or torque Nm (joint side;
+/// one of both), link_position rad, load Nm (what the gear gives to the link), temperature degrees C.
 const std::vector<std::string>& signal_names();
 
 struct ColumnTerm {
@@ -23,8 +23,8 @@ struct SignalColumns {
   std::vector<ColumnTerm> terms;
 };
 
-/// @throws std::invalid_argument naming what is unknown, missing (time, position, current or torque), given twice or no
-/// number.
+/// @throws std::invalid_argument naming what is unknown, missing (time, position, current or torque), given
+/// twice or no number.
 std::vector<SignalColumns> parse_columns(const std::string& text);
 
 }  // namespace sprung::identify

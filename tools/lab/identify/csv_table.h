@@ -1,9 +1,9 @@
 #pragma once
-/// Numbers of a text table, one row a line: delimiter comma, semicolon or tab, a header line or none, lines beginning
-/// with # left out. Reads files.
+/// Numbers of a text table, one row a line: delimiter comma, semicolon or tab, a header line or none, lines
+/// beginning with # left out. Reads files.
 ///
-/// No library: Debian's fast-cpp-csv-parser (libfccp-dev) wants the number of columns when it is compiled, and libcsv is LGPL
-/// and knows neither header nor line numbers.
+/// No library: Debian's fast-cpp-csv-parser (libfccp-dev) wants the number of columns when it is compiled,
+/// and libcsv is LGPL and knows neither header nor line numbers.
 #include <istream>
 #include <string>
 #include <vector>
@@ -17,8 +17,8 @@ struct CsvOptions {
 };
 
 /// One vector for each of `columns`, each as long as the file has rows.
-/// @param name of the file, for messages. @throws std::runtime_error "FILE:LINE: what, remedy" on a cell that is no finite
-/// number, a column that is not there, a table without rows.
+/// @param name of the file, for messages. @throws std::runtime_error "FILE:LINE: what, remedy" on a cell that
+/// is no finite number, a column that is not there, a table without rows.
 std::vector<std::vector<double>> read_table(std::istream& in, const std::string& name,
                                             const std::vector<SignalColumns>& columns,
                                             const CsvOptions& options);

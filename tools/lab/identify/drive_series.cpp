@@ -26,7 +26,8 @@ struct LegSamples {
   std::vector<bool> enabled;
 };
 
-/// Link side of one joint, through the transmission that the actuators' link encoders see too. NaN unless all are there.
+/// Link side of one joint, through the transmission that the actuators' link encoders see too. NaN unless all
+/// are there.
 double link_position_rad(const Transmission& transmission, const LegConfig& leg, const DriveState& state,
                          int place) {
   JointVector link(transmission.size());

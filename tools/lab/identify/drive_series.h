@@ -1,9 +1,9 @@
 #pragma once
-/// One joint's recording from the DRIVE_STATEs of a robot: the drives' own measurements through robot.yaml's transmission,
-/// nothing that the estimator says. Pure.
+/// One joint's recording from the DRIVE_STATEs of a robot: the drives' own measurements through robot.yaml's
+/// transmission, nothing that the estimator says. Pure.
 ///
-/// A joint is identified while it moves alone: then its weight is a sine and a cosine of its own angle, and its inertia is
-/// constant. So samples count only where
+/// A joint is identified while it moves alone: then its weight is a sine and a cosine of its own angle, and
+/// its inertia is constant. So samples count only where
 ///   - its drives are enabled and answered,
 ///   - the other joints of its leg hold the pose in which it moved most (within 0.02 rad),
 ///   - it moves: at rest a motor gives anything between the friction of both directions.

@@ -7,8 +7,8 @@
 
 namespace sprung::identify {
 
-/// Fitted to the training part, scored on the test part: torsion alone and with the kinematic error taken off.
-/// Where the load is not known it is what the chosen model makes of the motor's torque.
+/// Fitted to the training part, scored on the test part: torsion alone and with the kinematic error taken
+/// off. Where the load is not known it is what the chosen model makes of the motor's torque.
 /// @throws std::invalid_argument without a second encoder, or with torques in amperes.
 FootprintResult footprint_of(const IdentifiedJoint& joint, const identification::FitOptions& options);
 

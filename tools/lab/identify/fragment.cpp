@@ -17,8 +17,8 @@ using identification::ModelResult;
 
 namespace {
 
-/// Below this a share of uncertainty is not believed, however small the standard error: Kt, temperature and lubrication
-/// drift more, and a fit is only promised to be within 5 %.
+/// Below this a share of uncertainty is not believed, however small the standard error: Kt, temperature and
+/// lubrication drift more, and a fit is only promised to be within 5 %.
 constexpr double kLeastShare = 0.02;
 
 /// The simplest named model that allows these terms.
@@ -38,7 +38,8 @@ double standard_error_of(const ModelResult& model, const std::string& name) {
   return 0.0;
 }
 
-/// RMS of what the model misses on held-out data, over the friction without load at the mean speed of the joint.
+/// RMS of what the model misses on held-out data, over the friction without load at the mean speed of the
+/// joint.
 double friction_share(const ModelResult& model, const FrictionParameters& friction, double mean_speed_rad_s) {
   const double typical_Nm =
       friction.coulomb_Nm + friction.viscous_Nm_s_rad * std::pow(mean_speed_rad_s, friction.viscous_exponent);

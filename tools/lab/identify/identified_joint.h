@@ -24,7 +24,8 @@ struct Armature {
   std::string note;          ///< how it came about, one sentence
 };
 
-/// What the motor's torque constant would have to be, over robot.yaml's: the weight of links that are known is the scale.
+/// What the motor's torque constant would have to be, over robot.yaml's: the weight of links that are known
+/// is the scale.
 struct TorqueConstant {
   double factor = 1.0;
   double standard_error = 0.0;

@@ -18,8 +18,8 @@ using ProgressFunction = std::function<void(const std::string&)>;
 namespace {
 
 constexpr double kLogRate_Hz = 200.0;
-/// Five samples. Wider fits flatten quick accelerations and the armature comes out high: for a plant of 0.810 kg m^2,
-/// 0.820 with 45 ms, 0.815 with 35 ms, 0.811 with 25 ms (single_leg's knee, docs/estimation.md).
+/// Five samples. Wider fits flatten quick accelerations and the armature comes out high: for a plant of 0.810
+/// kg m^2, 0.820 with 45 ms, 0.815 with 35 ms, 0.811 with 25 ms (single_leg's knee, docs/estimation.md).
 constexpr double kLogSmoothing_s = 0.025;
 constexpr int kLogParts = 20;
 
@@ -33,7 +33,8 @@ auto understood(const Parse& parse) {
   }
 }
 
-/// Every other of kLogParts equal parts: a guided recording shows each speed once, so that halves would not be alike.
+/// Every other of kLogParts equal parts: a guided recording shows each speed once, so that halves would not
+/// be alike.
 std::string every_other_part(int first) {
   std::string out;
   for (int i = first; i < kLogParts; i += 2)

@@ -35,7 +35,8 @@ struct Recording {
 };
 
 /// @param progress gets what is being done.
-/// @throws WrongUse where the request makes no sense, std::runtime_error or std::invalid_argument where the recording does not.
+/// @throws WrongUse where the request makes no sense, std::runtime_error or std::invalid_argument where the
+/// recording does not.
 Recording identify_recording(const RecordingRequest& request,
                              const std::function<void(const std::string&)>& progress);
 

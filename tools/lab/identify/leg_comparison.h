@@ -1,6 +1,6 @@
 #pragma once
-/// What robot.yaml's links say about an identified joint: their share of the inertia, and whether the weight that was found
-/// is theirs. Pure.
+/// What robot.yaml's links say about an identified joint: their share of the inertia, and whether the weight
+/// that was found is theirs. Pure.
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,12 +10,13 @@
 
 namespace sprung::identify {
 
-/// @param pose_rad of the joints of the joint's leg. Nothing for joints without kinematics: no motion tells rotor from link.
+/// @param pose_rad of the joints of the joint's leg. Nothing for joints without kinematics: no motion tells
+/// rotor from link.
 std::optional<Armature> armature_of(const RobotConfig& robot, int joint, const std::vector<double>& pose_rad,
                                     const identification::ModelResult& model);
 
-/// From the weight alone, as if robot.yaml's masses were right. Nothing without kinematics, or where the weight is
-/// smaller than 1 Nm or than five of its standard errors.
+/// From the weight alone, as if robot.yaml's masses were right. Nothing without kinematics, or where the
+/// weight is smaller than 1 Nm or than five of its standard errors.
 std::optional<TorqueConstant> torque_constant_of(const RobotConfig& robot, int joint,
                                                  const std::vector<double>& pose_rad,
                                                  const identification::ModelResult& model);

@@ -7,7 +7,8 @@
 
 namespace sprung::identify {
 
-/// A finite number and nothing else; blanks around it and a leading plus are allowed. Nothing where it is not one.
+/// A finite number and nothing else; blanks around it and a leading plus are allowed. Nothing where it is not
+/// one.
 inline std::optional<double> parse_number(std::string_view text) {
   const auto blank = [](char c) { return c == ' ' || c == '\t'; };
   while (!text.empty() && blank(text.front())) text.remove_prefix(1);

@@ -1,5 +1,6 @@
 #pragma once
-/// The motion that shows a joint's friction, inertia and weight: which moves, from the joint's limits alone. Pure.
+/// The motion that shows a joint's friction, inertia and weight: which moves, from the joint's limits alone.
+/// Pure.
 ///
 ///   stops      at seven angles, upward and downward: weight, and friction at rest from both sides
 ///   speeds     eight constant speeds, spaced evenly in their logarithm, both ways: friction over speed
@@ -21,9 +22,9 @@ struct RecordRange {
   double acceleration_rad_s2 = 0.0;
 };
 
-/// Narrower than robot.yaml's limits by what a joint lags behind and overshoots at the accelerations below (at most a
-/// quarter of the way on each side). Speed: half the limit. Acceleration: its armature takes 15 % of the actuator's torque,
-/// and lags by no more than 0.03 rad under the drive's position loop.
+/// Narrower than robot.yaml's limits by what a joint lags behind and overshoots at the accelerations below
+/// (at most a quarter of the way on each side). Speed: half the limit. Acceleration: its armature takes 15 %
+/// of the actuator's torque, and lags by no more than 0.03 rad under the drive's position loop.
 /// @throws std::invalid_argument naming the joint when its limits leave nothing to move in.
 RecordRange record_range(const RobotConfig& robot, int joint);
 

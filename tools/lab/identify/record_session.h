@@ -1,5 +1,6 @@
 #pragma once
-/// The guided procedure on a robot that `sprung up` runs: watched, recorded, and ended safely whatever happens.
+/// The guided procedure on a robot that `sprung up` runs: watched, recorded, and ended safely whatever
+/// happens.
 #include <functional>
 #include <string>
 #include <vector>
@@ -18,8 +19,9 @@ struct RecordPlan {
   std::vector<RecordMove> moves;
 };
 
-/// Waits up to a second for joints that are starting. @throws std::runtime_error saying what to do first: no JOINT_STATE,
-/// safety not operational, a joint that is not referenced or not ready. std::invalid_argument where nothing is left to move in.
+/// Waits up to a second for joints that are starting. @throws std::runtime_error saying what to do first: no
+/// JOINT_STATE, safety not operational, a joint that is not referenced or not ready. std::invalid_argument
+/// where nothing is left to move in.
 RecordPlan plan_recording(const RobotConfig& robot, int joint, const RecordOptions& options,
                           JointMover& mover);
 
@@ -31,8 +33,8 @@ struct SessionResult {
   std::string reason;  ///< why not
 };
 
-/// Moves through the plan, then lets go (`sit`: damped, then off). After Ctrl-C, a refused or failed move, lost safety or
-/// silence it lets go at once; a second Ctrl-C ends the wait for that.
+/// Moves through the plan, then lets go (`sit`: damped, then off). After Ctrl-C, a refused or failed move,
+/// lost safety or silence it lets go at once; a second Ctrl-C ends the wait for that.
 /// @param tell gets a line now and then.
 SessionResult carry_out(const RecordPlan& plan, JointMover& mover,
                         const std::function<void(const std::string&)>& tell);

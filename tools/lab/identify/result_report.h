@@ -7,8 +7,8 @@
 
 namespace sprung::identify {
 
-/// A section for each joint: models compared, parameters, friction over speed with the fit, residuals of the scored part
-/// over time, speed, load and position.
+/// A section for each joint: models compared, parameters, friction over speed with the fit, residuals of the
+/// scored part over time, speed, load and position.
 report::Report result_report(const std::vector<IdentifiedJoint>& joints, const Provenance& provenance);
 
 }  // namespace sprung::identify

@@ -1,6 +1,7 @@
 #pragma once
-/// `sprung experiment jump_ensemble`: jumps of an asked height on plants that robot.yaml does not know, and on ground from soft to
-/// hard: does the leg stay up, does safety trip, how high is the first jump, how high the one after two that adapt.
+/// `sprung experiment jump_ensemble`: jumps of an asked height on plants that robot.yaml does not know, and
+/// on ground from soft to hard: does the leg stay up, does safety trip, how high is the first jump, how high
+/// the one after two that adapt.
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -20,7 +21,8 @@ struct JumpPlant {
   std::uint64_t seed = 0;                 ///< of the run's noise
 };
 
-/// Drawn evenly: friction within 20 %, mass within 10 %, torque constant within 5 % of sim.yaml's, ground 6 to 12 kN/m.
+/// Drawn evenly: friction within 20 %, mass within 10 %, torque constant within 5 % of sim.yaml's, ground 6
+/// to 12 kN/m.
 /// @param seed of draws and noise: 0 is for tuning, any other for reporting.
 std::vector<JumpPlant> jump_plants(std::uint64_t seed, int count);
 
@@ -58,7 +60,8 @@ JumpOutcome jump_on(const RobotConfig& robot, const JumpEnsembleRequest& request
 JumpEnsemble run_jump_ensemble(const RobotConfig& robot, const JumpEnsembleRequest& request,
                                const ParallelOptions& options = {});
 
-/// Rows jump_ensemble.*: pure. Demands of issue 5: nobody falls, nothing trips, heights within 15 % after adapting.
+/// Rows jump_ensemble.*: pure. Demands of issue 5: nobody falls, nothing trips, heights within 15 % after
+/// adapting.
 std::vector<ReportRow> jump_ensemble_rows(const JumpEnsemble& ensemble);
 
 }  // namespace sprung

@@ -16,7 +16,8 @@ struct JumpCase {
   JumpMode mode;
 };
 
-/// The papers' three under the preset that was asked for; own, and position to compare it with, under `best` where there is one.
+/// The papers' three under the preset that was asked for; own, and position to compare it with, under `best`
+/// where there is one.
 std::vector<JumpCase> cases(const std::string& preset, const std::string& best) {
   std::vector<JumpCase> out = {
       {preset, JumpMode::kPosition}, {preset, JumpMode::kTorque}, {preset, JumpMode::kHybrid}};

@@ -2,11 +2,12 @@
 /// What a jump was worth: fed once a cycle with the planner's state, the estimate and the simulation's truth.
 /// Pure.
 ///
-/// As facts C2 count: the leg takes off when its foot leaves the floor and touches down when it is there again. (The soft
-/// floor is still dented by some millimetres when its force is gone, 10 ms and 27 mm of hip height earlier.) Height is the
-/// hip's rise above where it was at take-off (errata E11) and counts only if the leg lands upright: it stays off its folded
-/// stop and stands again. Peaks of the jump are those of the push-off, from the start of the thrust to take-off; "peak" is
-/// the papers' signal (motor side), the gear output beside it is the truth (errata E8).
+/// As facts C2 count: the leg takes off when its foot leaves the floor and touches down when it is there
+/// again. (The soft floor is still dented by some millimetres when its force is gone, 10 ms and 27 mm of hip
+/// height earlier.) Height is the hip's rise above where it was at take-off (errata E11) and counts only if
+/// the leg lands upright: it stays off its folded stop and stands again. Peaks of the jump are those of the
+/// push-off, from the start of the thrust to take-off; "peak" is the papers' signal (motor side), the gear
+/// output beside it is the truth (errata E8).
 #include <cstdint>
 #include <vector>
 

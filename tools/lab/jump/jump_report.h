@@ -1,6 +1,6 @@
 #pragma once
-/// Jumps for people: S0's Figs. 10 to 12 drawn again from our data, with both torque signals, and every figure beside the
-/// paper's. Pure.
+/// Jumps for people: S0's Figs. 10 to 12 drawn again from our data, with both torque signals, and every
+/// figure beside the paper's. Pure.
 #include "tools/common/report/report.h"
 #include "tools/lab/jump/jump_experiment.h"
 

@@ -68,7 +68,8 @@ void add_mode(const MeasuredJump& jump, std::vector<ReportRow>& rows) {
   }
 }
 
-/// The landing's knee torque of one jump over another's, by the papers' signal and, beside it, truly at the gear output.
+/// The landing's knee torque of one jump over another's, by the papers' signal and, beside it, truly at the
+/// gear output.
 void add_landing_ratio(const std::string& of, const JumpResult& ours, const JumpResult& other,
                        std::optional<double> paper, std::optional<double> high,
                        std::vector<ReportRow>& rows) {

@@ -1,5 +1,6 @@
 #pragma once
-/// The page of jumps that were measured while a simulated robot ran: a table of all, and the first one drawn. Pure.
+/// The page of jumps that were measured while a simulated robot ran: a table of all, and the first one drawn.
+/// Pure.
 #include <string>
 #include <vector>
 

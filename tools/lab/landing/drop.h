@@ -1,6 +1,6 @@
 #pragma once
-/// One landing from a fall: the leg hangs, stands in the air, is let go and told to `land`; the floor is not quite where it is
-/// expected. Scored by the simulation's truth.
+/// One landing from a fall: the leg hangs, stands in the air, is let go and told to `land`; the floor is not
+/// quite where it is expected. Scored by the simulation's truth.
 #include <cstdint>
 
 #include "signals/vec3.h"

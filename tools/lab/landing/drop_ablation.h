@@ -1,6 +1,6 @@
 #pragma once
-/// `sprung experiment drop --ablation`: what each part of sprung's own landing buys. One part at a time is taken out of the preset's
-/// parameters, and the same drops are made again.
+/// `sprung experiment drop --ablation`: what each part of sprung's own landing buys. One part at a time is
+/// taken out of the preset's parameters, and the same drops are made again.
 #include <string>
 #include <vector>
 
@@ -35,7 +35,8 @@ struct AblationRow {
 std::vector<AblationRow> run_drop_ablation(const RobotConfig& robot, const DropRequest& request,
                                            const ScriptRunner& run);
 
-/// Of each case: the mean over its drops from 0.3 m, the worst of them, the worst of all, how often the leg was folded.
+/// Of each case: the mean over its drops from 0.3 m, the worst of them, the worst of all, how often the leg
+/// was folded.
 std::vector<ReportRow> ablation_rows(const std::vector<AblationRow>& ablation);
 /// Markdown, true gear output in Nm: a line for each case, a column for each drop.
 std::string ablation_table(const std::vector<AblationRow>& ablation);

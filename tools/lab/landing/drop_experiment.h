@@ -1,6 +1,7 @@
 #pragma once
-/// `sprung experiment drop`: landings from 0.1 to 0.5 m in each mode, and sprung's own landing against the papers' hybrid law
-/// (preset `paper`) on the same plant, 50 times with a floor that is not where it is expected.
+/// `sprung experiment drop`: landings from 0.1 to 0.5 m in each mode, and sprung's own landing against the
+/// papers' hybrid law (preset `paper`) on the same plant, 50 times with a floor that is not where it is
+/// expected.
 #include <functional>
 #include <vector>
 
@@ -38,7 +39,8 @@ struct DropRequest {
       {};  ///< of parallel.h, over all drops
 };
 
-/// @throws std::invalid_argument where fewer than one seed is asked for, CaseError where a drop failed (no preset `paper`, refusals).
+/// @throws std::invalid_argument where fewer than one seed is asked for, CaseError where a drop failed (no
+/// preset `paper`, refusals).
 DropExperiment run_drop_experiment(const RobotConfig& robot, const DropRequest& request,
                                    const ScriptRunner& run);
 

@@ -1,6 +1,7 @@
 #pragma once
-/// A hand that takes a foot, leads it away by a distance, holds it there, and lets go slowly: its force fades in a straight line.
-/// S1 (Fig. 10) does not say how its hand let go; over 1 to 3 s is what a person does (facts physics.md: the protocol decides). Pure.
+/// A hand that takes a foot, leads it away by a distance, holds it there, and lets go slowly: its force fades
+/// in a straight line. S1 (Fig. 10) does not say how its hand let go; over 1 to 3 s is what a person does
+/// (facts physics.md: the protocol decides). Pure.
 #include "tools/lab/leg/foot_return_score.h"
 
 namespace sprung {
@@ -11,11 +12,12 @@ struct HandPull {
   double release_s = 1.0;
 };
 
-/// Eight directions, five distances of 8 to 40 mm each; releases of 1, 1.5, 2, 2.5 and 3 s, each as often with every distance.
+/// Eight directions, five distances of 8 to 40 mm each; releases of 1, 1.5, 2, 2.5 and 3 s, each as often
+/// with every distance.
 std::vector<HandPull> hand_pulls();
 
-/// One pull. It leads by a stiff spring from behind, so that the foot never goes back before the release: friction then
-/// stays on the side that resists the pull.
+/// One pull. It leads by a stiff spring from behind, so that the foot never goes back before the release:
+/// friction then stays on the side that resists the pull.
 class FootHand {
  public:
   static constexpr double kReach_s = 1.0, kHold_s = 0.5;
@@ -23,8 +25,8 @@ class FootHand {
   static constexpr double kStiffness_N_m = 5e4, kDamping_N_s_m = 500.0;
 
   FootHand(const HandPull& pull, double step_s) noexcept : pull_(pull), step_s_(step_s) {}
-  /// Once a cycle. @param time_s since the hand took the foot. @param foot_m, from where it was then. @return force on the foot, N,
-  /// forward and up in the members x_m and z_m of a point.
+  /// Once a cycle. @param time_s since the hand took the foot. @param foot_m, from where it was then. @return
+  /// force on the foot, N, forward and up in the members x_m and z_m of a point.
   PlanePoint step_N(double time_s, const PlanePoint& foot_m) noexcept;
   /// At the end of the hold.
   const PlanePoint& held_N() const noexcept { return held_N_; }

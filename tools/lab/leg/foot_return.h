@@ -1,6 +1,7 @@
 #pragma once
-/// `sprung experiment foot_return`: a foot on a virtual spring is pulled away and released, with and without friction compensation, in
-/// eight directions with five forces (S0 Figs. 8, 9), on the plant as identified and on plants with more and less friction.
+/// `sprung experiment foot_return`: a foot on a virtual spring is pulled away and released, with and without
+/// friction compensation, in eight directions with five forces (S0 Figs. 8, 9), on the plant as identified
+/// and on plants with more and less friction.
 #include <string>
 #include <vector>
 
@@ -35,7 +36,8 @@ struct FootReturnResult {
 std::vector<FootReturnCase> foot_return_cases(const PresetConfig& preset);
 
 /// Each case in runs of five pulls. @param parallel of the runs; separate processes want one job.
-/// @throws std::runtime_error when the plant fails or a command is refused, std::invalid_argument for a robot whose leg is not planar.
+/// @throws std::runtime_error when the plant fails or a command is refused, std::invalid_argument for a robot
+/// whose leg is not planar.
 FootReturnResult run_foot_return(const RobotConfig& robot, const std::string& preset, const SimOptions& sim,
                                  const std::vector<FootReturnCase>& cases, const ScriptRunner& run,
                                  const ParallelOptions& parallel = {});

@@ -26,7 +26,8 @@ struct PullResult {
 
   static constexpr double kSettled_mm = 0.5;
   static constexpr double kSettle_s = 1.5;
-  /// A foot that rests moves by less than 1 um; a motor's torque by what its encoder's noise makes of it, 0.1 Nm.
+  /// A foot that rests moves by less than 1 um; a motor's torque by what its encoder's noise makes of it, 0.1
+  /// Nm.
   static constexpr double kSwing_mm = 0.2;
   static constexpr double kSwing_Nm = 1.0;
 };
@@ -63,8 +64,8 @@ struct FootReturnSummary {
 };
 FootReturnSummary summarize(const std::vector<PullResult>& pulls);
 
-/// Slope of force over displacement along the pull, between the forces of one direction: friction that is the same in every
-/// pull cancels. NaN where fewer than two forces were pulled with.
+/// Slope of force over displacement along the pull, between the forces of one direction: friction that is the
+/// same in every pull cancels. NaN where fewer than two forces were pulled with.
 double measured_stiffness_N_m(const std::vector<PullResult>& pulls, double direction_rad);
 
 }  // namespace sprung

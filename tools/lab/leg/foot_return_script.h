@@ -1,10 +1,11 @@
 #pragma once
-/// What is done to the leg in `sprung experiment foot_return`: it hangs, its foot on a virtual spring, and a hand pulls the foot away
-/// and lets go (S0 section V-A, Figs. 8 and 9). Pure.
+/// What is done to the leg in `sprung experiment foot_return`: it hangs, its foot on a virtual spring, and a
+/// hand pulls the foot away and lets go (S0 section V-A, Figs. 8 and 9). Pure.
 ///
-/// Each pull, in its period of kPeriod_s, by the operator's commands alone: after the first, `stop` lets the position loops bring the
-/// foot back to the stand pose; `comply`; the force grows in a straight line, is held, and is gone at once; then the foot is watched. S0
-/// does not say how its hand let go: a sudden release is what leaves the most energy to a limit cycle.
+/// Each pull, in its period of kPeriod_s, by the operator's commands alone: after the first, `stop` lets the
+/// position loops bring the foot back to the stand pose; `comply`; the force grows in a straight line, is
+/// held, and is gone at once; then the foot is watched. S0 does not say how its hand let go: a sudden release
+/// is what leaves the most energy to a limit cycle.
 #include <cstddef>
 #include <vector>
 

@@ -13,8 +13,8 @@ constexpr std::size_t kPullsOfARun = 5;  // short runs fill the cores
 constexpr double kHeight_m = 0.8;        // no floor in reach
 constexpr double kCalm_s = 0.5;          // of compliance before the hand comes
 constexpr double kReturnWatch_s = 2.5;   // from when it has gone
-/// 3.2 Nm of stick friction, which S1's return errors imply (facts papers C5), over the 4.3 Nm of sim.yaml, which are a gear
-/// catalogue's (C4): the two disagree, and only the former can give the paper's errors.
+/// 3.2 Nm of stick friction, which S1's return errors imply (facts papers C5), over the 4.3 Nm of sim.yaml,
+/// which are a gear catalogue's (C4): the two disagree, and only the former can give the paper's errors.
 constexpr double kPapersFriction = 3.2 / 4.3;
 
 struct Run {

@@ -1,6 +1,7 @@
 #pragma once
-/// `sprung experiment foot_return` of a walking robot: its trunk hangs, a hand pulls the left hind foot away and lets go slowly (S1
-/// Fig. 10), with and without friction compensation, on plants with more and less friction.
+/// `sprung experiment foot_return` of a walking robot: its trunk hangs, a hand pulls the left hind foot away
+/// and lets go slowly (S1 Fig. 10), with and without friction compensation, on plants with more and less
+/// friction.
 #include <string>
 #include <vector>
 
@@ -23,8 +24,8 @@ struct HangingCase {
 
 struct HangingPull {
   HandPull hand;
-  PullResult
-      result;  ///< times from when the hand's force was gone; its pull's force is the hand's along the pull, held
+  PullResult result;  ///< times from when the hand's force was gone; its pull's force is the hand's along the
+                      ///< pull, held
   double sideways_mm = 0.0;  ///< of the foot at the end, out of the leg's plane
 };
 
@@ -41,12 +42,14 @@ struct HangingReturnResult {
   double simulated_s = 0.0;
 };
 
-/// `with` the preset's own compensation; `without` and `paper` (preset paper, its compensation) on a plant of the friction that S1's
-/// errors imply; `without_as_is` on the plant of `with`; `with` on plants of 0.8 and 1.2 of the friction.
+/// `with` the preset's own compensation; `without` and `paper` (preset paper, its compensation) on a plant of
+/// the friction that S1's errors imply; `without_as_is` on the plant of `with`; `with` on plants of 0.8
+/// and 1.2 of the friction.
 /// @param preset of all but `paper`.
 std::vector<HangingCase> hanging_cases(const RobotConfig& robot, const std::string& preset);
 
-/// @param pulls of each case, five of them to a run. @throws std::runtime_error, std::invalid_argument as LeggedTrial.
+/// @param pulls of each case, five of them to a run. @throws std::runtime_error, std::invalid_argument as
+/// LeggedTrial.
 HangingReturnResult run_hanging_return(const RobotConfig& robot, const SimOptions& sim,
                                        const std::vector<HangingCase>& cases,
                                        const std::vector<HandPull>& pulls,

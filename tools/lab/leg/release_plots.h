@@ -1,6 +1,6 @@
 #pragma once
-/// Plots that every foot return has: the error of each pull, and the foot's path and distance from home after the strongest pull of
-/// each direction.
+/// Plots that every foot return has: the error of each pull, and the foot's path and distance from home after
+/// the strongest pull of each direction.
 #include <string>
 #include <vector>
 

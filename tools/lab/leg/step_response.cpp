@@ -31,7 +31,8 @@ std::int64_t cycle_at(const RobotConfig& robot, double time_s) {
   return std::llround(time_s / robot.cycle_s);
 }
 
-/// A spring that presses with `force_N`; sideways none: what friction leaves of it would be torque of the knee.
+/// A spring that presses with `force_N`; sideways none: what friction leaves of it would be torque of the
+/// knee.
 OperatorCommand press(const RobotConfig& robot, double time_s, double force_N) {
   OperatorCommand out = scripted(OperatorKind::kComply, cycle_at(robot, time_s));
   out.stiffness_N_m = {0.0, 0.0, force_N / kPressed_m};

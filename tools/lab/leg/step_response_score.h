@@ -32,8 +32,8 @@ struct StepFigures {
   static constexpr double kOvershoot = 0.1;
 };
 
-/// Without samples before and after zero everything is NaN; times are, too, where the torque still grows at the
-/// end of kHighest. @param torque_Nm as long as `time_s`, which ascends.
+/// Without samples before and after zero everything is NaN; times are, too, where the torque still grows at
+/// the end of kHighest. @param torque_Nm as long as `time_s`, which ascends.
 StepFigures step_figures(const std::vector<double>& time_s, const std::vector<double>& torque_Nm,
                          StepEnd end);
 

@@ -31,7 +31,8 @@ struct RecordingResult {
 
 RecordingResult result_of(const Recording& recording);
 
-/// One table; below each recording a line that says which model the tool chose, why, and whether a simpler one scores better.
+/// One table; below each recording a line that says which model the tool chose, why, and whether a simpler
+/// one scores better.
 std::string table_of(const std::vector<RecordingResult>& results);
 
 /// Torsion as a torque sensor: gear output torque from motor and link encoders against the known load.
@@ -39,8 +40,9 @@ struct FootprintScore {
   double without_rms_Nm = 0.0;  ///< data sheet's stiffness, kinematic error left in
   double with_rms_Nm = 0.0;     ///< taken off: harmonics 1, 2, 4 of the motor and 1, 2 of the link
 };
-/// @param block_s length of the blocks that train and are scored in turn. Harmonics of the link are slow: where half of a
-/// turn is not in the training part they are extrapolated, and a second of this sweep is 0.87 rad.
+/// @param block_s length of the blocks that train and are scored in turn. Harmonics of the link are slow:
+/// where half of a turn is not in the training part they are extrapolated, and a second of this sweep is 0.87
+/// rad.
 FootprintScore footprint_of(const Recording& lara8, double block_s);
 
 }  // namespace sprung::recordings

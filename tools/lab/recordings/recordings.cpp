@@ -37,8 +37,8 @@ RawSeries ur10e_series(const std::string& path, int joint) {
 constexpr double kEncoderStep_rad = 2.0 * M_PI / 16777216.0;  ///< 24 bit
 constexpr double kSensorLever_m = 0.8735;
 
-/// The maker's friction within his inverse dynamics. It comes in when the commanded speed exceeds something between 1.0 and
-/// 1.3 mrad/s: the recording's step.
+/// The maker's friction within his inverse dynamics. It comes in when the commanded speed exceeds something
+/// between 1.0 and 1.3 mrad/s: the recording's step.
 double makers_friction_Nm(double commanded_rad_s) {
   constexpr double kMoves_rad_s = 1.15e-3;
   const double speed = std::abs(commanded_rad_s);

@@ -33,8 +33,8 @@ struct ExperimentEntry {
   std::string command(const std::string& robot, std::uint64_t seed) const;
 };
 
-/// In the order of the index page. @throws std::invalid_argument with the reason where the robot's legs cannot stand: all these
-/// experiments need one that does.
+/// In the order of the index page. @throws std::invalid_argument with the reason where the robot's legs
+/// cannot stand: all these experiments need one that does.
 std::vector<ExperimentEntry> experiments_of(const RobotConfig& robot);
 
 }  // namespace sprung

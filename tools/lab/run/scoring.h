@@ -7,10 +7,12 @@
 
 namespace sprung {
 
-/// Index of a joint that an experiment measures. @throws std::invalid_argument where the robot has none of this name.
+/// Index of a joint that an experiment measures. @throws std::invalid_argument where the robot has none of
+/// this name.
 std::size_t measured_joint(const RobotConfig& robot, const std::string& name);
 
-/// Follows the largest absolute value; a peak of NaN is none yet, and a value of NaN is none. @return true when it is a new peak.
+/// Follows the largest absolute value; a peak of NaN is none yet, and a value of NaN is none. @return true
+/// when it is a new peak.
 bool raise_peak(double& peak, double value) noexcept;
 
 }  // namespace sprung

@@ -32,7 +32,8 @@ void run_in_process(const RunScript& script, const CycleObserver& on_cycle, cons
 /// run_in_process, or run_separate with its options.
 using ScriptRunner = std::function<void(const RunScript&, const CycleObserver&, const ReplyObserver&)>;
 
-/// For scripts of which every command must be obeyed. @throws std::runtime_error with the reason where one was refused or failed.
+/// For scripts of which every command must be obeyed. @throws std::runtime_error with the reason where one
+/// was refused or failed.
 void throw_unless_obeyed(const OperatorReply& reply);
 
 /// A command of this kind for cycle `at_seq`; the id is the cycle's number plus one.

@@ -1,6 +1,6 @@
 #pragma once
-/// `sprung experiment tune`: gains of a preset are varied over simulated jumps on several plants, evenly over their ranges and then
-/// around the best. Tuned on one seed's plants, reported on another's.
+/// `sprung experiment tune`: gains of a preset are varied over simulated jumps on several plants, evenly over
+/// their ranges and then around the best. Tuned on one seed's plants, reported on another's.
 #include <cstdint>
 #include <string>
 #include <vector>

@@ -9,7 +9,8 @@
 
 namespace sprung {
 
-/// A key below a preset of robot.yaml and the range in which it is looked for, in the unit that the file gives it.
+/// A key below a preset of robot.yaml and the range in which it is looked for, in the unit that the file
+/// gives it.
 struct TuneParameter {
   std::string key;  ///< "hybrid_landing.stiffness.z", "jump_curve.lengths.4" (from 0)
   double low = 0.0;
@@ -27,7 +28,8 @@ TuneParameter parse_vary(const std::string& text);
 
 class TuneSpace {
  public:
-  /// @throws ConfigError for a key that is no number of the preset, std::invalid_argument for none or one twice.
+  /// @throws ConfigError for a key that is no number of the preset, std::invalid_argument for none or one
+  /// twice.
   TuneSpace(const RobotConfig& robot, const std::string& preset, std::vector<TuneParameter> parameters);
 
   const std::vector<TuneParameter>& parameters() const { return parameters_; }

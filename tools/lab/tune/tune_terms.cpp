@@ -9,7 +9,8 @@ namespace sprung {
 
 namespace {
 
-// Costs of a choice, not of nature: a fall must never pay, and height is worth about what two newton-metres are.
+// Costs of a choice, not of nature: a fall must never pay, and height is worth about what two newton-metres
+// are.
 constexpr double kFall = 500.0;
 constexpr double kFreeHeightError = 0.05;
 constexpr double kPerHeightPercent_Nm = 2.0;

@@ -23,15 +23,16 @@ struct TuneTerms {
   double upright = 0.0;       ///< share of the plants on which the jump ended upright
 };
 
-/// @param runs one jump a plant; one that never happened is a JumpResult as it is made. @param height_mm wanted.
+/// @param runs one jump a plant; one that never happened is a JumpResult as it is made. @param height_mm
+/// wanted.
 TuneTerms tune_terms(const std::vector<JumpResult>& runs, double height_mm);
 
 /// Smaller is better; cost_text() says what it is made of.
 double tune_cost(const TuneTerms& terms, TuneObjective objective);
 std::string cost_text(TuneObjective objective);
 
-/// Indices of those that no other beats in one of landing torques, height error and upright share without losing in another,
-/// in the order given.
+/// Indices of those that no other beats in one of landing torques, height error and upright share without
+/// losing in another, in the order given.
 std::vector<std::size_t> pareto_front(const std::vector<TuneTerms>& all);
 
 }  // namespace sprung

@@ -24,7 +24,8 @@ double real(Wire wire, const std::uint8_t* at) noexcept {
   return value;
 }
 
-/// @return false where a count of this segment is not the layout's. @param next of layout.counts; moved behind the segment's.
+/// @return false where a count of this segment is not the layout's. @param next of layout.counts; moved
+/// behind the segment's.
 bool counts_agree(const Layout& layout, const std::uint8_t* segment, std::uint32_t index,
                   std::size_t& next) noexcept {
   for (; next < layout.counts.size() && layout.counts[next].segment == index; ++next) {

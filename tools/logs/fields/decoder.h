@@ -1,11 +1,12 @@
 #pragma once
-/// Any message from its bytes. Malformed bytes give a fault, never more (LCM's own decoder ends the process: facts L7).
+/// Any message from its bytes. Malformed bytes give a fault, never more (LCM's own decoder ends the process:
+/// facts L7).
 ///
 ///   Decoder decoder;                                  // types of lcmtypes/
-///   MessageView message;                              // kept from one message to the next: no allocation while the shape stays
+///   MessageView message;                              // kept: no allocation while the shape stays
 ///   if (decoder.open(data, size, message) == Fault::kNone) {
-///     if (message.layout() != last) ...;              // another type, or other counts: choose fields anew (field_choice.h)
-///     for (const Field* field : chosen) row.push_back(message.number(*field));
+///     if (message.layout() != last) ...;              // another type or other counts: choose anew
+///     (field_choice.h) for (const Field* field : chosen) row.push_back(message.number(*field));
 ///   }
 #include <cstddef>
 #include <cstdint>
@@ -21,7 +22,8 @@
 
 namespace sprung::fields {
 
-/// A checked message. Looks at the bytes given to Decoder::open, which must stay as long as values are asked for.
+/// A checked message. Looks at the bytes given to Decoder::open, which must stay as long as values are asked
+/// for.
 class MessageView {
  public:
   /// nullptr before the first message. The same pointer as before: the same fields at the same indices.

@@ -1,5 +1,6 @@
 #pragma once
-/// Names of sprung's enumerations, found by the name that a message definition's comment gives ("sprung::LegPhase").
+/// Names of sprung's enumerations, found by the name that a message definition's comment gives
+/// ("sprung::LegPhase").
 #include <cstdint>
 #include <string_view>
 #include <vector>

@@ -1,6 +1,7 @@
 #pragma once
-/// Fields by pattern: "joints[3].gear_output_torque_Nm" one, "joints[*].gear_output_torque_Nm" or "joints.gear_output_torque_Nm" of
-/// every joint, "joints[3]" all of one joint, "joints[1].*torque*" with stars, "*" everything.
+/// Fields by pattern: "joints[3].gear_output_torque_Nm" one, "joints[*].gear_output_torque_Nm" or
+/// "joints.gear_output_torque_Nm" of every joint, "joints[3]" all of one joint, "joints[1].*torque*" with
+/// stars, "*" everything.
 #include <string_view>
 #include <vector>
 

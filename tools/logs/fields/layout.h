@@ -1,6 +1,7 @@
 #pragma once
-/// Where each field of one shape of a message lies. Messages of a type whose counts are the same share a shape; strings may be of any
-/// length: they cut the bytes into segments, and a field is found by its segment's begin and its offset in it.
+/// Where each field of one shape of a message lies. Messages of a type whose counts are the same share a
+/// shape; strings may be of any length: they cut the bytes into segments, and a field is found by its
+/// segment's begin and its offset in it.
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -61,12 +62,14 @@ struct Layout {
   int find(std::string_view path) const noexcept;
 };
 
-/// The layout of the message in `data`, which must hold it exactly, fingerprint first. Reads no byte beyond `size`.
+/// The layout of the message in `data`, which must hold it exactly, fingerprint first. Reads no byte beyond
+/// `size`.
 /// @return nullptr and a fault unless it is a message of `type`.
 std::shared_ptr<const Layout> build_layout(const StructType& type, const std::uint8_t* data, std::size_t size,
                                            Fault& fault);
 
-/// Big-endian integers of any width, sign extended (kByte and kBoolean: 0..255); the caller has checked that the bytes are there.
+/// Big-endian integers of any width, sign extended (kByte and kBoolean: 0..255); the caller has checked that
+/// the bytes are there.
 std::int64_t read_integer(Wire wire, const std::uint8_t* at) noexcept;
 
 }  // namespace sprung::fields

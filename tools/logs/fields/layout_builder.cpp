@@ -62,7 +62,8 @@ class Builder {
     return Fault::kNone;
   }
 
-  /// All elements of a member from `dimension` on. @param flat index of the element in the member's list so far.
+  /// All elements of a member from `dimension` on. @param flat index of the element in the member's list so
+  /// far.
   Fault elements(const Member& member, const Counts& counts, std::size_t dimension, const std::string& path,
                  std::size_t flat, int depth) {
     if (dimension == member.dimensions.size()) return element(member, path, flat, depth);
@@ -81,7 +82,8 @@ class Builder {
     return Fault::kNone;
   }
 
-  /// No more than the bytes can hold. An element of an outer dimension may be empty, but then not more of them than bytes either.
+  /// No more than the bytes can hold. An element of an outer dimension may be empty, but then not more of
+  /// them than bytes either.
   bool fits(const Member& member, std::size_t dimension, std::size_t count) const {
     if (dimension + 1 < member.dimensions.size()) return count <= size_;
     const std::size_t least = member.wire == Wire::kStruct   ? member.type->least_size

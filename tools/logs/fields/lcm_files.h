@@ -1,5 +1,6 @@
 #pragma once
-/// The texts of lcmtypes/*.lcm, built in; the list is made by tools/logs/fields/CMakeLists.txt from what lcm-gen is given.
+/// The texts of lcmtypes/*.lcm, built in; the list is made by tools/logs/fields/CMakeLists.txt from what
+/// lcm-gen is given.
 #include <string_view>
 #include <vector>
 

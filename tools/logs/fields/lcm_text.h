@@ -13,7 +13,8 @@ struct BadLcmText : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Structs in the order in which they stand. Types of other structs are not yet linked, hashes not yet computed: TypeTable does.
+/// Structs in the order in which they stand. Types of other structs are not yet linked, hashes not yet
+/// computed: TypeTable does.
 /// @throws BadLcmText with the line.
 std::vector<StructType> parse_lcm(std::string_view text);
 

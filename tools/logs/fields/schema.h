@@ -1,5 +1,6 @@
 #pragma once
-/// Message types as data: what an .lcm file says, with units and enumerations, so that tools read any message without its class.
+/// Message types as data: what an .lcm file says, with units and enumerations, so that tools read any message
+/// without its class.
 #include <cstddef>
 #include <cstdint>
 #include <string>

@@ -1,5 +1,6 @@
 #pragma once
-/// Message types by fingerprint and by name. Those of lcmtypes/ are built into the program from the very files that lcm-gen reads.
+/// Message types by fingerprint and by name. Those of lcmtypes/ are built into the program from the very
+/// files that lcm-gen reads.
 #include <cstdint>
 #include <deque>
 #include <string_view>
@@ -19,7 +20,8 @@ class TypeTable {
   /// Every type of lcmtypes/.
   static const TypeTable& sprung();
 
-  /// Adds the types of .lcm files that belong together, e.g. a user's own. A type that is known already is left out.
+  /// Adds the types of .lcm files that belong together, e.g. a user's own. A type that is known already is
+  /// left out.
   /// @throws BadLcmText on a text that is none, or names a type that neither it nor the table has.
   void add(const std::vector<std::string_view>& texts);
 

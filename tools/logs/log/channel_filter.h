@@ -1,6 +1,6 @@
 #pragma once
-/// Channels by pattern: "JOINT_STATE" is that one, "DRIVE_*" and "IM?" have stars and question marks, "/IMU|DRIVE_.*/" is a regular
-/// expression on the whole name. Pure.
+/// Channels by pattern: "JOINT_STATE" is that one, "DRIVE_*" and "IM?" have stars and question marks,
+/// "/IMU|DRIVE_.*/" is a regular expression on the whole name. Pure.
 #include <map>
 #include <string>
 #include <string_view>

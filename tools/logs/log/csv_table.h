@@ -1,9 +1,11 @@
 #pragma once
-/// A log as a table for pandas, PlotJuggler or a spreadsheet. Pure: events in, text out; the caller reads the log twice, since the
-/// heading must know every column: first survey() with each event, then header(), add() with each event, finish().
+/// A log as a table for pandas, PlotJuggler or a spreadsheet. Pure: events in, text out; the caller reads the
+/// log twice, since the heading must know every column: first survey() with each event, then header(), add()
+/// with each event, finish().
 ///
-/// A row is a cycle: what channels with one message a cycle say of cycle k stands in row k. Messages of other channels, and those before
-/// cycle 0, have rows of their own. Cells are empty where a row has no message of that channel.
+/// A row is a cycle: what channels with one message a cycle say of cycle k stands in row k. Messages of other
+/// channels, and those before cycle 0, have rows of their own. Cells are empty where a row has no message of
+/// that channel.
 #include <cstdint>
 #include <deque>
 #include <map>

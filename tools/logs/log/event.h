@@ -1,8 +1,8 @@
 #pragma once
 /// One message of an LCM log, and the bytes that stand before it in the file. Pure.
 ///
-/// On disk, all numbers big endian: sync word (4 bytes), number (8), time (8), length of the channel's name (4), length of the data (4),
-/// name, data. Nothing else is in the file: no header, no index, no checksum.
+/// On disk, all numbers big endian: sync word (4 bytes), number (8), time (8), length of the channel's name
+/// (4), length of the data (4), name, data. Nothing else is in the file: no header, no index, no checksum.
 #include <cstddef>
 #include <cstdint>
 #include <string_view>

@@ -1,5 +1,6 @@
 #pragma once
-/// Fields of a log as people name them: "JOINT_STATE.joints[2].gear_output_torque_Nm", with stars in channel and path, with joints by name
+/// Fields of a log as people name them: "JOINT_STATE.joints[2].gear_output_torque_Nm", with stars in channel
+/// and path, with joints by name
 /// ("joints[knee]"), or a channel alone for all its fields. Pure.
 #include <map>
 #include <memory>
@@ -16,7 +17,8 @@ namespace sprung::log {
 
 class FieldSelection {
  public:
-  /// @param texts empty: every field of every channel. @throws std::invalid_argument on a channel pattern that is none.
+  /// @param texts empty: every field of every channel. @throws std::invalid_argument on a channel pattern
+  /// that is none.
   explicit FieldSelection(const std::vector<std::string>& texts, std::vector<fields::ListNames> names = {});
 
   bool wants(std::string_view channel) { return !patterns_of(channel).empty(); }
@@ -41,7 +43,8 @@ class FieldSelection {
   std::map<std::string, std::vector<std::string>, std::less<>> by_channel_;
 };
 
-/// The chosen fields of one channel's messages, each with a number that belongs to its path: the same in every shape of the type.
+/// The chosen fields of one channel's messages, each with a number that belongs to its path: the same in
+/// every shape of the type.
 class ChosenFields {
  public:
   struct Column {
@@ -53,7 +56,8 @@ class ChosenFields {
     std::size_t column = 0;
   };
 
-  /// Of the message's shape; paths that are new get the next numbers unless columns are fixed: then they are left out.
+  /// Of the message's shape; paths that are new get the next numbers unless columns are fixed: then they are
+  /// left out.
   const std::vector<Chosen>& of(const fields::MessageView& message, std::string_view channel,
                                 FieldSelection& selection);
   const std::vector<Column>& columns() const noexcept { return columns_; }

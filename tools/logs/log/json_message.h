@@ -11,9 +11,9 @@
 
 namespace sprung::log {
 
-/// Appends messages as JSON objects: {"seq":7,"joints":[{"gear_output_torque_Nm":1.5, ...}, ...]}. Numbers so that reading them gives the same
-/// bits, truths as true and false, bytes as lists of numbers; what is not finite as null, since JSON has no NaN. Lists without elements
-/// are left out.
+/// Appends messages as JSON objects: {"seq":7,"joints":[{"gear_output_torque_Nm":1.5, ...}, ...]}. Numbers so
+/// that reading them gives the same bits, truths as true and false, bytes as lists of numbers; what is not
+/// finite as null, since JSON has no NaN. Lists without elements are left out.
 class JsonMessages {
  public:
   void append(const fields::MessageView& message, std::string& out);

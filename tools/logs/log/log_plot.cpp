@@ -164,7 +164,8 @@ std::size_t common_end(const std::vector<report::Series>& series) {
   return same == 0 || cut == std::string::npos ? 0 : cut + 1;
 }
 
-/// "JOINT_STATE.joints[hip].torque_Nm" and "...[knee]..." become "hip" and "knee" under "JOINT_STATE.joints[...].torque_Nm".
+/// "JOINT_STATE.joints[hip].torque_Nm" and "...[knee]..." become "hip" and "knee" under
+/// "JOINT_STATE.joints[...].torque_Nm".
 void shorten_names(report::Plot& plot) {
   if (plot.series.size() < 2) {
     plot.title = plot.series.front().name;

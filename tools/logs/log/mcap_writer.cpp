@@ -92,7 +92,8 @@ void McapWriter::add_attachment(std::uint64_t log_ns, const std::string& name, c
   ++attachment_count_;
 }
 
-/// @param offsets receives where each channel's index is, as a chunk index says it. @return bytes of all indices.
+/// @param offsets receives where each channel's index is, as a chunk index says it. @return bytes of all
+/// indices.
 std::uint64_t McapWriter::write_message_indices(Chunk& chunk, McapFields& offsets) {
   const std::uint64_t begin = position_;
   for (auto& [channel, entries] : chunk.index) {
@@ -106,7 +107,8 @@ std::uint64_t McapWriter::write_message_indices(Chunk& chunk, McapFields& offset
   return position_ - begin;
 }
 
-/// The chunk that is full goes to the packer, once the one before it is written: the order of records depends on nothing else.
+/// The chunk that is full goes to the packer, once the one before it is written: the order of records depends
+/// on nothing else.
 void McapWriter::close_chunk() {
   settle();
   if (filling_.messages == 0) return;

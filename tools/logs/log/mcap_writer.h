@@ -1,7 +1,8 @@
 #pragma once
-/// Writes MCAP files: schemas, channels, messages in chunks with an index, so that Foxglove and PlotJuggler open them and jump to any
-/// time; with checksums, so that they notice damage. Bytes go to a function, called by the caller's own thread; one chunk is compressed in another while the next one fills. The
-/// bytes are the same whichever is faster.
+/// Writes MCAP files: schemas, channels, messages in chunks with an index, so that Foxglove and PlotJuggler
+/// open them and jump to any time; with checksums, so that they notice damage. Bytes go to a function, called
+/// by the caller's own thread; one chunk is compressed in another while the next one fills. The bytes are the
+/// same whichever is faster.
 #include <cstdint>
 #include <functional>
 #include <map>

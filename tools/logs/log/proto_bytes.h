@@ -1,5 +1,6 @@
 #pragma once
-/// Protocol buffers' wire format (protobuf.dev/programming-guides/encoding), as far as MCAP files need it. Pure.
+/// Protocol buffers' wire format (protobuf.dev/programming-guides/encoding), as far as MCAP files need it.
+/// Pure.
 #include <cstddef>
 #include <cstdint>
 #include <string>

@@ -11,8 +11,8 @@
 
 namespace sprung::log {
 
-/// Every member is written, zeros too; lists without elements are left out. Numbers keep their bits, NaN too. In texts, bytes that are no UTF-8
-/// become U+FFFD, since readers refuse a message with such a text.
+/// Every member is written, zeros too; lists without elements are left out. Numbers keep their bits, NaN too.
+/// In texts, bytes that are no UTF-8 become U+FFFD, since readers refuse a message with such a text.
 class ProtoMessages {
  public:
   /// @param message what a Decoder made of `data`. @return valid until the next call.

@@ -53,7 +53,8 @@ std::string field_of(const fields::Member& member, std::size_t number) {
   return out;
 }
 
-/// Whose comment it is goes by numbers: the message 0 of the file, its field `index`. Each stands in a line of its own.
+/// Whose comment it is goes by numbers: the message 0 of the file, its field `index`. Each stands in a line
+/// of its own.
 std::string comment_of(const fields::Member& member, std::size_t index) {
   std::string path, span, out;
   for (const std::size_t step : {file::kMessage, std::size_t{0}, message::kField, index})

@@ -9,8 +9,8 @@
 
 namespace sprung::log {
 
-/// Numbered as FieldDescriptorProto.Type is (google/protobuf/descriptor.proto). Integers are of fixed width: quick to write and to read,
-/// and what zstd finds to repeat itself.
+/// Numbered as FieldDescriptorProto.Type is (google/protobuf/descriptor.proto). Integers are of fixed width:
+/// quick to write and to read, and what zstd finds to repeat itself.
 enum class ProtoType : std::uint8_t {
   kDouble = 1,
   kFloat = 2,

@@ -87,7 +87,8 @@ void Reader::refill(std::size_t bytes) {
   base_ += begin_;
   end_ -= begin_;
   begin_ = 0;
-  // Twice as much: else damage that claims long events again and again would have all of them moved for each few bytes.
+  // Twice as much: else damage that claims long events again and again would have all of them moved for each
+  // few bytes.
   if (buffer_.size() < 2 * bytes) buffer_.resize(2 * bytes);
   while (end_ < bytes && !at_end_) {
     const ssize_t got = read(file_, buffer_.data() + end_, buffer_.size() - end_);

@@ -1,13 +1,14 @@
 #pragma once
-/// Reads an LCM log from its first byte to its last, in a small buffer however long the file is. Shell: reads a file.
+/// Reads an LCM log from its first byte to its last, in a small buffer however long the file is. Shell: reads
+/// a file.
 ///
 ///   log::Reader reader("jump.lcm");
 ///   for (log::Event event; reader.next(event);) use(event.channel, event.data, event.size);
 ///   if (!reader.damages().empty()) complain(reader.skipped_bytes());
 ///
-/// LCM's own reader ends at the first damage. This one goes on at the next sync word and says what it left out. An event counts as whole
-/// when another one or the end of the file follows it at once: the event in which a damage begins ends inside it, so that its data cannot
-/// be trusted.
+/// LCM's own reader ends at the first damage. This one goes on at the next sync word and says what it left
+/// out. An event counts as whole when another one or the end of the file follows it at once: the event in
+/// which a damage begins ends inside it, so that its data cannot be trusted.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -29,20 +30,23 @@ struct Damage {
 };
 
 struct ReaderOptions {
-  /// How much is read at once; grows to hold the largest event. This stays in a processor's own cache; a replay with 4 MB took more processor time.
+  /// How much is read at once; grows to hold the largest event. This stays in a processor's own cache; a
+  /// replay with 4 MB took more processor time.
   std::size_t buffer_bytes = std::size_t{128} << 10;
   std::size_t largest_event = std::size_t{64} << 20;  ///< data of an event; more counts as damage
 };
 
 class Reader {
  public:
-  /// @throws std::runtime_error where the file cannot be opened, naming it. A file that is no log at all is all damage.
+  /// @throws std::runtime_error where the file cannot be opened, naming it. A file that is no log at all is
+  /// all damage.
   explicit Reader(const std::string& path, const ReaderOptions& options = {});
   ~Reader();
   Reader(const Reader&) = delete;
   Reader& operator=(const Reader&) = delete;
 
-  /// The next event in the order of the file. @return false at the end. @throws std::runtime_error where the disk fails.
+  /// The next event in the order of the file. @return false at the end. @throws std::runtime_error where the
+  /// disk fails.
   bool next(Event& event);
 
   /// Back to the first event; what was found damaged is forgotten.
@@ -89,7 +93,8 @@ class Reader {
   std::uint64_t skipped_bytes_ = 0;
 };
 
-/// Whether the file begins like an LCM log; an empty file does. @throws std::runtime_error where it cannot be read.
+/// Whether the file begins like an LCM log; an empty file does. @throws std::runtime_error where it cannot be
+/// read.
 bool begins_like_a_log(const std::string& path);
 
 }  // namespace sprung::log

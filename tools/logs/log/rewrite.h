@@ -1,6 +1,7 @@
 #pragma once
-/// New logs out of old ones: a part of one, several in one, what can be saved of a damaged one. Events keep their times and bytes, and get
-/// new numbers. LOG_METADATA always comes along; LOG_END, which counts the events of the old file, never. Shell: reads and writes files.
+/// New logs out of old ones: a part of one, several in one, what can be saved of a damaged one. Events keep
+/// their times and bytes, and get new numbers. LOG_METADATA always comes along; LOG_END, which counts the
+/// events of the old file, never. Shell: reads and writes files.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -30,7 +31,8 @@ void refuse_same_file(const std::vector<std::string>& logs, const std::string& o
 RewriteResult copy_part(Reader& reader, const TimeSpan& span, ChannelFilter& filter, Writer& writer,
                         const Progress& progress = {});
 
-/// All events in the order in which they were received; those of one log stay in their order. Each log is read as a stream.
+/// All events in the order in which they were received; those of one log stay in their order. Each log is
+/// read as a stream.
 RewriteResult merge(const std::vector<std::string>& logs, Writer& writer, const Progress& progress = {});
 
 /// Whole events; those of known types only if they can be decoded.

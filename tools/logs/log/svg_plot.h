@@ -15,7 +15,8 @@ struct SvgSize {
 /// How high a picture of so many plots gets.
 int svg_height(const SvgSize& size, std::size_t plots) noexcept;
 
-/// Lines, shades and their names, axes with units, a legend. Bands, markers, clouds and equal axes are left out: logs have none.
+/// Lines, shades and their names, axes with units, a legend. Bands, markers, clouds and equal axes are left
+/// out: logs have none.
 std::string to_svg(const std::string& title, const std::vector<report::Plot>& plots,
                    const SvgSize& size = {});
 

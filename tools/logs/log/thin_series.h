@@ -1,5 +1,6 @@
 #pragma once
-/// A curve of any length in bounded memory, for pictures: stretches of equally many samples, each with its lowest and its highest. Pure.
+/// A curve of any length in bounded memory, for pictures: stretches of equally many samples, each with its
+/// lowest and its highest. Pure.
 #include <cstddef>
 #include <vector>
 
@@ -10,7 +11,8 @@ class ThinSeries {
   static constexpr std::size_t kMostStretches = 8192;  // a picture is 1000 to 4000 pixels wide
 
   void add(double x, double y);
-  /// In the order in which they were added; a NaN of y is a gap. Up to kMostStretches samples come back as they were.
+  /// In the order in which they were added; a NaN of y is a gap. Up to kMostStretches samples come back as
+  /// they were.
   std::vector<double> x() const;
   std::vector<double> y() const;
   bool empty() const noexcept { return stretches_.empty(); }

@@ -1,6 +1,7 @@
 #pragma once
-/// A stretch of a log as people write it: from and to, each in seconds since the log's begin ("12.5"), before its end ("-5"), or as
-/// a time of day ("2026-11-21T20:00:00.25Z", UTC) or a unix time ("@1795291200.25"). Pure.
+/// A stretch of a log as people write it: from and to, each in seconds since the log's begin ("12.5"), before
+/// its end ("-5"), or as a time of day ("2026-11-21T20:00:00.25Z", UTC) or a unix time ("@1795291200.25").
+/// Pure.
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -33,10 +34,12 @@ struct TimeSpan {
   bool everything() const noexcept { return !from && !to; }
 };
 
-/// @param from, to "" = nothing. @throws std::invalid_argument as parse_time, and where `to` surely comes before `from`.
+/// @param from, to "" = nothing. @throws std::invalid_argument as parse_time, and where `to` surely comes
+/// before `from`.
 TimeSpan parse_span(const std::string& from, const std::string& to);
 
-/// The span on the log's own scale: an absolute time counts by when messages were received, all others by the robot's time.
+/// The span on the log's own scale: an absolute time counts by when messages were received, all others by the
+/// robot's time.
 class SpanTest {
  public:
   SpanTest(const TimeSpan& span, const LogExtent& extent) noexcept;

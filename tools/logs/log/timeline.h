@@ -1,9 +1,10 @@
 #pragma once
 /// The robot's time through a log, in seconds since its first event other than LOG_METADATA. Pure.
 ///
-/// An event's own time is when it was received: with the network's jitter, and in lock-step whatever the computer took. So messages of
-/// channels with one message a cycle count by their stamp, each session joined to the one before where it was first received, and what
-/// comes between them by how much later it was received.
+/// An event's own time is when it was received: with the network's jitter, and in lock-step whatever the
+/// computer took. So messages of channels with one message a cycle count by their stamp, each session joined
+/// to the one before where it was first received, and what comes between them by how much later it was
+/// received.
 #include <cstdint>
 #include <optional>
 

@@ -16,8 +16,8 @@ namespace sprung::log {
 /// A write that failed; its text names the file and the cause.
 struct WriteError : std::runtime_error {
   WriteError(const std::string& text, bool full) : std::runtime_error(text), disk_full(full) {}
-  bool
-      disk_full;  ///< no room, or over a quota: what is still in the buffer is not lost, flush() may be tried again
+  bool disk_full;  ///< no room, or over a quota: what is still in the buffer is not lost, flush() may be
+                   ///< tried again
 };
 
 class Writer {
@@ -31,8 +31,8 @@ class Writer {
   Writer& operator=(const Writer&) = delete;
 
   /// Numbers the events itself, from 0. @param channel 1 to 999 bytes.
-  /// @throws WriteError where a full buffer cannot be written (the event was not taken: call again, or give up), std::invalid_argument on a
-  /// channel or a size that the format cannot hold.
+  /// @throws WriteError where a full buffer cannot be written (the event was not taken: call again, or give
+  /// up), std::invalid_argument on a channel or a size that the format cannot hold.
   void write(std::int64_t time_us, std::string_view channel, const void* data, std::size_t size);
   /// The same event under a number of this file.
   void write(const Event& event) { write(event.time_us, event.channel, event.data, event.size); }

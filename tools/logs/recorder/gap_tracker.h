@@ -9,10 +9,12 @@
 
 namespace sprung {
 
-/// Whether the channel has one message each cycle, as long as its sender keeps up; of the others a missing one cannot be told.
+/// Whether the channel has one message each cycle, as long as its sender keeps up; of the others a missing
+/// one cannot be told.
 bool has_every_cycle(std::string_view channel) noexcept;
 
-/// Two thousand years of 500 Hz. A message that names a later cycle is damaged; sums of gaps up to here do not overflow.
+/// Two thousand years of 500 Hz. A message that names a later cycle is damaged; sums of gaps up to here do
+/// not overflow.
 inline constexpr std::int64_t kLastCycle = std::int64_t{1} << 45;
 
 struct GapCounts {
@@ -27,7 +29,8 @@ struct GapCounts {
 /// The cycles of one channel, in the order in which its messages came.
 class GapTracker {
  public:
-  /// @param seq of the message; -1 is before cycle 0 and counts as a message only, as does one that no robot can reach (damage).
+  /// @param seq of the message; -1 is before cycle 0 and counts as a message only, as does one that no robot
+  /// can reach (damage).
   /// @return how many cycles are missing that were not before this message: 0 nearly always.
   std::int64_t add(std::int64_t seq) noexcept;
   const GapCounts& counts() const noexcept { return counts_; }
@@ -44,7 +47,8 @@ class GapTracker {
   GapCounts counts_;
 };
 
-/// The same where messages of several sessions may be on the channel: logs that were joined, two robots. Each has cycles of its own.
+/// The same where messages of several sessions may be on the channel: logs that were joined, two robots. Each
+/// has cycles of its own.
 class SessionGapTracker {
  public:
   std::int64_t add(std::int64_t session, std::int64_t seq) { return sessions_[session].add(seq); }

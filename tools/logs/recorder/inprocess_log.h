@@ -1,6 +1,6 @@
 #pragma once
-/// The log of a robot in this process, as the recorder would have written it: the same messages, each cycle in the order in which they
-/// are made. Shell: writes a file.
+/// The log of a robot in this process, as the recorder would have written it: the same messages, each cycle
+/// in the order in which they are made. Shell: writes a file.
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -32,8 +32,8 @@ class InProcessLog : public InProcessObserver {
   Recording recording_;
 };
 
-/// One log for each robot that is made: FOLDER/ROBOT-000.lcm, -001, ...; makes the folder. Where robots run in several threads, their
-/// numbers are in no order.
+/// One log for each robot that is made: FOLDER/ROBOT-000.lcm, -001, ...; makes the folder. Where robots run
+/// in several threads, their numbers are in no order.
 InProcessRobot::ObserverSource logs_into(const std::string& folder, const std::string& command_line);
 
 }  // namespace sprung

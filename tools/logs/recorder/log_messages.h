@@ -1,6 +1,6 @@
 #pragma once
-/// The first and the last message of a log file: LOG_METADATA and LOG_END. Their bytes come from a file that anyone may have made,
-/// so they are checked before LCM's decoder sees them.
+/// The first and the last message of a log file: LOG_METADATA and LOG_END. Their bytes come from a file that
+/// anyone may have made, so they are checked before LCM's decoder sees them.
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -12,7 +12,8 @@
 
 namespace sprung {
 
-/// Why a log file ends. A file without LOG_END was cut off: its recorder was killed, or the machine went down.
+/// Why a log file ends. A file without LOG_END was cut off: its recorder was killed, or the machine went
+/// down.
 enum class LogEndReason : std::int8_t {
   kAsked = 0,       ///< by the operator or the launcher
   kContinued = 1,   ///< the recording goes on in the next part

@@ -1,6 +1,6 @@
 #pragma once
-/// Received messages on their way from the thread that receives to the one that writes. Unlimited, unless a limit is given: a disk that is
-/// slow for a while loses nothing. push() in one thread, take() in another.
+/// Received messages on their way from the thread that receives to the one that writes. Unlimited, unless a
+/// limit is given: a disk that is slow for a while loses nothing. push() in one thread, take() in another.
 #include <cstddef>
 #include <cstdint>
 #include <mutex>
@@ -37,7 +37,8 @@ class MessageQueue {
   };
 
   MessageQueue() = default;
-  /// @param most_bytes that wait at once; what comes while there are so many is left out, and counted. For who only looks.
+  /// @param most_bytes that wait at once; what comes while there are so many is left out, and counted. For
+  /// who only looks.
   explicit MessageQueue(std::size_t most_bytes) : most_bytes_(most_bytes) {}
 
   void push(std::int64_t time_us, std::string_view channel, const void* data, std::size_t size) {

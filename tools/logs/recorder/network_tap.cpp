@@ -9,7 +9,8 @@ namespace sprung {
 
 namespace {
 
-/// LCM: no limit. Its default of 30 messages over all channels is why lcm-logger loses some under load (facts/lcm.md L13).
+/// LCM: no limit. Its default of 30 messages over all channels is why lcm-logger loses some under load
+/// (facts/lcm.md L13).
 constexpr int kUnlimited = 0;
 
 }  // namespace

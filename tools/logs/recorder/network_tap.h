@@ -1,5 +1,6 @@
 #pragma once
-/// Takes every message off an LCM network in a thread of its own, as fast as they come, whatever the writer does.
+/// Takes every message off an LCM network in a thread of its own, as fast as they come, whatever the writer
+/// does.
 #include <lcm/lcm.h>
 
 #include <memory>
@@ -13,7 +14,8 @@ namespace sprung {
 
 class NetworkTap {
  public:
-  /// Receives from now on. @param channels regular expression, as LCM's own subscriptions. @param queue outlives the tap.
+  /// Receives from now on. @param channels regular expression, as LCM's own subscriptions. @param queue
+  /// outlives the tap.
   /// @throws std::runtime_error when LCM cannot start or does not take the expression.
   NetworkTap(const std::string& lcm_url, const std::string& channels, MessageQueue& queue);
   ~NetworkTap();

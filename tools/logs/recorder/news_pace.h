@@ -1,6 +1,6 @@
 #pragma once
-/// How often the recorder says what went missing: at once, then ever more seldom while it goes on, so that a busy machine does not
-/// bury all other lines. Pure.
+/// How often the recorder says what went missing: at once, then ever more seldom while it goes on, so that a
+/// busy machine does not bury all other lines. Pure.
 #include <algorithm>
 #include <cstdint>
 

@@ -17,15 +17,18 @@
 namespace sprung {
 namespace {
 
-/// How long messages are gathered before they are written: few large turns cost less than one for each message.
+/// How long messages are gathered before they are written: few large turns cost less than one for each
+/// message.
 constexpr int kTurn_ms = 20;
 /// What was written is handed to the kernel, and the disk looked at, this often.
 constexpr std::int64_t kTick_us = 100'000;
-/// Ahead of all that is not in real time: the kernel holds what is not taken for about a second, then it is lost.
+/// Ahead of all that is not in real time: the kernel holds what is not taken for about a second, then it is
+/// lost.
 constexpr int kNice = -15;
-/// Where the launcher died: how long the others may be silent, and how long the recorder outlives them at most.
-constexpr std::int64_t kQuiet_us =
-    3'000'000;  // in lock-step the bridge waits a second for a command and another for its drives, and says nothing
+/// Where the launcher died: how long the others may be silent, and how long the recorder outlives them at
+/// most.
+constexpr std::int64_t kQuiet_us = 3'000'000;  // in lock-step the bridge waits a second for a command and
+                                               // another for its drives, and says nothing
 constexpr std::int64_t kLongestLife_us = 8'000'000;
 
 struct RecorderOptions {
@@ -105,7 +108,8 @@ class Recorder {
     if (!news.empty()) log_warn(news);
   }
 
-  /// The signal of its death comes when its first thread ends; as long as another is left, it still counts as the parent.
+  /// The signal of its death comes when its first thread ends; as long as another is left, it still counts as
+  /// the parent.
   bool launcher_died() {
     constexpr int kTurns = 15;
     for (int i = 0; i < kTurns && getppid() == launcher_; ++i) {
@@ -115,7 +119,8 @@ class Recorder {
     return getppid() != launcher_;
   }
 
-  /// All were told to end at once. The bridge brings its drives to rest first, and what it says belongs in the log.
+  /// All were told to end at once. The bridge brings its drives to rest first, and what it says belongs in
+  /// the log.
   void outlive_the_others() {
     const std::int64_t began_us = process_.node().utime_us();
     std::int64_t heard_us = began_us, now_us = began_us;

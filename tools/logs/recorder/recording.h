@@ -1,6 +1,7 @@
 #pragma once
-/// A recording: one LCM log, or several in a row, each with LOG_METADATA first and LOG_END last. Ends by itself before the disk is
-/// full. Writes files; the free space comes from a function, so that it can be tested.
+/// A recording: one LCM log, or several in a row, each with LOG_METADATA first and LOG_END last. Ends by
+/// itself before the disk is full. Writes files; the free space comes from a function, so that it can be
+/// tested.
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -30,7 +31,8 @@ struct RecordingOptions {
 /// Name of a part's file.
 std::string part_path(const RecordingOptions& options, int part);
 
-/// Free bytes of the disk that a path is on, for who is not root; the path itself need not be there, its folder must. @throws std::runtime_error when it cannot be asked.
+/// Free bytes of the disk that a path is on, for who is not root; the path itself need not be there, its
+/// folder must. @throws std::runtime_error when it cannot be asked.
 std::uint64_t free_disk_bytes(const std::string& path);
 
 class Recording {
@@ -38,8 +40,8 @@ class Recording {
   using FreeBytes = std::function<std::uint64_t(const std::string& path)>;
 
   /// Begins the first part. @param metadata of every part; `part` is filled in here.
-  /// @throws log::WriteError where the file cannot be made; std::runtime_error when the disk has too little room already, or the file is
-  /// there and shall be kept: then no file was touched.
+  /// @throws log::WriteError where the file cannot be made; std::runtime_error when the disk has too little
+  /// room already, or the file is there and shall be kept: then no file was touched.
   Recording(const RecordingOptions& options, const sprung_msgs::log_metadata_t& metadata,
             FreeBytes free_bytes = free_disk_bytes);
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Batches on their way from one thread to another, in order. Each has a place that is used again, with the memory that it has by then, and
-/// there are never more than those places. One thread writes, one reads.
+/// Batches on their way from one thread to another, in order. Each has a place that is used again, with the
+/// memory that it has by then, and there are never more than those places. One thread writes, one reads.
 ///
 ///   writer: while (Batch* batch = ring.place()) { fill(*batch); ring.hand_over(); }  ring.close();
 ///   reader: while (Batch* batch = ring.front()) { use(*batch); ring.give_back(); }
@@ -22,7 +22,8 @@ class BatchRing {
   BatchRing(const BatchRing&) = delete;
   BatchRing& operator=(const BatchRing&) = delete;
 
-  /// Writer: the place of the next batch, as the reader left it; waits for one. @return nullptr: the reader wants no more.
+  /// Writer: the place of the next batch, as the reader left it; waits for one. @return nullptr: the reader
+  /// wants no more.
   Batch* place() {
     std::unique_lock<std::mutex> lock(mutex_);
     writer_waits_.wait(lock, [&] { return stopped_ || written_ - read_ < batches_.size(); });
@@ -32,12 +33,14 @@ class BatchRing {
   void hand_over() {
     change([&] { ++written_; }, reader_waits_);
   }
-  /// Writer: nothing comes any more. @param error why, where it is not the end: the reader gets it behind the last batch.
+  /// Writer: nothing comes any more. @param error why, where it is not the end: the reader gets it behind the
+  /// last batch.
   void close(std::exception_ptr error = nullptr) {
     change([&] { closed_ = true, error_ = std::move(error); }, reader_waits_);
   }
 
-  /// Reader: the oldest batch that was not given back; waits for one. @return nullptr: that was all. @throws what the writer closed with.
+  /// Reader: the oldest batch that was not given back; waits for one. @return nullptr: that was all. @throws
+  /// what the writer closed with.
   Batch* front() {
     std::unique_lock<std::mutex> lock(mutex_);
     reader_waits_.wait(lock, [&] { return closed_ || read_ < written_; });

@@ -1,6 +1,7 @@
 #pragma once
-/// Planner and leg controller on what a log says that they were given, after the estimator (estimator_replay.h), and whether all of them
-/// say what the log says that they said. Pure: cycles in, differences out. The same binary gives the same bits.
+/// Planner and leg controller on what a log says that they were given, after the estimator
+/// (estimator_replay.h), and whether all of them say what the log says that they said. Pure: cycles in,
+/// differences out. The same binary gives the same bits.
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -14,13 +15,15 @@
 
 namespace sprung {
 
-/// Which cores run. A core that runs gives its output to the next; what the others said is taken from the log.
+/// Which cores run. A core that runs gives its output to the next; what the others said is taken from the
+/// log.
 struct CoreChoice {
   std::array<bool, kCores> runs{true, true, true};
   bool operator[](Core core) const noexcept { return runs[static_cast<std::size_t>(core)]; }
 };
 const char* name(Core core) noexcept;  ///< "estimator", "planner", "controller"
-/// @param words of "estimator,planner,controller", in any order. @throws std::invalid_argument on another word, or none.
+/// @param words of "estimator,planner,controller", in any order. @throws std::invalid_argument on another
+/// word, or none.
 CoreChoice core_choice(const std::string& words);
 
 /// One message, as it is in the log and as the cores make it now; both with the log's session.
@@ -47,7 +50,8 @@ class CoreReplay {
  public:
   using Use = std::function<void(const MessagePair&)>;
 
-  /// @param preset of `robot`. @param watchdogs that the processes had. @throws std::invalid_argument as the cores do.
+  /// @param preset of `robot`. @param watchdogs that the processes had. @throws std::invalid_argument as the
+  /// cores do.
   CoreReplay(const RobotConfig& robot, const std::string& preset, const WatchdogConfig& watchdogs,
              const CoreChoice& choice);
   ~CoreReplay();
@@ -58,7 +62,8 @@ class CoreReplay {
   void on_output(Use use);           ///< gets every message that a core made
   void compare_from(double time_s);  ///< earlier cycles run, but are not compared; at first: all are
 
-  /// Cycles in ascending order. @param estimated of this cycle; its joint state is taken, and another one of that size left.
+  /// Cycles in ascending order. @param estimated of this cycle; its joint state is taken, and another one of
+  /// that size left.
   /// @throws std::runtime_error on messages of another robot, or of another version of their type.
   void step(const LoggedCycle& cycle, EstimatedCycle& estimated);
   const ReplayCounts& counts() const noexcept;

@@ -9,7 +9,8 @@ namespace {
 constexpr std::int64_t kProgressEvents = 20'000;
 /// Some 0.3 ms of work: longer than waking a thread takes.
 constexpr std::size_t kCyclesOfBatch = 32;
-/// Enough for one thread to go on while the other is held up a little; more would only leave the processor's caches.
+/// Enough for one thread to go on while the other is held up a little; more would only leave the processor's
+/// caches.
 constexpr std::size_t kBatches = 8;
 
 CycleBatch empty_batch(const RobotConfig& robot) {

@@ -1,6 +1,7 @@
 #pragma once
-/// A log's cycles with their joint states, made ahead in a thread of its own: file, grouping by cycle and estimator are there while the
-/// caller works on the cycles before. What comes, and in which order, does not depend on the threads. Shell: reads a file.
+/// A log's cycles with their joint states, made ahead in a thread of its own: file, grouping by cycle and
+/// estimator are there while the caller works on the cycles before. What comes, and in which order, does not
+/// depend on the threads. Shell: reads a file.
 ///
 ///   CycleFeed feed(path, to_s, robot, estimator);
 ///   while (CycleBatch* batch = feed.next()) use(*batch);
@@ -38,8 +39,8 @@ class CycleFeed {
   CycleFeed(const CycleFeed&) = delete;
   CycleFeed& operator=(const CycleFeed&) = delete;
 
-  /// The next cycles; those before are gone. @return nullptr at the end. @throws what reading or the estimator threw, after the cycles
-  /// before it: as if they were made only now.
+  /// The next cycles; those before are gone. @return nullptr at the end. @throws what reading or the
+  /// estimator threw, after the cycles before it: as if they were made only now.
   CycleBatch* next();
 
   std::uint64_t file_bytes() const noexcept { return reader_.file_bytes(); }

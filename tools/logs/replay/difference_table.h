@@ -1,5 +1,6 @@
 #pragma once
-/// Differences of many pairs of messages, by channel and field: how many, the first, the largest, and their course. Pure.
+/// Differences of many pairs of messages, by channel and field: how many, the first, the largest, and their
+/// course. Pure.
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -35,7 +36,8 @@ struct FieldCourse {
 
 class DifferenceTable {
  public:
-  /// @param keep_course for plots; each field keeps at most about 4000 points: then every second is dropped, and so on.
+  /// @param keep_course for plots; each field keeps at most about 4000 points: then every second is dropped,
+  /// and so on.
   explicit DifferenceTable(bool keep_course = false) : keep_course_(keep_course) {}
 
   void add(const std::string& channel, std::int64_t seq, double time_s,

@@ -1,6 +1,7 @@
 #pragma once
-/// What planner and controller begin with in a cycle of a log: the joint state, as the estimator makes it from the log's samples, or as the
-/// log has it. Pure. A stage of its own before CoreReplay, of which it needs nothing: it may be cycles ahead, in another thread.
+/// What planner and controller begin with in a cycle of a log: the joint state, as the estimator makes it
+/// from the log's samples, or as the log has it. Pure. A stage of its own before CoreReplay, of which it
+/// needs nothing: it may be cycles ahead, in another thread.
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -29,14 +30,16 @@ struct EstimatedCycle {
 
 class EstimatorReplay {
  public:
-  /// @param preset of `robot`. @param runs false: the joint state is the log's. @throws std::invalid_argument as the core does.
+  /// @param preset of `robot`. @param runs false: the joint state is the log's. @throws std::invalid_argument
+  /// as the core does.
   EstimatorReplay(const RobotConfig& robot, const std::string& preset, const WatchdogConfig& watchdogs,
                   bool runs);
   ~EstimatorReplay();
   EstimatorReplay(const EstimatorReplay&) = delete;
   EstimatorReplay& operator=(const EstimatorReplay&) = delete;
 
-  /// Cycles in ascending order. @throws std::runtime_error on messages of another robot, or of another version of their type.
+  /// Cycles in ascending order. @throws std::runtime_error on messages of another robot, or of another
+  /// version of their type.
   void step(const LoggedCycle& cycle, EstimatedCycle& out);
 
  private:

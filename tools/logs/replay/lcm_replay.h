@@ -28,13 +28,14 @@ struct LcmReplayResult {
       not_renamed;  ///< OLD of remaps that no message had, where the log was sent to its end
 };
 
-/// Called before each step: before each DRIVE_STATE, or, where none is sent, before each message of the first channel that has one each
-/// cycle, or else of the first channel.
+/// Called before each step: before each DRIVE_STATE, or, where none is sent, before each message of the first
+/// channel that has one each cycle, or else of the first channel.
 /// @param time_s robot's time. @return false: end.
 using StepGate = std::function<bool(double time_s)>;
 
 /// Ends at the end of the log, or with a stop request. @param gate empty: no steps.
-/// @throws std::invalid_argument on a wrong pattern or remap, std::runtime_error where the log or LCM cannot be opened.
+/// @throws std::invalid_argument on a wrong pattern or remap, std::runtime_error where the log or LCM cannot
+/// be opened.
 LcmReplayResult replay_to_lcm(const LcmReplayRequest& request, const StepGate& gate = {});
 
 }  // namespace sprung

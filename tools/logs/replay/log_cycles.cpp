@@ -202,7 +202,8 @@ void LogCycles::add_command(const log::Event& event) {
       {request, command.apply_at_seq, of_cycles ? newest_leg_command_ + 1 : 0, bytes_of(event)});
 }
 
-/// A reply that is not the planner core's own ("queued", "too many wait") comes from its shell, under a short name.
+/// A reply that is not the planner core's own ("queued", "too many wait") comes from its shell, under a short
+/// name.
 void LogCycles::add_reply(const log::Event& event) {
   sprung_msgs::operator_reply_t reply;
   if (!decode(event, reply) || reply.from != kPlanner) return;
@@ -216,8 +217,8 @@ void LogCycles::add_reply(const log::Event& event) {
   if (!repeated) cycle->replies.push_back(bytes);
 }
 
-/// Commands whose cycle a reply names come in that cycle; the others where they stand in the log: the planner itself makes them wait for
-/// their cycle.
+/// Commands whose cycle a reply names come in that cycle; the others where they stand in the log: the planner
+/// itself makes them wait for their cycle.
 void LogCycles::give_commands(LoggedCycle& cycle) {
   if (cycle.leg_command.empty() && cycle.motion_state.empty()) return;
   const auto due = [&](const WaitingCommand& command) {

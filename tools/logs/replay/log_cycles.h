@@ -1,6 +1,6 @@
 #pragma once
-/// A log, cycle by cycle: what belongs to one cycle comes together, however its messages were mixed in the file. Pure: events in,
-/// cycles out. Keeps a window of cycles, so a log of any length needs little memory.
+/// A log, cycle by cycle: what belongs to one cycle comes together, however its messages were mixed in the
+/// file. Pure: events in, cycles out. Keeps a window of cycles, so a log of any length needs little memory.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -44,16 +44,17 @@ struct LoggedCycle {
 
 /// What the log itself lacks, for the one who reads the result.
 struct LogFlaws {
-  std::int64_t late = 0;     ///< messages of cycles that were done with
-  std::int64_t foreign = 0;  ///< too short for a message of ours, or of a cycle that cannot be
-  std::int64_t unanswered =
-      0;  ///< operator's commands of whose cycle the log says nothing: they take effect where they stand in the log
+  std::int64_t late = 0;        ///< messages of cycles that were done with
+  std::int64_t foreign = 0;     ///< too short for a message of ours, or of a cycle that cannot be
+  std::int64_t unanswered = 0;  ///< operator's commands of whose cycle the log says nothing: they take effect
+                                ///< where they stand in the log
 };
 
 class LogCycles {
  public:
   using Use = std::function<void(LoggedCycle&)>;
-  /// @param use gets each cycle once, in order of seq within one run of the bridge; may keep it by leaving another one, whose memory is used.
+  /// @param use gets each cycle once, in order of seq within one run of the bridge; may keep it by leaving
+  /// another one, whose memory is used.
   explicit LogCycles(Use use);
 
   /// @param time_s robot's time of the event since the begin of the log (tools/logs/log/timeline.h).

@@ -1,5 +1,6 @@
 #pragma once
-/// Two logs beside each other: messages of one cycle on one channel belong together. Reads files, both as streams.
+/// Two logs beside each other: messages of one cycle on one channel belong together. Reads files, both as
+/// streams.
 #include <cstdint>
 #include <limits>
 #include <map>

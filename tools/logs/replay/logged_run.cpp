@@ -92,7 +92,8 @@ ReplayRobot replay_robot(const LoggedRun& run, const std::string& robot, const s
                : run.metadata  ? run.metadata->preset
                                : preset_by_hash(run, out.robot, file);
   (void)out.robot.preset(out.preset);
-  // A log of lcm-logger does not say whether the drives were simulated. In real time they nearly always are where that matters.
+  // A log of lcm-logger does not say whether the drives were simulated. In real time they nearly always are
+  // where that matters.
   const bool simulated = run.metadata ? run.metadata->simulation != 0 : true;
   out.watchdogs = simulated && run.clock == "realtime" ? out.robot.simulation_watchdogs : out.robot.watchdogs;
   out.source = (!robot.empty() ? robot

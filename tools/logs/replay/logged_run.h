@@ -1,5 +1,6 @@
 #pragma once
-/// What a log is of: robot, preset and clock, from LOG_METADATA, or from what PROCESS_STATUS says where lcm-logger made the log. Reads files.
+/// What a log is of: robot, preset and clock, from LOG_METADATA, or from what PROCESS_STATUS says where
+/// lcm-logger made the log. Reads files.
 #include <optional>
 #include <string>
 
@@ -27,8 +28,10 @@ struct ReplayRobot {
   std::string source;  ///< for people: where robot and preset come from
 };
 
-/// @param robot folder, name or robot.yaml that takes the place of the log's own; empty = the log's own, as LOG_METADATA holds it.
-/// @param preset takes the place of the log's own; empty = the log's own, or the one of the hash in PROCESS_STATUS.
+/// @param robot folder, name or robot.yaml that takes the place of the log's own; empty = the log's own, as
+/// LOG_METADATA holds it.
+/// @param preset takes the place of the log's own; empty = the log's own, or the one of the hash in
+/// PROCESS_STATUS.
 /// @throws std::runtime_error saying what to add to the command, ConfigError on a bad robot file.
 ReplayRobot replay_robot(const LoggedRun& run, const std::string& robot, const std::string& preset);
 

@@ -19,7 +19,8 @@ class MessageSlot {
         guard_(channel, layout_of<MessageOf<Signal>>(), limits, 0),
         value(std::move(prototype)) {}
 
-  /// @return false where the log has none. @throws std::runtime_error where it is not this robot's, or of another version.
+  /// @return false where the log has none. @throws std::runtime_error where it is not this robot's, or of
+  /// another version.
   bool read(const Bytes& bytes) {
     if (bytes.empty()) return false;
     const bool good = guard_.decode(bytes.data(), bytes.size(), message_) == Refusal::kNone &&

@@ -13,8 +13,8 @@ class ReplayPace {
   /// @param speed times real time; 0 = as fast as it goes.
   explicit ReplayPace(double speed) noexcept : speed_(speed) {}
 
-  /// @param time_s of the event in the log. @param now_us wall time. @return wall time at which it is due. The first event is due now,
-  /// and so is one that comes after begin_again().
+  /// @param time_s of the event in the log. @param now_us wall time. @return wall time at which it is due.
+  /// The first event is due now, and so is one that comes after begin_again().
   std::int64_t due_us(double time_s, std::int64_t now_us) noexcept;
   void begin_again() noexcept { begun_ = false; }
 

@@ -17,7 +17,8 @@ namespace sprung {
 
 namespace {
 
-/// The log of what the cores say now. Begins with LOG_METADATA, as every log does: of the robot that they have.
+/// The log of what the cores say now. Begins with LOG_METADATA, as every log does: of the robot that they
+/// have.
 class OutputLog {
  public:
   /// @throws std::invalid_argument where it would take the place of the log that is read.

@@ -1,5 +1,6 @@
 #pragma once
-/// `sprung replay LOG --into CORES`: a log through the cores as fast as it goes. Reads files, and writes one where asked.
+/// `sprung replay LOG --into CORES`: a log through the cores as fast as it goes. Reads files, and writes one
+/// where asked.
 #include <functional>
 #include <limits>
 #include <string>
@@ -43,7 +44,8 @@ struct ReplayResult {
 /// Told now and then how many bytes of how many are done.
 using ReplayProgress = std::function<void(std::uint64_t done, std::uint64_t all)>;
 
-/// @throws std::runtime_error where the log, or the robot, does not fit; std::invalid_argument where `out` is the log itself.
+/// @throws std::runtime_error where the log, or the robot, does not fit; std::invalid_argument where `out` is
+/// the log itself.
 ReplayResult run_replay(const ReplayRequest& request, const ReplayProgress& progress = {});
 
 }  // namespace sprung

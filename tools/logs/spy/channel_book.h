@@ -1,5 +1,6 @@
 #pragma once
-/// All channels that were heard: type, figures, missing cycles, last message; and the history of the one that is looked at. Pure.
+/// All channels that were heard: type, figures, missing cycles, last message; and the history of the one that
+/// is looked at. Pure.
 #include <cstdint>
 #include <map>
 #include <optional>

@@ -1,5 +1,6 @@
 #pragma once
-/// How often a channel's messages come, how evenly, and how large they are. From times of arrival alone. Pure.
+/// How often a channel's messages come, how evenly, and how large they are. From times of arrival alone.
+/// Pure.
 #include <cstddef>
 #include <cstdint>
 #include <deque>

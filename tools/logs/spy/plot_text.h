@@ -13,7 +13,8 @@ struct Range {
 };
 Range range_of(const std::vector<double>& values) noexcept;
 
-/// The newest values at the right, `width` letters of eight heights; a value that never changes is a low line, NaN a gap.
+/// The newest values at the right, `width` letters of eight heights; a value that never changes is a low
+/// line, NaN a gap.
 std::string sparkline(const std::vector<double>& values, std::size_t width);
 
 /// Lines from top to bottom, each of `width` letters of 2 x 4 dots; all values over the whole width.

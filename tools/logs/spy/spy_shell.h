@@ -9,7 +9,8 @@ namespace sprung::spy {
 
 class SpyTerminal {
  public:
-  /// Takes the terminal over. @throws std::runtime_error where standard input or output is none, or TERM is not known.
+  /// Takes the terminal over. @throws std::runtime_error where standard input or output is none, or TERM is
+  /// not known.
   SpyTerminal();
   ~SpyTerminal();  ///< gives it back as it was
   SpyTerminal(const SpyTerminal&) = delete;

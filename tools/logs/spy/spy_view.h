@@ -1,6 +1,6 @@
 #pragma once
-/// The screens of `sprung spy` and what keys do in them: a table of channels, the fields of one, the plot of one field. Pure: text in
-/// lines comes out; spy_shell.h puts it on a terminal.
+/// The screens of `sprung spy` and what keys do in them: a table of channels, the fields of one, the plot of
+/// one field. Pure: text in lines comes out; spy_shell.h puts it on a terminal.
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -40,15 +40,16 @@ struct Line {
 
 class SpyView {
  public:
-  /// @param book outlives this. @param names see fields::with_names. @param source what is listened to, for the title.
+  /// @param book outlives this. @param names see fields::with_names. @param source what is listened to, for
+  /// the title.
   SpyView(ChannelBook& book, std::vector<fields::ListNames> names, std::string source);
 
   /// Shows this channel's fields at once, as soon as it is heard.
   void show_channel(const std::string& name);
   /// @return false when the user wants to leave.
   bool press(const KeyPress& press);
-  /// Exactly `height` lines. Shows what was there when the user paused, while the book goes on. @param now_us on the clock of the
-  /// arrivals.
+  /// Exactly `height` lines. Shows what was there when the user paused, while the book goes on. @param now_us
+  /// on the clock of the arrivals.
   std::vector<Line> render(std::size_t width, std::size_t height, std::int64_t now_us);
 
  private:

@@ -24,7 +24,8 @@ std::string watch_text(std::string_view channel, const fields::MessageView& mess
                        const std::vector<const fields::Field*>& chosen,
                        const std::vector<fields::ListNames>& names);
 
-/// {"channel": ..., "utime": ..., "seq": ..., "fields": {path: value, ...}}; what is no finite number is null, enumerations are numbers.
+/// {"channel": ..., "utime": ..., "seq": ..., "fields": {path: value, ...}}; what is no finite number is
+/// null, enumerations are numbers.
 nlohmann::ordered_json watch_json(std::string_view channel, const fields::MessageView& message,
                                   const std::vector<const fields::Field*>& chosen);
 

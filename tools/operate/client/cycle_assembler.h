@@ -1,6 +1,6 @@
 #pragma once
-/// Puts the messages of each cycle together again, in order, whatever their own order was. A cycle of which a message is missing is counted,
-/// never made up.
+/// Puts the messages of each cycle together again, in order, whatever their own order was. A cycle of which a
+/// message is missing is counted, never made up.
 #include <cstdint>
 #include <map>
 #include <utility>
@@ -17,7 +17,8 @@ namespace sprung {
 
 class CycleAssembler {
  public:
-  /// One message of the cycle that its stamp names. Of cycles handed over or given up already nothing is taken.
+  /// One message of the cycle that its stamp names. Of cycles handed over or given up already nothing is
+  /// taken.
   void add(DriveState signal) { put(std::move(signal), &Cycle::drive_state, 1u); }
   void add(JointState signal) { put(std::move(signal), &Cycle::joint_state, 2u); }
   void add(DriveCommand signal) { put(std::move(signal), &Cycle::drive_command, 4u); }

@@ -1,6 +1,7 @@
 #pragma once
-/// Listens to a running robot and hands over its cycles (cycle_assembler.h): for experiments on separate processes. Nothing waits for it, so
-/// it keeps deep queues; a cycle of which a message was lost on the way is counted, never made up.
+/// Listens to a running robot and hands over its cycles (cycle_assembler.h): for experiments on separate
+/// processes. Nothing waits for it, so it keeps deep queues; a cycle of which a message was lost on the way
+/// is counted, never made up.
 #include <cstdint>
 #include <utility>
 

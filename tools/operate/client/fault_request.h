@@ -34,8 +34,8 @@ struct FaultRequest {
 SimControl fault_control(const RobotConfig& robot, const FaultRequest& request);
 const FaultGuide& guide_of(FaultKind kind);
 
-/// What is told before it happens, "over-current at knee: acts at cycle 1200 for 0.5 s", and then: what to look at. `none` makes
-/// no fault but takes away what was made.
+/// What is told before it happens, "over-current at knee: acts at cycle 1200 for 0.5 s", and then: what to
+/// look at. `none` makes no fault but takes away what was made.
 std::string announcement(const FaultRequest& request, const SimControl& control);
 std::string effect_text(FaultKind kind);
 

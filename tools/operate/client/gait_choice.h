@@ -1,5 +1,6 @@
 #pragma once
-/// Which of a robot's gaits an operator's `walk` means, and how fast it is to go. Pure; names and speeds are robot.yaml's.
+/// Which of a robot's gaits an operator's `walk` means, and how fast it is to go. Pure; names and speeds are
+/// robot.yaml's.
 #include <string>
 
 #include "robots/robot_config.h"
@@ -7,7 +8,8 @@
 
 namespace sprung {
 
-/// NaN: not said. Forward alone then is two thirds of the gait's fastest; the others are 0, and so is forward beside them.
+/// NaN: not said. Forward alone then is two thirds of the gait's fastest; the others are 0, and so is forward
+/// beside them.
 struct GaitWish {
   std::string gait;  ///< empty: not said
   double forward_m_s = kNaN;
@@ -20,7 +22,8 @@ struct GaitChoice {
   Vec3 speed{0, 0, 0};
 };
 
-/// Without a name: the gait that it walks in, where that can go so fast; else the fastest of those that can (trot before crawl).
+/// Without a name: the gait that it walks in, where that can go so fast; else the fastest of those that can
+/// (trot before crawl).
 /// @param walking_in index of the gait that it walks in; -1: it does not walk.
 /// @throws std::invalid_argument where there is no such gait or none goes so fast, with the gaits there are.
 GaitChoice choose_gait(const RobotConfig& robot, const GaitWish& wish, int walking_in = -1);

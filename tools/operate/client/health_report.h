@@ -1,5 +1,6 @@
 #pragma once
-/// BUS_STATE and SAFETY_STATE of a running robot, listened to and told. Names and numbers come from robot.yaml.
+/// BUS_STATE and SAFETY_STATE of a running robot, listened to and told. Names and numbers come from
+/// robot.yaml.
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -16,7 +17,8 @@ class HealthListener {
  public:
   HealthListener(const RunInfo& info, const RobotConfig& robot);
 
-  /// Takes what comes in until `seconds` have passed or `enough()` holds; then the newest is in bus() and safety().
+  /// Takes what comes in until `seconds` have passed or `enough()` holds; then the newest is in bus() and
+  /// safety().
   template <class Enough>
   void wait(double seconds, Enough enough) {
     const std::int64_t end_us = node_.utime_us() + static_cast<std::int64_t>(1e6 * seconds);
@@ -48,8 +50,8 @@ nlohmann::ordered_json nodes_json(const RobotConfig& robot, const sprung_msgs::b
 /// @param age_s since it was heard: keys age_s, stale.
 nlohmann::ordered_json safety_json(const std::optional<sprung_msgs::safety_state_t>& safety,
                                    double age_s = 0.0);
-/// safety_json() for people: state, cause, detail, whether that is old, and what to type next where torque is latched off or
-/// something is over and not forgotten.
+/// safety_json() for people: state, cause, detail, whether that is old, and what to type next where torque is
+/// latched off or something is over and not forgotten.
 std::string safety_text(const nlohmann::ordered_json& safety);
 
 }  // namespace sprung

@@ -25,8 +25,8 @@ class OperatorClient {
   /// Sends with a new request id unless one is set. @return the first answer (accepted, refused or queued);
   /// nullopt when nobody answered in patience_s of wall time.
   std::optional<OperatorAnswer> send(OperatorCommand& command, double patience_s);
-  /// Waits for `done` or `failed` (or a refusal) of a command that was sent; asks again twice a second, in case the answer was
-  /// lost. nullopt on a stop request, or when patience_s passed without any answer.
+  /// Waits for `done` or `failed` (or a refusal) of a command that was sent; asks again twice a second, in
+  /// case the answer was lost. nullopt on a stop request, or when patience_s passed without any answer.
   std::optional<OperatorAnswer> wait_done(const OperatorCommand& command, double patience_s);
 
  private:

@@ -109,7 +109,8 @@ Heard listen(const RunInfo& info, const RobotConfig& robot) {
   return heard;
 }
 
-/// "dead" when the launcher's child is gone, "stopped" when somebody halted it, "silent" when it says nothing.
+/// "dead" when the launcher's child is gone, "stopped" when somebody halted it, "silent" when it says
+/// nothing.
 std::string state_of(const RunningProcess& process, const Heard& heard) {
   const char state = run_state(process.pid);
   if (state == 'X' || state == 'Z') {

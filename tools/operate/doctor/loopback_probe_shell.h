@@ -6,7 +6,8 @@
 
 namespace sprung::doctor {
 
-/// @param url of which group, ttl and buffer are taken; @param port instead of the url's. Takes at most a second.
+/// @param url of which group, ttl and buffer are taken; @param port instead of the url's. Takes at most a
+/// second.
 LoopbackFacts probe_loopback(const std::string& url, int port, int messages);
 
 /// The url with another port. An url without one is returned as it is.

@@ -1,5 +1,6 @@
 #pragma once
-/// What is known of a machine, as values: read by machine_reader_shell.h and the probes, judged by the *_checks.h.
+/// What is known of a machine, as values: read by machine_reader_shell.h and the probes, judged by the
+/// *_checks.h.
 #include <cstdint>
 #include <map>
 #include <optional>

@@ -1,5 +1,6 @@
 #pragma once
-/// Reads what the kernel says of a machine. Everything below `root`, "/" in earnest: tests give a tree of their own.
+/// Reads what the kernel says of a machine. Everything below `root`, "/" in earnest: tests give a tree of
+/// their own.
 #include <string>
 
 #include "tools/operate/doctor/machine_facts.h"
@@ -15,7 +16,8 @@ DiskFacts read_disk(const std::string& folder);
 
 /// "0-2,5" as the kernel writes sets of CPUs.
 std::vector<int> parse_cpus(const std::string& text);
-/// Device that /proc/net/route gives to an address; the longest prefix wins. @param address in network order, as hexadecimal there.
+/// Device that /proc/net/route gives to an address; the longest prefix wins. @param address in network order,
+/// as hexadecimal there.
 std::string route_device(const std::string& table, std::uint32_t address);
 
 }  // namespace sprung::doctor

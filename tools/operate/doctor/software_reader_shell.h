@@ -7,7 +7,8 @@
 
 namespace sprung::doctor {
 
-/// @param programs that must be there, in `folder`. @param instance whose processes are listened to, if it is up.
+/// @param programs that must be there, in `folder`. @param instance whose processes are listened to, if it is
+/// up.
 SoftwareFacts read_software(const std::string& folder, const std::vector<std::string>& programs,
                             const std::string& instance);
 

@@ -1,5 +1,6 @@
 #pragma once
-/// Whether a process may run together with this launcher: same version, build, message types, robot.yaml and preset. Pure.
+/// Whether a process may run together with this launcher: same version, build, message types, robot.yaml and
+/// preset. Pure.
 #include <cstdint>
 #include <string>
 
@@ -19,8 +20,10 @@ struct BuildIdentity {
 
 BuildIdentity identity_of(const sprung_msgs::process_status_t& status);
 
-/// One sentence that names process, host, what differs, both values and what to do; empty where nothing differs.
-/// @param mixed_builds two builds of one version with the same messages and configuration are let through: for developers.
+/// One sentence that names process, host, what differs, both values and what to do; empty where nothing
+/// differs.
+/// @param mixed_builds two builds of one version with the same messages and configuration are let through:
+/// for developers.
 std::string why_not_together(const BuildIdentity& ours, const sprung_msgs::process_status_t& theirs,
                              bool mixed_builds);
 

@@ -12,7 +12,8 @@ namespace sprung {
 /// Where standard output and error of a child go.
 enum class Output {
   kInherited,
-  /// Into a pipe that output() empties. What does not fit is lost: a control loop never waits for its launcher.
+  /// Into a pipe that output() empties. What does not fit is lost: a control loop never waits for its
+  /// launcher.
   kCaptured,
 };
 
@@ -45,7 +46,8 @@ class ChildProcess {
 /// A program of the system, from $PATH. @throws std::runtime_error naming it and saying what to install.
 std::string system_program(const std::string& name, const std::string& package);
 
-/// Where the stack's programs are: $SPRUNG_PROGRAMS, else the folder of the running program, whatever PATH says.
+/// Where the stack's programs are: $SPRUNG_PROGRAMS, else the folder of the running program, whatever PATH
+/// says.
 std::string program_folder();
 
 }  // namespace sprung

@@ -43,7 +43,8 @@ bool complains(const std::string& text) {
          text.find(" critical ") != std::string::npos;
 }
 
-/// The day stands in the file beside the log, and a screen needs no microseconds: "20:01:25.123 info sprung-x: ..."
+/// The day stands in the file beside the log, and a screen needs no microseconds: "20:01:25.123 info
+/// sprung-x: ..."
 std::string without_day(const std::string& line) {
   constexpr std::size_t kDay = 11, kWhole = 26,
                         kMicroseconds = 3;  // "2026-11-21T", "2026-11-21T20:01:25.123456"

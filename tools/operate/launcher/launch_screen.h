@@ -1,5 +1,6 @@
 #pragma once
-/// What `sprung up` shows in a terminal: one screen, drawn anew several times a second. Pure: values in, lines out.
+/// What `sprung up` shows in a terminal: one screen, drawn anew several times a second. Pure: values in,
+/// lines out.
 #include <cstddef>
 #include <deque>
 #include <string>
@@ -28,8 +29,8 @@ struct ScreenLine {
   LineStyle style = LineStyle::kPlain;
 };
 
-/// At most `height` lines of at most `width` columns: heading, table, the newest log lines in what is left, the hint last. The table
-/// has 80 columns; longer lines go on in the next one.
+/// At most `height` lines of at most `width` columns: heading, table, the newest log lines in what is left,
+/// the hint last. The table has 80 columns; longer lines go on in the next one.
 std::vector<ScreenLine> launch_screen(const ScreenContent& content, const std::deque<LogLine>& log,
                                       std::size_t width, std::size_t height);
 

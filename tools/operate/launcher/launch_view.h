@@ -1,5 +1,6 @@
 #pragma once
-/// What people see of `sprung up`: one live screen in a terminal, else plain lines on standard output and error.
+/// What people see of `sprung up`: one live screen in a terminal, else plain lines on standard output and
+/// error.
 #include <cstdint>
 #include <memory>
 #include <string>

@@ -251,8 +251,8 @@ void Launcher::tell(const LogLine& line) {
 
 void Launcher::say(const std::string& text) { tell({utc_us(), kLauncherProgram, text}); }
 
-/// In lock-step the bridge brings its drives to rest in the robot's time. How long that is by the wall clock nobody knows: as long as it says
-/// that it lives, it is on its way.
+/// In lock-step the bridge brings its drives to rest in the robot's time. How long that is by the wall clock
+/// nobody knows: as long as it says that it lives, it is on its way.
 void Launcher::wait_while_it_speaks(Child& child) {
   const std::string& program = child.planned.program;
   const bool spoke = board_.last(program) != nullptr;

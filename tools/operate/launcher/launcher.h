@@ -1,6 +1,7 @@
 #pragma once
-/// Starts a robot's processes, waits until each says on PROCESS_STATUS that it is ready, watches over them, stops them in order.
-/// A process that dies is named; it is started again only where restart_rule.h lets it: torque never comes back by itself.
+/// Starts a robot's processes, waits until each says on PROCESS_STATUS that it is ready, watches over them,
+/// stops them in order. A process that dies is named; it is started again only where restart_rule.h lets it:
+/// torque never comes back by itself.
 #include <cstdint>
 #include <fstream>
 #include <functional>
@@ -28,8 +29,10 @@ namespace sprung {
 
 class Launcher {
  public:
-  /// Takes the instance and writes its run file; with a host that has no bridge, waits for the launcher that has it.
-  /// @throws std::runtime_error when the instance runs already, another run is in the way, or nobody leads; as check_request.
+  /// Takes the instance and writes its run file; with a host that has no bridge, waits for the launcher that
+  /// has it.
+  /// @throws std::runtime_error when the instance runs already, another run is in the way, or nobody leads;
+  /// as check_request.
   Launcher(const LaunchRequest& request, const RobotConfig& robot);
   ~Launcher();  ///< stops whatever still runs and removes the run file
   Launcher(const Launcher&) = delete;
@@ -42,9 +45,11 @@ class Launcher {
   void on_turn(std::function<void()> turn) { turn_ = std::move(turn); }
 
   /// Recorder and every process but the bridge, also those of other hosts; returns when each is ready.
-  /// @throws std::runtime_error after a time-out, when one ended, or when one is of another build or configuration; naming it.
+  /// @throws std::runtime_error after a time-out, when one ended, or when one is of another build or
+  /// configuration; naming it.
   void start_all_but_bridge();
-  /// The bridge, or waits for that of another host; returns when the drives are operational and the cycle runs.
+  /// The bridge, or waits for that of another host; returns when the drives are operational and the cycle
+  /// runs.
   void start_bridge();
 
   /// Ends of processes since the last call.
@@ -54,10 +59,11 @@ class Launcher {
     bool comes_back = false;  ///< restart_rule.h will start it again
   };
   std::vector<Ended> newly_ended();
-  /// Reads what came, starts again what may, says on PROCESS_STATUS that it lives. Call it many times a second.
+  /// Reads what came, starts again what may, says on PROCESS_STATUS that it lives. Call it many times a
+  /// second.
   void look();
-  /// What went wrong since the last call without a process having ended: one that is silent, does not belong here, runs twice, or cannot
-  /// be started again.
+  /// What went wrong since the last call without a process having ended: one that is silent, does not belong
+  /// here, runs twice, or cannot be started again.
   std::vector<std::string> new_trouble();
   /// The launcher that leads has ended or is silent; false on the lead itself.
   bool lead_is_gone() const;

@@ -1,6 +1,6 @@
 #pragma once
-/// How `sprung up --host` on a second computer joins the run of the first: the launcher that has the bridge says on PROCESS_STATUS
-/// which session runs and when it began.
+/// How `sprung up --host` on a second computer joins the run of the first: the launcher that has the bridge
+/// says on PROCESS_STATUS which session runs and when it began.
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -16,8 +16,10 @@ inline constexpr const char* kLauncherProgram = "sprung-up";  ///< its name on P
 std::int64_t epoch_here_us(std::int64_t utc_offset_us, std::int64_t utc_here_us,
                            std::int64_t monotonic_here_us) noexcept;
 
-/// The status of a launcher that leads this robot's run. @return nullopt after patience_s, or when a stop was requested.
-/// @param refusal why what was heard cannot be read (another version of its message); left alone where there is nothing to say.
+/// The status of a launcher that leads this robot's run. @return nullopt after patience_s, or when a stop was
+/// requested.
+/// @param refusal why what was heard cannot be read (another version of its message); left alone where there
+/// is nothing to say.
 std::optional<sprung_msgs::process_status_t> find_lead(const std::string& lcm_url, const std::string& robot,
                                                        double patience_s, std::string* refusal = nullptr);
 

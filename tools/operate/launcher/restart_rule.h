@@ -1,6 +1,7 @@
 #pragma once
-/// Whether a process that ended by itself is started again. Pure. Torque never comes back by a restart: what commands drives waits
-/// until the bridge says that no drive has power, and the bridge itself gives power only after somebody said `stand`.
+/// Whether a process that ended by itself is started again. Pure. Torque never comes back by a restart: what
+/// commands drives waits until the bridge says that no drive has power, and the bridge itself gives power
+/// only after somebody said `stand`.
 #include <cstdint>
 #include <optional>
 
@@ -16,8 +17,8 @@ struct TorqueHeard {
 
 struct EndedProcess {
   RestartPolicy policy = RestartPolicy::kNever;
-  /// Commands nothing (the recorder): is started again at once where a signal ended it. Where it ended by itself it has said why (the
-  /// disk is nearly full, its file cannot be written), and would soon end again.
+  /// Commands nothing (the recorder): is started again at once where a signal ended it. Where it ended by
+  /// itself it has said why (the disk is nearly full, its file cannot be written), and would soon end again.
   bool harmless = false;
   bool lockstep = false;  ///< a deterministic run ends with any of its processes
   int restarts = 0;       ///< so far

@@ -38,13 +38,14 @@ struct NotRunning : std::runtime_error {
 
 std::string run_file_path(const std::string& instance);
 
-/// The right to be `sprung up` of an instance: a lock that the kernel releases when its holder ends, however that happens. Its
-/// file holds the run's description for the others.
+/// The right to be `sprung up` of an instance: a lock that the kernel releases when its holder ends, however
+/// that happens. Its file holds the run's description for the others.
 class RunFile {
  public:
   /// @throws std::runtime_error when another launcher holds the instance, naming its robot.
   explicit RunFile(const std::string& instance);
-  ~RunFile();  ///< removes the description that it wrote, then lets go; what a killed one left stays for the next to see
+  ~RunFile();  ///< removes the description that it wrote, then lets go; what a killed one left stays for the
+               ///< next to see
   RunFile(const RunFile&) = delete;
   RunFile& operator=(const RunFile&) = delete;
 
@@ -61,8 +62,8 @@ class RunFile {
 std::optional<RunInfo> read_run_file(const std::string& instance);
 /// All that are up, as far as their descriptions are there; in the order of their instances' names.
 std::vector<RunInfo> runs_that_are_up();
-/// Processes that still run although their launcher is gone: it was killed, and they are about to end. @param own_instance whose lock the
-/// caller has.
+/// Processes that still run although their launcher is gone: it was killed, and they are about to end. @param
+/// own_instance whose lock the caller has.
 std::vector<RunningProcess> left_behind(const std::string& own_instance);
 /// @param robot empty = any. @throws NotRunning when nothing runs as `instance` or another robot does.
 RunInfo require_running(const std::string& instance, const std::string& robot);

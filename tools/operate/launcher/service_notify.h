@@ -1,6 +1,6 @@
 #pragma once
-/// What systemd wants to hear of a service of Type=notify: a datagram of KEY=VALUE lines to the socket named in $NOTIFY_SOCKET
-/// (sd_notify(3)). Without that variable nothing is sent.
+/// What systemd wants to hear of a service of Type=notify: a datagram of KEY=VALUE lines to the socket named
+/// in $NOTIFY_SOCKET (sd_notify(3)). Without that variable nothing is sent.
 #include <cstdint>
 #include <optional>
 #include <string>

@@ -44,7 +44,8 @@ class StatusBoard {
 
   /// @return whether two processes of that name speak in turn: this one was heard before, and another since.
   bool hear(const sprung_msgs::process_status_t& status, std::int64_t now_us);
-  /// Nobody listened until now (this process was stopped, or the machine stood still): nothing of that is silence.
+  /// Nobody listened until now (this process was stopped, or the machine stood still): nothing of that is
+  /// silence.
   void begin_to_listen(std::int64_t now_us);
   void forget(const std::string& program);  ///< it starts again
 

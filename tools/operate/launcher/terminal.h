@@ -15,8 +15,8 @@ bool has_terminal();
 
 class Terminal {
  public:
-  /// Takes the screen; typed characters are not shown. Ctrl-C alone still means something: Ctrl-Z, Ctrl-\ and Ctrl-S would leave a robot
-  /// without its launcher.
+  /// Takes the screen; typed characters are not shown. Ctrl-C alone still means something: Ctrl-Z, Ctrl-\ and
+  /// Ctrl-S would leave a robot without its launcher.
   Terminal();
   ~Terminal();  ///< gives it back
   Terminal(const Terminal&) = delete;

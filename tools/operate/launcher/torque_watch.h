@@ -1,6 +1,6 @@
 #pragma once
-/// Whether any drive has torque, as the bridge says cycle by cycle. The launcher looks only while a process waits to be started
-/// again: DRIVE_STATE comes too often to be read all the time.
+/// Whether any drive has torque, as the bridge says cycle by cycle. The launcher looks only while a process
+/// waits to be started again: DRIVE_STATE comes too often to be read all the time.
 #include <optional>
 
 #include "robots/robot_config.h"

@@ -1,4 +1,5 @@
-/// A report in a real browser (Debian's Chromium, without a screen): it opens from disk, complains of nothing, and draws every plot.
+/// A report in a real browser (Debian's Chromium, without a screen): it opens from disk, complains of
+/// nothing, and draws every plot.
 #include "tests/tools/common/report/report_browser.h"
 
 #include <gmock/gmock.h>

@@ -8,7 +8,8 @@
 namespace sprung {
 namespace {
 
-/// Two joints of -12 and 3 Nm; from 0 to 0.1 s they carry what is added; one foot, moved by `off_m` in the end.
+/// Two joints of -12 and 3 Nm; from 0 to 0.1 s they carry what is added; one foot, moved by `off_m` in the
+/// end.
 std::vector<PushSample> samples(double first_Nm, double second_Nm, Vec3 off_m = {}) {
   std::vector<PushSample> out;
   for (int k = -500; k < 1000; ++k) {

@@ -56,7 +56,8 @@ TEST(LegComparison, JointsAloneHaveNoArmature) {
 }
 
 TEST(LegComparison, WeightOfKnownLinksGivesTheTorqueConstant) {
-  // The arm of test_axis, recorded by a drive whose torque constant is believed 10 % too small: all torques are.
+  // The arm of test_axis, recorded by a drive whose torque constant is believed 10 % too small: all torques
+  // are.
   const RobotConfig bench = load_robot("test_axis");
   const LinkConfig& arm = bench.legs[0].links[0];
   SampleTruth truth;

@@ -1,5 +1,5 @@
-/// From the guided recording to a joint's numbers, against the plant that was recorded: the shipped ones, and plants that
-/// differ from what robot.yaml says.
+/// From the guided recording to a joint's numbers, against the plant that was recorded: the shipped ones, and
+/// plants that differ from what robot.yaml says.
 #include <gtest/gtest.h>
 
 #include <cmath>

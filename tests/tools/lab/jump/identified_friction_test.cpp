@@ -1,4 +1,5 @@
-/// What preset `paper` reproduces stays what it is when a joint of the robot is identified; preset `best` makes use of it.
+/// What preset `paper` reproduces stays what it is when a joint of the robot is identified; preset `best`
+/// makes use of it.
 #include <gtest/gtest.h>
 
 #include <cmath>

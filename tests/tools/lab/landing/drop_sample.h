@@ -10,8 +10,8 @@
 
 namespace sprung {
 
-/// Lets the script's leg fall for 0.2 s, land with this peak at the knee's gear output (half of it on the motor side), and stand
-/// again, unless it folds.
+/// Lets the script's leg fall for 0.2 s, land with this peak at the knee's gear output (half of it on the
+/// motor side), and stand again, unless it folds.
 inline void play_landing(const RunScript& script, double peak_Nm, bool folds, const CycleObserver& watch) {
   DriveState drives{2};
   JointState joints{2, 1};

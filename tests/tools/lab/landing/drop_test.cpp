@@ -81,7 +81,8 @@ TEST_F(DropScript, SurpriseMovesTheFloorAndNothingThatTheRobotIsTold) {
   EXPECT_GT(floor_m(-0.01), 0.0);
 }
 
-/// Plays a made-up landing through the metrics: the foot comes down with 2 m/s and touches in cycle 100 after the release.
+/// Plays a made-up landing through the metrics: the foot comes down with 2 m/s and touches in cycle 100 after
+/// the release.
 class DropMetricsTest : public testing::Test {
  protected:
   static constexpr std::int64_t kRelease = 50;

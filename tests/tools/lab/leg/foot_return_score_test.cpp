@@ -9,7 +9,8 @@ namespace {
 
 constexpr double kDirection_rad = 0.6;
 
-/// Held 40 mm out along the pull, then on its way to `back_m` with the time constant `tau_s`; swings by `swing_m`.
+/// Held 40 mm out along the pull, then on its way to `back_m` with the time constant `tau_s`; swings by
+/// `swing_m`.
 PullTrace trace(PlanePoint back_m, double tau_s, double swing_m = 0.0, double swing_Nm = 0.0) {
   PullTrace out;
   for (int k = -1200; k < 2500; ++k) {

@@ -141,7 +141,8 @@ TEST_F(McapTest, EveryMessageIsThereInProtocolBuffers) {
   EXPECT_EQ(result_.written, 63);
 }
 
-/// Chunks are compressed beside, whatever comes between them: every byte must be the same each time, and in its place.
+/// Chunks are compressed beside, whatever comes between them: every byte must be the same each time, and in
+/// its place.
 TEST_F(McapTest, TheFileIsTheSameEveryTime) {
   std::vector<Kept> events = robot_events(200);
   events.push_back(metadata_event());

@@ -118,7 +118,8 @@ TEST_F(ProtoMessageTest, EveryTypeKeepsEveryValue) {
   }
 }
 
-/// Bytes that a Decoder takes although they are damaged: no more is read or written than there is, and the values are still the same.
+/// Bytes that a Decoder takes although they are damaged: no more is read or written than there is, and the
+/// values are still the same.
 TEST_F(ProtoMessageTest, SoDoMutilatedMessagesThatCanBeDecoded) {
   fields::RandomBytes random(3);
   std::mt19937 dice(4);
@@ -136,7 +137,8 @@ TEST_F(ProtoMessageTest, SoDoMutilatedMessagesThatCanBeDecoded) {
   EXPECT_GT(taken, 500);
 }
 
-/// What the stack's own types do not have: texts in structs in lists, lists of lists, small integers in lists, a struct of nothing.
+/// What the stack's own types do not have: texts in structs in lists, lists of lists, small integers in
+/// lists, a struct of nothing.
 TEST_F(ProtoMessageTest, SoDoTypesOfEveryKind) {
   own_.add({R"(package demo;
     struct empty_t { }

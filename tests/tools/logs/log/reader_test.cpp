@@ -131,7 +131,8 @@ TEST_F(LogReader, GarbageCostsTheEventBeforeIt) {
   EXPECT_EQ(reader.damages()[1].kind, DamageKind::kGarbage);
 }
 
-/// As a disk or a crash leaves it: the event whose tail is zero has a whole header, and must not be taken for good.
+/// As a disk or a crash leaves it: the event whose tail is zero has a whole header, and must not be taken for
+/// good.
 TEST_F(LogReader, ABlockOfZerosTakesNothingWithIt) {
   std::string bytes = sample(40);
   bytes.replace(offsets_[20] + 50, 4096, 4096, '\0');
@@ -218,7 +219,8 @@ TEST_F(LogReader, RewindBeginsAgain) {
   EXPECT_EQ(reader.skipped_bytes(), 4u);
 }
 
-/// Whatever happens to the bytes: no crash, no event made up, and every byte is either in an event or skipped.
+/// Whatever happens to the bytes: no crash, no event made up, and every byte is either in an event or
+/// skipped.
 TEST_F(LogReader, RandomDamageLosesNoMoreThanItTouches) {
   const std::string bytes = sample(60);
   std::mt19937 random(7);

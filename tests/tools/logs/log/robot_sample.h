@@ -1,5 +1,6 @@
 #pragma once
-/// Events as a robot's recorder would write them: a joint state, a motion state and now and then a safety state in each cycle.
+/// Events as a robot's recorder would write them: a joint state, a motion state and now and then a safety
+/// state in each cycle.
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -105,8 +106,8 @@ inline Kept end_event(std::int64_t cycle, std::int64_t events, std::int64_t miss
   return kept(channels::kLogEnd, cycle, encoded(message));
 }
 
-/// Metadata; `cycles` cycles with a joint and a motion state, standing and then, from the middle, walking; every hundredth cycle and
-/// at first a safety state; an end that counts right.
+/// Metadata; `cycles` cycles with a joint and a motion state, standing and then, from the middle, walking;
+/// every hundredth cycle and at first a safety state; an end that counts right.
 inline std::vector<Kept> robot_events(std::int64_t cycles) {
   std::vector<Kept> events{metadata_event()};
   for (std::int64_t k = 0; k < cycles; ++k) {

@@ -31,8 +31,8 @@ class NetworkTapTest : public testing::Test {
   MessageQueue::Batch batch_;
 };
 
-/// More than LCM's queue of 30 by far, and nobody takes them until the end. The kernel's buffer is finite (200 kB by default): no more are
-/// on their way at once than it holds.
+/// More than LCM's queue of 30 by far, and nobody takes them until the end. The kernel's buffer is finite
+/// (200 kB by default): no more are on their way at once than it holds.
 TEST_F(NetworkTapTest, TakesEveryMessageWhateverTheWriterDoes) {
   constexpr std::int32_t kMessages = 5000;
   NetworkTap tap(url_, ".*", queue_);

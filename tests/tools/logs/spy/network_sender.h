@@ -1,5 +1,6 @@
 #pragma once
-/// Sends JOINT_STATE and MOTION_STATE on an LCM network of the test's own, 100 times a second, as long as it lives.
+/// Sends JOINT_STATE and MOTION_STATE on an LCM network of the test's own, 100 times a second, as long as it
+/// lives.
 #include <atomic>
 #include <chrono>
 #include <lcm/lcm-cpp.hpp>

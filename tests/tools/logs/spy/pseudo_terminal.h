@@ -1,5 +1,6 @@
 #pragma once
-/// A program under a pseudo terminal, and what its user would see: a VT52, whose few commands are emulated here.
+/// A program under a pseudo terminal, and what its user would see: a VT52, whose few commands are emulated
+/// here.
 #include <sys/types.h>
 
 #include <string>

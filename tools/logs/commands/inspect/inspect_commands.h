@@ -28,7 +28,8 @@ struct InspectSource {
   std::vector<fields::ListNames> names;
   std::unique_ptr<fields::TypeTable> types;
 };
-/// @throws NotRunning where an instance other than the default is asked for and is not up; WrongUse on a file that is none.
+/// @throws NotRunning where an instance other than the default is asked for and is not up; WrongUse on a file
+/// that is none.
 InspectSource inspect_source(const InspectRequest& request);
 
 /// Messages of the channels as they come.
@@ -48,7 +49,8 @@ class Listening {
   std::int64_t left_out() const { return queue_.left_out(); }
 
  private:
-  /// Pegasus sends 1 MB/s: `sprung watch ... | less` may stand for a minute, and does not fill the memory in a night.
+  /// Pegasus sends 1 MB/s: `sprung watch ... | less` may stand for a minute, and does not fill the memory in
+  /// a night.
   static constexpr std::size_t kMostWaiting_bytes = std::size_t{64} << 20U;
   MessageQueue queue_{kMostWaiting_bytes};
   MessageQueue::Batch batch_;
@@ -57,9 +59,9 @@ class Listening {
 
 void wait_or_stop(int wait_ms) noexcept;  ///< ends early when a stop is requested
 
-/// LCM's own lcm-spy with sprung's types and plug-in; does not come back but on trouble. @param with_plots opens torques and phases
-/// at once, else a double click on their channels does. @throws std::runtime_error that says what
-/// to install.
+/// LCM's own lcm-spy with sprung's types and plug-in; does not come back but on trouble. @param with_plots
+/// opens torques and phases at once, else a double click on their channels does. @throws std::runtime_error
+/// that says what to install.
 [[noreturn]] void run_spy_gui(const InspectSource& source, bool with_plots);
 
 }  // namespace sprung::commands

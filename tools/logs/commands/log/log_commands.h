@@ -33,7 +33,8 @@ auto or_wrong_use(Work&& work) {
   }
 }
 
-/// Shows how far a log is, on a terminal. Hand it over as a temporary: with its end the line is wiped, and results can be printed.
+/// Shows how far a log is, on a terminal. Hand it over as a temporary: with its end the line is wiped, and
+/// results can be printed.
 log::Progress progress_line(const std::string& label);
 
 /// Names of the log's joints, legs and actuators. Where there are none, says so on standard error, and what
@@ -43,7 +44,8 @@ log::RobotNames names_or_told(log::Reader& reader);
 /// Names fields that were asked for and are not in the log, on standard error.
 void tell_unmatched(const std::string& log, const std::vector<std::string>& fields);
 
-/// One line on what was written, one on what was left out, and one where there was nothing to write. @return exit status.
+/// One line on what was written, one on what was left out, and one where there was nothing to write. @return
+/// exit status.
 int tell_rewrite(const std::string& log, const std::string& out, const log::RewriteResult& result);
 
 /// Says so on standard error, and what to look at.
