@@ -19,13 +19,21 @@ KINDS = [
 ]
 
 
+def files():
+    """Those that are kept; where this is no clone, all but what was built."""
+    listed = subprocess.run(
+        ["git", "-C", str(TOP), "ls-files", "-z"], check=False, capture_output=True, text=True
+    )
+    if listed.returncode == 0:
+        return listed.stdout.split("\0")
+    found = (path.relative_to(TOP) for path in TOP.rglob("*"))
+    return [str(path) for path in found if path.parts[0] not in {"build", "logs", ".git"}]
+
+
 def cited():
     """@return (label, heading, pattern of its definition) -> a place that cites it."""
     found = {}
-    listed = subprocess.run(
-        ["git", "-C", str(TOP), "ls-files", "-z"], check=True, capture_output=True, text=True
-    ).stdout
-    for name in listed.split("\0"):
+    for name in files():
         path = TOP / name
         if path.suffix not in {".h", ".cpp", ".py", ".md", ".yaml", ".xml", ".cmake", ".txt", ".lcm", ".eds"}:
             continue
@@ -47,7 +55,7 @@ def main():
     sources = (TOP / "docs/sources.md").read_text(encoding="utf-8")
     places = cited()
     missing = [
-        f"{name} cites {heading} {label}: docs/sources.md has no such source"
+        f"{name} cites {label}: docs/sources.md has no such source"
         for (label, heading, definition), name in places.items()
         if not re.search(definition, below(heading, sources), re.MULTILINE)
     ]
