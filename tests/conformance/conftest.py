@@ -91,7 +91,7 @@ class Device:
         assert boot is not None, f"no boot-up frame after NMT 0x{command:02X}"
 
     def reset_communication_after_loss(self):
-        """First half of the way back after a lost master (facts 2.5). What watched the master is off then."""
+        """First half of the way back after a lost master (facts canopen 2.5). What watched the master is off then."""
         self.reset(0x82)
 
     def forget_python_state(self):

@@ -1,6 +1,6 @@
 """What the bridge must send to its nodes while it boots them, typed by hand."""
 
-# Typed from facts 1.5 and design section 5 for node 1: what is written to the PDOs, in this order.
+# Typed from facts canopen 1.5 and design section 5 for node 1: what is written to the PDOs, in this order.
 REMAP = {
     "TPDO1: position, torque, status word; every SYNC": (
         0x1800,
@@ -66,7 +66,7 @@ CARD_REMAP = {
         2F 00 1A 00 01 00 00 00 | 23 00 18 01 84 01 00 40""",
     )
 }
-# Typed from facts 2.4, 2.6 and robot.yaml: power off when the master is lost; motor 244879.
+# Typed from facts canopen 2.4, canopen 2.6 and robot.yaml: power off when the master is lost; motor 244879.
 EPOS2_SETTINGS = {
     (0x6007, 0): 2,
     (0x605B, 0): 0,
@@ -77,7 +77,7 @@ EPOS2_SETTINGS = {
     (0x6410, 3): 12,
     (0x6410, 5): 526,
 }
-# Typed from facts 3 and robot.yaml at 400 Hz; None: must have been written, whatever the value.
+# Typed from facts canopen 3 and robot.yaml at 400 Hz; None: must have been written, whatever the value.
 SETTINGS = {
     (0x6007, 0): 2,
     (0x6075, 0): 7000,

@@ -13,7 +13,7 @@ OFF, READY, ON, ENABLED = "SWITCH ON DISABLED", "READY TO SWITCH ON", "SWITCHED 
 QUICK_STOP, FAULT = "QUICK STOP ACTIVE", "FAULT"
 WAY_TO = {OFF: [0], READY: [0, 6], ON: [0, 6, 7], ENABLED: [0, 6, 7, 15]}
 
-# Typed from facts 2.1: what the low four bits of a control word ask for.
+# Typed from facts canopen 2.1: what the low four bits of a control word ask for.
 COMMAND = {
     0: "voltage off",
     1: "voltage off",
@@ -32,7 +32,7 @@ COMMAND = {
     14: "shutdown",
     15: "enable",
 }
-# Typed from facts 2.1, transitions 2-12: where each leads; what is not here changes nothing.
+# Typed from facts canopen 2.1, transitions 2-12: where each leads; what is not here changes nothing.
 NEXT = {
     OFF: {"shutdown": READY},
     # 0x0F holds switch on as well.
@@ -41,7 +41,7 @@ NEXT = {
     ENABLED: {"shutdown": READY, "switch on": ON, "quick stop": QUICK_STOP, "voltage off": OFF},
     FAULT: {},
 }
-# EPOS2's status words under mask 0x417F (facts 2.2). Some last only as long as the drive measures or brakes.
+# EPOS2's status words under mask 0x417F (facts canopen 2.2). Some last only as long as the drive measures or brakes.
 EPOS2_WORDS = {
     "start": 0x0000,
     "not ready": 0x0100,
