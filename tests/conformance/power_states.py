@@ -41,7 +41,8 @@ NEXT = {
     ENABLED: {"shutdown": READY, "switch on": ON, "quick stop": QUICK_STOP, "voltage off": OFF},
     FAULT: {},
 }
-# EPOS2's status words under mask 0x417F (facts canopen 2.2). Some last only as long as the drive measures or brakes.
+# EPOS2's status words under mask 0x417F (facts canopen 2.2).
+# Some last only as long as the drive measures or brakes.
 EPOS2_WORDS = {
     "start": 0x0000,
     "not ready": 0x0100,
