@@ -1,10 +1,12 @@
-# A device profile is one folder under drivers/profiles with a CMakeLists.txt of one call: sprung_profile(NAME
-# SOURCES a.cpp ... DEVICE_SOURCES b.cpp ... EDS NAME.eds) SOURCES is the bridge's side, DEVICE_SOURCES the
-# simulated device; either may be left out. They define `const ProfileKind NAME_profile_kind` and `const
-# DeviceKind NAME_device_kind` in namespace sprung::profiles (drivers/profiles/profile_registry.h,
-# simulation/device_registry.h). EDS is built in once, for both sides: `sprung::NAME_eds_text()` of
-# "sprung_embedded/NAME_eds_text.h". The folders are found, not listed, so that a new one needs no change
-# elsewhere.
+# A device profile is one folder under drivers/profiles with a CMakeLists.txt of one call:
+#
+#   sprung_profile(NAME SOURCES a.cpp ... DEVICE_SOURCES b.cpp ... EDS NAME.eds)
+#
+# SOURCES is the bridge's side, DEVICE_SOURCES the simulated device; either may be left out. They define
+# `const ProfileKind NAME_profile_kind` and `const DeviceKind NAME_device_kind` in namespace sprung::profiles
+# (drivers/profiles/profile_registry.h, simulation/device_registry.h). EDS is built in once, for both sides:
+# `sprung::NAME_eds_text()` of "sprung_embedded/NAME_eds_text.h". The folders are found, not listed, so that a
+# new one needs no change elsewhere.
 
 function(sprung_profile name)
   cmake_parse_arguments(ARG "" "EDS" "SOURCES;DEVICE_SOURCES" ${ARGN})

@@ -1,5 +1,6 @@
-# What ./run-demo and ./run-tests share: children that end with them, and a build that says little. To be sourced by bash, in the top
-# folder, with `name` set to what lines begin with. SPRUNG_BUILD_ONLY=TARGET builds that alone and ends there (tests/fresh/run --quick).
+# What ./run-demo and ./run-tests share: children that end with them, and a build that says little. To be
+# sourced by bash, in the top folder, with `name` set to what lines begin with. SPRUNG_BUILD_ONLY=TARGET
+# builds that alone and ends there (tests/fresh/run --quick).
 folder=build/release
 build_log=$folder/build.log
 configure_log=$folder/configure.log
@@ -7,9 +8,9 @@ configure_log=$folder/configure.log
 job=    # leader of the process group that runs now
 at_end() { :; }   # the caller's own clean-up, in place of this one
 
-# start_job LOG COMMAND...; LOG - is our own output. A process group of its own, so that one signal reaches whatever the job has started.
-# Not by `set -m`: that stops a script that is not in the foreground of its terminal (under timeout(1), say). Bash makes jobs deaf to
-# Ctrl-C; env undoes it.
+# start_job LOG COMMAND...; LOG - is our own output. A process group of its own, so that one signal reaches
+# whatever the job has started. Not by `set -m`: that stops a script that is not in the foreground of its
+# terminal (under timeout(1), say). Bash makes jobs deaf to Ctrl-C; env undoes it.
 start_job() {
   local log=$1
   shift
@@ -62,7 +63,8 @@ disk_note() {
   [ "$free" -ge 64 ] || echo "$name: the disk of $PWD is full ($free MB free; a build takes up to 2 GB)" >&2
 }
 
-# apt may ask for sudo's password, for which it must stay in the terminal's foreground; with root it is a job like the others.
+# apt may ask for sudo's password, for which it must stay in the terminal's foreground; with root it is a job
+# like the others.
 run_setup() {
   if [ "$(id -u)" = 0 ]; then run_job - ./setup "$@" || exit 1; else ./setup "$@" || exit 1; fi
 }
@@ -93,7 +95,8 @@ move_cache() { # FROM TO
     [ ! -e "$1/$file" ] || mv "$1/$file" "$2/$file"
   done
 }
-# A folder that was moved, or that a compiler configured which is gone, is configured from nothing: what was built there stays.
+# A folder that was moved, or that a compiler configured which is gone, is configured from nothing: what was
+# built there stays.
 configure() { # PRESET
   mkdir -p "$folder" 2>/dev/null && [ -w "$folder" ] || { disk_note; fail "cannot write in $PWD/$folder"; }
   choose_ccache_folder
@@ -112,7 +115,8 @@ configure() { # PRESET
   fail "configuring failed; all of it is in $configure_log"
 }
 
-# The first thing that went wrong: the target, the compiler's or linker's first complaint and three lines more, not the command line.
+# The first thing that went wrong: the target, the compiler's or linker's first complaint and three lines
+# more, not the command line.
 first_build_error() {
   awk '
     /^FAILED: / { if (failed) exit; failed = 1; print; getline; next }

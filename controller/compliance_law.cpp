@@ -71,8 +71,8 @@ JointVector compliance_torque_Nm(const LegKinematics& kinematics, const DesiredL
   const LegPose pose = kinematics.pose(leg.position_rad);
   const LegJacobian jacobian = kinematics.jacobian(pose);
   const Eigen::Vector3d error_m = foot.position_m - kinematics.foot_in_hip_m(pose);
-  const Eigen::Vector3d slip_m_s =
-      desired.velocity_feedforward * foot.velocity_m_s - jacobian * leg.velocity_rad_s;
+  const Eigen::Vector3d slip_m_s = desired.velocity_feedforward * foot.velocity_m_s -
+                                   jacobian * leg.velocity_rad_s;
   const Eigen::Vector3d spring_N = to_eigen(desired.stiffness_N_m).cwiseProduct(error_m);
   const Eigen::Vector3d force_N = spring_N + to_eigen(desired.damping_N_s_m).cwiseProduct(slip_m_s) -
                                   to_eigen(desired.feedforward_force_N);
@@ -80,16 +80,16 @@ JointVector compliance_torque_Nm(const LegKinematics& kinematics, const DesiredL
   JointVector torque = jacobian.transpose() * force_N + kinematics.gravity_torque_Nm(pose);
   for (int j = 0; j < torque.size(); ++j) {
     const auto place = static_cast<std::size_t>(j);
-    torque[j] +=
-        friction_compensation_Nm(joints, place, desired.friction_compensation,
-                                 {leg.velocity_rad_s[j], spring_Nm[j], torque[j], leg.temperature_C[j]});
+    torque[j] += friction_compensation_Nm(
+        joints, place, desired.friction_compensation,
+        {leg.velocity_rad_s[j], spring_Nm[j], torque[j], leg.temperature_C[j]});
   }
   if (desired.inertia_compensation == 0.0 || joints.armature_kg_m2.empty()) return torque;
-  const JointVector acceleration =
-      desired_acceleration_rad_s2(kinematics, {pose, damped_inverse(jacobian)}, foot, leg.velocity_rad_s);
+  const JointVector acceleration = desired_acceleration_rad_s2(kinematics, {pose, damped_inverse(jacobian)},
+                                                               foot, leg.velocity_rad_s);
   for (int j = 0; j < torque.size(); ++j)
-    torque[j] +=
-        desired.inertia_compensation * joints.armature_kg_m2[static_cast<std::size_t>(j)] * acceleration[j];
+    torque[j] += desired.inertia_compensation * joints.armature_kg_m2[static_cast<std::size_t>(j)] *
+                 acceleration[j];
   return torque;
 }
 

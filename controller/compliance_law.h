@@ -5,17 +5,17 @@
 ///   tau_s = J^T [ K (P_des - P) + D (s P_des' - P') - f_ground ] + G
 ///
 /// S0 (7) with errata E2 (D resists the actual velocity), E1 (gravity G of the leg, hip fixed), E5 (smooth
-/// friction). s is `velocity_feedforward`, f_ground `feedforward_force_N` (ground on foot), k
-/// `friction_compensation`, c `inertia_compensation`, A the armature.
+/// friction): docs/sources.md, A5. s is `velocity_feedforward`, f_ground `feedforward_force_N` (ground on
+/// foot), k `friction_compensation`, c `inertia_compensation`, A the armature.
 ///
 /// Friction. In motion f is the friction law with tanh(w / w0) for its sign: no chatter. w is the
 /// measured joint velocity, as in the papers: the compensation then also helps a push from outside, which the
 /// desired velocity knows nothing of. It is positive feedback of slope k f / w0, stable as long as k f is
 /// below the true friction. Load-dependent friction is that of tau_s, which the gear is to put out, and no
 /// measurement: no second feedback. At rest the papers' law gives nothing, and the foot sticks wherever the
-/// spring is weaker than friction. The rest law (E5; facts physics.md "The law that works at rest") takes the
-/// sign from where the spring pulls, tau_k = J^T K e alone: tanh(tau_k / tau0). With weight or feed-forward
-/// in it, it would push a leg that hangs where it should.
+/// spring is weaker than friction. The rest law (E5; facts physics 15) takes the sign from where the spring
+/// pulls, tau_k = J^T K e alone: tanh(tau_k / tau0). With weight or feed-forward in it, it would push a leg
+/// that hangs where it should.
 ///     k f = h k f_rest + (1 - h) min(k, 1 - u) f_motion,  h = exp(-(w / w_rest)^2)
 ///     w_rest = 0: k f_motion, the papers' law
 /// u is friction's relative uncertainty. What is compensated beyond the true friction drives a motion on (at
@@ -26,12 +26,27 @@
 /// here and now.
 #include <vector>
 
-#include "controller/foot_motion.h"
 #include "model/friction/friction_law.h"
+#include "model/leg_kinematics.h"
 #include "robots/robot_config.h"
 #include "signals/leg_command.h"
 
 namespace sprung {
+
+/// Desired foot motion between the planner's cycle and now.
+struct FootMotion {
+  Eigen::Vector3d position_m;
+  Eigen::Vector3d velocity_m_s;
+  Eigen::Vector3d acceleration_m_s2 = Eigen::Vector3d::Zero();
+};
+
+/// Constant acceleration over `age_s`.
+inline FootMotion extrapolate(const DesiredLeg& desired, double age_s) noexcept {
+  const Eigen::Vector3d velocity = to_eigen(desired.desired_foot_velocity_m_s);
+  const Eigen::Vector3d acceleration = to_eigen(desired.desired_foot_acceleration_m_s2);
+  return {to_eigen(desired.desired_foot_in_hip_m) + age_s * (velocity + 0.5 * age_s * acceleration),
+          velocity + age_s * acceleration, acceleration};
+}
 
 struct LegMotion {
   JointVector position_rad;  ///< estimated

@@ -64,8 +64,8 @@ class ControllerShell : public ResponderShell {
     process_.status().detail = report_.text();
     if (news != CommandReport::News::kBasis || !log_limit_.allow(now_us)) return;
     // What safety does is the bridge's to say, with its cause.
-    const bool own_doubt =
-        core_->basis() != CommandBasis::kCommanded && core_->basis() != CommandBasis::kSafety;
+    const bool own_doubt = core_->basis() != CommandBasis::kCommanded &&
+                           core_->basis() != CommandBasis::kSafety;
     own_doubt ? log_warn("damping or off: " + report_.text()) : log_debug(report_.text());
   }
 

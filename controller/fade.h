@@ -4,7 +4,7 @@
 
 namespace sprung {
 
-inline constexpr double kFade_s = 0.020;  ///< shortest: facts B2, switch over 20-30 ms
+inline constexpr double kFade_s = 0.020;  ///< shortest: docs/sources.md, facts B2, switch over 20-30 ms
 /// Time in which a torque fades so that no cycle changes it by more than `step`; both are shares of the
 /// actuator's limit. The cubic is at most 1.5 times as steep as a straight line.
 inline double fade_time_s(double torque, double step, double cycle_s) noexcept {

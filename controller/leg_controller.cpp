@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/friction/coulomb_friction.h"
-
 namespace sprung {
 namespace {
 
@@ -52,7 +50,7 @@ LegController::LegController(const RobotConfig& robot, const LegConfig& leg, con
       windows_(actuators_.begin(), actuators_.end()) {
   const int n = transmission_.size();
   for (JointVector* v :
-       {&offset_Nm_, &motor_side_torque_Nm_, &measured_.position_rad, &measured_.velocity_rad_s,
+       {&offset_Nm_, &motor_torque_Nm_, &measured_.position_rad, &measured_.velocity_rad_s,
         &measured_.temperature_C, &lowest_rad_, &highest_rad_, &sent_.position_rad, &sent_.velocity_rad_s}) {
     v->setZero(n);
   }
@@ -90,25 +88,16 @@ LegOutcome LegController::follow(const DesiredLeg& desired, double desired_age_s
 bool LegController::read(const std::vector<EstimatedJoint>& joints) noexcept {
   all_enabled_ = true;
   for (int j = 0; j < transmission_.size(); ++j) {
-    const EstimatedJoint& joint =
-        joints[static_cast<std::size_t>(joint_indices_[static_cast<std::size_t>(j)])];
+    const EstimatedJoint&
+        joint = joints[static_cast<std::size_t>(joint_indices_[static_cast<std::size_t>(j)])];
     measured_.position_rad[j] = joint.estimated_position_rad;
     measured_.velocity_rad_s[j] = joint.estimated_velocity_rad_s;
     measured_.temperature_C[j] = joint.estimated_temperature_degC;
-    motor_side_torque_Nm_[j] = joint.motor_side_torque_Nm;
+    motor_torque_Nm_[j] = joint.measured_motor_torque_Nm;
     all_enabled_ = all_enabled_ && joint.drive_enabled;
   }
   return measured_.position_rad.allFinite() && measured_.velocity_rad_s.allFinite() &&
-         motor_side_torque_Nm_.allFinite();
-}
-
-JointVector LegController::motor_torque_Nm() const noexcept {
-  JointVector torque_Nm = motor_side_torque_Nm_;
-  for (int j = 0; j < torque_Nm.size(); ++j) {
-    const double coulomb_Nm = joints_[static_cast<std::size_t>(j)].coulomb_friction_Nm;
-    torque_Nm[j] += papers_friction(coulomb_Nm, measured_.velocity_rad_s[j]).torque_Nm;
-  }
-  return torque_Nm;
+         motor_torque_Nm_.allFinite();
 }
 
 LegOutcome LegController::position(const DesiredLeg& desired, const FootMotion& foot, double dt_s,
@@ -141,8 +130,9 @@ LegOutcome LegController::joint(const DesiredLeg& desired, double desired_age_s,
     const auto place = static_cast<std::size_t>(j);
     const bool known = place < desired.desired_joint_position_rad.size();
     to.velocity_rad_s[j] = known ? desired.desired_joint_velocity_rad_s[place] : kNaN;
-    to.position_rad[j] =
-        known ? desired.desired_joint_position_rad[place] + desired_age_s * to.velocity_rad_s[j] : kNaN;
+    to.position_rad[j] = known ? desired.desired_joint_position_rad[place] +
+                                     desired_age_s * to.velocity_rad_s[j]
+                               : kNaN;
   }
   if (!to.position_rad.allFinite() || !to.velocity_rad_s.allFinite()) return LegOutcome::kNotFinite;
   blend_.feed_forward(JointVector::Zero(transmission_.size()));
@@ -172,8 +162,8 @@ void LegController::send(const SetPoints& actuators, double dt_s, DriveCommand& 
   for (int i = 0; i < transmission_.size(); ++i) {
     const auto place = static_cast<std::size_t>(i);
     const double fastest = actuators_[place].speed_limit_rad_s;
-    command(out, i).commanded_position_rad =
-        windows_[place].hold(actuators.position_rad[i], measured_rad[i], dt_s);
+    command(out, i).commanded_position_rad = windows_[place].hold(actuators.position_rad[i], measured_rad[i],
+                                                                  dt_s);
     command(out, i).commanded_velocity_rad_s = std::clamp(actuators.velocity_rad_s[i], -fastest, fastest);
     if (windows_[place].acts()) ++counts_.window;
     if (std::abs(actuators.velocity_rad_s[i]) > fastest) ++counts_.velocity;
@@ -189,7 +179,7 @@ void LegController::enter_position(const SetPoints& desired, double dt_s) noexce
   }
   blend_.start_motion({measured_.position_rad, measured_.velocity_rad_s}, desired);
   const bool loaded = before_ != ControlMode::kDisabled && all_enabled_;
-  blend_.start_torque((loaded ? 1.0 : 0.0) * transmission_.actuator_torque(motor_torque_Nm()), dt_s);
+  blend_.start_torque((loaded ? 1.0 : 0.0) * transmission_.actuator_torque(motor_torque_Nm_), dt_s);
 }
 
 /// A joint that was beyond a limit when the mode began must not be pulled back at once: enabling would kick.
@@ -244,7 +234,7 @@ void LegController::add_soft_stops(JointVector& torque_Nm) noexcept {
 }
 
 void LegController::enter_compliance(const JointVector& law_Nm, double dt_s) noexcept {
-  const JointVector there_Nm = (all_enabled_ ? 1.0 : 0.0) * motor_torque_Nm();
+  const JointVector there_Nm = (all_enabled_ ? 1.0 : 0.0) * motor_torque_Nm_;
   offset_Nm_ = there_Nm - law_Nm;
   const JointVector actuator_Nm = transmission_.actuator_torque(there_Nm);
   const JointVector change_Nm = transmission_.actuator_torque(offset_Nm_);
@@ -261,8 +251,8 @@ void LegController::damp(DriveCommand& out) noexcept {
   entering_ = true;
   fill(out, DriveMode::kDamping);
   for (int i = 0; i < transmission_.size(); ++i) {
-    command(out, i).commanded_damping_Nm_s_rad =
-        actuators_[static_cast<std::size_t>(i)].safety_damping_Nm_s_rad;
+    command(out, i).commanded_damping_Nm_s_rad = actuators_[static_cast<std::size_t>(i)]
+                                                     .safety_damping_Nm_s_rad;
   }
 }
 

@@ -51,9 +51,6 @@ class LegController {
 
  private:
   bool read(const std::vector<EstimatedJoint>& joints) noexcept;
-  /// As measured, before friction and rotor inertia: the papers' joint torque has lost the papers' friction,
-  /// whatever is identified.
-  JointVector motor_torque_Nm() const noexcept;
   LegOutcome follow(const DesiredLeg& desired, double desired_age_s, double dt_s, DriveCommand& out) noexcept;
   LegOutcome position(const DesiredLeg& desired, const FootMotion& foot, double dt_s,
                       DriveCommand& out) noexcept;
@@ -80,8 +77,8 @@ class LegController {
   JointCompensation compensation_;
 
   ControlMode mode_ = ControlMode::kDisabled;  ///< of this step
-  ControlMode before_ =
-      ControlMode::kDisabled;  ///< of the step before; kDisabled while not all drives were on
+  /// Of the step before; kDisabled while not all drives were on.
+  ControlMode before_ = ControlMode::kDisabled;
   bool all_enabled_ = false;
   bool entering_ = true;   ///< this step is the mode's first with enabled drives
   SetPointBlend blend_;    ///< position and joint mode
@@ -91,7 +88,7 @@ class LegController {
   GainRamp gains_;
   JointVector lowest_rad_, highest_rad_;  ///< position mode: between them each joint's set-point may be
   LegMotion measured_;
-  JointVector motor_side_torque_Nm_;
+  JointVector motor_torque_Nm_;          ///< of this step, as measured
   std::vector<TorqueLimiter> limiters_;  ///< compliance
   std::vector<PositionWindow> windows_;  ///< position and joint mode
   LimitCounts counts_;

@@ -14,7 +14,7 @@ PositionWindow::PositionWindow(const ActuatorConfig& actuator) noexcept
 double PositionWindow::hold(double set_point_rad, double measured_rad, double cycle_s) noexcept {
   const bool outside = std::abs(set_point_rad - measured_rad) > half_rad_;
   held_s_ = outside ? held_s_ + cycle_s : 0.0;
-  acts_ = outside && held_s_ <= kPatience_s;
+  acts_ = outside && held_s_ <= kHold_limit_s;
   return acts_ ? std::clamp(set_point_rad, measured_rad - half_rad_, measured_rad + half_rad_)
                : set_point_rad;
 }

@@ -2,7 +2,7 @@
 /// Keeps an actuator's position set-point where its drive's loop already gives all the torque that there is.
 /// A leg that is torn away by a push would else be a following error (a drive lets go of the robot, and bus
 /// by bus all others follow) long before the planner sees the fall and lets every leg down. Not for ever:
-/// what is still held off after kPatience_s is blocked, and that the drive shall say. Pure.
+/// what is still held off after kHold_limit_s is blocked, and that the drive shall say. Pure.
 #include "robots/robot_config.h"
 
 namespace sprung {
@@ -13,7 +13,7 @@ class PositionWindow {
   /// drive's own window is wider (EPOS2 profile: four times).
   static constexpr double kShare = 2.0;
   /// A robot that falls has fallen by then: 0.5 s from upright to 0.7 rad.
-  static constexpr double kPatience_s = 0.6;
+  static constexpr double kHold_limit_s = 0.6;
 
   /// An actuator whose stiffness is unknown has no window.
   explicit PositionWindow(const ActuatorConfig& actuator) noexcept;

@@ -12,8 +12,8 @@ constexpr double kPeakToMeanOfFade = 1.5;  // of the cubic
 /// is 3 Nm, 1.7 % of the limit. Its speed adds 1.5 Nm, an old torque that fades 2 %: together under 5 %.
 constexpr double kFadeAcceleration_rad_s2 = 100.0;
 constexpr double kFadeStep = 0.02;
-constexpr double kAskedStep =
-    0.021;  // of the limit in a cycle: also what is fed forward comes and goes no faster
+/// Of the limit in a cycle: also what is fed forward comes and goes no faster.
+constexpr double kAskedStep = 0.021;
 
 double largest(const JointVector& v) noexcept { return v.size() > 0 ? v.cwiseAbs().maxCoeff() : 0.0; }
 
@@ -85,8 +85,8 @@ void SetPointBlend::displace(double dt_s) noexcept {
 
 void SetPointBlend::add_motion(SetPoints& joints) const noexcept {
   joints.position_rad += motion_.share() * offset_.position_rad + motion_.run_s() * offset_.velocity_rad_s;
-  joints.velocity_rad_s +=
-      motion_.rate_1_s() * offset_.position_rad + motion_.run_rate() * offset_.velocity_rad_s;
+  joints.velocity_rad_s += motion_.rate_1_s() * offset_.position_rad +
+                           motion_.run_rate() * offset_.velocity_rad_s;
 }
 
 void SetPointBlend::add_torque(SetPoints& actuators) const noexcept {

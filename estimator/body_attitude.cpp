@@ -99,8 +99,8 @@ void BodyAttitude::follow_rates(const ImuReading& imu, double dt_s) noexcept {
 
 void BodyAttitude::follow_feet(const StandingFeet& feet, double dt_s) noexcept {
   const double smoothing_s = feet.weight() > 0.0 ? kRateSmoothing_s : kRateForgotten_s;
-  angular_velocity_rad_s_ +=
-      share(dt_s, smoothing_s) * (feet.angular_velocity_rad_s() - angular_velocity_rad_s_);
+  angular_velocity_rad_s_ += share(dt_s, smoothing_s) *
+                             (feet.angular_velocity_rad_s() - angular_velocity_rad_s_);
   if (known_) {
     trunk_to_world_ = trunk_to_world_ * turned_by(dt_s * angular_velocity_rad_s_);
     const Eigen::Vector3d error_rad = feet.tilt_error_rad(trunk_to_world_);

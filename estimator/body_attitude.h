@@ -37,8 +37,8 @@ class BodyAttitude {
   bool follows_imu_ = false;
   double start_yaw_rad_ = 0.0;
   Eigen::Quaterniond trunk_to_world_ = Eigen::Quaterniond::Identity();
-  Eigen::Quaterniond imu_to_world_ =
-      Eigen::Quaterniond::Identity();  ///< from the world axes of the IMU to ours
+  /// From the world axes of the IMU to ours.
+  Eigen::Quaterniond imu_to_world_ = Eigen::Quaterniond::Identity();
   Eigen::Vector3d angular_velocity_rad_s_ = Eigen::Vector3d::Zero();
 };
 

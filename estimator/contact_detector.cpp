@@ -96,8 +96,8 @@ ContactDetector::Force ContactDetector::force(const std::vector<ContactEvidence>
   for (std::size_t j = 0; j < joints_.size(); ++j) {
     const ResidualModel& joint = joints_[j];
     const ContactEvidence& seen = evidence[j];
-    const double own_lever_m =
-        seen.lever_m - (alike[0] * seen.tangential_lever_m[0] + alike[1] * seen.tangential_lever_m[1]);
+    const double own_lever_m = seen.lever_m - (alike[0] * seen.tangential_lever_m[0] +
+                                               alike[1] * seen.tangential_lever_m[1]);
     const double weight = own_lever_m / variance_Nm2(joint);
     information += weight * seen.lever_m;
     sum.value_N += weight * joint.torque_Nm();

@@ -37,9 +37,9 @@ struct ContactEvidence {
 
 struct [[nodiscard]] ContactEstimate {
   bool contact = false;
-  double confidence =
-      0.0;  ///< that the foot is on the ground: 0.5 between the thresholds, 0 when nothing is known
-  double force_N = 0.0;  ///< vertical, as above
+  double confidence = 0.0;  ///< that the foot is on the ground: 0.5 between the thresholds, 0 when nothing is
+                            ///< known
+  double force_N = 0.0;     ///< vertical, as above
   double force_std_N = 0.0;
 };
 

@@ -60,8 +60,8 @@ void DriveSampler::sample(const std::vector<ActuatorState>& actuators,
     // 0 * NaN is NaN: without this a drive would spoil joints that it does not move.
     position[i] = finite(s) ? s.measured_position_rad : 0.0;
     link[i] = s.measured_link_position_rad;
-    torque[i] =
-        finite(s) ? torque_per_A(actuators_[static_cast<std::size_t>(i)]) * s.measured_current_A : 0.0;
+    torque[i] = finite(s) ? torque_per_A(actuators_[static_cast<std::size_t>(i)]) * s.measured_current_A
+                          : 0.0;
   }
   const JointVector joint_position = transmission_.joint_from_actuator(position);
   const JointVector joint_torque = transmission_.joint_torque(torque);

@@ -13,19 +13,29 @@ struct EstimatorCore::Impl {
       : actuator_count(robot.actuators.size()),
         cycle_s(robot.cycle_s),
         longest_gap_s(watchdogs.joint_state_s),
-        last(robot.joints.size(), robot.legs.size()) {
+        answer(robot.joints.size(), robot.legs.size()) {
     for (const LegConfig& leg : robot.legs) legs.emplace_back(robot, leg, watchdogs.silent_cycles);
     if (robot.body.mass_kg > 0.0) body.emplace(robot);
   }
 
   /// Time since the last cycle; starts anew on the first one, on a gap and when the bridge was restarted.
   double advance(const Stamp& stamp) noexcept {
-    const double dt_s = 1e-6 * static_cast<double>(stamp.utime_us - last.stamp.utime_us);
-    if (started && stamp.seq > last.stamp.seq && dt_s > 0.0 && dt_s <= longest_gap_s) return dt_s;
+    const double dt_s = 1e-6 * static_cast<double>(stamp.utime_us - newest.utime_us);
+    if (started && stamp.seq > newest.seq && dt_s > 0.0 && dt_s <= longest_gap_s) return dt_s;
     for (LegEstimator& leg : legs) leg.reset();
     if (body) body->reset();
     started = true;
     return cycle_s;
+  }
+
+  void run(const DriveState& in, const Imu* imu) noexcept {
+    const double dt_s = advance(in.stamp);
+    for (std::size_t i = 0; i < legs.size(); ++i)
+      legs[i].step(in.actuators, dt_s, answer.joints, answer.legs[i]);
+    if (body) body->step(answer.legs, imu, in.stamp.seq, dt_s, answer.body);
+    newest = answer.stamp = in.stamp;
+    answer.used_drive_state_seq = in.stamp.seq;
+    if (body) answer.used_imu_seq = body->newest_imu_seq();
   }
 
   std::size_t actuator_count;
@@ -33,7 +43,8 @@ struct EstimatorCore::Impl {
   double longest_gap_s;
   std::vector<LegEstimator> legs;
   std::optional<BodyEstimator> body;
-  JointState last;
+  Stamp newest;       ///< of the DRIVE_STATE that was answered last
+  JointState answer;  ///< to it: only ever written, and given again when that cycle is repeated
   bool started = false;
 };
 
@@ -45,20 +56,11 @@ EstimatorCore::EstimatorCore(const RobotConfig& robot, const WatchdogConfig& wat
 EstimatorCore::~EstimatorCore() = default;
 
 void EstimatorCore::step(const DriveState& in, JointState& out, const Imu* imu) noexcept {
-  JointState& last = impl_->last;
-  const bool repeated = impl_->started && in.stamp.seq == last.stamp.seq;
-  if (!repeated && in.actuators.size() == impl_->actuator_count) {
-    const double dt_s = impl_->advance(in.stamp);
-    for (std::size_t i = 0; i < impl_->legs.size(); ++i) {
-      impl_->legs[i].step(in.actuators, dt_s, last.joints, last.legs[i]);
-    }
-    if (impl_->body) impl_->body->step(last.legs, imu, in.stamp.seq, dt_s, last.body);
-    last.stamp = in.stamp;
-    last.used_drive_state_seq = in.stamp.seq;
-    if (impl_->body) last.used_imu_seq = impl_->body->newest_imu_seq();
-  }
-  last.safety = in.safety;
-  out = last;
+  JointState& answer = impl_->answer;
+  const bool repeated = impl_->started && in.stamp.seq == impl_->newest.seq;
+  if (!repeated && in.actuators.size() == impl_->actuator_count) impl_->run(in, imu);
+  answer.safety = in.safety;
+  out = answer;
 }
 
 }  // namespace sprung

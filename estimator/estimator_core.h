@@ -2,9 +2,10 @@
 /// Joint torque from motor current and encoder, without a torque sensor. Pure: no I/O, clock, log or heap in
 /// step.
 ///
-///   motor-side torque  = R Kt i - tau_f          (S0 eq. 6 as printed: the papers' "joint torque")
-///   gear output torque = R Kt i - tau_f - R^2 I qdd   (errata E6: the inertia term is 40-80 times the
-///   friction in a jump)
+///   motor-side torque  = R Kt i - tau_f               S0 (6) as printed: the papers' "joint torque"
+///   gear output torque = R Kt i - tau_f - R^2 I qdd   errata E6
+///
+/// The inertia term is 40-80 times the friction in a jump. S0 (6) and E6 stand in docs/sources.md.
 ///
 /// qdd comes from a Kalman filter on encoder and motor torque, not from differences. tau_f is the law of
 /// robot.yaml, the papers' Coulomb where a joint is not identified; at rest its sign is unknown, and the

@@ -5,7 +5,7 @@
 /// At rest a gear holds any torque between minus and plus its breakaway torque, so the torque L at its output
 /// is only known to lie in an interval around the motor's torque. The estimate is then the last one, moved
 /// only where it has become impossible (set membership): it neither jumps to the middle nor chatters with the
-/// encoder's noise (facts papers E5).
+/// encoder's noise (docs/sources.md, errata E5).
 #include "model/friction/friction_law.h"
 #include "model/friction/presliding_state.h"
 #include "robots/robot_config.h"

@@ -13,8 +13,8 @@ inline constexpr std::int64_t kOldestImu_cycles = 5;
 struct ImuReading {
   Eigen::Vector3d angular_velocity_rad_s = Eigen::Vector3d::Zero();  ///< trunk axes
   Eigen::Vector3d specific_force_m_s2 = Eigen::Vector3d::Zero();
-  Eigen::Quaterniond attitude =
-      Eigen::Quaterniond::Identity();  ///< now: turned on by the rate for as long as it is old
+  /// Now: turned on by the rate for as long as it is old.
+  Eigen::Quaterniond attitude = Eigen::Quaterniond::Identity();
   bool has_attitude = false;
 };
 

@@ -88,7 +88,7 @@ void JointEstimator::step(const JointSample& sample, double dt_s, EstimatedJoint
   if (sample.fresh && (was_stale || referenced != referenced_)) reset();  // homing moves the zero
   referenced_ = referenced;
   if (fresh_samples_ > 0) {
-    follow_temperature(sample, out.external_torque_Nm, dt_s);
+    follow_temperature(sample, dt_s);
     track(sample, dt_s);
   } else if (sample.fresh) {
     start(sample);
@@ -149,8 +149,7 @@ void JointEstimator::use(const JointSample& sample, double dt_s) noexcept {
 
 /// By what the last cycle found. Only while the drive moves the joint: whoever moves it by hand is no
 /// friction.
-void JointEstimator::follow_temperature(const JointSample& sample, double last_external_Nm,
-                                        double dt_s) noexcept {
+void JointEstimator::follow_temperature(const JointSample& sample, double dt_s) noexcept {
   if (!temperature_.configured()) return;
   temperature_.predict(friction_.friction_torque_Nm(), filter_.velocity_rad_s(), dt_s);
   const bool settled = fresh_samples_ >= settling_samples_ && coasted_cycles_ == 0;
@@ -158,7 +157,7 @@ void JointEstimator::follow_temperature(const JointSample& sample, double last_e
   FrictionInput at;
   at.velocity_rad_s = filter_.velocity_rad_s();
   at.gear_output_torque_Nm = friction_.output_torque_Nm();
-  temperature_.observe(at, -last_external_Nm, dt_s);
+  temperature_.observe(at, -sample.last_external_torque_Nm, dt_s);
 }
 
 double JointEstimator::sampling_std_rad() const noexcept {
@@ -183,17 +182,18 @@ void JointEstimator::write_motion(EstimatedJoint& out) const noexcept {
   out.estimated_position_rad = filter_.position_rad();
   out.estimated_velocity_rad_s = filter_.velocity_rad_s();
   out.estimated_acceleration_rad_s2 = acceleration_rad_s2();
-  out.estimated_position_bound_rad =
-      kBoundStds * root_sum_square(filter_.position_std_rad(), sampling_std_rad());
+  out.estimated_position_bound_rad = kBoundStds *
+                                     root_sum_square(filter_.position_std_rad(), sampling_std_rad());
   out.estimated_velocity_bound_rad_s = kBoundStds * filter_.velocity_std_rad_s();
-  out.estimated_acceleration_bound_rad_s2 =
-      kBoundStds * root_sum_square(filter_.unexplained_std_rad_s2(), filter_.unexplained_step_rad_s2(),
-                                   kCurrentNoise_Nm / inertia(joint_));
+  out.estimated_acceleration_bound_rad_s2 = kBoundStds * root_sum_square(filter_.unexplained_std_rad_s2(),
+                                                                         filter_.unexplained_step_rad_s2(),
+                                                                         kCurrentNoise_Nm / inertia(joint_));
 }
 
 void JointEstimator::write_torques(EstimatedJoint& out) const noexcept {
-  out.motor_side_torque_Nm =
-      motor_torque_Nm_ - papers_friction(joint_.coulomb_friction_Nm, filter_.velocity_rad_s()).torque_Nm;
+  out.measured_motor_torque_Nm = motor_torque_Nm_;
+  out.motor_side_torque_Nm = motor_torque_Nm_ -
+                             papers_friction_Nm(joint_.coulomb_friction_Nm, filter_.velocity_rad_s());
   out.gear_output_torque_Nm = friction_.output_torque_Nm();
   out.friction_torque_Nm = friction_.friction_torque_Nm();
   out.at_rest = friction_.at_rest();

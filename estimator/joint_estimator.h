@@ -20,8 +20,11 @@ struct JointSample {
   JointStatus drive_status = JointStatus::kOk;  ///< worst of the drives that move this joint
   bool fresh = false;                           ///< all of them answered this SYNC, and with finite numbers
   bool drive_enabled = false;
-  bool untouched =
-      false;  ///< the leg is not known to touch anything: what the model does not explain is friction
+  bool untouched = false;  ///< the leg is not known to touch anything: what the model does not explain is
+                           ///< friction
+  /// What the leg found outside torques on this joint to be in the cycle before; NaN: not known. On a joint
+  /// that nothing touches it is what friction differs from its law, by which the gear's temperature is known.
+  double last_external_torque_Nm = kNaN;
 };
 
 class JointEstimator {
@@ -35,16 +38,14 @@ class JointEstimator {
   void reset() noexcept;
   /// Without a fresh sample the filter coasts on its last acceleration; when that lasts, torques become NaN
   /// and the status stale, and the next fresh sample starts it anew.
-  /// @param out of the last cycle, overwritten. Its external_torque_Nm is the leg's to fill, and is read
-  ///        back: on a joint that nothing touches it is what friction differs from its law, by which the
-  ///        gear's temperature is known.
+  /// @param out written, never read; external_torque_Nm and its bound are the leg's to fill.
   void step(const JointSample& sample, double dt_s, EstimatedJoint& out) noexcept;
 
  private:
   void start(const JointSample& sample) noexcept;
   void track(const JointSample& sample, double dt_s) noexcept;
   void use(const JointSample& sample, double dt_s) noexcept;
-  void follow_temperature(const JointSample& sample, double last_external_Nm, double dt_s) noexcept;
+  void follow_temperature(const JointSample& sample, double dt_s) noexcept;
   JointStatus status(const JointSample& sample) const noexcept;
   double acceleration_rad_s2() const noexcept;
   double sampling_std_rad() const noexcept;

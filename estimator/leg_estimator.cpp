@@ -48,8 +48,8 @@ LegEstimator::LegEstimator(const RobotConfig& robot, const LegConfig& leg, int l
   const int n = static_cast<int>(joints_.size());
   std::vector<ResidualModel> residuals;
   for (int j = 0; j < n; ++j) {
-    const JointConfig& joint =
-        robot.joints.at(static_cast<std::size_t>(joints_[static_cast<std::size_t>(j)]));
+    const JointConfig& joint = robot.joints.at(
+        static_cast<std::size_t>(joints_[static_cast<std::size_t>(j)]));
     configs_.push_back(joint);
     friction_laws_.push_back(joint.estimated_friction());
     estimators_.emplace_back(joint, robot.cycle_s, sampler_.encoder_step_rad(j), longest_coast_cycles);
@@ -62,20 +62,30 @@ LegEstimator::LegEstimator(const RobotConfig& robot, const LegConfig& leg, int l
   for (JointVector* v : {&position_rad_, &velocity_rad_s_, &acceleration_rad_s2_, &output_torque_Nm_,
                          &link_torque_Nm_, &weight_Nm_, &external_bound_Nm_})
     v->resize(n);
+  external_torque_Nm_.setConstant(n, kNaN);
 }
 
 void LegEstimator::reset() noexcept {
   for (JointEstimator& e : estimators_) e.reset();
   if (contact_) contact_->reset();
+  external_torque_Nm_.setConstant(kNaN);
 }
 
 void LegEstimator::step(const std::vector<ActuatorState>& actuators, double dt_s,
                         std::vector<EstimatedJoint>& joints, EstimatedLeg& out) noexcept {
-  sampler_.sample(actuators, samples_);
-  for (JointSample& sample : samples_) sample.untouched = contact_ && contact_->surely_free();
+  sample(actuators);
   step_joints(dt_s, joints);
   out = EstimatedLeg{};
   if (kinematics_ != nullptr) step_foot(dt_s, joints, out);
+}
+
+void LegEstimator::sample(const std::vector<ActuatorState>& actuators) noexcept {
+  sampler_.sample(actuators, samples_);
+  for (std::size_t j = 0; j < samples_.size(); ++j) {
+    samples_[j].untouched = contact_ && contact_->surely_free();
+    samples_[j].last_external_torque_Nm = external_torque_Nm_[static_cast<int>(j)];
+  }
+  external_torque_Nm_.setConstant(kNaN);
 }
 
 void LegEstimator::step_joints(double dt_s, std::vector<EstimatedJoint>& joints) noexcept {
@@ -114,17 +124,17 @@ void LegEstimator::write_motion(EstimatedLeg& out) noexcept {
 void LegEstimator::write_force(std::vector<EstimatedJoint>& joints, EstimatedLeg& out) noexcept {
   link_torque_Nm_ = kinematics_->inverse_dynamics_Nm(pose_, velocity_rad_s_, acceleration_rad_s2_);
   weight_Nm_ = kinematics_->gravity_torque_Nm(pose_);
-  const JointVector external_Nm = link_torque_Nm_ - output_torque_Nm_;
+  external_torque_Nm_ = link_torque_Nm_ - output_torque_Nm_;
   const LegJacobian to_force = damped_inverse(jacobian_).matrix;
-  out.foot_force_N = to_vec3(to_force * external_Nm);
+  out.foot_force_N = to_vec3(to_force * external_torque_Nm_);
   for (std::size_t j = 0; j < joints_.size(); ++j) {
     const int i = static_cast<int>(j);
     EstimatedJoint& joint = joints[static_cast<std::size_t>(joints_[j])];
-    joint.external_torque_Nm = external_Nm[i];
-    joint.external_torque_bound_Nm =
-        root_sum_square(joint.gear_output_torque_bound_Nm,
-                        kStdsFor95 * root_sum_square(configs_[j].uncertainty.mass * link_torque_Nm_[i],
-                                                     kHipAcceleration * weight_Nm_[i]));
+    joint.external_torque_Nm = external_torque_Nm_[i];
+    joint.external_torque_bound_Nm = root_sum_square(
+        joint.gear_output_torque_bound_Nm,
+        kStdsFor95 * root_sum_square(configs_[j].uncertainty.mass * link_torque_Nm_[i],
+                                     kHipAcceleration * weight_Nm_[i]));
     external_bound_Nm_[i] = joint.external_torque_bound_Nm;
   }
   for (int axis = 0; axis < 3; ++axis) {
@@ -134,8 +144,8 @@ void LegEstimator::write_force(std::vector<EstimatedJoint>& joints, EstimatedLeg
       sum_N += bound_N;
       squares_N2 += bound_N * bound_N;
     }
-    out.foot_force_bound_N[static_cast<std::size_t>(axis)] =
-        std::sqrt(kAlike * sum_N * sum_N + (1.0 - kAlike) * squares_N2);
+    out.foot_force_bound_N[static_cast<std::size_t>(axis)] = std::sqrt(kAlike * sum_N * sum_N +
+                                                                       (1.0 - kAlike) * squares_N2);
   }
 }
 
@@ -149,9 +159,10 @@ void LegEstimator::gather_evidence(const std::vector<EstimatedJoint>& joints) no
     JointResidual& residual = evidence_[j].residual;
     residual.torque_Nm = joint.external_torque_Nm;
     residual.part_Nm = {joint.at_rest ? 0.0 : joint.friction_torque_Nm, inertia_Nm, motor_Nm, weight_Nm_[i]};
-    residual.unknown_friction_Nm =
-        joint.at_rest ? joint.gear_output_torque_bound_Nm
-                      : std::exp(-slow * slow) * dry_friction_Nm(friction_laws_[j], output_torque_Nm_[i]);
+    residual.unknown_friction_Nm = joint.at_rest
+                                       ? joint.gear_output_torque_bound_Nm
+                                       : std::exp(-slow * slow) *
+                                             dry_friction_Nm(friction_laws_[j], output_torque_Nm_[i]);
     evidence_[j].lever_m = jacobian_(2, i);
     evidence_[j].tangential_lever_m = {jacobian_(0, i), jacobian_(1, i)};
   }

@@ -19,18 +19,20 @@ class LegEstimator {
   LegEstimator(const RobotConfig& robot, const LegConfig& leg, int longest_coast_cycles);
 
   void reset() noexcept;
-  /// Writes this leg's entries of `joints` (all of the robot's) and `out`. What is not known stays NaN.
+  /// Writes this leg's entries of `joints` (all of the robot's) and `out`, whatever they held: nothing of an
+  /// output is state. What is not known is NaN.
   void step(const std::vector<ActuatorState>& actuators, double dt_s, std::vector<EstimatedJoint>& joints,
             EstimatedLeg& out) noexcept;
 
  private:
+  void sample(const std::vector<ActuatorState>& actuators) noexcept;
   void step_joints(double dt_s, std::vector<EstimatedJoint>& joints) noexcept;
   void write_motion(EstimatedLeg& out) noexcept;
   void step_foot(double dt_s, std::vector<EstimatedJoint>& joints, EstimatedLeg& out) noexcept;
   /// Force that, beside the drives, explains the leg's motion: external torque = M qdd + V + G - gear output
   /// torque (positive accelerates the joint toward +q), force on the foot = J^-T external torque. The hip's
-  /// own acceleration is not known and left out (errata E16): the error is at most the leg's own weight in
-  /// flight, and is in the bounds.
+  /// own acceleration is not known and left out (docs/sources.md, errata E16): the error is at most the leg's
+  /// own weight in flight, and is in the bounds.
   void write_force(std::vector<EstimatedJoint>& joints, EstimatedLeg& out) noexcept;
   void gather_evidence(const std::vector<EstimatedJoint>& joints) noexcept;
 
@@ -45,7 +47,8 @@ class LegEstimator {
   std::vector<ContactEvidence> evidence_;
   JointVector position_rad_, velocity_rad_s_, acceleration_rad_s2_, output_torque_Nm_;
   JointVector link_torque_Nm_, weight_Nm_, external_bound_Nm_;
-  LegPose pose_;  ///< of this cycle, as jacobian_
+  JointVector external_torque_Nm_;  ///< until the next cycle, which begins with it; NaN: not known
+  LegPose pose_;                    ///< of this cycle, as jacobian_
   LegJacobian jacobian_;
 };
 

@@ -24,7 +24,7 @@ constexpr double kMostNoise = 3;
 constexpr double kReversalTime_s = 4e-3;
 /// Contact that is not found within this time may be learnt as an error; the slowest touchdown should take 20
 /// ms.
-constexpr double kPatience_s = 0.025;
+constexpr double kLearning_delay_s = 0.025;
 constexpr double kHalfWidthStd = 0.5773502691896258;  // of a half-width: 1 / sqrt 3
 
 }  // namespace
@@ -32,7 +32,7 @@ constexpr double kHalfWidthStd = 0.5773502691896258;  // of a half-width: 1 / sq
 ResidualModel::ResidualModel(const ErrorShares& prior, double noise_Nm, double cycle_s)
     : prior_(prior),
       first_noise_Nm_(noise_Nm),
-      waiting_(static_cast<std::size_t>(std::max(1.0, std::round(kPatience_s / cycle_s)))) {
+      waiting_(static_cast<std::size_t>(std::max(1.0, std::round(kLearning_delay_s / cycle_s)))) {
   reset();
 }
 
@@ -116,8 +116,8 @@ void ResidualModel::learn(const Sample& sample, double dt_s) noexcept {
   }
   const double noise_Nm2 = std::max(0.0, left_Nm * left_Nm - explained_Nm2);
   const double most_noise_Nm = kMostNoise * first_noise_Nm_;
-  noise_Nm2_ =
-      std::min(noise_Nm2_ + dt_s / kNoiseTime_s * (noise_Nm2 - noise_Nm2_), most_noise_Nm * most_noise_Nm);
+  noise_Nm2_ = std::min(noise_Nm2_ + dt_s / kNoiseTime_s * (noise_Nm2 - noise_Nm2_),
+                        most_noise_Nm * most_noise_Nm);
 }
 
 }  // namespace sprung

@@ -7,7 +7,7 @@
 /// shares as state (first-order Markov, back to their prior within kMemory_s) learns them where the foot is
 /// free. Its prediction is taken off the estimate; its variance says what the estimate is worth now. A share
 /// that the swing did not show (acceleration in a steady descent) stays as uncertain as it was. What is
-/// learnt is kPatience_s old: a contact that is found within that time has taught nothing.
+/// learnt is kLearning_delay_s old: a contact that is found within that time has taught nothing.
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -19,10 +19,10 @@ enum ErrorSource { kFrictionError, kInertiaError, kMotorError, kWeightError, kEr
 using ErrorShares = std::array<double, kErrorSources>;
 
 struct JointResidual {
-  double torque_Nm = 0.0;  ///< external torque as estimated
-  ErrorShares part_Nm{};   ///< friction, armature * acceleration, motor torque, weight: signed
-  double unknown_friction_Nm =
-      0.0;  ///< half-width of what friction may be besides: its sign is not known at rest
+  double torque_Nm = 0.0;            ///< external torque as estimated
+  ErrorShares part_Nm{};             ///< friction, armature * acceleration, motor torque, weight: signed
+  double unknown_friction_Nm = 0.0;  ///< half-width of what friction may be besides: its sign is not known at
+                                     ///< rest
 };
 
 class ResidualModel {

@@ -37,8 +37,8 @@ void TemperatureFilter::observe(const FrictionInput& at, double excess_Nm, doubl
   FrictionInput warmer = at, colder = at;
   warmer.temperature_C = state_.temperature_C() + kDifference_K;
   colder.temperature_C = state_.temperature_C() - kDifference_K;
-  const double by_kelvin =
-      (friction_torque_Nm(law_, warmer) - friction_torque_Nm(law_, colder)) / (2.0 * kDifference_K);
+  const double by_kelvin = (friction_torque_Nm(law_, warmer) - friction_torque_Nm(law_, colder)) /
+                           (2.0 * kDifference_K);
   const double room_Nm = kGateLeast_Nm + kGateStds * std::abs(by_kelvin) * std_K();
   if (by_kelvin == 0.0 || std::abs(excess_Nm) > room_Nm) return;
   const double gain = variance_K2_ * by_kelvin / (by_kelvin * by_kelvin * variance_K2_ + kNoise_Nm2_s / dt_s);

@@ -1,7 +1,7 @@
 #pragma once
-/// Temperature of a gear without a sensor: the heat that friction makes (facts papers D2), corrected slowly
-/// by how much friction there truly is while the joint moves its own weight and nothing else. Kalman filter
-/// of one state. Pure.
+/// Temperature of a gear without a sensor: the heat that friction makes (docs/sources.md, facts D2),
+/// corrected slowly by how much friction there truly is while the joint moves its own weight and nothing
+/// else. Kalman filter of one state. Pure.
 ///
 /// It is the temperature at which the law of robot.yaml gives the friction that is seen: where friction has
 /// changed for another reason, it follows that.

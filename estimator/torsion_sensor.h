@@ -1,6 +1,6 @@
 #pragma once
 /// A gear as a torque sensor: what it is twisted between motor encoder and link encoder, times its stiffness
-/// (facts papers D8). Pure.
+/// (docs/sources.md, facts D8). Pure.
 #include <limits>
 
 #include "robots/torsion_config.h"

@@ -2,13 +2,13 @@
 /// Position, velocity and acceleration of one joint from its encoder, by a Kalman filter with the motor's own
 /// acceleration as known input. Pure, no heap; about a hundred multiplications a step.
 ///
-///   model   qdd = input + unexplained,  d(unexplained)/dt = white noise,  measurement = position + white
-///   noise
+///   model         qdd = input + unexplained,  d(unexplained)/dt = white noise
+///   measurement   position + white noise
 ///
 /// `input` is what the motor torque alone would do, (R Kt i - tau_f) / (R^2 I). The filter then only has to
-/// track what the link does to the gear, which is small and slow beside the rotor's own acceleration (facts
-/// E6, D6), so that the gear's output torque -R^2 I * unexplained comes without differences and without the
-/// lag of an acceleration filter.
+/// track what the link does to the gear, which is small and slow beside the rotor's own acceleration
+/// (docs/sources.md, facts E6, D6), so that the gear's output torque -R^2 I * unexplained comes without
+/// differences and without the lag of an acceleration filter.
 ///
 /// The covariance is propagated and not a steady state's: an encoder that is read at an uncertain instant is
 /// worse the faster the joint moves, by a factor of 100 in a jump, and samples may be missing. So the filter

@@ -21,8 +21,8 @@ inline constexpr const char* kNoKinematics = "none";
 /// LegConfig::kinematics of a single swinging arm, as on a bench: it has an end that can be moved and pushed,
 /// but nothing stands on it.
 inline constexpr const char* kOneLink = "one_link";
-/// LegConfig::kinematics of hip and knee in the x-z plane, frame of facts E1 (papers' y is our z):
-/// model/two_link.h.
+/// LegConfig::kinematics of hip and knee in the x-z plane, frame of S0 (10), docs/sources.md (the papers' y
+/// is our z): model/two_link.h.
 inline constexpr const char* kTwoLink = "two_link";
 /// LegConfig::kinematics of abduction, hip and knee: model/three_joint.h.
 inline constexpr const char* kThreeJoint = "three_joint";
@@ -40,8 +40,8 @@ struct LegConfig {
   /// joint = transmission * actuator, row-major joints x actuators.
   std::vector<double> transmission;
   std::vector<LinkConfig> links;  ///< thigh, shank; kThreeJoint: hip link (sideways), thigh, shank
-  std::array<double, 3>
-      hip_in_trunk_m{};         ///< origin of the hip's axes, in trunk axes, from the middle of the hips
+  /// Origin of the hip's axes, in trunk axes, from the middle of the hips.
+  std::array<double, 3> hip_in_trunk_m{};
   double contact_on_N = 0.0;    ///< vertical foot force above which contact is declared
   double contact_off_N = 0.0;   ///< below which it is lost
   double contact_rise_s = 0.0;  ///< must last this long

@@ -16,8 +16,8 @@ constexpr double kSingularBelow_m = 0.02;
 constexpr double kDampingAtSingular_m = 0.02;
 constexpr double kSurely = 2.0;  ///< beyond what rounding can do to the bound below
 
-using JointMatrix =
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMaxLegJoints, kMaxLegJoints>;
+using JointMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMaxLegJoints,
+                                  kMaxLegJoints>;
 
 double smallest_eigenvalue(const JointMatrix& symmetric) noexcept {
   if (symmetric.rows() < 1)  // none; g++ 14 takes it that the solver would read what nobody has written

@@ -1,8 +1,9 @@
 #pragma once
 /// Geometry and statics of one leg. Pure: no I/O, clock, log or heap after construction; safe in the loop.
 /// Frame: hip axes, x forward, y left, z up, origin at the hip (three_joint.h: on the abduction axis). The
-/// papers' planar y is our z. Equations: docs/control.md, "Leg kinematics". Joint torques are positive along
-/// their joint's positive direction; forces are in N, on the foot, in hip axes.
+/// papers' planar y is our z. Equations: docs/control.md, "Leg kinematics"; where they come from:
+/// docs/sources.md, A5 and A6. Joint torques are positive along their joint's positive direction; forces are
+/// in N, on the foot, in hip axes.
 #include <Eigen/Core>
 #include <memory>
 
@@ -60,8 +61,8 @@ class LegKinematics {
   /// A foot that is not finite: near_rad, not reachable.
   virtual InverseResult inverse(const Eigen::Vector3d& foot_in_hip_m,
                                 const JointVector& near_rad) const noexcept = 0;
-  /// Torque that holds the leg's own weight with the hip at rest: gradient of the potential energy (errata
-  /// E1).
+  /// Torque that holds the leg's own weight with the hip at rest: gradient of the potential energy, errata
+  /// E1.
   virtual JointVector gravity_torque_Nm(const LegPose& pose) const noexcept = 0;
   /// Torque at the gear outputs for this motion of the links, hip fixed (errata E16: in flight and in stance
   /// the hip accelerates, which this leaves out): M qdd + V + G. Rotors are not in it.

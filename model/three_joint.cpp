@@ -46,8 +46,8 @@ ThreeJoint::ThreeJoint(const LegConfig& leg) : plane_(plane_of(leg)) {
   const double below_kg = thigh_.mass_kg + shank_.mass_kg;
   offset_m_ = side * hip.length_m;
   lateral_moment_kg_m_ = side * hip.mass_kg * hip.com_m + below_kg * offset_m_;
-  lateral_inertia_kg_m2_ =
-      hip.inertia_kg_m2 + hip.mass_kg * hip.com_m * hip.com_m + below_kg * offset_m_ * offset_m_;
+  lateral_inertia_kg_m2_ = hip.inertia_kg_m2 + hip.mass_kg * hip.com_m * hip.com_m +
+                           below_kg * offset_m_ * offset_m_;
   nearest_m_ = std::hypot(thigh_.length_m - shank_.length_m, offset_m_);
   farthest_m_ = std::hypot(thigh_.length_m + shank_.length_m, offset_m_);
 }
@@ -114,19 +114,19 @@ InverseResult ThreeJoint::inverse(const Eigen::Vector3d& foot_in_hip_m,
   const double with_foot_below = turned_toward(about_axis - below, near_rad[0]);
   const double with_foot_above = turned_toward(about_axis + below, near_rad[0]);
   const bool above = std::abs(with_foot_above - near_rad[0]) < std::abs(with_foot_below - near_rad[0]);
-  const InverseResult plane =
-      plane_.inverse({foot.x(), 0.0, above ? depth : -depth}, joint_vector(near_rad[1], near_rad[2]));
+  const InverseResult plane = plane_.inverse({foot.x(), 0.0, above ? depth : -depth},
+                                             joint_vector(near_rad[1], near_rad[2]));
   InverseResult out;
-  out.position_rad =
-      joint_vector(above ? with_foot_above : with_foot_below, plane.position_rad[0], plane.position_rad[1]);
+  out.position_rad = joint_vector(above ? with_foot_above : with_foot_below, plane.position_rad[0],
+                                  plane.position_rad[1]);
   out.reachable = (foot - wanted).norm() <= kInReach_m;
   return out;
 }
 
 JointVector ThreeJoint::gravity_torque_Nm(const LegPose& pose) const noexcept {
   const Eigen::Vector2d plane = plane_.weight_torque_Nm(pose, kGravity_m_s2 * pose.abduction.cosine);
-  const double left_kg_m =
-      pose.abduction.cosine * lateral_moment_kg_m_ - pose.abduction.sine * plane_.mass_moment_kg_m(pose);
+  const double left_kg_m = pose.abduction.cosine * lateral_moment_kg_m_ -
+                           pose.abduction.sine * plane_.mass_moment_kg_m(pose);
   return joint_vector(kGravity_m_s2 * left_kg_m, plane[0], plane[1]);
 }
 
@@ -135,8 +135,8 @@ ThreeJoint::RollInertia ThreeJoint::roll_inertia(const LegPose& pose) const noex
   const SineCosine& shank = pose.shank;
   const double thigh_kg_m2 = thigh_.inertia_kg_m2 + thigh_.mass_kg * thigh_.com_m * thigh_.com_m;
   const double shank_depth_m = thigh_.length_m * thigh.sine + shank_.com_m * shank.sine;
-  const double by_thigh =
-      2.0 * thigh.cosine * (thigh_kg_m2 * thigh.sine + shank_.mass_kg * shank_depth_m * thigh_.length_m);
+  const double by_thigh = 2.0 * thigh.cosine *
+                          (thigh_kg_m2 * thigh.sine + shank_.mass_kg * shank_depth_m * thigh_.length_m);
   const double by_shank = 2.0 * shank.cosine *
                           (shank_.inertia_kg_m2 * shank.sine + shank_.mass_kg * shank_depth_m * shank_.com_m);
   const double value_kg_m2 = lateral_inertia_kg_m2_ + thigh_kg_m2 * thigh.sine * thigh.sine +

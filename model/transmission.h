@@ -30,8 +30,8 @@ class Transmission {
   JointVector joint_torque_bound(const JointVector& actuator_bound_Nm) const noexcept;
 
  private:
-  using Matrix =
-      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMaxLegJoints, kMaxLegJoints>;
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMaxLegJoints,
+                               kMaxLegJoints>;
   Matrix to_joint_;
   Matrix to_actuator_;
 };

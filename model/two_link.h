@@ -1,8 +1,8 @@
 #pragma once
 /// Hip and knee in the x-z plane. theta1: thigh angle from +x, positive downward (pi/2 is straight down);
 /// theta2: knee flexion, so that the absolute shank angle is theta1 - theta2. With theta2 > 0 and the foot
-/// under the hip the knee is behind. Equations: facts/papers "Verified equations and errata", E1, E3, E4, and
-/// the leg dynamics M, V, G.
+/// under the hip the knee is behind. Equations: S0 (10) to (12) with errata E1, E3,
+/// E4, and M, V, G of facts A6 (docs/sources.md).
 #include "model/leg_kinematics.h"
 
 namespace sprung {

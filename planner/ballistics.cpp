@@ -13,8 +13,8 @@ std::int64_t after(std::int64_t utime_us, double seconds) noexcept {
 }  // namespace
 
 double rise_m(double liftoff_length_m, double touchdown_length_m, double flight_s) noexcept {
-  const double speed_m_s =
-      (touchdown_length_m - liftoff_length_m) / flight_s + 0.5 * kGravity_m_s2 * flight_s;
+  const double speed_m_s = (touchdown_length_m - liftoff_length_m) / flight_s +
+                           0.5 * kGravity_m_s2 * flight_s;
   return speed_m_s > 0.0 ? speed_m_s * speed_m_s / (2.0 * kGravity_m_s2) : 0.0;
 }
 

@@ -20,8 +20,8 @@ struct LiftOff {
   double speed_m_s = 0.0;
 };
 
-/// Rise of the hip above its height at lift-off (errata E11), by v = (L1 - L0) / t + g t / 2 and h = v^2 / (2
-/// g); 0 where v is not upward. @param flight_s > 0.
+/// Rise of the hip above its height at lift-off (docs/sources.md, errata E11), by v = (L1 - L0) / t + g t / 2
+/// and h = v^2 / (2 g); 0 where v is not upward. @param flight_s > 0.
 double rise_m(double liftoff_length_m, double touchdown_length_m, double flight_s) noexcept;
 
 /// From the rise since the ground's force was gone to the rise since the foot left its undented surface,

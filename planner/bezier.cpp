@@ -26,8 +26,8 @@ CurvePoint Bezier::at(double time_s) const noexcept {
   for (int left = degree_; left > 0; --left) {
     // b holds left + 1 points here; differences of the last three and two are the derivatives.
     if (left == 2) {
-      out.acceleration_1_s2 =
-          degree_ * (degree_ - 1) * (b[2] - 2.0 * b[1] + b[0]) / (duration_s_ * duration_s_);
+      out.acceleration_1_s2 = degree_ * (degree_ - 1) * (b[2] - 2.0 * b[1] + b[0]) /
+                              (duration_s_ * duration_s_);
     }
     if (left == 1) out.rate_1_s = degree_ * (b[1] - b[0]) / duration_s_;
     for (std::size_t i = 0; i < static_cast<std::size_t>(left); ++i) b[i] = (1.0 - u) * b[i] + u * b[i + 1];

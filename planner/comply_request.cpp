@@ -30,7 +30,7 @@ ComplyRequest comply_request(const OperatorCommand& command, const PresetConfig&
   return out;
 }
 
-const char* comply_mistake(const OperatorCommand& command, const PresetConfig& preset) noexcept {
+const char* validate_comply(const OperatorCommand& command, const PresetConfig& preset) noexcept {
   const bool preset_has_none = preset.compliance.stiffness_N_m == Vec3{};
   if (preset_has_none && is_open(command.stiffness_N_m))
     return "stiffness is missing: this preset has no compliance of its own, give x and z";

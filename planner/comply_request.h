@@ -19,6 +19,6 @@ ComplyRequest comply_request(const OperatorCommand& command, const PresetConfig&
 
 /// Why it cannot be done, static text; nullptr: it can. The sideways axis may stay open: planar legs have
 /// none.
-const char* comply_mistake(const OperatorCommand& command, const PresetConfig& preset) noexcept;
+const char* validate_comply(const OperatorCommand& command, const PresetConfig& preset) noexcept;
 
 }  // namespace sprung

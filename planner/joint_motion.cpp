@@ -27,7 +27,7 @@ JointMotion::JointMotion(const RobotConfig& robot)
   }
 }
 
-const char* JointMotion::mistake(const JointRequest& request) const noexcept {
+const char* JointMotion::validate(const JointRequest& request) const noexcept {
   if (!fits_message_) return "joint moves are for legs of up to three joints";
   if (request.joint < 0 || request.joint >= static_cast<int>(limits_.size()))
     return "this robot has no such joint";

@@ -25,11 +25,11 @@ class JointMotion {
   explicit JointMotion(const RobotConfig& robot);
 
   /// Why this cannot be done, static text; nullptr: it can.
-  const char* mistake(const JointRequest& request) const noexcept;
+  const char* validate(const JointRequest& request) const noexcept;
 
   /// Every joint stays where it was measured; nothing moves. @return false where one was not measured.
   bool hold(const JointState& in) noexcept;
-  /// From where the joint shall be now. Only without a mistake, and while none moves.
+  /// From where the joint shall be now. Only when validate() found nothing, and while none moves.
   void begin(const JointRequest& request, std::int64_t now_us) noexcept;
   /// Whatever moves comes to rest with the acceleration that it was begun with.
   void brake(std::int64_t now_us) noexcept;

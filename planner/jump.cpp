@@ -11,9 +11,9 @@ namespace {
 constexpr const char* kNoCurve = "this preset has no jump_curve: the robot does not jump";
 constexpr double kMostAmplitude = 3.0;   // no curve is tried beyond
 constexpr double kAmplitudeStep = 0.01;  // of the search for the highest that can be followed
-constexpr double kOwnCurve = 1.0;        // amplitude of the preset's curve as it is
-constexpr double kMostSpeedShare =
-    2.0;  // learned: how much faster than the leg the hip may leave soft ground
+constexpr double kPresetCurve = 1.0;     // amplitude of the preset's curve as it is
+/// Learned: how much faster than the leg the hip may leave soft ground.
+constexpr double kMostSpeedShare = 2.0;
 constexpr double kFarthestForward_m = 0.5;  // far beyond what a leg can
 
 std::string millimetres(double length_m) { return std::to_string(std::lround(1e3 * length_m)); }
@@ -28,18 +28,18 @@ Jump::Jump(const RobotConfig& robot, const PresetConfig& preset)
     : hybrid_switch_s_(preset.hybrid_switch_s),
       thrust_timeout_s_(preset.thrust_timeout_s),
       flight_timeout_s_(preset.flight_timeout_s),
-      own_height_m_(preset.jump_curve.height_m),
+      preset_height_m_(preset.jump_curve.height_m),
       drift_m_(preset.jump_curve.drift_m),
       reach_(robot),
       curve_(preset),
-      most_amplitude_(preset.jumps() ? highest_amplitude(preset) : kOwnCurve),
+      most_amplitude_(preset.jumps() ? highest_amplitude(preset) : kPresetCurve),
       adaptation_(preset.adapt_height) {
   if (!preset.jumps()) return;
   JumpCurve beyond(preset);
   beyond.scale(most_amplitude_ + kAmplitudeStep);
-  const char* const why = reach_.mistake(beyond);
-  height_limits_ = "jump height must be " + millimetres(height_share(kLeastAmplitude) * own_height_m_) +
-                   " to " + millimetres(height_share(most_amplitude_) * own_height_m_) +
+  const char* const why = reach_.validate(beyond);
+  height_limits_ = "jump height must be " + millimetres(height_share(kLeastAmplitude) * preset_height_m_) +
+                   " to " + millimetres(height_share(most_amplitude_) * preset_height_m_) +
                    " mm, or 0 for the preset's own curve; beyond, " +
                    (why != nullptr ? why : "nothing is known");
 }
@@ -47,18 +47,18 @@ Jump::Jump(const RobotConfig& robot, const PresetConfig& preset)
 /// Largest amplitude up to which every curve can be followed, at least the preset's own.
 double Jump::highest_amplitude(const PresetConfig& preset) const {
   JumpCurve curve(preset);
-  double highest = kOwnCurve;
-  for (int k = 1; kOwnCurve + k * kAmplitudeStep <= kMostAmplitude; ++k) {
-    curve.scale(kOwnCurve + k * kAmplitudeStep);
-    if (reach_.mistake(curve) != nullptr) break;
+  double highest = kPresetCurve;
+  for (int k = 1; kPresetCurve + k * kAmplitudeStep <= kMostAmplitude; ++k) {
+    curve.scale(kPresetCurve + k * kAmplitudeStep);
+    if (reach_.validate(curve) != nullptr) break;
     highest = curve.factor();
   }
   return highest;
 }
 
-const char* Jump::mistake(const JumpRequest& request) const noexcept {
-  if (own_height_m_ <= 0.0) return kNoCurve;
-  const double share = request.height_m / own_height_m_;
+const char* Jump::validate(const JumpRequest& request) const noexcept {
+  if (preset_height_m_ <= 0.0) return kNoCurve;
+  const double share = request.height_m / preset_height_m_;
   const bool possible = request.height_m == 0.0 ||
                         (share >= height_share(kLeastAmplitude) && share <= height_share(most_amplitude_));
   if (!possible) return height_limits_.c_str();
@@ -66,18 +66,18 @@ const char* Jump::mistake(const JumpRequest& request) const noexcept {
   JumpCurve curve = curve_;
   curve.scale(amplitude(request));
   curve.forward(request.forward_m + drift_m_, flight_s(request));
-  return request.forward_m == 0.0 ? nullptr : reach_.mistake(curve);
+  return request.forward_m == 0.0 ? nullptr : reach_.validate(curve);
 }
 
 double Jump::amplitude(const JumpRequest& request) const noexcept {
-  if (request.height_m == 0.0) return kOwnCurve;
-  const double share = adaptation_.factor(request.mode) * request.height_m / own_height_m_;
+  if (request.height_m == 0.0) return kPresetCurve;
+  const double share = adaptation_.factor(request.mode) * request.height_m / preset_height_m_;
   return std::min(amplitude_for(share), most_amplitude_);
 }
 
 /// Up and down again to the same length.
 double Jump::flight_s(const JumpRequest& request) const noexcept {
-  const double height_m = request.height_m == 0.0 ? own_height_m_ : request.height_m;
+  const double height_m = request.height_m == 0.0 ? preset_height_m_ : request.height_m;
   return 2.0 * std::sqrt(2.0 * height_m / kGravity_m_s2);
 }
 

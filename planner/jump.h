@@ -56,7 +56,7 @@ class Jump {
   Jump(const RobotConfig& robot, const PresetConfig& preset);
 
   /// Why it cannot be done, with the limit, text that lives as long as this; nullptr: it can.
-  const char* mistake(const JumpRequest& request) const noexcept;
+  const char* validate(const JumpRequest& request) const noexcept;
   void begin(const JumpRequest& request) noexcept;
   /// Before each thrust: the curve for what was asked, with what was learned.
   void shape() noexcept;
@@ -102,7 +102,7 @@ class Jump {
   double hybrid_switch_s_;
   double thrust_timeout_s_;
   double flight_timeout_s_;
-  double own_height_m_;  ///< of the preset's curve as it is
+  double preset_height_m_;  ///< of the preset's curve as it is
   double drift_m_;
   JumpReach reach_;
   JumpCurve curve_;
@@ -116,8 +116,8 @@ class Jump {
   LiftOff fastest_;                   ///< extension of the thrust
   LiftOff lift_off_;                  ///< when the leg had slowed down, or contact was lost
   bool slowed_ = false;
-  double speed_share_ =
-      1.0;  ///< hip's speed at lift-off over the leg's fastest, learned: soft ground throws it up
+  double speed_share_ = 1.0;  ///< hip's speed at lift-off over the leg's fastest, learned: soft ground throws
+                              ///< it up
   double estimated_height_m_ = kNaN;
   ExpectedTouchdown expected_;
   bool contact_seen_ = false;  ///< since the thrust began

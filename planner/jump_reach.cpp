@@ -19,20 +19,20 @@ struct JumpReach::Leg {
     least_rad = most_rad = armature_kg_m2 = middle_rad = JointVector::Zero(n);
     speed_rad_s = torque_Nm = JointVector::Zero(static_cast<Eigen::Index>(leg.actuators.size()));
     for (Eigen::Index i = 0; i < n; ++i) {
-      const JointConfig& joint =
-          robot.joints[static_cast<std::size_t>(leg.joints[static_cast<std::size_t>(i)])];
+      const JointConfig&
+          joint = robot.joints[static_cast<std::size_t>(leg.joints[static_cast<std::size_t>(i)])];
       least_rad[i] = joint.position_min_rad + kPositionMargin_rad;
       most_rad[i] = joint.position_max_rad - kPositionMargin_rad;
       middle_rad[i] = 0.5 * (least_rad[i] + most_rad[i]);
       armature_kg_m2[i] = joint.armature_kg_m2;
-      const ActuatorConfig& actuator =
-          robot.actuators[static_cast<std::size_t>(leg.actuators[static_cast<std::size_t>(i)])];
+      const ActuatorConfig&
+          actuator = robot.actuators[static_cast<std::size_t>(leg.actuators[static_cast<std::size_t>(i)])];
       speed_rad_s[i] = actuator.speed_limit_rad_s;
       torque_Nm[i] = actuator.torque_limit_Nm;
     }
   }
 
-  const char* mistake(const JumpCurve& curve) const noexcept {
+  const char* validate(const JumpCurve& curve) const noexcept {
     JointVector before = middle_rad;
     JointVector begin = middle_rad;
     for (int k = 0; k <= kSteps; ++k) {
@@ -43,13 +43,13 @@ struct JumpReach::Leg {
       if (!within) return "the leg's stroke is too short for it";
       if (k == 0) begin = pose.position_rad;
       before = pose.position_rad;
-      if (const char* why = drives_mistake(foot, pose.position_rad, begin)) return why;
+      if (const char* why = validate_drives(foot, pose.position_rad, begin)) return why;
     }
     return nullptr;
   }
 
-  const char* drives_mistake(const FootPoint& foot, const JointVector& at_rad,
-                             const JointVector& begin_rad) const noexcept {
+  const char* validate_drives(const FootPoint& foot, const JointVector& at_rad,
+                              const JointVector& begin_rad) const noexcept {
     const DampedInverse inverse = damped_inverse(kinematics->jacobian(at_rad));
     if (inverse.singular) return "the leg's stroke is too short for it";
     const JointVector joints_rad_s = inverse.matrix.transpose() * to_eigen(foot.velocity_m_s);
@@ -80,9 +80,9 @@ JumpReach::JumpReach(const RobotConfig& robot) {
 
 JumpReach::~JumpReach() = default;
 
-const char* JumpReach::mistake(const JumpCurve& curve) const noexcept {
+const char* JumpReach::validate(const JumpCurve& curve) const noexcept {
   for (const Leg& leg : legs_) {
-    if (const char* why = leg.mistake(curve)) return why;
+    if (const char* why = leg.validate(curve)) return why;
   }
   return nullptr;
 }

@@ -20,7 +20,7 @@ class JumpReach {
   /// turn faster than its speed limit; one whose torque limit, over the whole push-off, gives less work than
   /// its own rotor's motion holds. nullptr: it can be followed. Drives may lag behind a curve that asks for
   /// more torque than they have for a while.
-  const char* mistake(const JumpCurve& curve) const noexcept;
+  const char* validate(const JumpCurve& curve) const noexcept;
 
  private:
   struct Leg;

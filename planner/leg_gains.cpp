@@ -12,7 +12,7 @@ bool compliant(const JumpProgress& jump, const PresetConfig& preset) noexcept {
       return airborne_or_pushing || landing ||
              (jump.phase == MotionPhase::kCrouch && jump.in_phase_s >= preset.crouch_time_s);
     case JumpMode::kHybrid:
-    case JumpMode::kOwn:
+    case JumpMode::kAdaptive:
       return landing || (airborne_or_pushing && jump.since_thrust_s >= jump.hybrid_switch_s);
   }
   return false;
@@ -31,8 +31,8 @@ void set_compliance(const StiffnessConfig& gains, double friction_compensation, 
 
 void set_control(const JumpProgress& jump, const PresetConfig& preset, DesiredLeg& out) noexcept {
   if (compliant(jump, preset)) {
-    const StiffnessConfig& gains =
-        jump.mode == JumpMode::kTorque ? preset.torque_jump : preset.hybrid_landing;
+    const StiffnessConfig& gains = jump.mode == JumpMode::kTorque ? preset.torque_jump
+                                                                  : preset.hybrid_landing;
     return set_compliance(gains, preset.friction_compensation, preset, out);
   }
   out.feedforward_force_N = {0.0, 0.0, 0.0};

@@ -16,8 +16,8 @@ bool on_curve(MotionPhase phase) noexcept {
   return phase == MotionPhase::kThrust || phase == MotionPhase::kFlight || phase == MotionPhase::kLanding;
 }
 
-std::vector<OwnLanding> own_landings(const RobotConfig& robot, const PresetConfig& preset) {
-  std::vector<OwnLanding> out;
+std::vector<AdaptiveLanding> adaptive_landings(const RobotConfig& robot, const PresetConfig& preset) {
+  std::vector<AdaptiveLanding> out;
   for (const LegConfig& leg : robot.legs) out.emplace_back(robot, leg, preset);
   return out;
 }
@@ -29,8 +29,8 @@ Motion::Motion(const RobotConfig& robot, const PresetConfig& preset)
       jump_(robot, preset),
       walk_(robot, preset),
       falls_(robot.body),
-      own_(own_landings(robot, preset)),
-      own_said_(robot.legs.size()),
+      adaptive_landing_(adaptive_landings(robot, preset)),
+      adaptive_said_(robot.legs.size()),
       joints_(robot),
       moves_(robot.legs.size()),
       departure_m_(robot.legs.size()) {}
@@ -114,10 +114,10 @@ bool Motion::process(MotionEvent event, const JointState& in) noexcept {
 /// Where the next move begins: under compliance the leg is where its load has put it, and going on from the
 /// desired foot would be a step; else where the path is now.
 void Motion::note_departure(const JointState& in) noexcept {
-  const bool own = landing_by_own_law();
+  const bool adaptive = lands_adaptively();
   for (std::size_t i = 0; i < departure_m_.size(); ++i) {
     const Vec3& foot = in.legs[i].estimated_foot_in_hip_m;
-    const Vec3 desired_m = own ? own_said_[i].desired.position_m : path(i).position_m;
+    const Vec3 desired_m = adaptive ? adaptive_said_[i].desired.position_m : path(i).position_m;
     departure_m_[i] = on_spring(i) && finite(foot) ? foot : desired_m;
   }
 }
@@ -125,7 +125,7 @@ void Motion::note_departure(const JointState& in) noexcept {
 bool Motion::on_spring(std::size_t leg) const noexcept {
   if (state() == MotionPhase::kIdle) return false;
   if (state() == MotionPhase::kComplying || state() == MotionPhase::kWalking) return true;
-  if (landing_by_own_law()) return own_said_[leg].control_mode == ControlMode::kCompliance;
+  if (lands_adaptively()) return adaptive_said_[leg].control_mode == ControlMode::kCompliance;
   return compliant(progress(), preset_);
 }
 
@@ -149,8 +149,8 @@ void Motion::enter(MotionPhase from, const JointState& in) noexcept {
       break;
     case MotionPhase::kFlight:
       if (from == MotionPhase::kStanding) move_all(jump_.curve().end_length_m(), jump_.fall_move_s());
-      for (OwnLanding& own : own_)
-        own.begin(jump_.expected(), jump_.falling() ? FlightKind::kFall : FlightKind::kJump);
+      for (AdaptiveLanding& adaptive : adaptive_landing_)
+        adaptive.begin(jump_.expected(), jump_.falling() ? FlightKind::kFall : FlightKind::kJump);
       break;
     case MotionPhase::kRecover:
       if (from == MotionPhase::kLanding) jump_.landed();
@@ -258,8 +258,9 @@ void Motion::update_crouch(const JointState& in) noexcept {
 
 /// Thrust or flight; a time-out fails the jump.
 void Motion::update_jump(const JointState& in) noexcept {
-  const std::optional<MotionEvent> event =
-      state() == MotionPhase::kThrust ? jump_.in_thrust(in, in_phase_s()) : jump_.in_flight(in, in_phase_s());
+  const std::optional<MotionEvent> event = state() == MotionPhase::kThrust
+                                               ? jump_.in_thrust(in, in_phase_s())
+                                               : jump_.in_flight(in, in_phase_s());
   if (!event || !process(*event, in)) return;
   const bool timed_out = *event == MotionEvent::kThrustTimeout || *event == MotionEvent::kFlightTimeout;
   if (timed_out) jump_.fail(last_transition());

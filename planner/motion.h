@@ -4,6 +4,7 @@
 /// the message's.
 #include <vector>
 
+#include "planner/adaptive_landing.h"
 #include "planner/comply_request.h"
 #include "planner/fall_detector.h"
 #include "planner/foot_move.h"
@@ -11,7 +12,6 @@
 #include "planner/joint_motion.h"
 #include "planner/jump.h"
 #include "planner/motion_state_machine.h"
-#include "planner/own_landing.h"
 #include "signals/joint_state.h"
 #include "signals/leg_command.h"
 #include "signals/motion_state.h"
@@ -43,15 +43,15 @@ class Motion {
   const char* why_not_up(const JointState& in) const noexcept { return falls_.why_not_up(in.body); }
   bool jump(const JointState& in, const JumpRequest& request) noexcept;
   /// Why not; nullptr: it can be done.
-  const char* jump_mistake(const JumpRequest& request) const noexcept { return jump_.mistake(request); }
+  const char* validate_jump(const JumpRequest& request) const noexcept { return jump_.validate(request); }
   /// Feet stay where they are desired now, each on a virtual spring; again: with other gains.
   bool comply(const JointState& in, const ComplyRequest& request) noexcept;
   /// Hanging in the air: a fall begins now.
   bool land(const JointState& in, const FallRequest& request) noexcept;
   /// From standing, or walking with another request.
   bool walk(const JointState& in, const WalkRequest& request) noexcept;
-  const char* walk_mistake(const WalkRequest& request) const noexcept {
-    return walk_.mistake(request, state() == MotionPhase::kWalking);
+  const char* validate_walk(const WalkRequest& request) const noexcept {
+    return walk_.validate(request, state() == MotionPhase::kWalking);
   }
   bool sit(const JointState& in) noexcept;
   /// From idle, or where joints are held and none moves.
@@ -99,10 +99,10 @@ class Motion {
   bool on_spring(std::size_t leg) const noexcept;  ///< by the last command
   FootPoint path(std::size_t leg) const noexcept;
   void write_foot(std::size_t leg, const JointState& in, DesiredLeg& out) const noexcept;
-  void write_own_landing(std::size_t leg, const JointState& in, DesiredLeg& out) noexcept;
+  void write_adaptive_landing(std::size_t leg, const JointState& in, DesiredLeg& out) noexcept;
   /// sprung's own landing has the legs.
-  bool landing_by_own_law() const noexcept {
-    return jump_.mode() == JumpMode::kOwn &&
+  bool lands_adaptively() const noexcept {
+    return jump_.mode() == JumpMode::kAdaptive &&
            (state() == MotionPhase::kFlight || state() == MotionPhase::kLanding);
   }
   bool waiting() const noexcept {
@@ -110,8 +110,8 @@ class Motion {
   }
   /// After a loss, or when single joints are let go.
   bool sinking() const noexcept {
-    const bool going_down =
-        state() == MotionPhase::kIdle ? lost_ : state() == MotionPhase::kSitting && let_go_;
+    const bool going_down = state() == MotionPhase::kIdle ? lost_
+                                                          : state() == MotionPhase::kSitting && let_go_;
     return going_down && in_phase_s() < kSinkTime_s;
   }
   JumpProgress progress() const noexcept;
@@ -126,8 +126,8 @@ class Motion {
   Walk walk_;
   FallDetector falls_;
   ComplyRequest compliance_;
-  std::vector<OwnLanding> own_;             ///< one for each leg
-  std::vector<OwnLandingOutput> own_said_;  ///< in the last cycle
+  std::vector<AdaptiveLanding> adaptive_landing_;     ///< one for each leg
+  std::vector<AdaptiveLandingOutput> adaptive_said_;  ///< in the last cycle
   JointMotion joints_;
   JointRequest joint_request_;     ///< that waits for its drives
   std::vector<FootMove> moves_;    ///< one for each leg; played since move_began_us_

@@ -49,8 +49,8 @@ void Motion::write(const JointState& in, LegCommand& out) noexcept {
       joints_.write(i, now_us_, leg);
     } else if (state() == MotionPhase::kWalking) {
       walk_.write(i, leg);
-    } else if (landing_by_own_law()) {
-      write_own_landing(i, in, leg);
+    } else if (lands_adaptively()) {
+      write_adaptive_landing(i, in, leg);
     } else {
       write_foot(i, in, leg);
     }
@@ -72,19 +72,19 @@ void Motion::write_foot(std::size_t leg, const JointState& in, DesiredLeg& out) 
   }
 }
 
-void Motion::write_own_landing(std::size_t leg, const JointState& in, DesiredLeg& out) noexcept {
-  const OwnLandingOutput& own = own_said_[leg] =
-      own_[leg].step({now_us_, path(leg), progress(), in.legs[leg]});
-  out.desired_foot_in_hip_m = own.desired.position_m;
-  out.desired_foot_velocity_m_s = own.desired.velocity_m_s;
-  out.desired_foot_acceleration_m_s2 = own.desired.acceleration_m_s2;
-  out.control_mode = own.control_mode;
-  out.stiffness_N_m = own.gains.stiffness_N_m;
-  out.damping_N_s_m = own.gains.damping_N_s_m;
-  out.velocity_feedforward = own.gains.velocity_feedforward;
-  out.feedforward_force_N = own.feedforward_force_N;
-  out.friction_compensation = own.friction_compensation;
-  out.inertia_compensation = own.inertia_compensation;
+void Motion::write_adaptive_landing(std::size_t leg, const JointState& in, DesiredLeg& out) noexcept {
+  const AdaptiveLandingOutput& adaptive = adaptive_said_[leg] = adaptive_landing_[leg].step(
+      {now_us_, path(leg), progress(), in.legs[leg]});
+  out.desired_foot_in_hip_m = adaptive.desired.position_m;
+  out.desired_foot_velocity_m_s = adaptive.desired.velocity_m_s;
+  out.desired_foot_acceleration_m_s2 = adaptive.desired.acceleration_m_s2;
+  out.control_mode = adaptive.control_mode;
+  out.stiffness_N_m = adaptive.gains.stiffness_N_m;
+  out.damping_N_s_m = adaptive.gains.damping_N_s_m;
+  out.velocity_feedforward = adaptive.gains.velocity_feedforward;
+  out.feedforward_force_N = adaptive.feedforward_force_N;
+  out.friction_compensation = adaptive.friction_compensation;
+  out.inertia_compensation = adaptive.inertia_compensation;
 }
 
 void Motion::write(MotionState& out) const noexcept {

@@ -49,68 +49,6 @@ const MotionTable kTransitions{{
 
 }  // namespace
 
-const char* name(MotionEvent value) noexcept {
-  switch (value) {
-    case E::kStandRequested:
-      return "stand requested";
-    case E::kEnableTimeout:
-      return "enable time-out";
-    case E::kRisen:
-      return "risen";
-    case E::kJumpRequested:
-      return "jump requested";
-    case E::kCrouched:
-      return "crouched";
-    case E::kStopped:
-      return "stopped";
-    case E::kLiftOff:
-      return "lift-off";
-    case E::kRetracting:
-      return "retracting";
-    case E::kThrustTimeout:
-      return "thrust time-out";
-    case E::kTouchdown:
-      return "touchdown";
-    case E::kFlightTimeout:
-      return "flight time-out";
-    case E::kLandingHeld:
-      return "landing held";
-    case E::kRecovered:
-      return "recovered";
-    case E::kNextJump:
-      return "next jump";
-    case E::kSitRequested:
-      return "sit requested";
-    case E::kSat:
-      return "sat";
-    case E::kJointRequested:
-      return "joint requested";
-    case E::kJointArrived:
-      return "joint arrived";
-    case E::kJointStopped:
-      return "joint stopped";
-    case E::kComplyRequested:
-      return "comply requested";
-    case E::kLandRequested:
-      return "land requested";
-    case E::kWalkRequested:
-      return "walk requested";
-    case E::kWalkEnded:
-      return "walk ended";
-    case E::kFell:
-      return "fell";
-    case E::kSafetyLost:
-      return "safety lost";
-    case E::kDriveLost:
-      return "drive lost";
-    case E::kFootLost:
-      return "foot lost";
-    case E::kRestarted:
-      return "restarted";
-  }
-  return "unknown";
-}
-
 const MotionTable& motion_transitions() noexcept { return kTransitions; }
 
 const MotionTransition* MotionStateMachine::process_event(MotionEvent event) noexcept {

@@ -39,7 +39,37 @@ enum class MotionEvent : std::int8_t {
   kRestarted,
 };
 
-const char* name(MotionEvent value) noexcept;
+constexpr auto words_of(MotionEvent) {
+  using E = MotionEvent;
+  return words<E>({{E::kStandRequested, "stand requested"},
+                   {E::kEnableTimeout, "enable time-out"},
+                   {E::kRisen, "risen"},
+                   {E::kJumpRequested, "jump requested"},
+                   {E::kCrouched, "crouched"},
+                   {E::kStopped, "stopped"},
+                   {E::kLiftOff, "lift-off"},
+                   {E::kRetracting, "retracting"},
+                   {E::kThrustTimeout, "thrust time-out"},
+                   {E::kTouchdown, "touchdown"},
+                   {E::kFlightTimeout, "flight time-out"},
+                   {E::kLandingHeld, "landing held"},
+                   {E::kRecovered, "recovered"},
+                   {E::kNextJump, "next jump"},
+                   {E::kSitRequested, "sit requested"},
+                   {E::kSat, "sat"},
+                   {E::kJointRequested, "joint requested"},
+                   {E::kJointArrived, "joint arrived"},
+                   {E::kJointStopped, "joint stopped"},
+                   {E::kComplyRequested, "comply requested"},
+                   {E::kLandRequested, "land requested"},
+                   {E::kWalkRequested, "walk requested"},
+                   {E::kWalkEnded, "walk ended"},
+                   {E::kFell, "fell"},
+                   {E::kSafetyLost, "safety lost"},
+                   {E::kDriveLost, "drive lost"},
+                   {E::kFootLost, "foot lost"},
+                   {E::kRestarted, "restarted"}});
+}
 
 struct MotionTransition {
   std::optional<MotionPhase> from;  ///< none: from any state but idle

@@ -126,10 +126,10 @@ void PlannerCore::Impl::stand(const OperatorCommand& command, const JointState& 
 void PlannerCore::Impl::jump(const OperatorCommand& command, const JointState& in) noexcept {
   if (why_not_standing != nullptr) return refuse(command, why_not_standing);
   if (motion.state() != MotionPhase::kStanding) return refuse(command, busy(motion.state()));
-  if (const char* mistake = jump_mistake(command)) return refuse(command, mistake);
+  if (const char* refusal = validate_jump(command)) return refuse(command, refusal);
   const JumpRequest request{command.jump_mode, command.jump_count, command.jump_height_m,
                             command.jump_forward_m};
-  if (const char* mistake = motion.jump_mistake(request)) return refuse(command, mistake);
+  if (const char* refusal = motion.validate_jump(request)) return refuse(command, refusal);
   if (motion.jump(in, request)) accept(command, moving);
 }
 
@@ -137,7 +137,7 @@ void PlannerCore::Impl::land(const OperatorCommand& command, const JointState& i
   if (why_not_standing != nullptr) return refuse(command, why_not_standing);
   if (motion.state() != MotionPhase::kStanding) return refuse(command, busy(motion.state()));
   if (!preset.jumps()) return refuse(command, "this preset has no landing: the robot does not jump");
-  if (const char* mistake = land_mistake(command)) return refuse(command, mistake);
+  if (const char* refusal = validate_land(command)) return refuse(command, refusal);
   if (motion.land(in, {command.jump_mode, command.touchdown_in_s})) accept(command, moving);
 }
 
@@ -147,7 +147,7 @@ void PlannerCore::Impl::comply(const OperatorCommand& command, const JointState&
   const bool possible = motion.state() == MotionPhase::kStanding || motion.state() == MotionPhase::kComplying;
   if (!possible) return refuse(command, busy(motion.state()));
   if (stopping.kind != OperatorKind::kNone) return refuse(command, "already stopping");
-  if (const char* mistake = comply_mistake(command, preset)) return refuse(command, mistake);
+  if (const char* refusal = validate_comply(command, preset)) return refuse(command, refusal);
   if (motion.comply(in, comply_request(command, preset))) {
     note = "";
     accept_as_done(command, motion.last_transition());
@@ -162,7 +162,7 @@ void PlannerCore::Impl::walk(const OperatorCommand& command, const JointState& i
   if (!possible) return refuse(command, busy(motion.state()));
   if (stopping.kind != OperatorKind::kNone) return refuse(command, "already stopping");
   const WalkRequest request = walk_request(command, preset, gaits);
-  if (const char* mistake = motion.walk_mistake(request)) return refuse(command, mistake);
+  if (const char* refusal = motion.validate_walk(request)) return refuse(command, refusal);
   if (motion.walk(in, request)) {
     note = "";
     accept_as_done(command, motion.last_transition());
@@ -188,7 +188,7 @@ void PlannerCore::Impl::move_joint(const OperatorCommand& command, const JointSt
   if (const char* why = why_not_held(in)) return refuse(command, why);
   const JointRequest request{command.joint, command.joint_target_rad, command.joint_speed_rad_s,
                              command.joint_acceleration_rad_s2};
-  if (const char* mistake = motion.joints().mistake(request)) return refuse(command, mistake);
+  if (const char* refusal = motion.joints().validate(request)) return refuse(command, refusal);
   if (motion.move_joint(in, request)) accept(command, moving);
 }
 

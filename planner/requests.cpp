@@ -10,7 +10,7 @@ namespace {
 constexpr const char* kNotOperational = "safety is not operational: clear it first";
 constexpr const char* kNotReady = "a joint is not ready: see its status";
 constexpr const char* kNotReferenced = "a joint is not referenced: sprung home";
-constexpr const char* kUnknownMode = "jump mode must be position, torque, hybrid or own";
+constexpr const char* kUnknownMode = "jump mode must be position, torque, hybrid or adaptive";
 
 bool usable(const EstimatedJoint& joint) noexcept {
   return joint.status == JointStatus::kOk || joint.status == JointStatus::kSaturated ||
@@ -25,7 +25,7 @@ bool not_referenced(const EstimatedJoint& joint) noexcept {
 
 bool known(JumpMode mode) noexcept {
   return mode == JumpMode::kPosition || mode == JumpMode::kTorque || mode == JumpMode::kHybrid ||
-         mode == JumpMode::kOwn;
+         mode == JumpMode::kAdaptive;
 }
 
 const char* busy(MotionPhase state) noexcept {
@@ -74,13 +74,13 @@ const char* why_not_held(const JointState& in) noexcept {
   return nullptr;
 }
 
-const char* jump_mistake(const OperatorCommand& command) noexcept {
+const char* validate_jump(const OperatorCommand& command) noexcept {
   if (!known(command.jump_mode)) return kUnknownMode;
   if (command.jump_count < 1 || command.jump_count > kMostJumps) return "jump count must be 1 to 100";
   return nullptr;
 }
 
-const char* land_mistake(const OperatorCommand& command) noexcept {
+const char* validate_land(const OperatorCommand& command) noexcept {
   if (!known(command.jump_mode)) return kUnknownMode;
   const double fall_s = command.touchdown_in_s;
   const bool possible = fall_s >= kShortestFall_s && fall_s <= kLongestFall_s;

@@ -17,7 +17,7 @@ const char* why_not_risen(const JointState& in) noexcept;
 /// Every joint can be held where it is?
 const char* why_not_held(const JointState& in) noexcept;
 /// Mode and count; the curve has its own limits.
-const char* jump_mistake(const OperatorCommand& command) noexcept;
-const char* land_mistake(const OperatorCommand& command) noexcept;
+const char* validate_jump(const OperatorCommand& command) noexcept;
+const char* validate_land(const OperatorCommand& command) noexcept;
 
 }  // namespace sprung

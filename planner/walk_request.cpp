@@ -17,8 +17,8 @@ WalkRequest walk_request(const OperatorCommand& command, const PresetConfig& pre
                          const std::vector<GaitConfig>& gaits) noexcept {
   const double height_m = std::isnan(command.body_height_m) ? default_height_m(command.gait, preset, gaits)
                                                             : command.body_height_m;
-  const double width_m =
-      std::isnan(command.stance_width_m) ? preset.walk.stance_width_m : command.stance_width_m;
+  const double width_m = std::isnan(command.stance_width_m) ? preset.walk.stance_width_m
+                                                            : command.stance_width_m;
   return {command.gait, command.walk_speed, height_m, width_m, command.gait_control};
 }
 

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "robots/robot_sections.h"
+#include "signals/angles.h"
 
 namespace sprung::robot_sections {
 
@@ -13,7 +14,6 @@ namespace {
 constexpr std::array<double, 5> kBitRates_kbit_s{1000, 800, 500, 250, 125};
 constexpr int kMostChannels = 4;  ///< of an encoder card
 constexpr double kFarthest_rad = 100;
-constexpr double kHalfTurn_rad = 3.14159265358979323846;
 
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
@@ -35,7 +35,7 @@ Range actuator_range(const Eigen::VectorXd& row, const RobotConfig& robot, const
 }
 
 void refuse_folded(const YamlMap& file, const ActuatorConfig& actuator, const Range& range) {
-  if (range.min_rad > -kHalfTurn_rad && range.max_rad < kHalfTurn_rad) return;
+  if (range.min_rad > -kPi && range.max_rad < kPi) return;
   char text[80];
   std::snprintf(text, sizeof text, " turns from %.6g to %.6g rad", range.min_rad, range.max_rad);
   file.fail("actuators",

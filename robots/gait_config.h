@@ -45,28 +45,28 @@ struct GaitConfig {
 /// The law of walking of a preset.
 struct WalkConfig {
   StiffnessConfig stance;
-  StiffnessConfig swing;          ///< GaitControl::kForce
-  StiffnessConfig pre_stance;     ///< GaitControl::kPreStance, the papers'
-  bool distribute_force = false;  ///< false: virtual springs alone, as in the papers
-  double floor_friction = 0.5;    ///< of the cones that forces stay in
-  double stance_width_m = 0.0;    ///< how much further out than its hip each foot stands
-  double force_rise_s = 0.0;      ///< in which a foot that has landed takes up its share
-  double approach_m_s = 0.0;  ///< GaitControl::kOwn: how fast a foot comes down where the ground is expected,
-                              ///< unless the gait says
-  double step_down_m = 0.0;   ///< how far a foot reaches below the expected ground before it gives up
+  StiffnessConfig swing;           ///< GaitControl::kForce
+  StiffnessConfig pre_stance;      ///< GaitControl::kPreStance, the papers'
+  bool distribute_force = false;   ///< false: virtual springs alone, as in the papers
+  double floor_friction = 0.5;     ///< of the cones that forces stay in
+  double stance_width_m = 0.0;     ///< how much further out than its hip each foot stands
+  double force_rise_s = 0.0;       ///< in which a foot that has landed takes up its share
+  double approach_m_s = 0.0;       ///< GaitControl::kAdaptive: how fast a foot comes down where the ground is
+                                   ///< expected, unless the gait says
+  double step_down_m = 0.0;        ///< how far a foot reaches below the expected ground before it gives up
   double acceleration_m_s2 = 0.0;  ///< of the desired speed
   double turning_acceleration_rad_s2 = 0.0;
-  double foothold_gain_s =
-      0.0;  ///< how far a foot is set beyond its place, per m/s that the body is too fast
-  std::array<double, 3>
-      body_stiffness{};  ///< roll Nm/rad, pitch Nm/rad, height N/m; what the springs at the feet do not give
+  /// How far a foot is set beyond its place, per m/s that the body is too fast.
+  double foothold_gain_s = 0.0;
+  /// Roll Nm/rad, pitch Nm/rad, height N/m; what the springs at the feet do not give.
+  std::array<double, 3> body_stiffness{};
   std::array<double, 3> body_damping{};       ///< roll Nm s/rad, pitch Nm s/rad, height N s/m
   std::array<double, 2> speed_damping{};      ///< forward and sideways, N s/m
   double stance_friction_compensation = 0.0;  ///< share, of a standing foot's joints in a gait that steps
-  double swing_inertia_compensation =
-      0.0;  ///< share, fed forward to position loops of swinging legs; on springs none
-  double swing_friction_compensation =
-      0.0;  ///< share, fed forward in the same way, and on the springs of kForce
+  double swing_inertia_compensation = 0.0;    ///< share, fed forward to position loops of swinging legs; on
+                                              ///< springs none
+  double swing_friction_compensation = 0.0;   ///< share, fed forward in the same way, and on the springs of
+                                              ///< kForce
 };
 
 }  // namespace sprung

@@ -95,8 +95,8 @@ std::vector<GaitConfig> read_gaits(const YamlMap& map, std::size_t legs) {
   for (const auto& [name, gait] : map.entries()) gaits.push_back(read_gait(name, gait, legs));
   for (const GaitConfig& gait : gaits) {
     for (const std::string& next : gait.to) {
-      const bool known =
-          std::any_of(gaits.begin(), gaits.end(), [&](const GaitConfig& g) { return g.name == next; });
+      const bool known = std::any_of(gaits.begin(), gaits.end(),
+                                     [&](const GaitConfig& g) { return g.name == next; });
       if (!known) map.fail(gait.name, "to: there is no gait '" + next + "'");
     }
   }

@@ -18,8 +18,8 @@ inline double speed_share(const GaitConfig& gait, const std::array<double, 3>& s
   double sum = 0.0;
   for (std::size_t i = 0; i < 3; ++i) {
     if (speed[i] == 0.0) continue;
-    const double share =
-        fastest[i] > 0.0 ? speed[i] / fastest[i] : std::numeric_limits<double>::infinity() * speed[i];
+    const double share = fastest[i] > 0.0 ? speed[i] / fastest[i]
+                                          : std::numeric_limits<double>::infinity() * speed[i];
     sum += share * share;
   }
   return std::sqrt(sum);

@@ -1,9 +1,9 @@
 #include "robots/identification_sections.h"
 
-#include <cstdio>
 #include <stdexcept>
 #include <vector>
 
+#include "signals/number_text.h"
 #include "signals/text_pattern.h"
 
 namespace sprung {
@@ -120,9 +120,7 @@ ThermalParameters read_thermal(const YamlMap& map) {
 
 /// Fifteen digits: what can be read back and still be read by people.
 std::string quantity_text(double value, const std::string& unit) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.15g", value);
-  return text + (unit.empty() ? "" : " " + unit);
+  return number_text(value, 15) + (unit.empty() ? "" : " " + unit);
 }
 
 /// What is not off, and what makes the model more than the one before: the reader insists on that.

@@ -24,7 +24,7 @@ LandingGains read_gains(const YamlMap& map, bool with_mass) {
   return gains;
 }
 
-void read_jump(const YamlMap& map, OwnLandingConfig& out) {
+void read_jump(const YamlMap& map, AdaptiveLandingConfig& out) {
   out.jump_switch_s = map.quantity("switch", "s", 1e-3, 10);
   out.jump = read_gains(map.map("gains"), false);
   out.jump_friction_compensation = map.quantity("friction_compensation", "", 0, 1);
@@ -33,8 +33,8 @@ void read_jump(const YamlMap& map, OwnLandingConfig& out) {
 
 }  // namespace
 
-OwnLandingConfig read_own_landing(const YamlMap& map) {
-  OwnLandingConfig out;
+AdaptiveLandingConfig read_adaptive_landing(const YamlMap& map) {
+  AdaptiveLandingConfig out;
   out.extended_length_m = map.quantity("extended_length", "m", 0.05, 3);
   out.extension_s = map.quantity("extension_time", "s", 0.01, 5);
   out.stretch_acceleration_m_s2 = map.quantity("stretch_acceleration", "m/s^2", 0.1, 500);

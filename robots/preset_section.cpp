@@ -52,7 +52,7 @@ void read_jump(const YamlMap& map, PresetConfig& p) {
   p.jump_curve = read_jump_curve(map.map("jump_curve"));
   p.torque_jump = read_stiffness(map.map("torque_jump"));
   p.hybrid_landing = read_stiffness(map.map("hybrid_landing"));
-  if (map.has("own_landing")) p.own_landing = read_own_landing(map.map("own_landing"));
+  if (map.has("adaptive_landing")) p.adaptive_landing = read_adaptive_landing(map.map("adaptive_landing"));
 }
 
 /// Of one that walks and does not jump: any curve, never played.

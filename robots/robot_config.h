@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "model/leg_config.h"
+#include "robots/adaptive_landing_config.h"
 #include "robots/gait_config.h"
 #include "robots/identification_config.h"
-#include "robots/own_landing_config.h"
 #include "robots/torsion_config.h"
 
 namespace sprung {
@@ -102,8 +102,8 @@ struct JointConfig {
   std::optional<IdentifiedFriction> friction;  ///< nothing: the joint is not identified
   JointUncertainty uncertainty;
   ThermalParameters thermal;  ///< of the gear; no time constant: its temperature is not known
-  std::optional<GearTorsion>
-      torsion;  ///< nothing: a link encoder, if there is one, says nothing about torque
+  /// Nothing: a link encoder, if there is one, says nothing about torque.
+  std::optional<GearTorsion> torsion;
 
   FrictionParameters papers_friction() const noexcept { return coulomb_alone(coulomb_friction_Nm); }
   /// The best that is known: identified, else the paper's.
@@ -165,7 +165,7 @@ struct PresetConfig {
   bool adapt_height = false;       ///< jumps learn from the height that they are estimated to have reached
   StiffnessConfig torque_jump;     ///< torque mode: whole jump
   StiffnessConfig hybrid_landing;  ///< hybrid mode: from the switch on
-  OwnLandingConfig own_landing;
+  AdaptiveLandingConfig adaptive_landing;
   WalkConfig walk;  ///< of a robot with gaits
 
   /// Nothing to jump with: the preset has no jump_curve.

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <set>
 
+#include "robots/file_version.h"
 #include "robots/gait_section.h"
 #include "robots/preset_section.h"
 #include "robots/robot_numbers.h"
@@ -60,8 +61,8 @@ void refuse_shared_node_ids(const YamlMap& file, const RobotConfig& robot) {
 void refuse_shared_channels(const YamlMap& file, const RobotConfig& robot) {
   for (const ActuatorConfig& a : robot.actuators) {
     for (const ActuatorConfig& b : robot.actuators) {
-      const bool same =
-          a.link_encoder.card == b.link_encoder.card && a.link_encoder.channel == b.link_encoder.channel;
+      const bool same = a.link_encoder.card == b.link_encoder.card &&
+                        a.link_encoder.channel == b.link_encoder.channel;
       if (&a < &b && a.link_encoder.card >= 0 && same) {
         file.fail("actuators", a.name + " and " + b.name + " share channel " +
                                    std::to_string(a.link_encoder.channel) + " of encoder card " +
@@ -140,30 +141,18 @@ void read_presets(const YamlMap& file, RobotConfig& robot) {
   }
 }
 
-RobotConfig read_robot(const YamlMap& file) {
-  RobotConfig robot;
-  robot.name = file.text("robot");
-  robot.cycle_s = 1.0 / file.quantity("cycle_rate", "Hz", 10, 4000);
-  read_nodes(file, robot);
-  for (const YamlMap& map : file.list("joints")) {
-    robot.joints.push_back(read_joint(map));
+/// Where an upgrade has kept a changed file, dpkg puts the package's own beside it: that one shows what is
+/// called otherwise now.
+RobotConfig read_kept_robot(const std::string& path) {
+  try {
+    return read_robot(YamlMap::load(path));
+  } catch (const ConfigError& error) {
+    const std::string shipped = path + ".dpkg-dist";
+    std::error_code none;
+    if (!fs::exists(shipped, none)) throw;
+    throw ConfigError(std::string(error.what()) + "; an upgrade has kept your file, see what is new: diff " +
+                      path + " " + shipped);
   }
-  refuse_same_names(file, "joints", robot.joints);
-  for (const YamlMap& map : file.list("legs")) {
-    robot.legs.push_back(read_leg(map, robot));
-  }
-  refuse_same_names(file, "legs", robot.legs);
-  robot.watchdogs = read_watchdogs(file.map("watchdogs"));
-  robot.simulation_watchdogs = read_watchdogs(file.map("simulation_watchdogs"));
-  if (file.has("body")) robot.body = read_body(file.map("body"));
-  if (file.has("gaits")) robot.gaits = read_gaits(file.map("gaits"), robot.legs.size());
-  read_presets(file, robot);
-  for (const YamlMap& map : file.list("processes")) {
-    robot.processes.push_back(read_process(map));
-  }
-  file.finish();
-  refuse_contradictions(file, robot);
-  return robot;
 }
 
 constexpr const char* kUsualPreset = "best";
@@ -193,13 +182,23 @@ std::string robots_found(const fs::path& folder) {
   return text.empty() ? "none" : text;
 }
 
+/// The source tree's; on a machine without it, as where a package of sprung is installed, that one's.
+fs::path usual_robots() {
+  std::error_code none;
+  for (const char* folder : {SPRUNG_ROBOTS_DIR, "/usr/local/share/sprung/robots"}) {
+    if (fs::is_directory(folder, none)) return folder;
+  }
+  return "/usr/share/sprung/robots";
+}
+
 }  // namespace
 
 std::string robot_folder(const std::string& robot) {
   const char* variable = std::getenv("SPRUNG_ROBOTS");
-  const fs::path robots = variable != nullptr && *variable != '\0' ? variable : SPRUNG_ROBOTS_DIR;
+  const fs::path robots = variable != nullptr && *variable != '\0' ? variable : usual_robots();
+  std::error_code unreadable;  // the current folder may be somebody else's: sudo -u, services
   for (const fs::path& folder : {fs::path(robot), robots / robot}) {
-    if (!robot.empty() && fs::exists(folder / "robot.yaml")) {
+    if (!robot.empty() && fs::exists(folder / "robot.yaml", unreadable)) {
       return folder.string();
     }
   }
@@ -207,10 +206,37 @@ std::string robot_folder(const std::string& robot) {
                     (robots / robot).string() + "; robots there: " + robots_found(robots));
 }
 
+RobotConfig read_robot(const YamlMap& file) {
+  check_file_version(file);
+  RobotConfig robot;
+  robot.name = file.text("robot");
+  robot.cycle_s = 1.0 / file.quantity("cycle_rate", "Hz", 10, 4000);
+  read_nodes(file, robot);
+  for (const YamlMap& map : file.list("joints")) {
+    robot.joints.push_back(read_joint(map));
+  }
+  refuse_same_names(file, "joints", robot.joints);
+  for (const YamlMap& map : file.list("legs")) {
+    robot.legs.push_back(read_leg(map, robot));
+  }
+  refuse_same_names(file, "legs", robot.legs);
+  robot.watchdogs = read_watchdogs(file.map("watchdogs"));
+  robot.simulation_watchdogs = read_watchdogs(file.map("simulation_watchdogs"));
+  if (file.has("body")) robot.body = read_body(file.map("body"));
+  if (file.has("gaits")) robot.gaits = read_gaits(file.map("gaits"), robot.legs.size());
+  read_presets(file, robot);
+  for (const YamlMap& map : file.list("processes")) {
+    robot.processes.push_back(read_process(map));
+  }
+  file.finish();
+  refuse_contradictions(file, robot);
+  return robot;
+}
+
 RobotConfig load_robot(const std::string& robot) {
   const std::string folder = robot_folder(robot);
   const std::string path = (fs::path(folder) / "robot.yaml").string();
-  RobotConfig config = read_robot(YamlMap::load(path));
+  RobotConfig config = read_kept_robot(path);
   config.folder = folder;
   config.hash = hash_text(read_file(path));
   return config;
@@ -225,7 +251,7 @@ RobotConfig read_robot_text(const std::string& yaml, const std::string& name) {
 std::set<std::string> robot_numbers(const std::string& robot) {
   const YamlMap file = YamlMap::load((fs::path(robot_folder(robot)) / "robot.yaml").string());
   (void)read_robot(file);
-  return file.numbers();
+  return file.questions().numbers;
 }
 
 const char* RobotConfig::why_not_standing() const {

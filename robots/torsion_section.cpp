@@ -33,8 +33,8 @@ GearTorsion read_torsion(const YamlMap& map) {
   if (map.has("second_stiffness") != map.has("second_from"))
     map.fail("second_stiffness", "second_stiffness and second_from belong together");
   if (map.has("second_stiffness")) {
-    torsion.second_stiffness_Nm_rad =
-        map.quantity("second_stiffness", "Nm/rad", kSoftest_Nm_rad, kHardest_Nm_rad);
+    torsion.second_stiffness_Nm_rad = map.quantity("second_stiffness", "Nm/rad", kSoftest_Nm_rad,
+                                                   kHardest_Nm_rad);
     torsion.second_from_Nm = map.quantity("second_from", "Nm", 0, 1e4);
   }
   torsion.angle_std_rad = map.quantity("angle_std", "rad", 1e-9, 0.1);

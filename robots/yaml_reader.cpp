@@ -1,25 +1,23 @@
 #include "robots/yaml_reader.h"
 
-#include <yaml-cpp/yaml.h>
-
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
 #include <iomanip>
+#include <iterator>
 #include <limits>
 #include <set>
 #include <sstream>
 
-#include "robots/robot_loader.h"
+#include "robots/config_error.h"
+#include "robots/yaml_expansion.h"
+#include "signals/number_text.h"
+#include "signals/spelling.h"
 
 namespace sprung {
 
 namespace {
-
-std::string number_text(double value) {
-  std::ostringstream out;
-  out << value;
-  return out.str();
-}
 
 /// "20 ms" -> 20, "ms".
 bool split_quantity(const std::string& text, double& value, std::string& unit) {
@@ -39,42 +37,45 @@ bool split_quantity(const std::string& text, double& value, std::string& unit) {
 }  // namespace
 
 struct YamlMap::State {
-  YAML::Node node;
+  std::shared_ptr<const YamlTree> tree;  ///< a map
   std::string file;
   std::string prefix;  ///< "presets.paper."
-  mutable std::set<std::string> asked;
-  std::shared_ptr<std::set<std::string>> numbers =
-      std::make_shared<std::set<std::string>>();  ///< one for the whole file
+  mutable std::set<std::string> asked{};
+  std::shared_ptr<YamlQuestions> questions = std::make_shared<YamlQuestions>();  ///< one for the whole file
 
   std::string where(int line, const std::string& key) const {
     return file + ":" + std::to_string(line) + ": key '" + prefix + key + "'";
   }
-  int line() const { return node.Mark().line + 1; }
+  int line() const { return tree->line; }
 
-  YAML::Node get(const std::string& key) const {
+  const YamlTree& get(const std::string& key) const {
     asked.insert(key);
-    const YAML::Node child = node[key];
-    if (!child) {
-      throw ConfigError(where(line(), key) + " is missing");
-    }
-    return child;
+    const YamlTree* child = tree->find(key);
+    if (child == nullptr)
+      throw ConfigError(where(line(), key) + " is missing" +
+                        (tree->made.empty() ? "" : " (in " + tree->name() + ", " + tree->made + ")"));
+    return *child;
   }
 
-  std::string scalar(const YAML::Node& child, const std::string& key, const std::string& expected) const {
-    if (!child.IsScalar()) {
-      throw ConfigError(where(child.Mark().line + 1, key) + ": expected " + expected +
-                        ", found a map or list");
-    }
-    return child.Scalar();
+  void note_default(const std::string& key, const std::string& value) const {
+    questions->defaults[prefix].emplace(key, value);
   }
 
-  double to_quantity(const YAML::Node& child, const std::string& key, const std::string& unit, double low,
+  const std::string& scalar(const YamlTree& child, const std::string& key,
+                            const std::string& expected) const {
+    if (!child.is_text()) {
+      throw ConfigError(where(child.line, key) + ": expected " + expected + ", found a map or list");
+    }
+    return child.text;
+  }
+
+  double to_quantity(const YamlTree& child, const std::string& key, const std::string& unit, double low,
                      double high) const {
-    numbers->insert(prefix + key);
-    const std::string expected =
-        unit.empty() ? "a number without unit" : "a number in '" + unit + "', as in '1 " + unit + "'";
+    questions->numbers.insert(prefix + key);
+    const std::string expected = unit.empty() ? "a number without unit"
+                                              : "a number in '" + unit + "', as in '1 " + unit + "'";
     const std::string text = scalar(child, key, expected);
-    const std::string at = where(child.Mark().line + 1, key);
+    const std::string at = where(child.line, key);
     double value = 0.0;
     std::string found_unit;
     if (!split_quantity(text, value, found_unit)) {
@@ -94,72 +95,70 @@ struct YamlMap::State {
     return value;
   }
 
-  YAML::Node sequence(const std::string& key) const {
-    const YAML::Node child = get(key);
-    if (!child.IsSequence()) {
-      throw ConfigError(where(child.Mark().line + 1, key) + ": expected a list");
+  const YamlTree& sequence(const std::string& key) const {
+    const YamlTree& child = get(key);
+    if (!child.is_list()) {
+      throw ConfigError(where(child.line, key) + ": expected a list");
     }
     return child;
   }
 
-  std::shared_ptr<State> child_map(const YAML::Node& child, const std::string& key) const {
-    if (!child.IsMap()) {
-      throw ConfigError(where(child.Mark().line + 1, key) + ": expected a map of keys");
+  std::shared_ptr<State> child_map(const YamlTree& child, const std::string& key) const {
+    if (!child.is_map()) {
+      throw ConfigError(where(child.line, key) + ": expected a map of keys");
     }
-    return std::make_shared<State>(State{child, file, prefix + key + ".", {}, numbers});
+    return std::make_shared<State>(
+        State{std::shared_ptr<const YamlTree>(tree, &child), file, prefix + key + ".", {}, questions});
   }
 };
 
 namespace {
 
-/// Undefined where the path leads nowhere.
-YAML::Node node_at(const YAML::Node& root, const std::string& path) {
-  YAML::Node node = root;
+/// nullptr where the path leads nowhere.
+const YamlTree* node_at(const YamlTree& root, std::string path) {
+  std::replace(path.begin(), path.end(), '[', '.');
+  path.erase(std::remove(path.begin(), path.end(), ']'), path.end());
+  const YamlTree* node = &root;
   std::istringstream keys(path);
-  for (std::string key; std::getline(keys, key, '.');) {
-    const bool place = node.IsSequence() && key.find_first_not_of("0123456789") == std::string::npos;
-    if (!place && !node.IsMap()) return YAML::Node(YAML::NodeType::Undefined);
-    const YAML::Node& parent = node;  // const: else a key that is missing would be made
-    const YAML::Node child = place ? parent[std::stoul(key)] : parent[key];
-    if (!child.IsDefined()) return child;
-    node.reset(child);
+  for (std::string key; node != nullptr && std::getline(keys, key, '.');) {
+    const YamlTree* const parent = node;
+    node = parent->find(key);
+    if (!parent->is_list()) continue;
+    const bool place = key.find_first_not_of("0123456789") == std::string::npos;
+    for (std::size_t i = 0; i < parent->items.size(); ++i) {
+      const bool here = place ? std::to_string(i) == key : parent->items[i].name() == key;
+      if (here) node = &parent->items[i];
+    }
   }
   return node;
+}
+
+std::string text_of_file(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw ConfigError(path + ": cannot be read: check that the file is there");
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
 }  // namespace
 
 YamlMap::YamlMap(std::shared_ptr<State> state) : state_(std::move(state)) {}
 
-YamlMap YamlMap::load(const std::string& path) {
-  try {
-    YAML::Node root = YAML::LoadFile(path);
-    if (!root.IsMap()) {
-      throw ConfigError(path + ":1: expected a map of keys at the top");
-    }
-    return YamlMap(std::make_shared<State>(State{root, path, "", {}}));
-  } catch (const YAML::BadFile&) {
-    throw ConfigError(path + ": cannot be read: check that the file is there");
-  } catch (const YAML::ParserException& error) {
-    throw ConfigError(path + ":" + std::to_string(error.mark.line + 1) + ": no YAML: " + error.msg);
-  }
-}
+YamlMap YamlMap::load(const std::string& path) { return parse(text_of_file(path), path); }
 
 YamlMap YamlMap::parse(const std::string& text, const std::string& name) {
-  try {
-    YAML::Node root = YAML::Load(text);
-    if (!root.IsMap()) {
-      throw ConfigError(name + ":1: expected a map of keys at the top");
-    }
-    return YamlMap(std::make_shared<State>(State{root, name, "", {}}));
-  } catch (const YAML::ParserException& error) {
-    throw ConfigError(name + ":" + std::to_string(error.mark.line + 1) + ": no YAML: " + error.msg);
+  auto root = std::make_shared<YamlTree>(parse_yaml(text, name));
+  if (!root->is_map()) {
+    throw ConfigError(name + ":1: expected a map of keys at the top");
   }
+  expand(*root, name);
+  return YamlMap(std::make_shared<State>(State{std::move(root), name, ""}));
 }
 
 bool YamlMap::has(const std::string& key) const {
   state_->asked.insert(key);
-  return static_cast<bool>(state_->node[key]);
+  const bool there = state_->tree->find(key) != nullptr;
+  if (!there) state_->note_default(key, "");
+  return there;
 }
 
 double YamlMap::quantity(const std::string& key, const std::string& unit, double low, double high) const {
@@ -168,24 +167,26 @@ double YamlMap::quantity(const std::string& key, const std::string& unit, double
 
 double YamlMap::quantity_or(const std::string& key, const std::string& unit, double low, double high,
                             double otherwise) const {
-  state_->numbers->insert(state_->prefix + key);
+  state_->questions->numbers.insert(state_->prefix + key);
+  if (state_->tree->find(key) == nullptr)
+    state_->note_default(key, number_text(otherwise) + (unit.empty() ? "" : " ") + unit);
   return has(key) ? quantity(key, unit, low, high) : otherwise;
 }
 
 std::vector<double> YamlMap::quantities(const std::string& key, const std::string& unit, double low,
                                         double high) const {
   std::vector<double> values;
-  for (const YAML::Node& item : state_->sequence(key)) {
+  for (const YamlTree& item : state_->sequence(key).items) {
     values.push_back(state_->to_quantity(item, key, unit, low, high));
   }
   return values;
 }
 
 std::int64_t YamlMap::integer(const std::string& key, std::int64_t low, std::int64_t high) const {
-  state_->numbers->insert(state_->prefix + key);
-  const YAML::Node child = state_->get(key);
+  state_->questions->numbers.insert(state_->prefix + key);
+  const YamlTree& child = state_->get(key);
   const std::string text = state_->scalar(child, key, "a whole number");
-  const std::string at = state_->where(child.Mark().line + 1, key);
+  const std::string at = state_->where(child.line, key);
   char* end = nullptr;
   const std::int64_t value = std::strtoll(text.c_str(), &end, 0);
   if (text.empty() || *end != '\0') {
@@ -200,7 +201,8 @@ std::int64_t YamlMap::integer(const std::string& key, std::int64_t low, std::int
 
 std::int64_t YamlMap::integer_or(const std::string& key, std::int64_t low, std::int64_t high,
                                  std::int64_t otherwise) const {
-  state_->numbers->insert(state_->prefix + key);
+  state_->questions->numbers.insert(state_->prefix + key);
+  if (state_->tree->find(key) == nullptr) state_->note_default(key, std::to_string(otherwise));
   return has(key) ? integer(key, low, high) : otherwise;
 }
 
@@ -218,7 +220,7 @@ std::string YamlMap::text(const std::string& key) const {
 
 std::vector<std::string> YamlMap::texts(const std::string& key) const {
   std::vector<std::string> values;
-  for (const YAML::Node& item : state_->sequence(key)) {
+  for (const YamlTree& item : state_->sequence(key).items) {
     values.push_back(state_->scalar(item, key, "text"));
   }
   return values;
@@ -226,12 +228,12 @@ std::vector<std::string> YamlMap::texts(const std::string& key) const {
 
 std::vector<std::vector<double>> YamlMap::matrix(const std::string& key, double low, double high) const {
   std::vector<std::vector<double>> rows;
-  for (const YAML::Node& row : state_->sequence(key)) {
-    if (!row.IsSequence()) {
+  for (const YamlTree& row : state_->sequence(key).items) {
+    if (!row.is_list()) {
       fail(key, "expected a list of rows, as in [[1, 0], [0, 1]]");
     }
     rows.emplace_back();
-    for (const YAML::Node& item : row) {
+    for (const YamlTree& item : row.items) {
       rows.back().push_back(state_->to_quantity(item, key, "", low, high));
     }
   }
@@ -244,7 +246,7 @@ YamlMap YamlMap::map(const std::string& key) const {
 
 std::vector<YamlMap> YamlMap::list(const std::string& key) const {
   std::vector<YamlMap> maps;
-  for (const YAML::Node& item : state_->sequence(key)) {
+  for (const YamlTree& item : state_->sequence(key).items) {
     maps.push_back(YamlMap(state_->child_map(item, key + "[" + std::to_string(maps.size()) + "]")));
   }
   return maps;
@@ -252,45 +254,37 @@ std::vector<YamlMap> YamlMap::list(const std::string& key) const {
 
 std::vector<std::pair<std::string, YamlMap>> YamlMap::entries() const {
   std::vector<std::pair<std::string, YamlMap>> found;
-  for (const auto& item : state_->node) {
-    const std::string key = item.first.Scalar();
+  for (std::size_t i = 0; i < state_->tree->keys.size(); ++i) {
+    const std::string& key = state_->tree->keys[i].name;
     state_->asked.insert(key);
-    found.emplace_back(key, YamlMap(state_->child_map(item.second, key)));
+    found.emplace_back(key, YamlMap(state_->child_map(state_->tree->items[i], key)));
   }
   return found;
 }
 
-const std::set<std::string>& YamlMap::numbers() const { return *state_->numbers; }
+const YamlQuestions& YamlMap::questions() const { return *state_->questions; }
+const YamlTree& YamlMap::tree() const { return *state_->tree; }
 
 void YamlMap::finish() const {
-  std::set<std::string> seen;
-  for (const auto& item : state_->node) {
-    const std::string key = item.first.Scalar();
-    const std::string at = state_->where(item.first.Mark().line + 1, key);
-    if (!seen.insert(key).second) {
-      throw ConfigError(at + " stands twice");
-    }
-    if (state_->asked.count(key) == 0) {
-      std::string known;
-      for (const std::string& name : state_->asked) {
-        known += (known.empty() ? "" : ", ") + name;
-      }
-      throw ConfigError(at + " is unknown; known here: " + known);
-    }
+  for (const YamlKey& key : state_->tree->keys) {
+    if (state_->asked.count(key.name) != 0) continue;
+    const std::vector<std::string> known(state_->asked.begin(), state_->asked.end());
+    std::string text = did_you_mean(key.name, known) + "; known here:";
+    for (const std::string& name : known) text += (&name == known.data() ? " " : ", ") + name;
+    throw ConfigError(state_->where(key.line, key.name) + " is unknown" + text);
   }
 }
 
 void YamlMap::fail(const std::string& key, const std::string& problem) const {
-  const YAML::Node child = state_->node[key];
-  const int line = child ? child.Mark().line + 1 : state_->line();
-  throw ConfigError(state_->where(line, key) + ": " + problem);
+  const YamlTree* child = state_->tree->find(key);
+  throw ConfigError(state_->where(child != nullptr ? child->line : state_->line(), key) + ": " + problem);
 }
 
 std::pair<double, std::string> YamlMap::quantity_at(const std::string& path) const {
-  const YAML::Node node = node_at(state_->node, path);
+  const YamlTree* const node = node_at(*state_->tree, path);
   double value = 0.0;
   std::string unit;
-  if (!node.IsDefined() || !node.IsScalar() || !split_quantity(node.Scalar(), value, unit)) {
+  if (node == nullptr || !node->is_text() || !split_quantity(node->text, value, unit)) {
     throw ConfigError(state_->where(state_->line(), path) + ": there is no number of this name");
   }
   return {value, unit};
@@ -301,9 +295,19 @@ YamlMap YamlMap::with_number_at(const std::string& path, double value) const {
   std::ostringstream text;
   text << std::setprecision(std::numeric_limits<double>::max_digits10) << value << (unit.empty() ? "" : " ")
        << unit;
-  const YAML::Node copy = YAML::Clone(state_->node);
-  node_at(copy, path) = text.str();
-  return YamlMap(std::make_shared<State>(State{copy, state_->file, state_->prefix, {}}));
+  auto copy = std::make_shared<YamlTree>(*state_->tree);
+  const_cast<YamlTree*>(node_at(*copy, path))->text = text.str();
+  return YamlMap(std::make_shared<State>(State{std::move(copy), state_->file, state_->prefix}));
+}
+
+std::string YamlMap::place(const std::string& path) const {
+  for (std::string at = path;;) {
+    const YamlTree* const found = node_at(*state_->tree, at);
+    const std::size_t cut = at.find_last_of(".[");
+    if (found != nullptr || cut == std::string::npos)
+      return state_->file + ":" + std::to_string(found != nullptr ? found->line : state_->line());
+    at.resize(cut);
+  }
 }
 
 }  // namespace sprung

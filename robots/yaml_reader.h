@@ -7,14 +7,28 @@
 ///   double ratio = file.quantity("gear_ratio", "", 1, 1000);        // 100
 ///   double mass = file.quantity("mass", "kg", 0, 100);              // 4.13 kg
 ///   file.finish();                                                  // refuses keys that nobody asked for
+///
+/// What a file says by `all`, `like` and `mirror` (robots/yaml_expansion.h) is typed out before anybody asks.
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "robots/yaml_tree.h"
+
 namespace sprung {
+
+/// What a file was asked for so far.
+struct YamlQuestions {
+  /// Every number with its path, "joints[3].position.min"; optional ones also where they are not there.
+  std::set<std::string> numbers;
+  /// Optional keys that are not there, by the prefix of their map, "actuators[3].": key, and what was taken
+  /// instead; "" where that is nothing, or the reader's own affair.
+  std::map<std::string, std::map<std::string, std::string>> defaults;
+};
 
 class YamlMap {
  public:
@@ -50,11 +64,16 @@ class YamlMap {
   /// A copy in which that number is another one; its unit stays. @throws ConfigError as quantity_at().
   YamlMap with_number_at(const std::string& path, double value) const;
 
-  /// Every number that was asked for so far in the whole file, with its path, "joints[3].position.min";
-  /// optional ones also where they are not there.
-  const std::set<std::string>& numbers() const;
+  /// "robots/x/robot.yaml:12", where the value at this path was typed; entries of lists by place or by name:
+  /// "legs[0].links[2].length", "joints[fl_hip].armature". What is not there: its map's place.
+  std::string place(const std::string& path) const;
 
-  /// @throws ConfigError naming the first key that nobody asked for, and the keys that are known.
+  /// Of the whole file.
+  const YamlQuestions& questions() const;
+  /// This map, expanded.
+  const YamlTree& tree() const;
+
+  /// @throws ConfigError naming the first key that nobody asked for, the nearest known one and all of them.
   void finish() const;
   /// @throws ConfigError at this key's line.
   [[noreturn]] void fail(const std::string& key, const std::string& problem) const;

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "runtime/command_info.h"
-#include "runtime/spelling.h"
+#include "signals/spelling.h"
 
 namespace sprung {
 
@@ -23,6 +23,9 @@ std::string why_not_finite(const std::string& text) {
   return std::isfinite(std::strtod(text.c_str(), nullptr)) ? "" : "must be a finite number, not " + text;
 }
 
+/// CLI11 hides what is in no group.
+bool is_gone(const CLI::Option& option) { return option.get_group().empty(); }
+
 }  // namespace
 
 struct CommandLine::Impl {
@@ -31,6 +34,7 @@ struct CommandLine::Impl {
   std::vector<std::unique_ptr<CommandLine>> children;
   std::function<int()> action;
   std::string example;
+  std::string unused;                                       ///< value of an option that is gone
   std::map<std::string, std::vector<std::string>> allowed;  ///< by name of option
 
   template <class T>
@@ -65,13 +69,14 @@ struct CommandLine::Impl {
   std::vector<std::string> option_names() const {
     std::vector<std::string> names;
     for (const CLI::Option* option : app->get_options()) {
+      if (is_gone(*option)) continue;
       for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
       for (const std::string& name : option->get_snames()) names.push_back("-" + name);
     }
     return names;
   }
 
-  std::string mistake(const CLI::ParseError& error) const;
+  std::string message(const CLI::ParseError& error) const;
 
   /// What was wrong, on standard error, and where the help to it is. @return exit status.
   int refuse(const std::string& what) const {
@@ -94,7 +99,7 @@ struct CommandLine::Impl {
 };
 
 /// CLI11 names neither a command nor what an option may have meant.
-std::string CommandLine::Impl::mistake(const CLI::ParseError& error) const {
+std::string CommandLine::Impl::message(const CLI::ParseError& error) const {
   const Impl& command = chosen();
   const std::vector<std::string> unknown = command.app->remaining();
   const auto option = std::find_if(unknown.begin(), unknown.end(), [](const std::string& word) {
@@ -102,9 +107,9 @@ std::string CommandLine::Impl::mistake(const CLI::ParseError& error) const {
   });
   if (!command.children.empty() && (unknown.empty() || option != unknown.begin())) {
     const std::vector<std::string> names = command.subcommand_names();
-    const std::string what =
-        unknown.empty() ? "which command?"
-                        : "no command '" + unknown.front() + "'" + did_you_mean(unknown.front(), names);
+    const std::string what = unknown.empty() ? "which command?"
+                                             : "no command '" + unknown.front() + "'" +
+                                                   did_you_mean(unknown.front(), names);
     return what + "\nThere are: " + CLI::detail::join(names, ", ");
   }
   if (option != unknown.end())
@@ -178,6 +183,13 @@ void CommandLine::flag(const std::string& name, bool& value, const std::string& 
   impl_->app->add_flag(name, value, help);
 }
 
+void CommandLine::gone(const std::string& name, const std::string& instead) {
+  const auto refuse = [=](const std::string&) -> std::string {
+    throw CLI::ArgumentMismatch(name + ": " + instead);
+  };
+  impl_->app->add_option(name, impl_->unused)->group("")->check(refuse);
+}
+
 void CommandLine::example(const std::string& text) {
   impl_->example = text;
   impl_->app->footer("Example:\n  " + text);
@@ -188,6 +200,7 @@ void CommandLine::action(std::function<int()> action) { impl_->action = std::mov
 CommandInfo CommandLine::info() const {
   CommandInfo info{impl_->app->get_name(), impl_->app->get_description(), impl_->example, {}, {}};
   for (const CLI::Option* option : impl_->app->get_options()) {
+    if (is_gone(*option)) continue;
     OptionInfo about{option->get_name(false, true),   option->get_description(),
                      option->get_default_str(),       {},
                      option->get_expected_max() == 0, option->get_positional(),
@@ -204,7 +217,7 @@ int CommandLine::run(int argc, const char* const* argv) {
   try {
     impl_->app->parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() != 0) return impl_->refuse(impl_->mistake(error));
+    if (error.get_exit_code() != 0) return impl_->refuse(impl_->message(error));
     impl_->app->exit(error);  // prints help or version
     return kExitDone;
   }

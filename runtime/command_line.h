@@ -42,9 +42,8 @@ class CommandLine {
   CommandLine& subcommand(const std::string& name, const std::string& description);
 
   /// `name` is "--long" or "-s,--long", or without dashes for a positional. The value's own content is the
-  /// default shown by
-  /// --help. Variables must outlive run(). A vector takes the option several times, or all positionals that
-  /// are left.
+  /// default that --help shows. Variables must outlive run(). A vector takes the option several times, or all
+  /// positionals that are left.
   void option(const std::string& name, std::string& value, const std::string& help,
               Need need = Need::kOptional);
   void option(const std::string& name, int& value, const std::string& help, Need need = Need::kOptional);
@@ -64,6 +63,9 @@ class CommandLine {
   void choice(const std::string& name, std::string& value, const std::vector<std::string>& allowed,
               const std::string& help, Need need = Need::kOptional);
   void flag(const std::string& name, bool& value, const std::string& help);
+  /// An option with a value that there was once: given, it is wrong use, and `instead` says what to do.
+  /// Neither help nor completion has it.
+  void gone(const std::string& name, const std::string& instead);
 
   void example(const std::string& text);     ///< shown below --help; every command has one
   void action(std::function<int()> action);  ///< what run() calls when this command was chosen

@@ -96,8 +96,8 @@ void Node::add(const char* channel, const MessageLayout& layout, const CountLimi
   if (impl_->thread.joinable()) throw std::logic_error("Node: subscribe before start()");
   auto subscription = std::make_unique<Impl::Subscription>(impl_.get(), channel, layout, limits, session_,
                                                            std::move(handler));
-  lcm_subscription_t* const made =
-      lcm_subscribe(impl_->receiving.get(), channel, &Impl::on_bytes, subscription.get());
+  lcm_subscription_t* const made = lcm_subscribe(impl_->receiving.get(), channel, &Impl::on_bytes,
+                                                 subscription.get());
   if (made == nullptr)
     throw std::runtime_error(std::string("LCM cannot receive ") + channel + ": run 'sprung doctor'");
   lcm_subscription_set_queue_capacity(made, kLcmQueue);
@@ -119,8 +119,8 @@ void Node::send(const char* channel, std::int64_t seq) {
   const LinkFault fault = impl_->faults.on_publish(channel, seq);
   if (fault == LinkFault::kDropSent) return;
   for (int copies = fault == LinkFault::kRepeatSent ? 2 : 1; copies > 0; --copies) {
-    const int sent =
-        lcm_publish(impl_->sending.get(), channel, buffer_.data(), static_cast<unsigned int>(buffer_.size()));
+    const int sent = lcm_publish(impl_->sending.get(), channel, buffer_.data(),
+                                 static_cast<unsigned int>(buffer_.size()));
     if (sent != 0) ++send_failures_;
   }
 }

@@ -63,7 +63,7 @@ class Node {
   Node& operator=(const Node&) = delete;
 
   /// Subscriptions come before start(). Slots and queues must outlive receiving: see Receiving below.
-  /// Signal is one of signals.h whose message has no texts.
+  /// Signal is one of the structs of signals/ whose message has no texts.
   template <class Signal>
   void subscribe(const char* channel, const CountLimits& limits, Slot<Signal>& slot) {
     slot.wake(&event_);

@@ -1,10 +1,12 @@
 #pragma once
-/// The frame of every process: options, robot file, real-time set-up, node, signals, status, exit code. A
-/// program is
+/// The frame of every process: options, robot file, real-time set-up, node, signals, status, exit code.
+/// A program is
 ///
 ///   int main(int argc, char** argv) {
 ///     return sprung::run_process(argc, argv, {"sprung-x", "What it does."}, [](sprung::Process& process) {
-///     ...; return 0; });
+///       ...;
+///       return 0;
+///     });
 ///   }
 #include <functional>
 #include <memory>

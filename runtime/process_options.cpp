@@ -2,15 +2,15 @@
 
 namespace sprung {
 
-const char* name(ClockMode mode) noexcept { return mode == ClockMode::kLockstep ? "lockstep" : "realtime"; }
-
 ClockMode ProcessOptions::clock_mode() const noexcept {
-  return clock == name(ClockMode::kLockstep) ? ClockMode::kLockstep : ClockMode::kRealTime;
+  return value_named<ClockMode>(clock).value_or(ClockMode::kRealTime);
 }
 
 RealTimeRequest ProcessOptions::real_time() const noexcept {
-  if (clock_mode() == ClockMode::kLockstep || rt_policy == "off") return {RealTimePolicy::kOff, 0, -1};
-  return {rt_policy == "enforce" ? RealTimePolicy::kEnforce : RealTimePolicy::kWarn, priority, cpu};
+  const RealTimePolicy policy = value_named<RealTimePolicy>(rt_policy).value_or(RealTimePolicy::kWarn);
+  if (clock_mode() == ClockMode::kLockstep || policy == RealTimePolicy::kOff)
+    return {RealTimePolicy::kOff, 0, -1};
+  return {policy, priority, cpu};
 }
 
 void add_process_options(CommandLine& line, ProcessOptions& options) {
@@ -20,8 +20,8 @@ void add_process_options(CommandLine& line, ProcessOptions& options) {
               Need::kRequired);
   line.option("--epoch-us", options.node.epoch_us, "CLOCK_MONOTONIC when the session began, us; 0 = at boot");
   line.option("--lcm-url", options.node.lcm_url, "on-robot LCM network");
-  line.choice("--clock", options.clock, {"lockstep", "realtime"}, "who paces the cycle");
-  line.choice("--rt-policy", options.rt_policy, {"enforce", "warn", "off"},
+  line.choice("--clock", options.clock, names_of<ClockMode>(), "who paces the cycle");
+  line.choice("--rt-policy", options.rt_policy, names_of<RealTimePolicy>(),
               "when real-time scheduling is refused");
   line.option("--priority", options.priority, "SCHED_FIFO priority, 0 = normal scheduling");
   line.option("--cpu", options.cpu, "pin to this CPU, -1 = any");

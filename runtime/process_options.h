@@ -8,11 +8,15 @@
 #include "runtime/command_line.h"
 #include "runtime/node.h"
 #include "runtime/real_time.h"
+#include "signals/enumeration.h"
 
 namespace sprung {
 
 enum class ClockMode { kLockstep, kRealTime };
-const char* name(ClockMode mode) noexcept;  ///< "lockstep", "realtime": the option's own words
+constexpr auto words_of(ClockMode) {
+  using E = ClockMode;
+  return words<E>({{E::kLockstep, "lockstep"}, {E::kRealTime, "realtime"}});
+}
 
 struct ProcessOptions {
   std::string robot = "single_leg";  ///< --robot: a name or a folder

@@ -3,6 +3,8 @@
 /// threads start: they inherit it.
 #include <string>
 
+#include "signals/enumeration.h"
+
 namespace sprung {
 
 enum class RealTimePolicy {
@@ -10,6 +12,10 @@ enum class RealTimePolicy {
   kWarn,     ///< ask, run without what is refused
   kEnforce,  ///< refused is an error
 };
+constexpr auto words_of(RealTimePolicy) {
+  using E = RealTimePolicy;
+  return words<E>({{E::kOff, "off"}, {E::kWarn, "warn"}, {E::kEnforce, "enforce"}});
+}
 
 struct RealTimeRequest {
   RealTimePolicy policy = RealTimePolicy::kWarn;

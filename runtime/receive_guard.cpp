@@ -5,30 +5,6 @@
 
 namespace sprung {
 
-const char* name(Refusal value) noexcept {
-  switch (value) {
-    case Refusal::kNone:
-      return "accepted";
-    case Refusal::kTooShort:
-      return "too short";
-    case Refusal::kWrongHash:
-      return "wrong hash";
-    case Refusal::kWrongSession:
-      return "wrong session";
-    case Refusal::kBadCount:
-      return "bad count";
-    case Refusal::kWrongLength:
-      return "wrong length";
-    case Refusal::kNotDecodable:
-      return "not decodable";
-    case Refusal::kBadValue:
-      return "bad value";
-    case Refusal::kCount_:
-      break;
-  }
-  return "unknown";
-}
-
 ReceiveGuard::ReceiveGuard(std::string channel, const MessageLayout& layout, const CountLimits& limits,
                            std::int64_t session)
     : channel_(std::move(channel)), layout_(layout), limits_(limits), session_(session) {}

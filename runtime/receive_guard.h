@@ -10,6 +10,7 @@
 #include <string>
 
 #include "runtime/message_layout.h"
+#include "signals/enumeration.h"
 
 namespace sprung {
 
@@ -22,9 +23,18 @@ enum class Refusal : std::int8_t {
   kWrongLength,   ///< truncated, trailing bytes, or a string that does not fit
   kNotDecodable,  ///< LCM's decoder refused it
   kBadValue,      ///< an enumeration value that is unknown here
-  kCount_,        ///< number of values, not a refusal
 };
-const char* name(Refusal value) noexcept;
+constexpr auto words_of(Refusal) {
+  using E = Refusal;
+  return words<E>({{E::kNone, "accepted"},
+                   {E::kTooShort, "too short"},
+                   {E::kWrongHash, "wrong hash"},
+                   {E::kWrongSession, "wrong session"},
+                   {E::kBadCount, "bad count"},
+                   {E::kWrongLength, "wrong length"},
+                   {E::kNotDecodable, "not decodable"},
+                   {E::kBadValue, "bad value"}});
+}
 
 class ReceiveGuard {
  public:
@@ -57,7 +67,7 @@ class ReceiveGuard {
   CountLimits limits_;
   std::int64_t session_;
   std::atomic<std::int64_t> accepted_{0};
-  std::array<std::atomic<std::int64_t>, static_cast<std::size_t>(Refusal::kCount_)> refused_{};
+  std::array<std::atomic<std::int64_t>, kWords<Refusal>.size()> refused_{};
   mutable std::mutex last_mutex_;
   Refusal last_ = Refusal::kNone;
   std::int64_t last_found_ = 0;

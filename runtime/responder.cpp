@@ -33,7 +33,7 @@ bool LockstepResponder::input_is_here(const ResponderView& view) noexcept {
     return false;
   }
   const bool cannot_come = view.inputs.newest(0) >= expected_ + kRepeatDepth;
-  if (!cannot_come && !waited(view.now_us, timing_.patience_us)) return false;
+  if (!cannot_come && !waited(view.now_us, timing_.timeout_us)) return false;
   counters_.skipped_inputs += *next - expected_;
   expected_ = *next;
   give_up_us_.reset();
@@ -47,14 +47,14 @@ bool LockstepResponder::partner_is_here(const ResponderView& view) noexcept {
     partner_lost_ = false;
     return true;
   }
-  if (!waited(view.now_us, partner_lost_ ? timing_.short_patience_us : timing_.patience_us)) return false;
+  if (!waited(view.now_us, partner_lost_ ? timing_.short_timeout_us : timing_.timeout_us)) return false;
   partner_lost_ = true;
   ++counters_.missed_partners;
   return true;
 }
 
-bool LockstepResponder::waited(std::int64_t now_us, std::int64_t patience_us) noexcept {
-  if (!give_up_us_) give_up_us_ = now_us + patience_us;
+bool LockstepResponder::waited(std::int64_t now_us, std::int64_t timeout_us) noexcept {
+  if (!give_up_us_) give_up_us_ = now_us + timeout_us;
   return now_us >= *give_up_us_;
 }
 

@@ -4,12 +4,12 @@
 /// silent.
 ///
 /// Lock-step. Cycles are answered strictly in order; a cycle is skipped only when it cannot come any more
-/// (its sender is two cycles further, or silent about it for `patience`). A
+/// (its sender is two cycles further, or silent about it for `timeout`). A
 /// responder with a partner (the leg controller: LEG_COMMAND) answers k >= 1 only with the partner's k-1, or,
 /// when its lag is 0 (the estimator of a robot with an IMU), k only with the partner's k. A repeated input
 /// that was answered already asks for the stored answers again: the bridge repeats DRIVE_STATE(k) after 50
 /// ms, and so every lost message of the ring is repaired without stepping anything twice. What stays missing
-/// for `patience` (its sender died) is counted and done without; from then on only for `short_patience`,
+/// for `timeout` (its sender died) is counted and done without; from then on only for `short_timeout`,
 /// until it is there in time again.
 ///
 /// Real time. The newest input is answered at once with the partner's newest of seq <= k-1; gaps are counted.
@@ -63,8 +63,8 @@ class Responder {
 struct LockstepTiming {
   bool has_partner = false;
   std::int64_t partner_lag = 1;  ///< cycle k waits for the partner's k - lag
-  std::int64_t patience_us = 300'000;
-  std::int64_t short_patience_us = 2'000;
+  std::int64_t timeout_us = 300'000;
+  std::int64_t short_timeout_us = 2'000;
 };
 
 class LockstepResponder : public Responder {
@@ -75,7 +75,7 @@ class LockstepResponder : public Responder {
  private:
   bool input_is_here(const ResponderView& view) noexcept;
   bool partner_is_here(const ResponderView& view) noexcept;
-  bool waited(std::int64_t now_us, std::int64_t patience_us) noexcept;
+  bool waited(std::int64_t now_us, std::int64_t timeout_us) noexcept;
   ResponderDecision wait(std::int64_t now_us) const noexcept;
   ResponderDecision restart() noexcept;
 

@@ -15,7 +15,8 @@ struct EstimatedJoint {
   double estimated_position_rad = kNaN;
   double estimated_velocity_rad_s = kNaN;
   double estimated_acceleration_rad_s2 = kNaN;
-  double motor_side_torque_Nm = kNaN;
+  double measured_motor_torque_Nm = kNaN;  ///< R Kt i through the transmission, before friction and inertia
+  double motor_side_torque_Nm = kNaN;      ///< the papers' joint torque: the above minus their friction
   double gear_output_torque_Nm = kNaN;
   double gear_output_torque_bound_Nm = kNaN;
   double friction_torque_Nm = kNaN;

@@ -14,27 +14,6 @@
 
 namespace sprung::fields {
 
-/// Last value of each enumeration that crosses the wire: beyond it is unknown here.
-constexpr DriveMode last(DriveMode) { return DriveMode::kPosition; }
-constexpr PowerState last(PowerState) { return PowerState::kFault; }
-constexpr SafetyLevel last(SafetyLevel) { return SafetyLevel::kDisabled; }
-constexpr SafetyCause last(SafetyCause) { return SafetyCause::kDuplicateNode; }
-constexpr JointStatus last(JointStatus) { return JointStatus::kFault; }
-constexpr ControlMode last(ControlMode) { return ControlMode::kJoint; }
-constexpr LegPhase last(LegPhase) { return LegPhase::kStance; }
-constexpr MotionPhase last(MotionPhase) { return MotionPhase::kFallen; }
-constexpr JumpMode last(JumpMode) { return JumpMode::kOwn; }
-constexpr LegEvent last(LegEvent) { return LegEvent::kStumble; }
-constexpr GaitControl last(GaitControl) { return GaitControl::kOwn; }
-constexpr OperatorKind last(OperatorKind) { return OperatorKind::kWalk; }
-constexpr OperatorOutcome last(OperatorOutcome) { return OperatorOutcome::kQueued; }
-constexpr ProcessState last(ProcessState) { return ProcessState::kStopping; }
-constexpr SimControlKind last(SimControlKind) { return SimControlKind::kImu; }
-constexpr ImuStatus last(ImuStatus) { return ImuStatus::kFault; }
-constexpr FaultKind last(FaultKind) { return FaultKind::kQueueFull; }
-constexpr BusCondition last(BusCondition) { return BusCondition::kOff; }
-constexpr ReferenceSource last(ReferenceSource) { return ReferenceSource::kJig; }
-
 /// Signal to message.
 struct ToMessage {
   template <class T, std::enable_if_t<std::is_arithmetic_v<T> && !std::is_same_v<T, bool>, int> = 0>
@@ -77,7 +56,7 @@ struct FromMessage {
   void operator()(const std::int8_t& message, bool& signal) { signal = message != 0; }
   template <class E, std::enable_if_t<std::is_enum_v<E>, int> = 0>
   void operator()(const std::int8_t& message, E& signal) {
-    good = good && message >= 0 && message <= static_cast<std::int8_t>(last(E{}));
+    good = good && is_known<E>(message);
     signal = static_cast<E>(message);
   }
   void operator()(const std::string& message, std::string& signal) { signal = message; }

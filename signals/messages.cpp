@@ -54,6 +54,7 @@ const auto kEstimatedJoint = [](auto& way, auto& m, auto& s) {
   way(m.estimated_position_rad, s.estimated_position_rad);
   way(m.estimated_velocity_rad_s, s.estimated_velocity_rad_s);
   way(m.estimated_acceleration_rad_s2, s.estimated_acceleration_rad_s2);
+  way(m.measured_motor_torque_Nm, s.measured_motor_torque_Nm);
   way(m.motor_side_torque_Nm, s.motor_side_torque_Nm);
   way(m.gear_output_torque_Nm, s.gear_output_torque_Nm);
   way(m.gear_output_torque_bound_Nm, s.gear_output_torque_bound_Nm);

@@ -1,6 +1,6 @@
 #pragma once
-/// Enumerations that cross process boundaries. Values are part of the wire format: append, never renumber.
-#include <cstddef>
+/// Enumerations that cross process boundaries. Values are part of the wire format: append, never renumber,
+/// and give each its name in signals/mode_names.h.
 #include <cstdint>
 
 namespace sprung {
@@ -107,21 +107,20 @@ enum class LegEvent : std::int8_t {
   kSlip = 4,          ///< a standing foot moves
   kStumble = 5,       ///< a swinging foot is held up
 };
-inline constexpr std::size_t kLegEventCount = 6;
 
 /// How the legs of a gait are controlled.
 enum class GaitControl : std::int8_t {
   kForce = 0,      ///< virtual springs throughout, also in swing
   kHybrid = 1,     ///< position in swing, virtual springs in stance, switched at the planned touchdown
   kPreStance = 2,  ///< the papers': hybrid, and soft before the planned touchdown
-  kOwn = 3,        ///< hybrid with sprung's own pre-stance: slow approach, switched on contact
+  kAdaptive = 3,   ///< hybrid with sprung's own pre-stance: slow approach, switched on contact
 };
 
 enum class JumpMode : std::int8_t {
   kPosition = 0,
   kTorque = 1,
   kHybrid = 2,
-  kOwn = 3,  ///< hybrid with sprung's own landing: docs/control.md
+  kAdaptive = 3,  ///< hybrid with sprung's own landing: docs/control.md
 };
 
 enum class OperatorKind : std::int8_t {
@@ -200,22 +199,15 @@ enum class BusCondition : std::int8_t {
 /// Where `sprung home` takes an actuator's zero from; kConfigured = as robot.yaml says for each.
 enum class ReferenceSource : std::int8_t { kConfigured = 0, kLink = 1, kIndex = 2, kJig = 3 };
 
-const char* name(DriveMode value) noexcept;
-const char* name(PowerState value) noexcept;
-const char* name(SafetyLevel value) noexcept;
-const char* name(SafetyCause value) noexcept;
-const char* name(JointStatus value) noexcept;
-const char* name(ControlMode value) noexcept;
-const char* name(LegPhase value) noexcept;
-const char* name(MotionPhase value) noexcept;
-const char* name(JumpMode value) noexcept;
-const char* name(LegEvent value) noexcept;
-const char* name(GaitControl value) noexcept;
-const char* name(OperatorKind value) noexcept;
-const char* name(OperatorOutcome value) noexcept;
-const char* name(ProcessState value) noexcept;
-const char* name(FaultKind value) noexcept;
-const char* name(BusCondition value) noexcept;
-const char* name(ReferenceSource value) noexcept;
+/// Why a log file ends. A file without LOG_END was cut off: its recorder was killed, or the machine went
+/// down.
+enum class LogEndReason : std::int8_t {
+  kAsked = 0,       ///< by the operator or the launcher
+  kContinued = 1,   ///< the recording goes on in the next part
+  kDiskGuard = 2,   ///< the disk was nearly full
+  kWriteError = 3,  ///< the disk refused to take more
+};
 
 }  // namespace sprung
+
+#include "signals/mode_names.h"  // name() of each; last, since its tables need the values

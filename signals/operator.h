@@ -27,11 +27,11 @@ struct OperatorCommand {
   double joint_speed_rad_s = kNaN;
   double joint_acceleration_rad_s2 = kNaN;
   ReferenceSource reference_source = ReferenceSource::kConfigured;
-  std::int32_t gait = -1;                        ///< kWalk: index into the robot's gaits
-  Vec3 walk_speed{0, 0, 0};                      ///< kWalk: forward m/s, left m/s, turning rad/s
-  double body_height_m = kNaN;                   ///< kWalk; NaN: the preset's
-  double stance_width_m = kNaN;                  ///< kWalk: added to each side; NaN: the preset's
-  GaitControl gait_control = GaitControl::kOwn;  ///< kWalk
+  std::int32_t gait = -1;                             ///< kWalk: index into the robot's gaits
+  Vec3 walk_speed{0, 0, 0};                           ///< kWalk: forward m/s, left m/s, turning rad/s
+  double body_height_m = kNaN;                        ///< kWalk; NaN: the preset's
+  double stance_width_m = kNaN;                       ///< kWalk: added to each side; NaN: the preset's
+  GaitControl gait_control = GaitControl::kAdaptive;  ///< kWalk
 };
 
 struct OperatorReply {

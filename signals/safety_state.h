@@ -1,5 +1,5 @@
 #pragma once
-/// SAFETY: the bridge's level and its cause. Units and frames: lcmtypes/README.md.
+/// SAFETY_STATE: the bridge's level and its cause. Units and frames: lcmtypes/README.md.
 #include <array>
 #include <cstdint>
 

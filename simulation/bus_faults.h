@@ -27,8 +27,8 @@ class BusFaults {
   void report(FrameBatch& out) noexcept;
 
  private:
-  static constexpr std::size_t kCapacity =
-      64;  ///< error frames between two reports; more are lost, as in a kernel
+  /// Error frames between two reports; more are lost, as in a kernel.
+  static constexpr std::size_t kCapacity = 64;
   static constexpr std::size_t index(int bus) noexcept { return static_cast<std::size_t>(bus); }
   void tell(int bus, const CanFrame& error) noexcept;
 

@@ -43,6 +43,7 @@ int main(int argc, char** argv) {
   add_identify(line);
   add_log(line);
   add_move(line);
+  add_robot(line);
   add_fault(line);
   add_doctor(line);
   add_help(line);

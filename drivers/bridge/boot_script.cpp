@@ -22,8 +22,8 @@ void remap(const PdoSetting& pdo, int node, std::vector<BootStep>& script) {
   const auto number = static_cast<std::uint16_t>(pdo.number);
   const auto communication = static_cast<std::uint16_t>(
       (pdo.transmit ? canopen::kTpdoCommunication : canopen::kRpdoCommunication) + number);
-  const auto mapping =
-      static_cast<std::uint16_t>((pdo.transmit ? canopen::kTpdoMapping : canopen::kRpdoMapping) + number);
+  const auto mapping = static_cast<std::uint16_t>(
+      (pdo.transmit ? canopen::kTpdoMapping : canopen::kRpdoMapping) + number);
   const std::uint32_t cob_id = pdo.transmit ? canopen::tpdo_id(pdo.number, node) | canopen::kPdoNoRtr
                                             : canopen::rpdo_id(pdo.number, node);
   const auto add = [&script](ObjectId object, int size, std::uint32_t value) {

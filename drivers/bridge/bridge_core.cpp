@@ -20,13 +20,13 @@ void BridgeCore::begin_tick(std::int64_t time_us, FrameBatch& out) noexcept {
   s.now_us = time_us;
   s.buses.begin_cycle(time_us);
   s.step_boot(time_us);
-  for (NodeLink* link : s.links) link->step(time_us, out);
+  for (BusNode* node : s.nodes) node->step(time_us, out);
   if (time_us + s.cycle_us > s.next_heartbeat_us) {  // rather early than late for the drives' consumers
     s.next_heartbeat_us = time_us + to_us(s.watchdogs.heartbeat_s);
     s.push_on_every_bus(canopen::heartbeat_frame(canopen::kBridgeNode, canopen::NmtState::kOperational), out);
   }
   s.sync_us = time_us;
-  for (NodeLink* link : s.links) link->begin_sampling(time_us);
+  for (BusNode* node : s.nodes) node->link().begin_sampling(time_us);
   s.push_on_every_bus(canopen::sync_frame(), out);
   s.count_sent(out, first);
 }
@@ -38,13 +38,14 @@ void BridgeCore::receive(int bus, const CanFrame& frame, std::int64_t time_us) n
     s.buses.error_frame(bus, frame);
     return;
   }
-  NodeLink* node = s.by_bus_and_node[static_cast<std::size_t>(bus)][frame.id & 0x7F];
+  BusNode* node = s.by_bus_and_node[static_cast<std::size_t>(bus)][frame.id & 0x7F];
   const bool expected = node != nullptr && node->receive(frame, time_us);
   s.buses.received(bus, frame, expected);
 }
 
 bool BridgeCore::all_answered() const noexcept {
-  return impl_->all_links([](const NodeLink& link) { return !link.boot().started() || link.caught_up(); });
+  return impl_->all_links(
+      [](const NodeLink& link) { return !link.boot().started() || link.samples().caught_up(); });
 }
 
 bool BridgeCore::end_sampling(std::int64_t time_us, DriveState& out) noexcept {
@@ -52,8 +53,8 @@ bool BridgeCore::end_sampling(std::int64_t time_us, DriveState& out) noexcept {
   s.now_us = time_us;
   s.judge_samples();
   s.step_requests(time_us);
-  const bool all_sampled =
-      s.all_links([](const NodeLink& link) { return link.boot().operational() && link.answered(); });
+  const bool all_sampled = s.all_links(
+      [](const NodeLink& link) { return link.boot().operational() && link.samples().answered(); });
   // A clear before the first cycle is answered first.
   if (!s.cyclic && (!all_sampled || s.recovery->running())) return false;
   s.begin_cycle(time_us);
@@ -81,7 +82,7 @@ void BridgeCore::emit_setpoints(std::int64_t time_us, FrameBatch& out) noexcept 
   const int first = out.size();
   s.update_safety(time_us, true);
   for (std::size_t i = 0; i < s.drives.size(); ++i) {
-    if (s.buses.sending_failed(s.drives[i]->setup().bus)) s.drives[i]->resend_control_word();
+    if (s.buses.sending_failed(s.drives[i]->actuator().bus)) s.drives[i]->resend_control_word();
     s.drives[i]->emit(time_us, s.safety.level(), s.gate.last().actuators[i], out);
   }
   s.count_sent(out, first);
@@ -185,23 +186,24 @@ const SafetyState& BridgeCore::safety() const noexcept {
 const BusState& BridgeCore::bus_state() const noexcept {
   Impl& s = *impl_;
   s.bus_state.stamp = {s.now_us, s.cycle};
-  s.bus_state.recovering =
-      s.recovery->kind() == Recovery::Kind::kClear || s.recovery->kind() == Recovery::Kind::kBoot;
+  s.bus_state.recovering = s.recovery->kind() == Recovery::Kind::kClear ||
+                           s.recovery->kind() == Recovery::Kind::kBoot;
   for (std::size_t i = 0; i < s.bus_state.buses.size(); ++i) s.bus_state.buses[i] = s.buses.health(i);
-  for (std::size_t i = 0; i < s.links.size(); ++i) s.bus_state.nodes[i] = s.links[i]->health();
+  for (std::size_t i = 0; i < s.nodes.size(); ++i) s.bus_state.nodes[i] = s.nodes[i]->link().health();
+  for (std::size_t i = 0; i < s.drives.size(); ++i) s.drives[i]->show(s.bus_state.nodes[i]);
   return s.bus_state;
 }
 
 const char* BridgeCore::boot_detail() const noexcept {
   Impl& s = *impl_;
-  for (const NodeLink* link : s.links) {
-    const NodeBoot& boot = link->boot();
+  for (const BusNode* node : s.nodes) {
+    const NodeBoot& boot = node->link().boot();
     if (!boot.operational() && !boot.configured()) return boot.detail().data();
   }
   if (s.cyclic) return "all drives operational";
-  for (const NodeLink* link : s.links) {
-    if (!link->boot().operational() || link->answered()) continue;
-    print(s.boot_text, "%s: did not answer SYNC", link->name().c_str());
+  for (const BusNode* node : s.nodes) {
+    if (!node->link().boot().operational() || node->link().samples().answered()) continue;
+    print(s.boot_text, "%s: did not answer SYNC", node->name().c_str());
     return s.boot_text.data();
   }
   return "all drives configured";

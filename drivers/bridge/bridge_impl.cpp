@@ -36,22 +36,22 @@ BridgeCore::Impl::Impl(const RobotConfig& config, const BridgeOptions& bridge_op
     add(*cards.back());
   }
   check_card_channels();
-  recovery = std::make_unique<Recovery>(links);
+  recovery = std::make_unique<Recovery>(nodes);
   homing = std::make_unique<Homing>(pointers(drives));
   last_clear.reply.request_id = last_home.reply.request_id = -1;
 }
 
-void BridgeCore::Impl::add(NodeLink& link) {
-  const int bus = link.setup().bus;
-  const int node = link.setup().node;
+void BridgeCore::Impl::add(BusNode& added) {
+  const int bus = added.link().setup().bus;
+  const int node = added.link().setup().node;
   const bool exists = bus >= 0 && static_cast<std::size_t>(bus) < robot.buses.size() && node > 0 &&
                       node < canopen::kBridgeNode;
-  if (!exists) throw std::invalid_argument("'" + link.name() + "': no such bus or node");
-  NodeLink*& place = by_bus_and_node[static_cast<std::size_t>(bus)][static_cast<std::size_t>(node)];
+  if (!exists) throw std::invalid_argument("'" + added.name() + "': no such bus or node");
+  BusNode*& place = by_bus_and_node[static_cast<std::size_t>(bus)][static_cast<std::size_t>(node)];
   if (place != nullptr)
-    throw std::invalid_argument("'" + link.name() + "' and '" + place->name() + "' have one node id");
-  place = &link;
-  links.push_back(&link);
+    throw std::invalid_argument("'" + added.name() + "' and '" + place->name() + "' have one node id");
+  place = &added;
+  nodes.push_back(&added);
 }
 
 /// The loader knows no profiles: it lets pass what any card may have.
@@ -84,23 +84,24 @@ void BridgeCore::Impl::step_boot(std::int64_t time_us) noexcept {
                        return link.boot().configured() || link.boot().started();
                      });
   if (!ready) return;
-  for (NodeLink* link : links) link->start();
+  for (BusNode* node : nodes) node->link().start();
 }
 
 /// One that has left operational while the others still boot: before the first cycle nobody is asked. Of two
 /// devices on one id none can be brought back; they become trouble in the first cycle.
 void BridgeCore::Impl::restart_lost_nodes(std::int64_t time_us) noexcept {
-  for (NodeLink* link : links) {
-    const bool gone = link->lost(time_us) || link->silent();
-    if (link->boot().operational() && gone && !link->duplicate()) link->restart();
+  for (BusNode* node : nodes) {
+    const NodeLink& link = node->link();
+    const bool gone = link.lost(time_us) || link.silent();
+    if (link.boot().operational() && gone && !link.duplicate()) node->restart();
   }
 }
 
 void BridgeCore::Impl::refuse_nodes(std::int64_t time_us) noexcept {
-  for (const NodeLink* link : links) {
-    const NodeBoot& boot = link->boot();
+  for (const BusNode* node : nodes) {
+    const NodeBoot& boot = node->link().boot();
     if (boot.refused()) {
-      safety.refuse_drive({SafetyCause::kDriveRefused, link->setup().actuator, boot.detail()}, time_us,
+      safety.refuse_drive({SafetyCause::kDriveRefused, node->link().setup().actuator, boot.detail()}, time_us,
                           cycle);
       return;  // one at a time: the detail has room for one
     }
@@ -108,7 +109,7 @@ void BridgeCore::Impl::refuse_nodes(std::int64_t time_us) noexcept {
 }
 
 void BridgeCore::Impl::judge_samples() noexcept {
-  for (NodeLink* link : links) link->end_sampling();
+  for (BusNode* node : nodes) node->end_sampling();
   for (auto& drive : drives) {
     const LinkEncoderConfig& encoder = drive->actuator().link_encoder;
     if (encoder.card < 0) continue;
@@ -137,16 +138,16 @@ double BridgeCore::Impl::command_age_s(std::int64_t time_us, bool command_due) c
   return 1e-6 * static_cast<double>(std::max<std::int64_t>(age_us, 0));
 }
 
-bool BridgeCore::Impl::find_trouble(std::int64_t time_us, Trouble& out) const noexcept {
-  for (const NodeLink* link : links) {
-    out.actuator = link->setup().actuator;
-    if (link->trouble(time_us, recovery->running(), out)) return true;
+bool BridgeCore::Impl::find_fault(std::int64_t time_us, Fault& out) const noexcept {
+  for (const BusNode* node : nodes) {
+    out.actuator = node->link().setup().actuator;
+    if (node->fault(time_us, recovery->running(), out)) return true;
   }
   return false;
 }
 
 void BridgeCore::Impl::update_safety(std::int64_t time_us, bool command_due) noexcept {
-  Trouble node_trouble;
+  Fault node_trouble;
   SafetyInputs inputs;
   inputs.time_us = time_us;
   inputs.cycle = cycle;
@@ -155,13 +156,13 @@ void BridgeCore::Impl::update_safety(std::int64_t time_us, bool command_due) noe
   inputs.command_expired = command_due && gate.any() && time_us > gate.last().valid_until_utime_us;
   inputs.command_refused = gate.last_was_refused();
   inputs.refusal = &gate.detail();
-  inputs.drive = !safety.latched() && find_trouble(time_us, node_trouble) ? &node_trouble : nullptr;
-  inputs.bus = buses.trouble();
+  inputs.drive = !safety.latched() && find_fault(time_us, node_trouble) ? &node_trouble : nullptr;
+  inputs.bus = buses.fault();
   inputs.overruns_in_row = overruns_in_row;
-  inputs.slow =
-      all_drives([](const DriveNode& n) { return std::abs(n.filtered_velocity_rad_s()) < kSlow_rad_s; });
+  inputs.slow = all_drives(
+      [](const DriveNode& n) { return std::abs(n.filtered_velocity_rad_s()) < kSlow_rad_s; });
   safety.update(inputs);
-  for (NodeLink* link : links) link->faults_seen();
+  for (BusNode* node : nodes) node->link().faults_seen();
   buses.forget_trouble();
   if (safety.latched()) gate.disarm();
 }

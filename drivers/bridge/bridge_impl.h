@@ -34,7 +34,7 @@ struct LongRequest {
 struct BridgeCore::Impl {
   Impl(const RobotConfig& config, const BridgeOptions& bridge_options);
 
-  void add(NodeLink& link);
+  void add(BusNode& node);
   void check_card_channels() const;  ///< @throws std::invalid_argument on one that the card has not
   void push_on_every_bus(const CanFrame& frame, FrameBatch& out) const noexcept;
   void count_sent(const FrameBatch& batch, int first) noexcept;
@@ -44,7 +44,7 @@ struct BridgeCore::Impl {
   void judge_samples() noexcept;
   void begin_cycle(std::int64_t time_us) noexcept;
   void update_safety(std::int64_t time_us, bool command_due) noexcept;
-  bool find_trouble(std::int64_t time_us, Trouble& out) const noexcept;
+  bool find_fault(std::int64_t time_us, Fault& out) const noexcept;
   double command_age_s(std::int64_t time_us, bool command_due) const noexcept;
 
   // Requests: bridge_requests.cpp.
@@ -62,8 +62,8 @@ struct BridgeCore::Impl {
 
   template <class Condition>
   bool all_links(Condition condition) const noexcept {
-    for (const NodeLink* link : links) {
-      if (!condition(*link)) return false;
+    for (const BusNode* node : nodes) {
+      if (!condition(node->link())) return false;
     }
     return true;
   }
@@ -80,8 +80,8 @@ struct BridgeCore::Impl {
   std::int64_t cycle_us;
   std::vector<std::unique_ptr<DriveNode>> drives;
   std::vector<std::unique_ptr<EncoderCardNode>> cards;
-  std::vector<NodeLink*> links;  ///< drives, then cards
-  std::vector<std::array<NodeLink*, canopen::kMaxNode + 1>> by_bus_and_node;
+  std::vector<BusNode*> nodes;  ///< drives, then cards
+  std::vector<std::array<BusNode*, canopen::kMaxNode + 1>> by_bus_and_node;
   BusMonitor buses;
   CommandGate gate;
   SafetyMachine safety;

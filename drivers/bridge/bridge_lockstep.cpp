@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "drivers/bridge/bridge_shell.h"
-#include "drivers/bridge/patience.h"
+#include "drivers/bridge/timeout.h"
 #include "drivers/can/bus_addresses.h"
 #include "drivers/can/lockstep_link.h"
 #include "runtime/log.h"
@@ -186,8 +186,8 @@ class LockstepBridge {
   FrameBatch out_;
   DriveState state_;
   DriveCommand command_;
-  Patience drives_;
-  Patience chain_;
+  Timeout drives_;
+  Timeout chain_;
   const std::int64_t last_tick_;
   std::int64_t time_us_ = 0;
   int silent_ticks_ = 0;

@@ -121,8 +121,8 @@ class RealTimeBridge {
     core_.begin_tick(now_us(), out_);
     send();
     const auto window_us = static_cast<std::int64_t>(kAnswerShare * static_cast<double>(cycle_us_));
-    const std::int64_t answers_us =
-        std::max(deadline_us, now_us()) + window_us;  // in full also after a late start
+    const std::int64_t answers_us = std::max(deadline_us, now_us()) +
+                                    window_us;  // in full also after a late start
     // The last answer cannot be there before the wire has carried them all: one wake-up instead of one a
     // frame.
     if (core_.operational()) sleep_until(std::min(now_us() + wire_us_, answers_us), nullptr, 0);
@@ -156,8 +156,8 @@ class RealTimeBridge {
       // The queue to the bus is first in, first out: SYNC must not wait behind heartbeats, its jitter is the
       // encoders' noise.
       const auto sent = sending_.begin() + count;
-      const auto sync =
-          std::find_if(sending_.begin(), sent, [](const CanFrame& f) { return f.id == canopen::kSyncId; });
+      const auto sync = std::find_if(sending_.begin(), sent,
+                                     [](const CanFrame& f) { return f.id == canopen::kSyncId; });
       if (sync != sent) {
         std::rotate(sending_.begin(), sync, sync + 1);
       }
@@ -209,8 +209,8 @@ class RealTimeBridge {
       for (int look = 0; look < kLongestLook && count == kFullRead; ++look) {
         count = buses_[bus]->receive_timed(received_.data(), arrivals_us_.data(), kFullRead);
         for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-          const std::int64_t came_us =
-              std::min(arrivals_us_[i] - process_.node().clock().epoch_us(), now_us());
+          const std::int64_t came_us = std::min(arrivals_us_[i] - process_.node().clock().epoch_us(),
+                                                now_us());
           core_.receive(static_cast<int>(bus), received_[i], came_us);
           shell_.trace(static_cast<int>(bus), received_[i], false, came_us);
         }

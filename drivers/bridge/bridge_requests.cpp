@@ -22,8 +22,8 @@ OperatorReply BridgeCore::Impl::clear(const OperatorCommand& command, std::int64
 }
 
 void BridgeCore::Impl::doubt_lost_buses() noexcept {
-  for (NodeLink* link : links) {
-    if (const char* loss = buses.loss(link->setup().bus)) link->doubt(loss);
+  for (BusNode* node : nodes) {
+    if (const char* loss = buses.loss(node->link().setup().bus)) node->link().doubt(loss);
   }
   buses.forget_losses();
 }
@@ -41,8 +41,8 @@ const char* BridgeCore::Impl::why_not_clear(std::int64_t time_us) const noexcept
   if (shutting_down) return "the bridge is shutting down";
   if (!safety.latched() || !cyclic) return nullptr;
   if (buses.any_lost()) return buses.what_to_mend();
-  const bool by_command =
-      safety.cause() == SafetyCause::kCommandStale || safety.cause() == SafetyCause::kCommandRefused;
+  const bool by_command = safety.cause() == SafetyCause::kCommandStale ||
+                          safety.cause() == SafetyCause::kCommandRefused;
   if (by_command && command_age_s(time_us, false) > watchdogs.command_hold_s)
     return "no good DRIVE_COMMAND is coming in";
   return nullptr;
@@ -83,7 +83,7 @@ void BridgeCore::Impl::step_requests(std::int64_t time_us) noexcept {
   if (clear_without_work) {
     clear_without_work = false;
     safety.forget_past();
-    for (NodeLink* link : links) link->set_recovery_text("nothing to do");
+    for (BusNode* node : nodes) node->link().set_recovery_text(node->condition().note, "nothing to do");
     answer(last_clear, OperatorOutcome::kDone, "nothing was latched");
   }
   const Homing::Result homed = homing->step(time_us, why_not_home());

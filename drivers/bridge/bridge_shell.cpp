@@ -1,31 +1,23 @@
 #include "drivers/bridge/bridge_shell.h"
 
 #include <algorithm>
-#include <ctime>
 
 #include "drivers/bridge/traced_frame_shell.h"
 #include "lcmtypes/channels.h"
 #include "runtime/log.h"
+#include "runtime/session_clock.h"
+#include "runtime/utc_text.h"
 
 namespace sprung {
 
 namespace {
 
 constexpr std::int64_t kInterval_us = 100'000;  // of what is also published on change
-constexpr std::size_t kTraceCapacity =
-    256;  // CAN_TRACE's own limit: four buses of 15 frames a cycle fit four times
+/// CAN_TRACE's own limit: four buses of 15 frames a cycle fit four times.
+constexpr std::size_t kTraceCapacity = 256;
 
 bool differs(const SafetyState& a, const SafetyState& b) {
   return a.level != b.level || a.cause != b.cause || a.latched != b.latched;
-}
-
-std::string utc_text() {
-  const std::time_t now = std::time(nullptr);
-  std::tm parts{};
-  gmtime_r(&now, &parts);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
-  return text;
 }
 
 /// In what somebody waits for; counters alone wait for the next tenth of a second.
@@ -90,7 +82,7 @@ void BridgeShell::store_references() {
     const std::optional<Reference> stored = references_->good_for(i);
     const bool changed = !stored || stored->offset_rad != reference.offset_rad;
     if (reference.known && reference.source != ReferenceSource::kConfigured && changed) {
-      references_->record(i, reference, core_.encoder_counts(static_cast<int>(i)), utc_text());
+      references_->record(i, reference, core_.encoder_counts(static_cast<int>(i)), utc_text(utc_us()) + "Z");
     }
   }
   try {

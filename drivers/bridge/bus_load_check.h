@@ -23,10 +23,10 @@ inline constexpr double kModeReadsPerSecond = 20.0;   ///< of a drive that shows
 inline constexpr double kEmergenciesPerSecond = 10.0;  ///< of each node [design choice]
 
 struct BusContribution {
-  std::string what;         ///< "fl_hip_motor TPDO1"
-  double bits_per_s = 0.0;  ///< at the worst
-  double cyclic_bits =
-      0.0;  ///< the part that comes in every cycle as planned: SYNC, samples, set-points; bits of one cycle
+  std::string what;          ///< "fl_hip_motor TPDO1"
+  double bits_per_s = 0.0;   ///< at the worst
+  double cyclic_bits = 0.0;  ///< the part that comes in every cycle as planned: SYNC, samples, set-points;
+                             ///< bits of one cycle
 };
 
 struct BusLoad {

@@ -129,9 +129,9 @@ void BusMonitor::enter(int bus, BusCondition condition, bool lost, const char* w
   if (lost) watch.loss = std::max(watch.loss, condition);
   if (!lost || watch.lost) return;
   watch.lost = true;
-  trouble_new_ = true;
-  trouble_.cause = SafetyCause::kBusLost;
-  print(trouble_.detail, "bus %s (%s) is lost: it %s", robot_.buses[at].name.c_str(),
+  fault_new_ = true;
+  fault_.cause = SafetyCause::kBusLost;
+  print(fault_.detail, "bus %s (%s) is lost: it %s", robot_.buses[at].name.c_str(),
         robot_.buses[at].can.c_str(), what);
 }
 

@@ -52,19 +52,19 @@ class BusMonitor {
   const char* loss(int bus) const noexcept;
   void forget_losses() noexcept;
   /// A bus was lost since the last forget_trouble(), whether or not it is back; nullptr = none.
-  const Trouble* trouble() const noexcept { return trouble_new_ ? &trouble_ : nullptr; }
-  void forget_trouble() noexcept { trouble_new_ = false; }
+  const Fault* fault() const noexcept { return fault_new_ ? &fault_ : nullptr; }
+  void forget_trouble() noexcept { fault_new_ = false; }
 
  private:
   struct Watch {
     BusHealth health;
     bool lost = false;
-    BusCondition loss = BusCondition::kActive;  ///< worst one since the last forget_losses()
-    bool failed_now = false;                    ///< in this cycle
-    int failed_cycles = 0;                      ///< in a row, before this one
-    BusCondition controller =
-        BusCondition::kActive;  ///< active, warning, passive or off: until the controller says so
-    BusCondition sending = BusCondition::kActive;  ///< active, no buffers or link down: of the last cycle
+    BusCondition loss = BusCondition::kActive;        ///< worst one since the last forget_losses()
+    bool failed_now = false;                          ///< in this cycle
+    int failed_cycles = 0;                            ///< in a row, before this one
+    BusCondition controller = BusCondition::kActive;  ///< active, warning, passive or off: until the
+                                                      ///< controller says so
+    BusCondition sending = BusCondition::kActive;     ///< active, no buffers or link down: of the last cycle
     std::int64_t overflows = 0;  ///< of the controller's receive queue; those of the back end's come on top
     std::int64_t traffic_dropped = 0;
     std::int64_t worst_bits = 0;
@@ -78,8 +78,8 @@ class BusMonitor {
   int silent_cycles_;
   std::vector<Watch> watches_;
   std::int64_t window_begin_us_ = -1;
-  Trouble trouble_;
-  bool trouble_new_ = false;
+  Fault fault_;
+  bool fault_new_ = false;
 };
 
 }  // namespace sprung

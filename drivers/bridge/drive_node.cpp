@@ -2,24 +2,14 @@
 
 #include <cmath>
 
-#include "drivers/canopen/objects.h"
 #include "signals/angles.h"
 
 namespace sprung {
 namespace {
 
-using canopen::SdoStatus;
 using cia402::PowerTarget;
 
-constexpr std::int64_t kSupplyPeriod_us = 1'000'000;
-constexpr std::int64_t kSupplyStagger_us = 20'000;  // a node: not all drives ask the bus in one cycle
-// [design choice] a TPDO2 that was lost is asked for after this; drives switch within milliseconds
-constexpr std::int64_t kModeRead_us = 50'000;
 constexpr std::int64_t kModeLimit_us = 1'000'000;
-// [design choice] more than a loaded gear twists, less than half a motor turn at 50:1 (0.063 rad) and 100:1
-// tells
-constexpr double kApart_rad = 0.05;
-constexpr int kApartCycles = 10;
 
 double quantum_rad(const ActuatorConfig& actuator) noexcept {
   return 2.0 * kPi / (actuator.encoder_counts_per_turn * actuator.gear_ratio);
@@ -39,57 +29,40 @@ DriveNode::DriveNode(const ActuatorConfig& actuator, int index, double cycle_s,
 
 DriveNode::DriveNode(const ActuatorConfig& actuator, int index, const WatchdogConfig& watchdogs,
                      std::unique_ptr<DriveProfile> profile)
-    : NodeLink({actuator.name, actuator.bus, actuator.node, index, watchdogs}, actuator.identity, *profile,
-               true),
+    : BusNode({actuator.name, actuator.bus, actuator.node, index, watchdogs}, actuator.identity, *profile,
+              true),
       actuator_(actuator),
       profile_(std::move(profile)),
       tracker_(actuator.speed_limit_rad_s, quantum_rad(actuator)),
-      reference_{actuator.offset_rad, actuator.referenced, ReferenceSource::kConfigured} {}
+      reference_(actuator),
+      reads_(*profile_) {}
 
-bool DriveNode::step_background(std::int64_t time_us, canopen::SdoClient& sdo, CanFrame& out) noexcept {
-  if (sdo.status() != SdoStatus::kBusy) {
-    take_reading(sdo);
-    reading_ = next_reading(time_us);
-    if (reading_ == Reading::kNothing) return false;
-    sdo.read(object_of(reading_));
-  }
-  return sdo.step(time_us, out);
+void DriveNode::step(std::int64_t time_us, FrameBatch& out) noexcept {
+  const bool reads = link().boot().operational();
+  if (link().step(time_us, out)) reference_.doubt();
+  if (!reads) return;
+  CanFrame frame;
+  if (reads_.step(time_us, link().sdo(), modes_.unconfirmed_us(), frame)) out.push(actuator_.bus, frame);
+  if (const auto display = reads_.take_mode()) modes_.read_display(*display);
 }
 
-/// A refusal or a time-out leaves the last value.
-void DriveNode::take_reading(canopen::SdoClient& sdo) noexcept {
-  const bool good = sdo.status() == SdoStatus::kDone;
-  if (!good && sdo.status() != SdoStatus::kIdle) count_sdo_failure();
-  if (reading_ == Reading::kSupply && good) measured_supply_V_ = profile_->supply_V(sdo.value());
-  if (reading_ == Reading::kMode && good) mode_display_ = static_cast<std::int8_t>(sdo.value() & 0xFF);
-  if (reading_ == Reading::kIndex) {
-    // Until an index pulse has been passed the count is 0 [U].
-    index_answer_ = good && sdo.value() != 0 ? IndexAnswer::kKnown : IndexAnswer::kFailed;
-    index_position_rad_ =
-        actuator_.direction * static_cast<std::int32_t>(sdo.value()) * quantum_rad(actuator_);
-  }
-  reading_ = Reading::kNothing;
-  sdo.finish();
+bool DriveNode::receive(const CanFrame& frame, std::int64_t time_us) noexcept {
+  const NodeEvents events = link().receive(frame, time_us);
+  if (events.maybe_off) reference_.doubt();
+  if (events.operational) begin_operation(time_us);
+  if (events.sample) take_sample(frame, time_us);
+  if (events.other) take_display(frame);
+  return events.expected;
 }
 
-DriveNode::Reading DriveNode::next_reading(std::int64_t time_us) noexcept {
-  if (index_answer_ == IndexAnswer::kWaiting) return Reading::kIndex;
-  if (unconfirmed_us_ > kModeRead_us && time_us >= next_mode_read_us_) {
-    next_mode_read_us_ = time_us + kModeRead_us;
-    return Reading::kMode;
-  }
-  if (time_us < next_supply_us_ || profile_->supply_voltage_object().index == 0) return Reading::kNothing;
-  next_supply_us_ = time_us + kSupplyPeriod_us;
-  return Reading::kSupply;
+void DriveNode::begin_operation(std::int64_t time_us) noexcept {
+  reads_.begin_operation(actuator_.node, time_us);
+  modes_.begin_operation(link().boot().mode_display(), time_us);
 }
 
-canopen::ObjectId DriveNode::object_of(Reading reading) const noexcept {
-  if (reading == Reading::kMode) return {canopen::kModeDisplay, 0};
-  return reading == Reading::kIndex ? profile_->index_counter_object() : profile_->supply_voltage_object();
-}
-
-void DriveNode::take_other(const CanFrame& frame) noexcept {
-  if (profile_->decode_mode_display(frame, mode_display_)) mode_display_known_ = true;
+void DriveNode::take_display(const CanFrame& frame) noexcept {
+  std::int8_t display = 0;
+  if (profile_->decode_mode_display(frame, display)) modes_.take_display(display);
 }
 
 void DriveNode::take_sample(const CanFrame& frame, std::int64_t time_us) noexcept {
@@ -101,58 +74,36 @@ void DriveNode::take_sample(const CanFrame& frame, std::int64_t time_us) noexcep
   received_us_ = time_us;
 }
 
-bool DriveNode::accept_sample() noexcept {
-  const Motion motion =
-      tracker_.add(sample_.measured_position_rad, {sample_sync_us(), earliest_sync_us(), received_us_});
+void DriveNode::end_sampling() noexcept {
+  const bool accepted = link().samples().to_be_judged();
+  if (accepted) accept_sample();
+  link().end_sampling(accepted);
+}
+
+void DriveNode::accept_sample() noexcept {
+  const SampleWatch& samples = link().samples();
+  const Motion motion = tracker_.add(sample_.measured_position_rad,
+                                     {samples.sample_sync_us(), samples.earliest_sync_us(), received_us_});
   implausible_ = motion != Motion::kGood;
-  if (implausible_) count_implausible();
+  if (implausible_) ++implausible_samples_;
   // Also an absolute encoder's: what it shows from now on is not the place that the reference was found for.
-  if (motion == Motion::kJumped) lose_reference("reference lost: encoder jumped");
+  if (motion == Motion::kJumped) reference_.lose("reference lost: encoder jumped");
   sampled_ = true;
-  return true;
-}
-
-void DriveNode::on_operational(std::int64_t time_us) noexcept {
-  reading_ = Reading::kNothing;
-  next_supply_us_ = time_us + kSupplyStagger_us * setup().node;
-  if (!mode_display_known_) mode_display_ = boot().mode_display();
-  confirmed_at_us_ = time_us;
-  unconfirmed_us_ = 0;
-}
-
-/// A count that power keeps stays good; any other begins at zero when the drive does.
-void DriveNode::doubt_reference() noexcept {
-  if (!actuator_.reference.absolute_encoder) lose_reference("reference lost: it may have restarted");
-}
-
-void DriveNode::lose_reference(const char* why) noexcept {
-  if (reference_.known) reference_loss_ = why;
-  reference_.known = false;
 }
 
 std::int64_t DriveNode::encoder_counts() const noexcept {
   return std::llround(actuator_.direction * tracker_.position_rad() / quantum_rad(actuator_));
 }
 
-void DriveNode::set_reference(const Reference& reference) noexcept {
-  reference_ = reference;
-  reference_loss_ = "";
-  apart_ = false;
-  cycles_apart_ = 0;
+double DriveNode::index_position_rad() const noexcept {
+  return actuator_.direction * reads_.index_counts() * quantum_rad(actuator_);
 }
 
 void DriveNode::set_link_position(double measured_link_position_rad) noexcept {
   measured_link_position_rad_ = measured_link_position_rad;
-  const bool comparable =
-      reference_.known && answered() && !implausible_ && std::isfinite(measured_link_position_rad);
-  if (!comparable) return;
-  const double difference_rad =
-      std::remainder(measured_link_position_rad - measured_position_rad(), 2.0 * kPi);
-  const bool apart = std::abs(difference_rad) > kApart_rad;
-  cycles_apart_ = apart ? cycles_apart_ + 1 : 0;
-  if (cycles_apart_ < kApartCycles) return;
-  apart_ = true;
-  lose_reference("reference lost: encoders disagree");
+  const bool comparable = link().samples().answered() && !implausible_ &&
+                          std::isfinite(measured_link_position_rad);
+  if (comparable) reference_.compare(measured_position_rad(), measured_link_position_rad);
 }
 
 bool DriveNode::powered() const noexcept {
@@ -160,20 +111,18 @@ bool DriveNode::powered() const noexcept {
          power_state_ == PowerState::kFaultReactionActive;
 }
 
-bool DriveNode::faulted() const noexcept {
-  return NodeLink::faulted() || power_state_ == PowerState::kFault ||
-         power_state_ == PowerState::kFaultReactionActive;
+bool DriveNode::in_fault() const noexcept {
+  return power_state_ == PowerState::kFault || power_state_ == PowerState::kFaultReactionActive;
 }
 
-bool DriveNode::mode_confirmed() const noexcept {
-  return power_state_ != PowerState::kOperationEnabled || profile_->shown_mode(mode_display_) == sent_mode_;
+NodeCondition DriveNode::condition() const noexcept {
+  return {link().emergencies().stands() || in_fault(), powered(), reference_.loss()};
 }
 
-NodeHealth DriveNode::health() const noexcept {
-  NodeHealth health = NodeLink::health();
-  health.reference_offset_rad = reference_.known ? reference_.offset_rad : kNaN;
-  health.reference_source = reference_.source;
-  return health;
+void DriveNode::show(NodeHealth& out) const noexcept {
+  reference_.show(out);
+  reads_.show(out);
+  out.implausible_samples = implausible_samples_;
 }
 
 void DriveNode::fill(ActuatorState& out) const noexcept {
@@ -181,44 +130,45 @@ void DriveNode::fill(ActuatorState& out) const noexcept {
   out.measured_link_position_rad = measured_link_position_rad_;
   out.measured_velocity_rad_s = kNaN;
   out.measured_current_A = sampled_ ? sample_.measured_current_A : kNaN;
-  out.measured_supply_V = measured_supply_V_;
-  out.fault_code = emergency().code;
-  out.age_cycles = age_cycles();
+  out.measured_supply_V = reads_.supply_V();
+  out.fault_code = link().emergencies().emergency().code;
+  out.age_cycles = link().samples().age_cycles();
   out.power_state = power_state_;
-  const bool enabled = power_state_ == PowerState::kOperationEnabled;
-  out.shown_mode = enabled ? profile_->shown_mode(mode_display_) : DriveMode::kDisabled;
-  out.referenced = reference_.known;
+  out.shown_mode = enabled() ? profile_->shown_mode(modes_.display()) : DriveMode::kDisabled;
+  out.referenced = reference().known;
 }
 
-bool DriveNode::trouble(std::int64_t time_us, bool ignore_faults, Trouble& out) const noexcept {
+bool DriveNode::fault(std::int64_t time_us, bool ignore_faults, Fault& out) const noexcept {
   const char* drive = actuator_.name.c_str();
-  if (!duplicate() && faulted() && !ignore_faults) {
+  const bool judges_drive = !link().duplicate() && !ignore_faults;
+  const std::uint16_t code = link().emergencies().emergency().code;
+  if (judges_drive && condition().faulted) {
     out.cause = SafetyCause::kDriveFault;
-    print(out.detail, "%s: drive fault 0x%04X (%s), state %s", drive, emergency().code,
-          canopen::emergency_text(emergency().code), sprung::name(power_state_));
-  } else if (!duplicate() && power_.lost_power() && !ignore_faults && !lost(time_us)) {
+    print(out.detail, "%s: drive fault 0x%04X (%s), state %s", drive, code, canopen::emergency_text(code),
+          sprung::name(power_state_));
+  } else if (judges_drive && power_.lost_power() && !link().lost(time_us)) {
     out.cause = SafetyCause::kDriveFault;
     print(out.detail, "%s: lost its power by itself", drive);
   } else {
-    return NodeLink::trouble(time_us, ignore_faults, out) || own_trouble(out);
+    return link().fault(time_us, ignore_faults, out) || drive_fault(out);
   }
   return true;
 }
 
-bool DriveNode::own_trouble(Trouble& out) const noexcept {
+bool DriveNode::drive_fault(Fault& out) const noexcept {
   const char* drive = actuator_.name.c_str();
   if (implausible_) {
     out.cause = SafetyCause::kImplausible;
     print(out.detail, "%s: measured position jumped to %g rad", drive,
-          sample_.measured_position_rad + reference_.offset_rad);
-  } else if (apart_ && powered()) {
+          sample_.measured_position_rad + reference().offset_rad);
+  } else if (reference_.apart() && powered()) {
     out.cause = SafetyCause::kImplausible;
     print(out.detail, "%s: motor encoder says %g rad, link encoder %g rad; reference lost: sprung home",
           drive, measured_position_rad(), measured_link_position_rad_);
-  } else if (unconfirmed_us_ > kModeLimit_us) {
+  } else if (modes_.unconfirmed_us() > kModeLimit_us) {
     out.cause = SafetyCause::kDriveFault;
-    print(out.detail, "%s: shows mode %d, a second after it was told to switch to %s", drive, mode_display_,
-          sprung::name(sent_mode_));
+    print(out.detail, "%s: shows mode %d, a second after it was told to switch to %s", drive,
+          modes_.display(), sprung::name(modes_.sent()));
   } else {
     return false;
   }
@@ -227,30 +177,26 @@ bool DriveNode::own_trouble(Trouble& out) const noexcept {
 
 void DriveNode::reset_faults(bool reset) noexcept {
   power_.reset_faults(reset);
-  const bool in_fault =
-      power_state_ == PowerState::kFault || power_state_ == PowerState::kFaultReactionActive;
-  if (!in_fault) NodeLink::reset_faults(reset);
+  if (reset && !in_fault()) link().forget_emergency();
 }
 
 void DriveNode::restart() noexcept {
   // One that was silent may have lost its supply and with it an incremental encoder's count.
-  if (silent() && boot().operational()) doubt_reference();
-  NodeLink::restart();
+  if (link().silent() && link().boot().operational()) reference_.doubt();
+  link().restart();
   power_ = PowerControl();
   power_state_ = PowerState::kUnknown;
   tracker_.resume();
   implausible_ = false;
-  unconfirmed_us_ = 0;
-  mode_display_known_ = false;
+  modes_.restart();
 }
 
 PowerTarget DriveNode::target(SafetyLevel level, const ActuatorCommand& command) const noexcept {
   // Damping keeps what has torque and enables nothing.
-  const PowerTarget kept =
-      power_state_ == PowerState::kOperationEnabled ? PowerTarget::kEnabled : PowerTarget::kOff;
+  const PowerTarget kept = enabled() ? PowerTarget::kEnabled : PowerTarget::kOff;
   switch (level) {
     case SafetyLevel::kOperational: {
-      if (command.mode == DriveMode::kDisabled || !reference_.known) return PowerTarget::kOff;
+      if (command.mode == DriveMode::kDisabled || !reference().known) return PowerTarget::kOff;
       return command.mode == DriveMode::kDamping ? kept : PowerTarget::kEnabled;
     }
     case SafetyLevel::kDamping:
@@ -265,14 +211,14 @@ PowerTarget DriveNode::target(SafetyLevel level, const ActuatorCommand& command)
 
 DriveSetpoint DriveNode::setpoint(SafetyLevel level, const ActuatorCommand& command) const noexcept {
   // Without a sample of this cycle nothing is known of the motion: an old velocity might drive, not damp.
-  const double velocity_rad_s = answered() ? tracker_.filtered_velocity_rad_s() : 0.0;
+  const double velocity_rad_s = link().samples().answered() ? tracker_.filtered_velocity_rad_s() : 0.0;
   DriveSetpoint setpoint{0.0, measured_position_rad(), DriveMode::kTorque};
   if (level == SafetyLevel::kQuickStop)
-    setpoint.mode = sent_mode_;  // no change of mode in a drive's own stop
+    setpoint.mode = modes_.sent();  // no change of mode in a drive's own stop
   if (level == SafetyLevel::kOperational && command.mode == DriveMode::kPosition)
     setpoint.mode = DriveMode::kPosition;
   // Until the drive is enabled: no torque, and the position where it is, so that enabling moves nothing.
-  if (power_state_ != PowerState::kOperationEnabled) return setpoint;
+  if (!enabled()) return setpoint;
   if (level == SafetyLevel::kDamping) {
     setpoint.commanded_torque_Nm = -actuator_.safety_damping_Nm_s_rad * velocity_rad_s;
   } else if (level == SafetyLevel::kOperational) {
@@ -290,12 +236,10 @@ DriveSetpoint DriveNode::setpoint(SafetyLevel level, const ActuatorCommand& comm
 void DriveNode::emit(std::int64_t time_us, SafetyLevel level, const ActuatorCommand& command,
                      FrameBatch& out) noexcept {
   // A drive that has restarted has its default mapping: our set-point would be its control word.
-  if (!boot().operational() || gone()) return;
+  if (!link().boot().operational() || link().gone()) return;
   DriveSetpoint now = setpoint(level, command);
-  now.commanded_position_rad -= reference_.offset_rad;
-  sent_mode_ = now.mode;
-  if (mode_confirmed()) confirmed_at_us_ = time_us;
-  unconfirmed_us_ = time_us - confirmed_at_us_;
+  now.commanded_position_rad -= reference().offset_rad;
+  modes_.send(now.mode, !enabled() || profile_->shown_mode(modes_.display()) == now.mode, time_us);
   out.push(actuator_.bus, profile_->encode_setpoint(now));
   power_.set_target(target(level, command), time_us);
   std::uint16_t word = 0;

@@ -3,11 +3,11 @@
 /// counter shows samples that were lost, or a card that repeats itself. Stepped by time.
 #include <memory>
 
-#include "drivers/bridge/node_link.h"
+#include "drivers/bridge/bus_node.h"
 
 namespace sprung {
 
-class EncoderCardNode final : public NodeLink {
+class EncoderCardNode final : public BusNode {
  public:
   EncoderCardNode(const EncoderCardConfig& card, double cycle_s, const WatchdogConfig& watchdogs);
 
@@ -16,16 +16,21 @@ class EncoderCardNode final : public NodeLink {
   double measured_link_position_rad(const LinkEncoderConfig& encoder) const noexcept;
 
   int channels() const noexcept { return profile_->channels(); }
-  bool needs_restart(std::int64_t time_us) const noexcept override;
+  void step(std::int64_t time_us, FrameBatch& out) noexcept override { link().step(time_us, out); }
+  bool receive(const CanFrame& frame, std::int64_t time_us) noexcept override;
+  void end_sampling() noexcept override;
+  bool fault(std::int64_t time_us, bool ignore_faults, Fault& out) const noexcept override {
+    return link().fault(time_us, ignore_faults, out);
+  }
+  NodeCondition condition() const noexcept override { return {link().emergencies().stands(), false, ""}; }
+  /// A card has no fault reset of its own: only a restart heals it.
+  void reset_faults(bool reset) noexcept override;
   void restart() noexcept override;
-
- protected:
-  void take_sample(const CanFrame& frame, std::int64_t time_us) noexcept override;
-  bool accept_sample() noexcept override;
 
  private:
   EncoderCardNode(const EncoderCardConfig& card, const WatchdogConfig& watchdogs,
                   std::unique_ptr<CardProfile> profile);
+  bool accept_sample() noexcept;
 
   std::unique_ptr<CardProfile> profile_;
   CardSample sample_;

@@ -9,8 +9,8 @@ namespace sprung {
 namespace {
 
 constexpr double kStill_rad_s = 0.05;  // [design choice] moves 0.05 mrad in a millisecond
-constexpr std::int64_t kHomingTimeout_us =
-    1'000'000;  // index counters of all drives are read within tenths of a second
+/// Index counters of all drives are read within tenths of a second.
+constexpr std::int64_t kHomingTimeout_us = 1'000'000;
 constexpr const char* kNoAnswer = "a drive does not answer";
 
 ReferenceSource source_of(ReferenceMethod method) noexcept {
@@ -36,7 +36,7 @@ const char* why_not(const DriveNode& drive, ReferenceSource source) noexcept {
     return "an actuator has no index in robot.yaml, or its drive does not keep the count at the index";
   if (source == ReferenceSource::kJig && method != ReferenceMethod::kJig && method != ReferenceMethod::kIndex)
     return "an actuator has no jig position in robot.yaml";
-  if (!drive.boot().operational() || drive.silent()) return kNoAnswer;
+  if (!drive.link().boot().operational() || drive.link().silent()) return kNoAnswer;
   if (drive.powered()) return "a drive has power: sprung sit or estop first";
   if (std::abs(drive.filtered_velocity_rad_s()) > kStill_rad_s) return "a joint moves";
   return nullptr;
@@ -45,7 +45,7 @@ const char* why_not(const DriveNode& drive, ReferenceSource source) noexcept {
 /// What a drive lacks in this cycle to be homed in it. One answer may be lost, so it is waited for. nullptr =
 /// nothing.
 const char* missing(const DriveNode& drive, ReferenceSource source) noexcept {
-  if (!drive.answered()) return kNoAnswer;
+  if (!drive.link().samples().answered()) return kNoAnswer;
   if (source == ReferenceSource::kLink && !std::isfinite(drive.measured_link_position_rad()))
     return "no sample from an encoder card";
   const bool waits = source == ReferenceSource::kIndex && drive.index_answer() == IndexAnswer::kWaiting;
@@ -76,8 +76,8 @@ const char* Homing::choose(const OperatorCommand& command) noexcept {
   for (std::size_t i = 0; i < drives_.size(); ++i) {
     const bool wanted = command.actuator == -1 || command.actuator == static_cast<int>(i);
     const bool as_configured = command.reference_source == ReferenceSource::kConfigured;
-    const ReferenceSource source =
-        as_configured ? source_of(drives_[i]->actuator().reference.method) : command.reference_source;
+    const ReferenceSource source = as_configured ? source_of(drives_[i]->actuator().reference.method)
+                                                 : command.reference_source;
     sources_[i] = wanted ? source : ReferenceSource::kConfigured;
     if (sources_[i] == ReferenceSource::kConfigured) continue;
     any = true;

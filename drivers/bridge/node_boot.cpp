@@ -12,8 +12,8 @@ using canopen::SdoClient;
 using canopen::SdoStatus;
 using Kind = BootStep::Kind;
 
-constexpr std::int64_t kBootUpTimeout_us =
-    500'000;  // [design choice] drives that reset take tenths of a second
+/// [design choice] drives that reset take tenths of a second.
+constexpr std::int64_t kBootUpTimeout_us = 500'000;
 constexpr std::int64_t kStartTimeout_us = 500'000;  // then NMT start is sent again
 
 }  // namespace

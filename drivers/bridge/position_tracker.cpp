@@ -8,8 +8,8 @@
 namespace sprung {
 namespace {
 
-constexpr double kTimeConstant_s =
-    0.004;  // [design choice] 40 Hz: far above the pole of damping / armature, 20 rad/s
+/// [design choice] 40 Hz: far above the pole of damping / armature, 20 rad/s.
+constexpr double kTimeConstant_s = 0.004;
 constexpr double kSpeedFactor = 3.0;  // [design choice] over speed_limit: impacts are faster than commands
 constexpr double kQuanta = 2.0;       // each of two samples is off by up to one
 // [design choice] bits that flip on their way do not show one place so often in a row

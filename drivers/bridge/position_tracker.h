@@ -17,8 +17,8 @@ enum class Motion : std::int8_t {
 /// reception of the next can lie between two positions.
 struct SampleTime {
   std::int64_t sync_us = 0;  ///< of the cycle that it counts for
-  std::int64_t earliest_us =
-      0;  ///< of the oldest SYNC that it may answer: sync_us unless older answers have not come
+  /// Of the oldest SYNC that it may answer: sync_us unless older answers have not come.
+  std::int64_t earliest_us = 0;
   std::int64_t received_us = 0;
 };
 

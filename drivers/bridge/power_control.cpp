@@ -7,8 +7,8 @@ using cia402::PowerTarget;
 
 constexpr std::int64_t kRepeat_us = 100'000;          // design section 5: RPDO2 at 10 Hz
 constexpr std::int64_t kQuickStopLimit_us = 500'000;  // then the power goes, stopped or not
-constexpr std::int64_t kFaultResetStep_us =
-    20'000;  // each half of a reset edge, long enough for a drive to notice
+/// Each half of a reset edge, long enough for a drive to notice.
+constexpr std::int64_t kFaultResetStep_us = 20'000;
 
 }  // namespace
 
@@ -30,8 +30,8 @@ std::uint16_t PowerControl::next_word(PowerState state, std::int64_t time_us) no
   if (state == PowerState::kFault && reset_faults_) {
     return time_us - sent_us_ < kFaultResetStep_us ? sent_word_ : cia402::fault_reset_word(sent_word_);
   }
-  const bool stopped_long_enough =
-      target_ == PowerTarget::kQuickStop && time_us - quick_stop_since_us_ >= kQuickStopLimit_us;
+  const bool stopped_long_enough = target_ == PowerTarget::kQuickStop &&
+                                   time_us - quick_stop_since_us_ >= kQuickStopLimit_us;
   return cia402::next_control_word(state, stopped_long_enough ? PowerTarget::kOff : target_);
 }
 

@@ -6,22 +6,22 @@
 namespace sprung {
 namespace {
 
-constexpr std::int64_t kRecoveryTimeout_us =
-    5'000'000;                               // [design choice] ten resets of a node that does not answer
+/// [design choice] ten resets of a node that does not answer.
+constexpr std::int64_t kRecoveryTimeout_us = 5'000'000;
 constexpr std::int64_t kReset_us = 300'000;  // [design choice] several edges of the fault-reset bit
 constexpr std::int64_t kWatch_us = 500'000;  // [design choice] for the first heartbeats and answers
 
-const char* trouble_of(const NodeLink& node, std::int64_t time_us) noexcept {
-  if (node.duplicate()) return "two devices with this id";
-  if (node.boot().refused()) return "was refused";
-  if (node.rebooted()) return "restarted";
-  if (node.silent()) return "silent";
-  return node.lost(time_us) ? "not operational or no heartbeat" : "";
+const char* fault_of(const NodeLink& link, std::int64_t time_us) noexcept {
+  if (link.duplicate()) return "two devices with this id";
+  if (link.boot().refused()) return "was refused";
+  if (link.heartbeats().rebooted()) return "restarted";
+  if (link.silent()) return "silent";
+  return link.lost(time_us) ? "not operational or no heartbeat" : "";
 }
 
 }  // namespace
 
-Recovery::Recovery(std::vector<NodeLink*> nodes) : nodes_(std::move(nodes)), plans_(nodes_.size()) {}
+Recovery::Recovery(std::vector<BusNode*> nodes) : nodes_(std::move(nodes)), plans_(nodes_.size()) {}
 
 void Recovery::begin(Kind kind, std::int64_t time_us) noexcept {
   kind_ = kind;
@@ -58,7 +58,7 @@ Recovery::Result Recovery::step(std::int64_t time_us) noexcept {
   if (!over && !failed_ && time_us - begun_us_ > kRecoveryTimeout_us) {
     fail(phase_ == Phase::kStopping  ? "a drive does not stop"
          : phase_ == Phase::kBooting ? "a node does not answer or cannot be configured; see BUS_STATE"
-                                     : "a drive is still in trouble; see BUS_STATE");
+                                     : "a drive is still in fault; see BUS_STATE");
   }
   if (failed_) return finish(false);
   return over ? finish(true) : Result::kNothing;
@@ -91,31 +91,32 @@ bool Recovery::step_phase(std::int64_t time_us) noexcept {
       break;
   }
   if (all_well(time_us)) return true;
-  if (time_us - phase_us_ > kWatch_us) fail("a drive is in trouble again; see BUS_STATE");
+  if (time_us - phase_us_ > kWatch_us) fail("a drive is in fault again; see BUS_STATE");
   return false;
 }
 
 /// Of a node that does not answer nothing is known but its last word.
 bool Recovery::stop_over() const noexcept {
-  return std::none_of(nodes_.begin(), nodes_.end(),
-                      [](const NodeLink* node) { return node->powered() && !node->silent(); });
+  return std::none_of(nodes_.begin(), nodes_.end(), [](const BusNode* node) {
+    return node->condition().powered && !node->link().silent();
+  });
 }
 
 void Recovery::plan_restarts(std::int64_t time_us) noexcept {
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    NodeLink& node = *nodes_[i];
+    const NodeLink& link = nodes_[i]->link();
     Plan& plan = plans_[i];
-    plan.restart = kind_ == Kind::kBoot ? node.boot().refused() : node.needs_restart(time_us);
-    plan.reset = node.faulted();
-    plan.emergency_code = node.emergency().code;
-    plan.bus_loss = node.bus_loss();
-    plan.trouble = trouble_of(node, time_us);
-    if (plan.restart) node.restart();
+    plan.restart = kind_ == Kind::kBoot ? link.boot().refused() : link.needs_restart(time_us);
+    plan.reset = nodes_[i]->condition().faulted;
+    plan.emergency_code = link.emergencies().emergency().code;
+    plan.bus_loss = link.bus_loss();
+    plan.fault = fault_of(link, time_us);
+    if (plan.restart) nodes_[i]->restart();
   }
 }
 
 bool Recovery::waits_for(std::size_t i) const noexcept {
-  const NodeBoot& boot = nodes_[i]->boot();
+  const NodeBoot& boot = nodes_[i]->link().boot();
   const bool booted = kind_ == Kind::kBoot ? boot.configured() || boot.started() : boot.operational();
   return plans_[i].restart && !booted;
 }
@@ -123,7 +124,7 @@ bool Recovery::waits_for(std::size_t i) const noexcept {
 bool Recovery::boots_over() noexcept {
   bool over = true;
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    if (nodes_[i]->boot().refused()) fail("a node differs from robot.yaml; see SAFETY_STATE");
+    if (nodes_[i]->link().boot().refused()) fail("a node differs from robot.yaml; see SAFETY_STATE");
     over = over && !waits_for(i);
   }
   return over;
@@ -131,18 +132,18 @@ bool Recovery::boots_over() noexcept {
 
 void Recovery::begin_reset() noexcept {
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    plans_[i].reset = plans_[i].reset || nodes_[i]->faulted();
+    plans_[i].reset = plans_[i].reset || nodes_[i]->condition().faulted;
     nodes_[i]->reset_faults(true);
   }
 }
 
-/// Also when time ran out: what is still in fault is trouble again.
+/// Also when time ran out: what is still in fault counts as a fault again.
 bool Recovery::resets_over(std::int64_t time_us) noexcept {
-  const bool good =
-      std::none_of(nodes_.begin(), nodes_.end(), [](const NodeLink* n) { return n->faulted(); });
-  for (NodeLink* node : nodes_) node->reset_faults(true);
+  const bool good = std::none_of(nodes_.begin(), nodes_.end(),
+                                 [](const BusNode* n) { return n->condition().faulted; });
+  for (BusNode* node : nodes_) node->reset_faults(true);
   if (!good && time_us - phase_us_ < kReset_us) return false;
-  for (NodeLink* node : nodes_) node->reset_faults(false);
+  for (BusNode* node : nodes_) node->reset_faults(false);
   return true;
 }
 
@@ -153,12 +154,12 @@ bool Recovery::resets_over(std::int64_t time_us) noexcept {
 bool Recovery::escalate() noexcept {
   bool restarted = false;
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    if (!nodes_[i]->faulted()) continue;
+    if (!nodes_[i]->condition().faulted) continue;
     if (plans_[i].restart) fail("a drive's fault cannot be reset; see BUS_STATE");
   }
   if (failed_) return false;
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    if (!nodes_[i]->faulted()) continue;
+    if (!nodes_[i]->condition().faulted) continue;
     plans_[i].restart = restarted = true;
     nodes_[i]->restart();
   }
@@ -166,9 +167,9 @@ bool Recovery::escalate() noexcept {
 }
 
 bool Recovery::all_well(std::int64_t time_us) const noexcept {
-  Trouble trouble;
-  return std::none_of(nodes_.begin(), nodes_.end(), [&](const NodeLink* node) {
-    return !node->answered() || node->trouble(time_us, false, trouble);
+  Fault fault;
+  return std::none_of(nodes_.begin(), nodes_.end(), [&](const BusNode* node) {
+    return !node->link().samples().answered() || node->fault(time_us, false, fault);
   });
 }
 
@@ -190,7 +191,7 @@ void Recovery::write_before(const Plan& plan, std::array<char, 64>& out) noexcep
                   canopen::emergency_text(static_cast<std::uint16_t>(plan.emergency_code)));
   } else {
     const char* unnamed = of_bus ? "" : "fault";
-    std::snprintf(own.data(), own.size(), "%s", *plan.trouble != 0 ? plan.trouble : unnamed);
+    std::snprintf(own.data(), own.size(), "%s", *plan.fault != 0 ? plan.fault : unnamed);
   }
   std::snprintf(out.data(), out.size(), "%s%s%s", plan.bus_loss, of_bus && own[0] != 0 ? ", " : "",
                 own.data());
@@ -198,22 +199,23 @@ void Recovery::write_before(const Plan& plan, std::array<char, 64>& out) noexcep
 
 void Recovery::write_text(std::size_t i) noexcept {
   const Plan& plan = plans_[i];
-  NodeLink& node = *nodes_[i];
+  NodeLink& link = nodes_[i]->link();
+  const NodeCondition condition = nodes_[i]->condition();
   std::array<char, 64> before{};
   write_before(plan, before);
   if (!plan.restart && !plan.reset) {
-    node.set_recovery_text("nothing to do");
-  } else if (plan.restart && node.boot().refused()) {
-    node.set_recovery_text("%.127s", node.boot().detail().data());
+    link.set_recovery_text(condition.note, "nothing to do");
+  } else if (plan.restart && link.boot().refused()) {
+    link.set_recovery_text(condition.note, "%.127s", link.boot().detail().data());
   } else if (waits_for(i)) {
-    node.set_recovery_text("no answer on node %d: power, cable?", node.setup().node);
-  } else if (node.faulted()) {
-    node.set_recovery_text("%s: cannot be reset", before.data());
+    link.set_recovery_text(condition.note, "no answer on node %d: power, cable?", link.setup().node);
+  } else if (condition.faulted) {
+    link.set_recovery_text(condition.note, "%s: cannot be reset", before.data());
   } else if (plan.restart) {
-    node.set_recovery_text("%s: reset communication, configured again (%d objects)%s", before.data(),
-                           node.boot().settings(), plan.reset ? ", fault reset" : "");
+    link.set_recovery_text(condition.note, "%s: reset communication, configured again (%d objects)%s",
+                           before.data(), link.boot().settings(), plan.reset ? ", fault reset" : "");
   } else {
-    node.set_recovery_text("%s: fault reset", before.data());
+    link.set_recovery_text(condition.note, "%s: fault reset", before.data());
   }
 }
 

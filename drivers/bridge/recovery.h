@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "drivers/bridge/node_link.h"
+#include "drivers/bridge/bus_node.h"
 
 namespace sprung {
 
@@ -21,7 +21,7 @@ class Recovery {
   };
   enum class Result : std::int8_t { kNothing, kDone, kFailed };
 
-  explicit Recovery(std::vector<NodeLink*> nodes);
+  explicit Recovery(std::vector<BusNode*> nodes);
 
   void begin(Kind kind, std::int64_t time_us) noexcept;
   /// Once a cycle, when the nodes' answers have been judged. kDone and kFailed are told once.
@@ -42,7 +42,7 @@ class Recovery {
     bool reset = false;  ///< it had a fault to reset
     int emergency_code = 0;
     const char* bus_loss = "";  ///< static text
-    const char* trouble = "";   ///< static text
+    const char* fault = "";     ///< static text
   };
 
   void enter(Phase phase, std::int64_t time_us) noexcept;
@@ -60,7 +60,7 @@ class Recovery {
   void fail(const char* reason) noexcept;
   bool waits_for(std::size_t i) const noexcept;
 
-  std::vector<NodeLink*> nodes_;
+  std::vector<BusNode*> nodes_;
   std::vector<Plan> plans_;
   Kind kind_ = Kind::kNone;
   Phase phase_ = Phase::kStopping;

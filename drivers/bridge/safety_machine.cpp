@@ -6,46 +6,46 @@
 namespace sprung {
 namespace {
 
-constexpr double kShutdownDamping_s =
-    1.0;  // [design choice] a leg at 12 Nm s/rad has come to rest well before
+/// [design choice] a leg at 12 Nm s/rad has come to rest well before.
+constexpr double kShutdownDamping_s = 1.0;
 // [design choice] a standing leg starts from rest: it must get the time to begin to sink, else it is dropped
 constexpr double kSlowLongEnough_s = 0.3;
 
-Trouble trouble_of(SafetyCause cause, const char* detail) noexcept {
-  Trouble trouble;
-  trouble.cause = cause;
-  print(trouble.detail, "%s", detail);
-  return trouble;
+Fault fault_of(SafetyCause cause, const char* detail) noexcept {
+  Fault fault;
+  fault.cause = cause;
+  print(fault.detail, "%s", detail);
+  return fault;
 }
 
-Trouble command_trouble(const SafetyInputs& inputs) noexcept {
-  Trouble trouble;
+Fault command_fault(const SafetyInputs& inputs) noexcept {
+  Fault fault;
   if (inputs.command_refused && inputs.refusal != nullptr) {
-    trouble.cause = SafetyCause::kCommandRefused;
-    trouble.detail = *inputs.refusal;
+    fault.cause = SafetyCause::kCommandRefused;
+    fault.detail = *inputs.refusal;
   } else {
-    trouble.cause = SafetyCause::kCommandStale;
-    print(trouble.detail, "no good DRIVE_COMMAND for %.0f ms", 1e3 * inputs.command_age_s);
+    fault.cause = SafetyCause::kCommandStale;
+    print(fault.detail, "no good DRIVE_COMMAND for %.0f ms", 1e3 * inputs.command_age_s);
   }
-  return trouble;
+  return fault;
 }
 
 }  // namespace
 
 SafetyMachine::SafetyMachine(const WatchdogConfig& watchdogs) : watchdogs_(watchdogs) {
-  enter(SafetyLevel::kDisabled, false, trouble_of(SafetyCause::kStarting, "drives are being configured"), 0,
+  enter(SafetyLevel::kDisabled, false, fault_of(SafetyCause::kStarting, "drives are being configured"), 0,
         -1);
 }
 
-void SafetyMachine::enter(SafetyLevel level, bool latched, const Trouble& trouble, std::int64_t time_us,
+void SafetyMachine::enter(SafetyLevel level, bool latched, const Fault& fault, std::int64_t time_us,
                           std::int64_t cycle) noexcept {
   if (level != state_.level) since_us_ = time_us;
-  if (trouble.cause != state_.cause) state_.since_seq = cycle;
+  if (fault.cause != state_.cause) state_.since_seq = cycle;
   state_.level = level;
-  state_.cause = trouble.cause;
+  state_.cause = fault.cause;
   state_.latched = latched;
-  state_.actuator = trouble.actuator;
-  state_.detail = trouble.detail;
+  state_.actuator = fault.actuator;
+  state_.detail = fault.detail;
   if (level == SafetyLevel::kDamping && !latched) keep_past();
 }
 
@@ -54,8 +54,8 @@ void SafetyMachine::keep_past() noexcept {
         name(state_.cause), state_.detail.data());
 }
 
-void SafetyMachine::latch(SafetyLevel level, const Trouble& trouble, const SafetyInputs& inputs) noexcept {
-  enter(std::max(level, state_.level), true, trouble, inputs.time_us, inputs.cycle);
+void SafetyMachine::latch(SafetyLevel level, const Fault& fault, const SafetyInputs& inputs) noexcept {
+  enter(std::max(level, state_.level), true, fault, inputs.time_us, inputs.cycle);
 }
 
 bool SafetyMachine::lasted(double duration_s, std::int64_t time_us) const noexcept {
@@ -63,29 +63,29 @@ bool SafetyMachine::lasted(double duration_s, std::int64_t time_us) const noexce
 }
 
 void SafetyMachine::emergency_stop(std::int64_t time_us, std::int64_t cycle) noexcept {
-  enter(SafetyLevel::kDisabled, true,
-        trouble_of(SafetyCause::kEmergencyStop, "emergency stop by the operator"), time_us, cycle);
+  enter(SafetyLevel::kDisabled, true, fault_of(SafetyCause::kEmergencyStop, "emergency stop by the operator"),
+        time_us, cycle);
 }
 
-void SafetyMachine::refuse_drive(const Trouble& trouble, std::int64_t time_us, std::int64_t cycle) noexcept {
+void SafetyMachine::refuse_drive(const Fault& fault, std::int64_t time_us, std::int64_t cycle) noexcept {
   if (state_.latched && state_.cause != SafetyCause::kDriveRefused) {
-    if (cycle >= 0) state_.detail = trouble.detail;  // what to mend before clear can succeed
+    if (cycle >= 0) state_.detail = fault.detail;  // what to mend before clear can succeed
     return;
   }
-  enter(SafetyLevel::kDisabled, true, trouble, time_us, cycle);
+  enter(SafetyLevel::kDisabled, true, fault, time_us, cycle);
 }
 
 void SafetyMachine::begin_shutdown(std::int64_t time_us, std::int64_t cycle) noexcept {
   const bool powered = state_.level <= SafetyLevel::kDamping;
   if (!powered && state_.latched) return;  // a stop under way ends without power anyway
   enter(powered ? SafetyLevel::kDamping : SafetyLevel::kDisabled, true,
-        trouble_of(SafetyCause::kShutdown, "orderly shutdown"), time_us, cycle);
+        fault_of(SafetyCause::kShutdown, "orderly shutdown"), time_us, cycle);
   slow_since_us_ = time_us;
 }
 
 void SafetyMachine::clear(std::int64_t time_us, std::int64_t cycle) noexcept {
   forget_past();
-  enter(SafetyLevel::kDisabled, false, trouble_of(SafetyCause::kStarting, "cleared by the operator"), time_us,
+  enter(SafetyLevel::kDisabled, false, fault_of(SafetyCause::kStarting, "cleared by the operator"), time_us,
         cycle);
 }
 
@@ -98,7 +98,7 @@ void SafetyMachine::update(const SafetyInputs& inputs) noexcept {
     latch(SafetyLevel::kDamping, *inputs.drive, inputs);
   } else if (!inputs.armed) {
     enter(SafetyLevel::kDisabled, false,
-          trouble_of(SafetyCause::kStarting, "waiting for a DRIVE_COMMAND with every mode disabled"),
+          fault_of(SafetyCause::kStarting, "waiting for a DRIVE_COMMAND with every mode disabled"),
           inputs.time_us, inputs.cycle);
   } else {
     follow_commands(inputs);
@@ -124,13 +124,12 @@ void SafetyMachine::worsen(const SafetyInputs& inputs) noexcept {
 
 void SafetyMachine::follow_commands(const SafetyInputs& inputs) noexcept {
   if (inputs.command_age_s > watchdogs_.command_stop_s) {
-    latch(SafetyLevel::kQuickStop, command_trouble(inputs), inputs);
+    latch(SafetyLevel::kQuickStop, command_fault(inputs), inputs);
   } else if (inputs.command_age_s > watchdogs_.command_hold_s || inputs.command_expired) {
-    enter(SafetyLevel::kDamping, false, command_trouble(inputs), inputs.time_us, inputs.cycle);
+    enter(SafetyLevel::kDamping, false, command_fault(inputs), inputs.time_us, inputs.cycle);
   } else if (inputs.overruns_in_row >= watchdogs_.overruns_in_row) {
-    enter(SafetyLevel::kDamping, false,
-          trouble_of(SafetyCause::kOverruns, "too many cycles in a row overran"), inputs.time_us,
-          inputs.cycle);
+    enter(SafetyLevel::kDamping, false, fault_of(SafetyCause::kOverruns, "too many cycles in a row overran"),
+          inputs.time_us, inputs.cycle);
   } else {
     enter(SafetyLevel::kOperational, false, {SafetyCause::kNone, -1, past_}, inputs.time_us, inputs.cycle);
   }

@@ -26,7 +26,7 @@
 namespace sprung {
 
 /// One reason to stop, with the sentence for people.
-struct Trouble {
+struct Fault {
   SafetyCause cause = SafetyCause::kNone;
   int actuator = -1;
   DetailText detail{};
@@ -40,8 +40,8 @@ struct SafetyInputs {
   bool command_expired = false;  ///< it may not be emitted any more, however young it is
   bool command_refused = false;  ///< commands do come, but are refused
   const DetailText* refusal = nullptr;
-  const Trouble* drive = nullptr;  ///< fault, silence, implausible value; nullptr = none
-  const Trouble* bus = nullptr;    ///< bus lost; nullptr = none
+  const Fault* drive = nullptr;  ///< fault, silence, implausible value; nullptr = none
+  const Fault* bus = nullptr;    ///< bus lost; nullptr = none
   int overruns_in_row = 0;
   bool slow = false;  ///< all actuators nearly at rest; for a while ends the damping of a shutdown
 };
@@ -54,7 +54,7 @@ class SafetyMachine {
   /// At once; also before cyclic operation. A drive refused while something else is latched only explains
   /// itself in the detail.
   void emergency_stop(std::int64_t time_us, std::int64_t cycle) noexcept;
-  void refuse_drive(const Trouble& trouble, std::int64_t time_us, std::int64_t cycle) noexcept;
+  void refuse_drive(const Fault& fault, std::int64_t time_us, std::int64_t cycle) noexcept;
   void begin_shutdown(std::int64_t time_us, std::int64_t cycle) noexcept;
   /// Forgets a latched cause; the caller has made sure that it is gone.
   void clear(std::int64_t time_us, std::int64_t cycle) noexcept;
@@ -68,10 +68,10 @@ class SafetyMachine {
   const SafetyState& state() const noexcept { return state_; }
 
  private:
-  void enter(SafetyLevel level, bool latched, const Trouble& trouble, std::int64_t time_us,
+  void enter(SafetyLevel level, bool latched, const Fault& fault, std::int64_t time_us,
              std::int64_t cycle) noexcept;
   void keep_past() noexcept;
-  void latch(SafetyLevel level, const Trouble& trouble, const SafetyInputs& inputs) noexcept;
+  void latch(SafetyLevel level, const Fault& fault, const SafetyInputs& inputs) noexcept;
   void worsen(const SafetyInputs& inputs) noexcept;
   void follow_commands(const SafetyInputs& inputs) noexcept;
   bool lasted(double duration_s, std::int64_t time_us) const noexcept;  ///< the level in force

@@ -40,8 +40,8 @@ std::vector<BurstFault> parse_burst_faults(const std::vector<std::string>& texts
     char kind[16] = "";
     BurstFault fault;
     int end = 0;
-    const int found =
-        std::sscanf(text.c_str(), "can-%15[a-z]:%" SCNd64 ":%d%n", kind, &fault.tick, &fault.index, &end);
+    const int found = std::sscanf(text.c_str(), "can-%15[a-z]:%" SCNd64 ":%d%n", kind, &fault.tick,
+                                  &fault.index, &end);
     const bool known = std::strcmp(kind, "drop") == 0 || std::strcmp(kind, "repeat") == 0;
     if (found != 3 || !known || end != static_cast<int>(text.size())) {
       throw std::invalid_argument("--inject-can " + text +

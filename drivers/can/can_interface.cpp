@@ -82,8 +82,8 @@ std::vector<std::string> interface_advice(const InterfaceFacts& facts, int frame
   if (!facts.up) advice.push_back(facts.name + ": is down (" + set + "up)");
   if (facts.kind != "can") return advice;  // vcan has neither controller nor queue
   advise_controller(facts, bit_rate, advice);
-  const std::string queue =
-      facts.name + ": transmit queue holds " + std::to_string(facts.queue_length) + " frames";
+  const std::string queue = facts.name + ": transmit queue holds " + std::to_string(facts.queue_length) +
+                            " frames";
   if (facts.queue_length > kLongestQueue) {
     advice.push_back(queue + ", old set-points would wait in it (" + set + "txqueuelen 32)");
   } else if (facts.queue_length < frames_per_cycle) {

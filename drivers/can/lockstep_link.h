@@ -2,11 +2,10 @@
 /// Stop-and-wait bursts over one udp: bus for lock-step runs: thin shell over UdpBus around lockstep_burst.h.
 /// One link a bus.
 ///
-/// Bridge, tick k:  add(set-points of k-1), add(begin_tick frames), send_burst(k); poll() until kComplete
-/// with tick() == k;
-///                  after 50 ms of wall time resend().
-/// Drives:          poll() until kComplete; step; add(what the drives sent); send_answer(tick()); on kRepeat
-/// resend().
+/// Bridge, tick k:  add(set-points of k-1); add(begin_tick frames); send_burst(k);
+///                  poll() until kComplete with tick() == k; after 50 ms of wall time resend().
+/// Drives:          poll() until kComplete; step; add(what the drives sent);
+///                  send_answer(tick()); on kRepeat resend().
 #include <memory>
 #include <vector>
 

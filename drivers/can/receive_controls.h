@@ -28,8 +28,8 @@ class UtcOffset {
 bool ask_for_receive_controls(int fd) noexcept;
 
 /// Room for both.
-inline constexpr std::size_t kReceiveControl_bytes =
-    CMSG_SPACE(sizeof(std::uint32_t)) + CMSG_SPACE(sizeof(timespec));
+inline constexpr std::size_t kReceiveControl_bytes = CMSG_SPACE(sizeof(std::uint32_t)) +
+                                                     CMSG_SPACE(sizeof(timespec));
 
 /// The kernel's counter of a socket wraps; this one does not.
 struct KernelDrops {

@@ -19,12 +19,12 @@ namespace sprung {
 namespace {
 
 constexpr int kFrameBatch = 32;
-constexpr int kSocketBuffer_bytes =
-    1 << 20;  // what the kernel's limit allows of it: a stall must not lose frames
+/// What the kernel's limit allows of it: a stall must not lose frames.
+constexpr int kSocketBuffer_bytes = 1 << 20;
 
 /// Everything that says a bus is failing; not CAN_ERR_BUSERROR, which may flood (facts canopen section 5).
-constexpr can_err_mask_t kErrorMask =
-    CAN_ERR_TX_TIMEOUT | CAN_ERR_CRTL | CAN_ERR_PROT | CAN_ERR_ACK | CAN_ERR_BUSOFF | CAN_ERR_RESTARTED;
+constexpr can_err_mask_t kErrorMask = CAN_ERR_TX_TIMEOUT | CAN_ERR_CRTL | CAN_ERR_PROT | CAN_ERR_ACK |
+                                      CAN_ERR_BUSOFF | CAN_ERR_RESTARTED;
 
 [[noreturn]] void fail(const std::string& interface, const std::string& what) {
   throw std::runtime_error("socketcan:" + interface + ": " + what + ": " + std::strerror(errno));
@@ -136,8 +136,8 @@ int SocketCanBus::send_batch(const CanFrame* frames, int count) noexcept {
     socket_->prepare(i, false);
   }
   const std::int64_t now_us = can_clock_us();
-  const int sent =
-      ::sendmmsg(socket_->fd, socket_->messages.data(), static_cast<unsigned>(count), MSG_DONTWAIT);
+  const int sent = ::sendmmsg(socket_->fd, socket_->messages.data(), static_cast<unsigned>(count),
+                              MSG_DONTWAIT);
   const int filter_count = static_cast<int>(filters_.size());
   for (int i = 0; i < sent; ++i) {
     if (passes(filters_.data(), filter_count, frames[i].id)) socket_->confirmations.sent(frames[i], now_us);

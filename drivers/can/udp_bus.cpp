@@ -201,8 +201,8 @@ int UdpBus::read_batch(int max) noexcept {
 bool UdpBus::take(int i, StampedFrame& frame) noexcept {
   const auto at = static_cast<std::size_t>(i);
   mmsghdr& message = sockets_->messages[at];
-  const std::int64_t arrival_us =
-      read_receive_controls(message.msg_hdr, sockets_->utc_offset.us(), sockets_->drops);
+  const std::int64_t arrival_us = read_receive_controls(message.msg_hdr, sockets_->utc_offset.us(),
+                                                        sockets_->drops);
   counters_.dropped = sockets_->drops.total;
   const sockaddr_in& source = sockets_->sources[at];
   if (source.sin_port == sockets_->own_port && source.sin_addr.s_addr == htonl(INADDR_LOOPBACK)) return false;

@@ -14,8 +14,8 @@ namespace sprung {
 struct StampedFrame {
   CanFrame frame;
   double timestamp = 0.0;
-  std::int64_t arrival_us =
-      0;  ///< of a received one at the kernel, CLOCK_MONOTONIC; not part of the datagram
+  /// Of a received one at the kernel, CLOCK_MONOTONIC; not part of the datagram.
+  std::int64_t arrival_us = 0;
 };
 
 struct UdpDatagram {

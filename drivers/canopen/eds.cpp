@@ -110,8 +110,8 @@ void read_subs(const IniText& text, const IniSection& parent, std::uint16_t inde
 }
 
 void read_object(const IniText& text, std::uint16_t index, int node, Eds& eds) {
-  const IniSection& section =
-      text.require(hex(index, 4), "the object is listed; add the section or take it off the list");
+  const IniSection& section = text.require(hex(index, 4),
+                                           "the object is listed; add the section or take it off the list");
   const std::int64_t kind = read_integer(section, "ObjectType", kVariable, 0, 0xFF);
   if (kind == kArray || kind == kRecord)
     read_subs(text, section, index, node, eds);
@@ -137,9 +137,9 @@ void refuse_unlisted(const IniText& text, const std::set<std::uint16_t>& listed)
 }  // namespace
 
 const EdsObject* Eds::find(ObjectId id) const noexcept {
-  const auto place =
-      std::lower_bound(objects.begin(), objects.end(), id,
-                       [](const EdsObject& object, ObjectId key) { return before(object.id, key); });
+  const auto place = std::lower_bound(
+      objects.begin(), objects.end(), id,
+      [](const EdsObject& object, ObjectId key) { return before(object.id, key); });
   return place != objects.end() && place->id == id ? &*place : nullptr;
 }
 

@@ -47,8 +47,8 @@ struct DriveSample {
 
 /// Both set-points always travel, so that a change of mode finds its own already there.
 struct DriveSetpoint {
-  double commanded_torque_Nm =
-      0.0;  ///< gear output side; saturated at what the frame and the drive's limit can hold
+  double commanded_torque_Nm = 0.0;  ///< gear output side; saturated at what the frame and the drive's limit
+                                     ///< can hold
   double commanded_position_rad = 0.0;
   DriveMode mode = DriveMode::kTorque;  ///< kTorque or kPosition
 };

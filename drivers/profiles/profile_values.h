@@ -64,8 +64,8 @@ inline DriveSetting heartbeat_producer(const DriveTiming& timing, const std::str
              to_object(1e3 * timing.heartbeat_s, owner, "heartbeat period", 0xFFFF));
 }
 inline DriveSetting heartbeat_consumer(const DriveTiming& timing, const std::string& owner) {
-  const std::uint32_t ms =
-      to_object(1e3 * timing.heartbeat_consumer_s, owner, "heartbeat consumer time", 0xFFFF);
+  const std::uint32_t ms = to_object(1e3 * timing.heartbeat_consumer_s, owner, "heartbeat consumer time",
+                                     0xFFFF);
   return u32({canopen::kHeartbeatConsumer, 1}, (static_cast<std::uint32_t>(canopen::kBridgeNode) << 16) | ms);
 }
 

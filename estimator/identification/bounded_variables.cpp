@@ -113,16 +113,16 @@ double BoundedVariables::slope_at(const Variable& v, double u) {
 Eigen::VectorXd BoundedVariables::parameters(const Eigen::VectorXd& variables) const {
   Eigen::VectorXd out = fixed_;
   for (std::size_t k = 0; k < free_.size(); ++k)
-    out[free_[k]] =
-        parameter_at(variables_[static_cast<std::size_t>(free_[k])], variables[static_cast<Index>(k)]);
+    out[free_[k]] = parameter_at(variables_[static_cast<std::size_t>(free_[k])],
+                                 variables[static_cast<Index>(k)]);
   return out;
 }
 
 Eigen::VectorXd BoundedVariables::slope(const Eigen::VectorXd& variables) const {
   Eigen::VectorXd out(variables.size());
   for (std::size_t k = 0; k < free_.size(); ++k)
-    out[static_cast<Index>(k)] =
-        slope_at(variables_[static_cast<std::size_t>(free_[k])], variables[static_cast<Index>(k)]);
+    out[static_cast<Index>(k)] = slope_at(variables_[static_cast<std::size_t>(free_[k])],
+                                          variables[static_cast<Index>(k)]);
   return out;
 }
 

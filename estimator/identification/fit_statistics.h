@@ -27,8 +27,8 @@ struct FitStatistics {
   /// direction, which errs toward large. NaN for a parameter on its bound, and for one that the data say
   /// nothing about.
   Eigen::VectorXd standard_error;
-  Eigen::MatrixXd
-      correlation;  ///< of the parameters that have a standard error; 0 beside the diagonal for others
+  /// Of the parameters that have a standard error; 0 beside the diagonal for others.
+  Eigen::MatrixXd correlation;
   double autocorrelation_time = 1.0;
   double effective_samples = 0.0;     ///< sum of weights / autocorrelation time
   std::vector<std::string> warnings;  ///< one sentence each, with what to do

@@ -80,8 +80,8 @@ void FootprintModel::predict(const JointDataset& data, const Eigen::VectorXd& pa
   const Eigen::MatrixXd linear = columns(data);
   prediction = linear * parameters.head(linear.cols());
   if (terms_.spring) {
-    prediction +=
-        data.load_Nm.unaryExpr([this](double load_Nm) { return terms_.spring->angle_rad(load_Nm); });
+    prediction += data.load_Nm.unaryExpr(
+        [this](double load_Nm) { return terms_.spring->angle_rad(load_Nm); });
   } else {
     prediction += parameters[linear.cols()] * data.load_Nm;
   }
@@ -93,8 +93,8 @@ void FootprintModel::predict(const JointDataset& data, const Eigen::VectorXd& pa
 
 Eigen::VectorXd FootprintModel::torque_Nm(const JointDataset& data, const Eigen::VectorXd& parameters) const {
   const Eigen::MatrixXd linear = columns(data);
-  const Eigen::VectorXd torsion_rad =
-      data.position_rad - data.link_position_rad - linear * parameters.head(linear.cols());
+  const Eigen::VectorXd torsion_rad = data.position_rad - data.link_position_rad -
+                                      linear * parameters.head(linear.cols());
   if (!terms_.spring) return torsion_rad / parameters[linear.cols()];
   return torsion_rad.unaryExpr([this](double angle_rad) { return terms_.spring->torque_Nm(angle_rad); });
 }

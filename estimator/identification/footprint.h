@@ -5,9 +5,10 @@
 ///   motor / R - link = offset + torsion(load) + sum over h of the motor angle's harmonics
 ///                    + the same of the link angle's
 ///
-/// The kinematic error of a strain wave gear turns with the motor (facts papers D7: twice a turn, once, four
-/// times), that of an encoder's disc with the link; times the gear's stiffness it is several Nm and must go
-/// before torsion is a torque (D7, D8). Everything but a stiffness in stages is linear in the parameters.
+/// The kinematic error of a strain wave gear turns with the motor (docs/sources.md, facts D7: twice a turn,
+/// once, four times), that of an encoder's disc with the link; times the gear's stiffness it is several Nm
+/// and must go before torsion is a torque (D7, D8). Everything but a stiffness in stages is linear in the
+/// parameters.
 #include <optional>
 #include <vector>
 

@@ -131,8 +131,8 @@ void JointModel::fill_row(const Regressors& at, const JointDataset& data, Index 
   if (at_.load_gain >= 0) jacobian(i, at_.load_gain) = by_load * data.load_Nm[i];
   jacobian(i, at_.offset) = 1.0;
   for (std::size_t k = 0; k < friction_.size(); ++k)
-    jacobian(i, at_.friction + static_cast<Index>(k)) =
-        friction.gradient[static_cast<std::size_t>(friction_[k])];
+    jacobian(
+        i, at_.friction + static_cast<Index>(k)) = friction.gradient[static_cast<std::size_t>(friction_[k])];
   for (std::size_t k = 0; k < harmonics_.size(); ++k) {
     jacobian(i, at_.ripple + 2 * static_cast<Index>(k)) = at.ripple[k].real();
     jacobian(i, at_.ripple + 2 * static_cast<Index>(k) + 1) = at.ripple[k].imag();

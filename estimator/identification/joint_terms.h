@@ -20,7 +20,7 @@ enum class JointTerm {
   kTemperature,  ///< viscous_temperature; needs kViscous and a dataset that has temperature
   kLoadGain,     ///< load_gain: torque constant and ratio; needs a dataset that has load
   kRipple1,      ///< ripple_1_cos, ripple_1_sin: once a turn of the motor (wave generator that is not round)
-  kRipple2,      ///< twice: the wave generator's two lobes, the largest (facts papers D7)
+  kRipple2,      ///< twice: the wave generator's two lobes, the largest (docs/sources.md, facts D7)
   kRipple4,      ///< four times
 };
 

@@ -42,8 +42,8 @@ class Functor : public Eigen::DenseFunctor<double> {
     const Eigen::VectorXd slope = variables_.slope(u);
     jacobian.resize(all.rows(), u.size());
     for (Index k = 0; k < u.size(); ++k)
-      jacobian.col(k) =
-          slope[k] * root_weight_.cwiseProduct(all.col(variables_.free()[static_cast<std::size_t>(k)]));
+      jacobian.col(k) = slope[k] *
+                        root_weight_.cwiseProduct(all.col(variables_.free()[static_cast<std::size_t>(k)]));
     return jacobian.allFinite() ? 0 : -1;
   }
 
@@ -153,8 +153,8 @@ void reweight(const FitProblem& problem, RobustLoss loss, const FitOptions& opti
   for (int i = 0; i < options.most_reweightings; ++i) {
     Eigen::VectorXd residual;
     problem.evaluate(found.parameters, residual, nullptr);
-    const Eigen::VectorXd weight =
-        problem.weight().cwiseProduct(robust_weights(residual, robust_scale(residual), loss));
+    const Eigen::VectorXd weight = problem.weight().cwiseProduct(
+        robust_weights(residual, robust_scale(residual), loss));
     Fit next = search({problem, weight, options}, found.parameters);
     const bool done = settled(found.parameters, next.parameters);
     found = std::move(next);

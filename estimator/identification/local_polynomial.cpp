@@ -23,8 +23,8 @@ Eigen::RowVectorXd weights(Index first, Index last, int degree, int derivative) 
     for (Index k = 0; k < terms; ++k)
       powers(i, k) = std::pow(static_cast<double>(first + i) / scale, static_cast<double>(k));
   }
-  const Eigen::MatrixXd inverse =
-      powers.colPivHouseholderQr().solve(Eigen::MatrixXd::Identity(count, count)).eval();
+  const Eigen::MatrixXd
+      inverse = powers.colPivHouseholderQr().solve(Eigen::MatrixXd::Identity(count, count)).eval();
   return inverse.row(derivative) * (std::tgamma(derivative + 1.0) / std::pow(scale, derivative));
 }
 

@@ -127,8 +127,8 @@ Eigen::VectorXd interpolate(const Signal& time_s, const Signal& values, const Ei
 
 void differentiate(JointDataset& data, const PrepareOptions& options) {
   const int fewest = data.velocity_rad_s.size() > 0 ? kFewestVelocities : kFewestPositions;
-  const double window_s =
-      options.smoothing_s > 0.0 ? options.smoothing_s : std::max(kShortestWindow_s, fewest * data.period_s);
+  const double window_s = options.smoothing_s > 0.0 ? options.smoothing_s
+                                                    : std::max(kShortestWindow_s, fewest * data.period_s);
   const int half = std::max(1, static_cast<int>(std::lround((window_s / data.period_s - 1.0) / 2.0)));
   const int degree = std::max(2, options.smoothing_degree);
   if (data.velocity_rad_s.size() > 0) {

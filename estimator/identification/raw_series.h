@@ -19,18 +19,18 @@ struct RawSeries {
   std::vector<double> link_position_rad;
   std::vector<double> load_Nm;
   std::vector<double> temperature_C;
-  std::vector<double>
-      weight;  ///< 1 = counts, 0 = only drives memory (another joint moves, drive off); empty: all 1
+  /// 1 = counts, 0 = only drives memory (another joint moves, drive off); empty: all 1.
+  std::vector<double> weight;
 };
 
 struct PrepareOptions {
-  double rate_Hz = 0.0;  ///< of the datasets; 0 = 1 / median interval of the recording
-  double smoothing_s =
-      0.0;  ///< whole width of the local fits for acceleration, and for velocity where it was not
-            ///< recorded; 0 = three samples (nine, where positions alone are), and 0.03 s at least
-  int smoothing_degree = 2;  ///< of the local polynomials, >= 2
-  double longest_gap_s =
-      0.0;  ///< a longer one is not bridged: a new piece begins; 0 = 0.1 s or five median intervals
+  double rate_Hz = 0.0;        ///< of the datasets; 0 = 1 / median interval of the recording
+  double smoothing_s = 0.0;    ///< whole width of the local fits for acceleration, and for velocity where it
+                               ///< was not recorded; 0 = three samples (nine, where positions alone are), and
+                               ///< 0.03 s at least
+  int smoothing_degree = 2;    ///< of the local polynomials, >= 2
+  double longest_gap_s = 0.0;  ///< a longer one is not bridged: a new piece begins; 0 = 0.1 s or five median
+                               ///< intervals
 };
 
 /// A part of a recording, seconds after its first sample; `to_s` is not in it.

@@ -78,13 +78,14 @@ FrictionValue evaluate(const FrictionParameters& p, const FrictionInput& in) noe
   write_viscous(t, out.gradient);
   if (t.speed > 0.0) {
     const double fall_Nm = p.stribeck_Nm * t.stribeck * t.cool_dry * p.stribeck_exponent * t.power;
-    out.by_velocity_Nm_s_rad =
-        (p.viscous_exponent * t.viscous_Nm * t.moving - t.s * t.moving * t.direction * fall_Nm) / t.speed;
+    out.by_velocity_Nm_s_rad = (p.viscous_exponent * t.viscous_Nm * t.moving -
+                                t.s * t.moving * t.direction * fall_Nm) /
+                               t.speed;
   }
   out.by_load = t.by_load(in.gear_output_torque_Nm);
   out.by_sign_Nm = t.direction * (t.dry_Nm + t.share * t.load);
-  out.gradient[static_cast<std::size_t>(FrictionParameter::kPresliding)] =
-      out.by_sign_Nm * in.sign_by_presliding_1_rad;
+  out.gradient[static_cast<std::size_t>(FrictionParameter::kPresliding)] = out.by_sign_Nm *
+                                                                           in.sign_by_presliding_1_rad;
   return out;
 }
 

@@ -4,9 +4,10 @@
 ///   f = s (1 + a sgn s) { [Tc + Ts exp(-|w / ws|^p)] exp(-bc dT) + K |L| } + B exp(-bv dT) sgn(w) |w|^n
 ///
 /// w joint velocity, L gear output torque, K the driving share while L s > 0 and the driven one while L s <
-/// 0, dT temperature above the reference. s stands for the sign of motion: sgn(w), with sgn(0) = 0 (facts
-/// papers E5), or what is given for it: a presliding state (presliding_state.h), or tanh(w / w0) where a
-/// feedback must not chatter. Sources: facts papers D1 (load), D2 (temperature), C4 (asymmetry).
+/// 0, dT temperature above the reference. s stands for the sign of motion: sgn(w), with sgn(0) = 0 (errata
+/// E5), or what is given for it: a presliding state (presliding_state.h), or tanh(w / w0) where a
+/// feedback must not chatter. Sources: docs/sources.md, facts D1 (load), facts D2 (temperature), facts C4
+/// (asymmetry).
 #include <limits>
 
 #include "model/friction/friction_parameters.h"

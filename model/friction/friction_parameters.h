@@ -11,7 +11,7 @@
 
 namespace sprung {
 
-/// Facts papers D1, D2, D3; the law itself: friction_law.h.
+/// Sources: docs/sources.md, facts D1, D2, D3; the law itself: friction_law.h.
 struct FrictionParameters {
   double coulomb_Nm = 0.0;
   double stribeck_Nm = 0.0;  ///< breakaway minus Coulomb, >= 0 (robot.yaml says `breakaway`)
@@ -22,8 +22,8 @@ struct FrictionParameters {
   double load_share_driving = 0.0;  ///< of |gear output torque L| while L w > 0: the motor drives
   double load_share_driven = 0.0;   ///< while L w < 0: the gear is driven back
   double asymmetry = 0.0;           ///< factor 1 + asymmetry sgn(w) on the dry part (all but viscous)
-  double presliding_rad =
-      0.0;  ///< deflection at which the first stiffness would give full friction; 0 = rigid
+  /// Deflection at which the first stiffness would give full friction; 0 = rigid.
+  double presliding_rad = 0.0;
   double viscous_temperature_1_K = 0.0;   ///< beta: viscous * exp(-beta (T - T0))
   double coulomb_temperature_1_K = 0.0;   ///< the same of Coulomb and Stribeck
   double reference_temperature_C = 24.0;  ///< T0; no parameter to fit

@@ -15,8 +15,8 @@ Solution solve(const FrictionParameters& parameters, const FrictionAtSpeed& at, 
   const FrictionParts parts = friction_parts(parameters, at, sign);
   const double left_Nm = available_Nm - parts.sign * parts.dry_Nm - parts.viscous_Nm;
   const bool drives = left_Nm * parts.sign > 0.0;
-  const double by_available =
-      1.0 / (drives ? 1.0 + std::abs(parts.sign) * parts.driving : 1.0 - std::abs(parts.sign) * parts.driven);
+  const double by_available = 1.0 / (drives ? 1.0 + std::abs(parts.sign) * parts.driving
+                                            : 1.0 - std::abs(parts.sign) * parts.driven);
   return {left_Nm * by_available, by_available};
 }
 

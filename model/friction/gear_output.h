@@ -12,17 +12,16 @@
 namespace sprung {
 
 struct [[nodiscard]] GearOutput {
-  double torque_Nm = 0.0;    ///< at the given sign of motion
-  double friction_Nm = 0.0;  ///< tau_available - torque
-  double by_available =
-      1.0;  ///< derivative of torque by tau_available; by a parameter it is - by_available df/dp at this load
-  double low_Nm = 0.0;  ///< of all signs in [-1, 1]: at rest friction may have any of them
+  double torque_Nm = 0.0;     ///< at the given sign of motion
+  double friction_Nm = 0.0;   ///< tau_available - torque
+  double by_available = 1.0;  ///< derivative of torque by tau_available; by a parameter it is - by_available
+                              ///< df/dp at this load
+  double low_Nm = 0.0;        ///< of all signs in [-1, 1]: at rest friction may have any of them
   double high_Nm = 0.0;
 };
 
 /// @param in its gear_output_torque_Nm is not used; at rest without `sign` the torque is that without dry
-/// friction,
-///        inside [low, high].
+/// friction, inside [low, high].
 GearOutput solve_gear_output(const FrictionParameters& parameters, double available_torque_Nm,
                              const FrictionInput& in) noexcept;
 

@@ -1,9 +1,9 @@
 #pragma once
 /// Generalised Maxwell slip: what takes the place of sgn(w) while a joint has not yet slid. Four elastic
 /// elements side by side, each with a quarter of the friction, stick until they are stretched by their own
-/// angle and then slip (facts papers D3, D4). It depends on the path and not on the time: no drift under any
-/// oscillation within the elastic range, not even by rounding, since each element keeps where it is anchored.
-/// Pure, no heap.
+/// angle and then slip (docs/sources.md, facts D3, D4). It depends on the path and not on the time: no drift
+/// under any oscillation within the elastic range, not even by rounding, since each element keeps where it is
+/// anchored. Pure, no heap.
 #include <array>
 
 namespace sprung {
@@ -11,8 +11,7 @@ namespace sprung {
 class PreslidingState {
  public:
   /// @param presliding_rad angle at which the first stiffness would give full friction, >= 0; all elements
-  /// slide after
-  ///        3.75 times that. 0 = rigid: the sign of the last movement (0 before the first).
+  /// slide after 3.75 times that. 0 = rigid: the sign of the last movement (0 before the first).
   explicit PreslidingState(double presliding_rad = 0.0) noexcept : presliding_rad_(presliding_rad) {}
 
   /// Forgets the path. @param sign of all elements: what friction is at the start cannot be known; two states

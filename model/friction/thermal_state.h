@@ -1,5 +1,5 @@
 #pragma once
-/// Temperature of a gear from the power it turns into heat (facts papers D2). Pure.
+/// Temperature of a gear from the power it turns into heat (docs/sources.md, facts D2). Pure.
 ///
 ///   dT/dt = (P R_th - (T - T_ambient)) / tau_th, solved exactly for a power that is constant over a step
 namespace sprung {

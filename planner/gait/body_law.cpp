@@ -7,8 +7,9 @@ namespace sprung {
 BodyWrench wanted_wrench(const WalkConfig& law, const BodyShape& shape, const BodyView& view,
                          const BodyWish& wish) noexcept {
   BodyWrench out;
-  const Eigen::Vector3d error_m_s =
-      view.velocity_known ? Eigen::Vector3d(wish.velocity_m_s - view.velocity_m_s) : Eigen::Vector3d::Zero();
+  const Eigen::Vector3d error_m_s = view.velocity_known
+                                        ? Eigen::Vector3d(wish.velocity_m_s - view.velocity_m_s)
+                                        : Eigen::Vector3d::Zero();
   out.force_N = {law.speed_damping[0] * error_m_s.x(), law.speed_damping[1] * error_m_s.y(),
                  shape.mass_kg * kGravity_m_s2 + law.body_stiffness[2] * (wish.height_m - wish.height_now_m) +
                      law.body_damping[2] * error_m_s.z()};
@@ -19,8 +20,8 @@ BodyWrench wanted_wrench(const WalkConfig& law, const BodyShape& shape, const Bo
 }
 
 void Lean::follow(const Eigen::Vector2d& wanted_m, double settle_s, double dt_s) noexcept {
-  constexpr double kNineTenths =
-      5.32;  // of a step through three equal poles: (1 + x + x^2 / 2) exp(-x) = 0.1
+  /// Of a step through three equal poles: (1 + x + x^2 / 2) exp(-x) = 0.1.
+  constexpr double kNineTenths = 5.32;
   const double w = kNineTenths / settle_s;
   const Eigen::Vector2d pull = w * (w * (wanted_m - at_m_) - 3.0 * speed_m_s_);
   acceleration_m_s2_ += dt_s * w * (pull - 3.0 * acceleration_m_s2_);

@@ -38,8 +38,8 @@ Eigen::Vector3d BodyShape::com_in_trunk_m(const JointState& in) const noexcept {
   Eigen::Vector3d moment = body_.mass_kg * to_eigen(body_.com_in_trunk_m);
   for (std::size_t i = 0; i < legs; ++i) {
     const Eigen::Vector3d foot_m = to_eigen(in.legs[i].estimated_foot_in_hip_m);
-    const Eigen::Vector3d middle_m =
-        foot_m.allFinite() ? Eigen::Vector3d(0.5 * foot_m) : foot_beside_hip_m[i];
+    const Eigen::Vector3d middle_m = foot_m.allFinite() ? Eigen::Vector3d(0.5 * foot_m)
+                                                        : foot_beside_hip_m[i];
     moment += hip_mass_kg_[i] * (hip_in_trunk_m[i] + foot_beside_hip_m[i]) +
               leg_mass_kg_[i] * (hip_in_trunk_m[i] + middle_m);
   }
@@ -57,8 +57,8 @@ BodyView BodyView::of(const JointState& in, const BodyShape& shape) noexcept {
   if (out.velocity_known) out.velocity_m_s = out.level_from_trunk * to_eigen(body.estimated_velocity_m_s);
   out.com_m = out.level_from_trunk * shape.com_in_trunk_m(in);
   for (std::size_t i = 0; i < shape.legs; ++i)
-    out.foot_m[i] =
-        out.level_from_trunk * (shape.hip_in_trunk_m[i] + to_eigen(in.legs[i].estimated_foot_in_hip_m));
+    out.foot_m[i] = out.level_from_trunk *
+                    (shape.hip_in_trunk_m[i] + to_eigen(in.legs[i].estimated_foot_in_hip_m));
   out.uses_imu = body.uses_imu;
   return out;
 }

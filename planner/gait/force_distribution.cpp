@@ -38,8 +38,8 @@ ForceDistribution::ForceDistribution(double floor_friction, const ForceWeights& 
       torque_weights_(weights.roll_pitch_torque, weights.roll_pitch_torque, weights.yaw_torque),
       foot_force_weight_(weights.foot_force) {
   static_assert(ForceDistributionQp::kMostRows == (kSides + 2) * DistributedForce::kMostFeet);
-  const double inside =
-      friction_ * std::cos(kPi / kSides);  // middle of a side, its corners being on the cone
+  const double inside = friction_ *
+                        std::cos(kPi / kSides);  // middle of a side, its corners being on the cone
   for (int side = 0; side < kSides; ++side) {
     const double angle_rad = (2 * side + 1) * kPi / kSides;
     sides_[side] = {-std::cos(angle_rad), -std::sin(angle_rad), inside};

@@ -19,8 +19,8 @@ namespace sprung {
 /// One foot. Level axes (z up), heading as the caller's.
 struct FootLoad {
   Eigen::Vector3d foot_from_com_m = Eigen::Vector3d::Zero();
-  double most_N =
-      0.0;  ///< vertical; ramp it for a foot that has just landed or is about to leave; below 0 counts as 0
+  double most_N = 0.0;   ///< vertical; ramp it for a foot that has just landed or is about to leave; below 0
+                         ///< counts as 0
   double least_N = 0.0;  ///< vertical; more than most_N counts as most_N
   bool stands = false;   ///< else its force is 0 and the rest is not read
 };
@@ -35,8 +35,8 @@ struct BodyWrench {
 struct ForceWeights {
   double horizontal_force = 0.1;
   double vertical_force = 1.0;
-  double roll_pitch_torque =
-      20.0;  ///< at 0.22 m from the com a foot's vertical force then counts equally in both
+  double roll_pitch_torque = 20.0;  ///< at 0.22 m from the com a foot's vertical force then counts equally in
+                                    ///< both
   double yaw_torque = 1.0;
   double foot_force = 1e-4;  ///< of each foot's force; lets the wrench lack a few tenths of a per mille
 };
@@ -79,8 +79,8 @@ class ForceDistribution {
   Eigen::Vector3d force_weights_, torque_weights_;
   double foot_force_weight_;
   std::array<Eigen::Vector3d, kSides> sides_;  ///< normals of the pyramid, inward
-  std::array<int, DistributedForce::kMostFeet>
-      standing_{};  ///< feet that stand; forces of others are no variables
+  /// Feet that stand; forces of others are no variables.
+  std::array<int, DistributedForce::kMostFeet> standing_{};
   std::array<Eigen::Matrix3d, DistributedForce::kMostFeet> torque_of_force_m_;  ///< of the feet that stand
   int standing_count_ = 0;
   ForceDistributionQp qp_;

@@ -102,8 +102,8 @@ bool ForceDistributionQp::enforce(int row) noexcept {
     double length = 0.0;
     const int leaving = first_to_leave(along, length);
     const bool free = along.rest_squared > 0.0;
-    const double full =
-        free ? -excess(rows_[row]) / along.rest_squared : std::numeric_limits<double>::infinity();
+    const double full = free ? -excess(rows_[row]) / along.rest_squared
+                             : std::numeric_limits<double>::infinity();
     if (!free && leaving < 0) return false;
     const double step = full <= length ? full : length;
     if (free) {

@@ -73,8 +73,8 @@ class ForceDistributionQp {
   std::array<int, kVariables> active_{};  ///< rows, in the order in which they came
   int active_count_ = 0;
   Vector prices_ = Vector::Zero();  ///< of the active rows
-  Matrix basis_ =
-      Matrix::Zero();  ///< orthonormal columns: the active rows' scaled normals are basis_ * triangle_
+  Matrix basis_ = Matrix::Zero();   ///< orthonormal columns: the active rows' scaled normals are basis_ *
+                                    ///< triangle_
   Matrix triangle_ = Matrix::Zero();
   int steps_ = 0;
 };

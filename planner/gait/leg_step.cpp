@@ -84,7 +84,7 @@ void LegStep::swing(const StepPlan& plan, const Eigen::Vector3d& foothold_m) noe
   path.duration_s = plan.swing_s;
   path.lift_m = plan.gait->lift_m + extra_lift_m_;
   // Whoever waits for contact comes down slowly; plain hybrid trusts its clock.
-  const bool waits = control_ == GaitControl::kOwn;
+  const bool waits = control_ == GaitControl::kAdaptive;
   path.approach_s = waits ? plan.gait->pre_stance * plan.swing_s : 0.0;
   path.approach_m_s = waits ? plan.approach_m_s() : 0.0;
   const SwingPoint point = path.at(in_swing_s_);

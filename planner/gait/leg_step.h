@@ -18,7 +18,7 @@ namespace sprung {
 struct StepPlan {
   const GaitConfig* gait = nullptr;
   const WalkConfig* law = nullptr;
-  GaitControl control = GaitControl::kOwn;
+  GaitControl control = GaitControl::kAdaptive;
   double dt_s = 0.0;
   double swing_s = 0.0;
   Eigen::Vector3d body_m_s;  ///< wanted, over the ground; z: of the height
@@ -74,7 +74,7 @@ class LegStep {
   double extra_lift_m_ = 0.0;  ///< as ramped since it stumbled
   double held_up_s_ = 0.0;     ///< contact on the way up, so far
   bool stumbled_ = false;      ///< in this swing
-  GaitControl control_ = GaitControl::kOwn;
+  GaitControl control_ = GaitControl::kAdaptive;
   bool gave_up_ = false;
   double ground_z_m_ = 0.0;  ///< where this swing expects it, from its first cycle on
   Eigen::Vector3d from_m_ = Eigen::Vector3d::Zero();
@@ -84,6 +84,7 @@ class LegStep {
   Eigen::Vector3d wanted_m_s2_ = Eigen::Vector3d::Zero();
   LegEvent last_event_ = LegEvent::kNone;
   std::array<std::int32_t, kLegEventCount> counts_{};
+  static_assert(is_dense<LegEvent>(), "an event's value is its place in counts_");
 };
 
 }  // namespace sprung

@@ -40,8 +40,8 @@ double SupportTriangle::margin_m(const Eigen::Vector2d& place_m) const noexcept 
 
 Eigen::Vector2d SupportTriangle::safe_place_m(const Eigen::Vector2d& from_m, double margin_m) const noexcept {
   if (margin_m >= inradius_m_) return middle_m_;
-  double share =
-      0.0;  // of the way; along it each distance grows or shrinks in a straight line to the inradius
+  /// Of the way; along it each distance grows or shrinks in a straight line to the inradius.
+  double share = 0.0;
   for (std::size_t i = 0; i < 3; ++i) {
     const double here_m = distance_m(i, from_m);
     if (here_m < margin_m) share = std::max(share, (margin_m - here_m) / (inradius_m_ - here_m));

@@ -20,8 +20,8 @@ class SupportTriangle {
   double distance_m(std::size_t side, const Eigen::Vector2d& place_m) const noexcept;
 
   std::array<Eigen::Vector2d, 3> feet_m_;
-  std::array<Eigen::Vector2d, 3>
-      inward_;  ///< unit normal of the side that begins at the foot of the same index
+  /// Unit normal of the side that begins at the foot of the same index.
+  std::array<Eigen::Vector2d, 3> inward_;
   Eigen::Vector2d middle_m_;
   double inradius_m_;
 };

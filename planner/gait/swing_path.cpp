@@ -42,8 +42,8 @@ Point arc(double from, double over, double to, double to_rate, double duration, 
 
 Point height(const SwingPath& path, double time_s) noexcept {
   const double high_s = path.duration_s - path.approach_s;
-  const double over_m =
-      path.approach_m_s * path.approach_s;  // above the ground where the straight way down begins
+  const double over_m = path.approach_m_s *
+                        path.approach_s;  // above the ground where the straight way down begins
   const double to_m = path.to_m.z() + over_m;
   const double approach_m_s = path.approach_s > 0.0 ? path.approach_m_s : 0.0;
   if (time_s >= high_s) return {to_m - approach_m_s * (time_s - high_s), -approach_m_s, 0.0};

@@ -42,7 +42,7 @@ Walk::Walk(const RobotConfig& robot, const PresetConfig& preset)
   for (const GaitConfig& gait : gaits_) backward_gaits_.push_back(backward_order(gait, shape_));
 }
 
-const char* Walk::mistake(const WalkRequest& request, bool walking) const noexcept {
+const char* Walk::validate(const WalkRequest& request, bool walking) const noexcept {
   if (gaits_.empty()) return "this robot has no gaits";
   if (request.gait < 0 || request.gait >= static_cast<int>(gaits_.size())) return "unknown gait";
   const GaitConfig& wanted = gaits_[static_cast<std::size_t>(request.gait)];
@@ -56,8 +56,8 @@ const char* Walk::mistake(const WalkRequest& request, bool walking) const noexce
     return "faster forward, sideways and turning together than this gait goes";
   constexpr double kLowest = 0.6;
   constexpr double kHighest = 1.05;  // straighter legs have no vertical stiffness left to give
-  const bool high =
-      request.height_m >= kLowest * stand_height_m_ && request.height_m <= kHighest * stand_height_m_;
+  const bool high = request.height_m >= kLowest * stand_height_m_ &&
+                    request.height_m <= kHighest * stand_height_m_;
   if (!high) return "body height beyond 60 to 105 % of the preset's stand_length";
   if (!(request.stance_width_m >= -0.05 && request.stance_width_m <= 0.15))
     return "stance width beyond -50 to 150 mm";
@@ -204,8 +204,8 @@ Eigen::Vector3d Walk::foothold_m(std::size_t leg) const noexcept {
 /// is within what friction hides, and a foot that nobody believes to stand would push the robot over. Not
 /// before: the quick part of a swing feigns as much.
 bool Walk::touches(std::size_t i, const EstimatedLeg& leg) const noexcept {
-  constexpr double kCertain =
-      0.35;  // of the weight: more than slow swings were seen to feign (90 N of 294 N)
+  /// Of the weight: more than slow swings were seen to feign (90 N of 294 N)
+  constexpr double kCertain = 0.35;
   if (leg.contact || steps_[i].phase() != LegPhase::kPreStance) return leg.contact;
   const Eigen::Vector3d force_N = view_.level_from_trunk * to_eigen(leg.foot_force_N);
   return force_N.z() > kCertain * shape_.mass_kg * kGravity_m_s2;
@@ -233,8 +233,8 @@ void Walk::step_legs(const JointState& in, double dt_s) noexcept {
 /// forgotten, but way to catch up with.
 void Walk::join(std::size_t leg) noexcept {
   const Eigen::Vector3d pull = pull_m(leg);
-  const Eigen::Vector3d behind_m =
-      (pull - steps_[leg].stretch_at_lift_m()) / static_cast<double>(shape_.legs);
+  const Eigen::Vector3d behind_m = (pull - steps_[leg].stretch_at_lift_m()) /
+                                   static_cast<double>(shape_.legs);
   pace_.lose(behind_m.x(), behind_m.y());
   steps_[leg].shift(pull);
 }
@@ -329,9 +329,9 @@ void Walk::next_gait() noexcept {
     placing_ = true;
     if (clock_.rounds() > 0) clock_.hold();
   }
-  const bool settled =
-      std::all_of(steps_.begin(), steps_.begin() + static_cast<std::ptrdiff_t>(shape_.legs),
-                  [&](const LegStep& s) { return s.stands() && s.in_phase_s() >= law_.force_rise_s; });
+  const bool settled = std::all_of(
+      steps_.begin(), steps_.begin() + static_cast<std::ptrdiff_t>(shape_.legs),
+      [&](const LegStep& s) { return s.stands() && s.in_phase_s() >= law_.force_rise_s; });
   const bool done = gait().duty >= 1.0 || failure_ != nullptr || (placing_ && clock_.rounds() > 0);
   if (stopping_ && ramp_.arrived() && settled && all_stand && done && weight_.upright()) ended_ = true;
   const bool placed = !comes_to_rest() || (placing_ && clock_.rounds() > 0);

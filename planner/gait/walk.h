@@ -24,7 +24,7 @@ struct WalkRequest {
   std::array<double, 3> speed{};  ///< forward, left m/s; turning rad/s
   double height_m = 0.0;
   double stance_width_m = 0.0;
-  GaitControl control = GaitControl::kOwn;
+  GaitControl control = GaitControl::kAdaptive;
 };
 
 class Walk {
@@ -33,7 +33,7 @@ class Walk {
   Walk(const RobotConfig& robot, const PresetConfig& preset);
 
   /// Why this cannot be done from where it is; nullptr: it can.
-  const char* mistake(const WalkRequest& request, bool walking) const noexcept;
+  const char* validate(const WalkRequest& request, bool walking) const noexcept;
   void begin(const JointState& in, const WalkRequest& request) noexcept;
   /// Speed, height and width are ramped; another gait begins when all feet stand, one that never swings once
   /// it stands still as after stop().
@@ -76,8 +76,8 @@ class Walk {
 
   const WalkConfig law_;
   const std::vector<GaitConfig> gaits_;
-  std::vector<GaitConfig>
-      backward_gaits_;  ///< of the same indices; a gait that is its own mirror image is itself
+  /// Of the same indices; a gait that is its own mirror image is itself.
+  std::vector<GaitConfig> backward_gaits_;
   const double cycle_s_;
   const double stand_height_m_;
   const double stance_friction_;    ///< compensated of a standing foot's joints while others swing

@@ -25,10 +25,11 @@ void Walk::write(std::size_t leg, DesiredLeg& out) const noexcept {
     out.inertia_compensation = law_.swing_inertia_compensation;
     return;
   }
-  const StiffnessConfig& gains =
-      step.stands()                                                                       ? law_.stance
-      : step.phase() == LegPhase::kPreStance && step.control() == GaitControl::kPreStance ? law_.pre_stance
-                                                                                          : law_.swing;
+  const StiffnessConfig& gains = step.stands() ? law_.stance
+                                 : step.phase() == LegPhase::kPreStance &&
+                                         step.control() == GaitControl::kPreStance
+                                     ? law_.pre_stance
+                                     : law_.swing;
   out.control_mode = ControlMode::kCompliance;
   out.stiffness_N_m = gains.stiffness_N_m;
   out.damping_N_s_m = gains.damping_N_s_m;

@@ -187,8 +187,8 @@ void CanopenDevice::communication_error(std::uint16_t code) noexcept {
   raise(code);
   application_.connection_lost();
   if (!operational()) return;
-  const std::int64_t behaviour =
-      dictionary_.get_or({canopen::kErrorBehaviour, 1}, policy_.after_communication_error);
+  const std::int64_t behaviour = dictionary_.get_or({canopen::kErrorBehaviour, 1},
+                                                    policy_.after_communication_error);
   if (behaviour == 0) state_ = NmtState::kPreOperational;
   if (behaviour == 2) state_ = NmtState::kStopped;
 }
@@ -232,8 +232,8 @@ void CanopenDevice::clear_errors() noexcept {
 
 /// Neither in stopped, nor while 0x1014 says that there is no emergency object.
 void CanopenDevice::send_emergency(std::uint16_t code) noexcept {
-  const auto cob_id =
-      static_cast<std::uint32_t>(dictionary_.get_or({canopen::kEmergencyCobId, 0}, canopen::emcy_id(node_)));
+  const auto cob_id = static_cast<std::uint32_t>(
+      dictionary_.get_or({canopen::kEmergencyCobId, 0}, canopen::emcy_id(node_)));
   if (state_ == NmtState::kStopped || state_ == NmtState::kBootUp || !canopen::pdo_valid(cob_id)) return;
   CanFrame frame = canopen::emergency_frame(node_, {code, errors_.error_register()});
   frame.id = cob_id & canopen::kPdoIdMask;

@@ -35,8 +35,8 @@ void MotorEncoder::pass_index(double shaft_rad) noexcept {
   const double turn = index_turn(shaft_rad);
   if (turn == index_turn_) return;
   const double pulse_rad = (turn < index_turn_ ? turn + 1.0 : turn) * kTurn_rad + truth_.index_rad;
-  counts_at_index_ =
-      std::floor(pulse_rad / truth_.gear_ratio * counts_per_rad_) - zero_counts_ + jumped_counts_;
+  counts_at_index_ = std::floor(pulse_rad / truth_.gear_ratio * counts_per_rad_) - zero_counts_ +
+                     jumped_counts_;
   index_turn_ = turn;
 }
 

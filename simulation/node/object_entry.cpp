@@ -29,8 +29,8 @@ ObjectEntry entry_of(const canopen::EdsObject& object) {
   entry.low = object.low_limit.value_or(kNoLow);
   entry.high = object.high_limit.value_or(object.type == ObjectType::kBoolean ? 1 : kNoHigh);
   entry.initial = object.default_value.value_or(std::clamp<std::int64_t>(0, entry.low, entry.high));
-  entry.text =
-      object.type == ObjectType::kVisibleString ? object.default_text : bytes_of(object.default_text);
+  entry.text = object.type == ObjectType::kVisibleString ? object.default_text
+                                                         : bytes_of(object.default_text);
   return entry;
 }
 

@@ -16,8 +16,8 @@ bool in_block(std::uint16_t index, std::uint16_t first) noexcept {
 }
 
 canopen::ObjectId communication(PdoDirection direction, int n, int sub) noexcept {
-  const auto base =
-      direction == PdoDirection::kReceive ? canopen::kRpdoCommunication : canopen::kTpdoCommunication;
+  const auto base = direction == PdoDirection::kReceive ? canopen::kRpdoCommunication
+                                                        : canopen::kTpdoCommunication;
   return {static_cast<std::uint16_t>(base + n), static_cast<std::uint8_t>(sub)};
 }
 
@@ -78,8 +78,8 @@ std::uint32_t check_cob_id(const ObjectDictionary& dictionary, const PdoObject& 
                            std::uint32_t value) noexcept {
   if ((value & canopen::kPdoExtended) != 0 || !canopen::pdo_cob_id_allowed(value))
     return canopen::kAbortRange;
-  const std::uint32_t old_id =
-      read_u32(dictionary, communication(pdo.direction, pdo.n, 1)) & canopen::kPdoIdMask;
+  const std::uint32_t old_id = read_u32(dictionary, communication(pdo.direction, pdo.n, 1)) &
+                               canopen::kPdoIdMask;
   const bool stays_valid = is_valid(dictionary, pdo.direction, pdo.n) && canopen::pdo_valid(value);
   return stays_valid && (value & canopen::kPdoIdMask) != old_id ? canopen::kAbortDeviceState : 0;
 }

@@ -74,8 +74,8 @@ class PowerStage {
   PowerTimes times_;
   double step_s_;
   PowerState state_ = PowerState::kNotReadyToSwitchOn;
-  PowerState after_braking_ =
-      PowerState::kUnknown;  ///< operation is still shown, but ends there; kUnknown = it does not end
+  PowerState after_braking_ = PowerState::kUnknown;  ///< operation is still shown, but ends there; kUnknown =
+                                                     ///< it does not end
   PowerExtra extra_ = PowerExtra::kNone;
   std::uint16_t last_word_ = 0;
   bool halted_ = false;

@@ -35,10 +35,23 @@ void switch_fault(SimDevice& device, int node, FaultKind kind, double value, boo
   device.set_fault(kind, value, on);
 }
 
+/// robot.yaml's actuators, mounted as sim.yaml says that they truly are.
+std::vector<ActuatorConfig> mounted(const RobotConfig& robot, const SimConfig& config) {
+  std::vector<ActuatorConfig> actuators = robot.actuators;
+  for (std::size_t i = 0; i < actuators.size(); ++i) {
+    const MountingConfig& truth = config.drives[i].mounting;
+    actuators[i].direction = truth.direction.value_or(actuators[i].direction);
+    LinkEncoderConfig& link = actuators[i].link_encoder;
+    link.direction = truth.link_direction.value_or(link.direction);
+    link.offset_rad = truth.link_offset_rad.value_or(link.offset_rad);
+  }
+  return actuators;
+}
+
 }  // namespace
 
 DriveTrain::DriveTrain(const RobotConfig& robot, const SimConfig& config, std::uint64_t seed)
-    : actuators_(robot.actuators),
+    : actuators_(mounted(robot, config)),
       plant_(robot, config.plant),
       transmission_(robot),
       truths_(config.drives),

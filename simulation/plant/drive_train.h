@@ -37,12 +37,12 @@ class DriveTrain {
  private:
   /// Output angle of the rotor in the motor's own forward direction, extrapolated from the plant's state.
   double shaft_rad(std::size_t actuator, double late_s) const noexcept;
-  /// Angle that an actuator's link encoder sees, before direction and offset of robot.yaml.
+  /// Angle that an actuator's link encoder sees, before its direction and offset.
   double link_rad(std::size_t actuator, double late_s) const noexcept;
   void sample_links(int bus, double late_s, std::int64_t cycle) noexcept;
   void read_plant() noexcept;
 
-  std::vector<ActuatorConfig> actuators_;
+  std::vector<ActuatorConfig> actuators_;  ///< as they truly sit
   Plant plant_;
   Transmission transmission_;
   std::vector<SimDriveConfig> truths_;

@@ -28,8 +28,8 @@ void ElasticGear::step(double motor_torque_Nm, double output_torque_Nm, double d
   const double stopped_rad_s = dt_s / armature_kg_m2_ * dry_Nm;
   const double left_rad_s = std::max(0.0, std::abs(free_rad_s) - stopped_rad_s);
   velocity_rad_s_ = std::copysign(left_rad_s, free_rad_s) / (1.0 + dt_s / armature_kg_m2_ * viscous_Nm_s_rad);
-  dry_friction_Nm_ =
-      left_rad_s > 0.0 ? std::copysign(dry_Nm, free_rad_s) : free_rad_s * armature_kg_m2_ / dt_s;
+  dry_friction_Nm_ = left_rad_s > 0.0 ? std::copysign(dry_Nm, free_rad_s)
+                                      : free_rad_s * armature_kg_m2_ / dt_s;
   viscous_friction_Nm_ = viscous_Nm_s_rad * velocity_rad_s_;
   position_rad_ += dt_s * velocity_rad_s_;
 }

@@ -1,7 +1,7 @@
 #pragma once
 /// Motor side of a gear with torsion: the rotor as a mass of its own (facts physics 10), friction on it, and
-/// a spring with two stiffnesses and a damper to the link. Pure. All on the output side of the ratio. Sign:
-/// positive output torque accelerates the link toward +q and the rotor toward -q.
+/// a spring with two stiffnesses and a damper to the link. Pure. All on the output side of the ratio.
+/// Sign: positive output torque accelerates the link toward +q and the rotor toward -q.
 #include "simulation/plant/joint_config.h"
 
 namespace sprung::sim {

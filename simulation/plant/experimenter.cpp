@@ -117,8 +117,8 @@ void Experimenter::mend(const SimControl& control) noexcept {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < running_count_; ++i) {
     const SimControl& other = running_[i].control;
-    const bool target =
-        other.actuator == control.actuator && (control.actuator >= 0 || other.bus == control.bus);
+    const bool target = other.actuator == control.actuator &&
+                        (control.actuator >= 0 || other.bus == control.bus);
     const bool kind = control.fault == FaultKind::kNone || control.fault == other.fault;
     if (target && kind) {
       switch_fault(other, false);

@@ -18,8 +18,7 @@ class GearFriction {
 
   /// Magnitude of what stops the joint or holds it.
   /// @param direction sign of the present dry friction torque, 0 = none: that of the motion, and at rest that
-  /// in
-  ///        which it would begin, which the speed cannot tell.
+  /// in which it would begin, which the speed cannot tell.
   double dry_Nm(double speed_rad_s, double gear_output_torque_Nm, double direction) const noexcept;
   double viscous_Nm_s_rad(double direction) const noexcept;
   /// One step later. @param loss_W power that friction took in it.

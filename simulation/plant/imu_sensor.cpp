@@ -41,9 +41,9 @@ std::array<double, 4> ImuSensor::attitude(const BaseMotion& motion, std::int64_t
                                           double running_s) const noexcept {
   Vec3 error{};
   for (int axis = 0; axis < 3; ++axis) {
-    error[static_cast<std::size_t>(axis)] =
-        config_.attitude_noise_rad * noise(kAttitude + axis, cycle) +
-        (axis < 2 ? config_.tilt_bias_rad * noise(kTilt + axis, kOnceARun) : 0.0);
+    error[static_cast<std::size_t>(axis)] = config_.attitude_noise_rad * noise(kAttitude + axis, cycle) +
+                                            (axis < 2 ? config_.tilt_bias_rad * noise(kTilt + axis, kOnceARun)
+                                                      : 0.0);
   }
   std::array<double, 4> turned = motion.quaternion_wxyz;
   mju_quatIntegrate(turned.data(), error.data(), 1.0);
@@ -67,10 +67,10 @@ void ImuSensor::measure(const BaseMotion& motion, double running_s) noexcept {
   newest_.measured_specific_force_m_s2 = specific_force_m_s2(motion, running_s - last_s_);
   for (std::size_t i = 0; i < 3; ++i) {
     const int axis = static_cast<int>(i);
-    newest_.measured_angular_velocity_rad_s[i] +=
-        error(config_.rate_noise_rad_s, kRate + axis, config_.rate_bias_rad_s, kRateBias + axis, cycle);
-    newest_.measured_specific_force_m_s2[i] +=
-        error(config_.force_noise_m_s2, kForce + axis, config_.force_bias_m_s2, kForceBias + axis, cycle);
+    newest_.measured_angular_velocity_rad_s[i] += error(config_.rate_noise_rad_s, kRate + axis,
+                                                        config_.rate_bias_rad_s, kRateBias + axis, cycle);
+    newest_.measured_specific_force_m_s2[i] += error(config_.force_noise_m_s2, kForce + axis,
+                                                     config_.force_bias_m_s2, kForceBias + axis, cycle);
   }
   if (fault_ != kLosesAttitude) newest_.measured_quaternion_wxyz = attitude(motion, cycle, running_s);
   newest_.status = fault_ == kLosesAttitude ? ImuStatus::kNoAttitude : ImuStatus::kGood;

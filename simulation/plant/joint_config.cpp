@@ -46,8 +46,8 @@ ThermalConfig read_thermal(const YamlMap& map) {
 TorsionConfig read_torsion(const YamlMap& map) {
   TorsionConfig torsion;
   torsion.stiffness_Nm_rad = map.quantity("stiffness", "Nm/rad", 100, 1e6);
-  torsion.second_stiffness_Nm_rad =
-      map.quantity_or("second_stiffness", "Nm/rad", 100, 1e6, torsion.stiffness_Nm_rad);
+  torsion.second_stiffness_Nm_rad = map.quantity_or("second_stiffness", "Nm/rad", 100, 1e6,
+                                                    torsion.stiffness_Nm_rad);
   torsion.second_from_Nm = map.quantity_or("second_from", "Nm", 0, 1000, 0.0);
   torsion.damping_Nm_s_rad = map.quantity("damping", "Nm s/rad", 0, 1000);
   map.finish();

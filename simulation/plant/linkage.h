@@ -1,7 +1,7 @@
 #pragma once
 /// Rotors that turn with more than one joint: a knee whose motor sits at the hip and drives it through a
 /// parallelogram. Their inertia and their gear's friction belong to the motor's speed, a sum of joint speeds,
-/// so that the joints' equations are coupled (facts physics, "Pegasus").
+/// so that the joints' equations are coupled (facts physics 14).
 #include <mujoco/mujoco.h>
 
 #include <cstddef>
@@ -29,9 +29,8 @@ struct Linkage {
 };
 
 /// One for each actuator of robot.yaml's transmission that turns with several joints; model.xml has a fixed
-/// tendon
-/// `<joint>_linkage` over the same ones. Writes shares, armature and friction into the model, which has them
-/// by joint.
+/// tendon `<joint>_linkage` over the same ones. Writes shares, armature and friction into the model, which
+/// has them by joint.
 /// @param joint_dof of RobotConfig::joints. @throws ConfigError also on torsion, which goes with plain gears
 /// only.
 std::vector<Linkage> link_rotors(mjModel& model, const std::vector<int>& joint_dof, const RobotConfig& robot,

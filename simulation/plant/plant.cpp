@@ -139,8 +139,8 @@ void Plant::touch_floor() noexcept {
     const Vec3 centre_m = vec3(row(data_->geom_xpos, geom, 3));
     const auto foot = std::find(index_.foot_geom.begin(), index_.foot_geom.end(), geom);
     const auto leg = static_cast<std::size_t>(foot - index_.foot_geom.begin());
-    const Ground::Place place =
-        foot == index_.foot_geom.end() ? ground_.below_trunk() : ground_.under(leg, centre_m[0], centre_m[1]);
+    const Ground::Place place = foot == index_.foot_geom.end() ? ground_.below_trunk()
+                                                               : ground_.under(leg, centre_m[0], centre_m[1]);
     const double over_m = place.distance_m(centre_m) - row(model_->geom_size, geom, 3)[0];
     lowest_m = std::min(lowest_m, over_m / place.normal[2]);
   }

@@ -101,8 +101,8 @@ class Plant {
   std::vector<double> base_armature_;  ///< of the base's degrees of freedom, when not suspended
   std::vector<std::array<double, 6>> foot_wrench_;
   Ground ground_;
-  std::vector<Vec3>
-      foot_m_;  ///< where the last step began: the same whether or not anybody asks for the truth
+  /// Where the last step began: the same whether or not anybody asks for the truth.
+  std::vector<Vec3> foot_m_;
   std::vector<Gear> gears_;
   bool varying_friction_ = false;  ///< of any gear: else what the model has from the start stays
   bool torsion_ = false;           ///< in any gear

@@ -60,16 +60,6 @@ std::string line_of(const std::string& text) {
                     "; mend that place, or take the file back as it was (git diff shows what was changed)");
 }
 
-/// One at a time: MuJoCo keeps the last XML of the process.
-ModelPtr load_xml(const std::string& path) {
-  static std::mutex mutex;
-  const std::lock_guard lock(mutex);
-  std::array<char, 1000> error{};
-  ModelPtr model(mj_loadXML(path.c_str(), nullptr, error.data(), static_cast<int>(error.size())));
-  if (!model) refuse_xml(path, error.data());
-  return model;
-}
-
 int height_qpos(const mjModel& model, int base_body) {
   if (model.body_weldid[base_body] == 0) return -1;
   const int first = model.body_jntadr[base_body];
@@ -189,10 +179,20 @@ void write_pairs(mjModel& model, const ContactConfig& contact) {
 
 }  // namespace
 
+/// One at a time: MuJoCo keeps the last XML of the process.
+ModelPtr load_model_xml(const std::string& path) {
+  static std::mutex mutex;
+  const std::lock_guard lock(mutex);
+  std::array<char, 1000> error{};
+  ModelPtr model(mj_loadXML(path.c_str(), nullptr, error.data(), static_cast<int>(error.size())));
+  if (!model) refuse_xml(path, error.data());
+  return model;
+}
+
 PlantModel load_plant_model(const RobotConfig& robot, const PlantConfig& config) {
   use_foot_contact();
   PlantModel plant;
-  plant.model = load_xml(robot.folder + "/model.xml");
+  plant.model = load_model_xml(robot.folder + "/model.xml");
   mjModel& model = *plant.model;
   plant.index = find_parts(model, robot);
   model.opt.timestep = config.step_s;

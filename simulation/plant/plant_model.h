@@ -48,6 +48,10 @@ struct PlantModel {
   PlantIndex index;
 };
 
+/// model.xml as it stands, before anything is written into it. @throws ConfigError with its line and MuJoCo's
+/// reason.
+ModelPtr load_model_xml(const std::string& path);
+
 /// Settings that make friction stick and a contact a real spring: facts physics 1-4.
 /// @throws ConfigError when model.xml cannot be read or lacks a name.
 PlantModel load_plant_model(const RobotConfig& robot, const PlantConfig& config);

@@ -40,8 +40,8 @@ double Plant::dry_friction_Nm(std::size_t joint) const noexcept {
   const Linkage* linkage = linkage_of(joint);
   const int type = linkage != nullptr ? mjCNSTR_FRICTION_TENDON : mjCNSTR_FRICTION_DOF;
   const int id = linkage != nullptr ? linkage->tendon : index_.joint_dof[joint];
-  const int guess =
-      gears_[joint].friction_row;  // rows of friction come first, in the order of the joints: mostly the same
+  const int guess = gears_[joint].friction_row;  // rows of friction come first, in the order of the joints:
+                                                 // mostly the same
   const auto is_it = [&](int row) { return data_->efc_type[row] == type && data_->efc_id[row] == id; };
   if (guess < data_->nefc && is_it(guess)) return -data_->efc_force[guess];
   for (int row = 0; row < data_->nefc; ++row) {
@@ -61,8 +61,8 @@ double Plant::friction_torque_Nm(std::size_t joint) const noexcept {
 /// What rotor and friction take of a motor's torque.
 double Plant::gear_loss_Nm(std::size_t gear) const noexcept {
   const Linkage* linkage = linkage_of(gear);
-  const double acceleration =
-      linkage != nullptr ? linkage->of_motor(data_->qacc) : data_->qacc[index_.joint_dof[gear]];
+  const double acceleration = linkage != nullptr ? linkage->of_motor(data_->qacc)
+                                                 : data_->qacc[index_.joint_dof[gear]];
   return config_.joints[gear].armature_kg_m2 * acceleration + friction_torque_Nm(gear);
 }
 

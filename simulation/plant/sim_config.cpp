@@ -26,6 +26,23 @@ KinematicErrorConfig read_kinematic_error(const YamlMap& map) {
   return error;
 }
 
+double read_sign(const YamlMap& map) {
+  const auto sign = static_cast<double>(map.integer("direction", -1, 1));
+  if (sign == 0.0) map.fail("direction", "expected 1 or -1, found 0");
+  return sign;
+}
+
+MountingConfig read_mounting(const YamlMap& map) {
+  MountingConfig mounting;
+  if (map.has("direction")) mounting.direction = read_sign(map);
+  if (!map.has("link_encoder")) return mounting;
+  const YamlMap link = map.map("link_encoder");
+  mounting.link_direction = read_sign(link);
+  mounting.link_offset_rad = link.quantity("offset", "rad", -100, 100);
+  link.finish();
+  return mounting;
+}
+
 void read_optional(const YamlMap& map, SimDriveConfig& drive) {
   drive.supply_min_V = map.quantity_or("supply_min", "V", 0, drive.supply_V, drive.supply_min_V);
   drive.supply_max_V = map.quantity_or("supply_max", "V", drive.supply_V, 1000, drive.supply_max_V);
@@ -37,6 +54,7 @@ void read_optional(const YamlMap& map, SimDriveConfig& drive) {
   if (map.has("communication_faults"))
     drive.latches_communication_faults = chosen(map, "communication_faults", "latched", "passing", false);
   if (map.has("kinematic_error")) drive.kinematic_error = read_kinematic_error(map.map("kinematic_error"));
+  drive.mounting = read_mounting(map);
 }
 
 SimDriveConfig read_drive(const YamlMap& map) {
@@ -178,8 +196,7 @@ std::vector<SimCardConfig> read_cards(const YamlMap& file, const RobotConfig& ro
 
 }  // namespace
 
-SimConfig load_sim_config(const RobotConfig& robot, const std::map<std::string, double>& changes) {
-  const YamlMap file = YamlMap::load(robot.folder + "/sim.yaml");
+SimConfig read_sim_config(const YamlMap& file, const RobotConfig& robot) {
   const std::string name = file.text("robot");
   if (name != robot.name) file.fail("robot", "found '" + name + "', expected '" + robot.name + "'");
   SimConfig config;
@@ -198,6 +215,11 @@ SimConfig load_sim_config(const RobotConfig& robot, const std::map<std::string, 
       config.plant.joints, robot.joints, [](const PlantJointConfig& j) { return j.name; }, plant, "joints");
   config.drives = in_robot_order(
       config.drives, robot.actuators, [](const SimDriveConfig& d) { return d.actuator; }, file, "drives");
+  return config;
+}
+
+SimConfig load_sim_config(const RobotConfig& robot, const std::map<std::string, double>& changes) {
+  SimConfig config = read_sim_config(YamlMap::load(robot.folder + "/sim.yaml"), robot);
   apply_plant_changes(changes, config);
   return config;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "robots/robot_config.h"
+#include "robots/yaml_reader.h"
 #include "simulation/plant/ground.h"
 #include "simulation/plant/imu_sensor.h"
 #include "simulation/plant/joint_config.h"
@@ -30,8 +31,8 @@ struct PlantConfig {
   double step_s = 0.0;
   double suspended_m = 0.0;  ///< the base hangs fixed at this height; 0 = it is free
   bool lies = false;         ///< it starts on the floor, joints at `lying`; else at `initial`
-  double roll_rad =
-      0.0;  ///< of a free trunk at the start, against the floor below it: it may lie on its side or back
+  double roll_rad = 0.0;     ///< of a free trunk at the start, against the floor below it: it may lie on its
+                             ///< side or back
   bool rail_x_locked = false;  ///< only where model.xml has a joint `rail_x`
   double floor_height_m = 0.0;
   GroundConfig ground;
@@ -49,6 +50,13 @@ struct KinematicErrorConfig {
   double amplitude_rad = 0.0;  ///< of the output
   double order = 2.0;          ///< per motor turn; the wave generator has two lobes
   double phase_rad = 0.0;
+};
+
+/// How motor and link encoder truly sit. What is not given sits as robot.yaml believes.
+struct MountingConfig {
+  std::optional<double> direction;  ///< +1 or -1, as ActuatorConfig::direction
+  std::optional<double> link_direction;
+  std::optional<double> link_offset_rad;  ///< there where link_direction is
 };
 
 /// True values of one drive and motor; what the stack believes is in robot.yaml.
@@ -70,6 +78,7 @@ struct SimDriveConfig {
   bool starts_in_fault = false;  ///< 0x8120 at power-on, as when nobody acknowledges (facts canopen 2.5)
   std::optional<bool> latches_communication_faults;  ///< instead of the make's own way
   KinematicErrorConfig kinematic_error;
+  MountingConfig mounting;
 };
 
 /// An encoder card.
@@ -95,6 +104,9 @@ struct SimConfig {
 /// Reads sim.yaml in robot.folder, then applies the `--plant` changes. @throws ConfigError with file, line
 /// and reason.
 SimConfig load_sim_config(const RobotConfig& robot, const std::map<std::string, double>& changes);
+
+/// The same of a sim.yaml that is read already, without changes.
+SimConfig read_sim_config(const YamlMap& file, const RobotConfig& robot);
 
 /// `--plant key=value`. @throws ConfigError on an unknown key, naming those there are, or a value out of
 /// range.

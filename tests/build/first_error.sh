@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# What ./run-demo and ./run-tests say: some ten lines when all goes well; when it does not, the first error, where the rest is, and an exit
-# status. Real compiler and ninja on two small sources. usage: first_error.sh SOURCE_DIR WORK_DIR
+# What ./run-demo and ./run-tests say: some ten lines when all goes well; when it does not, the first error,
+# where the rest is, and an exit status. Real compiler and ninja on two small sources.
+# usage: first_error.sh SOURCE_DIR WORK_DIR
 set -euo pipefail
 source_dir=$1
 work=$2

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Ctrl-C (or a kill) at any moment of ./run-demo and ./run-tests: they say so, end with the signal's status, and nothing they started is
-# left. The tree is a small one, so that each moment can be made to last. usage: interrupt.sh SOURCE_DIR WORK_DIR
+# Ctrl-C (or a kill) at any moment of ./run-demo and ./run-tests: they say so, end with the signal's status,
+# and nothing they started is left. The tree is a small one, so that each moment can be made to last.
+# usage: interrupt.sh SOURCE_DIR WORK_DIR
 set -euo pipefail
 source_dir=$1
 work=$2
@@ -34,7 +35,8 @@ wait_for() { # what for, COMMAND...: 30 s
 }
 gone() { ! kill -0 "$run" 2>/dev/null; }
 
-# try COMMAND MOMENT SIGNAL STATUS script|group: a kill reaches the script alone, Ctrl-C all of the terminal's foreground group.
+# try COMMAND MOMENT SIGNAL STATUS script|group: a kill reaches the script alone, Ctrl-C all of the terminal's
+# foreground group.
 try() {
   command=$1 moment=$2 signal=$3 to=$5
   rm -rf build "$work/reached" "$work/missing"

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Configures a tiny project with each way of cmake/FindLcmThreeWays.cmake, then with `any` where only one way is open.
+# Configures a tiny project with each way of cmake/FindLcmThreeWays.cmake, then `any` where only one
+# way is open.
 set -euo pipefail
 source_dir=$1
 work=$2

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# A new make of drive is a folder and nothing else: copies the tree, makes the make `acme` from `gold`, and finds it in both registries.
+# A new make of drive is a folder and nothing else: copies the tree, makes the make `acme` from `gold`, and
+# finds it in both registries.
 set -euo pipefail
 source_dir=$1
 work=$(mktemp -d)

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# ./setup beside stand-ins for apt and dpkg: installs what is missing and nothing else, needs neither root nor network where nothing is,
-# and says in a sentence what to do where it cannot. usage: setup.sh SOURCE_DIR WORK_DIR
+# ./setup beside stand-ins for apt and dpkg: installs what is missing and nothing else, needs neither root nor
+# network where nothing is, and says in a sentence what to do where it cannot.
+# usage: setup.sh SOURCE_DIR WORK_DIR
 set -euo pipefail
 source_dir=$1
 work=$2

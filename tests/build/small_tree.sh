@@ -1,5 +1,6 @@
-# A tree with the real ./run-demo, ./run-tests, ./setup, cmake/build.sh and presets round a project of a few lines, with stand-ins for
-# apt, dpkg and sprung. To be sourced with `source_dir` and `work` (an empty folder) set; makes $work/tree and $work/stubs.
+# A tree with the real ./run-demo, ./run-tests, ./setup, cmake/build.sh and presets round a project of a few
+# lines, with stand-ins for apt, dpkg and sprung. To be sourced with `source_dir` and `work` (an empty folder)
+# set; makes $work/tree and $work/stubs.
 # HANG=moment makes that moment last: it touches $work/reached and sleeps.
 tree=$work/tree
 mkdir -p "$tree/cmake" "$work/stubs"
@@ -15,7 +16,8 @@ stub hang <<'EOT'
 touch "$work/reached"
 sleep 1000
 EOT
-# Packages named in $work/missing are not there; apt-get writes down what it is asked for and installs, unless $work/apt_fails says why not.
+# Packages named in $work/missing are not there; apt-get writes down what it is asked for and installs, unless
+# $work/apt_fails says why not.
 stub dpkg-query <<'EOT'
 for name; do :; done
 if grep -qxF -- "$name" "$work/missing" 2>/dev/null; then exit 1; fi

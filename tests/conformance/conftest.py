@@ -10,7 +10,7 @@ import objects
 import programs
 from power_states import OFF, BySdo
 from sim_control import SimControl
-from wire import PATIENCE_S, Wire, until
+from wire import TIMEOUT_S, Wire, until
 
 Profile = collections.namedtuple("Profile", "robot actuator")  # where the profile is found in robots/
 PROFILES = {
@@ -107,7 +107,7 @@ class Bench:
     """One process of simulated drives; its buses and wires."""
 
     def __init__(self, folder, robot, log):
-        self.robot = programs.robot_file(robot)
+        self.robot = programs.robot_file(robot, folder)
         buses = {bus["name"]: programs.random_bus() for bus in self.robot["buses"]}
         first = self.robot["buses"][0]["name"]
         self.first = first
@@ -122,7 +122,7 @@ class Bench:
             if d["bus"] == first
         ]
         awaited = {0x700 + node for node in nodes}
-        until(lambda: awaited <= self._booted() or not self.process.running(), 3 * PATIENCE_S)
+        until(lambda: awaited <= self._booted() or not self.process.running(), 3 * TIMEOUT_S)
         assert awaited <= self._booted(), (
             f"not every node booted; sprung-sim-drives said:\n{self.process.said()}"
         )

@@ -10,7 +10,7 @@ from canopen.objectdictionary import ODVariable, datatypes
 
 HERE = pathlib.Path(__file__).resolve().parent
 PROFILES = HERE.parents[1] / "drivers" / "profiles"
-SILENT = "?"  # the facts do not say
+SILENT = "?"  # docs/sources.md does not say
 
 _TYPES = {
     datatypes.INTEGER8: "i8",
@@ -125,7 +125,7 @@ def _number(text, node):
 
 
 def from_hand(profile, node):
-    """@return the objects typed by hand from the facts, by (index, sub-index)."""
+    """@return the objects typed by hand, by (index, sub-index)."""
     with open(HERE / "objects_by_hand.csv", encoding="utf-8", newline="") as file:
         rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
     found = {}

@@ -1,10 +1,10 @@
-"""CiA 402 as the facts have it (canopen 2.1-2.3), typed by hand, and a drive's power states through SDO."""
+"""CiA 402 (facts canopen 2.1-2.3), typed by hand, and a drive's power states through SDO."""
 
 import time
 
 from canopen.profiles.p402 import State402
 
-from wire import PATIENCE_S, until
+from wire import TIMEOUT_S, until
 
 FAULT_RESET = 0x80
 MASTER = 0x7F
@@ -72,8 +72,8 @@ class BySdo:
         word = self.device.sdo[0x6041].raw
         return next(name for name, (mask, bits) in State402.SW_MASK.items() if word & mask == bits)
 
-    def reaches(self, state, patience_s=PATIENCE_S):
-        return until(lambda: self.state() == state, patience_s)
+    def reaches(self, state, timeout_s=TIMEOUT_S):
+        return until(lambda: self.state() == state, timeout_s)
 
     def go(self, state):
         if state == FAULT:

@@ -69,8 +69,15 @@ class _Loader(yaml.SafeLoader):
     }
 
 
-def robot_file(robot):
-    return yaml.load((TOP / "robots" / robot / "robot.yaml").read_text(), _Loader)
+def robot_file(robot, folder):
+    """robot.yaml typed out; folder: where the programs are."""
+    shown = subprocess.run(
+        [str(pathlib.Path(folder) / "sprung"), "robot", "show", str(TOP / "robots" / robot)],
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    return yaml.load(shown.stdout, _Loader)
 
 
 def _die_with_parent():
@@ -97,12 +104,12 @@ class Program:
     def said(self):
         return pathlib.Path(self.log).read_text(encoding="utf-8", errors="replace")
 
-    def stop(self, patience_s=20.0):
+    def stop(self, timeout_s=20.0):
         """@return the exit status; a program that does not end by itself is ended, and that is an error."""
         if self.running():
             self._process.send_signal(signal.SIGINT)
         try:
-            return self._process.wait(patience_s)
+            return self._process.wait(timeout_s)
         except subprocess.TimeoutExpired:
             self._process.kill()
             self._process.wait()

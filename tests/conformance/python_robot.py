@@ -11,7 +11,7 @@ from slave import POSITION, Card, Drive
 from wire import Wire, until
 
 START_RAD = 1.1  # of every joint: inside the limits
-UP_S = 12.0  # patience with what `sprung` starts
+UP_S = 12.0  # time-out for what `sprung` starts
 VALUES = {
     "gold": {(0x1018, 3): 1, (0x1018, 4): 1, (0x6079, 0): 48000, (0x6077, 0): 0},
     "epos2": {(0x1018, 3): 0x21260000, (0x1018, 4): 1, (0x6078, 0): 0},
@@ -62,7 +62,7 @@ class Robot:
         self._environment = {"SPRUNG_RUN_DIR": str(folder), "SPRUNG_PROGRAMS": self._programs}
         self._bus = programs.random_bus()
         self.wire = Wire(self._bus)
-        self.settings = on_one_bus(programs.robot_file(name))
+        self.settings = on_one_bus(programs.robot_file(name, self._programs))
         self.settings.update(cycle_rate=CYCLE_RATE, watchdogs=WATCHDOGS)
         self.drives = {a["node"]: self._drive(a) for a in self.settings["actuators"]}
         self.cards = {c["node"]: self._node(Card, c, {}) for c in self.settings.get("encoder_cards", [])}

@@ -1,4 +1,4 @@
-"""Emergencies and their history (facts canopen 1.3), NMT during streaming (1.2), store and restore (1.6)."""
+"""Emergencies and their history (facts canopen 1.3), NMT during streaming (facts canopen 1.2), store and restore (facts canopen 1.6)."""
 
 import canopen
 import pytest
@@ -10,7 +10,7 @@ from sim_control import MENDED, OVER_CURRENT, OVER_TEMPERATURE, UNDER_VOLTAGE
 from wire import until
 
 DRIVES = ["gold", "epos2"]
-# Facts 2.5: code, and bits of 0x1001 with the generic one. The text is python-canopen's for this class.
+# Facts canopen 2.5: code, bits of 0x1001 with the generic one, and python-canopen's text for this class.
 OF_THE_POWER_STAGE = [
     (OVER_CURRENT, 0x2310, 0x03, "Current"),
     (UNDER_VOLTAGE, 0x3220, 0x05, "Voltage"),

@@ -5,7 +5,7 @@ import pytest
 
 import objects
 from conftest import PROFILES
-from wire import PATIENCE_S
+from wire import TIMEOUT_S
 
 DRIVES = ["gold", "epos2"]
 WIDE = {"gold": 0x2012, "epos2": 0x20C1}  # write-only u64: more than one frame can carry
@@ -93,7 +93,7 @@ def test_transfer_that_is_not_continued_times_out(device, profile):
     mark = device.wire.record.mark()
     assert ask(device, f"40 {NAME}").startswith("41")
     late = device.wire.record.wait_for(
-        lambda f: f.arbitration_id == 0x580 + device.node and f.data[0] == 0x80, mark, 2 * PATIENCE_S
+        lambda f: f.arbitration_id == 0x580 + device.node and f.data[0] == 0x80, mark, 2 * TIMEOUT_S
     )
     assert late is not None and bytes(late.data).hex(" ") == frame(f"80 {NAME} {TIME_OUT}")
 

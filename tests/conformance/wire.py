@@ -8,8 +8,8 @@ import can
 import canopen
 from can.interfaces.udp_multicast import UdpMulticastBus
 
-PATIENCE_S = 3.0  # a shared machine stalls now and then; nothing waits that long where all is well
-canopen.sdo.SdoClient.RESPONSE_TIMEOUT = PATIENCE_S
+TIMEOUT_S = 3.0  # a shared machine stalls now and then; nothing waits that long where all is well
+canopen.sdo.SdoClient.RESPONSE_TIMEOUT = TIMEOUT_S
 
 
 class OneWayBus(UdpMulticastBus):
@@ -54,9 +54,9 @@ class Record(can.Listener):
         with self._news:
             return [f for f in self._frames[mark:] if can_id is None or f.arbitration_id == can_id]
 
-    def wait_for(self, wanted, mark=0, patience_s=PATIENCE_S):
+    def wait_for(self, wanted, mark=0, timeout_s=TIMEOUT_S):
         """@return the first frame since the mark for which wanted(frame) holds, else None."""
-        end = time.monotonic() + patience_s
+        end = time.monotonic() + timeout_s
         at = mark
         with self._news:
             while True:
@@ -68,9 +68,9 @@ class Record(can.Listener):
                 if left <= 0 or (not self._news.wait(left) and at == len(self._frames)):
                     return None
 
-    def wait_for_id(self, can_id, mark=0, patience_s=PATIENCE_S):
+    def wait_for_id(self, can_id, mark=0, timeout_s=TIMEOUT_S):
         return self.wait_for(
-            lambda frame: frame.arbitration_id == can_id and not frame.is_remote_frame, mark, patience_s
+            lambda frame: frame.arbitration_id == can_id and not frame.is_remote_frame, mark, timeout_s
         )
 
 
@@ -110,9 +110,9 @@ class Wire:
         return None if answer is None else bytes(answer.data)
 
 
-def until(condition, patience_s=PATIENCE_S):
+def until(condition, timeout_s=TIMEOUT_S):
     """Polls. @return what the condition returned in the end."""
-    end = time.monotonic() + patience_s
+    end = time.monotonic() + timeout_s
     while True:
         result = condition()
         if result or time.monotonic() > end:

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <random>
 
-#include "model/friction/coulomb_friction.h"
 #include "tests/controller/controller_fixture.h"
 
 namespace sprung {
@@ -20,9 +19,10 @@ double drive_torque_Nm(const ActuatorConfig& a, const ActuatorCommand& command, 
   if (command.mode == DriveMode::kDamping)
     torque_Nm = -command.commanded_damping_Nm_s_rad * joint.estimated_velocity_rad_s;
   if (command.mode == DriveMode::kPosition)
-    torque_Nm =
-        a.position_stiffness_Nm_rad * (command.commanded_position_rad - joint.estimated_position_rad) +
-        a.position_damping_Nm_s_rad * (command.commanded_velocity_rad_s - joint.estimated_velocity_rad_s);
+    torque_Nm = a.position_stiffness_Nm_rad *
+                    (command.commanded_position_rad - joint.estimated_position_rad) +
+                a.position_damping_Nm_s_rad *
+                    (command.commanded_velocity_rad_s - joint.estimated_velocity_rad_s);
   return std::clamp(torque_Nm, -a.torque_limit_Nm, a.torque_limit_Nm);
 }
 
@@ -72,9 +72,7 @@ class BumplessSwitchTest : public ControllerFixture, public testing::WithParamIn
   /// One cycle; the estimator shows what the drives give. @return the largest step, as a share of the limit.
   double step() {
     for (std::size_t j = 0; j < 2; ++j) {
-      const double friction_Nm =
-          papers_friction_Nm(state_.joints[j].estimated_velocity_rad_s, robot_.joints[j]);
-      state_.joints[j].motor_side_torque_Nm = torque_Nm_[j] - friction_Nm;
+      state_.joints[j].measured_motor_torque_Nm = torque_Nm_[j];
     }
     command_.stamp = state_.stamp;
     state_.stamp.utime_us += 1000;
@@ -93,9 +91,6 @@ class BumplessSwitchTest : public ControllerFixture, public testing::WithParamIn
     double largest = 0.0;
     for (int k = 0; k < cycles; ++k) largest = std::max(largest, step());
     return largest;
-  }
-  static double papers_friction_Nm(double velocity_rad_s, const JointConfig& joint) {
-    return papers_friction(joint.coulomb_friction_Nm, velocity_rad_s).torque_Nm;
   }
   void switch_at_random() {
     const ControlMode modes[] = {ControlMode::kPosition, ControlMode::kJoint, ControlMode::kCompliance,

@@ -88,8 +88,8 @@ TEST_F(ComplianceLawTest, FrictionIsCompensatedWithTheMeasuredSpeedAndNotAtRest)
 }
 
 TEST_F(ComplianceLawTest, ThePapersCompensationIsItsFormulaToTheBit) {
-  desired_.friction_compensation =
-      1.0;  // preset `paper`: figures of the papers' jumps must stay what they are
+  desired_
+      .friction_compensation = 1.0;  // preset `paper`: figures of the papers' jumps must stay what they are
   measured_.velocity_rad_s = pair(0.031, -2.7);
   const JointVector with = torque();
   joints_.friction = {FrictionParameters{}, FrictionParameters{}};
@@ -170,8 +170,8 @@ TEST_F(ComplianceLawTest, RestLawGivesWayToTheLawOfMotionWithSpeed) {
   joints_.friction = {FrictionParameters{}, FrictionParameters{}};
   const double w[] = {0.02, -0.02};
   for (int j = 0; j < 2; ++j) {
-    const double expected_Nm =
-        7.3 * (share * std::tanh(spring_Nm[j] / 0.1) + (1.0 - share) * std::tanh(w[j] / 0.05));
+    const double expected_Nm = 7.3 * (share * std::tanh(spring_Nm[j] / 0.1) +
+                                      (1.0 - share) * std::tanh(w[j] / 0.05));
     EXPECT_NEAR((with - torque())[j], expected_Nm, 1e-9) << j;
   }
 }
@@ -262,8 +262,8 @@ TEST_F(ComplianceLawTest, LegThatIsLedTakesItsLinksAndTheSharesOfRotorsAndFricti
   desired_.friction_compensation = 0.8;
   desired_.inertia_compensation = 0.9;
   const JointVector acceleration = desired_acceleration_rad_s2(leg_, at(), foot_, measured_.velocity_rad_s);
-  const JointVector links_Nm =
-      leg_.inverse_dynamics_Nm(measured_.position_rad, measured_.velocity_rad_s, acceleration);
+  const JointVector links_Nm = leg_.inverse_dynamics_Nm(measured_.position_rad, measured_.velocity_rad_s,
+                                                        acceleration);
   const JointVector led_Nm = led_torque_Nm(leg_, at(), desired_, foot_, measured_, joints_);
   EXPECT_NEAR(led_Nm[0] - links_Nm[0], 0.8 * 5.0 + 0.9 * 0.5 * acceleration[0], 1e-6);
   EXPECT_NEAR(led_Nm[1] - links_Nm[1], -0.8 * 7.0 + 0.9 * 0.8 * acceleration[1], 1e-6);
@@ -275,8 +275,8 @@ TEST_F(ComplianceLawTest, LegThatIsLedWithoutKnownRotorsTakesItsLinksAlone) {
   foot_.acceleration_m_s2 = {0.0, 0.0, 4.0};
   desired_.inertia_compensation = 1.0;
   const JointVector acceleration = desired_acceleration_rad_s2(leg_, at(), foot_, measured_.velocity_rad_s);
-  const JointVector links_Nm =
-      leg_.inverse_dynamics_Nm(measured_.position_rad, measured_.velocity_rad_s, acceleration);
+  const JointVector links_Nm = leg_.inverse_dynamics_Nm(measured_.position_rad, measured_.velocity_rad_s,
+                                                        acceleration);
   EXPECT_EQ(led_torque_Nm(leg_, at(), desired_, foot_, measured_, joints_), links_Nm);
 }
 

@@ -200,10 +200,11 @@ TEST_F(ControllerCoreTest, IdentifiedFrictionChangesPresetBestAndNotPaper) {
   EXPECT_NEAR(more_Nm[1], 0.5 * (7.3 - 1.79), 1e-9);
 }
 
-TEST_F(ControllerCoreTest, ComplianceBeginsAtTheMotorsTorqueWhateverFrictionIsIdentified) {
+TEST_F(ControllerCoreTest, ComplianceBeginsAtTheMotorsTorqueWhateverFrictionIsSaid) {
   cycles(40);
   for (EstimatedJoint& joint : state_.joints) {
     joint.estimated_velocity_rad_s = 1.0;
+    joint.measured_motor_torque_Nm = 10.0;
     joint.motor_side_torque_Nm = 10.0 - 1.79;  // the papers'
     joint.friction_torque_Nm = 7.3;            // of another law
   }

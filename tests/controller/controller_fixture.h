@@ -31,7 +31,7 @@ class ControllerFixture : public testing::Test {
       EstimatedJoint& joint = state_.joints[j];
       joint.estimated_position_rad = position_rad[static_cast<int>(j)];
       joint.estimated_velocity_rad_s = 0.0;
-      joint.motor_side_torque_Nm = motor_torque_Nm;
+      joint.measured_motor_torque_Nm = motor_torque_Nm;
       joint.friction_torque_Nm = 0.0;
       joint.status = JointStatus::kOk;
       joint.drive_enabled = true;

@@ -16,8 +16,8 @@ TEST_F(LegControllerTest, PositionModeSendsTheInverseWithItsSpeed) {
   EXPECT_TRUE(all(DriveMode::kPosition));
   const Eigen::Vector3d foot = leg_->foot_in_hip_m(commanded_position());
   EXPECT_NEAR(foot.z(), -0.45 + 0.2 * 0.001, 1e-9);  // extrapolated by one cycle
-  const JointVector rate =
-      pair(out_.actuators[0].commanded_velocity_rad_s, out_.actuators[1].commanded_velocity_rad_s);
+  const JointVector rate = pair(out_.actuators[0].commanded_velocity_rad_s,
+                                out_.actuators[1].commanded_velocity_rad_s);
   EXPECT_NEAR((leg_->jacobian(commanded_position()) * rate).z(), 0.2, 1e-9);
 }
 
@@ -43,8 +43,8 @@ TEST_F(LegControllerTest, PositionModeAsksTheLoopForWhatTheMotionTakes) {
   const double armature_kg_m2 = robot_.joints[1].armature_kg_m2;
   const FootMotion foot{leg_->foot_in_hip_m(measured()), Eigen::Vector3d::Zero(),
                         Eigen::Vector3d(0.0, 0.0, 3.0)};
-  const double rotor_Nm =
-      armature_kg_m2 * desired_acceleration_rad_s2(*leg_, posed(*leg_, measured()), foot, pair(0.0, 0.0))[1];
+  const double rotor_Nm = armature_kg_m2 * desired_acceleration_rad_s2(*leg_, posed(*leg_, measured()), foot,
+                                                                       pair(0.0, 0.0))[1];
   EXPECT_NEAR(loop_torque_Nm(1) - held_Nm, rotor_Nm, 0.25 * std::abs(rotor_Nm));  // and the links
   EXPECT_GT(std::abs(rotor_Nm), 2.0);
 }
@@ -72,7 +72,7 @@ TEST_F(LegControllerTest, ALegThatIsTornAwayGetsSetPointsWithinReachAndThenTheDr
   ASSERT_LT(window_rad, 0.8);
   EXPECT_NEAR(commanded_position()[1], away[1] - window_rad, 1e-9);
   EXPECT_EQ(core_.limits().window, 1);
-  cycles(static_cast<int>(1e3 * PositionWindow::kPatience_s));
+  cycles(static_cast<int>(1e3 * PositionWindow::kHold_limit_s));
   EXPECT_NEAR(commanded_position()[1], away[1] - 0.8, 1e-6);
 }
 
@@ -126,8 +126,6 @@ TEST_F(LegControllerTest, PositionOfAMovingLegBeginsWithItsSpeed) {
   want(ControlMode::kCompliance);
   cycles(40);
   state_.joints[1].estimated_velocity_rad_s = 4.0;
-  state_.joints[1].motor_side_torque_Nm =
-      -1.79;  // the papers' friction at that speed: the motor gives nothing
   want(ControlMode::kPosition);
   cycle();
   EXPECT_NEAR(out_.actuators[1].commanded_velocity_rad_s, 4.0, 1e-6);

@@ -33,10 +33,10 @@ TEST(PositionWindowTest, WhatStaysBlockedIsLeftToTheDriveToReport) {
   PositionWindow window(actuator());
   double held_s = 0.0;
   while (window.hold(2.0, 1.0, kCycle_s) < 2.0) held_s += kCycle_s;
-  EXPECT_NEAR(held_s, PositionWindow::kPatience_s, 2.0 * kCycle_s);
+  EXPECT_NEAR(held_s, PositionWindow::kHold_limit_s, 2.0 * kCycle_s);
   EXPECT_FALSE(window.acts());
   EXPECT_EQ(window.hold(1.1, 1.0, kCycle_s), 1.1);
-  EXPECT_DOUBLE_EQ(window.hold(2.0, 1.0, kCycle_s), 1.4) << "patience begins anew";
+  EXPECT_DOUBLE_EQ(window.hold(2.0, 1.0, kCycle_s), 1.4) << "the time begins anew";
 }
 
 TEST(PositionWindowTest, AnActuatorWithUnknownStiffnessHasNone) {

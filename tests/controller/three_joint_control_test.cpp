@@ -48,7 +48,7 @@ class ThreeJointControlTest : public testing::Test {
     EstimatedJoint& joint = state_.joints[place];
     joint.estimated_position_rad = position_rad;
     joint.estimated_velocity_rad_s = 0.0;
-    joint.motor_side_torque_Nm = 0.0;
+    joint.measured_motor_torque_Nm = 0.0;
     joint.friction_torque_Nm = 0.0;
     joint.status = JointStatus::kOk;
     joint.drive_enabled = true;

@@ -30,8 +30,9 @@ class BodyAttitudeTest : public testing::Test {
     Imu sample = trunk_.imu(time_s_, seq_, imu_yaw_rad_);
     if (source == Source::kRates) sample.status = ImuStatus::kNoAttitude;
     const ImuReading* reading = source == Source::kNone ? nullptr : imu_.update(&sample, seq_, 0.002);
-    const std::optional<Eigen::Quaterniond> before =
-        attitude_.known() ? std::optional(attitude_.trunk_to_world()) : std::nullopt;
+    const std::optional<Eigen::Quaterniond> before = attitude_.known()
+                                                         ? std::optional(attitude_.trunk_to_world())
+                                                         : std::nullopt;
     attitude_.step(reading, feet_, 0.002);
     if (before)
       longest_jump_rad_ = std::max(longest_jump_rad_, angle_rad(*before, attitude_.trunk_to_world()));

@@ -79,10 +79,10 @@ class BodyEstimatorTest : public testing::Test {
       const Eigen::Vector3d up = trunk_.pose(time_s_).to_world.conjugate() * Eigen::Vector3d::UnitZ();
       const double cosine = (test::quaternion(body_) * up).z();
       errors.attitude_rad = std::max(errors.attitude_rad, std::acos(std::min(1.0, cosine)));
-      errors.velocity_m_s +=
-          (to_eigen(body_.estimated_velocity_m_s) - trunk_.velocity_m_s(time_s_)).squaredNorm();
-      errors.height_m =
-          std::max(errors.height_m, std::abs(body_.estimated_height_m - trunk_.height_m(time_s_)));
+      errors.velocity_m_s += (to_eigen(body_.estimated_velocity_m_s) - trunk_.velocity_m_s(time_s_))
+                                 .squaredNorm();
+      errors.height_m = std::max(errors.height_m,
+                                 std::abs(body_.estimated_height_m - trunk_.height_m(time_s_)));
     }
     errors.velocity_m_s = std::sqrt(errors.velocity_m_s / n);
     return errors;

@@ -141,8 +141,8 @@ class TangentialForceTest : public testing::Test {
     for (std::size_t j = 0; j < 3; ++j) {
       evidence[j].tangential_lever_m = {lever_m[j][0], lever_m[j][1]};
       evidence[j].lever_m = lever_m[j][2];
-      evidence[j].residual.torque_Nm =
-          lever_m[j][0] * forward_N + lever_m[j][1] * sideways_N + lever_m[j][2] * up_N;
+      evidence[j].residual.torque_Nm = lever_m[j][0] * forward_N + lever_m[j][1] * sideways_N +
+                                       lever_m[j][2] * up_N;
     }
     evidence[0].residual.unknown_friction_Nm = unknown_abduction_Nm;
     return detector.step(evidence, kDt_s);

@@ -101,8 +101,8 @@ TEST(GearFrictionEstimatorTest, EncoderNoiseMakesNeitherMotionNorChatter) {
   std::uniform_int_distribution<int> counts(-1, 1);
   std::normal_distribution<double> velocity(0.0, 0.001), torque(0.0, 0.5);
   for (int k = 0; k < 5000; ++k) {
-    GearFrictionEstimator::Motion m =
-        motion(velocity(random), 20.0 + torque(random), 25.0 * velocity(random), kCount_rad * counts(random));
+    GearFrictionEstimator::Motion m = motion(velocity(random), 20.0 + torque(random), 25.0 * velocity(random),
+                                             kCount_rad * counts(random));
     gear.update(m);
     ASSERT_TRUE(gear.at_rest());
     ASSERT_NEAR(gear.output_torque_Nm(), 20.0, 1e-9);

@@ -105,6 +105,7 @@ TEST_F(JointEstimatorTest, LongSilenceIsStaleWithNanTorquesAndThenStartsAnew) {
   EstimatedJoint out;
   for (int k = 0; k <= kCoast; ++k) out = step(JointSample{});
   EXPECT_EQ(out.status, JointStatus::kStale);
+  EXPECT_TRUE(std::isnan(out.measured_motor_torque_Nm));
   EXPECT_TRUE(std::isnan(out.motor_side_torque_Nm));
   EXPECT_TRUE(std::isnan(out.gear_output_torque_Nm));
   EXPECT_TRUE(std::isnan(out.gear_output_torque_bound_Nm));
@@ -147,8 +148,9 @@ TEST_F(JointEstimatorTest, MotorTorqueIsOutputAndFrictionAndInertiaAlways) {
     ASSERT_NEAR(out.gear_output_torque_Nm + out.friction_torque_Nm +
                     joint_.armature_kg_m2 * out.estimated_acceleration_rad_s2,
                 torque_Nm, 1e-9);
+    ASSERT_EQ(out.measured_motor_torque_Nm, torque_Nm);
     ASSERT_NEAR(out.motor_side_torque_Nm +
-                    papers_friction(joint_.coulomb_friction_Nm, out.estimated_velocity_rad_s).torque_Nm,
+                    papers_friction_Nm(joint_.coulomb_friction_Nm, out.estimated_velocity_rad_s),
                 torque_Nm, 1e-9);
   }
 }
@@ -314,7 +316,8 @@ Quality assess(const JointConfig& joint, const PushOff& run) {
 TEST_F(JointEstimatorTest, PushOffIsTenTimesBetterThanThePapersEquationWhenTheModelIsRight) {
   for (std::uint32_t seed = 1; seed <= 5; ++seed) {
     const Quality q = assess(joint_, push_off(joint_.armature_kg_m2, joint_.coulomb_friction_Nm, seed, 0.0));
-    EXPECT_LT(q.rms_Nm, 2.2);  // facts physics: momentum observer 2.2, Kalman without the motor's input 2.9
+    EXPECT_LT(q.rms_Nm,
+              2.2);  // facts physics 13: momentum observer 2.2, Kalman without the motor's input 2.9
     EXPECT_LT(q.rms_Nm, 0.1 * q.papers_rms_Nm);
     EXPECT_GT(q.covered, 0.95);
   }
@@ -323,7 +326,7 @@ TEST_F(JointEstimatorTest, PushOffIsTenTimesBetterThanThePapersEquationWhenTheMo
 TEST_F(JointEstimatorTest, SamplingJitterOfAMicrosecondIsBorne) {
   for (std::uint32_t seed = 1; seed <= 5; ++seed) {
     const Quality q = assess(joint_, push_off(joint_.armature_kg_m2, joint_.coulomb_friction_Nm, seed, 1e-6));
-    EXPECT_LT(q.rms_Nm, 2.8);  // facts physics: momentum observer 2.8, second difference 11
+    EXPECT_LT(q.rms_Nm, 2.8);  // facts physics 11: momentum observer 2.8, second difference 11
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "model/friction/friction_law.h"
 #include "robots/robot_loader.h"
 #include "tests/support/allocation_count.h"
 
@@ -112,18 +113,74 @@ TEST(LegEstimatorOfAnArm, ContactAtTheEndOfOneLinkIsFound) {
   LegEstimator leg(robot, robot.legs[0], 2);
   JointVector q(1);
   q << 0.5;
-  const JointVector torque_Nm =
-      arm->gravity_torque_Nm(q) - arm->jacobian(q).transpose() * Eigen::Vector3d(0.0, 0.0, 150.0);
+  const JointVector torque_Nm = arm->gravity_torque_Nm(q) -
+                                arm->jacobian(q).transpose() * Eigen::Vector3d(0.0, 0.0, 150.0);
   std::vector<ActuatorState> actuators(1);
   actuators[0].measured_position_rad = 0.5;
-  actuators[0].measured_current_A =
-      torque_Nm[0] / (robot.actuators[0].gear_ratio * robot.actuators[0].torque_constant_Nm_A);
+  actuators[0].measured_current_A = torque_Nm[0] /
+                                    (robot.actuators[0].gear_ratio * robot.actuators[0].torque_constant_Nm_A);
   actuators[0].referenced = true;
   std::vector<EstimatedJoint> joints(1);
   EstimatedLeg out;
   for (int k = 0; k < 50; ++k) leg.step(actuators, robot.cycle_s, joints, out);
   EXPECT_TRUE(out.contact);
   EXPECT_GT(out.foot_force_N[2], 20.0);
+}
+
+/// An arm that swings through the air with 1 Nm more friction than its law says: its gear must be cold.
+class SwingingArm {
+ public:
+  SwingingArm() { robot_.legs[0].contact_on_N = 1e4; }  // touches nothing, whatever friction does
+
+  /// @param held what the caller's joint holds before each step.
+  EstimatedJoint swing(const EstimatedJoint& held) {
+    LegEstimator leg(robot_, robot_.legs[0], 2);
+    std::vector<EstimatedJoint> joints(1);
+    EstimatedLeg foot;
+    for (int k = 0; k < 1000; ++k) {
+      joints[0] = held;
+      leg.step(drive(0.3 + kSpeed_rad_s * k * robot_.cycle_s), robot_.cycle_s, joints, foot);
+    }
+    return joints[0];
+  }
+
+ private:
+  static constexpr double kSpeed_rad_s = 0.8;
+
+  std::vector<ActuatorState> drive(double position_rad) const {
+    JointVector q(1);
+    q << position_rad;
+    FrictionInput motion;
+    motion.velocity_rad_s = kSpeed_rad_s;
+    const ActuatorConfig& motor = robot_.actuators[0];
+    const double torque_Nm = arm_->gravity_torque_Nm(q)[0] + 1.0 +
+                             friction_torque_Nm(robot_.joints[0].estimated_friction(), motion);
+    std::vector<ActuatorState> out(1);
+    out[0].measured_position_rad = position_rad;
+    out[0].measured_current_A = torque_Nm / (motor.gear_ratio * motor.torque_constant_Nm_A);
+    out[0].power_state = PowerState::kOperationEnabled;
+    out[0].shown_mode = DriveMode::kTorque;
+    out[0].referenced = true;
+    return out;
+  }
+
+  RobotConfig robot_ = load_robot("test_axis");
+  std::unique_ptr<LegKinematics> arm_ = make_leg_kinematics(robot_.legs[0]);
+};
+
+TEST(LegEstimatorOfAnArm, FrictionOfASwingTellsTheGearsTemperature) {
+  const double ambient_C = load_robot("test_axis").joints[0].thermal.ambient_C;
+  EXPECT_LT(SwingingArm().swing({}).estimated_temperature_degC, ambient_C - 0.1);
+}
+
+TEST(LegEstimatorOfAnArm, WhatAnOutputHeldIsNoState) {
+  EstimatedJoint held;
+  held.external_torque_Nm = 40.0;
+  held.estimated_velocity_rad_s = held.gear_output_torque_Nm = held.friction_torque_Nm = -77.0;
+  const EstimatedJoint clean = SwingingArm().swing({}), dirty = SwingingArm().swing(held);
+  EXPECT_EQ(dirty.estimated_temperature_degC, clean.estimated_temperature_degC);
+  EXPECT_EQ(dirty.external_torque_Nm, clean.external_torque_Nm);
+  EXPECT_EQ(dirty.gear_output_torque_Nm, clean.gear_output_torque_Nm);
 }
 
 }  // namespace

@@ -69,9 +69,9 @@ TEST_F(StandingFeetTest, FourFeetShowEveryAngularVelocity) {
 TEST_F(StandingFeetTest, TwoFeetShowAllButTurningAboutTheirLine) {
   trunk_.stands = {true, false, false, true};
   settle();
-  const Eigen::Vector3d line =
-      (trunk_.pose(0).to_world.conjugate() * (trunk_.feet_in_world_m[0] - trunk_.feet_in_world_m[3]))
-          .normalized();
+  const Eigen::Vector3d line = (trunk_.pose(0).to_world.conjugate() *
+                                (trunk_.feet_in_world_m[0] - trunk_.feet_in_world_m[3]))
+                                   .normalized();
   const Eigen::Vector3d truth = trunk_.angular_velocity_rad_s(0);
   const Eigen::Vector3d shown = feet_.angular_velocity_rad_s();
   EXPECT_NEAR(shown.dot(line), 0.0, 1e-9);

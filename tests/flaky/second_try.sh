@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# .ci/second-try against a project of four tests that fail as told: who gets a second try, who does not, and when there were too many.
+# .ci/second-try against a project of four tests that fail as told: who gets a second try, who does not, and
+# when there were too many.
 set -euo pipefail
 second_try=$1/.ci/second-try
 work=$(mktemp -d)

@@ -132,7 +132,10 @@ def _matches(case, gtest_filter):
 
 def _of_this_tree(source):
     """@param source as the compiler was called; ccache may have it from another clone."""
-    return TOP / "tests" / source.rpartition("/tests/")[2]
+    path = TOP / "tests" / source.rpartition("/tests/")[2]
+    if not path.is_file():
+        raise NotBuilt(f"{source} is not in this tree: build it anew")
+    return path
 
 
 def _starts_processes(source, seen=None):

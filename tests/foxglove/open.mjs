@@ -9,7 +9,7 @@ import { serve } from "./serve.mjs";
 const [folder, file, table, picture, ...fields] = process.argv.slice(2);
 const { chromium } = createRequire(path.resolve(folder) + "/")("playwright-core");
 const here = path.dirname(fileURLToPath(import.meta.url));
-const patience_ms = 300_000; // Studio is 22 MB of JavaScript, and machines are busy
+const timeout_ms = 300_000; // Studio is 22 MB of JavaScript, and machines are busy
 const pause_ms = 3000;
 const window = { width: 1500, height: 850 };
 
@@ -23,7 +23,7 @@ function read(text) {
 
 /** What the page shows in the middle of the log, once it does not change any more. */
 async function shownInTheMiddle(page) {
-  for (let last = "", begin = Date.now(); Date.now() - begin < patience_ms; ) {
+  for (let last = "", begin = Date.now(); Date.now() - begin < timeout_ms; ) {
     await page.mouse.click(window.width / 2, window.height - 57); // on the line of time, as soon as it is there
     await page.waitForTimeout(pause_ms);
     const found = read(await page.innerText("body"));
@@ -45,7 +45,7 @@ const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", arg
 try {
   const page = await browser.newPage({ viewport: window });
   const query = new URLSearchParams([["layoutId", "sprung"], ["file", file], ...fields.map((field) => ["field", field])]);
-  await page.goto(`${server.address}/page.html?${query}`, { waitUntil: "commit", timeout: patience_ms });
+  await page.goto(`${server.address}/page.html?${query}`, { waitUntil: "commit", timeout: timeout_ms });
   const [seq, ...values] = await shownInTheMiddle(page);
   await page.screenshot({ path: picture });
   const right = expected(seq);

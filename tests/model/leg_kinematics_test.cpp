@@ -80,8 +80,8 @@ TEST_F(LegKinematicsTest, DampingSetsInWithoutAStep) {
 /// With the eigenvalues, and by LU, whatever the pose.
 DampedInverse damped_inverse_by_hand(const LegJacobian& jacobian) {
   Eigen::MatrixXd gram = jacobian.transpose() * jacobian;
-  const double smallest =
-      std::max(0.0, Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(gram).eigenvalues()[0]);
+  const double smallest = std::max(0.0,
+                                   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(gram).eigenvalues()[0]);
   const bool singular = smallest < 0.02 * 0.02;
   if (singular) gram.diagonal().array() += 0.02 * 0.02 * (1.0 - smallest / (0.02 * 0.02));
   return {jacobian * Eigen::MatrixXd(gram.partialPivLu().inverse()), singular};

@@ -71,8 +71,8 @@ TEST_P(LegProperties, JacobianIsTheDerivativeOfTheFoot) {
       JointVector ahead = q, behind = q;
       ahead[j] += kStep_rad;
       behind[j] -= kStep_rad;
-      const Eigen::Vector3d slope =
-          (leg_->foot_in_hip_m(ahead) - leg_->foot_in_hip_m(behind)) / (2 * kStep_rad);
+      const Eigen::Vector3d slope = (leg_->foot_in_hip_m(ahead) - leg_->foot_in_hip_m(behind)) /
+                                    (2 * kStep_rad);
       ASSERT_LT((jacobian.col(j) - slope).norm(), 1e-9) << q.transpose();
     }
   }
@@ -175,8 +175,8 @@ TEST_P(LegProperties, FollowedFootNeverMakesTheJointsJumpEvenOutOfReach) {
     for (int i = 0; i < 15000; ++i) {
       foot += step;
       const JointVector now = leg_->inverse(foot, before).position_rad;
-      const double from_hip_m =
-          std::sqrt(leg_->foot_in_hip_m(now).squaredNorm() - offset_m * offset_m + 1e-18);
+      const double from_hip_m = std::sqrt(leg_->foot_in_hip_m(now).squaredNorm() - offset_m * offset_m +
+                                          1e-18);
       const bool at_axis = from_hip_m < 1e-3 || std::hypot(foot.y(), foot.z()) < 1e-3;
       if (!at_axis) largest_rad = std::max(largest_rad, (now - before).norm());
       before = now;

@@ -42,8 +42,9 @@ TEST_F(OneLinkTest, HangsAtZeroAndSwingsTowardX) {
 
 TEST_F(OneLinkTest, JacobianIsTheDerivativeOfTheEnd) {
   for (double angle = -3.0; angle < 3.0; angle += 0.1) {
-    const Eigen::Vector3d slope =
-        (arm_.foot_in_hip_m(at(angle + 1e-6)) - arm_.foot_in_hip_m(at(angle - 1e-6))) / 2e-6;
+    const Eigen::Vector3d slope = (arm_.foot_in_hip_m(at(angle + 1e-6)) -
+                                   arm_.foot_in_hip_m(at(angle - 1e-6))) /
+                                  2e-6;
     EXPECT_LT((arm_.jacobian(at(angle)).col(0) - slope).norm(), 1e-9) << angle;
   }
 }

@@ -99,8 +99,8 @@ TEST_F(ThreeJointTest, RightLegIsTheMirrorImageOfTheLeft) {
     image.col(0) = -image.col(0);
     EXPECT_EQ(right_.jacobian(q_right), image);
     const JointVector torque = left_.inverse_dynamics_Nm(q, w, a);
-    const JointVector torque_right =
-        right_.inverse_dynamics_Nm(q_right, mirrored_joints(w), mirrored_joints(a));
+    const JointVector torque_right = right_.inverse_dynamics_Nm(q_right, mirrored_joints(w),
+                                                                mirrored_joints(a));
     EXPECT_LT((torque_right - mirrored_joints(torque)).norm(), 1e-12);
     const InverseResult back = left_.inverse(left_.foot_in_hip_m(q), q);
     const InverseResult back_right = right_.inverse(right_.foot_in_hip_m(q_right), q_right);

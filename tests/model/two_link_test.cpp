@@ -60,8 +60,8 @@ TEST_F(TwoLinkTest, JacobianIsTheDerivativeOfTheFootOverTheWholeWorkspace) {
       JointVector ahead = q, behind = q;
       ahead[j] += kStep;
       behind[j] -= kStep;
-      const Eigen::Vector3d difference =
-          (leg_.foot_in_hip_m(ahead) - leg_.foot_in_hip_m(behind)) / (2 * kStep);
+      const Eigen::Vector3d difference = (leg_.foot_in_hip_m(ahead) - leg_.foot_in_hip_m(behind)) /
+                                         (2 * kStep);
       EXPECT_LT((jacobian.col(j) - difference).norm(), 1e-9);
     }
   }

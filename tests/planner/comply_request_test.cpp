@@ -15,8 +15,8 @@ class ComplyRequestTest : public testing::Test {
     command_.stiffness_N_m = {2000.0, kNaN, 1500.0};
     command_.damping_N_s_m = {40.0, kNaN, 50.0};
   }
-  std::string mistake() const {
-    const char* why = comply_mistake(command_, preset_);
+  std::string validate() const {
+    const char* why = validate_comply(command_, preset_);
     return why == nullptr ? "" : why;
   }
   PresetConfig preset_;
@@ -31,7 +31,7 @@ TEST_F(ComplyRequestTest, WhatTheCommandSaysCountsAndWhatItLeavesOpenIsThePreset
   EXPECT_EQ(request.gains.damping_N_s_m, (Vec3{20.0, 0.0, 30.0}));
   EXPECT_EQ(request.gains.velocity_feedforward, 0.5);
   EXPECT_EQ(request.friction_compensation, 0.8);
-  EXPECT_EQ(mistake(), "");
+  EXPECT_EQ(validate(), "");
 }
 
 TEST_F(ComplyRequestTest, FrictionCompensationOfZeroIsNotLeftOpen) {
@@ -41,12 +41,12 @@ TEST_F(ComplyRequestTest, FrictionCompensationOfZeroIsNotLeftOpen) {
 
 TEST_F(ComplyRequestTest, StiffnessMissingInBothIsNamed) {
   preset_.compliance = {};
-  EXPECT_EQ(mistake(), "");
+  EXPECT_EQ(validate(), "");
   command_.stiffness_N_m[2] = kNaN;
-  EXPECT_EQ(mistake(), "stiffness is missing: this preset has no compliance of its own, give x and z");
+  EXPECT_EQ(validate(), "stiffness is missing: this preset has no compliance of its own, give x and z");
   command_.stiffness_N_m[2] = 1500.0;
   command_.damping_N_s_m[0] = kNaN;
-  EXPECT_EQ(mistake(), "damping is missing: this preset has no compliance of its own, give x and z");
+  EXPECT_EQ(validate(), "damping is missing: this preset has no compliance of its own, give x and z");
 }
 
 TEST_F(ComplyRequestTest, ImpossibleValuesAreNamed) {
@@ -55,15 +55,15 @@ TEST_F(ComplyRequestTest, ImpossibleValuesAreNamed) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       OperatorCommand command = command_;
       command.stiffness_N_m[axis] = wrong;
-      EXPECT_STREQ(comply_mistake(command, preset_), "stiffness must be 0 to 100000 N/m");
+      EXPECT_STREQ(validate_comply(command, preset_), "stiffness must be 0 to 100000 N/m");
       command = command_;
       command.damping_N_s_m[axis] = wrong;
-      EXPECT_STREQ(comply_mistake(command, preset_), "damping must be 0 to 10000 N s/m");
+      EXPECT_STREQ(validate_comply(command, preset_), "damping must be 0 to 10000 N s/m");
     }
   }
   for (double wrong : {-0.1, 1.01, infinite}) {
     command_.friction_compensation = wrong;
-    EXPECT_EQ(mistake(), "friction compensation must be 0 to 1");
+    EXPECT_EQ(validate(), "friction compensation must be 0 to 1");
   }
 }
 

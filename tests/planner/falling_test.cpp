@@ -56,12 +56,13 @@ TEST_F(FallingTest, FootGoesToItsLandingLengthWithoutAStepAndIsThenSoft) {
 }
 
 TEST_F(FallingTest, EveryModeHasItsControl) {
-  for (const JumpMode mode : {JumpMode::kPosition, JumpMode::kTorque, JumpMode::kHybrid, JumpMode::kOwn}) {
+  for (const JumpMode mode :
+       {JumpMode::kPosition, JumpMode::kTorque, JumpMode::kHybrid, JumpMode::kAdaptive}) {
     hang();
     send_land(mode);
     run(0.2);
     const bool soft = mode == JumpMode::kTorque || mode == JumpMode::kHybrid;
-    if (mode != JumpMode::kOwn) {
+    if (mode != JumpMode::kAdaptive) {
       EXPECT_EQ(desired().control_mode, soft ? ControlMode::kCompliance : ControlMode::kPosition);
     }
     EXPECT_EQ(motion_.jump_mode, mode);
@@ -104,13 +105,13 @@ TEST_F(FallingTest, RefusalsSayWhy) {
   }
   const std::int64_t id = send_land(static_cast<JumpMode>(9));
   cycle();
-  EXPECT_EQ(last_reason(id), "jump mode must be position, torque, hybrid or own");
+  EXPECT_EQ(last_reason(id), "jump mode must be position, torque, hybrid or adaptive");
   EXPECT_EQ(motion_.state, MotionPhase::kStanding);
 }
 
 TEST_F(FallingTest, SafetyStaysOnInTheFall) {
   hang();
-  const std::int64_t id = send_land(JumpMode::kOwn);
+  const std::int64_t id = send_land(JumpMode::kAdaptive);
   run(0.1);
   state_.safety = SafetyLevel::kQuickStop;
   cycle();

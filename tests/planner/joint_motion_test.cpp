@@ -27,7 +27,7 @@ class JointMotionTest : public testing::Test {
     motion_.write(i, std::llround(1e6 * time_s), out);
     return out;
   }
-  const char* mistake(JointRequest request) const { return motion_.mistake(request); }
+  const char* validate(JointRequest request) const { return motion_.validate(request); }
 
   RobotConfig robot_ = load_robot("pegasus");
   JointMotion motion_{robot_};
@@ -83,23 +83,23 @@ TEST_F(JointMotionTest, WhatWasNotMeasuredIsNotHeld) {
 }
 
 TEST_F(JointMotionTest, MistakesAreNamed) {
-  EXPECT_EQ(mistake(knee_), nullptr);
-  EXPECT_EQ(mistake({5, 2.48, 4.36, 100.0}), nullptr);
-  EXPECT_STREQ(mistake({12, 1.0, 1.0, 1.0}), "this robot has no such joint");
-  EXPECT_STREQ(mistake({-1, 1.0, 1.0, 1.0}), "this robot has no such joint");
+  EXPECT_EQ(validate(knee_), nullptr);
+  EXPECT_EQ(validate({5, 2.48, 4.36, 100.0}), nullptr);
+  EXPECT_STREQ(validate({12, 1.0, 1.0, 1.0}), "this robot has no such joint");
+  EXPECT_STREQ(validate({-1, 1.0, 1.0, 1.0}), "this robot has no such joint");
   for (const double target : {2.49, 0.11, -7.0, kNaN, kInfinity})
-    EXPECT_NE(std::string(mistake({5, target, 1.0, 4.0})).find("position limits"), std::string::npos);
+    EXPECT_NE(std::string(validate({5, target, 1.0, 4.0})).find("position limits"), std::string::npos);
   for (const double speed : {0.0, -1.0, 4.37, kNaN, kInfinity})
-    EXPECT_NE(std::string(mistake({5, 2.0, speed, 4.0})).find("speed limit"), std::string::npos);
+    EXPECT_NE(std::string(validate({5, 2.0, speed, 4.0})).find("speed limit"), std::string::npos);
   for (const double acceleration : {0.0, -1.0, 150.0, kNaN, kInfinity})
-    EXPECT_NE(std::string(mistake({5, 2.0, 1.0, acceleration})).find("acceleration"), std::string::npos);
+    EXPECT_NE(std::string(validate({5, 2.0, 1.0, acceleration})).find("acceleration"), std::string::npos);
 }
 
 TEST_F(JointMotionTest, AccelerationIsFiniteEvenWhereNoArmatureIsKnown) {
   robot_.joints[5].armature_kg_m2 = 0.0;
   const JointMotion motion(robot_);
-  EXPECT_EQ(motion.mistake({5, 2.0, 1.0, 1000.0}), nullptr);
-  EXPECT_NE(motion.mistake({5, 2.0, 1.0, kInfinity}), nullptr);
+  EXPECT_EQ(motion.validate({5, 2.0, 1.0, 1000.0}), nullptr);
+  EXPECT_NE(motion.validate({5, 2.0, 1.0, kInfinity}), nullptr);
 }
 
 TEST_F(JointMotionTest, LegOfMoreJointsThanTheMessageHoldsIsRefused) {
@@ -108,7 +108,7 @@ TEST_F(JointMotionTest, LegOfMoreJointsThanTheMessageHoldsIsRefused) {
   robot.legs[0].actuators = {0, 1, 2, 3};
   robot.legs[0].transmission = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
   const JointMotion motion(robot);
-  EXPECT_STREQ(motion.mistake(knee_), "joint moves are for legs of up to three joints");
+  EXPECT_STREQ(motion.validate(knee_), "joint moves are for legs of up to three joints");
 }
 
 }  // namespace

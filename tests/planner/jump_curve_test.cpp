@@ -80,8 +80,8 @@ TEST_F(JumpCurveTest, WayForwardIsSmooth) {
   curve.forward(-0.1, 0.35);
   constexpr double kStep_s = 1e-6;
   for (double t = 0.01; t < 0.2; t += 0.01) {
-    const double slope =
-        (curve.at(t + kStep_s).position_m[0] - curve.at(t - kStep_s).position_m[0]) / (2 * kStep_s);
+    const double slope = (curve.at(t + kStep_s).position_m[0] - curve.at(t - kStep_s).position_m[0]) /
+                         (2 * kStep_s);
     EXPECT_NEAR(curve.at(t).velocity_m_s[0], slope, 1e-6);
   }
 }

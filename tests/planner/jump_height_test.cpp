@@ -33,8 +33,8 @@ class JumpHeightTest : public testing::Test {
       ASSERT_FALSE(jump.in_thrust(at(t, crouch_m + kSpeed_m_s * t, kSpeed_m_s, true), t));
     ASSERT_EQ(jump.in_thrust(at(leave_s, kLeave_m, kSpeed_m_s, false), leave_s), MotionEvent::kLiftOff);
     const double up_m_s = std::sqrt(2.0 * kGravity_m_s2 * rise_m);
-    const double down_m_s =
-        std::sqrt(up_m_s * up_m_s + 2.0 * kGravity_m_s2 * (kLeave_m - preset_.landing_length_m));
+    const double down_m_s = std::sqrt(up_m_s * up_m_s +
+                                      2.0 * kGravity_m_s2 * (kLeave_m - preset_.landing_length_m));
     const double flight_s = (up_m_s + down_m_s) / kGravity_m_s2;
     const double land_s = leave_s + flight_s;
     ASSERT_FALSE(jump.in_flight(at(land_s - 0.001, preset_.landing_length_m, 0.0, false), flight_s));
@@ -106,18 +106,18 @@ TEST_F(JumpHeightTest, ContactThatIsLostAtTheStartOfTheThrustIsNoLiftOff) {
 
 TEST_F(JumpHeightTest, UnreachableHeightsAreRefusedWithTheLimit) {
   const Jump one(robot_, preset_);
-  const auto mistake = [&](double height_m, double forward_m = 0.0) {
-    const char* why = one.mistake({JumpMode::kHybrid, 1, height_m, forward_m});
+  const auto validate = [&](double height_m, double forward_m = 0.0) {
+    const char* why = one.validate({JumpMode::kHybrid, 1, height_m, forward_m});
     return std::string(why == nullptr ? "" : why);
   };
-  EXPECT_EQ(mistake(0.0), "");
-  EXPECT_EQ(mistake(0.15), "");
-  EXPECT_EQ(mistake(0.15, 0.04), "");
+  EXPECT_EQ(validate(0.0), "");
+  EXPECT_EQ(validate(0.15), "");
+  EXPECT_EQ(validate(0.15, 0.04), "");
   for (const double wrong : {0.02, 2.0, -0.1, kNaN})
-    EXPECT_EQ(mistake(wrong).rfind("jump height must be ", 0), 0U) << mistake(wrong);
-  EXPECT_NE(mistake(2.0).find("too "), std::string::npos) << mistake(2.0);  // and why
+    EXPECT_EQ(validate(wrong).rfind("jump height must be ", 0), 0U) << validate(wrong);
+  EXPECT_NE(validate(2.0).find("too "), std::string::npos) << validate(2.0);  // and why
   for (const double wrong : {0.6, -0.6, kNaN})
-    EXPECT_EQ(mistake(0.15, wrong), "distance forward must be -500 to 500 mm");
+    EXPECT_EQ(validate(0.15, wrong), "distance forward must be -500 to 500 mm");
 }
 
 }  // namespace

@@ -41,8 +41,9 @@ class PlannerWalkTest : public testing::Test {
     if (motion_.state == MotionPhase::kIdle || motion_.state == MotionPhase::kFallen) return;
     for (std::size_t i = 0; i < 4; ++i) {
       Vec3 foot = legs_.legs[i].desired_foot_in_hip_m;
-      const double floor_m =
-          motion_.state == MotionPhase::kWalking && i == hole_ ? -1.0 : -robot_.preset("best").stand_length_m;
+      const double floor_m = motion_.state == MotionPhase::kWalking && i == hole_
+                                 ? -1.0
+                                 : -robot_.preset("best").stand_length_m;
       state_.legs[i].contact = foot[2] <= floor_m + 1e-9 || motion_.state != MotionPhase::kWalking;
       foot[2] = std::max(foot[2], floor_m);
       state_.legs[i].estimated_foot_in_hip_m = foot;

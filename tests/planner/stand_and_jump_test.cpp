@@ -25,7 +25,7 @@ class IdealLeg : public testing::Test {
     for (std::size_t j = 0; j < 2; ++j) {
       EstimatedJoint& joint = state_.joints[j];
       joint.estimated_position_rad = position_[static_cast<int>(j)];
-      joint.estimated_velocity_rad_s = joint.motor_side_torque_Nm = joint.friction_torque_Nm = 0.0;
+      joint.estimated_velocity_rad_s = joint.measured_motor_torque_Nm = joint.friction_torque_Nm = 0.0;
       joint.drive_enabled = enabling_cycles_ >= 100;
     }
     state_.legs[0].estimated_foot_in_hip_m = to_vec3(kinematics_->foot_in_hip_m(position_));

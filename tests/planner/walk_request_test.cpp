@@ -19,7 +19,7 @@ TEST(WalkRequestTest, WhatIsLeftOpenIsThePresets) {
   EXPECT_EQ(request.height_m, 0.47);
   EXPECT_EQ(request.stance_width_m, 0.03);
   EXPECT_EQ(request.speed, (std::array<double, 3>{0.0, 0.0, 0.0}));
-  EXPECT_EQ(request.control, GaitControl::kOwn);
+  EXPECT_EQ(request.control, GaitControl::kAdaptive);
 }
 
 TEST(WalkRequestTest, AGaitMayHaveAHeightOfItsOwn) {

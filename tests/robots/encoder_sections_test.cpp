@@ -25,6 +25,11 @@ class ChangedPegasus : public testing::Test {
     return folder_.complaint(test::replaced(text_, from, to));
   }
 
+  /// To one entry of those that are typed by `all` or a mirror.
+  std::string typed_out_complaint(const std::string& from, const std::string& to) const {
+    return folder_.complaint(test::replaced(test::typed_out_yaml("pegasus"), from, to));
+  }
+
   test::RobotFolder folder_;
   std::string text_ = test::shipped_yaml("pegasus");
 };
@@ -117,13 +122,16 @@ TEST_F(ChangedPegasus, BitRatesAreTheStandardOnes) {
 TEST_F(ChangedPegasus, CardOnADrivesNodeIdIsRefused) {
   EXPECT_THAT(complaint("name: fl_card, bus: fl, node: 4", "name: fl_card, bus: fl, node: 3"),
               AllOf(HasSubstr("fl_knee_motor and fl_card share node id 3"), HasSubstr("bus fl")));
-  EXPECT_THAT(complaint("name: fr_card, bus: fr", "name: fr_card, bus: fl"),
+  EXPECT_THAT(complaint("encoder_cards:", "encoder_cards:\n  - {name: fr_card, bus: fl}"),
               HasSubstr("fl_card and fr_card share node id 4"));
 }
 
 TEST_F(ChangedPegasus, MistakesOfCardsAreRefused) {
-  EXPECT_THAT(complaint("name: fr_card", "name: fl_card"), HasSubstr("'fl_card' stands twice"));
-  EXPECT_THAT(complaint("bus: fr, node: 4", "bus: arm, node: 4"), HasSubstr("'arm' is not known"));
+  EXPECT_THAT(
+      complaint("encoder_cards:",
+                "encoder_cards:\n  - {name: hl_card, like: fl_card}\n  - {name: hl_card, like: fl_card}"),
+      HasSubstr("'hl_card' stands twice"));
+  EXPECT_THAT(complaint("bus: fl, node: 4", "bus: arm, node: 4"), HasSubstr("'arm' is not known"));
   EXPECT_THAT(complaint("node: 4, profile: encoder_card", "node: 4"), HasSubstr("profile' is missing"));
   EXPECT_THAT(complaint("node: 4, profile", "node: 127, profile"), HasSubstr("out of range"));
 }
@@ -169,11 +177,11 @@ TEST(Pegasus, JointWithoutALinkEncoderMayTurnFurther) {
 
 class ChangedReference : public ChangedPegasus {
  protected:
-  static constexpr const char* kShipped = "&reference {method: link, encoder: incremental}";
+  static constexpr const char* kShipped = "reference: {method: link, encoder: incremental}";
   ReferenceConfig read(const std::string& to) {
-    return changed(kShipped, "&reference " + to).actuators[0].reference;
+    return changed(kShipped, "reference: " + to).actuators[0].reference;
   }
-  std::string refusal(const std::string& to) { return complaint(kShipped, "&reference " + to); }
+  std::string refusal(const std::string& to) { return complaint(kShipped, "reference: " + to); }
 };
 
 TEST_F(ChangedReference, EveryMethodTakesWhatItNeeds) {
@@ -208,10 +216,11 @@ TEST_F(ChangedPegasus, AnIncrementalEncoderCannotBeReferencedByFile) {
 }
 
 TEST_F(ChangedPegasus, MethodLinkNeedsALinkEncoder) {
-  EXPECT_THAT(complaint("    link_encoder: {card: fl_card, channel: 0, counts: 1048576, direction: -1, "
-                        "offset: 3.1416 rad}\n",
-                        ""),
-              AllOf(HasSubstr("actuators[0].reference'"), HasSubstr("needs a link_encoder")));
+  EXPECT_THAT(
+      typed_out_complaint("    link_encoder: {counts: 1048576, direction: -1, card: fl_card, channel: 0, "
+                          "offset: 3.1416 rad}\n",
+                          ""),
+      AllOf(HasSubstr("actuators[0].reference'"), HasSubstr("needs a link_encoder")));
 }
 
 TEST_F(ChangedPegasus, MotorDataOutOfRangeAreRefused) {

@@ -94,9 +94,9 @@ TEST(IdentificationSections, RecordSaysWhereTheNumbersComeFrom) {
 }
 
 TEST(IdentificationSections, UncertaintyAndThermalAreReadAndMayBeIncomplete) {
-  const JointConfig joint =
-      read(std::string(kPlain) + "    uncertainty: {armature: 0.05}\n" +
-           "    thermal: {resistance: 0.8 K/W, time_constant: 600 s, ambient: 22 degC}\n");
+  const JointConfig joint = read(
+      std::string(kPlain) + "    uncertainty: {armature: 0.05}\n" +
+      "    thermal: {resistance: 0.8 K/W, time_constant: 600 s, ambient: 22 degC}\n");
   EXPECT_EQ(joint.uncertainty.armature, 0.05);
   EXPECT_EQ(joint.uncertainty.friction, kPapersFrictionUncertainty);
   EXPECT_EQ(joint.uncertainty.mass, JointUncertainty{}.mass);
@@ -148,8 +148,8 @@ TEST(IdentificationSections, EverySubsetOfTermsIsReadBackUnderItsSmallestModel) 
       if ((subset >> i & 1u) != 0) vector[i] = full[i];
     }
     const FrictionParameters p = from_vector(vector);
-    const bool shapes_nothing =
-        p.viscous_Nm_s_rad == 0.0 && (p.viscous_exponent != 1.0 || p.viscous_temperature_1_K != 0.0);
+    const bool shapes_nothing = p.viscous_Nm_s_rad == 0.0 &&
+                                (p.viscous_exponent != 1.0 || p.viscous_temperature_1_K != 0.0);
     if (shapes_nothing) continue;  // refused, see HalfATermIsRefused
     joint.friction->parameters = p;
     joint.friction->model = smallest_model(p);
@@ -168,8 +168,8 @@ TEST(IdentificationSections, ExampleInTheDocsIsOne) {
   const std::string page{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
   const std::size_t begin = page.find("```yaml\n") + 8;
   const std::string example = page.substr(begin, page.find("```", begin) - begin);
-  const JointConfig joint =
-      robot_sections::read_joint(YamlMap::parse(example, "friction.md").list("joints").at(0));
+  const JointConfig joint = robot_sections::read_joint(
+      YamlMap::parse(example, "friction.md").list("joints").at(0));
   EXPECT_EQ(joint.friction->parameters.coulomb_Nm, 7.3);
   EXPECT_EQ(joint.coulomb_friction_Nm, 1.79);
   EXPECT_EQ(joint.thermal.time_constant_s, 600.0);

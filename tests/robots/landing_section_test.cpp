@@ -46,12 +46,12 @@ class ChangedLanding : public testing::Test {
 
 TEST(LandingSection, ShippedPresetBestHasALandingOfItsOwnAndPaperNone) {
   const RobotConfig robot = load_robot("single_leg");
-  const OwnLandingConfig& best = robot.preset("best").own_landing;
+  const AdaptiveLandingConfig& best = robot.preset("best").adaptive_landing;
   EXPECT_GT(best.extended_length_m, best.shortest_m);
   EXPECT_GT(best.braking_m_s2, 0.0);
   EXPECT_GT(best.jump_switch_s, 0.0);
-  EXPECT_EQ(robot.preset("paper").own_landing.extended_length_m, 0.0);
-  EXPECT_EQ(robot.preset("paper").own_landing.jump_switch_s, 0.0);
+  EXPECT_EQ(robot.preset("paper").adaptive_landing.extended_length_m, 0.0);
+  EXPECT_EQ(robot.preset("paper").adaptive_landing.jump_switch_s, 0.0);
 }
 
 TEST_F(ChangedLanding, LegThatIsToEndLongerThanItStretchesIsRefused) {
@@ -68,7 +68,8 @@ TEST_F(ChangedLanding, MissingKeyIsNamed) {
 }
 
 TEST_F(ChangedLanding, MassMustBeSaidInTheAirAndOnTheGround) {
-  EXPECT_THAT(complaint("        mass: {x: 12 kg, z: 10 kg}\n", ""), HasSubstr("own_landing.ground.mass"));
+  EXPECT_THAT(complaint("        mass: {x: 12 kg, z: 10 kg}\n", ""),
+              HasSubstr("adaptive_landing.ground.mass"));
   EXPECT_THAT(complaint("mass: {x: 0 kg, z: 12 kg}", "mass: {x: 0 kg, z: -1 kg}"), HasSubstr("air.mass.z"));
 }
 

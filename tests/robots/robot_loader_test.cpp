@@ -15,6 +15,7 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 namespace fs = std::filesystem;
 
 std::string shipped_text() {
@@ -195,6 +196,15 @@ TEST(RobotLoader, RobotWithoutPresetsUsesWhatIsIdentified) {
 TEST_F(ChangedRobot, UnknownCompensatedFrictionIsRefused) {
   EXPECT_THAT(complaint("compensated_friction: identified", "compensated_friction: all"),
               HasSubstr("expected paper or identified, found 'all'"));
+}
+
+TEST_F(ChangedRobot, AFileKeptThroughAnUpgradeIsHeldAgainstThePackagesOwn) {
+  const std::string other = (folder_ / "robot.yaml.dpkg-dist").string();
+  EXPECT_THAT(complaint("gear_ratio: 100 ", "gear_ration: 100 "), Not(HasSubstr("dpkg-dist")));
+  std::ofstream(other) << "robot: single_leg\n";
+  EXPECT_THAT(complaint("gear_ratio: 100 ", "gear_ration: 100 "),
+              AllOf(HasSubstr("gear_ratio' is missing"),
+                    HasSubstr("diff " + (folder_ / "robot.yaml").string() + " " + other)));
 }
 
 TEST_F(ChangedRobot, HashFollowsTheFile) {

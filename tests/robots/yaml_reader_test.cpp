@@ -70,9 +70,52 @@ TEST(YamlReader, UnknownKeyIsRefusedWithTheKnownOnes) {
 }
 
 TEST(YamlReader, KeyThatStandsTwiceIsRefused) {
-  const YamlMap map = parse("a: 1\na: 2");
-  (void)map.quantity("a", "", 0, 3);
-  EXPECT_THAT(complaint([&] { map.finish(); }), HasSubstr("'a' stands twice"));
+  EXPECT_THAT(complaint([] { (void)parse("a: 1\na: 2\n"); }), HasSubstr("test.yaml:2: key 'a' stands twice"));
+}
+
+TEST(YamlReader, TheNearestKeyIsNamedBesideAllThatAreKnown) {
+  const YamlMap map = parse("stand_lenght: 0.5 m\n");
+  (void)map.has("sit_length");
+  (void)map.has("stand_length");
+  EXPECT_THAT(
+      complaint([&] { map.finish(); }),
+      HasSubstr("test.yaml:1: key 'stand_lenght' is unknown; did you mean 'stand_length'?; known here: "
+                "sit_length, stand_length"));
+}
+
+TEST(YamlReader, WhatOneEntryLacksIsNamedWithWhatTheEntryIs) {
+  const YamlMap map = parse("mirror: {leg: l, left_right: r}\nj:\n  - {name: l_hip, a: 1}\n");
+  EXPECT_THAT(complaint([&] { (void)map.list("j")[1].integer("b", 0, 9); }),
+              HasSubstr("test.yaml:3: key 'j[1].b' is missing (in r_hip, mirror image of l_hip)"));
+}
+
+TEST(YamlReader, AMistakeInWhatAllHaveInCommonIsWhereItWasTyped) {
+  const YamlMap map = parse("j:\n  - all: {a: 1 kg}\n  - {name: p}\n");
+  EXPECT_THAT(complaint([&] { (void)map.list("j")[0].quantity("a", "m", 0, 9); }),
+              HasSubstr("test.yaml:2: key 'j[0].a': wrong unit 'kg'"));
+}
+
+TEST(YamlReader, EveryValueHasAPlace) {
+  const YamlMap map = parse("robot: x\njoints:\n  - {name: hip,\n     a: 1, m: {b: [4,\n 5]}}\n");
+  EXPECT_EQ(map.place("joints[0].a"), "test.yaml:4");
+  EXPECT_EQ(map.place("joints[hip].a"), "test.yaml:4");
+  EXPECT_EQ(map.place("joints[hip].m.b[1]"), "test.yaml:5");
+  EXPECT_EQ(map.place("joints[hip].m.power"), "test.yaml:4") << "not there: its map";
+  EXPECT_EQ(map.place("nothing"), "test.yaml:1");
+}
+
+TEST(YamlReader, WhatIsNotThereIsRememberedWithWhatWasTakenInstead) {
+  const YamlMap map = parse("l: [{a: 1}]");
+  const YamlMap entry = map.list("l")[0];
+  entry.quantity_or("power", "W", 0, 9, 0.5);
+  entry.integer_or("poles", 0, 9, 7);
+  (void)entry.has("thermal");
+  entry.integer_or("a", 0, 9, 3);
+  const auto& defaults = map.questions().defaults;
+  ASSERT_EQ(defaults.size(), 1u);
+  EXPECT_THAT(defaults.at("l[0]."),
+              testing::ElementsAre(testing::Pair("poles", "7"), testing::Pair("power", "0.5 W"),
+                                   testing::Pair("thermal", "")));
 }
 
 TEST(YamlReader, NestedKeysAreNamedByTheirPath) {
@@ -122,8 +165,8 @@ TEST(YamlReader, ACopyWithAnotherNumberKeepsTheUnitAndTheOriginalStays) {
 }
 
 TEST(YamlReader, NumbersThatWereAskedForAreKnownByTheirPathsThoseThatAreNotThereToo) {
-  const YamlMap map =
-      parse("mass: 1 kg\nname: x\nlegs:\n  - {length: 0.3 m, node: 5, curve: [1, 2]}\nunread: 7");
+  const YamlMap map = parse(
+      "mass: 1 kg\nname: x\nlegs:\n  - {length: 0.3 m, node: 5, curve: [1, 2]}\nunread: 7");
   map.quantity("mass", "kg", 0, 10);
   map.text("name");
   const YamlMap leg = map.list("legs")[0];
@@ -132,9 +175,9 @@ TEST(YamlReader, NumbersThatWereAskedForAreKnownByTheirPathsThoseThatAreNotThere
   leg.quantities("curve", "", 0, 9);
   leg.quantity_or("power", "W", 0, 1, 0.0);
   leg.integer_or("poles", 0, 1, 0);
-  EXPECT_THAT(map.numbers(), testing::ElementsAre("legs[0].curve", "legs[0].length", "legs[0].node",
-                                                  "legs[0].poles", "legs[0].power", "mass"));
-  EXPECT_EQ(leg.numbers(), map.numbers());
+  EXPECT_THAT(map.questions().numbers, testing::ElementsAre("legs[0].curve", "legs[0].length", "legs[0].node",
+                                                            "legs[0].poles", "legs[0].power", "mass"));
+  EXPECT_EQ(leg.questions().numbers, map.questions().numbers);
 }
 
 }  // namespace

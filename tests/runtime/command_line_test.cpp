@@ -5,11 +5,14 @@
 
 #include <cmath>
 
+#include "runtime/command_info.h"
+
 namespace sprung {
 namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 class CommandLineTest : public ::testing::Test {
  protected:
@@ -160,6 +163,19 @@ TEST_F(CommandLineTest, AnOptionThatIsNoneIsNamedWithTheOneThatWasMeant) {
             "tool: no option '--hieght'; did you mean '--height'?\nRun 'tool --help' for what it takes.\n");
   EXPECT_EQ(run({"--something"}), kExitWrongUse);
   EXPECT_EQ(error_, "tool: no option '--something'\nRun 'tool --help' for what it takes.\n");
+}
+
+TEST_F(CommandLineTest, AnOptionThatIsGoneSaysWhatToDoInsteadAndIsNotShown) {
+  line_.gone("--colour", "everything is grey now: leave it out");
+  EXPECT_EQ(run({"--colour", "red"}), kExitWrongUse);
+  EXPECT_EQ(error_,
+            "tool: --colour: everything is grey now: leave it out\nRun 'tool --help' for what it takes.\n");
+  EXPECT_EQ(ran_, 0);
+  EXPECT_EQ(run({"--help"}), kExitDone);
+  EXPECT_THAT(out_, Not(HasSubstr("--colour")));
+  for (const OptionInfo& option : line_.info().options) EXPECT_NE(option.name, "--colour");
+  run({"--colur", "red"});
+  EXPECT_THAT(error_, Not(HasSubstr("did you mean '--colour'")));
 }
 
 TEST_F(CommandLineTest, AWordTooManyIsNamed) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/enumerators.h"
+
 namespace sprung {
 namespace {
 
@@ -12,6 +14,11 @@ ProcessOptions parsed(std::vector<const char*> words) {
   words.insert(words.begin(), "process");
   EXPECT_EQ(line.run(static_cast<int>(words.size()), words.data()), kExitDone);
   return options;
+}
+
+TEST(ProcessOptions, WordsOfTheCommandLineAreTheirOwn) {
+  test::expect_own_names<ClockMode>();
+  test::expect_own_names<RealTimePolicy>();
 }
 
 TEST(ProcessOptions, DefaultsAreTheRobotsOwnNetworkAndClock) {

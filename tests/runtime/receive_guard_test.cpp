@@ -15,6 +15,7 @@
 #include "signals/sensors.h"
 #include "signals/simulation.h"
 #include "tests/signals/message_bytes.h"
+#include "tests/support/enumerators.h"
 
 namespace sprung {
 namespace {
@@ -63,6 +64,8 @@ void expect_refused(Refusal why, const Bytes& bytes, const CountLimits& limits) 
 void expect_joint_state_refused(Refusal why, const Bytes& bytes) {
   expect_refused<sprung_msgs::joint_state_t>(why, bytes, CountLimits::exactly(2, 1));
 }
+
+TEST(Refusals, EveryOneHasItsOwnName) { test::expect_own_names<Refusal>(); }
 
 TEST(ReceiveGuard, AcceptsAGoodMessage) {
   ReceiveGuard guard("JOINT_STATE", layout_of<sprung_msgs::joint_state_t>(), CountLimits::exactly(2, 1),

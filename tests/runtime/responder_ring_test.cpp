@@ -31,8 +31,8 @@ class RingProcess {
 
   void turn(std::int64_t now_us) {
     for (;;) {
-      const auto decision =
-          responder_.decide({inputs.held(), partners.held(), inputs.take_repeated(), now_us});
+      const auto decision = responder_.decide(
+          {inputs.held(), partners.held(), inputs.take_repeated(), now_us});
       if (decision.action == ResponderAction::kWait) return;
       if (decision.action == ResponderAction::kStep) step(decision.seq);
       if (decision.action == ResponderAction::kResend) resend(decision.seq);

@@ -159,7 +159,7 @@ TEST(EventMessages, UnknownLegEventsPhasesAndGaitControlsAreRefused) {
   EXPECT_FALSE(from_message(state, signal));
   sprung_msgs::operator_command_t command{};
   OperatorCommand out;
-  command.gait_control = static_cast<std::int8_t>(GaitControl::kOwn);
+  command.gait_control = static_cast<std::int8_t>(GaitControl::kAdaptive);
   EXPECT_TRUE(from_message(command, out));
   ++command.gait_control;
   EXPECT_FALSE(from_message(command, out));

@@ -2,40 +2,32 @@
 
 #include <gtest/gtest.h>
 
-#include <set>
-#include <string>
+#include "tests/support/enumerators.h"
 
 namespace sprung {
 namespace {
 
-template <class E>
-void expect_distinct_names(E last) {
-  std::set<std::string> names;
-  for (int value = 0; value <= static_cast<int>(last); ++value) {
-    const std::string text = name(static_cast<E>(value));
-    EXPECT_TRUE(names.insert(text).second) << text;
-    EXPECT_FALSE(text.empty());
-  }
-}
-
 TEST(Modes, EveryValueHasItsOwnName) {
-  expect_distinct_names(DriveMode::kPosition);
-  expect_distinct_names(PowerState::kFault);
-  expect_distinct_names(SafetyLevel::kDisabled);
-  expect_distinct_names(SafetyCause::kDuplicateNode);
-  expect_distinct_names(JointStatus::kFault);
-  expect_distinct_names(ControlMode::kJoint);
-  expect_distinct_names(LegPhase::kStance);
-  expect_distinct_names(MotionPhase::kFallen);
-  expect_distinct_names(LegEvent::kStumble);
-  expect_distinct_names(GaitControl::kOwn);
-  expect_distinct_names(JumpMode::kOwn);
-  expect_distinct_names(OperatorKind::kWalk);
-  expect_distinct_names(OperatorOutcome::kQueued);
-  expect_distinct_names(ProcessState::kStopping);
-  expect_distinct_names(FaultKind::kQueueFull);
-  expect_distinct_names(BusCondition::kOff);
-  expect_distinct_names(ReferenceSource::kJig);
+  test::expect_own_names<DriveMode>();
+  test::expect_own_names<PowerState>();
+  test::expect_own_names<SafetyLevel>();
+  test::expect_own_names<SafetyCause>();
+  test::expect_own_names<JointStatus>();
+  test::expect_own_names<ControlMode>();
+  test::expect_own_names<LegPhase>();
+  test::expect_own_names<MotionPhase>();
+  test::expect_own_names<LegEvent>();
+  test::expect_own_names<GaitControl>();
+  test::expect_own_names<JumpMode>();
+  test::expect_own_names<OperatorKind>();
+  test::expect_own_names<OperatorOutcome>();
+  test::expect_own_names<ProcessState>();
+  test::expect_own_names<ImuStatus>();
+  test::expect_own_names<SimControlKind>();
+  test::expect_own_names<FaultKind>();
+  test::expect_own_names<BusCondition>();
+  test::expect_own_names<ReferenceSource>();
+  test::expect_own_names<LogEndReason>();
 }
 
 TEST(Modes, EveryLegEventHasItsCounter) {
@@ -49,7 +41,7 @@ TEST(Modes, WalkingsValuesOnTheWireStayWhatTheyAre) {
   EXPECT_EQ(static_cast<int>(MotionPhase::kFallen), 12);
   EXPECT_EQ(static_cast<int>(OperatorKind::kWalk), 11);
   EXPECT_EQ(static_cast<int>(GaitControl::kForce), 0);
-  EXPECT_EQ(static_cast<int>(GaitControl::kOwn), 3);
+  EXPECT_EQ(static_cast<int>(GaitControl::kAdaptive), 3);
 }
 
 TEST(Modes, ValueOffTheWireThatIsUnknownStillHasAName) {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kCoreJumpCountsPerRad = 131072.0 * 100.0 / 6.283185307179586;
 
-/// Both drives in position mode with the foot `length_m` under the hip: facts (11), (12), knee behind.
+/// Both drives in position mode with the foot `length_m` under the hip: S0 (11), (12), knee behind.
 void hold_length(SimMaster& master, double length_m) {
   constexpr double kThigh_m = 0.260;
   constexpr double kShank_m = 0.422;
@@ -72,7 +72,7 @@ TEST(SimCoreJump, PlantJ3JumpsAsInTheTrials) {
   for (int i = 0; i < 500; ++i) hold_length(master, 0.350);
   const Jump result = jump(master);
   EXPECT_FALSE(master.sim.failed());
-  EXPECT_NEAR(result.height_m, 0.187, 0.0187);  // facts physics, single leg: 186.9 mm, 552.8 ms
+  EXPECT_NEAR(result.height_m, 0.187, 0.0187);  // facts physics 12: 186.9 mm, 552.8 ms
   EXPECT_NEAR(result.touchdown_ms, 553, 10);
   EXPECT_NEAR(result.hip_output_Nm, 24.0, 4.0);  // errata E8
   EXPECT_NEAR(result.knee_output_Nm, 33.0, 4.0);

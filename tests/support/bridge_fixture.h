@@ -23,8 +23,9 @@ class PoweredBridge : public ::testing::Test {
   int powered() const {
     int count = 0;
     for (const auto& drive : bench_.drives) {
-      count +=
-          drive.power == PowerState::kOperationEnabled || drive.power == PowerState::kQuickStopActive ? 1 : 0;
+      count += drive.power == PowerState::kOperationEnabled || drive.power == PowerState::kQuickStopActive
+                   ? 1
+                   : 0;
     }
     return count;
   }

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "robots/robot_loader.h"
+#include "robots/yaml_text.h"
 #include "tests/support/paths.h"
 
 namespace sprung::test {
@@ -18,6 +19,12 @@ namespace sprung::test {
 inline std::string shipped_yaml(const std::string& robot) {
   std::ifstream in(test::source_dir() + "/robots/" + robot + "/robot.yaml");
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+/// The same with everything typed out that it says by `all`, `like` and `mirror`.
+/// @param file robot.yaml or sim.yaml.
+inline std::string typed_out_yaml(const std::string& robot, const std::string& file = "robot.yaml") {
+  return yaml_text(YamlMap::load(test::source_dir() + "/robots/" + robot + "/" + file).tree());
 }
 
 /// The first `from` becomes `to`; that there is one is expected.
@@ -44,9 +51,9 @@ inline std::string without_feet(const std::string& yaml) {
   for (std::string line; std::getline(in, line);) {
     if (!line.empty() && line[0] >= 'a' && line[0] <= 'z') section = line.substr(0, line.find(':'));
     if (section == "body" || section == "gaits" || section == "presets") continue;
-    const bool of_feet =
-        section == "legs" && (line.find("    side:") == 0 || line.find("    links:") == 0 ||
-                              line.find("      - {length:") == 0 || line.find("    contact:") == 0);
+    const bool of_feet = section == "legs" &&
+                         (line.find("    side:") == 0 || line.find("    links:") == 0 ||
+                          line.find("      - {length:") == 0 || line.find("    contact:") == 0);
     if (of_feet) continue;
     const std::size_t at = section == "legs" ? line.find("kinematics:") : std::string::npos;
     out += (at == std::string::npos ? line : line.substr(0, at) + "kinematics: none") + "\n";

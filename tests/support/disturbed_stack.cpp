@@ -172,8 +172,8 @@ void DisturbedStack::note_drives() {
   for (std::size_t i = 0; i < robot_.actuators.size(); ++i) {
     const ActuatorConfig& actuator = robot_.actuators[i];
     const ActuatorCommand& told = drive_command_.actuators[i];
-    const double given_Nm =
-        drive_state_.actuators[i].measured_current_A * actuator.gear_ratio * actuator.torque_constant_Nm_A;
+    const double given_Nm = drive_state_.actuators[i].measured_current_A * actuator.gear_ratio *
+                            actuator.torque_constant_Nm_A;
     const bool weak = told.mode == DriveMode::kTorque &&
                       std::abs(told.commanded_torque_Nm) - std::abs(given_Nm) > kShort_Nm;
     weak_cycles_[i] = weak ? weak_cycles_[i] + 1 : 0;

@@ -51,15 +51,15 @@ inline std::string with_value(const std::string& yaml, const std::string& path, 
   const std::size_t dot = path.rfind('.');
   const YAML::Node parent = node_at(root, path.substr(0, dot));
   const YAML::Mark first = parent.begin()->first.Mark();
-  const std::string line =
-      "\n" + std::string(static_cast<std::size_t>(first.column), ' ') + path.substr(dot + 1) + ": " + value;
+  const std::string line = "\n" + std::string(static_cast<std::size_t>(first.column), ' ') +
+                           path.substr(dot + 1) + ": " + value;
   return std::string(yaml).insert(yaml.find('\n', static_cast<std::size_t>(first.pos)), line);
 }
 
 /// Its folder, with the shipped plant; gone at the end.
 class MutatedRobot {
  public:
-  explicit MutatedRobot(const std::string& robot) : robot_(robot) {
+  explicit MutatedRobot(const std::string& robot) : yaml_(typed_out_yaml(robot)) {
     std::string pattern = (std::filesystem::temp_directory_path() / "sprung_mutant_XXXXXX").string();
     folder_ = mkdtemp(pattern.data());
     for (const char* file : {"sim.yaml", "model.xml"})
@@ -70,12 +70,12 @@ class MutatedRobot {
   MutatedRobot& operator=(const MutatedRobot&) = delete;
 
   RobotConfig with(const std::string& path, const std::string& value) const {
-    std::ofstream(folder_ / "robot.yaml") << with_value(shipped_yaml(robot_), path, value);
+    std::ofstream(folder_ / "robot.yaml") << with_value(yaml_, path, value);
     return load_robot(folder_.string());
   }
 
  private:
-  std::string robot_;
+  std::string yaml_;  ///< the shipped one, typed out
   std::filesystem::path folder_;
 };
 

@@ -16,8 +16,8 @@ class ExperimentDrop : public SystemTest {};
 
 TEST_F(ExperimentDrop, WritesPageAndRowsAndEndsAsItsRowsDo) {
   const std::string out = (folder_ / "out").string();
-  const CommandResult result =
-      sprung("experiment drop --seed 4 --seeds 1 --json --out " + out + " 2>/dev/null");
+  const CommandResult result = sprung("experiment drop --seed 4 --seeds 1 --json --out " + out +
+                                      " 2>/dev/null");
   const nlohmann::json printed = nlohmann::json::parse(result.output);
   EXPECT_EQ(printed, nlohmann::json::parse(std::ifstream(out + "/drop.json")));
   bool all_ok = true;

@@ -17,8 +17,8 @@ class ExperimentLeg : public SystemTest {};
 
 TEST_F(ExperimentLeg, StepResponseWritesPageAndRowsAndTheLineThatMakesThemAgain) {
   const std::string out = (folder_ / "out").string();
-  const CommandResult result =
-      sprung("experiment step_response --seed 3 --plant noise_scale=2 --json --out " + out + " 2>/dev/null");
+  const CommandResult result = sprung(
+      "experiment step_response --seed 3 --plant noise_scale=2 --json --out " + out + " 2>/dev/null");
   EXPECT_EQ(result.status, 0) << result.output;
   const nlohmann::json printed = nlohmann::json::parse(result.output);
   const nlohmann::json written = nlohmann::json::parse(std::ifstream(out + "/step_response.json"));

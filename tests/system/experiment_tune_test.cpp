@@ -35,9 +35,9 @@ TEST_F(ExperimentTune, WritesPageRowsAndFragmentWithTheLineThatMakesThemAgain) {
   EXPECT_EQ(printed["seed"], 1);
   EXPECT_GT(printed["simulated_s"], 5 * 2.0);  // three sets on a plant to tune on, two on one to report on
   const std::string line =
-      "sprung experiment tune --robot single_leg --preset best --mode hybrid --vary "
+      "sprung experiment tune --robot single_leg --preset best --seed 1 --mode hybrid --vary "
       "hybrid_landing.stiffness.z=400:3000 --samples 2 --rounds 0 --plants 1 --objective landing_output "
-      "--tune-seed 0 --seed 1";
+      "--tune-seed 0";
   EXPECT_THAT(text("tune.html"), HasSubstr(line));
   EXPECT_THAT(text("tune.yaml"), AllOf(HasSubstr(line), HasSubstr("hybrid_landing:"), HasSubstr(" N/m")));
 }

@@ -32,8 +32,8 @@ class Identify : public SystemTest {
 /// A quarter of the shipped procedure's time: short passes and pauses.
 TEST_F(Identify, RecordingOfTheRunningLegGivesTheArmatureOfItsPlant) {
   up("lockstep", "--plant armature_scale=1.2 --seed 4");
-  const CommandResult record =
-      sprung(record_command() + " --longest-pass 0.5 --pause 0.05 --range 1rad:2rad");
+  const CommandResult record = sprung(record_command() +
+                                      " --longest-pass 0.5 --pause 0.05 --range 1rad:2rad");
   ASSERT_EQ(record.status, 0) << record.output;
   EXPECT_THAT(record.output, HasSubstr("constant speeds\nswings\nreturn\n"));
   EXPECT_EQ(motion(), "idle");  // it was let go

@@ -56,8 +56,8 @@ class Witness {
     }
   }
   template <class Condition>
-  bool until(Condition condition, double patience_s = 60.0) {
-    const auto end = Clock::now() + std::chrono::duration<double>(patience_s);
+  bool until(Condition condition, double timeout_s = 60.0) {
+    const auto end = Clock::now() + std::chrono::duration<double>(timeout_s);
     while (!condition()) {
       if (Clock::now() > end) return false;
       look();

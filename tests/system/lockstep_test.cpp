@@ -95,7 +95,7 @@ TEST_F(Lockstep, SeparateProcessesGiveTheBitsOfOneProcess) {
 }
 
 /// The hand is a SIM_CONTROL, which nobody acknowledges.
-TEST_F(Lockstep, CompliantLegThatAHandPullsGivesTheSameBitsToo) {
+TEST_F(Lockstep, CompliantLegThatAFootPullsGivesTheSameBitsToo) {
   RunScript run{robot_, "best", SimOptions{3, {{"suspended", 1.5}}, true}, {}, 3000};
   run.commands.push_back(scripted(OperatorKind::kStand, 100));
   run.commands.push_back(scripted(OperatorKind::kComply, 2000));

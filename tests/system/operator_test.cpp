@@ -226,7 +226,7 @@ TEST_F(Operator, DeathOfTheLauncherEndsEveryProcess) {
   up("lockstep", "--speed 2");
   up_process().signal(SIGKILL);
   wait_for_up();
-  EXPECT_TRUE(all_end(kPatience_s));  // a bridge brings its drives to rest first
+  EXPECT_TRUE(all_end(kTimeout_s));  // a bridge brings its drives to rest first
 }
 
 }  // namespace

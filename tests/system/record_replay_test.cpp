@@ -53,7 +53,7 @@ class RecordReplay : public SystemTest {
     Node node(NodeOptions{lcm_url(), 0, 0, {}});
     node.subscribe_message(channels::kProcessStatus, CountLimits::none(), statuses);
     const Receiving receiving(node);
-    for (const std::int64_t end_us = node.utime_us() + std::llround(1e6 * kPatience_s);
+    for (const std::int64_t end_us = node.utime_us() + std::llround(1e6 * kTimeout_s);
          node.utime_us() < end_us;) {
       node.wait_for_input(node.utime_us() + 50'000);
       while (const auto status = statuses.pop()) {
@@ -124,9 +124,9 @@ TEST_F(RecordReplay, JumpOfSeparateProcessesInLockStepIsReproducedBitForBit) {
   EXPECT_EQ(same.status, 0);
   EXPECT_THAT(same.output, HasSubstr("\nidentical\n"));
   const std::string page = (folder_ / "difference.html").string();
-  const CommandResult changed =
-      sprung("replay " + log() + " --into estimator,planner,controller --html " + page + " --robot " +
-             replace_in_robot("friction_compensation: 0.9", "friction_compensation: 0.8"));
+  const CommandResult changed = sprung(
+      "replay " + log() + " --into estimator,planner,controller --html " + page + " --robot " +
+      replace_in_robot("friction_compensation: 0.9", "friction_compensation: 0.8"));
   EXPECT_EQ(changed.status, 1);
   EXPECT_THAT(changed.output, HasSubstr("first difference: LEG_COMMAND cycle"));
   EXPECT_THAT(changed.output, HasSubstr("legs[0].friction_compensation 0.9"));
@@ -181,7 +181,7 @@ TEST_F(RecordReplay, LcmsOwnPlayerAndLoggerReadAndWriteTheSameFiles) {
     ASSERT_TRUE(grows(theirs, 0)) << "it hears its own network's PROCESS_STATUS";
     ChildProcess player(system_program("lcm-logplayer", "liblcm-bin"), {"--lcm-url=" + lcm_url(), log()},
                         Output::kCaptured);
-    ASSERT_TRUE(player.wait(kPatience_s));
+    ASSERT_TRUE(player.wait(kTimeout_s));
     EXPECT_EQ(player.ended(), 0);
     usleep(200'000);
     recorder.stop(5.0);
@@ -217,7 +217,7 @@ TEST_F(RecordReplay, RecorderIsTheLastToStopAlsoWhenTheLauncherDies) {
   ASSERT_EQ(sprung("stand").status, 0);
   up_process().signal(SIGKILL);
   wait_for_up();
-  ASSERT_TRUE(all_end(kPatience_s));
+  ASSERT_TRUE(all_end(kTimeout_s));
   const std::vector<Event> events = read_by_lcm(log());
   ASSERT_FALSE(events.empty());
   EXPECT_EQ(events.back().channel, channels::kLogEnd);
@@ -245,7 +245,7 @@ TEST_F(RecordReplay, SplitRecordingIsReplayedPartByPart) {
   ChildProcess record(test::bin_dir() + "/sprung", {"record", file, "--split-mb", "1"}, Output::kCaptured);
   EXPECT_TRUE(grows(folder_ / "split-001.lcm", 100'000));
   record.signal(SIGINT);
-  ASSERT_TRUE(record.wait(kPatience_s));
+  ASSERT_TRUE(record.wait(kTimeout_s));
   EXPECT_EQ(record.ended(), 0);
   EXPECT_THAT(record.output(), HasSubstr("0 cycles missing"));
   for (const char* part : {"split-000.lcm", "split-001.lcm"}) {

@@ -57,7 +57,7 @@ TEST_F(SeparateExperiments, StepResponseGivesTheSameBits) {
 }
 
 TEST_F(SeparateExperiments, DropGivesTheSameBits) {
-  const RunScript script = drop_script(robot_, "best", sim(), {JumpMode::kOwn, 0.3, 0.004});
+  const RunScript script = drop_script(robot_, "best", sim(), {JumpMode::kAdaptive, 0.3, 0.004});
   const DropResult one = run_drop(script, script_runner(false));
   ASSERT_GT(one.touchdown_speed_m_s, 0.0);
   const DropResult many = run_drop(script, script_runner(true));

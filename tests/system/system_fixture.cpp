@@ -46,7 +46,7 @@ void SystemTest::SetUp() {
 
 void SystemTest::TearDown() {
   if (up_) {
-    up_->stop(kPatience_s);
+    up_->stop(kTimeout_s);
   }
   for (const RunningProcess& process : started_) {
     EXPECT_FALSE(runs(process.pid)) << process.program << " was left behind";
@@ -77,11 +77,12 @@ std::string SystemTest::can_options() const {
 std::string SystemTest::said() const { return read_all(folder_ / "up.txt"); }
 
 void SystemTest::up(const std::string& clock, const std::string& more) {
-  const std::string command =
-      "exec " + test::bin_dir() + "/sprung up " + (typed_robot_.empty() ? robot_.name : typed_robot_) +
-      " --sim --clock " + clock + (log_folder_.empty() ? " --no-record" : " --log " + log_folder_.string()) +
-      " --lcm-url '" + lcm_url_ + "'" + can_options() + " " + more + " > " + (folder_ / "up.txt").string() +
-      " 2>&1";
+  const std::string command = "exec " + test::bin_dir() + "/sprung up " +
+                              (typed_robot_.empty() ? robot_.name : typed_robot_) + " --sim --clock " +
+                              clock +
+                              (log_folder_.empty() ? " --no-record" : " --log " + log_folder_.string()) +
+                              " --lcm-url '" + lcm_url_ + "'" + can_options() + " " + more + " > " +
+                              (folder_ / "up.txt").string() + " 2>&1";
   up_ = std::make_unique<ChildProcess>("/bin/sh", std::vector<std::string>{"-c", command});
   while (read_all(folder_ / "up.txt").find("is up") == std::string::npos) {
     if (up_->ended()) {
@@ -92,8 +93,8 @@ void SystemTest::up(const std::string& clock, const std::string& more) {
   started_ = info().processes;
 }
 
-int SystemTest::wait_for_up(double patience_s) {
-  const auto end = Clock::now() + std::chrono::duration<double>(patience_s);
+int SystemTest::wait_for_up(double timeout_s) {
+  const auto end = Clock::now() + std::chrono::duration<double>(timeout_s);
   while (!up_->ended()) {
     if (Clock::now() > end) {
       ADD_FAILURE() << "sprung up did not end";
@@ -104,8 +105,8 @@ int SystemTest::wait_for_up(double patience_s) {
   return *up_->ended();
 }
 
-bool SystemTest::all_end(double patience_s) const {
-  const auto end = Clock::now() + std::chrono::duration<double>(patience_s);
+bool SystemTest::all_end(double timeout_s) const {
+  const auto end = Clock::now() + std::chrono::duration<double>(timeout_s);
   const auto any_runs = [&] {
     return std::any_of(started_.begin(), started_.end(),
                        [](const RunningProcess& process) { return runs(process.pid); });
@@ -119,7 +120,7 @@ bool SystemTest::all_end(double patience_s) const {
 RunInfo SystemTest::info() const { return require_running("default", robot_.name); }
 
 bool SystemTest::grows(const std::filesystem::path& file, std::uintmax_t bytes) {
-  const auto end = Clock::now() + std::chrono::duration<double>(kPatience_s);
+  const auto end = Clock::now() + std::chrono::duration<double>(kTimeout_s);
   std::error_code not_there_yet;
   const auto long_enough = [&] {
     const std::uintmax_t size = std::filesystem::file_size(file, not_there_yet);

@@ -24,7 +24,7 @@ struct CommandResult {
 class SystemTest : public testing::Test {
  protected:
   /// Nothing takes so long; what waits for it ends at once when it has come.
-  static constexpr double kPatience_s = 60.0;
+  static constexpr double kTimeout_s = 60.0;
 
   void SetUp() override;
   void TearDown() override;  ///< ends what still runs; fails when a process was left behind
@@ -34,11 +34,11 @@ class SystemTest : public testing::Test {
   /// `sprung up ROBOT --sim ...` of robot_ in the background, until the robot is up.
   void up(const std::string& clock, const std::string& more = "");
   /// Waits for `sprung up` to end by itself or after a signal.
-  int wait_for_up(double patience_s = kPatience_s);
+  int wait_for_up(double timeout_s = kTimeout_s);
   ChildProcess& up_process() { return *up_; }
 
   /// Whether every process of the run is gone within that time.
-  bool all_end(double patience_s) const;
+  bool all_end(double timeout_s) const;
 
   RunInfo info() const;
   void kill_program(const std::string& program) const;

@@ -21,8 +21,8 @@ namespace sprung {
 class Up : public SystemTest {
  protected:
   template <class Condition>
-  static bool within(double patience_s, Condition condition) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(patience_s);
+  static bool within(double timeout_s, Condition condition) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(timeout_s);
     while (!condition()) {
       if (std::chrono::steady_clock::now() > end) return false;
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
@@ -36,14 +36,14 @@ class Up : public SystemTest {
     return 0;
   }
   bool comes_back(const std::string& program, std::int64_t old_pid) const {
-    return within(kPatience_s, [&] { return pid_of(program) != old_pid; });
+    return within(kTimeout_s, [&] { return pid_of(program) != old_pid; });
   }
   static std::string read_all(const std::filesystem::path& path) {
     std::ifstream in(path);
     return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
   }
-  bool says(const std::string& what, double patience_s = kPatience_s) const {
-    return within(patience_s, [&] { return said().find(what) != std::string::npos; });
+  bool says(const std::string& what, double timeout_s = kTimeout_s) const {
+    return within(timeout_s, [&] { return said().find(what) != std::string::npos; });
   }
   void signal_program(const std::string& program, int number) const {
     kill(static_cast<pid_t>(pid_of(program)), number);

@@ -108,17 +108,17 @@ TEST_F(UpOnTwoHosts, EachStartsItsOwnAndTheSecondEndsWithTheFirst) {
   start_trunk();
   up("lockstep", "--speed 2");
   EXPECT_EQ(pid_of("sprung-motion-planner"), 0) << "the planner is the other host's";
-  EXPECT_TRUE(within(kPatience_s, [&] {
+  EXPECT_TRUE(within(kTimeout_s, [&] {
     return trunk_said().find("is up: 1 processes") != std::string::npos;
   })) << trunk_said();
   const CommandResult stand = sprung("stand");
   EXPECT_EQ(stand.status, 0) << stand.output;
   EXPECT_EQ(sprung("down").status, 0);
-  EXPECT_TRUE(trunk_->wait(kPatience_s)) << "it goes on without its lead";
+  EXPECT_TRUE(trunk_->wait(kTimeout_s)) << "it goes on without its lead";
 }
 
 TEST_F(UpOnTwoHosts, HostThatIsMissingIsNamedWithWhatToTypeThere) {
-  EXPECT_THAT([&] { up("lockstep", "--patience 5"); },
+  EXPECT_THAT([&] { up("lockstep", "--timeout 5"); },
               testing::ThrowsMessage<std::runtime_error>(
                   AllOf(HasSubstr("sprung-motion-planner is not ready"),
                         HasSubstr("sprung up single_leg --host trunk"), HasSubstr("ttl"))));
@@ -126,9 +126,9 @@ TEST_F(UpOnTwoHosts, HostThatIsMissingIsNamedWithWhatToTypeThere) {
 
 TEST_F(UpOnTwoHosts, AnotherRobotFileOnTheSecondHostIsRefusedAndNamed) {
   start_trunk("--preset paper");
-  EXPECT_THAT([&] { up("lockstep", "--patience 3"); },
+  EXPECT_THAT([&] { up("lockstep", "--timeout 3"); },
               testing::ThrowsMessage<std::runtime_error>(HasSubstr("sprung-motion-planner")));
-  EXPECT_TRUE(trunk_->wait(kPatience_s));
+  EXPECT_TRUE(trunk_->wait(kTimeout_s));
   EXPECT_THAT(trunk_said(), HasSubstr("another configuration"));
 }
 

@@ -64,7 +64,7 @@ TEST_F(Up, LogIsSplitAsAskedAndTheFirstPartIsNamed) {
   up("lockstep", "--speed 1 --split-mb 0.3 --channels 'JOINT_STATE|PROCESS_STATUS|MOTION_STATE'");
   const std::string first = info().log;
   EXPECT_THAT(first, testing::EndsWith("-000.lcm"));
-  EXPECT_TRUE(within(kPatience_s, [&] { return logs() >= 3; }));
+  EXPECT_TRUE(within(kTimeout_s, [&] { return logs() >= 3; }));
   EXPECT_EQ(sprung("down").status, 0);
   EXPECT_EQ(wait_for_up(), 0);
   EXPECT_THAT(said(), HasSubstr("log: " + first));

@@ -32,9 +32,10 @@ class UpScreen : public SystemTest {
 };
 
 TEST_F(UpScreen, ShowsEveryProcessAndGivesTheTerminalBack) {
-  const std::string command =
-      test::bin_dir() + "/sprung up single_leg --sim --clock lockstep --speed 1 --no-record --lcm-url '" +
-      lcm_url() + "' --can leg=udp:239.74.163.2:" + std::to_string(own_port());
+  const std::string
+      command = test::bin_dir() +
+                "/sprung up single_leg --sim --clock lockstep --speed 1 --no-record --lcm-url '" + lcm_url() +
+                "' --can leg=udp:239.74.163.2:" + std::to_string(own_port());
   ChildProcess script("/usr/bin/env",
                       {"TERM=xterm", "script", "-qfec", "stty cols 140 rows 30; " + command,
                        (folder_ / "terminal.txt").string()},
@@ -44,7 +45,7 @@ TEST_F(UpScreen, ShowsEveryProcessAndGivesTheTerminalBack) {
                            "sprung-sim-drives", "safety  operational", "ready in", "Ctrl-C ends it"})
     EXPECT_TRUE(shows(part)) << part;
   EXPECT_EQ(sprung("down").status, 0);
-  EXPECT_TRUE(script.wait(kPatience_s));
+  EXPECT_TRUE(script.wait(kTimeout_s));
   EXPECT_THAT(shown(), HasSubstr("\x1b[?1049l"));
   EXPECT_EQ(script.ended(), 0);
   if (!script.ended()) script.stop(5.0);

@@ -61,26 +61,26 @@ TEST_F(Up, NothingStartsBesideABridgeWhoseLauncherWasKilled) {
   up("lockstep", "--speed 1");
   const auto bridge = static_cast<pid_t>(pid_of("sprung-can-bridge"));
   kill(bridge, SIGSTOP);
-  ASSERT_TRUE(within(kPatience_s, [&] { return is_stopped(bridge); }));
+  ASSERT_TRUE(within(kTimeout_s, [&] { return is_stopped(bridge); }));
   up_process().signal(SIGKILL);
   EXPECT_EQ(wait_for_up(), 128 + SIGKILL);
   const std::string again = "up single_leg --sim --no-record --cycles 10 --clock lockstep --lcm-url '" +
                             lcm_url() + "' --can leg=" + can_address();
   const std::string number = std::to_string(bridge);
   for (int tries = 0; tries < 2; ++tries) {  // who is refused tries again
-    const CommandResult refused = sprung(again + " --patience 0.5");
+    const CommandResult refused = sprung(again + " --timeout 0.5");
     EXPECT_EQ(refused.status, 1);
     EXPECT_THAT(refused.output, AllOf(HasSubstr("sprung-can-bridge (process " + number), HasSubstr("kill -9"),
                                       ContainsRegex("kill -9[0-9 ]* " + number)));
   }
   kill(bridge, SIGKILL);
-  EXPECT_TRUE(all_end(kPatience_s));
+  EXPECT_TRUE(all_end(kTimeout_s));
   const CommandResult next = sprung(again);
   EXPECT_EQ(next.status, 0) << next.output;
 }
 
 TEST_F(Up, WhereNoDriveAnswersSimulatedOnesAreNamed) {
-  const CommandResult result = sprung("up single_leg --no-record --patience 5 --lcm-url '" + lcm_url() +
+  const CommandResult result = sprung("up single_leg --no-record --timeout 5 --lcm-url '" + lcm_url() +
                                       "' --can leg=" + can_address());
   EXPECT_EQ(result.status, 1);
   EXPECT_THAT(result.output, AllOf(HasSubstr("sprung-can-bridge is not running after 5 s"),
@@ -101,7 +101,7 @@ TEST_F(Up, LauncherThatWasStoppedForAWhileDoesNotTakeTheOthersForSilent) {
 /// The bridge brings its drives to rest in half a second of the robot's time, which is some ten of ours here.
 /// A busy machine is as slow.
 TEST_F(Up, SlowLockStepIsStoppedInOrderToo) {
-  up("lockstep", "--speed 0.05 --patience 60");
+  up("lockstep", "--speed 0.05 --timeout 60");
   EXPECT_EQ(sprung("down").status, 0);
   EXPECT_EQ(wait_for_up(), 0) << said();
 }
@@ -152,7 +152,7 @@ TEST_F(Up, RealTimeControllerComesBackWithoutTorqueAndStandsAgainOnlyWhenAsked) 
   const std::int64_t old_pid = pid_of("sprung-leg-controller");
   kill_program("sprung-leg-controller");
   ASSERT_TRUE(comes_back("sprung-leg-controller", old_pid)) << said();
-  EXPECT_TRUE(within(kPatience_s, [&] { return said().find("torque stays off") != std::string::npos; }))
+  EXPECT_TRUE(within(kTimeout_s, [&] { return said().find("torque stays off") != std::string::npos; }))
       << said();
   EXPECT_THAT(said(), HasSubstr("sprung-leg-controller was started again (1 of at most 3 times)"));
   EXPECT_NE(sprung("stand").status, 0) << "the cause is latched";
@@ -173,9 +173,8 @@ TEST_F(Up, RealTimeProcessThatStayedDeadUntilTheEndIsAFailure) {
 TEST_F(Up, NothingComesBackInLockStep) {
   up("lockstep", "--speed 1");
   kill_program("sprung-motion-planner");
-  EXPECT_TRUE(within(kPatience_s, [&] {
-    return said().find("It is not started again") != std::string::npos;
-  })) << said();
+  EXPECT_TRUE(within(kTimeout_s, [&] { return said().find("It is not started again") != std::string::npos; }))
+      << said();
   EXPECT_THAT(said(), HasSubstr("sprung-motion-planner ended (Killed)"));
   EXPECT_EQ(sprung("down").status, 0);
   EXPECT_EQ(wait_for_up(), 1) << "a process died: the run has failed";
@@ -223,7 +222,7 @@ TEST_F(Up, SystemdHearsReadyAliveAndStopping) {
   up("lockstep", "--speed 1");
   std::string heard;
   const auto listen = [&](const char* what) {
-    return within(kPatience_s, [&] {
+    return within(kTimeout_s, [&] {
       std::array<char, 256> text{};
       while (recv(fd, text.data(), text.size() - 1, 0) > 0) {
         heard += std::string(text.data()) + ";";

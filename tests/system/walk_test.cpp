@@ -135,7 +135,7 @@ TEST_F(Walk, SidewaysAtAnotherHeightAndWidth) {
 
 TEST_F(Walk, LegsAreControlledAsAskedAlsoAsItGoes) {
   stand_up();
-  for (const char* control : {"hybrid", "force", "own"}) {
+  for (const char* control : {"hybrid", "force", "adaptive"}) {
     obeys(std::string("walk --gait trot --speed 0.1 --control ") + control);
     const auto begin = truth_in(0.5);
     const auto end = truth_in(1.5);

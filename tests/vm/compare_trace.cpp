@@ -1,6 +1,5 @@
 /// Does a wire-tap see what the bridge says that it sent and received? Compares CAN_TRACE in an LCM log with
-/// what candump recorded
-/// (`candump -L`) of the same buses; prints the lines that tests/vm/run counts.
+/// what candump recorded (`candump -L`) of the same buses; prints the lines that tests/vm/run counts.
 ///   vm-compare-trace LOG.lcm CANDUMP.log INTERFACE...      interfaces in the order of robot.yaml's buses
 #include <algorithm>
 #include <cstdio>

@@ -16,8 +16,8 @@ class FrameSource {
   FrameSource(const FrameSource&) = delete;
   FrameSource& operator=(const FrameSource&) = delete;
 
-  /// Never waits longer than `patience_ms`; files do not wait at all.
-  virtual Read next(cantools::ObservedFrame& frame, int patience_ms) = 0;
+  /// Never waits longer than `timeout_ms`; files do not wait at all.
+  virtual Read next(cantools::ObservedFrame& frame, int timeout_ms) = 0;
   /// By the frame's `bus`; may grow while a file is read.
   const std::vector<std::string>& buses() const noexcept { return buses_; }
   /// To add to a frame's time for UTC; 0 where the source's times are UTC, or nobody knows.

@@ -67,9 +67,9 @@ class LiveSource final : public FrameSource {
     utc_offset_us_ = utc_us() - monotonic_us();  // arrivals are on the monotonic clock
   }
 
-  Read next(ObservedFrame& frame, int patience_ms) override {
+  Read next(ObservedFrame& frame, int timeout_ms) override {
     if (ready_.empty()) {
-      wait(patience_ms);
+      wait(timeout_ms);
       for (std::size_t i = 0; i < listeners_.size(); ++i) listeners_[i]->read(static_cast<int>(i), ready_);
     }
     if (ready_.empty()) return Read::kNothingYet;
@@ -92,14 +92,14 @@ class LiveSource final : public FrameSource {
   }
 
  private:
-  void wait(int patience_ms) {
+  void wait(int timeout_ms) {
     std::vector<pollfd> waits;
     bool all = true;
     for (const auto& listener : listeners_) {
       if (listener->bus().fd() < 0) all = false;
       waits.push_back({listener->bus().fd(), POLLIN, 0});
     }
-    poll(waits.data(), waits.size(), all ? patience_ms : std::min(patience_ms, kNoDescriptor_ms));
+    poll(waits.data(), waits.size(), all ? timeout_ms : std::min(timeout_ms, kNoDescriptor_ms));
   }
 
   std::vector<std::unique_ptr<Listener>> listeners_;

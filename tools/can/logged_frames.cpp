@@ -160,9 +160,9 @@ LogOrigin log_origin(const std::string& path) {
                      CountLimits::none(), 0);
   sprung_msgs::process_status_t status;
   while (const lcm::LogEvent* event = log.readNextEvent()) {
-    const bool says =
-        event->channel == channels::kProcessStatus &&
-        guard.decode(event->data, static_cast<std::size_t>(event->datalen), status) == Refusal::kNone;
+    const bool says = event->channel == channels::kProcessStatus &&
+                      guard.decode(event->data, static_cast<std::size_t>(event->datalen), status) ==
+                          Refusal::kNone;
     if (says && !status.robot.empty()) return {status.robot, status.utc_offset_us};
   }
   return {};

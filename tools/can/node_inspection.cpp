@@ -16,8 +16,8 @@ using canopen::ObjectId;
 
 namespace {
 
-constexpr double kMaster_s =
-    0.2;  // SYNC comes every few ms, heartbeats of masters at least ten times a second
+/// SYNC comes every few ms, heartbeats of masters at least ten times a second.
+constexpr double kMaster_s = 0.2;
 constexpr double kHeartbeat_s = 0.25;  // producers are set to 5-100 ms
 constexpr double kGuard_s = 0.05;
 constexpr int kProbesAtOnce = 8;  // an interface's queue holds 10 frames by default (facts canopen 5)
@@ -88,8 +88,8 @@ void add_supply(std::vector<ReportLine>& report, SdoSession& session, const cant
 bool bridge_drives(CanBus& bus) {
   bool heard = false;
   listen(bus, kMaster_s, [&heard](const CanFrame& frame) {
-    const bool master =
-        frame.id == canopen::kSyncId || frame.id == canopen::heartbeat_id(canopen::kBridgeNode);
+    const bool master = frame.id == canopen::kSyncId ||
+                        frame.id == canopen::heartbeat_id(canopen::kBridgeNode);
     heard = heard || (!frame.error && !frame.remote && master);
     return !heard;
   });

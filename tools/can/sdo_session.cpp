@@ -72,8 +72,8 @@ SdoAnswer SdoSession::run() {
     });
   }
   SdoAnswer answer;
-  answer.status =
-      client_.status() == canopen::SdoStatus::kBusy ? canopen::SdoStatus::kTimeout : client_.status();
+  answer.status = client_.status() == canopen::SdoStatus::kBusy ? canopen::SdoStatus::kTimeout
+                                                                : client_.status();
   if (answer.done()) answer.bytes.assign(client_.data(), client_.data() + client_.size());
   if (answer.status == canopen::SdoStatus::kAborted) answer.abort_code = client_.abort_code();
   client_.finish();
@@ -102,10 +102,10 @@ void SdoSession::must_write(canopen::ObjectId object, const std::vector<std::uin
 }
 
 void SdoSession::fail(const char* what, canopen::ObjectId object, const SdoAnswer& answer) const {
-  const std::string reason =
-      answer.status == canopen::SdoStatus::kAborted
-          ? "the node refuses: " + hex(answer.abort_code) + " " + canopen::abort_text(answer.abort_code)
-          : kNoAnswer;
+  const std::string reason = answer.status == canopen::SdoStatus::kAborted
+                                 ? "the node refuses: " + hex(answer.abort_code) + " " +
+                                       canopen::abort_text(answer.abort_code)
+                                 : kNoAnswer;
   throw SdoFailed("node " + std::to_string(node_) + " on " + bus_.describe() + ", " + what + " " +
                   canopen::id_text(object) + ": " + reason);
 }

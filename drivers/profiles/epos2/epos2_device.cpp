@@ -91,8 +91,8 @@ double Epos2Make::position_current_A(const DriveMoment& now) noexcept {
 
 double Epos2Make::desired_current_A(const DriveMoment& now) noexcept {
   const ActuatorConfig& actuator = setup_.actuator;
-  const double brake_A_s_rad =
-      setup_.truth.quick_stop_damping_Nm_s_rad / (actuator.gear_ratio * actuator.torque_constant_Nm_A);
+  const double brake_A_s_rad = setup_.truth.quick_stop_damping_Nm_s_rad /
+                               (actuator.gear_ratio * actuator.torque_constant_Nm_A);
   if (now.braking) return -brake_A_s_rad * now.velocity_rad_s;
   if (now.mode == ModeUse::kPosition) return position_current_A(now);
   return now.mode == ModeUse::kCurrent ? 1e-3 * object(kCurrentSetting) : 0.0;
@@ -104,8 +104,8 @@ double Epos2Make::limit_A(const DriveMoment& now) noexcept {
   const double peak_A = 1e-3 * object(kMotorData, 2);
   const double time_constant_s = kThermalUnit_s * object(kMotorData, 5);
   warm_ = thermal_.step(now.measured_current_A, continuous_A, time_constant_s, now.dt_s);
-  const double stage_A =
-      setup_.truth.peak_torque_Nm / (setup_.actuator.gear_ratio * setup_.truth.torque_constant_Nm_A);
+  const double stage_A = setup_.truth.peak_torque_Nm /
+                         (setup_.actuator.gear_ratio * setup_.truth.torque_constant_Nm_A);
   return std::min({warm_ ? continuous_A : peak_A, peak_A, stage_A});
 }
 

@@ -177,8 +177,8 @@ CanFrame Epos2Profile::encode_setpoint(const DriveSetpoint& setpoint) const noex
   const double direction = actuator_.direction;
   const double limit = peak_current_mA_;
   const double current_mA = direction * setpoint.commanded_torque_Nm * mA_per_Nm_;
-  const double position_qc =
-      direction * (setpoint.commanded_position_rad - actuator_.offset_rad) * qc_per_rad_;
+  const double position_qc = direction * (setpoint.commanded_position_rad - actuator_.offset_rad) *
+                             qc_per_rad_;
   const bool position = setpoint.mode == DriveMode::kPosition;
   CanFrame frame;
   frame.id = canopen::rpdo_id(kSetpointPdo, actuator_.node);

@@ -24,8 +24,8 @@ inline constexpr std::int8_t kModeCurrent = -3;   ///< set-point 0x2030
 inline constexpr std::uint16_t kCurrentSetting = 0x2030;   ///< i16, mA
 inline constexpr std::uint16_t kPositionSetting = 0x2062;  ///< i32, qc
 inline constexpr std::uint16_t kEncoderCounter = 0x2020;   ///< u32, qc, wraps
-inline constexpr std::uint16_t kCounterAtIndex =
-    0x2021;  ///< u32, qc: 0x2020 at the newest index pulse, 0 before the first
+/// U32, qc: 0x2020 at the newest index pulse, 0 before the first.
+inline constexpr std::uint16_t kCounterAtIndex = 0x2021;
 inline constexpr std::uint16_t kMaxFollowingError = 0x6065;  ///< u32, qc
 inline constexpr std::uint16_t kPositionRegulator = 0x60FB;  ///< i16, :01 P, :02 I, :03 D
 inline constexpr std::uint16_t kMotorData = 0x6410;  ///< :01 continuous mA, :02 peak mA, :04 rpm, :05 0.1 s

@@ -56,8 +56,8 @@ GoldProfile::GoldProfile(const ActuatorConfig& actuator, const DriveTiming& timi
   rated_torque_Nm_ = 1e-3 * rated_torque_mNm_;
   counts_per_rad_ = actuator.direction * actuator.encoder_counts_per_turn * actuator.gear_ratio / (2.0 * kPi);
   const double permille = 1e3 * actuator.torque_limit_Nm / (actuator.gear_ratio * rated_torque_Nm_);
-  max_torque_permille_ =
-      to_integer(permille, 0.0, std::min<int>(kLargestMaxTorque, std::numeric_limits<std::int16_t>::max()));
+  max_torque_permille_ = to_integer(
+      permille, 0.0, std::min<int>(kLargestMaxTorque, std::numeric_limits<std::int16_t>::max()));
   (void)interpolation_period(timing.cycle_s);  // refuse now rather than while booting
 }
 
@@ -153,8 +153,8 @@ DriveMode GoldProfile::shown_mode(std::int8_t code) const noexcept {
 
 CanFrame GoldProfile::encode_setpoint(const DriveSetpoint& setpoint) const noexcept {
   const double limit = max_torque_permille_;
-  const double permille =
-      1e3 * actuator_.direction * setpoint.commanded_torque_Nm / (actuator_.gear_ratio * rated_torque_Nm_);
+  const double permille = 1e3 * actuator_.direction * setpoint.commanded_torque_Nm /
+                          (actuator_.gear_ratio * rated_torque_Nm_);
   const double counts = (setpoint.commanded_position_rad - actuator_.offset_rad) * counts_per_rad_;
   const bool position = setpoint.mode == DriveMode::kPosition;
   CanFrame frame;
@@ -165,8 +165,8 @@ CanFrame GoldProfile::encode_setpoint(const DriveSetpoint& setpoint) const noexc
                   static_cast<std::uint32_t>(to_integer(counts, std::numeric_limits<std::int32_t>::min(),
                                                         std::numeric_limits<std::int32_t>::max())),
                   4);
-  frame.data[6] =
-      static_cast<std::uint8_t>(position ? cia402::kModeCyclicPosition : cia402::kModeCyclicTorque);
+  frame.data[6] = static_cast<std::uint8_t>(position ? cia402::kModeCyclicPosition
+                                                     : cia402::kModeCyclicTorque);
   return frame;
 }
 

@@ -4,8 +4,10 @@
 /// replaced by the gain scheduling commands of the drive's own tool [unverified].
 ///
 /// Position loop that the gains describe, in joint units about the gear's output side:
-///   torque_Nm = stiffness * (target_rad - measured_rad) + damping * (reference_velocity_rad_s -
-///   measured_velocity_rad_s)
+///
+///   torque_Nm = stiffness * (target_rad - measured_rad)
+///             + damping * (reference_velocity_rad_s - measured_velocity_rad_s)
+///
 /// where the reference velocity is the slope between set-points.
 #include <cstdint>
 

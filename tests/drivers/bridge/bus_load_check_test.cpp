@@ -8,6 +8,7 @@
 #include "drivers/bridge/bridge_core.h"
 #include "drivers/canopen/protocol.h"
 #include "robots/robot_loader.h"
+#include "tests/support/refusal.h"
 
 namespace sprung {
 namespace {
@@ -26,12 +27,7 @@ double bits_per_s(const BusLoad& bus, const std::string& what) {
 }
 
 std::string refusal(const RobotConfig& robot) {
-  try {
-    check_bus_load(robot, report_of(robot));
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "nothing was refused";
+  return test::refusal_of([&] { check_bus_load(robot, report_of(robot)); });
 }
 
 TEST(BusLoad, CyclicPartOfPegasusIsThatOfTheFacts) {
@@ -102,7 +98,7 @@ TEST(BusLoad, BridgesHeartbeatIsCountedAsItIsSent) {
 TEST(BusLoad, ShippedRobotsFit) {
   for (const char* name : {"pegasus", "single_leg"}) {
     const RobotConfig robot = load_robot(name);
-    EXPECT_EQ(refusal(robot), "nothing was refused");
+    EXPECT_EQ(refusal(robot), "not refused");
     for (const BusLoad& bus : report_of(robot).buses) EXPECT_GT(bus.share, 0.5) << name;
   }
 }

@@ -1,4 +1,4 @@
-// Condition, counters and load of each bus; what the bridge does about them is in bridge_faults_test.cpp.
+// Condition, counters and load of each bus; what the bridge does about them is in faults_test.cpp.
 #include "drivers/bridge/bus_monitor.h"
 
 #include <gmock/gmock.h>
@@ -33,9 +33,7 @@ class BusMonitorTest : public ::testing::Test {
   }
   const BusHealth& health() const { return monitor_.health(0); }
   BusCondition condition() const { return health().condition; }
-  std::string detail() const {
-    return monitor_.trouble() != nullptr ? monitor_.trouble()->detail.data() : "";
-  }
+  std::string detail() const { return monitor_.fault() != nullptr ? monitor_.fault()->detail.data() : ""; }
 
   RobotConfig robot_;
   BusMonitor monitor_;
@@ -62,7 +60,7 @@ TEST_F(BusMonitorTest, FrameThatArrivesEndsBusOffToo) {
   monitor_.received(0, canopen::heartbeat_frame(1, canopen::NmtState::kOperational), true);
   EXPECT_EQ(condition(), BusCondition::kActive);
   EXPECT_FALSE(monitor_.any_lost());
-  EXPECT_NE(monitor_.trouble(), nullptr) << "that it was lost stays trouble";
+  EXPECT_NE(monitor_.fault(), nullptr) << "that it was lost stays trouble";
 }
 
 TEST_F(BusMonitorTest, LinkThatIsDownIsNoBusOffAndEndsWithIt) {
@@ -169,11 +167,11 @@ TEST_F(BusMonitorTest, WorstLossIsRememberedUntilItIsForgotten) {
 
 TEST_F(BusMonitorTest, TroubleNamesTheFirstLossOnce) {
   tell(bus_lost_frame());
-  ASSERT_NE(monitor_.trouble(), nullptr);
-  EXPECT_EQ(monitor_.trouble()->cause, SafetyCause::kBusLost);
+  ASSERT_NE(monitor_.fault(), nullptr);
+  EXPECT_EQ(monitor_.fault()->cause, SafetyCause::kBusLost);
   monitor_.forget_trouble();
   tell(bus_lost_frame());
-  EXPECT_EQ(monitor_.trouble(), nullptr);
+  EXPECT_EQ(monitor_.fault(), nullptr);
 }
 
 TEST_F(BusMonitorTest, ReceiveOverflowIsCountedAsDropped) {

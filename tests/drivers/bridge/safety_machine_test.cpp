@@ -10,8 +10,8 @@ namespace {
 using Level = SafetyLevel;
 using Cause = SafetyCause;
 
-Trouble trouble(Cause cause, const char* detail) {
-  Trouble result;
+Fault fault(Cause cause, const char* detail) {
+  Fault result;
   result.cause = cause;
   result.actuator = 1;
   print(result.detail, "%s", detail);
@@ -38,8 +38,8 @@ class SafetyMachineTest : public ::testing::Test {
   SafetyMachine machine_{watchdogs_};
   SafetyInputs good_;
   std::int64_t now_us_ = 0;
-  const Trouble fault_ = trouble(Cause::kDriveFault, "fault");
-  const Trouble bus_ = trouble(Cause::kBusLost, "bus");
+  const Fault fault_ = fault(Cause::kDriveFault, "fault");
+  const Fault bus_ = fault(Cause::kBusLost, "bus");
 };
 
 TEST_F(SafetyMachineTest, StartsDisabledUntilArmed) {
@@ -92,7 +92,7 @@ TEST_P(EveryRow, GivesItsLevelCauseAndLatchAndKeepsOnlyLatchedOnes) {
   const Row& row = GetParam();
   SCOPED_TRACE(row.what);
   const DetailText refusal{"refused"};
-  const Trouble drive = trouble(row.drive, "drive");
+  const Fault drive = fault(row.drive, "drive");
   update(good_);
   SafetyInputs inputs = good_;
   inputs.command_age_s = row.command_age_s;
@@ -202,7 +202,7 @@ TEST_F(SafetyMachineTest, ClearLeadsToDisabledNotToOperational) {
 
 TEST_F(SafetyMachineTest, RefusedDriveDoesNotHideAnEmergencyStop) {
   machine_.emergency_stop(0, -1);
-  machine_.refuse_drive(trouble(Cause::kDriveRefused, "refused"), 0, -1);
+  machine_.refuse_drive(fault(Cause::kDriveRefused, "refused"), 0, -1);
   expect(Level::kDisabled, Cause::kEmergencyStop, true);
 }
 

@@ -5,6 +5,8 @@
 
 #include <stdexcept>
 
+#include "tests/support/refusal.h"
+
 namespace sprung {
 namespace {
 
@@ -68,16 +70,11 @@ TEST(InterfaceAdvice, RightBitRateIsTheRobots) {
 }
 
 std::string refusal(const InterfaceFacts& facts, int bit_rate) {
-  try {
-    check_bit_rate(facts, bit_rate);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "nothing was refused";
+  return test::refusal_of([&] { check_bit_rate(facts, bit_rate); });
 }
 
 TEST(CheckBitRate, AnotherOneThanTheRobotsIsRefusedWithBothRemedies) {
-  EXPECT_EQ(refusal(good(), kRate), "nothing was refused");
+  EXPECT_EQ(refusal(good(), kRate), "not refused");
   EXPECT_THAT(refusal(good(), 500'000),
               AllOf(HasSubstr("can0: bit rate is 1000000, not 500000"), HasSubstr("bit_rate")));
 }
@@ -86,7 +83,7 @@ TEST(CheckBitRate, AnotherOneThanTheRobotsIsRefusedWithBothRemedies) {
 TEST(CheckBitRate, RoundingOfTheControllersClockIsNoDifference) {
   InterfaceFacts facts = good();
   facts.bit_rate = 803'571;
-  EXPECT_EQ(refusal(facts, 800'000), "nothing was refused");
+  EXPECT_EQ(refusal(facts, 800'000), "not refused");
   EXPECT_THAT(interface_advice(facts, 12, 800'000), IsEmpty());
   facts.bit_rate = 820'000;
   EXPECT_THAT(refusal(facts, 800'000), HasSubstr("820000, not 800000"));
@@ -95,10 +92,10 @@ TEST(CheckBitRate, RoundingOfTheControllersClockIsNoDifference) {
 TEST(CheckBitRate, WhatIsNotKnownIsOnlyWarnedOf) {
   InterfaceFacts facts = good();
   facts.bit_rate = 0;
-  EXPECT_EQ(refusal(facts, kRate), "nothing was refused");
+  EXPECT_EQ(refusal(facts, kRate), "not refused");
   EXPECT_THAT(interface_advice(facts, 12, kRate), ElementsAre(HasSubstr("bitrate 1000000")));
   facts.kind = "vcan";
-  EXPECT_EQ(refusal(facts, kRate), "nothing was refused");
+  EXPECT_EQ(refusal(facts, kRate), "not refused");
 }
 
 TEST(InterfaceAdvice, ControllerInTroubleIsNamedOnlyWhenUp) {

@@ -9,7 +9,7 @@ namespace sprung {
 namespace {
 
 constexpr char kGroup[] = "239.74.163.78";
-constexpr int kPatience_ms = 20'000;
+constexpr int kTimeout_ms = 20'000;
 /// The test's own: what is still on its way to the one before does not come here.
 int test_port() {
   static const testing::TestInfo* whose = nullptr;
@@ -77,7 +77,7 @@ void take_at_least(UdpBus& bus, int count) {
   CanFrame frames[64];
   for (int got = 0; got < count; got += bus.receive(frames, 64)) {
     pollfd wait{bus.fd(), POLLIN, 0};
-    ASSERT_EQ(::poll(&wait, 1, kPatience_ms), 1);
+    ASSERT_EQ(::poll(&wait, 1, kTimeout_ms), 1);
   }
 }
 
@@ -118,7 +118,7 @@ TEST(LockstepLink, FramesOfOtherToolsAreIgnoredAndCounted) {
   const CanFrame frame = batch_of(0, 1)[0].frame;
   tool.send(&frame, 1);
   pollfd wait{drives.fd(), POLLIN, 0};
-  ASSERT_EQ(::poll(&wait, 1, kPatience_ms), 1);
+  ASSERT_EQ(::poll(&wait, 1, kTimeout_ms), 1);
   EXPECT_EQ(drives.poll(), LinkEvent::kNothing);
   EXPECT_EQ(drives.counters().unstamped, 1);
   const std::vector<CanFrame> outsiders = drives.take_outsiders();

@@ -80,8 +80,8 @@ TEST(BusLoad, RemoteFrameIsAsLongAsAnEmptyOne) {
 
 // Facts canopen 6.3: packing (b), 880 worst bits at 500 Hz and 1 Mbit/s are 44 %.
 TEST(BusLoad, ScheduleOfPackingBFillsFortyFourPerCent) {
-  const int cycle =
-      worst_frame_bits(0) + 3 * (worst_frame_bits(8) + worst_frame_bits(4)) + worst_frame_bits(8);
+  const int cycle = worst_frame_bits(0) + 3 * (worst_frame_bits(8) + worst_frame_bits(4)) +
+                    worst_frame_bits(8);
   EXPECT_EQ(cycle, 880);
   EXPECT_DOUBLE_EQ(load(cycle * 500.0, 1e6), 0.44);
 }

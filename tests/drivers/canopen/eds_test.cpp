@@ -15,8 +15,8 @@ const std::string kDevice =
     "RevisionNumber=0x21260000\nOrderCode=347717\nBaudRate_1000=1\nBaudRate_50=1\nBaudRate_125=0\n"
     "NrOfRXPDO=4\nNrOfTXPDO=3\nLSS_Supported=1\n";
 const std::string kList = "[OptionalObjects]\nSupportedObjects=3\n1=0x6040\n2=0x1018\n3=0x1017\n";
-const std::string kControlWord =
-    "[6040]\nParameterName=control word\nDataType=6\nAccessType=rww\nPDOMapping=1\n";
+const std::string
+    kControlWord = "[6040]\nParameterName=control word\nDataType=6\nAccessType=rww\nPDOMapping=1\n";
 const std::string kHeartbeat =
     "[1017]\nParameterName=heartbeat "
     "producer\nObjectType=7\nDataType=6\nAccessType=rw\nDefaultValue=0\nUnit=ms\n";

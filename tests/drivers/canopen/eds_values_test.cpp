@@ -85,8 +85,8 @@ TEST(EdsValues, NodeIdIsAddedOnEitherSide) {
 }
 
 TEST(EdsValues, HexadecimalTwosComplementIsNegativeForSignedTypes) {
-  const EdsObject object =
-      read("DataType=4\nAccessType=rw\nLowLimit=0x80000000\nHighLimit=0x7FFFFFFF\nDefaultValue=0xFFFFFFFF\n");
+  const EdsObject object = read(
+      "DataType=4\nAccessType=rw\nLowLimit=0x80000000\nHighLimit=0x7FFFFFFF\nDefaultValue=0xFFFFFFFF\n");
   EXPECT_EQ(object.low_limit, -2147483648);
   EXPECT_EQ(object.high_limit, 2147483647);
   EXPECT_EQ(object.default_value, -1);

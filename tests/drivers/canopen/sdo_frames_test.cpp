@@ -117,13 +117,13 @@ TEST(SdoClientSide, UnderstandsEveryExpeditedReplyOfTheServer) {
 }
 
 TEST(SdoFrames, ExpeditedWithoutToldSizeCarriesFourBytes) {
-  const SdoMessage write =
-      decode_sdo_request(with_command(sdo_write_request(1, {0x1017, 0}, 0x01020304, 4), 0x22));
+  const SdoMessage write = decode_sdo_request(
+      with_command(sdo_write_request(1, {0x1017, 0}, 0x01020304, 4), 0x22));
   EXPECT_EQ(write.kind, SdoKind::kDownload);
   EXPECT_EQ(write.size, 0);
   EXPECT_EQ(write.value, 0x01020304U);
-  const SdoMessage reply =
-      decode_sdo_reply(with_command(sdo_read_reply(1, {0x1017, 0}, 0x01020304, 4), 0x42));
+  const SdoMessage reply = decode_sdo_reply(
+      with_command(sdo_read_reply(1, {0x1017, 0}, 0x01020304, 4), 0x42));
   EXPECT_EQ(reply.kind, SdoKind::kUpload);
   EXPECT_EQ(reply.size, 0);
   EXPECT_EQ(reply.value, 0x01020304U);

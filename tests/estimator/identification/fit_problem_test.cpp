@@ -17,8 +17,8 @@ class CountingModel : public FitModel {
   const std::vector<FitParameter>& parameters() const override { return parameters_; }
   void predict(const JointDataset& data, const Eigen::VectorXd& parameters, Eigen::VectorXd& prediction,
                Eigen::MatrixXd* jacobian) const override {
-    prediction =
-        parameters[0] * Eigen::VectorXd::LinSpaced(data.size(), 1.0, static_cast<double>(data.size()));
+    prediction = parameters[0] *
+                 Eigen::VectorXd::LinSpaced(data.size(), 1.0, static_cast<double>(data.size()));
     if (jacobian != nullptr) *jacobian = prediction / parameters[0];
   }
 

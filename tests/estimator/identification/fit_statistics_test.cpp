@@ -114,8 +114,8 @@ TEST(FitStatistics, ScoreIsAsTheProtocolSays) {
 TEST(FitStatistics, ParametersThatTheDataDoNotTellHaveNoStandardErrorAndAreNamed) {
   const LinearModel model("twice", {{"offset", "Nm"}, {"coulomb", "Nm", 1.0, 0.0}, {"bias", "Nm"}},
                           {offset_column, coulomb_column, offset_column});
-  const Known known =
-      identified(model, simulated(model, Eigen::Vector3d(1, 2, 3), swinging_joint(700), 0.1, 1));
+  const Known known = identified(model,
+                                 simulated(model, Eigen::Vector3d(1, 2, 3), swinging_joint(700), 0.1, 1));
   EXPECT_TRUE(std::isnan(known.statistics.standard_error[0]));
   EXPECT_TRUE(std::isnan(known.statistics.standard_error[2]));
   EXPECT_GT(known.statistics.standard_error[1], 0.0);

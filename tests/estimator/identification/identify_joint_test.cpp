@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tests/estimator/identification/identification_fixture.h"
+#include "tests/support/refusal.h"
 
 namespace sprung::identification {
 namespace {
@@ -135,12 +136,7 @@ TEST(IdentifyJoint, WindowIsCutOffAtTheRecordingsEnd) {
 }
 
 std::string refusal(const Protocol& p) {
-  try {
-    identify_joint(recording(1), p);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of([&] { identify_joint(recording(1), p); });
 }
 
 TEST(IdentifyJoint, PartsThatMakeNoSenseAreRefused) {

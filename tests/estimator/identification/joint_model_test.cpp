@@ -92,8 +92,8 @@ TEST(JointModel, DerivativesByGravityHoldTheLoadsFriction) {
 TEST(JointModel, RigidBodyInClosedForm) {
   const JointDataset data = moved_joint(100);
   const JointModel model({}, data);
-  const Eigen::VectorXd at =
-      with(model, {{"inertia", 0.8}, {"gravity_cos", 3.0}, {"gravity_sin", -2.0}, {"offset", 0.1}});
+  const Eigen::VectorXd at = with(
+      model, {{"inertia", 0.8}, {"gravity_cos", 3.0}, {"gravity_sin", -2.0}, {"offset", 0.1}});
   Eigen::VectorXd prediction;
   model.predict(data, at, prediction, nullptr);
   for (const Index i : {0, 40, 99}) {
@@ -122,8 +122,8 @@ TEST(JointModel, RippleTurnsWithTheMotor) {
   data.gear_ratio = 100.0;
   data.velocity_rad_s.setZero();
   data.acceleration_rad_s2.setZero();
-  data.position_rad =
-      Eigen::Vector4d(0.0, M_PI / 4.0, M_PI / 2.0, 3.0 * M_PI / 4.0) / 100.0;  // of the motor: eighths
+  data.position_rad = Eigen::Vector4d(0.0, M_PI / 4.0, M_PI / 2.0, 3.0 * M_PI / 4.0) /
+                      100.0;  // of the motor: eighths
   const JointModel model({JointTerm::kRipple2}, data);
   Eigen::VectorXd prediction;
   model.predict(data, with(model, {{"ripple_2_cos", 2.0}, {"ripple_2_sin", 0.5}}), prediction, nullptr);

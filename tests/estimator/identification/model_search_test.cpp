@@ -67,8 +67,8 @@ TEST(ModelSearch, OnlyTheModelsAskedForAreTried) {
   SearchOptions options = quick();
   options.only = {{}, {T::kViscous}};
   std::vector<std::string> seen;
-  const auto found =
-      search_models(joint(true), options, [&](const std::string& name) { seen.push_back(name); });
+  const auto found = search_models(joint(true), options,
+                                   [&](const std::string& name) { seen.push_back(name); });
   EXPECT_EQ(found.size(), 2u);
   EXPECT_THAT(seen, testing::ElementsAre("coulomb", "viscous"));
 }

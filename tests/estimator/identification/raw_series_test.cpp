@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "tests/estimator/identification/identification_fixture.h"
+#include "tests/support/refusal.h"
 
 namespace sprung::identification {
 namespace {
@@ -29,12 +30,7 @@ RawSeries jittered(int samples) {
 }
 
 std::string refusal(const RawSeries& series, const TimeSpan& span = {0.0, kForever}) {
-  try {
-    prepare(series, span, {});
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of([&] { prepare(series, span, {}); });
 }
 
 TEST(RawSeries, JitterIsResampledAndMotionComesWithoutPhase) {

@@ -35,8 +35,8 @@ TEST(FrictionLawTest, FullLawIsTheFormulaOfTheHeader) {
   const FrictionParameters p = full_friction();
   const double w = -0.3, load = 8.0, warm = 26.0;  // driven: load and motion oppose each other
   const double dry = (3.3 + std::exp(-std::pow(0.3 / 0.15, 1.7))) * std::exp(-0.004 * warm);
-  const double expected =
-      -(1.0 - 0.07) * (dry + 0.12 * load) - 1.3 * std::exp(-0.03 * warm) * std::pow(0.3, 0.8);
+  const double expected = -(1.0 - 0.07) * (dry + 0.12 * load) -
+                          1.3 * std::exp(-0.03 * warm) * std::pow(0.3, 0.8);
   EXPECT_NEAR(friction_torque_Nm(p, at(w, load, 50.0)), expected, 1e-12);
 }
 
@@ -113,9 +113,9 @@ TEST(FrictionLawTest, GradientIsThatOfFiniteDifferences) {
       FrictionVector above = here, below = here;
       above[i] += step;
       below[i] -= step;
-      const double difference =
-          (friction_torque_Nm(from_vector(above), in) - friction_torque_Nm(from_vector(below), in)) /
-          (2.0 * step);
+      const double difference = (friction_torque_Nm(from_vector(above), in) -
+                                 friction_torque_Nm(from_vector(below), in)) /
+                                (2.0 * step);
       EXPECT_NEAR(value.gradient[i], difference, 1e-6 * (1.0 + std::abs(difference))) << row.name;
     }
   }

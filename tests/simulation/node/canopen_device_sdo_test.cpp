@@ -153,8 +153,8 @@ TEST_F(EposDeviceTest, RaisesEveryAbortCodeWhereItShould) {
          strict.nmt(NmtCommand::kStart);
          return strict.write(0x1801, 1, 0xC0000283, 4);
        }},
-      // 0F00FFBF, BE, BC, B9 (command, password, service mode, node id): of maxon's service commands, which
-      // are not simulated.
+      // 0F00FFBF, -FFBE, -FFBC, -FFB9 (command, password, service mode, node id): of maxon's service
+      // commands, which are not simulated.
   };
   for (const auto& [code, request] : rows) EXPECT_EQ(request(), code) << std::hex << code;
 }

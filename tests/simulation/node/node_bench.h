@@ -84,8 +84,8 @@ class NodeBench : public DeviceApplication {
   }
   /// @return 0 or the abort code.
   std::uint32_t write(int index, int sub, std::int64_t value, int size) {
-    const auto reply =
-        ask(canopen::sdo_write_request(kNode, id(index, sub), static_cast<std::uint32_t>(value), size));
+    const auto reply = ask(
+        canopen::sdo_write_request(kNode, id(index, sub), static_cast<std::uint32_t>(value), size));
     EXPECT_NE(reply.kind, canopen::SdoKind::kInvalid) << "no reply";
     return reply.kind == canopen::SdoKind::kAbort ? reply.value : 0;
   }

@@ -42,7 +42,7 @@ class NodeScan : public testing::TestWithParam<const char*> {
   static bool is_writable(const EdsObject& object) {
     return sim::is_writable(object.access) && is_number(object);
   }
-  /// Orders and words with rules of their own (sim_communication_rules_test.cpp, sim_pdo_map_test.cpp).
+  /// Orders and words with rules of their own (communication_rules_test.cpp, pdo_map_test.cpp).
   static bool has_own_rules(const EdsObject& object) {
     const std::uint16_t index = object.id.index;
     return is_store_order(object.id) || index == canopen::kErrorHistory ||

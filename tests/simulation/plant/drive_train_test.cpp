@@ -91,8 +91,8 @@ TEST_F(PegasusTrain, KinematicErrorIsSeenByTheLinkOnly) {
   DriveTrain train(robot_, config_, 1);
   start(train);
   const ActuatorConfig& actuator = robot_.actuators[4];
-  const double motor_rad =
-      (true_rad(train, 4) - actuator.offset_rad) * actuator.direction * actuator.gear_ratio;
+  const double motor_rad = (true_rad(train, 4) - actuator.offset_rad) * actuator.direction *
+                           actuator.gear_ratio;
   const double expected_rad = 0.001 * std::cos(2.0 * motor_rad);
   EXPECT_NEAR(std::remainder(links(train, 0)[4] - true_rad(train, 4), kTwoPi), expected_rad,
               kTwoPi / (1 << 20));

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "robots/robot_loader.h"
+#include "tests/support/refusal.h"
 
 namespace sprung::sim {
 namespace {
@@ -21,12 +22,7 @@ PlantJointConfig joint(const std::string& friction, const std::string& more = ""
 }
 
 std::string refusal(const std::string& friction, const std::string& more = "") {
-  try {
-    joint(friction, more);
-  } catch (const ConfigError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return test::refusal_of<ConfigError>([&] { joint(friction, more); });
 }
 
 TEST(PlantJoint, OneLoadShareIsBoth) {
@@ -73,8 +69,8 @@ TEST(PlantJoint, EveryPartIsRead) {
 }
 
 TEST(PlantJoint, OneStiffnessHoldsEverywhere) {
-  const PlantJointConfig plain =
-      joint("load_share: 0", "torsion: {stiffness: 9000 Nm/rad, damping: 0 Nm s/rad}\n");
+  const PlantJointConfig plain = joint("load_share: 0",
+                                       "torsion: {stiffness: 9000 Nm/rad, damping: 0 Nm s/rad}\n");
   EXPECT_EQ(plain.torsion.value().second_stiffness_Nm_rad, 9000.0);
 }
 

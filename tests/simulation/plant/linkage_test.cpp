@@ -81,8 +81,7 @@ TEST_F(LinkageTest, KneesMotorTurnsTheShankAndLeavesTheThigh) {
 }
 
 TEST_F(LinkageTest, FootIsLessThanHalfAsHeavyAsWithASerialKnee) {
-  // Closed form of facts' leg dynamics in the leg's plane; the rotors alone are 36.8 and 14.7 (facts
-  // physics).
+  // Closed form of facts A6 in the leg's plane; the rotors alone are 36.8 and 14.7 (facts physics 14).
   EXPECT_NEAR(apparent_mass_kg(false), 37.30, 0.01);
   EXPECT_NEAR(apparent_mass_kg(true), 15.21, 0.01);
 }
@@ -107,8 +106,8 @@ TEST_F(LinkageTest, GearOutputIsMotorLessRotorAndFrictionThroughTheLinkage) {
                                 0.81 * (knee.true_acceleration_rad_s2 - hip.true_acceleration_rad_s2) -
                                 knee.true_friction_torque_Nm;
   EXPECT_NEAR(knee.true_gear_output_torque_Nm, knee_output_Nm, 1e-9);
-  const double hip_output_Nm =
-      15.0 - 0.81 * hip.true_acceleration_rad_s2 - hip.true_friction_torque_Nm - knee_output_Nm;
+  const double hip_output_Nm = 15.0 - 0.81 * hip.true_acceleration_rad_s2 - hip.true_friction_torque_Nm -
+                               knee_output_Nm;
   EXPECT_NEAR(hip.true_gear_output_torque_Nm, hip_output_Nm, 1e-9);
   EXPECT_LT(knee.true_friction_torque_Nm, -3.0);  // it moves
 }

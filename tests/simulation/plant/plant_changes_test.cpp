@@ -40,8 +40,8 @@ class PlantChanges : public testing::TestWithParam<const char*> {
 TEST_P(PlantChanges, FrictionScaleIsOnEveryPartAndTheOthersOnTheirs) {
   const SimConfig plain = config({});
   const SimConfig all = config({{"friction_scale", 1.25}});
-  const SimConfig parts =
-      config({{"coulomb_scale", 1.25}, {"viscous_scale", 1.25}, {"load_share_scale", 1.25}});
+  const SimConfig parts = config(
+      {{"coulomb_scale", 1.25}, {"viscous_scale", 1.25}, {"load_share_scale", 1.25}});
   const SimConfig coulomb = config({{"coulomb_scale", 0.5}});
   for (std::size_t j = 0; j < robot_.joints.size(); ++j) {
     const FrictionConfig& f = plain.plant.joints[j].friction;
@@ -116,8 +116,11 @@ TEST_P(PlantChanges, TemperatureAndHeatingReachThePlant) {
 }
 
 TEST_P(PlantChanges, GroundKeysReachTheGround) {
-  const GroundConfig ground =
-      config({{"slope", 0.1}, {"side_slope", -0.2}, {"ground_error", 0.02}, {"ground_seed", 5}}).plant.ground;
+  const GroundConfig ground = config({{"slope", 0.1},
+                                      {"side_slope", -0.2},
+                                      {"ground_error", 0.02},
+                                      {"ground_seed", 5}})
+                                  .plant.ground;
   EXPECT_EQ(ground.slope_rad, 0.1);
   EXPECT_EQ(config({{"roll", -1.57}}).plant.roll_rad, -1.57);
   EXPECT_EQ(ground.side_slope_rad, -0.2);

@@ -10,6 +10,7 @@
 
 #include "robots/robot_loader.h"
 #include "tests/support/paths.h"
+#include "tests/support/refusal.h"
 
 namespace sprung::sim {
 namespace {
@@ -27,16 +28,12 @@ class PlantModelTest : public testing::Test {
     EXPECT_NE(at, std::string::npos) << from;
     text.replace(at, from.size(), to);
     RobotConfig robot = robot_;
-    robot.folder =
-        testing::TempDir() + "plant_model_" + testing::UnitTest::GetInstance()->current_test_info()->name();
+    robot.folder = testing::TempDir() + "plant_model_" +
+                   testing::UnitTest::GetInstance()->current_test_info()->name();
     std::filesystem::create_directories(robot.folder);
     std::ofstream(robot.folder + "/model.xml") << text;
-    try {
-      (void)load_plant_model(robot, load_sim_config(robot_, {}).plant);
-    } catch (const ConfigError& error) {
-      return error.what();
-    }
-    return "accepted";
+    return test::refusal_of<ConfigError>(
+        [&] { (void)load_plant_model(robot, load_sim_config(robot_, {}).plant); });
   }
   RobotConfig robot_ = load_robot(test::source_dir() + "/robots/single_leg");
 };

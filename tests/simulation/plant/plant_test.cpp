@@ -122,8 +122,7 @@ TEST_F(PlantTest, ArmatureCarriesTheTorqueWithoutGravityOrFriction) {
   EXPECT_NEAR(truth(plant).joints[1].true_acceleration_rad_s2, -1.0, 0.03);
 }
 
-/// Energy of the swinging leg by the closed form of facts C2's leg dynamics, friction-free: an independent
-/// model.
+/// Energy of the swinging leg by the closed form of facts A6, friction-free: an independent model.
 TEST_F(PlantTest, FrictionlessSwingKeepsItsEnergy) {
   Plant plant = make({{"friction_scale", 0.0}, {"armature_scale", 0.05}});
   plant.suspend(1.5);
@@ -143,8 +142,8 @@ TEST_F(PlantTest, FrictionlessSwingKeepsItsEnergy) {
     const double w2 = plant.velocity_rad_s(1);
     const double s1 = std::sin(plant.position_rad(0));
     const double s12 = std::sin(plant.position_rad(0) - knee);
-    const double height =
-        -thigh.mass_kg * c1 * s1 - shank.mass_kg * (l1 * s1 + c2 * s12);  // theta positive downward
+    const double height = -thigh.mass_kg * c1 * s1 -
+                          shank.mass_kg * (l1 * s1 + c2 * s12);  // theta positive downward
     return 0.5 * m11 * w1 * w1 + m12 * w1 * w2 + 0.5 * m22 * w2 * w2 + kGravity_m_s2 * height;
   };
   const double start_J = energy_J();
@@ -174,8 +173,8 @@ TEST_F(PlantTest, GearOutputTorqueIsTheStaticLoadAtRest) {
   // for an instant.
   const double shank_rad = plant.position_rad(0) - plant.position_rad(1);
   const double gravity_Nm = 0.30 * kGravity_m_s2 * 0.211 * std::cos(shank_rad);
-  const double thigh_Nm =
-      -(0.80 * 0.130 + 0.30 * 0.260) * kGravity_m_s2 * std::cos(plant.position_rad(0)) - gravity_Nm;
+  const double thigh_Nm = -(0.80 * 0.130 + 0.30 * 0.260) * kGravity_m_s2 * std::cos(plant.position_rad(0)) -
+                          gravity_Nm;
   plant.step({thigh_Nm, gravity_Nm});
   EXPECT_NEAR(plant.gear_output_torque_Nm(1), gravity_Nm, 1e-3);
   EXPECT_NEAR(plant.gear_output_torque_Nm(0), thigh_Nm, 1e-3);

@@ -140,8 +140,8 @@ TEST(TwistingPegasus, StandsOnItsFeetAndRepeatsItsBits) {
 TEST(TwistingPegasus, GearsAreRigidUnlessTorsionIsAskedFor) {
   const RobotConfig robot = load_robot("pegasus");
   for (const bool asked : {false, true}) {
-    const auto changes =
-        asked ? std::map<std::string, double>{{"torsion", 1.0}} : std::map<std::string, double>{};
+    const auto changes = asked ? std::map<std::string, double>{{"torsion", 1.0}}
+                               : std::map<std::string, double>{};
     Plant plant(robot, load_sim_config(robot, changes).plant);
     for (int i = 0; i < 100; ++i) plant.step(std::vector<double>(robot.joints.size(), 30.0));
     EXPECT_EQ(plant.motor_position_rad(2) != plant.position_rad(2), asked);

@@ -12,6 +12,7 @@
 #include "robots/robot_loader.h"
 #include "tests/support/own_folder.h"
 #include "tests/support/paths.h"
+#include "tests/support/refusal.h"
 
 namespace sprung::sim {
 namespace {
@@ -28,19 +29,14 @@ class SimConfigTest : public testing::Test {
     EXPECT_NE(at, std::string::npos) << from;
     changed.replace(at, from.size(), to);
     RobotConfig robot = robot_;
-    robot.folder =
-        test::temp_dir() + "sim_config_" + testing::UnitTest::GetInstance()->current_test_info()->name();
+    robot.folder = test::temp_dir() + "sim_config_" +
+                   testing::UnitTest::GetInstance()->current_test_info()->name();
     std::filesystem::create_directories(robot.folder);
     std::ofstream(robot.folder + "/sim.yaml") << changed;
     return load_sim_config(robot, {});
   }
   std::string refusal(const std::string& from, const std::string& to) {
-    try {
-      load_with(from, to);
-    } catch (const ConfigError& error) {
-      return error.what();
-    }
-    return "accepted";
+    return test::refusal_of<ConfigError>([&] { load_with(from, to); });
   }
   RobotConfig robot_ = load_robot(test::source_dir() + "/robots/single_leg");
 };
@@ -144,14 +140,15 @@ TEST_F(SimConfigTest, OptionalKeysOfADriveHaveTheirDefaults) {
 }
 
 TEST_F(SimConfigTest, OptionalKeysOfADriveAreRead) {
-  const SimDriveConfig drive =
-      load_with("    supply: 48 V",
-                "    encoder: incremental\n    index_angle: 1.5 rad\n    mode_delay: 2 ms\n    "
-                "position_smoothing: 3 ms\n    "
-                "starts_in_fault: true\n"
-                "    communication_faults: latched\n    supply_min: 20 V\n    supply_max: 60 V\n"
-                "    kinematic_error: {amplitude: 0.0003 rad, order: 2, phase: 1 rad}\n    supply: 48 V")
-          .drives[0];
+  const SimDriveConfig
+      drive = load_with(
+                  "    supply: 48 V",
+                  "    encoder: incremental\n    index_angle: 1.5 rad\n    mode_delay: 2 ms\n    "
+                  "position_smoothing: 3 ms\n    "
+                  "starts_in_fault: true\n"
+                  "    communication_faults: latched\n    supply_min: 20 V\n    supply_max: 60 V\n"
+                  "    kinematic_error: {amplitude: 0.0003 rad, order: 2, phase: 1 rad}\n    supply: 48 V")
+                  .drives[0];
   EXPECT_FALSE(drive.absolute_encoder);
   EXPECT_EQ(drive.index_angle_rad, 1.5);
   EXPECT_NEAR(drive.mode_delay_s, 0.002, 1e-12);
@@ -202,8 +199,8 @@ TEST_F(SimConfigTest, TorqueSensorIsOptionalAndSitsAtAJointThatThereIs) {
 
 TEST_F(SimConfigTest, GearsAreElasticOrRigidAndTheAirHasATemperature) {
   EXPECT_TRUE(load_with("  floor_height:", "  gears: elastic\n  floor_height:").plant.torsion);
-  const PlantConfig plant =
-      load_with("  floor_height:", "  gears: rigid\n  ambient: 30 degC\n  floor_height:").plant;
+  const PlantConfig
+      plant = load_with("  floor_height:", "  gears: rigid\n  ambient: 30 degC\n  floor_height:").plant;
   EXPECT_FALSE(plant.torsion);
   EXPECT_EQ(plant.ambient_degC, 30.0);
   EXPECT_NE(refusal("  floor_height:", "  gears: soft\n  floor_height:").find("elastic or rigid"),

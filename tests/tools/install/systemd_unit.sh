@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# systemd itself reads the unit: every key known, the program there. Skipped aloud (status 77) where systemd is not installed.
+# systemd itself reads the unit: every key known, the program there. Skipped aloud (status 77) where systemd
+# is not installed.
 set -euo pipefail
 unit=$1 program=$2
 if ! command -v systemd-analyze >/dev/null; then

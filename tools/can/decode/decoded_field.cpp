@@ -1,19 +1,13 @@
 #include "tools/can/decode/decoded_field.h"
 
-#include <cstdio>
+#include "signals/number_text.h"
 
 namespace sprung::cantools {
 namespace {
 
-std::string format_g(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
-
 std::string field_text(const DecodedField& field) {
   std::string text = field.name + " " + with_unit(field.value);
-  for (const JointValue& value : field.joint) text += " = " + format_g(value.value) + " " + value.unit;
+  for (const JointValue& value : field.joint) text += " = " + number_text(value.value) + " " + value.unit;
   return text;
 }
 

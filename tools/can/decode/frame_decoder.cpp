@@ -6,7 +6,6 @@
 #include "drivers/canopen/objects.h"
 #include "drivers/canopen/protocol.h"
 #include "tools/can/decode/card_fields.h"
-#include "tools/can/decode/sdo_text.h"
 #include "tools/can/decode/word_texts.h"
 
 namespace sprung::cantools {
@@ -54,36 +53,6 @@ bool predefined_pdo(std::uint32_t id, bool& transmit, int& number) {
 }
 
 }  // namespace
-
-const char* name(FrameKind kind) noexcept {
-  switch (kind) {
-    case FrameKind::kNmt:
-      return "NMT";
-    case FrameKind::kSync:
-      return "SYNC";
-    case FrameKind::kTime:
-      return "TIME";
-    case FrameKind::kEmergency:
-      return "EMCY";
-    case FrameKind::kTpdo:
-      return "TPDO";
-    case FrameKind::kRpdo:
-      return "RPDO";
-    case FrameKind::kSdoRequest:
-      return "SDO request";
-    case FrameKind::kSdoReply:
-      return "SDO reply";
-    case FrameKind::kHeartbeat:
-      return "heartbeat";
-    case FrameKind::kLss:
-      return "LSS";
-    case FrameKind::kError:
-      return "error";
-    case FrameKind::kUnknown:
-      break;
-  }
-  return "unknown";
-}
 
 FrameDecoder::FrameDecoder(const BusDescription& description)
     : description_(description), pdos_(description) {}

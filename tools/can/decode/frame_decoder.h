@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "signals/enumeration.h"
 #include "tools/can/decode/decoded_field.h"
 #include "tools/can/decode/observed_frame.h"
 #include "tools/can/decode/pdo_tables.h"
@@ -28,8 +29,21 @@ enum class FrameKind : std::int8_t {
   kError,    ///< of the CAN controller
   kUnknown,  ///< an identifier that CiA 301 gives to nobody
 };
-/// "NMT", "SDO request": static text.
-const char* name(FrameKind kind) noexcept;
+constexpr auto words_of(FrameKind) {
+  using E = FrameKind;
+  return words<E>({{E::kNmt, "NMT"},
+                   {E::kSync, "SYNC"},
+                   {E::kTime, "TIME"},
+                   {E::kEmergency, "EMCY"},
+                   {E::kTpdo, "TPDO"},
+                   {E::kRpdo, "RPDO"},
+                   {E::kSdoRequest, "SDO request"},
+                   {E::kSdoReply, "SDO reply"},
+                   {E::kHeartbeat, "heartbeat"},
+                   {E::kLss, "LSS"},
+                   {E::kError, "error"},
+                   {E::kUnknown, "unknown"}});
+}
 
 struct DecodedFrame {
   FrameKind kind = FrameKind::kUnknown;

@@ -2,6 +2,7 @@
 /// Follows the SDO transfers of one node from outside, so that segments and acknowledgements are told with
 /// the object and the whole value that they belong to. Pure; allocates.
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "drivers/canopen/sdo_frames.h"
@@ -14,11 +15,16 @@ struct SdoEvent {
   bool known = false;  ///< whether `object` is: a trace may begin in the middle of a transfer
   canopen::ObjectId object;
   bool complete = false;  ///< a value was read, or its write acknowledged
-  std::vector<std::uint8_t>
-      bytes;  ///< the value that is written or was read; of a segment its own part until complete
+  /// The value that is written or was read; of a segment its own part until complete.
+  std::vector<std::uint8_t> bytes;
   std::uint32_t size = 0;  ///< announced by the beginning of a segmented transfer; 0 = not told
   std::uint32_t abort_code = 0;
 };
+
+/// The event as a line of text.
+/// @param object "0x6064:00 position actual", "" where it is not known. @param value with its unit, "" where
+/// there is none.
+std::string sdo_text(const SdoEvent& event, bool reply, const std::string& object, const std::string& value);
 
 class SdoFollower {
  public:

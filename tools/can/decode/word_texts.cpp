@@ -144,8 +144,8 @@ std::string error_frame_text(const CanFrame& frame) {
     if (!details.empty()) text += " (" + details + ")";
   }
   if ((frame.id & 0x200) != 0) {
-    text +=
-        " (transmit " + std::to_string(frame.data[6]) + ", receive " + std::to_string(frame.data[7]) + ")";
+    text += " (transmit " + std::to_string(frame.data[6]) + ", receive " + std::to_string(frame.data[7]) +
+            ")";
   }
   return text.empty() ? "error frame without a class" : text;
 }

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "signals/number_text.h"
 #include "tools/common/report/report.h"
 
 namespace sprung::report {
@@ -15,12 +16,7 @@ constexpr std::size_t kLongestUnit = 5;  ///< " Nm/s"
 
 double hundredths(double value) { return 0.01 * std::round(100.0 * value); }
 
-std::string number_text(double value) {
-  if (!std::isfinite(value)) return "-";
-  char text[32];
-  std::snprintf(text, sizeof text, "%.5g", value);
-  return text;
-}
+std::string number_text(double value) { return std::isfinite(value) ? sprung::number_text(value, 5) : "-"; }
 
 std::string escape_html(std::string_view text) {
   std::string safe;

@@ -25,18 +25,6 @@ void require_as_long(const Plot& plot, const std::string& series, std::size_t x,
                               " samples of x, " + std::to_string(y) + " of y");
 }
 
-const char* style_name(Style style) {
-  switch (style) {
-    case Style::kLine:
-      return "line";
-    case Style::kDashedLine:
-      return "dashed";
-    case Style::kPoints:
-      return "points";
-  }
-  return "line";
-}
-
 /// -1 becomes the next colour that nobody in the plot asked for by number.
 class Colours {
  public:
@@ -64,8 +52,8 @@ std::vector<std::size_t> samples_to_show(const Plot& plot, const Series& series)
 Json series_json(const Plot& plot, const Series& series, int colour) {
   require_as_long(plot, series.name, series.x.size(), series.y.size());
   const std::vector<std::size_t> kept = samples_to_show(plot, series);
-  return {{"name", series.name},        {"style", style_name(series.style)}, {"colour", colour},
-          {"samples", series.x.size()}, {"x", numbers(series.x, kept)},      {"y", numbers(series.y, kept)}};
+  return {{"name", series.name},        {"style", name(series.style)},  {"colour", colour},
+          {"samples", series.x.size()}, {"x", numbers(series.x, kept)}, {"y", numbers(series.y, kept)}};
 }
 
 Json band_json(const Plot& plot, const Band& band, int colour) {

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "signals/enumeration.h"
+
 namespace sprung::report {
 
 /// Five significant digits, as tables show numbers; "-" where it is not finite.
@@ -48,6 +50,10 @@ enum class Style {
   kDashedLine,  ///< for what is wanted, predicted or fitted
   kPoints,      ///< a cloud: the order means nothing
 };
+constexpr auto words_of(Style) {
+  using E = Style;
+  return words<E>({{E::kLine, "line"}, {E::kDashedLine, "dashed"}, {E::kPoints, "points"}});
+}
 
 /// Dashed lines lie on top, then lines, clouds and bands; among their like the first is on top. Colours are
 /// told apart by colour-blind readers; series of one `colour` belong together ("knee, measured" and "knee,

@@ -10,6 +10,10 @@
   const FINGER_PX = 20;   // how near the pointer must be to a point of a cloud
   const SHADE_NAMES_PX = 16, MARKER_NAME_PX = 14;
 
+  // A page that is opened as x.html#picture fits its plots into the window, as a picture of it wants them (report.css).
+  const picture = location.hash === '#picture';
+  if (picture) document.documentElement.className = 'picture';
+
   const colour = index => COLOURS[index % COLOURS.length];
   // The second time round the palette a line is dotted.
   const dash = series =>
@@ -270,6 +274,7 @@
   const plots = JSON.parse(document.getElementById('plots').textContent);
   const canvases = [...document.querySelectorAll('canvas[data-plot]')];
   const charts = canvases.map(canvas => draw(canvas, plots[canvas.dataset.plot], plots.length));
+  if (picture) charts.forEach(chart => chart.resize());  // at once: legends have taken their room since
   const sameAxis = (a, b) => plots[a].x === plots[b].x && !plots[b].equal &&
     canvases[a].closest('section') === canvases[b].closest('section');
   charts.forEach((chart, i) => {

@@ -17,15 +17,8 @@ constexpr double kBootLimit_s = 20.0;  // of simulated time
 constexpr double kShareBudget = 0.15;  // design section 10: bridge at 500 Hz, four buses
 
 void add(std::vector<ReportRow>& rows, const std::string& name, const Measured& measured) {
-  ReportRow time, ratio;
-  time.name = "can." + name;
-  time.unit = "ns";
-  time.value = measured.ns;
-  ratio.name = time.name + "_ratio";
-  ratio.unit = "-";
-  ratio.value = measured.ratio;
-  rows.push_back(time);
-  rows.push_back(ratio);
+  rows.push_back(row("can." + name, "ns", measured.ns));
+  rows.push_back(row("can." + name + "_ratio", "-", measured.ratio));
 }
 
 CanFrame frame_of(int i) {
@@ -156,12 +149,8 @@ std::vector<ReportRow> bench_bridge(const RobotConfig& robot, int runs, int cycl
   const Measured cycle = measure(runs, [&] { return replay_ns(robot, ticks, cycles); });
   std::vector<ReportRow> rows;
   add(rows, robot.name + ".bridge_cycle", cycle);
-  ReportRow share;
-  share.name = "can." + robot.name + ".bridge_share";
-  share.unit = "% of a core";
-  share.value = 100.0 * cycle.ns * 1e-9 / robot.cycle_s;
-  share.high = 100.0 * kShareBudget;
-  rows.push_back(share);
+  rows.push_back(row("can." + robot.name + ".bridge_share", "% of a core",
+                     100.0 * cycle.ns * 1e-9 / robot.cycle_s, at_most(100.0 * kShareBudget)));
   return rows;
 }
 

@@ -24,12 +24,12 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kBytes = 344;  // of a message: about that of JOINT_STATE of one leg
-constexpr double kPatience_s = 10.0;
+constexpr double kReadyTimeout_s = 10.0;
 constexpr auto kQuiet = std::chrono::milliseconds(500);  // what is on its way arrives
 const char* const kChannels[] = {"BENCH_0", "BENCH_1", "BENCH_2", "BENCH_3", "BENCH_4"};
 
 void wait_for_file(const std::string& path) {
-  const auto end = Clock::now() + std::chrono::duration<double>(kPatience_s);
+  const auto end = Clock::now() + std::chrono::duration<double>(kReadyTimeout_s);
   while (!fs::exists(path)) {
     if (Clock::now() > end) throw std::runtime_error(path + " was not begun");
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
@@ -100,21 +100,13 @@ Lost run_once(const RecorderBench& bench, int run) {
       std::this_thread::sleep_for(kQuiet);
     }
     std::this_thread::sleep_for(kQuiet);
-    recorder.stop(kPatience_s);
-    logger.stop(kPatience_s);
+    recorder.stop(kReadyTimeout_s);
+    logger.stop(kReadyTimeout_s);
   }
   const Lost lost{bench.messages - count(own), bench.messages - count(theirs)};
   fs::remove(own);
   fs::remove(theirs);
   return lost;
-}
-
-ReportRow row(const char* name, const char* unit, double value) {
-  ReportRow out;
-  out.name = std::string("recorder.") + name;
-  out.unit = unit;
-  out.value = value;
-  return out;
 }
 
 }  // namespace
@@ -131,14 +123,14 @@ std::vector<ReportRow> bench_recorder(const RecorderBench& bench) {
     worst.lcm_logger = std::max(worst.lcm_logger, lost.lcm_logger);
   }
   const double sent = static_cast<double>(bench.runs) * bench.messages;
-  std::vector<ReportRow> rows{row("sent", "messages", sent), row("lost", "messages", all.own),
-                              row("lost_in_worst_run", "messages", worst.own),
-                              row("lcm_logger_lost", "messages", all.lcm_logger),
-                              row("lcm_logger_lost_in_worst_run", "messages", worst.lcm_logger)};
-  rows[1].low = rows[1].high = 0.0;
+  std::vector<ReportRow> rows{row("recorder.sent", "messages", sent),
+                              row("recorder.lost", "messages", all.own, between(0.0, 0.0)),
+                              row("recorder.lost_in_worst_run", "messages", worst.own),
+                              row("recorder.lcm_logger_lost", "messages", all.lcm_logger),
+                              row("recorder.lcm_logger_lost_in_worst_run", "messages", worst.lcm_logger)};
   // Nothing against nothing is no ratio.
-  rows.push_back(
-      row("lost_ratio", "-", all.lcm_logger > 0 ? static_cast<double>(all.own) / all.lcm_logger : NAN));
+  rows.push_back(row("recorder.lost_ratio", "-",
+                     all.lcm_logger > 0 ? static_cast<double>(all.own) / all.lcm_logger : NAN));
   return rows;
 }
 

@@ -37,14 +37,6 @@ void walk(const RobotConfig& robot, double duration_s) {
   trial.run(duration_s);
 }
 
-ReportRow row(const std::string& name, const char* unit, double value) {
-  ReportRow out;
-  out.name = "replay." + name;
-  out.unit = unit;
-  out.value = value;
-  return out;
-}
-
 /// Of one cycle of the log, us; medians of the runs.
 struct CycleTime {
   double wall_us = 0.0;
@@ -75,14 +67,12 @@ std::vector<ReportRow> bench_replay(const RobotConfig& robot, int runs, double d
   const ReplayResult result = run_replay(request);
   const CycleTime all = cycle_time(request, runs);
   std::vector<ReportRow> rows;
-  const auto add = [&](const std::string& name, const char* unit, double value) {
-    rows.push_back(row(robot.name + "." + name, unit, value));
+  const auto add = [&](const std::string& name, const char* unit, double value, const Bounds& bounds = {}) {
+    rows.push_back(row("replay." + robot.name + "." + name, unit, value, bounds));
   };
-  add("times_real_time", "-", robot.cycle_s * 1e6 / all.wall_us);
-  rows.back().low = kLeastTimesRealTime;
+  add("times_real_time", "-", robot.cycle_s * 1e6 / all.wall_us, at_least(kLeastTimesRealTime));
   add("times_real_time_of_processor", "-", robot.cycle_s * 1e6 / all.processor_us);
-  add("differing", "messages", static_cast<double>(result.counts.differing));
-  rows.back().low = rows.back().high = 0.0;
+  add("differing", "messages", static_cast<double>(result.counts.differing), between(0.0, 0.0));
   add("compared", "messages", static_cast<double>(result.counts.compared));
   add("cycle", "us", all.processor_us);
   request.cores.runs = {};

@@ -21,7 +21,7 @@ namespace sprung {
 namespace {
 
 constexpr double kBoot_s = 10.0;
-constexpr double kHome_s = 0.5;
+constexpr double kHomeStack_s = 0.5;
 constexpr double kRise_s = 1.0;      // beside the preset's rise_time
 constexpr double kGetGoing_s = 1.0;  // until it walks
 constexpr double kSpeed = 0.5;       // of the gait's fastest
@@ -30,12 +30,6 @@ constexpr int kCalls = 2000;
 enum Part { kSimulation, kBridge, kEstimator, kPlanner, kController, kPartCount };
 constexpr std::array<const char*, kPartCount> kPartNames{"simulation", "bridge", "estimator", "planner",
                                                          "controller"};
-
-double processor_s() noexcept {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 /// The cores as InProcessRobot calls them, with a watch on each.
 class TimedStack {
@@ -59,9 +53,9 @@ class TimedStack {
       if (left == 0) throw std::runtime_error(bridge_.boot_detail());
       tick();
     }
-    run(kHome_s);
+    run(kHomeStack_s);
     ask(OperatorKind::kHome);
-    run(kHome_s);
+    run(kHomeStack_s);
     ask(OperatorKind::kStand);
     run(robot_.preset().rise_time_s + kRise_s);
     expect(MotionPhase::kStanding);
@@ -192,8 +186,8 @@ double bare_step_us(const RobotConfig& robot) {
                    for (int i = 0; i < steps; ++i) {
                      for (std::size_t j = 0; j < robot.joints.size(); ++j) {
                        const ActuatorConfig& a = robot.actuators[j];
-                       const double away_rad =
-                           data->qpos[plant.index.joint_qpos[j]] - config.joints[j].initial_rad;
+                       const double away_rad = data->qpos[plant.index.joint_qpos[j]] -
+                                               config.joints[j].initial_rad;
                        const int dof = plant.index.joint_dof[j];
                        data->qfrc_applied[dof] = -a.position_stiffness_Nm_rad * away_rad -
                                                  a.position_damping_Nm_s_rad * data->qvel[dof];
@@ -203,14 +197,6 @@ double bare_step_us(const RobotConfig& robot) {
                  }));
   }
   return median(us);
-}
-
-ReportRow row(const RobotConfig& robot, const std::string& name, const char* unit, double value) {
-  ReportRow out;
-  out.name = "inprocess." + robot.name + "." + name;
-  out.unit = unit;
-  out.value = value;
-  return out;
 }
 
 int fastest_gait(const RobotConfig& robot) {
@@ -241,11 +227,12 @@ std::vector<ReportRow> bench_stack(const RobotConfig& robot, double seconds) {
   const double reference_us = 1e-3 * reference_ns();
   const double began_s = processor_s();
   stack.run(seconds);
-  std::vector<ReportRow> rows{row(robot, "realtime_factor", "x", seconds / (processor_s() - began_s))};
+  const std::string prefix = "inprocess." + robot.name + ".";
+  std::vector<ReportRow> rows{row(prefix + "realtime_factor", "x", seconds / (processor_s() - began_s))};
   stack.expect(MotionPhase::kWalking);
   const auto add = [&](const std::string& name, double us) {
-    rows.push_back(row(robot, name, "us", us));
-    rows.push_back(row(robot, name + "_ratio", "-", us / reference_us));
+    rows.push_back(row(prefix + name, "us", us));
+    rows.push_back(row(prefix + name + "_ratio", "-", us / reference_us));
   };
   double cores_us = 0.0;
   for (int part = 0; part < kPartCount; ++part) {
@@ -257,8 +244,8 @@ std::vector<ReportRow> bench_stack(const RobotConfig& robot, double seconds) {
   add("force_distribution_two_feet", two_feet_us);
   add("force_distribution_four_feet", distribution_us(robot, false));
   add("cores_cycle", cores_us - two_feet_us);
-  rows.push_back(row(robot, "simulation_over_mj_step", "-", bare_us / standing_us));
-  rows.push_back(row(robot, "stack_over_mj_step", "-", bare_us / standing_stack_us));
+  rows.push_back(row(prefix + "simulation_over_mj_step", "-", bare_us / standing_us));
+  rows.push_back(row(prefix + "stack_over_mj_step", "-", bare_us / standing_stack_us));
   return rows;
 }
 

@@ -53,14 +53,6 @@ Times time_one(const RobotConfig& robot, const std::string& log_folder) {
   return times;
 }
 
-ReportRow row(const std::string& name, double value_s) {
-  ReportRow row;
-  row.name = name;
-  row.unit = "s";
-  row.value = value_s;
-  return row;
-}
-
 }  // namespace
 
 std::vector<ReportRow> bench_up(const RobotConfig& robot, int runs, const std::string& log_folder) {
@@ -71,10 +63,9 @@ std::vector<ReportRow> bench_up(const RobotConfig& robot, int runs, const std::s
     stop_s.push_back(times.stop_s);
   }
   const std::string prefix = "up." + robot.name + ".";
-  ReportRow ready = row(prefix + "ready", median(ready_s));
-  ready.high = kReach_s;
-  return {ready, row(prefix + "ready_slowest", *std::max_element(ready_s.begin(), ready_s.end())),
-          row(prefix + "stop", median(stop_s))};
+  return {row(prefix + "ready", "s", median(ready_s), at_most(kReach_s)),
+          row(prefix + "ready_slowest", "s", *std::max_element(ready_s.begin(), ready_s.end())),
+          row(prefix + "stop", "s", median(stop_s))};
 }
 
 }  // namespace sprung

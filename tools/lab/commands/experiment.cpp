@@ -1,86 +1,151 @@
+#include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <mutex>
 
 #include "robots/robot_loader.h"
 #include "runtime/log.h"
-#include "simulation/sim_shell.h"
 #include "tools/commands.h"
 #include "tools/common/progress_bar.h"
-#include "tools/lab/commands/experiment_all.h"
-#include "tools/lab/commands/experiment_drop.h"
-#include "tools/lab/commands/experiment_estimator.h"
-#include "tools/lab/commands/experiment_joint.h"
-#include "tools/lab/commands/experiment_jump.h"
-#include "tools/lab/commands/experiment_leg.h"
-#include "tools/lab/commands/experiment_rows.h"
-#include "tools/lab/commands/experiment_tune.h"
-#include "tools/lab/commands/experiment_walking.h"
-#include "tools/lab/faults/fault_experiment.h"
+#include "tools/common/report/report_shell.h"
+#include "tools/lab/run/experiment_index.h"
+#include "tools/lab/run/experiments.h"
 #include "tools/logs/recorder/inprocess_log.h"
 
 namespace sprung::commands {
-
 namespace {
 
-struct ExperimentRequest {
-  std::string robot = "single_leg";
-  std::string preset;
-  std::uint64_t seed = 1;
-  std::vector<std::string> plant;
-  std::string out;
+namespace fs = std::filesystem;
+
+struct ExperimentOptions {
+  ExperimentRequest request;
+  std::string out;     ///< folder; empty: no files
+  std::string report;  ///< HTML file; empty: none
   bool as_json = false;
-  bool as_markdown = false;
-  std::string only;
 };
 
-bool wanted(const FaultCase& fault, const std::string& only) {
-  return only.empty() || only == name(fault.kind);
+IndexHeading heading_of(const RobotConfig& robot, const ExperimentRequest& request) {
+  return {robot.name, static_cast<std::uint64_t>(robot.hash), request.seed,
+          "sprung experiment all --robot " + request.robot + " --seed " + std::to_string(request.seed)};
 }
 
-int run_faults(ExperimentRequest request) {
+void write_files(const fs::path& folder, const IndexHeading& heading, const FinishedExperiment& finished) {
+  if (finished.failure.empty())
+    report::write_text(finished.rows.json() + "\n", folder / (finished.name + ".json"));
+  for (const auto& [name, content] : finished.output.files) report::write_text(content, folder / name);
+  report::write_report(experiment_page(heading, finished), folder / (finished.name + ".html"));
+}
+
+std::string text_of(const FinishedExperiment& finished) {
+  const ExperimentOutput& output = finished.output;
+  if (!output.instead.empty()) return output.instead;
+  return output.before + (output.before.empty() ? "" : "\n") + finished.rows.table() +
+         (output.remark.empty() ? "" : "\n" + output.remark);
+}
+
+int run_one(const Experiment& experiment, const ExperimentOptions& options) {
   start_log("sprung");
-  SimOptions sim;
-  sim.seed = request.seed;
-  sim.plant = parse_plant(request.plant);
+  ExperimentRequest request = options.request;
+  request.pages = !options.out.empty() || !options.report.empty();
   const RobotConfig robot = load_robot(request.robot);
-  request.preset = robot.preset(request.preset).name;
-  std::vector<FaultCase> cases;
-  for (const FaultCase& fault : fault_cases(robot)) {
-    if (wanted(fault, request.only)) cases.push_back(fault);
-  }
-  std::vector<FaultOutcome> outcomes;
-  with_progress("faults", [&](ProgressBar& bar) {
-    for (const FaultCase& fault : cases) {
-      bar.show(outcomes.size(), cases.size());
-      outcomes.push_back(run_fault(robot, request.preset, sim, fault));
-    }
+  ExperimentInput input = experiment_input(experiment, request, robot);
+  const FinishedExperiment finished = with_progress(experiment.name, [&](ProgressBar& bar) {
+    input.parallel.on_progress = [&bar](std::size_t done, std::size_t count) { bar.show(done, count); };
+    return run_experiment(experiment, input);
   });
-  if (outcomes.empty()) {
-    throw std::invalid_argument("no fault '" + request.only + "'; see sprung fault --help");
-  }
-  const ExperimentReport report = fault_report(robot, request.preset, request.seed, outcomes);
-  if (!request.out.empty()) write_rows(report, request.out);
-  if (request.as_json || !request.as_markdown) return print_rows(report, request.as_json);
-  std::printf("%s\n", fault_table(outcomes).c_str());
-  return report.ok() ? kExitDone : kExitFailed;
+  const IndexHeading heading = heading_of(robot, request);
+  if (!options.out.empty()) write_files(options.out, heading, finished);
+  if (!options.report.empty()) report::write_report(experiment_page(heading, finished), options.report);
+  std::printf("%s\n", (options.as_json ? finished.rows.json() : text_of(finished)).c_str());
+  return finished.ok() ? kExitDone : kExitFailed;
 }
 
-void add_faults(CommandLine& experiment, const std::shared_ptr<ExperimentRequest>& request) {
-  CommandLine& faults = experiment.subcommand("faults",
-                                              "Every fault on the simulated robot: when it is noticed, what "
-                                              "follows, whether clear brings the robot back.");
-  faults.option("--robot", request->robot, "name or folder");
-  faults.option("--preset", request->preset,
-                "set of parameters in robot.yaml; default: best, else the only one");
-  faults.option("--seed", request->seed, "of every noise");
-  faults.option("--plant", request->plant, "KEY=VALUE changes the plant; may be repeated");
-  faults.option("--only", request->only, "one kind of fault, e.g. bus-off");
-  faults.option("--out", request->out, "folder for the report");
-  faults.flag("--json", request->as_json, "one JSON object on standard output");
-  faults.flag("--markdown", request->as_markdown, "the table of docs/drivers.md");
-  faults.example("sprung experiment faults --robot single_leg --seed 1 --markdown");
-  faults.action([=] { return run_faults(*request); });
+/// Options that only some experiments have.
+void add_common(CommandLine& line, const Experiment& experiment, ExperimentOptions& options) {
+  const auto takes = [&](Common option) { return experiment.takes.count(option) > 0; };
+  ExperimentRequest& request = options.request;
+  if (takes(Common::kPreset))
+    line.option("--preset", request.preset,
+                "set of parameters in robot.yaml; default: " + experiment.presets.alone +
+                    ", else the only one" + experiment.preset_note);
+  if (takes(Common::kPlant))
+    line.option("--plant", request.plant,
+                "KEY=VALUE changes the plant, e.g. friction_scale=1.2; may be repeated");
+  if (takes(Common::kJobs)) line.option("--jobs", request.jobs, "threads; 0: one for each core");
+  if (takes(Common::kSeparate))
+    line.flag("--separate", request.separate,
+              "real processes over LCM instead of one process; the same bits");
+  if (takes(Common::kOut))
+    line.option(
+        "--out", options.out,
+        "folder for " + experiment.name + ".json and " + experiment.name + ".html" + experiment.out_note);
+  if (takes(Common::kReport)) line.option("--report", options.report, "HTML file with tables and plots");
+}
+
+void add(CommandLine& parent, const Experiment& experiment) {
+  const auto options = std::make_shared<ExperimentOptions>();
+  options->request.robot = experiment.robot;
+  CommandLine& line = parent.subcommand(experiment.name, experiment.what);
+  line.option("--robot", options->request.robot, experiment.robot_help);
+  line.option("--seed", options->request.seed, experiment.seed_help);
+  experiment.own.add_to(line);
+  add_common(line, experiment, *options);
+  line.flag("--json", options->as_json, "one JSON object on standard output");
+  line.example("sprung experiment " + experiment.name + " " + experiment.example);
+  line.action([=] { return run_one(experiment, *options); });
+}
+
+std::vector<Experiment> experiments_or_refusal(const RobotConfig& robot) {
+  try {
+    return experiments_of(robot);
+  } catch (const std::invalid_argument& reason) {
+    throw WrongUse(reason.what());
+  }
+}
+
+int run_all(const ExperimentOptions& options) {
+  start_log("sprung");
+  const auto started = std::chrono::steady_clock::now();
+  const RobotConfig robot = load_robot(options.request.robot);
+  const std::vector<Experiment> all = experiments_or_refusal(robot);
+  ProgressBar bar("experiments");
+  bar.show(0, all.size());
+  const std::vector<FinishedExperiment> finished = run_experiments(
+      all, options.request, robot, [&bar](std::size_t done, std::size_t count) { bar.show(done, count); });
+  IndexHeading heading = heading_of(robot, options.request);
+  heading.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+  const fs::path folder = options.out;
+  bool ok = true;
+  for (const FinishedExperiment& experiment : finished) {
+    write_files(folder, heading, experiment);
+    ok = ok && experiment.ok();
+  }
+  const std::string json = experiment_index_json(heading, finished);
+  report::write_report(experiment_index(heading, finished), folder / "index.html");
+  report::write_text(json + "\n", folder / "index.json");
+  if (options.as_json) {
+    std::printf("%s\n", json.c_str());
+  } else {
+    std::printf("%sin %.0f s: %s\n", experiment_index_text(finished).c_str(), heading.wall_s,
+                (folder / "index.html").string().c_str());
+  }
+  return ok ? kExitDone : kExitFailed;
+}
+
+void add_all(CommandLine& experiment) {
+  const auto options = std::make_shared<ExperimentOptions>();
+  options->out = "report";
+  options->request.in_all = options->request.pages = true;
+  CommandLine& all = experiment.subcommand(
+      "all", "Every experiment of a robot: one page with all tables and figures, a page and JSON for each.");
+  all.option("--robot", options->request.robot, "name or folder");
+  all.option("--seed", options->request.seed, "of every noise and of drawn plants; 0 was used for tuning");
+  all.option("--jobs", options->request.jobs, "threads; 0 = every core");
+  all.option("--out", options->out, "folder for index.html, index.json and the experiments' own");
+  all.flag("--json", options->as_json, "one JSON object on standard output");
+  all.example("sprung experiment all --robot single_leg --seed 1 --out report");
+  all.action([=] { return run_all(*options); });
 }
 
 /// Taken when the first robot is made: by then the command line is read.
@@ -104,19 +169,12 @@ void add_log_folder(CommandLine& experiment) {
 }  // namespace
 
 void add_experiment(CommandLine& sprung) {
-  CommandLine& experiment =
-      sprung.subcommand("experiment", "Run an experiment on the simulated robot and print its rows.");
+  CommandLine& experiment = sprung.subcommand("experiment",
+                                              "Run an experiment on the simulated robot and print its rows.");
   experiment.example("sprung experiment jump --robot single_leg --preset paper --seed 1");
   add_log_folder(experiment);
-  add_jump_experiments(experiment);
-  add_faults(experiment, std::make_shared<ExperimentRequest>());
-  add_drop_experiment(experiment);
-  add_joint_experiments(experiment);
-  add_leg_experiments(experiment);
-  add_estimator_experiment(experiment);
-  add_walking_experiments(experiment);
-  add_tune_experiment(experiment);
-  add_all_experiments(experiment);
+  for (const Experiment& one : experiments()) add(experiment, one);
+  add_all(experiment);
 }
 
 }  // namespace sprung::commands

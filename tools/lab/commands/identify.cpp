@@ -10,7 +10,6 @@
 #include "tools/commands.h"
 #include "tools/common/report/report_shell.h"
 #include "tools/lab/commands/identify_record.h"
-#include "tools/lab/identify/file_digest.h"
 #include "tools/lab/identify/footprint_result.h"
 #include "tools/lab/identify/fragment.h"
 #include "tools/lab/identify/identify_recording.h"

@@ -102,8 +102,8 @@ int run_in_process(const GuidedRecording& request) {
   sim.plant = parse_plant(request.plant);
   const identify::RecordOptions options = options_of(request);
   const int joint = joint_of(robot, request);
-  const identify::JointRecording recording =
-      understood([&] { return identify::record_in_process(robot, sim, joint, options); });
+  const identify::JointRecording recording = understood(
+      [&] { return identify::record_in_process(robot, sim, joint, options); });
   const std::string file = file_of(request);
   identify::write_drive_log(file, recording.states);
   return next_step(request, file);
@@ -147,8 +147,8 @@ int run_guided_recording(const GuidedRecording& request) {
                    " has feet, and must hang free: add --suspended (simulated: it is hung up; real: "
                    "you have hung it up)");
   JointMover mover(info, robot);
-  const identify::RecordPlan plan =
-      understood([&] { return identify::plan_recording(robot, joint, options, mover); });
+  const identify::RecordPlan plan = understood(
+      [&] { return identify::plan_recording(robot, joint, options, mover); });
   if (!confirmed(identify::describe(robot, plan) + " Is everybody clear of it?", request.yes))
     return kExitFailed;
   const std::string file = file_of(request);

@@ -15,7 +15,7 @@ namespace sprung {
 
 namespace {
 
-constexpr std::size_t kLeg = 0;
+constexpr std::size_t kSteppingLeg = 0;
 constexpr double kGrounds_N_m[] = {8000.0, 15000.0, 30000.0, 60000.0};
 constexpr double kJitter_us = 2.0;
 constexpr double kLongestStep_s = 9.0;  // at 0.08 m/s, with its waits
@@ -46,18 +46,14 @@ double percent(std::size_t part, std::size_t whole) {
 /// NaN when there is none. @param share 0 to 1 of the values are smaller.
 double quantile(std::vector<double> values, double share) {
   if (values.empty()) return kNaN;
-  const double place =
-      std::min(share * static_cast<double>(values.size()), static_cast<double>(values.size() - 1));
+  const double place = std::min(share * static_cast<double>(values.size()),
+                                static_cast<double>(values.size() - 1));
   const auto nth = values.begin() + static_cast<std::ptrdiff_t>(place);
   std::nth_element(values.begin(), nth, values.end());
   return *nth;
 }
 
-double median(std::vector<double> values) { return quantile(std::move(values), 0.5); }
-
-ReportRow row(const std::string& quantity, const char* unit, double value) {
-  return {"estimator.contact." + quantity, unit, value, std::nullopt, std::nullopt, std::nullopt};
-}
+double median_of(std::vector<double> values) { return quantile(std::move(values), 0.5); }
 
 struct Counts {
   std::size_t touchdowns = 0, found = 0, false_alarms = 0;
@@ -105,7 +101,7 @@ std::vector<ContactStep> jump_contacts(const RobotConfig& robot, const std::stri
                                        const SimOptions& sim) {
   std::vector<ContactStep> steps;
   for (const JumpMode mode : {JumpMode::kPosition, JumpMode::kTorque, JumpMode::kHybrid}) {
-    ContactScorer scorer(kLeg);
+    ContactScorer scorer(kSteppingLeg);
     MotionPhase last = MotionPhase::kIdle;
     run_in_process(
         jump_script(robot, preset, sim, mode, 1),
@@ -144,7 +140,7 @@ void run_stepping(const RobotConfig& robot, const std::string& preset, const Sim
 
 std::vector<ContactStep> stepping_contacts(const RobotConfig& robot, const std::string& preset,
                                            const SimOptions& sim, int steps) {
-  ContactScorer scorer(kLeg);
+  ContactScorer scorer(kSteppingLeg);
   run_stepping(robot, preset, sim, steps, [&](const JointState& in, const SimTruth& truth, bool step_begins) {
     if (step_begins) scorer.begin_step();
     scorer.add(in, truth);
@@ -166,19 +162,19 @@ std::vector<ContactStep> run_contacts(const RobotConfig& robot, const ContactReq
 
 std::vector<ReportRow> contact_rows(const std::vector<ContactStep>& steps) {
   const Counts counts = count(steps);
-  std::vector<ReportRow> rows{row("found", "%", percent(counts.found, counts.touchdowns))};
-  rows.back().low = kLeastFound_percent;
+  std::vector<ReportRow> rows{row("estimator.contact.found", "%", percent(counts.found, counts.touchdowns),
+                                  at_least(kLeastFound_percent))};
   for (const auto& [approach, most_ms] : kDelays) {
     std::vector<double> delays_ms;
     for (const ContactStep& step : steps) {
       if (step.delay_ms && approach_class(*step.approach_speed_m_s) == approach)
         delays_ms.push_back(*step.delay_ms);
     }
-    rows.push_back(row(std::string("delay_median_") + name(approach), "ms", median(delays_ms)));
-    rows.back().high = most_ms;
+    rows.push_back(row(std::string("estimator.contact.delay_median_") + name(approach), "ms",
+                       median_of(delays_ms), at_most(most_ms)));
   }
-  rows.push_back(row("false_alarms", "%", percent(counts.false_alarms, steps.size())));
-  rows.back().high = kMostFalseAlarms_percent;
+  rows.push_back(row("estimator.contact.false_alarms", "%", percent(counts.false_alarms, steps.size()),
+                     at_most(kMostFalseAlarms_percent)));
   return rows;
 }
 
@@ -203,14 +199,13 @@ std::vector<ReportRow> walking_contact_rows(const std::string& gait, const std::
   for (const ContactStep& step : steps) {
     if (step.delay_ms) delays_ms.push_back(*step.delay_ms);
   }
-  std::vector<ReportRow> rows{row(gait + ".found", "%", percent(counts.found, counts.touchdowns)),
-                              row(gait + ".delay_median", "ms", median(delays_ms)),
-                              row(gait + ".delay_p95", "ms", quantile(delays_ms, 0.95)),
-                              row(gait + ".false_alarms", "%", percent(counts.false_alarms, steps.size()))};
-  rows[0].low = kLeastFound_percent;
-  rows[1].high = rows[2].high = kWalkingDelay_ms;
-  rows[3].high = kMostFalseAlarms_percent;
-  return rows;
+  const std::string prefix = "estimator.contact." + gait;
+  return {
+      row(prefix + ".found", "%", percent(counts.found, counts.touchdowns), at_least(kLeastFound_percent)),
+      row(prefix + ".delay_median", "ms", median_of(delays_ms), at_most(kWalkingDelay_ms)),
+      row(prefix + ".delay_p95", "ms", quantile(delays_ms, 0.95), at_most(kWalkingDelay_ms)),
+      row(prefix + ".false_alarms", "%", percent(counts.false_alarms, steps.size()),
+          at_most(kMostFalseAlarms_percent))};
 }
 
 }  // namespace sprung

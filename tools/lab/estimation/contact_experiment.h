@@ -23,8 +23,8 @@ struct ContactRequest {
 };
 
 /// Every cycle of a suspended leg that steps (stepping_leg.h) as many times; `step_begins` in a step's first.
-using SteppingObserver =
-    std::function<void(const JointState& estimate, const SimTruth& truth, bool step_begins)>;
+using SteppingObserver = std::function<void(const JointState& estimate, const SimTruth& truth,
+                                            bool step_begins)>;
 /// @throws std::runtime_error where the plant failed or the leg does not move.
 void run_stepping(const RobotConfig& robot, const std::string& preset, const SimOptions& sim, int steps,
                   const SteppingObserver& on_cycle);

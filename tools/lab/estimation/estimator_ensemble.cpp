@@ -3,6 +3,8 @@
 #include <array>
 #include <random>
 
+#include "tools/lab/run/scoring.h"
+
 namespace sprung {
 namespace {
 
@@ -15,9 +17,6 @@ std::map<std::string, double> changes(const std::array<double, 3>& at) {
           {"kt_scale", 1.0 + kTorqueConstant * at[1]},
           {"mass_scale", 1.0 + kMass * at[2]}};
 }
-
-/// The same on every machine, which std::uniform_real_distribution does not promise.
-double even(std::mt19937_64& random) { return 2.0 * static_cast<double>(random() >> 11) * 0x1p-53 - 1.0; }
 
 }  // namespace
 

@@ -1,7 +1,7 @@
 #include "tools/lab/estimation/estimator_experiment.h"
 
-#include <chrono>
 #include <cstdio>
+#include <memory>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -9,29 +9,35 @@
 #include "robots/robot_loader.h"
 #include "tools/lab/estimation/contact_experiment.h"
 #include "tools/lab/estimation/estimator_ensemble.h"
-#include "tools/lab/estimation/estimator_jump_rows.h"
-#include "tools/lab/estimation/estimator_temperature_rows.h"
+#include "tools/lab/estimation/estimator_rows.h"
 #include "tools/lab/friction/friction_sweep.h"
 #include "tools/lab/recordings/recording_rows.h"
 
 namespace sprung {
 namespace {
 
-void append(ExperimentReport& report, const std::vector<ReportRow>& rows) {
-  report.rows.insert(report.rows.end(), rows.begin(), rows.end());
+struct EstimatorRequest {
+  std::string preset{};  ///< of each robot; empty = its usual one
+  std::uint64_t seed = 1;
+  std::string data{};  ///< folder of recordings; "" = /work/shared/data or ../shared/data where one is
+  std::string only{};  ///< "" = all; else one section
+};
+
+void append(ExperimentOutput& part, const std::vector<ReportRow>& rows) {
+  part.rows.insert(part.rows.end(), rows.begin(), rows.end());
 }
 
-void add_contact_rows(const RobotConfig& robot, const EstimatorRequest& request, ExperimentReport& report) {
+void add_contact_rows(const RobotConfig& robot, const EstimatorRequest& request, ExperimentOutput& part) {
   ContactRequest contact;
   contact.preset = request.preset;
   for (const EnsemblePlant& plant : estimator_ensemble(request.seed))
     contact.plants.push_back({plant.seed, plant.changes, true});
-  append(report, contact_rows(run_contacts(robot, contact)));
+  append(part, contact_rows(run_contacts(robot, contact)));
 }
 
 /// Three plants that differ in their noise, at walking speed.
 void add_walking_contact_rows(const RobotConfig& robot, const EstimatorRequest& request,
-                              ExperimentReport& report) {
+                              ExperimentOutput& part) {
   constexpr std::uint64_t kSeeds = 3;
   for (const auto& [gait, forward_m_s] : {std::pair{"trot", 0.35}, std::pair{"crawl", 0.1}}) {
     std::vector<ContactStep> steps;
@@ -40,31 +46,31 @@ void add_walking_contact_rows(const RobotConfig& robot, const EstimatorRequest& 
           robot, {request.preset, gait, forward_m_s, 8.0, SimOptions{request.seed + i, {}, true}});
       steps.insert(steps.end(), more.begin(), more.end());
     }
-    append(report, walking_contact_rows(gait, steps));
+    append(part, walking_contact_rows(gait, steps));
   }
 }
 
-void add_friction_rows(const RobotConfig& robot, const EstimatorRequest& request, ExperimentReport& report) {
-  append(report,
-         friction_fit_rows(robot, request.preset, SimOptions{request.seed, {}, true}, &report.simulated_s));
+void add_friction_rows(const RobotConfig& robot, const EstimatorRequest& request, ExperimentOutput& part) {
+  append(part,
+         friction_fit_rows(robot, request.preset, SimOptions{request.seed, {}, true}, &part.simulated_s));
 }
 
 /// Standard output may be JSON, so what is left out is said on the other.
-void add_recorded_rows(const EstimatorRequest& request, ExperimentReport& report) {
+void add_recorded_rows(const EstimatorRequest& request, ExperimentOutput& part) {
   const auto folder = recordings::data_folder(request.data);
   if (!folder) {
     std::fprintf(stderr, "no folder of recordings: their rows are left out (--data DIR names one)\n");
     return;
   }
   for (const recordings::RecordingResult& result : recordings::results_of(*folder))
-    append(report, recordings::rows_of(result));
+    append(part, recordings::rows_of(result));
 }
 
 /// One part of the table, and the robot that it runs on.
 struct Section {
   const char* name;
   const char* robot;
-  void (*add)(const RobotConfig& robot, const EstimatorRequest& request, ExperimentReport& report);
+  void (*add)(const RobotConfig& robot, const EstimatorRequest& request, ExperimentOutput& part);
 };
 
 /// A quadruped's own: the table of test_axis is about joints and a single leg.
@@ -72,23 +78,23 @@ constexpr const char* kWalkingContact = "walking_contact";
 
 constexpr Section kSections[] = {
     {"jump", "single_leg",
-     [](const RobotConfig& robot, const EstimatorRequest& r, ExperimentReport& report) {
-       add_jump_rows(robot, r.preset, r.seed, report);
+     [](const RobotConfig& robot, const EstimatorRequest& r, ExperimentOutput& part) {
+       add_jump_rows(robot, r.preset, r.seed, part);
      }},
     {"bounds", "single_leg",
-     [](const RobotConfig& robot, const EstimatorRequest& r, ExperimentReport& report) {
-       add_bounds_rows(robot, r.preset, r.seed, report);
+     [](const RobotConfig& robot, const EstimatorRequest& r, ExperimentOutput& part) {
+       add_bounds_rows(robot, r.preset, r.seed, part);
      }},
     {"contact", "single_leg", add_contact_rows},
     {"temperature", "test_axis",
-     [](const RobotConfig& robot, const EstimatorRequest& r, ExperimentReport& report) {
-       add_temperature_rows(robot, r.preset, r.seed, report);
+     [](const RobotConfig& robot, const EstimatorRequest& r, ExperimentOutput& part) {
+       add_temperature_rows(robot, r.preset, r.seed, part);
      }},
     {"friction_fit", "pegasus", add_friction_rows},
     {kWalkingContact, "pegasus", add_walking_contact_rows},
     {"recordings", "test_axis",
-     [](const RobotConfig&, const EstimatorRequest& r, ExperimentReport& report) {
-       add_recorded_rows(r, report);
+     [](const RobotConfig&, const EstimatorRequest& r, ExperimentOutput& part) {
+       add_recorded_rows(r, part);
      }},
 };
 
@@ -105,8 +111,6 @@ std::vector<const Section*> sections_of(const RobotConfig& robot, const std::str
   return out;
 }
 
-}  // namespace
-
 std::string estimator_sections() {
   std::string text;
   std::string last;
@@ -118,26 +122,42 @@ std::string estimator_sections() {
   return text;
 }
 
-ExperimentReport run_estimator_experiment(const EstimatorRequest& request,
-                                          const SectionProgress& on_progress) {
-  ExperimentReport report;
-  const RobotConfig named = load_robot(request.robot);
-  report.experiment = "estimator";
-  report.robot = named.name;
-  report.preset = named.preset(request.preset).name;
-  report.seed = request.seed;
-  const auto started = std::chrono::steady_clock::now();
-  const std::vector<const Section*> sections = sections_of(named, request.only);
+ExperimentOutput run_estimator(const ExperimentInput& in, EstimatorRequest request) {
+  request.preset = in.asked.preset;
+  request.seed = in.sim.seed;
+  const std::vector<const Section*> sections = sections_of(in.robot, request.only);
+  ExperimentOutput out;
   for (std::size_t i = 0; i < sections.size(); ++i) {
-    if (on_progress) on_progress(i, sections.size());
-    const bool own = named.name == sections[i]->robot;
-    sections[i]->add(own ? named : load_robot(sections[i]->robot), request, report);
+    if (in.parallel.on_progress) in.parallel.on_progress(i, sections.size());
+    const bool own = in.robot.name == sections[i]->robot;
+    sections[i]->add(own ? in.robot : load_robot(sections[i]->robot), request, out);
   }
-  if (report.rows.empty() && request.only != "recordings")
-    throw std::invalid_argument("no rows of " + named.name + " in '" + request.only +
+  if (out.rows.empty() && request.only != "recordings")
+    throw std::invalid_argument("no rows of " + in.robot.name + " in '" + request.only +
                                 "'; sections: " + estimator_sections());
-  report.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
-  return report;
+  return out;
+}
+
+}  // namespace
+
+Experiment estimator_experiment() {
+  const auto own = std::make_shared<EstimatorRequest>();
+  Experiment out;
+  out.name = "estimator";
+  out.what = "What the torque estimate is worth: against the simulation's truth and against recordings.";
+  out.question =
+      "How far off is the estimated torque in jumps, at rest and over temperature, and how soon is a contact "
+      "noticed?";
+  out.robot = kWholeTable;
+  out.robot_help = "test_axis: the whole table, with the robots that it needs; another robot: its own rows";
+  out.preset_note = "; of the jumps";
+  out.takes = {Common::kPreset, Common::kOut};
+  out.seed_help = "of every noise and of the drawn plants; 0 was used for tuning";
+  out.example = "--robot test_axis --seed 1 --json";
+  out.own.option("--data", own->data, "folder of recordings; default ../shared/data where it is");
+  out.own.option("--only", own->only, "one part of the table: " + estimator_sections());
+  out.run = [own](const ExperimentInput& in) { return run_estimator(in, *own); };
+  return out;
 }
 
 }  // namespace sprung

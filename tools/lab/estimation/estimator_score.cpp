@@ -5,8 +5,8 @@
 namespace sprung {
 namespace {
 
-constexpr double kContact_N = 1.0;           // true vertical force that counts as ground contact
-constexpr std::int64_t kFlight_us = 30'000;  // shorter hops off the ground are no flight
+constexpr double kOnGround_N = 1.0;               // true vertical force that counts as ground contact
+constexpr std::int64_t kLeastFlight_us = 30'000;  // shorter hops off the ground are no flight
 
 bool stood_for(const EstimatedJoint& joint) {
   return joint.status == JointStatus::kOk || joint.status == JointStatus::kSaturated;
@@ -52,7 +52,7 @@ double TorqueScore::mean_bound_Nm() const { return mean(bounds_Nm_); }
 JumpWindow::Part JumpWindow::add(const MotionState& motion, const SimTruth& truth) {
   const std::int64_t now_us = truth.stamp.utime_us;
   const bool thrust_begins = motion.state == MotionPhase::kThrust && last_phase_ != MotionPhase::kThrust;
-  const bool on_ground = ground_force_N(truth) > kContact_N;
+  const bool on_ground = ground_force_N(truth) > kOnGround_N;
   last_phase_ = motion.state;
   if (thrust_begins && part_ == Part::kOther) {
     part_ = Part::kPushOff;
@@ -60,7 +60,7 @@ JumpWindow::Part JumpWindow::add(const MotionState& motion, const SimTruth& trut
     part_ = Part::kFlight;
     since_us_ = now_us;
   } else if (part_ == Part::kFlight && on_ground) {
-    part_ = now_us - since_us_ >= kFlight_us ? Part::kLanding : Part::kPushOff;
+    part_ = now_us - since_us_ >= kLeastFlight_us ? Part::kLanding : Part::kPushOff;
     since_us_ = now_us;
   } else if (part_ == Part::kLanding && now_us - since_us_ > std::llround(kLanding_s * 1e6)) {
     part_ = Part::kOther;

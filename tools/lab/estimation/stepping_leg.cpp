@@ -30,9 +30,9 @@ bool any_contact(const JointState& in) noexcept {
 }  // namespace
 
 double SteppingLeg::draw(int quantity, double low, double high) const noexcept {
-  const std::uint64_t bits =
-      sim::mix_bits(sim::mix_bits(sim::mix_bits(script_.seed) ^ static_cast<std::uint64_t>(step_ + 1)) ^
-                    static_cast<std::uint64_t>(quantity));
+  const std::uint64_t bits = sim::mix_bits(
+      sim::mix_bits(sim::mix_bits(script_.seed) ^ static_cast<std::uint64_t>(step_ + 1)) ^
+      static_cast<std::uint64_t>(quantity));
   return low + (high - low) * static_cast<double>(bits >> 11) / 9007199254740992.0;  // 2^53
 }
 

@@ -1,6 +1,6 @@
-#include "tools/lab/faults/fault_cases.h"
-
 #include <limits>
+
+#include "tools/lab/faults/fault_experiment.h"
 
 namespace sprung {
 namespace {
@@ -15,8 +15,8 @@ std::vector<FaultCase> fault_cases(const RobotConfig& robot) {
   using Cause = SafetyCause;
   const WatchdogConfig& watchdogs = robot.watchdogs;
   const bool can_home = robot.actuators.back().reference.method != ReferenceMethod::kNone;
-  const double at_once_s =
-      4 * robot.cycle_s;  // on the bus in this cycle, seen in the next, with one for luck on each side
+  const double at_once_s = 4 * robot.cycle_s;  // on the bus in this cycle, seen in the next, with one for
+                                               // luck on each side
   const double silence_s = (watchdogs.silent_cycles + 4) * robot.cycle_s;
   const double heartbeat_s = watchdogs.drive_heartbeat_s + 2 * watchdogs.heartbeat_s;
   const double statistical_s = 1.0;  // depends on which frames are hit

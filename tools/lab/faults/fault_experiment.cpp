@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
+#include <memory>
 #include <stdexcept>
 
 #include "simulation/in_process/inprocess_robot.h"
@@ -10,17 +12,18 @@
 #include "tools/lab/run/scripted_run.h"
 
 namespace sprung {
+
 namespace {
 
-constexpr double kSettle_s = 0.1;  // the estimator's, after booting
-constexpr double kStand_s = 4.0;   // to rise and to stand quietly; the drives enable on the way
-constexpr double kReady_s = 1.0;   // faults from power-on are reset
-constexpr double kHome_s = 2.0;
-constexpr double kAfterwards_s = 1.5;  // quick stop included
+constexpr double kSettleBooted_s = 0.1;  // the estimator's, after booting
+constexpr double kStand_s = 4.0;         // to rise and to stand quietly; the drives enable on the way
+constexpr double kPowerOn_s = 1.0;       // faults from power-on are reset
+constexpr double kHomeAgain_s = 2.0;
+constexpr double kAfterFault_s = 1.5;  // quick stop included
 constexpr double kClear_s = 8.0;
 
 /// A robot that could fall hangs in the air: what a fault does to it, not what the floor does then.
-SimOptions hung_up(const RobotConfig& robot, SimOptions sim) {
+SimOptions held_up(const RobotConfig& robot, SimOptions sim) {
   constexpr double kHeight_m = 0.8;
   if (robot.body.mass_kg > 0.0) sim.plant["suspended"] = kHeight_m;
   return sim;
@@ -30,7 +33,7 @@ SimOptions hung_up(const RobotConfig& robot, SimOptions sim) {
 class FaultRun {
  public:
   FaultRun(const RobotConfig& robot, const std::string& preset, const SimOptions& sim, const FaultCase& fault)
-      : config_(robot), fault_(fault), robot_(robot, preset, hung_up(robot, sim)) {
+      : config_(robot), fault_(fault), robot_(robot, preset, held_up(robot, sim)) {
     outcome_.fault = fault;
     const ActuatorConfig& last = robot.actuators.back();
     outcome_.target = fault.on_bus ? robot.buses[static_cast<std::size_t>(last.bus)].name : last.name;
@@ -38,7 +41,7 @@ class FaultRun {
 
   FaultOutcome run() {
     robot_.boot(10.0);
-    advance(kSettle_s);
+    advance(kSettleBooted_s);
     if (!all_referenced()) home();
     if (!stand()) throw std::runtime_error("the robot did not stand up before the fault");
     strike();
@@ -73,7 +76,7 @@ class FaultRun {
   /// As robot.yaml says for each actuator. @return false where it says nothing.
   bool home() {
     const std::int64_t id = submit(OperatorKind::kHome);
-    for (std::int64_t i = std::llround(kHome_s / config_.cycle_s); i > 0; --i) {
+    for (std::int64_t i = std::llround(kHomeAgain_s / config_.cycle_s); i > 0; --i) {
       for (OperatorReply reply; robot_.next_reply(reply);) {
         if (reply.request_id == id && reply.outcome != OperatorOutcome::kAccepted)
           return reply.outcome == OperatorOutcome::kDone;
@@ -85,7 +88,7 @@ class FaultRun {
   /// Stands; a robot that has nothing to stand on is as far as it gets when safety lets it move.
   bool stand() {
     if (!config_.has_feet()) {
-      advance(kReady_s);
+      advance(kPowerOn_s);
       return operational();
     }
     submit(OperatorKind::kStand);
@@ -110,7 +113,7 @@ class FaultRun {
     robot_.sim().control(control);
     const std::int64_t count = trouble_count(before);
     had_torque_ = any_torque();
-    for (std::int64_t i = std::llround((fault_.duration_s + kAfterwards_s) / config_.cycle_s); i > 0; --i) {
+    for (std::int64_t i = std::llround((fault_.duration_s + kAfterFault_s) / config_.cycle_s); i > 0; --i) {
       tick();
       watch(config_.cycle_s * static_cast<double>(robot_.cycle() - start), count);
     }
@@ -120,8 +123,8 @@ class FaultRun {
   void watch(double since_s, std::int64_t count_before) {
     const SafetyState& safety = robot_.bridge().safety();
     const bool reacted = safety.level != SafetyLevel::kOperational;
-    const bool counted =
-        fault_.cause == SafetyCause::kNone && trouble_count(robot_.bridge().bus_state()) > count_before;
+    const bool counted = fault_.cause == SafetyCause::kNone &&
+                         trouble_count(robot_.bridge().bus_state()) > count_before;
     if (std::isnan(outcome_.detected_s) && (reacted || counted)) outcome_.detected_s = since_s;
     if (reacted && outcome_.cause == SafetyCause::kNone) outcome_.cause = safety.cause;
     outcome_.worst = std::max(outcome_.worst, safety.level);
@@ -172,7 +175,7 @@ std::string case_name(const FaultOutcome& outcome) {
   return text;
 }
 
-std::string milliseconds(double seconds) {
+std::string milliseconds_text(double seconds) {
   char text[32];
   std::snprintf(text, sizeof text, "%.0f ms", 1e3 * seconds);
   return std::isfinite(seconds) ? text : "-";
@@ -180,9 +183,23 @@ std::string milliseconds(double seconds) {
 
 /// A flipped bit may be the status word's own fault bit: then the drive is believed.
 bool cause_as_expected(const FaultOutcome& outcome) {
-  const bool believed =
-      outcome.fault.kind == FaultKind::kFramesFlipped && outcome.cause == SafetyCause::kDriveFault;
+  const bool believed = outcome.fault.kind == FaultKind::kFramesFlipped &&
+                        outcome.cause == SafetyCause::kDriveFault;
   return believed || outcome.cause == outcome.fault.cause;
+}
+
+std::vector<FaultOutcome> run_faults(const ExperimentInput& in, const std::string& only) {
+  std::vector<FaultCase> cases;
+  for (const FaultCase& fault : fault_cases(in.robot)) {
+    if (only.empty() || only == name(fault.kind)) cases.push_back(fault);
+  }
+  if (cases.empty()) throw std::invalid_argument("no fault '" + only + "'; see sprung fault --help");
+  std::vector<FaultOutcome> outcomes;
+  for (const FaultCase& fault : cases) {
+    if (in.parallel.on_progress) in.parallel.on_progress(outcomes.size(), cases.size());
+    outcomes.push_back(run_fault(in.robot, in.preset, in.sim, fault));
+  }
+  return outcomes;
 }
 
 }  // namespace
@@ -192,28 +209,20 @@ FaultOutcome run_fault(const RobotConfig& robot, const std::string& preset, cons
   return FaultRun(robot, preset, sim, fault).run();
 }
 
-ExperimentReport fault_report(const RobotConfig& robot, const std::string& preset, std::uint64_t seed,
-                              const std::vector<FaultOutcome>& outcomes) {
-  ExperimentReport report;
-  report.experiment = "faults";
-  report.robot = robot.name;
-  report.preset = preset;
-  report.seed = seed;
+std::vector<ReportRow> fault_rows(const std::vector<FaultOutcome>& outcomes) {
+  std::vector<ReportRow> rows;
   for (const FaultOutcome& outcome : outcomes) {
     const std::string prefix = "faults." + case_name(outcome) + ".";
     const double reached = cause_as_expected(outcome) ? 1.0 : 0.0;
     const double expected_back = outcome.fault.back ? 1.0 : 0.0;
-    ReportRow detection{prefix + "detection", "ms",         1e3 * outcome.detected_s,
-                        std::nullopt,         std::nullopt, std::nullopt};
-    if (!std::isnan(outcome.fault.within_s)) detection.high = 1e3 * outcome.fault.within_s;
-    report.rows.push_back(detection);
-    report.rows.push_back({prefix + "cause_as_expected", "", reached, std::nullopt, 1.0, 1.0});
-    report.rows.push_back(
-        {prefix + "torque_off", "ms", 1e3 * outcome.torque_off_s, std::nullopt, std::nullopt, std::nullopt});
-    report.rows.push_back({prefix + "back_after_clear", "", outcome.back ? 1.0 : 0.0, std::nullopt,
-                           expected_back, expected_back});
+    rows.push_back(row(prefix + "detection", "ms", 1e3 * outcome.detected_s,
+                       demanded(!std::isnan(outcome.fault.within_s), at_most(1e3 * outcome.fault.within_s))));
+    rows.push_back(row(prefix + "cause_as_expected", "", reached, between(1.0, 1.0)));
+    rows.push_back(row(prefix + "torque_off", "ms", 1e3 * outcome.torque_off_s));
+    rows.push_back(row(prefix + "back_after_clear", "", outcome.back ? 1.0 : 0.0,
+                       between(expected_back, expected_back)));
   }
-  return report;
+  return rows;
 }
 
 std::string fault_table(const std::vector<FaultOutcome>& outcomes) {
@@ -223,11 +232,11 @@ std::string fault_table(const std::vector<FaultOutcome>& outcomes) {
       "|---|---|---|---|---|---|---|---|---|\n";
   for (const FaultOutcome& o : outcomes) {
     const bool reacted = o.worst != SafetyLevel::kOperational;
-    text += "| " + case_name(o) + " | " + o.target + " | " + milliseconds(o.detected_s) + " | " +
+    text += "| " + case_name(o) + " | " + o.target + " | " + milliseconds_text(o.detected_s) + " | " +
             (reacted             ? name(o.cause)
              : o.counted.empty() ? "none: not seen on the bus"
                                  : "none: counted only") +
-            " | " + name(o.worst) + " | " + milliseconds(reacted ? o.torque_off_s : kNaN) + " | " +
+            " | " + name(o.worst) + " | " + milliseconds_text(reacted ? o.torque_off_s : kNaN) + " | " +
             o.counted + " | " + o.recovery + " | " +
             (o.back          ? (o.homed_again ? "yes, with `sprung home`" : "yes")
              : !o.referenced ? "no: not referenced"
@@ -235,6 +244,31 @@ std::string fault_table(const std::vector<FaultOutcome>& outcomes) {
             " |\n";
   }
   return text;
+}
+
+Experiment faults_experiment() {
+  struct Own {
+    std::string only;
+    bool markdown = false;
+  };
+  const auto own = std::make_shared<Own>();
+  Experiment out;
+  out.name = "faults";
+  out.what =
+      "Every fault on the simulated robot: when it is noticed, what follows, whether clear brings the robot "
+      "back.";
+  out.question = "Is every fault noticed in time and named, and does the robot come back without a restart?";
+  out.takes = {Common::kPreset, Common::kPlant, Common::kOut};
+  out.example = "--robot single_leg --seed 1 --markdown";
+  out.own.option("--only", own->only, "one kind of fault, e.g. bus-off");
+  out.own.flag("--markdown", own->markdown, "the table of docs/drivers.md");
+  out.run = [own](const ExperimentInput& in) {
+    const std::vector<FaultOutcome> outcomes = run_faults(in, own->only);
+    ExperimentOutput output{fault_rows(outcomes)};
+    if (own->markdown) output.instead = fault_table(outcomes);
+    return output;
+  };
+  return out;
 }
 
 }  // namespace sprung

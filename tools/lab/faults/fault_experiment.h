@@ -5,12 +5,27 @@
 #include <vector>
 
 #include "robots/robot_config.h"
+#include "signals/modes.h"
 #include "signals/vec3.h"
 #include "simulation/sim_core.h"
-#include "tools/lab/faults/fault_cases.h"
-#include "tools/lab/run/experiment_report.h"
+#include "tools/lab/run/experiment.h"
 
 namespace sprung {
+
+struct FaultCase {
+  FaultKind kind = FaultKind::kNone;
+  bool on_bus = false;      ///< the whole bus of the robot's last actuator, instead of that actuator's drive
+  double value = 0.0;       ///< as FaultKind says
+  double duration_s = 0.0;  ///< 0 = lasts until mended by itself, e.g. a power cycle
+  SafetyCause cause = SafetyCause::kNone;  ///< that must be named; kNone = the robot goes on, the fault is
+                                           ///< only counted
+  double within_s = 0.0;  ///< from the fault to the reaction, or to the first count; NaN = the bus cannot
+                          ///< show it
+  bool back = true;       ///< `clear`, `home` where robot.yaml has a method, and `stand` bring the robot back
+};
+
+/// Limits are worked out from the robot's cycle and watchdogs.
+std::vector<FaultCase> fault_cases(const RobotConfig& robot);
 
 struct FaultOutcome {
   FaultCase fault;
@@ -33,9 +48,10 @@ FaultOutcome run_fault(const RobotConfig& robot, const std::string& preset, cons
                        const FaultCase& fault);
 
 /// Rows faults.<case>.<detection|cause_as_expected|torque_off|back_after_clear>.
-ExperimentReport fault_report(const RobotConfig& robot, const std::string& preset, std::uint64_t seed,
-                              const std::vector<FaultOutcome>& outcomes);
+std::vector<ReportRow> fault_rows(const std::vector<FaultOutcome>& outcomes);
 /// For people and for docs/drivers.md: a table in Markdown.
 std::string fault_table(const std::vector<FaultOutcome>& outcomes);
+
+Experiment faults_experiment();
 
 }  // namespace sprung

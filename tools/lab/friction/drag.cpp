@@ -1,8 +1,10 @@
 #include "tools/lab/friction/drag.h"
 
 #include <cmath>
+#include <memory>
 #include <stdexcept>
 
+#include "tools/lab/friction/drag_report.h"
 #include "tools/lab/friction/friction_sweep.h"
 
 namespace sprung {
@@ -83,9 +85,9 @@ class DragRun {
     const bool held = phase.grip.stiffness_Nm_rad > 0.0;
     const HandPoint hand = hand_at(phase, bench_.time_s() - began_s_);
     const TrueJoint& link = bench_.truth();
-    const double torque_Nm =
-        held ? hand_torque_Nm(phase.grip, hand, link.true_position_rad - start_rad_, link.true_velocity_rad_s)
-             : 0.0;
+    const double torque_Nm = held ? hand_torque_Nm(phase.grip, hand, link.true_position_rad - start_rad_,
+                                                   link.true_velocity_rad_s)
+                                  : 0.0;
     if (held) bench_.load(torque_Nm, bench_.cycle_s());
     DragTrace& trace = result_.trace;
     trace.time_s.push_back(bench_.time_s());
@@ -131,7 +133,7 @@ class DragRun {
 
 void add_rows(const DragScore& score, const std::string& prefix, std::vector<ReportRow>& rows) {
   const auto add = [&](const char* quantity, const char* unit, double value) {
-    rows.push_back({prefix + quantity, unit, value, std::nullopt, std::nullopt, std::nullopt});
+    rows.push_back(row(prefix + quantity, unit, value));
   };
   add("rms", "Nm", score.rms_Nm);
   add("max", "Nm", score.max_Nm);
@@ -182,6 +184,48 @@ std::vector<ReportRow> drag_rows(const DragResult& result, const std::string& pr
   for (const DragPhaseResult& phase : result.phases)
     add_rows(phase.score, prefix + "." + phase.name + ".", out);
   add_rows(result.all, prefix + ".all.", out);
+  return out;
+}
+
+namespace {
+
+void add_drag(const DragResult& result, const std::string& prefix, ExperimentOutput& out) {
+  for (const ReportRow& row : drag_rows(result, prefix)) out.rows.push_back(row);
+  out.simulated_s += result.simulated_s;
+  out.sections.push_back(drag_section(result));
+  out.before += drag_table(result);
+}
+
+}  // namespace
+
+Experiment drag_experiment() {
+  struct Own {
+    std::string joint, friction = "yaml";
+  };
+  const auto own = std::make_shared<Own>();
+  Experiment out;
+  out.name = "drag";
+  out.what =
+      "The link is moved from outside: torque estimate against torque sensor, or truth where there is none.";
+  out.question =
+      "How near is the estimated torque, and does it stay within its bound, when the gear is driven?";
+  out.robot = "test_axis";
+  out.robot_help = "test_axis, pegasus, or a folder";
+  out.takes = {Common::kPlant, Common::kReport};
+  out.example = "--robot test_axis --friction both --report drag.html";
+  out.own.option("--joint", own->joint, "by name; default: the bench's arm, or the first knee");
+  out.own.choice(
+      "--friction", own->friction, {"yaml", "sweep", "both"},
+      "that the estimator knows: robot.yaml's, or what a loaded friction sweep of another seed finds");
+  out.run = [own](const ExperimentInput& in) {
+    const int joint = bench_joint(in.robot, own->joint);
+    ExperimentOutput output;
+    if (own->friction != "sweep") add_drag(run_drag(in.robot, in.preset, in.sim, joint), "drag", output);
+    if (own->friction == "yaml") return output;
+    const RobotConfig swept = with_swept_friction(in.robot, in.preset, in.sim, joint);
+    add_drag(run_drag(swept, in.preset, in.sim, joint), "drag_swept", output);
+    return output;
+  };
   return out;
 }
 

@@ -8,7 +8,7 @@
 #include "simulation/sim_core.h"
 #include "tools/lab/friction/drag_score.h"
 #include "tools/lab/friction/drag_script.h"
-#include "tools/lab/run/experiment_report.h"
+#include "tools/lab/run/experiment.h"
 
 namespace sprung {
 
@@ -49,5 +49,7 @@ RobotConfig with_swept_friction(const RobotConfig& robot, const std::string& pre
 
 /// Rows <prefix>.<phase>.<rms|max|coverage|half_width|paper_rms>, and the same of all phases together.
 std::vector<ReportRow> drag_rows(const DragResult& result, const std::string& prefix);
+
+Experiment drag_experiment();
 
 }  // namespace sprung

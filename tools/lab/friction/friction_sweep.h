@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "tools/lab/friction/friction_sweep_fit.h"
-#include "tools/lab/run/experiment_report.h"
+#include "tools/lab/run/experiment.h"
 
 namespace sprung {
 
@@ -29,5 +29,7 @@ std::vector<ReportRow> sweep_rows(const SweepResult& result, const std::string& 
 /// @param simulated_s where not null: grows.
 std::vector<ReportRow> friction_fit_rows(const RobotConfig& robot, const std::string& preset,
                                          const SimOptions& sim, double* simulated_s = nullptr);
+
+Experiment friction_sweep_experiment();
 
 }  // namespace sprung

@@ -1,6 +1,7 @@
 #pragma once
 /// One joint of a robot in one process: booted, referenced and moved through the whole stack as an operator
-/// would, and loaded from outside. What it hands out is what the stack measures.
+/// would, and loaded from outside. What it hands out is what the stack measures. And a sweep on it, which
+/// keeps what was measured at constant speed.
 #include <functional>
 #include <string>
 
@@ -10,6 +11,7 @@
 #include "signals/simulation.h"
 #include "signals/vec3.h"
 #include "simulation/in_process/inprocess_robot.h"
+#include "tools/lab/friction/friction_sweep_plan.h"
 
 namespace sprung {
 
@@ -69,7 +71,7 @@ class JointBench {
 
  private:
   void tick(const Observer& observe);
-  void ask(const OperatorCommand& command, double patience_s, const Observer& observe);
+  void ask(const OperatorCommand& command, double timeout_s, const Observer& observe);
   double mean_motor_torque_Nm(double seconds);
 
   const RobotConfig& config_;
@@ -80,5 +82,31 @@ class JointBench {
   Transmission transmission_;
   double load_sense_ = 1.0;
 };
+
+struct RecordedPass {
+  SweepPass pass;
+  double velocity_rad_s = 0.0;  ///< measured, mean over the constant speed
+  std::vector<double> time_s;
+  std::vector<double> position_rad;
+  std::vector<double> motor_torque_Nm;  ///< R Kt i, sample by sample as the drive sent it
+  /// Newest reading of the bench's torque sensor; empty where there is none.
+  std::vector<double> sensed_torque_Nm;
+  double true_friction_Nm = 0.0;  ///< SIM_TRUTH, mean: to be drawn beside, nothing else
+};
+
+struct SweepRecording {
+  SweepProtocol protocol = SweepProtocol::kS1;
+  std::string robot;
+  std::string joint;
+  double gear_ratio = 0.0;
+  std::uint64_t seed = 0;
+  double simulated_s = 0.0;
+  std::vector<RecordedPass> passes;
+};
+
+/// The pass's share of `plan.samples_a_pass` samples, out of those within its steady span.
+/// @throws std::runtime_error where the robot refuses a move or the plant fails.
+SweepRecording record_sweep(const RobotConfig& robot, const std::string& preset, const SimOptions& sim,
+                            int joint, SweepProtocol protocol, const SweepPlan& plan);
 
 }  // namespace sprung

@@ -84,8 +84,8 @@ SweepStart start_of(const std::vector<FitPiece>& pieces) {
   for (Index i = 0; i < n; ++i) {
     const JointDataset& data = pieces[static_cast<std::size_t>(i)].data;
     line.row(i) << 1.0, std::abs(data.velocity_rad_s[0]);
-    friction_Nm[i] =
-        std::copysign(1.0, data.velocity_rad_s[0]) * (data.measured_torque - data.load_Nm).mean();
+    friction_Nm[i] = std::copysign(1.0, data.velocity_rad_s[0]) *
+                     (data.measured_torque - data.load_Nm).mean();
   }
   const Eigen::Vector2d found = line.colPivHouseholderQr().solve(friction_Nm);
   out.slowest_rad_s = line.col(1).minCoeff();

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "estimator/identification/fit_statistics.h"
+#include "tools/lab/friction/friction_sweep_bench.h"
 #include "tools/lab/friction/friction_sweep_model.h"
-#include "tools/lab/friction/friction_sweep_record.h"
 
 namespace sprung {
 

@@ -75,8 +75,8 @@ FrictionParameters SweepModel::friction(const Eigen::VectorXd& parameters) const
 Eigen::VectorXd SweepModel::load_Nm(const JointDataset& data, const Eigen::VectorXd& parameters) const {
   Eigen::VectorXd out = data.has_load() ? data.load_Nm : Eigen::VectorXd::Zero(data.size());
   if (own_weight_)
-    out.array() +=
-        parameters[0] * data.position_rad.array().cos() + parameters[1] * data.position_rad.array().sin();
+    out.array() += parameters[0] * data.position_rad.array().cos() +
+                   parameters[1] * data.position_rad.array().sin();
   return out;
 }
 
@@ -97,8 +97,8 @@ void SweepModel::predict(const JointDataset& data, const Eigen::VectorXd& parame
       (*jacobian)(i, 1) = (1.0 + f.by_load) * std::sin(data.position_rad[i]);
     }
     for (std::size_t k = 0; k < friction_.size(); ++k)
-      (*jacobian)(i, friction_at() + static_cast<Index>(k)) =
-          f.gradient[static_cast<std::size_t>(friction_[k])];
+      (*jacobian)(i,
+                  friction_at() + static_cast<Index>(k)) = f.gradient[static_cast<std::size_t>(friction_[k])];
   }
 }
 

@@ -10,12 +10,12 @@ namespace sprung {
 namespace {
 
 /// The position loops (robot.yaml: 4 to 6.5 Hz, damping ratio 0.6 to 0.75) are within 1 % after this long.
-constexpr double kSettle_s = 0.25;
+constexpr double kSettleSpeed_s = 0.25;
 constexpr double kSteadyLeast_s = 0.15;
 /// From a command to the first cycle that follows it, with room.
 constexpr double kAnswer_s = 0.01;
 /// Gentle, so that little is left of the start when the loop has settled.
-constexpr double kAcceleration_rad_s2 = 25.0;
+constexpr double kSweepAcceleration_rad_s2 = 25.0;
 /// Slow passes: as long as it takes for a few turns of the motor, no longer.
 constexpr double kShortest_rad = 0.15;
 constexpr double kLongest_s = 2.0;
@@ -62,7 +62,7 @@ double ramps_rad(const SweepPass& pass) {
 /// Half the way of a pass around the middle of the range.
 double half_way_rad(const SweepPass& pass, bool mirrored, const BenchLimits& limits) {
   const double range_rad = limits.position_max_rad - limits.position_min_rad;
-  const double steady_s = (mirrored ? 2.0 : 1.0) * kSettle_s + kSteadyLeast_s;
+  const double steady_s = (mirrored ? 2.0 : 1.0) * kSettleSpeed_s + kSteadyLeast_s;
   const double least_rad = ramps_rad(pass) + pass.speed_rad_s * steady_s;
   if (least_rad > range_rad || pass.speed_rad_s > limits.speed_rad_s)
     throw std::invalid_argument("a constant speed of " + std::to_string(pass.speed_rad_s) +
@@ -73,7 +73,7 @@ double half_way_rad(const SweepPass& pass, bool mirrored, const BenchLimits& lim
 
 /// There and back.
 void add_passes(SweepPass pass, bool mirrored, const BenchLimits& limits, std::vector<SweepPass>& out) {
-  pass.acceleration_rad_s2 = std::min(kAcceleration_rad_s2, 0.5 * limits.acceleration_rad_s2);
+  pass.acceleration_rad_s2 = std::min(kSweepAcceleration_rad_s2, 0.5 * limits.acceleration_rad_s2);
   const double half_rad = half_way_rad(pass, mirrored, limits);
   const double middle_rad = 0.5 * (limits.position_min_rad + limits.position_max_rad);
   pass.from_rad = middle_rad - half_rad;
@@ -127,7 +127,7 @@ SteadySpan steady_span(const SweepPass& pass, bool mirrored) {
   const double rising_s = pass.speed_rad_s / pass.acceleration_rad_s2;
   const double way_rad = std::abs(pass.to_rad - pass.from_rad);
   const double steady_s = (way_rad - ramps_rad(pass)) / pass.speed_rad_s;
-  return {rising_s + kSettle_s, rising_s + steady_s - (mirrored ? kSettle_s : kAnswer_s)};
+  return {rising_s + kSettleSpeed_s, rising_s + steady_s - (mirrored ? kSettleSpeed_s : kAnswer_s)};
 }
 
 std::vector<std::size_t> evenly_picked(std::size_t count, std::size_t wanted) {

@@ -32,10 +32,10 @@ struct SweepPass {
 };
 
 struct SweepPlan {
-  std::vector<SweepPass> passes;  ///< in order; there and back alternate
-  std::size_t samples_a_pass =
-      0;  ///< evenly out of the constant speed; the same for each, so that no speed weighs more
-  bool mirrored = false;  ///< see steady_span()
+  std::vector<SweepPass> passes;   ///< in order; there and back alternate
+  std::size_t samples_a_pass = 0;  ///< evenly out of the constant speed; the same for each, so that no speed
+                                   ///< weighs more
+  bool mirrored = false;           ///< see steady_span()
 };
 
 /// Passes lie around the middle of the joint's range. @throws std::invalid_argument where the range is too
@@ -48,8 +48,7 @@ struct SteadySpan {
   double to_s = 0.0;
 };
 /// @param mirrored the end is cut off as the beginning is, so that there and back see the same angles and a
-/// weight drops out of
-///        the mean of both.
+/// weight drops out of the mean of both.
 SteadySpan steady_span(const SweepPass& pass, bool mirrored);
 
 /// Indices of `wanted` of `count` samples, evenly spread; all where there are no more.

@@ -6,12 +6,31 @@
 #include <string>
 #include <vector>
 
+#include "robots/robot_config.h"
+#include "signals/operator.h"
+#include "simulation/sim_core.h"
 #include "tools/common/parallel.h"
 #include "tools/common/report/report.h"
 #include "tools/lab/gait/walk_vitals.h"
-#include "tools/lab/run/experiment_report.h"
+#include "tools/lab/run/experiment.h"
 
 namespace sprung {
+
+/// One request, and how long it stands.
+struct EnduranceStep {
+  OperatorCommand command;  ///< kWalk or kStop
+  double lasts_s = 0.0;
+};
+
+/// Requests of 3 to 12 s each, `duration_s` in all: gaits that may follow each other, speeds and turning over
+/// all that a gait allows, body heights and stance widths; one in eight stops. Every one is allowed where it
+/// stands. The same seed gives the same.
+/// @param duration_s at least 0.
+std::vector<EnduranceStep> endurance_script(const RobotConfig& robot, const std::string& preset,
+                                            std::uint64_t seed, double duration_s);
+
+/// Noise of this seed; friction within 20 %, mass within 10 %, floor friction of 0.4 to 1.0, drawn evenly.
+SimOptions endurance_plant(std::uint64_t seed);
 
 struct EnduranceRequest {
   std::string preset;      ///< empty = the robot's usual one
@@ -45,5 +64,7 @@ report::Section endurance_section(const std::vector<EnduranceOutcome>& outcomes)
 /// Simulated time over a core's time: a measurement of this machine, and so no row. NaN where nothing was
 /// measured.
 double endurance_speed(const std::vector<EnduranceOutcome>& outcomes) noexcept;
+
+Experiment endurance_experiment();
 
 }  // namespace sprung

@@ -10,7 +10,7 @@
 #include "tools/common/report/report.h"
 #include "tools/lab/gait/step_score.h"
 #include "tools/lab/gait/walk_vitals.h"
-#include "tools/lab/run/experiment_report.h"
+#include "tools/lab/run/experiment.h"
 
 namespace sprung {
 
@@ -24,7 +24,7 @@ struct GroundCase {
 
 struct GroundOutcome {
   std::string name;
-  GaitControl control = GaitControl::kOwn;
+  GaitControl control = GaitControl::kAdaptive;
   std::vector<Touchdown> touchdowns;  ///< on ground that is in error
   WalkVitals vitals;
   double simulated_s = 0.0;
@@ -72,5 +72,7 @@ GroundErrorResult run_ground_error(const RobotConfig& robot, const GroundErrorTa
 /// Rows ground_error.*: pure. Ratios are of the worst touchdowns.
 std::vector<ReportRow> ground_error_rows(const GroundErrorResult& result);
 std::vector<report::Section> ground_error_sections(const GroundErrorResult& result);
+
+Experiment ground_error_experiment();
 
 }  // namespace sprung

@@ -9,9 +9,9 @@
 namespace sprung {
 namespace {
 
-constexpr double kWake_s = 0.2;      // the estimator has settled
-constexpr double kRest_s = 0.05;     // of all joints, so that a turning point is none
-constexpr double kLongest_s = 20.0;  // that legs swing after the robot was switched on
+constexpr double kWake_s = 0.2;           // the estimator has settled
+constexpr double kRest_s = 0.05;          // of all joints, so that a turning point is none
+constexpr double kLongestSwing_s = 20.0;  // that legs swing after the robot was switched on
 /// Half of the speed at which the bridge refuses to home.
 constexpr double kRest_rad_s = 0.025;
 constexpr double kHome_s = 1.0;    // references are taken within a few cycles
@@ -44,7 +44,7 @@ std::string restless(const RobotConfig& robot, const Fastest& now) {
       text, sizeof text,
       "the robot does not come to rest: after %.0f s joint %s still moves at %.3g rad/s, so it cannot home; "
       "sim.yaml's friction is small, or `lying` is no pose that it can lie in",
-      kLongest_s, robot.joints[now.joint].name.c_str(), now.speed_rad_s);
+      kLongestSwing_s, robot.joints[now.joint].name.c_str(), now.speed_rad_s);
   return text;
 }
 
@@ -67,7 +67,7 @@ void LeggedTrial::wait_for_rest() {
   };
   run(kWake_s, watch);
   for (double waited_s = kWake_s; rested_s < kRest_s; waited_s += cycle_s_) {
-    if (waited_s > kLongest_s) throw std::runtime_error(restless(config_, now));
+    if (waited_s > kLongestSwing_s) throw std::runtime_error(restless(config_, now));
     run(cycle_s_, watch);
   }
 }

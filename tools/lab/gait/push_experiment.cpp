@@ -10,7 +10,7 @@ namespace sprung {
 namespace {
 
 constexpr double kPush_s = 0.1;
-constexpr double kSettle_s = 3.0, kRecover_s = 2.5;
+constexpr double kSettlePushed_s = 3.0, kRecover_s = 2.5;
 constexpr PushDirection kDirections[] = {PushDirection::kLeft, PushDirection::kRight, PushDirection::kForward,
                                          PushDirection::kBackward};
 
@@ -43,10 +43,6 @@ void wait_for_phase(WalkingRobot& walker, const RobotConfig& robot, const PushCa
   }
 }
 
-ReportRow push_row(const std::string& name, const char* unit, double value) {
-  return {"push." + name, unit, value, std::nullopt, std::nullopt, std::nullopt};
-}
-
 }  // namespace
 
 std::vector<PushCase> push_cases() {
@@ -60,7 +56,7 @@ PushOutcome push_once(const RobotConfig& robot, const PushTask& task, const Push
                       double impulse_Ns, PushDirection direction) {
   WalkingRobot walker(robot, task.preset, lying(task.sim));
   if (!config.gait.empty()) walker.walk(config.gait, {config.speed_m_s, 0.0, 0.0});
-  walker.run(kSettle_s);
+  walker.run(kSettlePushed_s);
   PushOutcome out;
   out.name = config.name;
   out.impulse_Ns = impulse_Ns;
@@ -113,19 +109,18 @@ std::vector<ReportRow> push_rows(const std::vector<PushCase>& cases,
                                  const std::vector<PushOutcome>& outcomes) {
   std::vector<ReportRow> rows;
   for (const PushCase& c : cases) {
-    rows.push_back(push_row(c.name + ".survived_impulse", "N s", survived_impulse_Ns(c, outcomes, true)));
-    if (c.demanded_Ns > 0.0) rows.back().low = c.demanded_Ns;
-    rows.push_back(push_row(c.name + ".survived_foreaft", "N s", survived_impulse_Ns(c, outcomes, false)));
+    rows.push_back(row("push." + c.name + ".survived_impulse", "N s", survived_impulse_Ns(c, outcomes, true),
+                       demanded(c.demanded_Ns > 0.0, at_least(c.demanded_Ns))));
+    rows.push_back(
+        row("push." + c.name + ".survived_foreaft", "N s", survived_impulse_Ns(c, outcomes, false)));
     int uncaught = 0, trips = 0;
     for (const PushOutcome& o : outcomes) {
       if (o.name != c.name) continue;
       uncaught += o.vitals.fell && !o.vitals.caught ? 1 : 0;
       trips += o.vitals.trips;
     }
-    rows.push_back(push_row(c.name + ".uncaught_falls", "", uncaught));
-    rows.back().high = 0.0;
-    rows.push_back(push_row(c.name + ".trips", "", trips));
-    rows.back().high = 0.0;
+    rows.push_back(row("push." + c.name + ".uncaught_falls", "", uncaught, at_most(0.0)));
+    rows.push_back(row("push." + c.name + ".trips", "", trips, at_most(0.0)));
   }
   return rows;
 }
@@ -156,6 +151,22 @@ const char* name(PushDirection direction) noexcept {
       break;
   }
   return "backward";
+}
+
+Experiment push_experiment() {
+  Experiment out = gait_experiment(
+      "push",
+      "Impulses at the trunk's centre in four directions: stance held in position control, on springs, "
+      "trotting.",
+      "How hard a push does the robot survive, at every phase of its gait, and is a fall caught?");
+  out.run = [](const ExperimentInput& in) {
+    const std::vector<PushCase> cases = push_cases();
+    const std::vector<PushOutcome> outcomes = run_push(in.robot, {in.preset, in.sim, in.parallel}, cases);
+    ExperimentOutput output{push_rows(cases, outcomes), 0.0, {push_section(outcomes)}};
+    for (const PushOutcome& o : outcomes) output.simulated_s += o.simulated_s;
+    return output;
+  };
+  return out;
 }
 
 }  // namespace sprung

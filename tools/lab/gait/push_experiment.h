@@ -9,7 +9,7 @@
 #include "tools/common/parallel.h"
 #include "tools/common/report/report.h"
 #include "tools/lab/gait/walk_vitals.h"
-#include "tools/lab/run/experiment_report.h"
+#include "tools/lab/run/experiment.h"
 
 namespace sprung {
 
@@ -61,5 +61,7 @@ std::vector<ReportRow> push_rows(const std::vector<PushCase>& cases,
 report::Section push_section(const std::vector<PushOutcome>& outcomes);
 
 const char* name(PushDirection direction) noexcept;
+
+Experiment push_experiment();
 
 }  // namespace sprung

@@ -10,7 +10,7 @@
 #include "tools/common/parallel.h"
 #include "tools/lab/gait/stand_push_score.h"
 #include "tools/lab/gait/trunk_hand.h"
-#include "tools/lab/run/experiment_report.h"
+#include "tools/lab/run/experiment.h"
 
 namespace sprung {
 
@@ -41,5 +41,7 @@ StandPushResult run_stand_push(const RobotConfig& robot, const std::string& pres
 /// pound puts through the legs to the floor passes every gear whatever the control, since rotors and friction
 /// hold the joints (docs/locomotion.md "Standing, pushed").
 std::vector<ReportRow> stand_push_rows(const StandPushResult& result);
+
+Experiment stand_push_experiment();
 
 }  // namespace sprung

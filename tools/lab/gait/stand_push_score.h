@@ -17,8 +17,8 @@ struct PushSample {
 
 struct PushScore {
   double static_output_Nm = 0.0;  ///< of the joint that carries most, before
-  double excess_output_Nm =
-      0.0;  ///< largest |torque| since the push began less the joint's static one, of all joints
+  double excess_output_Nm = 0.0;  ///< largest |torque| since the push began less the joint's static one, of
+                                  ///< all joints
   double excess_motor_Nm = 0.0;
   double foot_off_mm = 0.0;  ///< worst foot in the last half second, from where it was before
 };

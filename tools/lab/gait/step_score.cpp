@@ -43,8 +43,8 @@ void StepScore::add_leg(std::size_t i, const StepSigns& now) {
   if (leg.in_air && touches && leg.cycles_left == 0) touch_down(i, now);
   if (leg.cycles_left == 0) return;
   leg.impact.force_N = std::max(leg.impact.force_N, length(truth.true_contact_force_N));
-  leg.impact.knee_Nm =
-      std::max(leg.impact.knee_Nm, std::abs(now.truth.joints[leg.knee].true_gear_output_torque_Nm));
+  leg.impact.knee_Nm = std::max(leg.impact.knee_Nm,
+                                std::abs(now.truth.joints[leg.knee].true_gear_output_torque_Nm));
   if (--leg.cycles_left == 0) touchdowns_.push_back(leg.impact);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <stdexcept>
 
 #include "simulation/plant/sim_config.h"
@@ -11,17 +12,17 @@ namespace sprung {
 namespace {
 
 constexpr GaitControl kWalkControls[] = {GaitControl::kForce, GaitControl::kHybrid, GaitControl::kPreStance,
-                                         GaitControl::kOwn};
+                                         GaitControl::kAdaptive};
 constexpr const char* kCompared = "walk";
 constexpr double kStarting_s = 2.0, kMeasured_s = 9.0;
 constexpr double kTraced_s = 2.0;
-constexpr double kMostRatio = 0.35;
+constexpr double kMostOverForce = 0.35;
 constexpr double kSpeedShare = 0.10, kMostDrift_deg = 5.0;
 /// Of the gait's fastest, that speed and heading are taken at.
 constexpr double kCrawlShare = 5.0 / 6.0, kWalkShare = 4.0 / 5.0, kTrotShare = 7.0 / 9.0,
                  kStretchShare = 8.0 / 9.0;
 constexpr double kSpeedStep_m_s = 0.005;
-constexpr double kPatience = 2.0;
+constexpr double kTimeout = 2.0;
 constexpr double kDegrees = 180.0 / 3.14159265358979323846;
 
 void trace(const InProcessRobot& robot, double time_s, FootTrace& out) {
@@ -41,14 +42,10 @@ double ramp_s(const RobotConfig& robot, const WalkTask& task, const GaitCase& co
 
 /// A share of the gait's fastest speed in robot.yaml, as somebody would type it.
 double speed_of(const RobotConfig& robot, const char* gait, double share) {
-  const double fastest_m_s =
-      robot.gaits[static_cast<std::size_t>(gait_index(robot, gait))].fastest_forward_m_s;
+  const double fastest_m_s = robot.gaits[static_cast<std::size_t>(gait_index(robot, gait))]
+                                 .fastest_forward_m_s;
   const double steps_per_m_s = std::round(1.0 / kSpeedStep_m_s);
   return std::round(share * fastest_m_s * steps_per_m_s) / steps_per_m_s;
-}
-
-ReportRow walk_row(const std::string& name, const char* unit, double value) {
-  return {"walk." + name, unit, value, std::nullopt, std::nullopt, std::nullopt};
 }
 
 const char* row_name(GaitControl control) {
@@ -59,41 +56,39 @@ const char* row_name(GaitControl control) {
       return "hybrid";
     case GaitControl::kPreStance:
       return "prestance";
-    case GaitControl::kOwn:
+    case GaitControl::kAdaptive:
       break;
   }
-  return "own";
+  return "adaptive";
 }
 
 void add_control(const ControlOutcome& c, double force_rms_m, std::vector<ReportRow>& rows) {
   const std::string name = row_name(c.control);
-  rows.push_back(walk_row(name + ".swing_rms", "mm", 1e3 * c.swing_rms_m));
-  rows.push_back(walk_row(name + ".touchdown_peak", "N", c.peaks.mean_N));
-  rows.push_back(walk_row(name + ".touchdown_worst", "N", c.peaks.worst_N));
-  rows.push_back(walk_row(name + ".knee_output_peak", "Nm", c.peaks.mean_Nm));
-  rows.push_back(walk_row(name + ".fell", "", c.vitals.fell ? 1 : 0));
+  rows.push_back(row("walk." + name + ".swing_rms", "mm", 1e3 * c.swing_rms_m));
+  rows.push_back(row("walk." + name + ".touchdown_peak", "N", c.peaks.mean_N));
+  rows.push_back(row("walk." + name + ".touchdown_worst", "N", c.peaks.worst_N));
+  rows.push_back(row("walk." + name + ".knee_output_peak", "Nm", c.peaks.mean_Nm));
+  rows.push_back(row("walk." + name + ".fell", "", c.vitals.fell ? 1 : 0));
   if (c.control == GaitControl::kForce) return;
   const bool arrived = !c.vitals.fell && c.vitals.trips == 0;
-  rows.push_back(walk_row(name + ".swing_ratio", "", arrived ? c.swing_rms_m / force_rms_m : kNaN));
-  if (c.control == GaitControl::kHybrid) rows.back().high = kMostRatio;
+  rows.push_back(row("walk." + name + ".swing_ratio", "", arrived ? c.swing_rms_m / force_rms_m : kNaN,
+                     demanded(c.control == GaitControl::kHybrid, at_most(kMostOverForce))));
 }
 
 void add_gait(const GaitOutcome& g, double torque_limit_Nm, std::vector<ReportRow>& rows) {
   const std::string name = g.config.name;
-  const std::size_t first = rows.size();
   const bool arrived = !g.vitals.fell && g.vitals.trips == 0;
-  rows.push_back(walk_row(name + ".speed", "mm/s", arrived ? 1e3 * g.speed_m_s : kNaN));
-  rows.push_back(walk_row(name + ".drift", "deg", arrived ? std::abs(g.drift_rad) * kDegrees : kNaN));
-  rows.push_back(walk_row(name + ".joint_speed_max", "rad/s", g.vitals.fastest_rad_s));
-  rows.push_back(walk_row(name + ".motor_torque_max", "Nm", g.vitals.strongest_Nm));
-  rows.push_back(walk_row(name + ".saturated", "%", 100.0 * g.vitals.saturated_share));
-  rows.push_back(walk_row(name + ".trips", "", g.vitals.trips));
-  if (!g.config.demanded) return;
-  rows[first].low = 1e3 * (1.0 - kSpeedShare) * g.config.speed_m_s;
-  rows[first].high = 1e3 * (1.0 + kSpeedShare) * g.config.speed_m_s;
-  rows[first + 1].high = kMostDrift_deg;
-  rows[first + 3].high = torque_limit_Nm;
-  rows[first + 5].high = 0.0;
+  const auto bounds = [&](const Bounds& wanted) { return demanded(g.config.demanded, wanted); };
+  rows.push_back(row("walk." + name + ".speed", "mm/s", arrived ? 1e3 * g.speed_m_s : kNaN,
+                     bounds(between(1e3 * (1.0 - kSpeedShare) * g.config.speed_m_s,
+                                    1e3 * (1.0 + kSpeedShare) * g.config.speed_m_s))));
+  rows.push_back(row("walk." + name + ".drift", "deg", arrived ? std::abs(g.drift_rad) * kDegrees : kNaN,
+                     bounds(at_most(kMostDrift_deg))));
+  rows.push_back(row("walk." + name + ".joint_speed_max", "rad/s", g.vitals.fastest_rad_s));
+  rows.push_back(row("walk." + name + ".motor_torque_max", "Nm", g.vitals.strongest_Nm,
+                     bounds(at_most(torque_limit_Nm))));
+  rows.push_back(row("walk." + name + ".saturated", "%", 100.0 * g.vitals.saturated_share));
+  rows.push_back(row("walk." + name + ".trips", "", g.vitals.trips, bounds(at_most(0.0))));
 }
 
 report::Section controls_section(const WalkExperiment& result) {
@@ -180,7 +175,7 @@ GaitOutcome go(const RobotConfig& robot, const WalkTask& task, const GaitCase& c
   walker.walk(config.gait, {config.speed_m_s, 0.0, 0.0});
   walker.run(ramp_s(robot, task, config));
   TravelScore travel;
-  const double longest_s = kPatience * task.distance_m / config.speed_m_s;
+  const double longest_s = kTimeout * task.distance_m / config.speed_m_s;
   for (double time_s = 0.0; time_s < longest_s && walker.upright(); time_s += 0.1) {
     walker.run(0.1, [&](InProcessRobot& r) { travel.add(r.truth(), robot.cycle_s); });
     if (travel.distance_m() >= task.distance_m) break;
@@ -222,6 +217,24 @@ std::vector<ReportRow> walk_rows(const WalkExperiment& result) {
 
 std::vector<report::Section> walk_sections(const WalkExperiment& result) {
   return {controls_section(result), gaits_section(result)};
+}
+
+Experiment walk_experiment() {
+  const auto distance_m = std::make_shared<double>(WalkTask{}.distance_m);
+  Experiment out = gait_experiment("walk",
+                                   "Feet in swing and touchdowns in force control, hybrid control and with "
+                                   "pre-stance; speed and heading of "
+                                   "the gaits.",
+                                   "How well do feet follow in each kind of control, how hard do they land, "
+                                   "and how straight and fast does "
+                                   "it go?");
+  out.own.option("--distance", *distance_m, "m, over which speed and heading are taken");
+  out.run = [distance_m](const ExperimentInput& in) {
+    const WalkExperiment result = run_walk_experiment(in.robot,
+                                                      {in.preset, in.sim, *distance_m, in.parallel});
+    return ExperimentOutput{walk_rows(result), result.simulated_s, walk_sections(result)};
+  };
+  return out;
 }
 
 }  // namespace sprung

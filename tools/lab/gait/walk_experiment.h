@@ -9,7 +9,7 @@
 #include "tools/common/report/report.h"
 #include "tools/lab/gait/step_score.h"
 #include "tools/lab/gait/walk_vitals.h"
-#include "tools/lab/run/experiment_report.h"
+#include "tools/lab/run/experiment.h"
 
 namespace sprung {
 
@@ -80,5 +80,7 @@ WalkExperiment run_walk_experiment(const RobotConfig& robot, const WalkTask& req
 /// Rows walk.*, with issue 6's bounds: pure.
 std::vector<ReportRow> walk_rows(const WalkExperiment& result);
 std::vector<report::Section> walk_sections(const WalkExperiment& result);
+
+Experiment walk_experiment();
 
 }  // namespace sprung

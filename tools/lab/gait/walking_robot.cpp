@@ -45,4 +45,19 @@ void WalkingRobot::run(double duration_s, const OnCycle& on_cycle) {
   }
 }
 
+Experiment gait_experiment(const std::string& name, const std::string& what, const std::string& question) {
+  Experiment out;
+  out.name = name;
+  out.what = what;
+  out.question = question;
+  out.robot = "pegasus";
+  out.takes = {Common::kPreset, Common::kJobs, Common::kPlant, Common::kOut};
+  out.seed_help = "of every noise and draw; 0 was used for tuning";
+  out.example = "--robot pegasus --seed 1 --out report";
+  out.in_all = InAll::kOfAWalker;
+  out.many_cases = true;
+  out.needs_gaits = true;
+  return out;
+}
+
 }  // namespace sprung

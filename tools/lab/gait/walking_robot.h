@@ -9,6 +9,7 @@
 #include "signals/vec3.h"
 #include "tools/lab/gait/legged_trial.h"
 #include "tools/lab/gait/walk_vitals.h"
+#include "tools/lab/run/experiment.h"
 
 namespace sprung {
 
@@ -22,7 +23,7 @@ class WalkingRobot {
 
   /// In that gait; what the command leaves open is the preset's. run() then throws where the planner refuses
   /// it: a robot that only stands would score well.
-  void walk(const std::string& gait, const Vec3& speed, GaitControl control = GaitControl::kOwn);
+  void walk(const std::string& gait, const Vec3& speed, GaitControl control = GaitControl::kAdaptive);
   void say(const OperatorCommand& command) { trial_.say(command); }
   /// Impulse at the trunk's centre, evenly over `duration_s`; world axes.
   void push(const std::array<double, 2>& impulse_Ns, double duration_s);
@@ -44,5 +45,8 @@ class WalkingRobot {
   int refusals_ = 0;
   std::string last_refusal_;
 };
+
+/// One of a robot in a gait, but its own options and its run.
+Experiment gait_experiment(const std::string& name, const std::string& what, const std::string& question);
 
 }  // namespace sprung

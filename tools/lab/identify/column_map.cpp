@@ -4,7 +4,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "tools/lab/identify/number_text.h"
 #include "tools/lab/identify/text_parts.h"
 
 namespace sprung::identify {

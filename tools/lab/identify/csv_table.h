@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "estimator/identification/raw_series.h"
 #include "tools/lab/identify/column_map.h"
 
 namespace sprung::identify {
@@ -24,5 +25,14 @@ std::vector<std::vector<double>> read_table(std::istream& in, const std::string&
                                             const CsvOptions& options);
 std::vector<std::vector<double>> read_csv(const std::string& path, const std::vector<SignalColumns>& columns,
                                           const CsvOptions& options);
+
+struct Drive {
+  double gear_ratio = 1.0;
+  double torque_constant_Nm_A = 0.0;  ///< of the motor; 0 = not known: currents stay amperes
+};
+
+/// A recording from the columns of a table. @param values one vector for each of `columns`.
+identification::RawSeries csv_series(const std::vector<SignalColumns>& columns,
+                                     std::vector<std::vector<double>> values, const Drive& drive);
 
 }  // namespace sprung::identify

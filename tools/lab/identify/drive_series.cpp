@@ -3,9 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <lcm/lcm-cpp.hpp>
 #include <stdexcept>
 
 #include "estimator/drive_sampler.h"
+#include "lcmtypes/channels.h"
+#include "runtime/receive_guard.h"
+#include "signals/messages.h"
+#include "tools/can/frame_source.h"
 
 namespace sprung::identify {
 
@@ -68,9 +73,9 @@ std::vector<bool> moving(const std::vector<double>& time_s, const std::vector<do
   for (std::size_t i = 0; i < time_s.size(); ++i) {
     while (time_s[i] - time_s[first] > kRestHalfWindow_s) ++first;
     while (last + 1 < time_s.size() && time_s[last + 1] - time_s[i] <= kRestHalfWindow_s) ++last;
-    const auto [low, high] =
-        std::minmax_element(position_rad.begin() + static_cast<std::ptrdiff_t>(first),
-                            position_rad.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+    const auto [low, high] = std::minmax_element(
+        position_rad.begin() + static_cast<std::ptrdiff_t>(first),
+        position_rad.begin() + static_cast<std::ptrdiff_t>(last) + 1);
     out[i] = *high - *low > kRestSpeed_rad_s * (time_s[last] - time_s[first]);
   }
   return out;
@@ -106,8 +111,8 @@ class Filter {
       weight_[i] = 0.0;
       ++dropped;
     }
-    const double share =
-        static_cast<double>(dropped) / static_cast<double>(std::max<std::size_t>(weight_.size(), 1));
+    const double share = static_cast<double>(dropped) /
+                         static_cast<double>(std::max<std::size_t>(weight_.size(), 1));
     if (share > kWorthSaying) notes.push_back(share_text(otherwise, share));
   }
 
@@ -152,8 +157,8 @@ DriveSeries drive_series(const RobotConfig& robot, int joint, const std::vector<
   LegSamples samples = samples_of(robot, at, states);
   const std::size_t n = samples.time_s.size();
   if (n == 0) throw std::runtime_error("no sample in which every drive of joint " + name + "'s leg answered");
-  const std::vector<bool> moves =
-      moving(samples.time_s, samples.position_rad[static_cast<std::size_t>(at.place)]);
+  const std::vector<bool> moves = moving(samples.time_s,
+                                         samples.position_rad[static_cast<std::size_t>(at.place)]);
   DriveSeries out;
   for (const auto& position_rad : samples.position_rad)
     out.pose_rad.push_back(median_where(position_rad, moves));
@@ -178,6 +183,52 @@ DriveSeries drive_series(const RobotConfig& robot, int joint, const std::vector<
   }
   fill_series(robot, at, std::move(samples), out);
   out.series.weight = filter.weight();
+  return out;
+}
+
+namespace {
+
+void require_lcm_log(const std::string& path) {
+  if (!is_lcm_log(path))
+    throw std::runtime_error(path + " is no LCM log; for a table give --csv and --columns instead of --log");
+}
+
+}  // namespace
+
+std::string robot_of_log(const std::string& path) {
+  require_lcm_log(path);
+  return log_origin(path).robot;
+}
+
+DriveLog read_drive_log(const std::string& path, const RobotConfig& robot) {
+  require_lcm_log(path);
+  lcm::LogFile log(path, "r");
+  const CountLimits limits = CountLimits::exactly(static_cast<std::int32_t>(robot.actuators.size()));
+  ReceiveGuard guard(channels::kDriveState, layout_of<sprung_msgs::drive_state_t>(), limits, 0);
+  sprung_msgs::drive_state_t message;
+  DriveState state(robot.actuators.size());
+  DriveLog out;
+  std::int64_t session = 0, strangers = 0;
+  while (const lcm::LogEvent* event = log.readNextEvent()) {
+    if (event->channel != channels::kDriveState) continue;
+    if (guard.decode(event->data, static_cast<std::size_t>(event->datalen), message) != Refusal::kNone ||
+        !from_message(message, state))
+      continue;
+    if (session == 0) session = message.session;
+    if (message.session != session) {
+      ++strangers;
+      continue;
+    }
+    out.states.push_back(state);
+  }
+  if (out.states.empty())
+    throw std::runtime_error(path + " holds no DRIVE_STATE of " + robot.name +
+                             (guard.refused() > 0 ? ": " + guard.last_refusal() : "") +
+                             "; is it another robot's (--robot)?");
+  if (guard.refused() > 0)
+    out.notes.push_back(std::to_string(guard.refused()) +
+                        " damaged messages left out: " + guard.last_refusal());
+  if (strangers > 0) out.notes.push_back(std::to_string(strangers) + " messages of later sessions left out");
   return out;
 }
 

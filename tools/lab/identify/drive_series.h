@@ -1,6 +1,6 @@
 #pragma once
 /// One joint's recording from the DRIVE_STATEs of a robot: the drives' own measurements through robot.yaml's
-/// transmission, nothing that the estimator says. Pure.
+/// transmission, nothing that the estimator says. Pure but for reading the log.
 ///
 /// A joint is identified while it moves alone: then its weight is a sine and a cosine of its own angle, and
 /// its inertia is constant. So samples count only where
@@ -33,5 +33,18 @@ struct LegPlace {
   int place = -1;
 };
 LegPlace place_of(const RobotConfig& robot, int joint);
+
+/// DRIVE_STATEs of an LCM log.
+struct DriveLog {
+  std::vector<DriveState> states;
+  std::vector<std::string> notes;  ///< messages that were left out
+};
+
+/// Of the first session that the log holds.
+/// @throws std::runtime_error when the file is no LCM log or holds no DRIVE_STATE of this robot.
+DriveLog read_drive_log(const std::string& path, const RobotConfig& robot);
+
+/// Robot that the log names itself; "" where it does not. @throws as above.
+std::string robot_of_log(const std::string& path);
 
 }  // namespace sprung::identify

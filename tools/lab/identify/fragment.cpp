@@ -1,6 +1,9 @@
 #include "tools/lab/identify/fragment.h"
 
+#include <sha2.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
@@ -41,8 +44,8 @@ double standard_error_of(const ModelResult& model, const std::string& name) {
 /// RMS of what the model misses on held-out data, over the friction without load at the mean speed of the
 /// joint.
 double friction_share(const ModelResult& model, const FrictionParameters& friction, double mean_speed_rad_s) {
-  const double typical_Nm =
-      friction.coulomb_Nm + friction.viscous_Nm_s_rad * std::pow(mean_speed_rad_s, friction.viscous_exponent);
+  const double typical_Nm = friction.coulomb_Nm +
+                            friction.viscous_Nm_s_rad * std::pow(mean_speed_rad_s, friction.viscous_exponent);
   return typical_Nm > 0.0 ? std::clamp(model.held_out.rms / typical_Nm, kLeastShare, 10.0) : 10.0;
 }
 
@@ -57,8 +60,8 @@ std::string other_parameters(const ModelResult& model) {
   const auto& all = model.model->parameters();
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
-    std::string value =
-        with_error(model.fit.parameters[at], model.statistics.standard_error[at], all[i].unit);
+    std::string value = with_error(model.fit.parameters[at], model.statistics.standard_error[at],
+                                   all[i].unit);
     value.erase(0, value.find_first_not_of(' '));
     out += comment(all[i].name + ": " + value);
   }
@@ -114,6 +117,13 @@ std::string fragment_text(const std::vector<IdentifiedJoint>& joints,
       "robot.yaml.\njoints:\n";
   for (std::size_t i = 0; i < joints.size(); ++i) out += entry(joints[i], configs[i]);
   return out;
+}
+
+std::string short_sha256(const std::string& path) {
+  std::array<char, SHA256_DIGEST_STRING_LENGTH> text{};
+  if (SHA256File(path.c_str(), text.data()) == nullptr)
+    throw std::runtime_error("cannot read " + path + ": does it exist?");
+  return std::string(text.data(), 16);
 }
 
 }  // namespace sprung::identify

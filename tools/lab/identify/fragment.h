@@ -1,5 +1,5 @@
 #pragma once
-/// What was identified, as keys of robot.yaml. Pure.
+/// What was identified, as keys of robot.yaml. Pure but for short_sha256().
 #include <string>
 #include <vector>
 
@@ -17,5 +17,9 @@ JointConfig identified_config(const IdentifiedJoint& joint, const JointConfig& k
 /// A list entry under `joints:` for each, with comments that say what else was found.
 std::string fragment_text(const std::vector<IdentifiedJoint>& joints,
                           const std::vector<JointConfig>& configs);
+
+/// Which file exactly: the first 16 hexadecimal digits of its SHA-256. @throws std::runtime_error when the
+/// file cannot be read.
+std::string short_sha256(const std::string& path);
 
 }  // namespace sprung::identify

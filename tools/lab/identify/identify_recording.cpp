@@ -6,7 +6,6 @@
 #include "robots/robot_loader.h"
 #include "runtime/command_line.h"
 #include "tools/lab/identify/csv_table.h"
-#include "tools/lab/identify/drive_log.h"
 #include "tools/lab/identify/drive_series.h"
 #include "tools/lab/identify/footprint_result.h"
 #include "tools/lab/identify/leg_comparison.h"
@@ -76,8 +75,8 @@ Recording identify_table(const RecordingRequest& request, const ProgressFunction
   CsvOptions csv;
   if (!request.delimiter.empty())
     csv.delimiter = request.delimiter == "tab" ? '\t' : request.delimiter.front();
-  const identification::RawSeries series =
-      csv_series(columns, read_csv(request.csv, columns, csv), request.drive);
+  const identification::RawSeries series = csv_series(columns, read_csv(request.csv, columns, csv),
+                                                      request.drive);
   Recording out;
   out.joints.resize(1);
   out.joints.front().name = request.joint;

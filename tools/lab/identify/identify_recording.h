@@ -6,7 +6,7 @@
 
 #include "robots/robot_config.h"
 #include "signals/drive_state.h"
-#include "tools/lab/identify/csv_series.h"
+#include "tools/lab/identify/csv_table.h"
 #include "tools/lab/identify/identified_joint.h"
 #include "tools/lab/identify/protocol_request.h"
 

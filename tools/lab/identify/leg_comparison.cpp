@@ -37,8 +37,8 @@ struct HeldLeg {
 HeldLeg held_leg(const RobotConfig& robot, int joint, const std::vector<double>& pose_rad) {
   const LegPlace at = place_of(robot, joint);
   HeldLeg out{make_leg_kinematics(robot.legs[static_cast<std::size_t>(at.leg)]), JointVector(), at.place};
-  out.pose_rad =
-      Eigen::Map<const Eigen::VectorXd>(pose_rad.data(), static_cast<Eigen::Index>(pose_rad.size()));
+  out.pose_rad = Eigen::Map<const Eigen::VectorXd>(pose_rad.data(),
+                                                   static_cast<Eigen::Index>(pose_rad.size()));
   return out;
 }
 
@@ -89,8 +89,8 @@ std::optional<TorqueConstant> torque_constant_of(const RobotConfig& robot, int j
   const double known = std::hypot(cosine, sine);
   if (known < kLeastWeight_Nm) return std::nullopt;
   const double found = (fitted_cos->value * cosine + fitted_sin->value * sine) / known;
-  const double error =
-      std::hypot(fitted_cos->standard_error * cosine, fitted_sin->standard_error * sine) / known;
+  const double error = std::hypot(fitted_cos->standard_error * cosine, fitted_sin->standard_error * sine) /
+                       known;
   if (!(found > kClear * error)) return std::nullopt;
   return TorqueConstant{known / found, known / found * error / found};
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "tools/lab/identify/spans_text.h"
 #include "tools/lab/identify/text_parts.h"
 
 namespace sprung::identify {

@@ -10,8 +10,8 @@ namespace sprung::identify {
 namespace {
 
 constexpr double kClear_m = 0.1;
-constexpr double kSettle_s = 0.5;  ///< links swing out, estimator settles
-constexpr double kPatience_s = 60.0;
+constexpr double kSettleLinks_s = 0.5;  ///< links swing out, estimator settles
+constexpr double kTimeout_s = 60.0;
 
 SimOptions hung_up(const RobotConfig& robot, SimOptions sim) {
   if (robot.has_feet()) sim.plant.emplace("suspended", hanging_height_m(robot));
@@ -28,14 +28,14 @@ class Recorder {
   Recorder(const RobotConfig& robot, const SimOptions& sim, const CycleObserver& watch)
       : config_(robot), robot_(robot, any_preset(robot), hung_up(robot, sim)), watch_(watch) {
     robot_.boot();
-    wait(kSettle_s);
+    wait(kSettleLinks_s);
     const auto& actuators = robot.actuators;
     const bool referenced = std::all_of(actuators.begin(), actuators.end(),
                                         [](const ActuatorConfig& actuator) { return actuator.referenced; });
     OperatorCommand home;
     home.kind = OperatorKind::kHome;
     if (!referenced) order(home);
-    wait(kSettle_s);
+    wait(kSettleLinks_s);
   }
 
   double position_rad(int joint) const {
@@ -74,7 +74,7 @@ void Recorder::tick() {
 std::int64_t Recorder::order(OperatorCommand command) {
   command.request_id = ++orders_;
   robot_.submit(command);
-  const std::int64_t last = robot_.cycle() + std::llround(kPatience_s / config_.cycle_s);
+  const std::int64_t last = robot_.cycle() + std::llround(kTimeout_s / config_.cycle_s);
   while (robot_.cycle() < last) {
     tick();
     for (OperatorReply reply; robot_.next_reply(reply);) {

@@ -13,12 +13,12 @@ namespace {
 constexpr double kMargin_rad = 0.1;
 constexpr double kLag_rad = 0.03;
 constexpr double kTorqueShare = 0.15;
-constexpr double kSpeedShare = 0.5;
+constexpr double kSpeedOfLimit = 0.5;
 
 constexpr int kStops = 7;
 constexpr int kSpeeds = 8;
-constexpr double kSlowest_rad_s =
-    0.02;  ///< below the Stribeck speeds of harmonic gears, 0.1 rad/s (facts C4)
+/// Below the Stribeck speeds of harmonic gears, 0.1 rad/s (facts C4)
+constexpr double kSlowest_rad_s = 0.02;
 constexpr double kSlowestOfFastest = 0.1;
 constexpr double kSteadyShare = 0.5;  ///< of a fast pass: what is left for its two ramps
 constexpr int kSwings = 3;            ///< at each acceleration
@@ -120,7 +120,7 @@ RecordRange record_range(const RobotConfig& robot, int joint) {
     throw std::invalid_argument(robot.joints[index].name + ": its limits leave nothing to move in");
   const double margin_rad = std::min(kMargin_rad, 0.25 * width_rad);
   RecordRange range{limits.position_min_rad + margin_rad, limits.position_max_rad - margin_rad,
-                    kSpeedShare * limits.speed_rad_s, kTorqueShare * limits.acceleration_rad_s2};
+                    kSpeedOfLimit * limits.speed_rad_s, kTorqueShare * limits.acceleration_rad_s2};
   const double armature_kg_m2 = robot.joints[index].armature_kg_m2;
   for (const LegConfig& leg : robot.legs) {
     const auto place = std::find(leg.joints.begin(), leg.joints.end(), joint);

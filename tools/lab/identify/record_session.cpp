@@ -12,8 +12,8 @@ namespace sprung::identify {
 namespace {
 
 constexpr double kLook_s = 2.0;
-constexpr std::int64_t kStarting_us =
-    1'000'000;  // of the robot's time: estimates settle within some ten cycles
+/// Of the robot's time: estimates settle within some ten cycles.
+constexpr std::int64_t kStarting_us = 1'000'000;
 
 /// Who asks right after `sprung up` meets joints whose estimates still settle, and waits for them.
 const JointState* look_settled(JointMover& mover) {

@@ -12,16 +12,16 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json json_number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json parameters_of(const std::vector<FitParameter>& all, const identification::Fit& fit,
                    const identification::FitStatistics& statistics) {
   Json out = Json::object();
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
-    out[all[i].name] = {{"value", number(fit.parameters[at])},
+    out[all[i].name] = {{"value", json_number(fit.parameters[at])},
                         {"unit", all[i].unit},
-                        {"standard_error", number(statistics.standard_error[at])},
+                        {"standard_error", json_number(statistics.standard_error[at])},
                         {"at_bound", static_cast<bool>(fit.at_bound[i])}};
   }
   return out;
@@ -32,7 +32,7 @@ Json correlations_of(const ModelResult& model) {
   Json out = Json::array();
   for (const auto& row : model.statistics.correlation.rowwise()) {
     Json line = Json::array();
-    for (const double value : row) line.push_back(number(value));
+    for (const double value : row) line.push_back(json_number(value));
     out.push_back(line);
   }
   return out;
@@ -43,27 +43,27 @@ Json model_json(const ModelResult& model) {
           {"free_parameters", model.free_parameters},
           {"parameters", parameters_of(model.model->parameters(), model.fit, model.statistics)},
           {"correlations", correlations_of(model)},
-          {"held_out_r2", number(model.held_out.r2)},
-          {"held_out_rms", number(model.held_out.rms)},
-          {"train_r2", number(model.train.r2)},
-          {"train_rms", number(model.train.rms)},
-          {"cross_validation_r2", number(model.validation.r2())},
-          {"effective_samples", number(model.statistics.effective_samples)},
+          {"held_out_r2", json_number(model.held_out.r2)},
+          {"held_out_rms", json_number(model.held_out.rms)},
+          {"train_r2", json_number(model.train.r2)},
+          {"train_rms", json_number(model.train.rms)},
+          {"cross_validation_r2", json_number(model.validation.r2())},
+          {"effective_samples", json_number(model.statistics.effective_samples)},
           {"warnings", model.statistics.warnings}};
 }
 
 Json armature_json(const std::optional<Armature>& armature) {
   if (!armature) return nullptr;
-  return {{"value", number(armature->value_kg_m2)},
+  return {{"value", json_number(armature->value_kg_m2)},
           {"unit", "kg m^2"},
-          {"standard_error", number(armature->standard_error_kg_m2)},
-          {"links", number(armature->links_kg_m2)},
+          {"standard_error", json_number(armature->standard_error_kg_m2)},
+          {"links", json_number(armature->links_kg_m2)},
           {"note", armature->note}};
 }
 
 Json torque_constant_json(const std::optional<TorqueConstant>& found) {
   if (!found) return nullptr;
-  return {{"value", number(found->factor)}, {"standard_error", number(found->standard_error)}};
+  return {{"value", json_number(found->factor)}, {"standard_error", json_number(found->standard_error)}};
 }
 
 Json footprint_json(const FootprintResult& footprint) {
@@ -71,9 +71,9 @@ Json footprint_json(const FootprintResult& footprint) {
   for (const FootprintFit& one : footprint)
     out.push_back({{"name", one.name},
                    {"parameters", parameters_of(one.parameters, one.fit, one.statistics)},
-                   {"held_out_rms_rad", number(one.held_out.rms)},
-                   {"held_out_torque_rms_Nm", number(one.held_out_torque_rms_Nm)},
-                   {"stiffness_Nm_rad", number(one.stiffness_Nm_rad)},
+                   {"held_out_rms_rad", json_number(one.held_out.rms)},
+                   {"held_out_torque_rms_Nm", json_number(one.held_out_torque_rms_Nm)},
+                   {"stiffness_Nm_rad", json_number(one.stiffness_Nm_rad)},
                    {"warnings", one.statistics.warnings}});
   return out;
 }
@@ -83,8 +83,8 @@ Json joint_json(const IdentifiedJoint& joint) {
   Json out;
   out["joint"] = joint.name.empty() ? Json(nullptr) : Json(joint.name);
   out["torque_unit"] = result.training.front().data.torque_unit;
-  out["rate_Hz"] = number(1.0 / result.training.front().data.period_s);
-  out["window_s"] = {number(result.from_s), number(result.to_s)};
+  out["rate_Hz"] = json_number(1.0 / result.training.front().data.period_s);
+  out["window_s"] = {json_number(result.from_s), json_number(result.to_s)};
   out["samples"] = {{"train", joint.chosen().train.samples}, {"test", joint.chosen().held_out.samples}};
   out["chosen"] = joint.chosen().model->name();
   out["criterion"] = identification::selection_criterion();

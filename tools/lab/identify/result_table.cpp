@@ -36,10 +36,10 @@ std::string parameters_text(const ModelResult& model) {
   const auto& all = model.model->parameters();
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
-    text +=
-        line("  %-22s %s%s\n", all[i].name.c_str(),
-             with_error(model.fit.parameters[at], model.statistics.standard_error[at], all[i].unit).c_str(),
-             model.fit.at_bound[i] ? "  (on its bound)" : "");
+    text += line(
+        "  %-22s %s%s\n", all[i].name.c_str(),
+        with_error(model.fit.parameters[at], model.statistics.standard_error[at], all[i].unit).c_str(),
+        model.fit.at_bound[i] ? "  (on its bound)" : "");
   }
   return text;
 }

@@ -11,7 +11,7 @@
 #include "robots/robot_config.h"
 #include "signals/modes.h"
 #include "tools/common/parallel.h"
-#include "tools/lab/run/experiment_report.h"
+#include "tools/lab/run/experiment.h"
 
 namespace sprung {
 
@@ -63,5 +63,7 @@ JumpEnsemble run_jump_ensemble(const RobotConfig& robot, const JumpEnsembleReque
 /// Rows jump_ensemble.*: pure. Demands of issue 5: nobody falls, nothing trips, heights within 15 % after
 /// adapting.
 std::vector<ReportRow> jump_ensemble_rows(const JumpEnsemble& ensemble);
+
+Experiment jump_ensemble_experiment();
 
 }  // namespace sprung

@@ -1,8 +1,9 @@
 #include "tools/lab/jump/jump_experiment.h"
 
-#include <chrono>
 #include <cmath>
 #include <stdexcept>
+
+#include "tools/lab/jump/jump_report.h"
 
 namespace sprung {
 
@@ -22,7 +23,7 @@ std::vector<JumpCase> cases(const std::string& preset, const std::string& best) 
   std::vector<JumpCase> out = {
       {preset, JumpMode::kPosition}, {preset, JumpMode::kTorque}, {preset, JumpMode::kHybrid}};
   if (preset != best) out.push_back({best, JumpMode::kPosition});
-  out.push_back({best, JumpMode::kOwn});
+  out.push_back({best, JumpMode::kAdaptive});
   return out;
 }
 
@@ -46,7 +47,7 @@ void add_jump(const RunScript& script, JumpMode mode, const ScriptRunner& run, J
   }
   out.jumps.push_back({script.preset, mode, metrics.jumps().front()});
   out.samples.push_back(trace.samples());
-  out.rows.simulated_s += static_cast<double>(script.cycles) * script.robot.cycle_s;
+  out.simulated_s += static_cast<double>(script.cycles) * script.robot.cycle_s;
 }
 
 }  // namespace
@@ -70,15 +71,31 @@ RunScript jump_script(const RobotConfig& robot, const std::string& preset, const
 JumpExperiment run_jump_experiment(const RobotConfig& robot, const std::string& preset, const SimOptions& sim,
                                    const ScriptRunner& run) {
   JumpExperiment out;
-  out.rows.experiment = "jump";
-  out.rows.robot = robot.name;
-  out.rows.preset = preset;
-  out.rows.seed = sim.seed;
-  const auto started = std::chrono::steady_clock::now();
+  out.preset = preset;
   for (const JumpCase& jump : cases(preset, preset_or(robot, "best", preset)))
     add_jump(jump_script(robot, jump.preset, sim, jump.mode, 1), jump.mode, run, out);
-  out.rows.rows = jump_rows(out.jumps, preset);
-  out.rows.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+  out.rows = jump_rows(out.jumps, preset);
+  return out;
+}
+
+Experiment jump_experiment() {
+  Experiment out;
+  out.name = "jump";
+  out.what =
+      "One jump in position, torque and hybrid control beside the paper's numbers, and one with sprung's own "
+      "landing.";
+  out.question =
+      "Are the paper's jumps met in position, torque and hybrid control, and what does adaptive landing "
+      "save?";
+  out.presets.in_all = "paper";
+  out.preset_note = "; paper reproduces the paper";
+  out.takes = {Common::kPreset, Common::kPlant, Common::kSeparate, Common::kOut};
+  out.example = "--robot single_leg --preset paper --seed 3 --out logs/jump";
+  out.in_all = InAll::kOfALeg;
+  out.run = [](const ExperimentInput& in) {
+    const JumpExperiment result = run_jump_experiment(in.robot, in.preset, in.sim, in.run);
+    return ExperimentOutput{result.rows, result.simulated_s, jump_sections(in.robot, in.sim, result)};
+  };
   return out;
 }
 

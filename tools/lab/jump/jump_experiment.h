@@ -1,6 +1,6 @@
 #pragma once
 /// `sprung experiment jump`: one jump in each control mode on the same plant and seed, against the figures of
-/// S0 (facts A2), and beside them sprung's own landing under preset `best`.
+/// S0 (facts A2), and beside them adaptive landing under preset `best`.
 #include <string>
 #include <vector>
 
@@ -8,24 +8,30 @@
 #include "simulation/sim_core.h"
 #include "tools/lab/jump/jump_rows.h"
 #include "tools/lab/jump/jump_trace.h"
-#include "tools/lab/run/experiment_report.h"
-#include "tools/lab/run/scripted_run.h"
+#include "tools/lab/run/experiment.h"
 
 namespace sprung {
+
+inline constexpr JumpMode kJumpModes[] = {JumpMode::kPosition, JumpMode::kTorque, JumpMode::kHybrid,
+                                          JumpMode::kAdaptive};
 
 /// Stand, settle, jump `count` times in `mode`, stand again. Long enough for every mode of this preset.
 RunScript jump_script(const RobotConfig& robot, const std::string& preset, const SimOptions& sim,
                       JumpMode mode, int count);
 
 struct JumpExperiment {
-  ExperimentReport rows;
+  std::string preset;  ///< of the papers' three
+  std::vector<ReportRow> rows;
   std::vector<MeasuredJump> jumps;
   std::vector<std::vector<JumpSample>> samples;  ///< of each of them
+  double simulated_s = 0.0;
 };
 
 /// @param run run_in_process or the separate-process runner. @throws std::runtime_error where a command was
 /// refused.
 JumpExperiment run_jump_experiment(const RobotConfig& robot, const std::string& preset, const SimOptions& sim,
                                    const ScriptRunner& run);
+
+Experiment jump_experiment();
 
 }  // namespace sprung

@@ -32,10 +32,10 @@ std::string figure_name(const MeasuredJump& jump) {
       return "Torque control (S0 Fig. 11)";
     case JumpMode::kHybrid:
       return "Hybrid control (S0 Fig. 12)";
-    case JumpMode::kOwn:
+    case JumpMode::kAdaptive:
       break;
   }
-  return "sprung's own landing";
+  return "adaptive landing";
 }
 
 template <typename Value>
@@ -143,7 +143,7 @@ Section summary_section(const JumpExperiment& experiment) {
       "legs are virtual "
       "springs throughout, or positions until shortly before touchdown and a soft spring from there "
       "(hybrid). The last case is "
-      "sprung's own landing.",
+      "adaptive landing.",
       "Two torques are drawn. The papers' signal is the gear ratio times motor torque, less friction. The "
       "gear's output is what "
       "the link feels; between them stands the rotor's inertia, which in a jump takes most of the motor "
@@ -155,7 +155,7 @@ Section summary_section(const JumpExperiment& experiment) {
                        " figures are met within 10 %." +
                        (misses.empty() ? "" : " Not: " + misses + "; docs/control.md says why."));
   }
-  out.tables = {rows_table(experiment.rows.rows)};
+  out.tables = {rows_table(experiment.rows)};
   return out;
 }
 
@@ -184,9 +184,9 @@ Table preset_table(const PresetConfig& preset) {
 
 Section parameter_section(const RobotConfig& robot, const SimOptions& sim, const JumpExperiment& experiment) {
   Section out{"Parameters"};
-  out.tables.push_back(preset_table(robot.preset(experiment.rows.preset)));
-  const std::string best = preset_or(robot, "best", experiment.rows.preset);
-  if (experiment.rows.preset != best) out.tables.push_back(preset_table(robot.preset(best)));
+  out.tables.push_back(preset_table(robot.preset(experiment.preset)));
+  const std::string best = preset_or(robot, "best", experiment.preset);
+  if (experiment.preset != best) out.tables.push_back(preset_table(robot.preset(best)));
   Table plant{"Plant", {"change", "value"}};
   plant.note = "The plant is robots/" + robot.name + "/sim.yaml, with these changes.";
   for (const auto& [key, value] : sim.plant) plant.rows.push_back({key, value});
@@ -205,7 +205,7 @@ std::vector<Section> jump_sections(const RobotConfig& robot, const SimOptions& s
   std::vector<Section> out = {summary_section(experiment)};
   for (std::size_t i = 0; i < experiment.jumps.size(); ++i) {
     const MeasuredJump& jump = experiment.jumps[i];
-    const bool for_comparison = jump.preset != experiment.rows.preset && jump.mode != JumpMode::kOwn;
+    const bool for_comparison = jump.preset != experiment.preset && jump.mode != JumpMode::kAdaptive;
     if (!for_comparison) out.push_back(figure_section(jump, experiment.samples[i]));
   }
   out.push_back(parameter_section(robot, sim, experiment));

@@ -47,10 +47,6 @@ const JumpQuantity& quantity_named(const std::string& wanted) {
   return jump_quantities().front();  // not reached: kPaper names only what there is
 }
 
-ReportRow plain(const std::string& row_name, const char* unit, double value) {
-  return {row_name, unit, value, std::nullopt, std::nullopt, std::nullopt};
-}
-
 void demand(ReportRow& row, const std::string& preset, JumpMode mode) {
   if (row.name == "jump.hybrid.height") row.low = kLeastHybridHeight_mm;
   if (preset == "paper" && row.name == "jump.hybrid.landing_knee_torque") {
@@ -61,8 +57,8 @@ void demand(ReportRow& row, const std::string& preset, JumpMode mode) {
 
 void add_mode(const MeasuredJump& jump, std::vector<ReportRow>& rows) {
   for (const JumpQuantity& quantity : jump_quantities()) {
-    rows.push_back(plain(std::string("jump.") + name(jump.mode) + "." + quantity.name, quantity.unit,
-                         jump.result.*quantity.value));
+    rows.push_back(row(std::string("jump.") + name(jump.mode) + "." + quantity.name, quantity.unit,
+                       jump.result.*quantity.value));
     rows.back().paper = paper_jump_figure(jump.mode, quantity.name);
     demand(rows.back(), jump.preset, jump.mode);
   }
@@ -73,25 +69,22 @@ void add_mode(const MeasuredJump& jump, std::vector<ReportRow>& rows) {
 void add_landing_ratio(const std::string& of, const JumpResult& ours, const JumpResult& other,
                        std::optional<double> paper, std::optional<double> high,
                        std::vector<ReportRow>& rows) {
-  rows.push_back(plain("jump.ratio." + of, "", ours.landing_knee_torque_Nm / other.landing_knee_torque_Nm));
-  rows.back().paper = paper;
-  rows.back().high = high;
-  rows.push_back(plain("jump.ratio." + of + "_output", "",
-                       ours.landing_knee_output_torque_Nm / other.landing_knee_output_torque_Nm));
+  rows.push_back(row("jump.ratio." + of, "", ours.landing_knee_torque_Nm / other.landing_knee_torque_Nm,
+                     {{}, high, paper}));
+  rows.push_back(row("jump.ratio." + of + "_output", "",
+                     ours.landing_knee_output_torque_Nm / other.landing_knee_output_torque_Nm));
 }
 
 void add_hybrid_ratios(const JumpResult& hybrid, const JumpResult& position, const JumpResult& torque,
-                       bool demanded, std::vector<ReportRow>& rows) {
-  const auto bound = [&](double value) { return demanded ? std::optional<double>(value) : std::nullopt; };
+                       bool are_demanded, std::vector<ReportRow>& rows) {
+  const auto bound = [&](double value) { return are_demanded ? std::optional<double>(value) : std::nullopt; };
   add_landing_ratio("hybrid_over_torque", hybrid, torque, 9.46 / 24.21, bound(1.0 / 2.0), rows);
   add_landing_ratio("hybrid_over_position", hybrid, position, 9.46 / 61.58, bound(1.0 / 3.5), rows);
-  rows.push_back(plain("jump.ratio.height_hybrid_over_position", "", hybrid.height_mm / position.height_mm));
-  rows.back().paper = 188.0 / 184.0;
-  rows.back().low = bound(0.97);
-  rows.push_back(
-      plain("jump.ratio.work_hybrid_over_position", "", hybrid.positive_work_J / position.positive_work_J));
-  rows.back().low = bound(0.95);
-  rows.back().high = bound(1.05);
+  rows.push_back(row("jump.ratio.height_hybrid_over_position", "", hybrid.height_mm / position.height_mm,
+                     {bound(0.97), {}, 188.0 / 184.0}));
+  rows.push_back(row("jump.ratio.work_hybrid_over_position", "",
+                     hybrid.positive_work_J / position.positive_work_J,
+                     demanded(are_demanded, between(0.95, 1.05))));
 }
 
 }  // namespace
@@ -152,21 +145,21 @@ PaperScore score_against_paper(const std::vector<MeasuredJump>& jumps) {
 std::vector<ReportRow> jump_rows(const std::vector<MeasuredJump>& jumps, const std::string& preset) {
   std::vector<ReportRow> rows;
   for (const MeasuredJump& jump : jumps) {
-    const bool for_comparison = jump.preset != preset && jump.mode != JumpMode::kOwn;
+    const bool for_comparison = jump.preset != preset && jump.mode != JumpMode::kAdaptive;
     if (!for_comparison) add_mode(jump, rows);
   }
   const JumpResult* of[3];
   for (int i = 0; i < 3; ++i) of[i] = find_jump(jumps, preset, kPapersModes[i]);
   if (of[0] && of[1] && of[2]) add_hybrid_ratios(*of[2], *of[0], *of[1], preset == "paper", rows);
-  const auto own = std::find_if(jumps.begin(), jumps.end(),
-                                [](const MeasuredJump& jump) { return jump.mode == JumpMode::kOwn; });
-  const JumpResult* firm = own == jumps.end() ? nullptr : find_jump(jumps, own->preset, JumpMode::kPosition);
-  if (firm) add_landing_ratio("own_over_position", own->result, *firm, std::nullopt, 1.0 / 6.0, rows);
+  const auto adaptive = std::find_if(
+      jumps.begin(), jumps.end(), [](const MeasuredJump& jump) { return jump.mode == JumpMode::kAdaptive; });
+  const JumpResult* firm = adaptive == jumps.end() ? nullptr
+                                                   : find_jump(jumps, adaptive->preset, JumpMode::kPosition);
+  if (firm)
+    add_landing_ratio("adaptive_over_position", adaptive->result, *firm, std::nullopt, 1.0 / 6.0, rows);
   const PaperScore score = score_against_paper(jumps);
   if (score.figures > 0) {
-    rows.push_back(plain("jump.paper.within_10_percent", "", score.within));
-    rows.back().paper = score.figures;
-    rows.back().low = kLeastWithin;
+    rows.push_back(row("jump.paper.within_10_percent", "", score.within, {kLeastWithin, {}, score.figures}));
   }
   return rows;
 }

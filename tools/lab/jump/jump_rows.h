@@ -36,8 +36,8 @@ struct MeasuredJump {
 
 PaperScore score_against_paper(const std::vector<MeasuredJump>& jumps);
 
-/// All rows. Jumps of `preset` in the papers' modes, and of preset `best` in mode own and, beside it,
-/// position. Demands stand at the rows of preset `paper` and of mode own.
+/// All rows. Jumps of `preset` in the papers' modes, and of preset `best` in mode adaptive and, beside it,
+/// position. Demands stand at the rows of preset `paper` and of mode adaptive.
 std::vector<ReportRow> jump_rows(const std::vector<MeasuredJump>& jumps, const std::string& preset);
 
 /// nullptr where there is none.

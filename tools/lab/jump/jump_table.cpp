@@ -7,7 +7,7 @@ namespace sprung {
 
 namespace {
 
-std::string cell(double value) {
+std::string narrow(double value) {
   char text[32];
   std::snprintf(text, sizeof text, std::isfinite(value) ? "%8.1f" : "       -", value);
   return text;
@@ -22,10 +22,11 @@ std::string jump_table(const std::vector<JumpResult>& jumps) {
       "           mm        ms   motor   motor  output       motor  output  upright\n";
   for (std::size_t i = 0; i < jumps.size(); ++i) {
     const JumpResult& jump = jumps[i];
-    text += (i < 9 ? "   " : "  ") + std::to_string(i + 1) + " " + cell(jump.height_mm) + "  " +
-            cell(jump.touchdown_time_ms) + cell(jump.peak_hip_torque_Nm) + cell(jump.peak_knee_torque_Nm) +
-            cell(jump.peak_knee_output_torque_Nm) + "    " + cell(jump.landing_knee_torque_Nm) +
-            cell(jump.landing_knee_output_torque_Nm) + (jump.upright ? "  yes" : "  NO") + "\n";
+    text += (i < 9 ? "   " : "  ") + std::to_string(i + 1) + " " + narrow(jump.height_mm) + "  " +
+            narrow(jump.touchdown_time_ms) + narrow(jump.peak_hip_torque_Nm) +
+            narrow(jump.peak_knee_torque_Nm) + narrow(jump.peak_knee_output_torque_Nm) + "    " +
+            narrow(jump.landing_knee_torque_Nm) + narrow(jump.landing_knee_output_torque_Nm) +
+            (jump.upright ? "  yes" : "  NO") + "\n";
   }
   return text;
 }

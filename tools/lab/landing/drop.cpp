@@ -12,10 +12,10 @@
 namespace sprung {
 namespace {
 
-constexpr std::int64_t kStandCycle = 10;
-constexpr double kContact_N = 1.0;        // true vertical force that counts as touchdown
-constexpr double kStopMargin_rad = 0.03;  // closer to its folded stop the knee counts as folded
-constexpr double kSettle_s = 0.5;         // after standing up, hanging and landed
+constexpr std::int64_t kHangCycle = 10;
+constexpr double kTouchdown_N = 1.0;        // true vertical force that counts as touchdown
+constexpr double kFoldedMargin_rad = 0.03;  // closer to its folded stop the knee counts as folded
+constexpr double kSettleHanging_s = 0.5;    // after standing up, hanging and landed
 
 double fall_s(double height_m) noexcept { return std::sqrt(2.0 * height_m / kGravity_m_s2); }
 
@@ -48,7 +48,7 @@ double drawn_surprise_s(std::uint64_t seed, double most_s) noexcept {
 
 std::int64_t release_cycle(const RobotConfig& robot, const std::string& preset) {
   constexpr double kEnabling_s = 1.0;
-  return std::llround((robot.preset(preset).rise_time_s + kEnabling_s + kSettle_s) / robot.cycle_s);
+  return std::llround((robot.preset(preset).rise_time_s + kEnabling_s + kSettleHanging_s) / robot.cycle_s);
 }
 
 RunScript drop_script(const RobotConfig& robot, const std::string& preset, const SimOptions& sim,
@@ -58,13 +58,13 @@ RunScript drop_script(const RobotConfig& robot, const std::string& preset, const
   const double expected_s = expected_fall_s(p, drop);
   RunScript script{robot, preset, sim, {}, 0};
   script.sim.plant["suspended"] = p.stand_length_m + drop.height_m;
-  script.controls = {control(SimControlKind::kFloor, kStandCycle, floor_height_m(expected_s, drop)),
+  script.controls = {control(SimControlKind::kFloor, kHangCycle, floor_height_m(expected_s, drop)),
                      control(SimControlKind::kSuspend, release, 0.0)};
-  script.commands = {scripted(OperatorKind::kStand, kStandCycle), scripted(OperatorKind::kLand, release)};
+  script.commands = {scripted(OperatorKind::kStand, kHangCycle), scripted(OperatorKind::kLand, release)};
   script.commands.back().jump_mode = drop.mode;
   script.commands.back().touchdown_in_s = expected_s;
-  const double after_s =
-      expected_s + p.flight_timeout_s + p.landing_hold_s + p.recover_time_s + p.settle_time_s + kSettle_s;
+  const double after_s = expected_s + p.flight_timeout_s + p.landing_hold_s + p.recover_time_s +
+                         p.settle_time_s + kSettleHanging_s;
   script.cycles = release + std::llround(after_s / robot.cycle_s);
   return script;
 }
@@ -72,14 +72,14 @@ RunScript drop_script(const RobotConfig& robot, const std::string& preset, const
 DropMetrics::DropMetrics(const RobotConfig& robot, std::int64_t release_cycle)
     : hip_(measured_joint(robot, "hip")),
       knee_(measured_joint(robot, "knee")),
-      folded_knee_rad_(robot.joints[knee_].position_max_rad - kStopMargin_rad),
+      folded_knee_rad_(robot.joints[knee_].position_max_rad - kFoldedMargin_rad),
       release_cycle_(release_cycle),
       cycle_s_(robot.cycle_s) {}
 
 void DropMetrics::add(const CycleRecord& cycle) {
   const TrueLeg& leg = cycle.truth.legs.front();
   if (cycle.truth.stamp.seq >= release_cycle_) {
-    if (!landed_ && leg.true_contact_force_N[2] > kContact_N) touch_down(cycle);
+    if (!landed_ && leg.true_contact_force_N[2] > kTouchdown_N) touch_down(cycle);
     if (landed_) follow_peaks(cycle);
   }
   foot_height_m_ = leg.true_foot_in_world_m[2];

@@ -13,26 +13,25 @@ namespace {
 constexpr double kAblationHeight_m = 0.3;
 constexpr double kNeverBraked_m_s = 100.0;
 constexpr double kBelievedAnywhere_s = 10.0;
-constexpr const char* kPaperPreset = "paper";
 
-void nothing(const PresetConfig&, OwnLandingConfig&) {}
-void stretching(const PresetConfig& preset, OwnLandingConfig& landing) {
+void nothing(const PresetConfig&, AdaptiveLandingConfig&) {}
+void stretching(const PresetConfig& preset, AdaptiveLandingConfig& landing) {
   landing.extended_length_m = preset.landing_length_m;
 }
-void braking(const PresetConfig&, OwnLandingConfig& landing) { landing.approach_m_s = kNeverBraked_m_s; }
-void timing(const PresetConfig&, OwnLandingConfig& landing) { landing.timing_s = kBelievedAnywhere_s; }
-void foot_place(const PresetConfig&, OwnLandingConfig& landing) { landing.foot_x_m = 0.0; }
-void mass_in_air(const PresetConfig&, OwnLandingConfig& landing) {
+void braking(const PresetConfig&, AdaptiveLandingConfig& landing) { landing.approach_m_s = kNeverBraked_m_s; }
+void timing(const PresetConfig&, AdaptiveLandingConfig& landing) { landing.timing_s = kBelievedAnywhere_s; }
+void foot_place(const PresetConfig&, AdaptiveLandingConfig& landing) { landing.foot_x_m = 0.0; }
+void mass_in_air(const PresetConfig&, AdaptiveLandingConfig& landing) {
   landing.air.mass_x_kg = landing.air.mass_z_kg = 0.0;
 }
-void mass_on_ground(const PresetConfig&, OwnLandingConfig& landing) {
+void mass_on_ground(const PresetConfig&, AdaptiveLandingConfig& landing) {
   landing.ground.mass_x_kg = landing.ground.mass_z_kg = 0.0;
 }
-void stiffness_schedule(const PresetConfig&, OwnLandingConfig& landing) { landing.ground = landing.air; }
-void fed_forward_force(const PresetConfig&, OwnLandingConfig& landing) {
+void stiffness_schedule(const PresetConfig&, AdaptiveLandingConfig& landing) { landing.ground = landing.air; }
+void fed_forward_force(const PresetConfig&, AdaptiveLandingConfig& landing) {
   landing.body_mass_kg = landing.measured_force_share = 0.0;
 }
-void rotors_inertia(const PresetConfig&, OwnLandingConfig& landing) {
+void rotors_inertia(const PresetConfig&, AdaptiveLandingConfig& landing) {
   landing.inertia_compensation = 0.0;
   mass_in_air({}, landing);
   mass_on_ground({}, landing);
@@ -40,7 +39,7 @@ void rotors_inertia(const PresetConfig&, OwnLandingConfig& landing) {
 
 PresetConfig& preset_named(RobotConfig& robot, const std::string& name) {
   for (PresetConfig& preset : robot.presets) {
-    if (preset.name == name && preset.own_landing.extended_length_m > 0.0) return preset;
+    if (preset.name == name && preset.adaptive_landing.extended_length_m > 0.0) return preset;
   }
   throw std::invalid_argument("robot " + robot.name + " has no preset '" + name +
                               "' with a landing of its own");
@@ -49,15 +48,6 @@ PresetConfig& preset_named(RobotConfig& robot, const std::string& name) {
 DropResult drop_once(const RobotConfig& robot, const std::string& preset, const DropRequest& request,
                      JumpMode mode, const AblationDrop& drop, const ScriptRunner& run) {
   return run_drop(drop_script(robot, preset, request.sim, {mode, drop.height_m, drop.surprise_s}), run);
-}
-
-ReportRow row(const AblationRow& ablation, const char* quantity, const char* unit, double value) {
-  return {"drop.ablation." + ablation.name + "." + quantity,
-          unit,
-          value,
-          std::nullopt,
-          std::nullopt,
-          std::nullopt};
 }
 
 }  // namespace
@@ -71,7 +61,7 @@ const std::vector<AblationDrop>& ablation_drops() {
 
 const std::vector<AblationCase>& ablation_cases() {
   static const std::vector<AblationCase> cases{
-      {"all", "own landing as it is", nothing},
+      {"all", "adaptive landing as it is", nothing},
       {"no_stretching", "no stretching", stretching},
       {"no_braking", "no braking before contact", braking},
       {"no_timing", "contact believed wherever a force shows", timing},
@@ -91,21 +81,21 @@ std::vector<AblationRow> run_drop_ablation(const RobotConfig& robot, const DropR
   std::vector<RobotConfig> robots(cases.size(), robot);
   for (std::size_t i = 0; i < cases.size(); ++i) {
     PresetConfig& preset = preset_named(robots[i], robots[i].preset(request.preset).name);
-    cases[i].take_out(preset, preset.own_landing);
+    cases[i].take_out(preset, preset.adaptive_landing);
   }
   ParallelOptions parallel;
   parallel.jobs = request.jobs;
   parallel.on_progress = request.on_progress;
-  const auto results =
-      parallel_map((cases.size() + 1) * drops.size(),
-                   [&](std::size_t i) {
-                     const std::size_t which = i / drops.size();
-                     const AblationDrop& drop = drops[i % drops.size()];
-                     return which < cases.size()
-                                ? drop_once(robots[which], request.preset, request, JumpMode::kOwn, drop, run)
-                                : drop_once(robot, kPaperPreset, request, JumpMode::kHybrid, drop, run);
-                   },
-                   parallel);
+  const auto results = parallel_map(
+      (cases.size() + 1) * drops.size(),
+      [&](std::size_t i) {
+        const std::size_t which = i / drops.size();
+        const AblationDrop& drop = drops[i % drops.size()];
+        return which < cases.size()
+                   ? drop_once(robots[which], request.preset, request, JumpMode::kAdaptive, drop, run)
+                   : drop_once(robot, kPaperPreset, request, JumpMode::kHybrid, drop, run);
+      },
+      parallel);
   std::vector<AblationRow> out;
   for (const AblationCase& c : cases) out.push_back({c.name, c.what, {}});
   out.push_back({"paper", "papers' hybrid law, preset `paper`", {}});
@@ -127,10 +117,11 @@ std::vector<ReportRow> ablation_rows(const std::vector<AblationRow>& ablation) {
       sum_Nm += peak_Nm;
       ++compared;
     }
-    rows.push_back(row(a, "mean_300", "Nm", sum_Nm / compared));
-    rows.push_back(row(a, "worst_300", "Nm", worst_Nm));
-    rows.push_back(row(a, "worst", "Nm", most_Nm));
-    rows.push_back(row(a, "folded", "", folded));
+    const std::string prefix = "drop.ablation." + a.name + ".";
+    rows.push_back(row(prefix + "mean_300", "Nm", sum_Nm / compared));
+    rows.push_back(row(prefix + "worst_300", "Nm", worst_Nm));
+    rows.push_back(row(prefix + "worst", "Nm", most_Nm));
+    rows.push_back(row(prefix + "folded", "", folded));
   }
   return rows;
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// `sprung experiment drop --ablation`: what each part of sprung's own landing buys. One part at a time is
+/// `sprung experiment drop --ablation`: what each part of adaptive landing buys. One part at a time is
 /// taken out of the preset's parameters, and the same drops are made again.
 #include <string>
 #include <vector>
@@ -19,7 +19,7 @@ const std::vector<AblationDrop>& ablation_drops();
 struct AblationCase {
   const char* name;  ///< of rows: no_braking
   const char* what;  ///< for people
-  void (*take_out)(const PresetConfig& preset, OwnLandingConfig& landing);
+  void (*take_out)(const PresetConfig& preset, AdaptiveLandingConfig& landing);
 };
 /// The first is the landing as it is.
 const std::vector<AblationCase>& ablation_cases();

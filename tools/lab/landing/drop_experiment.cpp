@@ -2,25 +2,23 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cmath>
+#include <memory>
 #include <stdexcept>
 
 #include "tools/common/parallel.h"
+#include "tools/lab/landing/drop_ablation.h"
+#include "tools/lab/landing/drop_report.h"
 
 namespace sprung {
 namespace {
 
-constexpr JumpMode kModes[] = {JumpMode::kPosition, JumpMode::kTorque, JumpMode::kHybrid, JumpMode::kOwn};
+constexpr JumpMode kModes[] = {JumpMode::kPosition, JumpMode::kTorque, JumpMode::kHybrid,
+                               JumpMode::kAdaptive};
 constexpr double kHeights_m[] = {0.1, 0.2, 0.3, 0.4, 0.5};
 constexpr double kCompared_m = 0.3;
 constexpr double kSurprise_s = 0.010;
-constexpr double kMostRatio = 0.5;
-constexpr const char* kPaper = "paper";
-
-ReportRow row(const std::string& name, const char* unit, double value) {
-  return {"drop." + name, unit, value, std::nullopt, std::nullopt, std::nullopt};
-}
+constexpr double kMostOverPaper = 0.5;
 
 DropRow landing(const RobotConfig& robot, const DropRequest& request, std::size_t i,
                 const ScriptRunner& run) {
@@ -33,56 +31,64 @@ DropPair pair(const RobotConfig& robot, const DropRequest& request, std::size_t 
   SimOptions sim = request.sim;
   sim.seed = out.seed = request.sim.seed + i;
   out.surprise_s = drawn_surprise_s(out.seed, kSurprise_s);
-  DropCase drop{JumpMode::kOwn, kCompared_m, out.surprise_s};
-  out.own = run_drop(drop_script(robot, request.preset, sim, drop), run);
+  DropCase drop{JumpMode::kAdaptive, kCompared_m, out.surprise_s};
+  out.adaptive = run_drop(drop_script(robot, request.preset, sim, drop), run);
   drop.mode = JumpMode::kHybrid;
-  out.paper = run_drop(drop_script(robot, kPaper, sim, drop), run);
+  out.paper = run_drop(drop_script(robot, kPaperPreset, sim, drop), run);
   return out;
 }
 
-void add_landings(const std::vector<DropRow>& landings, ExperimentReport& out) {
+void add_landings(const std::vector<DropRow>& landings, std::vector<ReportRow>& rows) {
   for (const DropRow& l : landings) {
-    const std::string name =
-        std::string(sprung::name(l.mode)) + "_" + std::to_string(std::lround(1e3 * l.height_m));
-    out.rows.push_back(row(name + ".peak_motor_torque", "Nm", l.result.peak_motor_torque_Nm));
-    out.rows.push_back(row(name + ".peak_output_torque", "Nm", l.result.peak_output_torque_Nm));
-    out.rows.push_back(row(name + ".folded", "", l.result.folded ? 1 : 0));
+    const std::string name = std::string(sprung::name(l.mode)) + "_" +
+                             std::to_string(std::lround(1e3 * l.height_m));
+    rows.push_back(row("drop." + name + ".peak_motor_torque", "Nm", l.result.peak_motor_torque_Nm));
+    rows.push_back(row("drop." + name + ".peak_output_torque", "Nm", l.result.peak_output_torque_Nm));
+    rows.push_back(row("drop." + name + ".folded", "", l.result.folded ? 1 : 0));
   }
 }
 
 /// The same preset's two laws, from each height.
-void add_own_over_hybrid(const std::vector<DropRow>& landings, ExperimentReport& out) {
-  for (const DropRow& own : landings) {
-    if (own.mode != JumpMode::kOwn) continue;
+void add_adaptive_over_hybrid(const std::vector<DropRow>& landings, std::vector<ReportRow>& rows) {
+  for (const DropRow& adaptive : landings) {
+    if (adaptive.mode != JumpMode::kAdaptive) continue;
     for (const DropRow& hybrid : landings) {
-      if (hybrid.mode != JumpMode::kHybrid || hybrid.height_m != own.height_m) continue;
-      const std::string height = std::to_string(std::lround(1e3 * own.height_m));
-      out.rows.push_back(row("own_over_hybrid_" + height + ".ratio", "",
-                             own.result.peak_output_torque_Nm / hybrid.result.peak_output_torque_Nm));
-      out.rows.back().high = 1.0;
+      if (hybrid.mode != JumpMode::kHybrid || hybrid.height_m != adaptive.height_m) continue;
+      const std::string height = std::to_string(std::lround(1e3 * adaptive.height_m));
+      rows.push_back(row("drop.adaptive_over_hybrid_" + height + ".ratio", "",
+                         adaptive.result.peak_output_torque_Nm / hybrid.result.peak_output_torque_Nm,
+                         at_most(1.0)));
     }
   }
 }
 
-void add_comparison(const std::vector<DropPair>& pairs, ExperimentReport& out) {
-  double own_Nm = 0.0, paper_Nm = 0.0, worst = 0.0, most_Nm = 0.0;
+void add_comparison(const std::vector<DropPair>& pairs, std::vector<ReportRow>& rows) {
+  double adaptive_Nm = 0.0, paper_Nm = 0.0, worst = 0.0, most_Nm = 0.0;
   int folded = 0;
   for (const DropPair& p : pairs) {
-    own_Nm += p.own.peak_output_torque_Nm / static_cast<double>(pairs.size());
+    adaptive_Nm += p.adaptive.peak_output_torque_Nm / static_cast<double>(pairs.size());
     paper_Nm += p.paper.peak_output_torque_Nm / static_cast<double>(pairs.size());
-    worst = std::max(worst, p.own.peak_output_torque_Nm / p.paper.peak_output_torque_Nm);
-    most_Nm = std::max(most_Nm, p.own.peak_output_torque_Nm);
-    folded += p.own.folded ? 1 : 0;
+    worst = std::max(worst, p.adaptive.peak_output_torque_Nm / p.paper.peak_output_torque_Nm);
+    most_Nm = std::max(most_Nm, p.adaptive.peak_output_torque_Nm);
+    folded += p.adaptive.folded ? 1 : 0;
   }
-  out.rows.push_back(row("own_over_paper.ratio", "", own_Nm / paper_Nm));
-  out.rows.back().high = kMostRatio;
-  out.rows.push_back(row("own_over_paper.worst_ratio", "", worst));
-  out.rows.back().high = kMostRatio;
-  out.rows.push_back(row("own_over_paper.own_mean", "Nm", own_Nm));
-  out.rows.push_back(row("own_over_paper.own_max", "Nm", most_Nm));
-  out.rows.push_back(row("own_over_paper.paper_mean", "Nm", paper_Nm));
-  out.rows.push_back(row("own_over_paper.folded", "", folded));
-  out.rows.back().high = 0.0;
+  rows.push_back(row("drop.adaptive_over_paper.ratio", "", adaptive_Nm / paper_Nm, at_most(kMostOverPaper)));
+  rows.push_back(row("drop.adaptive_over_paper.worst_ratio", "", worst, at_most(kMostOverPaper)));
+  rows.push_back(row("drop.adaptive_over_paper.adaptive_mean", "Nm", adaptive_Nm));
+  rows.push_back(row("drop.adaptive_over_paper.adaptive_max", "Nm", most_Nm));
+  rows.push_back(row("drop.adaptive_over_paper.paper_mean", "Nm", paper_Nm));
+  rows.push_back(row("drop.adaptive_over_paper.folded", "", folded, at_most(0.0)));
+}
+
+ExperimentOutput drop_ablation(const ExperimentInput& in, const DropRequest& request) {
+  if (in.asked.separate)
+    throw std::invalid_argument(
+        "--ablation changes parameters, which separate processes read from robot.yaml");
+  const std::vector<AblationRow> ablation = run_drop_ablation(in.robot, request, run_in_process);
+  ExperimentOutput out{ablation_rows(ablation)};
+  out.instead = ablation_table(ablation);
+  out.instead.pop_back();  // the end of its last line: whoever prints it adds one
+  return out;
 }
 
 }  // namespace
@@ -92,7 +98,6 @@ DropExperiment run_drop_experiment(const RobotConfig& robot, const DropRequest& 
   DropRequest request = asked;
   request.preset = robot.preset(asked.preset).name;
   if (request.seeds < 1) throw std::invalid_argument("--seeds must be 1 or more");
-  const auto started = std::chrono::steady_clock::now();
   std::atomic<std::int64_t> cycles{0};
   const ScriptRunner counted = [&](const RunScript& script, const CycleObserver& on_cycle,
                                    const ReplyObserver& on_reply) {
@@ -115,15 +120,43 @@ DropExperiment run_drop_experiment(const RobotConfig& robot, const DropRequest& 
       landings, [&](std::size_t i) { return landing(robot, request, i, counted); }, from(0));
   out.pairs = parallel_map(
       pairs, [&](std::size_t i) { return pair(robot, request, i, counted); }, from(landings));
-  out.rows.experiment = "drop";
-  out.rows.robot = robot.name;
-  out.rows.preset = request.preset;
-  out.rows.seed = request.sim.seed;
   add_landings(out.landings, out.rows);
-  add_own_over_hybrid(out.landings, out.rows);
+  add_adaptive_over_hybrid(out.landings, out.rows);
   add_comparison(out.pairs, out.rows);
-  out.rows.simulated_s = static_cast<double>(cycles) * robot.cycle_s;
-  out.rows.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+  out.simulated_s = static_cast<double>(cycles) * robot.cycle_s;
+  return out;
+}
+
+Experiment drop_experiment() {
+  struct Own {
+    int seeds = DropRequest{}.seeds;
+    bool ablation = false;
+  };
+  const auto own = std::make_shared<Own>();
+  Experiment out;
+  out.name = "drop";
+  out.what =
+      "Landings from 0.1 to 0.5 m in each mode; adaptive landing against the papers' law, floor out of "
+      "place.";
+  out.question =
+      "How hard is a landing from 0.1 to 0.5 m in each mode, and what does sprung's own save where the floor "
+      "is not where it is expected?";
+  out.takes = {Common::kPreset, Common::kPlant, Common::kJobs, Common::kSeparate, Common::kOut};
+  out.seed_help = "of every noise; the comparison's first";
+  out.example = "--robot single_leg --seed 1 --out /tmp/drop";
+  out.in_all = InAll::kOfALeg;
+  out.many_cases = true;
+  out.own.option("--seeds", own->seeds, "of the comparison");
+  out.own.flag("--ablation", own->ablation,
+               "instead: adaptive landing with one part taken out at a time, as a table");
+  out.run = [own](const ExperimentInput& in) {
+    const DropRequest request{in.preset, in.sim, own->seeds, in.parallel.jobs, in.parallel.on_progress};
+    if (own->ablation) return drop_ablation(in, request);
+    const DropExperiment result = run_drop_experiment(in.robot, request, in.run);
+    ExperimentOutput output{result.rows, result.simulated_s};
+    if (in.asked.pages) output.sections = drop_sections(in.robot, request, result, in.run);
+    return output;
+  };
   return out;
 }
 

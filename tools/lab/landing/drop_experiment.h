@@ -1,14 +1,16 @@
 #pragma once
-/// `sprung experiment drop`: landings from 0.1 to 0.5 m in each mode, and sprung's own landing against the
+/// `sprung experiment drop`: landings from 0.1 to 0.5 m in each mode, and adaptive landing against the
 /// papers' hybrid law (preset `paper`) on the same plant, 50 times with a floor that is not where it is
 /// expected.
 #include <functional>
 #include <vector>
 
 #include "tools/lab/landing/drop.h"
-#include "tools/lab/run/experiment_report.h"
+#include "tools/lab/run/experiment.h"
 
 namespace sprung {
+
+inline constexpr const char* kPaperPreset = "paper";
 
 struct DropRow {
   JumpMode mode = JumpMode::kHybrid;
@@ -20,14 +22,15 @@ struct DropRow {
 struct DropPair {
   std::uint64_t seed = 0;
   double surprise_s = 0.0;
-  DropResult own;
+  DropResult adaptive;
   DropResult paper;
 };
 
 struct DropExperiment {
   std::vector<DropRow> landings;
   std::vector<DropPair> pairs;
-  ExperimentReport rows;
+  std::vector<ReportRow> rows;
+  double simulated_s = 0.0;
 };
 
 struct DropRequest {
@@ -43,5 +46,7 @@ struct DropRequest {
 /// preset `paper`, refusals).
 DropExperiment run_drop_experiment(const RobotConfig& robot, const DropRequest& request,
                                    const ScriptRunner& run);
+
+Experiment drop_experiment();
 
 }  // namespace sprung

@@ -51,15 +51,15 @@ report::Section landings(const DropExperiment& experiment) {
 }
 
 report::Section comparison(const DropExperiment& experiment) {
-  report::Section out{"Own landing and the papers' hybrid law, floor not where it is expected"};
+  report::Section out{"Adaptive landing and the papers' hybrid law, floor not where it is expected"};
   report::Plot plot{"Each seed", {"touchdown later than expected", "ms"}, {"true gear output peak", "Nm"}};
-  std::vector<double> x, own, paper;
+  std::vector<double> x, adaptive, paper;
   for (const DropPair& pair : experiment.pairs) {
     x.push_back(1e3 * pair.surprise_s);
-    own.push_back(pair.own.peak_output_torque_Nm);
+    adaptive.push_back(pair.adaptive.peak_output_torque_Nm);
     paper.push_back(pair.paper.peak_output_torque_Nm);
   }
-  plot.series = {{"own", x, own, report::Style::kPoints, 0},
+  plot.series = {{"adaptive", x, adaptive, report::Style::kPoints, 0},
                  {"papers' hybrid law", x, paper, report::Style::kPoints, 1}};
   out.plots = {plot};
   return out;
@@ -74,7 +74,8 @@ std::vector<report::Section> drop_sections(const RobotConfig& robot, const DropR
   report::Plot output{"True gear output, worse joint", {"time since release", "s"}, {"torque", "Nm"}};
   report::Plot motor{"Motor side, worse joint", {"time since release", "s"}, {"torque", "Nm"}};
   int colour = 0;
-  for (const JumpMode mode : {JumpMode::kPosition, JumpMode::kTorque, JumpMode::kHybrid, JumpMode::kOwn}) {
+  for (const JumpMode mode :
+       {JumpMode::kPosition, JumpMode::kTorque, JumpMode::kHybrid, JumpMode::kAdaptive}) {
     const DropSeries s = watch(robot, request, mode, run);
     length.series.push_back({name(mode), s.time_s, s.length_m, report::Style::kLine, colour});
     output.series.push_back({name(mode), s.time_s, s.output_Nm, report::Style::kLine, colour});

@@ -3,8 +3,72 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "tools/lab/leg/hanging_return.h"
+#include "tools/lab/leg/release_plots.h"
+
 namespace sprung {
+
 namespace {
+
+using report::hundredths;
+using report::Plot;
+
+report::Table summary_table(const FootReturnResult& result) {
+  report::Table out{"Where the foot stops after a release",
+                    {"case", "K (N/m)", "compensated", "plant's friction", "mean (mm)", "max (mm)",
+                     "min (mm)", "moved at least (mm)", "settled (s)", "limit cycles", "measured K (N/m)"}};
+  for (const FootReturnCaseResult& done : result.cases) {
+    const FootReturnSummary& s = done.summary;
+    const FootReturnScript& script = done.config.script;
+    out.rows.push_back({done.config.name, script.stiffness_N_m, script.friction_compensation,
+                        done.config.friction_scale, hundredths(s.mean_mm), hundredths(s.max_mm),
+                        hundredths(s.min_mm), hundredths(s.moved_least_mm), hundredths(s.settled_worst_s),
+                        s.limit_cycles,
+                        report::number_text(std::round(s.stiffness_least_N_m)) + " to " +
+                            report::number_text(std::round(s.stiffness_most_N_m))});
+  }
+  out.note =
+      "S0: under 1 mm with compensation, 23 to 46 mm without. The measured K is the slope of force over way "
+      "between the "
+      "five forces of a direction.";
+  return out;
+}
+
+/// Figs. 8 and 9 of S0 are made of these.
+std::vector<ReleasedFoot> released(const FootReturnResult& result) {
+  std::vector<ReleasedFoot> out;
+  for (const FootReturnCaseResult& done : result.cases)
+    out.push_back({done.config.name, done.pulls, &done.traces});
+  return out;
+}
+
+Plot distance_plot(const ReleasedFoot& foot) {
+  Plot out = release_distance_plot(foot, "time from the release");
+  out.shades = {{-foot_return::kGrow_s - foot_return::kHold_s, -foot_return::kHold_s, "force grows"},
+                {-foot_return::kHold_s, 0.0, "held"}};
+  return out;
+}
+
+report::Section foot_return_section(const FootReturnResult& result) {
+  report::Section out{"Foot return"};
+  out.text = {
+      "The leg hangs, its foot on a virtual spring. Five pulls to a run: before each the position loops have "
+      "brought the foot home (the operator's stand and stop); in compliance (comply) an "
+      "outside force at the foot grows over 0.7 s, is held for 0.3 s and is gone at once. 2.5 s later the "
+      "foot's distance from "
+      "home is the error. A limit cycle is a foot that moves by more than 0.2 mm, or a commanded torque that "
+      "changes by more than "
+      "1 Nm, later than 1.5 s after the release."};
+  out.tables = {summary_table(result)};
+  const std::vector<ReleasedFoot> feet = released(result);
+  out.plots = {release_error_plot(feet, "pull, eight directions of five forces")};
+  for (std::size_t i = 0; i < feet.size(); ++i) {
+    if (result.cases[i].config.friction_scale != 1.0) continue;
+    out.plots.push_back(release_path_plot(feet[i]));
+    out.plots.push_back(distance_plot(feet[i]));
+  }
+  return out;
+}
 
 constexpr double kStiff_N_m = 2000.0;
 constexpr double kSoft_N_m = 500.0;
@@ -23,31 +87,31 @@ FootReturnScript script_of(const PresetConfig& preset, double stiffness_N_m, dou
 }
 
 /// Five pulls of a case, or fewer.
-struct Run {
+struct ReturnRun {
   FootReturnScript part;
   RunScript script;
 };
 
 /// What it left.
-struct RunResult {
+struct ReturnRunResult {
   std::vector<PullResult> pulls;
   std::vector<PullTrace> traces;
 };
 
-Run run_of(const RobotConfig& robot, const std::string& preset, const SimOptions& sim, double friction_scale,
-           const FootReturnScript& part) {
-  Run out{part, {robot, preset, sim, orders(part, robot.cycle_s), 0}};
+ReturnRun run_of(const RobotConfig& robot, const std::string& preset, const SimOptions& sim,
+                 double friction_scale, const FootReturnScript& part) {
+  ReturnRun out{part, {robot, preset, sim, orders(part, robot.cycle_s), 0}};
   out.script.sim.plant["suspended"] = part.hip_height_m;
   const auto scale = out.script.sim.plant.emplace("friction_scale", 1.0).first;
   scale->second *= friction_scale;
   out.script.controls = hand(part, robot.cycle_s);
-  const double end_s =
-      foot_return::kFirst_s + foot_return::kPeriod_s * static_cast<double>(part.pulls.size());
+  const double end_s = foot_return::kFirst_s +
+                       foot_return::kPeriod_s * static_cast<double>(part.pulls.size());
   out.script.cycles = std::llround(end_s / robot.cycle_s);
   return out;
 }
 
-RunResult result_of(const Run& run, const ScriptRunner& runner) {
+ReturnRunResult result_of(const ReturnRun& run, const ScriptRunner& runner) {
   FootReturnScorer scorer(run.part);
   runner(
       run.script,
@@ -63,14 +127,10 @@ RunResult result_of(const Run& run, const ScriptRunner& runner) {
   return {scorer.results(), scorer.traces()};
 }
 
-void add(const RunResult& run, FootReturnCaseResult& out) {
+void add(const ReturnRunResult& run, FootReturnCaseResult& out) {
   out.pulls.insert(out.pulls.end(), run.pulls.begin(), run.pulls.end());
   out.traces.insert(out.traces.end(), run.traces.begin(), run.traces.end());
 }
-
-struct Bounds {
-  std::optional<double> low, high;
-};
 
 /// The table.
 struct CaseBounds {
@@ -97,6 +157,19 @@ CaseBounds bounds_of(const FootReturnCase& config) {
   return out;
 }
 
+ExperimentOutput run_foot_return(const ExperimentInput& in) {
+  const FootReturnResult result = run_foot_return(
+      in.robot, in.preset, in.sim, foot_return_cases(in.robot.preset(in.preset)), in.run, in.parallel);
+  return {foot_return_rows(result), result.simulated_s, {foot_return_section(result)}};
+}
+
+ExperimentOutput run_hanging_return(const ExperimentInput& in) {
+  refuse_separate(in);
+  const HangingReturnResult result = run_hanging_return(in.robot, in.sim, hanging_cases(in.robot, in.preset),
+                                                        pulls_and_releases(), in.parallel);
+  return {hanging_return_rows(result), result.simulated_s, {hanging_return_section(result)}};
+}
+
 }  // namespace
 
 std::vector<FootReturnCase> foot_return_cases(const PresetConfig& preset) {
@@ -117,7 +190,7 @@ FootReturnResult run_foot_return(const RobotConfig& robot, const std::string& pr
     throw std::invalid_argument("foot_return pulls a planar leg, as single_leg is; " + robot.name +
                                 " is none");
   FootReturnResult out;
-  std::vector<Run> runs;
+  std::vector<ReturnRun> runs;
   std::vector<std::size_t> case_of;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     out.cases.push_back({cases[i], {}, {}, {}});
@@ -127,7 +200,7 @@ FootReturnResult run_foot_return(const RobotConfig& robot, const std::string& pr
       out.simulated_s += static_cast<double>(runs.back().script.cycles) * robot.cycle_s;
     }
   }
-  const std::vector<RunResult> results = parallel_map(
+  const std::vector<ReturnRunResult> results = parallel_map(
       runs.size(), [&](std::size_t i) { return result_of(runs[i], run); }, parallel);
   for (std::size_t i = 0; i < runs.size(); ++i) add(results[i], out.cases[case_of[i]]);
   for (FootReturnCaseResult& done : out.cases) done.summary = summarize(done.pulls);
@@ -140,8 +213,7 @@ std::vector<ReportRow> foot_return_rows(const FootReturnResult& result) {
     const CaseBounds bounds = bounds_of(done.config);
     const FootReturnSummary& s = done.summary;
     const auto add = [&](const char* quantity, const char* unit, double value, const Bounds& b) {
-      out.push_back(
-          {"foot_return." + done.config.name + "." + quantity, unit, value, std::nullopt, b.low, b.high});
+      out.push_back(row("foot_return." + done.config.name + "." + quantity, unit, value, b));
     };
     add("mean", "mm", s.mean_mm, bounds.mean);
     add("max", "mm", s.max_mm, bounds.max);
@@ -152,6 +224,27 @@ std::vector<ReportRow> foot_return_rows(const FootReturnResult& result) {
     add("stiffness_least", "N/m", s.stiffness_least_N_m, bounds.stiffness);
     add("stiffness_most", "N/m", s.stiffness_most_N_m, bounds.stiffness);
   }
+  return out;
+}
+
+Experiment foot_return_experiment() {
+  Experiment out;
+  out.name = "foot_return";
+  out.what =
+      "A hanging leg's foot is pulled away and released in eight directions with five forces, with and "
+      "without friction compensation, on plants with more and less friction; of a robot that walks, the left "
+      "hind foot.";
+  out.question =
+      "Does a foot on a virtual spring come back to where it was pulled from, and how far off without "
+      "friction "
+      "compensation?";
+  out.takes = {Common::kPreset, Common::kPlant, Common::kSeparate, Common::kOut};
+  out.example = "--seed 1 --out report";
+  out.in_all = InAll::kOfBoth;
+  out.many_cases = true;
+  out.run = [](const ExperimentInput& in) {
+    return in.robot.gaits.empty() ? run_foot_return(in) : run_hanging_return(in);
+  };
   return out;
 }
 

@@ -9,8 +9,7 @@
 #include "simulation/sim_core.h"
 #include "tools/common/parallel.h"
 #include "tools/lab/leg/foot_return_score.h"
-#include "tools/lab/run/experiment_report.h"
-#include "tools/lab/run/scripted_run.h"
+#include "tools/lab/run/experiment.h"
 
 namespace sprung {
 
@@ -44,5 +43,8 @@ FootReturnResult run_foot_return(const RobotConfig& robot, const std::string& pr
 
 /// Rows foot_return.<case>.<mean|max|min|moved_least|...>, with the bounds.
 std::vector<ReportRow> foot_return_rows(const FootReturnResult& result);
+
+/// Of a robot that walks it is hanging_return.h.
+Experiment foot_return_experiment();
 
 }  // namespace sprung

@@ -6,23 +6,24 @@
 #include "tools/lab/gait/legged_trial.h"
 
 namespace sprung {
+
 namespace {
 
-constexpr std::size_t kLeg = 2;          // left hind
-constexpr std::size_t kPullsOfARun = 5;  // short runs fill the cores
-constexpr double kHeight_m = 0.8;        // no floor in reach
-constexpr double kCalm_s = 0.5;          // of compliance before the hand comes
-constexpr double kReturnWatch_s = 2.5;   // from when it has gone
+constexpr std::size_t kLeg = 2;           // left hind
+constexpr std::size_t kPullsAtATime = 5;  // short runs fill the cores
+constexpr double kHeight_m = 0.8;         // no floor in reach
+constexpr double kCalm_s = 0.5;           // of compliance before the hand comes
+constexpr double kReturnWatch_s = 2.5;    // from when it has gone
 /// 3.2 Nm of stick friction, which S1's return errors imply (facts papers C5), over the 4.3 Nm of sim.yaml,
 /// which are a gear catalogue's (C4): the two disagree, and only the former can give the paper's errors.
 constexpr double kPapersFriction = 3.2 / 4.3;
 
-struct Run {
+struct HangingRun {
   const HangingCase* config;
-  std::vector<HandPull> pulls;
+  std::vector<PullAndRelease> pulls;
 };
 
-struct RunResult {
+struct HangingRunResult {
   std::vector<HangingPull> pulls;
   std::vector<PullTrace> traces;
   double simulated_s = 0.0;
@@ -66,11 +67,11 @@ class Puller {
   Puller(LeggedTrial& trial, const RobotConfig& robot, const HangingCase& config)
       : trial_(trial), robot_(robot), config_(config), preset_(robot.preset(config.preset)) {}
 
-  void pull(const HandPull& pull, RunResult& out) {
+  void pull(const PullAndRelease& pull, HangingRunResult& out) {
     trial_.say(comply(config_));
     trial_.run(kCalm_s);
     const Vec3 start_m = away_m(robot_, preset_, trial_.robot().truth());
-    FootHand hand(pull, robot_.cycle_s);
+    FootDisturbance hand(pull, robot_.cycle_s);
     PullTrace trace;
     PlanePoint held_m;
     double time_s = 0.0;
@@ -78,7 +79,7 @@ class Puller {
       const Vec3 away = away_m(robot_, preset_, robot.truth());
       if (time_s < hand.length_s())
         push_foot(robot, hand.step_N(time_s, {away[0] - start_m[0], away[2] - start_m[2]}), robot_.cycle_s);
-      if (time_s < FootHand::kGone_s) held_m = {away[0], away[2]};
+      if (time_s < FootDisturbance::kGone_s) held_m = {away[0], away[2]};
       keep(robot, away, time_s - hand.length_s(), trace);
       time_s += robot_.cycle_s;
     });
@@ -97,8 +98,8 @@ class Puller {
                                   commands[static_cast<std::size_t>(at[2])].commanded_torque_Nm});
   }
 
-  HangingPull scored(const HandPull& pull, const FootHand& hand, const PullTrace& trace, const Vec3& start_m,
-                     const PlanePoint& held_m) const {
+  HangingPull scored(const PullAndRelease& pull, const FootDisturbance& hand, const PullTrace& trace,
+                     const Vec3& start_m, const PlanePoint& held_m) const {
     const double c = std::cos(pull.direction_rad), s = std::sin(pull.direction_rad);
     HangingPull out;
     out.hand = pull;
@@ -122,20 +123,20 @@ class Puller {
   const PresetConfig& preset_;
 };
 
-RunResult result_of(const RobotConfig& robot, SimOptions sim, const Run& run) {
+HangingRunResult result_of(const RobotConfig& robot, SimOptions sim, const HangingRun& run) {
   sim.plant["suspended"] = kHeight_m;
   const auto scale = sim.plant.emplace("friction_scale", 1.0).first;
   scale->second *= run.config->friction_scale;
   LeggedTrial trial(robot, run.config->preset, sim);
   trial.stand_up();
-  RunResult out;
+  HangingRunResult out;
   Puller puller(trial, robot, *run.config);
-  for (const HandPull& pull : run.pulls) puller.pull(pull, out);
+  for (const PullAndRelease& pull : run.pulls) puller.pull(pull, out);
   out.simulated_s = trial.simulated_s();
   return out;
 }
 
-void add(const RunResult& run, HangingCaseResult& out) {
+void add(const HangingRunResult& run, HangingCaseResult& out) {
   out.pulls.insert(out.pulls.end(), run.pulls.begin(), run.pulls.end());
   out.traces.insert(out.traces.end(), run.traces.begin(), run.traces.end());
 }
@@ -149,20 +150,17 @@ void summarize_case(HangingCaseResult& out) {
   out.summary = summarize(pulls);
 }
 
-struct Bound {
-  std::optional<double> paper, low, high;
-};
-
 /// The table.
-struct CaseBounds {
-  Bound mean, max, min, settled, cycles;
+struct HangingBounds {
+  Bounds mean, max, min, settled, cycles;
 };
 
-CaseBounds bounds_of(const HangingCase& config) {
-  CaseBounds out;
+HangingBounds hanging_bounds(const HangingCase& config) {
+  HangingBounds out;
   if (config.friction_compensation == 0.0) {
     if (config.name != "without") return out;
-    out.mean = {8.91, 0.85 * 8.91, 1.15 * 8.91};
+    out.mean = between(0.85 * 8.91, 1.15 * 8.91);
+    out.mean.paper = 8.91;
     out.max.paper = 12.4;
     out.min.paper = 5.2;
     return out;
@@ -200,21 +198,22 @@ std::vector<HangingCase> hanging_cases(const RobotConfig& robot, const std::stri
 
 HangingReturnResult run_hanging_return(const RobotConfig& robot, const SimOptions& sim,
                                        const std::vector<HangingCase>& cases,
-                                       const std::vector<HandPull>& pulls, const ParallelOptions& parallel) {
+                                       const std::vector<PullAndRelease>& pulls,
+                                       const ParallelOptions& parallel) {
   HangingReturnResult out;
-  std::vector<Run> runs;
+  std::vector<HangingRun> runs;
   std::vector<std::size_t> case_of;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     out.cases.push_back({cases[i], {}, {}, {}});
-    for (std::size_t first = 0; first < pulls.size(); first += kPullsOfARun) {
+    for (std::size_t first = 0; first < pulls.size(); first += kPullsAtATime) {
       const auto begin = pulls.begin() + static_cast<std::ptrdiff_t>(first);
-      const auto end =
-          pulls.begin() + static_cast<std::ptrdiff_t>(std::min(first + kPullsOfARun, pulls.size()));
+      const auto end = pulls.begin() +
+                       static_cast<std::ptrdiff_t>(std::min(first + kPullsAtATime, pulls.size()));
       runs.push_back({&cases[i], {begin, end}});
       case_of.push_back(i);
     }
   }
-  const std::vector<RunResult> results = parallel_map(
+  const std::vector<HangingRunResult> results = parallel_map(
       runs.size(), [&](std::size_t i) { return result_of(robot, sim, runs[i]); }, parallel);
   for (std::size_t i = 0; i < runs.size(); ++i) {
     add(results[i], out.cases[case_of[i]]);
@@ -227,23 +226,22 @@ HangingReturnResult run_hanging_return(const RobotConfig& robot, const SimOption
 std::vector<ReportRow> hanging_return_rows(const HangingReturnResult& result) {
   std::vector<ReportRow> out;
   for (const HangingCaseResult& done : result.cases) {
-    const CaseBounds bounds = bounds_of(done.config);
+    const HangingBounds bounds = hanging_bounds(done.config);
     const FootReturnSummary& s = done.summary;
-    const auto row = [&](const char* quantity, const char* unit, double value, const Bound& b) {
-      out.push_back(
-          {"foot_return." + done.config.name + "." + quantity, unit, value, b.paper, b.low, b.high});
+    const auto add = [&](const char* quantity, const char* unit, double value, const Bounds& b = {}) {
+      out.push_back(row("foot_return." + done.config.name + "." + quantity, unit, value, b));
     };
-    row("mean", "mm", s.mean_mm, bounds.mean);
-    row("max", "mm", s.max_mm, bounds.max);
-    row("min", "mm", s.min_mm, bounds.min);
-    row("sideways_most", "mm", done.sideways_most_mm, {});
-    row("moved_least", "mm", s.moved_least_mm, {});
-    row("settled_worst", "s", s.settled_worst_s, bounds.settled);
-    row("limit_cycles", "", s.limit_cycles, bounds.cycles);
-    row("stiffness_forward", "N/m", done.config.gains.stiffness_N_m[0], {});
-    row("stiffness_up", "N/m", done.config.gains.stiffness_N_m[2], {});
-    row("damping_forward", "Ns/m", done.config.gains.damping_N_s_m[0], {});
-    row("damping_up", "Ns/m", done.config.gains.damping_N_s_m[2], {});
+    add("mean", "mm", s.mean_mm, bounds.mean);
+    add("max", "mm", s.max_mm, bounds.max);
+    add("min", "mm", s.min_mm, bounds.min);
+    add("sideways_most", "mm", done.sideways_most_mm);
+    add("moved_least", "mm", s.moved_least_mm);
+    add("settled_worst", "s", s.settled_worst_s, bounds.settled);
+    add("limit_cycles", "", s.limit_cycles, bounds.cycles);
+    add("stiffness_forward", "N/m", done.config.gains.stiffness_N_m[0]);
+    add("stiffness_up", "N/m", done.config.gains.stiffness_N_m[2]);
+    add("damping_forward", "Ns/m", done.config.gains.damping_N_s_m[0]);
+    add("damping_up", "Ns/m", done.config.gains.damping_N_s_m[2]);
   }
   return out;
 }

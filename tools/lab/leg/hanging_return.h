@@ -8,7 +8,8 @@
 #include "robots/robot_config.h"
 #include "simulation/sim_core.h"
 #include "tools/common/parallel.h"
-#include "tools/lab/leg/foot_hand.h"
+#include "tools/common/report/report.h"
+#include "tools/lab/leg/foot_disturbance.h"
 #include "tools/lab/leg/foot_return_score.h"
 #include "tools/lab/run/experiment_report.h"
 
@@ -23,7 +24,7 @@ struct HangingCase {
 };
 
 struct HangingPull {
-  HandPull hand;
+  PullAndRelease hand;
   PullResult result;  ///< times from when the hand's force was gone; its pull's force is the hand's along the
                       ///< pull, held
   double sideways_mm = 0.0;  ///< of the foot at the end, out of the leg's plane
@@ -52,10 +53,12 @@ std::vector<HangingCase> hanging_cases(const RobotConfig& robot, const std::stri
 /// LeggedTrial.
 HangingReturnResult run_hanging_return(const RobotConfig& robot, const SimOptions& sim,
                                        const std::vector<HangingCase>& cases,
-                                       const std::vector<HandPull>& pulls,
+                                       const std::vector<PullAndRelease>& pulls,
                                        const ParallelOptions& parallel = {});
 
 /// Rows foot_return.<case>.<mean|max|min|...>, with issue 6's bounds.
 std::vector<ReportRow> hanging_return_rows(const HangingReturnResult& result);
+
+report::Section hanging_return_section(const HangingReturnResult& result);
 
 }  // namespace sprung

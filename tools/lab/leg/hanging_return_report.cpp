@@ -1,5 +1,4 @@
-#include "tools/lab/leg/hanging_return_report.h"
-
+#include "tools/lab/leg/hanging_return.h"
 #include "tools/lab/leg/release_plots.h"
 
 namespace sprung {

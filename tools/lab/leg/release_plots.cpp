@@ -9,10 +9,10 @@ using report::Plot;
 using report::Series;
 using report::Style;
 
-constexpr double kDegrees = 180.0 / 3.14159265358979323846;
+constexpr double kDegreesPerRad = 180.0 / 3.14159265358979323846;
 
 std::string direction_name(const PullResult& pull) {
-  return report::number_text(std::round(pull.pull.direction_rad * kDegrees)) + " degrees";
+  return report::number_text(std::round(pull.pull.direction_rad * kDegreesPerRad)) + " degrees";
 }
 
 /// A series for the strongest pull of each direction.

@@ -16,9 +16,9 @@
 #include "signals/vec3.h"
 #include "simulation/sim_core.h"
 #include "tools/common/parallel.h"
+#include "tools/common/report/report.h"
 #include "tools/lab/leg/step_response_score.h"
-#include "tools/lab/run/experiment_report.h"
-#include "tools/lab/run/scripted_run.h"
+#include "tools/lab/run/experiment.h"
 
 namespace sprung {
 
@@ -63,5 +63,9 @@ StepResponseResult run_step_response(const RobotConfig& robot, const std::string
 /// of the others, in ms. "motor" is the papers' signal. Bounds are the papers' where they give any (S0's 4.75
 /// ms, its 13 ms of ANYmal, errata E10).
 std::vector<ReportRow> step_response_rows(const StepResponseResult& result);
+
+Experiment step_response_experiment();
+
+report::Section step_response_section(const StepResponseResult& result);
 
 }  // namespace sprung

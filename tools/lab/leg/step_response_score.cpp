@@ -47,13 +47,13 @@ StepFigures step_figures(const std::vector<double>& time_s, const std::vector<do
                    ? *std::max_element(first, torque_Nm.end(), by_size)
                    : mean(torque_Nm, index_at(time_s, time_s.back() - StepFigures::kTail_s), time_s.size());
   const double sign = out.end_Nm < out.start_Nm ? -1.0 : 1.0;
-  const auto peak =
-      std::max_element(first, torque_Nm.end(), [=](double a, double b) { return sign * a < sign * b; });
+  const auto peak = std::max_element(first, torque_Nm.end(),
+                                     [=](double a, double b) { return sign * a < sign * b; });
   out.peak_Nm = *peak;
   if (end == StepEnd::kHighest && peak + 1 == torque_Nm.end()) return out;
   const double over_Nm = sign * (out.peak_Nm - out.end_Nm);
-  const bool is_peak =
-      end == StepEnd::kHighest || over_Nm > StepFigures::kOvershoot * std::abs(out.end_Nm - out.start_Nm);
+  const bool is_peak = end == StepEnd::kHighest ||
+                       over_Nm > StepFigures::kOvershoot * std::abs(out.end_Nm - out.start_Nm);
   if (is_peak) out.peak_ms = 1e3 * time_s[static_cast<std::size_t>(peak - torque_Nm.begin())];
   out.t90_ms = 1e3 * crossing_s(time_s, torque_Nm, zero, out, kShare);
   return out;

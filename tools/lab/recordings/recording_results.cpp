@@ -65,10 +65,10 @@ std::string verdict_of(const RecordingResult& result) {
   const ModelScore& best = result.best();
   std::string out = "  chosen: " + result.why + ".\n";
   if (best.model != chosen.model)
-    out +=
-        "  on the scored part " +
-        std::string(best.parameters < chosen.parameters ? "a simpler model wins: '" : "the best one is '") +
-        best.model + "'.\n";
+    out += "  on the scored part " +
+           std::string(best.parameters < chosen.parameters ? "a simpler model wins: '"
+                                                           : "the best one is '") +
+           best.model + "'.\n";
   return out;
 }
 
@@ -79,8 +79,8 @@ Eigen::VectorXd every_other(const JointDataset& data, double block_s, long first
 }
 
 std::vector<FitPiece> encoder_pieces(const Recording& recording, double block_s, long first) {
-  std::vector<FitPiece> out =
-      prepare(recording.series, recording.protocol.window, recording.protocol.prepare);
+  std::vector<FitPiece> out = prepare(recording.series, recording.protocol.window,
+                                      recording.protocol.prepare);
   for (FitPiece& piece : out) {
     piece.data = encoder_difference(piece.data);
     piece.weight = every_other(piece.data, block_s, first);

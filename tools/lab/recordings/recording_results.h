@@ -10,12 +10,12 @@ namespace sprung::recordings {
 /// One model on one recording: fitted to the training part, scored on the other.
 struct ModelScore {
   std::string model;
-  int parameters = 0;  ///< free ones
-  double r2 = 0.0;     ///< of the measured torque or current
-  double rms = 0.0;    ///< the same, in its unit
-  double link_rms_Nm =
-      0.0;  ///< gear output torque from current and motion against the known load; NaN where none is known
-  bool chosen = false;  ///< by the tool, on the training part alone
+  int parameters = 0;        ///< free ones
+  double r2 = 0.0;           ///< of the measured torque or current
+  double rms = 0.0;          ///< the same, in its unit
+  double link_rms_Nm = 0.0;  ///< gear output torque from current and motion against the known load; NaN where
+                             ///< none is known
+  bool chosen = false;       ///< by the tool, on the training part alone
 };
 
 struct RecordingResult {

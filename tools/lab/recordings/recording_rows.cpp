@@ -40,16 +40,13 @@ std::string row_of_model(const std::string& model) {
 }
 
 ReportRow main_row(const RecordingResult& result) {
-  ReportRow row;
   const bool link = load_known(result);
-  row.name = prefix_of(result.recording) + (link ? "rms" : "r2");
-  row.unit = link ? "Nm" : "";
-  row.value = score(result, result.chosen());
-  if (link) row.high = kMostLinkRms_Nm;
+  Bounds bounds = demanded(link, at_most(kMostLinkRms_Nm));
   for (const KnownJoint& known : kKnown) {
-    if (result.recording == known.recording) row.low = known.least_r2;
+    if (result.recording == known.recording) bounds.low = known.least_r2;
   }
-  return row;
+  return row(prefix_of(result.recording) + (link ? "rms" : "r2"), link ? "Nm" : "",
+             score(result, result.chosen()), bounds);
 }
 
 }  // namespace
@@ -69,29 +66,26 @@ std::vector<ReportRow> rows_of(const RecordingResult& result) {
   const std::string prefix = prefix_of(result.recording);
   const bool link = load_known(result);
   std::vector<ReportRow> out = {main_row(result)};
-  out.push_back({prefix + "parameters",
-                 "",
-                 static_cast<double>(result.chosen().parameters),
-                 {},
-                 {},
-                 link ? kMostWithLoad : kMostParameters});
+  const auto add = [&](const std::string& name, const char* unit, double value, const Bounds& bounds = {}) {
+    out.push_back(row(prefix + name, unit, value, bounds));
+  };
+  add("parameters", "", static_cast<double>(result.chosen().parameters),
+      at_most(link ? kMostWithLoad : kMostParameters));
   for (const ModelScore& model : result.models) {
-    if (model.model == "coulomb")
-      out.push_back({prefix + "coulomb", link ? "Nm" : "", score(result, model), {}, {}, {}});
-    if (model.model == "coulomb") continue;
     const bool stribeck = model.model == "viscous+stribeck";
-    const std::string name = prefix + (stribeck ? "stribeck" : row_of_model(model.model));
-    out.push_back({name, link ? "Nm" : "", score(result, model), {}, {}, {}});
+    const std::string name = model.model == "coulomb" ? "coulomb"
+                             : stribeck               ? "stribeck"
+                                                      : row_of_model(model.model);
+    add(name, link ? "Nm" : "", score(result, model));
     if (stribeck && !link)
-      out.push_back(
-          {prefix + "ahead_of_stribeck", "", result.chosen().r2 - model.r2, {}, -kBehindStribeck, {}});
+      add("ahead_of_stribeck", "", result.chosen().r2 - model.r2, at_least(-kBehindStribeck));
   }
   return out;
 }
 
 std::vector<ReportRow> rows_of(const FootprintScore& score) {
-  return {{"estimator.lara8_footprint.without", "Nm", score.without_rms_Nm, {}, {}, {}},
-          {"estimator.lara8_footprint.with", "Nm", score.with_rms_Nm, {}, {}, {}}};
+  return {row("estimator.lara8_footprint.without", "Nm", score.without_rms_Nm),
+          row("estimator.lara8_footprint.with", "Nm", score.with_rms_Nm)};
 }
 
 }  // namespace sprung::recordings

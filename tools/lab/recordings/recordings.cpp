@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "tools/lab/identify/csv_series.h"
 #include "tools/lab/identify/csv_table.h"
 
 namespace sprung::recordings {
@@ -105,10 +104,6 @@ Recording ur10e_joint(const std::string& folder, int joint) {
   out.protocol.window = {8.0, 60.0};
   out.protocol.prepare.rate_Hz = 100.0;
   return out;
-}
-
-RawSeries ur10e_pushed_pose(const std::string& folder, int joint) {
-  return ur10e_series(folder + "/ur10e/push_pose_1.csv", joint);
 }
 
 Recording lara8_joint_3(const std::string& folder) {

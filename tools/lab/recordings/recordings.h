@@ -24,8 +24,6 @@ std::optional<std::string> data_folder(const std::string& asked);
 /// UR10e, joints 1, 2, 5 (any whose joint_<n>.csv is there): current in A, ratio 101. Seconds 8 to 60 at 100
 /// Hz, first half trains, second is scored.
 Recording ur10e_joint(const std::string& folder, int joint);
-/// The same arm holds a pose and is pushed by hand: all of joint 1 to 6's motion and current.
-identification::RawSeries ur10e_pushed_pose(const std::string& folder, int joint);
 
 /// LARA8 joint 3: torque in Nm (current times the maker's constant and ratio), motor encoder as position,
 /// link encoder, and as load the link's total torque: the maker's inverse dynamics without his friction, plus

@@ -14,13 +14,13 @@ using report::Cell;
 using report::Mark;
 using Json = nlohmann::ordered_json;
 
-struct Counts {
+struct RowCounts {
   std::size_t rows = 0, demands = 0, met = 0;
 };
 
-Counts count(const FinishedExperiment& experiment) {
-  Counts counts;
-  for (const ReportRow& row : experiment.output.rows.rows) {
+RowCounts count_rows(const FinishedExperiment& experiment) {
+  RowCounts counts;
+  for (const ReportRow& row : experiment.rows.rows) {
     ++counts.rows;
     if (!row.low && !row.high) continue;
     ++counts.demands;
@@ -60,22 +60,22 @@ std::vector<Cell> row_cells(const ReportRow& row) {
 
 report::Table rows_table(const FinishedExperiment& experiment) {
   report::Table table{"Rows", {"row", "unit", "paper", "ours", "ours / paper", "demanded"}};
-  for (const ReportRow& row : experiment.output.rows.rows) table.rows.push_back(row_cells(row));
+  for (const ReportRow& row : experiment.rows.rows) table.rows.push_back(row_cells(row));
   return table;
 }
 
 std::vector<Cell> summary_cells(const FinishedExperiment& experiment) {
-  const Counts counts = count(experiment);
-  Cell name(experiment.entry.name);
-  name.link = experiment.entry.name + ".html";
+  const RowCounts counts = count_rows(experiment);
+  Cell name(experiment.name);
+  name.link = experiment.name + ".html";
   const std::string met = std::to_string(counts.met) + " of " + std::to_string(counts.demands);
   return {name,
-          experiment.entry.question,
-          experiment.entry.preset,
+          experiment.question,
+          experiment.rows.preset,
           counts.rows,
           experiment.failure.empty() ? Cell(met, experiment.ok() ? Mark::kGood : Mark::kBad)
                                      : Cell("failed", Mark::kBad),
-          experiment.output.rows.wall_s};
+          experiment.rows.wall_s};
 }
 
 report::Section summary(const std::vector<FinishedExperiment>& experiments) {
@@ -89,10 +89,9 @@ report::Section summary(const std::vector<FinishedExperiment>& experiments) {
   return section;
 }
 
-report::Section rows_section(const IndexHeading& heading, const FinishedExperiment& experiment) {
-  report::Section section{experiment.entry.name};
-  section.text = {experiment.entry.question,
-                  "Made by: " + experiment.entry.command(heading.robot, heading.seed)};
+report::Section rows_section(const FinishedExperiment& experiment) {
+  report::Section section{experiment.name};
+  section.text = {experiment.question, "Made by: " + experiment.command};
   if (!experiment.failure.empty()) {
     section.text.push_back("It failed: " + experiment.failure);
     return section;
@@ -103,15 +102,13 @@ report::Section rows_section(const IndexHeading& heading, const FinishedExperime
 
 void append_figures(const FinishedExperiment& experiment, report::Report& page) {
   for (report::Section section : experiment.output.sections) {
-    section.heading = experiment.entry.name + ": " + section.heading;
+    section.heading = experiment.name + ": " + section.heading;
     page.sections.push_back(section);
   }
 }
 
 Json experiment_json(const FinishedExperiment& experiment) {
-  Json json = Json::parse(experiment.output.rows.json());
-  json["experiment"] = experiment.entry.name;
-  json["preset"] = experiment.entry.preset;
+  Json json = Json::parse(experiment.rows.json());
   json["ok"] = experiment.ok();
   json["failure"] = experiment.failure.empty() ? Json(nullptr) : Json(experiment.failure);
   return json;
@@ -124,17 +121,16 @@ report::Report experiment_index(const IndexHeading& heading,
   report::Report page{"Experiments on " + heading.robot, version_text(heading), heading.command};
   page.sections.push_back(summary(experiments));
   for (const FinishedExperiment& experiment : experiments) {
-    page.sections.push_back(rows_section(heading, experiment));
+    page.sections.push_back(rows_section(experiment));
     append_figures(experiment, page);
   }
   return page;
 }
 
 report::Report experiment_page(const IndexHeading& heading, const FinishedExperiment& experiment) {
-  report::Report page{experiment.entry.name + " on " + heading.robot,
-                      "preset " + experiment.entry.preset + ", " + version_text(heading),
-                      experiment.entry.command(heading.robot, heading.seed)};
-  page.sections.push_back(rows_section(heading, experiment));
+  report::Report page{experiment.name + " on " + heading.robot,
+                      "preset " + experiment.rows.preset + ", " + version_text(heading), experiment.command};
+  page.sections.push_back(rows_section(experiment));
   page.sections.insert(page.sections.end(), experiment.output.sections.begin(),
                        experiment.output.sections.end());
   return page;
@@ -161,10 +157,10 @@ std::string experiment_index_text(const std::vector<FinishedExperiment>& experim
   std::string text;
   char line[160];
   for (const FinishedExperiment& experiment : experiments) {
-    const Counts counts = count(experiment);
+    const RowCounts counts = count_rows(experiment);
     std::snprintf(line, sizeof line, "%-16s preset %-6s %4zu rows, %zu of %zu demands met, %.1f s%s%s\n",
-                  experiment.entry.name.c_str(), experiment.entry.preset.c_str(), counts.rows, counts.met,
-                  counts.demands, experiment.output.rows.wall_s,
+                  experiment.name.c_str(), experiment.rows.preset.c_str(), counts.rows, counts.met,
+                  counts.demands, experiment.rows.wall_s,
                   experiment.failure.empty() ? "" : ", FAILED: ", experiment.failure.substr(0, 60).c_str());
     text += line;
   }

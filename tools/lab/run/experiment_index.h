@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "tools/common/report/report.h"
-#include "tools/lab/run/experiment_all.h"
+#include "tools/lab/run/experiment.h"
 
 namespace sprung {
 
@@ -20,7 +20,7 @@ struct IndexHeading {
 report::Report experiment_index(const IndexHeading& heading,
                                 const std::vector<FinishedExperiment>& experiments);
 
-/// The report of one experiment, which the index calls <name>.html.
+/// The report of one experiment, which the index calls <name>.html: alone or beside others, the same.
 report::Report experiment_page(const IndexHeading& heading, const FinishedExperiment& experiment);
 
 /// {"robot": ..., "experiments": [each as ExperimentReport::json(), with "failure"]}.

@@ -31,8 +31,8 @@ std::string bounds(const ReportRow& row) {
   if (!row.low && !row.high) {
     return "";
   }
-  const std::string range =
-      (row.low ? cell(row.low, row.unit) : "") + ".." + (row.high ? cell(row.high, row.unit) : "");
+  const std::string range = (row.low ? cell(row.low, row.unit) : "") + ".." +
+                            (row.high ? cell(row.high, row.unit) : "");
   return range + (row.ok() ? "  ok" : "  NOT OK");
 }
 
@@ -45,7 +45,11 @@ bool ReportRow::ok() const {
   return std::isfinite(value) && (!low || value >= *low) && (!high || value <= *high);
 }
 
-bool ExperimentReport::ok() const {
+ReportRow row(const std::string& name, const std::string& unit, double value, const Bounds& bounds) {
+  return {name, unit, value, bounds.paper, bounds.low, bounds.high};
+}
+
+bool all_ok(const std::vector<ReportRow>& rows) {
   return std::all_of(rows.begin(), rows.end(), [](const ReportRow& row) { return row.ok(); });
 }
 

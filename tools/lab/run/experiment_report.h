@@ -18,6 +18,21 @@ struct ReportRow {
   bool ok() const;
 };
 
+/// What a row is held against; empty: nothing is demanded.
+struct Bounds {
+  std::optional<double> low{}, high{};
+  std::optional<double> paper{};  ///< the papers' figure, where there is one
+};
+inline Bounds at_least(double low) { return {low, {}, {}}; }
+inline Bounds at_most(double high) { return {{}, high, {}}; }
+inline Bounds between(double low, double high) { return {low, high, {}}; }
+inline Bounds demanded(bool really, const Bounds& bounds) { return really ? bounds : Bounds{}; }
+
+/// Every row with bounds is within them.
+bool all_ok(const std::vector<ReportRow>& rows);
+
+ReportRow row(const std::string& name, const std::string& unit, double value, const Bounds& bounds = {});
+
 struct ExperimentReport {
   std::string experiment;
   std::string robot;
@@ -28,7 +43,7 @@ struct ExperimentReport {
   double simulated_s = 0.0;
   std::vector<ReportRow> rows;
 
-  bool ok() const;  ///< every row with bounds is within them
+  bool ok() const { return all_ok(rows); }
   std::string json() const;
   std::string table() const;
 };

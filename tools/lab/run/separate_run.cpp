@@ -17,7 +17,7 @@ namespace sprung {
 
 namespace {
 
-constexpr double kAnswer_s = 5.0;
+constexpr double kOperatorAnswer_s = 5.0;
 constexpr int kSilentTurns = 60;  // turns of 50 ms without a cycle after which none will come
 
 std::string plant_text(const std::string& key, double value) {
@@ -51,7 +51,7 @@ LaunchRequest launch_request(const RunScript& script, const SeparateOptions& opt
 void queue_commands(const RunScript& script, const RunInfo& info) {
   OperatorClient client(info);
   for (OperatorCommand command : script.commands) {
-    const auto answer = client.send(command, kAnswer_s);
+    const auto answer = client.send(command, kOperatorAnswer_s);
     if (!answer || answer->outcome != OperatorOutcome::kQueued) {
       throw std::runtime_error("the planner did not queue a command: " +
                                (answer ? answer->reason : "no answer"));

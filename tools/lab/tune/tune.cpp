@@ -1,11 +1,12 @@
 #include "tools/lab/tune/tune.h"
 
 #include <algorithm>
+#include <memory>
 #include <numeric>
 #include <stdexcept>
 
 #include "tools/lab/jump/jump_experiment.h"
-#include "tools/lab/tune/tune_plants.h"
+#include "tools/lab/tune/tune_report.h"
 #include "tools/lab/tune/tune_search.h"
 
 namespace sprung {
@@ -45,8 +46,8 @@ class Search {
   Search(const TuneSpace& space, const TuneRequest& request,
          const std::function<void(std::size_t, std::size_t)>& on_progress)
       : space_(space), request_(request), on_progress_(on_progress) {
-    const auto sets =
-        static_cast<std::size_t>(1 + request.samples + request.rounds * samples_of_round(request) + 2);
+    const auto sets = static_cast<std::size_t>(1 + request.samples +
+                                               request.rounds * samples_of_round(request) + 2);
     total_ = sets * static_cast<std::size_t>(request.plants);
   }
 
@@ -161,10 +162,68 @@ TuneResult run_tune(const TuneSpace& space, const TuneRequest& request,
   result.present_reported = reported[0];
   result.best_reported = reported[1];
   const RobotConfig robot = space.with(space.present());
-  result.simulated_s =
-      static_cast<double>(search.jumps()) * robot.cycle_s *
-      static_cast<double>(jump_script(robot, space.preset(), plants[0], request.mode, 1).cycles);
+  result.simulated_s = static_cast<double>(search.jumps()) * robot.cycle_s *
+                       static_cast<double>(
+                           jump_script(robot, space.preset(), plants[0], request.mode, 1).cycles);
   return result;
+}
+
+namespace {
+
+struct TuneOptions {
+  std::string mode = "hybrid", objective = "landing_output";
+  std::vector<std::string> vary;
+  TuneRequest request;
+};
+
+void add_options(TuneOptions& own, OwnOptions& options) {
+  options.choice("--mode", own.mode, names(kJumpModes), "control in the jump");
+  options.option("--vary", own.vary,
+                 "KEY=LOW:HIGH, a number of the preset and its range in robot.yaml's unit; may be repeated",
+                 Need::kRequired);
+  options.option("--samples", own.request.samples, "sets of gains over the whole ranges");
+  options.option("--rounds", own.request.rounds,
+                 "of refinement around the best, each with a quarter of the samples");
+  options.option("--plants", own.request.plants, "on which each set jumps: sim.yaml's, then drawn ones");
+  options.choice("--objective", own.objective, tune_objectives(), "what counts; the output states the cost");
+  options.option("--tune-seed", own.request.tune_seed, "of the plants to tune on");
+}
+
+ExperimentOutput run_tune(const ExperimentInput& in, const TuneOptions& own) {
+  TuneRequest request = own.request;
+  request.mode = named(kJumpModes, own.mode);
+  request.objective = tune_objective(own.objective);
+  request.seed = in.sim.seed;
+  request.jobs = in.parallel.jobs;
+  std::vector<TuneParameter> parameters;
+  for (const std::string& text : own.vary) parameters.push_back(parse_vary(text));
+  const TuneSpace space(in.robot, in.preset, parameters);
+  const TuneResult result = run_tune(space, request, in.parallel.on_progress);
+  const std::string fragment = tune_fragment(space, request, result, in.command);
+  ExperimentOutput out{tune_rows(space, result), result.simulated_s, tune_sections(space, request, result)};
+  out.instead = tune_table(space, request, result) + fragment;
+  out.files = {{"tune.yaml", fragment}};
+  return out;
+}
+
+}  // namespace
+
+Experiment tune_experiment() {
+  const auto own = std::make_shared<TuneOptions>();
+  Experiment out;
+  out.name = "tune";
+  out.what = "Varies gains of a preset over jumps on several plants and shows the best and what they trade.";
+  out.question = "Which gains jump and land best on plants that differ, and what do they trade?";
+  out.takes = {Common::kPreset, Common::kJobs, Common::kOut};
+  out.preset_note = "; what is not varied stays as it is there";
+  out.seed_help = "of the plants to report on";
+  out.out_note = ", and tune.yaml with the best";
+  out.example =
+      "--vary hybrid_landing.stiffness.z=400:3000 --vary hybrid_landing.damping.z=5:120 --samples 64 "
+      "--objective landing_output --out tuned";
+  add_options(*own, out.own);
+  out.run = [own](const ExperimentInput& in) { return run_tune(in, *own); };
+  return out;
 }
 
 }  // namespace sprung

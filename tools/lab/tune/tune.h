@@ -7,6 +7,7 @@
 
 #include "robots/robot_config.h"
 #include "tools/common/parallel.h"
+#include "tools/lab/run/experiment.h"
 #include "tools/lab/tune/tune_space.h"
 #include "tools/lab/tune/tune_terms.h"
 
@@ -30,9 +31,9 @@ struct TuneCandidate {
 };
 
 struct TuneResult {
-  std::vector<TuneCandidate>
-      candidates;        ///< on the tuning plants, the preset's own values first, in the order tried
-  std::size_t best = 0;  ///< index of the least cost; the first of equals
+  /// On the tuning plants, the preset's own values first, in the order tried.
+  std::vector<TuneCandidate> candidates;
+  std::size_t best = 0;            ///< index of the least cost; the first of equals
   TuneCandidate present_reported;  ///< the preset's own values, on the plants of `seed`
   TuneCandidate best_reported;
   double simulated_s = 0.0;
@@ -45,5 +46,7 @@ std::vector<std::size_t> by_cost(const std::vector<TuneCandidate>& candidates);
 /// @throws std::invalid_argument for the request, ConfigError where the robot may not hold a value.
 TuneResult run_tune(const TuneSpace& space, const TuneRequest& request,
                     const std::function<void(std::size_t, std::size_t)>& on_progress = {});
+
+Experiment tune_experiment();
 
 }  // namespace sprung

@@ -27,7 +27,7 @@ std::vector<std::string> columns(const TuneSpace& space) {
   return names;
 }
 
-std::vector<Cell> row(const std::string& name, const TuneCandidate& candidate) {
+std::vector<Cell> cells(const std::string& name, const TuneCandidate& candidate) {
   std::vector<Cell> cells = {name};
   for (const double value : candidate.values) cells.emplace_back(value);
   const TuneTerms& t = candidate.terms;
@@ -41,8 +41,8 @@ report::Table best_ten(const TuneSpace& space, const TuneResult& result) {
   report::Table table{"The best ten and the preset as it is, on the plants tuned on", columns(space)};
   const std::vector<std::size_t> order = by_cost(result.candidates);
   for (std::size_t i = 0; i < std::min(kBestShown, order.size()); ++i)
-    table.rows.push_back(row("#" + std::to_string(order[i]), result.candidates[order[i]]));
-  table.rows.push_back(row("present", result.candidates.front()));
+    table.rows.push_back(cells("#" + std::to_string(order[i]), result.candidates[order[i]]));
+  table.rows.push_back(cells("present", result.candidates.front()));
   return table;
 }
 
@@ -54,7 +54,8 @@ report::Table trade(const TuneSpace& space, const TuneResult& result) {
   std::stable_sort(front.begin(), front.end(), [&](std::size_t a, std::size_t b) {
     return terms[a].landing_output_Nm < terms[b].landing_output_Nm;
   });
-  for (const std::size_t i : front) table.rows.push_back(row("#" + std::to_string(i), result.candidates[i]));
+  for (const std::size_t i : front)
+    table.rows.push_back(cells("#" + std::to_string(i), result.candidates[i]));
   return table;
 }
 
@@ -62,7 +63,7 @@ report::Table reported(const TuneSpace& space, const TuneRequest& request, const
   return {"On " + std::to_string(request.plants) + " plants of seed " + std::to_string(request.seed) +
               ", which were not tuned on",
           columns(space),
-          {row("present", result.present_reported), row("best", result.best_reported)}};
+          {cells("present", result.present_reported), cells("best", result.best_reported)}};
 }
 
 std::string text_of(const report::Table& table) {
@@ -142,7 +143,7 @@ report::Plot cost_plot(const TuneSpace& space, const TuneResult& result, std::si
 void add_rows(std::vector<ReportRow>& rows, const std::string& which, const TuneCandidate& candidate) {
   const TuneTerms& t = candidate.terms;
   const auto add = [&](const char* quantity, const char* unit, double value) {
-    rows.push_back({"tune." + which + "." + quantity, unit, value, {}, {}, {}});
+    rows.push_back(row("tune." + which + "." + quantity, unit, value));
   };
   add("landing_motor_torque", "Nm", t.landing_motor_Nm);
   add("landing_output_torque", "Nm", t.landing_output_Nm);
@@ -164,12 +165,8 @@ std::vector<ReportRow> tune_rows(const TuneSpace& space, const TuneResult& resul
   add_rows(rows, "present", result.present_reported);
   add_rows(rows, "best", result.best_reported);
   for (std::size_t i = 0; i < space.parameters().size(); ++i)
-    rows.push_back({"tune.best." + space.parameters()[i].key,
-                    space.unit(i),
-                    result.best_reported.values[i],
-                    {},
-                    {},
-                    {}});
+    rows.push_back(
+        row("tune.best." + space.parameters()[i].key, space.unit(i), result.best_reported.values[i]));
   return rows;
 }
 

@@ -68,8 +68,8 @@ TuneTerms tune_terms(const std::vector<JumpResult>& runs, double height_mm) {
   double error = 0.0;
   int upright = 0;
   for (const JumpResult& run : runs) {
-    terms.worst_landing_output_Nm =
-        std::fmax(terms.worst_landing_output_Nm, run.landing_knee_output_torque_Nm);
+    terms.worst_landing_output_Nm = std::fmax(terms.worst_landing_output_Nm,
+                                              run.landing_knee_output_torque_Nm);
     error += height_error(run, height_mm);
     upright += run.upright ? 1 : 0;
   }
@@ -115,8 +115,8 @@ std::string cost_text(TuneObjective objective) {
 std::vector<std::size_t> pareto_front(const std::vector<TuneTerms>& all) {
   std::vector<std::size_t> front;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const bool beaten =
-        std::any_of(all.begin(), all.end(), [&](const TuneTerms& other) { return dominates(other, all[i]); });
+    const bool beaten = std::any_of(all.begin(), all.end(),
+                                    [&](const TuneTerms& other) { return dominates(other, all[i]); });
     if (!beaten) front.push_back(i);
   }
   return front;

@@ -17,7 +17,7 @@ namespace sprung::commands {
 
 namespace {
 
-constexpr double kPatience_s = 10.0;  ///< a disk that is slow must still get everything
+constexpr double kTimeout_s = 10.0;  ///< a disk that is slow must still get everything
 
 struct RecordRequest {
   std::string file;
@@ -67,7 +67,7 @@ int run_record(const RecordRequest& request) {
   std::fflush(stdout);
   while (!stop_requested() && !recorder.ended() && read_run_file(request.instance)) poll(nullptr, 0, 50);
   const bool died = recorder.ended().has_value();
-  const int status = recorder.stop(kPatience_s);
+  const int status = recorder.stop(kTimeout_s);
   if (own) return status;  // it has said all
   if (died) std::fprintf(stderr, "lcm-logger ended by itself: can it write its file?\n");
   return died ? kExitFailed : kExitDone;
@@ -77,8 +77,8 @@ int run_record(const RecordRequest& request) {
 
 void add_record(CommandLine& sprung) {
   const auto r = std::make_shared<RecordRequest>();
-  CommandLine& record =
-      sprung.subcommand("record", "Record every channel of the running robot into an LCM log.");
+  CommandLine& record = sprung.subcommand("record",
+                                          "Record every channel of the running robot into an LCM log.");
   record.option("file", r->file, "LCM log to write, default ROBOT-TIME.lcm");
   record.option("--instance", r->instance, "which run");
   add_recording_options(record, r->recorder, r->recording);

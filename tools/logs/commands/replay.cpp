@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "runtime/node.h"
+#include "signals/number_text.h"
 #include "tools/commands.h"
 #include "tools/common/progress_bar.h"
 #include "tools/common/report/report_shell.h"
@@ -40,19 +41,13 @@ struct ReplayOptions {
   double duration() const { return duration_s > 0.0 ? duration_s : std::numeric_limits<double>::infinity(); }
 };
 
-std::string digits_text(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%g", value);
-  return text;
-}
-
 /// That makes the page again.
 std::string command_of(const ReplayOptions& options) {
   std::string line = "sprung replay " + options.log + " --into " + options.into + " --html " + options.html;
   if (!options.robot.empty()) line += " --robot " + options.robot;
   if (!options.preset.empty()) line += " --preset " + options.preset;
-  if (options.start_s > 0.0) line += " --start " + digits_text(options.start_s);
-  if (options.duration_s > 0.0) line += " --duration " + digits_text(options.duration_s);
+  if (options.start_s > 0.0) line += " --start " + number_text(options.start_s);
+  if (options.duration_s > 0.0) line += " --duration " + number_text(options.duration_s);
   return line;
 }
 
@@ -116,7 +111,7 @@ int run_to_lcm(const ReplayOptions& options) {
   request.channels = options.channels;
   request.remaps = options.remaps;
   std::printf("%s onto %s at %s x; Ctrl-C ends it\n", options.log.c_str(), options.lcm_url.c_str(),
-              digits_text(options.speed).c_str());
+              number_text(options.speed).c_str());
   std::fflush(stdout);
   const LcmReplayResult result = or_wrong_use(
       [&] { return replay_to_lcm(request, options.step ? StepGate(ask_for_step) : StepGate()); });

@@ -5,8 +5,9 @@
 ///   Decoder decoder;                                  // types of lcmtypes/
 ///   MessageView message;                              // kept: no allocation while the shape stays
 ///   if (decoder.open(data, size, message) == Fault::kNone) {
-///     if (message.layout() != last) ...;              // another type or other counts: choose anew
-///     (field_choice.h) for (const Field* field : chosen) row.push_back(message.number(*field));
+///     // Another type or other counts: choose anew (field_choice.h).
+///     if (message.layout() != last) chosen = choose(...);
+///     for (const Field* field : chosen) row.push_back(message.number(*field));
 ///   }
 #include <cstddef>
 #include <cstdint>

@@ -82,10 +82,10 @@ std::vector<const Field*> choose(const Layout& layout, const std::vector<std::st
                                  const std::vector<ListNames>& names) {
   std::vector<const Field*> out;
   for (const Field& field : layout.fields) {
-    const bool chosen =
-        patterns.empty() || std::any_of(patterns.begin(), patterns.end(), [&](const std::string& pattern) {
-          return matches(pattern, field.path, names);
-        });
+    const bool chosen = patterns.empty() ||
+                        std::any_of(patterns.begin(), patterns.end(), [&](const std::string& pattern) {
+                          return matches(pattern, field.path, names);
+                        });
     if (chosen) out.push_back(&field);
   }
   return out;

@@ -17,24 +17,6 @@ Unsigned raw(const std::uint8_t* at) noexcept {
 
 }  // namespace
 
-const char* name(Fault fault) noexcept {
-  switch (fault) {
-    case Fault::kNone:
-      return "none";
-    case Fault::kTooShort:
-      return "too short";
-    case Fault::kUnknownType:
-      return "unknown type";
-    case Fault::kBadCount:
-      return "impossible count";
-    case Fault::kBadText:
-      return "broken text";
-    case Fault::kTrailing:
-      return "trailing bytes";
-  }
-  return "unknown";
-}
-
 int Layout::find(std::string_view path) const noexcept {
   for (std::size_t i = 0; i < fields.size(); ++i) {
     if (fields[i].path == path) return static_cast<int>(i);

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "signals/enumeration.h"
 #include "tools/logs/fields/schema.h"
 
 namespace sprung::fields {
@@ -22,7 +23,15 @@ enum class Fault : std::int8_t {
   kBadText,      ///< a string's length does not fit, or it does not end in zero
   kTrailing,     ///< bytes are left over
 };
-const char* name(Fault fault) noexcept;
+constexpr auto words_of(Fault) {
+  using E = Fault;
+  return words<E>({{E::kNone, "none"},
+                   {E::kTooShort, "too short"},
+                   {E::kUnknownType, "unknown type"},
+                   {E::kBadCount, "impossible count"},
+                   {E::kBadText, "broken text"},
+                   {E::kTrailing, "trailing bytes"}});
+}
 
 enum class Kind : std::int8_t { kBoolean, kInteger, kReal, kText, kBytes };
 

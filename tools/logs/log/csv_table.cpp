@@ -70,8 +70,8 @@ std::string CsvTable::header() {
     channel.fields.fix_columns();
     channel.place = empty_cells_.size();
     for (const ChosenFields::Column& column : channel.fields.columns()) {
-      const std::string path =
-          options_.joint_names ? fields::with_names(column.path, selection_.names()) : column.path;
+      const std::string path = options_.joint_names ? fields::with_names(column.path, selection_.names())
+                                                    : column.path;
       out += ',';
       append_quoted(name + "." + path + (column.unit.empty() ? "" : " (" + column.unit + ")"), out);
     }

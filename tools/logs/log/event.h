@@ -18,7 +18,7 @@ inline constexpr std::size_t kLongestChannel = 999;
 /// `channel` and `data` point into the reader's buffer and stay as they are until its next call of next().
 struct Event {
   std::int64_t number = 0;   ///< counts from 0 as it was written; starts again where logs were joined
-  std::int64_t time_us = 0;  ///< when it was received, UTC; may go back by a little (facts/lcm.md L15)
+  std::int64_t time_us = 0;  ///< when it was received, UTC; may go back by a little (facts L15)
   std::string_view channel;
   const std::uint8_t* data = nullptr;
   std::size_t size = 0;

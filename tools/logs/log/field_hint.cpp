@@ -3,7 +3,7 @@
 #include <map>
 #include <set>
 
-#include "runtime/spelling.h"
+#include "signals/spelling.h"
 #include "tools/logs/fields/decoder.h"
 #include "tools/logs/log/log_info.h"
 #include "tools/logs/log/reader.h"
@@ -30,6 +30,18 @@ std::string with_star(const std::string& path) {
   return out;
 }
 
+/// The channel's first message has a fingerprint that nobody knows.
+bool is_of_another_version(const std::string& log, std::string_view channel) {
+  Reader reader(log);
+  fields::Decoder decoder;
+  fields::MessageView message;
+  Event event;
+  for (int i = 0; i < kEventsRead && reader.next(event); ++i)
+    if (event.channel == channel)
+      return decoder.open(event.data, event.size, message) == fields::Fault::kUnknownType;
+  return false;
+}
+
 }  // namespace
 
 std::vector<FieldName> field_names(const std::string& log) {
@@ -51,6 +63,11 @@ std::vector<FieldName> field_names(const std::string& log) {
 }
 
 std::string no_field_text(const std::string& log, const std::string& field) {
+  const std::string channel = field.substr(0, field.find('.'));
+  if (is_of_another_version(log, channel))
+    return log + ": its " + channel +
+           " is a message of another version of sprung, and only that one knows its fields; sprung log info "
+           "names the version";
   std::map<std::string, std::string> shown;  // by all that may have been typed
   std::vector<std::string> candidates;
   for (const FieldName& one : field_names(log)) {

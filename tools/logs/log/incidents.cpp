@@ -6,8 +6,8 @@ namespace sprung::log {
 
 namespace {
 
-constexpr std::int64_t kKept =
-    1000;  // of a kind: a log may alternate between two sessions, or states, for hours
+/// Of a kind: a log may alternate between two sessions, or states, for hours.
+constexpr std::int64_t kKept = 1000;
 
 }  // namespace
 

@@ -60,8 +60,8 @@ class IncidentFinder {
   std::string safety_;
   std::string motion_;
   MotionFields motion_fields_;
-  std::vector<std::array<std::int64_t, kLegEventCount>>
-      seen_;  ///< event counts of each leg, as last published
+  /// Event counts of each leg, as last published.
+  std::vector<std::array<std::int64_t, kLegEventCount>> seen_;
   std::array<std::int64_t, kLegEventCount> leg_counts_{};
   std::array<std::int64_t, kIncidentKinds> of_kind_{};
   std::int64_t left_out_ = 0;

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <nlohmann/json.hpp>
+
+#include "runtime/utc_text.h"
 
 namespace sprung::log {
 
@@ -37,10 +38,11 @@ std::string joined(const std::vector<std::string>& parts) {
 }
 
 std::string head_text(const LogInfo& info) {
-  std::string out =
-      info.path + ": " + size_text(info.bytes) + ", " + std::to_string(info.events) + " events, " +
-      format("%.3f s of the robot's time, received in %.3f s\n", info.duration_s, info.received_s);
-  if (info.events > 0) out += "begins     " + utc_text(info.begin_us) + "\n";
+  std::string out = info.path + ": " + size_text(info.bytes) + ", " + std::to_string(info.events) +
+                    " events, " +
+                    format("%.3f s of the robot's time, received in %.3f s\n", info.duration_s,
+                           info.received_s);
+  if (info.events > 0) out += "begins     " + utc_text(info.begin_us, ' ', 3) + " UTC\n";
   if (info.sessions > 1) out += "sessions   " + std::to_string(info.sessions) + "\n";
   return out;
 }
@@ -169,17 +171,6 @@ Json json_of(const sprung_msgs::log_metadata_t& metadata) {
 }
 
 }  // namespace
-
-std::string utc_text(std::int64_t utc_us) {
-  constexpr std::int64_t kSecond_us = 1'000'000;
-  const std::int64_t rest_us = (utc_us % kSecond_us + kSecond_us) % kSecond_us;
-  const std::time_t seconds = utc_us / kSecond_us - (utc_us % kSecond_us < 0 ? 1 : 0);
-  const auto ms = static_cast<int>(rest_us / 1000);
-  std::tm day{};
-  if (gmtime_r(&seconds, &day) == nullptr) return std::to_string(utc_us) + " us";
-  return format("%04d-%02d-%02d %02d:%02d:%02d.%03d UTC", day.tm_year + 1900, day.tm_mon + 1, day.tm_mday,
-                day.tm_hour, day.tm_min, day.tm_sec, ms);
-}
 
 std::string info_text(const LogInfo& info, const InfoTextOptions& options) {
   return head_text(info) + (info.metadata ? metadata_text(*info.metadata) : "") + end_text(info) +

@@ -15,7 +15,4 @@ std::string info_text(const LogInfo& info, const InfoTextOptions& options = {});
 /// One JSON object: all that info_text says, incidents too, and robot.yaml as text.
 std::string info_json(const LogInfo& info);
 
-/// "2026-11-21 20:00:00.250 UTC".
-std::string utc_text(std::int64_t utc_us);
-
 }  // namespace sprung::log

@@ -8,12 +8,28 @@
 #include <string>
 #include <vector>
 
-#include "tools/logs/log/channel_report.h"
 #include "tools/logs/log/incidents.h"
 #include "tools/logs/log/reader.h"
+#include "tools/logs/recorder/gap_tracker.h"
 #include "tools/logs/recorder/log_messages.h"
 
 namespace sprung::log {
+
+/// What a log holds of one channel.
+struct ChannelReport {
+  std::string type;  ///< "drive_state_t"; "" = unknown here; "several types" where messages differ
+  std::int64_t messages = 0;
+  std::uint64_t bytes = 0;  ///< of the messages alone
+  double first_s = 0.0;     ///< robot's time, see timeline.h
+  double last_s = 0.0;
+  double longest_pause_s = 0.0;  ///< between two messages
+  double longest_pause_at_s = 0.0;
+  bool cyclic = false;  ///< one message a cycle: only then a missing one can be told
+  GapCounts cycles;     ///< of a cyclic channel
+
+  /// Messages a second on average, repeats not counted; NaN of fewer than two.
+  double rate_Hz() const noexcept;
+};
 
 struct LogInfo {
   std::string path;

@@ -22,8 +22,8 @@ struct PlotRequest {
 struct LogPlot {
   std::string title;
   std::string subtitle;
-  std::vector<report::Plot>
-      plots;  ///< one for each unit; its title is what the names of its curves have in common
+  /// One for each unit; its title is what the names of its curves have in common.
+  std::vector<report::Plot> plots;
   std::vector<std::string> unmatched;  ///< fields that were asked for and are not in the log
 };
 

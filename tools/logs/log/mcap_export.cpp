@@ -4,7 +4,6 @@
 
 #include "lcmtypes/channels.h"
 #include "tools/logs/fields/decoder.h"
-#include "tools/logs/log/json_message.h"
 #include "tools/logs/log/proto_message.h"
 #include "tools/logs/log/proto_schema.h"
 #include "tools/logs/log/proto_types.h"
@@ -23,17 +22,17 @@ std::uint64_t ns(double us) {
 
 class Exporter {
  public:
-  Exporter(McapEncoding encoding, McapWriter& writer) : encoding_(encoding), writer_(writer) {}
+  explicit Exporter(McapWriter& writer) : writer_(writer) {}
 
   /// @return whether it was a message of a known type.
   bool add(const Event& event, const Timeline::Moment& moment, std::int64_t begin_us) {
     if (decoder_.open(event.data, event.size, message_) != fields::Fault::kNone) return false;
     Topic& topic = topic_of(std::string(event.channel), *message_.layout()->type);
     const bool frame = event.channel == channels::kLogMetadata;
-    const double log_us =
-        static_cast<double>(frame ? event.time_us : begin_us) + (frame ? 0.0 : 1e6 * moment.time_s);
+    const double log_us = static_cast<double>(frame ? event.time_us : begin_us) +
+                          (frame ? 0.0 : 1e6 * moment.time_s);
     writer_.add_message(topic.id, topic.sequence++, ns(log_us), ns(static_cast<double>(event.time_us)),
-                        encoded(event));
+                        protos_.encode(message_, event.data, event.size));
     if (frame) note_metadata(event);
     return true;
   }
@@ -50,24 +49,12 @@ class Exporter {
     const auto found = topics_.find(key);
     if (found != topics_.end()) return found->second;
     auto schema = schemas_.find(type.hash);
-    if (schema == schemas_.end()) schema = schemas_.emplace(type.hash, add_schema(type)).first;
-    const char* const encoding = encoding_ == McapEncoding::kJson ? "json" : "protobuf";
-    return topics_.emplace(key, Topic{writer_.add_channel(schema->second, channel, encoding), 0})
+    if (schema == schemas_.end()) {
+      const std::uint16_t id = writer_.add_schema(proto_name(type), "protobuf", proto_schema(type));
+      schema = schemas_.emplace(type.hash, id).first;
+    }
+    return topics_.emplace(key, Topic{writer_.add_channel(schema->second, channel, "protobuf"), 0})
         .first->second;
-  }
-
-  std::uint16_t add_schema(const fields::StructType& type) {
-    if (encoding_ == McapEncoding::kJson)
-      return writer_.add_schema(type.name, "jsonschema", json_schema(type));
-    return writer_.add_schema(proto_name(type), "protobuf", proto_schema(type));
-  }
-
-  /// Of the message at hand, valid until the next one.
-  std::string_view encoded(const Event& event) {
-    if (encoding_ == McapEncoding::kProtobuf) return protos_.encode(message_, event.data, event.size);
-    json_.clear();
-    jsons_.append(message_, json_);
-    return json_;
   }
 
   void note_metadata(const Event& event) {
@@ -84,28 +71,19 @@ class Exporter {
                            metadata->robot_yaml);
   }
 
-  McapEncoding encoding_;
   McapWriter& writer_;
   fields::Decoder decoder_;
   fields::MessageView message_;
   ProtoMessages protos_;
-  JsonMessages jsons_;
   std::map<std::int64_t, std::uint16_t> schemas_;  ///< by fingerprint
   std::map<std::pair<std::string, std::int64_t>, Topic> topics_;
-  std::string json_;
 };
 
 }  // namespace
 
-McapOptions options_for(McapEncoding encoding) noexcept {
-  McapOptions options;
-  options.zstd_level = encoding == McapEncoding::kProtobuf ? -1 : 1;
-  return options;
-}
-
-McapResult export_mcap(Reader& reader, ChannelFilter& channels, McapEncoding encoding, McapWriter& writer,
+McapResult export_mcap(Reader& reader, ChannelFilter& channels, McapWriter& writer,
                        const Progress& progress) {
-  Exporter exporter(encoding, writer);
+  Exporter exporter(writer);
   Timeline timeline;
   McapResult result;
   for (Event event; reader.next(event);) {

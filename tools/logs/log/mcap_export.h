@@ -7,26 +7,18 @@
 
 namespace sprung::log {
 
-enum class McapEncoding {
-  kProtobuf,  ///< a schema is a FileDescriptorSet (proto_schema.h)
-  kJson,      ///< a JSON schema (json_message.h)
-};
-
-/// How such messages are best packed: on logs of pegasus, level -1 takes a fifth less time than level 1 and 3
-/// % more room in protocol buffers' numbers, and two thirds more room in JSON's digits.
-McapOptions options_for(McapEncoding encoding) noexcept;
-
 struct McapResult {
   std::int64_t events = 0;
   std::int64_t written = 0;
   std::int64_t not_decoded = 0;  ///< of an unknown type, or no messages at all
 };
 
-/// A channel becomes a topic, a type a schema. A message's log time is the robot's (timeline.h), counted on
+/// A channel becomes a topic, a type a schema; messages are protocol buffers, a schema is a FileDescriptorSet
+/// (proto_schema.h). A message's log time is the robot's (timeline.h), counted on
 /// from when the first event was received: what is to be played back; its publish time is when it was
 /// received. LOG_METADATA also becomes metadata "sprung" and an attachment robot.yaml. The caller finishes
 /// the writer.
-McapResult export_mcap(Reader& reader, ChannelFilter& channels, McapEncoding encoding, McapWriter& writer,
+McapResult export_mcap(Reader& reader, ChannelFilter& channels, McapWriter& writer,
                        const Progress& progress = {});
 
 }  // namespace sprung::log

@@ -44,8 +44,8 @@ std::uint16_t McapWriter::add_channel(std::uint16_t schema, const std::string& t
                                       const std::string& message_encoding) {
   settle();
   const std::uint16_t id = channels_++;
-  const std::string content =
-      McapFields().number(id).number(schema).text(topic).text(message_encoding).texts({}).bytes();
+  const std::string
+      content = McapFields().number(id).number(schema).text(topic).text(message_encoding).texts({}).bytes();
   put(McapOp::kChannel, content);
   append_record(McapOp::kChannel, content, channel_records_);
   return id;

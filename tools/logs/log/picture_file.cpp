@@ -4,9 +4,9 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <stdexcept>
 
+#include "tools/common/report/report_shell.h"
 #include "tools/operate/launcher/child_process.h"
 
 namespace sprung::log {
@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kPatience_s = 60.0;
+constexpr double kTimeout_s = 60.0;
 
 /// A folder of its own for the browser, gone afterwards.
 class ScratchFolder {
@@ -43,35 +43,28 @@ std::string browser() {
   try {
     return system_program("chromium", "chromium");
   } catch (const std::runtime_error& error) {
-    throw std::runtime_error(std::string(error.what()) + "; or write .svg or .html, which need none");
+    throw std::runtime_error(std::string(error.what()) + "; or write .html, which needs none");
   }
 }
 
 }  // namespace
 
-void write_text_file(const std::string& path, const std::string& text) {
-  std::ofstream out(path, std::ios::binary);
-  out << text;
-  out.close();
-  if (!out) throw std::runtime_error("cannot write " + path + ": " + std::strerror(errno));
-}
-
-void write_png(const std::string& path, const std::string& svg, int width, int height) {
+void write_png(const std::string& path, const std::string& html, int width, int height) {
   const std::string program = browser();
   const ScratchFolder folder;
-  write_text_file(folder / "plot.html",
-                  "<!DOCTYPE html><meta charset=\"utf-8\"><body style=\"margin:0\">" + svg);
+  report::write_text(html, folder / "plot.html");
   const std::string shot = folder / "plot.png";
   ChildProcess chromium(
       program,
       {"--headless", "--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking",
        "--disable-component-update", "--disable-sync", "--disable-dev-shm-usage", "--hide-scrollbars",
        "--window-size=" + std::to_string(width) + "," + std::to_string(height),
-       "--user-data-dir=" + (folder / "profile"), "--screenshot=" + shot, "file://" + (folder / "plot.html")},
+       "--user-data-dir=" + (folder / "profile"), "--screenshot=" + shot,
+       "file://" + (folder / "plot.html") + "#picture"},
       Output::kCaptured);
-  if (!chromium.wait(kPatience_s)) chromium.stop(1.0);
+  if (!chromium.wait(kTimeout_s)) chromium.stop(1.0);
   std::error_code error;
-  if (!fs::exists(shot)) throw std::runtime_error("chromium drew nothing: write .svg or .html instead");
+  if (!fs::exists(shot)) throw std::runtime_error("chromium drew nothing: write .html instead");
   fs::copy_file(shot, path, fs::copy_options::overwrite_existing, error);
   if (error) throw std::runtime_error("cannot write " + path + ": " + error.message());
 }

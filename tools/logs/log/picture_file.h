@@ -4,12 +4,10 @@
 
 namespace sprung::log {
 
-/// @throws std::runtime_error naming the file and why it failed.
-void write_text_file(const std::string& path, const std::string& text);
-
-/// An SVG picture as PNG, drawn by Debian's Chromium without a screen. @param width, height px.
-/// @throws std::runtime_error where chromium is missing (saying what to install, and that SVG and HTML need
-/// none), or wrote nothing.
-void write_png(const std::string& path, const std::string& svg, int width, int height);
+/// A report's page (tools/common/report) as PNG, as Debian's Chromium draws it without a screen: title,
+/// subtitle and plots share the picture's height. @param width, height px.
+/// @throws std::runtime_error where chromium is missing (saying what to install, and that HTML needs none),
+/// or wrote nothing.
+void write_png(const std::string& path, const std::string& html, int width, int height);
 
 }  // namespace sprung::log

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "tools/logs/log/member_text.h"
+#include "tools/logs/fields/units.h"
 #include "tools/logs/log/proto_types.h"
 
 namespace sprung::log {
@@ -28,6 +28,12 @@ constexpr std::size_t kOptionPacked = 2;
 }  // namespace field
 namespace source_info {
 constexpr std::size_t kLocation = 1, kPath = 1, kSpan = 2, kTrailingComment = 4;
+}
+
+/// "Nm; what the link feels": unit and the definition's comment; "" where there is neither.
+std::string member_text(const fields::Member& member) {
+  const std::string unit = fields::unit_of(member.name);
+  return unit.empty() || member.comment.empty() ? unit + member.comment : unit + "; " + member.comment;
 }
 
 std::string file_name(const fields::StructType& type) {

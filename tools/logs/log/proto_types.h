@@ -25,8 +25,8 @@ enum class ProtoType : std::uint8_t {
 
 struct ProtoField {
   ProtoType type = ProtoType::kDouble;
-  bool repeated =
-      false;  ///< lists of lists are one list, the last index running first; a list of bytes is one value
+  bool repeated = false;  ///< lists of lists are one list, the last index running first; a list of bytes is
+                          ///< one value
 };
 ProtoField proto_field(const fields::Member& member) noexcept;
 

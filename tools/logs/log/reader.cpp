@@ -184,17 +184,4 @@ void Reader::end_damage(DamageKind kind) {
   damaged_ = false;
 }
 
-bool begins_like_a_log(const std::string& path) {
-  const int file = open_file(path);
-  std::uint8_t head[kSyncBytes] = {};
-  const ssize_t got = read(file, head, sizeof head);
-  const int error = errno;
-  close(file);
-  if (got < 0) {
-    errno = error;
-    fail("read", path);
-  }
-  return std::memcmp(head, kSync, static_cast<std::size_t>(got)) == 0;
-}
-
 }  // namespace sprung::log

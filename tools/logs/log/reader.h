@@ -93,8 +93,4 @@ class Reader {
   std::uint64_t skipped_bytes_ = 0;
 };
 
-/// Whether the file begins like an LCM log; an empty file does. @throws std::runtime_error where it cannot be
-/// read.
-bool begins_like_a_log(const std::string& path);
-
 }  // namespace sprung::log

@@ -127,7 +127,7 @@ void Verifier::check_message(const Event& event) {
       find(kind, at(event) + " is of a type that this sprung does not know");
     }
   } else if (fault != fields::Fault::kNone) {
-    find(Kind::kMessage, at(event) + " is no message: " + fields::name(fault));
+    find(Kind::kMessage, at(event) + " is no message: " + name(fault));
   }
   has_metadata_ = has_metadata_ || event.channel == channels::kLogMetadata;
   if (event.channel != channels::kLogEnd) return;
@@ -180,8 +180,8 @@ void Verifier::finish_damages(const Reader& reader) {
                                                    std::to_string(damage.bytes) + " bytes from byte " +
                                                    std::to_string(damage.offset));
   }
-  result_.counts[Kind::kGarbage] +=
-      static_cast<std::int64_t>(reader.damage_count() - reader.damages().size());
+  result_.counts[Kind::kGarbage] += static_cast<std::int64_t>(reader.damage_count() -
+                                                              reader.damages().size());
 }
 
 VerifyResult Verifier::finish(const Reader& reader) {
@@ -206,34 +206,6 @@ std::string late_text(const VerifyResult& result) {
   if (!result.good()) return "; " + cycles + "are not there (" + channels + ")";
   return "; in real time " + cycles + "came too late or were lost on the way (" + channels +
          "): no damage, a replay goes around them";
-}
-
-const char* title(Kind kind) {
-  switch (kind) {
-    case Kind::kGarbage:
-      return "damaged places";
-    case Kind::kCutOff:
-      return "cut off";
-    case Kind::kNumbers:
-      return "jumps of event numbers";
-    case Kind::kMessage:
-      return "messages that are none";
-    case Kind::kOtherType:
-      return "channels of another version";
-    case Kind::kMissing:
-      return "gaps";
-    case Kind::kLate:
-      return "gaps of real time";
-    case Kind::kCount:
-      return "wrong counts of events";
-    case Kind::kUnfinished:
-      return "unfinished";
-    case Kind::kOrder:
-      return "events out of order";
-    case Kind::kUnknown:
-      return "channels of an unknown type";
-  }
-  return "";
 }
 
 }  // namespace
@@ -264,10 +236,10 @@ std::string verify_text(const std::string& path, const VerifyResult& result) {
   for (const Finding& finding : result.findings)
     out += std::string(finding.wrong ? "WRONG  " : "note   ") + finding.text + "\n";
   for (const auto& [kind, count] : result.counts) {
-    if (count > kShownOfAKind) out += "       " + std::to_string(count) + " " + title(kind) + " in all\n";
+    if (count > kShownOfAKind) out += "       " + std::to_string(count) + " " + name(kind) + " in all\n";
   }
-  const std::string what =
-      std::to_string(result.events) + " events, " + std::to_string(result.bytes) + " bytes";
+  const std::string what = std::to_string(result.events) + " events, " + std::to_string(result.bytes) +
+                           " bytes";
   out += path + ": " + (result.good() ? "good" : "NOT good") + ", " + what;
   if (result.skipped_bytes > 0) out += ", " + std::to_string(result.skipped_bytes) + " of them in no event";
   if (!result.late.empty()) out += late_text(result);

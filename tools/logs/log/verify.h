@@ -33,6 +33,20 @@ struct Finding {
   bool wrong = true;  ///< false: worth knowing, but such a log is as it was meant to be
   std::string text;   ///< what and where
 };
+constexpr auto words_of(Finding::Kind) {
+  using E = Finding::Kind;
+  return words<E>({{E::kGarbage, "damaged places"},
+                   {E::kCutOff, "cut off"},
+                   {E::kNumbers, "jumps of event numbers"},
+                   {E::kMessage, "messages that are none"},
+                   {E::kOtherType, "channels of another version"},
+                   {E::kMissing, "gaps"},
+                   {E::kLate, "gaps of real time"},
+                   {E::kCount, "wrong counts of events"},
+                   {E::kUnfinished, "unfinished"},
+                   {E::kOrder, "events out of order"},
+                   {E::kUnknown, "channels of an unknown type"}});
+}
 
 struct VerifyResult {
   std::vector<Finding> findings;  ///< of each kind the first twenty

@@ -15,8 +15,8 @@ MessageLayout layout_with_strings(int strings) {
   MessageLayout layout;
   layout.hash = M::getHash();
   layout.strings = strings;
-  layout.fixed_size =
-      static_cast<std::size_t>(M().getEncodedSize()) - static_cast<std::size_t>(strings) * kEmptyString;
+  layout.fixed_size = static_cast<std::size_t>(M().getEncodedSize()) -
+                      static_cast<std::size_t>(strings) * kEmptyString;
   return layout;
 }
 
@@ -29,20 +29,6 @@ std::optional<M> read(const char* channel, const std::uint8_t* data, std::size_t
 }
 
 }  // namespace
-
-const char* name(LogEndReason value) noexcept {
-  switch (value) {
-    case LogEndReason::kAsked:
-      return "asked for";
-    case LogEndReason::kContinued:
-      return "goes on in the next part";
-    case LogEndReason::kDiskGuard:
-      return "the disk was nearly full";
-    case LogEndReason::kWriteError:
-      return "the disk took no more";
-  }
-  return "unknown";
-}
 
 template <>
 MessageLayout layout_of<sprung_msgs::log_metadata_t>() {

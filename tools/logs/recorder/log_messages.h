@@ -7,20 +7,11 @@
 #include <vector>
 
 #include "runtime/message_layout.h"
+#include "signals/modes.h"
 #include "sprung_msgs/log_end_t.hpp"
 #include "sprung_msgs/log_metadata_t.hpp"
 
 namespace sprung {
-
-/// Why a log file ends. A file without LOG_END was cut off: its recorder was killed, or the machine went
-/// down.
-enum class LogEndReason : std::int8_t {
-  kAsked = 0,       ///< by the operator or the launcher
-  kContinued = 1,   ///< the recording goes on in the next part
-  kDiskGuard = 2,   ///< the disk was nearly full
-  kWriteError = 3,  ///< the disk refused to take more
-};
-const char* name(LogEndReason value) noexcept;
 
 template <>
 MessageLayout layout_of<sprung_msgs::log_metadata_t>();

@@ -10,7 +10,7 @@ namespace sprung {
 namespace {
 
 /// LCM: no limit. Its default of 30 messages over all channels is why lcm-logger loses some under load
-/// (facts/lcm.md L13).
+/// (facts L13).
 constexpr int kUnlimited = 0;
 
 }  // namespace

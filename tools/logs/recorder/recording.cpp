@@ -106,8 +106,8 @@ void Recording::count(std::string_view channel, const std::uint8_t* data, std::s
     found = channels_.emplace(channel, Channel{has_every_cycle(channel), {}, 0}).first;
   ++found->second.messages;
   if (!found->second.cyclic || size < kCountsOffset) return;
-  const std::int64_t skipped =
-      found->second.cycles.add(read_int64(data, kSessionOffset), read_int64(data, kSeqOffset));
+  const std::int64_t skipped = found->second.cycles.add(read_int64(data, kSessionOffset),
+                                                        read_int64(data, kSeqOffset));
   if (skipped > 0) news_[found->first] += skipped;
 }
 

@@ -20,8 +20,8 @@ namespace sprung {
 struct RecordingOptions {
   std::string path;               ///< of the only part; with a split, x.lcm becomes x-000.lcm, x-001.lcm, ...
   std::uint64_t split_bytes = 0;  ///< a part ends with the message that reaches this; 0 = never
-  std::int64_t split_us =
-      0;  ///< a part ends with the message that comes this long after its beginning; 0 = never
+  /// A part ends with the message that comes this long after its beginning; 0 = never.
+  std::int64_t split_us = 0;
   std::uint64_t least_free_bytes = 0;  ///< the recording ends when the disk has less than this left
   bool keep_existing = false;          ///< refuse to take the place of a file that has something in it
 

@@ -21,34 +21,24 @@ std::int64_t used_leg_command_seq(const Bytes& drive_command) {
   return read_int64(drive_command.data(), drive_command.size() - sizeof(std::int64_t));
 }
 
+/// Every message begins with its type's fingerprint.
+bool same_type(const Bytes& recorded, const Bytes& replayed) {
+  return read_int64(recorded.data(), 0) == read_int64(replayed.data(), 0);
+}
+
 const Bytes kNoBytes;
 
 }  // namespace
-
-const char* name(Core core) noexcept {
-  switch (core) {
-    case Core::kEstimator:
-      return "estimator";
-    case Core::kPlanner:
-      return "planner";
-    case Core::kController:
-      return "controller";
-  }
-  return "unknown";
-}
 
 CoreChoice core_choice(const std::string& words) {
   CoreChoice choice;
   choice.runs = {};
   std::istringstream in(words);
   for (std::string word; std::getline(in, word, ',');) {
-    bool known = false;
-    for (const Core core : {Core::kEstimator, Core::kPlanner, Core::kController}) {
-      if (word != name(core)) continue;
-      choice.runs[static_cast<std::size_t>(core)] = known = true;
-    }
-    if (!known)
+    const std::optional<Core> core = value_named<Core>(word);
+    if (!core)
       throw std::invalid_argument("'" + word + "' is no core: give some of estimator,planner,controller");
+    choice.runs[static_cast<std::size_t>(*core)] = true;
   }
   if (words.empty())
     throw std::invalid_argument("no core was named: give some of estimator,planner,controller");
@@ -186,6 +176,10 @@ void CoreReplay::Impl::compare(const LoggedCycle& cycle, const Bytes& recorded, 
   const Bytes& replayed = ours.write(session);
   if (use_output) use_output({ours.channel(), cycle.seq, cycle.time_us, cycle.time_s, recorded, replayed});
   if (recorded.empty() || cycle.time_s < compare_from_s) return;
+  if (!same_type(recorded, replayed)) {
+    if (counts.other_version++ == 0) counts.first_other_version = ours.channel();
+    return;
+  }
   ++counts.compared;
   if (recorded == replayed) return;
   ++counts.differing;

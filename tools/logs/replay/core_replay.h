@@ -21,7 +21,6 @@ struct CoreChoice {
   std::array<bool, kCores> runs{true, true, true};
   bool operator[](Core core) const noexcept { return runs[static_cast<std::size_t>(core)]; }
 };
-const char* name(Core core) noexcept;  ///< "estimator", "planner", "controller"
 /// @param words of "estimator,planner,controller", in any order. @throws std::invalid_argument on another
 /// word, or none.
 CoreChoice core_choice(const std::string& words);
@@ -44,6 +43,8 @@ struct ReplayCounts {
   std::int64_t first_seq = -1;  ///< cycle with which the replay began; cores began fresh there
   std::int64_t last_seq = -1;
   std::string first_incomplete;
+  std::int64_t other_version = 0;   ///< messages that were not compared: the log's type is another version's
+  std::string first_other_version;  ///< channel of the first of them
 };
 
 class CoreReplay {

@@ -43,16 +43,23 @@ std::string fields_text(const DifferenceTable& table) {
   const std::vector<DifferenceTable::Key> keys = table.by_count();
   for (std::size_t i = 0; i < std::min(keys.size(), kFieldsInText); ++i) {
     const FieldCourse& course = table.fields().at(keys[i]);
-    const std::string largest =
-        std::isnan(course.largest)
-            ? ""
-            : format(", largest %.3g %s at %.3f s", course.largest, course.unit.c_str(), course.largest_s);
+    const std::string largest = std::isnan(course.largest)
+                                    ? ""
+                                    : format(", largest %.3g %s at %.3f s", course.largest,
+                                             course.unit.c_str(), course.largest_s);
     out += format("  %-14s %-44s %9lld messages from %.3f s on%s\n", keys[i].first.c_str(),
                   path_text(keys[i].second).c_str(), static_cast<long long>(course.count), course.first_s,
                   largest.c_str());
   }
   if (keys.size() > kFieldsInText) out += format("  and %zu fields more\n", keys.size() - kFieldsInText);
   return out;
+}
+
+std::string other_version_note(const ReplayResult& result) {
+  return "the log's " + result.counts.first_other_version + " is a message of another version of sprung" +
+         (result.version.empty() ? "" : " (" + result.version + ")") + ": " +
+         std::to_string(result.counts.other_version) +
+         " messages were not compared; that version's own replay compares them";
 }
 
 /// What the reader must know to judge the verdict.
@@ -64,6 +71,7 @@ std::vector<std::string> notes(const ReplayResult& result) {
   if (result.counts.incomplete > 0)
     out.push_back(std::to_string(result.counts.incomplete) + " inputs are missing, first " +
                   result.counts.first_incomplete);
+  if (result.counts.other_version > 0) out.push_back(other_version_note(result));
   if (result.flaws.unanswered > 0)
     out.push_back(
         std::to_string(result.flaws.unanswered) +
@@ -82,7 +90,9 @@ std::string verdict(const ReplayResult& result) {
     return "first difference: " + result.differences.first()->text(kReplaySides.first, kReplaySides.second);
   if (result.counts.compared == 0)
     return "nothing to compare: the log has no message that these cores make, or none in that time";
-  return result.identical() ? "identical" : "identical, where the log has the inputs";
+  if (result.identical()) return "identical";
+  return result.counts.other_version > 0 ? "identical, where the log can be compared"
+                                         : "identical, where the log has the inputs";
 }
 
 report::Table field_table(const DifferenceTable& table) {

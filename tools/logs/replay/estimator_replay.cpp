@@ -78,9 +78,8 @@ const Imu* EstimatorReplay::Impl::imu_of(const LoggedCycle& cycle, EstimatedCycl
   const std::optional<std::int64_t> used = used_imu_seq(cycle.joint_state);
   if (!used) return imus.newest_at_or_before(cycle.seq);
   const Imu* const sample = imus.find(*used);
-  const bool recent =
-      *used >
-      cycle.seq - History<Imu>::kDepth;  // what is older is known to the estimator, and of no use to it
+  const bool recent = *used > cycle.seq - History<Imu>::kDepth;  // what is older is known to the estimator,
+                                                                 // and of no use to it
   if (*used >= 0 && recent && sample == nullptr)
     out.missing = MissingInput{"estimator", channels::kImu, *used};
   return sample;

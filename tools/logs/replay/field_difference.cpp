@@ -18,7 +18,7 @@ FieldDifference whole(const std::string& first, const std::string& second) {
 
 std::string described(fields::Fault fault, const fields::MessageView& message, const Bytes& bytes) {
   if (bytes.empty()) return "no message";
-  if (fault != fields::Fault::kNone) return std::string("not readable: ") + fields::name(fault);
+  if (fault != fields::Fault::kNone) return std::string("not readable: ") + name(fault);
   return message.layout()->type->name + ", " + std::to_string(bytes.size()) + " bytes";
 }
 

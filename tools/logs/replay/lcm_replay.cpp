@@ -101,8 +101,8 @@ class LcmReplay {
 
   void send(const log::Event& event) {
     const std::string channel(event.channel);
-    const int sent =
-        lcm_publish(lcm_.get(), names_.of(channel), event.data, static_cast<unsigned>(event.size));
+    const int sent = lcm_publish(lcm_.get(), names_.of(channel), event.data,
+                                 static_cast<unsigned>(event.size));
     ++result_.messages;
     if (sent != 0) ++result_.failed;
   }

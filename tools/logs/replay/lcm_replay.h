@@ -24,8 +24,8 @@ struct LcmReplayResult {
   std::int64_t messages = 0;
   std::int64_t failed = 0;  ///< of them: LCM did not take them
   int laps = 0;
-  std::vector<std::string>
-      not_renamed;  ///< OLD of remaps that no message had, where the log was sent to its end
+  /// OLD of remaps that no message had, where the log was sent to its end.
+  std::vector<std::string> not_renamed;
 };
 
 /// Called before each step: before each DRIVE_STATE, or, where none is sent, before each message of the first

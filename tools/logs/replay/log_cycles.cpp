@@ -212,8 +212,8 @@ void LogCycles::add_reply(const log::Event& event) {
   LoggedCycle* const cycle = cycle_of(reply.seq);
   if (cycle == nullptr) return;
   const Bytes bytes = bytes_of(event);
-  const bool repeated =
-      std::find(cycle->replies.begin(), cycle->replies.end(), bytes) != cycle->replies.end();
+  const bool repeated = std::find(cycle->replies.begin(), cycle->replies.end(), bytes) !=
+                        cycle->replies.end();
   if (!repeated) cycle->replies.push_back(bytes);
 }
 

@@ -19,7 +19,12 @@ using Bytes = std::vector<std::uint8_t>;
 
 /// The cores that can be replayed.
 enum class Core : std::int8_t { kEstimator = 0, kPlanner = 1, kController = 2 };
-inline constexpr std::size_t kCores = 3;
+constexpr auto words_of(Core) {
+  using E = Core;
+  return words<E>({{E::kEstimator, "estimator"}, {E::kPlanner, "planner"}, {E::kController, "controller"}});
+}
+inline constexpr std::size_t kCores = kWords<Core>.size();
+static_assert(is_dense<Core>(), "a core's value is its place in lists of kCores");
 
 /// One cycle's messages as they are in the log, first of several; empty = the log has none.
 struct LoggedCycle {
@@ -72,8 +77,8 @@ class LogCycles {
   struct WaitingCommand {
     Request request;
     std::int64_t apply_at_seq;
-    std::int64_t
-        from_seq;  ///< first cycle that the planner had not made when it came, by the order of the log
+    /// First cycle that the planner had not made when it came, by the order of the log.
+    std::int64_t from_seq;
     Bytes bytes;
   };
   LoggedCycle* cycle_of(std::int64_t seq);

@@ -27,8 +27,8 @@ class OutputLog {
     run_.preset = with.preset;
     run_.clock = run.clock;
     run_.simulation = run.metadata && run.metadata->simulation != 0;
-    run_.command_line =
-        "sprung replay " + request.log + " --into " + names(request.cores) + " --out " + request.out;
+    run_.command_line = "sprung replay " + request.log + " --into " + names(request.cores) + " --out " +
+                        request.out;
     if (!request.robot.empty()) run_.command_line += " --robot " + request.robot;
     if (!request.preset.empty()) run_.command_line += " --preset " + request.preset;
   }
@@ -52,8 +52,8 @@ class OutputLog {
   void write_metadata(const MessagePair& first) {
     run_.session = read_int64(first.replayed.data(), kSessionOffset);
     run_.utc_us = first.time_us;
-    const std::vector<std::uint8_t> bytes =
-        message_bytes(make_log_metadata(with_.robot, with_.robot_yaml, run_));
+    const std::vector<std::uint8_t> bytes = message_bytes(
+        make_log_metadata(with_.robot, with_.robot_yaml, run_));
     writer_.write(first.time_us, channels::kLogMetadata, bytes.data(), bytes.size());
   }
 
@@ -65,7 +65,7 @@ class OutputLog {
 }  // namespace
 
 bool ReplayResult::identical() const noexcept {
-  return counts.compared > 0 && !differences.first() && counts.incomplete == 0;
+  return counts.compared > 0 && !differences.first() && counts.incomplete == 0 && counts.other_version == 0;
 }
 
 ReplayResult run_replay(const ReplayRequest& request, const ReplayProgress& progress) {
@@ -76,6 +76,7 @@ ReplayResult run_replay(const ReplayRequest& request, const ReplayProgress& prog
   result.source = with.source;
   result.robot = with.robot.name;
   result.clock = run.clock;
+  if (run.metadata) result.version = run.metadata->version + " " + run.metadata->git_hash;
   EstimatorReplay estimator(with.robot, with.preset, with.watchdogs, request.cores[Core::kEstimator]);
   CoreReplay replay(with.robot, with.preset, with.watchdogs, request.cores);
   replay.compare_from(request.from_s);

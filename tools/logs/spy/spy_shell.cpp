@@ -127,8 +127,8 @@ void SpyTerminal::show(const std::vector<Line>& lines) {
   wrefresh(stdscr);
 }
 
-KeyPress SpyTerminal::key(int patience_ms) {
-  wtimeout(stdscr, patience_ms);
+KeyPress SpyTerminal::key(int timeout_ms) {
+  wtimeout(stdscr, timeout_ms);
   const int code = wgetch(stdscr);
   const Key key = code == ERR ? Key::kNone : key_of(code);
   return {key, key == Key::kLetter ? static_cast<char>(code) : '\0'};

@@ -19,8 +19,8 @@ class SpyTerminal {
   std::size_t width() const noexcept;
   std::size_t height() const noexcept;
   void show(const std::vector<Line>& lines);
-  /// Waits for a key; kNone after `patience_ms`, or when the window changed its size.
-  KeyPress key(int patience_ms);
+  /// Waits for a key; kNone after `timeout_ms`, or when the window changed its size.
+  KeyPress key(int timeout_ms);
 
  private:
   struct Screen;

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "signals/number_text.h"
 #include "tools/logs/fields/value_text.h"
 #include "tools/logs/spy/plot_text.h"
 #include "tools/logs/spy/topic_text.h"
@@ -19,12 +20,6 @@ constexpr std::size_t kSparkWidth = 24;
 
 std::string right(const std::string& text, std::size_t width) {
   return text.size() >= width ? fit(text, width) : std::string(width - text.size(), ' ') + text;
-}
-
-std::string number_text(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.5g", value);
-  return text;
 }
 
 }  // namespace
@@ -236,11 +231,11 @@ void SpyView::put_plot(std::vector<Line>& out, std::size_t width, std::size_t he
     return;
   }
   const std::size_t lines = height > 3 ? height - 3 : 1;
-  out.push_back({number_text(range.high) + " " + field.unit, Style::kFaint});
+  out.push_back({number_text(range.high, 5) + " " + field.unit, Style::kFaint});
   for (std::string& line : braille_plot(values, width, lines))
     out.push_back({std::move(line), Style::kPlain});
   out.push_back(
-      {number_text(range.low) + " " + field.unit + ", last 10 s, 50 samples a second", Style::kFaint});
+      {number_text(range.low, 5) + " " + field.unit + ", last 10 s, 50 samples a second", Style::kFaint});
 }
 
 std::string SpyView::title(std::int64_t now_us) const {
@@ -253,7 +248,7 @@ std::string SpyView::title(std::int64_t now_us) const {
     std::snprintf(text, sizeof text, "  %s  %.1f Hz  age %s", channel->type.c_str(), figures.rate_Hz,
                   age_text(figures.age_us).c_str());
     out += text;
-    if (channel->fault != fields::Fault::kNone) out += std::string("  ") + fields::name(channel->fault);
+    if (channel->fault != fields::Fault::kNone) out += std::string("  ") + name(channel->fault);
   }
   return out + (frozen_ ? "   PAUSED" : "");
 }

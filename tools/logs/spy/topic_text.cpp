@@ -11,7 +11,7 @@ namespace {
 std::string type_text(const Channel& channel) {
   if (channel.fault == fields::Fault::kNone || channel.fault == fields::Fault::kUnknownType)
     return channel.type.empty() ? "unknown type" : channel.type;
-  return (channel.type.empty() ? "" : channel.type + ": ") + fields::name(channel.fault);
+  return (channel.type.empty() ? "" : channel.type + ": ") + name(channel.fault);
 }
 
 /// Missing cycles; nothing can be missed where not every cycle has a message.

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "signals/angles.h"
+
 namespace sprung {
 namespace {
 
-constexpr double kDegree_rad = 3.14159265358979323846 / 180.0;
+constexpr double kDegree_rad = kPi / 180.0;
 
 }  // namespace
 

@@ -9,8 +9,8 @@ namespace sprung {
 namespace {
 
 constexpr const char* kClear = "sprung status names the cause, sprung clear recovers";
-constexpr const char* kEmergency =
-    "sprung can dump --filter emcy; sprung status names the cause, sprung clear recovers";
+constexpr const char*
+    kEmergency = "sprung can dump --filter emcy; sprung status names the cause, sprung clear recovers";
 constexpr const char* kCounters = "sprung status counts them at the node";
 constexpr const char* kBus = "sprung status shows the bus; when it is over, sprung clear recovers";
 
@@ -97,12 +97,6 @@ const FaultGuide& guide_of(FaultKind kind) {
   throw std::logic_error(std::string("no guide for the fault ") + name(kind));
 }
 
-std::vector<std::string> fault_names() {
-  std::vector<std::string> names;
-  for (const FaultGuide& guide : fault_guides()) names.push_back(name(guide.kind));
-  return names;
-}
-
 int actuator_named(const RobotConfig& robot, const std::string& name) {
   const Target target = find_target(robot, name);
   if (target.actuator < 0)
@@ -111,10 +105,9 @@ int actuator_named(const RobotConfig& robot, const std::string& name) {
 }
 
 SimControl fault_control(const RobotConfig& robot, const FaultRequest& request) {
-  const auto same = [&](const FaultGuide& guide) { return request.kind == name(guide.kind); };
-  const auto guide = std::find_if(fault_guides().begin(), fault_guides().end(), same);
-  if (guide == fault_guides().end())
-    throw std::invalid_argument("no fault '" + request.kind + "': sprung fault --help lists them");
+  const std::optional<FaultKind> kind = value_named<FaultKind>(request.kind);
+  if (!kind) throw std::invalid_argument("no fault '" + request.kind + "': sprung fault --help lists them");
+  const FaultGuide* const guide = &guide_of(*kind);
   const Target target = find_target(robot, request.target);
   if (target.actuator >= 0 && !guide->on_drive)
     throw std::invalid_argument(request.kind + " is a bus's fault: name the bus, " +

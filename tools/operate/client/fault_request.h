@@ -20,7 +20,6 @@ struct FaultGuide {
 };
 /// Every kind that there is, `none` first: it mends.
 const std::vector<FaultGuide>& fault_guides();
-std::vector<std::string> fault_names();
 
 struct FaultRequest {
   std::string target;  ///< joint, actuator or bus, by name

@@ -131,8 +131,8 @@ Json safety_json(const std::optional<sprung_msgs::safety_state_t>& safety, doubl
 }
 
 std::string safety_text(const Json& safety) {
-  std::string text =
-      "safety  " + safety["state"].get<std::string>() + ", cause " + safety["cause"].get<std::string>();
+  std::string text = "safety  " + safety["state"].get<std::string>() + ", cause " +
+                     safety["cause"].get<std::string>();
   const std::string detail = safety.value("detail", "");
   if (!detail.empty()) text += ": " + detail;
   text += stale_text(safety, "the bridge");

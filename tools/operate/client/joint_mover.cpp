@@ -48,8 +48,8 @@ JointMover::JointMover(const RunInfo& info, const RobotConfig& robot)
   node_.start();
 }
 
-const JointState* JointMover::look(double patience_s) {
-  const std::int64_t end_us = node_.utime_us() + static_cast<std::int64_t>(1e6 * patience_s);
+const JointState* JointMover::look(double timeout_s) {
+  const std::int64_t end_us = node_.utime_us() + static_cast<std::int64_t>(1e6 * timeout_s);
   bool any = false;
   do {
     while (auto state = states_.pop()) {

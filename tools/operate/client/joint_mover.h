@@ -27,8 +27,8 @@ class JointMover {
   JointMover(const RunInfo& info, const RobotConfig& robot);
 
   /// Takes what has come in, waiting for the next JOINT_STATE where nothing has. @return the newest; nullptr
-  /// when none came within `patience_s` of wall time, or on a stop request.
-  const JointState* look(double patience_s);
+  /// when none came within `timeout_s` of wall time, or on a stop request.
+  const JointState* look(double timeout_s);
 
   /// As OperatorClient::send.
   std::optional<OperatorAnswer> send(OperatorCommand& command);

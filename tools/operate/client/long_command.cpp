@@ -8,8 +8,8 @@ namespace {
 
 constexpr double kAcceptance_s = 3.0;
 constexpr double kTurn_s = 0.1;
-constexpr double kPatience_s =
-    30.0;  // some 5 s of message time; a loaded lock-step run may take longer by the wall
+/// Some 5 s of message time; a loaded lock-step run may take longer by the wall.
+constexpr double kTimeout_s = 30.0;
 constexpr double kAfter_s = 0.5;  // BUS_STATE and SAFETY_STATE come ten times a second
 
 bool is_over(const std::optional<OperatorAnswer>& answer) {
@@ -30,7 +30,7 @@ std::optional<OperatorAnswer> run_long_command(const RunInfo& info, OperatorComm
                                                HealthListener& health, const HealthProgress& progress) {
   OperatorClient client(info);
   std::optional<OperatorAnswer> answer = client.send(command, kAcceptance_s);
-  const std::int64_t end_us = monotonic_us() + static_cast<std::int64_t>(1e6 * kPatience_s);
+  const std::int64_t end_us = monotonic_us() + static_cast<std::int64_t>(1e6 * kTimeout_s);
   std::string told;
   while (!stop_requested() && monotonic_us() < end_us && !is_over(answer)) {
     if (const auto last = client.wait_done(command, kTurn_s)) answer = last;

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "planner/gait/body_frame.h"
+#include "signals/angles.h"
 #include "signals/modes.h"
 #include "signals/vec3.h"
 
@@ -13,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kDegrees_per_rad = 57.29577951308232;
+constexpr double kDegrees_per_rad = 180.0 / kPi;
 
 Json finite_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 

@@ -42,11 +42,11 @@ std::optional<OperatorAnswer> OperatorClient::next_answer(std::int64_t request_i
   return std::nullopt;
 }
 
-std::optional<OperatorAnswer> OperatorClient::send(OperatorCommand& command, double patience_s) {
+std::optional<OperatorAnswer> OperatorClient::send(OperatorCommand& command, double timeout_s) {
   if (command.request_id == 0) {
     command.request_id = random_id();
   }
-  const std::int64_t end_us = node_.utime_us() + static_cast<std::int64_t>(patience_s * 1e6);
+  const std::int64_t end_us = node_.utime_us() + static_cast<std::int64_t>(timeout_s * 1e6);
   std::int64_t send_us = 0;
   while (node_.utime_us() < end_us && !stop_requested()) {
     if (node_.utime_us() >= send_us) {
@@ -63,15 +63,15 @@ std::optional<OperatorAnswer> OperatorClient::send(OperatorCommand& command, dou
   return std::nullopt;
 }
 
-std::optional<OperatorAnswer> OperatorClient::wait_done(const OperatorCommand& command, double patience_s) {
-  const auto patience_us = static_cast<std::int64_t>(patience_s * 1e6);
-  std::int64_t end_us = node_.utime_us() + patience_us;
+std::optional<OperatorAnswer> OperatorClient::wait_done(const OperatorCommand& command, double timeout_s) {
+  const auto timeout_us = static_cast<std::int64_t>(timeout_s * 1e6);
+  std::int64_t end_us = node_.utime_us() + timeout_us;
   while (node_.utime_us() < end_us && !stop_requested()) {
     if (const auto answer = next_answer(command.request_id)) {
       if (ends(answer->outcome)) {
         return answer;
       }
-      end_us = node_.utime_us() + patience_us;  // it is alive and at work
+      end_us = node_.utime_us() + timeout_us;  // it is alive and at work
       continue;
     }
     if (node_.utime_us() >= next_ask_us_) {

@@ -23,11 +23,11 @@ class OperatorClient {
   explicit OperatorClient(const RunInfo& info);
 
   /// Sends with a new request id unless one is set. @return the first answer (accepted, refused or queued);
-  /// nullopt when nobody answered in patience_s of wall time.
-  std::optional<OperatorAnswer> send(OperatorCommand& command, double patience_s);
+  /// nullopt when nobody answered in timeout_s of wall time.
+  std::optional<OperatorAnswer> send(OperatorCommand& command, double timeout_s);
   /// Waits for `done` or `failed` (or a refusal) of a command that was sent; asks again twice a second, in
-  /// case the answer was lost. nullopt on a stop request, or when patience_s passed without any answer.
-  std::optional<OperatorAnswer> wait_done(const OperatorCommand& command, double patience_s);
+  /// case the answer was lost. nullopt on a stop request, or when timeout_s passed without any answer.
+  std::optional<OperatorAnswer> wait_done(const OperatorCommand& command, double timeout_s);
 
  private:
   std::optional<OperatorAnswer> next_answer(std::int64_t request_id);

@@ -26,8 +26,8 @@ bool report_answer(const char* what, const std::optional<OperatorAnswer>& answer
         "%s: the drive bridge does not answer. PRESS THE HARDWARE EMERGENCY STOP; then: sprung down\n", what);
     return false;
   }
-  const bool bad =
-      answer->outcome == OperatorOutcome::kRefused || answer->outcome == OperatorOutcome::kFailed;
+  const bool bad = answer->outcome == OperatorOutcome::kRefused ||
+                   answer->outcome == OperatorOutcome::kFailed;
   std::fprintf(bad ? stderr : stdout, "%s: %s%s%s\n", what, name(answer->outcome),
                answer->reason.empty() ? "" : ": ", answer->reason.c_str());
   return !bad;
@@ -40,8 +40,8 @@ bool report_motion(const char* what, const std::optional<OperatorAnswer>& answer
                                   : "no answer from the motion planner. See: sprung status");
     return false;
   }
-  const bool bad =
-      answer->outcome == OperatorOutcome::kRefused || answer->outcome == OperatorOutcome::kFailed;
+  const bool bad = answer->outcome == OperatorOutcome::kRefused ||
+                   answer->outcome == OperatorOutcome::kFailed;
   std::fprintf(bad ? stderr : stdout, "%s: %s%s%s", what, name(answer->outcome),
                answer->reason.empty() ? "" : ": ", answer->reason.c_str());
   std::fprintf(bad ? stderr : stdout, answer->took_effect_at_seq >= 0 ? " (cycle %lld)\n" : "\n",

@@ -14,8 +14,8 @@ namespace sprung::commands {
 
 namespace {
 
-constexpr int kShutdown_ms =
-    60'000;  // every process may need its three seconds, the recorder ten, a lock-step bridge more
+constexpr int kShutdown_ms = 60'000;  // every process may need its three seconds, the recorder ten, a
+                                      // lock-step bridge more
 
 int run_down(const std::string& instance) {
   const RunInfo info = require_running(instance, "");
@@ -43,8 +43,8 @@ int run_down(const std::string& instance) {
 
 void add_down(CommandLine& sprung) {
   const auto instance = std::make_shared<std::string>("default");
-  CommandLine& down =
-      sprung.subcommand("down", "Bring the drives to rest and stop every process, recorder last.");
+  CommandLine& down = sprung.subcommand("down",
+                                        "Bring the drives to rest and stop every process, recorder last.");
   down.option("--instance", *instance, "which run");
   down.example("sprung down");
   down.action([=] { return run_down(*instance); });

@@ -109,10 +109,10 @@ std::string all_names() {
 
 void add_fault(CommandLine& sprung) {
   const auto request = std::make_shared<FaultCall>();
-  CommandLine& fault =
-      sprung.subcommand("fault", "Makes a fault in the simulated drives: " + all_names() + ".");
+  CommandLine& fault = sprung.subcommand("fault",
+                                         "Makes a fault in the simulated drives: " + all_names() + ".");
   fault.option("target", request->fault.target, "joint, actuator or bus", Need::kRequired);
-  fault.choice("kind", request->fault.kind, fault_names(),
+  fault.choice("kind", request->fault.kind, names_of<FaultKind>(),
                "which fault; none takes away what was made before", Need::kRequired);
   fault.option("--value", request->value, "how much, where the fault takes a value");
   fault.option("--after", request->after_s, "seconds from now");

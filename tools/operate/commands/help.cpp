@@ -11,6 +11,7 @@
 #include "tools/operate/help/command_json.h"
 #include "tools/operate/help/completion.h"
 #include "tools/operate/help/man_page.h"
+#include "tools/operate/launcher/installed_release.h"
 
 namespace sprung::commands {
 
@@ -31,8 +32,8 @@ std::vector<std::string> robot_names() {
 }  // namespace
 
 void add_help(CommandLine& sprung) {
-  CommandLine& completion =
-      sprung.subcommand("completion", "A script that lets the shell complete commands and options.");
+  CommandLine& completion = sprung.subcommand("completion",
+                                              "A script that lets the shell complete commands and options.");
   CommandLine& bash = completion.subcommand("bash", "For bash; installed with sprung.");
   completion.example("source <(sprung completion bash)");
   bash.example("source <(sprung completion bash)      in ~/.bashrc, where sprung is not installed");
@@ -47,6 +48,13 @@ void add_help(CommandLine& sprung) {
   man.action([&sprung, as_json] {
     const std::string version = std::string(SPRUNG_VERSION) + " (" + SPRUNG_GIT_HASH + ")";
     std::printf("%s", (*as_json ? command_json(sprung.info()) : man_page(sprung.info(), version)).c_str());
+    return kExitDone;
+  });
+  CommandLine& version = sprung.subcommand(
+      "version", "Version, build and message types, which an installation keeps to be checked.");
+  version.example("sprung version; cat /usr/share/sprung/release      # the same, or `sprung up` says so");
+  version.action([] {
+    std::printf("%s", release_text().c_str());
     return kExitDone;
   });
 }

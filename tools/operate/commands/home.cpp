@@ -16,18 +16,10 @@ namespace {
 
 struct HomeRequest {
   std::string joint;
-  std::string from = "configured";
+  std::string from = name(ReferenceSource::kConfigured);
   bool yes = false;
   std::string instance = "default";
 };
-
-ReferenceSource source_of(const std::string& text) {
-  for (const ReferenceSource source :
-       {ReferenceSource::kLink, ReferenceSource::kIndex, ReferenceSource::kJig}) {
-    if (text == name(source)) return source;
-  }
-  return ReferenceSource::kConfigured;
-}
 
 /// Whether the position of the jig is used: asked for, or by robot.yaml.
 bool needs_jig(const RobotConfig& robot, int actuator, ReferenceSource from) {
@@ -68,7 +60,7 @@ int run_home(const HomeRequest& request) {
   const RobotConfig robot = load_robot(info.robot_folder);
   OperatorCommand command;
   command.kind = OperatorKind::kHome;
-  command.reference_source = source_of(request.from);
+  command.reference_source = value_named<ReferenceSource>(request.from).value();
   try {
     if (!request.joint.empty()) command.actuator = actuator_named(robot, request.joint);
   } catch (const std::invalid_argument& error) {
@@ -89,10 +81,10 @@ int run_home(const HomeRequest& request) {
 
 void add_home(CommandLine& sprung) {
   const auto request = std::make_shared<HomeRequest>();
-  CommandLine& home =
-      sprung.subcommand("home", "Finds the zero of actuators that have no power and stand still.");
+  CommandLine& home = sprung.subcommand("home",
+                                        "Finds the zero of actuators that have no power and stand still.");
   home.option("joint", request->joint, "joint or actuator; default: all that robot.yaml tells how to home");
-  home.choice("--from", request->from, {"configured", "link", "index", "jig"},
+  home.choice("--from", request->from, names_of<ReferenceSource>(),
               "link encoder, motor encoder's index, or the jig that the robot stands in; configured = as "
               "robot.yaml says");
   home.flag("--yes", request->yes, "the robot stands in its jig: do not ask");

@@ -13,7 +13,6 @@
 #include "tools/lab/jump/live_jump_report.h"
 #include "tools/operate/client/cycle_collector.h"
 #include "tools/operate/client/jump_heights.h"
-#include "tools/operate/commands/jump_mode.h"
 #include "tools/operate/commands/motion_call.h"
 
 namespace sprung::commands {
@@ -49,7 +48,8 @@ std::string jump_line(const MotionRequest& request) {
 void write_page(const RunInfo& info, const MotionRequest& request, const std::vector<JumpResult>& jumps,
                 const std::vector<JumpSample>& samples) {
   if (request.html.empty() || jumps.empty()) return;
-  const LiveJumps live{info.robot, info.preset, jump_mode(request.mode), jump_line(request), jumps, samples};
+  const LiveJumps live{info.robot,         info.preset, value_named<JumpMode>(request.mode).value(),
+                       jump_line(request), jumps,       samples};
   report::write_report(live_jump_report(live), request.html);
   std::printf("report: %s\n", request.html.c_str());
 }
@@ -156,7 +156,7 @@ void add_jump_command(CommandLine& sprung) {
               "rise of the hip above its height at lift-off, mm; 0 = the preset's own curve as it is");
   jump.option("--forward", request->forward_mm,
               "where the foot lands, mm ahead of where it left; the rail must be free in x");
-  jump.choice("--mode", request->mode, jump_mode_names(), "control through thrust, flight and landing");
+  jump.choice("--mode", request->mode, names_of<JumpMode>(), "control through thrust, flight and landing");
   jump.option("--count", request->count, "how many, one after the other");
   add_motion_call(jump, *request);
   jump.flag(
@@ -169,7 +169,7 @@ void add_jump_command(CommandLine& sprung) {
     order.kind = OperatorKind::kJump;
     order.jump_height_m = request->height_mm * 1e-3;
     order.jump_forward_m = request->forward_mm * 1e-3;
-    order.jump_mode = jump_mode(request->mode);
+    order.jump_mode = value_named<JumpMode>(request->mode).value();
     order.jump_count = request->count;
     if (!request->html.empty() && !request->report) throw WrongUse("--html needs --report");
     return request->report ? run_reported_jump(order, *request) : run_jump(order, *request);
@@ -201,17 +201,17 @@ void add_comply(CommandLine& sprung) {
 
 void add_land(CommandLine& sprung) {
   const auto request = std::make_shared<MotionRequest>();
-  CommandLine& land =
-      sprung.subcommand("land", "Catch a fall from rest that begins now; the robot must stand, in the air.");
+  CommandLine& land = sprung.subcommand(
+      "land", "Catch a fall from rest that begins now; the robot must stand, in the air.");
   land.option("--in", request->touchdown_in_s, "s until the foot is expected to meet the ground, 0.02 to 1",
               Need::kRequired);
-  land.choice("--mode", request->mode, jump_mode_names(), "control in the fall and through the landing");
+  land.choice("--mode", request->mode, names_of<JumpMode>(), "control in the fall and through the landing");
   add_motion_call(land, *request);
-  land.example("sprung land --in 0.25 --mode own");
+  land.example("sprung land --in 0.25 --mode adaptive");
   land.action([=] {
     OperatorCommand order;
     order.kind = OperatorKind::kLand;
-    order.jump_mode = jump_mode(request->mode);
+    order.jump_mode = value_named<JumpMode>(request->mode).value();
     order.touchdown_in_s = request->touchdown_in_s;
     return run_motion("land", order, *request);
   });

@@ -10,8 +10,8 @@
 namespace sprung::commands {
 
 inline constexpr double kAnswer_s = 3.0;
-inline constexpr double kSilence_s =
-    5.0;  ///< without any answer from the planner, which is asked twice a second
+/// Without any answer from the planner, which is asked twice a second.
+inline constexpr double kSilence_s = 5.0;
 
 struct MotionCall {
   std::string instance = "default";

@@ -54,9 +54,9 @@ OperatorCommand order_of(const MoveRequest& request, const RobotConfig& robot, J
     throw WrongUse(error.what());
   }
   if (request.to.empty() == request.by.empty()) throw WrongUse("say either --to or --by");
-  const double target_rad =
-      request.by.empty() ? angle_of("--to", request.to, "")
-                         : look_at(mover, joint).estimated_position_rad + angle_of("--by", request.by, "");
+  const double target_rad = request.by.empty() ? angle_of("--to", request.to, "")
+                                               : look_at(mover, joint).estimated_position_rad +
+                                                     angle_of("--by", request.by, "");
   OperatorCommand order = gentle_move(robot, joint, target_rad);
   if (!request.speed.empty()) {
     const double rise_s = order.joint_speed_rad_s / order.joint_acceleration_rad_s2;

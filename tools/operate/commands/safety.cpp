@@ -64,8 +64,8 @@ int run_clear(const std::string& instance, bool as_json) {
     std::printf("clear: under way%s%s\n", waiting.empty() ? "" : ", waiting for", waiting.c_str());
     std::fflush(stdout);
   };
-  const auto answer =
-      run_long_command(info, command, health, as_json ? HealthProgress() : HealthProgress(progress));
+  const auto answer = run_long_command(info, command, health,
+                                       as_json ? HealthProgress() : HealthProgress(progress));
   if (answer && answer->outcome == OperatorOutcome::kDone) wait_until_armed(health);
   if (as_json) {
     std::printf("%s\n", clear_json(robot, answer, health).dump(1).c_str());
@@ -82,8 +82,8 @@ int run_clear(const std::string& instance, bool as_json) {
 void add_safety(CommandLine& sprung) {
   const auto instance = std::make_shared<std::string>("default");
   const auto as_json = std::make_shared<bool>(false);
-  CommandLine& estop =
-      sprung.subcommand("estop", "Switch every drive off at once; stays so until `sprung clear`.");
+  CommandLine& estop = sprung.subcommand("estop",
+                                         "Switch every drive off at once; stays so until `sprung clear`.");
   estop.option("--instance", *instance, "which run");
   estop.example("sprung estop");
   estop.action([=] { return run_estop(*instance); });

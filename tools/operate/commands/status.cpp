@@ -24,8 +24,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::int64_t kListen_us = 1'200'000;  // PROCESS_STATUS comes twice a second
-constexpr std::int64_t kPatience_us =
-    6'000'000;  // for what comes by message time: once a second, and --speed may be low
+/// For what comes by message time, once a second: enough for --speed of a fifth and more.
+constexpr std::int64_t kTimeout_us = 6'000'000;
 constexpr std::int64_t kLook_us = 50'000;
 
 /// The newest of its kind, and when it came in.
@@ -94,7 +94,7 @@ Heard listen(const RunInfo& info, const RobotConfig& robot) {
   std::int64_t now_us = begin_us;
   const auto goes_on = [&] {
     return now_us < begin_us + kListen_us ||
-           (now_us < begin_us + kPatience_us && bridge_is_awaited(info, heard));
+           (now_us < begin_us + kTimeout_us && bridge_is_awaited(info, heard));
   };
   while (!stop_requested() && goes_on()) {
     node.wait_for_input(now_us + kLook_us);
@@ -138,8 +138,8 @@ Json process_json(const RunningProcess& process, const Heard& heard) {
     out["host"] = status.host;
     out["cpu_percent"] = 100.0 * status.cpu_share;
     out["memory_MB"] = static_cast<double>(status.memory_kB) / 1024.0;
-    out["input_age_ms"] =
-        std::isfinite(status.input_age_us) ? Json(status.input_age_us * 1e-3) : Json(nullptr);
+    out["input_age_ms"] = std::isfinite(status.input_age_us) ? Json(status.input_age_us * 1e-3)
+                                                             : Json(nullptr);
     out["cycles"] = status.cycles;
     out["refused_messages"] = status.refused_messages;
     out["real_time"] = status.real_time;

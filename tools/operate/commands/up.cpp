@@ -11,8 +11,10 @@
 #include "runtime/log.h"
 #include "runtime/session_clock.h"
 #include "runtime/stop_request.h"
+#include "simulation/plant/robot_check.h"
 #include "tools/commands.h"
 #include "tools/logs/commands/recording_options.h"
+#include "tools/operate/launcher/installed_release.h"
 #include "tools/operate/launcher/launch_view.h"
 #include "tools/operate/launcher/launcher.h"
 #include "tools/operate/launcher/recorder_plan.h"
@@ -73,7 +75,7 @@ void warn_of_ttl(const LaunchRequest& request, const RobotConfig& robot, Launche
 }
 
 void refuse_contradictions(const LaunchRequest& request, const RobotConfig& robot) {
-  if (!(request.patience_s > 0.0)) throw WrongUse("--patience is more than 0 s");
+  if (!(request.timeout_s > 0.0)) throw WrongUse("--timeout is more than 0 s");
   try {
     check_request(request, robot);
     check_recording(request.recorder, request.recording);
@@ -82,10 +84,30 @@ void refuse_contradictions(const LaunchRequest& request, const RobotConfig& robo
   }
 }
 
-int run_up(const LaunchRequest& request, bool plain) {
+/// Before anything starts; no process of the stack reads what the plant is. On real buses sim.yaml is
+/// nobody's, and a robot may have no model.xml: that is said, and it goes on.
+void refuse_disagreeing_files(const LaunchRequest& request, const RobotConfig& robot, bool unchecked) {
+  if (!request.simulation && !sim::has_model(robot)) {
+    std::printf("note: %s has no model.xml: robot.yaml is not checked against one\n", robot.folder.c_str());
+    return;
+  }
+  const auto found = sim::check_robot(
+      robot, request.simulation ? sim::CheckAgainst::kModelAndSim : sim::CheckAgainst::kModel);
+  if (found.empty()) return;
+  std::string text;
+  for (const std::string& what : found) text += what + "\n";
+  if (!unchecked)
+    throw std::runtime_error(text +
+                             "nothing was started: mend what is wrong (docs/your_robot.md), or --unchecked");
+  std::printf("note: started unchecked, though\n%s", text.c_str());
+}
+
+int run_up(const LaunchRequest& request, bool plain, bool unchecked) {
   start_log("sprung");
+  check_installed_release(program_folder());
   const RobotConfig robot = load_robot(request.robot);
   refuse_contradictions(request, robot);
+  refuse_disagreeing_files(request, robot, unchecked);
   ServiceNotify service;
   Launcher launcher(request, robot);
   int status = kExitFailed;
@@ -125,10 +147,11 @@ void add_up(CommandLine& sprung) {
   const auto no_record = std::make_shared<bool>(false);
   const auto no_truth = std::make_shared<bool>(false);
   const auto plain = std::make_shared<bool>(false);
+  const auto unchecked = std::make_shared<bool>(false);
   request->lcm_url = kDefaultLcmUrl;
   request->log_folder = "logs";
-  CommandLine& up =
-      sprung.subcommand("up", "Start every process of a robot and watch over them; Ctrl-C ends it in order.");
+  CommandLine& up = sprung.subcommand(
+      "up", "Start every process of a robot and watch over them; Ctrl-C ends it in order.");
   up.option("robot", request->robot, "name of a folder in robots/, or a folder", Need::kRequired);
   up.flag("--sim", request->simulation, "simulated drives instead of real ones");
   up.choice("--clock", request->clock, {"realtime", "lockstep"},
@@ -141,7 +164,7 @@ void add_up(CommandLine& sprung) {
   up.option("--plant", request->plant,
             "simulation: KEY=VALUE changes the plant, e.g. friction_scale=1.2; may be repeated");
   up.option("--speed", request->speed, "lock-step: at most so many times real time, 0 = no limit");
-  up.option("--patience", request->patience_s,
+  up.option("--timeout", request->timeout_s,
             "seconds for each process to get ready, and for the drives; more on a slow machine");
   up.option("--cycles", request->cycles, "end after that many cycles, 0 = never");
   up.option("--log", request->log_folder, "folder of the LCM log");
@@ -150,6 +173,8 @@ void add_up(CommandLine& sprung) {
   up.option("--host", request->host,
             "start the processes that robot.yaml gives to this host; without: those that have no host");
   up.flag("--plain", *plain, "lines instead of a screen, also in a terminal");
+  up.flag("--unchecked", *unchecked,
+          "start though robot.yaml, model.xml and sim.yaml disagree: sprung robot check");
   up.flag("--no-truth", *no_truth, "simulation: no SIM_TRUTH");
   up.option("--inject", request->inject,
             "test of the links: PROGRAM=SPEC, e.g. sprung-leg-controller=drop-rx:JOINT_STATE:100");
@@ -161,7 +186,7 @@ void add_up(CommandLine& sprung) {
     if (*no_record) {
       request->log_folder.clear();
     }
-    return run_up(*request, *plain);
+    return run_up(*request, *plain, *unchecked);
   });
 }
 

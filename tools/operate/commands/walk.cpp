@@ -11,28 +11,13 @@ namespace sprung::commands {
 namespace {
 
 constexpr double kListen_s = 0.5;  // for MOTION_STATE, which comes every cycle
-constexpr GaitControl kControls[] = {GaitControl::kOwn, GaitControl::kPreStance, GaitControl::kHybrid,
-                                     GaitControl::kForce};
 
 struct WalkWish : MotionCall {
   GaitWish gait;
   double height_m = kNaN;
   double width_m = kNaN;
-  std::string control = name(GaitControl::kOwn);
+  std::string control = name(GaitControl::kAdaptive);
 };
-
-std::vector<std::string> control_names() {
-  std::vector<std::string> out;
-  for (const GaitControl control : kControls) out.emplace_back(name(control));
-  return out;
-}
-
-GaitControl control_named(const std::string& wanted) {
-  for (const GaitControl control : kControls) {
-    if (wanted == name(control)) return control;
-  }
-  throw WrongUse("no control '" + wanted + "'");
-}
 
 /// The gait that the robot walks in; -1: it does not walk, or nobody says so.
 int walking_in(const RunInfo& info, const RobotConfig& robot) {
@@ -68,7 +53,7 @@ int run_walk(const WalkWish& wish) {
   order.walk_speed = chosen.speed;
   order.body_height_m = wish.height_m;
   order.stance_width_m = wish.width_m;
-  order.gait_control = control_named(wish.control);
+  order.gait_control = value_named<GaitControl>(wish.control).value();
   return run_motion("walk", order, wish);
 }
 
@@ -86,7 +71,7 @@ void add_walk(CommandLine& sprung) {
   walk.option("--turn", wish->gait.turning_rad_s, "rad/s to the left; default: 0");
   walk.option("--height", wish->height_m, "m, hips over feet; default: the gait's, else the preset's");
   walk.option("--width", wish->width_m, "m by which each foot stands further out; default: the preset's");
-  walk.choice("--control", wish->control, control_names(),
+  walk.choice("--control", wish->control, names_of<GaitControl>(),
               "of swinging legs: position with a slow approach of sprung's own, or with the papers' soft "
               "pre-stance, or without; or virtual springs throughout");
   add_motion_call(walk, *wish);

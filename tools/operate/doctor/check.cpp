@@ -5,11 +5,6 @@
 
 namespace sprung::doctor {
 
-const char* name(Verdict verdict) noexcept {
-  constexpr const char* kNames[] = {"pass", "warn", "fail"};
-  return kNames[static_cast<int>(verdict)];
-}
-
 Verdict worst(const std::vector<Check>& checks) noexcept {
   Verdict verdict = Verdict::kPass;
   for (const Check& check : checks) verdict = std::max(verdict, check.verdict);

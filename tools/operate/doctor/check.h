@@ -3,10 +3,15 @@
 #include <string>
 #include <vector>
 
+#include "signals/enumeration.h"
+
 namespace sprung::doctor {
 
 enum class Verdict { kPass, kWarn, kFail };
-const char* name(Verdict verdict) noexcept;  ///< "pass", "warn", "fail"
+constexpr auto words_of(Verdict) {
+  using E = Verdict;
+  return words<E>({{E::kPass, "pass"}, {E::kWarn, "warn"}, {E::kFail, "fail"}});
+}
 
 struct Check {
   std::string name;

@@ -11,7 +11,7 @@
 namespace sprung::doctor {
 namespace {
 
-constexpr std::int64_t kPatience_us = 1'000'000;
+constexpr std::int64_t kTimeout_us = 1'000'000;
 
 }  // namespace
 
@@ -31,7 +31,7 @@ LoopbackFacts probe_loopback(const std::string& url, int port, int messages) {
     const Receiving receiving(node);
     auto publisher = node.publisher<ProcessStatus>(channels::kProcessStatus);
     for (int i = 0; i < messages; ++i) publisher.publish(ProcessStatus{});
-    const std::int64_t end_us = node.utime_us() + kPatience_us;
+    const std::int64_t end_us = node.utime_us() + kTimeout_us;
     while (facts.received < messages && node.utime_us() < end_us) {
       node.wait_for_input(end_us);
       while (heard.pop()) ++facts.received;

@@ -35,9 +35,9 @@ Check loopback_check(const LoopbackFacts& loopback) {
 }
 
 Check ttl_check(const std::string& url, const RobotConfig* robot) {
-  const bool several =
-      robot != nullptr && std::any_of(robot->processes.begin(), robot->processes.end(),
-                                      [](const ProcessConfig& process) { return !process.host.empty(); });
+  const bool several = robot != nullptr &&
+                       std::any_of(robot->processes.begin(), robot->processes.end(),
+                                   [](const ProcessConfig& process) { return !process.host.empty(); });
   const std::string found = "ttl=" + std::to_string(ttl_of(url));
   if (several && ttl_of(url) == 0)
     return fail("ttl", found + ", but robot.yaml has processes on other hosts",

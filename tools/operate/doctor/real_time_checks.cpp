@@ -61,8 +61,8 @@ Check priority_check(const LimitFacts& limits, int wanted) {
 
 Check memlock_check(const LimitFacts& limits) {
   const bool enough = limits.superuser || limits.memlock_bytes < 0 || limits.memlock_bytes >= kMemlock_bytes;
-  const std::string found =
-      limits.memlock_bytes < 0 ? "unlimited" : std::to_string(limits.memlock_bytes / 1024) + " kB";
+  const std::string found = limits.memlock_bytes < 0 ? "unlimited"
+                                                     : std::to_string(limits.memlock_bytes / 1024) + " kB";
   if (enough) return pass("locked memory", found + (limits.superuser ? ", root" : ""));
   return warn("locked memory", found + ": page faults can stop a loop", limits_line("memlock unlimited"));
 }
@@ -94,8 +94,8 @@ Check isolation_check(const KernelFacts& kernel, const std::set<int>& pinned) {
 }
 
 Check clock_check(const KernelFacts& kernel) {
-  const bool slow =
-      kernel.clock_source == "hpet" || kernel.clock_source == "acpi_pm" || kernel.clock_source == "jiffies";
+  const bool slow = kernel.clock_source == "hpet" || kernel.clock_source == "acpi_pm" ||
+                    kernel.clock_source == "jiffies";
   if (!slow) return pass("clock", kernel.clock_source.empty() ? "not known" : kernel.clock_source);
   const auto& all = kernel.clock_sources;
   const bool has_tsc = std::find(all.begin(), all.end(), "tsc") != all.end();
@@ -105,9 +105,9 @@ Check clock_check(const KernelFacts& kernel) {
 }
 
 Check utc_check(const UtcFacts& utc, const RobotConfig* robot) {
-  const bool several =
-      robot != nullptr && std::any_of(robot->processes.begin(), robot->processes.end(),
-                                      [](const ProcessConfig& process) { return !process.host.empty(); });
+  const bool several = robot != nullptr &&
+                       std::any_of(robot->processes.begin(), robot->processes.end(),
+                                   [](const ProcessConfig& process) { return !process.host.empty(); });
   char found[64];
   std::snprintf(found, sizeof found, "%s, error up to %.1f ms",
                 utc.synchronised ? "synchronised" : "not synchronised", utc.error_ms);

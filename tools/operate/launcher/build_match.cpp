@@ -5,8 +5,8 @@
 namespace sprung {
 namespace {
 
-constexpr const char* kRebuild =
-    "build and install the same commit everywhere: cmake --build --preset release";
+constexpr const char*
+    kRebuild = "build and install the same commit everywhere: cmake --build --preset release";
 constexpr const char* kSameFile = "copy one robot.yaml to every host, and give every host the same --preset";
 
 std::string hexadecimal(std::int64_t hash) {

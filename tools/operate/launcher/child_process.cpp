@@ -111,16 +111,16 @@ void ChildProcess::signal(int number) {
   }
 }
 
-bool ChildProcess::wait(double patience_s) {
-  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(patience_s);
+bool ChildProcess::wait(double timeout_s) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(timeout_s);
   while (!ended() && std::chrono::steady_clock::now() < end)
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   return ended().has_value();
 }
 
-int ChildProcess::stop(double patience_s) {
+int ChildProcess::stop(double timeout_s) {
   signal(SIGTERM);
-  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(patience_s);
+  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(timeout_s);
   while (!ended()) {
     if (std::chrono::steady_clock::now() > end) {
       kill(pid_, SIGKILL);

@@ -31,9 +31,9 @@ class ChildProcess {
   std::optional<int> ended();
   void signal(int number);
   /// Whether it ends by itself within that time.
-  bool wait(double patience_s);
-  /// SIGTERM, wait, SIGKILL after patience_s. @return exit status as in ended().
-  int stop(double patience_s);
+  bool wait(double timeout_s);
+  /// SIGTERM, wait, SIGKILL after timeout_s. @return exit status as in ended().
+  int stop(double timeout_s);
   /// What a captured child has written since the last call; never waits.
   std::string output();
 

@@ -30,14 +30,14 @@ struct LaunchRequest {
   std::string rt_policy = "warn";
   std::uint64_t seed = 1;
   std::vector<std::string> plant;  ///< KEY=VALUE
-  std::vector<std::string>
-      inject;  ///< PROGRAM=SPEC, for tests of the links; SPEC of CAN bursts begins with can-
+  /// PROGRAM=SPEC, for tests of the links; SPEC of CAN bursts begins with can-.
+  std::vector<std::string> inject;
   bool truth = true;
-  double speed = 0.0;        ///< lock-step pace, 0 = as fast as it goes
-  double patience_s = 10.0;  ///< for each process to become ready, and for the drives to become operational
-  std::int64_t cycles = 0;   ///< the bridge ends after that many, 0 = never
-  std::string log_folder;    ///< empty = no recording
-  std::string host;          ///< starts what robot.yaml gives to this host; empty = what it gives to none
+  double speed = 0.0;       ///< lock-step pace, 0 = as fast as it goes
+  double timeout_s = 10.0;  ///< for each process to become ready, and for the drives to become operational
+  std::int64_t cycles = 0;  ///< the bridge ends after that many, 0 = never
+  std::string log_folder;   ///< empty = no recording
+  std::string host;         ///< starts what robot.yaml gives to this host; empty = what it gives to none
   std::string recorder = "sprung-recorder";  ///< or "lcm-logger"
   RecordingRequest recording;
   std::string command_line;  ///< what was typed, for the log's metadata

@@ -9,8 +9,8 @@ namespace {
 
 /// What goes on in another line is indented by this.
 constexpr std::size_t kIndent = 2;
-constexpr const char* kTitles =
-    "process                 state          pid cpu %    MB   Hz overrun age ms again";
+constexpr const char*
+    kTitles = "process                 state          pid cpu %    MB   Hz overrun age ms again";
 
 std::string number(double value, int decimals) {
   if (!std::isfinite(value)) return "-";
@@ -92,8 +92,8 @@ std::vector<ScreenLine> newest(const std::deque<LogLine>& log, std::size_t width
   std::vector<ScreenLine> lines;
   for (auto line = log.rbegin(); line != log.rend() && lines.size() < room; ++line) {
     const std::string text = dated(*line);
-    std::vector<ScreenLine> one =
-        wrapped(without_day(text), complains(text) ? LineStyle::kBad : LineStyle::kPlain, width);
+    std::vector<ScreenLine> one = wrapped(without_day(text),
+                                          complains(text) ? LineStyle::kBad : LineStyle::kPlain, width);
     one.insert(one.end(), lines.begin(), lines.end());
     lines = std::move(one);
   }

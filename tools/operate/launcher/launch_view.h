@@ -21,7 +21,7 @@ class LaunchView {
 
   /// "starting", "up", "stopping".
   void phase(const std::string& phase);
-  /// The robot is up: says so, with the facts and what to type next.
+  /// The robot is up: says so, with clock, preset and network, and what to type next.
   void announce(double ready_s);
   void turn();  ///< call it many times a second; draws when it is time
 

@@ -62,7 +62,7 @@ std::string do_not_end(const std::vector<RunningProcess>& left) {
 /// Two bridges on one bus: the one whose launcher was killed is still bringing its drives to rest.
 /// @throws std::runtime_error where one does not end.
 void wait_for_left_behind(const LaunchRequest& request) {
-  const std::int64_t end_us = monotonic_us() + std::llround(request.patience_s * 1e6);
+  const std::int64_t end_us = monotonic_us() + std::llround(request.timeout_s * 1e6);
   for (auto left = left_behind(request.instance); !left.empty(); left = left_behind(request.instance)) {
     if (stop_requested()) throw std::runtime_error("stopped while starting");
     if (monotonic_us() > end_us) throw std::runtime_error(do_not_end(left));
@@ -198,7 +198,7 @@ void Launcher::start_again_what_may() {
 }
 
 void Launcher::wait_for(const std::string& program, ProcessState state) {
-  const std::int64_t end_us = node_.utime_us() + std::llround(request_.patience_s * 1e6);
+  const std::int64_t end_us = node_.utime_us() + std::llround(request_.timeout_s * 1e6);
   for (look(); board_.state_of(program) < state; look()) {
     refuse_trouble();
     if (stop_requested()) throw std::runtime_error("stopped while starting");
@@ -212,7 +212,7 @@ void Launcher::wait_for(const std::string& program, ProcessState state) {
 std::string Launcher::not_ready_text(const std::string& program, ProcessState state) const {
   const auto* const status = board_.last(program);
   char after[32];
-  std::snprintf(after, sizeof after, " after %g s", request_.patience_s);
+  std::snprintf(after, sizeof after, " after %g s", request_.timeout_s);
   std::string text = program + " is not " + name(state) + after;
   for (const RemoteProcess& remote : remote_) {
     if (remote.program != program) continue;
@@ -264,8 +264,8 @@ void Launcher::wait_while_it_speaks(Child& child) {
   }
 }
 
-void Launcher::stop_one(Child& child, double patience_s) {
-  if (!child.process->ended() && child.process->stop(patience_s) == 128 + SIGKILL) {
+void Launcher::stop_one(Child& child, double timeout_s) {
+  if (!child.process->ended() && child.process->stop(timeout_s) == 128 + SIGKILL) {
     stopped_in_order_ = false;
     say("error " + child.planned.program + " did not end when asked and was killed" +
         (child.planned.program == kBridgeProgram ? ": the drives were left to their own watchdogs" : ""));

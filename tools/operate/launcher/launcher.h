@@ -105,7 +105,7 @@ class Launcher {
   void read_lines(Child& child);
   void tell(const LogLine& line);
   void publish_status();
-  void stop_one(Child& child, double patience_s);
+  void stop_one(Child& child, double timeout_s);
   void wait_while_it_speaks(Child& child);
   bool is_remote(const std::string& program) const;
 

@@ -15,12 +15,12 @@ std::int64_t epoch_here_us(std::int64_t utc_offset_us, std::int64_t utc_here_us,
 }
 
 std::optional<sprung_msgs::process_status_t> find_lead(const std::string& lcm_url, const std::string& robot,
-                                                       double patience_s, std::string* refusal) {
+                                                       double timeout_s, std::string* refusal) {
   InputQueue<sprung_msgs::process_status_t> statuses(256);
   Node node(NodeOptions{lcm_url, 0, 0, {}});  // any session
   node.subscribe_message(channels::kProcessStatus, CountLimits::none(), statuses);
   const Receiving receiving(node);
-  const std::int64_t end_us = node.utime_us() + std::llround(patience_s * 1e6);
+  const std::int64_t end_us = node.utime_us() + std::llround(timeout_s * 1e6);
   while (node.utime_us() < end_us && !stop_requested()) {
     node.wait_for_input(node.utime_us() + 50'000);
     while (auto status = statuses.pop()) {

@@ -16,11 +16,11 @@ inline constexpr const char* kLauncherProgram = "sprung-up";  ///< its name on P
 std::int64_t epoch_here_us(std::int64_t utc_offset_us, std::int64_t utc_here_us,
                            std::int64_t monotonic_here_us) noexcept;
 
-/// The status of a launcher that leads this robot's run. @return nullopt after patience_s, or when a stop was
+/// The status of a launcher that leads this robot's run. @return nullopt after timeout_s, or when a stop was
 /// requested.
 /// @param refusal why what was heard cannot be read (another version of its message); left alone where there
 /// is nothing to say.
 std::optional<sprung_msgs::process_status_t> find_lead(const std::string& lcm_url, const std::string& robot,
-                                                       double patience_s, std::string* refusal = nullptr);
+                                                       double timeout_s, std::string* refusal = nullptr);
 
 }  // namespace sprung

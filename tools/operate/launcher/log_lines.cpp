@@ -2,24 +2,12 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdio>
-#include <ctime>
 #include <utility>
+
+#include "runtime/utc_text.h"
 
 namespace sprung {
 namespace {
-
-/// "2026-11-21T20:01:25.123456", as runtime/log.h writes it, but UTC: no time zone is asked for.
-std::string utc_text(std::int64_t utc_us) {
-  const std::time_t seconds = utc_us / 1'000'000;
-  std::tm parts{};
-  gmtime_r(&seconds, &parts);
-  char day[32];
-  std::strftime(day, sizeof day, "%Y-%m-%dT%H:%M:%S", &parts);
-  char text[48];
-  std::snprintf(text, sizeof text, "%s.%06d", day, static_cast<int>(utc_us % 1'000'000));
-  return text;
-}
 
 /// Whether a text begins with a date and time.
 bool says_when(const std::string& text) {
@@ -47,7 +35,8 @@ std::string LineSplitter::rest() { return std::exchange(waiting_, {}); }
 
 std::string dated(const LogLine& line) {
   if (says_when(line.text)) return line.text;
-  return utc_text(line.utc_us) + " " + line.program + ": " + line.text;
+  // As runtime/log.h writes it, but UTC: no time zone is asked for.
+  return utc_text(line.utc_us, 'T', 6) + " " + line.program + ": " + line.text;
 }
 
 void LogLines::add(LogLine line) {

@@ -63,7 +63,7 @@ void require_same_time(const sprung_msgs::process_status_t& lead) {
 RunInfo describe_joined_run(const LaunchRequest& request, const RobotConfig& robot) {
   RunInfo info = describe_run(request, robot);
   std::string refusal;
-  const auto lead = find_lead(request.lcm_url, robot.name, request.patience_s, &refusal);
+  const auto lead = find_lead(request.lcm_url, robot.name, request.timeout_s, &refusal);
   if (!lead && !refusal.empty())
     throw std::runtime_error("what is heard on " + request.lcm_url + " cannot be read: " + refusal +
                              "; build and install the same commit on every host");

@@ -11,7 +11,7 @@ namespace sprung {
 /// @throws std::invalid_argument where --can names no bus of the robot.
 RunInfo describe_run(const LaunchRequest& request, const RobotConfig& robot);
 /// Waits for the launcher that has the bridge. @throws std::runtime_error when none is heard in
-/// request.patience_s, or the clocks of the two hosts are far apart.
+/// request.timeout_s, or the clocks of the two hosts are far apart.
 RunInfo describe_joined_run(const LaunchRequest& request, const RobotConfig& robot);
 
 /// FOLDER/ROBOT-DATE-TIME.lcm, a name that no file has yet; makes the folder.

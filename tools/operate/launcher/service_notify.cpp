@@ -19,8 +19,8 @@ std::int64_t keep_alive_interval_us(const char* watchdog_usec, const char* watch
 ServiceNotify::ServiceNotify() {
   if (const char* socket = std::getenv("NOTIFY_SOCKET")) socket_ = socket;
   if (!socket_.empty())
-    interval_us_ =
-        keep_alive_interval_us(std::getenv("WATCHDOG_USEC"), std::getenv("WATCHDOG_PID"), getpid());
+    interval_us_ = keep_alive_interval_us(std::getenv("WATCHDOG_USEC"), std::getenv("WATCHDOG_PID"),
+                                          getpid());
 }
 
 bool ServiceNotify::send(const std::string& state) {

@@ -31,10 +31,10 @@ const char* begin_of(LineStyle style) {
 
 /// What a terminal does not take in time is lost: who watches over a robot does not wait for it.
 void send(int terminal, const std::string& bytes) {
-  constexpr int kPatience_ms = 20;
+  constexpr int kTimeout_ms = 20;
   for (std::size_t done = 0; done < bytes.size();) {
     pollfd room{terminal, POLLOUT, 0};
-    if (poll(&room, 1, kPatience_ms) != 1) return;
+    if (poll(&room, 1, kTimeout_ms) != 1) return;
     const ssize_t sent = write(terminal, bytes.data() + done, bytes.size() - done);
     if (sent <= 0) return;
     done += static_cast<std::size_t>(sent);

@@ -174,9 +174,9 @@ TEST(Epos2Drive, CounterAtIndexGivesTheTrueAngle) {
   DriveBench bench(setup);
   EXPECT_EQ(bench.read_i32(kCounterAtIndex), 0);
   bench.run(0.5, 0.4);  // 1.6 motor turns
-  const double index_rad =
-      bench.shaft_rad +
-      (bench.read_i32(kCounterAtIndex) - bench.read_i32(kEncoderCounter)) / kEpos2DeviceCountsPerRad;
+  const double index_rad = bench.shaft_rad +
+                           (bench.read_i32(kCounterAtIndex) - bench.read_i32(kEncoderCounter)) /
+                               kEpos2DeviceCountsPerRad;
   EXPECT_NEAR(std::remainder(index_rad * 50.0 - 0.7, 2 * M_PI), 0.0, 1e-2);
 }
 

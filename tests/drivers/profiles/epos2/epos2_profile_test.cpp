@@ -9,6 +9,8 @@
 
 #include "drivers/canopen/objects.h"
 #include "drivers/profiles/epos2/epos2_units.h"
+#include "signals/angles.h"
+#include "tests/support/refusal.h"
 
 namespace sprung {
 namespace {
@@ -16,7 +18,6 @@ namespace {
 using ::testing::HasSubstr;
 
 constexpr DriveTiming kEpos2ProfileTiming{0.002, 0.005, 0.020};
-const double kPi = std::acos(-1.0);
 
 ActuatorConfig actuator() {
   ActuatorConfig a;
@@ -57,12 +58,7 @@ std::uint32_t value_of(const ActuatorConfig& config, canopen::ObjectId object, i
 }
 
 std::string refusal(const ActuatorConfig& config) {
-  try {
-    const epos2::Epos2Profile profile(config, kEpos2ProfileTiming);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "nothing was refused";
+  return test::refusal_of([&] { const epos2::Epos2Profile profile(config, kEpos2ProfileTiming); });
 }
 
 CanFrame frame(std::uint32_t id, int length) {

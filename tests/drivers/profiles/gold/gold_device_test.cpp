@@ -224,8 +224,8 @@ TEST_F(GoldDriveTest, TorqueNoiseHasItsRmsAndNoMean) {
   constexpr int kSamples = 4000;
   for (int cycle = 0; cycle < kSamples; ++cycle) {
     drive_.sample(1.0, cycle);
-    const double torque_Nm =
-        kPerMille_Nm * static_cast<double>(read(canopen::kTorqueActual, ObjectType::kI16));
+    const double torque_Nm = kPerMille_Nm *
+                             static_cast<double>(read(canopen::kTorqueActual, ObjectType::kI16));
     sum += torque_Nm;
     square += torque_Nm * torque_Nm;
   }

@@ -8,6 +8,7 @@
 
 #include "drivers/bridge/boot_script.h"
 #include "robots/robot_loader.h"
+#include "tests/support/refusal.h"
 #include "tools/can/decode/object_lookup.h"
 
 namespace sprung::cantools {
@@ -29,8 +30,8 @@ TEST(DriveCheck, ExpectsWhatTheBridgeWrites) {
       std::map<std::uint32_t, std::uint32_t> written;
       for (const BootStep& step :
            make_boot_script(identity, *node_profile(node, timing), node.node, node.actuator.has_value())) {
-        const bool checked =
-            step.kind == BootStep::Kind::kVerify || step.kind == BootStep::Kind::kWriteAndVerify;
+        const bool checked = step.kind == BootStep::Kind::kVerify ||
+                             step.kind == BootStep::Kind::kWriteAndVerify;
         if (checked) written[key(step.setting.object)] = step.setting.value;
       }
       const auto expected = expected_objects(node, timing);
@@ -60,12 +61,7 @@ TEST(DriveCheck, AnyOtherBitCounts) {
 class ObjectLookup : public testing::Test {
  protected:
   std::string refusal(const std::string& text, const canopen::Eds* eds) const {
-    try {
-      find_object(text, eds);
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
-    return "not refused";
+    return test::refusal_of([&] { find_object(text, eds); });
   }
   BusDescription robot_ = describe_buses(load_robot("single_leg"));
   const canopen::Eds* eds_ = robot_.nodes[0].eds.get();

@@ -5,6 +5,7 @@
 
 #include "drivers/canopen/protocol.h"
 #include "robots/robot_loader.h"
+#include "tests/support/enumerators.h"
 
 namespace sprung::cantools {
 namespace {
@@ -30,6 +31,8 @@ class FrameDecoderTest : public testing::Test {
 
   FrameDecoder decoder_{describe_buses(load_robot("single_leg"))};
 };
+
+TEST(FrameKinds, EveryOneHasItsOwnName) { test::expect_own_names<FrameKind>(); }
 
 TEST_F(FrameDecoderTest, NmtCommandsNameTheirNode) {
   const DecodedFrame one = decode(canopen::nmt_frame(canopen::NmtCommand::kResetCommunication, 2));
@@ -188,8 +191,8 @@ TEST_F(FrameDecoderTest, ErrorFramesAndStrangers) {
 
 TEST(FrameDecoder, WithoutARobotObjectsHaveTheStandardsNames) {
   FrameDecoder decoder{BusDescription{}};
-  const DecodedFrame decoded =
-      decoder.decode({0, 0, Direction::kUnknown, canopen::sdo_read_request(9, {0x6041, 0})});
+  const DecodedFrame decoded = decoder.decode(
+      {0, 0, Direction::kUnknown, canopen::sdo_read_request(9, {0x6041, 0})});
   EXPECT_EQ(decoded.node_name, "node 9");
   EXPECT_EQ(decoded.text, "read 0x6041:00 status word");
 }

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "drivers/profiles/profile_registry.h"
+#include "tests/support/refusal.h"
 
 namespace sprung::cantools {
 namespace {
@@ -16,11 +17,7 @@ class ObjectLookupTest : public testing::Test {
  protected:
   std::string found(const std::string& text) const { return canopen::id_text(find_object(text, &gold_)); }
   static std::string refusal(const std::string& text, const canopen::Eds* eds) {
-    try {
-      return "not refused: " + canopen::id_text(find_object(text, eds));
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
+    return test::refusal_of([&] { find_object(text, eds); });
   }
   canopen::Eds gold_ = canopen::parse_eds(find_profile_kind("gold")->eds_text(), "gold.eds", 1);
 };

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "drivers/profiles/profile_registry.h"
+#include "tests/support/refusal.h"
 
 namespace sprung::cantools {
 namespace {
@@ -20,12 +21,7 @@ class ObjectValueTest : public testing::Test {
   }
   Bytes written(ObjectId id, const std::string& text) const { return bytes_to_write(*epos2_.find(id), text); }
   std::string refusal(ObjectId id, const std::string& text) const {
-    try {
-      written(id, text);
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
-    return "not refused";
+    return test::refusal_of([&] { written(id, text); });
   }
   Eds epos2_ = canopen::parse_eds(find_profile_kind("epos2")->eds_text(), "epos2.eds", 3);
 };
@@ -83,8 +79,8 @@ TEST_F(ObjectValueTest, WritesLittleEndianInTheTypesLength) {
 
 TEST_F(ObjectValueTest, WhatIsWrittenIsReadBackTheSame) {
   for (const canopen::EdsObject& object : epos2_.objects) {
-    const bool writable =
-        object.access == canopen::EdsAccess::kReadWrite || object.access == canopen::EdsAccess::kWriteOnly;
+    const bool writable = object.access == canopen::EdsAccess::kReadWrite ||
+                          object.access == canopen::EdsAccess::kWriteOnly;
     if (!writable || !object.default_value || canopen::type_bytes(object.type) == 0) continue;
     const Bytes bytes = bytes_to_write(object, std::to_string(*object.default_value));
     EXPECT_EQ(object_value(&object, object.id, bytes.data(), bytes.size()).number, object.default_value)

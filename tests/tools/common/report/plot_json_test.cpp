@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "tests/support/enumerators.h"
+
 namespace sprung::report {
 namespace {
 
@@ -22,6 +24,8 @@ Plot plot_of(std::vector<Series> series) {
 
 Json json_of(const Plot& plot) { return Json::parse(plots_json({&plot})).at(0); }
 
+TEST(PlotJson, EveryStyleHasItsOwnName) { test::expect_own_names<Style>(); }
+
 TEST(PlotJson, AxesCarryTheirUnits) {
   Plot plot = plot_of({});
   EXPECT_EQ(json_of(plot)["x"], "time (s)");
@@ -30,8 +34,8 @@ TEST(PlotJson, AxesCarryTheirUnits) {
 }
 
 TEST(PlotJson, WhatIsNotFiniteIsNull) {
-  const Json json =
-      json_of(plot_of({{"knee", {0.0, 1.0, kReportPlotJsonNan}, {kReportPlotJsonNan, HUGE_VAL, 2.0}}}));
+  const Json json = json_of(
+      plot_of({{"knee", {0.0, 1.0, kReportPlotJsonNan}, {kReportPlotJsonNan, HUGE_VAL, 2.0}}}));
   EXPECT_EQ(json["series"][0]["x"], Json::parse("[0.0, 1.0, null]"));
   EXPECT_EQ(json["series"][0]["y"], Json::parse("[null, null, 2.0]"));
 }

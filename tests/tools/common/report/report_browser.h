@@ -41,19 +41,21 @@ class BrowserTest : public testing::Test {
   }
 
   /// The page that was written to html_.
-  BrowserPage open() const {
+  /// @param part "#picture", as what makes pictures opens it.
+  BrowserPage open_part(const std::string& part) const {
     const std::string in_folder = " " + folder_.path.string() + "/";
     const std::string command =
         "timeout -k 5 120 chromium --headless --no-sandbox --disable-gpu --no-first-run "
         "--disable-background-networking"
         " --disable-component-update --disable-sync --disable-dev-shm-usage --enable-logging=stderr"
         " --window-size=1200,900 --user-data-dir=" +
-        folder_.path.string() + "/profile --dump-dom file://" + html_.string() + " >" + in_folder + "dom 2>" +
-        in_folder + "log </dev/null";
+        folder_.path.string() + "/profile --dump-dom file://" + html_.string() + part + " >" + in_folder +
+        "dom 2>" + in_folder + "log </dev/null";
     const int status = std::system(command.c_str());
     return {status, file_text(folder_.path / "dom"), file_text(folder_.path / "log")};
   }
 
+  BrowserPage open() const { return open_part(""); }
   BrowserPage open(const std::string& html) const {
     std::ofstream(html_) << html;
     return open();

@@ -55,6 +55,25 @@ TEST_F(ReportInBrowser, DraggingZoomsThePlotsOfTheSectionAndADoubleClickShowsAll
   EXPECT_EQ(points_drawn(open(with(html, "</body>", begin + "send('dblclick', 0);\n" + end))), all);
 }
 
+/// The window is 900 px high; what Chromium keeps of it for itself is in innerHeight.
+TEST_F(ReportInBrowser, APictureHasEveryPlotInItsWindow) {
+  const std::string measure =
+      "<script>\nconst shown = [...document.querySelectorAll('canvas')].map(c => "
+      "c.getBoundingClientRect());\n"
+      "document.title = 'in the window: ' + shown.filter(b => b.height > 60 && b.bottom <= "
+      "innerHeight).length;\n"
+      "</script>\n</body>";
+  Report two = sample_report(301);
+  two.sections = {two.sections[1]};
+  two.sections.front().text.clear();
+  ASSERT_EQ(two.sections.front().plots.size(), 2u);
+  std::ofstream(html_) << with(to_html(two), "</body>", measure);
+  const BrowserPage picture = open_part("#picture");
+  EXPECT_THAT(picture.log, Not(HasSubstr("CONSOLE")));
+  EXPECT_THAT(picture.dom, HasSubstr("<title>in the window: 2<"));
+  EXPECT_THAT(points_drawn(picture), testing::Each(testing::Gt(0)));
+}
+
 TEST_F(ReportInBrowser, WhatBreaksAPlotIsSeenByThisTest) {
   const BrowserPage page = open(with(to_html(sample_report(100)), "\"series\":[", "\"curves\":["));
   EXPECT_THAT(page.log, HasSubstr("CONSOLE"));

@@ -88,8 +88,8 @@ TEST(Tables, ColumnsOfNumbersAreFlushRight) {
 }
 
 TEST(Tables, MarksAndEscapes) {
-  const std::string html =
-      html_of({"s", {}, {{"t", {"a", "b"}, {{{"<i>", Mark::kBad}, {1, Mark::kGood}}}, "note & more"}}});
+  const std::string html = html_of(
+      {"s", {}, {{"t", {"a", "b"}, {{{"<i>", Mark::kBad}, {1, Mark::kGood}}}, "note & more"}}});
   EXPECT_THAT(html, HasSubstr("<td class=\" bad\">&lt;i&gt;</td><td class=\"number good\">1</td>"));
   EXPECT_THAT(html, HasSubstr("<p class=\"note\">note &amp; more</p>"));
 }

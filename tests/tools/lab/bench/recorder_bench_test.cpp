@@ -13,8 +13,8 @@ namespace sprung {
 namespace {
 
 const ReportRow& row(const std::vector<ReportRow>& rows, const std::string& name) {
-  const auto found =
-      std::find_if(rows.begin(), rows.end(), [&](const ReportRow& r) { return r.name == name; });
+  const auto found = std::find_if(rows.begin(), rows.end(),
+                                  [&](const ReportRow& r) { return r.name == name; });
   EXPECT_NE(found, rows.end()) << name;
   return *found;
 }

@@ -25,8 +25,8 @@ TEST(EstimatorEnsembleTest, HoldsTheNominalPlantEveryCornerAndDrawsWithinTheBox)
     EXPECT_LE(kt, 1.05);
     EXPECT_GE(mass, 0.9);
     EXPECT_LE(mass, 1.1);
-    const bool corner =
-        (friction == 0.75 || friction == 1.25) && (kt == 0.95 || kt == 1.05) && (mass == 0.9 || mass == 1.1);
+    const bool corner = (friction == 0.75 || friction == 1.25) && (kt == 0.95 || kt == 1.05) &&
+                        (mass == 0.9 || mass == 1.1);
     corners += corner ? 1 : 0;
   }
   EXPECT_EQ(corners, 8);

@@ -56,7 +56,7 @@ TEST(DragScript, WithoutPowerOnlyWhereTheLinkCanSwingAlone) {
   for (const DragPhase& phase : drag_script(false)) EXPECT_TRUE(phase.drive_on) << phase.name;
 }
 
-TEST(DragScript, TheHandPullsTowardWhereItIsAndAgainstTheLinksSpeed) {
+TEST(DragScript, TheFootPullsTowardWhereItIsAndAgainstTheLinksSpeed) {
   const HandGrip grip{100.0, 10.0};
   EXPECT_DOUBLE_EQ(hand_torque_Nm(grip, {0.2, 0.0}, 0.1, 0.0), 10.0);
   EXPECT_DOUBLE_EQ(hand_torque_Nm(grip, {0.1, 0.0}, 0.2, 0.0), -10.0);

@@ -44,8 +44,8 @@ SweepRecording made(SweepProtocol protocol, const FrictionParameters& law, doubl
     for (std::size_t i = 0; i < plan.samples_a_pass; ++i) {
       const double t = span.from_s + (span.to_s - span.from_s) * static_cast<double>(i) /
                                          static_cast<double>(plan.samples_a_pass - 1);
-      const double q =
-          pass.from_rad + r.velocity_rad_s * (t - 0.5 * pass.speed_rad_s / pass.acceleration_rad_s2);
+      const double q = pass.from_rad +
+                       r.velocity_rad_s * (t - 0.5 * pass.speed_rad_s / pass.acceleration_rad_s2);
       const double load = -pass.load_Nm + kWeight_Nm * std::sin(q);
       r.time_s.push_back(t);
       r.position_rad.push_back(q);
@@ -59,8 +59,8 @@ SweepRecording made(SweepProtocol protocol, const FrictionParameters& law, doubl
 
 TEST(FrictionSweepFit, NoiseFreeSweepsGiveTheLawBack) {
   const SweepRecording recording = made(SweepProtocol::kLoaded, n50(), 0.0, 1);
-  const SweepFit fit =
-      fit_sweep(recording, SweepPoints::kBoth, {T::kViscous, T::kStribeck, T::kLoad, T::kAsymmetry});
+  const SweepFit fit = fit_sweep(recording, SweepPoints::kBoth,
+                                 {T::kViscous, T::kStribeck, T::kLoad, T::kAsymmetry});
   const FrictionParameters found = fit.model->friction(fit.fit.parameters);
   EXPECT_NEAR(found.coulomb_Nm, 3.3, 1e-3);
   EXPECT_NEAR(found.stribeck_Nm, 1.0, 1e-3);

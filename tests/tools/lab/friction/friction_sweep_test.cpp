@@ -122,8 +122,8 @@ SweepResult small_result(SweepProtocol protocol, SweepPoints points, const std::
 }
 
 const ReportRow* friction_sweep_find(const std::vector<ReportRow>& rows, const std::string& name) {
-  const auto found =
-      std::find_if(rows.begin(), rows.end(), [&](const ReportRow& row) { return row.name == name; });
+  const auto found = std::find_if(rows.begin(), rows.end(),
+                                  [&](const ReportRow& row) { return row.name == name; });
   return found == rows.end() ? nullptr : &*found;
 }
 

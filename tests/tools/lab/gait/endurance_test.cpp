@@ -8,7 +8,6 @@
 
 #include "robots/gait_speed.h"
 #include "robots/robot_loader.h"
-#include "tools/lab/gait/endurance_script.h"
 
 namespace sprung {
 namespace {

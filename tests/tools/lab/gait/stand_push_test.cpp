@@ -43,8 +43,8 @@ TEST(StandPushTest, RatioIsOfThePapersJointTorqueAndTheGearsOutputStandsBesideIt
 TEST(StandPushTest, SpringsSpareTheMotorsWhatAPoundPutsThroughEveryGear) {
   SimOptions sim;
   sim.seed = 1;
-  const StandPushResult result =
-      run_stand_push(load_robot("pegasus"), "best", sim, {trunk_pushes().at(3)}, {2, {}});
+  const StandPushResult result = run_stand_push(load_robot("pegasus"), "best", sim, {trunk_pushes().at(3)},
+                                                {2, {}});
   const auto rows = rows_of(result);
   EXPECT_LT(rows.at("stand_push.impulse_30Ns.ratio").value, 0.5);
   EXPECT_GT(rows.at("stand_push.impulse_30Ns.position").value, 10.0);

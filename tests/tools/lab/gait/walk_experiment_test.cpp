@@ -21,7 +21,7 @@ WalkExperiment walked() {
   for (const auto& [control, rms_m] : {std::pair{GaitControl::kForce, 0.030},
                                        {GaitControl::kHybrid, 0.009},
                                        {GaitControl::kPreStance, 0.012},
-                                       {GaitControl::kOwn, 0.010}}) {
+                                       {GaitControl::kAdaptive, 0.010}}) {
     out.controls.emplace_back();
     out.controls.back().control = control;
     out.controls.back().swing_rms_m = rms_m;
@@ -132,15 +132,17 @@ TEST(Walk, ARefusedWalkIsNoResult) {
   EXPECT_THROW(walk_uneven(robot, {}, {"crawl", 9.0, 0.01, true}, 1, 1.0), std::runtime_error);
 }
 
-GroundErrorResult stepped(double own_N, double own_Nm) {
+GroundErrorResult stepped(double adaptive_N, double adaptive_Nm) {
   GroundErrorResult out;
   for (const GroundCase& config : ground_cases())
-    for (const GaitControl control : {GaitControl::kHybrid, GaitControl::kPreStance, GaitControl::kOwn}) {
+    for (const GaitControl control :
+         {GaitControl::kHybrid, GaitControl::kPreStance, GaitControl::kAdaptive}) {
       out.touchdowns.emplace_back();
       out.touchdowns.back().name = config.name;
       out.touchdowns.back().control = control;
-      const bool own = control == GaitControl::kOwn;
-      out.touchdowns.back().touchdowns = {{0, 0.0, 0.02, own ? own_N : 500.0, own ? own_Nm : 60.0}};
+      const bool adaptive = control == GaitControl::kAdaptive;
+      out.touchdowns.back().touchdowns = {
+          {0, 0.0, 0.02, adaptive ? adaptive_N : 500.0, adaptive ? adaptive_Nm : 60.0}};
     }
   return out;
 }
@@ -157,10 +159,10 @@ TEST(GroundErrorRows, OwnTouchdownsAreComparedWithPlainHybrid) {
 
 TEST(GroundErrorRows, WhoIsStoppedBySafetyCountsAsFallen) {
   GroundErrorResult result = stepped(250.0, 42.0);
-  EXPECT_TRUE(walk_experiment_row(ground_error_rows(result), "ground_error.rig.own_falls").ok());
+  EXPECT_TRUE(walk_experiment_row(ground_error_rows(result), "ground_error.rig.adaptive_falls").ok());
   for (GroundOutcome& outcome : result.touchdowns)
-    if (outcome.control == GaitControl::kOwn) outcome.vitals.trips = 1;
-  EXPECT_FALSE(walk_experiment_row(ground_error_rows(result), "ground_error.rig.own_falls").ok());
+    if (outcome.control == GaitControl::kAdaptive) outcome.vitals.trips = 1;
+  EXPECT_FALSE(walk_experiment_row(ground_error_rows(result), "ground_error.rig.adaptive_falls").ok());
 }
 
 TEST(GroundErrorRows, NobodyMayFallInACrawlOnAnUnevenFloor) {
@@ -177,7 +179,7 @@ TEST(GroundErrorRows, NobodyMayFallInACrawlOnAnUnevenFloor) {
 
 TEST(GroundError, EveryTouchdownThatCountsIsOnGroundThatLiesWrong) {
   const GroundCase rig{"rig", "crawl", 0.0, true, 8.0};
-  const GroundOutcome out = step_on_errors(load_robot("pegasus"), {}, rig, GaitControl::kOwn);
+  const GroundOutcome out = step_on_errors(load_robot("pegasus"), {}, rig, GaitControl::kAdaptive);
   EXPECT_FALSE(out.vitals.fell) << out.vitals.why;
   ASSERT_GE(out.touchdowns.size(), 4u);
   bool higher = false, lower = false;

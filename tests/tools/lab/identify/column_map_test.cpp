@@ -5,18 +5,15 @@
 
 #include <stdexcept>
 
+#include "tests/support/refusal.h"
+
 namespace sprung::identify {
 namespace {
 
 using testing::HasSubstr;
 
 std::string refusal(const std::string& text) {
-  try {
-    parse_columns(text);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of([&] { parse_columns(text); });
 }
 
 TEST(ColumnMap, ReadsNumbersNamesFactorsAndSums) {

@@ -6,6 +6,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "tests/support/refusal.h"
+
 namespace sprung::identify {
 namespace {
 
@@ -19,12 +21,7 @@ std::vector<std::vector<double>> read(const std::string& text, const std::string
 }
 
 std::string refusal(const std::string& text, const std::string& columns) {
-  try {
-    read(text, columns);
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of<std::runtime_error>([&] { read(text, columns); });
 }
 
 const std::string kPlain = "time=1,position=3,current=2";

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "robots/robot_loader.h"
+#include "tests/support/refusal.h"
 
 namespace sprung::identify {
 namespace {
@@ -114,12 +115,7 @@ TEST(DriveSeries, RepeatedAndStaleSamplesAreLeftOut) {
 }
 
 std::string refusal(const std::vector<DriveState>& states, int joint) {
-  try {
-    drive_series(load_robot("single_leg"), joint, states);
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of<std::runtime_error>([&] { drive_series(load_robot("single_leg"), joint, states); });
 }
 
 TEST(DriveSeries, AJointThatHardlyMovesAloneIsRefusedWithAdvice) {

@@ -13,8 +13,9 @@
 #include "runtime/command_line.h"
 #include "signals/messages.h"
 #include "tests/support/own_folder.h"
+#include "tests/support/refusal.h"
 #include "tests/tools/lab/identify/identify_sample.h"
-#include "tools/lab/identify/drive_log.h"
+#include "tools/lab/identify/drive_series.h"
 
 namespace sprung::identify {
 namespace {
@@ -42,8 +43,8 @@ std::vector<DriveState> sample_states() {
       a.measured_current_A = 0.0;
     }
     state.actuators[1].measured_position_rad = series.position_rad[i];
-    state.actuators[1].measured_current_A =
-        series.measured_torque[i] / (motor.gear_ratio * motor.torque_constant_Nm_A);
+    state.actuators[1].measured_current_A = series.measured_torque[i] /
+                                            (motor.gear_ratio * motor.torque_constant_Nm_A);
     out.push_back(state);
   }
   return out;
@@ -88,12 +89,7 @@ RecordingRequest request_of(const std::string& log) {
 
 template <class Error>
 std::string refusal(const RecordingRequest& request) {
-  try {
-    identify_recording(request, {});
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of<Error>([&] { identify_recording(request, {}); });
 }
 
 TEST(IdentifyRecording, LogGivesTheJointThatMovesAloneAndSaysWhyNotTheOther) {

@@ -5,10 +5,11 @@
 #include <stdexcept>
 
 #include "tests/support/own_folder.h"
-#include "tools/lab/identify/csv_series.h"
-#include "tools/lab/identify/file_digest.h"
+#include "tests/support/refusal.h"
+#include "tools/lab/identify/csv_table.h"
+#include "tools/lab/identify/fragment.h"
 #include "tools/lab/identify/protocol_request.h"
-#include "tools/lab/identify/spans_text.h"
+#include "tools/lab/identify/text_parts.h"
 
 namespace sprung::identify {
 namespace {
@@ -19,12 +20,7 @@ using testing::HasSubstr;
 
 template <class Call>
 std::string refusal(const Call& call) {
-  try {
-    call();
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of<std::exception>([&] { call(); });
 }
 
 TEST(SpansText, OneOrSeveral) {
@@ -87,8 +83,8 @@ TEST(CsvSeries, CurrentBecomesTorqueWhereTheConstantIsKnown) {
 }
 
 TEST(CsvSeries, EverySignalFindsItsPlace) {
-  const auto columns =
-      parse_columns("time=1,position=2,velocity=3,torque=4,link_position=5,load=6,temperature=7");
+  const auto columns = parse_columns(
+      "time=1,position=2,velocity=3,torque=4,link_position=5,load=6,temperature=7");
   const auto series = csv_series(columns, {{1}, {2}, {3}, {4}, {5}, {6}, {7}}, {});
   EXPECT_EQ(series.torque_unit, "Nm");
   EXPECT_THAT(series.velocity_rad_s, ElementsAre(3));

@@ -40,8 +40,8 @@ TEST(RecordInProcess, KneeOfTheHangingLegGoesThroughItsRangeAndComesBackWhileThe
 TEST(RecordInProcess, EveryCycleIsThereAndEveryMoveHasItsOwn) {
   const RobotConfig robot = load_robot("single_leg");
   std::int64_t watched = 0;
-  const JointRecording recording =
-      record_in_process(robot, {}, 0, kShort, [&](const CycleRecord&) { ++watched; });
+  const JointRecording recording = record_in_process(robot, {}, 0, kShort,
+                                                     [&](const CycleRecord&) { ++watched; });
   EXPECT_EQ(watched, static_cast<std::int64_t>(recording.states.size()));
   for (std::size_t k = 1; k < recording.states.size(); ++k)
     ASSERT_EQ(recording.states[k].stamp.seq, recording.states[k - 1].stamp.seq + 1);

@@ -22,10 +22,10 @@ RobotConfig single_leg(bool identified) {
   return robot;
 }
 
-/// Of the three modes of S0; mode own jumps under preset `best` whatever the preset.
+/// Of the three modes of S0; mode adaptive jumps under preset `best` whatever the preset.
 std::vector<double> figures(bool identified, const std::string& preset) {
-  const JumpExperiment experiment =
-      run_jump_experiment(single_leg(identified), preset, SimOptions{}, run_in_process);
+  const JumpExperiment experiment = run_jump_experiment(single_leg(identified), preset, SimOptions{},
+                                                        run_in_process);
   std::vector<double> values;
   for (const MeasuredJump& jump : experiment.jumps) {
     if (jump.preset != preset) continue;

@@ -37,14 +37,14 @@ TEST_F(JumpReportTest, HasASummaryAFigureForEachModeAndTheParameters) {
   EXPECT_THAT(sections[1].heading, HasSubstr("Fig. 10"));
   EXPECT_THAT(sections[2].heading, HasSubstr("Fig. 11"));
   EXPECT_THAT(sections[3].heading, HasSubstr("Fig. 12"));
-  EXPECT_THAT(sections[4].heading, HasSubstr("own landing"));
+  EXPECT_THAT(sections[4].heading, HasSubstr("adaptive landing"));
   EXPECT_EQ(sections[5].tables.back().rows[0][0].text, "friction_scale");
 }
 
 TEST_F(JumpReportTest, EveryRowOfTheExperimentIsInTheTableWithItsRatio) {
   const report::Section summary = jump_sections(*robot_, {}, *experiment_)[0];
   const report::Table& table = summary.tables[0];
-  ASSERT_EQ(table.rows.size(), experiment_->rows.rows.size());
+  ASSERT_EQ(table.rows.size(), experiment_->rows.size());
   EXPECT_EQ(table.rows[0][0].text, "jump.position.height");
   EXPECT_EQ(table.rows[0][2].text, "184");
   EXPECT_FALSE(table.rows[0][4].text.empty());

@@ -67,18 +67,18 @@ TEST(JumpRows, DemandsOfPresetPaper) {
     EXPECT_FALSE(jump_rows_find(rows, row)->ok()) << row;
 }
 
-TEST(JumpRows, OwnLandingIsComparedWithPositionControlOfItsOwnPreset) {
+TEST(JumpRows, AdaptiveLandingIsComparedWithPositionControlOfItsOwnPreset) {
   std::vector<MeasuredJump> jumps = papers_jumps();
   jumps.push_back({"best", JumpMode::kPosition, as_in_paper(JumpMode::kPosition)});
-  jumps.push_back({"best", JumpMode::kOwn, as_in_paper(JumpMode::kHybrid)});
+  jumps.push_back({"best", JumpMode::kAdaptive, as_in_paper(JumpMode::kHybrid)});
   jumps[3].result.landing_knee_torque_Nm = 40.0;
   jumps[4].result.landing_knee_torque_Nm = 8.0;
   const std::vector<ReportRow> rows = jump_rows(jumps, "paper");
-  const ReportRow* ratio = jump_rows_find(rows, "jump.ratio.own_over_position");
+  const ReportRow* ratio = jump_rows_find(rows, "jump.ratio.adaptive_over_position");
   ASSERT_NE(ratio, nullptr);
   EXPECT_DOUBLE_EQ(ratio->value, 0.2);
   EXPECT_FALSE(ratio->ok());
-  EXPECT_DOUBLE_EQ(jump_rows_find(rows, "jump.own.landing_knee_torque")->value, 8.0);
+  EXPECT_DOUBLE_EQ(jump_rows_find(rows, "jump.adaptive.landing_knee_torque")->value, 8.0);
   EXPECT_DOUBLE_EQ(jump_rows_find(rows, "jump.position.landing_knee_torque")->value, 61.58);
 }
 

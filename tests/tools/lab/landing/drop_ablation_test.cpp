@@ -31,8 +31,8 @@ class DropAblationTest : public testing::Test {
       if (row.name == "drop.ablation." + name) return row.value;
     throw std::out_of_range(name);
   }
-  static const OwnLandingConfig& landing(const RunScript& script) {
-    return script.robot.preset("best").own_landing;
+  static const AdaptiveLandingConfig& landing(const RunScript& script) {
+    return script.robot.preset("best").adaptive_landing;
   }
 
   RobotConfig robot_ = load_robot("single_leg");
@@ -45,9 +45,9 @@ TEST_F(DropAblationTest, EveryCaseChangesTheLandingAndNamesDiffer) {
   const PresetConfig& preset = robot_.preset("best");
   std::set<std::string> names;
   for (const AblationCase& c : ablation_cases()) {
-    OwnLandingConfig changed = preset.own_landing;
+    AdaptiveLandingConfig changed = preset.adaptive_landing;
     c.take_out(preset, changed);
-    const OwnLandingConfig& as_is = preset.own_landing;
+    const AdaptiveLandingConfig& as_is = preset.adaptive_landing;
     const bool same = changed.extended_length_m == as_is.extended_length_m &&
                       changed.approach_m_s == as_is.approach_m_s && changed.timing_s == as_is.timing_s &&
                       changed.foot_x_m == as_is.foot_x_m && changed.air.mass_z_kg == as_is.air.mass_z_kg &&
@@ -70,7 +70,7 @@ TEST_F(DropAblationTest, EachCaseIsRunWithItsOwnParametersAndThePapersLawLast) {
       ++paper;
       return 50.0;
     }
-    EXPECT_EQ(script.commands.back().jump_mode, JumpMode::kOwn);
+    EXPECT_EQ(script.commands.back().jump_mode, JumpMode::kAdaptive);
     return landing(script).foot_x_m == 0.0 ? 30.0 : 20.0;
   };
   const std::vector<AblationRow> ablation = run();
@@ -85,8 +85,8 @@ TEST_F(DropAblationTest, EachCaseIsRunWithItsOwnParametersAndThePapersLawLast) {
 TEST_F(DropAblationTest, MeanAndWorstAreOfTheComparedHeightAloneAndFoldedLegsAreCounted) {
   folds_ = true;
   peak_Nm_ = [&](const RunScript& script) {
-    const double height_m =
-        script.sim.plant.at("suspended") - script.robot.preset(script.preset).stand_length_m;
+    const double height_m = script.sim.plant.at("suspended") -
+                            script.robot.preset(script.preset).stand_length_m;
     const bool compared = std::abs(height_m - 0.3) < 1e-9;
     const bool early = script.controls.front().value > 1e-6;
     return compared ? (early ? 30.0 : 20.0) : 40.0;
@@ -101,14 +101,14 @@ TEST_F(DropAblationTest, MeanAndWorstAreOfTheComparedHeightAloneAndFoldedLegsAre
 TEST_F(DropAblationTest, TableHasALineForEachCaseAndMarksFoldedLegs) {
   const std::string text = ablation_table(run());
   EXPECT_THAT(text, StartsWith("| true gear output"));
-  EXPECT_THAT(text, HasSubstr("| own landing as it is | 10.0 |"));
+  EXPECT_THAT(text, HasSubstr("| adaptive landing as it is | 10.0 |"));
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'),
             static_cast<std::ptrdiff_t>(ablation_cases().size() + 3));
   folds_ = true;
   EXPECT_THAT(ablation_table(run()), HasSubstr("10.0 folded"));
 }
 
-TEST_F(DropAblationTest, PresetWithoutAnOwnLandingIsRefused) {
+TEST_F(DropAblationTest, PresetWithoutAnAdaptiveLandingIsRefused) {
   request_.preset = "paper";
   EXPECT_THROW(run(), std::invalid_argument);
   request_.preset = "none";

@@ -26,11 +26,11 @@ class DropReportTest : public testing::Test {
     stood.peak_output_torque_Nm = 21.75;
     stood.touchdown_speed_m_s = 2.5;
     stood.folded = false;
-    experiment_.landings = {{JumpMode::kOwn, 0.3, stood}, {JumpMode::kTorque, 0.5, fell}};
+    experiment_.landings = {{JumpMode::kAdaptive, 0.3, stood}, {JumpMode::kTorque, 0.5, fell}};
     for (int i = 0; i < 3; ++i) {
       DropPair pair;
       pair.surprise_s = 0.005 * (i - 1);
-      pair.own.peak_output_torque_Nm = 20.0 + i;
+      pair.adaptive.peak_output_torque_Nm = 20.0 + i;
       pair.paper.peak_output_torque_Nm = 50.0 + i;
       experiment_.pairs.push_back(pair);
     }
@@ -46,7 +46,7 @@ TEST_F(DropReportTest, EveryLandingIsARowWithBothTorques) {
   EXPECT_THAT(table.rows, Each(SizeIs(table.columns.size())));
   std::vector<std::string> first;
   for (const report::Cell& cell : table.rows[0]) first.push_back(cell.text);
-  EXPECT_THAT(first, ElementsAre("own", "0.3", "51.5", "21.75", "2.5", "no"));
+  EXPECT_THAT(first, ElementsAre("adaptive", "0.3", "51.5", "21.75", "2.5", "no"));
   EXPECT_EQ(table.rows[1].front().text, "torque");
   EXPECT_EQ(table.rows[1][2].text, "-");  // it never touched
   EXPECT_EQ(table.rows[1].back().text, "yes");
@@ -70,7 +70,7 @@ TEST_F(DropReportTest, OneDropIsDrawnInEachModeFromTheRelease) {
       EXPECT_THAT(series.y, SizeIs(400));
       EXPECT_EQ(series.x.front(), 0.0);
     }
-    EXPECT_THAT(names, ElementsAre("position", "torque", "hybrid", "own"));
+    EXPECT_THAT(names, ElementsAre("position", "torque", "hybrid", "adaptive"));
   }
   EXPECT_DOUBLE_EQ(one.plots[0].series[3].y.back(), 0.5);
   EXPECT_DOUBLE_EQ(one.plots[1].series[3].y.back(), 40.0);  // of the knee, without its sign

@@ -38,7 +38,7 @@ class DropScript : public testing::Test {
  protected:
   double floor_m(double surprise_s, double height_m = 0.3) const {
     for (const SimControl& control :
-         drop_script(robot_, "best", {}, {JumpMode::kOwn, height_m, surprise_s}).controls)
+         drop_script(robot_, "best", {}, {JumpMode::kAdaptive, height_m, surprise_s}).controls)
       if (control.kind == SimControlKind::kFloor) return control.value;
     ADD_FAILURE() << "no floor";
     return kNaN;
@@ -49,12 +49,12 @@ class DropScript : public testing::Test {
 TEST_F(DropScript, LetsGoAndSaysLandInOneCycleInTheModeThatWasAsked) {
   SimOptions sim;
   sim.seed = 9;
-  const RunScript script = drop_script(robot_, "best", sim, {JumpMode::kOwn, 0.3, 0.0});
+  const RunScript script = drop_script(robot_, "best", sim, {JumpMode::kAdaptive, 0.3, 0.0});
   const std::int64_t release = release_cycle(robot_, "best");
   const OperatorCommand& land = script.commands.back();
   EXPECT_EQ(script.commands.front().kind, OperatorKind::kStand);
   EXPECT_EQ(land.kind, OperatorKind::kLand);
-  EXPECT_EQ(land.jump_mode, JumpMode::kOwn);
+  EXPECT_EQ(land.jump_mode, JumpMode::kAdaptive);
   EXPECT_EQ(land.apply_at_seq, release);
   EXPECT_EQ(script.controls.back().kind, SimControlKind::kSuspend);
   EXPECT_EQ(script.controls.back().apply_at_seq, release);
@@ -65,15 +65,15 @@ TEST_F(DropScript, LetsGoAndSaysLandInOneCycleInTheModeThatWasAsked) {
 
 TEST_F(DropScript, TouchdownIsExpectedWhenALegOfLandingLengthWouldTouch) {
   const PresetConfig& preset = robot_.preset("best");
-  const RunScript script = drop_script(robot_, "best", {}, {JumpMode::kOwn, 0.3, 0.0});
+  const RunScript script = drop_script(robot_, "best", {}, {JumpMode::kAdaptive, 0.3, 0.0});
   const double fall_s = script.commands.back().touchdown_in_s;
   EXPECT_NEAR(0.5 * 9.81 * fall_s * fall_s, 0.3 + preset.stand_length_m - preset.landing_length_m, 1e-12);
 }
 
 TEST_F(DropScript, SurpriseMovesTheFloorAndNothingThatTheRobotIsTold) {
   EXPECT_DOUBLE_EQ(floor_m(0.0), 0.0);
-  const RunScript plain = drop_script(robot_, "best", {}, {JumpMode::kOwn, 0.3, 0.0});
-  const RunScript late = drop_script(robot_, "best", {}, {JumpMode::kOwn, 0.3, 0.01});
+  const RunScript plain = drop_script(robot_, "best", {}, {JumpMode::kAdaptive, 0.3, 0.0});
+  const RunScript late = drop_script(robot_, "best", {}, {JumpMode::kAdaptive, 0.3, 0.01});
   const double fall_s = plain.commands.back().touchdown_in_s;
   EXPECT_EQ(late.commands.back().touchdown_in_s, fall_s);
   const double deeper_m = 0.5 * 9.81 * (std::pow(fall_s + 0.01, 2) - fall_s * fall_s);

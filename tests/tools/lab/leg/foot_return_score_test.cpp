@@ -31,8 +31,8 @@ TEST(FootReturnScoreTest, SeesHowFarAPullWentWhereTheFootStopsAndWhen) {
   const PullResult r = pull_result({kDirection_rad, 100.0}, trace({0.003, -0.004}, 0.1));
   EXPECT_NEAR(r.moved_mm, 40.0, 1e-6);
   EXPECT_NEAR(r.error_mm, 5.0, 1e-3);
-  const double way_mm =
-      1e3 * std::hypot(0.04 * std::cos(kDirection_rad) - 0.003, 0.04 * std::sin(kDirection_rad) + 0.004);
+  const double way_mm = 1e3 * std::hypot(0.04 * std::cos(kDirection_rad) - 0.003,
+                                         0.04 * std::sin(kDirection_rad) + 0.004);
   EXPECT_NEAR(r.settled_s, 0.1 * std::log(way_mm / PullResult::kSettled_mm), 2e-3);
   EXPECT_FALSE(r.limit_cycle());
 }

@@ -30,7 +30,7 @@ class FootReturnTest : public testing::Test {
   RobotConfig robot_ = load_robot("single_leg");
 };
 
-TEST_F(FootReturnTest, HandPullsEachForceInEachDirectionAtItsCycle) {
+TEST_F(FootReturnTest, FootPullsEachForceInEachDirectionAtItsCycle) {
   const FootReturnScript script = foot_return_cases(robot_.preset("best")).front().script;
   const std::vector<SimControl> controls = hand(script, robot_.cycle_s);
   ASSERT_EQ(controls.size(), 40u);

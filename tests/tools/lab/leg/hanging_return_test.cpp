@@ -17,7 +17,7 @@ class HangingReturnTest : public testing::Test {
       if (config.name == name) cases.push_back(config);
     SimOptions sim;
     sim.seed = 1;
-    return run_hanging_return(robot_, sim, cases, {hand_pulls()[4]});
+    return run_hanging_return(robot_, sim, cases, {pulls_and_releases()[4]});
   }
   RobotConfig robot_ = load_robot("pegasus");
 };
@@ -52,7 +52,8 @@ TEST_F(HangingReturnTest, RowsHaveTheNamesAndBoundsOfTheIssue) {
 
 TEST_F(HangingReturnTest, RobotThatDoesNotWalkIsRefused) {
   const RobotConfig leg = load_robot("single_leg");
-  EXPECT_THROW(run_hanging_return(leg, {}, hanging_cases(leg, "best"), hand_pulls()), std::runtime_error);
+  EXPECT_THROW(run_hanging_return(leg, {}, hanging_cases(leg, "best"), pulls_and_releases()),
+               std::runtime_error);
 }
 
 }  // namespace

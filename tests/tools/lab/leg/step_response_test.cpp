@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "robots/robot_loader.h"
-#include "tools/lab/leg/step_response_report.h"
 
 namespace sprung {
 namespace {

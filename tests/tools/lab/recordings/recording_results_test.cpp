@@ -5,8 +5,6 @@
 
 #include <map>
 
-#include "estimator/identification/held_pose.h"
-
 namespace sprung::recordings {
 namespace {
 
@@ -100,46 +98,6 @@ TEST_F(RecordedData, TorsionIsATorqueOnlyWithoutTheFootprint) {
   const FootprintScore half_seconds = footprint_of(lara8_joint_3(folder_), 0.5);
   EXPECT_GT(half_seconds.without_rms_Nm, 40.0) << "as published: 41.9 on the whole sweep";
   EXPECT_LT(half_seconds.with_rms_Nm, 7.0) << "as published: 6.17";
-}
-
-/// Friction that may hide at rest in this pose, from the joint's own recording.
-double breakaway_A(const std::string& folder, int joint, double pose_A) {
-  using identification::JointTerm;
-  Recording recording = ur10e_joint(folder, joint);
-  recording.protocol.search.only = {{JointTerm::kViscous, JointTerm::kLoad}};
-  const auto found = identification::identify_joint(recording.series, recording.protocol).models[0];
-  const FrictionParameters law = found.model->friction(found.fit.parameters);
-  return breakaway_Nm(law) + std::max(law.load_share_driving, law.load_share_driven) * std::abs(pose_A);
-}
-
-identification::HeldPose pushed(const std::string& folder, int joint) {
-  const auto pieces = identification::prepare(ur10e_pushed_pose(folder, joint), {0.0, 1e9}, {});
-  identification::HeldPoseOptions options;
-  options.breakaway = 0.0;
-  const double pose_A = find_pushes(pieces.at(0).data, options).torque;
-  options.breakaway = breakaway_A(folder, joint, pose_A);
-  return find_pushes(pieces.at(0).data, options);
-}
-
-bool found_at(const identification::HeldPose& pose, double time_s) {
-  return std::any_of(pose.pushes.begin(), pose.pushes.end(),
-                     [=](const identification::Push& p) { return p.from_s <= time_s && time_s <= p.to_s; });
-}
-
-TEST_F(RecordedData, PushesByHandAreFoundThoughNothingMoves) {
-  const identification::HeldPose base = pushed(folder_, 1), shoulder = pushed(folder_, 2);
-  EXPECT_LT(base.strayed_rad, 1e-3);
-  EXPECT_LT(shoulder.strayed_rad, 1e-3);
-  EXPECT_TRUE(found_at(base, 2.4)) << "first push: sideways alone";
-  EXPECT_FALSE(found_at(shoulder, 2.4));
-  EXPECT_TRUE(found_at(base, 5.2) && found_at(shoulder, 5.2)) << "second: both";
-  EXPECT_FALSE(found_at(base, 12.7)) << "fourth: from above alone";
-  ASSERT_TRUE(found_at(shoulder, 12.7));
-  EXPECT_EQ(shoulder.pushes.size(), 3u);
-  for (const identification::Push& push : shoulder.pushes) {
-    EXPECT_LT(push.external, -4.0) << "against +q";
-    EXPECT_TRUE(push.certain);
-  }
 }
 
 RecordingResult made_up() {

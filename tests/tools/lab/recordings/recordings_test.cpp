@@ -15,8 +15,8 @@ namespace {
 class Recordings : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ =
-        test::temp_dir() + "recordings_" + testing::UnitTest::GetInstance()->current_test_info()->name();
+    folder_ = test::temp_dir() + "recordings_" +
+              testing::UnitTest::GetInstance()->current_test_info()->name();
     std::filesystem::create_directories(folder_ / "ur10e");
     std::filesystem::create_directories(folder_ / "lara8");
   }

@@ -9,18 +9,25 @@ inline IndexHeading sample_heading() {
 }
 
 inline std::vector<FinishedExperiment> sample_experiments() {
-  FinishedExperiment jump{{"jump", "paper", "Does it jump?", false, {}}, {}, ""};
-  jump.output.rows.experiment = "jump";
-  jump.output.rows.rows = {{"jump.hybrid.height", "mm", 94.0, 188.0, 150.0, {}},
-                           {"jump.hybrid.peak", "Nm", 164.0, 164.74, {}, 200.0},
-                           {"jump.hybrid.output", "Nm", 40.0, {}, {}, {}}};
+  FinishedExperiment jump;
+  jump.name = jump.rows.experiment = "jump";
+  jump.question = "Does it jump?";
+  jump.command = "sprung experiment jump --robot single_leg --preset paper --seed 7";
+  jump.rows.preset = "paper";
+  jump.rows.rows = {{"jump.hybrid.height", "mm", 94.0, 188.0, 150.0, {}},
+                    {"jump.hybrid.peak", "Nm", 164.0, 164.74, {}, 200.0},
+                    {"jump.hybrid.output", "Nm", 40.0, {}, {}, {}}};
   report::Section figures{"Hybrid"};
   figures.plots = {{"Torque", {"time", "s"}, {"torque", "Nm"}, {{"knee", {0.0, 1.0, 2.0}, {1.0, 5.0, 2.0}}}}};
   const char* phases[] = {"idle",   "rising",  "standing", "crouch", "thrust",
                           "flight", "landing", "recover",  "sitting"};
   for (int i = 0; i < 9; ++i) figures.plots[0].shades.push_back({0.2 * i, 0.2 * i + 0.2, phases[i]});
   jump.output.sections = {figures};
-  FinishedExperiment drop{{"drop", "best", "Does it land?", true, {}}, {}, "the plant failed"};
+  FinishedExperiment drop;
+  drop.name = drop.rows.experiment = "drop";
+  drop.question = "Does it land?";
+  drop.rows.preset = "best";
+  drop.failure = "the plant failed";
   return {jump, drop};
 }
 

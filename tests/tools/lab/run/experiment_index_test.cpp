@@ -46,8 +46,8 @@ TEST(ExperimentIndex, ThePageOfAnExperimentStandsAlone) {
 }
 
 TEST(ExperimentIndex, JsonHoldsAllRowsAndWhatFailed) {
-  const nlohmann::json json =
-      nlohmann::json::parse(experiment_index_json(sample_heading(), sample_experiments()));
+  const nlohmann::json json = nlohmann::json::parse(
+      experiment_index_json(sample_heading(), sample_experiments()));
   EXPECT_EQ(json["robot_hash"], "00000000000000ab");
   EXPECT_EQ(json["ok"], false);
   ASSERT_EQ(json["experiments"].size(), 2u);

@@ -44,6 +44,20 @@ TEST(ExperimentReport, JsonHoldsTheAgreedKeys) {
   EXPECT_TRUE(json["rows"][1]["low"].is_null());
 }
 
+TEST(Row, HoldsWhatItIsHeldAgainst) {
+  const ReportRow plain = row("a.b", "mm", 2.0);
+  EXPECT_FALSE(plain.low || plain.high || plain.paper);
+  EXPECT_EQ(row("a", "", 2.0, at_most(3.0)).high, 3.0);
+  EXPECT_FALSE(row("a", "", 2.0, at_most(3.0)).low);
+  EXPECT_EQ(row("a", "", 2.0, at_least(1.0)).low, 1.0);
+  const ReportRow both = row("a", "", 2.0, between(1.0, 3.0));
+  EXPECT_EQ(both.low, 1.0);
+  EXPECT_EQ(both.high, 3.0);
+  EXPECT_EQ(row("a", "", 2.0, {{}, {}, 4.75}).paper, 4.75);
+  EXPECT_TRUE(row("a", "", 9.0, demanded(false, at_most(3.0))).ok());
+  EXPECT_FALSE(row("a", "", 9.0, demanded(true, at_most(3.0))).ok());
+}
+
 TEST(ExperimentReport, OneBadRowMakesItBad) {
   ExperimentReport report;
   report.rows = {bounded(187.2)};

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "robots/robot_loader.h"
-#include "tools/lab/tune/tune_plants.h"
 #include "tools/lab/tune/tune_report.h"
+#include "tools/lab/tune/tune_search.h"
 
 namespace sprung {
 namespace {

@@ -9,6 +9,7 @@
 #include "sprung_msgs/joint_state_t.hpp"
 #include "sprung_msgs/motion_state_t.hpp"
 #include "tests/signals/message_bytes.h"
+#include "tests/support/enumerators.h"
 
 namespace sprung::fields {
 namespace {
@@ -52,6 +53,8 @@ class DecoderTest : public testing::Test {
   MessageView view_;
   std::vector<std::uint8_t> bytes_;
 };
+
+TEST(Faults, EveryOneHasItsOwnName) { test::expect_own_names<Fault>(); }
 
 TEST_F(DecoderTest, GivesNumbersOfEveryElement) {
   auto message = joint_state(3, 2);

@@ -12,8 +12,8 @@ namespace {
 std::shared_ptr<const Layout> sim_control_layout() {
   const auto bytes = test::encoded(sprung_msgs::sim_control_t{});
   Fault fault = Fault::kTooShort;
-  auto layout =
-      build_layout(*TypeTable::sprung().by_name("sim_control_t"), bytes.data(), bytes.size(), fault);
+  auto layout = build_layout(*TypeTable::sprung().by_name("sim_control_t"), bytes.data(), bytes.size(),
+                             fault);
   EXPECT_EQ(fault, Fault::kNone);
   return layout;
 }

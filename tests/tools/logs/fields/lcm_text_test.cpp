@@ -34,8 +34,8 @@ TEST(LcmText, ReadsMembersSizesAndPackages) {
 }
 
 TEST(LcmText, CommentsBelongToWhatStandsBeforeThem) {
-  const auto types =
-      parse_lcm("struct a_t {\n // of nobody\n int8_t x; // first\n // and more\n int8_t y;\n}");
+  const auto types = parse_lcm(
+      "struct a_t {\n // of nobody\n int8_t x; // first\n // and more\n int8_t y;\n}");
   EXPECT_EQ(types[0].members[0].comment, "first and more");
   EXPECT_EQ(types[0].members[1].comment, "");
 }

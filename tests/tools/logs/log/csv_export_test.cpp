@@ -80,9 +80,9 @@ TEST_F(CsvExport, CyclesThatCameInAnyOrderAndTwiceAreOneRowEach) {
 TEST_F(CsvExport, EachMessageMayHaveARow) {
   CsvOptions options;
   options.one_row_a_message = true;
-  const Lines lines =
-      csv({joint_event(0), motion_event(0, "standing"), joint_event(0)},
-          {"JOINT_STATE.joints[0].gear_output_torque_Nm", "MOTION_STATE.state_name"}, options);
+  const Lines lines = csv({joint_event(0), motion_event(0, "standing"), joint_event(0)},
+                          {"JOINT_STATE.joints[0].gear_output_torque_Nm", "MOTION_STATE.state_name"},
+                          options);
   EXPECT_THAT(lines, ElementsAre(testing::_, "0.000000,0,0,", "0.000000,0,,standing", "0.000000,0,0,"));
 }
 
@@ -99,8 +99,8 @@ TEST_F(CsvExport, MoreRowsThanWaitComeOutAllTheSame) {
 }
 
 TEST_F(CsvExport, TextsThatNeedQuotesHaveThem) {
-  const Lines lines =
-      csv({motion_event(0, "a,b"), motion_event(1, "say \"no\"")}, {"MOTION_STATE.state_name"});
+  const Lines lines = csv({motion_event(0, "a,b"), motion_event(1, "say \"no\"")},
+                          {"MOTION_STATE.state_name"});
   EXPECT_THAT(lines[1], testing::EndsWith(",0,\"a,b\""));
   EXPECT_THAT(lines[2], testing::EndsWith(",1,\"say \"\"no\"\"\""));
 }
@@ -113,8 +113,8 @@ TEST_F(CsvExport, HeadingsMayHaveTheNamesOfJoints) {
 }
 
 TEST_F(CsvExport, ASpanIsARangeOfRows) {
-  const Lines lines =
-      csv(robot_events(100), {"JOINT_STATE.joints[0].gear_output_torque_Nm"}, {}, "0.1", "0.104");
+  const Lines lines = csv(robot_events(100), {"JOINT_STATE.joints[0].gear_output_torque_Nm"}, {}, "0.1",
+                          "0.104");
   EXPECT_THAT(lines, ElementsAre(testing::_, "0.100000,50,0.5", "0.102000,51,0.51"));
 }
 

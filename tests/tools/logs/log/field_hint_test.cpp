@@ -52,6 +52,16 @@ TEST_F(FieldHintTest, AnIndexStaysThatJointAndIsShownWithItsName) {
   EXPECT_EQ(meant("JOINT_STATE.joints[*].statsu"), "JOINT_STATE.joints[*].status");
 }
 
+TEST_F(FieldHintTest, AChannelOfAnotherVersionIsNamedAsThat) {
+  std::string old = encoded(stamped<sprung_msgs::joint_state_t>(0));
+  old[0] = static_cast<char>(old[0] ^ 0x40);  // the fingerprint
+  write_all(path_, {metadata_event(robot_yaml("pegasus")), kept(channels::kJointState, 0, old)});
+  EXPECT_EQ(no_field_text(path_, "JOINT_STATE.joints[0].status"),
+            path_ +
+                ": its JOINT_STATE is a message of another version of sprung, and only that one knows its "
+                "fields; sprung log info names the version");
+}
+
 TEST_F(FieldHintTest, WhereNothingIsNearNothingIsGuessed) {
   EXPECT_EQ(
       no_field_text(path_, "X.y"),

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -85,8 +84,8 @@ TEST_F(LogInfoTest, WhatLegsMetBeforeTheLogIsNoNews) {
 }
 
 TEST_F(LogInfoTest, ForeignChannelsAndTypesAreShownAsSuch) {
-  const LogInfo found =
-      info({{0, 1000, "CAMERA", "short"}, {1, 900, "CAMERA", std::string(100, 'x')}, joint_event(0)});
+  const LogInfo found = info(
+      {{0, 1000, "CAMERA", "short"}, {1, 900, "CAMERA", std::string(100, 'x')}, joint_event(0)});
   EXPECT_EQ(found.channels.at("CAMERA").type, "");
   EXPECT_EQ(found.channels.at("CAMERA").messages, 2);
   EXPECT_EQ(found.went_back, 1);
@@ -141,13 +140,6 @@ TEST_F(LogInfoTest, ANameOfAnyLengthAndBytesKeepsItsLine) {
   EXPECT_THAT(text, Not(HasSubstr("\x1b")));
   EXPECT_THAT(text, HasSubstr(std::string(900, 'n') + " unknown "));
   EXPECT_THAT(text, HasSubstr("\nSHORT              unknown "));
-}
-
-TEST(UtcText, AnyNumberIsAText) {
-  EXPECT_EQ(utc_text(-1), "1969-12-31 23:59:59.999 UTC");
-  EXPECT_EQ(utc_text(1'700'000'000'123'456), "2023-11-14 22:13:20.123 UTC");
-  EXPECT_FALSE(utc_text(std::numeric_limits<std::int64_t>::max()).empty());
-  EXPECT_FALSE(utc_text(std::numeric_limits<std::int64_t>::min()).empty());
 }
 
 TEST_F(LogInfoTest, AnEmptyLogIsNoMistake) {

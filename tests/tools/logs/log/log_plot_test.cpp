@@ -6,9 +6,9 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "tests/support/refusal.h"
 #include "tests/tools/logs/log/robot_sample.h"
 #include "tools/logs/log/picture_file.h"
-#include "tools/logs/log/svg_plot.h"
 #include "tools/logs/log/thin_series.h"
 
 namespace sprung::log {
@@ -48,14 +48,6 @@ TEST(ThinSeries, GapsStay) {
   for (int i = 0; i < 100'000; ++i) series.add(i, i == 50'000 ? std::nan("") : 1.0);
   const std::vector<double> y = series.y();
   EXPECT_EQ(std::count_if(y.begin(), y.end(), [](double value) { return std::isnan(value); }), 1);
-}
-
-TEST(SvgPlot, TicksAreRoundAndCoverTheScale) {
-  EXPECT_THAT(round_ticks(-0.1, 10.2, 6), testing::ElementsAre(0, 2, 4, 6, 8, 10));
-  EXPECT_THAT(round_ticks(1000.0, 1000.5, 5),
-              testing::Pointwise(testing::DoubleNear(1e-9),
-                                 std::vector<double>{1000.0, 1000.1, 1000.2, 1000.3, 1000.4, 1000.5}));
-  EXPECT_THAT(round_ticks(-3e-7, 3e-7, 3), testing::ElementsAre(-2e-7, 0, 2e-7));
 }
 
 class LogPlotTest : public testing::Test {
@@ -160,55 +152,28 @@ TEST_F(LogPlotTest, ARefusalNamesTheField) {
   const auto refusal = [this](const std::string& field) {
     PlotRequest request;
     request.fields = {field};
-    try {
-      plot(robot_events(5), request);
-    } catch (const std::invalid_argument& error) {
-      return std::string(error.what());
-    }
-    return std::string();
+    return test::refusal_of([&] { plot(robot_events(5), request); });
   };
   EXPECT_THAT(refusal("JOINT_STATE.n_joint"),
               HasSubstr("'JOINT_STATE.n_joint'; did you mean 'JOINT_STATE.n_joints'?"));
   EXPECT_THAT(refusal("MOTION_STATE.state_name"), HasSubstr("no number to draw: only texts"));
 }
 
-TEST_F(LogPlotTest, SvgHasCurvesShadesUnitsAndEscapedNames) {
-  LogPlot got = plot(robot_events(100), torques());
-  got.plots[1].series[0].name = "<a & b>";
-  const std::string svg = to_svg("robot.lcm", got.plots);
-  std::size_t curves = 0;
-  for (std::size_t at = svg.find("<polyline"); at != std::string::npos; at = svg.find("<polyline", at + 1))
-    ++curves;
-  EXPECT_EQ(curves, 1u + 1u + 10u);  // ten NaN make ten pieces: the last sample is one
-  EXPECT_THAT(svg, HasSubstr("class=\"shade\""));
-  EXPECT_THAT(svg, HasSubstr(">walking<"));
-  EXPECT_THAT(svg, HasSubstr(">Nm<"));
-  EXPECT_THAT(svg, HasSubstr("&lt;a &amp; b&gt;"));
-  EXPECT_THAT(svg, testing::Not(HasSubstr("nan")));
-}
-
-TEST_F(LogPlotTest, AConstantIsDrawnToo) {
-  const std::string svg = to_svg("x", {{"", {"time", "s"}, {"", "N"}, {{"c", {0, 1}, {5, 5}}}}});
-  EXPECT_THAT(svg, testing::Not(HasSubstr("nan")));
-  EXPECT_THAT(svg, testing::Not(HasSubstr("inf")));
-}
-
 TEST_F(LogPlotTest, PngIsAPictureOfThatSize) {
   if (std::system("command -v chromium >/dev/null 2>&1") != 0)
     GTEST_SKIP() << "chromium is not installed. Run ./setup.";
   const LogPlot got = plot(robot_events(100), torques());
-  const SvgSize size;
-  const int height = svg_height(size, got.plots.size());
+  constexpr int kWidth = 1200, kHeight = 850;
   const std::string png = folder_("plot.png");
-  write_png(png, to_svg("robot.lcm", got.plots, size), size.width, height);
+  write_png(png, report::to_html(plot_report(got, "sprung log plot")), kWidth, kHeight);
   const std::string bytes = bytes_of(png);
-  ASSERT_GT(bytes.size(), 5000u);  // an empty picture of that size has fewer
+  ASSERT_GT(bytes.size(), 25'000u);  // without its plots the page has fewer
   EXPECT_EQ(bytes.substr(1, 3), "PNG");
   const auto side = [&bytes](std::size_t at) {
     return (static_cast<std::uint8_t>(bytes[at + 2]) << 8) | static_cast<std::uint8_t>(bytes[at + 3]);
   };
-  EXPECT_EQ(side(16), size.width);
-  EXPECT_EQ(side(20), height);
+  EXPECT_EQ(side(16), kWidth);
+  EXPECT_EQ(side(20), kHeight);
 }
 
 }  // namespace

@@ -181,7 +181,7 @@ TEST_F(ProtoMessageTest, NumbersStandWhereTheirStructSays) {
   const auto joints = proto_values(encoded, 6);
   ASSERT_EQ(joints.size(), 2u);
   double torque_Nm = 0.0;
-  const std::uint64_t bits = proto_values(joints[1].bytes, 5)[0].number;
+  const std::uint64_t bits = proto_values(joints[1].bytes, 6)[0].number;
   std::memcpy(&torque_Nm, &bits, sizeof torque_Nm);
   EXPECT_EQ(torque_Nm, 2.25);
 }

@@ -81,7 +81,6 @@ TEST_F(LogReader, AnEmptyFileIsALogWithoutEvents) {
   Event event;
   EXPECT_FALSE(reader.next(event));
   EXPECT_EQ(reader.damage_count(), 0u);
-  EXPECT_TRUE(begins_like_a_log(path_));
 }
 
 TEST_F(LogReader, AFileThatIsNotThereIsNamed) {
@@ -102,7 +101,6 @@ TEST_F(LogReader, AFileThatIsNoLogIsAllDamage) {
   EXPECT_TRUE(read_all(reader).empty());
   EXPECT_EQ(reader.skipped_bytes(), 100'000u);
   EXPECT_EQ(reader.damage_count(), 1u);
-  EXPECT_FALSE(begins_like_a_log(path_));
 }
 
 TEST_F(LogReader, ALogThatEndsInsideAnEventGivesAllThatAreWhole) {
@@ -137,8 +135,8 @@ TEST_F(LogReader, ABlockOfZerosTakesNothingWithIt) {
   std::string bytes = sample(40);
   bytes.replace(offsets_[20] + 50, 4096, 4096, '\0');
   put_bytes(path_, bytes);
-  const auto end =
-      std::upper_bound(offsets_.begin(), offsets_.end(), offsets_[20] + 50 + 4096) - offsets_.begin();
+  const auto end = std::upper_bound(offsets_.begin(), offsets_.end(), offsets_[20] + 50 + 4096) -
+                   offsets_.begin();
   EXPECT_EQ(read_all(path_), without(20, static_cast<std::size_t>(end) - 20));
 }
 

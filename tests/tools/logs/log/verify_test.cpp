@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "sprung_msgs/process_status_t.hpp"
+#include "tests/support/enumerators.h"
 #include "tests/tools/logs/log/robot_sample.h"
 #include "tools/logs/log/big_endian.h"
 
@@ -33,6 +34,8 @@ class LogVerify : public testing::Test {
   std::string path_ = folder_("robot.lcm");
   std::string text_;
 };
+
+TEST(Findings, EveryKindHasItsOwnName) { test::expect_own_names<Finding::Kind>(); }
 
 TEST_F(LogVerify, AWholeLogIsGood) {
   const VerifyResult result = check(robot_events(100));

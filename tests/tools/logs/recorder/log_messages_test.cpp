@@ -88,12 +88,5 @@ TEST(LogMessages, DamagedBytesAreRefused) {
   }
 }
 
-TEST(LogEndReason, EveryOneHasAName) {
-  for (const auto reason :
-       {LogEndReason::kAsked, LogEndReason::kContinued, LogEndReason::kDiskGuard, LogEndReason::kWriteError})
-    EXPECT_STRNE(name(reason), "unknown");
-  EXPECT_STREQ(name(static_cast<LogEndReason>(99)), "unknown");
-}
-
 }  // namespace
 }  // namespace sprung

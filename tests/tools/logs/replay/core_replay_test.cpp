@@ -7,6 +7,7 @@
 #include "runtime/message_layout.h"
 #include "signals/drive_state.h"
 #include "signals/sensors.h"
+#include "tests/support/enumerators.h"
 #include "tests/tools/logs/replay/logged_message.h"
 
 namespace sprung {
@@ -44,6 +45,8 @@ class CoreReplayTest : public testing::Test {
   std::vector<std::string> differing_;
 };
 
+TEST(Cores, EveryOneHasItsOwnName) { test::expect_own_names<Core>(); }
+
 TEST_F(CoreReplayTest, JointStateThatIsCutShortIsADifferenceAndNoMore) {
   LoggedCycle damaged = cycle(0);
   damaged.joint_state = message_of(JointState(robot_.joints.size(), robot_.legs.size()));
@@ -51,6 +54,19 @@ TEST_F(CoreReplayTest, JointStateThatIsCutShortIsADifferenceAndNoMore) {
   step(damaged);
   EXPECT_EQ(differing_, std::vector<std::string>{channels::kJointState});
   EXPECT_EQ(replay_.counts().incomplete, 0) << "which sample of the IMU it had, it does not say";
+}
+
+TEST_F(CoreReplayTest, JointStateOfAnotherVersionIsCountedByNameAndNotCompared) {
+  LoggedCycle old = cycle(0);
+  old.joint_state = message_of(JointState(robot_.joints.size(), robot_.legs.size()));
+  old.joint_state.resize(old.joint_state.size() - 8 * robot_.joints.size());  // a number less for each joint
+  old.joint_state[0] ^= 0x40;
+  step(old);
+  EXPECT_EQ(replay_.counts().cycles, 1) << "the estimator ran on its DRIVE_STATE";
+  EXPECT_EQ(replay_.counts().other_version, 1);
+  EXPECT_EQ(replay_.counts().first_other_version, channels::kJointState);
+  EXPECT_EQ(replay_.counts().compared, 0);
+  EXPECT_TRUE(differing_.empty());
 }
 
 TEST_F(CoreReplayTest, CyclesBeforeTheComparedOnesRunAndAreNotCounted) {

@@ -78,6 +78,18 @@ TEST(ReplayText, NamesTimeFieldAndBothValuesOfTheFirstDifference) {
   EXPECT_THAT(text, Not(HasSubstr("identical")));
 }
 
+TEST(ReplayText, NamesTheMessageOfAnotherVersionAndThatVersion) {
+  ReplayResult result = result_of(4000);
+  result.version = "0.1.0 db8463133b9f";
+  result.counts.other_version = 1000;
+  result.counts.first_other_version = "JOINT_STATE";
+  const std::string text = replay_text(request(), result);
+  EXPECT_THAT(text, HasSubstr("note: the log's JOINT_STATE is a message of another version of sprung "
+                              "(0.1.0 db8463133b9f): 1000 messages were not compared"));
+  EXPECT_THAT(text, HasSubstr("\nidentical, where the log can be compared\n"));
+  EXPECT_FALSE(result.identical());
+}
+
 TEST(ReplayText, NotesWhatMakesTheVerdictWeaker) {
   ReplayResult result = result_of(100);
   result.counts.first_seq = 500;

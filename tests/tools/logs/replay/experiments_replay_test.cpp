@@ -51,7 +51,7 @@ TEST_F(ExperimentsReplay, JumpInEveryMode) {
       test::run(jump_script(robot, "paper", SimOptions{1, {}, true}, mode, 1));
       ++count;
     }
-    test::run(jump_script(robot, "best", SimOptions{1, {}, true}, JumpMode::kOwn, 1));
+    test::run(jump_script(robot, "best", SimOptions{1, {}, true}, JumpMode::kAdaptive, 1));
     ++count;
   }
   expect_identical(count);

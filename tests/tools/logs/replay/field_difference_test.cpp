@@ -44,8 +44,8 @@ TEST(MessageComparison, ValuesHaveNoMoreDigitsThanTellThemApart) {
 }
 
 TEST(MessageComparison, LastBitCanBeSeen) {
-  const auto found =
-      MessageComparison().compare(message_of(joints(1.0)), message_of(joints(std::nextafter(1.0, 2.0))));
+  const auto found = MessageComparison().compare(message_of(joints(1.0)),
+                                                 message_of(joints(std::nextafter(1.0, 2.0))));
   ASSERT_EQ(found.size(), 1u);
   EXPECT_NE(found[0].first, found[0].second);
 }

@@ -50,7 +50,7 @@ class LcmReplayTest : public testing::Test {
     Heard out;
     lcm::LCM lcm(url_);
     bool ended = false;
-    for (const std::int64_t end_us = monotonic_us() + kPatience_us; !ended && monotonic_us() < end_us;) {
+    for (const std::int64_t end_us = monotonic_us() + kTimeout_us; !ended && monotonic_us() < end_us;) {
       if (out.seqs.size() >= least) lcm.publish(kEnd, "", 0);
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
       ended = take(out);
@@ -73,7 +73,7 @@ class LcmReplayTest : public testing::Test {
   }
 
   static constexpr const char* kEnd = "END_OF_TEST";
-  static constexpr std::int64_t kPatience_us = 20'000'000;
+  static constexpr std::int64_t kTimeout_us = 20'000'000;
   const Folder folder_{"lcm-replay"};
   const std::string url_ = test::own_lcm_url();
   LcmReplayRequest request_;

@@ -60,8 +60,8 @@ class LogCyclesTest : public testing::Test {
     add(channels::kProcessStatus, status);
   }
   const LoggedCycle& at(std::int64_t seq) const {
-    const auto found =
-        std::find_if(seen_.begin(), seen_.end(), [&](const LoggedCycle& cycle) { return cycle.seq == seq; });
+    const auto found = std::find_if(seen_.begin(), seen_.end(),
+                                    [&](const LoggedCycle& cycle) { return cycle.seq == seq; });
     static const LoggedCycle none;
     return found == seen_.end() ? none : *found;
   }

@@ -22,8 +22,8 @@ class LoggedRunTest : public testing::Test {
   std::string with_metadata(const char* clock, bool simulation) {
     const std::string path = folder_ / "own.lcm";
     log::Writer writer(path);
-    const Bytes bytes =
-        message_bytes(make_log_metadata(robot_, {"paper", clock, simulation, 1, 0, 0, "", ""}));
+    const Bytes bytes = message_bytes(
+        make_log_metadata(robot_, {"paper", clock, simulation, 1, 0, 0, "", ""}));
     writer.write(1, channels::kLogMetadata, bytes.data(), bytes.size());
     writer.close();
     return path;
@@ -66,8 +66,8 @@ TEST_F(LoggedRunTest, SimulatedDrivesInRealTimeHadLongerWatchdogs) {
 
 TEST_F(LoggedRunTest, AnotherRobotFileOrPresetTakesTheirPlace) {
   const LoggedRun run = read_logged_run(with_metadata("lockstep", true));
-  const std::string changed =
-      test::changed_robot("single_leg", "friction_compensation: 0.9", "friction_compensation: 0.7", folder_);
+  const std::string changed = test::changed_robot("single_leg", "friction_compensation: 0.9",
+                                                  "friction_compensation: 0.7", folder_);
   const ReplayRobot with = replay_robot(run, changed, "best");
   EXPECT_EQ(with.preset, "best");
   EXPECT_NE(with.robot.hash, robot_.hash);

@@ -92,8 +92,8 @@ TEST_F(ReplayRun, EachCoreAloneIsReproducedToo) {
 
 TEST_F(ReplayRun, AnotherGainIsSeenInTheFirstMessageThatItChanges) {
   ReplayRequest request = this->request();
-  request.robot =
-      test::changed_robot("single_leg", "friction_compensation: 0.9", "friction_compensation: 0.8", *folder_);
+  request.robot = test::changed_robot("single_leg", "friction_compensation: 0.9",
+                                      "friction_compensation: 0.8", *folder_);
   const ReplayResult result = run_replay(request);
   EXPECT_FALSE(result.identical());
   ASSERT_TRUE(result.differences.first());
@@ -164,8 +164,8 @@ TEST_F(ReplayRun, FalsifiedMessageIsNamed) {
 
 TEST_F(ReplayRun, InputThatTheLogLacksIsNamedAndTheVerdictIsNotIdentical) {
   ReplayRequest request = this->request();
-  request.log =
-      copy_of_log("gap.lcm", [](const log::Event& e) { return !is(e, channels::kDriveState, 700); });
+  request.log = copy_of_log("gap.lcm",
+                            [](const log::Event& e) { return !is(e, channels::kDriveState, 700); });
   const ReplayResult result = run_replay(request);
   EXPECT_FALSE(result.identical());
   EXPECT_EQ(result.counts.incomplete, 1);
@@ -207,8 +207,8 @@ TEST_F(ReplayRun, WhatTheCoresSayNowIsALogThatDiffersNowhere) {
 
 TEST_F(ReplayRun, WhatTheCoresSayNowSaysWhatMadeIt) {
   ReplayRequest request = this->request();
-  request.robot =
-      test::changed_robot("single_leg", "friction_compensation: 0.9", "friction_compensation: 0.8", *folder_);
+  request.robot = test::changed_robot("single_leg", "friction_compensation: 0.9",
+                                      "friction_compensation: 0.8", *folder_);
   request.out = *folder_ / "changed.lcm";
   EXPECT_FALSE(run_replay(request).identical());
   const LoggedRun made = read_logged_run(request.out);

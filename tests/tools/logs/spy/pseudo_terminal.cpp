@@ -57,8 +57,8 @@ void PseudoTerminal::press(const std::string& keys) {
     throw std::runtime_error("the terminal takes no keys");
 }
 
-bool PseudoTerminal::sees(const std::string& wanted, double patience_s) {
-  const Clock::time_point end = after(patience_s);
+bool PseudoTerminal::sees(const std::string& wanted, double timeout_s) {
+  const Clock::time_point end = after(timeout_s);
   while (screen().find(wanted) == std::string::npos) {
     if (Clock::now() > end) return false;
     read_some(50);
@@ -66,8 +66,8 @@ bool PseudoTerminal::sees(const std::string& wanted, double patience_s) {
   return true;
 }
 
-int PseudoTerminal::ends(double patience_s) {
-  const Clock::time_point end = after(patience_s);
+int PseudoTerminal::ends(double timeout_s) {
+  const Clock::time_point end = after(timeout_s);
   int status = 0;
   while (waitpid(pid_, &status, WNOHANG) == 0) {
     if (Clock::now() > end) return -1;
@@ -87,10 +87,10 @@ std::string PseudoTerminal::screen() const {
   return out;
 }
 
-bool PseudoTerminal::read_some(int patience_ms) {
+bool PseudoTerminal::read_some(int timeout_ms) {
   pollfd wait{terminal_, POLLIN, 0};
   unsigned char bytes[4096];
-  if (poll(&wait, 1, patience_ms) <= 0) return false;
+  if (poll(&wait, 1, timeout_ms) <= 0) return false;
   const ssize_t count = read(terminal_, bytes, sizeof bytes);
   for (ssize_t i = 0; i < count; ++i) put(bytes[i]);
   return count > 0;

@@ -19,14 +19,14 @@ class PseudoTerminal {
   PseudoTerminal& operator=(const PseudoTerminal&) = delete;
 
   void press(const std::string& keys);
-  /// Waits until the screen holds the text. @return false after `patience_s`.
-  bool sees(const std::string& text, double patience_s = 20.0);
-  /// Waits for the program to end. @return exit status, -1 after `patience_s`.
-  int ends(double patience_s = 10.0);
+  /// Waits until the screen holds the text. @return false after `timeout_s`.
+  bool sees(const std::string& text, double timeout_s = 20.0);
+  /// Waits for the program to end. @return exit status, -1 after `timeout_s`.
+  int ends(double timeout_s = 10.0);
   std::string screen() const;  ///< lines without blanks at their ends
 
  private:
-  bool read_some(int patience_ms);
+  bool read_some(int timeout_ms);
   void put(unsigned char byte);
   void command(unsigned char letter);
   void text(unsigned char byte);

@@ -39,8 +39,8 @@ TEST_F(TopicText, WhatIsBrokenOrUnknownIsSaid) {
 }
 
 TEST_F(TopicText, JsonHasNullWhereNothingIsKnown) {
-  const auto known =
-      topic_json("JOINT_STATE", channel_of("JOINT_STATE", test::joint_state_bytes(6, 0), 2), now_us_);
+  const auto known = topic_json("JOINT_STATE", channel_of("JOINT_STATE", test::joint_state_bytes(6, 0), 2),
+                                now_us_);
   EXPECT_EQ(known["type"], "joint_state_t");
   EXPECT_EQ(known["seq"], 6);
   EXPECT_EQ(known["missing"], 0);

@@ -5,10 +5,10 @@
 #include <stdexcept>
 #include <string>
 
+#include "signals/angles.h"
+
 namespace sprung {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 TEST(AngleText, RadiansAndDegreesWithOrWithoutABlank) {
   EXPECT_EQ(parse_angle_rad("0.5rad"), 0.5);

@@ -34,7 +34,7 @@ class CycleCollectorTest : public testing::Test {
     publish(channels::kLegCommand, LegCommand(1));
   }
 
-  static constexpr std::int64_t kSession = 42, kSeq = 7, kPatience_us = 20'000'000;
+  static constexpr std::int64_t kSession = 42, kSeq = 7, kTimeout_us = 20'000'000;
   const std::string url_ = test::own_lcm_url();
   RobotConfig robot_ = load_robot("single_leg");
   CycleCollector collector_{info(), robot_};
@@ -44,7 +44,7 @@ class CycleCollectorTest : public testing::Test {
 /// LCM may lose any of them: what was sent is sent again until all have come.
 TEST_F(CycleCollectorTest, EveryChannelOfACycleIsHeardAndTheRepliesToo) {
   std::vector<std::int64_t> seqs, requests;
-  for (const std::int64_t end_us = sender_.utime_us() + kPatience_us;
+  for (const std::int64_t end_us = sender_.utime_us() + kTimeout_us;
        (seqs.empty() || requests.empty()) && sender_.utime_us() < end_us;) {
     send_cycle();
     OperatorReply reply;

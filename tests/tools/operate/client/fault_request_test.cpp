@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "robots/robot_loader.h"
+#include "tests/support/refusal.h"
 
 namespace sprung {
 namespace {
@@ -17,12 +18,7 @@ class FaultRequestTest : public testing::Test {
  protected:
   SimControl control(const FaultRequest& request) const { return fault_control(robot_, request); }
   std::string refusal(const FaultRequest& request) const {
-    try {
-      control(request);
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
-    return "not refused";
+    return test::refusal_of([&] { control(request); });
   }
   RobotConfig robot_ = load_robot("single_leg");
 };
@@ -31,8 +27,7 @@ TEST_F(FaultRequestTest, EveryKindThatHasANameHasOneGuide) {
   std::set<FaultKind> guided;
   for (const FaultGuide& guide : fault_guides())
     EXPECT_TRUE(guided.insert(guide.kind).second) << name(guide.kind);
-  for (int kind = 0; std::string(name(static_cast<FaultKind>(kind))) != "unknown"; ++kind)
-    EXPECT_EQ(guided.count(static_cast<FaultKind>(kind)), 1u) << name(static_cast<FaultKind>(kind));
+  for (const Word<FaultKind>& word : kWords<FaultKind>) EXPECT_EQ(guided.count(word.value), 1u) << word.name;
 }
 
 TEST_F(FaultRequestTest, JointActuatorAndBusAreTargets) {

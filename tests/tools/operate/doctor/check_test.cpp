@@ -5,10 +5,14 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tests/support/enumerators.h"
+
 namespace sprung::doctor {
 namespace {
 
 using testing::HasSubstr;
+
+TEST(Verdicts, EveryOneHasItsOwnName) { test::expect_own_names<Verdict>(); }
 
 TEST(Check, WorstCounts) {
   EXPECT_EQ(worst({}), Verdict::kPass);

@@ -33,9 +33,10 @@ class Completion : public testing::Test {
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
   std::vector<std::string> offered(const std::string& words) const {
-    const std::string command =
-        "cd " + folder_.string() + " && bash --norc -c 'source ./script; COMP_WORDS=(" + words +
-        "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _leg; printf \"%s\\n\" " + "\"${COMPREPLY[@]}\"'";
+    const std::string command = "cd " + folder_.string() +
+                                " && bash --norc -c 'source ./script; COMP_WORDS=(" + words +
+                                "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _leg; printf \"%s\\n\" " +
+                                "\"${COMPREPLY[@]}\"'";
     const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
     std::string text;
     char part[1024];

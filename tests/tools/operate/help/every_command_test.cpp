@@ -32,8 +32,8 @@ struct Found {
 
 void collect(const Json& command, const std::string& path, std::vector<Found>& out) {
   for (const Json& sub : command["subcommands"]) {
-    const std::string below =
-        path.empty() ? sub["name"].get<std::string>() : path + " " + sub["name"].get<std::string>();
+    const std::string below = path.empty() ? sub["name"].get<std::string>()
+                                           : path + " " + sub["name"].get<std::string>();
     out.push_back({below, sub});
     collect(sub, below, out);
   }

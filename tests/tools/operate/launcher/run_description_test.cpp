@@ -35,7 +35,7 @@ LaunchRequest request() {
   LaunchRequest request;
   request.robot = "single_leg";
   request.simulation = true;
-  request.patience_s = 0.2;
+  request.timeout_s = 0.2;
   request.lcm_url = lcm_url_on_port(own_port());
   return request;
 }
@@ -75,7 +75,7 @@ class Lead {
 
 TEST(RunDescription, JoinedRunHasTheLeadsSessionAndBegin) {
   LaunchRequest joining = request();
-  joining.patience_s = 20.0;
+  joining.timeout_s = 20.0;
   const Lead lead(joining, "single_leg", ProcessState::kReady);
   const RunInfo info = describe_joined_run(joining, load_robot("single_leg"));
   EXPECT_EQ(info.session, 4711);
@@ -86,7 +86,7 @@ TEST(RunDescription, JoinedRunHasTheLeadsSessionAndBegin) {
 
 TEST(RunDescription, HostsWhoseClocksAreFarApartAreNotJoined) {
   LaunchRequest joining = request();
-  joining.patience_s = 20.0;
+  joining.timeout_s = 20.0;
   const Lead lead(joining, "single_leg", ProcessState::kReady, 60'000'000);
   EXPECT_THAT([&] { describe_joined_run(joining, load_robot("single_leg")); },
               testing::ThrowsMessage<std::runtime_error>(
@@ -117,7 +117,7 @@ TEST(EpochHere, ClocksOfTwoHostsMeetByUtc) {
 /// A launcher of another version, whose status has another layout.
 TEST(RunDescription, LeadThatCannotBeReadIsNamedAsSuch) {
   LaunchRequest joining = request();
-  joining.patience_s = 1.0;
+  joining.timeout_s = 1.0;
   std::atomic<bool> done{false};
   std::thread lead([&] {
     lcm::LCM lcm(joining.lcm_url);

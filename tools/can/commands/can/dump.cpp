@@ -17,7 +17,7 @@ namespace {
 using cantools::BusDescription;
 using cantools::ObservedFrame;
 
-constexpr int kPatience_ms = 100;
+constexpr int kTimeout_ms = 100;
 
 struct DumpRequest {
   BusRequest where;
@@ -91,7 +91,7 @@ void print_all(FrameSource& source, Printer& printer, const DumpRequest& request
   const std::int64_t end_us = monotonic_us() + std::llround(1e6 * request.for_s);
   while (!stop_requested() && !(ends && monotonic_us() >= end_us)) {
     ObservedFrame frame;
-    const FrameSource::Read read = source.next(frame, kPatience_ms);
+    const FrameSource::Read read = source.next(frame, kTimeout_ms);
     if (read == FrameSource::Read::kEnd) break;
     if (read == FrameSource::Read::kFrame && !printer.print(frame)) break;
     if (read == FrameSource::Read::kNothingYet) std::fflush(stdout);

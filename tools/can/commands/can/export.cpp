@@ -111,8 +111,8 @@ int run_export(const ExportRequest& request) {
 
 void add_can_export(CommandLine& can) {
   const auto request = std::make_shared<ExportRequest>();
-  CommandLine& to =
-      can.subcommand("export", "CAN frames of a log for can-utils (candump -L text) or Wireshark (pcapng).");
+  CommandLine& to = can.subcommand(
+      "export", "CAN frames of a log for can-utils (candump -L text) or Wireshark (pcapng).");
   to.option("log", request->log, "LCM log or candump file", Need::kRequired);
   to.choice("--format", request->format, {"candump", "pcap"}, "pcap writes pcapng, one interface a bus");
   to.option("--bus", request->where.bus, "only this bus");

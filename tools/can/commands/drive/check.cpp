@@ -112,11 +112,11 @@ int run_check(const DriveRequest& request) {
 
 void add_drive_check(CommandLine& drive) {
   const auto request = std::make_shared<DriveRequest>();
-  CommandLine& check =
-      add_with_robot(drive, "check",
-                     "Compares nodes with what robot.yaml and their profile want, and changes nothing; "
-                     "status 1 when they differ.",
-                     *request);
+  CommandLine& check = add_with_robot(
+      drive, "check",
+      "Compares nodes with what robot.yaml and their profile want, and changes nothing; "
+      "status 1 when they differ.",
+      *request);
   check.option("node", request->node, std::string(kNodeHelp) + "; default: all");
   check.flag("--json", request->as_json, "a JSON array of rows: node, object, name, expected, found, ok");
   add_bus_choice(check, *request);

@@ -65,8 +65,8 @@ int run_info(const DriveRequest& request) {
 
 void add_drive_info(CommandLine& drive) {
   const auto request = std::make_shared<DriveRequest>();
-  CommandLine& info =
-      add_with_robot(drive, "info", "Identity, NMT state, state word, mode, supply, errors.", *request);
+  CommandLine& info = add_with_robot(drive, "info", "Identity, NMT state, state word, mode, supply, errors.",
+                                     *request);
   info.option("node", request->node, std::string(kNodeHelp) + "; default: all");
   info.flag("--json", request->as_json, "a JSON array of nodes");
   add_bus_choice(info, *request);

@@ -55,8 +55,8 @@ int run_read(const DriveRequest& request) {
   for (const std::string& text : request.objects) {
     const canopen::ObjectId object = cantools::find_object(text, node.eds.get());
     const SdoAnswer answer = session.must_read(object);
-    const cantools::ObjectValue value =
-        cantools::object_value(described(node, object), object, answer.bytes.data(), answer.bytes.size());
+    const cantools::ObjectValue value = cantools::object_value(described(node, object), object,
+                                                               answer.bytes.data(), answer.bytes.size());
     all.push_back(value_json(node, object, value));
     if (!request.as_json) print_value(node, object, value);
   }

@@ -119,11 +119,11 @@ int run_scan(const DriveRequest& request) {
 
 void add_drive_scan(CommandLine& drive) {
   const auto request = std::make_shared<DriveRequest>();
-  CommandLine& scan =
-      add_with_robot(drive, "scan",
-                     "Who answers on a bus: all 127 node ids; status 1 when a node of robot.yaml is missing "
-                     "or an id is taken twice.",
-                     *request, "robot, or an address: socketcan:can0, udp:GROUP:PORT");
+  CommandLine& scan = add_with_robot(
+      drive, "scan",
+      "Who answers on a bus: all 127 node ids; status 1 when a node of robot.yaml is missing "
+      "or an id is taken twice.",
+      *request, "robot, or an address: socketcan:can0, udp:GROUP:PORT");
   scan.option("bus", request->where.bus, "which bus of the robot; default: all");
   add_addresses(scan, *request);
   scan.flag("--json", request->as_json, "a JSON array of nodes");

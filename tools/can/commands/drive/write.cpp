@@ -42,8 +42,8 @@ const canopen::EdsObject& writable(const NodeDescription& node, const std::strin
 /// Writes when the operator agrees, and compares with what is read back. @return exit status.
 int write_object(SdoSession& session, const NodeDescription& node, const canopen::EdsObject& object,
                  const std::vector<std::uint8_t>& bytes, bool yes) {
-  const std::string wanted =
-      with_unit(cantools::object_value(&object, object.id, bytes.data(), bytes.size()));
+  const std::string wanted = with_unit(
+      cantools::object_value(&object, object.id, bytes.data(), bytes.size()));
   const std::string what = node.name + " " + canopen::id_text(object.id) + " " + object_name(node, object.id);
   const std::string question = what + ": " + held(session, object) + " -> " + wanted + ".";
   if (!confirmed(question + " Write?", yes)) return kExitFailed;

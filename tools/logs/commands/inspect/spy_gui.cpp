@@ -13,12 +13,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kTypesJar = "sprung_lcm_spy.jar";  // tools/logs/lcm_spy, beside the programs
+constexpr const char* kTypesJar = "sprung_lcm_spy.jar";  // tools/logs/lcm_spy
 constexpr const char* kInstall = "sudo apt-get install liblcm-java libjchart2d-java default-jre";
 
+/// Beside the program where it was built, in share/sprung where it is installed.
 fs::path types_jar() {
-  const fs::path jar = fs::path(program_folder()) / kTypesJar;
-  if (fs::exists(jar)) return jar;
+  const fs::path programs = program_folder();
+  for (const fs::path& folder : {programs, programs.parent_path() / "share/sprung"}) {
+    if (fs::exists(folder / kTypesJar)) return folder / kTypesJar;
+  }
   throw std::runtime_error(
       "this build has no " + std::string(kTypesJar) +
       ": sudo apt-get install liblcm-java default-jdk-headless, then configure and build again");
@@ -56,10 +59,10 @@ std::string names_of(const InspectSource& source, const std::string& list) {
 
 void run_spy_gui(const InspectSource& source, bool with_plots) {
   const std::string java = system_program("java", "default-jre");
-  const std::string path =
-      library_jar("lcm.jar") + ":" + library_jar("jchart2d.jar") + ":" + types_jar().string();
+  const std::string path = library_jar("lcm.jar") + ":" + library_jar("jchart2d.jar") + ":" +
+                           types_jar().string();
   require_windows(java);
-  // Debian's own lcm-spy passes options that its Java 17 refuses (facts/lcm.md); this is what it would run.
+  // Debian's own lcm-spy passes options that its Java 17 refuses (facts L16); this is what it would run.
   std::vector<std::string> arguments{java,
                                      "-Djava.net.preferIPv4Stack=true",
                                      "-Dsprung.joints=" + names_of(source, "joints"),

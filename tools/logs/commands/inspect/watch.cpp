@@ -102,7 +102,7 @@ class Watcher {
     channel.complained = true;
     const bool unknown = fault == fields::Fault::kUnknownType;
     std::fprintf(
-        stderr, "%s: %s%s\n", std::string(name).c_str(), fields::name(fault),
+        stderr, "%s: %s%s\n", std::string(name).c_str(), sprung::name(fault),
         unknown ? "; another version of sprung, or a type of your own: give its file with --types" : "");
   }
 

@@ -22,12 +22,12 @@ int run_csv(const CsvRequest& request) {
   const log::TimeSpan span = or_wrong_use([&] { return log::parse_span(request.from, request.to); });
   log::Reader reader(request.log);
   or_wrong_use([&] { log::refuse_same_file({request.log}, request.out); });
-  log::FieldSelection selection =
-      or_wrong_use([&] { return log::FieldSelection(request.fields, names_or_told(reader).lists); });
+  log::FieldSelection selection = or_wrong_use(
+      [&] { return log::FieldSelection(request.fields, names_or_told(reader).lists); });
   OutputFile out(request.out);
   const auto write = [&out](std::string_view text) { out.write(text); };
-  const log::CsvResult result =
-      log::export_csv(reader, std::move(selection), request.options, span, write, progress_line("csv"));
+  const log::CsvResult result = log::export_csv(reader, std::move(selection), request.options, span, write,
+                                                progress_line("csv"));
   out.finish();
   tell_unmatched(request.log, result.unmatched);
   if (result.columns == 0) return kExitFailed;
@@ -45,8 +45,8 @@ int run_csv(const CsvRequest& request) {
 
 void add_log_csv(CommandLine& log) {
   const auto request = std::make_shared<CsvRequest>();
-  CommandLine& csv =
-      log.subcommand("csv", "Fields of a log as a table: a row for each cycle, units in the heading.");
+  CommandLine& csv = log.subcommand(
+      "csv", "Fields of a log as a table: a row for each cycle, units in the heading.");
   csv.option("log", request->log, "LCM log", Need::kRequired);
   csv.option("--fields", request->fields,
              "CHANNEL.path, with stars, indices or names: JOINT_STATE.joints[2].gear_output_torque_Nm; may "

@@ -21,8 +21,8 @@ int run_info(const InfoRequest& request) {
     log::Reader reader(path);
     const std::vector<std::string> legs = names_or_told(reader).legs;
     const log::LogInfo info = log::collect_info(reader, legs, progress_line("info"));
-    const std::string text =
-        request.as_json ? log::info_json(info) + "\n" : log::info_text(info, {request.every_incident});
+    const std::string text = request.as_json ? log::info_json(info) + "\n"
+                                             : log::info_text(info, {request.every_incident});
     std::printf("%s%s", first || request.as_json ? "" : "\n", text.c_str());
     first = false;
     if (info.events > 0 || info.damages == 0) continue;

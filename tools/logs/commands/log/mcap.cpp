@@ -15,7 +15,6 @@ struct McapRequest {
   std::string log;
   std::vector<std::string> keep, drop;
   bool plain = false;
-  std::string encoding = "protobuf";
   std::string out;
 };
 
@@ -28,12 +27,11 @@ int run_mcap(const McapRequest& request) {
   if (!metadata || metadata->robot_yaml.empty())
     std::fprintf(stderr, "%s: no robot.yaml is in it, so none is attached\n", request.log.c_str());
   OutputFile out(path);
-  const auto encoding = request.encoding == "json" ? log::McapEncoding::kJson : log::McapEncoding::kProtobuf;
-  log::McapOptions options = log::options_for(encoding);
+  log::McapOptions options;
   options.compress = !request.plain;
   log::McapWriter writer([&out](std::string_view bytes) { out.write(bytes); }, "sprung " SPRUNG_VERSION,
                          options);
-  const log::McapResult result = log::export_mcap(reader, channels, encoding, writer, progress_line("mcap"));
+  const log::McapResult result = log::export_mcap(reader, channels, writer, progress_line("mcap"));
   writer.finish();
   out.finish();
   std::printf("%s: %lld of %lld events, %llu bytes\n", path.c_str(), static_cast<long long>(result.written),
@@ -48,13 +46,15 @@ int run_mcap(const McapRequest& request) {
 
 void add_log_mcap(CommandLine& log) {
   const auto request = std::make_shared<McapRequest>();
-  CommandLine& mcap =
-      log.subcommand("mcap", "A log for Foxglove or PlotJuggler: MCAP with messages and their schemas.");
+  CommandLine& mcap = log.subcommand(
+      "mcap", "A log for Foxglove, Rerun or PlotJuggler: MCAP with messages and their schemas.");
   mcap.option("log", request->log, "LCM log", Need::kRequired);
   mcap.option("--channels", request->keep, "which: NAME, GLOB_* or /regular expression/; may be repeated");
   mcap.option("--drop", request->drop, "which not; may be repeated, wins");
-  mcap.choice("--encoding", request->encoding, {"protobuf", "json"},
-              "of messages; json is text that anything reads, and takes longer; NaN is null there");
+  mcap.gone("--encoding",
+            "messages are protocol buffers: Foxglove, Rerun and PlotJuggler read it. Leave the option out; "
+            "for text, "
+            "sprung log csv");
   mcap.flag("--plain", request->plain, "do not compress (zstd)");
   mcap.option("-o,--output", request->out, "file; default: named after the log, in this folder");
   mcap.example("sprung log mcap logs/pegasus.lcm --drop CAN_TRACE -o pegasus.mcap");

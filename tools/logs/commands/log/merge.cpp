@@ -24,8 +24,8 @@ int run_merge(const MergeRequest& request) {
 
 void add_log_merge(CommandLine& log) {
   const auto request = std::make_shared<MergeRequest>();
-  CommandLine& merge =
-      log.subcommand("merge", "Several logs as one, in the order in which messages were received.");
+  CommandLine& merge = log.subcommand("merge",
+                                      "Several logs as one, in the order in which messages were received.");
   merge.option("log", request->logs, "LCM logs, e.g. the parts of a recording that was split",
                Need::kRequired);
   merge.option("-o,--output", request->out, "log to write");

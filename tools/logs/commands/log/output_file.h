@@ -32,8 +32,8 @@ class OutputFile {
 
  private:
   [[noreturn]] void fail() const {
-    const std::string hint =
-        errno == ENOSPC || errno == EDQUOT ? "; make room, or write to another disk" : "";
+    const std::string hint = errno == ENOSPC || errno == EDQUOT ? "; make room, or write to another disk"
+                                                                : "";
     throw std::runtime_error("cannot write " + (path_ == "-" ? "to standard output" : path_) + ": " +
                              std::strerror(errno) + hint);
   }

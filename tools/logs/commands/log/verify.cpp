@@ -35,8 +35,8 @@ int run_repair(const std::string& path, const std::string& out_or_none) {
 
 void add_log_verify(CommandLine& log) {
   const auto logs = std::make_shared<std::vector<std::string>>();
-  CommandLine& verify =
-      log.subcommand("verify", "Whether a log is whole; else exit status 1, and what is wrong where.");
+  CommandLine& verify = log.subcommand(
+      "verify", "Whether a log is whole; else exit status 1, and what is wrong where.");
   verify.option("log", *logs, "LCM logs", Need::kRequired);
   verify.example("sprung log verify logs/*.lcm");
   verify.action([=] { return run_verify(*logs); });

@@ -1,0 +1,70 @@
+#include "drivers/bridge/background_reads.h"
+
+#include <utility>
+
+#include "drivers/canopen/objects.h"
+
+namespace sprung {
+namespace {
+
+using canopen::SdoStatus;
+
+constexpr std::int64_t kSupplyPeriod_us = 1'000'000;
+constexpr std::int64_t kSupplyStagger_us = 20'000;  // a node: not all drives ask the bus in one cycle
+// [design choice] a TPDO2 that was lost is asked for after this; drives switch within milliseconds
+constexpr std::int64_t kModeRead_us = 50'000;
+
+}  // namespace
+
+void BackgroundReads::begin_operation(int node, std::int64_t time_us) noexcept {
+  reading_ = Reading::kNothing;
+  next_supply_us_ = time_us + kSupplyStagger_us * node;
+}
+
+bool BackgroundReads::step(std::int64_t time_us, canopen::SdoClient& sdo, std::int64_t unconfirmed_us,
+                           CanFrame& out) noexcept {
+  if (sdo.status() != SdoStatus::kBusy) {
+    take(sdo);
+    reading_ = next(time_us, unconfirmed_us);
+    if (reading_ == Reading::kNothing) return false;
+    sdo.read(object_of(reading_));
+  }
+  return sdo.step(time_us, out);
+}
+
+/// A refusal or a time-out leaves the last value.
+void BackgroundReads::take(canopen::SdoClient& sdo) noexcept {
+  const bool good = sdo.status() == SdoStatus::kDone;
+  if (!good && sdo.status() != SdoStatus::kIdle) ++failures_;
+  if (reading_ == Reading::kSupply && good) measured_supply_V_ = profile_.supply_V(sdo.value());
+  if (reading_ == Reading::kMode && good) mode_ = static_cast<std::int8_t>(sdo.value() & 0xFF);
+  if (reading_ == Reading::kIndex) {
+    // Until an index pulse has been passed the count is 0 [U].
+    index_answer_ = good && sdo.value() != 0 ? IndexAnswer::kKnown : IndexAnswer::kFailed;
+    index_counts_ = static_cast<std::int32_t>(sdo.value());
+  }
+  reading_ = Reading::kNothing;
+  sdo.finish();
+}
+
+BackgroundReads::Reading BackgroundReads::next(std::int64_t time_us, std::int64_t unconfirmed_us) noexcept {
+  if (index_answer_ == IndexAnswer::kWaiting) return Reading::kIndex;
+  if (unconfirmed_us > kModeRead_us && time_us >= next_mode_us_) {
+    next_mode_us_ = time_us + kModeRead_us;
+    return Reading::kMode;
+  }
+  if (time_us < next_supply_us_ || profile_.supply_voltage_object().index == 0) return Reading::kNothing;
+  next_supply_us_ = time_us + kSupplyPeriod_us;
+  return Reading::kSupply;
+}
+
+canopen::ObjectId BackgroundReads::object_of(Reading reading) const noexcept {
+  if (reading == Reading::kMode) return {canopen::kModeDisplay, 0};
+  return reading == Reading::kIndex ? profile_.index_counter_object() : profile_.supply_voltage_object();
+}
+
+std::optional<std::int8_t> BackgroundReads::take_mode() noexcept {
+  return std::exchange(mode_, std::nullopt);
+}
+
+}  // namespace sprung

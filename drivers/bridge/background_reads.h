@@ -1,0 +1,58 @@
+#pragma once
+/// What is read from a drive beside its cycle, one object at a time: its supply voltage once a second, its
+/// mode where it does not show the one that it was told, and the count of its encoder at the last index.
+/// Stepped by time.
+#include <cstdint>
+#include <optional>
+
+#include "drivers/canopen/sdo_client.h"
+#include "drivers/profiles/drive_profile.h"
+#include "signals/bus_state.h"
+#include "signals/vec3.h"
+
+namespace sprung {
+
+/// Answer to BackgroundReads::ask_index().
+enum class IndexAnswer : std::int8_t { kNone, kWaiting, kKnown, kFailed };
+
+class BackgroundReads {
+ public:
+  /// @param profile of the drive, which outlives this.
+  explicit BackgroundReads(const DriveProfile& profile) noexcept : profile_(profile) {}
+
+  /// The drive is in operation; what was being read is forgotten.
+  void begin_operation(int node, std::int64_t time_us) noexcept;
+  /// @param sdo of the node, free for this while it is in operation. @param unconfirmed_us as ModeWatch.
+  /// @return whether `out` has to be sent.
+  bool step(std::int64_t time_us, canopen::SdoClient& sdo, std::int64_t unconfirmed_us,
+            CanFrame& out) noexcept;
+
+  double supply_V() const noexcept { return measured_supply_V_; }  ///< NaN until it was read
+  /// The mode display that was read since the last call.
+  std::optional<std::int8_t> take_mode() noexcept;
+
+  void ask_index() noexcept { index_answer_ = IndexAnswer::kWaiting; }
+  IndexAnswer index_answer() const noexcept { return index_answer_; }
+  std::int32_t index_counts() const noexcept { return index_counts_; }  ///< when kKnown
+  /// Adds what was refused or not answered to the node's SDO failures.
+  void show(NodeHealth& out) const noexcept { out.sdo_failures += failures_; }
+
+ private:
+  enum class Reading : std::int8_t { kNothing, kSupply, kMode, kIndex };
+
+  void take(canopen::SdoClient& sdo) noexcept;
+  Reading next(std::int64_t time_us, std::int64_t unconfirmed_us) noexcept;
+  canopen::ObjectId object_of(Reading reading) const noexcept;
+
+  const DriveProfile& profile_;
+  Reading reading_ = Reading::kNothing;
+  std::int64_t next_supply_us_ = 0;
+  std::int64_t next_mode_us_ = 0;
+  double measured_supply_V_ = kNaN;
+  std::optional<std::int8_t> mode_;
+  IndexAnswer index_answer_ = IndexAnswer::kNone;
+  std::int32_t index_counts_ = 0;
+  std::int64_t failures_ = 0;
+};
+
+}  // namespace sprung

@@ -1,0 +1,96 @@
+#pragma once
+/// sprung's own landing (JumpMode::kAdaptive) of one leg: from lift-off, or from the beginning of a fall, to
+/// the end of the landing. docs/control.md, "Landing", derives it. Pure; time is the message's.
+///
+/// In a fall the foot meets the ground nearly at rest instead of the ground stopping the rotors:
+///   stretch   the leg gets longer: an earlier and slower touchdown, more way to stop in;
+///   braking   the foot is drawn in so that it slows down over ground, to a small speed a little above where
+///             the ground is expected; with that speed it goes on until there is contact;
+///   ground    from measured contact on the leg yields so that the body stops evenly over the way that is
+///             left. First the motors move the rotors as the measured force would move a light foot, and take
+///             its horizontal part off; then a soft spring and damper are left, and the planned force is fed
+///             forward.
+/// In a jump, unless the preset says otherwise: the jump's curve in position, then late a spring of its own.
+#include <cstdint>
+
+#include "planner/ballistics.h"
+#include "planner/foot_move.h"
+#include "planner/leg_gains.h"
+#include "robots/robot_config.h"
+#include "signals/joint_state.h"
+#include "signals/vec3.h"
+
+namespace sprung {
+
+struct AdaptiveLandingInput {
+  std::int64_t utime_us = 0;
+  FootPoint planned;  ///< where jump or fall would have the foot now
+  JumpProgress progress;
+  EstimatedLeg measured;  ///< foot, its velocity and force, contact
+};
+
+struct AdaptiveLandingOutput {
+  FootPoint desired;
+  ControlMode control_mode = ControlMode::kPosition;
+  StiffnessConfig gains;  ///< in compliance
+  Vec3 feedforward_force_N{0, 0, 0};
+  double friction_compensation = 0.0;
+  double inertia_compensation = 0.0;
+};
+
+enum class FlightKind { kJump, kFall };
+
+class AdaptiveLanding {
+ public:
+  AdaptiveLanding(const RobotConfig& robot, const LegConfig& leg, const PresetConfig& preset);
+
+  /// Flight begins.
+  void begin(const ExpectedTouchdown& expected, FlightKind kind) noexcept;
+  /// Once a cycle, in flight and landing. @param in.progress.phase says which; kLanding from the cycle of the
+  /// measured touchdown.
+  AdaptiveLandingOutput step(const AdaptiveLandingInput& in) noexcept;
+
+ private:
+  enum class Stage { kBefore, kStretching, kBraking, kGround };
+
+  AdaptiveLandingOutput as_hybrid(const AdaptiveLandingInput& in) const noexcept;
+  void start(const AdaptiveLandingInput& in) noexcept;
+  void stretch() noexcept;
+  void brake(double dt_s) noexcept;
+  FootPoint stretched() const noexcept;
+  /// Along x the foot goes on while it brakes.
+  void set_x(const FootPoint& like) noexcept;
+  bool touched(const AdaptiveLandingInput& in) const noexcept;
+  void touch_down(const AdaptiveLandingInput& in) noexcept;
+  void yield(double dt_s) noexcept;
+  AdaptiveLandingOutput output() const noexcept;
+  void air(AdaptiveLandingOutput& out) const noexcept;
+  void ground(AdaptiveLandingOutput& out) const noexcept;
+  /// By `share`, spring, damper and `force_N` along this axis move a mass instead of the rotors as they are.
+  void move_as_mass(std::size_t axis, double mass_kg, double force_N, double share,
+                    AdaptiveLandingOutput& out) const noexcept;
+  double force_rise() const noexcept;
+  /// In which the foot slows down to its approach speed.
+  double braking_way_m() const noexcept;
+  /// Of the hip over the expected ground, in free fall.
+  double hip_height_m() const noexcept;
+  double hip_velocity_m_s() const noexcept;
+
+  PresetConfig preset_;
+  AdaptiveLandingConfig config_;
+  ExpectedTouchdown expected_;
+  FlightKind kind_ = FlightKind::kFall;
+  Stage stage_ = Stage::kBefore;
+  std::int64_t begun_us_ = 0;
+  std::int64_t now_us_ = 0;
+  FootMove move_;   ///< of the stretch
+  FootPoint foot_;  ///< desired
+  EstimatedLeg measured_;
+  double approach_m_s_;         ///< of the foot over ground, downward
+  double braking_m_s2_ = 0.0;   ///< in kBraking, now
+  double stopping_m_s2_ = 0.0;  ///< of the body, in kGround
+  double ground_s_ = 0.0;       ///< since contact
+  double pushed_s_ = 0.0;       ///< for how long the foot's force has been beyond its bound
+};
+
+}  // namespace sprung

@@ -1,0 +1,130 @@
+#pragma once
+/// Every value of a loaded sim.yaml as text.
+#include <string>
+
+#include "simulation/plant/sim_config.h"
+#include "tests/support/value_dump.h"
+
+namespace sprung::sim {
+
+using test::ValueDump;
+
+inline void dump_value(ValueDump& dump, const std::string& at, const PlantBodyConfig& value) {
+  const auto& [name, mass_kg] = value;
+  dump.fields(at, "name mass_kg", name, mass_kg);
+}
+
+inline void dump_value(ValueDump& dump, const std::string& at, const ContactConfig& value) {
+  const auto& [stiffness_N_m, damping_N_s_m, friction] = value;
+  dump.fields(at, "stiffness_N_m damping_N_s_m friction", stiffness_N_m, damping_N_s_m, friction);
+}
+
+inline void dump_value(ValueDump& dump, const std::string& at, const GroundStep& value) {
+  const auto& [from_m, length_m, right_m, width_m, height_m] = value;
+  dump.fields(at, "from_m length_m right_m width_m height_m", from_m, length_m, right_m, width_m, height_m);
+}
+
+inline void dump_value(ValueDump& dump, const std::string& at, const GroundConfig& value) {
+  const auto& [slope_rad, side_slope_rad, error_m, error_seed, steps] = value;
+  dump.fields(at, "slope_rad side_slope_rad error_m error_seed steps", slope_rad, side_slope_rad, error_m,
+              error_seed, steps);
+}
+
+inline void dump_value(ValueDump& dump, const std::string& at, const FrictionTemperatureConfig& value) {
+  const auto& [per_K, reference_degC, coulomb_share] = value;
+  dump.fields(at, "per_K reference_degC coulomb_share", per_K, reference_degC, coulomb_share);
+}
+
+inline void dump_value(ValueDump& dump, const std::string& at, const FrictionConfig& value) {
+  const auto& [coulomb, breakaway, speed, viscous, driving, back_driving, asymmetry, temperature] = value;
+  dump.fields(
+      at,
+      "coulomb_Nm breakaway_Nm stribeck_speed_rad_s viscous_Nm_s_rad driving_share back_driving_share "
+      "asymmetry temperature",
+      coulomb, breakaway, speed, viscous, driving, back_driving, asymmetry, temperature);
+}
+
+inline void dump_value(ValueDump& dump, const std::string& at, const ThermalConfig& value) {
+  const auto& [resistance_K_W, time_constant_s] = value;
+  dump.fields(at, "resistance_K_W time_constant_s", resistance_K_W, time_constant_s);
+}
+
+inline void dump_value(ValueDump& dump, const std::string& at, const TorsionConfig& value) {
+  const auto& [stiffness, second_stiffness, second_from, damping] = value;
+  dump.fields(at, "stiffness_Nm_rad second_stiffness_Nm_rad second_from_Nm damping_Nm_s_rad", stiffness,
+              second_stiffness, second_from, damping);
+}
+
+inline void dump_value(ValueDump& dump, const std::string& at, const PlantJointConfig& value) {
+  const auto& [name, initial, lying, armature, min, max, friction, thermal, torsion] = value;
+  dump.fields(at,
+              "name initial_rad lying_rad armature_kg_m2 stop_min_rad stop_max_rad friction thermal torsion",
+              name, initial, lying, armature, min, max, friction, thermal, torsion);
+}
+
+inline void dump_value(ValueDump& dump, const std::string& at, const PlantConfig& value) {
+  const auto& [step_s, suspended_m, lies, roll_rad, rail_x_locked, floor_height_m, ground, ambient_degC,
+               torsion, bodies, joints, contact] = value;
+  dump.fields(
+      at,
+      "step_s suspended_m lies roll_rad rail_x_locked floor_height_m ground ambient_degC torsion bodies "
+      "joints contact",
+      step_s, suspended_m, lies, roll_rad, rail_x_locked, floor_height_m, ground, ambient_degC, torsion,
+      bodies, joints, contact);
+}
+
+inline void dump_value(ValueDump& dump, const std::string& at, const KinematicErrorConfig& value) {
+  const auto& [amplitude_rad, order, phase_rad] = value;
+  dump.fields(at, "amplitude_rad order phase_rad", amplitude_rad, order, phase_rad);
+}
+
+inline void dump_value(ValueDump& dump, const std::string& at, const MountingConfig& value) {
+  const auto& [direction, link_direction, link_offset_rad] = value;
+  dump.fields(at, "direction link_direction link_offset_rad", direction, link_direction, link_offset_rad);
+}
+
+inline void dump_value(ValueDump& dump, const std::string& at, const SimDriveConfig& value) {
+  const auto& [actuator, torque_constant, torque_loop, peak_torque, torque_noise, supply, quick_stop,
+               supply_min, supply_max, absolute, index_angle, smoothing, mode_delay, starts_in_fault, latches,
+               error, mounting] = value;
+  dump.fields(
+      at,
+      "actuator torque_constant_Nm_A torque_loop_Hz peak_torque_Nm torque_noise_Nm supply_V "
+      "quick_stop_damping_Nm_s_rad supply_min_V supply_max_V absolute_encoder index_angle_rad "
+      "smoothing_s mode_delay_s starts_in_fault latches_communication_faults kinematic_error mounting",
+      actuator, torque_constant, torque_loop, peak_torque, torque_noise, supply, quick_stop, supply_min,
+      supply_max, absolute, index_angle, smoothing, mode_delay, starts_in_fault, latches, error, mounting);
+}
+
+inline void dump_value(ValueDump& dump, const std::string& at, const SimCardConfig& value) {
+  const auto& [name, noise_rad] = value;
+  dump.fields(at, "name noise_rad", name, noise_rad);
+}
+
+inline void dump_value(ValueDump& dump, const std::string& at, const TorqueSensorConfig& value) {
+  const auto& [joint, rate_Hz, noise_Nm, resolution_Nm] = value;
+  dump.fields(at, "joint rate_Hz noise_Nm resolution_Nm", joint, rate_Hz, noise_Nm, resolution_Nm);
+}
+
+inline void dump_value(ValueDump& dump, const std::string& at, const ImuConfig& value) {
+  const auto& [rate_noise, rate_bias, force_noise, force_bias, attitude_noise, tilt_bias, yaw_drift] = value;
+  dump.fields(at,
+              "rate_noise_rad_s rate_bias_rad_s force_noise_m_s2 force_bias_m_s2 attitude_noise_rad "
+              "tilt_bias_rad yaw_drift_rad_s",
+              rate_noise, rate_bias, force_noise, force_bias, attitude_noise, tilt_bias, yaw_drift);
+}
+
+inline void dump_value(ValueDump& dump, const std::string& at, const TimingConfig& value) {
+  const auto& [compute_s, sync_jitter_s] = value;
+  dump.fields(at, "compute_s sync_jitter_s", compute_s, sync_jitter_s);
+}
+
+inline std::string dump_of(const SimConfig& config) {
+  const auto& [plant, drives, cards, torque_sensor, imu, timing] = config;
+  ValueDump dump;
+  dump.fields("", "plant drives cards torque_sensor imu timing", plant, drives, cards, torque_sensor, imu,
+              timing);
+  return dump.text();
+}
+
+}  // namespace sprung::sim

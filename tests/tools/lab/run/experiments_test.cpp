@@ -1,0 +1,80 @@
+#include "tools/lab/run/experiments.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "robots/robot_loader.h"
+
+namespace sprung {
+namespace {
+
+using testing::HasSubstr;
+
+std::set<std::string> names_of(const std::vector<Experiment>& experiments) {
+  std::set<std::string> out;
+  for (const Experiment& experiment : experiments) out.insert(experiment.name);
+  return out;
+}
+
+TEST(Experiments, EveryOneHasItsOwnNameAQuestionARunAndAnExample) {
+  for (const Experiment& experiment : experiments()) {
+    EXPECT_FALSE(experiment.what.empty()) << experiment.name;
+    EXPECT_EQ(experiment.question.back(), '?') << experiment.name;
+    EXPECT_TRUE(experiment.run) << experiment.name;
+    EXPECT_THAT(experiment.example, HasSubstr("--")) << experiment.name;
+    EXPECT_NO_THROW(load_robot(experiment.robot)) << experiment.name;
+  }
+  EXPECT_EQ(names_of(experiments()).size(), experiments().size());
+}
+
+TEST(Experiments, OptionsOfOneTableAreNotThoseOfAnother) {
+  const auto endurance = [](const std::vector<Experiment>& all) {
+    return *std::find_if(all.begin(), all.end(), [](const Experiment& e) { return e.name == "endurance"; });
+  };
+  const Experiment changed = endurance(experiments());
+  changed.shorten();
+  EXPECT_EQ(changed.own.words(), " --seeds 20 --minutes 1");
+  EXPECT_EQ(endurance(experiments()).own.words(), " --seeds 20 --minutes 10");
+}
+
+TEST(Experiments, ALegJumpsAndARobotThatWalksHasExperimentsOfItsOwn) {
+  EXPECT_EQ(names_of(experiments_of(load_robot("single_leg"))),
+            (std::set<std::string>{"jump", "foot_return", "step_response", "drop", "jump_ensemble"}));
+  EXPECT_EQ(
+      names_of(experiments_of(load_robot("pegasus"))),
+      (std::set<std::string>{"foot_return", "stand_push", "walk", "ground_error", "push", "endurance"}));
+}
+
+TEST(Experiments, PresetsThatTheRobotHasNotAreItsUsualOne) {
+  for (const char* name : {"single_leg", "pegasus"}) {
+    RobotConfig robot = load_robot(name);
+    for (const bool in_all : {false, true}) {
+      ExperimentRequest request;
+      request.in_all = in_all;
+      for (const Experiment& experiment : experiments_of(robot))
+        EXPECT_NO_THROW(robot.preset(experiment_input(experiment, request, robot).preset)) << experiment.name;
+    }
+    robot.presets.erase(robot.presets.begin());
+    robot.presets.front().name = "soft";
+    for (const Experiment& experiment : experiments_of(robot))
+      EXPECT_EQ(experiment_input(experiment, {}, robot).preset, "soft") << experiment.name;
+  }
+}
+
+TEST(Experiments, ARobotThatCannotStandIsRefusedWithTheReason) {
+  for (const char* name : {"test_axis"}) {
+    try {
+      experiments_of(load_robot(name));
+      FAIL() << name;
+    } catch (const std::invalid_argument& error) {
+      EXPECT_THAT(error.what(), HasSubstr(name));
+      EXPECT_THAT(error.what(), HasSubstr("friction_sweep"));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace sprung

@@ -1,0 +1,149 @@
+#include "tools/lab/run/experiment.h"
+
+#include <chrono>
+#include <exception>
+
+#include "simulation/sim_shell.h"
+#include "tools/lab/run/separate_run.h"
+
+namespace sprung {
+namespace {
+
+std::string command_of(const Experiment& experiment, const ExperimentRequest& request,
+                       const std::string& preset) {
+  std::string line = "sprung experiment " + experiment.name + " --robot " + request.robot;
+  if (experiment.takes.count(Common::kPreset) > 0) line += " --preset " + preset;
+  for (const std::string& change : request.plant) line += " --plant " + change;
+  return line + " --seed " + std::to_string(request.seed) + experiment.own.words() +
+         (request.separate ? " --separate" : "");
+}
+
+std::string preset_of(const Experiment& experiment, const ExperimentRequest& request,
+                      const RobotConfig& robot) {
+  if (!request.preset.empty()) return robot.preset(request.preset).name;
+  return preset_or(robot, request.in_all ? experiment.presets.in_all : experiment.presets.alone);
+}
+
+ExperimentReport report_of(const Experiment& experiment, const ExperimentInput& input) {
+  ExperimentReport rows;
+  rows.experiment = experiment.name;
+  rows.robot = input.robot.name;
+  rows.preset = input.preset;
+  rows.seed = input.sim.seed;
+  rows.separate_processes = input.asked.separate;
+  return rows;
+}
+
+FinishedExperiment run_or_failure(const Experiment& experiment, const ExperimentInput& input) {
+  try {
+    return run_experiment(experiment, input);
+  } catch (const std::exception& error) {
+    return {experiment.name, experiment.question, input.command, report_of(experiment, input), {},
+            error.what()};
+  }
+}
+
+}  // namespace
+
+void OwnOptions::choice(const std::string& name, std::string& value, const std::vector<std::string>& allowed,
+                        const std::string& help) {
+  add([=, &value](CommandLine& line) { line.choice(name, value, allowed, help); },
+      [=, &value] { return words_of(name, value); });
+}
+
+void OwnOptions::flag(const std::string& name, bool& value, const std::string& help) {
+  add([=, &value](CommandLine& line) { line.flag(name, value, help); },
+      [=, &value] { return value ? " " + name : std::string(); });
+}
+
+void OwnOptions::add_to(CommandLine& line) const {
+  for (const auto& option : options_) option.first(line);
+}
+
+std::string OwnOptions::words() const {
+  std::string out;
+  for (const auto& option : options_) out += option.second();
+  return out;
+}
+
+std::string OwnOptions::words_of(const std::string& name, const std::string& value) {
+  return value.empty() ? "" : " " + name + " " + value;
+}
+std::string OwnOptions::words_of(const std::string& name, const std::vector<std::string>& values) {
+  std::string out;
+  for (const std::string& value : values) out += words_of(name, value);
+  return out;
+}
+std::string OwnOptions::words_of(const std::string& name, double value) {
+  return words_of(name, report::number_text(value));
+}
+std::string OwnOptions::words_of(const std::string& name, int value) {
+  return words_of(name, std::to_string(value));
+}
+std::string OwnOptions::words_of(const std::string& name, std::uint64_t value) {
+  return words_of(name, std::to_string(value));
+}
+
+ExperimentInput experiment_input(const Experiment& experiment, const ExperimentRequest& request,
+                                 const RobotConfig& robot) {
+  ExperimentInput input;
+  input.asked = request;
+  input.robot = robot;
+  input.preset = preset_of(experiment, request, robot);
+  if (experiment.needs_gaits && robot.gaits.empty())
+    throw WrongUse("experiment " + experiment.name + " needs a robot that walks; " + request.robot +
+                   " has no gaits");
+  input.sim.seed = request.seed;
+  input.sim.plant = parse_plant(request.plant);
+  input.run = script_runner(request.separate);
+  input.parallel.jobs = request.separate ? 1 : request.jobs;
+  input.command = command_of(experiment, request, input.preset);
+  return input;
+}
+
+void refuse_separate(const ExperimentInput& input) {
+  if (input.asked.separate)
+    throw std::invalid_argument("this experiment runs in one process: without --separate, please");
+}
+
+FinishedExperiment run_experiment(const Experiment& experiment, const ExperimentInput& input) {
+  const auto started = std::chrono::steady_clock::now();
+  FinishedExperiment out{experiment.name,       experiment.question,
+                         input.command,         report_of(experiment, input),
+                         experiment.run(input), ""};
+  out.rows.rows = std::move(out.output.rows);
+  out.rows.simulated_s = out.output.simulated_s;
+  out.rows.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+  return out;
+}
+
+std::vector<FinishedExperiment> run_experiments(
+    const std::vector<Experiment>& experiments, const ExperimentRequest& request, const RobotConfig& robot,
+    const std::function<void(std::size_t, std::size_t)>& on_progress) {
+  std::vector<FinishedExperiment> finished(experiments.size());
+  const auto run_one = [&](std::size_t i, int jobs) {
+    if (experiments[i].shorten) experiments[i].shorten();
+    ExperimentRequest asked = request;
+    asked.jobs = jobs;
+    finished[i] = run_or_failure(experiments[i], experiment_input(experiments[i], asked, robot));
+  };
+  std::vector<std::size_t> small;
+  std::size_t done = 0;
+  const auto tell = [&] {
+    ++done;
+    if (on_progress) on_progress(done, experiments.size());
+  };
+  for (std::size_t i = 0; i < experiments.size(); ++i) {
+    if (!experiments[i].many_cases) {
+      small.push_back(i);
+      continue;
+    }
+    run_one(i, request.jobs);
+    tell();
+  }
+  run_parallel(small.size(), [&](std::size_t i) { run_one(small[i], 1); },
+               {request.jobs, [&](std::size_t, std::size_t) { tell(); }});
+  return finished;
+}
+
+}  // namespace sprung

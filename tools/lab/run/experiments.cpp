@@ -1,0 +1,43 @@
+#include "tools/lab/run/experiments.h"
+
+#include <stdexcept>
+
+#include "tools/lab/estimation/estimator_experiment.h"
+#include "tools/lab/faults/fault_experiment.h"
+#include "tools/lab/friction/drag.h"
+#include "tools/lab/friction/friction_sweep.h"
+#include "tools/lab/gait/endurance.h"
+#include "tools/lab/gait/ground_error.h"
+#include "tools/lab/gait/push_experiment.h"
+#include "tools/lab/gait/stand_push.h"
+#include "tools/lab/gait/walk_experiment.h"
+#include "tools/lab/jump/jump_ensemble.h"
+#include "tools/lab/jump/jump_experiment.h"
+#include "tools/lab/landing/drop_experiment.h"
+#include "tools/lab/leg/foot_return.h"
+#include "tools/lab/leg/step_response.h"
+#include "tools/lab/tune/tune.h"
+
+namespace sprung {
+
+std::vector<Experiment> experiments() {
+  return {jump_experiment(), foot_return_experiment(),   stand_push_experiment(), step_response_experiment(),
+          drop_experiment(), jump_ensemble_experiment(), walk_experiment(),       ground_error_experiment(),
+          push_experiment(), endurance_experiment(),     faults_experiment(),     friction_sweep_experiment(),
+          drag_experiment(), estimator_experiment(),     tune_experiment()};
+}
+
+std::vector<Experiment> experiments_of(const RobotConfig& robot) {
+  if (const char* why = robot.why_not_standing())
+    throw std::invalid_argument("the experiments of `all` need a leg that stands, and " + robot.name +
+                                " has none (" + why +
+                                "); for a joint alone there are friction_sweep, drag and estimator");
+  const InAll mine = robot.gaits.empty() ? InAll::kOfALeg : InAll::kOfAWalker;
+  std::vector<Experiment> out;
+  for (const Experiment& experiment : experiments()) {
+    if (experiment.in_all == mine || experiment.in_all == InAll::kOfBoth) out.push_back(experiment);
+  }
+  return out;
+}
+
+}  // namespace sprung
