@@ -16,6 +16,7 @@
 #include "controller/fade.h"
 #include "model/leg_kinematics.h"
 #include "model/transmission.h"
+#include "robots/robot_config.h"
 
 namespace sprung {
 

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "signals/enumeration.h"
 #include "tools/logs/log/event.h"
 
 namespace sprung {
