@@ -88,8 +88,7 @@ JointVector compliance_torque_Nm(const LegKinematics& kinematics, const DesiredL
   const JointVector acceleration = desired_acceleration_rad_s2(kinematics, {pose, damped_inverse(jacobian)},
                                                                foot, leg.velocity_rad_s);
   for (int j = 0; j < torque.size(); ++j)
-    torque[j] += desired.inertia_compensation * joints.armature_kg_m2[static_cast<std::size_t>(j)] *
-                 acceleration[j];
+    torque[j] += desired.inertia_compensation * joints.armature_kg_m2[j] * acceleration[j];
   return torque;
 }
 

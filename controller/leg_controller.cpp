@@ -13,7 +13,7 @@ template <class T>
 std::vector<T> pick(const std::vector<T>& all, const std::vector<int>& indices) {
   std::vector<T> out;
   out.reserve(indices.size());
-  for (int i : indices) out.push_back(all.at(static_cast<std::size_t>(i)));
+  for (int i : indices) out.push_back(all.at(i));
   return out;
 }
 
@@ -88,8 +88,7 @@ LegOutcome LegController::follow(const DesiredLeg& desired, double desired_age_s
 bool LegController::read(const std::vector<EstimatedJoint>& joints) noexcept {
   all_enabled_ = true;
   for (int j = 0; j < transmission_.size(); ++j) {
-    const EstimatedJoint&
-        joint = joints[static_cast<std::size_t>(joint_indices_[static_cast<std::size_t>(j)])];
+    const EstimatedJoint& joint = joints[joint_indices_[j]];
     measured_.position_rad[j] = joint.estimated_position_rad;
     measured_.velocity_rad_s[j] = joint.estimated_velocity_rad_s;
     measured_.temperature_C[j] = joint.estimated_temperature_degC;
@@ -188,7 +187,7 @@ void LegController::clamp_to_limits(double dt_s, JointVector& position_rad,
                                     JointVector& velocity_rad_s) noexcept {
   const double back_rad = kBackIntoLimits_rad_s * dt_s;
   for (int j = 0; j < position_rad.size(); ++j) {
-    const JointConfig& joint = joints_[static_cast<std::size_t>(j)];
+    const JointConfig& joint = joints_[j];
     const double low = joint.position_min_rad + kPositionMargin_rad;
     const double high = joint.position_max_rad - kPositionMargin_rad;
     const double measured = measured_.position_rad[j];
@@ -218,7 +217,7 @@ LegOutcome LegController::compliance(const DesiredLeg& desired, const FootMotion
   const JointVector actuator_rad_s = transmission_.actuator_from_joint(measured_.velocity_rad_s);
   fill(out, DriveMode::kTorque);
   for (int i = 0; i < transmission_.size(); ++i) {
-    TorqueLimiter& limiter = limiters_[static_cast<std::size_t>(i)];
+    TorqueLimiter& limiter = limiters_[i];
     command(out, i).commanded_torque_Nm = limiter.limit(actuator_Nm[i], actuator_rad_s[i], dt_s, counts_);
   }
   return LegOutcome::kOk;
@@ -226,10 +225,10 @@ LegOutcome LegController::compliance(const DesiredLeg& desired, const FootMotion
 
 void LegController::add_soft_stops(JointVector& torque_Nm) noexcept {
   for (int j = 0; j < torque_Nm.size(); ++j) {
-    const ActuatorConfig& a = actuators_[static_cast<std::size_t>(j)];
-    torque_Nm[j] = with_soft_stop(torque_Nm[j], joints_[static_cast<std::size_t>(j)],
-                                  measured_.position_rad[j], measured_.velocity_rad_s[j],
-                                  a.position_stiffness_Nm_rad, a.position_damping_Nm_s_rad, counts_);
+    const ActuatorConfig& a = actuators_[j];
+    torque_Nm[j] = with_soft_stop(torque_Nm[j], joints_[j], measured_.position_rad[j],
+                                  measured_.velocity_rad_s[j], a.position_stiffness_Nm_rad,
+                                  a.position_damping_Nm_s_rad, counts_);
   }
 }
 
@@ -240,8 +239,8 @@ void LegController::enter_compliance(const JointVector& law_Nm, double dt_s) noe
   const JointVector change_Nm = transmission_.actuator_torque(offset_Nm_);
   double share = 0.0;
   for (int i = 0; i < transmission_.size(); ++i) {
-    limiters_[static_cast<std::size_t>(i)].start_from(actuator_Nm[i]);
-    share = std::max(share, std::abs(change_Nm[i]) / actuators_[static_cast<std::size_t>(i)].torque_limit_Nm);
+    limiters_[i].start_from(actuator_Nm[i]);
+    share = std::max(share, std::abs(change_Nm[i]) / actuators_[i].torque_limit_Nm);
   }
   fade_.start(fade_time_s(share, kModeFadeStep, dt_s));
 }
@@ -251,8 +250,7 @@ void LegController::damp(DriveCommand& out) noexcept {
   entering_ = true;
   fill(out, DriveMode::kDamping);
   for (int i = 0; i < transmission_.size(); ++i) {
-    command(out, i).commanded_damping_Nm_s_rad = actuators_[static_cast<std::size_t>(i)]
-                                                     .safety_damping_Nm_s_rad;
+    command(out, i).commanded_damping_Nm_s_rad = actuators_[i].safety_damping_Nm_s_rad;
   }
 }
 
@@ -263,7 +261,7 @@ void LegController::disable(DriveCommand& out) noexcept {
 }
 
 ActuatorCommand& LegController::command(DriveCommand& out, int i) const noexcept {
-  return out.actuators[static_cast<std::size_t>(actuator_indices_[static_cast<std::size_t>(i)])];
+  return out.actuators[actuator_indices_[i]];
 }
 
 void LegController::fill(DriveCommand& out, DriveMode mode) const noexcept {

@@ -43,7 +43,7 @@ void SetPointBlend::start_motion(const SetPoints& from, const SetPoints& to) noe
 void SetPointBlend::start_torque(const JointVector& actuator_torque_Nm, double dt_s) noexcept {
   double share = 0.0;
   for (int i = 0; i < torque_Nm_.size(); ++i) {
-    const Loop& loop = loops_[static_cast<std::size_t>(i)];
+    const Loop& loop = loops_[i];
     const double known_Nm = loop.stiffness_Nm_rad > 0.0 ? actuator_torque_Nm[i] : 0.0;
     torque_Nm_[i] = std::clamp(known_Nm, -loop.torque_limit_Nm, loop.torque_limit_Nm);
     share = std::max(share, std::abs(torque_Nm_[i]) / loop.torque_limit_Nm);
@@ -57,7 +57,7 @@ void SetPointBlend::start_torque(const JointVector& actuator_torque_Nm, double d
 
 void SetPointBlend::feed_forward(const JointVector& actuator_torque_Nm) noexcept {
   for (int i = 0; i < feedforward_Nm_.size(); ++i) {
-    const Loop& loop = loops_[static_cast<std::size_t>(i)];
+    const Loop& loop = loops_[i];
     const double known_Nm = loop.stiffness_Nm_rad > 0.0 ? actuator_torque_Nm[i] : 0.0;
     feedforward_Nm_[i] = std::clamp(known_Nm, -loop.torque_limit_Nm, loop.torque_limit_Nm);
   }
@@ -71,7 +71,7 @@ void SetPointBlend::advance(double dt_s) noexcept {
 
 void SetPointBlend::displace(double dt_s) noexcept {
   for (int i = 0; i < torque_Nm_.size(); ++i) {
-    const Loop& loop = loops_[static_cast<std::size_t>(i)];
+    const Loop& loop = loops_[i];
     const double resistance = loop.damping_Nm_s_rad + loop.stiffness_Nm_rad * dt_s;
     double& p = displacement_.position_rad[i];
     double& rate = displacement_.velocity_rad_s[i];

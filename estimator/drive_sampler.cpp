@@ -40,7 +40,7 @@ DriveSampler::DriveSampler(const RobotConfig& robot, const LegConfig& leg)
     : indices_(leg.actuators), transmission_(leg) {
   JointVector quantisation(transmission_.size());
   for (std::size_t i = 0; i < indices_.size(); ++i) {
-    const ActuatorConfig& a = robot.actuators.at(static_cast<std::size_t>(indices_[i]));
+    const ActuatorConfig& a = robot.actuators.at(indices_[i]);
     actuators_.push_back(a);
     quantisation[static_cast<int>(i)] = 0.5 * kCurrentStep * a.rated_current_A * torque_per_A(a);
   }
@@ -48,7 +48,7 @@ DriveSampler::DriveSampler(const RobotConfig& robot, const LegConfig& leg)
 }
 
 const ActuatorState& DriveSampler::state(const std::vector<ActuatorState>& actuators, int i) const noexcept {
-  return actuators[static_cast<std::size_t>(indices_[static_cast<std::size_t>(i)])];
+  return actuators[indices_[i]];
 }
 
 void DriveSampler::sample(const std::vector<ActuatorState>& actuators,
@@ -60,17 +60,16 @@ void DriveSampler::sample(const std::vector<ActuatorState>& actuators,
     // 0 * NaN is NaN: without this a drive would spoil joints that it does not move.
     position[i] = finite(s) ? s.measured_position_rad : 0.0;
     link[i] = s.measured_link_position_rad;
-    torque[i] = finite(s) ? torque_per_A(actuators_[static_cast<std::size_t>(i)]) * s.measured_current_A
-                          : 0.0;
+    torque[i] = finite(s) ? torque_per_A(actuators_[i]) * s.measured_current_A : 0.0;
   }
   const JointVector joint_position = transmission_.joint_from_actuator(position);
   const JointVector joint_torque = transmission_.joint_torque(torque);
   for (int j = 0; j < n; ++j) {
-    JointSample& out = samples[static_cast<std::size_t>(j)];
+    JointSample& out = samples[j];
     out = joint_sample(j, actuators);
     out.measured_position_rad = joint_position[j];
     out.measured_link_position_rad = joint_link(j, link);
-    out.motor_angle_rad = position[j] * actuators_[static_cast<std::size_t>(j)].gear_ratio;
+    out.motor_angle_rad = position[j] * actuators_[j].gear_ratio;
     out.motor_torque_Nm = joint_torque[j];
     out.current_quantisation_Nm = quantisation_Nm_[j];
   }
@@ -92,7 +91,7 @@ JointSample DriveSampler::joint_sample(int joint,
     out.fresh = out.fresh && s.age_cycles == 0 && finite(s);
     out.drive_enabled = out.drive_enabled && drive_enabled(s);
     // The wire values are in order of harm.
-    out.drive_status = std::max(out.drive_status, drive_status(s, actuators_[static_cast<std::size_t>(i)]));
+    out.drive_status = std::max(out.drive_status, drive_status(s, actuators_[i]));
   }
   return out;
 }
@@ -101,7 +100,7 @@ double DriveSampler::encoder_step_rad(int joint) const noexcept {
   const int n = transmission_.size();
   JointVector step(n);
   for (int i = 0; i < n; ++i) {
-    const ActuatorConfig& a = actuators_[static_cast<std::size_t>(i)];
+    const ActuatorConfig& a = actuators_[i];
     step[i] = 2.0 * kPi / (a.encoder_counts_per_turn * a.gear_ratio);
   }
   return transmission_.joint_motion_bound(step)[joint];

@@ -90,7 +90,7 @@ void LegEstimator::sample(const std::vector<ActuatorState>& actuators) noexcept 
 
 void LegEstimator::step_joints(double dt_s, std::vector<EstimatedJoint>& joints) noexcept {
   for (std::size_t j = 0; j < joints_.size(); ++j) {
-    EstimatedJoint& joint = joints[static_cast<std::size_t>(joints_[j])];
+    EstimatedJoint& joint = joints[joints_[j]];
     estimators_[j].step(samples_[j], dt_s, joint);
     const int i = static_cast<int>(j);
     position_rad_[i] = joint.estimated_position_rad;
@@ -129,7 +129,7 @@ void LegEstimator::write_force(std::vector<EstimatedJoint>& joints, EstimatedLeg
   out.foot_force_N = to_vec3(to_force * external_torque_Nm_);
   for (std::size_t j = 0; j < joints_.size(); ++j) {
     const int i = static_cast<int>(j);
-    EstimatedJoint& joint = joints[static_cast<std::size_t>(joints_[j])];
+    EstimatedJoint& joint = joints[joints_[j]];
     joint.external_torque_Nm = external_torque_Nm_[i];
     joint.external_torque_bound_Nm = root_sum_square(
         joint.gear_output_torque_bound_Nm,
@@ -144,15 +144,14 @@ void LegEstimator::write_force(std::vector<EstimatedJoint>& joints, EstimatedLeg
       sum_N += bound_N;
       squares_N2 += bound_N * bound_N;
     }
-    out.foot_force_bound_N[static_cast<std::size_t>(axis)] = std::sqrt(kAlike * sum_N * sum_N +
-                                                                       (1.0 - kAlike) * squares_N2);
+    out.foot_force_bound_N[axis] = std::sqrt(kAlike * sum_N * sum_N + (1.0 - kAlike) * squares_N2);
   }
 }
 
 void LegEstimator::gather_evidence(const std::vector<EstimatedJoint>& joints) noexcept {
   for (std::size_t j = 0; j < joints_.size(); ++j) {
     const int i = static_cast<int>(j);
-    const EstimatedJoint& joint = joints[static_cast<std::size_t>(joints_[j])];
+    const EstimatedJoint& joint = joints[joints_[j]];
     const double inertia_Nm = configs_[j].armature_kg_m2 * acceleration_rad_s2_[i];
     const double motor_Nm = output_torque_Nm_[i] + joint.friction_torque_Nm + inertia_Nm;
     const double slow = velocity_rad_s_[i] / kReversal_rad_s;

@@ -23,7 +23,7 @@ class Bezier {
   /// Outside [0, duration] it rests at the nearer end.
   CurvePoint at(double time_s) const noexcept;
   double duration_s() const noexcept { return duration_s_; }
-  double end() const noexcept { return points_[static_cast<std::size_t>(degree_)]; }
+  double end() const noexcept { return points_[degree_]; }
 
  private:
   std::array<double, kMaxDegree + 1> points_{};

@@ -31,7 +31,7 @@ const char* JointMotion::validate(const JointRequest& request) const noexcept {
   if (!fits_message_) return "joint moves are for legs of up to three joints";
   if (request.joint < 0 || request.joint >= static_cast<int>(limits_.size()))
     return "this robot has no such joint";
-  const JointLimits& limits = limits_[static_cast<std::size_t>(request.joint)];
+  const JointLimits& limits = limits_[request.joint];
   if (!within(request.target_rad, limits.position_min_rad, limits.position_max_rad))
     return "target is not within the joint's position limits (kept by 0.02 rad)";
   if (!positive_up_to(request.speed_rad_s, limits.speed_rad_s))
@@ -53,11 +53,10 @@ bool JointMotion::hold(const JointState& in) noexcept {
 }
 
 void JointMotion::begin(const JointRequest& request, std::int64_t now_us) noexcept {
-  if (moving_ >= 0) held_rad_[static_cast<std::size_t>(moving_)] = move_.end_rad();
+  if (moving_ >= 0) held_rad_[moving_] = move_.end_rad();
   moving_ = request.joint;
   began_us_ = now_us;
-  move_ = {held_rad_[static_cast<std::size_t>(moving_)], request.target_rad, request.speed_rad_s,
-           request.acceleration_rad_s2};
+  move_ = {held_rad_[moving_], request.target_rad, request.speed_rad_s, request.acceleration_rad_s2};
 }
 
 void JointMotion::brake(std::int64_t now_us) noexcept {
@@ -76,7 +75,7 @@ void JointMotion::write(std::size_t leg, std::int64_t now_us, DesiredLeg& out) c
   for (std::size_t j = 0; j < count; ++j) {
     const int joint = legs_[leg][j];
     const JointPoint point = joint == moving_ ? move_.at(since_begin_s(now_us))
-                                              : JointPoint{held_rad_[static_cast<std::size_t>(joint)], 0.0};
+                                              : JointPoint{held_rad_[joint], 0.0};
     out.desired_joint_position_rad[j] = point.position_rad;
     out.desired_joint_velocity_rad_s[j] = point.velocity_rad_s;
   }

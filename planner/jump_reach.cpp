@@ -19,14 +19,12 @@ struct JumpReach::Leg {
     least_rad = most_rad = armature_kg_m2 = middle_rad = JointVector::Zero(n);
     speed_rad_s = torque_Nm = JointVector::Zero(static_cast<Eigen::Index>(leg.actuators.size()));
     for (Eigen::Index i = 0; i < n; ++i) {
-      const JointConfig&
-          joint = robot.joints[static_cast<std::size_t>(leg.joints[static_cast<std::size_t>(i)])];
+      const JointConfig& joint = robot.joints[leg.joints[i]];
       least_rad[i] = joint.position_min_rad + kPositionMargin_rad;
       most_rad[i] = joint.position_max_rad - kPositionMargin_rad;
       middle_rad[i] = 0.5 * (least_rad[i] + most_rad[i]);
       armature_kg_m2[i] = joint.armature_kg_m2;
-      const ActuatorConfig&
-          actuator = robot.actuators[static_cast<std::size_t>(leg.actuators[static_cast<std::size_t>(i)])];
+      const ActuatorConfig& actuator = robot.actuators[leg.actuators[i]];
       speed_rad_s[i] = actuator.speed_limit_rad_s;
       torque_Nm[i] = actuator.torque_limit_Nm;
     }

@@ -10,14 +10,14 @@ bool OperatorDesk::submit(const OperatorCommand& command) noexcept {
     return true;
   }
   if (waiting_count_ == kMostWaiting) return false;
-  waiting_[static_cast<std::size_t>(waiting_count_++)] = command;
+  waiting_[waiting_count_++] = command;
   remember(command.request_id);
   return true;
 }
 
 bool OperatorDesk::take_due(std::int64_t seq, OperatorCommand& out) noexcept {
   for (int i = 0; i < waiting_count_; ++i) {
-    if (waiting_[static_cast<std::size_t>(i)].apply_at_seq > seq) continue;
+    if (waiting_[i].apply_at_seq > seq) continue;
     take(i, out);
     return true;
   }
@@ -31,7 +31,7 @@ bool OperatorDesk::take_any(OperatorCommand& out) noexcept {
 }
 
 void OperatorDesk::take(int index, OperatorCommand& out) noexcept {
-  out = waiting_[static_cast<std::size_t>(index)];
+  out = waiting_[index];
   std::copy(waiting_.begin() + index + 1, waiting_.begin() + waiting_count_, waiting_.begin() + index);
   --waiting_count_;
 }
@@ -59,7 +59,7 @@ void OperatorDesk::reply(std::int64_t request_id, OperatorOutcome outcome, const
 
 bool OperatorDesk::next_reply(OperatorReply& out) noexcept {
   if (reply_count_ == 0) return false;
-  out = replies_[static_cast<std::size_t>(first_reply_)];
+  out = replies_[first_reply_];
   first_reply_ = (first_reply_ + 1) % kMostReplies;
   --reply_count_;
   return true;
@@ -72,7 +72,7 @@ OperatorDesk::Answered* OperatorDesk::find(std::int64_t request_id) noexcept {
 }
 
 void OperatorDesk::remember(std::int64_t request_id) noexcept {
-  Answered& entry = memory_[static_cast<std::size_t>(next_memory_)];
+  Answered& entry = memory_[next_memory_];
   next_memory_ = (next_memory_ + 1) % kRemembered;
   entry = Answered{};
   entry.used = true;
@@ -85,7 +85,7 @@ void OperatorDesk::push(const OperatorReply& reply) noexcept {
     first_reply_ = (first_reply_ + 1) % kMostReplies;
     --reply_count_;
   }
-  replies_[static_cast<std::size_t>((first_reply_ + reply_count_) % kMostReplies)] = reply;
+  replies_[(first_reply_ + reply_count_) % kMostReplies] = reply;
   ++reply_count_;
 }
 

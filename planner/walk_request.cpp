@@ -7,7 +7,7 @@ namespace {
 
 double default_height_m(int gait, const PresetConfig& preset, const std::vector<GaitConfig>& gaits) noexcept {
   const bool known = gait >= 0 && gait < static_cast<int>(gaits.size());
-  const double height_m = known ? gaits[static_cast<std::size_t>(gait)].height_m : 0.0;
+  const double height_m = known ? gaits[gait].height_m : 0.0;
   return height_m > 0.0 ? height_m : preset.stand_length_m;
 }
 

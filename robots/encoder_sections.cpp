@@ -26,7 +26,7 @@ struct Range {
 Range actuator_range(const Eigen::VectorXd& row, const RobotConfig& robot, const LegConfig& leg) {
   Range range;
   for (std::size_t k = 0; k < leg.joints.size(); ++k) {
-    const JointConfig& joint = robot.joints[static_cast<std::size_t>(leg.joints[k])];
+    const JointConfig& joint = robot.joints[leg.joints[k]];
     const double share = row[static_cast<Eigen::Index>(k)];
     range.min_rad += std::min(share * joint.position_min_rad, share * joint.position_max_rad);
     range.max_rad += std::max(share * joint.position_min_rad, share * joint.position_max_rad);

@@ -16,8 +16,7 @@ std::optional<Minor> minor_of(const std::string& version) {
   Minor minor;
   int end = 0;
   if (std::sscanf(version.c_str(), "%d.%d%n", &minor.first, &minor.second, &end) != 2) return std::nullopt;
-  const bool patch_or_nothing = version[static_cast<std::size_t>(end)] == '\0' ||
-                                version[static_cast<std::size_t>(end)] == '.';
+  const bool patch_or_nothing = version[end] == '\0' || version[end] == '.';
   return patch_or_nothing ? std::optional<Minor>(minor) : std::nullopt;
 }
 

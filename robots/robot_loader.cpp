@@ -51,8 +51,7 @@ void refuse_shared_node_ids(const YamlMap& file, const RobotConfig& robot) {
       if (nodes[i].bus == nodes[j].bus && nodes[i].node == nodes[j].node) {
         file.fail(i < robot.actuators.size() ? "actuators" : "encoder_cards",
                   nodes[j].name + " and " + nodes[i].name + " share node id " +
-                      std::to_string(nodes[i].node) + " on bus " +
-                      robot.buses[static_cast<std::size_t>(nodes[i].bus)].name);
+                      std::to_string(nodes[i].node) + " on bus " + robot.buses[nodes[i].bus].name);
       }
     }
   }
@@ -66,7 +65,7 @@ void refuse_shared_channels(const YamlMap& file, const RobotConfig& robot) {
       if (&a < &b && a.link_encoder.card >= 0 && same) {
         file.fail("actuators", a.name + " and " + b.name + " share channel " +
                                    std::to_string(a.link_encoder.channel) + " of encoder card " +
-                                   robot.encoder_cards[static_cast<std::size_t>(a.link_encoder.card)].name);
+                                   robot.encoder_cards[a.link_encoder.card].name);
       }
     }
   }
@@ -92,14 +91,13 @@ void refuse_loose_joints(const YamlMap& file, const RobotConfig& robot) {
   }
   for (int i = 0; i < static_cast<int>(robot.joints.size()); ++i) {
     if (joints.count(i) != 1) {
-      file.fail("legs", "joint " + robot.joints[static_cast<std::size_t>(i)].name +
+      file.fail("legs", "joint " + robot.joints[i].name +
                             " must belong to exactly one leg (kinematics: none for joints alone)");
     }
   }
   for (int i = 0; i < static_cast<int>(robot.actuators.size()); ++i) {
     if (actuators.count(i) != 1) {
-      file.fail("legs", "actuator " + robot.actuators[static_cast<std::size_t>(i)].name +
-                            " must belong to exactly one leg");
+      file.fail("legs", "actuator " + robot.actuators[i].name + " must belong to exactly one leg");
     }
   }
 }
@@ -220,8 +218,8 @@ RobotConfig read_robot(const YamlMap& file) {
     robot.legs.push_back(read_leg(map, robot));
   }
   refuse_same_names(file, "legs", robot.legs);
-  robot.watchdogs = read_watchdogs(file.map("watchdogs"));
-  robot.simulation_watchdogs = read_watchdogs(file.map("simulation_watchdogs"));
+  robot.watchdogs = read_watchdogs(file.map("watchdogs"), false);
+  robot.simulation_watchdogs = read_watchdogs(file.map("simulation_watchdogs"), true);
   if (file.has("body")) robot.body = read_body(file.map("body"));
   if (file.has("gaits")) robot.gaits = read_gaits(file.map("gaits"), robot.legs.size());
   read_presets(file, robot);

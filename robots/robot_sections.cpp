@@ -154,7 +154,7 @@ ActuatorConfig read_actuator(const YamlMap& map, const RobotConfig& robot) {
   a.position_damping_Nm_s_rad = loop.quantity("damping", "Nm s/rad", 0, 1e4);
   a.position_gains_object = static_cast<std::uint16_t>(loop.integer("object", 0, 0xFFFF));
   loop.finish();
-  a.safety_damping_Nm_s_rad = map.quantity("safety_damping", "Nm s/rad", 0, 1000);
+  a.safety_damping_Nm_s_rad = map.quantity("safety_damping", "Nm s/rad", 0.1, 1000);
   a.pole_pairs = static_cast<int>(map.integer_or("pole_pairs", 1, 255, 0));
   a.winding_time_constant_s = map.quantity_or("winding_time_constant", "s", 0.1, 1000, 0.0);
   read_reference_of(map, robot, a);
@@ -204,17 +204,34 @@ LegConfig read_leg(const YamlMap& map, const RobotConfig& robot) {
   return leg;
 }
 
-WatchdogConfig read_watchdogs(const YamlMap& map) {
+namespace {
+
+/// The longest that each watchdog may wait, seconds and cycles.
+struct LongestWaits {
+  double hold_s, stop_s, input_s, heartbeat_s, consumer_s, drive_heartbeat_s;
+  int silent_cycles, overruns;
+};
+// [design choice] On a robot: in 100 ms of full torque a joint moves by 0.35 rad (pegasus) to 0.75
+// (single_leg; docs/sources.md, facts canopen 2.6), so nothing that could give it waits longer for the first
+// reaction.
+constexpr LongestWaits kOnARobot{0.05, 0.5, 0.1, 0.02, 0.1, 0.5, 10, 50};
+// In simulation nothing can be hurt, and emulated machines stall for seconds (tests/vm).
+constexpr LongestWaits kInSimulation{1.0, 10.0, 1.0, 1.0, 10.0, 10.0, 1000, 1000};
+
+}  // namespace
+
+WatchdogConfig read_watchdogs(const YamlMap& map, bool simulation) {
+  const LongestWaits& most = simulation ? kInSimulation : kOnARobot;
   WatchdogConfig w;
-  w.command_hold_s = map.quantity("command_hold", "s", 0, 1);
-  w.command_stop_s = map.quantity("command_stop", "s", w.command_hold_s, 10);
-  w.leg_command_s = map.quantity("leg_command", "s", 0, 1);
-  w.joint_state_s = map.quantity("joint_state", "s", 0, 1);
-  w.silent_cycles = static_cast<int>(map.integer("silent_cycles", 0, 1000));
-  w.overruns_in_row = static_cast<int>(map.integer("overruns_in_row", 1, 1000));
-  w.heartbeat_s = map.quantity("heartbeat", "s", 0.001, 1);
-  w.heartbeat_consumer_s = map.quantity("heartbeat_consumer", "s", 2 * w.heartbeat_s, 10);
-  w.drive_heartbeat_s = map.quantity("drive_heartbeat", "s", 2 * w.heartbeat_s, 10);
+  w.command_hold_s = map.quantity("command_hold", "s", 0, most.hold_s);
+  w.command_stop_s = map.quantity("command_stop", "s", w.command_hold_s, most.stop_s);
+  w.leg_command_s = map.quantity("leg_command", "s", 0, most.input_s);
+  w.joint_state_s = map.quantity("joint_state", "s", 0, most.input_s);
+  w.silent_cycles = static_cast<int>(map.integer("silent_cycles", 0, most.silent_cycles));
+  w.overruns_in_row = static_cast<int>(map.integer("overruns_in_row", 1, most.overruns));
+  w.heartbeat_s = map.quantity("heartbeat", "s", 0.001, most.heartbeat_s);
+  w.heartbeat_consumer_s = map.quantity("heartbeat_consumer", "s", 2 * w.heartbeat_s, most.consumer_s);
+  w.drive_heartbeat_s = map.quantity("drive_heartbeat", "s", 2 * w.heartbeat_s, most.drive_heartbeat_s);
   map.finish();
   return w;
 }

@@ -39,7 +39,8 @@ void refuse_folded_link_positions(const YamlMap& file, const RobotConfig& robot)
 double read_direction(const YamlMap& map);
 JointConfig read_joint(const YamlMap& map);
 LegConfig read_leg(const YamlMap& map, const RobotConfig& robot);
-WatchdogConfig read_watchdogs(const YamlMap& map);
+/// @param simulation simulation_watchdogs: may wait longer than any robot should.
+WatchdogConfig read_watchdogs(const YamlMap& map, bool simulation);
 ProcessConfig read_process(const YamlMap& map);
 
 }  // namespace sprung::robot_sections

@@ -30,7 +30,7 @@ class Expansion {
   }
   const std::string& path() const { return path_; }
   const std::vector<MirrorImage>& images() const { return images_; }
-  void has_seen(const MirrorImage& image) { seen_[static_cast<std::size_t>(&image - images_.data())] = true; }
+  void has_seen(const MirrorImage& image) { seen_[&image - images_.data()] = true; }
 
  private:
   const std::string& path_;

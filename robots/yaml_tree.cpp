@@ -118,7 +118,7 @@ YamlTree merged(const YamlTree& base, const YamlTree& own) {
   for (std::size_t i = 0; i < own.keys.size(); ++i) {
     if (YamlTree* found = out.find(own.keys[i].name)) {
       *found = merged(*found, own.items[i]);
-      out.keys[static_cast<std::size_t>(found - out.items.data())].line = own.keys[i].line;
+      out.keys[found - out.items.data()].line = own.keys[i].line;
     } else {
       out.keys.push_back(own.keys[i]);
       out.items.push_back(own.items[i]);

@@ -39,7 +39,7 @@ void add_count(MessageLayout& layout, Count M::*count, Elements M::*elements, st
   one.*count = 1;
   (one.*elements).resize(1);
   const std::size_t size = size_of(one) - strings * kEmptyString;
-  layout.element_size[static_cast<std::size_t>(layout.counts++)] = size - layout.fixed_size;
+  layout.element_size[layout.counts++] = size - layout.fixed_size;
 }
 
 template <class M, class Count, class Elements>

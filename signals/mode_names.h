@@ -48,7 +48,8 @@ constexpr auto words_of(SafetyCause) {
                    {E::kEmergencyStop, "emergency stop"},
                    {E::kShutdown, "shutdown"},
                    {E::kImplausible, "implausible"},
-                   {E::kDuplicateNode, "duplicate node id"}});
+                   {E::kDuplicateNode, "duplicate node id"},
+                   {E::kForeignMaster, "another master"}});
 }
 
 constexpr auto words_of(JointStatus) {

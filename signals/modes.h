@@ -48,6 +48,7 @@ enum class SafetyCause : std::int8_t {
   kShutdown = 10,
   kImplausible = 11,
   kDuplicateNode = 12,  ///< two devices answer for one node id
+  kForeignMaster = 13,  ///< somebody else commands our drives
 };
 
 enum class JointStatus : std::int8_t {

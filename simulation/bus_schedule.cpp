@@ -16,7 +16,7 @@ void BusSchedule::start_burst(std::int64_t last_sync_us) noexcept {
 }
 
 std::int64_t BusSchedule::acts_us(const BusFrame& frame, std::int64_t sync_us) noexcept {
-  std::int64_t& free_us = free_us_[static_cast<std::size_t>(frame.bus)];
+  std::int64_t& free_us = free_us_[frame.bus];
   free_us += frame_us(frame.frame);
   return std::min(free_us, sync_us);
 }

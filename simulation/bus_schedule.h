@@ -16,10 +16,8 @@ class BusSchedule {
  public:
   BusSchedule(std::size_t buses, std::int64_t compute_us)
       : compute_us_(compute_us), answers_us_(buses), free_us_(buses) {}
-  void start_answers(int bus) noexcept { answers_us_[static_cast<std::size_t>(bus)] = 0; }
-  void add_answer(const BusFrame& answer) noexcept {
-    answers_us_[static_cast<std::size_t>(answer.bus)] += frame_us(answer.frame);
-  }
+  void start_answers(int bus) noexcept { answers_us_[bus] = 0; }
+  void add_answer(const BusFrame& answer) noexcept { answers_us_[answer.bus] += frame_us(answer.frame); }
   /// A burst begins: when each bus is free for it.
   void start_burst(std::int64_t last_sync_us) noexcept;
   /// When this frame of the burst acts, that is at its end on the wire; never later than sync_us.

@@ -127,7 +127,7 @@ class LockstepSim {
     }
     advance(free_us_);
     for (const BusFrame& frame : answers_) {
-      links_[static_cast<std::size_t>(frame.bus)].send_unstamped(frame.frame);
+      links_[frame.bus].send_unstamped(frame.frame);
     }
     shell_.publish();
   }

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "drivers/can/bus_addresses.h"
+#include "drivers/can/can_interface.h"
 #include "runtime/stop_request.h"
 #include "simulation/sim_shell.h"
 

@@ -21,10 +21,7 @@ void BridgeCore::begin_tick(std::int64_t time_us, FrameBatch& out) noexcept {
   s.buses.begin_cycle(time_us);
   s.step_boot(time_us);
   for (BusNode* node : s.nodes) node->step(time_us, out);
-  if (time_us + s.cycle_us > s.next_heartbeat_us) {  // rather early than late for the drives' consumers
-    s.next_heartbeat_us = time_us + to_us(s.watchdogs.heartbeat_s);
-    s.push_on_every_bus(canopen::heartbeat_frame(canopen::kBridgeNode, canopen::NmtState::kOperational), out);
-  }
+  s.push_heartbeats(time_us, out);
   s.sync_us = time_us;
   for (BusNode* node : s.nodes) node->link().begin_sampling(time_us);
   s.push_on_every_bus(canopen::sync_frame(), out);
@@ -38,9 +35,10 @@ void BridgeCore::receive(int bus, const CanFrame& frame, std::int64_t time_us) n
     s.buses.error_frame(bus, frame);
     return;
   }
-  BusNode* node = s.by_bus_and_node[static_cast<std::size_t>(bus)][frame.id & 0x7F];
+  BusNode* node = s.by_bus_and_node[bus][frame.id & 0x7F];
   const bool expected = node != nullptr && node->receive(frame, time_us);
   s.buses.received(bus, frame, expected);
+  s.masters.receive(bus, frame, node != nullptr);
 }
 
 bool BridgeCore::all_answered() const noexcept {
@@ -126,15 +124,15 @@ void BridgeCore::set_traffic(int bus, const BusTraffic& traffic) noexcept {
 }
 
 void BridgeCore::restore_reference(int actuator, const Reference& reference) noexcept {
-  impl_->drives[static_cast<std::size_t>(actuator)]->set_reference(reference);
+  impl_->drives[actuator]->set_reference(reference);
 }
 
 const Reference& BridgeCore::reference(int actuator) const noexcept {
-  return impl_->drives[static_cast<std::size_t>(actuator)]->reference();
+  return impl_->drives[actuator]->reference();
 }
 
 std::int64_t BridgeCore::encoder_counts(int actuator) const noexcept {
-  return impl_->drives[static_cast<std::size_t>(actuator)]->encoder_counts();
+  return impl_->drives[actuator]->encoder_counts();
 }
 
 std::int64_t BridgeCore::homings() const noexcept { return impl_->homings; }
@@ -180,6 +178,7 @@ const SafetyState& BridgeCore::safety() const noexcept {
     print(s.published.detail, "%s is not referenced and gets no torque: sprung home", drive->name().c_str());
     break;
   }
+  if (s.published.level != SafetyLevel::kOperational) s.show_stops(s.published.detail);
   return s.published;
 }
 

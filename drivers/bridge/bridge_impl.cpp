@@ -22,6 +22,7 @@ BridgeCore::Impl::Impl(const RobotConfig& config, const BridgeOptions& bridge_op
       cycle_us(to_us(config.cycle_s)),
       by_bus_and_node(config.buses.size()),
       buses(robot, bridge_options.watchdogs),
+      masters(robot),
       gate(config),
       safety(bridge_options.watchdogs),
       state(config.actuators.size()),
@@ -47,7 +48,7 @@ void BridgeCore::Impl::add(BusNode& added) {
   const bool exists = bus >= 0 && static_cast<std::size_t>(bus) < robot.buses.size() && node > 0 &&
                       node < canopen::kBridgeNode;
   if (!exists) throw std::invalid_argument("'" + added.name() + "': no such bus or node");
-  BusNode*& place = by_bus_and_node[static_cast<std::size_t>(bus)][static_cast<std::size_t>(node)];
+  BusNode*& place = by_bus_and_node[bus][node];
   if (place != nullptr)
     throw std::invalid_argument("'" + added.name() + "' and '" + place->name() + "' have one node id");
   place = &added;
@@ -59,7 +60,7 @@ void BridgeCore::Impl::check_card_channels() const {
   for (const ActuatorConfig& actuator : robot.actuators) {
     const LinkEncoderConfig& encoder = actuator.link_encoder;
     if (encoder.card < 0) continue;
-    const EncoderCardNode& card = *cards.at(static_cast<std::size_t>(encoder.card));
+    const EncoderCardNode& card = *cards.at(encoder.card);
     if (encoder.channel >= 0 && encoder.channel < card.channels()) continue;
     throw std::invalid_argument("actuator '" + actuator.name + "': encoder card '" + card.name() +
                                 "' has no channel " + std::to_string(encoder.channel) + "; it has " +
@@ -69,6 +70,31 @@ void BridgeCore::Impl::check_card_channels() const {
 
 void BridgeCore::Impl::push_on_every_bus(const CanFrame& frame, FrameBatch& out) const noexcept {
   for (std::size_t bus = 0; bus < robot.buses.size(); ++bus) out.push(static_cast<int>(bus), frame);
+}
+
+/// Rather early than late for the drives' consumers. A drive that obeys no stop gets none (stop_watch.h).
+void BridgeCore::Impl::push_heartbeats(std::int64_t time_us, FrameBatch& out) noexcept {
+  if (time_us + cycle_us <= next_heartbeat_us) return;
+  next_heartbeat_us = time_us + to_us(watchdogs.heartbeat_s);
+  const CanFrame heartbeat = canopen::heartbeat_frame(canopen::kBridgeNode, canopen::NmtState::kOperational);
+  for (std::size_t bus = 0; bus < robot.buses.size(); ++bus) {
+    const bool withheld = std::any_of(drives.begin(), drives.end(), [bus](const auto& drive) {
+      return drive->stop().step() == StopStep::kWithhold &&
+             static_cast<std::size_t>(drive->actuator().bus) == bus;
+    });
+    if (!withheld) out.push(static_cast<int>(bus), heartbeat);
+  }
+}
+
+void BridgeCore::Impl::show_stops(DetailText& detail) const noexcept {
+  for (const auto& drive : drives) {
+    const StopWatch& stop = drive->stop();
+    if (stop.worst() < StopStep::kSdo) continue;
+    const bool works = stop.step() == StopStep::kNone;
+    append(detail, "; %s: %s %s", drive->name().c_str(), works ? "was stopped" : "is being stopped",
+           text(stop.worst()));
+    return;
+  }
 }
 
 void BridgeCore::Impl::count_sent(const FrameBatch& batch, int first) noexcept {
@@ -113,8 +139,7 @@ void BridgeCore::Impl::judge_samples() noexcept {
   for (auto& drive : drives) {
     const LinkEncoderConfig& encoder = drive->actuator().link_encoder;
     if (encoder.card < 0) continue;
-    drive->set_link_position(
-        cards[static_cast<std::size_t>(encoder.card)]->measured_link_position_rad(encoder));
+    drive->set_link_position(cards[encoder.card]->measured_link_position_rad(encoder));
   }
 }
 
@@ -156,8 +181,10 @@ void BridgeCore::Impl::update_safety(std::int64_t time_us, bool command_due) noe
   inputs.command_expired = command_due && gate.any() && time_us > gate.last().valid_until_utime_us;
   inputs.command_refused = gate.last_was_refused();
   inputs.refusal = &gate.detail();
-  inputs.drive = !safety.latched() && find_fault(time_us, node_trouble) ? &node_trouble : nullptr;
-  inputs.bus = buses.fault();
+  const Fault* foreign = masters.fault();
+  if (!safety.latched())
+    inputs.drive = foreign != nullptr ? foreign : find_fault(time_us, node_trouble) ? &node_trouble : nullptr;
+  inputs.bus = buses.fault() == nullptr && masters.insists() ? foreign : buses.fault();
   inputs.overruns_in_row = overruns_in_row;
   inputs.slow = all_drives(
       [](const DriveNode& n) { return std::abs(n.filtered_velocity_rad_s()) < kSlow_rad_s; });

@@ -11,6 +11,7 @@
 #include "drivers/bridge/command_gate.h"
 #include "drivers/bridge/drive_node.h"
 #include "drivers/bridge/encoder_card_node.h"
+#include "drivers/bridge/foreign_master_watch.h"
 #include "drivers/bridge/homing.h"
 #include "drivers/bridge/recovery.h"
 #include "drivers/bridge/safety_machine.h"
@@ -37,6 +38,7 @@ struct BridgeCore::Impl {
   void add(BusNode& node);
   void check_card_channels() const;  ///< @throws std::invalid_argument on one that the card has not
   void push_on_every_bus(const CanFrame& frame, FrameBatch& out) const noexcept;
+  void push_heartbeats(std::int64_t time_us, FrameBatch& out) noexcept;
   void count_sent(const FrameBatch& batch, int first) noexcept;
   void step_boot(std::int64_t time_us) noexcept;
   void refuse_nodes(std::int64_t time_us) noexcept;
@@ -45,6 +47,7 @@ struct BridgeCore::Impl {
   void begin_cycle(std::int64_t time_us) noexcept;
   void update_safety(std::int64_t time_us, bool command_due) noexcept;
   bool find_fault(std::int64_t time_us, Fault& out) const noexcept;
+  void show_stops(DetailText& detail) const noexcept;
   double command_age_s(std::int64_t time_us, bool command_due) const noexcept;
 
   // Requests: bridge_requests.cpp.
@@ -83,6 +86,7 @@ struct BridgeCore::Impl {
   std::vector<BusNode*> nodes;  ///< drives, then cards
   std::vector<std::array<BusNode*, canopen::kMaxNode + 1>> by_bus_and_node;
   BusMonitor buses;
+  ForeignMasterWatch masters;
   CommandGate gate;
   SafetyMachine safety;
   SafetyState published;

@@ -4,13 +4,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 
 #include "drivers/bridge/bridge_shell.h"
+#include "drivers/bridge/foreign_master_watch.h"
 #include "drivers/can/bus_addresses.h"
 #include "drivers/can/can_bus.h"
 #include "drivers/can/can_filter.h"
 #include "drivers/can/can_interface.h"
 #include "drivers/canopen/protocol.h"
+#include "runtime/host_lock.h"
 #include "runtime/log.h"
 #include "runtime/stop_request.h"
 
@@ -29,6 +32,15 @@ constexpr double kSync_bits = 47.0;
 constexpr double kAnswer_bits = 111.0;  // 8 bytes, as every profile's TPDO1
 
 constexpr std::int64_t kSendErrorInterval_us = 1'000'000;
+
+/// [design choice] Before the first frame of ours: many SYNCs and heartbeats of whoever is master already.
+constexpr std::int64_t kListen_us = 100'000;
+
+bool is_node(const RobotConfig& robot, int bus, int node) {
+  const auto it = [bus, node](const auto& device) { return device.bus == bus && device.node == node; };
+  return std::any_of(robot.actuators.begin(), robot.actuators.end(), it) ||
+         std::any_of(robot.encoder_cards.begin(), robot.encoder_cards.end(), it);
+}
 
 /// Nodes that answer SYNC on one bus.
 int count_nodes(const RobotConfig& robot, int bus) {
@@ -67,6 +79,7 @@ class RealTimeBridge {
 
   int run() {
     const Receiving receiving(process_.node());
+    listen();
     process_.set_state(ProcessState::kReady);
     std::int64_t deadline_us = now_us() + cycle_us_;
     while (!core_.shut_down()) {
@@ -87,14 +100,37 @@ class RealTimeBridge {
 
   std::int64_t now_us() const { return process_.node().utime_us(); }
 
+  /// Sends nothing. @throws std::runtime_error when another master speaks on one of the buses.
+  void listen() {
+    const std::int64_t end_us = now_us() + kListen_us;
+    while (now_us() < end_us) {
+      sleep_until(end_us, fds_.data(), buses_.size());
+      for (std::size_t bus = 0; bus < buses_.size(); ++bus) listen(static_cast<int>(bus));
+    }
+  }
+
+  void listen(int bus) {
+    const int count = buses_[bus]->receive(received_.data(), kFullRead);
+    for (int i = 0; i < count; ++i) {
+      const int node = static_cast<int>(received_[i].id & 0x7FU);
+      const MasterFrame kind = master_frame(received_[i], is_node(process_.robot(), bus, node));
+      if (kind == MasterFrame::kNone) continue;
+      throw std::runtime_error("bus " + process_.robot().buses[bus].name + " (" + buses_[bus]->describe() +
+                               "): another master speaks there, it sent a " + text(kind) +
+                               "; nothing was sent. Stop it first: another sprung up, another tool?");
+    }
+  }
+
   void open_bus(const std::string& address) {
     const int bus = static_cast<int>(buses_.size());
+    locks_.emplace_back("bus/" + address, "bus " + process_.robot().buses[bus].name + " (" + address + ")");
     buses_.push_back(open_can_bus(address));
     fds_.push_back({buses_.back()->fd(), POLLIN, 0});
     const std::vector<CanFilter> filters = bus_filters(process_.robot(), bus);
     buses_.back()->accept_only(filters.data(), static_cast<int>(filters.size()));
     const std::optional<InterfaceFacts> facts = read_interface(address);
     if (!facts) return;
+    if (process_.options().simulation) require_virtual(*facts);
     const int nodes = count_nodes(process_.robot(), bus);
     const int frames_per_cycle = 2 + 2 * nodes;  // SYNC, heartbeat, and set-point and control word for each
     const int bit_rate = static_cast<int>(std::lround(process_.robot().bit_rate_bit_s));
@@ -235,6 +271,7 @@ class RealTimeBridge {
   const std::int64_t cycle_us_;
   BridgeCore core_;
   BridgeShell shell_;
+  std::vector<HostLock> locks_;
   std::vector<std::unique_ptr<CanBus>> buses_;
   std::vector<pollfd> fds_;
   FrameBatch out_;

@@ -102,6 +102,8 @@ void BridgeCore::Impl::finish_clear(Recovery::Result result, std::int64_t time_u
     return;
   }
   gate.disarm();
+  masters.forget();
+  for (auto& drive : drives) drive->forget_stop();
   safety.clear(time_us, cycle);
   answer(last_clear, OperatorOutcome::kDone, "cleared");
 }

@@ -44,13 +44,13 @@ void BusMonitor::begin_cycle(std::int64_t time_us) noexcept {
 }
 
 void BusMonitor::sent(int bus, const CanFrame& frame) noexcept {
-  Watch& watch = watches_[static_cast<std::size_t>(bus)];
+  Watch& watch = watches_[bus];
   ++watch.health.sent;
   watch.worst_bits += canopen::worst_frame_bits(frame.length);
 }
 
 void BusMonitor::received(int bus, const CanFrame& frame, bool expected) noexcept {
-  Watch& watch = watches_[static_cast<std::size_t>(bus)];
+  Watch& watch = watches_[bus];
   ++watch.health.received;
   watch.worst_bits += canopen::worst_frame_bits(frame.length);
   if (!expected) ++watch.health.unexpected;
@@ -59,7 +59,7 @@ void BusMonitor::received(int bus, const CanFrame& frame, bool expected) noexcep
 }
 
 void BusMonitor::error_frame(int bus, const CanFrame& frame) noexcept {
-  Watch& watch = watches_[static_cast<std::size_t>(bus)];
+  Watch& watch = watches_[bus];
   ++watch.health.error_frames;
   if (tells_bus_restarted(frame)) {
     ++watch.health.restarts;
@@ -81,7 +81,7 @@ void BusMonitor::error_frame(int bus, const CanFrame& frame) noexcept {
 
 /// Kernels tell a change, not the state: what was told stays until they tell another.
 void BusMonitor::controller_error(int bus, std::uint8_t detail) noexcept {
-  Watch& watch = watches_[static_cast<std::size_t>(bus)];
+  Watch& watch = watches_[bus];
   if ((detail & kReceiveOverflow) != 0) {
     ++watch.overflows;
     watch.health.dropped = watch.overflows + watch.traffic_dropped;
@@ -98,7 +98,7 @@ void BusMonitor::controller_error(int bus, std::uint8_t detail) noexcept {
 }
 
 void BusMonitor::send_failed(int bus, SendFailure failure) noexcept {
-  Watch& watch = watches_[static_cast<std::size_t>(bus)];
+  Watch& watch = watches_[bus];
   watch.failed_now = true;
   if (failure == SendFailure::kLinkDown) {
     enter(bus, BusCondition::kLinkDown, true, "has no link (link down)");
@@ -109,10 +109,10 @@ void BusMonitor::send_failed(int bus, SendFailure failure) noexcept {
 }
 
 void BusMonitor::set_traffic(int bus, const BusTraffic& traffic) noexcept {
-  BusHealth& health = watches_[static_cast<std::size_t>(bus)].health;
+  BusHealth& health = watches_[bus].health;
   health.send_failed = traffic.send_failed;
   health.no_buffers = traffic.no_buffers;
-  Watch& watch = watches_[static_cast<std::size_t>(bus)];
+  Watch& watch = watches_[bus];
   watch.traffic_dropped = traffic.dropped;
   health.dropped = watch.overflows + watch.traffic_dropped;
   health.malformed = traffic.malformed;
@@ -136,7 +136,7 @@ void BusMonitor::enter(int bus, BusCondition condition, bool lost, const char* w
 }
 
 void BusMonitor::set_controller(int bus, BusCondition controller) noexcept {
-  Watch& watch = watches_[static_cast<std::size_t>(bus)];
+  Watch& watch = watches_[bus];
   watch.controller = controller;
   show(watch);
 }
@@ -152,7 +152,7 @@ bool BusMonitor::any_lost() const noexcept {
 }
 
 const char* BusMonitor::loss(int bus) const noexcept {
-  switch (watches_[static_cast<std::size_t>(bus)].loss) {
+  switch (watches_[bus].loss) {
     case BusCondition::kOff:
       return "bus was off";
     case BusCondition::kLinkDown:

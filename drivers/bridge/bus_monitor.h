@@ -37,10 +37,8 @@ class BusMonitor {
   void set_traffic(int bus, const BusTraffic& traffic) noexcept;
 
   /// In the last cycle: what changed in it may not have gone out.
-  bool sending_failed(int bus) const noexcept {
-    return watches_[static_cast<std::size_t>(bus)].failed_cycles > 0;
-  }
-  bool lost(int bus) const noexcept { return watches_[static_cast<std::size_t>(bus)].lost; }
+  bool sending_failed(int bus) const noexcept { return watches_[bus].failed_cycles > 0; }
+  bool lost(int bus) const noexcept { return watches_[bus].lost; }
   bool any_lost() const noexcept;
   /// Why nothing can be mended by us, for people; nullptr when every bus works. Static text.
   const char* what_to_mend() const noexcept;

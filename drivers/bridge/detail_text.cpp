@@ -2,6 +2,7 @@
 
 #include <cstdarg>
 #include <cstdio>
+#include <cstring>
 
 #include "drivers/canopen/objects.h"
 
@@ -36,6 +37,14 @@ void print(DetailText& text, const char* format, ...) noexcept {
   std::va_list arguments;
   va_start(arguments, format);
   std::vsnprintf(text.data(), text.size(), format, arguments);
+  va_end(arguments);
+}
+
+void append(DetailText& text, const char* format, ...) noexcept {
+  const std::size_t used = std::strlen(text.data());
+  std::va_list arguments;
+  va_start(arguments, format);
+  std::vsnprintf(text.data() + used, text.size() - used, format, arguments);
   va_end(arguments);
 }
 

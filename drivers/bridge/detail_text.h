@@ -12,6 +12,9 @@ using DetailText = std::array<char, 160>;
 /// printf into a text; cut where it does not fit.
 __attribute__((format(printf, 2, 3))) void print(DetailText& text, const char* format, ...) noexcept;
 
+/// The same behind what is there.
+__attribute__((format(printf, 2, 3))) void append(DetailText& text, const char* format, ...) noexcept;
+
 /// "knee_motor: object 0x6072:00 max torque: expected 5571, found 5000"
 void print_difference(DetailText& text, const char* drive, const DriveSetting& setting,
                       std::uint32_t found) noexcept;

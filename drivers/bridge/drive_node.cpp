@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "drivers/canopen/objects.h"
 #include "signals/angles.h"
 
 namespace sprung {
@@ -40,7 +41,7 @@ DriveNode::DriveNode(const ActuatorConfig& actuator, int index, const WatchdogCo
 void DriveNode::step(std::int64_t time_us, FrameBatch& out) noexcept {
   const bool reads = link().boot().operational();
   if (link().step(time_us, out)) reference_.doubt();
-  if (!reads) return;
+  if (!reads || stop_.by_sdo()) return;
   CanFrame frame;
   if (reads_.step(time_us, link().sdo(), modes_.unconfirmed_us(), frame)) out.push(actuator_.bus, frame);
   if (const auto display = reads_.take_mode()) modes_.read_display(*display);
@@ -86,6 +87,7 @@ void DriveNode::accept_sample() noexcept {
                                      {samples.sample_sync_us(), samples.earliest_sync_us(), received_us_});
   implausible_ = motion != Motion::kGood;
   if (implausible_) ++implausible_samples_;
+  distrusted_ = distrusted_ || implausible_;
   // Also an absolute encoder's: what it shows from now on is not the place that the reference was found for.
   if (motion == Motion::kJumped) reference_.lose("reference lost: encoder jumped");
   sampled_ = true;
@@ -177,6 +179,7 @@ bool DriveNode::drive_fault(Fault& out) const noexcept {
 
 void DriveNode::reset_faults(bool reset) noexcept {
   power_.reset_faults(reset);
+  if (reset) distrusted_ = false;
   if (reset && !in_fault()) link().forget_emergency();
 }
 
@@ -187,7 +190,8 @@ void DriveNode::restart() noexcept {
   power_ = PowerControl();
   power_state_ = PowerState::kUnknown;
   tracker_.resume();
-  implausible_ = false;
+  implausible_ = distrusted_ = false;
+  stop_.forget();
   modes_.restart();
 }
 
@@ -210,8 +214,10 @@ PowerTarget DriveNode::target(SafetyLevel level, const ActuatorCommand& command)
 }
 
 DriveSetpoint DriveNode::setpoint(SafetyLevel level, const ActuatorCommand& command) const noexcept {
-  // Without a sample of this cycle nothing is known of the motion: an old velocity might drive, not damp.
-  const double velocity_rad_s = link().samples().answered() ? tracker_.filtered_velocity_rad_s() : 0.0;
+  // Without a sample of this cycle nothing is known of the motion: an old velocity might drive, not damp. So
+  // might that of an encoder that was seen to jump.
+  const bool trusted = link().samples().answered() && !distrusted_;
+  const double velocity_rad_s = trusted ? tracker_.filtered_velocity_rad_s() : 0.0;
   DriveSetpoint setpoint{0.0, measured_position_rad(), DriveMode::kTorque};
   if (level == SafetyLevel::kQuickStop)
     setpoint.mode = modes_.sent();  // no change of mode in a drive's own stop
@@ -233,10 +239,54 @@ DriveSetpoint DriveNode::setpoint(SafetyLevel level, const ActuatorCommand& comm
   return setpoint;
 }
 
+/// A drive that resets restarts without power; else only an answer of this cycle, or one by SDO, tells.
+void DriveNode::watch_stop(std::int64_t time_us, SafetyLevel level, FrameBatch& out) noexcept {
+  const bool gone = link().gone();
+  StopInputs inputs;
+  inputs.time_us = time_us;
+  inputs.wanted = level >= SafetyLevel::kQuickStop || (level == SafetyLevel::kDamping && gone);
+  inputs.brakes = level == SafetyLevel::kQuickStop;
+  if (link().samples().answered() || !inputs.wanted) confirmed_off_ = !powered();
+  inputs.seen_off = confirmed_off_ || link().heartbeats().rebooted();
+  inputs.takes_pdos = !gone;
+  inputs.alive = link().samples().answered() || !link().heartbeats().missing(time_us);
+  const bool was_by_sdo = stop_.by_sdo();
+  stop_.update(inputs);
+  if (stop_.by_sdo() != was_by_sdo) {  // what was asked before is another's
+    reads_.begin_operation(actuator_.node, time_us);
+    link().sdo().finish();
+  }
+  if (stop_.by_sdo()) stop_by_sdo(time_us, out);
+  if (stop_.take_reset(time_us))
+    out.push(actuator_.bus, canopen::nmt_frame(canopen::NmtCommand::kResetNode, actuator_.node));
+}
+
+/// Writes the control word and reads the status word, in turn.
+void DriveNode::stop_by_sdo(std::int64_t time_us, FrameBatch& out) noexcept {
+  canopen::SdoClient& sdo = link().sdo();
+  if (sdo.status() != canopen::SdoStatus::kBusy) {
+    const bool wrote = !sdo.idle() && sdo.object().index == canopen::kControlWord;
+    const bool read = sdo.status() == canopen::SdoStatus::kDone && sdo.object().index == canopen::kStatusWord;
+    if (read) {
+      power_state_ = cia402::decode_status(static_cast<std::uint16_t>(sdo.value()));
+      confirmed_off_ = !powered();
+    }
+    if (wrote) {
+      sdo.read({canopen::kStatusWord, 0});
+    } else {
+      sdo.write({canopen::kControlWord, 0}, cia402::kDisableVoltageWord, 2);
+    }
+  }
+  CanFrame frame;
+  if (sdo.step(time_us, frame)) out.push(actuator_.bus, frame);
+}
+
 void DriveNode::emit(std::int64_t time_us, SafetyLevel level, const ActuatorCommand& command,
                      FrameBatch& out) noexcept {
   // A drive that has restarted has its default mapping: our set-point would be its control word.
-  if (!link().boot().operational() || link().gone()) return;
+  if (!link().boot().operational()) return stop_.forget();
+  watch_stop(time_us, level, out);
+  if (link().gone()) return;
   DriveSetpoint now = setpoint(level, command);
   now.commanded_position_rad -= reference().offset_rad;
   modes_.send(now.mode, !enabled() || profile_->shown_mode(modes_.display()) == now.mode, time_us);

@@ -10,6 +10,7 @@
 #include "drivers/bridge/position_tracker.h"
 #include "drivers/bridge/power_control.h"
 #include "drivers/bridge/reference_watch.h"
+#include "drivers/bridge/stop_watch.h"
 #include "signals/drive_command.h"
 #include "signals/drive_state.h"
 #include "signals/vec3.h"
@@ -31,9 +32,13 @@ class DriveNode final : public BusNode {
   void fill(ActuatorState& out) const noexcept;
   bool powered() const noexcept;
 
-  /// Set-points of this cycle by level and command, and the control word when it is due.
+  /// Set-points of this cycle by level and command, and the control word when it is due; where a stop is not
+  /// obeyed, what stop_watch.h says.
   void emit(std::int64_t time_us, SafetyLevel level, const ActuatorCommand& command,
             FrameBatch& out) noexcept;
+
+  const StopWatch& stop() const noexcept { return stop_; }
+  void forget_stop() noexcept { stop_.forget(); }
 
   /// The last control word may not have gone out.
   void resend_control_word() noexcept { power_.resend(); }
@@ -73,6 +78,8 @@ class DriveNode final : public BusNode {
   bool drive_fault(Fault& out) const noexcept;
   cia402::PowerTarget target(SafetyLevel level, const ActuatorCommand& command) const noexcept;
   DriveSetpoint setpoint(SafetyLevel level, const ActuatorCommand& command) const noexcept;
+  void watch_stop(std::int64_t time_us, SafetyLevel level, FrameBatch& out) noexcept;
+  void stop_by_sdo(std::int64_t time_us, FrameBatch& out) noexcept;
   double measured_position_rad() const noexcept { return tracker_.position_rad() + reference().offset_rad; }
 
   ActuatorConfig actuator_;
@@ -82,10 +89,13 @@ class DriveNode final : public BusNode {
   ReferenceWatch reference_;
   ModeWatch modes_;
   BackgroundReads reads_;
+  StopWatch stop_;
+  bool confirmed_off_ = false;  ///< the last that it said of its power, by an answer to SYNC or to an SDO
   DriveSample sample_;
   std::int64_t received_us_ = 0;
   bool sampled_ = false;
   bool implausible_ = false;  ///< the sample of this cycle
+  bool distrusted_ = false;   ///< one was, since the last clear: its velocity damps nothing
   std::int64_t implausible_samples_ = 0;
   double measured_link_position_rad_ = kNaN;
   PowerState power_state_ = PowerState::kUnknown;

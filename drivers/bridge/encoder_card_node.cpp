@@ -44,7 +44,7 @@ bool EncoderCardNode::accept_sample() noexcept {
 double EncoderCardNode::measured_link_position_rad(const LinkEncoderConfig& encoder) const noexcept {
   const bool has_channel = encoder.channel >= 0 && encoder.channel < sample_.channels;
   if (!link().samples().answered() || !fresh_ || !has_channel) return kNaN;
-  const double counts = sample_.counts[static_cast<std::size_t>(encoder.channel)];
+  const double counts = sample_.counts[encoder.channel];
   const double turned_rad = encoder.direction * counts * kTurn_rad / encoder.counts_per_turn;
   return std::remainder(turned_rad + encoder.offset_rad, kTurn_rad);
 }

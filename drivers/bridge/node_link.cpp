@@ -32,7 +32,7 @@ NodeLink::NodeLink(const NodeSetup& setup, const IdentityConfig& identity, const
     if (!pdo.transmit || pdo.entries.empty()) continue;
     int bits = 0;
     for (const canopen::MapEntry& entry : pdo.entries) bits += entry.bits;
-    transmitted_bytes_[static_cast<std::size_t>(pdo.number)] = (bits + 7) / 8;
+    transmitted_bytes_[pdo.number] = (bits + 7) / 8;
     if (pdo.transmission_type != canopen::kTypeEvent) sample_pdo_ = pdo.number;
   }
   health_.bus = setup.bus;
@@ -87,7 +87,7 @@ void NodeLink::receive_process_data(const CanFrame& frame, std::int64_t time_us,
                          frame.id == canopen::tpdo_id(pdo, setup_.node);
   events.expected = transmits;
   if (!boot_.started()) return;  // by the node's defaults until it is configured
-  const int bytes = transmits ? transmitted_bytes_[static_cast<std::size_t>(pdo)] : -1;
+  const int bytes = transmits ? transmitted_bytes_[pdo] : -1;
   events.expected = bytes >= 0;
   if (bytes < 0) return;
   if (frame.length != bytes || frame.remote) {

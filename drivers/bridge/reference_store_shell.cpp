@@ -42,7 +42,7 @@ std::string link_encoder_of(const RobotConfig& robot, const LinkEncoderConfig& e
 
 /// All that the meaning of a count and of a stored zero hangs on, parts with commas between.
 std::string device_of(const RobotConfig& robot, const ActuatorConfig& a) {
-  const std::string& bus = robot.buses[static_cast<std::size_t>(a.bus)].name;
+  const std::string& bus = robot.buses[a.bus].name;
   const ReferenceConfig& r = a.reference;
   return printed("%s node %d, %s 0x%X 0x%X 0x%X, gear %.9g, %.9g counts, direction %+g, offset %.9g",
                  bus.c_str(), a.node, a.profile.c_str(), a.identity.vendor, a.identity.product,

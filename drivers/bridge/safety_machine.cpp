@@ -8,6 +8,8 @@ namespace {
 
 /// [design choice] a leg at 12 Nm s/rad has come to rest well before.
 constexpr double kShutdownDamping_s = 1.0;
+/// Design section 8: a robot that still moves is not dropped sooner.
+constexpr double kLongestDamping_s = 5.0;
 // [design choice] a standing leg starts from rest: it must get the time to begin to sink, else it is dropped
 constexpr double kSlowLongEnough_s = 0.3;
 
@@ -55,6 +57,7 @@ void SafetyMachine::keep_past() noexcept {
 }
 
 void SafetyMachine::latch(SafetyLevel level, const Fault& fault, const SafetyInputs& inputs) noexcept {
+  if (!state_.latched) slow_since_us_ = inputs.time_us;
   enter(std::max(level, state_.level), true, fault, inputs.time_us, inputs.cycle);
 }
 
@@ -109,17 +112,14 @@ void SafetyMachine::worsen(const SafetyInputs& inputs) noexcept {
   if (state_.level != SafetyLevel::kDamping) return;
   if (inputs.bus != nullptr) {
     latch(SafetyLevel::kQuickStop, *inputs.bus, inputs);
-  } else if (state_.cause == SafetyCause::kShutdown) {
-    if (!inputs.slow) slow_since_us_ = inputs.time_us;
-    const bool slow_long_enough = inputs.time_us - slow_since_us_ >= std::llround(1e6 * kSlowLongEnough_s);
-    if (slow_long_enough || lasted(kShutdownDamping_s, inputs.time_us)) {
-      state_.level = SafetyLevel::kDisabled;
-      since_us_ = inputs.time_us;
-    }
-  } else if (lasted(watchdogs_.command_stop_s, inputs.time_us)) {
-    state_.level = SafetyLevel::kQuickStop;
-    since_us_ = inputs.time_us;
+    return;
   }
+  if (!inputs.slow) slow_since_us_ = inputs.time_us;
+  const bool slow_long_enough = inputs.time_us - slow_since_us_ >= std::llround(1e6 * kSlowLongEnough_s);
+  const bool shutdown = state_.cause == SafetyCause::kShutdown;
+  if (!slow_long_enough && !lasted(shutdown ? kShutdownDamping_s : kLongestDamping_s, inputs.time_us)) return;
+  state_.level = shutdown ? SafetyLevel::kDisabled : SafetyLevel::kQuickStop;
+  since_us_ = inputs.time_us;
 }
 
 void SafetyMachine::follow_commands(const SafetyInputs& inputs) noexcept {

@@ -5,9 +5,10 @@
 ///   starting, no arming command yet          disabled                                    no
 ///   command stale > command_hold, or expired damping                                     no
 ///   command stale > command_stop             quick stop                                  yes
-///   drive or card: fault, silence,           damping, after command_stop quick stop      yes
-///   implausible value, two on one node id
-///   bus lost                                 quick stop                                  yes
+///   drive or card: fault, silence,           damping until slow for 0.3 s, or 5 s,       yes
+///   implausible value, two on one node id,   then quick stop
+///   another master
+///   bus lost, another master that insists    quick stop                                  yes
 ///   overruns in a row                        damping, until a cycle is in time again     no
 ///   a drive differs from robot.yaml          disabled                                    yes
 ///   emergency stop                           disabled                                    yes
@@ -41,9 +42,9 @@ struct SafetyInputs {
   bool command_refused = false;  ///< commands do come, but are refused
   const DetailText* refusal = nullptr;
   const Fault* drive = nullptr;  ///< fault, silence, implausible value; nullptr = none
-  const Fault* bus = nullptr;    ///< bus lost; nullptr = none
+  const Fault* bus = nullptr;    ///< no damping over it: bus lost, another master insists; nullptr = none
   int overruns_in_row = 0;
-  bool slow = false;  ///< all actuators nearly at rest; for a while ends the damping of a shutdown
+  bool slow = false;  ///< all actuators nearly at rest; for a while ends a latched damping
 };
 
 class SafetyMachine {
@@ -80,7 +81,7 @@ class SafetyMachine {
   SafetyState state_;
   DetailText past_{};
   std::int64_t since_us_ = 0;
-  std::int64_t slow_since_us_ = 0;  ///< while damping for a shutdown
+  std::int64_t slow_since_us_ = 0;  ///< while damping for good
 };
 
 }  // namespace sprung

@@ -16,7 +16,7 @@ constexpr int kUntimelyShare = 2;
 
 void SampleWatch::begin(std::int64_t sync_us, bool owes) noexcept {
   last_sync_us_ = std::exchange(sync_us_, sync_us);
-  syncs_us_[static_cast<std::size_t>(syncs_++ % kMostOwed)] = sync_us;
+  syncs_us_[syncs_++ % kMostOwed] = sync_us;
   catching_up_ = owed_ > 0 && answers_ != 1;
   answers_ = 0;
   answered_ = false;
@@ -72,7 +72,7 @@ bool SampleWatch::silent() const noexcept {
 std::int64_t SampleWatch::earliest_sync_us() const noexcept {
   const int cycles = std::min({owed_, silent_cycles_, kMostOwed - 1});
   const std::int64_t place = std::max<std::int64_t>(0, syncs_ - 1 - cycles);  // none is older than the first
-  return syncs_us_[static_cast<std::size_t>(place % kMostOwed)];
+  return syncs_us_[place % kMostOwed];
 }
 
 void SampleWatch::show(NodeHealth& out) const noexcept {

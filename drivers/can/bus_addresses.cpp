@@ -22,7 +22,7 @@ std::vector<std::string> bus_addresses(const RobotConfig& robot, const std::vect
                                   ": expected BUS=ADDRESS with one of the robot's buses, for example " +
                                   robot.buses.front().name + "=socketcan:can0");
     }
-    addresses[static_cast<std::size_t>(bus - robot.buses.begin())] = text.substr(equals + 1);
+    addresses[bus - robot.buses.begin()] = text.substr(equals + 1);
   }
   return addresses;
 }

@@ -34,12 +34,12 @@ class FrameBatch {
       ++overflow_;
       return false;
     }
-    frames_[static_cast<std::size_t>(size_++)] = {bus, frame};
+    frames_[size_++] = {bus, frame};
     return true;
   }
   int size() const noexcept { return size_; }
   int overflow() const noexcept { return overflow_; }
-  const BusFrame& operator[](int i) const noexcept { return frames_[static_cast<std::size_t>(i)]; }
+  const BusFrame& operator[](int i) const noexcept { return frames_[i]; }
   const BusFrame* begin() const noexcept { return frames_.data(); }
   const BusFrame* end() const noexcept { return frames_.data() + size_; }
 

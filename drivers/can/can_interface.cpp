@@ -98,6 +98,14 @@ void check_bit_rate(const InterfaceFacts& facts, int bit_rate) {
   throw std::invalid_argument(rate_text(facts, bit_rate) + "; or is bit_rate in robot.yaml wrong?");
 }
 
+void require_virtual(const InterfaceFacts& facts) {
+  if (facts.kind == "vcan") return;
+  throw std::invalid_argument(
+      facts.name + " is a real CAN interface, and this is a simulation (--sim): real " +
+      "drives may be there, and would get its watchdogs. Leave --sim out, or give it " +
+      "a bus of its own: --can BUS=udp:GROUP:PORT, or a vcan");
+}
+
 std::optional<InterfaceFacts> parse_interface(const std::string& text) {
   const json links = json::parse(text, nullptr, false);
   if (!links.is_array() || links.empty() || !links[0].is_object()) return std::nullopt;

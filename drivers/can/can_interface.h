@@ -29,6 +29,10 @@ std::vector<std::string> interface_advice(const InterfaceFacts& facts, int frame
 /// std::invalid_argument when it is another one.
 void check_bit_rate(const InterfaceFacts& facts, int bit_rate);
 
+/// What was started with --sim has the watchdogs of a simulation, or is simulated drives: neither may meet
+/// real ones. @throws std::invalid_argument when this interface has a controller.
+void require_virtual(const InterfaceFacts& facts);
+
 /// @param json of `ip -details -json link show dev NAME`. Nothing when that is no CAN interface.
 std::optional<InterfaceFacts> parse_interface(const std::string& json);
 

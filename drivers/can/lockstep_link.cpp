@@ -39,7 +39,7 @@ void LockstepLink::send(std::int64_t tick) noexcept {
   stored_.clear();
   const int count = static_cast<int>(outgoing_.size());
   for (int i = 0; i < count; ++i) {
-    stored_.push_back({outgoing_[static_cast<std::size_t>(i)], encode_stamp({tick, count, i})});
+    stored_.push_back({outgoing_[i], encode_stamp({tick, count, i})});
   }
   outgoing_.clear();
   ++counters_.bursts_sent;

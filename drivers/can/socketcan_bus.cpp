@@ -132,7 +132,7 @@ bool SocketCanBus::send(const CanFrame* frames, int count) noexcept {
 
 int SocketCanBus::send_batch(const CanFrame* frames, int count) noexcept {
   for (int i = 0; i < count; ++i) {
-    socket_->frames[static_cast<std::size_t>(i)] = to_kernel(frames[i]);
+    socket_->frames[i] = to_kernel(frames[i]);
     socket_->prepare(i, false);
   }
   const std::int64_t now_us = can_clock_us();

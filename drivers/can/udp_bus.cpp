@@ -149,7 +149,7 @@ bool UdpBus::send(const CanFrame* frames, int count) noexcept {
   bool all = true;
   for (int done = 0; done < count; done += kDatagramBatch) {
     const int batch = std::min(kDatagramBatch, count - done);
-    for (int i = 0; i < batch; ++i) stamped[static_cast<std::size_t>(i)] = {frames[done + i], 0.0};
+    for (int i = 0; i < batch; ++i) stamped[i] = {frames[done + i], 0.0};
     all = send_stamped(stamped.data(), batch) && all;
   }
   return all;
@@ -160,7 +160,7 @@ bool UdpBus::send_stamped(const StampedFrame* frames, int count) noexcept {
   while (done < count) {
     const int batch = std::min(kDatagramBatch, count - done);
     for (int i = 0; i < batch; ++i) {
-      encode_datagram(frames[done + i], sockets_->datagrams[static_cast<std::size_t>(i)]);
+      encode_datagram(frames[done + i], sockets_->datagrams[i]);
       sockets_->prepare(i, false);
     }
     const int sent = ::sendmmsg(sockets_->sender.fd(), sockets_->messages.data(),
@@ -182,8 +182,8 @@ int UdpBus::receive_timed(CanFrame* frames, std::int64_t* arrival_us, int max) n
     const int wanted = std::min(kDatagramBatch, max - count);
     const int got = receive_stamped(stamped.data(), wanted);
     for (int i = 0; i < got; ++i, ++count) {
-      frames[count] = stamped[static_cast<std::size_t>(i)].frame;
-      if (arrival_us != nullptr) arrival_us[count] = stamped[static_cast<std::size_t>(i)].arrival_us;
+      frames[count] = stamped[i].frame;
+      if (arrival_us != nullptr) arrival_us[count] = stamped[i].arrival_us;
     }
     if (got < wanted) break;
   }

@@ -20,7 +20,7 @@ class FrameBits {
     push(frame.remote ? 1 : 0, 1);
     push(0, 2);
     push(frame.length, 4);
-    for (int i = 0; i < frame.length && !frame.remote; ++i) push(frame.data[static_cast<std::size_t>(i)], 8);
+    for (int i = 0; i < frame.length && !frame.remote; ++i) push(frame.data[i], 8);
     crc_ = crc();
     push(crc_, kCrcBits);
   }
@@ -32,7 +32,7 @@ class FrameBits {
     int stuffed = 0, run = 0;
     bool last = true;  // the idle bus
     for (int i = 0; i < size_; ++i) {
-      const bool bit = bits_[static_cast<std::size_t>(i)];
+      const bool bit = bits_[i];
       run = bit == last ? run + 1 : 1;
       last = bit;
       if (run < kStuffAfter) continue;
@@ -45,13 +45,13 @@ class FrameBits {
 
  private:
   void push(std::uint32_t value, int count) noexcept {
-    for (int i = count - 1; i >= 0; --i) bits_[static_cast<std::size_t>(size_++)] = ((value >> i) & 1) != 0;
+    for (int i = count - 1; i >= 0; --i) bits_[size_++] = ((value >> i) & 1) != 0;
   }
 
   std::uint16_t crc() const noexcept {
     unsigned crc = 0;
     for (int i = 0; i < size_; ++i) {
-      const bool invert = bits_[static_cast<std::size_t>(i)] != (((crc >> (kCrcBits - 1)) & 1) != 0);
+      const bool invert = bits_[i] != (((crc >> (kCrcBits - 1)) & 1) != 0);
       crc = (crc << 1) & 0x7FFF;
       if (invert) crc ^= kPolynomial;
     }

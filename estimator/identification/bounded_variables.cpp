@@ -68,7 +68,7 @@ double BoundedVariables::variable_at(const Variable& variable, double value) {
 BoundedVariables::BoundedVariables(const std::vector<FitParameter>& parameters, const Eigen::VectorXd& start)
     : fixed_(start), start_(start.size()) {
   for (Index i = 0; i < start.size(); ++i) {
-    const FitParameter& parameter = parameters[static_cast<std::size_t>(i)];
+    const FitParameter& parameter = parameters[i];
     if (!(parameter.lower <= parameter.upper))
       throw std::invalid_argument("bounds of '" + parameter.name + "' are crossed");
     fixed_[i] = std::clamp(start[i], parameter.lower, parameter.upper);
@@ -113,27 +113,25 @@ double BoundedVariables::slope_at(const Variable& v, double u) {
 Eigen::VectorXd BoundedVariables::parameters(const Eigen::VectorXd& variables) const {
   Eigen::VectorXd out = fixed_;
   for (std::size_t k = 0; k < free_.size(); ++k)
-    out[free_[k]] = parameter_at(variables_[static_cast<std::size_t>(free_[k])],
-                                 variables[static_cast<Index>(k)]);
+    out[free_[k]] = parameter_at(variables_[free_[k]], variables[static_cast<Index>(k)]);
   return out;
 }
 
 Eigen::VectorXd BoundedVariables::slope(const Eigen::VectorXd& variables) const {
   Eigen::VectorXd out(variables.size());
   for (std::size_t k = 0; k < free_.size(); ++k)
-    out[static_cast<Index>(k)] = slope_at(variables_[static_cast<std::size_t>(free_[k])],
-                                          variables[static_cast<Index>(k)]);
+    out[static_cast<Index>(k)] = slope_at(variables_[free_[k]], variables[static_cast<Index>(k)]);
   return out;
 }
 
 bool BoundedVariables::at_bound(const Eigen::VectorXd& parameters, Eigen::Index i) const {
-  const Variable& v = variables_[static_cast<std::size_t>(i)];
+  const Variable& v = variables_[i];
   const double slack = kAtBound * v.scale;
   return v.kind != Kind::kFree && (parameters[i] - v.lower <= slack || v.upper - parameters[i] <= slack);
 }
 
 double BoundedVariables::range(Eigen::Index i) const {
-  const Variable& v = variables_[static_cast<std::size_t>(i)];
+  const Variable& v = variables_[i];
   return v.kind == Kind::kFree ? std::numeric_limits<double>::infinity() : v.scale;
 }
 

@@ -41,14 +41,14 @@ FreeColumns free_columns(const Fit& fit, const Eigen::MatrixXd& weighted) {
   const double largest = weighted.colwise().norm().maxCoeff();
   for (Index i = 0; i < weighted.cols(); ++i) {
     const double norm = weighted.col(i).norm();
-    if (fit.at_bound[static_cast<std::size_t>(i)] || !(norm > largest * 1e-12)) continue;
+    if (fit.at_bound[i] || !(norm > largest * 1e-12)) continue;
     out.parameter.push_back(i);
   }
   const Index n = static_cast<Index>(out.parameter.size());
   out.jacobian.resize(weighted.rows(), n);
   out.norm.resize(n);
   for (Index k = 0; k < n; ++k) {
-    const auto column = weighted.col(out.parameter[static_cast<std::size_t>(k)]);
+    const auto column = weighted.col(out.parameter[k]);
     out.norm[k] = column.norm();
     out.jacobian.col(k) = column / out.norm[k];
   }
@@ -85,11 +85,11 @@ void fill(const FreeColumns& free, const Eigen::MatrixXd& covariance,
           const std::vector<Eigen::VectorXd>& hidden, double variance, FitStatistics& out) {
   const Index n = free.norm.size();
   for (Index a = 0; a < n; ++a) {
-    const Index i = free.parameter[static_cast<std::size_t>(a)];
+    const Index i = free.parameter[a];
     if (involved(hidden, a)) continue;
     out.standard_error[i] = std::sqrt(variance * covariance(a, a)) / free.norm[a];
     for (Index b = 0; b < n; ++b) {
-      const Index j = free.parameter[static_cast<std::size_t>(b)];
+      const Index j = free.parameter[b];
       if (!involved(hidden, b))
         out.correlation(i, j) = covariance(a, b) / std::sqrt(covariance(a, a) * covariance(b, b));
     }
@@ -102,8 +102,7 @@ std::vector<Eigen::VectorXd> spread(const FreeColumns& free, const std::vector<E
   std::vector<Eigen::VectorXd> out;
   for (const Eigen::VectorXd& direction : hidden) {
     out.push_back(Eigen::VectorXd::Zero(count));
-    for (Index k = 0; k < direction.size(); ++k)
-      out.back()[free.parameter[static_cast<std::size_t>(k)]] = direction[k];
+    for (Index k = 0; k < direction.size(); ++k) out.back()[free.parameter[k]] = direction[k];
   }
   return out;
 }

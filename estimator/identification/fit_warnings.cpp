@@ -13,9 +13,7 @@ using Index = Eigen::Index;
 constexpr double kCorrelated = 0.95;
 constexpr double kFewSamples = 5.0;  ///< effective samples for each parameter
 
-const FitParameter& at(const std::vector<FitParameter>& parameters, Index i) {
-  return parameters[static_cast<std::size_t>(i)];
-}
+const FitParameter& at(const std::vector<FitParameter>& parameters, Index i) { return parameters[i]; }
 
 std::string number(const char* format, double value) {
   char text[64];
@@ -64,7 +62,7 @@ void warn_of_single(const std::vector<FitParameter>& parameters, const Fit& fit,
                     std::vector<std::string>& out) {
   for (Index i = 0; i < fit.parameters.size(); ++i) {
     const FitParameter& p = at(parameters, i);
-    if (fit.at_bound[static_cast<std::size_t>(i)]) {
+    if (fit.at_bound[i]) {
       if (p.lower != p.upper)
         out.push_back("'" + p.name + "' ended on its bound " + number("%g", fit.parameters[i]) + " " +
                       p.unit + ": the data ask for none of it, or for more than makes sense");

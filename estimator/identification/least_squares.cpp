@@ -42,8 +42,7 @@ class Functor : public Eigen::DenseFunctor<double> {
     const Eigen::VectorXd slope = variables_.slope(u);
     jacobian.resize(all.rows(), u.size());
     for (Index k = 0; k < u.size(); ++k)
-      jacobian.col(k) = slope[k] *
-                        root_weight_.cwiseProduct(all.col(variables_.free()[static_cast<std::size_t>(k)]));
+      jacobian.col(k) = slope[k] * root_weight_.cwiseProduct(all.col(variables_.free()[k]));
     return jacobian.allFinite() ? 0 : -1;
   }
 
@@ -118,13 +117,13 @@ bool settle_bounds(const Search& s, const Fit& found, Eigen::VectorXd& parameter
   const Eigen::VectorXd push = pushes(s, parameters);
   bool changed = false;
   for (Index i = 0; i < parameters.size(); ++i) {
-    const FitParameter& p = all[static_cast<std::size_t>(i)];
+    const FitParameter& p = all[i];
     if (p.lower == p.upper || !near_a_bound(p, parameters[i], variables.range(i))) continue;
     const bool low = parameters[i] - p.lower < p.upper - parameters[i];
     const bool inward = low ? push[i] < -kPush : push[i] > kPush;
     const bool outward = low ? push[i] > kPush : push[i] < -kPush;
     const double before = parameters[i];
-    if (inward && found.at_bound[static_cast<std::size_t>(i)]) parameters[i] = moved_inside(p, before);
+    if (inward && found.at_bound[i]) parameters[i] = moved_inside(p, before);
     if (outward) parameters[i] = low ? p.lower : p.upper;
     changed |= parameters[i] != before;
   }
@@ -165,7 +164,7 @@ void reweight(const FitProblem& problem, RobustLoss loss, const FitOptions& opti
 /// Every combination of the parameters' starts, the first parameter's turning slowest.
 std::vector<Eigen::VectorXd> starts(const std::vector<FitParameter>& parameters, int most) {
   Eigen::VectorXd initial(static_cast<Index>(parameters.size()));
-  for (Index i = 0; i < initial.size(); ++i) initial[i] = parameters[static_cast<std::size_t>(i)].initial;
+  for (Index i = 0; i < initial.size(); ++i) initial[i] = parameters[i].initial;
   std::vector<Eigen::VectorXd> out{initial};
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const std::size_t before = out.size();
@@ -178,7 +177,7 @@ std::vector<Eigen::VectorXd> starts(const std::vector<FitParameter>& parameters,
   }
   for (Eigen::VectorXd& start : out) {
     for (Index i = 0; i < start.size(); ++i) {
-      const FitParameter& p = parameters[static_cast<std::size_t>(i)];
+      const FitParameter& p = parameters[i];
       if (p.lower < p.upper) start[i] = moved_inside(p, start[i]);
     }
   }

@@ -45,7 +45,7 @@ Walk::Walk(const RobotConfig& robot, const PresetConfig& preset)
 const char* Walk::validate(const WalkRequest& request, bool walking) const noexcept {
   if (gaits_.empty()) return "this robot has no gaits";
   if (request.gait < 0 || request.gait >= static_cast<int>(gaits_.size())) return "unknown gait";
-  const GaitConfig& wanted = gaits_[static_cast<std::size_t>(request.gait)];
+  const GaitConfig& wanted = gaits_[request.gait];
   if (!(std::abs(request.speed[0]) <= wanted.fastest_forward_m_s))
     return "faster forward than this gait goes";
   if (!(std::abs(request.speed[1]) <= wanted.fastest_sideways_m_s))
@@ -63,7 +63,7 @@ const char* Walk::validate(const WalkRequest& request, bool walking) const noexc
     return "stance width beyond -50 to 150 mm";
   if (walking && failure_ != nullptr) return failure_;
   if (!walking || request.gait == now_.gait) return nullptr;
-  const GaitConfig& now = gaits_[static_cast<std::size_t>(now_.gait)];
+  const GaitConfig& now = gaits_[now_.gait];
   const bool follows = std::find(now.to.begin(), now.to.end(), wanted.name) != now.to.end();
   return follows ? nullptr : "no transition between these gaits: stop first";
 }
@@ -318,9 +318,7 @@ void Walk::share_weight() noexcept {
 
 /// To a gait that never swings: the one that does slows down first, and sets each foot in its place once
 /// more.
-bool Walk::comes_to_rest() const noexcept {
-  return gait().duty < 1.0 && gaits_[static_cast<std::size_t>(wanted_.gait)].duty >= 1.0;
-}
+bool Walk::comes_to_rest() const noexcept { return gait().duty < 1.0 && gaits_[wanted_.gait].duty >= 1.0; }
 
 void Walk::next_gait() noexcept {
   const bool all_stand = clock_.all_stand();

@@ -79,17 +79,21 @@ void CanopenDevice::nmt(NmtCommand command) noexcept {
   }
   const bool was_lost = watch_.lost();
   enter(NmtState::kPreOperational);
+  application_.connection_lost();
   dictionary_.recall(0x1000, 0x1FFF);
   boot_up();
   if (was_lost) application_.connection_back();
 }
 
+/// Of the NMT states CiA 402 counts stopped alone as a lost connection: a drive that is made pre-operational
+/// keeps its power and its last set-point.
 void CanopenDevice::enter(NmtState state) noexcept {
   const bool was_operational = operational();
   state_ = state;
-  if (state == NmtState::kStopped) sdo_.reset();
   if (operational() && !was_operational) pdos_.configure();
-  if (!operational() && was_operational) application_.connection_lost();
+  if (state != NmtState::kStopped) return;
+  sdo_.reset();
+  application_.connection_lost();
 }
 
 /// As after power-on, but for the boot-up frame.

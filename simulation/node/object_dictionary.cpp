@@ -71,10 +71,9 @@ void ObjectDictionary::commission(const ObjectValue& known) {
   const int position = find(known.id);
   if (position < 0 || is_text(entry(position).type))
     throw std::invalid_argument("there is no number " + canopen::id_text(known.id) + " to commission");
-  if (!is_writable(entry(position).access))
-    entries_[static_cast<std::size_t>(position)].initial = known.value;
-  values_[static_cast<std::size_t>(position)] = known.value;
-  stored_[static_cast<std::size_t>(position)] = known.value;
+  if (!is_writable(entry(position).access)) entries_[position].initial = known.value;
+  values_[position] = known.value;
+  stored_[position] = known.value;
 }
 
 std::int64_t ObjectDictionary::get_or(canopen::ObjectId id, std::int64_t otherwise) const noexcept {
@@ -162,7 +161,7 @@ void ObjectDictionary::store(std::uint16_t first, std::uint16_t last) noexcept {
     if (is_text(entry(position).type))
       text(position).stored = text(position).now;
     else
-      stored_[static_cast<std::size_t>(position)] = value(position);
+      stored_[position] = value(position);
   });
 }
 
@@ -171,7 +170,7 @@ void ObjectDictionary::forget_at(int position) noexcept {
   if (is_text(object.type))
     text(position).stored.assign(object.text.begin(), object.text.end());
   else
-    stored_[static_cast<std::size_t>(position)] = object.initial;
+    stored_[position] = object.initial;
 }
 
 void ObjectDictionary::forget(std::uint16_t first, std::uint16_t last) noexcept {
@@ -184,7 +183,7 @@ void ObjectDictionary::recall_at(int position) noexcept {
   if (is_text(entry(position).type))
     text(position).now = text(position).stored;
   else
-    set_value(position, stored_[static_cast<std::size_t>(position)]);
+    set_value(position, stored_[position]);
 }
 
 void ObjectDictionary::recall(std::uint16_t first, std::uint16_t last) noexcept {

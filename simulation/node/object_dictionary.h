@@ -33,13 +33,9 @@ class ObjectDictionary {
   // By position, for what is asked every tick; -1 where there is no such object.
   int find(canopen::ObjectId id) const noexcept { return slots_[slot(id)].position; }
   bool has(canopen::ObjectId id) const noexcept { return find(id) >= 0; }
-  const ObjectEntry& entry(int position) const noexcept {
-    return entries_[static_cast<std::size_t>(position)];
-  }
-  std::int64_t value(int position) const noexcept { return values_[static_cast<std::size_t>(position)]; }
-  void set_value(int position, std::int64_t value) noexcept {
-    values_[static_cast<std::size_t>(position)] = value;
-  }
+  const ObjectEntry& entry(int position) const noexcept { return entries_[position]; }
+  std::int64_t value(int position) const noexcept { return values_[position]; }
+  void set_value(int position, std::int64_t value) noexcept { values_[position] = value; }
   int size() const noexcept { return static_cast<int>(entries_.size()); }
 
   /// SDO upload. @param size set to the value's bytes. @return 0 or an abort code.
@@ -92,8 +88,8 @@ class ObjectDictionary {
     while (slots_[at].position >= 0 && slots_[at].key != key(id)) at = (at + 1) & mask;
     return at;
   }
-  Text& text(int position) noexcept { return texts_[static_cast<std::size_t>(value(position))]; }
-  const Text& text(int position) const noexcept { return texts_[static_cast<std::size_t>(value(position))]; }
+  Text& text(int position) noexcept { return texts_[value(position)]; }
+  const Text& text(int position) const noexcept { return texts_[value(position)]; }
   std::uint32_t check_size(int position, std::size_t size, bool size_told) const noexcept;
   template <typename Act>
   void each_storable(std::uint16_t first, std::uint16_t last, Act act) noexcept;

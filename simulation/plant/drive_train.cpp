@@ -174,8 +174,7 @@ bool DriveTrain::all_operational() const noexcept {
 }
 
 void DriveTrain::set_fault(int actuator, FaultKind kind, double value, bool on) noexcept {
-  if (SimDrive* found = drive(actuator))
-    switch_fault(*found, actuators_[static_cast<std::size_t>(actuator)].node, kind, value, on);
+  if (SimDrive* found = drive(actuator)) switch_fault(*found, actuators_[actuator].node, kind, value, on);
 }
 
 void DriveTrain::set_bus_fault(int bus, FaultKind kind, double value, bool on) noexcept {
@@ -189,7 +188,7 @@ void DriveTrain::set_bus_fault(int bus, FaultKind kind, double value, bool on) n
 
 SimDrive* DriveTrain::drive(int actuator) noexcept {
   const bool exists = actuator >= 0 && actuator < static_cast<int>(drives_.size());
-  return exists ? drives_[static_cast<std::size_t>(actuator)].get() : nullptr;
+  return exists ? drives_[actuator].get() : nullptr;
 }
 
 }  // namespace sprung::sim

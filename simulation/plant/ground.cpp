@@ -58,7 +58,7 @@ void Ground::set_height(int leg, double height_m) noexcept {
     height_m_ = height_m;
     for (Foothold& foothold : footholds_) foothold.height_m = height_m;
   } else if (leg < static_cast<int>(footholds_.size())) {
-    footholds_[static_cast<std::size_t>(leg)].height_m = height_m;
+    footholds_[leg].height_m = height_m;
   }
 }
 

@@ -41,9 +41,8 @@ std::array<double, 4> ImuSensor::attitude(const BaseMotion& motion, std::int64_t
                                           double running_s) const noexcept {
   Vec3 error{};
   for (int axis = 0; axis < 3; ++axis) {
-    error[static_cast<std::size_t>(axis)] = config_.attitude_noise_rad * noise(kAttitude + axis, cycle) +
-                                            (axis < 2 ? config_.tilt_bias_rad * noise(kTilt + axis, kOnceARun)
-                                                      : 0.0);
+    error[axis] = config_.attitude_noise_rad * noise(kAttitude + axis, cycle) +
+                  (axis < 2 ? config_.tilt_bias_rad * noise(kTilt + axis, kOnceARun) : 0.0);
   }
   std::array<double, 4> turned = motion.quaternion_wxyz;
   mju_quatIntegrate(turned.data(), error.data(), 1.0);

@@ -251,7 +251,7 @@ void Plant::set_base_wrench(const std::array<double, 6>& wrench) noexcept {
 
 void Plant::set_foot_wrench(int leg, const std::array<double, 6>& wrench) noexcept {
   if (leg >= 0 && leg < static_cast<int>(foot_wrench_.size())) {
-    foot_wrench_[static_cast<std::size_t>(leg)] = wrench;
+    foot_wrench_[leg] = wrench;
   }
 }
 

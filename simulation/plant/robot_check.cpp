@@ -85,9 +85,7 @@ class Check {
   }
   std::string place(const std::string& path) const { return file_.place(path); }
   std::string leg_path(std::size_t leg) const { return "legs[" + std::to_string(leg) + "]"; }
-  const std::string& joint_name(int joint) const {
-    return robot_.joints[static_cast<std::size_t>(joint)].name;
-  }
+  const std::string& joint_name(int joint) const { return robot_.joints[joint].name; }
   int id(mjtObj type, const std::string& name) const { return mj_name2id(model_.get(), type, name.c_str()); }
   std::string body_name(int body) const {
     const char* const name = mj_id2name(model_.get(), mjOBJ_BODY, body);
@@ -264,7 +262,7 @@ void Check::check_hips() {
     const LegConfig& leg = robot_.legs[i];
     const Vector3d there = anchor(leg.joints[0]) - middle;
     for (int axis = 0; axis < 3; ++axis) {
-      const double here_m = leg.hip_in_trunk_m[static_cast<std::size_t>(axis)];
+      const double here_m = leg.hip_in_trunk_m[axis];
       if (std::abs(here_m - there[axis]) <= tolerance_.length_m) continue;
       add(leg.name + "'s hip lies in the trunk at " + "xyz"[axis], quantity(here_m, "m"),
           place(leg_path(i) + ".hip_in_trunk." + "xyz"[axis]), quantity(there[axis], "m"),
@@ -287,7 +285,7 @@ void Check::check_reach(std::size_t leg, const std::string& what, const std::str
   const std::vector<Vector3d> at = corners(config);
   const std::size_t knee = config.joints.size() - 1;
   const double thigh_m = (at[knee] - at[knee - 1]).norm(), shank_m = (at[knee + 1] - at[knee]).norm();
-  const JointConfig& joint = robot_.joints[static_cast<std::size_t>(config.joints[knee])];
+  const JointConfig& joint = robot_.joints[config.joints[knee]];
   const double bend_rad = shortest ? joint.position_max_rad : std::max(0.0, joint.position_min_rad);
   const double reach_m = std::sqrt(thigh_m * thigh_m + shank_m * shank_m +
                                    2 * thigh_m * shank_m * std::cos(bend_rad));

@@ -47,7 +47,7 @@ class BumplessSwitchTest : public ControllerFixture, public testing::WithParamIn
     const auto beside = [&] {
       JointVector q = position_rad;
       for (int j = 0; j < q.size(); ++j) {
-        const JointConfig& c = robot_.joints[static_cast<std::size_t>(j)];
+        const JointConfig& c = robot_.joints[j];
         q[j] = std::clamp(q[j] + draw(-0.1, 0.1), c.position_min_rad + 0.03, c.position_max_rad - 0.03);
       }
       return q;
@@ -96,7 +96,7 @@ class BumplessSwitchTest : public ControllerFixture, public testing::WithParamIn
     const ControlMode modes[] = {ControlMode::kPosition, ControlMode::kJoint, ControlMode::kCompliance,
                                  ControlMode::kCompliance};
     DesiredLeg& leg = command_.legs[0];
-    leg.control_mode = modes[static_cast<std::size_t>(draw(0.0, 3.999))];
+    leg.control_mode = modes[static_cast<int>(draw(0.0, 3.999))];
     gains(draw(0.0, 3000.0), draw(0.0, 60.0));
     leg.friction_compensation = draw(0.0, 1.0);
     leg.inertia_compensation = draw(0.0, 1.0);

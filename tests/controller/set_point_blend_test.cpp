@@ -19,7 +19,7 @@ class SetPointBlendTest : public testing::Test {
   }
   /// What the drive's position loop gives at a leg that rests at zero.
   double loop_Nm(const SetPoints& to, int i) const {
-    const ActuatorConfig& a = actuators_[static_cast<std::size_t>(i)];
+    const ActuatorConfig& a = actuators_[i];
     return a.position_stiffness_Nm_rad * to.position_rad[i] +
            a.position_damping_Nm_s_rad * to.velocity_rad_s[i];
   }

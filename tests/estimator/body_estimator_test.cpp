@@ -195,7 +195,7 @@ TEST_F(BodyEstimatorTest, OnceKnownNoInputMakesANumberThatIsNone) {
     if (dice(random_) == 0) imu.measured_angular_velocity_rad_s[2] = kNaN;
     if (dice(random_) == 0) imu.status = static_cast<ImuStatus>(dice(random_) % 4);
     std::vector<EstimatedLeg> legs = trunk_.legs(time_s_);
-    if (dice(random_) == 0) legs[static_cast<std::size_t>(dice(random_) % 4)] = EstimatedLeg{};
+    if (dice(random_) == 0) legs[dice(random_) % 4] = EstimatedLeg{};
     estimator_.step(legs, dice(random_) < 3 ? nullptr : &imu, seq_, kCycle_s, body_);
     for (const double value : body_.estimated_quaternion_wxyz) ASSERT_TRUE(std::isfinite(value)) << k;
     for (const double value : body_.estimated_angular_velocity_rad_s) ASSERT_TRUE(std::isfinite(value)) << k;

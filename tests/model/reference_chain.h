@@ -98,7 +98,7 @@ class ReferenceChain {
            const Eigen::Matrix3d& inertia) {
     links_.push_back({axis, along, link, inertia});
   }
-  const ReferenceLink& link(int i) const { return links_[static_cast<std::size_t>(i)]; }
+  const ReferenceLink& link(int i) const { return links_[i]; }
   Eigen::Matrix3d turn(int i, const JointVector& q) const {
     return Eigen::AngleAxisd(q[i], link(i).axis).toRotationMatrix();
   }

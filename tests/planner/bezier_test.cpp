@@ -53,7 +53,7 @@ TEST(BezierTest, AgreesWithBernsteinSumsAndFiniteDifferencesForEveryDegree) {
     const double u = t / duration_s;
     double sum = 0.0, binomial = 1.0;
     for (int i = 0; i <= degree; ++i) {
-      sum += binomial * std::pow(u, i) * std::pow(1.0 - u, degree - i) * points[static_cast<std::size_t>(i)];
+      sum += binomial * std::pow(u, i) * std::pow(1.0 - u, degree - i) * points[i];
       binomial *= static_cast<double>(degree - i) / (i + 1);
     }
     constexpr double kStep = 1e-5;

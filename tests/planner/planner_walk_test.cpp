@@ -162,7 +162,7 @@ TEST_F(PlannerWalkTest, LegsShowTheirOwnPhasesAndEvents) {
       EXPECT_EQ(motion_.legs[i].phase, legs_.legs[i].phase);
       const int n = static_cast<int>(motion_.legs[i].phase) - static_cast<int>(LegPhase::kSwing);
       ASSERT_TRUE(n >= 0 && n < 3) << name(motion_.legs[i].phase);
-      seen[static_cast<std::size_t>(n)] = true;
+      seen[n] = true;
     }
   }
   EXPECT_EQ(seen, (std::array<bool, 3>{true, true, true}));

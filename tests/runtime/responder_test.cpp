@@ -9,7 +9,7 @@ namespace {
 
 HeldSeqs held(std::initializer_list<std::int64_t> ascending) {
   HeldSeqs seqs;
-  for (const std::int64_t seq : ascending) seqs.seqs[static_cast<std::size_t>(seqs.count++)] = seq;
+  for (const std::int64_t seq : ascending) seqs.seqs[seqs.count++] = seq;
   return seqs;
 }
 

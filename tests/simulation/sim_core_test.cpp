@@ -53,7 +53,7 @@ TEST(SimCore, SyncAnswerHoldsPositionTorqueAndStatus) {
   const SimTruth& truth = master.sim.truth();
   for (const int node : {1, 2}) {
     const DriveAnswer& drive = master.drives[node];
-    const double true_rad = truth.joints[static_cast<std::size_t>(node - 1)].true_position_rad;
+    const double true_rad = truth.joints[node - 1].true_position_rad;
     EXPECT_NEAR(drive.position_counts, true_rad * kCoreCountsPerRad, 1.0);
     EXPECT_LT(std::abs(drive.torque_per_mille) * kCorePerMille_Nm, 4 * 0.5);
     EXPECT_EQ(drive.status_word & 0x26F, 0x240);  // switch-on disabled, remote

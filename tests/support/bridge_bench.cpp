@@ -36,7 +36,7 @@ RobotConfig robot_with_card() {
   RobotConfig robot = two_drive_robot();
   robot.encoder_cards = {{"leg_card", 0, 9, "encoder_card", {0x1, 0x2, 0, 0}}};
   for (int i = 0; i < 2; ++i) {
-    ActuatorConfig& actuator = robot.actuators[static_cast<std::size_t>(i)];
+    ActuatorConfig& actuator = robot.actuators[i];
     actuator.link_encoder = {0, i, 1048576.0, i == 0 ? -1.0 : 1.0, 0.1};
   }
   return robot;

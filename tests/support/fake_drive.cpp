@@ -37,6 +37,7 @@ void FakeDrive::receive_nmt(NmtCommand command, std::vector<CanFrame>& out) {
   if (command == NmtCommand::kStop) nmt = NmtState::kStopped;
   if (command != NmtCommand::kResetCommunication && command != NmtCommand::kResetNode) return;
   ++resets;
+  if (command == NmtCommand::kResetNode && !stuck_on) power = PowerState::kSwitchOnDisabled;
   if (reset_heals_stuck_fault) stuck_in_fault = false;
   if (loses_settings_on_reset) objects = defaults_;
   nmt = NmtState::kPreOperational;
@@ -46,6 +47,7 @@ void FakeDrive::receive_nmt(NmtCommand command, std::vector<CanFrame>& out) {
 void FakeDrive::receive_sdo(const CanFrame& frame, std::vector<CanFrame>& out) {
   const SdoMessage request = decode_sdo_request(frame);
   const Key key{request.object.index, request.object.sub};
+  objects[{kStatusWord, 0}] = cia402::encode_status(power);
   if (aborts.count(key) != 0) {
     out.push_back(sdo_server_abort(node_, request.object, aborts[key]));
   } else if (request.kind == SdoKind::kDownload) {
@@ -82,7 +84,7 @@ void FakeDrive::receive_pdo(const CanFrame& frame, std::vector<CanFrame>& out) {
 
 void FakeDrive::apply_control_word(std::uint16_t word) {
   const PowerState before = power;
-  power = cia402::apply_control(power, word, control_word);
+  if (!stuck_on) power = cia402::apply_control(power, word, control_word);
   control_word = word;
   if (stuck_in_fault && before == PowerState::kFault) power = before;
   if (power == PowerState::kOperationEnabled && before != power) ++enabled_count;

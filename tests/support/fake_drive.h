@@ -48,6 +48,7 @@ class FakeDrive {
   bool boots_silently = false;       ///< no boot-up frame
   bool stuck_in_quick_stop = false;  ///< never leaves it by itself
   bool stuck_in_fault = false;
+  bool stuck_on = false;  ///< obeys neither control word nor NMT reset, but for losing the master's heartbeat
   bool reset_heals_stuck_fault = false;  ///< by reset communication
   bool loses_settings_on_reset = false;  ///< what SDO has written is gone after reset communication
   int resets = 0;

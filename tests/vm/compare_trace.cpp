@@ -69,7 +69,7 @@ void take(const sprung_msgs::can_trace_t& trace, std::vector<Bus>& buses) {
     frame.id = static_cast<std::uint32_t>(traced.can_id) & ~kErrorFlag;
     frame.length = static_cast<std::uint8_t>(traced.dlc);
     std::copy(traced.data, traced.data + 8, frame.data.begin());
-    Bus& bus = buses.at(static_cast<std::size_t>(traced.bus));
+    Bus& bus = buses.at(traced.bus);
     (traced.sent != 0 ? bus.sent : bus.received).push_back(frame);
     if (traced.sent != 0 && trace.seq < 0) bus.boot_sent.push_back(frame);
   }
@@ -142,7 +142,7 @@ void print_frames(const char* who, const std::vector<CanFrame>& frames) {
   std::printf("  %s:", who);
   for (const CanFrame& frame : frames) {
     std::printf(" %03X#", frame.id);
-    for (int k = 0; k < frame.length; ++k) std::printf("%02X", frame.data[static_cast<std::size_t>(k)]);
+    for (int k = 0; k < frame.length; ++k) std::printf("%02X", frame.data[k]);
   }
   std::printf("\n");
 }

@@ -72,8 +72,7 @@ class FourBuses : public testing::Test {
     char text[40];
     int at = std::snprintf(text, sizeof text, "can%d %03X#", frame.bus, frame.frame.id);
     for (int i = 0; i < frame.frame.length; ++i)
-      at += std::snprintf(text + at, sizeof text - static_cast<std::size_t>(at), "%02X",
-                          frame.frame.data[static_cast<std::size_t>(i)]);
+      at += std::snprintf(text + at, sizeof text - static_cast<std::size_t>(at), "%02X", frame.frame.data[i]);
     log_ << text << "\n";
   }
 

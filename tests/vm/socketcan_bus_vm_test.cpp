@@ -42,7 +42,7 @@ Received collect(CanBus& bus, int count) {
 std::vector<CanFrame> numbered(int count) {
   std::vector<CanFrame> frames(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
-    CanFrame& frame = frames[static_cast<std::size_t>(i)];
+    CanFrame& frame = frames[i];
     frame.id = static_cast<std::uint32_t>(0x200 + i % 0x100);
     frame.length = static_cast<std::uint8_t>(2 + i % 7);
     frame.data[0] = static_cast<std::uint8_t>(i);

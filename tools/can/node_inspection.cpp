@@ -104,7 +104,7 @@ std::vector<FoundNode> scan_nodes(CanBus& bus) {
     const canopen::SdoMessage reply = canopen::decode_sdo_reply(frame);
     if (!(reply.object == ObjectId{canopen::kDeviceType, 0}))
       return true;  // answers somebody else's question
-    FoundNode& one = found[static_cast<std::size_t>(node)];
+    FoundNode& one = found[node];
     one.node = node;
     ++one.answers;
     if (reply.kind == canopen::SdoKind::kUpload) one.device_type = reply.value;

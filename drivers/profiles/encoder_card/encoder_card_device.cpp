@@ -54,14 +54,14 @@ std::uint32_t EncoderCardDevice::counts(int channel, double link_rad, std::int64
   const std::uint64_t signal = signal_ + static_cast<std::uint64_t>(channel);
   const double noise_rad = noise_rad_ == 0.0 ? 0.0 : noise_rad_ * sim::hash_noise(seed_, signal, cycle);
   const double turns = (link_rad + jumped_rad_ + noise_rad) / kTurn_rad;
-  const std::int64_t steps = counts_per_turn_[static_cast<std::size_t>(channel)];
+  const std::int64_t steps = counts_per_turn_[channel];
   const std::int64_t count = std::llround(std::floor(turns * static_cast<double>(steps))) % steps;
   return static_cast<std::uint32_t>(count < 0 ? count + steps : count);
 }
 
 void EncoderCardDevice::sample(int channel, double link_rad, std::int64_t cycle) noexcept {
   if (channel < 0 || channel >= static_cast<int>(kChannels) || stuck_) return;
-  seen_[static_cast<std::size_t>(channel)] = counts(channel, link_rad, cycle);
+  seen_[channel] = counts(channel, link_rad, cycle);
 }
 
 /// The SYNC latches all channels at one instant.

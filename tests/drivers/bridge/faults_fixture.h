@@ -18,7 +18,7 @@ class BridgeFaults : public test::PoweredBridge {
     EXPECT_EQ(cause(), expected);
     EXPECT_TRUE(latched());
     EXPECT_THAT(bench_.detail(), ::testing::HasSubstr(text));
-    bench_.run(205);
+    bench_.run(400);  // 0.3 s at rest
     EXPECT_EQ(level(), SafetyLevel::kQuickStop);
   }
   void expect_bus_lost(const char* text) {

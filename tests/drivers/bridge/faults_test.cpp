@@ -143,7 +143,7 @@ TEST_F(BridgeFaults, ReceiveQueueThatOverflowedIsCounted) {
 
 TEST_F(BridgeFaults, FramesOfStrangersAreCountedAndIgnored) {
   const std::int64_t before = bus().received;
-  for (const std::uint32_t id : {0x183U, 0x705U, 0x000U, 0x201U, 0x381U, 0x77FU}) {
+  for (const std::uint32_t id : {0x183U, 0x705U, 0x583U, 0x601U, 0x381U, 0x77FU}) {
     CanFrame frame;
     frame.id = id;
     frame.length = 8;

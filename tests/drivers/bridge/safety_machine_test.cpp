@@ -114,12 +114,15 @@ TEST_P(EveryRow, GivesItsLevelCauseAndLatchAndKeepsOnlyLatchedOnes) {
 
 INSTANTIATE_TEST_SUITE_P(Design8, EveryRow, ::testing::ValuesIn(kRows));
 
-TEST_F(SafetyMachineTest, FaultDampsThenQuickStopsAndKeepsItsCause) {
+TEST_F(SafetyMachineTest, FaultDampsUntilTheJointsHaveRestedAndKeepsItsCause) {
   update(good_);
   SafetyInputs inputs = good_;
   inputs.drive = &fault_;
   update(inputs);
-  update(good_, 199'000);
+  update(good_, 2'000'000);
+  expect(Level::kDamping, Cause::kDriveFault, true);
+  good_.slow = true;
+  update(good_, 299'000);
   expect(Level::kDamping, Cause::kDriveFault, true);
   update(good_, 1'000);
   expect(Level::kQuickStop, Cause::kDriveFault, true);
@@ -204,6 +207,17 @@ TEST_F(SafetyMachineTest, RefusedDriveDoesNotHideAnEmergencyStop) {
   machine_.emergency_stop(0, -1);
   machine_.refuse_drive(fault(Cause::kDriveRefused, "refused"), 0, -1);
   expect(Level::kDisabled, Cause::kEmergencyStop, true);
+}
+
+TEST_F(SafetyMachineTest, FaultDampsAtMostFiveSeconds) {
+  update(good_);
+  SafetyInputs inputs = good_;
+  inputs.drive = &fault_;
+  update(inputs);
+  update(good_, 4'999'000);
+  expect(Level::kDamping, Cause::kDriveFault, true);
+  update(good_, 1'000);
+  expect(Level::kQuickStop, Cause::kDriveFault, true);
 }
 
 TEST_F(SafetyMachineTest, ShutdownOfAStandingRobotDampsForThreeTenthsOfASecond) {

@@ -17,7 +17,7 @@ bool bridge_sees(const std::vector<CanFilter>& filters, std::uint32_t id) {
 RobotConfig robot() {
   RobotConfig robot;
   robot.actuators.resize(3);
-  for (int i = 0; i < 3; ++i) robot.actuators[static_cast<std::size_t>(i)].node = i + 1;
+  for (int i = 0; i < 3; ++i) robot.actuators[i].node = i + 1;
   robot.actuators[2].bus = 1;
   robot.encoder_cards.resize(1);
   robot.encoder_cards[0].node = 40;

@@ -157,6 +157,19 @@ TEST(ParseInterface, ReadsAVirtualInterface) {
   EXPECT_EQ(facts->bit_rate, 0);
 }
 
+TEST(RequireVirtual, SimulationIsRefusedOnARealController) {
+  EXPECT_NO_THROW(require_virtual(*parse_interface(kVirtual)));
+  InterfaceFacts real;
+  real.name = "can0";
+  real.kind = "can";
+  try {
+    require_virtual(real);
+    FAIL() << "a real controller was taken";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_EQ(std::string(error.what()).find("can0 is a real CAN interface, and this is a simulation"), 0U);
+  }
+}
+
 TEST(ParseInterface, AnythingElseIsNoCanInterface) {
   for (const char* text : {"", "[]", "{}", "[1]", "no json", R"([{"ifname":"eth0","link_type":"ether"}])",
                            R"([{"ifname":7,"link_type":"can"}])", R"([{"link_type":"can","linkinfo":[]}])"}) {

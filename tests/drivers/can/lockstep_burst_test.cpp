@@ -47,7 +47,7 @@ TEST(BurstAssembler, CompletesInAnyOrderOnce) {
   EXPECT_EQ(assembler.add({0, 3, 0}, frame_of(0, 0)), BurstEvent::kPartial) << "a duplicate counts once";
   EXPECT_EQ(assembler.add({0, 3, 1}, frame_of(0, 1)), BurstEvent::kComplete);
   ASSERT_EQ(assembler.frames().size(), 3U);
-  for (int i = 0; i < 3; ++i) EXPECT_EQ(assembler.frames()[static_cast<std::size_t>(i)], frame_of(0, i));
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(assembler.frames()[i], frame_of(0, i));
   EXPECT_EQ(assembler.tick(), 0);
 }
 
@@ -119,8 +119,7 @@ TEST(BurstAssembler, StopAndWaitDeliversEveryBurstUnchangedOverABadMedium) {
         assembler.add({tick, count, index}, frame_of(tick, index));
     }
     ASSERT_EQ(assembler.frames().size(), static_cast<std::size_t>(count));
-    for (int i = 0; i < count; ++i)
-      ASSERT_EQ(assembler.frames()[static_cast<std::size_t>(i)], frame_of(tick, i));
+    for (int i = 0; i < count; ++i) ASSERT_EQ(assembler.frames()[i], frame_of(tick, i));
   }
 }
 

@@ -89,8 +89,7 @@ TEST(LockstepLink, BurstsAndAnswersArriveWholeWithEmptyAnswersSeen) {
     exchange(bridge, drives, tick, 3, answer, steps);
     EXPECT_EQ(bridge.tick(), tick);
     ASSERT_EQ(bridge.frames().size(), static_cast<std::size_t>(answer));
-    for (int i = 0; i < answer; ++i)
-      EXPECT_EQ(bridge.frames()[static_cast<std::size_t>(i)], batch_of(tick, 4)[2 * i].frame);
+    for (int i = 0; i < answer; ++i) EXPECT_EQ(bridge.frames()[i], batch_of(tick, 4)[2 * i].frame);
   }
   EXPECT_EQ(steps, 50);
 }

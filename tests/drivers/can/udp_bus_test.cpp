@@ -42,8 +42,8 @@ std::vector<CanFrame> collect(CanBus& bus, int count) {
 std::vector<CanFrame> can_udp_bus_numbered(int count) {
   std::vector<CanFrame> frames(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
-    frames[static_cast<std::size_t>(i)].id = 0x100 + static_cast<std::uint32_t>(i);
-    frames[static_cast<std::size_t>(i)].length = 8;
+    frames[i].id = 0x100 + static_cast<std::uint32_t>(i);
+    frames[i].length = 8;
   }
   return frames;
 }

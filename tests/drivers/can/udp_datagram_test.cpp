@@ -62,7 +62,7 @@ TEST(UdpDatagram, EveryFrameSurvives) {
     sent.frame.length = static_cast<std::uint8_t>(random() % 9);
     sent.frame.remote = random() % 4 == 0;
     for (int b = 0; b < sent.frame.length && !sent.frame.remote; ++b) {
-      sent.frame.data[static_cast<std::size_t>(b)] = static_cast<std::uint8_t>(random());
+      sent.frame.data[b] = static_cast<std::uint8_t>(random());
     }
     sent.frame.error = !sent.frame.remote && random() % 2 == 0;
     sent.timestamp = static_cast<double>(random()) * 1048576.0;

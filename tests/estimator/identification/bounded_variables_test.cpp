@@ -54,7 +54,7 @@ TEST(BoundedVariables, MovedInsideTheSlopeIsNotZero) {
   start[1] = 1.0;
   start[2] = 0.5;
   start[3] = 2.0;
-  for (const int i : {1, 2, 3}) start[i] = moved_inside(all_kinds()[static_cast<std::size_t>(i)], start[i]);
+  for (const int i : {1, 2, 3}) start[i] = moved_inside(all_kinds()[i], start[i]);
   const BoundedVariables variables(all_kinds(), start);
   const Eigen::VectorXd slope = variables.slope(variables.start());
   for (const int i : {1, 2, 3}) {
@@ -64,8 +64,7 @@ TEST(BoundedVariables, MovedInsideTheSlopeIsNotZero) {
 }
 
 TEST(BoundedVariables, MovedInsideLeavesWhatIsInside) {
-  for (const int i : {0, 1, 2, 3})
-    EXPECT_EQ(moved_inside(all_kinds()[static_cast<std::size_t>(i)], initials()[i]), initials()[i]) << i;
+  for (const int i : {0, 1, 2, 3}) EXPECT_EQ(moved_inside(all_kinds()[i], initials()[i]), initials()[i]) << i;
 }
 
 TEST(BoundedVariables, WhatStartsOnABoundOrHasNoRoomIsNoVariable) {

@@ -79,7 +79,7 @@ TEST(Footprint, FitFindsAmplitudesAndStiffness) {
   const Fit found = fit(FitProblem(model, pieces), FitOptions{});
   EXPECT_NEAR(model.stiffness_Nm_rad(found.parameters), 2.5e4, 0.01 * 2.5e4);
   for (Index i = 0; i + 1 < truth.size(); ++i)
-    EXPECT_NEAR(found.parameters[i], truth[i], 3e-6) << model.parameters()[static_cast<std::size_t>(i)].name;
+    EXPECT_NEAR(found.parameters[i], truth[i], 3e-6) << model.parameters()[i].name;
 }
 
 TEST(Footprint, TorqueFromEncodersAloneInvertsThePrediction) {

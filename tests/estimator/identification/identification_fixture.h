@@ -54,8 +54,7 @@ class LinearModel : public FitModel {
   void predict(const JointDataset& data, const Eigen::VectorXd& parameters, Eigen::VectorXd& prediction,
                Eigen::MatrixXd* jacobian) const override {
     Eigen::MatrixXd columns(data.size(), parameters.size());
-    for (Eigen::Index i = 0; i < parameters.size(); ++i)
-      columns.col(i) = columns_[static_cast<std::size_t>(i)](data);
+    for (Eigen::Index i = 0; i < parameters.size(); ++i) columns.col(i) = columns_[i](data);
     prediction = columns * parameters;
     if (jacobian != nullptr) *jacobian = columns;
   }

@@ -30,7 +30,7 @@ JointDataset moved_joint(Index samples) {
 
 Eigen::VectorXd initial(const FitModel& model) {
   Eigen::VectorXd out(static_cast<Index>(model.parameters().size()));
-  for (Index i = 0; i < out.size(); ++i) out[i] = model.parameters()[static_cast<std::size_t>(i)].initial;
+  for (Index i = 0; i < out.size(); ++i) out[i] = model.parameters()[i].initial;
   return out;
 }
 
@@ -63,8 +63,7 @@ void expect_derivatives(const JointModel& model, const JointDataset& data, const
     const double scale = std::max(1.0, slope.cwiseAbs().maxCoeff());
     // Elements of the presliding state that begin to slip within the step may differ: single samples.
     const Index wrong = ((jacobian.col(k) - slope).array().abs() > 1e-5 * scale).count();
-    EXPECT_LE(wrong, data.size() / 100)
-        << model.name() << ", " << model.parameters()[static_cast<std::size_t>(k)].name;
+    EXPECT_LE(wrong, data.size() / 100) << model.name() << ", " << model.parameters()[k].name;
   }
 }
 
@@ -183,7 +182,7 @@ TEST(JointModel, FitFindsTheTruthInNoise) {
   const Fit found = fit(FitProblem(JointModel(model.terms(), data), pieces), FitOptions{});
   for (Index i = 0; i < truth.size(); ++i)
     EXPECT_NEAR(found.parameters[i], truth[i], 0.05 * std::max(0.2, std::abs(truth[i])))
-        << model.parameters()[static_cast<std::size_t>(i)].name;
+        << model.parameters()[i].name;
 }
 
 }  // namespace

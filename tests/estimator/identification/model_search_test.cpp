@@ -22,7 +22,7 @@ std::vector<FitPiece> joint(bool ripple) {
   const JointModel model(terms, data);
   Eigen::VectorXd truth(static_cast<Eigen::Index>(model.parameters().size()));
   for (Eigen::Index i = 0; i < truth.size(); ++i) {
-    const std::string& name = model.parameters()[static_cast<std::size_t>(i)].name;
+    const std::string& name = model.parameters()[i].name;
     truth[i] = name == "inertia" ? 0.8 : name == "coulomb" ? 6.0 : name == "viscous" ? 3.0 : 1.5;
   }
   return {whole(simulated(model, truth, data, 0.3, 11))};

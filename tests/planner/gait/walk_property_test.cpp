@@ -47,7 +47,7 @@ class Walker : public WalkFixture {
  private:
   double uniform() { return std::uniform_real_distribution<double>(-1.0, 1.0)(random_); }
   WalkRequest drawn(const Case& c) {
-    const GaitConfig& config = robot_.gaits[static_cast<std::size_t>(gait(c.gait))];
+    const GaitConfig& config = robot_.gaits[gait(c.gait)];
     WalkRequest out = request(
         c.gait,
         {config.fastest_forward_m_s * uniform(), config.fastest_sideways_m_s * uniform(),
@@ -66,7 +66,7 @@ class Walker : public WalkFixture {
   }
   void compare() const {
     ASSERT_GE(standing(), 2);
-    const GaitConfig& config = robot_.gaits[static_cast<std::size_t>(std::max(0, motion_.gait))];
+    const GaitConfig& config = robot_.gaits[std::max(0, motion_.gait)];
     const double swing_s = std::max(0.1, config.period_s * (1.0 - config.duty));
     // Least jerk: 1.875 times the mean speed over the longest step; the lift: less than 3.1 lift over the
     // time before the approach.

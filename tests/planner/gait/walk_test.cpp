@@ -131,7 +131,7 @@ TEST_F(WalkTest, LateContactFreezesTheClockUntilTheFootFoundTheGround) {
   });
   EXPECT_EQ(count(LegEvent::kLateContact), 1);
   // When it leaves the ground is expected where it is on average, a quarter of the way down the hole.
-  const double approach_m_s = robot_.gaits[static_cast<std::size_t>(gait("trot"))].approach_m_s;
+  const double approach_m_s = robot_.gaits[gait("trot")].approach_m_s;
   EXPECT_NEAR(frozen_s, 0.75 * 0.02 / approach_m_s, 0.01);
   EXPECT_EQ(walk_.failure(), nullptr);
 }
@@ -292,7 +292,7 @@ TEST_F(WalkTest, SameInputsGiveTheSameBits) {
       if (again == 0) {
         first.push_back(leg.desired_foot_in_hip_m);
       } else {
-        ASSERT_EQ(leg.desired_foot_in_hip_m, first[static_cast<std::size_t>(k)]);
+        ASSERT_EQ(leg.desired_foot_in_hip_m, first[k]);
       }
     }
   }

@@ -164,7 +164,7 @@ TEST_F(HomingPegasus, LinkGivesTheTruthUpToWhatLinkEncodersSee) {
     for (std::size_t i = 0; i < 12; ++i) {
       const ActuatorConfig& a = config_.actuators[i];
       ASSERT_TRUE(referenced(i)) << a.name;
-      const double noise_rad = plant.cards[static_cast<std::size_t>(a.link_encoder.card)].noise_rad;
+      const double noise_rad = plant.cards[a.link_encoder.card].noise_rad;
       const double bound_rad = plant.drives[i].kinematic_error.amplitude_rad + 5 * noise_rad +
                                kTurn_rad / a.link_encoder.counts_per_turn + count_rad(a);
       EXPECT_LT(bound_rad, 4e-4);

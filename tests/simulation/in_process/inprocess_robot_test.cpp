@@ -99,7 +99,7 @@ TEST_F(InProcess, DriveThatFaultsInAJumpStopsTheWholeRobot) {
   fault.kind = SimControlKind::kDriveFault;
   fault.actuator = 0;
   robot_.sim().control(fault);
-  run(1.0);
+  run(6.0);  // it lands, is damped until it rests, then stopped
   EXPECT_FALSE(any_enabled());
   EXPECT_EQ(robot_.bridge().safety().cause, SafetyCause::kDriveFault);
   EXPECT_TRUE(robot_.bridge().safety().latched);

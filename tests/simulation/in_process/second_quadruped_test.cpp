@@ -40,7 +40,7 @@ class SecondQuadruped : public testing::Test {
   double walk(const std::string& gait, double speed_m_s, double seconds, double until_it_stands_s) {
     OperatorCommand command;
     command.kind = OperatorKind::kWalk;
-    while (config_.gaits.at(static_cast<std::size_t>(++command.gait)).name != gait) {
+    while (config_.gaits.at(++command.gait).name != gait) {
     }
     command.walk_speed[0] = speed_m_s;
     command.request_id = ++request_;

@@ -70,8 +70,9 @@ TEST_F(CanopenDeviceTest, GuardedNodeAnswersAndLifeGuardingIsAHeartbeatLoss) {
   EXPECT_EQ(frames(0x703)[0].data[0], 0x7F);
   EXPECT_EQ(frames(0x703)[1].data[0], 0x84);
   nmt(NmtCommand::kEnterPreOperational);
+  EXPECT_EQ(lost, 1) << "stopped is a lost connection";
   tick_until(20000);
-  EXPECT_EQ(lost, 1);
+  EXPECT_EQ(lost, 2);
   EXPECT_EQ(emergencies(), std::vector<int>{0x8130});
 }
 

@@ -48,11 +48,11 @@ class PegasusTrain : public testing::Test {
   }
   void note(const BusFrame& entry, std::size_t actuator, std::map<std::size_t, double>& links) const {
     const LinkEncoderConfig& link = robot_.actuators[actuator].link_encoder;
-    const EncoderCardConfig& card = robot_.encoder_cards[static_cast<std::size_t>(link.card)];
+    const EncoderCardConfig& card = robot_.encoder_cards[link.card];
     if (entry.bus != card.bus || entry.frame.id != canopen::tpdo_id(0, card.node)) return;
     std::uint64_t word = 0;
-    for (int byte = 7; byte >= 0; --byte) word = word << 8 | entry.frame.data[static_cast<std::size_t>(byte)];
-    const auto counts = encoder_card::unpack(word).counts[static_cast<std::size_t>(link.channel)];
+    for (int byte = 7; byte >= 0; --byte) word = word << 8 | entry.frame.data[byte];
+    const auto counts = encoder_card::unpack(word).counts[link.channel];
     const double angle_rad = link.direction * counts * kTwoPi / link.counts_per_turn + link.offset_rad;
     links[actuator] = std::remainder(angle_rad, kTwoPi);
   }

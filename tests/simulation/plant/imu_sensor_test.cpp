@@ -14,7 +14,7 @@ Stamp at(std::int64_t cycle) { return {2000 * cycle, cycle}; }
 BaseMotion turned(double angle_rad, int axis) {
   BaseMotion motion;
   motion.quaternion_wxyz = {std::cos(0.5 * angle_rad), 0, 0, 0};
-  motion.quaternion_wxyz[static_cast<std::size_t>(1 + axis)] = std::sin(0.5 * angle_rad);
+  motion.quaternion_wxyz[1 + axis] = std::sin(0.5 * angle_rad);
   return motion;
 }
 

@@ -194,8 +194,7 @@ TEST_F(PegasusPlant, LegsWeighWhatRobotYamlSays) {
     for (int j = 0; j < 3; ++j)
       q[j] = plant_->position_rad(static_cast<std::size_t>(leg.joints[static_cast<std::size_t>(j)]));
     const JointVector gravity = ThreeJoint(leg).gravity_torque_Nm(q);
-    for (int j = 0; j < 3; ++j)
-      torque_Nm[static_cast<std::size_t>(leg.joints[static_cast<std::size_t>(j)])] = gravity[j];
+    for (int j = 0; j < 3; ++j) torque_Nm[leg.joints[j]] = gravity[j];
   }
   plant_->step(torque_Nm);
   for (std::size_t j = 0; j < 12; ++j)

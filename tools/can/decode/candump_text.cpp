@@ -136,7 +136,7 @@ std::string candump_line(const ObservedFrame& observed, const std::string& inter
     line += frame.length == 0 ? "R" : "R" + std::to_string(frame.length);
   } else {
     for (int i = 0; i < frame.length; ++i) {
-      std::snprintf(text, sizeof text, "%02X", frame.data[static_cast<std::size_t>(i)]);
+      std::snprintf(text, sizeof text, "%02X", frame.data[i]);
       line += text;
     }
   }

@@ -21,7 +21,7 @@ std::string bytes_text(const CanFrame& frame) {
   std::string text;
   for (int i = 0; i < frame.length; ++i) {
     char pair[4];
-    std::snprintf(pair, sizeof pair, "%02X", frame.data[static_cast<std::size_t>(i)]);
+    std::snprintf(pair, sizeof pair, "%02X", frame.data[i]);
     text += (i == 0 ? "" : " ") + std::string(pair);
   }
   return text.empty() ? "no data" : text;
@@ -185,7 +185,7 @@ std::vector<DecodedField> FrameDecoder::decode_fields(const PdoTable& pdo, const
   std::vector<DecodedField> fields;
   std::size_t at = 0;
   for (int i = 0; i < pdo.count; ++i) {
-    const canopen::MapEntry entry = canopen::decode_map_entry(pdo.words[static_cast<std::size_t>(i)]);
+    const canopen::MapEntry entry = canopen::decode_map_entry(pdo.words[i]);
     const auto bytes = static_cast<std::size_t>(entry.bits / 8);
     if (entry.bits % 8 != 0 || at + bytes > frame.length) break;  // granularity is 8 bit (facts canopen 1.5)
     fields.push_back(decode_field(pdo, entry.object, &frame.data[at], bytes));

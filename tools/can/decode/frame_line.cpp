@@ -22,7 +22,7 @@ std::string data_text(const CanFrame& frame) {
   std::string text;
   for (int i = 0; i < frame.length && !frame.remote; ++i) {
     char pair[4];
-    std::snprintf(pair, sizeof pair, "%02X", frame.data[static_cast<std::size_t>(i)]);
+    std::snprintf(pair, sizeof pair, "%02X", frame.data[i]);
     text += pair;
   }
   return text;

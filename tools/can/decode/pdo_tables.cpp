@@ -37,7 +37,7 @@ std::uint32_t predefined_id(bool transmit, int number, int node) {
 
 int PdoTable::bits() const noexcept {
   int sum = 0;
-  for (int i = 0; i < count; ++i) sum += canopen::decode_map_entry(words[static_cast<std::size_t>(i)]).bits;
+  for (int i = 0; i < count; ++i) sum += canopen::decode_map_entry(words[i]).bits;
   return sum;
 }
 

@@ -222,7 +222,7 @@ std::vector<ReportRow> bench_stack(const RobotConfig& robot, double seconds) {
   const double standing_us = stack.median_us(kSimulation);
   double standing_stack_us = 0.0;
   for (int part = 0; part < kPartCount; ++part) standing_stack_us += stack.median_us(static_cast<Part>(part));
-  stack.walk(gait, kSpeed * robot.gaits[static_cast<std::size_t>(gait)].fastest_forward_m_s);
+  stack.walk(gait, kSpeed * robot.gaits[gait].fastest_forward_m_s);
   stack.forget_times();
   const double reference_us = 1e-3 * reference_ns();
   const double began_s = processor_s();
@@ -237,7 +237,7 @@ std::vector<ReportRow> bench_stack(const RobotConfig& robot, double seconds) {
   double cores_us = 0.0;
   for (int part = 0; part < kPartCount; ++part) {
     const double us = stack.median_us(static_cast<Part>(part));
-    add(std::string(kPartNames[static_cast<std::size_t>(part)]) + "_cycle", us);
+    add(std::string(kPartNames[part]) + "_cycle", us);
     if (part >= kEstimator) cores_us += us;
   }
   const double two_feet_us = distribution_us(robot, true);

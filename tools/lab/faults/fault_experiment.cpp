@@ -36,7 +36,7 @@ class FaultRun {
       : config_(robot), fault_(fault), robot_(robot, preset, held_up(robot, sim)) {
     outcome_.fault = fault;
     const ActuatorConfig& last = robot.actuators.back();
-    outcome_.target = fault.on_bus ? robot.buses[static_cast<std::size_t>(last.bus)].name : last.name;
+    outcome_.target = fault.on_bus ? robot.buses[last.bus].name : last.name;
   }
 
   FaultOutcome run() {

@@ -151,7 +151,7 @@ std::string friction_text(const JointConfig& joint) {
 
 DragResult run_drag(const RobotConfig& robot, const std::string& preset, const SimOptions& sim, int joint) {
   DragResult out = DragRun(robot, preset, sim, joint).run(drag_script(robot.joints.size() == 1));
-  const JointConfig& config = robot.joints[static_cast<std::size_t>(joint)];
+  const JointConfig& config = robot.joints[joint];
   out.robot = robot.name;
   out.joint = config.name;
   out.seed = sim.seed;
@@ -175,7 +175,7 @@ RobotConfig with_swept_friction(const RobotConfig& robot, const std::string& pre
   found.record.command = "sprung experiment friction_sweep --robot " + robot.name +
                          " --protocol loaded --seed " + std::to_string(other.seed);
   RobotConfig out = robot;
-  out.joints[static_cast<std::size_t>(joint)].friction = found;
+  out.joints[joint].friction = found;
   return out;
 }
 

@@ -62,7 +62,7 @@ int bench_joint(const RobotConfig& robot, const std::string& joint_name) {
 BenchLimits bench_limits(const RobotConfig& robot, int joint) {
   int leg = 0, in_leg = 0;
   const LegConfig& config = leg_of(robot, joint, leg, in_leg);
-  const JointLimits limits = joint_limits(robot)[static_cast<std::size_t>(joint)];
+  const JointLimits limits = joint_limits(robot)[joint];
   const auto actuator = static_cast<std::size_t>(config.actuators[static_cast<std::size_t>(in_leg)]);
   const ActuatorConfig& a = robot.actuators[actuator];
   return {limits.position_min_rad, limits.position_max_rad, limits.speed_rad_s, limits.acceleration_rad_s2,
@@ -161,7 +161,7 @@ void JointBench::find_load_sense(double torque_Nm) {
 }
 
 BenchSample JointBench::sample() const {
-  const LegConfig& leg = config_.legs[static_cast<std::size_t>(leg_)];
+  const LegConfig& leg = config_.legs[leg_];
   JointVector position_rad(transmission_.size()), torque_Nm(transmission_.size());
   for (int i = 0; i < transmission_.size(); ++i) {
     const auto a = static_cast<std::size_t>(leg.actuators[static_cast<std::size_t>(i)]);
@@ -239,8 +239,7 @@ void approach(JointBench& bench, double target_rad) {
 double gear_ratio_of(const RobotConfig& robot, int joint) {
   for (const LegConfig& leg : robot.legs) {
     for (std::size_t i = 0; i < leg.joints.size(); ++i) {
-      if (leg.joints[i] == joint)
-        return robot.actuators[static_cast<std::size_t>(leg.actuators[i])].gear_ratio;
+      if (leg.joints[i] == joint) return robot.actuators[leg.actuators[i]].gear_ratio;
     }
   }
   return 0.0;
@@ -255,7 +254,7 @@ SweepRecording record_sweep(const RobotConfig& robot, const std::string& preset,
   SweepRecording out;
   out.protocol = protocol;
   out.robot = robot.name;
-  out.joint = robot.joints[static_cast<std::size_t>(joint)].name;
+  out.joint = robot.joints[joint].name;
   out.gear_ratio = gear_ratio_of(robot, joint);
   out.seed = sim.seed;
   // The first move also enables the drives, and holds the joint where it is.

@@ -82,7 +82,7 @@ SweepStart start_of(const std::vector<FitPiece>& pieces) {
   Eigen::MatrixXd line(n, 2);
   VectorXd friction_Nm(n);
   for (Index i = 0; i < n; ++i) {
-    const JointDataset& data = pieces[static_cast<std::size_t>(i)].data;
+    const JointDataset& data = pieces[i].data;
     line.row(i) << 1.0, std::abs(data.velocity_rad_s[0]);
     friction_Nm[i] = std::copysign(1.0, data.velocity_rad_s[0]) *
                      (data.measured_torque - data.load_Nm).mean();

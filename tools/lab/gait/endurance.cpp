@@ -48,13 +48,13 @@ int endurance_gait(const RobotConfig& robot, const std::string& gait) {
 /// From standing any gait; in a gait itself or what may follow it.
 int next_gait(const RobotConfig& robot, int now, Dice& dice) {
   if (now < 0) return static_cast<int>(dice.below(robot.gaits.size()));
-  const std::vector<std::string>& to = robot.gaits[static_cast<std::size_t>(now)].to;
+  const std::vector<std::string>& to = robot.gaits[now].to;
   const std::size_t choice = dice.below(to.size() + 1);
   return choice == to.size() ? now : endurance_gait(robot, to[choice]);
 }
 
 EnduranceStep walk(const RobotConfig& robot, const std::string& preset, int gait, Dice& dice) {
-  const GaitConfig& g = robot.gaits[static_cast<std::size_t>(gait)];
+  const GaitConfig& g = robot.gaits[gait];
   const PresetConfig& p = robot.preset(preset);
   EnduranceStep out;
   out.command.kind = OperatorKind::kWalk;
@@ -118,8 +118,8 @@ std::string words(const RobotConfig& robot, const OperatorCommand& command) {
   if (command.kind == OperatorKind::kStop) return "stop";
   char text[120];
   std::snprintf(text, sizeof text, "%s %.2f %.2f m/s %.2f rad/s, height %.3f m, width %.3f m",
-                robot.gaits[static_cast<std::size_t>(command.gait)].name.c_str(), command.walk_speed[0],
-                command.walk_speed[1], command.walk_speed[2], command.body_height_m, command.stance_width_m);
+                robot.gaits[command.gait].name.c_str(), command.walk_speed[0], command.walk_speed[1],
+                command.walk_speed[2], command.body_height_m, command.stance_width_m);
   return text;
 }
 

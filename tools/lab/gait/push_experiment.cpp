@@ -35,7 +35,7 @@ std::array<double, 2> vector_Ns(PushDirection direction, double impulse_Ns) noex
 /// Until the gait's clock passes this share of its period; at most two periods.
 void wait_for_phase(WalkingRobot& walker, const RobotConfig& robot, const PushCase& config, double phase) {
   if (config.phases < 2) return;
-  const double period_s = robot.gaits[static_cast<std::size_t>(gait_index(robot, config.gait))].period_s;
+  const double period_s = robot.gaits[gait_index(robot, config.gait)].period_s;
   const double near = robot.cycle_s / period_s;
   for (double waited_s = 0.0; waited_s < 2.0 * period_s; waited_s += robot.cycle_s) {
     if (std::abs(std::remainder(walker.robot().motion_state().gait_phase - phase, 1.0)) <= near) return;

@@ -42,8 +42,7 @@ double ramp_s(const RobotConfig& robot, const WalkTask& task, const GaitCase& co
 
 /// A share of the gait's fastest speed in robot.yaml, as somebody would type it.
 double speed_of(const RobotConfig& robot, const char* gait, double share) {
-  const double fastest_m_s = robot.gaits[static_cast<std::size_t>(gait_index(robot, gait))]
-                                 .fastest_forward_m_s;
+  const double fastest_m_s = robot.gaits[gait_index(robot, gait)].fastest_forward_m_s;
   const double steps_per_m_s = std::round(1.0 / kSpeedStep_m_s);
   return std::round(share * fastest_m_s * steps_per_m_s) / steps_per_m_s;
 }

@@ -37,13 +37,12 @@ double link_position_rad(const Transmission& transmission, const LegConfig& leg,
                          int place) {
   JointVector link(transmission.size());
   for (int i = 0; i < link.size(); ++i)
-    link[i] = state.actuators[static_cast<std::size_t>(leg.actuators[static_cast<std::size_t>(i)])]
-                  .measured_link_position_rad;
+    link[i] = state.actuators[leg.actuators[i]].measured_link_position_rad;
   return transmission.joint_from_actuator(link)[place];
 }
 
 LegSamples samples_of(const RobotConfig& robot, const LegPlace& at, const std::vector<DriveState>& states) {
-  const LegConfig& leg = robot.legs[static_cast<std::size_t>(at.leg)];
+  const LegConfig& leg = robot.legs[at.leg];
   const DriveSampler sampler(robot, leg);
   const Transmission transmission(leg);
   const std::size_t joints = leg.joints.size();
@@ -56,7 +55,7 @@ LegSamples samples_of(const RobotConfig& robot, const LegPlace& at, const std::v
     last_seq = state.stamp.seq;
     sampler.sample(state.actuators, samples);
     if (!std::all_of(samples.begin(), samples.end(), [](const JointSample& s) { return s.fresh; })) continue;
-    const JointSample& own = samples[static_cast<std::size_t>(at.place)];
+    const JointSample& own = samples[at.place];
     out.time_s.push_back(1e-6 * static_cast<double>(state.stamp.utime_us));
     for (std::size_t j = 0; j < joints; ++j) out.position_rad[j].push_back(samples[j].measured_position_rad);
     out.torque_Nm.push_back(own.motor_torque_Nm);
@@ -129,9 +128,9 @@ double counted_s(const std::vector<double>& time_s, const std::vector<double>& w
 }
 
 void fill_series(const RobotConfig& robot, const LegPlace& at, LegSamples&& samples, DriveSeries& out) {
-  const LegConfig& leg = robot.legs[static_cast<std::size_t>(at.leg)];
+  const LegConfig& leg = robot.legs[at.leg];
   const auto place = static_cast<std::size_t>(at.place);
-  out.series.gear_ratio = robot.actuators[static_cast<std::size_t>(leg.actuators[place])].gear_ratio;
+  out.series.gear_ratio = robot.actuators[leg.actuators[place]].gear_ratio;
   out.series.time_s = std::move(samples.time_s);
   out.series.position_rad = std::move(samples.position_rad[place]);
   out.series.measured_torque = std::move(samples.torque_Nm);
@@ -152,13 +151,12 @@ LegPlace place_of(const RobotConfig& robot, int joint) {
 }
 
 DriveSeries drive_series(const RobotConfig& robot, int joint, const std::vector<DriveState>& states) {
-  const std::string& name = robot.joints.at(static_cast<std::size_t>(joint)).name;
+  const std::string& name = robot.joints.at(joint).name;
   const LegPlace at = place_of(robot, joint);
   LegSamples samples = samples_of(robot, at, states);
   const std::size_t n = samples.time_s.size();
   if (n == 0) throw std::runtime_error("no sample in which every drive of joint " + name + "'s leg answered");
-  const std::vector<bool> moves = moving(samples.time_s,
-                                         samples.position_rad[static_cast<std::size_t>(at.place)]);
+  const std::vector<bool> moves = moving(samples.time_s, samples.position_rad[at.place]);
   DriveSeries out;
   for (const auto& position_rad : samples.position_rad)
     out.pose_rad.push_back(median_where(position_rad, moves));

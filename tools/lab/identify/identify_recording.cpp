@@ -108,7 +108,7 @@ Recording identify_log(const RecordingRequest& request, const ProgressFunction& 
   for (const int joint : asked) {
     try {
       out.joints.push_back(identify_drives(robot, joint, log.states, request.protocol, progress));
-      out.configs.push_back(robot.joints[static_cast<std::size_t>(joint)]);
+      out.configs.push_back(robot.joints[joint]);
     } catch (const WrongUse&) {
       throw;
     } catch (const std::exception& error) {
@@ -129,7 +129,7 @@ IdentifiedJoint identify_drives(const RobotConfig& robot, int joint, const std::
   const auto protocol = understood([&] { return protocol_of(for_log(request)); });
   DriveSeries series = drive_series(robot, joint, states);
   IdentifiedJoint out;
-  out.name = robot.joints[static_cast<std::size_t>(joint)].name;
+  out.name = robot.joints[joint].name;
   out.notes = std::move(series.notes);
   out.result = identification::identify_joint(series.series, protocol, trying(out.name, progress));
   out.armature = armature_of(robot, joint, series.pose_rad, out.chosen());

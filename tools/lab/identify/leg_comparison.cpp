@@ -36,7 +36,7 @@ struct HeldLeg {
 
 HeldLeg held_leg(const RobotConfig& robot, int joint, const std::vector<double>& pose_rad) {
   const LegPlace at = place_of(robot, joint);
-  HeldLeg out{make_leg_kinematics(robot.legs[static_cast<std::size_t>(at.leg)]), JointVector(), at.place};
+  HeldLeg out{make_leg_kinematics(robot.legs[at.leg]), JointVector(), at.place};
   out.pose_rad = Eigen::Map<const Eigen::VectorXd>(pose_rad.data(),
                                                    static_cast<Eigen::Index>(pose_rad.size()));
   return out;

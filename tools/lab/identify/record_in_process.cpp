@@ -38,9 +38,7 @@ class Recorder {
     wait(kSettleLinks_s);
   }
 
-  double position_rad(int joint) const {
-    return robot_.joint_state().joints[static_cast<std::size_t>(joint)].estimated_position_rad;
-  }
+  double position_rad(int joint) const { return robot_.joint_state().joints[joint].estimated_position_rad; }
   void begin() { recording_ = true; }
   /// @return the cycle in which it took effect.
   std::int64_t order(OperatorCommand command);

@@ -125,8 +125,8 @@ RecordRange record_range(const RobotConfig& robot, int joint) {
   for (const LegConfig& leg : robot.legs) {
     const auto place = std::find(leg.joints.begin(), leg.joints.end(), joint);
     if (place == leg.joints.end()) continue;
-    const int actuator = leg.actuators[static_cast<std::size_t>(place - leg.joints.begin())];
-    const double stiffness = robot.actuators[static_cast<std::size_t>(actuator)].position_stiffness_Nm_rad;
+    const int actuator = leg.actuators[place - leg.joints.begin()];
+    const double stiffness = robot.actuators[actuator].position_stiffness_Nm_rad;
     if (stiffness > 0.0 && armature_kg_m2 > 0.0)
       range.acceleration_rad_s2 = std::min(range.acceleration_rad_s2, kLag_rad * stiffness / armature_kg_m2);
   }

@@ -76,7 +76,7 @@ RecordPlan plan_recording(const RobotConfig& robot, int joint, const RecordOptio
   RecordPlan plan;
   plan.joint = joint;
   plan.range = narrowed(record_range(robot, joint), options.asked);
-  plan.from_rad = state->joints[static_cast<std::size_t>(joint)].estimated_position_rad;
+  plan.from_rad = state->joints[joint].estimated_position_rad;
   plan.moves = record_protocol(plan.range, plan.from_rad, options);
   return plan;
 }
@@ -87,9 +87,8 @@ std::string describe(const RobotConfig& robot, const RecordPlan& plan) {
       text, sizeof text,
       "%s moves between %.2f and %.2f rad (it is at %.2f), with at most %.2g rad/s and %.2g rad/s^2, for "
       "about %.0f s. All other joints are held where they are.",
-      robot.joints[static_cast<std::size_t>(plan.joint)].name.c_str(), plan.range.low_rad,
-      plan.range.high_rad, plan.from_rad, plan.range.speed_rad_s, plan.range.acceleration_rad_s2,
-      duration_s(plan.moves, plan.from_rad));
+      robot.joints[plan.joint].name.c_str(), plan.range.low_rad, plan.range.high_rad, plan.from_rad,
+      plan.range.speed_rad_s, plan.range.acceleration_rad_s2, duration_s(plan.moves, plan.from_rad));
   return text;
 }
 

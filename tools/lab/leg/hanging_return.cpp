@@ -94,8 +94,7 @@ class Puller {
     const auto& commands = robot.drive_command().actuators;
     trace.time_s.push_back(time_s);
     trace.foot_m.push_back({away[0], away[2]});
-    trace.commanded_Nm.push_back({commands[static_cast<std::size_t>(at[1])].commanded_torque_Nm,
-                                  commands[static_cast<std::size_t>(at[2])].commanded_torque_Nm});
+    trace.commanded_Nm.push_back({commands[at[1]].commanded_torque_Nm, commands[at[2]].commanded_torque_Nm});
   }
 
   HangingPull scored(const PullAndRelease& pull, const FootDisturbance& hand, const PullTrace& trace,

@@ -54,7 +54,7 @@ StepFigures step_figures(const std::vector<double>& time_s, const std::vector<do
   const double over_Nm = sign * (out.peak_Nm - out.end_Nm);
   const bool is_peak = end == StepEnd::kHighest ||
                        over_Nm > StepFigures::kOvershoot * std::abs(out.end_Nm - out.start_Nm);
-  if (is_peak) out.peak_ms = 1e3 * time_s[static_cast<std::size_t>(peak - torque_Nm.begin())];
+  if (is_peak) out.peak_ms = 1e3 * time_s[peak - torque_Nm.begin()];
   out.t90_ms = 1e3 * crossing_s(time_s, torque_Nm, zero, out, kShare);
   return out;
 }

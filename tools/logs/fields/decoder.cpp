@@ -80,13 +80,12 @@ const char* MessageView::enumeration(const Field& field) const noexcept {
 }
 
 std::int64_t MessageView::session() const noexcept {
-  return layout_->session < 0 ? 0 : integer(fields()[static_cast<std::size_t>(layout_->session)]);
+  return layout_->session < 0 ? 0 : integer(fields()[layout_->session]);
 }
 
 std::optional<Stamp> MessageView::stamp() const noexcept {
   if (layout_->utime < 0 || layout_->seq < 0) return std::nullopt;
-  return Stamp{integer(fields()[static_cast<std::size_t>(layout_->utime)]),
-               integer(fields()[static_cast<std::size_t>(layout_->seq)])};
+  return Stamp{integer(fields()[layout_->utime]), integer(fields()[layout_->seq])};
 }
 
 Fault Decoder::open(const void* data, std::size_t size, MessageView& out) {

@@ -68,9 +68,7 @@ class Builder {
                  std::size_t flat, int depth) {
     if (dimension == member.dimensions.size()) return element(member, path, flat, depth);
     const Dimension& brackets = member.dimensions[dimension];
-    const std::int64_t count = brackets.count_member < 0
-                                   ? brackets.fixed
-                                   : counts[static_cast<std::size_t>(brackets.count_member)];
+    const std::int64_t count = brackets.count_member < 0 ? brackets.fixed : counts[brackets.count_member];
     if (count < 0 || !fits(member, dimension, static_cast<std::size_t>(count))) return Fault::kBadCount;
     const auto extent = static_cast<std::size_t>(count);
     if (member.wire == Wire::kByte && dimension + 1 == member.dimensions.size())

@@ -86,7 +86,7 @@ class Compiler {
 
   static std::size_t extent(const fields::Dimension& dimension, const Counts& counts) {
     return dimension.count_member < 0 ? static_cast<std::size_t>(dimension.fixed)
-                                      : counts[static_cast<std::size_t>(dimension.count_member)];
+                                      : counts[dimension.count_member];
   }
 
   void append_member(const fields::Member& member, std::size_t number, const Counts& counts, Piece& out) {

@@ -28,8 +28,8 @@ Hello read_hello(const fields::MessageView& message) {
   const int robot = message.layout()->find("robot");
   const int hash = message.layout()->find("configuration_hash");
   if (robot == fields::Layout::kNone || hash == fields::Layout::kNone) return hello;
-  hello.robot = message.text(message.fields()[static_cast<std::size_t>(robot)]);
-  hello.configuration_hash = message.integer(message.fields()[static_cast<std::size_t>(hash)]);
+  hello.robot = message.text(message.fields()[robot]);
+  hello.configuration_hash = message.integer(message.fields()[hash]);
   return hello;
 }
 

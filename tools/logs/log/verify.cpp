@@ -50,7 +50,7 @@ class RealTimeSessions {
     if (!moment.stamp || decoder_.open(event.data, event.size, message_) != fields::Fault::kNone) return;
     const int clock = message_.layout()->find("clock");
     if (clock == fields::Layout::kNone) return;
-    if (message_.text(message_.fields()[static_cast<std::size_t>(clock)]) == name(ClockMode::kRealTime))
+    if (message_.text(message_.fields()[clock]) == name(ClockMode::kRealTime))
       sessions_.insert(moment.stamp->session);
   }
   bool has(std::int64_t session) const { return sessions_.count(session) > 0; }

@@ -83,7 +83,7 @@ class LogCycles {
     Bytes bytes;
   };
   LoggedCycle* cycle_of(std::int64_t seq);
-  LoggedCycle& slot(std::int64_t seq) { return window_[static_cast<std::size_t>(seq % kWindow)]; }
+  LoggedCycle& slot(std::int64_t seq) { return window_[seq % kWindow]; }
   void advance_to(std::int64_t seq);
   void hand_out(std::int64_t seq);
   void restart();

@@ -220,7 +220,7 @@ void SpyView::put_plot(std::vector<Line>& out, std::size_t width, std::size_t he
     out.push_back({field_ + " is not in the last message", Style::kWarning});
     return;
   }
-  const fields::Field& field = message_.fields()[static_cast<std::size_t>(index)];
+  const fields::Field& field = message_.fields()[index];
   const std::vector<double> values = shown().history().of(static_cast<std::size_t>(index));
   const Range range = range_of(values);
   out.push_back({fields::with_names(field_, names_) + " = " + fields::value_text(message_, field) + " " +

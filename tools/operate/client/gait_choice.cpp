@@ -37,8 +37,7 @@ int fastest_gait(const RobotConfig& robot, const GaitWish& wish) {
   for (std::size_t i = 0; i < robot.gaits.size(); ++i) {
     const GaitConfig& gait = robot.gaits[i];
     if (gait.duty >= 1.0 || !goes(gait, speed_of(wish, gait))) continue;
-    const bool faster = best < 0 || gait.fastest_forward_m_s >
-                                        robot.gaits[static_cast<std::size_t>(best)].fastest_forward_m_s;
+    const bool faster = best < 0 || gait.fastest_forward_m_s > robot.gaits[best].fastest_forward_m_s;
     if (faster) best = static_cast<int>(i);
   }
   return best;
@@ -79,7 +78,7 @@ GaitChoice choose_gait(const RobotConfig& robot, const GaitWish& wish, int walki
   if (gait < 0)
     throw std::invalid_argument("no gait goes " + speed_text(speed_of(wish, robot.gaits.front())) +
                                 "; there are: " + gaits_text(robot));
-  const GaitConfig& chosen = robot.gaits[static_cast<std::size_t>(gait)];
+  const GaitConfig& chosen = robot.gaits[gait];
   const Vec3 speed = speed_of(wish, chosen);
   if (!goes(chosen, speed))
     throw std::invalid_argument(chosen.name + " does not go " + speed_text(speed) +

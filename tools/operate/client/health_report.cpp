@@ -92,7 +92,7 @@ Json nodes_json(const RobotConfig& robot, const sprung_msgs::bus_state_t& state)
     const bool known_bus = node.bus >= 0 && node.bus < static_cast<int>(robot.buses.size());
     out.push_back(
         {{"name", node_name(robot, node, i)},
-         {"bus", known_bus ? Json(robot.buses[static_cast<std::size_t>(node.bus)].name) : Json(nullptr)},
+         {"bus", known_bus ? Json(robot.buses[node.bus].name) : Json(nullptr)},
          {"node", node.node},
          {"operational", node.operational != 0},
          {"nmt_state",

@@ -36,7 +36,7 @@ OperatorCommand gentle_move(const RobotConfig& robot, int joint, double target_r
   command.kind = OperatorKind::kMoveJoint;
   command.joint = joint;
   command.joint_target_rad = target_rad;
-  command.joint_speed_rad_s = kGentleSpeed * joint_limits(robot)[static_cast<std::size_t>(joint)].speed_rad_s;
+  command.joint_speed_rad_s = kGentleSpeed * joint_limits(robot)[joint].speed_rad_s;
   command.joint_acceleration_rad_s2 = command.joint_speed_rad_s / kGentleRise_s;
   return command;
 }

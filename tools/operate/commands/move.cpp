@@ -43,7 +43,7 @@ double angle_of(const char* option, const std::string& text, const char* per) {
 const EstimatedJoint& look_at(JointMover& mover, int joint) {
   const JointState* state = mover.look(kFirstLook_s);
   if (state == nullptr) throw std::runtime_error("no JOINT_STATE comes in: see sprung status");
-  return state->joints[static_cast<std::size_t>(joint)];
+  return state->joints[joint];
 }
 
 OperatorCommand order_of(const MoveRequest& request, const RobotConfig& robot, JointMover& mover) {

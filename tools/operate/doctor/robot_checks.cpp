@@ -14,9 +14,7 @@ constexpr double kLow_MB = 4000.0;
 
 /// SYNC, heartbeat, and set-point and control word for each node, as the bridge counts.
 int frames_per_cycle(const RobotConfig& robot, const std::string& bus) {
-  const auto on_bus = [&](const auto& node) {
-    return robot.buses[static_cast<std::size_t>(node.bus)].name == bus;
-  };
+  const auto on_bus = [&](const auto& node) { return robot.buses[node.bus].name == bus; };
   const auto nodes = std::count_if(robot.actuators.begin(), robot.actuators.end(), on_bus) +
                      std::count_if(robot.encoder_cards.begin(), robot.encoder_cards.end(), on_bus);
   return 2 + 2 * static_cast<int>(nodes);

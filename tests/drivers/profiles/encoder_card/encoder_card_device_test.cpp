@@ -170,7 +170,7 @@ TEST_F(EncoderCardDeviceTest, NoiseHasItsRmsAndIsTheSameInEveryRun) {
   EXPECT_EQ(cycle(1.0).counts[0], static_cast<std::uint32_t>(kCountsPerRad));
   cycle_ = 0;
   card_.set_fault(FaultKind::kEncoderNoise, kNoise_rad, true);
-  for (int i = 0; i < 100; ++i) EXPECT_EQ(cycle(1.0).counts[0], counts[static_cast<std::size_t>(i)]);
+  for (int i = 0; i < 100; ++i) EXPECT_EQ(cycle(1.0).counts[0], counts[i]);
 }
 
 TEST_F(EncoderCardDeviceTest, FaultIsAnEmergency) {

@@ -186,10 +186,19 @@ TEST_F(GoldDriveTest, LostConnectionFollowsItsOption) {
     drive_.receive(canopen::nmt_frame(canopen::NmtCommand::kResetNode, 0), time_us_);
     start(10);
     write(canopen::kAbortConnectionOption, option, 2);
-    drive_.receive(canopen::nmt_frame(canopen::NmtCommand::kEnterPreOperational, 0), time_us_);
+    drive_.receive(canopen::nmt_frame(canopen::NmtCommand::kStop, 0), time_us_);
     run(2);
+    drive_.receive(canopen::nmt_frame(canopen::NmtCommand::kEnterPreOperational, 0), time_us_);  // serves SDO
     EXPECT_EQ(status() & (expected == 0x08 ? 0x4F : 0x6F), expected) << option;
   }
+}
+
+TEST_F(GoldDriveTest, DriveThatIsMadePreOperationalKeepsItsPower) {
+  start(10);
+  write(canopen::kAbortConnectionOption, 2, 2);
+  drive_.receive(canopen::nmt_frame(canopen::NmtCommand::kEnterPreOperational, 0), time_us_);
+  run(20);
+  EXPECT_EQ(status() & 0x6F, 0x27);
 }
 
 TEST_F(GoldDriveTest, FaultPowersOffUntilReset) {

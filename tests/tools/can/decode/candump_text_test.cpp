@@ -80,7 +80,7 @@ TEST(CandumpText, WhatIsWrittenIsReadBack) {
     frame.frame.id = random() % 0x800;
     frame.frame.length = static_cast<std::uint8_t>(random() % 9);
     for (int b = 0; b < frame.frame.length && !frame.frame.remote; ++b)
-      frame.frame.data[static_cast<std::size_t>(b)] = static_cast<std::uint8_t>(random());
+      frame.frame.data[b] = static_cast<std::uint8_t>(random());
     const std::string line = candump_line(frame, "leg", frame.time_us);
     const Parsed parsed = parse(line);
     ASSERT_EQ(parsed.kind, CandumpLine::kFrame) << line;

@@ -134,7 +134,7 @@ TEST(ContactExperimentTest, BoundsOfExternalTorqueAndFootForceHoldAtTheirProbabi
     q << truth.joints[0].true_position_rad, truth.joints[1].true_position_rad;
     const JointVector external_Nm = leg->jacobian(q).transpose() * force_N;
     for (int j = 0; j < 2; ++j) {
-      const EstimatedJoint& joint = in.joints[static_cast<std::size_t>(j)];
+      const EstimatedJoint& joint = in.joints[j];
       torque.add(joint.external_torque_Nm - external_Nm[j], joint.external_torque_bound_Nm);
     }
     const EstimatedLeg& out = in.legs[0];

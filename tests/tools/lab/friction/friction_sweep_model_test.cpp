@@ -89,8 +89,7 @@ TEST(FrictionSweepModel, DerivativesAgreeWithDifferences) {
       model.predict(data, less, low, nullptr);
       model.predict(data, more, high, nullptr);
       const VectorXd slope = (high - low) / (2.0 * step);
-      EXPECT_LT((slope - jacobian.col(k)).cwiseAbs().maxCoeff(), 1e-6)
-          << model.parameters()[static_cast<std::size_t>(k)].name;
+      EXPECT_LT((slope - jacobian.col(k)).cwiseAbs().maxCoeff(), 1e-6) << model.parameters()[k].name;
     }
   }
 }

@@ -102,8 +102,8 @@ TEST(FrictionSweep, ALoadIsPositiveTowardPlusOnEveryAxis) {
 
 TEST(FrictionSweep, JointsAreFoundByNameAndTheKneeByItself) {
   const RobotConfig robot = load_robot("pegasus");
-  EXPECT_EQ(robot.joints[static_cast<std::size_t>(bench_joint(robot, ""))].name, "fl_knee");
-  EXPECT_EQ(robot.joints[static_cast<std::size_t>(bench_joint(robot, "hr_hip"))].name, "hr_hip");
+  EXPECT_EQ(robot.joints[bench_joint(robot, "")].name, "fl_knee");
+  EXPECT_EQ(robot.joints[bench_joint(robot, "hr_hip")].name, "hr_hip");
   EXPECT_THAT([&] { (void)bench_joint(robot, "elbow"); },
               testing::ThrowsMessage<std::invalid_argument>(HasSubstr("fl_knee")));
   EXPECT_EQ(bench_joint(load_robot("test_axis"), ""), 0);

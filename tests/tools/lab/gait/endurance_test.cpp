@@ -53,13 +53,13 @@ TEST(EnduranceScript, EverythingIsAskedForAndOnlyWhatIsAllowed) {
       now = -1;
       continue;
     }
-    const GaitConfig& gait = pegasus().gaits[static_cast<std::size_t>(step.command.gait)];
+    const GaitConfig& gait = pegasus().gaits[step.command.gait];
     EXPECT_LE(std::abs(step.command.walk_speed[0]), gait.fastest_forward_m_s);
     EXPECT_LE(std::abs(step.command.walk_speed[1]), gait.fastest_sideways_m_s);
     EXPECT_LE(std::abs(step.command.walk_speed[2]), gait.fastest_turning_rad_s);
     EXPECT_LE(speed_share(gait, step.command.walk_speed), kMostSpeedShare);
     if (now >= 0 && now != step.command.gait) {
-      const auto& to = pegasus().gaits[static_cast<std::size_t>(now)].to;
+      const auto& to = pegasus().gaits[now].to;
       EXPECT_NE(std::find(to.begin(), to.end(), gait.name), to.end()) << gait.name;
     }
     gaits.insert(now = step.command.gait);

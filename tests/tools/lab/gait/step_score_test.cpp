@@ -28,7 +28,7 @@ class StepScoreTest : public testing::Test {
   }
   void touch(int cycles, double force_N, double knee_Nm) {
     truth_.legs[0].true_contact_force_N = {0.0, 0.0, force_N};
-    truth_.joints[static_cast<std::size_t>(robot_.legs[0].joints[2])].true_gear_output_torque_Nm = knee_Nm;
+    truth_.joints[robot_.legs[0].joints[2]].true_gear_output_torque_Nm = knee_Nm;
     add(cycles);
   }
   void add(int cycles) {

@@ -131,8 +131,7 @@ TEST(DriveSeries, EveryJointHasItsPlaceInALeg) {
   const RobotConfig robot = load_robot("pegasus");
   for (std::size_t j = 0; j < robot.joints.size(); ++j) {
     const LegPlace at = place_of(robot, static_cast<int>(j));
-    EXPECT_EQ(robot.legs[static_cast<std::size_t>(at.leg)].joints[static_cast<std::size_t>(at.place)],
-              static_cast<int>(j));
+    EXPECT_EQ(robot.legs[at.leg].joints[at.place], static_cast<int>(j));
   }
   EXPECT_THROW(place_of(robot, 99), std::runtime_error);
 }

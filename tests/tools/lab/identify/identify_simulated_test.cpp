@@ -42,8 +42,7 @@ Case drawn(std::uint64_t seed) {
 }
 
 sim::PlantJointConfig plant_joint(const Case& c) {
-  return sim::load_sim_config(load_robot(c.robot), c.sim.plant)
-      .plant.joints[static_cast<std::size_t>(c.joint)];
+  return sim::load_sim_config(load_robot(c.robot), c.sim.plant).plant.joints[c.joint];
 }
 
 /// Friction over the speeds that were driven, against the plant's without load.

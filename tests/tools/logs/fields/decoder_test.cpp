@@ -45,7 +45,7 @@ class DecoderTest : public testing::Test {
   const Field& field(const std::string& path) {
     const int index = view_.layout()->find(path);
     if (index < 0) throw std::runtime_error("no field " + path);
-    return view_.fields()[static_cast<std::size_t>(index)];
+    return view_.fields()[index];
   }
   double number(const std::string& path) { return view_.number(field(path)); }
 

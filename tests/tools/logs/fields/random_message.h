@@ -38,7 +38,7 @@ class RandomBytes {
       std::size_t elements = 1;
       for (const Dimension& dimension : member.dimensions)
         elements *= dimension.count_member < 0 ? static_cast<std::size_t>(dimension.fixed)
-                                               : counts[static_cast<std::size_t>(dimension.count_member)];
+                                               : counts[dimension.count_member];
       for (std::size_t e = 0; e < elements; ++e) element(member);
     }
   }

@@ -19,9 +19,7 @@ class ValueText : public testing::Test {
     bytes_ = test::encoded(message);
     ASSERT_EQ(decoder_.open(bytes_.data(), bytes_.size(), view_), Fault::kNone);
   }
-  const Field& field(const char* path) {
-    return view_.fields().at(static_cast<std::size_t>(view_.layout()->find(path)));
-  }
+  const Field& field(const char* path) { return view_.fields().at(view_.layout()->find(path)); }
   std::string text(const char* path, int digits = 6) { return value_text(view_, field(path), digits); }
   std::string exact(const char* path) {
     std::string out;

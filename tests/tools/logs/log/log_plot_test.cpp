@@ -37,8 +37,8 @@ TEST(ThinSeries, ManySamplesKeepEveryPeakAndTheirOrder) {
   EXPECT_TRUE(std::is_sorted(x.begin(), x.end()));
   const auto high = std::max_element(y.begin(), y.end()) - y.begin();
   const auto low = std::min_element(y.begin(), y.end()) - y.begin();
-  EXPECT_EQ(x[static_cast<std::size_t>(high)], 123'457.0);
-  EXPECT_EQ(x[static_cast<std::size_t>(low)], 765'431.0);
+  EXPECT_EQ(x[high], 123'457.0);
+  EXPECT_EQ(x[low], 765'431.0);
   EXPECT_LT(x.front(), 300.0);
   EXPECT_GT(x.back(), kSamples - 300.0);
 }

@@ -44,7 +44,7 @@ ReadFile read_file(const std::string& bytes) {
   for (const ProtoValue& location : proto_values(proto_bytes(bytes, 9), 1)) {
     const std::string path = proto_bytes(location.bytes, 1);
     EXPECT_EQ(path.substr(0, 3), std::string("\x04\x00\x02", 3));
-    file.fields[names.at(static_cast<std::size_t>(path.at(3)))].comment = proto_bytes(location.bytes, 4);
+    file.fields[names.at(path.at(3))].comment = proto_bytes(location.bytes, 4);
   }
   return file;
 }

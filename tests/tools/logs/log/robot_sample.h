@@ -49,9 +49,8 @@ inline Kept joint_event(std::int64_t cycle, std::int64_t session = 77) {
   message.n_joints = 2;
   message.joints.resize(2);
   for (int j = 0; j < 2; ++j) {
-    message.joints[static_cast<std::size_t>(j)].gear_output_torque_Nm = j +
-                                                                        static_cast<double>(cycle) / 100.0;
-    message.joints[static_cast<std::size_t>(j)].at_rest = cycle % 2 == 0;
+    message.joints[j].gear_output_torque_Nm = j + static_cast<double>(cycle) / 100.0;
+    message.joints[j].at_rest = cycle % 2 == 0;
   }
   if (cycle % 10 == 9) message.joints[1].gear_output_torque_Nm = std::numeric_limits<double>::quiet_NaN();
   return kept(channels::kJointState, cycle, encoded(message));

@@ -129,7 +129,7 @@ TEST_F(RecordingTest, SplitBySizeLosesNothingAndEveryPartStandsAlone) {
     seqs.insert(seqs.end(), log.seqs.begin(), log.seqs.end());
   }
   ASSERT_EQ(seqs.size(), 100u);
-  for (int k = 0; k < 100; ++k) EXPECT_EQ(seqs[static_cast<std::size_t>(k)], k);
+  for (int k = 0; k < 100; ++k) EXPECT_EQ(seqs[k], k);
   EXPECT_EQ(recording.missing(), 0);
   std::uint64_t bytes = 0;
   for (const std::string& file : recording.files()) bytes += fs::file_size(file);

@@ -102,7 +102,7 @@ TEST_F(LogCyclesTest, CyclesComeInOrderHoweverTheLogIsMixed) {
   for (const std::int64_t k : order) drive_state(k);
   cycles_.finish();
   ASSERT_EQ(seen_.size(), 3000u);
-  for (std::int64_t k = 0; k < 3000; ++k) ASSERT_EQ(seen_[static_cast<std::size_t>(k)].seq, k);
+  for (std::int64_t k = 0; k < 3000; ++k) ASSERT_EQ(seen_[k].seq, k);
   EXPECT_EQ(cycles_.flaws().late, 0);
 }
 

@@ -26,9 +26,7 @@ TEST_F(ChannelBookTest, KnowsTypeStampAndLastMessage) {
   EXPECT_EQ(channel->statistics.figures(now_us_).messages, 2);
   fields::MessageView message;
   ASSERT_TRUE(book_.open_last(*channel, message));
-  EXPECT_EQ(message.number(message.fields()[static_cast<std::size_t>(
-                message.layout()->find("joints[1].gear_output_torque_Nm"))]),
-            2.5);
+  EXPECT_EQ(message.number(message.fields()[message.layout()->find("joints[1].gear_output_torque_Nm")]), 2.5);
 }
 
 TEST_F(ChannelBookTest, CountsMissingCyclesWhereEachHasAMessage) {

@@ -53,7 +53,7 @@ class PseudoTerminal : public testing::Test {
   }
   /// Before anything is expected: gtest writes to standard output.
   void give_back() {
-    for (int i = 0; i < 2 && saved_[0] >= 0; ++i) dup2(saved_[static_cast<std::size_t>(i)], i);
+    for (int i = 0; i < 2 && saved_[0] >= 0; ++i) dup2(saved_[i], i);
     for (const int fd : saved_) {
       if (fd >= 0) close(fd);
     }

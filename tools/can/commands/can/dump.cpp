@@ -64,7 +64,7 @@ class Printer {
 
  private:
   std::string line_of(const ObservedFrame& frame, const cantools::DecodedFrame& decoded) const {
-    const std::string& bus = source_.buses()[static_cast<std::size_t>(frame.bus)];
+    const std::string& bus = source_.buses()[frame.bus];
     if (request_.raw) return cantools::candump_line(frame, bus, frame.time_us + source_.utc_offset_us());
     if (request_.as_json) return cantools::frame_json(frame, decoded, bus, begin_us_).dump();
     return cantools::frame_line(frame, decoded, bus, begin_us_);

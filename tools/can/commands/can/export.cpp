@@ -64,7 +64,7 @@ class PcapngWriter {
 };
 
 void write_candump(ExportFile& out, const ObservedFrame& frame, const FrameSource& source) {
-  const std::string& bus = source.buses()[static_cast<std::size_t>(frame.bus)];
+  const std::string& bus = source.buses()[frame.bus];
   out.write(cantools::candump_line(frame, bus, frame.time_us + source.utc_offset_us()) + "\n");
 }
 

@@ -81,8 +81,8 @@ int DriveBench::bus_of_number(int number) const {
 }
 
 CanBus& DriveBench::bus(int index) {
-  auto& bus = buses_[static_cast<std::size_t>(index)];
-  if (!bus) bus = open_can_bus(addresses_[static_cast<std::size_t>(index)].address);
+  auto& bus = buses_[index];
+  if (!bus) bus = open_can_bus(addresses_[index].address);
   return *bus;
 }
 

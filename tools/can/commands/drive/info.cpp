@@ -46,7 +46,7 @@ int run_info(const DriveRequest& request) {
   Json all = Json::array();
   int status = kExitDone;
   for (const NodeDescription& node : bench.nodes(request.node)) {
-    const std::string& bus = bench.robot().buses[static_cast<std::size_t>(node.bus)].name;
+    const std::string& bus = bench.robot().buses[node.bus].name;
     Json one{{"name", node.name}, {"bus", bus}, {"node", node.node}};
     try {
       one.update(inspect(bench, node, request.as_json));

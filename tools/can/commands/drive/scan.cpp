@@ -94,7 +94,7 @@ int scan_robot(const DriveRequest& request, Json& all) {
   for (int i = 0; i < static_cast<int>(bench.robot().buses.size()); ++i) {
     if (!bench.is_chosen(i)) continue;
     CanBus& bus = bench.bus(i);
-    const std::string& name = bench.robot().buses[static_cast<std::size_t>(i)].name;
+    const std::string& name = bench.robot().buses[i].name;
     if (!request.as_json) std::printf("%s, %s\n", name.c_str(), bus.describe().c_str());
     if (BusScan(bus, i, bench.description(), request.as_json, all).run() != kExitDone) status = kExitFailed;
   }
