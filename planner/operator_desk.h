@@ -11,7 +11,7 @@ namespace sprung {
 class OperatorDesk {
  public:
   static constexpr int kMostWaiting = 16;
-  static constexpr int kRemembered = 64;  ///< request ids; older ones are forgotten
+  static constexpr int kRemembered = 256;  ///< request ids; older ones are forgotten
   static constexpr int kMostReplies = 64;
 
   /// @return false when the queue is full. Repeated ids are answered with their last answer, or wait for

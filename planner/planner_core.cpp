@@ -2,12 +2,15 @@
 
 #include "planner/comply_request.h"
 #include "planner/motion.h"
+#include "planner/motion_hold.h"
 #include "planner/operator_desk.h"
 #include "planner/requests.h"
 #include "planner/walk_request.h"
 
 namespace sprung {
 namespace {
+
+constexpr const char* kLapsed = "the operator's hold was not renewed: stopped";
 
 /// A request that has been accepted and has not ended.
 struct Active {
@@ -35,9 +38,13 @@ struct PlannerCore::Impl {
   void stop(const OperatorCommand& command) noexcept;
   void move_joint(const OperatorCommand& command, const JointState& in) noexcept;
   void end_requests() noexcept;
+  void renew_hold(const OperatorCommand& command) noexcept;
+  void watch_hold() noexcept;
 
   void accept(const OperatorCommand& command, Active& as) noexcept {
     as = {command.request_id, command.kind};
+    hold.forget();
+    lapsed = false;
     desk.reply(command.request_id, OperatorOutcome::kAccepted, "", now);
     note = "";
   }
@@ -59,8 +66,10 @@ struct PlannerCore::Impl {
   const char* const why_not_standing;  ///< nullptr: it can
   Motion motion;
   OperatorDesk desk;
-  Active moving;    ///< stand, jump, sit or a joint move
-  Active stopping;  ///< stop
+  MotionHold hold;
+  bool lapsed = false;  ///< until the next request
+  Active moving;        ///< stand, jump, sit or a joint move
+  Active stopping;      ///< stop
   Stamp now;
   bool started = false;
   SafetyLevel safety = SafetyLevel::kOperational;
@@ -82,8 +91,10 @@ void PlannerCore::Impl::step(const JointState& in) noexcept {
   }
   motion.update(in);
   end_requests();
+  watch_hold();
   while (desk.take_due(now.seq, command)) execute(command, in);
   if (motion.state() != state_before || motion.last_transition() != before) note = "";
+  if (lapsed) note = kLapsed;
 }
 
 void PlannerCore::Impl::execute(const OperatorCommand& command, const JointState& in) noexcept {
@@ -108,6 +119,8 @@ void PlannerCore::Impl::execute(const OperatorCommand& command, const JointState
       return land(command, in);
     case OperatorKind::kWalk:
       return walk(command, in);
+    case OperatorKind::kHold:
+      return renew_hold(command);
     case OperatorKind::kNone:
       break;
   }
@@ -148,8 +161,11 @@ void PlannerCore::Impl::comply(const OperatorCommand& command, const JointState&
   if (!possible) return refuse(command, busy(motion.state()));
   if (stopping.kind != OperatorKind::kNone) return refuse(command, "already stopping");
   if (const char* refusal = validate_comply(command, preset)) return refuse(command, refusal);
+  if (const char* refusal = MotionHold::validate(command.hold_s)) return refuse(command, refusal);
   if (motion.comply(in, comply_request(command, preset))) {
     note = "";
+    lapsed = false;
+    hold.begin(command.hold_s, now.utime_us);
     accept_as_done(command, motion.last_transition());
   }
 }
@@ -163,8 +179,11 @@ void PlannerCore::Impl::walk(const OperatorCommand& command, const JointState& i
   if (stopping.kind != OperatorKind::kNone) return refuse(command, "already stopping");
   const WalkRequest request = walk_request(command, preset, gaits);
   if (const char* refusal = motion.validate_walk(request)) return refuse(command, refusal);
+  if (const char* refusal = MotionHold::validate(command.hold_s)) return refuse(command, refusal);
   if (motion.walk(in, request)) {
     note = "";
+    lapsed = false;
+    hold.begin(command.hold_s, now.utime_us);
     accept_as_done(command, motion.last_transition());
   }
 }
@@ -201,6 +220,23 @@ void PlannerCore::Impl::stop(const OperatorCommand& command) noexcept {
   if (stopping.kind != OperatorKind::kNone) return refuse(command, "already stopping");
   motion.stop();
   accept(command, stopping);
+}
+
+/// Answered without a note: it is said several times a second.
+void PlannerCore::Impl::renew_hold(const OperatorCommand& command) noexcept {
+  const bool good = MotionHold::validate(command.hold_s) == nullptr &&
+                    hold.renew(command.hold_s, now.utime_us);
+  if (good) return accept_as_done(command, "held");
+  desk.reply(command.request_id, OperatorOutcome::kRefused, "nothing is held", now);
+}
+
+/// A motion that ends by itself ends its hold.
+void PlannerCore::Impl::watch_hold() noexcept {
+  const bool moves = motion.state() == MotionPhase::kWalking || motion.state() == MotionPhase::kComplying;
+  if (!moves) return hold.forget();
+  if (!hold.take_lapse(now.utime_us) || stopping.kind != OperatorKind::kNone) return;
+  motion.stop();
+  lapsed = true;
 }
 
 /// Requests end where the motion rests: standing, idle, or with single joints held.

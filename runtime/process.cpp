@@ -26,6 +26,7 @@ int run(const ProgramInfo& info, ProcessOptions options, const std::function<int
   } catch (const std::invalid_argument& error) {
     throw WrongUse(std::string("--preset: ") + error.what());
   }
+  refuse_injection(options);
   const std::string real_time = set_up_real_time(options.real_time());
   if (real_time_refused(real_time)) log_warn("real time: " + real_time);
   Process process(info, options, robot, real_time);

@@ -31,6 +31,12 @@ void add_process_options(CommandLine& line, ProcessOptions& options) {
             "real time on a shared machine: the robot's simulation_watchdogs");
 }
 
+void refuse_injection(const ProcessOptions& options) {
+  if (options.node.inject.empty() || options.simulation || options.clock_mode() == ClockMode::kLockstep)
+    return;
+  throw WrongUse("--inject makes faults for tests: only in lock-step, or with --simulation");
+}
+
 const WatchdogConfig& watchdogs_for(const RobotConfig& robot, const ProcessOptions& options) noexcept {
   const bool longer = options.simulation && options.clock_mode() == ClockMode::kRealTime;
   return longer ? robot.simulation_watchdogs : robot.watchdogs;

@@ -35,6 +35,9 @@ struct ProcessOptions {
 /// Adds the options above to a command. `options` must outlive the command line.
 void add_process_options(CommandLine& line, ProcessOptions& options);
 
+/// Faults are made on simulated robots alone. @throws WrongUse on --inject in real time without --simulation.
+void refuse_injection(const ProcessOptions& options);
+
 /// Which set of robot.yaml applies: simulation_watchdogs in real time with --simulation, else watchdogs.
 const WatchdogConfig& watchdogs_for(const RobotConfig& robot, const ProcessOptions& options) noexcept;
 

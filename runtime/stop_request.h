@@ -7,9 +7,10 @@ namespace sprung {
 
 void install_stop_signals();  ///< call before any thread is started; also ignores SIGPIPE
 bool stop_requested() noexcept;
-int stop_fd() noexcept;              ///< readable from the request on; -1 before install_stop_signals()
-void request_stop() noexcept;        ///< what the signals do
-void clear_stop_request() noexcept;  ///< for tests in one process: as if nobody had asked or looked
+int stop_fd() noexcept;        ///< readable from the request on; -1 before install_stop_signals()
+void request_stop() noexcept;  ///< what the signals do
+/// As if nobody had asked or looked: what was asked for is under way, and the next signal ends the process.
+void clear_stop_request() noexcept;
 
 /// SIGTERM to this process when the thread that started it ends; at once when it has ended already.
 /// @param parent_pid getpid() of the parent as known before; 0 = whoever it is now.

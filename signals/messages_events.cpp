@@ -73,6 +73,7 @@ const auto kOperatorCommand = [](auto& way, auto& m, auto& s) {
   way(m.body_height_m, s.body_height_m);
   way(m.stance_width_m, s.stance_width_m);
   way(m.gait_control, s.gait_control);
+  way(m.hold_s, s.hold_s);
 };
 
 const auto kOperatorReply = [](auto& way, auto& m, auto& s) {

@@ -49,7 +49,8 @@ constexpr auto words_of(SafetyCause) {
                    {E::kShutdown, "shutdown"},
                    {E::kImplausible, "implausible"},
                    {E::kDuplicateNode, "duplicate node id"},
-                   {E::kForeignMaster, "another master"}});
+                   {E::kForeignMaster, "another master"},
+                   {E::kPlannerLost, "planner lost"}});
 }
 
 constexpr auto words_of(JointStatus) {
@@ -141,7 +142,8 @@ constexpr auto words_of(OperatorKind) {
                    {E::kMoveJoint, "move joint"},
                    {E::kComply, "comply"},
                    {E::kLand, "land"},
-                   {E::kWalk, "walk"}});
+                   {E::kWalk, "walk"},
+                   {E::kHold, "hold"}});
 }
 
 constexpr auto words_of(OperatorOutcome) {

@@ -49,6 +49,7 @@ enum class SafetyCause : std::int8_t {
   kImplausible = 11,
   kDuplicateNode = 12,  ///< two devices answer for one node id
   kForeignMaster = 13,  ///< somebody else commands our drives
+  kPlannerLost = 14,    ///< the leg controller gets no LEG_COMMAND
 };
 
 enum class JointStatus : std::int8_t {
@@ -137,6 +138,7 @@ enum class OperatorKind : std::int8_t {
   kComply = 9,     ///< planner: from standing or complying, a virtual spring at each foot
   kLand = 10,  ///< planner: from standing in the air, catch a fall that is expected to end at a given time
   kWalk = 11,  ///< planner: from standing or walking, a gait with speed and turning
+  kHold = 12,  ///< planner: the operator is still there; renews a walk or comply that has begun with a hold
 };
 
 enum class OperatorOutcome : std::int8_t { kAccepted = 0, kRefused = 1, kDone = 2, kFailed = 3, kQueued = 4 };

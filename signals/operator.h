@@ -32,6 +32,8 @@ struct OperatorCommand {
   double body_height_m = kNaN;                        ///< kWalk; NaN: the preset's
   double stance_width_m = kNaN;                       ///< kWalk: added to each side; NaN: the preset's
   GaitControl gait_control = GaitControl::kAdaptive;  ///< kWalk
+  double hold_s = kNaN;  ///< kWalk, kComply: stop so long after it took effect; kHold: so long from now; NaN:
+                         ///< never
 };
 
 struct OperatorReply {

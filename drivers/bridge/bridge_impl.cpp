@@ -141,6 +141,20 @@ void BridgeCore::Impl::judge_samples() noexcept {
     if (encoder.card < 0) continue;
     drive->set_link_position(cards[encoder.card]->measured_link_position_rad(encoder));
   }
+  judge_motion();
+}
+
+/// The last two drives of a leg, hip and knee, which swing in one plane: what one does moves the other, while
+/// an abduction joint before them may rest.
+void BridgeCore::Impl::judge_motion() noexcept {
+  for (const LegConfig& leg : robot.legs) {
+    if (leg.actuators.size() < 2) continue;
+    DriveNode& hip = *drives[leg.actuators[leg.actuators.size() - 2]];
+    DriveNode& knee = *drives[leg.actuators.back()];
+    const double hip_rad = hip.encoder_position_rad(), knee_rad = knee.encoder_position_rad();
+    hip.judge_motion(knee_rad);
+    knee.judge_motion(hip_rad);
+  }
 }
 
 /// Drives often come up with a fault (facts canopen 2.5), so cyclic operation begins with resetting them.
@@ -168,7 +182,22 @@ bool BridgeCore::Impl::find_fault(std::int64_t time_us, Fault& out) const noexce
     out.actuator = node->link().setup().actuator;
     if (node->fault(time_us, recovery->running(), out)) return true;
   }
-  return false;
+  return planner_lost(out);
+}
+
+/// The leg controller damps by itself where LEG_COMMAND is stale, and says in each DRIVE_COMMAND which one it
+/// has used. One that comes back in time is a stall; later it must not make the robot move again unasked.
+bool BridgeCore::Impl::planner_lost(Fault& out) const noexcept {
+  const DriveCommand& last = gate.last();
+  const bool planned = gate.any() && last.used_leg_command_seq >= 0;
+  if (!planned || all_drives([](const DriveNode& drive) { return !drive.powered(); })) return false;
+  const std::int64_t age_us = (last.stamp.seq - last.used_leg_command_seq) * cycle_us;
+  if (age_us <= to_us(watchdogs.command_stop_s)) return false;
+  out.cause = SafetyCause::kPlannerLost;
+  out.actuator = -1;
+  print(out.detail, "the last LEG_COMMAND is %lld ms old: is sprung-motion-planner dead?",
+        static_cast<long long>(age_us / 1000));
+  return true;
 }
 
 void BridgeCore::Impl::update_safety(std::int64_t time_us, bool command_due) noexcept {

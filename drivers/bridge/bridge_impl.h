@@ -44,9 +44,11 @@ struct BridgeCore::Impl {
   void refuse_nodes(std::int64_t time_us) noexcept;
   void restart_lost_nodes(std::int64_t time_us) noexcept;
   void judge_samples() noexcept;
+  void judge_motion() noexcept;  ///< joints of one leg beside each other
   void begin_cycle(std::int64_t time_us) noexcept;
   void update_safety(std::int64_t time_us, bool command_due) noexcept;
   bool find_fault(std::int64_t time_us, Fault& out) const noexcept;
+  bool planner_lost(Fault& out) const noexcept;
   void show_stops(DetailText& detail) const noexcept;
   double command_age_s(std::int64_t time_us, bool command_due) const noexcept;
 

@@ -30,6 +30,7 @@ bool CommandGate::accept(const DriveCommand& command, std::int64_t cycle, std::i
   std::copy(command.actuators.begin(), command.actuators.end(), last_.actuators.begin());
   last_.stamp = command.stamp;
   last_.valid_until_utime_us = command.valid_until_utime_us;
+  last_.used_leg_command_seq = command.used_leg_command_seq;
   any_ = true;
   armed_ = armed_ || std::all_of(command.actuators.begin(), command.actuators.end(),
                                  [](const ActuatorCommand& a) { return a.mode == DriveMode::kDisabled; });

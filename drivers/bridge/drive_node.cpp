@@ -36,7 +36,8 @@ DriveNode::DriveNode(const ActuatorConfig& actuator, int index, const WatchdogCo
       profile_(std::move(profile)),
       tracker_(actuator.speed_limit_rad_s, quantum_rad(actuator)),
       reference_(actuator),
-      reads_(*profile_) {}
+      reads_(*profile_),
+      stuck_(actuator.torque_limit_Nm) {}
 
 void DriveNode::step(std::int64_t time_us, FrameBatch& out) noexcept {
   const bool reads = link().boot().operational();
@@ -91,6 +92,19 @@ void DriveNode::accept_sample() noexcept {
   // Also an absolute encoder's: what it shows from now on is not the place that the reference was found for.
   if (motion == Motion::kJumped) reference_.lose("reference lost: encoder jumped");
   sampled_ = true;
+}
+
+void DriveNode::judge_motion(double mate_rad) noexcept {
+  if (!enabled()) return stuck_.forget();
+  if (!link().samples().answered() || implausible_) return;
+  StuckEncoderInputs in;
+  in.time_us = received_us_;
+  in.position_rad = sample_.measured_position_rad;
+  in.measured_torque_Nm = sample_.measured_current_A * actuator_.torque_constant_Nm_A * actuator_.gear_ratio;
+  in.commanded_torque_Nm = commanded_torque_Nm_;
+  in.mate_position_rad = mate_rad;
+  stuck_.add(in);
+  distrusted_ = distrusted_ || stuck_.stuck();
 }
 
 std::int64_t DriveNode::encoder_counts() const noexcept {
@@ -163,6 +177,10 @@ bool DriveNode::drive_fault(Fault& out) const noexcept {
     out.cause = SafetyCause::kImplausible;
     print(out.detail, "%s: measured position jumped to %g rad", drive,
           sample_.measured_position_rad + reference().offset_rad);
+  } else if (stuck_.stuck()) {
+    out.cause = SafetyCause::kImplausible;
+    print(out.detail, "%s: encoder stuck: not one count in %lld ms under %.0f Nm, though it must move", drive,
+          static_cast<long long>(stuck_.still_us() / 1000), stuck_.torque_Nm());
   } else if (reference_.apart() && powered()) {
     out.cause = SafetyCause::kImplausible;
     print(out.detail, "%s: motor encoder says %g rad, link encoder %g rad; reference lost: sprung home",
@@ -192,6 +210,7 @@ void DriveNode::restart() noexcept {
   tracker_.resume();
   implausible_ = distrusted_ = false;
   stop_.forget();
+  stuck_.forget();
   modes_.restart();
 }
 
@@ -288,6 +307,7 @@ void DriveNode::emit(std::int64_t time_us, SafetyLevel level, const ActuatorComm
   watch_stop(time_us, level, out);
   if (link().gone()) return;
   DriveSetpoint now = setpoint(level, command);
+  commanded_torque_Nm_ = now.mode == DriveMode::kTorque ? now.commanded_torque_Nm : kNaN;
   now.commanded_position_rad -= reference().offset_rad;
   modes_.send(now.mode, !enabled() || profile_->shown_mode(modes_.display()) == now.mode, time_us);
   out.push(actuator_.bus, profile_->encode_setpoint(now));

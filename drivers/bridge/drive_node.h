@@ -11,6 +11,7 @@
 #include "drivers/bridge/power_control.h"
 #include "drivers/bridge/reference_watch.h"
 #include "drivers/bridge/stop_watch.h"
+#include "drivers/bridge/stuck_encoder_watch.h"
 #include "signals/drive_command.h"
 #include "signals/drive_state.h"
 #include "signals/vec3.h"
@@ -46,6 +47,10 @@ class DriveNode final : public BusNode {
   /// Link side of the gear, from the card, once a cycle after end_sampling(); NaN when there is none in this
   /// cycle.
   void set_link_position(double measured_link_position_rad) noexcept;
+
+  /// Once a cycle after end_sampling(). @param mate_rad encoder_position_rad() of the drive beside it, with
+  /// which it swings in one plane.
+  void judge_motion(double mate_rad) noexcept;
 
   double filtered_velocity_rad_s() const noexcept { return tracker_.filtered_velocity_rad_s(); }
   double measured_link_position_rad() const noexcept { return measured_link_position_rad_; }
@@ -90,6 +95,8 @@ class DriveNode final : public BusNode {
   ModeWatch modes_;
   BackgroundReads reads_;
   StopWatch stop_;
+  StuckEncoderWatch stuck_;
+  double commanded_torque_Nm_ = kNaN;  ///< of the last set-point, in torque control
   bool confirmed_off_ = false;  ///< the last that it said of its power, by an answer to SYNC or to an SDO
   DriveSample sample_;
   std::int64_t received_us_ = 0;

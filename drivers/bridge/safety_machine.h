@@ -7,7 +7,8 @@
 ///   command stale > command_stop             quick stop                                  yes
 ///   drive or card: fault, silence,           damping until slow for 0.3 s, or 5 s,       yes
 ///   implausible value, two on one node id,   then quick stop
-///   another master
+///   another master, LEG_COMMAND older than
+///   command_stop
 ///   bus lost, another master that insists    quick stop                                  yes
 ///   overruns in a row                        damping, until a cycle is in time again     no
 ///   a drive differs from robot.yaml          disabled                                    yes

@@ -63,7 +63,7 @@ class Robot:
         self._bus = programs.random_bus()
         self.wire = Wire(self._bus)
         self.settings = on_one_bus(programs.robot_file(name, self._programs))
-        self.settings.update(cycle_rate=CYCLE_RATE, watchdogs=WATCHDOGS)
+        self.settings.update(cycle_rate=CYCLE_RATE, simulation_watchdogs=WATCHDOGS)
         self.drives = {a["node"]: self._drive(a) for a in self.settings["actuators"]}
         self.cards = {c["node"]: self._node(Card, c, {}) for c in self.settings.get("encoder_cards", [])}
         self.up = None
@@ -96,6 +96,7 @@ class Robot:
                 "sprung",
                 "up",
                 self._robot_folder(),
+                "--sim-elsewhere",
                 "--no-record",
                 "--rt-policy",
                 "off",

@@ -46,6 +46,38 @@ TEST_F(ComplyingTest, OtherGainsMoveNothing) {
   EXPECT_EQ(desired().stiffness_N_m, (Vec3{500.0, 0.0, 500.0}));
 }
 
+TEST_F(ComplyingTest, StandsAgainWhenItsHoldIsNotRenewed) {
+  stand_up();
+  OperatorCommand command;
+  command.kind = OperatorKind::kComply;
+  command.stiffness_N_m = {2000.0, kNaN, 2000.0};
+  command.damping_N_s_m = {40.0, kNaN, 40.0};
+  command.friction_compensation = 0.9;
+  command.hold_s = 0.8;
+  const std::int64_t id = send(command);
+  cycle();
+  EXPECT_EQ(outcomes(id), "accepted done");
+  for (int i = 0; i < 20; ++i) {  // somebody is there
+    run(0.4);
+    OperatorCommand renewal;
+    renewal.kind = OperatorKind::kHold;
+    renewal.hold_s = 0.8;
+    const std::int64_t renewed = send(renewal);
+    cycle();
+    ASSERT_EQ(outcomes(renewed), "accepted done");
+    ASSERT_EQ(motion_.state, MotionPhase::kComplying);
+  }
+  run(0.79);
+  EXPECT_EQ(motion_.state, MotionPhase::kComplying);
+  run(0.02);
+  EXPECT_EQ(motion_.state, MotionPhase::kRecover);
+  run_until(MotionPhase::kStanding);
+  EXPECT_STREQ(motion_.last_transition, "the operator's hold was not renewed: stopped");
+  const std::int64_t late = send(OperatorKind::kHold);
+  cycle();
+  EXPECT_EQ(outcomes(late), "refused");
+}
+
 TEST_F(ComplyingTest, StopReturnsToTheStandFromWhereTheLegReallyIs) {
   stand_up();
   send_comply(2000.0);

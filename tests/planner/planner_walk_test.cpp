@@ -83,7 +83,7 @@ class PlannerWalkTest : public testing::Test {
     return out;
   }
   void stand_up() {
-    send(OperatorKind::kStand);
+    if (motion_.state != MotionPhase::kStanding) send(OperatorKind::kStand);
     run_until(MotionPhase::kStanding);
   }
   bool every_leg(ControlMode mode) const {
@@ -101,6 +101,45 @@ class PlannerWalkTest : public testing::Test {
   std::int64_t last_id_ = 0;
   std::size_t hole_ = 99;
 };
+
+TEST_F(PlannerWalkTest, HoldThatIsNotRenewedSlowsDownAndEndsInAStand) {
+  for (const int gait : {kCrawl, kTrot}) {
+    SCOPED_TRACE(gait);
+    stand_up();
+    OperatorCommand order;
+    order.kind = OperatorKind::kWalk;
+    order.gait = gait;
+    order.walk_speed = {0.1, 0.0, 0.0};
+    order.hold_s = 0.8;
+    EXPECT_EQ(send(order).outcome, OperatorOutcome::kDone);
+    run(0.7);
+    EXPECT_EQ(motion_.state, MotionPhase::kWalking);
+    OperatorCommand renewal;
+    renewal.kind = OperatorKind::kHold;
+    renewal.hold_s = 0.8;
+    EXPECT_EQ(send(renewal).outcome, OperatorOutcome::kDone);
+    run(0.7);
+    EXPECT_EQ(motion_.state, MotionPhase::kWalking) << "it was renewed";
+    run(0.1 + 0.1 / robot_.preset("best").walk.acceleration_m_s2);
+    run(0.2);
+    EXPECT_EQ(motion_.desired_speed, (Vec3{0.0, 0.0, 0.0}));
+    run_until(MotionPhase::kStanding);
+    EXPECT_STREQ(motion_.last_transition, "the operator's hold was not renewed: stopped");
+  }
+}
+
+TEST_F(PlannerWalkTest, WalkWithoutAHoldGoesOnAndAHoldThatCannotBeIsRefused) {
+  stand_up();
+  OperatorCommand order;
+  order.kind = OperatorKind::kWalk;
+  order.gait = kTrot;
+  order.hold_s = -1.0;
+  EXPECT_STREQ(send(order).reason, "a hold lasts more than 0 s and at most 3600 s");
+  walk(kTrot);
+  run(10.0);
+  EXPECT_EQ(motion_.state, MotionPhase::kWalking);
+  EXPECT_STREQ(send(OperatorKind::kHold).reason, "nothing is held");
+}
 
 TEST_F(PlannerWalkTest, StandsUpWithItsFeetBesideItsHips) {
   stand_up();

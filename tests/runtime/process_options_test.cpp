@@ -30,6 +30,14 @@ TEST(ProcessOptions, DefaultsAreTheRobotsOwnNetworkAndClock) {
   EXPECT_EQ(options.real_time().policy, RealTimePolicy::kWarn);
 }
 
+TEST(ProcessOptions, FaultsAreMadeOnSimulatedRobotsAlone) {
+  EXPECT_NO_THROW(refuse_injection(parsed({"--session", "5"})));
+  EXPECT_NO_THROW(refuse_injection(parsed({"--session", "5", "--inject", "drop-rx:A:1", "--simulation"})));
+  EXPECT_NO_THROW(
+      refuse_injection(parsed({"--session", "5", "--inject", "drop-rx:A:1", "--clock", "lockstep"})));
+  EXPECT_THROW(refuse_injection(parsed({"--session", "5", "--inject", "drop-rx:A:1"})), WrongUse);
+}
+
 TEST(ProcessOptions, ReadsAllThatTheLauncherGives) {
   const ProcessOptions options = parsed(
       {"--robot",   "x",       "--preset", "paper",       "--session",   "-7",          "--epoch-us",  "99",

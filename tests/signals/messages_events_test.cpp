@@ -133,6 +133,7 @@ TEST(EventMessages, WalkKeepsWhatItAsksFor) {
   signal.walk_speed = {0.3, -0.1, 0.2};
   signal.stance_width_m = 0.05;
   signal.gait_control = GaitControl::kPreStance;
+  signal.hold_s = 1.5;
   sprung_msgs::operator_command_t message{};
   to_message(signal, 5, message);
   OperatorCommand back;
@@ -143,6 +144,7 @@ TEST(EventMessages, WalkKeepsWhatItAsksFor) {
   EXPECT_TRUE(std::isnan(back.body_height_m)) << "left open: the preset's";
   EXPECT_EQ(back.stance_width_m, 0.05);
   EXPECT_EQ(back.gait_control, GaitControl::kPreStance);
+  EXPECT_EQ(back.hold_s, 1.5);
 }
 
 TEST(EventMessages, UnknownLegEventsPhasesAndGaitControlsAreRefused) {

@@ -115,12 +115,15 @@ TEST_P(Kill, DeadControllerIsDampedThenOffAndStaysOff) {
   EXPECT_NE(sprung("stand").status, 0);
 }
 
-TEST_P(Kill, DeadPlannerLeavesADampedRobot) {
+TEST_P(Kill, DeadPlannerIsNamedAndTheRobotDampedThenOff) {
   up(GetParam(), pace());
   Witness witness(info(), robot_.actuators.size(), robot_.legs.size());
   jump_into(witness);
   kill_program("sprung-motion-planner");
   EXPECT_TRUE(witness.until([&] { return witness.all_commanded(DriveMode::kDamping); })) << "never damped";
+  EXPECT_TRUE(witness.until([&] { return witness.latched; }));
+  EXPECT_EQ(witness.cause, SafetyCause::kPlannerLost);
+  EXPECT_TRUE(witness.until([&] { return !witness.enabled; })) << "never off";
 }
 
 TEST_P(Kill, DeadEstimatorIsDampedThenOff) {

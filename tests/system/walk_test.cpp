@@ -42,7 +42,8 @@ class Walk : public SystemTest {
     node.subscribe_message(channels::kSimTruth,
                            CountLimits::exactly(robot_.joints.size(), robot_.legs.size()), truths);
     node.start();
-    for (const std::int64_t end_us = node.utime_us() + 30'000'000; node.utime_us() < end_us;) {
+    const auto timeout_us = static_cast<std::int64_t>(1e6 * kTimeout_s);
+    for (const std::int64_t end_us = node.utime_us() + timeout_us; node.utime_us() < end_us;) {
       node.wait_for_input(end_us);
       while (auto heard = truths.pop()) {
         if (heard->seq >= seq) return *heard;

@@ -119,6 +119,35 @@ TEST_F(BridgeSafety, DriveFaultDampsTheWholeRobotThenStopsIt) {
   EXPECT_EQ(powered(), 0);
 }
 
+TEST_F(BridgeSafety, LegCommandThatStaysAwayIsAPlannerThatIsLost) {
+  for (int i = 0; i < 195; ++i) {
+    bench_.command.used_leg_command_seq = bench_.bridge->safety().stamp.seq - i;  // none since
+    bench_.tick();
+  }
+  EXPECT_EQ(level(), SafetyLevel::kOperational) << "a stall: " << bench_.detail();
+  for (int i = 195; i < 210; ++i) {
+    bench_.command.used_leg_command_seq = bench_.bridge->safety().stamp.seq - i;
+    bench_.tick();
+  }
+  EXPECT_EQ(level(), SafetyLevel::kDamping);
+  EXPECT_EQ(cause(), SafetyCause::kPlannerLost);
+  EXPECT_TRUE(latched());
+  EXPECT_THAT(bench_.detail(), HasSubstr("ms old: is sprung-motion-planner dead?"));
+  bench_.command.used_leg_command_seq = bench_.bridge->safety().stamp.seq;
+  bench_.run(400);
+  EXPECT_EQ(level(), SafetyLevel::kQuickStop) << "one that comes back moves nothing";
+  expect_stays_off();
+}
+
+TEST_F(BridgeSafety, PlannerOfARobotWithoutPowerIsNotMissed) {
+  bench_.command_all(DriveMode::kDisabled);
+  bench_.run(50);
+  ASSERT_EQ(powered(), 0);
+  bench_.command.used_leg_command_seq = 0;
+  bench_.run(500);
+  EXPECT_EQ(level(), SafetyLevel::kOperational) << bench_.detail();
+}
+
 TEST_F(BridgeSafety, DriveThatLosesItsPowerByItselfStopsTheRobotAndStaysOff) {
   for (const PowerState state :
        {PowerState::kSwitchOnDisabled, PowerState::kReadyToSwitchOn, PowerState::kSwitchedOn}) {

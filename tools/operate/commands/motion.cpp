@@ -13,6 +13,7 @@
 #include "tools/lab/jump/live_jump_report.h"
 #include "tools/operate/client/cycle_collector.h"
 #include "tools/operate/client/jump_heights.h"
+#include "tools/operate/commands/held_motion.h"
 #include "tools/operate/commands/motion_call.h"
 
 namespace sprung::commands {
@@ -23,7 +24,7 @@ constexpr double kLook_s = 0.05;
 constexpr std::chrono::milliseconds kSettle{
     300};  // after `done`: what is still on the way, or waits behind a lost message
 
-struct MotionRequest : MotionCall {
+struct MotionRequest : HeldCall {
   bool report = false;
   std::string html;
   double height_mm = 0.0;
@@ -180,22 +181,23 @@ void add_comply(CommandLine& sprung) {
   const auto request = std::make_shared<MotionRequest>();
   CommandLine& comply = sprung.subcommand(
       "comply",
-      "Hold each foot where it is by a virtual spring; again with other values; stop or sit ends it.");
+      "Hold each foot where it is by a virtual spring while this command runs, or --for a time; from another "
+      "terminal with other values; stop or sit ends it.");
   comply.option("--stiffness", request->stiffness_N_m,
                 "N/m, along x and z; default: the preset's compliance");
   comply.option("--damping", request->damping_N_s_m,
                 "N s/m, along x and z; default: the preset's compliance");
   comply.option("--compensation", request->friction_compensation,
                 "share of the gears' friction that is made up for, 0 to 1; default: the preset's");
-  add_motion_call(comply, *request);
-  comply.example("sprung comply --stiffness 2000 2000 --damping 40 40 --compensation 0.9");
+  add_held_call(comply, *request);
+  comply.example("sprung comply --stiffness 2000 2000 --damping 40 40 --compensation 0.9 --for 60");
   comply.action([=] {
     OperatorCommand order;
     order.kind = OperatorKind::kComply;
     order.stiffness_N_m = {request->stiffness_N_m[0], kNaN, request->stiffness_N_m[1]};
     order.damping_N_s_m = {request->damping_N_s_m[0], kNaN, request->damping_N_s_m[1]};
     order.friction_compensation = request->friction_compensation;
-    return run_motion("comply", order, *request);
+    return run_held("comply", order, *request);
   });
 }
 

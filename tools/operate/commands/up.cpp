@@ -154,6 +154,8 @@ void add_up(CommandLine& sprung) {
       "up", "Start every process of a robot and watch over them; Ctrl-C ends it in order.");
   up.option("robot", request->robot, "name of a folder in robots/, or a folder", Need::kRequired);
   up.flag("--sim", request->simulation, "simulated drives instead of real ones");
+  up.flag("--sim-elsewhere", request->simulated_elsewhere,
+          "drives that another program simulates are on the buses: simulation_watchdogs apply");
   up.choice("--clock", request->clock, {"realtime", "lockstep"},
             "lockstep: deterministic, as fast as it goes, needs --sim");
   up.option("--preset", request->preset, "set of parameters in robot.yaml; default: best, else the only one");

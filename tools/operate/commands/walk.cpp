@@ -4,7 +4,7 @@
 #include "robots/robot_loader.h"
 #include "tools/commands.h"
 #include "tools/operate/client/gait_choice.h"
-#include "tools/operate/commands/motion_call.h"
+#include "tools/operate/commands/held_motion.h"
 
 namespace sprung::commands {
 
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kListen_s = 0.5;  // for MOTION_STATE, which comes every cycle
 
-struct WalkWish : MotionCall {
+struct WalkWish : HeldCall {
   GaitWish gait;
   double height_m = kNaN;
   double width_m = kNaN;
@@ -54,15 +54,17 @@ int run_walk(const WalkWish& wish) {
   order.body_height_m = wish.height_m;
   order.stance_width_m = wish.width_m;
   order.gait_control = value_named<GaitControl>(wish.control).value();
-  return run_motion("walk", order, wish);
+  return run_held("walk", order, wish);
 }
 
 }  // namespace
 
 void add_walk(CommandLine& sprung) {
   const auto wish = std::make_shared<WalkWish>();
-  CommandLine& walk = sprung.subcommand(
-      "walk", "Walk until told to stop; the robot must stand. Again while it walks: another speed or gait.");
+  CommandLine& walk = sprung.subcommand("walk",
+                                        "Walk while this command runs, or --for a time; the robot must "
+                                        "stand. From another terminal while it walks: "
+                                        "another speed or gait.");
   walk.option("--gait", wish->gait.gait,
               "one of robot.yaml's; default: the one it walks in, else the fastest that can go that speed");
   walk.option("--speed", wish->gait.forward_m_s,
@@ -74,10 +76,10 @@ void add_walk(CommandLine& sprung) {
   walk.choice("--control", wish->control, names_of<GaitControl>(),
               "of swinging legs: position with a slow approach of sprung's own, or with the papers' soft "
               "pre-stance, or without; or virtual springs throughout");
-  add_motion_call(walk, *wish);
+  add_held_call(walk, *wish);
   walk.example(
-      "sprung walk --speed 0.3; sprung walk --speed 0.2 --turn 0.3; sprung walk --gait crawl --speed 0.1; "
-      "sprung stop");
+      "sprung walk --speed 0.3; sprung walk --speed 0.2 --turn 0.3 --for 10; "
+      "sprung walk --gait crawl --speed 0.1 --for 20; sprung stop");
   walk.action([=] { return run_walk(*wish); });
 }
 

@@ -41,9 +41,7 @@ PlannedProcess plan_process(const ProcessConfig& config, const LaunchRequest& re
                        "--priority",  std::to_string(config.priority),
                        "--cpu",       std::to_string(config.cpu),
                        "--rt-policy", request.rt_policy};
-  if (request.simulation) {
-    process.arguments.push_back("--simulation");
-  }
+  if (request.simulation || request.simulated_elsewhere) process.arguments.push_back("--simulation");
   add_injections(process, request);
   return process;
 }
@@ -100,6 +98,12 @@ void check_request(const LaunchRequest& request, const RobotConfig& robot) {
   (void)robot.preset(request.preset);
   if (request.clock == "lockstep" && !request.simulation) {
     throw std::invalid_argument("--clock lockstep needs --sim: real drives do not wait");
+  }
+  if (request.simulation && request.simulated_elsewhere) {
+    throw std::invalid_argument("--sim starts simulated drives, --sim-elsewhere says that others do: which?");
+  }
+  if (!request.simulation && !request.inject.empty()) {
+    throw std::invalid_argument("--inject makes faults for tests: add --sim");
   }
   if (!request.simulation && (!request.plant.empty() || request.seed != 1)) {
     throw std::invalid_argument("--plant and --seed are the simulation's: add --sim");

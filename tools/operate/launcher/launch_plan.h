@@ -25,7 +25,9 @@ struct LaunchRequest {
   std::string preset;              ///< empty = the robot's usual one
   std::string clock = "realtime";  ///< realtime or lockstep
   bool simulation = false;
-  std::vector<std::string> can;  ///< BUS=ADDRESS
+  bool
+      simulated_elsewhere = false;  ///< another program simulates the drives: only the longer watchdogs apply
+  std::vector<std::string> can;     ///< BUS=ADDRESS
   std::string lcm_url;
   std::string rt_policy = "warn";
   std::uint64_t seed = 1;

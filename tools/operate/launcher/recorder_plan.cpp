@@ -41,7 +41,7 @@ PlannedProcess plan_recorder(const LaunchRequest& request, const RobotConfig& ro
                        "--file",     info.log};
   if (!request.command_line.empty())
     process.arguments.insert(process.arguments.end(), {"--command-line", request.command_line});
-  if (request.simulation) process.arguments.push_back("--simulation");
+  if (request.simulation || request.simulated_elsewhere) process.arguments.push_back("--simulation");
   add_recording(process.arguments, request.recording);
   return process;
 }

@@ -76,10 +76,26 @@ TEST_F(LaunchPlan, PlantAndSeedReachTheSimulatedDrivesOnly) {
 }
 
 TEST_F(LaunchPlan, InjectionReachesTheNamedProgramOnly) {
+  request_.simulation = true;
   request_.inject = {"sprung-leg-controller=drop-rx:JOINT_STATE:100"};
   const auto all = plan();
   EXPECT_EQ(value(process(all, "sprung-leg-controller"), "--inject"), "drop-rx:JOINT_STATE:100");
   EXPECT_EQ(value(process(all, "sprung-motion-planner"), "--inject"), "(absent)");
+}
+
+TEST_F(LaunchPlan, FaultsWithoutSimulationAreRefused) {
+  request_.inject = {"sprung-leg-controller=drop-rx:JOINT_STATE:100"};
+  EXPECT_THAT([&] { plan(); }, testing::ThrowsMessage<std::invalid_argument>(HasSubstr("add --sim")));
+}
+
+TEST_F(LaunchPlan, SimulationElsewhereStartsNoDrivesAndHasTheLongerWatchdogs) {
+  request_.simulated_elsewhere = true;
+  for (const PlannedProcess& planned : plan()) {
+    EXPECT_NE(planned.program, "sprung-sim-drives");
+    EXPECT_THAT(planned.arguments, Contains("--simulation")) << planned.program;
+  }
+  request_.simulation = true;
+  EXPECT_THAT([&] { plan(); }, testing::ThrowsMessage<std::invalid_argument>(HasSubstr("--sim-elsewhere")));
 }
 
 TEST_F(LaunchPlan, LockStepNeedsSimulatedDrives) {

@@ -1,0 +1,44 @@
+#include "drivers/bridge/stuck_encoder_watch.h"
+
+#include <cmath>
+
+namespace sprung {
+namespace {
+
+constexpr std::int64_t kStill_us = 20'000;  // [design choice] less than half of the 50 ms of design section 8
+// [design choice] looked at anew after this: sprung experiment foot_return pulls at 0.35 rad/s for seconds
+constexpr std::int64_t kWindow_us = 30'000;
+constexpr double kHigh = 1.0 / 3.0;  // of the torque limit: design section 8
+// [design choice] of another joint, while this one stays within one count: 1.5 rad/s for 20 ms
+constexpr double kMateMoves_rad = 0.03;
+
+}  // namespace
+
+bool StuckEncoderWatch::begins_anew(const StuckEncoderInputs& in) noexcept {
+  const bool commanded_more = std::abs(in.commanded_torque_Nm) > std::abs(in.measured_torque_Nm);
+  torque_Nm_ = commanded_more ? in.commanded_torque_Nm : in.measured_torque_Nm;
+  return !any_ || in.position_rad != first_.position_rad || !(std::abs(torque_Nm_) > kHigh * limit_Nm_);
+}
+
+bool StuckEncoderWatch::mate_moved(const StuckEncoderInputs& in) const noexcept {
+  return std::abs(in.mate_position_rad - first_.mate_position_rad) > kMateMoves_rad;
+}
+
+void StuckEncoderWatch::add(const StuckEncoderInputs& in) noexcept {
+  now_us_ = in.time_us;
+  if (begins_anew(in)) {
+    any_ = true;
+    stuck_ = false;
+    first_ = in;
+    since_us_ = in.time_us;
+    return;
+  }
+  stuck_ = stuck_ || (still_us() >= kStill_us && mate_moved(in));
+  if (stuck_ || still_us() < kWindow_us) return;
+  first_ = in;
+  since_us_ = in.time_us;
+}
+
+void StuckEncoderWatch::forget() noexcept { *this = StuckEncoderWatch(limit_Nm_); }
+
+}  // namespace sprung

@@ -1,0 +1,46 @@
+#pragma once
+/// A motor encoder that shows the same count on and on although its joint must move. Standing is a torque
+/// that moves nothing, and friction or a stop may hold a joint whose torque changes; but in a leg that
+/// thrusts or steps hip and knee move. So an encoder is stuck that has not moved by one count for 20 ms,
+/// under more than a third of the torque limit all the time, while the other of the two has moved by 0.03
+/// rad, faster than 1 rad/s: a hand that pulls a foot moves one joint of a compliant leg more slowly, while
+/// friction holds the other. One that sticks in a leg at rest or under little torque is not found, and does
+/// little harm until that changes. Pure; once a sample.
+#include <cstdint>
+
+namespace sprung {
+
+struct StuckEncoderInputs {
+  std::int64_t time_us = 0;
+  double position_rad = 0.0;         ///< as the encoder says, any zero
+  double measured_torque_Nm = 0.0;   ///< ratio times motor torque, output side
+  double commanded_torque_Nm = 0.0;  ///< of the last set-point; NaN outside of torque control. A drive that
+                                     ///< repeats its whole answer shows no torque
+  double mate_position_rad = 0.0;    ///< of the other joint of its leg that swings in the same plane
+};
+
+class StuckEncoderWatch {
+ public:
+  /// @param torque_limit_Nm of the actuator, output side of its gear.
+  explicit StuckEncoderWatch(double torque_limit_Nm) noexcept : limit_Nm_(torque_limit_Nm) {}
+
+  void add(const StuckEncoderInputs& in) noexcept;
+  bool stuck() const noexcept { return stuck_; }
+  double torque_Nm() const noexcept { return torque_Nm_; }  ///< of the last sample
+  std::int64_t still_us() const noexcept { return now_us_ - since_us_; }
+  void forget() noexcept;
+
+ private:
+  bool begins_anew(const StuckEncoderInputs& in) noexcept;
+  bool mate_moved(const StuckEncoderInputs& in) const noexcept;
+
+  double limit_Nm_;
+  double torque_Nm_ = 0.0;
+  StuckEncoderInputs first_;   ///< since which the position has not changed, and the torque was high
+  std::int64_t since_us_ = 0;  ///< of that
+  std::int64_t now_us_ = 0;
+  bool any_ = false;
+  bool stuck_ = false;
+};
+
+}  // namespace sprung

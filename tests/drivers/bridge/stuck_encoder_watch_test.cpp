@@ -1,0 +1,129 @@
+#include "drivers/bridge/stuck_encoder_watch.h"
+
+#include <gtest/gtest.h>
+
+#include "signals/vec3.h"
+#include "tests/support/bridge_fixture.h"
+
+namespace sprung {
+namespace {
+
+class StuckEncoderWatchTest : public ::testing::Test {
+ protected:
+  using Signal = double (*)(int ms);
+  static double still(int) { return 0.3; }
+  static double none(int) { return kNaN; }
+  /// @param mate position of the other joint of the leg.
+  /// @return after how many of `ms` samples it was stuck; -1: never.
+  int first_stuck(int ms, Signal position, Signal measured, Signal commanded = none, Signal mate = still) {
+    for (int i = 0; i < ms; ++i) {
+      StuckEncoderInputs in;
+      in.time_us = 1000 * i;
+      in.position_rad = position(i);
+      in.measured_torque_Nm = measured(i);
+      in.commanded_torque_Nm = commanded(i);
+      in.mate_position_rad = mate(i);
+      watch_.add(in);
+      if (watch_.stuck()) return i;
+    }
+    return -1;
+  }
+  static double steady(int) { return 40.0; }
+  static double rises(int ms) { return 5.0 * ms; }
+  static double extends(int ms) { return 0.005 * ms; }
+
+  StuckEncoderWatch watch_{100.0};
+};
+
+TEST_F(StuckEncoderWatchTest, TorqueOnAJointOfALegThatStandsIsWell) {
+  EXPECT_EQ(first_stuck(5000, still, [](int i) { return 60.0 + (i % 30); }), -1);
+}
+
+TEST_F(StuckEncoderWatchTest, HighTorqueWhileTheRestOfTheLegMovesIsFound) {
+  EXPECT_EQ(first_stuck(100, still, steady, none, extends), 20);
+  EXPECT_EQ(watch_.still_us(), 20'000);
+  EXPECT_EQ(watch_.torque_Nm(), 40.0);
+}
+
+TEST_F(StuckEncoderWatchTest, TorqueBelowAThirdOfTheLimitMayBeFrictions) {
+  const auto low = [](int) { return 30.0; };
+  EXPECT_EQ(first_stuck(1000, still, low, none, extends), -1);
+  const auto now_and_then = [](int i) { return i % 15 == 0 ? 30.0 : 90.0; };
+  EXPECT_EQ(first_stuck(1000, still, now_and_then, none, extends), -1);
+}
+
+TEST_F(StuckEncoderWatchTest, SlowMotionOfTheRestOfTheLegMayLeaveOutAJointThatFrictionHolds) {
+  EXPECT_EQ(first_stuck(5000, still, steady, none, [](int i) { return 0.0008 * i; }), -1);
+}
+
+TEST_F(StuckEncoderWatchTest, DriveThatRepeatsItsWholeAnswerIsFoundByWhatItWasTold) {
+  const auto frozen = [](int) { return 2.0; };
+  EXPECT_EQ(first_stuck(100, still, frozen, rises, extends), 26) << "from 6 on above a third";
+}
+
+TEST_F(StuckEncoderWatchTest, OneCountNowAndThenIsEnough) {
+  const auto creeps = [](int i) { return 1e-6 * (i / 15); };
+  EXPECT_EQ(first_stuck(1000, creeps, steady, none, extends), -1);
+}
+
+TEST_F(StuckEncoderWatchTest, LegThatHasRestedForLongBeginsToMoveTogether) {
+  const auto begins = [](int i) { return i < 1003 ? 0.3 : 0.3 + 0.005 * (i - 1003); };
+  EXPECT_EQ(first_stuck(1200, begins, steady, none,
+                        [](int i) { return i < 1000 ? 0.1 : 0.1 + 0.005 * (i - 1000); }),
+            -1);
+}
+
+TEST_F(StuckEncoderWatchTest, ForgetsAllWhenTold) {
+  first_stuck(100, still, steady, none, extends);
+  watch_.forget();
+  EXPECT_FALSE(watch_.stuck());
+  EXPECT_EQ(first_stuck(15, still, steady, none, extends), -1);
+}
+
+class StuckEncoder : public test::PoweredBridge {
+ protected:
+  void SetUp() override {
+    RobotConfig robot = test::two_drive_robot();
+    LegConfig leg;
+    leg.actuators = {0, 1};
+    robot.legs.push_back(leg);
+    bench_ = test::BridgeBench(robot);
+    test::PoweredBridge::SetUp();
+  }
+};
+
+TEST_F(StuckEncoder, RobotIsDampedAndThatJointGetsNoTorqueByAVelocityThatIsNotThere) {
+  for (int i = 0; i < 30; ++i) {
+    bench_.drives[1].position_counts += 2086 * 3;  // the other joint moves at 3 rad/s
+    bench_.command_all(DriveMode::kTorque, 80.0);
+    bench_.tick();
+  }
+  EXPECT_EQ(level(), SafetyLevel::kDamping);
+  EXPECT_EQ(cause(), SafetyCause::kImplausible);
+  EXPECT_EQ(bench_.bridge->safety().actuator, 0);
+  EXPECT_NE(bench_.detail().find("hip_motor: encoder stuck"), std::string::npos) << bench_.detail();
+  EXPECT_EQ(bench_.drives[0].target_torque_permille, 0);
+}
+
+TEST_F(StuckEncoder, AbductionJointMayRestWhileHipAndKneeMove) {
+  RobotConfig robot = test::two_drive_robot();
+  ActuatorConfig third = robot.actuators.back();
+  third.name = "abduction_motor";
+  third.node = 3;
+  robot.actuators.insert(robot.actuators.begin(), third);
+  LegConfig leg;
+  leg.actuators = {0, 1, 2};
+  robot.legs.push_back(leg);
+  bench_ = test::BridgeBench(robot);
+  ASSERT_TRUE(bench_.boot());
+  bench_.enable();
+  for (int i = 0; i < 100; ++i) {
+    for (std::size_t k = 1; k < 3; ++k) bench_.drives[k].position_counts += 2086 * 3;
+    bench_.command_all(DriveMode::kTorque, 80.0);
+    bench_.tick();
+  }
+  EXPECT_EQ(level(), SafetyLevel::kOperational) << bench_.detail();
+}
+
+}  // namespace
+}  // namespace sprung

@@ -1,0 +1,83 @@
+#include "tools/operate/commands/held_motion.h"
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <thread>
+
+#include "runtime/stop_request.h"
+#include "tools/operate/commands/answers.h"
+
+namespace sprung::commands {
+namespace {
+
+// [design choice] Four renewals may be lost. Slowing down comes on top: "stands within 2 s" is the aim.
+constexpr double kHold_s = 0.6;
+constexpr double kRenew_s = 0.12;
+constexpr double kLongest_s = 3600.0;
+
+void refuse_time(const HeldCall& call) {
+  if (std::isnan(call.for_s)) {
+    if (call.no_wait) throw WrongUse("--no-wait needs --for: who does not stay says for how long");
+    return;
+  }
+  if (!(call.for_s > 0.0 && call.for_s <= kLongest_s))
+    throw WrongUse("--for is more than 0 s and at most 3600 s");
+}
+
+void pause(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
+
+int stop(OperatorClient& client) {
+  clear_stop_request();  // who asked for it waits for the end; the next signal ends the command at once
+  OperatorCommand order;
+  order.kind = OperatorKind::kStop;
+  const int status = motion_exit("stop", client.send(order, kAnswer_s));
+  if (status != kExitDone) return status;
+  return motion_exit("stop", client.wait_done(order, kSilence_s));
+}
+
+/// @return exit status, once nothing is held any more.
+int hold(const char* what, OperatorClient& client) {
+  std::printf("%s: goes on while this command runs; Ctrl-C stops it\n", what);
+  std::fflush(stdout);
+  while (!stop_requested()) {
+    OperatorCommand renewal;
+    renewal.kind = OperatorKind::kHold;
+    renewal.hold_s = kHold_s;
+    const auto answer = client.send(renewal, kSilence_s);
+    if (!answer) return motion_exit(what, answer);
+    if (answer->outcome == OperatorOutcome::kRefused) {
+      std::printf("%s: has ended\n", what);
+      return kExitDone;
+    }
+    pause(kRenew_s);
+  }
+  return stop(client);
+}
+
+}  // namespace
+
+void add_held_call(CommandLine& command, HeldCall& call) {
+  command.option("--for", call.for_s,
+                 "s, then it stops by itself, whoever is there; default: it goes on while this command runs");
+  add_motion_call(command, call);
+}
+
+int run_held(const char* what, OperatorCommand command, const HeldCall& call) {
+  refuse_time(call);
+  const RunInfo info = require_running(call.instance, call.robot);
+  const bool stays = std::isnan(call.for_s) && info.clock != "lockstep";
+  command.hold_s = stays ? kHold_s : call.for_s;
+  command.apply_at_seq = call.at_seq;
+  OperatorClient client(info);
+  const std::optional<OperatorAnswer> answer = client.send(command, kAnswer_s);
+  const int status = motion_exit(what, answer);
+  if (status != kExitDone) return status;
+  if (answer->outcome != OperatorOutcome::kDone) {  // which follows in the same cycle
+    const int done = motion_exit(what, client.wait_done(command, kSilence_s));
+    if (done != kExitDone) return done;
+  }
+  return stays ? hold(what, client) : status;
+}
+
+}  // namespace sprung::commands
