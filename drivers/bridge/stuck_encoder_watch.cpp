@@ -6,11 +6,12 @@ namespace sprung {
 namespace {
 
 constexpr std::int64_t kStill_us = 20'000;  // [design choice] less than half of the 50 ms of design section 8
-// [design choice] looked at anew after this: sprung experiment foot_return pulls at 0.35 rad/s for seconds
+// [design choice] looked at anew after this: what was long ago says nothing
 constexpr std::int64_t kWindow_us = 30'000;
-constexpr double kHigh = 1.0 / 3.0;  // of the torque limit: design section 8
-// [design choice] of another joint, while this one stays within one count: 1.5 rad/s for 20 ms
-constexpr double kMateMoves_rad = 0.03;
+// [design choice] Friction holds a knee under a third of the limit while the hip moves at 1 rad/s: sprung
+// experiment push --robot pegasus, and foot_return on single_leg at 0.35 rad/s, would be stopped.
+constexpr double kHigh = 0.5;  // of the torque limit
+constexpr double kMateMoves_rad = 0.06;
 
 }  // namespace
 

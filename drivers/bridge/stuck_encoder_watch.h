@@ -1,11 +1,10 @@
 #pragma once
 /// A motor encoder that shows the same count on and on although its joint must move. Standing is a torque
 /// that moves nothing, and friction or a stop may hold a joint whose torque changes; but in a leg that
-/// thrusts or steps hip and knee move. So an encoder is stuck that has not moved by one count for 20 ms,
-/// under more than a third of the torque limit all the time, while the other of the two has moved by 0.03
-/// rad, faster than 1 rad/s: a hand that pulls a foot moves one joint of a compliant leg more slowly, while
-/// friction holds the other. One that sticks in a leg at rest or under little torque is not found, and does
-/// little harm until that changes. Pure; once a sample.
+/// thrusts hip and knee move. So an encoder is stuck that has not moved by one count for 20 ms, under more
+/// than half of the torque limit all the time, while the other of the two has moved by 0.06 rad within 30 ms.
+/// Less would stop healthy robots that are pushed or pulled (docs/safety.md): one that sticks under less
+/// torque is not found here, but by a link encoder where there is one. Pure; once a sample.
 #include <cstdint>
 
 namespace sprung {

@@ -28,7 +28,7 @@ class StuckEncoderWatchTest : public ::testing::Test {
     }
     return -1;
   }
-  static double steady(int) { return 40.0; }
+  static double steady(int) { return 60.0; }
   static double rises(int ms) { return 5.0 * ms; }
   static double extends(int ms) { return 0.005 * ms; }
 
@@ -42,23 +42,23 @@ TEST_F(StuckEncoderWatchTest, TorqueOnAJointOfALegThatStandsIsWell) {
 TEST_F(StuckEncoderWatchTest, HighTorqueWhileTheRestOfTheLegMovesIsFound) {
   EXPECT_EQ(first_stuck(100, still, steady, none, extends), 20);
   EXPECT_EQ(watch_.still_us(), 20'000);
-  EXPECT_EQ(watch_.torque_Nm(), 40.0);
+  EXPECT_EQ(watch_.torque_Nm(), 60.0);
 }
 
-TEST_F(StuckEncoderWatchTest, TorqueBelowAThirdOfTheLimitMayBeFrictions) {
-  const auto low = [](int) { return 30.0; };
+TEST_F(StuckEncoderWatchTest, TorqueBelowHalfOfTheLimitMayBeFrictions) {
+  const auto low = [](int) { return 45.0; };
   EXPECT_EQ(first_stuck(1000, still, low, none, extends), -1);
-  const auto now_and_then = [](int i) { return i % 15 == 0 ? 30.0 : 90.0; };
+  const auto now_and_then = [](int i) { return i % 15 == 0 ? 45.0 : 90.0; };
   EXPECT_EQ(first_stuck(1000, still, now_and_then, none, extends), -1);
 }
 
 TEST_F(StuckEncoderWatchTest, SlowMotionOfTheRestOfTheLegMayLeaveOutAJointThatFrictionHolds) {
-  EXPECT_EQ(first_stuck(5000, still, steady, none, [](int i) { return 0.0008 * i; }), -1);
+  EXPECT_EQ(first_stuck(5000, still, steady, none, [](int i) { return 0.0018 * i; }), -1);
 }
 
 TEST_F(StuckEncoderWatchTest, DriveThatRepeatsItsWholeAnswerIsFoundByWhatItWasTold) {
   const auto frozen = [](int) { return 2.0; };
-  EXPECT_EQ(first_stuck(100, still, frozen, rises, extends), 26) << "from 6 on above a third";
+  EXPECT_EQ(first_stuck(100, still, frozen, rises, extends), 30) << "from 10 on above half";
 }
 
 TEST_F(StuckEncoderWatchTest, OneCountNowAndThenIsEnough) {
@@ -94,8 +94,8 @@ class StuckEncoder : public test::PoweredBridge {
 
 TEST_F(StuckEncoder, RobotIsDampedAndThatJointGetsNoTorqueByAVelocityThatIsNotThere) {
   for (int i = 0; i < 30; ++i) {
-    bench_.drives[1].position_counts += 2086 * 3;  // the other joint moves at 3 rad/s
-    bench_.command_all(DriveMode::kTorque, 80.0);
+    bench_.drives[1].position_counts += 2086 * 4;  // the other joint moves at 3 rad/s
+    bench_.command_all(DriveMode::kTorque, 100.0);
     bench_.tick();
   }
   EXPECT_EQ(level(), SafetyLevel::kDamping);
@@ -118,8 +118,8 @@ TEST_F(StuckEncoder, AbductionJointMayRestWhileHipAndKneeMove) {
   ASSERT_TRUE(bench_.boot());
   bench_.enable();
   for (int i = 0; i < 100; ++i) {
-    for (std::size_t k = 1; k < 3; ++k) bench_.drives[k].position_counts += 2086 * 3;
-    bench_.command_all(DriveMode::kTorque, 80.0);
+    for (std::size_t k = 1; k < 3; ++k) bench_.drives[k].position_counts += 2086 * 4;
+    bench_.command_all(DriveMode::kTorque, 100.0);
     bench_.tick();
   }
   EXPECT_EQ(level(), SafetyLevel::kOperational) << bench_.detail();
