@@ -52,8 +52,8 @@ HostLock::HostLock(const std::string& name, const std::string& whose)
   close(fd_);
   if (error != EADDRINUSE) throw std::runtime_error(whose + ": cannot be locked: " + std::strerror(error));
   const pid_t holder = holder_of(address);
-  throw std::runtime_error(whose + " is in use by another bridge on this machine" +
-                           (holder > 0 ? " (process " + std::to_string(holder) + ")" : "") +
+  throw std::runtime_error(whose + " is in use by another process on this machine" +
+                           (holder > 0 ? " (" + std::to_string(holder) + ")" : "") +
                            ": sprung down there first");
 }
 

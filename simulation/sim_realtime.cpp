@@ -7,6 +7,7 @@
 
 #include "drivers/can/bus_addresses.h"
 #include "drivers/can/can_interface.h"
+#include "runtime/host_lock.h"
 #include "runtime/stop_request.h"
 #include "simulation/sim_shell.h"
 
@@ -22,6 +23,9 @@ class RealTimeSim {
   RealTimeSim(Process& process, const SimProgramOptions& options)
       : process_(process), core_(process.robot(), options.sim), shell_(process, core_, options.sim.truth) {
     for (const std::string& address : bus_addresses(process.robot(), options.can)) {
+      locks_.emplace_back("drives/" + address, "bus " + address);  // two robots would answer one bridge
+      const std::optional<InterfaceFacts> facts = read_interface(address);
+      if (facts && process.options().simulation) require_virtual(*facts);
       buses_.push_back(open_can_bus(address));
       fds_.push_back({buses_.back()->fd(), POLLIN, 0});
     }
@@ -85,6 +89,7 @@ class RealTimeSim {
   Process& process_;
   SimCore core_;
   SimShell shell_;
+  std::vector<HostLock> locks_;
   std::vector<std::unique_ptr<CanBus>> buses_;
   std::vector<pollfd> fds_;
   std::array<CanFrame, 64> received_{};

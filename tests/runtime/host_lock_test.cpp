@@ -25,7 +25,7 @@ std::string refusal(const std::string& name) {
 TEST(HostLock, SecondHolderIsRefusedAndToldWhoHasIt) {
   const HostLock first(unique_name("a"), "bus leg (udp:1)");
   const std::string said = refusal(unique_name("a"));
-  EXPECT_THAT(said, HasSubstr("bus leg (udp:1) is in use by another bridge on this machine (process " +
+  EXPECT_THAT(said, HasSubstr("bus leg (udp:1) is in use by another process on this machine (" +
                               std::to_string(getpid()) + ")"));
   EXPECT_EQ(refusal(unique_name("b")), "") << "another name is free";
 }

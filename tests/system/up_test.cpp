@@ -55,6 +55,21 @@ bool is_stopped(pid_t pid) {
   return stat >> id >> program >> state && state == "T";
 }
 
+/// The service has a run folder of its own, a user's shell another.
+TEST_F(Up, RealTimeSecondRobotOnTheSameBusIsRefusedWhereverItsRunFolderIsAndTheFirstStands) {
+  up("realtime");
+  ASSERT_EQ(sprung("stand").status, 0);
+  const std::filesystem::path other = folder_ / "other";
+  std::filesystem::create_directory(other);
+  setenv("SPRUNG_RUN_DIR", other.c_str(), 1);
+  const CommandResult second = sprung("up single_leg --sim --no-record --timeout 5 --lcm-url '" +
+                                      lcm_url_on_port(own_port()) + "' --can leg=" + can_address());
+  setenv("SPRUNG_RUN_DIR", folder_.c_str(), 1);
+  EXPECT_EQ(second.status, 1);
+  EXPECT_THAT(second.output, HasSubstr("in use by another process on this machine"));
+  EXPECT_THAT(sprung("status").output, HasSubstr("operational, cause none"));
+}
+
 /// Else two bridges would be on one bus.
 TEST_F(Up, NothingStartsBesideABridgeWhoseLauncherWasKilled) {
   const Adoption adoption;
