@@ -6,14 +6,13 @@
 #include <vector>
 
 #include "controller/leg_controller.h"
+#include "signals/microseconds.h"
 
 namespace sprung {
 namespace {
 
 /// Longest time that one step may account for; a longer gap only makes fades and rates slower.
 constexpr double kLongestStep_s = 0.020;
-
-std::int64_t to_us(double seconds) noexcept { return std::llround(seconds * 1e6); }
 
 /// Saturated is no reason to let go: the drive still does what it can.
 bool ready(const EstimatedJoint& joint) noexcept {

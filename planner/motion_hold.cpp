@@ -2,12 +2,12 @@
 
 #include <cmath>
 
+#include "signals/microseconds.h"
+
 namespace sprung {
 namespace {
 
 constexpr double kLongest_s = 3600.0;  // [design choice] nobody watches a robot for longer without a word
-
-std::int64_t to_us(double seconds) noexcept { return std::llround(1e6 * seconds); }
 
 }  // namespace
 

@@ -17,14 +17,11 @@
 #include "drivers/bridge/safety_machine.h"
 #include "signals/bus_state.h"
 #include "signals/drive_state.h"
+#include "signals/microseconds.h"
 #include "signals/operator.h"
 #include "signals/safety_state.h"
 
 namespace sprung {
-
-inline std::int64_t to_us(double seconds) noexcept {
-  return static_cast<std::int64_t>(std::llround(1e6 * seconds));
-}
 
 /// An operator's request that takes a while: its last answer, for when it is asked again.
 struct LongRequest {

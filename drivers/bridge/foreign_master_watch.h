@@ -27,7 +27,6 @@ class ForeignMasterWatch {
   const Fault* fault() const noexcept { return commands_ > 0 ? &fault_ : nullptr; }
   /// It goes on commanding: damping by set-points will not do.
   bool insists() const noexcept { return commands_ >= kInsists; }
-  std::int64_t commands() const noexcept { return commands_; }  ///< since the last forget()
   void forget() noexcept { commands_ = 0; }
 
  private:
@@ -36,7 +35,7 @@ class ForeignMasterWatch {
 
   const RobotConfig& robot_;
   Fault fault_;
-  std::int64_t commands_ = 0;
+  std::int64_t commands_ = 0;  ///< since the last forget()
 };
 
 }  // namespace sprung

@@ -3,18 +3,17 @@
 /// supervises a stop and then takes the torque off, without its claims (docs/safety.md). Pure; stepped by
 /// time.
 ///
-///   step         what goes to the drive                                begins
+///   step         what goes to the drive                          begins
 ///   kNone        nothing is wanted, or the power was seen off
-///   kPdo         control words by RPDO, as ever                        when a stop is wanted
-///   kSdo         0x6040 = 0 by SDO, and 0x6041 read                    when kPdo has had its time; at once
-///   where
-///                                                                      the drive takes no RPDOs
-///   kReset       NMT reset node as well                                100 ms later
-///   kWithhold    and no heartbeat on its bus, so that the drive's own  100 ms later, where the drive is
-///   alive: one
-///                watchdog acts                                         that is not heard may hear, and obeys
-///                a reset
-///   kGivenUp     control words by RPDO; somebody must cut the supply   500 ms later
+///   kPdo         control words by RPDO, as ever                  when a stop is wanted
+///   kSdo         0x6040 = 0 by SDO, and 0x6041 read              when kPdo has had its time, or at once (1)
+///   kReset       NMT reset node as well                          100 ms later
+///   kWithhold    and no heartbeat on its bus: its own            100 ms later, where it is alive (2)
+///                watchdog acts
+///   kGivenUp     control words by RPDO; cut its supply           500 ms later, or instead of kWithhold
+///
+/// (1) Where it has left operational, and so takes no RPDOs. (2) One that is not heard may hear, and then
+/// obeys a reset.
 #include <cstdint>
 
 namespace sprung {

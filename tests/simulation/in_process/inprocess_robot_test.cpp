@@ -5,16 +5,12 @@
 #include <string>
 
 #include "robots/robot_loader.h"
+#include "tests/simulation/in_process/operator_order.h"
 
 namespace sprung {
 namespace {
 
-OperatorCommand command(OperatorKind kind, std::int64_t id) {
-  OperatorCommand order;
-  order.kind = kind;
-  order.request_id = id;
-  return order;
-}
+using test::order_of;
 
 class InProcess : public testing::Test {
  protected:
@@ -24,7 +20,7 @@ class InProcess : public testing::Test {
   void stand() {
     robot_.boot();
     run(0.1);
-    robot_.submit(command(OperatorKind::kStand, 1));
+    robot_.submit(order_of(OperatorKind::kStand, 1));
     run(3.0);
     ASSERT_EQ(robot_.motion_state().state, MotionPhase::kStanding);
   }
@@ -64,10 +60,10 @@ TEST_F(InProcess, OneJointHoldsAVirtualSpringsTorque) {
 
 TEST_F(InProcess, EmergencyStopInAJumpSwitchesOffWithinTheCycleAfter) {
   stand();
-  robot_.submit(command(OperatorKind::kJump, 2));
+  robot_.submit(order_of(OperatorKind::kJump, 2));
   while (robot_.motion_state().state != MotionPhase::kThrust) ASSERT_TRUE(robot_.tick());
   run(0.05);
-  robot_.submit(command(OperatorKind::kEstop, 3));
+  robot_.submit(order_of(OperatorKind::kEstop, 3));
   run(0.003);
   EXPECT_FALSE(any_enabled());
   EXPECT_EQ(robot_.bridge().safety().cause, SafetyCause::kEmergencyStop);
@@ -77,23 +73,23 @@ TEST_F(InProcess, EmergencyStopInAJumpSwitchesOffWithinTheCycleAfter) {
 
 TEST_F(InProcess, ClearAloneNeverSwitchesOn) {
   stand();
-  robot_.submit(command(OperatorKind::kEstop, 2));
+  robot_.submit(order_of(OperatorKind::kEstop, 2));
   run(0.5);
-  robot_.submit(command(OperatorKind::kClear, 3));
+  robot_.submit(order_of(OperatorKind::kClear, 3));
   OperatorReply reply;
   std::string outcomes;
   while (robot_.next_reply(reply)) outcomes += std::string(name(reply.outcome)) + " ";
   run(2.0);
   EXPECT_FALSE(any_enabled()) << outcomes;
   EXPECT_EQ(robot_.bridge().safety().level, SafetyLevel::kOperational);
-  robot_.submit(command(OperatorKind::kStand, 4));
+  robot_.submit(order_of(OperatorKind::kStand, 4));
   run(3.0);
   EXPECT_EQ(robot_.motion_state().state, MotionPhase::kStanding);
 }
 
 TEST_F(InProcess, DriveThatFaultsInAJumpStopsTheWholeRobot) {
   stand();
-  robot_.submit(command(OperatorKind::kJump, 2));
+  robot_.submit(order_of(OperatorKind::kJump, 2));
   while (robot_.motion_state().state != MotionPhase::kFlight) ASSERT_TRUE(robot_.tick());
   SimControl fault;
   fault.kind = SimControlKind::kDriveFault;
@@ -123,7 +119,7 @@ TEST_F(InProcess, JumpsInEveryModeAndLandsOnItsFoot) {
   stand();
   std::int64_t id = 10;
   for (const JumpMode mode : {JumpMode::kPosition, JumpMode::kTorque, JumpMode::kHybrid}) {
-    OperatorCommand jump = command(OperatorKind::kJump, ++id);
+    OperatorCommand jump = order_of(OperatorKind::kJump, ++id);
     jump.jump_mode = mode;
     robot_.submit(jump);
     double top_m = 0.0;

@@ -11,7 +11,7 @@
 namespace sprung::commands {
 namespace {
 
-// [design choice] Four renewals may be lost. Slowing down comes on top: "stands within 2 s" is the aim.
+// [design choice] Four renewals may be lost. Slowing down and setting the feet come on top.
 constexpr double kHold_s = 0.6;
 constexpr double kRenew_s = 0.12;
 constexpr double kLongest_s = 3600.0;
