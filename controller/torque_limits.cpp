@@ -6,9 +6,9 @@
 namespace sprung {
 namespace {
 
-/// Zero to full torque in this time. The drive's current loop (94 Hz, facts C2) needs 4 ms for it, so that in
-/// a healthy jump this limit only trims what the drive could not have followed.
-constexpr double kFullTorque_s = 0.002;
+/// Zero to full torque in this time, which the drive's current loop (94 Hz, facts C2) needs too, so that in a
+/// healthy jump this limit only trims what the drive could not have followed.
+constexpr double kFullTorque_s = 0.004;
 
 }  // namespace
 

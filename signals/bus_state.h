@@ -41,7 +41,15 @@ struct NodeHealth {
   std::int64_t duplicate_samples = 0;    ///< a second answer to one SYNC
   std::int64_t implausible_samples = 0;  ///< that cannot be measured positions; kept out
   std::int64_t heartbeat_losses = 0;
-  std::int64_t sdo_failures = 0;       ///< aborted or unanswered
+  std::int64_t sdo_failures = 0;  ///< aborted or unanswered
+  /// Cycles in which the bridge's gate changed a set-point (drivers/bridge/setpoint_gate.h).
+  std::int64_t limited_joint_position = 0;
+  std::int64_t limited_speed = 0;
+  std::int64_t limited_rate = 0;
+  std::int64_t limited_power = 0;
+  std::int64_t limited_winding = 0;
+  std::int64_t limited_by_drive = 0;   ///< cycles with the drive's own "internal limit active"
+  double winding_warmth = 0.0;         ///< 1: as warm as the rated current makes it (winding_watch.h)
   double reference_offset_rad = kNaN;  ///< offset in force; NaN where not referenced
   std::int8_t nmt_state = -1;          ///< CiA 301 state byte; -1 = not known
   ReferenceSource reference_source = ReferenceSource::kConfigured;

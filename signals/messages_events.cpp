@@ -127,6 +127,13 @@ const auto kNodeHealth = [](auto& way, auto& m, auto& s) {
   way(m.implausible_samples, s.implausible_samples);
   way(m.heartbeat_losses, s.heartbeat_losses);
   way(m.sdo_failures, s.sdo_failures);
+  way(m.limited_joint_position, s.limited_joint_position);
+  way(m.limited_speed, s.limited_speed);
+  way(m.limited_rate, s.limited_rate);
+  way(m.limited_power, s.limited_power);
+  way(m.limited_winding, s.limited_winding);
+  way(m.limited_by_drive, s.limited_by_drive);
+  way(m.winding_warmth, s.winding_warmth);
   way(m.bus, s.bus);
   way(m.node, s.node);
   way(m.actuator, s.actuator);

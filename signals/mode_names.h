@@ -50,7 +50,11 @@ constexpr auto words_of(SafetyCause) {
                    {E::kImplausible, "implausible"},
                    {E::kDuplicateNode, "duplicate node id"},
                    {E::kForeignMaster, "another master"},
-                   {E::kPlannerLost, "planner lost"}});
+                   {E::kPlannerLost, "planner lost"},
+                   {E::kJointLimit, "joint limit"},
+                   {E::kOverspeed, "overspeed"},
+                   {E::kWinding, "winding"},
+                   {E::kSupply, "supply"}});
 }
 
 constexpr auto words_of(JointStatus) {

@@ -50,6 +50,10 @@ enum class SafetyCause : std::int8_t {
   kDuplicateNode = 12,  ///< two devices answer for one node id
   kForeignMaster = 13,  ///< somebody else commands our drives
   kPlannerLost = 14,    ///< the leg controller gets no LEG_COMMAND
+  kJointLimit = 15,     ///< a joint is far beyond its limits
+  kOverspeed = 16,      ///< an actuator is far beyond its speed limit
+  kWinding = 17,        ///< more current for longer than a motor's winding bears
+  kSupply = 18,         ///< a drive's supply voltage is out of its range
 };
 
 enum class JointStatus : std::int8_t {

@@ -79,10 +79,7 @@ void BridgeCore::emit_setpoints(std::int64_t time_us, FrameBatch& out) noexcept 
   if (!s.cyclic) return;
   const int first = out.size();
   s.update_safety(time_us, true);
-  for (std::size_t i = 0; i < s.drives.size(); ++i) {
-    if (s.buses.sending_failed(s.drives[i]->actuator().bus)) s.drives[i]->resend_control_word();
-    s.drives[i]->emit(time_us, s.safety.level(), s.gate.last().actuators[i], out);
-  }
+  s.emit(time_us, out);
   s.count_sent(out, first);
 }
 
@@ -189,7 +186,10 @@ const BusState& BridgeCore::bus_state() const noexcept {
                            s.recovery->kind() == Recovery::Kind::kBoot;
   for (std::size_t i = 0; i < s.bus_state.buses.size(); ++i) s.bus_state.buses[i] = s.buses.health(i);
   for (std::size_t i = 0; i < s.nodes.size(); ++i) s.bus_state.nodes[i] = s.nodes[i]->link().health();
-  for (std::size_t i = 0; i < s.drives.size(); ++i) s.drives[i]->show(s.bus_state.nodes[i]);
+  for (std::size_t i = 0; i < s.drives.size(); ++i) {
+    s.drives[i]->show(s.bus_state.nodes[i]);
+    s.setpoints.show(i, s.bus_state.nodes[i]);
+  }
   return s.bus_state;
 }
 

@@ -24,8 +24,12 @@ BridgeCore::Impl::Impl(const RobotConfig& config, const BridgeOptions& bridge_op
       buses(robot, bridge_options.watchdogs),
       masters(robot),
       gate(config),
+      setpoints(config),
+      limits(config),
       safety(bridge_options.watchdogs),
       state(config.actuators.size()),
+      motion(config.actuators.size()),
+      set_points(config.actuators.size()),
       bus_state(config.buses.size(), config.actuators.size() + config.encoder_cards.size()) {
   for (const ActuatorConfig& actuator : robot.actuators) {
     drives.push_back(
@@ -155,6 +159,22 @@ void BridgeCore::Impl::judge_motion() noexcept {
     hip.judge_motion(knee_rad);
     knee.judge_motion(hip_rad);
   }
+  for (std::size_t i = 0; i < drives.size(); ++i) motion[i] = drives[i]->gate_motion();
+  limits.judge(motion, sync_us);
+}
+
+void BridgeCore::Impl::emit(std::int64_t time_us, FrameBatch& out) noexcept {
+  const SafetyLevel level = safety.level();
+  std::copy(gate.last().actuators.begin(), gate.last().actuators.end(), set_points.begin());
+  if (level == SafetyLevel::kOperational) {
+    setpoints.limit(motion, set_points);
+  } else {
+    setpoints.forget();
+  }
+  for (std::size_t i = 0; i < drives.size(); ++i) {
+    if (buses.sending_failed(drives[i]->actuator().bus)) drives[i]->resend_control_word();
+    drives[i]->emit(time_us, level, set_points[i], out);
+  }
 }
 
 /// Drives often come up with a fault (facts canopen 2.5), so cyclic operation begins with resetting them.
@@ -182,7 +202,7 @@ bool BridgeCore::Impl::find_fault(std::int64_t time_us, Fault& out) const noexce
     out.actuator = node->link().setup().actuator;
     if (node->fault(time_us, recovery->running(), out)) return true;
   }
-  return planner_lost(out);
+  return limits.fault(out) || planner_lost(out);
 }
 
 /// The leg controller damps by itself where LEG_COMMAND is stale, and says in each DRIVE_COMMAND which one it

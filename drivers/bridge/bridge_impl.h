@@ -12,9 +12,11 @@
 #include "drivers/bridge/drive_node.h"
 #include "drivers/bridge/encoder_card_node.h"
 #include "drivers/bridge/foreign_master_watch.h"
+#include "drivers/bridge/hard_limit_watch.h"
 #include "drivers/bridge/homing.h"
 #include "drivers/bridge/recovery.h"
 #include "drivers/bridge/safety_machine.h"
+#include "drivers/bridge/setpoint_gate.h"
 #include "signals/bus_state.h"
 #include "signals/drive_state.h"
 #include "signals/microseconds.h"
@@ -42,6 +44,7 @@ struct BridgeCore::Impl {
   void restart_lost_nodes(std::int64_t time_us) noexcept;
   void judge_samples() noexcept;
   void judge_motion() noexcept;  ///< joints of one leg beside each other
+  void emit(std::int64_t time_us, FrameBatch& out) noexcept;
   void begin_cycle(std::int64_t time_us) noexcept;
   void update_safety(std::int64_t time_us, bool command_due) noexcept;
   bool find_fault(std::int64_t time_us, Fault& out) const noexcept;
@@ -87,10 +90,14 @@ struct BridgeCore::Impl {
   BusMonitor buses;
   ForeignMasterWatch masters;
   CommandGate gate;
+  SetpointGate setpoints;
+  HardLimitWatch limits;
   SafetyMachine safety;
   SafetyState published;
   DetailText boot_text{};  ///< of boot_detail()
   DriveState state;
+  std::vector<GateMotion> motion;           ///< of the drives in this cycle
+  std::vector<ActuatorCommand> set_points;  ///< of the last command, as the gate lets them pass
   BusState bus_state;
   std::unique_ptr<Recovery> recovery;
   std::unique_ptr<Homing> homing;

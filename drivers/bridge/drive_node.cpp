@@ -37,7 +37,8 @@ DriveNode::DriveNode(const ActuatorConfig& actuator, int index, const WatchdogCo
       tracker_(actuator.speed_limit_rad_s, quantum_rad(actuator)),
       reference_(actuator),
       reads_(*profile_),
-      stuck_(actuator.torque_limit_Nm) {}
+      stuck_(actuator.torque_limit_Nm),
+      winding_(actuator.rated_current_A, actuator.winding_time_constant_s) {}
 
 void DriveNode::step(std::int64_t time_us, FrameBatch& out) noexcept {
   const bool reads = link().boot().operational();
@@ -84,6 +85,8 @@ void DriveNode::end_sampling() noexcept {
 
 void DriveNode::accept_sample() noexcept {
   const SampleWatch& samples = link().samples();
+  winding_.add(sample_.measured_current_A, received_us_);
+  if (enabled() && (sample_.status_word & cia402::kInternalLimitBit) != 0) ++limited_by_drive_;
   const Motion motion = tracker_.add(sample_.measured_position_rad,
                                      {samples.sample_sync_us(), samples.earliest_sync_us(), received_us_});
   implausible_ = motion != Motion::kGood;
@@ -100,11 +103,27 @@ void DriveNode::judge_motion(double mate_rad) noexcept {
   StuckEncoderInputs in;
   in.time_us = received_us_;
   in.position_rad = sample_.measured_position_rad;
-  in.measured_torque_Nm = sample_.measured_current_A * actuator_.torque_constant_Nm_A * actuator_.gear_ratio;
+  in.measured_torque_Nm = measured_torque_Nm();
   in.commanded_torque_Nm = commanded_torque_Nm_;
   in.mate_position_rad = mate_rad;
   stuck_.add(in);
   distrusted_ = distrusted_ || stuck_.stuck();
+}
+
+double DriveNode::measured_torque_Nm() const noexcept {
+  if (!sampled_) return kNaN;
+  return sample_.measured_current_A * actuator_.torque_constant_Nm_A * actuator_.gear_ratio;
+}
+
+GateMotion DriveNode::gate_motion() const noexcept {
+  const bool fresh = link().samples().answered() && !implausible_;
+  GateMotion motion;
+  if (fresh && reference().known) motion.measured_position_rad = measured_position_rad();
+  if (fresh && !distrusted_) motion.filtered_velocity_rad_s = tracker_.filtered_velocity_rad_s();
+  motion.measured_torque_Nm = measured_torque_Nm();
+  motion.enabled = enabled();
+  motion.warm = winding_.warm();
+  return motion;
 }
 
 std::int64_t DriveNode::encoder_counts() const noexcept {
@@ -139,6 +158,8 @@ void DriveNode::show(NodeHealth& out) const noexcept {
   reference_.show(out);
   reads_.show(out);
   out.implausible_samples = implausible_samples_;
+  out.limited_by_drive = limited_by_drive_;
+  out.winding_warmth = winding_.warmth();
 }
 
 void DriveNode::fill(ActuatorState& out) const noexcept {
@@ -185,6 +206,10 @@ bool DriveNode::drive_fault(Fault& out) const noexcept {
     out.cause = SafetyCause::kImplausible;
     print(out.detail, "%s: motor encoder says %g rad, link encoder %g rad; reference lost: sprung home",
           drive, measured_position_rad(), measured_link_position_rad_);
+  } else if (winding_.hot() && powered()) {
+    out.cause = SafetyCause::kWinding;
+    print(out.detail, "%s: its winding is %.0f %% beyond what its rated current makes it: let it cool", drive,
+          100.0 * (winding_.warmth() - 1.0));
   } else if (modes_.unconfirmed_us() > kModeLimit_us) {
     out.cause = SafetyCause::kDriveFault;
     print(out.detail, "%s: shows mode %d, a second after it was told to switch to %s", drive,

@@ -10,8 +10,10 @@
 #include "drivers/bridge/position_tracker.h"
 #include "drivers/bridge/power_control.h"
 #include "drivers/bridge/reference_watch.h"
+#include "drivers/bridge/setpoint_gate.h"
 #include "drivers/bridge/stop_watch.h"
 #include "drivers/bridge/stuck_encoder_watch.h"
+#include "drivers/bridge/winding_watch.h"
 #include "signals/drive_command.h"
 #include "signals/drive_state.h"
 #include "signals/vec3.h"
@@ -51,6 +53,7 @@ class DriveNode final : public BusNode {
   /// Once a cycle after end_sampling(). @param mate_rad encoder_position_rad() of the drive beside it, with
   /// which it swings in one plane.
   void judge_motion(double mate_rad) noexcept;
+  GateMotion gate_motion() const noexcept;  ///< of this cycle
 
   double filtered_velocity_rad_s() const noexcept { return tracker_.filtered_velocity_rad_s(); }
   double measured_link_position_rad() const noexcept { return measured_link_position_rad_; }
@@ -85,6 +88,7 @@ class DriveNode final : public BusNode {
   DriveSetpoint setpoint(SafetyLevel level, const ActuatorCommand& command) const noexcept;
   void watch_stop(std::int64_t time_us, SafetyLevel level, FrameBatch& out) noexcept;
   void stop_by_sdo(std::int64_t time_us, FrameBatch& out) noexcept;
+  double measured_torque_Nm() const noexcept;  ///< by current, output side; NaN before the first sample
   double measured_position_rad() const noexcept { return tracker_.position_rad() + reference().offset_rad; }
 
   ActuatorConfig actuator_;
@@ -96,6 +100,8 @@ class DriveNode final : public BusNode {
   BackgroundReads reads_;
   StopWatch stop_;
   StuckEncoderWatch stuck_;
+  WindingWatch winding_;
+  std::int64_t limited_by_drive_ = 0;  ///< cycles with its status bit "internal limit active"
   double commanded_torque_Nm_ = kNaN;  ///< of the last set-point, in torque control
   bool confirmed_off_ = false;  ///< the last that it said of its power, by an answer to SYNC or to an SDO
   DriveSample sample_;

@@ -61,6 +61,7 @@ void InProcessRobot::run_cores() {
   } else {
     planner_.step(joint_state_, leg_command_, motion_state_);
   }
+  if (forger_) forger_(drive_command_);
   bridge_.command(drive_command_, time_us_);
 }
 

@@ -28,6 +28,9 @@ namespace sprung {
 /// LEG_COMMAND(k) from JOINT_STATE(k).
 using LegCommandSource = std::function<void(const JointState&, LegCommand&)>;
 
+/// Changes DRIVE_COMMAND(k).
+using DriveCommandChange = std::function<void(DriveCommand&)>;
+
 class InProcessRobot;
 
 /// Sees what goes into a robot in this process and what comes out, e.g. to write it to a log.
@@ -60,6 +63,9 @@ class InProcessRobot {
   /// From now on these commands instead of the planner's, which is stepped no more: for experiments with
   /// motions that no planner makes. @param source does not throw.
   void command_legs_by(LegCommandSource source) { leg_source_ = std::move(source); }
+  /// From now on every DRIVE_COMMAND goes through this on its way to the bridge: what a broken controller, or
+  /// somebody in its name, would send. @param change does not throw.
+  void forge_commands_by(DriveCommandChange change) { forger_ = std::move(change); }
 
   /// To planner or bridge, by kind. Takes effect at command.apply_at_seq or in the next cycle.
   void submit(const OperatorCommand& command);
@@ -92,6 +98,7 @@ class InProcessRobot {
   PlannerCore planner_;
   ControllerCore controller_;
   LegCommandSource leg_source_;  ///< nothing: the planner
+  DriveCommandChange forger_;    ///< nothing: the controller's commands as they are
   DriveState drive_state_;
   JointState joint_state_;
   LegCommand leg_command_;  ///< of the last cycle when the controller reads it

@@ -27,7 +27,7 @@ JointConfig joint() {
 TEST(TorqueLimiterTest, SmallTorquePassesUntouchedAndUncounted) {
   LimitCounts counts;
   TorqueLimiter limiter(torque_limits_actuator());
-  EXPECT_EQ(limiter.limit(30.0, 0.0, 0.001, counts), 30.0);
+  EXPECT_EQ(limiter.limit(20.0, 0.0, 0.001, counts), 20.0);
   EXPECT_EQ(counts.torque + counts.rate, 0);
 }
 
@@ -42,26 +42,26 @@ TEST(TorqueLimiterTest, TorqueIsLimitedOnBothSides) {
   EXPECT_EQ(counts.rate, 0);
 }
 
-TEST(TorqueLimiterTest, FullTorqueTakesTwoMilliseconds) {
+TEST(TorqueLimiterTest, FullTorqueTakesFourMilliseconds) {
   LimitCounts counts;
   TorqueLimiter limiter(torque_limits_actuator());
-  EXPECT_DOUBLE_EQ(limiter.limit(100.0, 0.0, 0.001, counts), 50.0);
-  EXPECT_DOUBLE_EQ(limiter.limit(100.0, 0.0, 0.001, counts), 100.0);
-  EXPECT_EQ(counts.rate, 1);
+  for (const double reached_Nm : {25.0, 50.0, 75.0, 100.0})
+    EXPECT_DOUBLE_EQ(limiter.limit(100.0, 0.0, 0.001, counts), reached_Nm);
+  EXPECT_EQ(counts.rate, 3);
 }
 
 TEST(TorqueLimiterTest, StartsFromWhatIsThere) {
   LimitCounts counts;
   TorqueLimiter limiter(torque_limits_actuator());
   limiter.start_from(80.0);
-  EXPECT_DOUBLE_EQ(limiter.limit(0.0, 0.0, 0.001, counts), 30.0);
+  EXPECT_DOUBLE_EQ(limiter.limit(0.0, 0.0, 0.001, counts), 55.0);
   limiter.start_from(std::numeric_limits<double>::quiet_NaN());
   EXPECT_DOUBLE_EQ(limiter.limit(10.0, 0.0, 0.001, counts), 10.0);
 }
 
 double settled(TorqueLimiter& limiter, double torque_Nm, double velocity_rad_s, LimitCounts& counts) {
   limiter.start_from(torque_Nm);
-  for (int k = 0; k < 3; ++k) limiter.limit(torque_Nm, velocity_rad_s, 0.001, counts);
+  for (int k = 0; k < 7; ++k) limiter.limit(torque_Nm, velocity_rad_s, 0.001, counts);
   return limiter.limit(torque_Nm, velocity_rad_s, 0.001, counts);
 }
 
@@ -77,7 +77,7 @@ TEST(TorqueLimiterTest, NearTheSpeedLimitTorqueTowardMoreSpeedFadesAndBeyondItBr
   EXPECT_NEAR(settled(limiter, -80.0, -9.5, counts), -50.0, 1e-9);
   EXPECT_NEAR(settled(limiter, 80.0, 10.0, counts), 0.0, 1e-9);
   EXPECT_NEAR(settled(limiter, 80.0, 10.5, counts), -50.0, 1e-9);
-  EXPECT_EQ(counts.speed, 16);
+  EXPECT_EQ(counts.speed, 32);
   EXPECT_EQ(counts.power + counts.torque, 0);
 }
 
@@ -89,7 +89,7 @@ TEST(TorqueLimiterTest, PowerThatIsGivenIsLimitedAndBrakingIsNot) {
   EXPECT_EQ(counts.power, 0);
   EXPECT_NEAR(settled(limiter, 90.0, 8.0, counts), 50.0, 1e-9);
   EXPECT_NEAR(settled(limiter, -90.0, -5.0, counts), -80.0, 1e-9);
-  EXPECT_EQ(counts.power, 8);
+  EXPECT_EQ(counts.power, 16);
   EXPECT_EQ(counts.speed, 0);
 }
 

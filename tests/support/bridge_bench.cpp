@@ -32,6 +32,26 @@ RobotConfig two_drive_robot() {
   return robot;
 }
 
+RobotConfig with_leg(RobotConfig robot, double limit_rad) {
+  const std::size_t size = robot.actuators.size();
+  LegConfig leg;
+  leg.name = "leg";
+  leg.kinematics = kNoKinematics;
+  leg.transmission.assign(size * size, 0.0);
+  for (std::size_t i = 0; i < size; ++i) {
+    JointConfig joint;
+    joint.name = "joint" + std::to_string(i);
+    joint.position_min_rad = -limit_rad;
+    joint.position_max_rad = limit_rad;
+    robot.joints.push_back(joint);
+    leg.joints.push_back(static_cast<int>(i));
+    leg.actuators.push_back(static_cast<int>(i));
+    leg.transmission[i * size + i] = 1.0;
+  }
+  robot.legs.push_back(leg);
+  return robot;
+}
+
 RobotConfig robot_with_card() {
   RobotConfig robot = two_drive_robot();
   robot.encoder_cards = {{"leg_card", 0, 9, "encoder_card", {0x1, 0x2, 0, 0}}};

@@ -19,7 +19,11 @@ namespace sprung::test {
 /// Two joints like single_leg's, written here so that tests do not depend on the robot's file.
 RobotConfig two_drive_robot();
 
-/// The same with a card that sees both joints from the link side.
+/// `robot` with one leg of all its actuators, each a joint of its own that may turn by `limit_rad` either
+/// way.
+RobotConfig with_leg(RobotConfig robot, double limit_rad = 100.0);
+
+/// two_drive_robot() with a card that sees both joints from the link side.
 RobotConfig robot_with_card();
 
 class BridgeBench {

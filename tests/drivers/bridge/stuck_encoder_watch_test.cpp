@@ -83,11 +83,7 @@ TEST_F(StuckEncoderWatchTest, ForgetsAllWhenTold) {
 class StuckEncoder : public test::PoweredBridge {
  protected:
   void SetUp() override {
-    RobotConfig robot = test::two_drive_robot();
-    LegConfig leg;
-    leg.actuators = {0, 1};
-    robot.legs.push_back(leg);
-    bench_ = test::BridgeBench(robot);
+    bench_ = test::BridgeBench(test::with_leg(test::two_drive_robot()));
     test::PoweredBridge::SetUp();
   }
 };
@@ -111,10 +107,7 @@ TEST_F(StuckEncoder, AbductionJointMayRestWhileHipAndKneeMove) {
   third.name = "abduction_motor";
   third.node = 3;
   robot.actuators.insert(robot.actuators.begin(), third);
-  LegConfig leg;
-  leg.actuators = {0, 1, 2};
-  robot.legs.push_back(leg);
-  bench_ = test::BridgeBench(robot);
+  bench_ = test::BridgeBench(test::with_leg(robot));
   ASSERT_TRUE(bench_.boot());
   bench_.enable();
   for (int i = 0; i < 100; ++i) {

@@ -60,6 +60,12 @@ std::string node_trouble(const sprung_msgs::node_health_t& node) {
   add(node.implausible_samples, "implausible");
   add(node.heartbeat_losses, "heartbeat losses");
   add(node.sdo_failures, "failed SDO transfers");
+  add(node.limited_joint_position, "cycles held at a joint's limit");
+  add(node.limited_speed, "held at the speed limit");
+  add(node.limited_rate, "set-points too fast");
+  add(node.limited_power, "held at the power limit");
+  add(node.limited_winding, "held for the winding");
+  add(node.limited_by_drive, "limited by the drive");
   if (!node.operational) text = std::string("not operational") + (text.empty() ? "" : ", ") + text;
   return text;
 }
@@ -108,6 +114,13 @@ Json nodes_json(const RobotConfig& robot, const sprung_msgs::bus_state_t& state)
          {"implausible_samples", node.implausible_samples},
          {"heartbeat_losses", node.heartbeat_losses},
          {"sdo_failures", node.sdo_failures},
+         {"limited_joint_position", node.limited_joint_position},
+         {"limited_speed", node.limited_speed},
+         {"limited_rate", node.limited_rate},
+         {"limited_power", node.limited_power},
+         {"limited_winding", node.limited_winding},
+         {"limited_by_drive", node.limited_by_drive},
+         {"winding_warmth", node.winding_warmth},
          {"reference_source", name(static_cast<ReferenceSource>(node.reference_source))},
          {"reference_offset_rad",
           std::isfinite(node.reference_offset_rad) ? Json(node.reference_offset_rad) : Json(nullptr)},

@@ -1,0 +1,34 @@
+#pragma once
+/// Warmth of a motor's winding by the current that the drive measures (i2t): (current / rated current)^2 as a
+/// first-order lag with the winding's time constant, 1 = what the rated current alone ends at. It starts
+/// cold: what was before the bridge began nobody knows. Pure; once a sample.
+#include <cstdint>
+
+namespace sprung {
+
+class WindingWatch {
+ public:
+  /// @param time_constant_s of the winding; 0: not known, nothing is watched.
+  WindingWatch(double rated_current_A, double time_constant_s) noexcept
+      : rated_A_(rated_current_A), time_constant_s_(time_constant_s) {}
+
+  /// @param measured_current_A not finite: as the one before.
+  void add(double measured_current_A, std::int64_t time_us) noexcept;
+  double warmth() const noexcept { return warmth_; }
+  /// From 1 on, until it is below 0.95: no more than the rated current.
+  bool warm() const noexcept { return warm_; }
+  /// Above 1.2: what should have been limited is not.
+  bool hot() const noexcept { return warmth_ > kHot; }
+
+ private:
+  static constexpr double kHot = 1.2;  // [design choice]
+
+  double rated_A_;
+  double time_constant_s_;
+  double warmth_ = 0.0;
+  double last_A_ = 0.0;
+  std::int64_t last_us_ = -1;
+  bool warm_ = false;
+};
+
+}  // namespace sprung
