@@ -64,6 +64,18 @@ struct ReferenceConfig {
   double index_position_rad = 0.0;  ///< actuator position at one of the index pulses
 };
 
+/// Supply voltage that an actuator's drive may see; 0, 0 = not watched. Beyond it the robot is damped.
+struct SupplyConfig {
+  double min_V = 0.0;
+  double max_V = 0.0;
+};
+
+/// A digital input of an actuator's drive at which an emergency stop is read.
+struct EmergencyInputConfig {
+  int bit = -1;             ///< of the drive's object for its inputs; -1 = none
+  bool stops_high = false;  ///< whether a 1 stops; a 0 is what a cut wire gives
+};
+
 /// One drive with motor and gear. Actuator space: output side of the gear, after direction and offset.
 struct ActuatorConfig {
   std::string name;
@@ -88,6 +100,8 @@ struct ActuatorConfig {
   double safety_damping_Nm_s_rad = 0.0;     ///< bridge's damping
   int pole_pairs = 0;                       ///< of the motor; 0 = the drive's own stays
   double winding_time_constant_s = 0.0;     ///< thermal, of the motor's winding; 0 = the drive's own stays
+  SupplyConfig supply;
+  EmergencyInputConfig emergency_input;
   LinkEncoderConfig link_encoder;
   ReferenceConfig reference;
 };

@@ -118,6 +118,24 @@ void read_geometry(const YamlMap& map, LegConfig& leg) {
   contact.finish();
 }
 
+SupplyConfig read_supply(const YamlMap& map) {
+  SupplyConfig supply{map.quantity("min", "V", 5, 1000), map.quantity("max", "V", 5, 1000)};
+  if (supply.max_V <= supply.min_V) map.fail("max", "must be above min");
+  map.finish();
+  return supply;
+}
+
+EmergencyInputConfig read_emergency_input(const YamlMap& map) {
+  EmergencyInputConfig input;
+  input.bit = static_cast<int>(map.integer("bit", 0, 31));
+  const std::string stops = map.text("stops_at");
+  if (stops != "0" && stops != "1")
+    map.fail("stops_at", "expected 0 (what a cut wire gives) or 1, found '" + stops + "'");
+  input.stops_high = stops == "1";
+  map.finish();
+  return input;
+}
+
 }  // namespace
 
 BusConfig read_bus(const YamlMap& map) {
@@ -157,6 +175,8 @@ ActuatorConfig read_actuator(const YamlMap& map, const RobotConfig& robot) {
   a.safety_damping_Nm_s_rad = map.quantity("safety_damping", "Nm s/rad", 0.1, 1000);
   a.pole_pairs = static_cast<int>(map.integer_or("pole_pairs", 1, 255, 0));
   a.winding_time_constant_s = map.quantity_or("winding_time_constant", "s", 0.1, 1000, 0.0);
+  if (map.has("supply")) a.supply = read_supply(map.map("supply"));
+  if (map.has("emergency_input")) a.emergency_input = read_emergency_input(map.map("emergency_input"));
   read_reference_of(map, robot, a);
   map.finish();
   return a;

@@ -49,7 +49,7 @@ struct NodeHealth {
   std::int64_t limited_power = 0;
   std::int64_t limited_winding = 0;
   std::int64_t limited_by_drive = 0;   ///< cycles with the drive's own "internal limit active"
-  double winding_warmth = 0.0;         ///< 1: as warm as the rated current makes it (winding_watch.h)
+  double winding_share = 0.0;          ///< 1: as warm as the rated current makes it (winding_watch.h)
   double reference_offset_rad = kNaN;  ///< offset in force; NaN where not referenced
   std::int8_t nmt_state = -1;          ///< CiA 301 state byte; -1 = not known
   ReferenceSource reference_source = ReferenceSource::kConfigured;

@@ -133,7 +133,7 @@ const auto kNodeHealth = [](auto& way, auto& m, auto& s) {
   way(m.limited_power, s.limited_power);
   way(m.limited_winding, s.limited_winding);
   way(m.limited_by_drive, s.limited_by_drive);
-  way(m.winding_warmth, s.winding_warmth);
+  way(m.winding_share, s.winding_share);
   way(m.bus, s.bus);
   way(m.node, s.node);
   way(m.actuator, s.actuator);

@@ -208,7 +208,8 @@ constexpr auto words_of(FaultKind) {
                    {E::kDuplicateNode, "duplicate-node"},
                    {E::kShortPdo, "short-pdo"},
                    {E::kLinkDown, "link-down"},
-                   {E::kQueueFull, "queue-full"}});
+                   {E::kQueueFull, "queue-full"},
+                   {E::kEmergencyInput, "emergency-input"}});
 }
 
 constexpr auto words_of(BusCondition) {

@@ -190,7 +190,8 @@ enum class FaultKind : std::int8_t {
   kDuplicateNode = 16,  ///< a second device with this node id answers too
   kShortPdo = 17,       ///< the node's sample comes a byte short
   kLinkDown = 18,
-  kQueueFull = 19,  ///< ENOBUFS at the master
+  kQueueFull = 19,       ///< ENOBUFS at the master
+  kEmergencyInput = 20,  ///< the emergency stop at the drive's input is pressed, or its wire is cut
 };
 
 /// State of one CAN bus as its controller and the bridge's traffic show it; worse is larger.

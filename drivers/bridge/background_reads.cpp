@@ -9,6 +9,7 @@ namespace {
 
 using canopen::SdoStatus;
 
+constexpr std::int64_t kInputsPeriod_us = 100'000;
 constexpr std::int64_t kSupplyPeriod_us = 1'000'000;
 constexpr std::int64_t kSupplyStagger_us = 20'000;  // a node: not all drives ask the bus in one cycle
 // [design choice] a TPDO2 that was lost is asked for after this; drives switch within milliseconds
@@ -18,6 +19,7 @@ constexpr std::int64_t kModeRead_us = 50'000;
 
 void BackgroundReads::begin_operation(int node, std::int64_t time_us) noexcept {
   reading_ = Reading::kNothing;
+  next_inputs_us_ = time_us;
   next_supply_us_ = time_us + kSupplyStagger_us * node;
 }
 
@@ -37,6 +39,7 @@ void BackgroundReads::take(canopen::SdoClient& sdo) noexcept {
   const bool good = sdo.status() == SdoStatus::kDone;
   if (!good && sdo.status() != SdoStatus::kIdle) ++failures_;
   if (reading_ == Reading::kSupply && good) measured_supply_V_ = profile_.supply_V(sdo.value());
+  if (reading_ == Reading::kInputs && good) levels_ = sdo.value();
   if (reading_ == Reading::kMode && good) mode_ = static_cast<std::int8_t>(sdo.value() & 0xFF);
   if (reading_ == Reading::kIndex) {
     // Until an index pulse has been passed the count is 0 [U].
@@ -48,6 +51,10 @@ void BackgroundReads::take(canopen::SdoClient& sdo) noexcept {
 }
 
 BackgroundReads::Reading BackgroundReads::next(std::int64_t time_us, std::int64_t unconfirmed_us) noexcept {
+  if (inputs_ && time_us >= next_inputs_us_) {
+    next_inputs_us_ = time_us + kInputsPeriod_us;
+    return Reading::kInputs;
+  }
   if (index_answer_ == IndexAnswer::kWaiting) return Reading::kIndex;
   if (unconfirmed_us > kModeRead_us && time_us >= next_mode_us_) {
     next_mode_us_ = time_us + kModeRead_us;
@@ -59,8 +66,13 @@ BackgroundReads::Reading BackgroundReads::next(std::int64_t time_us, std::int64_
 }
 
 canopen::ObjectId BackgroundReads::object_of(Reading reading) const noexcept {
+  if (reading == Reading::kInputs) return profile_.inputs().object;
   if (reading == Reading::kMode) return {canopen::kModeDisplay, 0};
   return reading == Reading::kIndex ? profile_.index_counter_object() : profile_.supply_voltage_object();
+}
+
+std::optional<std::uint32_t> BackgroundReads::take_inputs() noexcept {
+  return std::exchange(levels_, std::nullopt);
 }
 
 std::optional<std::int8_t> BackgroundReads::take_mode() noexcept {

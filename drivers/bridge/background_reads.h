@@ -1,6 +1,7 @@
 #pragma once
-/// What is read from a drive beside its cycle, one object at a time: its supply voltage once a second, its
-/// mode where it does not show the one that it was told, and the count of its encoder at the last index.
+/// What is read from a drive beside its cycle, one object at a time: its inputs ten times a second where one
+/// is an emergency stop's, its supply voltage once a second, its mode where it does not show the one that it
+/// was told, and the count of its encoder at the last index.
 /// Stepped by time.
 #include <cstdint>
 #include <optional>
@@ -18,7 +19,7 @@ enum class IndexAnswer : std::int8_t { kNone, kWaiting, kKnown, kFailed };
 class BackgroundReads {
  public:
   /// @param profile of the drive, which outlives this.
-  explicit BackgroundReads(const DriveProfile& profile) noexcept : profile_(profile) {}
+  BackgroundReads(const DriveProfile& profile, bool inputs) noexcept : profile_(profile), inputs_(inputs) {}
 
   /// The drive is in operation; what was being read is forgotten.
   void begin_operation(int node, std::int64_t time_us) noexcept;
@@ -31,6 +32,9 @@ class BackgroundReads {
   /// The mode display that was read since the last call.
   std::optional<std::int8_t> take_mode() noexcept;
 
+  /// The levels of the inputs that were read since the last call.
+  std::optional<std::uint32_t> take_inputs() noexcept;
+
   void ask_index() noexcept { index_answer_ = IndexAnswer::kWaiting; }
   IndexAnswer index_answer() const noexcept { return index_answer_; }
   std::int32_t index_counts() const noexcept { return index_counts_; }  ///< when kKnown
@@ -38,16 +42,19 @@ class BackgroundReads {
   void show(NodeHealth& out) const noexcept { out.sdo_failures += failures_; }
 
  private:
-  enum class Reading : std::int8_t { kNothing, kSupply, kMode, kIndex };
+  enum class Reading : std::int8_t { kNothing, kInputs, kSupply, kMode, kIndex };
 
   void take(canopen::SdoClient& sdo) noexcept;
   Reading next(std::int64_t time_us, std::int64_t unconfirmed_us) noexcept;
   canopen::ObjectId object_of(Reading reading) const noexcept;
 
   const DriveProfile& profile_;
+  bool inputs_;
   Reading reading_ = Reading::kNothing;
   std::int64_t next_supply_us_ = 0;
   std::int64_t next_mode_us_ = 0;
+  std::int64_t next_inputs_us_ = 0;
+  std::optional<std::uint32_t> levels_;
   double measured_supply_V_ = kNaN;
   std::optional<std::int8_t> mode_;
   IndexAnswer index_answer_ = IndexAnswer::kNone;

@@ -88,9 +88,7 @@ OperatorReply BridgeCore::operator_command(const OperatorCommand& command, std::
   s.now_us = time_us;
   switch (command.kind) {
     case OperatorKind::kEstop:
-      s.safety.emergency_stop(time_us, s.cycle);
-      s.gate.disarm();
-      s.recovery->abort("emergency stop");
+      s.emergency_stop(time_us, nullptr);
       return s.reply(command, nullptr);
     case OperatorKind::kClear:
       return s.clear(command, time_us);

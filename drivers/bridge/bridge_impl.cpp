@@ -14,6 +14,16 @@ std::vector<DriveNode*> pointers(const std::vector<std::unique_ptr<DriveNode>>& 
   return found;
 }
 
+/// Of motor and gear, as the joint beside the actuator in its leg knows it; 0: no leg has it.
+double inertia_kg_m2(const RobotConfig& robot, int actuator) {
+  for (const LegConfig& leg : robot.legs) {
+    const auto found = std::find(leg.actuators.begin(), leg.actuators.end(), actuator);
+    if (found != leg.actuators.end())
+      return robot.joints.at(leg.joints.at(found - leg.actuators.begin())).armature_kg_m2;
+  }
+  return 0.0;
+}
+
 }  // namespace
 
 BridgeCore::Impl::Impl(const RobotConfig& config, const BridgeOptions& bridge_options)
@@ -32,8 +42,9 @@ BridgeCore::Impl::Impl(const RobotConfig& config, const BridgeOptions& bridge_op
       set_points(config.actuators.size()),
       bus_state(config.buses.size(), config.actuators.size() + config.encoder_cards.size()) {
   for (const ActuatorConfig& actuator : robot.actuators) {
-    drives.push_back(
-        std::make_unique<DriveNode>(actuator, static_cast<int>(drives.size()), robot.cycle_s, watchdogs));
+    drives.push_back(std::make_unique<DriveNode>(actuator, static_cast<int>(drives.size()), robot.cycle_s,
+                                                 watchdogs,
+                                                 inertia_kg_m2(robot, static_cast<int>(drives.size()))));
     add(*drives.back());
   }
   for (const EncoderCardConfig& card : robot.encoder_cards) {
@@ -220,12 +231,37 @@ bool BridgeCore::Impl::planner_lost(Fault& out) const noexcept {
   return true;
 }
 
+void BridgeCore::Impl::emergency_stop(std::int64_t time_us, const Fault* fault) noexcept {
+  safety.emergency_stop(time_us, cycle, fault);
+  gate.disarm();
+  recovery->abort("emergency stop");
+}
+
+const DriveNode* BridgeCore::Impl::stopping_input() const noexcept {
+  for (const auto& drive : drives)
+    if (drive->emergency_input().stops()) return drive.get();
+  return nullptr;
+}
+
+void BridgeCore::Impl::heed_emergency_inputs(std::int64_t time_us) noexcept {
+  const DriveNode* drive = stopping_input();
+  const bool known = safety.latched() && safety.cause() == SafetyCause::kEmergencyStop;
+  if (drive == nullptr || known) return;
+  Fault fault;
+  fault.cause = SafetyCause::kEmergencyStop;
+  fault.actuator = drive->link().setup().actuator;
+  print(fault.detail, "emergency stop by the input of %s", drive->name().c_str());
+  emergency_stop(time_us, &fault);
+}
+
 void BridgeCore::Impl::update_safety(std::int64_t time_us, bool command_due) noexcept {
+  heed_emergency_inputs(time_us);
   Fault node_trouble;
   SafetyInputs inputs;
   inputs.time_us = time_us;
   inputs.cycle = cycle;
-  inputs.armed = gate.armed() && !recovery->running();
+  inputs.armed = gate.armed() && !recovery->running() &&
+                 all_drives([](const DriveNode& drive) { return drive.emergency_input().known(); });
   inputs.command_age_s = command_age_s(time_us, command_due);
   inputs.command_expired = command_due && gate.any() && time_us > gate.last().valid_until_utime_us;
   inputs.command_refused = gate.last_was_refused();

@@ -47,6 +47,9 @@ struct BridgeCore::Impl {
   void emit(std::int64_t time_us, FrameBatch& out) noexcept;
   void begin_cycle(std::int64_t time_us) noexcept;
   void update_safety(std::int64_t time_us, bool command_due) noexcept;
+  void emergency_stop(std::int64_t time_us, const Fault* fault) noexcept;
+  void heed_emergency_inputs(std::int64_t time_us) noexcept;
+  const DriveNode* stopping_input() const noexcept;  ///< whose emergency input stops now; nullptr: none
   bool find_fault(std::int64_t time_us, Fault& out) const noexcept;
   bool planner_lost(Fault& out) const noexcept;
   void show_stops(DetailText& detail) const noexcept;

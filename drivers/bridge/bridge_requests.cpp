@@ -41,6 +41,8 @@ const char* BridgeCore::Impl::why_not_clear(std::int64_t time_us) const noexcept
   if (shutting_down) return "the bridge is shutting down";
   if (!safety.latched() || !cyclic) return nullptr;
   if (buses.any_lost()) return buses.what_to_mend();
+  if (stopping_input() != nullptr)
+    return "the emergency stop at a drive's input is still pressed: release it";
   const bool by_command = safety.cause() == SafetyCause::kCommandStale ||
                           safety.cause() == SafetyCause::kCommandRefused;
   if (by_command && command_age_s(time_us, false) > watchdogs.command_hold_s)

@@ -4,6 +4,7 @@
 
 #include "drivers/canopen/objects.h"
 #include "signals/angles.h"
+#include "signals/microseconds.h"
 
 namespace sprung {
 namespace {
@@ -25,10 +26,12 @@ std::unique_ptr<DriveProfile> make_raw_profile(ActuatorConfig actuator, double c
 }  // namespace
 
 DriveNode::DriveNode(const ActuatorConfig& actuator, int index, double cycle_s,
-                     const WatchdogConfig& watchdogs)
-    : DriveNode(actuator, index, watchdogs, make_raw_profile(actuator, cycle_s, watchdogs)) {}
+                     const WatchdogConfig& watchdogs, double inertia_kg_m2)
+    : DriveNode(actuator, index, cycle_s, watchdogs, inertia_kg_m2,
+                make_raw_profile(actuator, cycle_s, watchdogs)) {}
 
-DriveNode::DriveNode(const ActuatorConfig& actuator, int index, const WatchdogConfig& watchdogs,
+DriveNode::DriveNode(const ActuatorConfig& actuator, int index, double cycle_s,
+                     const WatchdogConfig& watchdogs, double inertia_kg_m2,
                      std::unique_ptr<DriveProfile> profile)
     : BusNode({actuator.name, actuator.bus, actuator.node, index, watchdogs}, actuator.identity, *profile,
               true),
@@ -36,9 +39,12 @@ DriveNode::DriveNode(const ActuatorConfig& actuator, int index, const WatchdogCo
       profile_(std::move(profile)),
       tracker_(actuator.speed_limit_rad_s, quantum_rad(actuator)),
       reference_(actuator),
-      reads_(*profile_),
+      reads_(*profile_, actuator.emergency_input.bit >= 0),
+      emergency_input_(actuator.emergency_input),
       stuck_(actuator.torque_limit_Nm),
-      winding_(actuator.rated_current_A, actuator.winding_time_constant_s) {}
+      noise_(actuator.torque_limit_Nm, inertia_kg_m2, quantum_rad(actuator)),
+      winding_(actuator.rated_current_A, actuator.winding_time_constant_s),
+      cycle_us_(to_us(cycle_s)) {}
 
 void DriveNode::step(std::int64_t time_us, FrameBatch& out) noexcept {
   const bool reads = link().boot().operational();
@@ -47,6 +53,7 @@ void DriveNode::step(std::int64_t time_us, FrameBatch& out) noexcept {
   CanFrame frame;
   if (reads_.step(time_us, link().sdo(), modes_.unconfirmed_us(), frame)) out.push(actuator_.bus, frame);
   if (const auto display = reads_.take_mode()) modes_.read_display(*display);
+  if (const auto levels = reads_.take_inputs()) emergency_input_.take(*levels);
 }
 
 bool DriveNode::receive(const CanFrame& frame, std::int64_t time_us) noexcept {
@@ -66,6 +73,8 @@ void DriveNode::begin_operation(std::int64_t time_us) noexcept {
 void DriveNode::take_display(const CanFrame& frame) noexcept {
   std::int8_t display = 0;
   if (profile_->decode_mode_display(frame, display)) modes_.take_display(display);
+  std::uint32_t levels = 0;
+  if (profile_->decode_inputs(frame, levels)) emergency_input_.take(levels);
 }
 
 void DriveNode::take_sample(const CanFrame& frame, std::int64_t time_us) noexcept {
@@ -91,14 +100,18 @@ void DriveNode::accept_sample() noexcept {
                                      {samples.sample_sync_us(), samples.earliest_sync_us(), received_us_});
   implausible_ = motion != Motion::kGood;
   if (implausible_) ++implausible_samples_;
-  distrusted_ = distrusted_ || implausible_;
+  if (enabled()) noise_.add(sample_.measured_position_rad, samples.sample_sync_us(), cycle_us_);
+  distrusted_ = distrusted_ || implausible_ || noise_.noisy();
   // Also an absolute encoder's: what it shows from now on is not the place that the reference was found for.
   if (motion == Motion::kJumped) reference_.lose("reference lost: encoder jumped");
   sampled_ = true;
 }
 
 void DriveNode::judge_motion(double mate_rad) noexcept {
-  if (!enabled()) return stuck_.forget();
+  if (!enabled()) {
+    noise_.forget();
+    return stuck_.forget();
+  }
   if (!link().samples().answered() || implausible_) return;
   StuckEncoderInputs in;
   in.time_us = received_us_;
@@ -159,7 +172,7 @@ void DriveNode::show(NodeHealth& out) const noexcept {
   reads_.show(out);
   out.implausible_samples = implausible_samples_;
   out.limited_by_drive = limited_by_drive_;
-  out.winding_warmth = winding_.warmth();
+  out.winding_share = winding_.warmth();
 }
 
 void DriveNode::fill(ActuatorState& out) const noexcept {
@@ -187,7 +200,7 @@ bool DriveNode::fault(std::int64_t time_us, bool ignore_faults, Fault& out) cons
     out.cause = SafetyCause::kDriveFault;
     print(out.detail, "%s: lost its power by itself", drive);
   } else {
-    return link().fault(time_us, ignore_faults, out) || drive_fault(out);
+    return link().fault(time_us, ignore_faults, out) || drive_fault(out) || supply_fault(out);
   }
   return true;
 }
@@ -202,6 +215,10 @@ bool DriveNode::drive_fault(Fault& out) const noexcept {
     out.cause = SafetyCause::kImplausible;
     print(out.detail, "%s: encoder stuck: not one count in %lld ms under %.0f Nm, though it must move", drive,
           static_cast<long long>(stuck_.still_us() / 1000), stuck_.torque_Nm());
+  } else if (noise_.noisy()) {
+    out.cause = SafetyCause::kImplausible;
+    print(out.detail, "%s: encoder noisy: it jitters by %.2g rad, faster than any torque turns it", drive,
+          noise_.noise_rad());
   } else if (reference_.apart() && powered()) {
     out.cause = SafetyCause::kImplausible;
     print(out.detail, "%s: motor encoder says %g rad, link encoder %g rad; reference lost: sprung home",
@@ -217,6 +234,18 @@ bool DriveNode::drive_fault(Fault& out) const noexcept {
   } else {
     return false;
   }
+  return true;
+}
+
+/// Read once a second: a drive says sooner by an emergency when its supply breaks down.
+bool DriveNode::supply_fault(Fault& out) const noexcept {
+  const SupplyConfig& range = actuator_.supply;
+  const double supply_V = reads_.supply_V();
+  const bool good = range.max_V <= 0.0 || !(supply_V < range.min_V || supply_V > range.max_V);
+  if (good || !powered()) return false;
+  out.cause = SafetyCause::kSupply;
+  print(out.detail, "%s: supply of %.1f V, robot.yaml allows %.1f to %.1f V", actuator_.name.c_str(),
+        supply_V, range.min_V, range.max_V);
   return true;
 }
 
@@ -236,12 +265,16 @@ void DriveNode::restart() noexcept {
   implausible_ = distrusted_ = false;
   stop_.forget();
   stuck_.forget();
+  noise_.forget();
+  emergency_input_.forget();
   modes_.restart();
 }
 
 PowerTarget DriveNode::target(SafetyLevel level, const ActuatorCommand& command) const noexcept {
   // Damping keeps what has torque and enables nothing.
   const PowerTarget kept = enabled() ? PowerTarget::kEnabled : PowerTarget::kOff;
+  // A drive limits its speed and brakes by its own encoder: by one that is not believed it would drive.
+  if (level >= SafetyLevel::kDamping && distrusted_) return PowerTarget::kOff;
   switch (level) {
     case SafetyLevel::kOperational: {
       if (command.mode == DriveMode::kDisabled || !reference().known) return PowerTarget::kOff;

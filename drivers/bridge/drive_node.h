@@ -6,7 +6,9 @@
 
 #include "drivers/bridge/background_reads.h"
 #include "drivers/bridge/bus_node.h"
+#include "drivers/bridge/emergency_input.h"
 #include "drivers/bridge/mode_watch.h"
+#include "drivers/bridge/noisy_encoder_watch.h"
 #include "drivers/bridge/position_tracker.h"
 #include "drivers/bridge/power_control.h"
 #include "drivers/bridge/reference_watch.h"
@@ -22,7 +24,9 @@ namespace sprung {
 
 class DriveNode final : public BusNode {
  public:
-  DriveNode(const ActuatorConfig& actuator, int index, double cycle_s, const WatchdogConfig& watchdogs);
+  /// @param inertia_kg_m2 of motor and gear at the output; 0: not known.
+  DriveNode(const ActuatorConfig& actuator, int index, double cycle_s, const WatchdogConfig& watchdogs,
+            double inertia_kg_m2);
 
   void step(std::int64_t time_us, FrameBatch& out) noexcept override;
   bool receive(const CanFrame& frame, std::int64_t time_us) noexcept override;
@@ -40,6 +44,7 @@ class DriveNode final : public BusNode {
   void emit(std::int64_t time_us, SafetyLevel level, const ActuatorCommand& command,
             FrameBatch& out) noexcept;
 
+  const EmergencyInput& emergency_input() const noexcept { return emergency_input_; }
   const StopWatch& stop() const noexcept { return stop_; }
   void forget_stop() noexcept { stop_.forget(); }
 
@@ -74,8 +79,8 @@ class DriveNode final : public BusNode {
   double index_position_rad() const noexcept;
 
  private:
-  DriveNode(const ActuatorConfig& actuator, int index, const WatchdogConfig& watchdogs,
-            std::unique_ptr<DriveProfile> profile);
+  DriveNode(const ActuatorConfig& actuator, int index, double cycle_s, const WatchdogConfig& watchdogs,
+            double inertia_kg_m2, std::unique_ptr<DriveProfile> profile);
 
   void begin_operation(std::int64_t time_us) noexcept;
   void take_sample(const CanFrame& frame, std::int64_t time_us) noexcept;
@@ -84,6 +89,7 @@ class DriveNode final : public BusNode {
   bool enabled() const noexcept { return power_state_ == PowerState::kOperationEnabled; }
   bool in_fault() const noexcept;
   bool drive_fault(Fault& out) const noexcept;
+  bool supply_fault(Fault& out) const noexcept;
   cia402::PowerTarget target(SafetyLevel level, const ActuatorCommand& command) const noexcept;
   DriveSetpoint setpoint(SafetyLevel level, const ActuatorCommand& command) const noexcept;
   void watch_stop(std::int64_t time_us, SafetyLevel level, FrameBatch& out) noexcept;
@@ -98,9 +104,12 @@ class DriveNode final : public BusNode {
   ReferenceWatch reference_;
   ModeWatch modes_;
   BackgroundReads reads_;
+  EmergencyInput emergency_input_;
   StopWatch stop_;
   StuckEncoderWatch stuck_;
+  NoisyEncoderWatch noise_;
   WindingWatch winding_;
+  std::int64_t cycle_us_;
   std::int64_t limited_by_drive_ = 0;  ///< cycles with its status bit "internal limit active"
   double commanded_torque_Nm_ = kNaN;  ///< of the last set-point, in torque control
   bool confirmed_off_ = false;  ///< the last that it said of its power, by an answer to SYNC or to an SDO

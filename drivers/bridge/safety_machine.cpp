@@ -65,8 +65,9 @@ bool SafetyMachine::lasted(double duration_s, std::int64_t time_us) const noexce
   return time_us - since_us_ >= std::llround(1e6 * duration_s);
 }
 
-void SafetyMachine::emergency_stop(std::int64_t time_us, std::int64_t cycle) noexcept {
-  enter(SafetyLevel::kDisabled, true, fault_of(SafetyCause::kEmergencyStop, "emergency stop by the operator"),
+void SafetyMachine::emergency_stop(std::int64_t time_us, std::int64_t cycle, const Fault* fault) noexcept {
+  enter(SafetyLevel::kDisabled, true,
+        fault != nullptr ? *fault : fault_of(SafetyCause::kEmergencyStop, "emergency stop by the operator"),
         time_us, cycle);
 }
 

@@ -12,7 +12,7 @@
 ///   bus lost, another master that insists    quick stop                                  yes
 ///   overruns in a row                        damping, until a cycle is in time again     no
 ///   a drive differs from robot.yaml          disabled                                    yes
-///   emergency stop                           disabled                                    yes
+///   emergency stop, by operator or input     disabled                                    yes
 ///   shutdown                                 damping until slow for 0.3 s, or 1 s,       yes
 ///                                            then disabled
 ///
@@ -55,7 +55,8 @@ class SafetyMachine {
   void update(const SafetyInputs& inputs) noexcept;
   /// At once; also before cyclic operation. A drive refused while something else is latched only explains
   /// itself in the detail.
-  void emergency_stop(std::int64_t time_us, std::int64_t cycle) noexcept;
+  /// @param fault nullptr: it is the operator's.
+  void emergency_stop(std::int64_t time_us, std::int64_t cycle, const Fault* fault = nullptr) noexcept;
   void refuse_drive(const Fault& fault, std::int64_t time_us, std::int64_t cycle) noexcept;
   void begin_shutdown(std::int64_t time_us, std::int64_t cycle) noexcept;
   /// Forgets a latched cause; the caller has made sure that it is gone.

@@ -49,6 +49,7 @@ inline constexpr std::uint16_t kTorqueActual = 0x6077;         ///< per mille of
 inline constexpr std::uint16_t kCurrentActual = 0x6078;        ///< per mille of rated current (Gold)
 inline constexpr std::uint16_t kSupplyVoltage = 0x6079;        ///< mV
 inline constexpr std::uint16_t kTargetPosition = 0x607A;       ///< counts
+inline constexpr std::uint16_t kDigitalInputs = 0x60FD;        ///< u32, a bit for each
 inline constexpr std::uint16_t kMaxMotorSpeed = 0x6080;        ///< rpm
 inline constexpr std::uint16_t kTorqueOffset = 0x60B2;         ///< per mille of rated torque
 inline constexpr std::uint16_t kInterpolationPeriod = 0x60C2;  ///< :01 value, :02 exponent of ten, seconds

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "drivers/canopen/objects.h"
 #include "drivers/profiles/profile_registry.h"
 
 namespace sprung {
@@ -18,6 +19,29 @@ namespace {
 }
 
 }  // namespace
+
+std::vector<canopen::MapEntry> DriveProfile::display_entries() const {
+  std::vector<canopen::MapEntry> entries = {{{canopen::kModeDisplay, 0}, 8}};
+  if (carries_inputs_) entries.push_back(inputs());
+  return entries;
+}
+
+bool DriveProfile::is_display(const CanFrame& frame) const noexcept {
+  const int length = carries_inputs_ ? 1 + inputs().bits / 8 : 1;
+  return frame.id == canopen::tpdo_id(kDisplayPdo, node_) && frame.length == length;
+}
+
+bool DriveProfile::decode_mode_display(const CanFrame& frame, std::int8_t& code) const noexcept {
+  if (!is_display(frame)) return false;
+  code = static_cast<std::int8_t>(frame.data[0]);
+  return true;
+}
+
+bool DriveProfile::decode_inputs(const CanFrame& frame, std::uint32_t& levels) const noexcept {
+  if (!carries_inputs_ || !is_display(frame)) return false;
+  levels = static_cast<std::uint32_t>(canopen::get_le(&frame.data[1], inputs().bits / 8));
+  return true;
+}
 
 const ProfileKind* find_profile_kind(const std::string& name) {
   for (const ProfileKind* kind : profile_kinds()) {

@@ -73,20 +73,34 @@ class DriveProfile : public NodeProfile {
   /// {0, 0} where the drive has none.
   virtual canopen::ObjectId supply_voltage_object() const noexcept = 0;
   virtual double supply_V(std::uint32_t raw) const noexcept = 0;
+  /// The drive's digital inputs, which travel with its mode display where an emergency input is configured.
+  virtual canopen::MapEntry inputs() const noexcept = 0;
+  /// @return false when the frame does not carry them.
+  bool decode_inputs(const CanFrame& frame, std::uint32_t& levels) const noexcept;
   /// Where the drive keeps its encoder's count at the last index pulse; {0, 0} where it does not.
   virtual canopen::ObjectId index_counter_object() const noexcept { return {}; }
 
   /// @return false when the frame is not this drive's sample (other id or length).
   virtual bool decode_sample(const CanFrame& frame, DriveSample& sample) const noexcept = 0;
   /// @return false when the frame is not this drive's mode display.
-  virtual bool decode_mode_display(const CanFrame& frame, std::int8_t& code) const noexcept = 0;
+  bool decode_mode_display(const CanFrame& frame, std::int8_t& code) const noexcept;
   /// kTorque or kPosition; kDisabled for modes that sprung does not use.
   virtual DriveMode shown_mode(std::int8_t code) const noexcept = 0;
   virtual CanFrame encode_setpoint(const DriveSetpoint& setpoint) const noexcept = 0;
   virtual CanFrame encode_control_word(std::uint16_t word) const noexcept = 0;
 
  protected:
-  DriveProfile() = default;
+  DriveProfile(int node, const EmergencyInputConfig& emergency) noexcept
+      : node_(node), carries_inputs_(emergency.bit >= 0) {}
+  /// Of the PDO that is sent on change: 0x6061, and the inputs where one of them stops.
+  std::vector<canopen::MapEntry> display_entries() const;
+  static constexpr std::uint8_t kDisplayPdo = 1;  ///< TPDO2
+
+ private:
+  bool is_display(const CanFrame& frame) const noexcept;
+
+  int node_;
+  bool carries_inputs_;
 };
 
 /// What an encoder card says at SYNC.

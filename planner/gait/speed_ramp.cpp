@@ -1,12 +1,19 @@
 #include "planner/gait/speed_ramp.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace sprung {
 
+void SpeedRamp::stop(double within_s) noexcept {
+  want({});
+  for (std::size_t i = 0; i < now_.size(); ++i)
+    times_ = std::max(times_, std::abs(now_[i]) / (most_[i] * within_s));
+}
+
 void SpeedRamp::advance(double dt_s) noexcept {
   for (std::size_t i = 0; i < now_.size(); ++i) {
-    const double most = most_[i] * dt_s;
+    const double most = times_ * most_[i] * dt_s;
     now_[i] += std::clamp(wanted_[i] - now_[i], -most, most);
   }
 }

@@ -14,7 +14,12 @@ class SpeedRamp {
     now_.fill(0.0);
     wanted_.fill(0.0);
   }
-  void want(const std::array<double, 3>& speed) noexcept { wanted_ = speed; }
+  void want(const std::array<double, 3>& speed) noexcept {
+    wanted_ = speed;
+    times_ = 1.0;
+  }
+  /// To rest within this time, where the acceleration alone would take longer.
+  void stop(double within_s) noexcept;
   void advance(double dt_s) noexcept;
   const std::array<double, 3>& now() const noexcept { return now_; }
   bool arrived() const noexcept { return now_ == wanted_; }
@@ -23,6 +28,7 @@ class SpeedRamp {
   std::array<double, 3> most_{};
   std::array<double, 3> now_{};
   std::array<double, 3> wanted_{};
+  double times_ = 1.0;  ///< of the acceleration
 };
 
 }  // namespace sprung

@@ -13,6 +13,8 @@ namespace {
 /// this (eight seeds), 6.5 mm with 0.9, 7.5 mm with 0.97, and 11 mm with the 0.5 of a gait that steps:
 /// docs/locomotion.md, "Standing, pushed".
 constexpr double kStandingFriction = 0.93;
+/// [design choice] A walk that is to end rests after this: its operator may be gone.
+constexpr double kStop_s = 0.6;
 constexpr double kHeadingGain_1_s = 1.0;
 constexpr double kMostHeadingCorrection_rad_s = 0.2;
 constexpr double kHeightRate_m_s = 0.05;  // of a wanted height or width
@@ -118,7 +120,7 @@ void Walk::change(const WalkRequest& request) noexcept {
 
 void Walk::stop() noexcept {
   stopping_ = true;
-  ramp_.want({});
+  ramp_.stop(kStop_s);
   if (wanted_ == now_ || failure_ != nullptr || ended_) return;
   wanted_ = now_;  // not the gait that was to come: this one sets the feet in their places
   clock_.resume();

@@ -185,6 +185,7 @@ DriveMoment Cia402Drive::moment(double counts) const noexcept {
   now.mode = mode_;
   now.powered = stage_.powered();
   now.braking = stage_.braking();
+  now.emergency_stop = emergency_stop_;
   now.reference = reference_;
   return now;
 }
@@ -253,6 +254,9 @@ void Cia402Drive::set_fault(FaultKind kind, double value, bool on) noexcept {
       return;
     case FaultKind::kOverTemperature:
       overheated_ = on;
+      return;
+    case FaultKind::kEmergencyInput:
+      emergency_stop_ = on;
       return;
     case FaultKind::kCurrentOffset:
       current_offset_A_ = on ? value : 0.0;

@@ -74,6 +74,7 @@ class Cia402Drive : public SimDrive, private DeviceApplication {
   bool overheated_ = false;
   double noise_A_ = 0.0;  ///< of the current sensor, in this cycle
   double supply_V_ = 0.0;
+  bool emergency_stop_ = false;    ///< at its input
   double current_offset_A_ = 0.0;  ///< of the sensor
 };
 

@@ -30,6 +30,7 @@ struct DriveMoment {
   ModeUse mode = ModeUse::kNone;  ///< in force
   bool powered = false;
   bool braking = false;
+  bool emergency_stop = false;        ///< at its input
   PositionLoop::Reference reference;  ///< only where mode is kPosition
 };
 

@@ -119,6 +119,24 @@ TEST_F(ChangedRobot, PowerLimitIsReadInWattsAndNoneByDefault) {
               HasSubstr("out of range"));
 }
 
+TEST_F(ChangedRobot, SupplyAndEmergencyInputAreReadAndWatchNothingByDefault) {
+  const auto with = [&](const std::string& line) {
+    return complaint("torque_limit: 171.6 Nm", line + "\n    torque_limit: 171.6 Nm");
+  };
+  EXPECT_EQ(load_robot("single_leg").actuators[0].emergency_input.bit, -1);
+  EXPECT_EQ(with("supply: {min: 40 V, max: 58 V}\n    emergency_input: {bit: 3, stops_at: 0}"),
+            "nothing was refused");
+  const ActuatorConfig read = load_robot(folder_.string()).actuators[0];
+  EXPECT_EQ(read.supply.min_V, 40.0);
+  EXPECT_EQ(read.supply.max_V, 58.0);
+  EXPECT_EQ(read.emergency_input.bit, 3);
+  EXPECT_FALSE(read.emergency_input.stops_high);
+  EXPECT_THAT(with("supply: {min: 58 V, max: 40 V}"), HasSubstr("must be above min"));
+  EXPECT_THAT(with("emergency_input: {bit: 32, stops_at: 0}"), HasSubstr("out of range"));
+  EXPECT_THAT(with("emergency_input: {bit: 3, stops_at: 2}"),
+              HasSubstr("expected 0 (what a cut wire gives) or 1"));
+}
+
 TEST_F(ChangedRobot, TwoDrivesOnOneNodeIdAreRefused) {
   EXPECT_THAT(complaint("node: 2", "node: 1"),
               AllOf(HasSubstr("hip_motor and knee_motor share node id 1"), HasSubstr("bus leg")));

@@ -21,6 +21,7 @@ constexpr int kLargestPeak_mA = 10000;
 constexpr double kFewestPulses = 16, kMostPulses = 2.5e6;
 constexpr double kLargestSpeed_rpm = 25000;
 constexpr double kLargestGain = 32767;
+constexpr int kInputBits = 16;            ///< of 0x2071:01
 constexpr double kLargestThermal = 5400;  ///< in kThermalUnit_s
 
 constexpr std::int16_t kPowerOff = 2;  ///< 0x6007: disable voltage; coding of CiA 402, unverified for EPOS2
@@ -32,7 +33,7 @@ constexpr std::uint16_t kDisplayInhibit_100us = 100;
 /// the torque that there is; further, and something blocks.
 constexpr double kFollowingErrorShare = 4.0;
 constexpr std::uint8_t kVelocityFeedForwardSub = 4, kAccelerationFeedForwardSub = 5;
-constexpr int kSamplePdo = 0, kSetpointPdo = 0, kDisplayPdo = 1, kControlPdo = 1;
+constexpr int kSamplePdo = 0, kSetpointPdo = 0, kControlPdo = 1;
 
 void refuse(const ActuatorConfig& actuator, const std::string& problem) {
   throw std::invalid_argument(owner(actuator) + ": " + problem);
@@ -48,12 +49,14 @@ void refuse_impossible(const ActuatorConfig& a) {
     refuse(a, "an EPOS2 takes its speed limit in 0x6410: speed_limit_object must be that or 0");
   if (a.position_gains_object != 0 && a.position_gains_object != kPositionRegulator)
     refuse(a, "an EPOS2 takes its position gains in 0x60FB: position_loop.object must be that or 0");
+  if (a.emergency_input.bit >= kInputBits)
+    refuse(a, "an EPOS2 shows 16 inputs in 0x2071:01: emergency_input.bit must be 0 to 15");
 }
 
 }  // namespace
 
 Epos2Profile::Epos2Profile(const ActuatorConfig& actuator, const DriveTiming& timing)
-    : actuator_(actuator), timing_(timing) {
+    : DriveProfile(actuator.node, actuator.emergency_input), actuator_(actuator), timing_(timing) {
   refuse_impossible(actuator);
   mA_per_Nm_ = 1e3 / (actuator.gear_ratio * actuator.torque_constant_Nm_A);
   qc_per_rad_ = actuator.encoder_counts_per_turn * actuator.gear_ratio / (2.0 * kPi);
@@ -125,7 +128,7 @@ void Epos2Profile::add_position_loop(std::vector<DriveSetting>& settings) const 
 }
 
 std::vector<PdoSetting> Epos2Profile::pdos() const {
-  PdoSetting display{true, kDisplayPdo, canopen::kTypeEvent, {{{canopen::kModeDisplay, 0}, 8}}};
+  PdoSetting display{true, kDisplayPdo, canopen::kTypeEvent, display_entries()};
   display.inhibit_100us = kDisplayInhibit_100us;
   std::vector<PdoSetting> pdos = {
       {true,
@@ -161,11 +164,7 @@ bool Epos2Profile::decode_sample(const CanFrame& frame, DriveSample& sample) con
   return true;
 }
 
-bool Epos2Profile::decode_mode_display(const CanFrame& frame, std::int8_t& code) const noexcept {
-  if (frame.id != canopen::tpdo_id(kDisplayPdo, actuator_.node) || frame.length != 1) return false;
-  code = static_cast<std::int8_t>(frame.data[0]);
-  return true;
-}
+canopen::MapEntry Epos2Profile::inputs() const noexcept { return {{kDigitalInputState, 1}, 16}; }
 
 DriveMode Epos2Profile::shown_mode(std::int8_t code) const noexcept {
   if (code == kModePosition) return DriveMode::kPosition;

@@ -22,8 +22,8 @@ class Epos2Profile final : public DriveProfile {
   canopen::ObjectId supply_voltage_object() const noexcept override { return {0, 0}; }
   double supply_V(std::uint32_t raw) const noexcept override;
   canopen::ObjectId index_counter_object() const noexcept override { return {0x2021, 0}; }
+  canopen::MapEntry inputs() const noexcept override;
   bool decode_sample(const CanFrame& frame, DriveSample& sample) const noexcept override;
-  bool decode_mode_display(const CanFrame& frame, std::int8_t& code) const noexcept override;
   DriveMode shown_mode(std::int8_t code) const noexcept override;
   CanFrame encode_setpoint(const DriveSetpoint& setpoint) const noexcept override;
   CanFrame encode_control_word(std::uint16_t word) const noexcept override;

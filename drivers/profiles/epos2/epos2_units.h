@@ -26,6 +26,7 @@ inline constexpr std::uint16_t kPositionSetting = 0x2062;  ///< i32, qc
 inline constexpr std::uint16_t kEncoderCounter = 0x2020;   ///< u32, qc, wraps
 /// U32, qc: 0x2020 at the newest index pulse, 0 before the first.
 inline constexpr std::uint16_t kCounterAtIndex = 0x2021;
+inline constexpr std::uint16_t kDigitalInputState = 0x2071;  ///< :01, u16, a bit for each functionality
 inline constexpr std::uint16_t kMaxFollowingError = 0x6065;  ///< u32, qc
 inline constexpr std::uint16_t kPositionRegulator = 0x60FB;  ///< i16, :01 P, :02 I, :03 D
 inline constexpr std::uint16_t kMotorData = 0x6410;  ///< :01 continuous mA, :02 peak mA, :04 rpm, :05 0.1 s

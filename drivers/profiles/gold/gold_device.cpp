@@ -106,6 +106,8 @@ void GoldMake::show(const DriveMoment& now) noexcept {
   show(canopen::kTorqueActual, shown);
   show(canopen::kCurrentActual, shown);
   show(canopen::kSupplyVoltage, 1e3 * now.supply_V);
+  const bool high = now.emergency_stop == setup_.actuator.emergency_input.stops_high;
+  show(canopen::kDigitalInputs, high ? 0xFFFFFFFF : 0);
 }
 
 std::uint16_t GoldMake::status_word(const PowerStage& stage, const DriveMoment& /*now*/) const noexcept {

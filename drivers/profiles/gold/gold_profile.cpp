@@ -24,7 +24,7 @@ constexpr std::uint16_t kDisplayPeriod_ms = 100;  ///< [design choice] a lost mo
 /// [design choice] At most so often (10 ms), so that what a bus has to carry has an end. Unconfirmed for
 /// longer, a mode only shows later: nothing in the loop waits for it.
 constexpr std::uint16_t kDisplayInhibit_100us = 100;
-constexpr std::uint8_t kSamplePdo = 0, kSetpointPdo = 0, kDisplayPdo = 1, kControlPdo = 1;
+constexpr std::uint8_t kSamplePdo = 0, kSetpointPdo = 0, kControlPdo = 1;
 
 /// 0x60C2: seconds = value * 10^exponent, value 1..255.
 struct InterpolationPeriod {
@@ -47,7 +47,7 @@ InterpolationPeriod interpolation_period(double cycle_s) {
 }  // namespace
 
 GoldProfile::GoldProfile(const ActuatorConfig& actuator, const DriveTiming& timing)
-    : actuator_(actuator), timing_(timing) {
+    : DriveProfile(actuator.node, actuator.emergency_input), actuator_(actuator), timing_(timing) {
   rated_torque_mNm_ = to_object(1e3 * actuator.torque_constant_Nm_A * actuator.rated_current_A,
                                 owner(actuator), "rated torque");
   if (rated_torque_mNm_ == 0 || !(actuator.gear_ratio > 0.0) || !(actuator.encoder_counts_per_turn > 0.0)) {
@@ -109,12 +109,7 @@ std::vector<PdoSetting> GoldProfile::pdos() const {
        {{{canopen::kPositionActual, 0}, 32},
         {{canopen::kTorqueActual, 0}, 16},
         {{canopen::kStatusWord, 0}, 16}}},
-      {true,
-       kDisplayPdo,
-       canopen::kTypeEvent,
-       {{{canopen::kModeDisplay, 0}, 8}},
-       kDisplayPeriod_ms,
-       kDisplayInhibit_100us},
+      {true, kDisplayPdo, canopen::kTypeEvent, display_entries(), kDisplayPeriod_ms, kDisplayInhibit_100us},
       {false,
        kSetpointPdo,
        canopen::kTypeEvent,
@@ -139,11 +134,7 @@ bool GoldProfile::decode_sample(const CanFrame& frame, DriveSample& sample) cons
   return true;
 }
 
-bool GoldProfile::decode_mode_display(const CanFrame& frame, std::int8_t& code) const noexcept {
-  if (frame.id != canopen::tpdo_id(kDisplayPdo, actuator_.node) || frame.length != 1) return false;
-  code = static_cast<std::int8_t>(frame.data[0]);
-  return true;
-}
+canopen::MapEntry GoldProfile::inputs() const noexcept { return {{canopen::kDigitalInputs, 0}, 32}; }
 
 DriveMode GoldProfile::shown_mode(std::int8_t code) const noexcept {
   if (code == cia402::kModeCyclicPosition) return DriveMode::kPosition;

@@ -19,8 +19,8 @@ class GoldProfile final : public DriveProfile {
   std::vector<PdoSetting> pdos() const override;
   canopen::ObjectId supply_voltage_object() const noexcept override;
   double supply_V(std::uint32_t raw) const noexcept override { return 1e-3 * raw; }
+  canopen::MapEntry inputs() const noexcept override;
   bool decode_sample(const CanFrame& frame, DriveSample& sample) const noexcept override;
-  bool decode_mode_display(const CanFrame& frame, std::int8_t& code) const noexcept override;
   DriveMode shown_mode(std::int8_t code) const noexcept override;
   CanFrame encode_setpoint(const DriveSetpoint& setpoint) const noexcept override;
   CanFrame encode_control_word(std::uint16_t word) const noexcept override;

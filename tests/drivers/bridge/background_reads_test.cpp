@@ -23,7 +23,7 @@ class BackgroundReadsTest : public ::testing::Test {
     const RobotConfig robot = load_robot(robot_name);
     const WatchdogConfig& w = robot.watchdogs;
     profile_ = make_profile(robot.actuators[0], {robot.cycle_s, w.heartbeat_s, w.heartbeat_consumer_s});
-    reads_ = std::make_unique<BackgroundReads>(*profile_);
+    reads_ = std::make_unique<BackgroundReads>(*profile_, false);
     reads_->begin_operation(kNode, 0);
   }
   bool step(std::int64_t time_us, std::int64_t unconfirmed_us = 0) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace sprung {
@@ -22,6 +23,29 @@ TEST(SpeedRampTest, GoesToTheWantedSpeedAtItsAcceleration) {
   }
   EXPECT_NEAR(cycles * kSpeedRampStep_s, 1.5, 2 * kSpeedRampStep_s);
   EXPECT_EQ(ramp.now(), (std::array<double, 3>{0.3, -0.1, 0.25}));
+}
+
+TEST(SpeedRampTest, StopsInTheGivenTimeAndASlowOneAtItsAcceleration) {
+  for (const double speed_m_s : {0.45, 0.3, 0.06}) {
+    SpeedRamp ramp(0.2, 0.5);
+    ramp.want({speed_m_s, 0.0, 0.1});
+    while (!ramp.arrived()) ramp.advance(kSpeedRampStep_s);
+    ramp.stop(0.6);
+    int cycles = 0;
+    for (; !ramp.arrived() && cycles < 10000; ++cycles) ramp.advance(kSpeedRampStep_s);
+    EXPECT_NEAR(cycles * kSpeedRampStep_s, std::min(0.6, speed_m_s / 0.2), 2 * kSpeedRampStep_s);
+  }
+}
+
+TEST(SpeedRampTest, AfterAStopItSpeedsUpAsBefore) {
+  SpeedRamp ramp(0.2, 0.5);
+  ramp.want({0.4, 0.0, 0.0});
+  while (!ramp.arrived()) ramp.advance(kSpeedRampStep_s);
+  ramp.stop(0.1);
+  while (!ramp.arrived()) ramp.advance(kSpeedRampStep_s);
+  ramp.want({0.4, 0.0, 0.0});
+  ramp.advance(kSpeedRampStep_s);
+  EXPECT_NEAR(ramp.now()[0], 0.2 * kSpeedRampStep_s, 1e-12);
 }
 
 TEST(SpeedRampTest, TurnsRoundWithoutAStep) {

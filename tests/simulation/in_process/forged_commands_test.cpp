@@ -14,8 +14,6 @@
 namespace sprung {
 namespace {
 
-using test::order_of;
-
 struct Forgery {
   const char* robot;
   const char* name;
@@ -71,15 +69,7 @@ TEST_P(ForgedCommands, MoveNothingFarBeyondItsLimitsNorFasterThanItMay) {
   SimOptions sim;
   sim.seed = 7;
   InProcessRobot robot(config, "best", sim);
-  robot.boot();
-  for (int i = 0; i < 1000; ++i) robot.tick();  // until it lies still
-  if (!config.actuators[0].referenced) robot.submit(order_of(OperatorKind::kHome, 1));
-  for (int i = 0; i < 2000; ++i) robot.tick();
-  robot.submit(order_of(OperatorKind::kStand, 2));
-  for (int i = 0; robot.motion_state().state != MotionPhase::kStanding; ++i) {
-    ASSERT_TRUE(robot.tick());
-    ASSERT_LT(i, 10000) << robot.bridge().safety().detail.data();
-  }
+  test::stand_up(robot, !config.actuators[0].referenced);
   robot.forge_commands_by([&](DriveCommand& command) { forge(config, command); });
   Seen seen;
   std::vector<int> fast(config.joints.size());

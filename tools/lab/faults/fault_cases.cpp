@@ -19,6 +19,7 @@ std::vector<FaultCase> fault_cases(const RobotConfig& robot) {
                                                // luck on each side
   const double silence_s = (watchdogs.silent_cycles + 4) * robot.cycle_s;
   const double heartbeat_s = watchdogs.drive_heartbeat_s + 2 * watchdogs.heartbeat_s;
+  const double noise_s = 0.03;       // drivers/bridge/noisy_encoder_watch.h
   const double statistical_s = 1.0;  // depends on which frames are hit
   return {
       {Kind::kOverCurrent, false, 0.0, 0.5, Cause::kDriveFault, at_once_s},
@@ -26,7 +27,8 @@ std::vector<FaultCase> fault_cases(const RobotConfig& robot) {
       {Kind::kOverTemperature, false, 0.0, 0.5, Cause::kDriveFault, at_once_s},
       {Kind::kEncoderJump, false, 0.5, 0.5, Cause::kImplausible, at_once_s, can_home},
       {Kind::kEncoderStuck, false, 0.0, 0.5, Cause::kNone, kUnnoticed_s},
-      {Kind::kEncoderNoise, false, 0.001, 0.5, Cause::kNone, kUnnoticed_s},
+      {Kind::kEncoderNoise, false, 0.0002, 0.5, Cause::kNone, kUnnoticed_s},
+      {Kind::kEncoderNoise, false, 0.005, 0.5, Cause::kImplausible, noise_s},
       {Kind::kCurrentOffset, false, 0.5, 0.5, Cause::kNone, kUnnoticed_s},
       {Kind::kHeartbeatStopped, false, 0.0, 1.0, Cause::kDriveSilent, heartbeat_s},
       {Kind::kFramesLost, false, 1.0, 0.5, Cause::kDriveSilent, silence_s},

@@ -69,8 +69,8 @@ const std::vector<FaultGuide>& fault_guides() {
       {FaultKind::kEncoderStuck, true, false, "", 0.0, "the joint's measured position stays while it moves"},
       {FaultKind::kEncoderJump, true, false, "rad of the joint", 0.5,
        "implausible samples; a reference that is wrong until sprung home"},
-      {FaultKind::kEncoderNoise, true, false, "rms rad of the joint", 0.001,
-       "noise of the estimated velocity and torque"},
+      {FaultKind::kEncoderNoise, true, false, "rms rad of the joint", 0.0005,
+       "noise of the estimated velocity and torque; of several mrad the bridge stops the robot"},
       {FaultKind::kCurrentOffset, true, false, "A", 0.5, "the estimated torque is off by this much"},
       {FaultKind::kFramesLost, true, true, "share of the frames, 0..1", 1.0, kCounters},
       {FaultKind::kFramesLate, true, true, "seconds", 0.005, kCounters},
@@ -86,7 +86,9 @@ const std::vector<FaultGuide>& fault_guides() {
        "sprung drive scan and sprung status count a second device with this id"},
       {FaultKind::kShortPdo, true, false, "", 0.0, kCounters},
       {FaultKind::kLinkDown, true, true, "", 0.0, kBus},
-      {FaultKind::kQueueFull, false, true, "", 0.0, kBus}};
+      {FaultKind::kQueueFull, false, true, "", 0.0, kBus},
+      {FaultKind::kEmergencyInput, true, false, "", 0.0,
+       "where robot.yaml has an emergency_input: no power at once, and no clear until it is released"}};
   return guides;
 }
 

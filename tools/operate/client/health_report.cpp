@@ -120,7 +120,7 @@ Json nodes_json(const RobotConfig& robot, const sprung_msgs::bus_state_t& state)
          {"limited_power", node.limited_power},
          {"limited_winding", node.limited_winding},
          {"limited_by_drive", node.limited_by_drive},
-         {"winding_warmth", node.winding_warmth},
+         {"winding_share", node.winding_share},
          {"reference_source", name(static_cast<ReferenceSource>(node.reference_source))},
          {"reference_offset_rad",
           std::isfinite(node.reference_offset_rad) ? Json(node.reference_offset_rad) : Json(nullptr)},

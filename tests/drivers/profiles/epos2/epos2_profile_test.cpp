@@ -151,6 +151,30 @@ TEST(Epos2Settings, BeyondTheDrivesLimitsIsRefusedWithWhatItCan) {
   config = actuator();
   config.winding_time_constant_s = 541.0;
   EXPECT_THAT(refusal(config), HasSubstr("winding_time_constant"));
+  config = actuator();
+  config.emergency_input.bit = 16;
+  EXPECT_THAT(refusal(config), HasSubstr("emergency_input.bit must be 0 to 15"));
+}
+
+TEST(Epos2Pdos, InputsTravelWithTheModeDisplayWhereOneOfThemStops) {
+  ActuatorConfig config = actuator();
+  config.emergency_input = {3, false};
+  const epos2::Epos2Profile profile(config, kEpos2ProfileTiming);
+  const auto pdos = profile.pdos();
+  ASSERT_EQ(pdos[1].entries.size(), 2u);
+  EXPECT_EQ(pdos[1].entries[1].object.index, 0x2071);
+  CanFrame shown = frame(0x283, 3);
+  shown.data[0] = 0xFD;
+  shown.data[1] = 0x34;
+  shown.data[2] = 0x12;
+  std::int8_t mode = 0;
+  std::uint32_t levels = 0;
+  EXPECT_TRUE(profile.decode_mode_display(shown, mode));
+  EXPECT_EQ(mode, -3);
+  EXPECT_TRUE(profile.decode_inputs(shown, levels));
+  EXPECT_EQ(levels, 0x1234u);
+  EXPECT_FALSE(profile.decode_inputs(frame(0x283, 1), levels)) << "without them it is another's frame";
+  EXPECT_FALSE(epos2::Epos2Profile(actuator(), kEpos2ProfileTiming).decode_inputs(shown, levels));
 }
 
 TEST(Epos2Pdos, SetpointsAndModeTravelInOneFrame) {
