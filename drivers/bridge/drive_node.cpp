@@ -119,6 +119,7 @@ void DriveNode::judge_motion(double mate_rad) noexcept {
   in.measured_torque_Nm = measured_torque_Nm();
   in.commanded_torque_Nm = commanded_torque_Nm_;
   in.mate_position_rad = mate_rad;
+  in.link_position_rad = measured_link_position_rad_;
   stuck_.add(in);
   distrusted_ = distrusted_ || stuck_.stuck();
 }

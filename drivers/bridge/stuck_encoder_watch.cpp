@@ -12,6 +12,8 @@ constexpr std::int64_t kWindow_us = 30'000;
 // experiment push --robot pegasus, and foot_return on single_leg at 0.35 rad/s, would be stopped.
 constexpr double kHigh = 0.5;  // of the torque limit
 constexpr double kMateMoves_rad = 0.06;
+/// Of a harmonic gear at its peak torque: 108 Nm / 10 kNm/rad is 0.011 rad.
+constexpr double kLinkMoves_rad = 0.03;
 
 }  // namespace
 
@@ -25,8 +27,16 @@ bool StuckEncoderWatch::mate_moved(const StuckEncoderInputs& in) const noexcept 
   return std::abs(in.mate_position_rad - first_.mate_position_rad) > kMateMoves_rad;
 }
 
+void StuckEncoderWatch::compare_with_link(const StuckEncoderInputs& in) noexcept {
+  if (std::isnan(in.link_position_rad)) return;
+  if (std::isnan(still_.link_position_rad) || in.position_rad != still_.position_rad) still_ = in;
+  link_moved_ = link_moved_ || (in.time_us - still_.time_us >= kStill_us &&
+                                std::abs(in.link_position_rad - still_.link_position_rad) > kLinkMoves_rad);
+}
+
 void StuckEncoderWatch::add(const StuckEncoderInputs& in) noexcept {
   now_us_ = in.time_us;
+  compare_with_link(in);
   if (begins_anew(in)) {
     any_ = true;
     stuck_ = false;

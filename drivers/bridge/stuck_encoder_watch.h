@@ -4,8 +4,11 @@
 /// thrusts hip and knee move. So an encoder is stuck that has not moved by one count for 20 ms, under more
 /// than half of the torque limit all the time, while the other of the two has moved by 0.06 rad within 30 ms.
 /// Less would stop healthy robots that are pushed or pulled (docs/safety.md): one that sticks under less
-/// torque is not found here, but by a link encoder where there is one. Pure; once a sample.
+/// torque is found where a link encoder sees the joint move by 0.03 rad, more than its gear gives way, while
+/// the motor's has not moved by one count for 20 ms. Pure; once a sample.
 #include <cstdint>
+
+#include "signals/vec3.h"
 
 namespace sprung {
 
@@ -15,6 +18,7 @@ struct StuckEncoderInputs {
   double measured_torque_Nm = 0.0;   ///< ratio times motor torque, output side
   double commanded_torque_Nm = 0.0;  ///< of the last set-point; NaN outside of torque control. A drive that
                                      ///< repeats its whole answer shows no torque
+  double link_position_rad = kNaN;   ///< as the link encoder says; NaN: there is none, or no sample
   double mate_position_rad = 0.0;    ///< of the other joint of its leg that swings in the same plane
 };
 
@@ -24,13 +28,14 @@ class StuckEncoderWatch {
   explicit StuckEncoderWatch(double torque_limit_Nm) noexcept : limit_Nm_(torque_limit_Nm) {}
 
   void add(const StuckEncoderInputs& in) noexcept;
-  bool stuck() const noexcept { return stuck_; }
+  bool stuck() const noexcept { return stuck_ || link_moved_; }
   double torque_Nm() const noexcept { return torque_Nm_; }  ///< of the last sample
-  std::int64_t still_us() const noexcept { return now_us_ - since_us_; }
+  std::int64_t still_us() const noexcept { return now_us_ - (link_moved_ ? still_.time_us : since_us_); }
   void forget() noexcept;
 
  private:
   bool begins_anew(const StuckEncoderInputs& in) noexcept;
+  void compare_with_link(const StuckEncoderInputs& in) noexcept;
   bool mate_moved(const StuckEncoderInputs& in) const noexcept;
 
   double limit_Nm_;
@@ -38,7 +43,9 @@ class StuckEncoderWatch {
   StuckEncoderInputs first_;   ///< since which the position has not changed, and the torque was high
   std::int64_t since_us_ = 0;  ///< of that
   std::int64_t now_us_ = 0;
+  StuckEncoderInputs still_;  ///< since which the position has not changed, and the link was seen
   bool any_ = false;
+  bool link_moved_ = false;
   bool stuck_ = false;
 };
 

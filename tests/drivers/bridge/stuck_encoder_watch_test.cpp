@@ -73,6 +73,26 @@ TEST_F(StuckEncoderWatchTest, LegThatHasRestedForLongBeginsToMoveTogether) {
             -1);
 }
 
+TEST_F(StuckEncoderWatchTest, LinkEncoderThatMovesOnFindsItUnderAnyTorque) {
+  const auto after_ms = [](double link_rad_s, double motor_rad_s) {
+    StuckEncoderWatch watch(100.0);
+    for (int i = 0; i < 1000; ++i) {
+      StuckEncoderInputs in;
+      in.time_us = 1000 * i;
+      in.position_rad = 0.5 + motor_rad_s * 1e-3 * i;
+      in.link_position_rad = 0.7 + link_rad_s * 1e-3 * i;
+      watch.add(in);
+      if (watch.stuck()) return i;
+    }
+    return -1;
+  };
+  EXPECT_EQ(after_ms(4.0, 0.0), 20);
+  EXPECT_EQ(after_ms(0.5, 0.0), 61);
+  EXPECT_EQ(after_ms(0.02, 0.0), -1) << "a gear that gives way";
+  EXPECT_EQ(after_ms(0.5, 0.5), -1);
+  EXPECT_EQ(after_ms(kNaN, 0.0), -1);
+}
+
 TEST_F(StuckEncoderWatchTest, ForgetsAllWhenTold) {
   first_stuck(100, still, steady, none, extends);
   watch_.forget();
