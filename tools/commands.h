@@ -20,6 +20,7 @@ void add_can(CommandLine& sprung);    ///< can dump, can export
 void add_drive(CommandLine& sprung);  ///< drive info, read, write, scan, check
 void add_fault(CommandLine& sprung);
 void add_home(CommandLine& sprung);
+void add_incident(CommandLine& sprung);
 void add_identify(CommandLine& sprung);
 void add_log(CommandLine& sprung);  ///< log info, cut, filter, merge, verify, repair, csv, mcap, plot
 void add_move(CommandLine& sprung);

@@ -41,6 +41,7 @@ int main(int argc, char** argv) {
   add_drive(line);
   add_home(line);
   add_identify(line);
+  add_incident(line);
   add_log(line);
   add_move(line);
   add_robot(line);

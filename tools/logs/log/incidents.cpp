@@ -1,6 +1,7 @@
 #include "tools/logs/log/incidents.h"
 
 #include "lcmtypes/channels.h"
+#include "signals/mode_names.h"
 
 namespace sprung::log {
 
@@ -8,6 +9,12 @@ namespace {
 
 /// Of a kind: a log may alternate between two sessions, or states, for hours.
 constexpr std::int64_t kKept = 1000;
+
+bool is_trip(const std::string& level, const std::string& cause) {
+  const bool stops = !level.empty() && level != name(SafetyLevel::kOperational);
+  return stops && !cause.empty() && cause != name(SafetyCause::kNone) &&
+         cause != name(SafetyCause::kStarting) && cause != name(SafetyCause::kShutdown);
+}
 
 }  // namespace
 
@@ -27,14 +34,15 @@ void IncidentFinder::add(const Event& event, const Timeline::Moment& moment) {
 
 void IncidentFinder::add_safety(const Timeline::Moment& moment) {
   const fields::Layout& layout = *message_.layout();
-  std::string now = text(layout.find("level_name"));
+  const std::string level = text(layout.find("level_name"));
+  std::string now = level;
   const std::string cause = text(layout.find("cause_name"));
   const std::string detail = text(layout.find("detail"));
   if (!cause.empty() && cause != "none") now += ", " + cause;
   if (!detail.empty()) now += ": " + detail;
   if (now == safety_) return;
   safety_ = now;
-  note(IncidentKind::kSafety, moment, "safety " + now);
+  note(IncidentKind::kSafety, moment, "safety " + now, is_trip(level, cause));
 }
 
 void IncidentFinder::find_motion_fields() {
@@ -78,12 +86,12 @@ void IncidentFinder::add_legs(const Timeline::Moment& moment) {
   }
 }
 
-void IncidentFinder::note(IncidentKind kind, const Timeline::Moment& moment, std::string text) {
+void IncidentFinder::note(IncidentKind kind, const Timeline::Moment& moment, std::string text, bool trip) {
   if (++of_kind_[static_cast<std::size_t>(kind)] > kKept) {
     ++left_out_;
     return;
   }
-  incidents_.push_back({kind, moment.time_s, moment.stamp ? moment.stamp->seq : -1, std::move(text)});
+  incidents_.push_back({kind, moment.time_s, moment.stamp ? moment.stamp->seq : -1, std::move(text), trip});
 }
 
 std::string IncidentFinder::text(int field) const {

@@ -21,6 +21,7 @@ struct Incident {
   double time_s = 0.0;    ///< robot's time since the log's begin
   std::int64_t seq = -1;  ///< cycle
   std::string text;
+  bool trip = false;  ///< safety stops the robot, for a cause that is neither a start nor an orderly end
 };
 
 class IncidentFinder {
@@ -49,7 +50,7 @@ class IncidentFinder {
   void add_motion(const Timeline::Moment& moment);
   void add_legs(const Timeline::Moment& moment);
   void find_motion_fields();
-  void note(IncidentKind kind, const Timeline::Moment& moment, std::string text);
+  void note(IncidentKind kind, const Timeline::Moment& moment, std::string text, bool trip = false);
   std::string text(int field) const;
   std::string leg_name(std::size_t leg) const;
 

@@ -1,0 +1,63 @@
+#include "tools/logs/incident/log_stretch.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "tools/logs/log/rewrite.h"
+#include "tools/logs/log/robot_names.h"
+
+namespace sprung::log {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+LogInfo info_of(const std::string& log, const Progress& progress) {
+  Reader reader(log);
+  const std::vector<std::string> legs = names_in_log(reader).legs;
+  return collect_info(reader, legs, progress);
+}
+
+double length_of(const std::string& log) {
+  Reader reader(log);
+  return extent_of(reader).end_s;
+}
+
+}  // namespace
+
+LogInfo copy_stretch(const Stretch& stretch, const std::string& to, const Progress& progress) {
+  TimeSpan span;
+  span.from = TimePoint{TimePoint::Kind::kSinceBegin, stretch.from_s, 0};
+  if (stretch.to_s) span.to = TimePoint{TimePoint::Kind::kSinceBegin, *stretch.to_s, 0};
+  Reader reader(stretch.log);
+  Writer writer(to);
+  ChannelFilter every_channel({});
+  copy_part(reader, span, every_channel, writer, progress);
+  LogInfo info = info_of(to, {});
+  info.path = fs::path(to).filename().string();
+  return info;
+}
+
+std::vector<LogInfo> copy_last(const std::vector<std::string>& parts, double last_s,
+                               const std::string& folder, const Progress& progress) {
+  std::vector<LogInfo> copies;
+  double left_s = last_s;
+  for (const std::string& part : parts) {
+    const double length_s = length_of(part);
+    const std::string to = (fs::path(folder) / fs::path(part).filename()).string();
+    copies.push_back(copy_stretch({part, std::max(0.0, length_s - left_s), std::nullopt}, to, progress));
+    left_s -= length_s;
+    if (!(left_s > 0.0)) break;
+  }
+  return copies;
+}
+
+std::optional<FoundTrip> find_trip(const std::vector<std::string>& parts, const Progress& progress) {
+  for (const std::string& part : parts) {
+    const auto trip = last_trip(info_of(part, progress).incidents);
+    if (trip && !trip->from_before) return FoundTrip{part, *trip};
+  }
+  return std::nullopt;
+}
+
+}  // namespace sprung::log
