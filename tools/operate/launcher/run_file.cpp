@@ -16,6 +16,8 @@
 #include <set>
 #include <thread>
 
+#include "tools/operate/launcher/run_folder.h"
+
 namespace sprung {
 
 namespace fs = std::filesystem;
@@ -24,16 +26,6 @@ using Json = nlohmann::ordered_json;
 namespace {
 
 constexpr int kLockTries = 20;
-
-fs::path run_folder() {
-  if (const char* folder = std::getenv("SPRUNG_RUN_DIR")) {
-    return folder;
-  }
-  if (const char* folder = std::getenv("XDG_RUNTIME_DIR")) {
-    return fs::path(folder) / "sprung";
-  }
-  return "/tmp/sprung-" + std::to_string(getuid());
-}
 
 Json to_json(const RunInfo& info) {
   Json out{{"instance", info.instance}, {"robot", info.robot},       {"robot_folder", info.robot_folder},
@@ -72,7 +64,7 @@ RunInfo from_json(const Json& in) {
 std::string lock_path(const std::string& instance) { return (run_folder() / (instance + ".lock")).string(); }
 
 int open_lock(const std::string& instance, int flags) {
-  return open(lock_path(instance).c_str(), flags | O_CLOEXEC, 0644);
+  return open(lock_path(instance).c_str(), flags | O_CLOEXEC | O_NOFOLLOW, 0644);
 }
 
 /// Whether a launcher lives: its lock cannot be had.
@@ -99,7 +91,7 @@ std::optional<RunInfo> read_description(const std::string& instance) {
 std::set<std::string> described_instances() {
   std::set<std::string> instances;
   std::error_code none;
-  for (const auto& entry : fs::directory_iterator(run_folder(), none)) {
+  for (const auto& entry : fs::directory_iterator(checked_run_folder(), none)) {
     if (entry.path().extension() == ".json") instances.insert(entry.path().stem().string());
   }
   return instances;
@@ -120,7 +112,7 @@ std::string run_file_path(const std::string& instance) {
 }
 
 RunFile::RunFile(const std::string& instance) : instance_(instance) {
-  fs::create_directories(run_folder());
+  made_run_folder();
   lock_ = open_lock(instance, O_RDWR | O_CREAT);
   if (lock_ < 0) {
     throw std::runtime_error("cannot write " + lock_path(instance) + ": " + std::strerror(errno));
@@ -158,6 +150,7 @@ void RunFile::write(const RunInfo& info) {
 }
 
 std::optional<RunInfo> read_run_file(const std::string& instance) {
+  checked_run_folder();
   return held(instance) ? read_description(instance) : std::nullopt;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 /// The file by which `sprung jump` in a second terminal finds the robot that `sprung up` runs: one JSON file
-/// an instance, in $SPRUNG_RUN_DIR, else $XDG_RUNTIME_DIR/sprung, else /tmp/sprung-UID.
+/// an instance, in the folder of run_folder.h. Where that one cannot be trusted every function here throws.
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
