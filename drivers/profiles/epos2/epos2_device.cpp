@@ -146,7 +146,8 @@ void Epos2Make::show(const DriveMoment& now) noexcept {
   show(kVelocityActual, rpm_per_rad_s_ * now.velocity_rad_s);
   show(kVelocityAveraged, rpm_per_rad_s_ * average_rad_s_);
   show(kVelocitySensor, clamp_i32(now.velocity_rad_s * now.counts_per_rad));
-  const bool high = now.emergency_stop == setup_.actuator.emergency_input.stops_high;
+  const EmergencyInputConfig& input = setup_.actuator.emergency_input;
+  const bool high = input.bit >= 0 && now.emergency_stop == input.stops_high;
   dictionary_.set({kDigitalInputState, 1}, high ? 0xFFFF : 0);
 }
 

@@ -106,7 +106,8 @@ void GoldMake::show(const DriveMoment& now) noexcept {
   show(canopen::kTorqueActual, shown);
   show(canopen::kCurrentActual, shown);
   show(canopen::kSupplyVoltage, 1e3 * now.supply_V);
-  const bool high = now.emergency_stop == setup_.actuator.emergency_input.stops_high;
+  const EmergencyInputConfig& input = setup_.actuator.emergency_input;
+  const bool high = input.bit >= 0 && now.emergency_stop == input.stops_high;
   show(canopen::kDigitalInputs, high ? 0xFFFFFFFF : 0);
 }
 
