@@ -56,7 +56,7 @@ TEST(SystemFiles, LimitsOfTheGroupAreEnoughForEveryRobot) {
   const std::string text = settings("30-sprung-limits.conf");
   EXPECT_EQ(found(text, R"(@sprung - memlock (\w+))"), "unlimited");
   const std::int64_t priority = std::stoll(found(text, R"(@sprung - rtprio (\d+))"));
-  EXPECT_EQ(found(settings("sprung-sysusers.conf"), R"(^g (\w+) -)"), "sprung");
+  EXPECT_EQ(found(settings("sprung-sysusers.conf"), R"(^u (\w+) -)"), "sprung");
   for (const std::string& name : kRobots) {
     const RobotConfig robot = load_robot(name);
     const auto checks = real_time_checks({}, {priority, -1, false, true}, {}, &robot);
