@@ -4,7 +4,6 @@
 
 #include "drivers/canopen/objects.h"
 #include "signals/angles.h"
-#include "signals/microseconds.h"
 
 namespace sprung {
 namespace {
@@ -42,9 +41,8 @@ DriveNode::DriveNode(const ActuatorConfig& actuator, int index, double cycle_s,
       reads_(*profile_, actuator.emergency_input.bit >= 0),
       emergency_input_(actuator.emergency_input),
       stuck_(actuator.torque_limit_Nm),
-      noise_(actuator.torque_limit_Nm, inertia_kg_m2, quantum_rad(actuator)),
-      winding_(actuator.rated_current_A, actuator.winding_time_constant_s),
-      cycle_us_(to_us(cycle_s)) {}
+      noise_(actuator.torque_limit_Nm, inertia_kg_m2, quantum_rad(actuator), cycle_s),
+      winding_(actuator.rated_current_A, actuator.winding_time_constant_s) {}
 
 void DriveNode::step(std::int64_t time_us, FrameBatch& out) noexcept {
   const bool reads = link().boot().operational();
@@ -100,7 +98,7 @@ void DriveNode::accept_sample() noexcept {
                                      {samples.sample_sync_us(), samples.earliest_sync_us(), received_us_});
   implausible_ = motion != Motion::kGood;
   if (implausible_) ++implausible_samples_;
-  if (enabled()) noise_.add(sample_.measured_position_rad, samples.sample_sync_us(), cycle_us_);
+  if (enabled()) noise_.add(sample_.measured_position_rad, samples.sample_sync_us());
   distrusted_ = distrusted_ || implausible_ || noise_.noisy();
   // Also an absolute encoder's: what it shows from now on is not the place that the reference was found for.
   if (motion == Motion::kJumped) reference_.lose("reference lost: encoder jumped");

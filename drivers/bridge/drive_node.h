@@ -109,7 +109,6 @@ class DriveNode final : public BusNode {
   StuckEncoderWatch stuck_;
   NoisyEncoderWatch noise_;
   WindingWatch winding_;
-  std::int64_t cycle_us_;
   std::int64_t limited_by_drive_ = 0;  ///< cycles with its status bit "internal limit active"
   double commanded_torque_Nm_ = kNaN;  ///< of the last set-point, in torque control
   bool confirmed_off_ = false;  ///< the last that it said of its power, by an answer to SYNC or to an SDO

@@ -1,7 +1,7 @@
 #pragma once
 /// The digital input of a drive at which an emergency stop is read: by the drive's frame that is sent on
-/// change, and ten times a second by SDO, should that one be lost. What is not known stops, and so does a cut
-/// wire where the input stops at 0. Pure.
+/// change, and ten times a second by SDO, should that one be lost. Until it is known no drive gets power; a
+/// cut wire stops where the input stops at 0. Pure.
 #include <cstdint>
 
 #include "robots/robot_config.h"

@@ -24,12 +24,12 @@ double beyond_rad(const JointConfig& joint, double position_rad) noexcept {
 
 }  // namespace
 
-HardLimitWatch::HardLimitWatch(const RobotConfig& robot) : robot_(robot) {
-  for (const ActuatorConfig& actuator : robot_.actuators)
-    drives_.push_back({actuator.name.c_str(), actuator.speed_limit_rad_s});
-  for (const LegConfig& leg : robot_.legs) {
+HardLimitWatch::HardLimitWatch(const RobotConfig& robot) {
+  for (const ActuatorConfig& actuator : robot.actuators)
+    drives_.push_back({actuator.name, actuator.speed_limit_rad_s});
+  for (const LegConfig& leg : robot.legs) {
     std::vector<Joint> joints;
-    for (const int joint : leg.joints) joints.push_back({robot_.joints.at(joint)});
+    for (const int joint : leg.joints) joints.push_back({robot.joints.at(joint)});
     legs_.push_back({Transmission(leg), leg.actuators, joints});
   }
 }
@@ -87,8 +87,8 @@ bool HardLimitWatch::fault(Fault& out) const noexcept {
     if (!drive.fast) continue;
     out.cause = SafetyCause::kOverspeed;
     out.actuator = static_cast<int>(i);
-    print(out.detail, "%s: %.1f rad/s for 20 ms, its limit is %.1f rad/s", drive.name, drive.velocity_rad_s,
-          drive.limit_rad_s);
+    print(out.detail, "%s: %.1f rad/s for 20 ms, its limit is %.1f rad/s", drive.name.c_str(),
+          drive.velocity_rad_s, drive.limit_rad_s);
     return true;
   }
   return false;

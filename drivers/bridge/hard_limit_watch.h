@@ -5,6 +5,7 @@
 /// further still. Pure; once a cycle.
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "drivers/bridge/setpoint_gate.h"
@@ -39,7 +40,7 @@ class HardLimitWatch {
     std::vector<Joint> joints;
   };
   struct Drive {
-    const char* name;
+    std::string name;
     double limit_rad_s;
     double velocity_rad_s = 0.0;
     std::int64_t slow_us = 0;  ///< when it was last seen no faster
@@ -49,7 +50,6 @@ class HardLimitWatch {
   static void judge_joint(Joint& joint, double position_rad, bool powered, std::int64_t time_us) noexcept;
   void judge_leg(Leg& leg, const std::vector<GateMotion>& motion, std::int64_t time_us) const noexcept;
 
-  RobotConfig robot_;
   std::vector<Leg> legs_;
   std::vector<Drive> drives_;
 };

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "signals/microseconds.h"
+
 namespace sprung {
 namespace {
 
@@ -15,31 +17,33 @@ constexpr std::size_t kLeast = 4;
 
 }  // namespace
 
-NoisyEncoderWatch::NoisyEncoderWatch(double torque_limit_Nm, double inertia_kg_m2,
-                                     double quantum_rad) noexcept
-    : fastest_rad_s2_(inertia_kg_m2 > 0.0 ? kTimesTorque * torque_limit_Nm / inertia_kg_m2 : 0.0),
-      quantum_rad_(quantum_rad) {}
+NoisyEncoderWatch::NoisyEncoderWatch(double torque_limit_Nm, double inertia_kg_m2, double quantum_rad,
+                                     double cycle_s) noexcept
+    : most_rad_(0.0),
+      window_(std::min(kMost, static_cast<std::size_t>(std::lround(kWindow_s / cycle_s)))),
+      cycle_us_(to_us(cycle_s)) {
+  if (inertia_kg_m2 <= 0.0) return;
+  const double fastest_rad_s2 = kTimesTorque * torque_limit_Nm / inertia_kg_m2;
+  most_rad_ = std::max(fastest_rad_s2 * cycle_s * cycle_s, kNoiseQuanta * quantum_rad);
+}
 
-void NoisyEncoderWatch::add(double position_rad, std::int64_t sync_us, std::int64_t cycle_us) noexcept {
-  if (fastest_rad_s2_ <= 0.0) return;
-  if (known_ > 0 && sync_us - last_us_ != cycle_us) known_ = 0;
+void NoisyEncoderWatch::add(double position_rad, std::int64_t sync_us) noexcept {
+  if (most_rad_ <= 0.0) return;
+  if (known_ > 0 && sync_us - last_us_ != cycle_us_) known_ = 0;
   last_us_ = sync_us;
-  if (known_ == 2) judge(position_rad - 2.0 * before_rad_[0] + before_rad_[1], cycle_us);
+  if (known_ == 2) judge(position_rad - 2.0 * before_rad_[0] + before_rad_[1]);
   before_rad_ = {position_rad, before_rad_[0]};
   known_ = std::min(known_ + 1, 2);
 }
 
-void NoisyEncoderWatch::judge(double difference_rad, std::int64_t cycle_us) noexcept {
-  const double cycle_s = 1e-6 * static_cast<double>(cycle_us);
-  const auto window = std::min(kMost, static_cast<std::size_t>(std::lround(kWindow_s / cycle_s)));
+void NoisyEncoderWatch::judge(double difference_rad) noexcept {
   difference_[next_] = difference_rad;
-  next_ = (next_ + 1) % window;
-  filled_ = std::min(filled_ + 1, window);
-  const double most_rad = std::max(fastest_rad_s2_ * cycle_s * cycle_s, kNoiseQuanta * quantum_rad_);
+  next_ = (next_ + 1) % window_;
+  filled_ = std::min(filled_ + 1, window_);
   const auto beyond = static_cast<std::size_t>(
       std::count_if(difference_.begin(), difference_.begin() + static_cast<std::ptrdiff_t>(filled_),
-                    [&](double d) { return std::abs(d) > most_rad; }));
-  noisy_ = noisy_ || (beyond >= kLeast && 3 * beyond >= window);
+                    [this](double d) { return std::abs(d) > most_rad_; }));
+  noisy_ = noisy_ || (beyond >= kLeast && 3 * beyond >= window_);
 }
 
 /// White noise has second differences of sqrt(6) times its own size.

@@ -14,10 +14,11 @@ class NoisyEncoderWatch {
  public:
   /// @param torque_limit_Nm, inertia_kg_m2 of the actuator, output side; inertia 0: not known, nothing is
   /// watched. @param quantum_rad of the position: rounding alone is no noise.
-  NoisyEncoderWatch(double torque_limit_Nm, double inertia_kg_m2, double quantum_rad) noexcept;
+  NoisyEncoderWatch(double torque_limit_Nm, double inertia_kg_m2, double quantum_rad,
+                    double cycle_s) noexcept;
 
   /// @param answers the SYNC of `sync_us`; a gap begins anew.
-  void add(double position_rad, std::int64_t sync_us, std::int64_t cycle_us) noexcept;
+  void add(double position_rad, std::int64_t sync_us) noexcept;
   bool noisy() const noexcept { return noisy_; }
   /// Root mean square of the jitter, by the second differences of the window.
   double noise_rad() const noexcept;
@@ -26,10 +27,11 @@ class NoisyEncoderWatch {
  private:
   static constexpr std::size_t kMost = 20;  ///< samples in the window, at 1 kHz
 
-  void judge(double difference_rad, std::int64_t cycle_us) noexcept;
+  void judge(double difference_rad) noexcept;
 
-  double fastest_rad_s2_;
-  double quantum_rad_;
+  double most_rad_;     ///< of a second difference that is no jitter; 0: nothing is watched
+  std::size_t window_;  ///< samples
+  std::int64_t cycle_us_;
   std::array<double, 2> before_rad_{};  ///< the last, and the one before it
   std::int64_t last_us_ = 0;
   int known_ = 0;                           ///< of before_rad_

@@ -15,7 +15,7 @@ class NoisyEncoder : public ::testing::Test {
   /// @return the sample, counted from 1, with which it is found noisy; -1: none of `samples`.
   int found(const std::function<double(int)>& position_rad, int samples = 1000) {
     for (int i = 1; i <= samples; ++i) {
-      watch_.add(position_rad(i), time_us_ += 1000, 1000);
+      watch_.add(position_rad(i), time_us_ += 1000);
       if (watch_.noisy()) return i;
     }
     return -1;
@@ -26,7 +26,7 @@ class NoisyEncoder : public ::testing::Test {
     };
   }
 
-  NoisyEncoderWatch watch_{171.6, 0.82, 4.8e-7};
+  NoisyEncoderWatch watch_{171.6, 0.82, 4.8e-7, 0.001};
   std::int64_t time_us_ = 0;
 };
 
@@ -56,19 +56,19 @@ TEST_F(NoisyEncoder, JumpOrAnImpactIsNoNoise) {
 }
 
 TEST_F(NoisyEncoder, GapBeginsAnew) {
-  for (int i = 0; i < 100; ++i) watch_.add(i % 2 == 0 ? 0.0 : 0.1, time_us_ += 3000, 1000);
+  for (int i = 0; i < 100; ++i) watch_.add(i % 2 == 0 ? 0.0 : 0.1, time_us_ += 3000);
   EXPECT_FALSE(watch_.noisy());
 }
 
 TEST_F(NoisyEncoder, RoundingIsNoNoise) {
-  NoisyEncoderWatch coarse(1.0, 1.0, 1e-3);
-  for (int i = 0; i < 1000; ++i) coarse.add(i % 2 == 0 ? 0.0 : 1e-3, time_us_ += 1000, 1000);
+  NoisyEncoderWatch coarse(1.0, 1.0, 1e-3, 0.001);
+  for (int i = 0; i < 1000; ++i) coarse.add(i % 2 == 0 ? 0.0 : 1e-3, time_us_ += 1000);
   EXPECT_FALSE(coarse.noisy());
 }
 
 TEST_F(NoisyEncoder, WithoutInertiaNothingIsWatched) {
-  NoisyEncoderWatch blind(171.6, 0.0, 4.8e-7);
-  for (int i = 0; i < 1000; ++i) blind.add(i % 2 == 0 ? 0.0 : 1.0, time_us_ += 1000, 1000);
+  NoisyEncoderWatch blind(171.6, 0.0, 4.8e-7, 0.001);
+  for (int i = 0; i < 1000; ++i) blind.add(i % 2 == 0 ? 0.0 : 1.0, time_us_ += 1000);
   EXPECT_FALSE(blind.noisy());
 }
 

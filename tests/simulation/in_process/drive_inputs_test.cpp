@@ -20,15 +20,6 @@ class DriveInputs : public testing::Test {
     bend(config.actuators[1]);
     return config;
   }
-  static void press(InProcessRobot& robot, FaultKind kind, double value, double duration_s) {
-    SimControl control;
-    control.kind = SimControlKind::kNodeFault;
-    control.fault = kind;
-    control.value = value;
-    control.actuator = 1;
-    control.duration_s = duration_s;
-    robot.sim().control(control);
-  }
   static const SafetyState& safety(const InProcessRobot& robot) { return robot.bridge().safety(); }
   /// The last answer of the bridge to a clear.
   static OperatorReply clear(InProcessRobot& robot, std::int64_t id) {
@@ -51,7 +42,7 @@ TEST_P(EmergencyInputLevel, EmergencyInputTakesThePowerAtOnceAndHoldsOffTheClear
   });
   InProcessRobot robot(config, "best", {});
   test::stand_up(robot, false);
-  press(robot, FaultKind::kEmergencyInput, 0.0, 2.0);
+  test::make_fault(robot, 1, FaultKind::kEmergencyInput, 0.0, 2.0);
   for (int i = 0; i < 15; ++i) robot.tick();  // inhibit time of the frame: 10 ms
   EXPECT_EQ(safety(robot).level, SafetyLevel::kDisabled);
   EXPECT_EQ(safety(robot).cause, SafetyCause::kEmergencyStop);
@@ -71,7 +62,7 @@ INSTANTIATE_TEST_SUITE_P(StopsAtZeroOrOne, EmergencyInputLevel, testing::Bool())
 TEST_F(DriveInputs, RobotDoesNotMoveBeforeTheInputIsReleased) {
   const RobotConfig config = bent("pegasus", [](ActuatorConfig& a) { a.emergency_input = {15, false}; });
   InProcessRobot robot(config, "best", {});
-  press(robot, FaultKind::kEmergencyInput, 0.0, 5.0);
+  test::make_fault(robot, 1, FaultKind::kEmergencyInput, 0.0, 5.0);
   robot.boot();
   for (int i = 0; i < 200; ++i) robot.tick();
   EXPECT_EQ(safety(robot).cause, SafetyCause::kEmergencyStop) << safety(robot).detail.data();
@@ -86,7 +77,7 @@ TEST_F(DriveInputs, SupplyOutOfItsRangeDampsTheRobotBeforeTheDriveGivesUp) {
   test::stand_up(robot, false);
   for (int i = 0; i < 2000; ++i) robot.tick();
   ASSERT_EQ(safety(robot).level, SafetyLevel::kOperational);
-  press(robot, FaultKind::kUnderVoltage, 40.0, 5.0);
+  test::make_fault(robot, 1, FaultKind::kUnderVoltage, 40.0, 5.0);
   for (int i = 0; i < 1100; ++i) robot.tick();
   EXPECT_EQ(safety(robot).cause, SafetyCause::kSupply);
   EXPECT_STREQ(safety(robot).detail.data(), "knee_motor: supply of 40.0 V, robot.yaml allows 44.0 to 56.0 V");

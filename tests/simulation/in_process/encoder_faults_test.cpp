@@ -62,13 +62,7 @@ class EncoderInMotion : public testing::TestWithParam<std::tuple<EncoderFault, s
 
   /// Makes the fault now and looks for a second.
   static Noticed make_it(InProcessRobot& robot, int actuator, double cycle_s) {
-    SimControl control;
-    control.kind = SimControlKind::kNodeFault;
-    control.fault = fault().kind;
-    control.value = fault().value;
-    control.actuator = actuator;
-    control.duration_s = 10.0;
-    robot.sim().control(control);
+    test::make_fault(robot, actuator, fault().kind, fault().value, 10.0);
     Noticed out;
     for (int i = 0; i < static_cast<int>(1.0 / cycle_s); ++i) {
       robot.tick();

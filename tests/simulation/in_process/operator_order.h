@@ -20,6 +20,17 @@ inline void tick_until(InProcessRobot& robot, MotionPhase phase, int cycles = 10
   ASSERT_EQ(robot.motion_state().state, phase) << robot.bridge().safety().detail.data();
 }
 
+/// A fault of an actuator's drive, from now on for so long.
+inline void make_fault(InProcessRobot& robot, int actuator, FaultKind kind, double value, double duration_s) {
+  SimControl control;
+  control.kind = SimControlKind::kNodeFault;
+  control.fault = kind;
+  control.value = value;
+  control.actuator = actuator;
+  control.duration_s = duration_s;
+  robot.sim().control(control);
+}
+
 /// From boot to a stand; of a robot with link encoders, by homing first.
 inline void stand_up(InProcessRobot& robot, bool home) {
   robot.boot();
