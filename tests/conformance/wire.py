@@ -8,7 +8,7 @@ import can
 import canopen
 from can.interfaces.udp_multicast import UdpMulticastBus
 
-TIMEOUT_S = 3.0  # a shared machine stalls now and then; nothing waits that long where all is well
+TIMEOUT_S = 10.0  # a shared machine stalls now and then; nothing waits that long where all is well
 canopen.sdo.SdoClient.RESPONSE_TIMEOUT = TIMEOUT_S
 
 

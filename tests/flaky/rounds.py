@@ -38,16 +38,18 @@ class Rounds:
         for suite in suites:
             if self._of(suite).get("stamp") != stamps[suite.name]:
                 self._state[suite.name] = {"stamp": stamps[suite.name], "runs": 0, "failed": {}, "skipped": {}}
-        for number in range(1, self._asked.rounds + 1):
-            due = [s for s in suites if self._of(s)["runs"] < min(number, self._wanted(s))]
-            due.sort(key=lambda s: (s.processes, self._of(s).get("seconds", 0.0)))
-            self._run_all([s for s in due if not s.realtime], self._asked.jobs, number, end)
-            self._run_all([s for s in due if s.realtime], 1, number, end)
+        self._run_all(self._due([s for s in suites if s.realtime]), 1, end)  # first: they never wait for the time to be over
+        self._run_all(self._due([s for s in suites if not s.realtime]), self._asked.jobs, end)
 
-    def _run_all(self, suites, jobs, number, end):
+    def _due(self, suites):
+        """@return (suite, round), one round after the other, in each the longest first: nothing waits for the last of a round."""
+        due = [(s, n) for s in suites for n in range(self._of(s)["runs"] + 1, self._wanted(s) + 1)]
+        return sorted(due, key=lambda d: (d[1], -self._of(d[0]).get("seconds", 0.0), d[0].name))
+
+    def _run_all(self, due, jobs, end):
         with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
             try:
-                list(pool.map(lambda suite: self._run_one(suite, number, end), suites))
+                list(pool.map(lambda one: self._run_one(*one, end), due))
             except KeyboardInterrupt:
                 self._stop()
                 raise

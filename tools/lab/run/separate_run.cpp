@@ -115,6 +115,7 @@ SeparateResult run_separate(const RunScript& script, const CycleObserver& on_cyc
   Launcher launcher(launch_request(script, options), script.robot);
   launcher.start_all_but_bridge();
   CycleCollector collector(launcher.info(), script.robot);
+  collector.count_until(script.cycles - 1);
   queue_commands(script, launcher.info());
   queue_controls(script, launcher.info());
   launcher.start_bridge();

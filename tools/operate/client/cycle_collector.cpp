@@ -59,7 +59,7 @@ void CycleCollector::take_all(const ReplyObserver& on_reply) {
   }
   while (auto message = safeties_.pop()) {
     overruns_ = message->overruns;
-    missed_cycles_ = message->missed_cycles;
+    if (message->seq <= counted_until_) missed_cycles_ = message->missed_cycles;
   }
   while (auto message = statuses_.pop()) {
     if (message->process == "sprung-can-bridge") repeats_ = message->sequence_gaps;

@@ -3,6 +3,7 @@
 /// processes. Nothing waits for it, so it keeps deep queues; a cycle of which a message was lost on the way
 /// is counted, never made up.
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 #include "robots/robot_config.h"
@@ -29,6 +30,8 @@ class CycleCollector {
     node_.wait_for_input(node_.utime_us() + static_cast<std::int64_t>(seconds * 1e6));
   }
 
+  /// What the bridge misses after this cycle is no loss: it is about to end. Until then every cycle counts.
+  void count_until(std::int64_t cycle) { counted_until_ = cycle; }
   std::int64_t last_cycle() const { return assembler_.last_cycle(); }  ///< handed over or given up
   std::int64_t lost_cycles() const { return assembler_.lost_cycles(); }
   std::int64_t overruns() const { return overruns_; }            ///< as the bridge counts them
@@ -54,6 +57,7 @@ class CycleCollector {
   InputQueue<sprung_msgs::safety_state_t> safeties_;
   InputQueue<sprung_msgs::process_status_t> statuses_;
   CycleAssembler assembler_;
+  std::int64_t counted_until_ = std::numeric_limits<std::int64_t>::max();
   std::int64_t overruns_ = 0;
   std::int64_t missed_cycles_ = 0;
   std::int64_t repeats_ = 0;

@@ -6,6 +6,7 @@
 
 #include "lcmtypes/channels.h"
 #include "robots/robot_loader.h"
+#include "signals/safety_state.h"
 #include "tests/runtime/lcm_network.h"
 
 namespace sprung {
@@ -59,6 +60,27 @@ TEST_F(CycleCollectorTest, EveryChannelOfACycleIsHeardAndTheRepliesToo) {
   EXPECT_EQ(requests.front(), 5);
   EXPECT_EQ(collector_.last_cycle(), kSeq);
   EXPECT_EQ(collector_.lost_cycles(), 0);
+}
+
+TEST_F(CycleCollectorTest, WhatIsMissedAfterTheLastCycleThatCountsIsNotCounted) {
+  collector_.count_until(kSeq);
+  bool heard = false;
+  for (const std::int64_t end_us = sender_.utime_us() + kTimeout_us; !heard && sender_.utime_us() < end_us;) {
+    SafetyState safety;
+    safety.stamp.seq = kSeq;
+    safety.missed_cycles = 2;
+    sender_.publisher<SafetyState>(channels::kSafetyState).publish(safety);
+    collector_.wait(0.02);
+    collector_.collect([](const CycleRecord&) {}, [](const OperatorReply&) {});
+    heard = collector_.missed_cycles() == 2;
+    safety.stamp.seq = kSeq + 1;
+    safety.missed_cycles = 3;
+    sender_.publisher<SafetyState>(channels::kSafetyState).publish(safety);
+    collector_.wait(0.02);
+    collector_.collect([](const CycleRecord&) {}, [](const OperatorReply&) {});
+  }
+  EXPECT_TRUE(heard);
+  EXPECT_EQ(collector_.missed_cycles(), 2);
 }
 
 }  // namespace
