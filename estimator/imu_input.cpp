@@ -15,7 +15,11 @@ constexpr double kLengthError = 0.05;
 }  // namespace
 
 const ImuReading* ImuInput::update(const Imu* newest, std::int64_t seq, double cycle_s) noexcept {
-  if (newest != nullptr && newest->status != ImuStatus::kStarting) last_ = *newest;
+  if (newest != nullptr && newest->status != ImuStatus::kStarting) {
+    if (newest->stamp.seq != judged_seq_) trusted_ = watch_.trusts(*newest, cycle_s);
+    judged_seq_ = newest->stamp.seq;
+    if (trusted_) last_ = *newest;
+  }
   const std::int64_t age_cycles = seq - last_.stamp.seq;
   const bool good = last_.status == ImuStatus::kGood || last_.status == ImuStatus::kNoAttitude;
   if (!good || std::abs(age_cycles) > kOldestImu_cycles) return nullptr;

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <cstdint>
 
+#include "estimator/imu_watch.h"
 #include "signals/sensors.h"
 
 namespace sprung {
@@ -20,15 +21,19 @@ struct ImuReading {
 
 class ImuInput {
  public:
-  void reset() noexcept { last_ = Imu{}; }
+  void reset() noexcept { *this = ImuInput(); }
   /// @param newest that has come; nullptr: none. A sample that says kStarting is none.
   /// @param seq of this cycle.
   /// @return nullptr without a sample that can be used: none, too old, or one that says that it is not good.
+  /// One that cannot be (imu_watch.h) is none.
   const ImuReading* update(const Imu* newest, std::int64_t seq, double cycle_s) noexcept;
-  /// Of the newest sample that has come; -1: none.
-  std::int64_t newest_seq() const noexcept { return last_.stamp.seq; }
+  /// Of the newest sample that has come, be it used or not; -1: none.
+  std::int64_t newest_seq() const noexcept { return judged_seq_; }
 
  private:
+  ImuWatch watch_;
+  std::int64_t judged_seq_ = -1;
+  bool trusted_ = true;
   Imu last_;
   ImuReading reading_;
 };

@@ -13,7 +13,9 @@ constexpr int kRate = 0, kForce = 3, kAttitude = 6, kRateBias = 9, kForceBias = 
               kYawDrift = 17;
 constexpr std::int64_t kOnceARun = -1;
 constexpr double kGravity_m_s2 = 9.81;  // model.xml's
-constexpr int kSilent = 1, kSaysFault = 2, kLosesAttitude = 3;
+constexpr int kSilent = 1, kSaysFault = 2, kLosesAttitude = 3, kFrozen = 4, kSpikes = 5;
+constexpr std::int64_t kSpikeEach_samples = 50;
+constexpr double kSpike_rad_s = 20.0;
 
 }  // namespace
 
@@ -73,11 +75,15 @@ void ImuSensor::measure(const BaseMotion& motion, double running_s) noexcept {
   }
   if (fault_ != kLosesAttitude) newest_.measured_quaternion_wxyz = attitude(motion, cycle, running_s);
   newest_.status = fault_ == kLosesAttitude ? ImuStatus::kNoAttitude : ImuStatus::kGood;
+  if (fault_ == kSpikes && cycle % kSpikeEach_samples == 0)
+    newest_.measured_angular_velocity_rad_s[0] += kSpike_rad_s;
   if (fault_ == kSaysFault) newest_.status = ImuStatus::kFault;
 }
 
 void ImuSensor::sample(const BaseMotion& motion, const Stamp& stamp, double running_s) noexcept {
-  if (fault_ != kSilent) {
+  if (fault_ == kFrozen) {
+    newest_.stamp = stamp;
+  } else if (fault_ != kSilent) {
     newest_ = Imu{};
     newest_.stamp = stamp;
     if (has_last_ && running_s > last_s_) measure(motion, running_s);
