@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "controller/leg_controller.h"
+#include "controller/lowering.h"
 #include "signals/microseconds.h"
 
 namespace sprung {
@@ -49,6 +50,8 @@ const char* name(CommandBasis value) noexcept {
       return "foot out of reach";
     case CommandBasis::kSafety:
       return "safety is not operational";
+    case CommandBasis::kLowering:
+      return "leg command stale: lowering";
   }
   return "unknown";
 }
@@ -57,7 +60,9 @@ struct ControllerCore::Impl {
   Impl(const RobotConfig& robot, const PresetConfig& preset, const WatchdogConfig& watchdogs)
       : cycle_s(robot.cycle_s),
         leg_command_us(to_us(watchdogs.leg_command_s)),
-        valid_us(to_us(watchdogs.command_hold_s + robot.cycle_s)) {
+        valid_us(to_us(watchdogs.command_hold_s + robot.cycle_s)),
+        used(robot.legs.size()),
+        lowering(robot.legs.size(), preset.sit_length_m, robot.lowering_s()) {
     if (!(preset.friction_smoothing_rad_s > 0.0)) {
       throw std::invalid_argument("preset '" + preset.name + "': friction_smoothing must be positive");
     }
@@ -65,6 +70,7 @@ struct ControllerCore::Impl {
   }
 
   CommandBasis check(const JointState& state, const LegCommand* command) const noexcept {
+    if (state.safety == SafetyLevel::kLowering) return CommandBasis::kCommandStale;
     if (state.safety != SafetyLevel::kOperational) return CommandBasis::kSafety;
     if (command == nullptr) return CommandBasis::kNoCommand;
     const std::int64_t age_us = state.stamp.utime_us - command->stamp.utime_us;
@@ -88,6 +94,47 @@ struct ControllerCore::Impl {
       worst = std::max(worst, basis_of(legs[i].step(state.joints, command.legs[i], age_s, dt_s, out)));
     }
     return worst;
+  }
+
+  void remember(const LegCommand& command) noexcept {
+    std::copy(command.legs.begin(), command.legs.end(), used.legs.begin());
+    used.stamp = command.stamp;
+    was_lowered = false;
+    lowering.end();
+  }
+
+  /// Who leads changes: set-points go over from those of before.
+  void lead_by(bool own) noexcept {
+    if (own == led_by_lowering) return;
+    led_by_lowering = own;
+    for (LegController& leg : legs) leg.begin_anew();
+  }
+
+  /// Nobody plans: a robot that stood when the last good command came is let down, once.
+  CommandBasis lower(const JointState& state, double dt_s, DriveCommand& out) noexcept {
+    const bool held = std::all_of(state.joints.begin(), state.joints.end(),
+                                  [](const EstimatedJoint& joint) { return joint.drive_enabled; });
+    const bool begins = held && !was_lowered && used.stamp.seq >= 0 && lowering.begin(used, state);
+    if (!begins && !(held && lowering.running())) return CommandBasis::kCommandStale;
+    was_lowered = true;
+    lead_by(true);
+    const CommandBasis done = run(state, lowering.at(state.stamp.utime_us), dt_s, out);
+    return done == CommandBasis::kCommanded ? CommandBasis::kLowering : done;
+  }
+
+  /// @return whether `out` is filled.
+  bool follow(const JointState& state, const LegCommand* command, double dt_s, DriveCommand& out) noexcept {
+    basis = check(state, command);
+    if (basis == CommandBasis::kCommanded) {
+      lead_by(false);
+      basis = run(state, *command, dt_s, out);
+      if (basis == CommandBasis::kCommanded) remember(*command);
+    } else if (basis == CommandBasis::kCommandStale) {
+      basis = lower(state, dt_s, out);
+    } else {
+      used.stamp.seq = -1;  // what was before a stop is no reason to move after it
+    }
+    return basis == CommandBasis::kCommanded || basis == CommandBasis::kLowering;
   }
 
   void fall_back(const JointState& state, DriveCommand& out) noexcept {
@@ -116,6 +163,10 @@ struct ControllerCore::Impl {
   std::int64_t valid_us;
   std::vector<LegController> legs;
   Stamp last;
+  LegCommand used;  ///< the last one that was followed; seq -1: none since a stop
+  Lowering lowering;
+  bool led_by_lowering = false;
+  bool was_lowered = false;  ///< it has begun, since a command was followed
   CommandBasis basis = CommandBasis::kNoCommand;
 };
 
@@ -129,9 +180,7 @@ void ControllerCore::step(const JointState& state, const LegCommand* command, Dr
   const double dt_s = impl_->advance(state.stamp);
   impl_->stamp_command(out);
   out.used_leg_command_seq = command != nullptr ? command->stamp.seq : -1;
-  impl_->basis = impl_->check(state, command);
-  if (impl_->basis == CommandBasis::kCommanded) impl_->basis = impl_->run(state, *command, dt_s, out);
-  if (impl_->basis != CommandBasis::kCommanded) impl_->fall_back(state, out);
+  if (!impl_->follow(state, command, dt_s, out)) impl_->fall_back(state, out);
 }
 
 CommandBasis ControllerCore::basis() const noexcept { return impl_->basis; }

@@ -11,8 +11,9 @@
 
 namespace sprung {
 
-/// Why the last DRIVE_COMMAND is what it is. All but kCommanded give damping; but no power where safety has
-/// disabled the robot, or where no drive is enabled: nothing that goes wrong may switch a drive on.
+/// Why the last DRIVE_COMMAND is what it is. All but kCommanded give damping, or while a robot that stands is
+/// let down (lowering.h) the drives' position loops; but no power where safety has disabled the robot, or
+/// where no drive is enabled: nothing that goes wrong may switch a drive on.
 enum class CommandBasis : std::int8_t {
   kCommanded = 0,      ///< as LEG_COMMAND asks, after limits
   kNoCommand = 1,      ///< none yet
@@ -21,6 +22,7 @@ enum class CommandBasis : std::int8_t {
   kNotFinite = 4,
   kUnreachable = 5,  ///< a desired foot cannot be reached
   kSafety = 6,       ///< the bridge is not operational
+  kLowering = 7,     ///< no good LEG_COMMAND, so the robot is let down
 };
 
 const char* name(CommandBasis value) noexcept;
@@ -34,8 +36,8 @@ class ControllerCore {
   ControllerCore& operator=(const ControllerCore&) = delete;
 
   /// DRIVE_COMMAND(k) from JOINT_STATE(k) and the newest LEG_COMMAND of seq <= k-1 (nullptr: none yet),
-  /// extrapolated by its derivatives to now. Stale, non-finite or unsafe input gives a damping command, or
-  /// none of power: see CommandBasis.
+  /// extrapolated by its derivatives to now. Stale, non-finite or unsafe input gives a damping command, a
+  /// lowering one, or none of power: see CommandBasis.
   void step(const JointState& state, const LegCommand* command, DriveCommand& out) noexcept;
 
   CommandBasis basis() const noexcept;  ///< of the last command

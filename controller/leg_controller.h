@@ -43,6 +43,8 @@ class LegController {
   /// @param desired_age_s from the command's time to now.
   LegOutcome step(const std::vector<EstimatedJoint>& joints, const DesiredLeg& desired, double desired_age_s,
                   double dt_s, DriveCommand& out) noexcept;
+  /// The next step's desires come from elsewhere: they are faded in, as after a change of mode.
+  void begin_anew() noexcept { entering_ = true; }
   /// Damping (or no power) instead of a step; the next mode starts anew.
   void damp(DriveCommand& out) noexcept;
   void disable(DriveCommand& out) noexcept;

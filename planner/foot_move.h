@@ -1,6 +1,5 @@
 #pragma once
-/// Slow straight move of a foot, at rest at both ends: the polynomial of degree five with least jerk (Flash
-/// and Hogan 1985), s = 10 x^3 - 15 x^4 + 6 x^5. Pure.
+/// Slow straight move of a foot, at rest at both ends, with least jerk (model/least_jerk.h). Pure.
 #include "signals/vec3.h"
 
 namespace sprung {

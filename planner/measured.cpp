@@ -24,10 +24,6 @@ bool any_contact(const JointState& in) noexcept {
   return std::any_of(in.legs.begin(), in.legs.end(), [](const EstimatedLeg& l) { return l.contact; });
 }
 
-bool finite(const Vec3& v) noexcept {
-  return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
-}
-
 double longest_leg_m(const JointState& in) noexcept {
   double length_m = 0.0;
   for (const EstimatedLeg& leg : in.legs) length_m = std::max(length_m, -leg.estimated_foot_in_hip_m[2]);

@@ -10,7 +10,6 @@ bool all_enabled(const JointState& in) noexcept;
 bool all_settled(const JointState& in) noexcept;
 bool any_fault(const JointState& in) noexcept;
 bool any_contact(const JointState& in) noexcept;
-bool finite(const Vec3& v) noexcept;
 /// Hip to foot, downward, m: the longest of all legs.
 double longest_leg_m(const JointState& in) noexcept;
 

@@ -1,6 +1,7 @@
 #include "planner/motion.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "planner/measured.h"
 
@@ -11,6 +12,10 @@ bool is_loss(MotionEvent event) noexcept {
   return event == MotionEvent::kSafetyLost || event == MotionEvent::kDriveLost ||
          event == MotionEvent::kFootLost;
 }
+
+/// [design choice] less than half of what legs in a gait do in that time.
+constexpr double kInPlace_m = 0.03;
+constexpr double kShortRecover_s = 0.25;
 
 bool on_curve(MotionPhase phase) noexcept {
   return phase == MotionPhase::kThrust || phase == MotionPhase::kFlight || phase == MotionPhase::kLanding;
@@ -70,6 +75,8 @@ bool Motion::walk(const JointState& in, const WalkRequest& request) noexcept {
 }
 
 bool Motion::sit(const JointState& in) noexcept { return process(MotionEvent::kSitRequested, in); }
+
+bool Motion::let_go(const JointState& in) noexcept { return process(MotionEvent::kLetGo, in); }
 
 bool Motion::move_joint(const JointState& in, const JointRequest& request) noexcept {
   if (state() == MotionPhase::kMovingJoint && !joints_held()) return false;
@@ -154,10 +161,11 @@ void Motion::enter(MotionPhase from, const JointState& in) noexcept {
       break;
     case MotionPhase::kRecover:
       if (from == MotionPhase::kLanding) jump_.landed();
-      move_all(preset_.stand_length_m, preset_.recover_time_s);
+      recover_s_ = from == MotionPhase::kWalking && in_place() ? kShortRecover_s : preset_.recover_time_s;
+      move_all(preset_.stand_length_m, recover_s_);
       break;
     case MotionPhase::kSitting:
-      let_go_ = from == MotionPhase::kMovingJoint;
+      let_go_ = from == MotionPhase::kMovingJoint || from == MotionPhase::kRising;
       move_all(preset_.sit_length_m, preset_.rise_time_s);
       break;
     case MotionPhase::kStanding:
@@ -167,6 +175,16 @@ void Motion::enter(MotionPhase from, const JointState& in) noexcept {
     case MotionPhase::kFallen:
       break;
   }
+}
+
+/// After a walk that set its feet.
+bool Motion::in_place() const noexcept {
+  for (std::size_t i = 0; i < departure_m_.size(); ++i) {
+    const Vec3 place_m = walk_.stance_foot_in_hip_m(i, preset_.stand_length_m);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (!(std::abs(departure_m_[i][axis] - place_m[axis]) <= kInPlace_m)) return false;
+  }
+  return true;
 }
 
 void Motion::move_all(double length_m, double duration_s) noexcept {
@@ -267,7 +285,7 @@ void Motion::update_jump(const JointState& in) noexcept {
 }
 
 void Motion::update_recover(const JointState& in) noexcept {
-  if (in_phase_s() < preset_.recover_time_s + preset_.settle_time_s) return;
+  if (in_phase_s() < recover_s_ + preset_.settle_time_s) return;
   const bool again = jump_.left() > 0 && !stop_ && jump_.failure() == nullptr;
   if (jump_.left() > 0 && stop_) jump_.fail("stopped by the operator before its last jump");
   process(again ? MotionEvent::kNextJump : MotionEvent::kRecovered, in);

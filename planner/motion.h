@@ -54,6 +54,8 @@ class Motion {
     return walk_.validate(request, state() == MotionPhase::kWalking);
   }
   bool sit(const JointState& in) noexcept;
+  /// Nobody holds (robots/maintenance.h): a rise is damped, then off. @return false: it does not rise.
+  bool let_go(const JointState& in) noexcept;
   /// From idle, or where joints are held and none moves.
   bool move_joint(const JointState& in, const JointRequest& request) noexcept;
   /// Finish the phase, then stand: no thrust any more if it has not begun, no further jumps; no compliance. A
@@ -92,6 +94,7 @@ class Motion {
   void update_joint(const JointState& in) noexcept;
   void await_joints(const JointState& in) noexcept;
   bool lost(const JointState& in) noexcept;
+  bool in_place() const noexcept;
   void move_all(double length_m, double duration_s) noexcept;
   void update_walk(const JointState& in) noexcept;
   bool fell(const JointState& in) noexcept;
@@ -138,8 +141,9 @@ class Motion {
   bool walk_failed_ = false;  ///< stands, or is about to, since a walk ended by itself
   bool lost_ = false;         ///< idle because something was lost, not by sitting down or a restart
   bool joint_moves_ = false;  ///< or waits for its drives
-  bool let_go_ = false;       ///< sitting down from single joints: damped, since there is no foot to lower
-  bool enabled_ = false;      ///< all drives have been since the stand or the first joint move was requested
+  double recover_s_ = 0.0;
+  bool let_go_ = false;  ///< sitting down from single joints or half a rise: damped, since no foot can be led
+  bool enabled_ = false;  ///< all drives have been since the stand or the first joint move was requested
   bool stop_ = false;
 };
 

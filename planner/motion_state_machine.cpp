@@ -24,6 +24,7 @@ const MotionTable kTransitions{{
     {P::kRecover, E::kRecovered, P::kStanding, "stand reached again"},
     {P::kRecover, E::kNextJump, P::kCrouch, "next jump"},
     {P::kStanding, E::kSitRequested, P::kSitting, "sit requested"},
+    {P::kRising, E::kLetGo, P::kSitting, "nobody holds: damped, then off"},
     {P::kSitting, E::kSat, P::kIdle, "sat down, drives off"},
     {P::kIdle, E::kJointRequested, P::kMovingJoint, "joint move requested"},
     {P::kMovingJoint, E::kJointRequested, P::kMovingJoint, "further joint move requested"},

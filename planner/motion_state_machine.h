@@ -24,6 +24,7 @@ enum class MotionEvent : std::int8_t {
   kRecovered,
   kNextJump,
   kSitRequested,
+  kLetGo,
   kSat,
   kJointRequested,
   kJointArrived,
@@ -56,6 +57,7 @@ constexpr auto words_of(MotionEvent) {
                    {E::kRecovered, "recovered"},
                    {E::kNextJump, "next jump"},
                    {E::kSitRequested, "sit requested"},
+                   {E::kLetGo, "let go"},
                    {E::kSat, "sat"},
                    {E::kJointRequested, "joint requested"},
                    {E::kJointArrived, "joint arrived"},
@@ -78,7 +80,7 @@ struct MotionTransition {
   const char* reason;  ///< static text for people
 };
 
-using MotionTable = std::array<MotionTransition, 36>;
+using MotionTable = std::array<MotionTransition, 37>;
 const MotionTable& motion_transitions() noexcept;
 
 class MotionStateMachine {

@@ -6,11 +6,23 @@
 #include "planner/operator_desk.h"
 #include "planner/requests.h"
 #include "planner/walk_request.h"
+#include "robots/maintenance.h"
+#include "signals/microseconds.h"
 
 namespace sprung {
 namespace {
 
 constexpr const char* kLapsed = "the operator's hold was not renewed: stopped";
+constexpr const char* kNothingToEnable = "only in maintenance mode, for more than 0 s and at most 1 s";
+constexpr const char* kNotHeld = "maintenance mode: nobody holds; sprung hold, in another terminal";
+constexpr const char* kNotMaintained = "maintenance mode: the robot neither jumps nor walks";
+
+bool leaves_the_floor(OperatorKind kind) noexcept {
+  return kind == OperatorKind::kJump || kind == OperatorKind::kLand || kind == OperatorKind::kWalk;
+}
+bool moves(OperatorKind kind) noexcept {
+  return kind == OperatorKind::kStand || kind == OperatorKind::kComply || kind == OperatorKind::kMoveJoint;
+}
 
 /// A request that has been accepted and has not ended.
 struct Active {
@@ -25,6 +37,7 @@ struct PlannerCore::Impl {
       : preset(preset_in),
         gaits(robot.gaits),
         why_not_standing(robot.why_not_standing()),
+        hold_to_run(robot.hold_to_run),
         motion(robot, preset_in) {}
 
   void step(const JointState& in) noexcept;
@@ -40,11 +53,14 @@ struct PlannerCore::Impl {
   void end_requests() noexcept;
   void renew_hold(const OperatorCommand& command) noexcept;
   void watch_hold() noexcept;
+  void enable(const OperatorCommand& command) noexcept;
+  void watch_enabling(const JointState& in) noexcept;
+  const char* why_not_maintained(OperatorKind kind) const noexcept;
 
   void accept(const OperatorCommand& command, Active& as) noexcept {
     as = {command.request_id, command.kind};
     hold.forget();
-    lapsed = false;
+    lapsed = released = false;
     desk.reply(command.request_id, OperatorOutcome::kAccepted, "", now);
     note = "";
   }
@@ -64,12 +80,15 @@ struct PlannerCore::Impl {
   const PresetConfig preset;
   const std::vector<GaitConfig> gaits;
   const char* const why_not_standing;  ///< nullptr: it can
+  const bool hold_to_run;
   Motion motion;
   OperatorDesk desk;
   MotionHold hold;
-  bool lapsed = false;  ///< until the next request
-  Active moving;        ///< stand, jump, sit or a joint move
-  Active stopping;      ///< stop
+  std::int64_t enabled_until_us = -1;  ///< hold_to_run: by the operator's last word
+  bool released = false;               ///< and what moved was stopped for it
+  bool lapsed = false;                 ///< until the next request
+  Active moving;                       ///< stand, jump, sit or a joint move
+  Active stopping;                     ///< stop
   Stamp now;
   bool started = false;
   SafetyLevel safety = SafetyLevel::kOperational;
@@ -92,12 +111,14 @@ void PlannerCore::Impl::step(const JointState& in) noexcept {
   motion.update(in);
   end_requests();
   watch_hold();
+  watch_enabling(in);
   while (desk.take_due(now.seq, command)) execute(command, in);
   if (motion.state() != state_before || motion.last_transition() != before) note = "";
   if (lapsed) note = kLapsed;
 }
 
 void PlannerCore::Impl::execute(const OperatorCommand& command, const JointState& in) noexcept {
+  if (const char* why = why_not_maintained(command.kind)) return refuse(command, why);
   switch (command.kind) {
     case OperatorKind::kStand:
       return stand(command, in);
@@ -121,6 +142,8 @@ void PlannerCore::Impl::execute(const OperatorCommand& command, const JointState
       return walk(command, in);
     case OperatorKind::kHold:
       return renew_hold(command);
+    case OperatorKind::kEnable:
+      return enable(command);
     case OperatorKind::kNone:
       break;
   }
@@ -164,7 +187,7 @@ void PlannerCore::Impl::comply(const OperatorCommand& command, const JointState&
   if (const char* refusal = MotionHold::validate(command.hold_s)) return refuse(command, refusal);
   if (motion.comply(in, comply_request(command, preset))) {
     note = "";
-    lapsed = false;
+    lapsed = released = false;
     hold.begin(command.hold_s, now.utime_us);
     accept_as_done(command, motion.last_transition());
   }
@@ -182,7 +205,7 @@ void PlannerCore::Impl::walk(const OperatorCommand& command, const JointState& i
   if (const char* refusal = MotionHold::validate(command.hold_s)) return refuse(command, refusal);
   if (motion.walk(in, request)) {
     note = "";
-    lapsed = false;
+    lapsed = released = false;
     hold.begin(command.hold_s, now.utime_us);
     accept_as_done(command, motion.last_transition());
   }
@@ -237,6 +260,33 @@ void PlannerCore::Impl::watch_hold() noexcept {
   if (!hold.take_lapse(now.utime_us) || stopping.kind != OperatorKind::kNone) return;
   motion.stop();
   lapsed = true;
+}
+
+/// As renew_hold(); each is no word for the other.
+void PlannerCore::Impl::enable(const OperatorCommand& command) noexcept {
+  const bool good = hold_to_run && command.hold_s > 0.0 && command.hold_s <= kLongestHoldToRun_s;
+  if (!good) return desk.reply(command.request_id, OperatorOutcome::kRefused, kNothingToEnable, now);
+  enabled_until_us = now.utime_us + to_us(command.hold_s);
+  accept_as_done(command, "enabled");
+}
+
+/// What moves stops where it is; half a rise cannot be held, and is damped.
+void PlannerCore::Impl::watch_enabling(const JointState& in) noexcept {
+  if (!hold_to_run || now.utime_us <= enabled_until_us) return;
+  if (motion.let_go(in)) {
+    end(moving, OperatorOutcome::kFailed, motion.last_transition());
+    end(stopping, OperatorOutcome::kFailed, motion.last_transition());
+  }
+  const bool joint_moves = motion.state() == MotionPhase::kMovingJoint && !motion.joints_held();
+  if (!joint_moves && motion.state() != MotionPhase::kComplying) return;
+  if (stopping.kind == OperatorKind::kNone && !released) motion.stop();
+  released = true;
+}
+
+const char* PlannerCore::Impl::why_not_maintained(OperatorKind kind) const noexcept {
+  if (!hold_to_run) return nullptr;
+  if (leaves_the_floor(kind)) return kNotMaintained;
+  return moves(kind) && now.utime_us > enabled_until_us ? kNotHeld : nullptr;
 }
 
 /// Requests end where the motion rests: standing, idle, or with single joints held.

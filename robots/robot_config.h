@@ -92,8 +92,10 @@ struct ActuatorConfig {
   bool referenced = false;             ///< torque is refused until true
   double torque_limit_Nm = 0.0;        ///< gear output side
   double speed_limit_rad_s = 0.0;
-  double power_limit_W = 0.0;              ///< mechanical, that it may give; 0 = not limited
-  std::uint16_t speed_limit_object = 0;    ///< where the drive takes its speed cap; 0 = the drive's own stays
+  double power_limit_W = 0.0;            ///< mechanical, that it may give; 0 = not limited
+  std::uint16_t speed_limit_object = 0;  ///< where the drive takes its speed cap; 0 = the drive's own stays
+  /// Where the drive takes its own position limits, CiA 402's 0x607D; 0 = it is told none.
+  std::uint16_t position_limits_object = 0;
   double position_stiffness_Nm_rad = 0.0;  ///< drive's position loop, in joint units; the profile converts
   double position_damping_Nm_s_rad = 0.0;
   std::uint16_t position_gains_object = 0;  ///< where the drive takes these gains; 0 = its own tuning stays
@@ -217,6 +219,9 @@ struct RobotConfig {
   BodyConfig body;
   std::vector<GaitConfig> gaits;
   std::vector<ProcessConfig> processes;
+  bool hold_to_run = false;  ///< no key of the file: maintenance.h
+  /// In which a robot that nobody plans for is let down; at a quarter of the speed in four times of it.
+  double lowering_s() const noexcept { return hold_to_run ? 4.8 : 1.2; }
   std::int64_t hash = 0;  ///< of the file's bytes and the preset's name
 
   /// Every leg can be stood on.

@@ -167,6 +167,8 @@ ActuatorConfig read_actuator(const YamlMap& map, const RobotConfig& robot) {
   a.speed_limit_rad_s = map.quantity("speed_limit", "rad/s", 0.01, 200);
   a.power_limit_W = map.quantity_or("power_limit", "W", 1, 1e5, 0.0);
   a.speed_limit_object = static_cast<std::uint16_t>(map.integer("speed_limit_object", 0, 0xFFFF));
+  a.position_limits_object = static_cast<std::uint16_t>(
+      map.integer_or("position_limits_object", 0, 0xFFFF, 0));
   const YamlMap loop = map.map("position_loop");
   a.position_stiffness_Nm_rad = loop.quantity("stiffness", "Nm/rad", 0, 1e5);
   a.position_damping_Nm_s_rad = loop.quantity("damping", "Nm s/rad", 0, 1e4);

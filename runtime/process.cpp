@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "lcmtypes/channels.h"
+#include "robots/maintenance.h"
 #include "robots/robot_loader.h"
 #include "runtime/log.h"
 #include "runtime/stop_request.h"
@@ -26,6 +27,7 @@ int run(const ProgramInfo& info, ProcessOptions options, const std::function<int
   } catch (const std::invalid_argument& error) {
     throw WrongUse(std::string("--preset: ") + error.what());
   }
+  if (options.maintenance) robot = for_maintenance(std::move(robot));
   refuse_injection(options);
   const std::string real_time = set_up_real_time(options.real_time());
   if (real_time_refused(real_time)) log_warn("real time: " + real_time);

@@ -29,6 +29,8 @@ void add_process_options(CommandLine& line, ProcessOptions& options) {
               "link fault: drop-rx|drop-tx|repeat-tx:CHANNEL:SEQ (for tests)");
   line.flag("--simulation", options.simulation,
             "real time on a shared machine: the robot's simulation_watchdogs");
+  line.flag("--maintenance", options.maintenance,
+            "reduced speed and torque, and nothing moves that nobody holds");
 }
 
 void refuse_injection(const ProcessOptions& options) {
@@ -42,9 +44,10 @@ const WatchdogConfig& watchdogs_for(const RobotConfig& robot, const ProcessOptio
   return longer ? robot.simulation_watchdogs : robot.watchdogs;
 }
 
-// FNV-1a, continued from the file's hash over the preset's name.
+// FNV-1a, continued from the file's hash over the preset's name; another one in maintenance mode.
 std::int64_t configuration_hash(const RobotConfig& robot, const std::string& preset) noexcept {
   auto hash = static_cast<std::uint64_t>(robot.hash) ^ 0xcbf29ce484222325U;
+  if (robot.hold_to_run) hash ^= 1U;
   for (const char c : preset) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
   return static_cast<std::int64_t>(hash);
 }

@@ -25,8 +25,9 @@ struct ProcessOptions {
   std::string rt_policy = "warn";    ///< --rt-policy enforce|warn|off
   int priority = 0;                  ///< --priority
   int cpu = -1;                      ///< --cpu
-  bool simulation = false;  ///< --simulation: robot.yaml's simulation_watchdogs apply (real time only)
-  NodeOptions node;         ///< --session, --epoch-us, --lcm-url, --inject
+  bool simulation = false;   ///< --simulation: robot.yaml's simulation_watchdogs apply (real time only)
+  bool maintenance = false;  ///< --maintenance: robots/maintenance.h
+  NodeOptions node;          ///< --session, --epoch-us, --lcm-url, --inject
 
   ClockMode clock_mode() const noexcept;
   RealTimeRequest real_time() const noexcept;  ///< policy off in lock-step: there is no deadline to meet

@@ -31,7 +31,8 @@ constexpr auto words_of(SafetyLevel) {
   return words<E>({{E::kOperational, "operational"},
                    {E::kDamping, "damping"},
                    {E::kQuickStop, "quick stop"},
-                   {E::kDisabled, "disabled"}});
+                   {E::kDisabled, "disabled"},
+                   {E::kLowering, "lowering"}});
 }
 
 constexpr auto words_of(SafetyCause) {
@@ -147,7 +148,8 @@ constexpr auto words_of(OperatorKind) {
                    {E::kComply, "comply"},
                    {E::kLand, "land"},
                    {E::kWalk, "walk"},
-                   {E::kHold, "hold"}});
+                   {E::kHold, "hold"},
+                   {E::kEnable, "enable"}});
 }
 
 constexpr auto words_of(OperatorOutcome) {

@@ -26,13 +26,24 @@ enum class PowerState : std::int8_t {
   kFault = 8,
 };
 
-/// What the bridge lets the robot do; worse is larger.
+/// What the bridge lets the robot do.
 enum class SafetyLevel : std::int8_t {
   kOperational = 0,
   kDamping = 1,    ///< bridge damps every actuator by itself
   kQuickStop = 2,  ///< drives' own quick stop, ends without power; latched
   kDisabled = 3,   ///< no power; latched when it has a cause
+  kLowering = 4,   ///< leg controller lets the robot down by itself; latched
 };
+
+/// Worse is larger: operational, lowering, damping, quick stop, disabled.
+constexpr int severity(SafetyLevel level) noexcept {
+  if (level == SafetyLevel::kOperational) return 0;
+  return level == SafetyLevel::kLowering ? 1 : static_cast<int>(level) + 1;
+}
+/// The bridge passes DRIVE_COMMANDs on.
+constexpr bool obeys(SafetyLevel level) noexcept {
+  return level == SafetyLevel::kOperational || level == SafetyLevel::kLowering;
+}
 
 enum class SafetyCause : std::int8_t {
   kNone = 0,
@@ -140,9 +151,10 @@ enum class OperatorKind : std::int8_t {
   kHome = 7,       ///< bridge: reference the actuators
   kMoveJoint = 8,  ///< planner: one joint to an angle, the others hold still
   kComply = 9,     ///< planner: from standing or complying, a virtual spring at each foot
-  kLand = 10,  ///< planner: from standing in the air, catch a fall that is expected to end at a given time
-  kWalk = 11,  ///< planner: from standing or walking, a gait with speed and turning
-  kHold = 12,  ///< planner: the operator is still there; renews a walk or comply that has begun with a hold
+  kLand = 10,    ///< planner: from standing in the air, catch a fall that is expected to end at a given time
+  kWalk = 11,    ///< planner: from standing or walking, a gait with speed and turning
+  kHold = 12,    ///< planner: the operator is still there; renews a walk or comply that has begun with a hold
+  kEnable = 13,  ///< planner, maintenance mode: the robot may move for hold_s (robots/maintenance.h)
 };
 
 enum class OperatorOutcome : std::int8_t { kAccepted = 0, kRefused = 1, kDone = 2, kFailed = 3, kQueued = 4 };
@@ -166,7 +178,8 @@ enum class SimControlKind : std::int8_t {
   kNodeFault = 5,  ///< `fault` of the actuator's drive or, with actuator -1, of bus `bus`; for duration_s, 0
                    ///< = for good
   kFloor = 6,      ///< height of the floor in the world: `value`, m; `actuator` n >= 0: under leg n alone
-  kImu = 7,        ///< `value` 0: it works; 1: silent; 2: says kFault; 3: no attitude
+  kImu = 7,        ///< `value` 0: it works; 1: silent; 2: says kFault; 3: no attitude; 4: frozen;
+                   ///< 5: a spike in each 50th sample
 };
 
 /// Faults on demand (`sprung fault`). `value` where one is given; others ignore it.

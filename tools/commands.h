@@ -19,6 +19,7 @@ void add_bench(CommandLine& sprung);  ///< bench can, bench up
 void add_can(CommandLine& sprung);    ///< can dump, can export
 void add_drive(CommandLine& sprung);  ///< drive info, read, write, scan, check
 void add_fault(CommandLine& sprung);
+void add_hold(CommandLine& sprung);
 void add_home(CommandLine& sprung);
 void add_incident(CommandLine& sprung);
 void add_identify(CommandLine& sprung);

@@ -39,6 +39,7 @@ int main(int argc, char** argv) {
   add_bench(line);
   add_can(line);
   add_drive(line);
+  add_hold(line);
   add_home(line);
   add_identify(line);
   add_incident(line);

@@ -29,15 +29,22 @@ bool BackgroundReads::step(std::int64_t time_us, canopen::SdoClient& sdo, std::i
     take(sdo);
     reading_ = next(time_us, unconfirmed_us);
     if (reading_ == Reading::kNothing) return false;
-    sdo.read(object_of(reading_));
+    ask(sdo);
   }
   return sdo.step(time_us, out);
+}
+
+void BackgroundReads::ask(canopen::SdoClient& sdo) const noexcept {
+  const auto limit = reading_ == Reading::kLimits ? position_limits_.next() : std::nullopt;
+  if (limit && limit->write) return sdo.write(limit->object, limit->value, 4);
+  sdo.read(limit ? limit->object : object_of(reading_));
 }
 
 /// A refusal or a time-out leaves the last value.
 void BackgroundReads::take(canopen::SdoClient& sdo) noexcept {
   const bool good = sdo.status() == SdoStatus::kDone;
   if (!good && sdo.status() != SdoStatus::kIdle) ++failures_;
+  if (reading_ == Reading::kLimits) position_limits_.took(good, sdo.value());
   if (reading_ == Reading::kSupply && good) measured_supply_V_ = profile_.supply_V(sdo.value());
   if (reading_ == Reading::kInputs && good) levels_ = sdo.value();
   if (reading_ == Reading::kMode && good) mode_ = static_cast<std::int8_t>(sdo.value() & 0xFF);
@@ -56,6 +63,7 @@ BackgroundReads::Reading BackgroundReads::next(std::int64_t time_us, std::int64_
     return Reading::kInputs;
   }
   if (index_answer_ == IndexAnswer::kWaiting) return Reading::kIndex;
+  if (position_limits_.next()) return Reading::kLimits;
   if (unconfirmed_us > kModeRead_us && time_us >= next_mode_us_) {
     next_mode_us_ = time_us + kModeRead_us;
     return Reading::kMode;

@@ -1,11 +1,12 @@
 #pragma once
 /// What is read from a drive beside its cycle, one object at a time: its inputs ten times a second where one
 /// is an emergency stop's, its supply voltage once a second, its mode where it does not show the one that it
-/// was told, and the count of its encoder at the last index.
-/// Stepped by time.
+/// was told, and the count of its encoder at the last index; and its position limits, which are written
+/// first. Stepped by time.
 #include <cstdint>
 #include <optional>
 
+#include "drivers/bridge/drive_position_limits.h"
 #include "drivers/canopen/sdo_client.h"
 #include "drivers/profiles/drive_profile.h"
 #include "signals/bus_state.h"
@@ -19,7 +20,8 @@ enum class IndexAnswer : std::int8_t { kNone, kWaiting, kKnown, kFailed };
 class BackgroundReads {
  public:
   /// @param profile of the drive, which outlives this.
-  BackgroundReads(const DriveProfile& profile, bool inputs) noexcept : profile_(profile), inputs_(inputs) {}
+  BackgroundReads(const DriveProfile& profile, bool inputs, std::uint16_t position_limits = 0) noexcept
+      : profile_(profile), inputs_(inputs), position_limits_(position_limits) {}
 
   /// The drive is in operation; what was being read is forgotten.
   void begin_operation(int node, std::int64_t time_us) noexcept;
@@ -28,6 +30,8 @@ class BackgroundReads {
   bool step(std::int64_t time_us, canopen::SdoClient& sdo, std::int64_t unconfirmed_us,
             CanFrame& out) noexcept;
 
+  DrivePositionLimits& position_limits() noexcept { return position_limits_; }
+  const DrivePositionLimits& position_limits() const noexcept { return position_limits_; }
   double supply_V() const noexcept { return measured_supply_V_; }  ///< NaN until it was read
   /// The mode display that was read since the last call.
   std::optional<std::int8_t> take_mode() noexcept;
@@ -42,14 +46,16 @@ class BackgroundReads {
   void show(NodeHealth& out) const noexcept { out.sdo_failures += failures_; }
 
  private:
-  enum class Reading : std::int8_t { kNothing, kInputs, kSupply, kMode, kIndex };
+  enum class Reading : std::int8_t { kNothing, kInputs, kLimits, kSupply, kMode, kIndex };
 
   void take(canopen::SdoClient& sdo) noexcept;
   Reading next(std::int64_t time_us, std::int64_t unconfirmed_us) noexcept;
+  void ask(canopen::SdoClient& sdo) const noexcept;
   canopen::ObjectId object_of(Reading reading) const noexcept;
 
   const DriveProfile& profile_;
   bool inputs_;
+  DrivePositionLimits position_limits_;
   Reading reading_ = Reading::kNothing;
   std::int64_t next_supply_us_ = 0;
   std::int64_t next_mode_us_ = 0;

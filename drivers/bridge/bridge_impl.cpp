@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "robots/maintenance.h"
+
 namespace sprung {
 namespace {
 
@@ -24,6 +26,14 @@ double inertia_kg_m2(const RobotConfig& robot, int actuator) {
   return 0.0;
 }
 
+DrivePlant plant_of(const RobotConfig& robot, int actuator) {
+  const ActuatorConfig& config = robot.actuators.at(actuator);
+  const bool reduced = robot.hold_to_run;
+  return {inertia_kg_m2(robot, actuator), drive_range(robot, actuator),
+          config.torque_limit_Nm / (reduced ? kMaintenanceTorque : 1.0),
+          config.speed_limit_rad_s / (reduced ? kMaintenanceSpeed : 1.0)};
+}
+
 }  // namespace
 
 BridgeCore::Impl::Impl(const RobotConfig& config, const BridgeOptions& bridge_options)
@@ -36,7 +46,7 @@ BridgeCore::Impl::Impl(const RobotConfig& config, const BridgeOptions& bridge_op
       gate(config),
       setpoints(config),
       limits(config),
-      safety(bridge_options.watchdogs),
+      safety(bridge_options.watchdogs, config.lowering_s()),
       state(config.actuators.size()),
       motion(config.actuators.size()),
       set_points(config.actuators.size()),
@@ -44,7 +54,7 @@ BridgeCore::Impl::Impl(const RobotConfig& config, const BridgeOptions& bridge_op
   for (const ActuatorConfig& actuator : robot.actuators) {
     drives.push_back(std::make_unique<DriveNode>(actuator, static_cast<int>(drives.size()), robot.cycle_s,
                                                  watchdogs,
-                                                 inertia_kg_m2(robot, static_cast<int>(drives.size()))));
+                                                 plant_of(robot, static_cast<int>(drives.size()))));
     add(*drives.back());
   }
   for (const EncoderCardConfig& card : robot.encoder_cards) {
@@ -177,7 +187,7 @@ void BridgeCore::Impl::judge_motion() noexcept {
 void BridgeCore::Impl::emit(std::int64_t time_us, FrameBatch& out) noexcept {
   const SafetyLevel level = safety.level();
   std::copy(gate.last().actuators.begin(), gate.last().actuators.end(), set_points.begin());
-  if (level == SafetyLevel::kOperational) {
+  if (obeys(level)) {
     setpoints.limit(motion, set_points);
   } else {
     setpoints.forget();
@@ -213,11 +223,12 @@ bool BridgeCore::Impl::find_fault(std::int64_t time_us, Fault& out) const noexce
     out.actuator = node->link().setup().actuator;
     if (node->fault(time_us, recovery->running(), out)) return true;
   }
-  return limits.fault(out) || planner_lost(out);
+  return limits.fault(out);
 }
 
-/// The leg controller damps by itself where LEG_COMMAND is stale, and says in each DRIVE_COMMAND which one it
-/// has used. One that comes back in time is a stall; later it must not make the robot move again unasked.
+/// The leg controller lets the robot down by itself where LEG_COMMAND is stale, and says in each
+/// DRIVE_COMMAND which one it has used. One that comes back in time is a stall; later it must not make the
+/// robot move again unasked.
 bool BridgeCore::Impl::planner_lost(Fault& out) const noexcept {
   const DriveCommand& last = gate.last();
   const bool planned = gate.any() && last.used_leg_command_seq >= 0;
@@ -256,7 +267,7 @@ void BridgeCore::Impl::heed_emergency_inputs(std::int64_t time_us) noexcept {
 
 void BridgeCore::Impl::update_safety(std::int64_t time_us, bool command_due) noexcept {
   heed_emergency_inputs(time_us);
-  Fault node_trouble;
+  Fault node_trouble, planner_trouble;
   SafetyInputs inputs;
   inputs.time_us = time_us;
   inputs.cycle = cycle;
@@ -267,7 +278,9 @@ void BridgeCore::Impl::update_safety(std::int64_t time_us, bool command_due) noe
   inputs.command_refused = gate.last_was_refused();
   inputs.refusal = &gate.detail();
   const Fault* foreign = masters.fault();
-  if (!safety.latched())
+  const bool latched = safety.latched();
+  if (!latched && planner_lost(planner_trouble)) inputs.planner = &planner_trouble;
+  if (!latched || safety.level() == SafetyLevel::kLowering)
     inputs.drive = foreign != nullptr ? foreign : find_fault(time_us, node_trouble) ? &node_trouble : nullptr;
   inputs.bus = buses.fault() == nullptr && masters.insists() ? foreign : buses.fault();
   inputs.overruns_in_row = overruns_in_row;

@@ -43,6 +43,7 @@ const char* BridgeCore::Impl::why_not_clear(std::int64_t time_us) const noexcept
   if (buses.any_lost()) return buses.what_to_mend();
   if (stopping_input() != nullptr)
     return "the emergency stop at a drive's input is still pressed: release it";
+  if (safety.level() == SafetyLevel::kLowering) return "the robot is being let down: wait until it is off";
   const bool by_command = safety.cause() == SafetyCause::kCommandStale ||
                           safety.cause() == SafetyCause::kCommandRefused;
   if (by_command && command_age_s(time_us, false) > watchdogs.command_hold_s)

@@ -1,5 +1,6 @@
 #include "drivers/bridge/drive_node.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "drivers/canopen/objects.h"
@@ -25,29 +26,30 @@ std::unique_ptr<DriveProfile> make_raw_profile(ActuatorConfig actuator, double c
 }  // namespace
 
 DriveNode::DriveNode(const ActuatorConfig& actuator, int index, double cycle_s,
-                     const WatchdogConfig& watchdogs, double inertia_kg_m2)
-    : DriveNode(actuator, index, cycle_s, watchdogs, inertia_kg_m2,
-                make_raw_profile(actuator, cycle_s, watchdogs)) {}
+                     const WatchdogConfig& watchdogs, const DrivePlant& plant)
+    : DriveNode(actuator, index, cycle_s, watchdogs, plant, make_raw_profile(actuator, cycle_s, watchdogs)) {}
 
 DriveNode::DriveNode(const ActuatorConfig& actuator, int index, double cycle_s,
-                     const WatchdogConfig& watchdogs, double inertia_kg_m2,
+                     const WatchdogConfig& watchdogs, const DrivePlant& plant,
                      std::unique_ptr<DriveProfile> profile)
     : BusNode({actuator.name, actuator.bus, actuator.node, index, watchdogs}, actuator.identity, *profile,
               true),
       actuator_(actuator),
       profile_(std::move(profile)),
-      tracker_(actuator.speed_limit_rad_s, quantum_rad(actuator)),
+      tracker_(plant.speed_limit_rad_s, quantum_rad(actuator)),
       reference_(actuator),
-      reads_(*profile_, actuator.emergency_input.bit >= 0),
+      reads_(*profile_, actuator.emergency_input.bit >= 0, actuator.position_limits_object),
+      range_(plant.range),
       emergency_input_(actuator.emergency_input),
-      stuck_(actuator.torque_limit_Nm),
-      noise_(actuator.torque_limit_Nm, inertia_kg_m2, quantum_rad(actuator), cycle_s),
+      stuck_(plant.torque_limit_Nm),
+      noise_(plant.torque_limit_Nm, plant.inertia_kg_m2, quantum_rad(actuator), cycle_s),
       winding_(actuator.rated_current_A, actuator.winding_time_constant_s) {}
 
 void DriveNode::step(std::int64_t time_us, FrameBatch& out) noexcept {
   const bool reads = link().boot().operational();
   if (link().step(time_us, out)) reference_.doubt();
   if (!reads || stop_.by_sdo()) return;
+  limit_drive();
   CanFrame frame;
   if (reads_.step(time_us, link().sdo(), modes_.unconfirmed_us(), frame)) out.push(actuator_.bus, frame);
   if (const auto display = reads_.take_mode()) modes_.read_display(*display);
@@ -66,6 +68,27 @@ bool DriveNode::receive(const CanFrame& frame, std::int64_t time_us) noexcept {
 void DriveNode::begin_operation(std::int64_t time_us) noexcept {
   reads_.begin_operation(actuator_.node, time_us);
   modes_.begin_operation(link().boot().mode_display(), time_us);
+  reads_.position_limits().forget();
+  limited_offset_rad_ = kNaN;
+}
+
+/// For each zero; and without power, where the joint lies beyond what the drive was told: it may come back.
+/// Once it is inside the limits are narrow again.
+void DriveNode::limit_drive() noexcept {
+  if (!reference().known || !sampled_ || !std::isfinite(range_.low_rad)) return;
+  const double here_rad = measured_position_rad();
+  const bool new_zero = reference().offset_rad != limited_offset_rad_;
+  const bool outside = here_rad < told_.low_rad || here_rad > told_.high_rad;
+  const bool wide = told_.low_rad < range_.low_rad || told_.high_rad > range_.high_rad;
+  const bool inside = here_rad > range_.low_rad && here_rad < range_.high_rad;
+  if (!new_zero && !(outside && !powered()) && !(wide && inside)) return;
+  limited_offset_rad_ = reference().offset_rad;
+  told_ = range_;
+  if (!inside)
+    told_ = {std::min(range_.low_rad, here_rad - kDriveLimitMargin_rad),
+             std::max(range_.high_rad, here_rad + kDriveLimitMargin_rad)};
+  reads_.position_limits().want(counts_of(told_.low_rad - limited_offset_rad_),
+                                counts_of(told_.high_rad - limited_offset_rad_));
 }
 
 void DriveNode::take_display(const CanFrame& frame) noexcept {
@@ -138,8 +161,8 @@ GateMotion DriveNode::gate_motion() const noexcept {
   return motion;
 }
 
-std::int64_t DriveNode::encoder_counts() const noexcept {
-  return std::llround(actuator_.direction * tracker_.position_rad() / quantum_rad(actuator_));
+std::int64_t DriveNode::counts_of(double encoder_rad) const noexcept {
+  return std::llround(actuator_.direction * encoder_rad / quantum_rad(actuator_));
 }
 
 double DriveNode::index_position_rad() const noexcept {
@@ -226,6 +249,10 @@ bool DriveNode::drive_fault(Fault& out) const noexcept {
     out.cause = SafetyCause::kWinding;
     print(out.detail, "%s: its winding is %.0f %% beyond what its rated current makes it: let it cool", drive,
           100.0 * (winding_.warmth() - 1.0));
+  } else if (reads_.position_limits().refused()) {
+    out.cause = SafetyCause::kDriveRefused;
+    print(out.detail, "%s: does not keep its position limits 0x%04X: position_limits_object of robot.yaml",
+          drive, actuator_.position_limits_object);
   } else if (modes_.unconfirmed_us() > kModeLimit_us) {
     out.cause = SafetyCause::kDriveFault;
     print(out.detail, "%s: shows mode %d, a second after it was told to switch to %s", drive,
@@ -250,6 +277,7 @@ bool DriveNode::supply_fault(Fault& out) const noexcept {
 
 void DriveNode::reset_faults(bool reset) noexcept {
   power_.reset_faults(reset);
+  if (reset) reads_.position_limits().retry();
   if (reset) distrusted_ = false;
   if (reset && !in_fault()) link().forget_emergency();
 }
@@ -273,12 +301,15 @@ PowerTarget DriveNode::target(SafetyLevel level, const ActuatorCommand& command)
   // Damping keeps what has torque and enables nothing.
   const PowerTarget kept = enabled() ? PowerTarget::kEnabled : PowerTarget::kOff;
   // A drive limits its speed and brakes by its own encoder: by one that is not believed it would drive.
-  if (level >= SafetyLevel::kDamping && distrusted_) return PowerTarget::kOff;
+  if (level != SafetyLevel::kOperational && distrusted_) return PowerTarget::kOff;
   switch (level) {
     case SafetyLevel::kOperational: {
-      if (command.mode == DriveMode::kDisabled || !reference().known) return PowerTarget::kOff;
+      const bool ready = reference().known && (enabled() || reads_.position_limits().confirmed());
+      if (command.mode == DriveMode::kDisabled || !ready) return PowerTarget::kOff;
       return command.mode == DriveMode::kDamping ? kept : PowerTarget::kEnabled;
     }
+    case SafetyLevel::kLowering:
+      return command.mode == DriveMode::kDisabled ? PowerTarget::kOff : kept;
     case SafetyLevel::kDamping:
       return kept;
     case SafetyLevel::kQuickStop:
@@ -297,13 +328,12 @@ DriveSetpoint DriveNode::setpoint(SafetyLevel level, const ActuatorCommand& comm
   DriveSetpoint setpoint{0.0, measured_position_rad(), DriveMode::kTorque};
   if (level == SafetyLevel::kQuickStop)
     setpoint.mode = modes_.sent();  // no change of mode in a drive's own stop
-  if (level == SafetyLevel::kOperational && command.mode == DriveMode::kPosition)
-    setpoint.mode = DriveMode::kPosition;
+  if (obeys(level) && command.mode == DriveMode::kPosition) setpoint.mode = DriveMode::kPosition;
   // Until the drive is enabled: no torque, and the position where it is, so that enabling moves nothing.
   if (!enabled()) return setpoint;
   if (level == SafetyLevel::kDamping) {
     setpoint.commanded_torque_Nm = -actuator_.safety_damping_Nm_s_rad * velocity_rad_s;
-  } else if (level == SafetyLevel::kOperational) {
+  } else if (obeys(level)) {
     if (command.mode == DriveMode::kDamping) {
       setpoint.commanded_torque_Nm = -command.commanded_damping_Nm_s_rad * velocity_rad_s;
     } else if (command.mode != DriveMode::kDisabled && std::isfinite(command.commanded_torque_Nm)) {
@@ -320,7 +350,8 @@ void DriveNode::watch_stop(std::int64_t time_us, SafetyLevel level, FrameBatch& 
   const bool gone = link().gone();
   StopInputs inputs;
   inputs.time_us = time_us;
-  inputs.wanted = level >= SafetyLevel::kQuickStop || (level == SafetyLevel::kDamping && gone);
+  inputs.wanted = severity(level) >= severity(SafetyLevel::kQuickStop) ||
+                  (level == SafetyLevel::kDamping && gone);
   inputs.brakes = level == SafetyLevel::kQuickStop;
   if (link().samples().answered() || !inputs.wanted) confirmed_off_ = !powered();
   inputs.seen_off = confirmed_off_ || link().heartbeats().rebooted();

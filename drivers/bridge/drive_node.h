@@ -22,11 +22,17 @@
 
 namespace sprung {
 
+/// What a drive moves: what its measurements are judged by.
+struct DrivePlant {
+  double inertia_kg_m2 = 0.0;                             ///< of motor and gear at the output; 0: not known
+  PositionRange range;                                    ///< for the drive's own position limits
+  double torque_limit_Nm = 0.0, speed_limit_rad_s = 0.0;  ///< also in maintenance mode those of robot.yaml
+};
+
 class DriveNode final : public BusNode {
  public:
-  /// @param inertia_kg_m2 of motor and gear at the output; 0: not known.
   DriveNode(const ActuatorConfig& actuator, int index, double cycle_s, const WatchdogConfig& watchdogs,
-            double inertia_kg_m2);
+            const DrivePlant& plant);
 
   void step(std::int64_t time_us, FrameBatch& out) noexcept override;
   bool receive(const CanFrame& frame, std::int64_t time_us) noexcept override;
@@ -64,7 +70,7 @@ class DriveNode final : public BusNode {
   double measured_link_position_rad() const noexcept { return measured_link_position_rad_; }
   /// What the encoder says, at the output and without offset. Good when answered.
   double encoder_position_rad() const noexcept { return tracker_.position_rad(); }
-  std::int64_t encoder_counts() const noexcept;
+  std::int64_t encoder_counts() const noexcept { return counts_of(tracker_.position_rad()); }
   const ActuatorConfig& actuator() const noexcept { return actuator_; }
 
   /// Adds what only a drive has to its link's health.
@@ -80,9 +86,10 @@ class DriveNode final : public BusNode {
 
  private:
   DriveNode(const ActuatorConfig& actuator, int index, double cycle_s, const WatchdogConfig& watchdogs,
-            double inertia_kg_m2, std::unique_ptr<DriveProfile> profile);
+            const DrivePlant& plant, std::unique_ptr<DriveProfile> profile);
 
   void begin_operation(std::int64_t time_us) noexcept;
+  void limit_drive() noexcept;
   void take_sample(const CanFrame& frame, std::int64_t time_us) noexcept;
   void take_display(const CanFrame& frame) noexcept;
   void accept_sample() noexcept;
@@ -94,6 +101,7 @@ class DriveNode final : public BusNode {
   DriveSetpoint setpoint(SafetyLevel level, const ActuatorCommand& command) const noexcept;
   void watch_stop(std::int64_t time_us, SafetyLevel level, FrameBatch& out) noexcept;
   void stop_by_sdo(std::int64_t time_us, FrameBatch& out) noexcept;
+  std::int64_t counts_of(double encoder_rad) const noexcept;
   double measured_torque_Nm() const noexcept;  ///< by current, output side; NaN before the first sample
   double measured_position_rad() const noexcept { return tracker_.position_rad() + reference().offset_rad; }
 
@@ -104,6 +112,9 @@ class DriveNode final : public BusNode {
   ReferenceWatch reference_;
   ModeWatch modes_;
   BackgroundReads reads_;
+  PositionRange range_;
+  PositionRange told_;
+  double limited_offset_rad_ = kNaN;  ///< of the reference for which the drive's own limits were worked out
   EmergencyInput emergency_input_;
   StopWatch stop_;
   StuckEncoderWatch stuck_;

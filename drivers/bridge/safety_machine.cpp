@@ -10,6 +10,8 @@ namespace {
 constexpr double kShutdownDamping_s = 1.0;
 /// Design section 8: a robot that still moves is not dropped sooner.
 constexpr double kLongestDamping_s = 5.0;
+/// By which the leg controller may be late; design section 8 has 1.5 s for the whole.
+constexpr double kLoweringMargin_s = 0.3;
 // [design choice] a standing leg starts from rest: it must get the time to begin to sink, else it is dropped
 constexpr double kSlowLongEnough_s = 0.3;
 
@@ -34,7 +36,8 @@ Fault command_fault(const SafetyInputs& inputs) noexcept {
 
 }  // namespace
 
-SafetyMachine::SafetyMachine(const WatchdogConfig& watchdogs) : watchdogs_(watchdogs) {
+SafetyMachine::SafetyMachine(const WatchdogConfig& watchdogs, double lowering_s)
+    : watchdogs_(watchdogs), lowering_s_(lowering_s) {
   enter(SafetyLevel::kDisabled, false, fault_of(SafetyCause::kStarting, "drives are being configured"), 0,
         -1);
 }
@@ -58,7 +61,8 @@ void SafetyMachine::keep_past() noexcept {
 
 void SafetyMachine::latch(SafetyLevel level, const Fault& fault, const SafetyInputs& inputs) noexcept {
   if (!state_.latched) slow_since_us_ = inputs.time_us;
-  enter(std::max(level, state_.level), true, fault, inputs.time_us, inputs.cycle);
+  const bool worse = severity(level) > severity(state_.level);
+  enter(worse ? level : state_.level, true, fault, inputs.time_us, inputs.cycle);
 }
 
 bool SafetyMachine::lasted(double duration_s, std::int64_t time_us) const noexcept {
@@ -80,7 +84,7 @@ void SafetyMachine::refuse_drive(const Fault& fault, std::int64_t time_us, std::
 }
 
 void SafetyMachine::begin_shutdown(std::int64_t time_us, std::int64_t cycle) noexcept {
-  const bool powered = state_.level <= SafetyLevel::kDamping;
+  const bool powered = severity(state_.level) <= severity(SafetyLevel::kDamping);
   if (!powered && state_.latched) return;  // a stop under way ends without power anyway
   enter(powered ? SafetyLevel::kDamping : SafetyLevel::kDisabled, true,
         fault_of(SafetyCause::kShutdown, "orderly shutdown"), time_us, cycle);
@@ -100,6 +104,8 @@ void SafetyMachine::update(const SafetyInputs& inputs) noexcept {
     latch(SafetyLevel::kQuickStop, *inputs.bus, inputs);
   } else if (inputs.drive != nullptr) {
     latch(SafetyLevel::kDamping, *inputs.drive, inputs);
+  } else if (inputs.planner != nullptr) {
+    latch(SafetyLevel::kLowering, *inputs.planner, inputs);
   } else if (!inputs.armed) {
     enter(SafetyLevel::kDisabled, false,
           fault_of(SafetyCause::kStarting, "waiting for a DRIVE_COMMAND with every mode disabled"),
@@ -110,9 +116,13 @@ void SafetyMachine::update(const SafetyInputs& inputs) noexcept {
 }
 
 void SafetyMachine::worsen(const SafetyInputs& inputs) noexcept {
-  if (state_.level != SafetyLevel::kDamping) return;
+  if (severity(state_.level) > severity(SafetyLevel::kDamping)) return;
   if (inputs.bus != nullptr) {
     latch(SafetyLevel::kQuickStop, *inputs.bus, inputs);
+    return;
+  }
+  if (state_.level == SafetyLevel::kLowering) {
+    lower(inputs);
     return;
   }
   if (!inputs.slow) slow_since_us_ = inputs.time_us;
@@ -121,6 +131,20 @@ void SafetyMachine::worsen(const SafetyInputs& inputs) noexcept {
   if (!slow_long_enough && !lasted(shutdown ? kShutdownDamping_s : kLongestDamping_s, inputs.time_us)) return;
   state_.level = shutdown ? SafetyLevel::kDisabled : SafetyLevel::kQuickStop;
   since_us_ = inputs.time_us;
+}
+
+/// Its end is damping, which a robot that sits outlasts by the time of rest alone.
+void SafetyMachine::lower(const SafetyInputs& inputs) noexcept {
+  if (inputs.drive != nullptr) {
+    latch(SafetyLevel::kDamping, *inputs.drive, inputs);
+  } else if (inputs.command_age_s > watchdogs_.command_hold_s || inputs.command_expired ||
+             lasted(lowering_s_ + kLoweringMargin_s, inputs.time_us)) {
+    state_.level = SafetyLevel::kDamping;
+    since_us_ = inputs.time_us;
+  } else {
+    return;
+  }
+  slow_since_us_ = inputs.time_us;
 }
 
 void SafetyMachine::follow_commands(const SafetyInputs& inputs) noexcept {

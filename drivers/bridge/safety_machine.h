@@ -5,10 +5,11 @@
 ///   starting, no arming command yet          disabled                                    no
 ///   command stale > command_hold, or expired damping                                     no
 ///   command stale > command_stop             quick stop                                  yes
+///   LEG_COMMAND older than command_stop      lowering by the leg controller, 1.5 s   yes
+///                                            at most; then as the next
 ///   drive or card: fault, silence,           damping until slow for 0.3 s, or 5 s,       yes
 ///   implausible value, two on one node id,   then quick stop
-///   another master, LEG_COMMAND older than
-///   command_stop
+///   another master
 ///   bus lost, another master that insists    quick stop                                  yes
 ///   overruns in a row                        damping, until a cycle is in time again     no
 ///   a drive differs from robot.yaml          disabled                                    yes
@@ -16,9 +17,10 @@
 ///   shutdown                                 damping until slow for 0.3 s, or 1 s,       yes
 ///                                            then disabled
 ///
-/// A latched state only gets worse, until clear(). The cause stays the first one, unless a worse level brings
-/// its own. A damping that was not latched and is over stays in the detail until it is forgotten: by then the
-/// motion has ended, and nobody would know why.
+/// Lowering needs DRIVE_COMMANDs: a stale one makes it damping. A latched state only gets worse, until
+/// clear(). The cause stays the first one, unless a worse level brings its own. A damping that was not
+/// latched and is over stays in the detail until it is forgotten: by then the motion has ended, and nobody
+/// would know why.
 #include <cstdint>
 
 #include "drivers/bridge/detail_text.h"
@@ -42,15 +44,17 @@ struct SafetyInputs {
   bool command_expired = false;  ///< it may not be emitted any more, however young it is
   bool command_refused = false;  ///< commands do come, but are refused
   const DetailText* refusal = nullptr;
-  const Fault* drive = nullptr;  ///< fault, silence, implausible value; nullptr = none
-  const Fault* bus = nullptr;    ///< no damping over it: bus lost, another master insists; nullptr = none
+  const Fault* drive = nullptr;    ///< fault, silence, implausible value; nullptr = none
+  const Fault* planner = nullptr;  ///< no LEG_COMMAND for long; nullptr = none
+  const Fault* bus = nullptr;      ///< no damping over it: bus lost, another master insists; nullptr = none
   int overruns_in_row = 0;
   bool slow = false;  ///< all actuators nearly at rest; for a while ends a latched damping
 };
 
 class SafetyMachine {
  public:
-  explicit SafetyMachine(const WatchdogConfig& watchdogs);
+  /// @param lowering_s in which the leg controller lets the robot down.
+  explicit SafetyMachine(const WatchdogConfig& watchdogs, double lowering_s = RobotConfig().lowering_s());
 
   void update(const SafetyInputs& inputs) noexcept;
   /// At once; also before cyclic operation. A drive refused while something else is latched only explains
@@ -76,10 +80,12 @@ class SafetyMachine {
   void keep_past() noexcept;
   void latch(SafetyLevel level, const Fault& fault, const SafetyInputs& inputs) noexcept;
   void worsen(const SafetyInputs& inputs) noexcept;
+  void lower(const SafetyInputs& inputs) noexcept;
   void follow_commands(const SafetyInputs& inputs) noexcept;
   bool lasted(double duration_s, std::int64_t time_us) const noexcept;  ///< the level in force
 
   WatchdogConfig watchdogs_;
+  double lowering_s_;
   SafetyState state_;
   DetailText past_{};
   std::int64_t since_us_ = 0;

@@ -56,6 +56,10 @@ bool GaitClock::all_stand() const noexcept {
                       [](bool swings) { return swings; });
 }
 
+void GaitClock::count_anew() noexcept {
+  for (std::size_t i = 0; i < legs_; ++i) steps_[i] = swinging_[i] ? 1 : 0;
+}
+
 int GaitClock::rounds() const noexcept {
   return *std::min_element(steps_.begin(), steps_.begin() + static_cast<std::ptrdiff_t>(legs_));
 }

@@ -31,7 +31,8 @@ class GaitClock {
   bool all_stand() const noexcept;
   /// Steps that were begun by the leg that has made the fewest, since begin() or count_anew().
   int rounds() const noexcept;
-  void count_anew() noexcept { steps_.fill(0); }
+  /// A step that is under way counts as the leg's first.
+  void count_anew() noexcept;
   double phase() const noexcept { return phase_; }
   const GaitConfig& gait() const noexcept { return *gait_; }
 

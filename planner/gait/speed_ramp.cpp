@@ -11,6 +11,13 @@ void SpeedRamp::stop(double within_s) noexcept {
     times_ = std::max(times_, std::abs(now_[i]) / (most_[i] * within_s));
 }
 
+double SpeedRamp::left_s() const noexcept {
+  double left_s = 0.0;
+  for (std::size_t i = 0; i < now_.size(); ++i)
+    left_s = std::max(left_s, std::abs(wanted_[i] - now_[i]) / (times_ * most_[i]));
+  return left_s;
+}
+
 void SpeedRamp::advance(double dt_s) noexcept {
   for (std::size_t i = 0; i < now_.size(); ++i) {
     const double most = times_ * most_[i] * dt_s;

@@ -23,6 +23,8 @@ class SpeedRamp {
   void advance(double dt_s) noexcept;
   const std::array<double, 3>& now() const noexcept { return now_; }
   bool arrived() const noexcept { return now_ == wanted_; }
+  /// Until it arrives.
+  double left_s() const noexcept;
 
  private:
   std::array<double, 3> most_{};

@@ -20,7 +20,9 @@ constexpr double kMostHeadingCorrection_rad_s = 0.2;
 constexpr double kHeightRate_m_s = 0.05;  // of a wanted height or width
 constexpr double kSlip_m = 0.03;          // more than feet that hold move against each other
 constexpr double kMostStretch_m = 0.04;  // of a standing foot's spring along the ground, in a gait that steps
-constexpr double kHeightGain_1_s = 3.0;  // in which the feet's places follow the wanted height
+constexpr double kFootholdRate_m_s = 0.2;  // [design choice] on top of what a swinging foot does
+constexpr double kFarFoot_m = 0.4;         // of the trunk's middle
+constexpr double kHeightGain_1_s = 3.0;    // in which the feet's places follow the wanted height
 
 double toward(double from, double to, double most) noexcept {
   return from + std::clamp(to - from, -most, most);
@@ -121,6 +123,7 @@ void Walk::change(const WalkRequest& request) noexcept {
 void Walk::stop() noexcept {
   stopping_ = true;
   ramp_.stop(kStop_s);
+  if (!ended_ && failure_ == nullptr) place_feet();
   if (wanted_ == now_ || failure_ != nullptr || ended_) return;
   wanted_ = now_;  // not the gait that was to come: this one sets the feet in their places
   clock_.resume();
@@ -138,6 +141,7 @@ GaitOrder Walk::order_of(const WalkRequest& request) const noexcept {
 void Walk::start_clock() noexcept {
   const auto place = static_cast<std::size_t>(now_.gait);
   clock_.begin(now_.backward ? backward_gaits_[place] : gaits_[place], shape_.legs);
+  lead_s_ = 0.5 * clock_.stance_s();
 }
 
 void Walk::fail(const char* why) noexcept {
@@ -165,6 +169,7 @@ void Walk::steer(double dt_s) noexcept {
   height_m_ = toward(height_m_, request_.height_m, kHeightRate_m_s * dt_s);
   width_m_ = toward(width_m_, request_.stance_width_m, kHeightRate_m_s * dt_s);
   pace_.advance(waits_, ramp_.now(), gait(), dt_s);
+  follow_lead(dt_s);
   const double wanted_rad_s = pace_.now() * pace_.speed()[2];
   heading_rad_ += wanted_rad_s * dt_s;
   const double error_rad = view_.uses_imu ? wrapped_rad(heading_rad_ - view_.attitude.yaw_rad) : 0.0;
@@ -187,12 +192,23 @@ Eigen::Vector3d Walk::place_m(std::size_t leg) const noexcept {
   return place;
 }
 
+/// Half a stance; of a body that comes to rest, at even deceleration, half of what is left. A change moves
+/// the footholds, which swinging feet follow.
+void Walk::follow_lead(double dt_s) noexcept {
+  const double middle_s = 0.5 * clock_.stance_s();
+  const double wanted_s = placing_ ? std::min(middle_s, 0.5 * ramp_.left_s()) : middle_s;
+  const double speed_m_s = std::hypot(pace_.speed()[0], pace_.speed()[1]) +
+                           kFarFoot_m * std::abs(pace_.speed()[2]);
+  const double most_1 = kFootholdRate_m_s / std::max(speed_m_s, kFootholdRate_m_s / 10.0);
+  lead_s_ = toward(lead_s_, wanted_s, most_1 * dt_s);
+}
+
 /// Half a stance ahead of its place, and further where the body is faster than it should be.
 Eigen::Vector3d Walk::foothold_m(std::size_t leg) const noexcept {
   const Eigen::Vector3d place = place_m(leg);
   const Eigen::Vector3d turning(0.0, 0.0, pace_.speed()[2]);
   const Eigen::Vector3d speed(pace_.speed()[0], pace_.speed()[1], 0.0);
-  Eigen::Vector3d out = place + 0.5 * clock_.stance_s() * (speed + turning.cross(place));
+  Eigen::Vector3d out = place + lead_s_ * (speed + turning.cross(place));
   if (view_.velocity_known) {
     constexpr double kFarthest_m = 0.1;
     Eigen::Vector2d beyond_m = law_.foothold_gain_s * (view_.velocity_m_s - body_m_s_).head<2>();
@@ -322,13 +338,16 @@ void Walk::share_weight() noexcept {
 /// more.
 bool Walk::comes_to_rest() const noexcept { return gait().duty < 1.0 && gaits_[wanted_.gait].duty >= 1.0; }
 
+void Walk::place_feet() noexcept {
+  if (placing_ || gait().duty >= 1.0) return;
+  clock_.count_anew();
+  placing_ = true;
+}
+
 void Walk::next_gait() noexcept {
   const bool all_stand = clock_.all_stand();
-  if ((stopping_ || comes_to_rest()) && ramp_.arrived() && gait().duty < 1.0) {
-    if (!placing_) clock_.count_anew();
-    placing_ = true;
-    if (clock_.rounds() > 0) clock_.hold();
-  }
+  if (comes_to_rest() && ramp_.arrived()) place_feet();
+  if (placing_ && clock_.rounds() > 0) clock_.hold();
   const bool settled = std::all_of(
       steps_.begin(), steps_.begin() + static_cast<std::ptrdiff_t>(shape_.legs),
       [&](const LegStep& s) { return s.stands() && s.in_phase_s() >= law_.force_rise_s; });

@@ -38,7 +38,7 @@ class Walk {
   /// Speed, height and width are ramped; another gait begins when all feet stand, one that never swings once
   /// it stands still as after stop().
   void change(const WalkRequest& request) noexcept;
-  /// Slows down, sets every foot in its place once, then stands.
+  /// Slows down and sets every foot in its place once, then stands.
   void stop() noexcept;
   bool ended() const noexcept { return ended_; }
   /// Why it ended by itself; nullptr: it did not.
@@ -65,6 +65,8 @@ class Walk {
   void start_clock() noexcept;
   bool comes_to_rest() const noexcept;
   void next_gait() noexcept;
+  void place_feet() noexcept;
+  void follow_lead(double dt_s) noexcept;
   void fail(const char* why) noexcept;
   Eigen::Vector3d place_m(std::size_t leg) const noexcept;
   Eigen::Vector3d foothold_m(std::size_t leg) const noexcept;
@@ -104,7 +106,8 @@ class Walk {
   Pace pace_;
   bool stopping_ = false;
   bool ended_ = true;
-  bool placing_ = false;  ///< slow enough to stop: each foot is set in its place once more
+  double lead_s_ = 0.0;   ///< how long the body goes on until it is over a foot that lands now
+  bool placing_ = false;  ///< each foot is set once more: where its place is when the body rests
   std::int64_t last_us_ = 0;
   const char* failure_ = nullptr;
 };

@@ -32,6 +32,7 @@ InProcessRobot::InProcessRobot(const RobotConfig& robot, const std::string& pres
 
 bool InProcessRobot::tick() {
   time_us_ += cycle_us_;
+  if (!runs(StackProcess::kBridge)) return advance_without_bridge();
   bridge_.begin_tick(time_us_, to_drives_);
   exchange_frames();
   const bool cyclic = bridge_.end_sampling(time_us_, drive_state_);
@@ -41,6 +42,15 @@ bool InProcessRobot::tick() {
   }
   bridge_.emit_setpoints(time_us_, to_drives_);
   return cyclic;
+}
+
+/// The drives hear nobody, and nobody hears them.
+bool InProcessRobot::advance_without_bridge() {
+  to_drives_.clear();
+  sim_.receive_burst(to_drives_, time_us_ - cycle_us_, time_us_);
+  sim_.advance_to(time_us_, from_drives_);
+  from_drives_.clear();
+  return false;
 }
 
 void InProcessRobot::exchange_frames() {
@@ -54,15 +64,23 @@ void InProcessRobot::exchange_frames() {
 }
 
 void InProcessRobot::run_cores() {
+  if (!runs(StackProcess::kEstimator)) return;  // without a JOINT_STATE the others do nothing
   estimator_.step(drive_state_, joint_state_, sim_.imu().stamp.seq >= 0 ? &sim_.imu() : nullptr);
-  controller_.step(joint_state_, leg_command_.stamp.seq >= 0 ? &leg_command_ : nullptr, drive_command_);
-  if (leg_source_) {
-    leg_source_(joint_state_, leg_command_);
-  } else {
-    planner_.step(joint_state_, leg_command_, motion_state_);
-  }
+  const bool commands = runs(StackProcess::kController);
+  if (commands)
+    controller_.step(joint_state_, leg_command_.stamp.seq >= 0 ? &leg_command_ : nullptr, drive_command_);
+  plan();
+  if (!commands) return;
   if (forger_) forger_(drive_command_);
   bridge_.command(drive_command_, time_us_);
+}
+
+void InProcessRobot::plan() {
+  if (leg_source_) {
+    leg_source_(joint_state_, leg_command_);
+  } else if (runs(StackProcess::kPlanner)) {
+    planner_.step(joint_state_, leg_command_, motion_state_);
+  }
 }
 
 void InProcessRobot::boot(double limit_s) {

@@ -2,6 +2,8 @@
 /// The whole robot in one process: the same cores as the separate processes, called in the same order on the
 /// same frames, so that a run here and a lock-step run of separate processes agree bit for bit (design
 /// section 4). For experiments, sweeps and tests.
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -30,6 +32,9 @@ using LegCommandSource = std::function<void(const JointState&, LegCommand&)>;
 
 /// Changes DRIVE_COMMAND(k).
 using DriveCommandChange = std::function<void(DriveCommand&)>;
+
+/// Programs whose cores are in here.
+enum class StackProcess { kBridge, kEstimator, kPlanner, kController };
 
 class InProcessRobot;
 
@@ -67,6 +72,10 @@ class InProcessRobot {
   /// somebody in its name, would send. @param change does not throw.
   void forge_commands_by(DriveCommandChange change) { forger_ = std::move(change); }
 
+  /// From now on this program does nothing, as one that was killed or stopped (SIGSTOP): what it said last is
+  /// all that the others have of it. false: it goes on where it was.
+  void stop(StackProcess which, bool stopped = true) { stopped_[static_cast<std::size_t>(which)] = stopped; }
+
   /// To planner or bridge, by kind. Takes effect at command.apply_at_seq or in the next cycle.
   void submit(const OperatorCommand& command);
   /// Replies in order; false when there is none left.
@@ -86,9 +95,12 @@ class InProcessRobot {
   SimCore& sim() { return sim_; }
 
  private:
+  bool advance_without_bridge();
   void exchange_frames();
   void run_cores();
+  void plan();
   bool take_reply(OperatorReply& out);
+  bool runs(StackProcess which) const { return !stopped_[static_cast<std::size_t>(which)]; }
 
   const std::int64_t cycle_us_;
   std::int64_t time_us_ = 0;
@@ -97,8 +109,9 @@ class InProcessRobot {
   EstimatorCore estimator_;
   PlannerCore planner_;
   ControllerCore controller_;
-  LegCommandSource leg_source_;  ///< nothing: the planner
-  DriveCommandChange forger_;    ///< nothing: the controller's commands as they are
+  LegCommandSource leg_source_;    ///< nothing: the planner
+  std::array<bool, 4> stopped_{};  ///< by StackProcess
+  DriveCommandChange forger_;      ///< nothing: the controller's commands as they are
   DriveState drive_state_;
   JointState joint_state_;
   LegCommand leg_command_;  ///< of the last cycle when the controller reads it

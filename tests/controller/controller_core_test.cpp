@@ -14,6 +14,18 @@ namespace {
 
 class ControllerCoreTest : public ControllerFixture {
  protected:
+  /// Cycles with nothing but this command; joints go where the drives are told to.
+  void lower_for(double duration_s, const LegCommand* old) {
+    for (int i = 0; i < std::lround(1e3 * duration_s); ++i) {
+      state_.stamp.utime_us += 1000;
+      ++state_.stamp.seq;
+      core_.step(state_, old, out_);
+      if (!all(DriveMode::kPosition)) continue;
+      for (std::size_t j = 0; j < 2; ++j)
+        state_.joints[j].estimated_position_rad = out_.actuators[j].commanded_position_rad;
+      state_.legs[0].estimated_foot_in_hip_m = to_vec3(leg_->foot_in_hip_m(measured()));
+    }
+  }
   void expect_damping(CommandBasis basis) {
     EXPECT_TRUE(all(DriveMode::kDamping));
     EXPECT_EQ(core_.basis(), basis) << name(core_.basis());
@@ -56,14 +68,62 @@ TEST_F(ControllerCoreTest, DisabledNeedsNoReadyJoint) {
   EXPECT_TRUE(all(DriveMode::kDisabled));
 }
 
-TEST_F(ControllerCoreTest, OldCommandIsDampingAfterTheWatchdogsTime) {
+TEST_F(ControllerCoreTest, OldCommandLowersTheRobotAfterTheWatchdogsTimeThenDamps) {
   cycle();
   const LegCommand old = command_;
   state_.stamp.utime_us = old.stamp.utime_us + 20000;
   core_.step(state_, &old, out_);
-  EXPECT_TRUE(all(DriveMode::kPosition));
+  EXPECT_EQ(core_.basis(), CommandBasis::kCommanded);
   state_.stamp.utime_us += 1;
   core_.step(state_, &old, out_);
+  EXPECT_TRUE(all(DriveMode::kPosition));
+  EXPECT_EQ(core_.basis(), CommandBasis::kLowering) << name(core_.basis());
+  lower_for(1.19, &old);
+  EXPECT_NEAR(leg_->foot_in_hip_m(measured()).z(), -0.28, 0.01) << "sit_length of the preset";
+  lower_for(0.02, &old);
+  expect_damping(CommandBasis::kCommandStale);
+  lower_for(0.5, &old);
+  expect_damping(CommandBasis::kCommandStale);
+}
+
+TEST_F(ControllerCoreTest, CommandsThatComeBackEndALowering) {
+  cycle();
+  const LegCommand old = command_;
+  lower_for(0.1, &old);
+  ASSERT_EQ(core_.basis(), CommandBasis::kLowering);
+  cycle();
+  EXPECT_EQ(core_.basis(), CommandBasis::kCommanded);
+  const LegCommand again = command_;
+  lower_for(0.1, &again);
+  EXPECT_EQ(core_.basis(), CommandBasis::kLowering);
+}
+
+TEST_F(ControllerCoreTest, BridgeThatLowersIsObeyedWhateverThePlannerSays) {
+  cycle();
+  state_.safety = SafetyLevel::kLowering;
+  cycle();
+  EXPECT_EQ(core_.basis(), CommandBasis::kLowering);
+  EXPECT_TRUE(all(DriveMode::kPosition));
+}
+
+TEST_F(ControllerCoreTest, WhatWasCommandedBeforeAStopIsNoReasonToMoveAfterIt) {
+  cycle();
+  const LegCommand old = command_;
+  state_.safety = SafetyLevel::kDamping;
+  cycle();
+  state_.safety = SafetyLevel::kOperational;
+  state_.stamp.utime_us += 30000;
+  lower_for(0.1, &old);
+  expect_damping(CommandBasis::kCommandStale);
+}
+
+TEST_F(ControllerCoreTest, LoweringSwitchesNoDriveOnThatFellOff) {
+  cycle();
+  const LegCommand old = command_;
+  lower_for(0.1, &old);
+  ASSERT_EQ(core_.basis(), CommandBasis::kLowering);
+  state_.joints[1].drive_enabled = false;
+  lower_for(0.001, &old);
   expect_damping(CommandBasis::kCommandStale);
 }
 

@@ -17,6 +17,7 @@ class ControllerFixture : public testing::Test {
     state_.safety = SafetyLevel::kOperational;
     state_.stamp = {100000, 100};
     set_joints(leg_->inverse({0.0, 0.0, -0.45}, pair(2.0, 1.0)).position_rad);
+    state_.legs[0].estimated_foot_in_hip_m = {0.0, 0.0, -0.45};
     command_.legs[0].desired_foot_in_hip_m = {0.0, 0.0, -0.45};
     want(ControlMode::kPosition);
   }

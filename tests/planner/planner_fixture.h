@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "planner/planner_core.h"
@@ -18,7 +19,7 @@ namespace sprung {
 
 class PlannerFixture : public testing::Test {
  protected:
-  PlannerFixture() {
+  explicit PlannerFixture(RobotConfig robot = load_robot("single_leg")) : robot_(std::move(robot)) {
     state_.safety = SafetyLevel::kOperational;
     state_.stamp = {0, 0};
     for (EstimatedJoint& joint : state_.joints) {
@@ -105,7 +106,7 @@ class PlannerFixture : public testing::Test {
   }
   const DesiredLeg& desired() const { return leg_.legs[0]; }
 
-  RobotConfig robot_ = load_robot("single_leg");
+  RobotConfig robot_;
   PresetConfig preset_ = robot_.preset("paper");
   PlannerCore planner_{robot_, preset_};
   JointState state_{2, 1};

@@ -44,19 +44,20 @@ inline void dump_value(test::ValueDump& dump, const std::string& at, const Emerg
 
 inline void dump_value(test::ValueDump& dump, const std::string& at, const ActuatorConfig& value) {
   const auto& [name, bus, node, profile, identity, ratio, direction, torque_constant, rated_current, counts,
-               offset, referenced, torque_limit, speed_limit, power_limit, speed_object, stiffness, damping,
-               gains_object, safety_damping, pole_pairs, winding, supply, emergency_input, link_encoder,
-               reference] = value;
+               offset, referenced, torque_limit, speed_limit, power_limit, speed_object, limits_object,
+               stiffness, damping, gains_object, safety_damping, pole_pairs, winding, supply, emergency_input,
+               link_encoder, reference] = value;
   dump.fields(
       at,
       "name bus node profile identity gear_ratio direction torque_constant_Nm_A rated_current_A "
       "encoder_counts_per_turn offset_rad referenced torque_limit_Nm speed_limit_rad_s power_limit_W "
-      "speed_limit_object position_stiffness_Nm_rad position_damping_Nm_s_rad position_gains_object "
+      "speed_limit_object position_limits_object position_stiffness_Nm_rad position_damping_Nm_s_rad "
+      "position_gains_object "
       "safety_damping_Nm_s_rad pole_pairs winding_time_constant_s supply emergency_input link_encoder "
       "reference",
       name, bus, node, profile, identity, ratio, direction, torque_constant, rated_current, counts, offset,
-      referenced, torque_limit, speed_limit, power_limit, speed_object, stiffness, damping, gains_object,
-      safety_damping, pole_pairs, winding, supply, emergency_input, link_encoder, reference);
+      referenced, torque_limit, speed_limit, power_limit, speed_object, limits_object, stiffness, damping,
+      gains_object, safety_damping, pole_pairs, winding, supply, emergency_input, link_encoder, reference);
 }
 
 inline void dump_value(test::ValueDump& dump, const std::string& at, const FrictionParameters& value) {
@@ -224,7 +225,7 @@ inline void dump_value(test::ValueDump& dump, const std::string& at, const Proce
 
 inline std::string dump_of(const RobotConfig& robot) {
   const auto& [name, folder, cycle_s, buses, bit_rate_bit_s, actuators, encoder_cards, joints, legs,
-               watchdogs, simulation_watchdogs, presets, body, gaits, processes, hash] = robot;
+               watchdogs, simulation_watchdogs, presets, body, gaits, processes, hold_to_run, hash] = robot;
   test::ValueDump dump;
   dump.fields("",
               "name cycle_s buses bit_rate_bit_s actuators encoder_cards joints legs watchdogs "
@@ -232,6 +233,7 @@ inline std::string dump_of(const RobotConfig& robot) {
               name, cycle_s, buses, bit_rate_bit_s, actuators, encoder_cards, joints, legs, watchdogs,
               simulation_watchdogs, presets, body, gaits, processes);
   static_cast<void>(folder);
+  static_cast<void>(hold_to_run);  // no key of the file
   static_cast<void>(hash);
   return dump.text();
 }

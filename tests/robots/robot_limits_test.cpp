@@ -35,7 +35,7 @@ constexpr const char* kNoLimits[] = {
     // what it is made of, and what is known of that
     R"((cycle_rate|bit_rate))", R"(processes\[\].*)", R"(encoder_cards\[\]\..*)",
     R"(actuators\[\]\.(identity\..*|node|gear_ratio|direction|torque_constant|encoder_counts|pole_pairs))",
-    R"(actuators\[\]\.(offset|link_encoder\..*|reference\..*|speed_limit_object))",
+    R"(actuators\[\]\.(offset|link_encoder\..*|reference\..*|speed_limit_object|position_limits_object))",
     R"(joints\[\]\.(armature|coulomb_friction|friction\..*|identified\..*|uncertainty\..*))",
     R"(legs\[\]\.(hip_in_trunk\..|links\[\]\..*|transmission))", R"(body\.(mass|com\..|inertia\..))",
     // gains, and what contact is
@@ -167,7 +167,7 @@ void add_watchdogs(std::vector<Limit>& limits, const std::string& which) {
     limits.push_back({which + "." + key, tighter, acts, then});
   };
   add("command_hold", "4 ms", {"command stale"}, stalling(&Missing::drive_command, 5));
-  add("leg_command", "4 ms", {"leg command stale"}, stalling(&Missing::leg_command, 5));
+  add("leg_command", "4 ms", {"leg command stale: lowering"}, stalling(&Missing::leg_command, 5));
   add("joint_state", "4 ms", {"estimator starts anew", "joint not ready"},
       stalling(&Missing::drive_state, 5));
   add("heartbeat_consumer", "10 ms", {"drive fault, latched"}, stalling(&Missing::heartbeat, 8));

@@ -145,7 +145,7 @@ TEST(Messages, UnknownEnumerationValuesAreRefused) {
     EXPECT_FALSE(from_message(message, signal)) << bad;
   }
   auto message = drive_state_of(2);
-  message.safety = 4;
+  message.safety = 5;
   EXPECT_FALSE(from_message(message, signal));
 }
 

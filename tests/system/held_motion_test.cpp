@@ -74,5 +74,41 @@ TEST_F(RealTimeHeld, MotionForATimeReturnsAtOnceAndEndsByItself) {
     EXPECT_EQ(sprung(wrong).status, 2) << wrong;
 }
 
+/// An enabling device: what `sprung hold` in another terminal is.
+class RealTimeMaintenance : public RealTimeHeld {
+ protected:
+  void SetUp() override {
+    RealTimeHeld::SetUp();
+    up("realtime", "--maintenance");
+    holder_ = std::make_unique<ChildProcess>(test::bin_dir() + "/sprung", std::vector<std::string>{"hold"},
+                                             Output::kCaptured);
+    std::this_thread::sleep_for(std::chrono::seconds(1));
+    ASSERT_FALSE(holder_->ended()) << holder_->output();
+  }
+  std::unique_ptr<ChildProcess> holder_;
+};
+
+TEST_F(RealTimeMaintenance, NothingMovesUnlessSomebodyHolds) {
+  EXPECT_THAT(sprung("status").output, HasSubstr("maintenance mode"));
+  EXPECT_EQ(sprung("stand").status, 0);
+  EXPECT_THAT(sprung("jump").output, HasSubstr("maintenance mode: the robot neither jumps nor walks"));
+  holder_->signal(SIGKILL);
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+  EXPECT_EQ(state(), "standing");
+  EXPECT_THAT(sprung("comply --for 2").output, HasSubstr("nobody holds"));
+  EXPECT_EQ(sprung("sit").status, 0) << "to sit down needs nobody";
+}
+
+class HoldCommand : public SystemTest {};
+
+TEST_F(HoldCommand, WithoutMaintenanceIsRefusedAndSoIsMaintenanceInLockStep) {
+  up("lockstep");
+  const auto hold = sprung("hold");
+  EXPECT_EQ(hold.status, 1);
+  EXPECT_THAT(hold.output, HasSubstr("is not in maintenance mode"));
+  EXPECT_THAT(sprung("up single_leg --sim --clock lockstep --maintenance --instance other").output,
+              HasSubstr("without --clock lockstep"));
+}
+
 }  // namespace
 }  // namespace sprung

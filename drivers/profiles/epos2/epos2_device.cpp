@@ -17,6 +17,7 @@ namespace {
 using namespace epos2;
 
 constexpr std::uint16_t kFollowingErrorFault = 0x8611;
+constexpr std::uint16_t kPositionLimitFault = 0xFF09;
 constexpr std::int64_t kNeverTooFar = 0xFFFFFFFF;  ///< of 0x6065
 
 // Objects that only this device shows.
@@ -116,6 +117,10 @@ bool Epos2Make::lags_too_far(const DriveMoment& now) const noexcept {
   return furthest_qc != kNeverTooFar && error_qc > static_cast<double>(furthest_qc);
 }
 
+bool Epos2Make::beyond_limits(const DriveMoment& now) const noexcept {
+  return now.counts < object(kPositionLimits, 1) || now.counts > object(kPositionLimits, 2);
+}
+
 void Epos2Make::average(const DriveMoment& now) noexcept {
   const double share = now.dt_s / kAverage_s;
   average_current_A_ += share * (now.measured_current_A - average_current_A_);
@@ -129,6 +134,7 @@ CurrentDemand Epos2Make::demand(const DriveMoment& now) noexcept {
     show(kCurrentDemand, 0.0);
     return {};
   }
+  if (beyond_limits(now)) return {false, 0.0, false, kPositionLimitFault};
   if (lags_too_far(now)) return {false, 0.0, false, kFollowingErrorFault};
   const double desired_A = desired_current_A(now);
   const double cap_rad_s = object(kMotorData, 4) / rpm_per_rad_s_;

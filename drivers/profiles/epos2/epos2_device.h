@@ -3,8 +3,8 @@
 /// qc), i2t, speed cap, following error, the 12 status words. Objects are those of epos2.eds.
 ///
 /// Not simulated: modes 1, 3, 6, 7, -2, -4..-6. An EPOS2 takes them; here 0x6061 keeps showing the mode
-/// before, so that nobody mistakes them for working. Neither are software limits (0x607D), Hall sensors,
-/// analog and digital inputs, auxiliary encoder.
+/// before, so that nobody mistakes them for working. Neither are Hall sensors, analog and digital
+/// inputs, auxiliary encoder. Beyond 0x607D a drive with power faults [unverified: in every mode, 0xFF09].
 #include "simulation/node/cia402_drive.h"
 
 namespace sprung::sim {
@@ -36,6 +36,7 @@ class Epos2Make final : public DriveMake {
   double desired_current_A(const DriveMoment& now) noexcept;
   double position_current_A(const DriveMoment& now) noexcept;
   double limit_A(const DriveMoment& now) noexcept;
+  bool beyond_limits(const DriveMoment& now) const noexcept;
   bool lags_too_far(const DriveMoment& now) const noexcept;
   void average(const DriveMoment& now) noexcept;
 

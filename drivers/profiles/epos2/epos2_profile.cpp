@@ -49,6 +49,8 @@ void refuse_impossible(const ActuatorConfig& a) {
     refuse(a, "an EPOS2 takes its speed limit in 0x6410: speed_limit_object must be that or 0");
   if (a.position_gains_object != 0 && a.position_gains_object != kPositionRegulator)
     refuse(a, "an EPOS2 takes its position gains in 0x60FB: position_loop.object must be that or 0");
+  if (a.position_limits_object != 0 && a.position_limits_object != kPositionLimits)
+    refuse(a, "an EPOS2 takes its position limits in 0x607D: position_limits_object must be that or 0");
   if (a.emergency_input.bit >= kInputBits)
     refuse(a, "an EPOS2 shows 16 inputs in 0x2071:01: emergency_input.bit must be 0 to 15");
 }

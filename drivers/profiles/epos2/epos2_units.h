@@ -28,6 +28,7 @@ inline constexpr std::uint16_t kEncoderCounter = 0x2020;   ///< u32, qc, wraps
 inline constexpr std::uint16_t kCounterAtIndex = 0x2021;
 inline constexpr std::uint16_t kDigitalInputState = 0x2071;  ///< :01, u16, a bit for each functionality
 inline constexpr std::uint16_t kMaxFollowingError = 0x6065;  ///< u32, qc
+inline constexpr std::uint16_t kPositionLimits = 0x607D;     ///< i32, qc, :01 lowest, :02 highest
 inline constexpr std::uint16_t kPositionRegulator = 0x60FB;  ///< i16, :01 P, :02 I, :03 D
 inline constexpr std::uint16_t kMotorData = 0x6410;  ///< :01 continuous mA, :02 peak mA, :04 rpm, :05 0.1 s
 inline constexpr std::uint16_t kEncoderPulses = 0x2210;  ///< :01, pulses a turn; qc = 4 * pulses

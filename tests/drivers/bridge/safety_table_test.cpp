@@ -15,6 +15,18 @@ using ::testing::HasSubstr;
 
 using BridgeSafety = test::PoweredBridge;
 
+/// The leg controller lets the robot down: it has had no LEG_COMMAND for longer than command_stop.
+class LoweringBridge : public test::PoweredBridge {
+ protected:
+  void SetUp() override {
+    test::PoweredBridge::SetUp();
+    bench_.command.used_leg_command_seq = 0;
+    bench_.run(250);
+    ASSERT_EQ(level(), SafetyLevel::kLowering) << bench_.detail();
+    ASSERT_EQ(enabled(), 2);
+  }
+};
+
 TEST_F(BridgeSafety, StaleCommandIsHeldThenDampedThenStoppedForGood) {
   bench_.command_all(DriveMode::kTorque, 30.8);
   bench_.run(10);
@@ -129,14 +141,60 @@ TEST_F(BridgeSafety, LegCommandThatStaysAwayIsAPlannerThatIsLost) {
     bench_.command.used_leg_command_seq = bench_.bridge->safety().stamp.seq - i;
     bench_.tick();
   }
-  EXPECT_EQ(level(), SafetyLevel::kDamping);
+  EXPECT_EQ(level(), SafetyLevel::kLowering);
   EXPECT_EQ(cause(), SafetyCause::kPlannerLost);
   EXPECT_TRUE(latched());
   EXPECT_THAT(bench_.detail(), HasSubstr("ms old: is sprung-motion-planner dead?"));
   bench_.command.used_leg_command_seq = bench_.bridge->safety().stamp.seq;
-  bench_.run(400);
-  EXPECT_EQ(level(), SafetyLevel::kQuickStop) << "one that comes back moves nothing";
+  bench_.run(1480);
+  EXPECT_EQ(level(), SafetyLevel::kLowering) << "one that comes back changes nothing";
+  bench_.run(40);
+  EXPECT_EQ(level(), SafetyLevel::kDamping);
+  bench_.run(320);
+  EXPECT_EQ(level(), SafetyLevel::kQuickStop);
   expect_stays_off();
+}
+
+TEST_F(LoweringBridge, ObeysCommands) {
+  bench_.command_all(DriveMode::kTorque, 30.8);
+  bench_.run(30);
+  EXPECT_EQ(bench_.drives[0].target_torque_permille, 1000);
+}
+
+TEST_F(LoweringBridge, WithoutCommandsItDamps) {
+  bench_.mute_commands = true;
+  bench_.run(25);
+  EXPECT_EQ(level(), SafetyLevel::kDamping);
+  EXPECT_EQ(cause(), SafetyCause::kPlannerLost);
+}
+
+TEST_F(LoweringBridge, EndsWithAnyFault) {
+  bench_.drives[1].pending_emergency = 0x2310;
+  bench_.tick();
+  EXPECT_EQ(level(), SafetyLevel::kDamping);
+  EXPECT_EQ(cause(), SafetyCause::kDriveFault) << "a worse level brings its cause";
+}
+
+TEST_F(LoweringBridge, IsNotCutShortByAClear) {
+  EXPECT_STREQ(bench_.ask(OperatorKind::kClear).reason, "the robot is being let down: wait until it is off");
+  bench_.run(10);
+  EXPECT_EQ(level(), SafetyLevel::kLowering);
+}
+
+TEST_F(LoweringBridge, EndsAtOnceInAnEmergencyStop) {
+  bench_.ask(OperatorKind::kEstop);
+  bench_.tick();
+  EXPECT_EQ(level(), SafetyLevel::kDisabled);
+  EXPECT_EQ(powered(), 0);
+}
+
+TEST_F(LoweringBridge, EnablesNothing) {
+  bench_.command_all(DriveMode::kDisabled);
+  bench_.run(50);
+  EXPECT_EQ(powered(), 0);
+  bench_.command_all(DriveMode::kPosition);
+  bench_.run(50);
+  EXPECT_EQ(powered(), 0);
 }
 
 TEST_F(BridgeSafety, PlannerOfARobotWithoutPowerIsNotMissed) {

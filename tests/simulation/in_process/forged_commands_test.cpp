@@ -76,7 +76,7 @@ TEST_P(ForgedCommands, MoveNothingFarBeyondItsLimitsNorFasterThanItMay) {
   for (int i = 0; i < static_cast<int>(2.0 / config.cycle_s); ++i) {
     robot.tick();
     look(config, robot, fast, seen);
-    if (robot.bridge().safety().level > seen.level) {
+    if (severity(robot.bridge().safety().level) > severity(seen.level)) {
       seen.level = robot.bridge().safety().level;
       seen.detail = robot.bridge().safety().detail.data();
     }

@@ -17,7 +17,7 @@
 namespace sprung {
 namespace {
 
-constexpr double kHold_s = 0.6;  // as `sprung walk` asks for
+constexpr double kHold_s = 0.5;  // as `sprung walk` asks for
 
 struct GaitToLeave {
   int gait;
@@ -70,10 +70,10 @@ TEST_P(OperatorGone, RobotRestsAndStands) {
 
 /// A crawl sways by 0.1 m while it sets one foot after another; it goes no further.
 constexpr GaitToLeave kGaits[] = {{3, 0.3, 2.0, 4.0}, {2, 0.2, 2.0, 4.0}, {1, 0.1, 8.0, 8.0}};
-constexpr const char* kGaitNames[] = {"stand", "crawl", "walk", "trot"};
+constexpr const char* kLeftGaitNames[] = {"stand", "crawl", "walk", "trot"};
 
 std::string gait_and_seed(const testing::TestParamInfo<OperatorGone::ParamType>& one) {
-  return std::string(kGaitNames[std::get<0>(one.param).gait]) + "_seed_" +
+  return std::string(kLeftGaitNames[std::get<0>(one.param).gait]) + "_seed_" +
          std::to_string(std::get<1>(one.param));
 }
 

@@ -1,6 +1,7 @@
 #pragma once
-/// Every fault on a standing robot (one without legs: idle), in one process: when it is noticed, what the
-/// bridge makes of it, and whether `clear` and `stand` bring the robot back with no process restarted.
+/// Every fault on a robot that stands (one without legs: idle) or moves, in one process: when it is noticed,
+/// what the bridge makes of it, and whether `clear` and `stand` bring the robot back with no process
+/// restarted.
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "signals/modes.h"
 #include "signals/vec3.h"
 #include "simulation/sim_core.h"
+#include "tools/lab/faults/fault_motion.h"
 #include "tools/lab/run/experiment.h"
 
 namespace sprung {
@@ -29,6 +31,7 @@ std::vector<FaultCase> fault_cases(const RobotConfig& robot);
 
 struct FaultOutcome {
   FaultCase fault;
+  std::string motion = kNoMotion;
   std::string target;        ///< name of the actuator or bus
   double detected_s = kNaN;  ///< from the fault's cycle to the first reaction or count; NaN = never
   SafetyCause cause = SafetyCause::kNone;  ///< named by the bridge
@@ -43,9 +46,10 @@ struct FaultOutcome {
   bool back = false;  ///< stands again with every actuator referenced, or is ready where there are no legs
 };
 
-/// @throws std::runtime_error where the robot does not even get up before the fault.
+/// @param motion of fault_motions(). In one that is not standing the robot is on the floor, and may fall.
+/// @throws std::runtime_error where the robot does not even get up or move before the fault.
 FaultOutcome run_fault(const RobotConfig& robot, const std::string& preset, const SimOptions& sim,
-                       const FaultCase& fault);
+                       const FaultCase& fault, const std::string& motion = kNoMotion);
 
 /// Rows faults.<case>.<detection|cause_as_expected|torque_off|back_after_clear>.
 std::vector<ReportRow> fault_rows(const std::vector<FaultOutcome>& outcomes);

@@ -1,6 +1,7 @@
 #include "tools/logs/log/robot_names.h"
 
 #include "lcmtypes/channels.h"
+#include "robots/maintenance.h"
 #include "robots/robot_loader.h"
 #include "runtime/process_options.h"
 #include "tools/logs/fields/decoder.h"
@@ -47,7 +48,7 @@ Hello first_hello(Reader& reader) {
   return hello;
 }
 
-bool made_with(const RobotConfig& robot, std::int64_t hash) {
+bool made_as_it_is(const RobotConfig& robot, std::int64_t hash) {
   // Where there is nothing to preset it is called none; logs from before that say best.
   if (robot.presets.empty())
     return configuration_hash(robot, robot.preset().name) == hash ||
@@ -55,6 +56,10 @@ bool made_with(const RobotConfig& robot, std::int64_t hash) {
   for (const PresetConfig& preset : robot.presets)
     if (configuration_hash(robot, preset.name) == hash) return true;
   return false;
+}
+
+bool made_with(const RobotConfig& robot, std::int64_t hash) {
+  return made_as_it_is(robot, hash) || made_as_it_is(for_maintenance(robot), hash);
 }
 
 /// Of a log without robot.yaml.

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "lcmtypes/channels.h"
+#include "robots/maintenance.h"
 #include "robots/robot_loader.h"
 #include "runtime/process_options.h"
 #include "runtime/receive_guard.h"
@@ -34,6 +35,10 @@ std::string text_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
+bool has_word(const std::string& text, const std::string& word) {
+  return (' ' + text + ' ').find(' ' + word + ' ') != std::string::npos;
+}
+
 /// Sets robot and robot_yaml.
 void choose_robot(const LoggedRun& run, const std::string& robot, ReplayRobot& out) {
   const bool is_file = !robot.empty() && fs::is_regular_file(robot);
@@ -46,6 +51,8 @@ void choose_robot(const LoggedRun& run, const std::string& robot, ReplayRobot& o
     out.robot = load_robot(robot.empty() ? run.robot : robot);
     out.robot_yaml = text_of(out.robot.folder + "/robot.yaml");
   }
+  if (run.metadata && has_word(run.metadata->command_line, "--maintenance"))
+    out.robot = for_maintenance(std::move(out.robot));
 }
 
 /// lcm-logger's logs hold no preset, but every process says the hash of robot.yaml and preset.

@@ -12,8 +12,8 @@ namespace sprung::commands {
 namespace {
 
 // [design choice] Four renewals may be lost. Slowing down and setting the feet come on top.
-constexpr double kHold_s = 0.6;
-constexpr double kRenew_s = 0.12;
+constexpr double kHold_s = 0.5;
+constexpr double kRenew_s = 0.1;
 constexpr double kLongest_s = 3600.0;
 
 void refuse_time(const HeldCall& call) {

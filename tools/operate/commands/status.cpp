@@ -153,6 +153,7 @@ Json status_json(const RunInfo& info, const RobotConfig& robot, const Heard& hea
            {"preset", info.preset},
            {"clock", info.clock},
            {"simulation", info.simulation},
+           {"maintenance", info.maintenance},
            {"instance", info.instance},
            {"lcm_url", info.lcm_url},
            {"log", info.log}};
@@ -203,9 +204,10 @@ void print_process_news(const Json& processes) {
 }
 
 void print_table(const Json& status) {
-  std::printf("%s, clock %s, preset %s%s\n", text_of(status["robot"]).c_str(),
+  std::printf("%s, clock %s, preset %s%s%s\n", text_of(status["robot"]).c_str(),
               text_of(status["clock"]).c_str(), text_of(status["preset"]).c_str(),
-              status["simulation"].get<bool>() ? ", simulated drives" : "");
+              status["simulation"].get<bool>() ? ", simulated drives" : "",
+              status["maintenance"].get<bool>() ? ", maintenance mode" : "");
   std::printf("%-26s %-9s %8s %9s %9s  %s\n", "process", "state", "pid", "rate Hz", "overruns", "real time");
   for (const Json& process : status["processes"]) {
     char rate[32] = "-";

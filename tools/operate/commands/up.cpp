@@ -7,6 +7,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "robots/maintenance.h"
 #include "robots/robot_loader.h"
 #include "runtime/log.h"
 #include "runtime/session_clock.h"
@@ -105,9 +106,10 @@ void refuse_disagreeing_files(const LaunchRequest& request, const RobotConfig& r
 int run_up(const LaunchRequest& request, bool plain, bool unchecked) {
   start_log("sprung");
   check_installed_release(program_folder());
-  const RobotConfig robot = load_robot(request.robot);
+  RobotConfig robot = load_robot(request.robot);
   refuse_contradictions(request, robot);
   refuse_disagreeing_files(request, robot, unchecked);
+  if (request.maintenance) robot = for_maintenance(std::move(robot));
   ServiceNotify service;
   Launcher launcher(request, robot);
   int status = kExitFailed;
@@ -156,6 +158,9 @@ void add_up(CommandLine& sprung) {
   up.flag("--sim", request->simulation, "simulated drives instead of real ones");
   up.flag("--sim-elsewhere", request->simulated_elsewhere,
           "drives that another program simulates are on the buses: simulation_watchdogs apply");
+  up.flag("--maintenance", request->maintenance,
+          "for work on the robot: a quarter of the speed, half of the torque, and nothing moves without "
+          "sprung hold");
   up.choice("--clock", request->clock, {"realtime", "lockstep"},
             "lockstep: deterministic, as fast as it goes, needs --sim");
   up.option("--preset", request->preset, "set of parameters in robot.yaml; default: best, else the only one");

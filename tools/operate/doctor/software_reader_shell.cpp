@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "lcmtypes/channels.h"
+#include "robots/maintenance.h"
 #include "robots/robot_loader.h"
 #include "runtime/node.h"
 #include "runtime/process_options.h"
@@ -31,7 +32,8 @@ bool has_program(const std::string& name, const std::string& package) {
 
 /// Sentences about processes of this run that do not belong to this program.
 std::vector<std::string> strangers_of(const RunInfo& info) {
-  const RobotConfig robot = load_robot(info.robot_folder);
+  RobotConfig robot = load_robot(info.robot_folder);
+  if (info.maintenance) robot = for_maintenance(std::move(robot));
   const BuildIdentity ours{SPRUNG_VERSION, SPRUNG_GIT_HASH,
                            types_hash(),   configuration_hash(robot, info.preset),
                            robot.name,     info.clock};

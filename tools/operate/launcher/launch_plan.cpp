@@ -42,6 +42,7 @@ PlannedProcess plan_process(const ProcessConfig& config, const LaunchRequest& re
                        "--cpu",       std::to_string(config.cpu),
                        "--rt-policy", request.rt_policy};
   if (request.simulation || request.simulated_elsewhere) process.arguments.push_back("--simulation");
+  if (request.maintenance) process.arguments.push_back("--maintenance");
   add_injections(process, request);
   return process;
 }
@@ -98,6 +99,10 @@ void check_request(const LaunchRequest& request, const RobotConfig& robot) {
   (void)robot.preset(request.preset);
   if (request.clock == "lockstep" && !request.simulation) {
     throw std::invalid_argument("--clock lockstep needs --sim: real drives do not wait");
+  }
+  if (request.maintenance && request.clock == "lockstep") {
+    throw std::invalid_argument(
+        "--maintenance holds by the second of whoever is there: without --clock lockstep");
   }
   if (request.simulation && request.simulated_elsewhere) {
     throw std::invalid_argument("--sim starts simulated drives, --sim-elsewhere says that others do: which?");

@@ -27,6 +27,7 @@ struct LaunchRequest {
   bool simulation = false;
   bool
       simulated_elsewhere = false;  ///< another program simulates the drives: only the longer watchdogs apply
+  bool maintenance = false;         ///< robots/maintenance.h
   std::vector<std::string> can;     ///< BUS=ADDRESS
   std::string lcm_url;
   std::string rt_policy = "warn";

@@ -15,6 +15,7 @@ constexpr std::size_t kLinesLeftBehind = 20;
 std::string facts_of(const RunInfo& info) {
   std::string facts = "clock " + info.clock + ", preset " + info.preset;
   if (info.simulation) facts += ", simulated drives";
+  if (info.maintenance) facts += ", maintenance mode";
   return facts + ", LCM " + info.lcm_url;
 }
 
@@ -27,10 +28,12 @@ std::string from_here(const std::string& path) {
 
 }  // namespace
 
-std::string first_commands(const RobotConfig& robot) {
+std::string first_commands(const RobotConfig& robot, bool maintenance) {
   const bool referenced = std::all_of(robot.actuators.begin(), robot.actuators.end(),
                                       [](const ActuatorConfig& actuator) { return actuator.referenced; });
-  std::string out = referenced ? "" : "sprung home, ";
+  std::string out = maintenance ? "sprung hold; in a third: " : "";
+  if (!referenced) out += "sprung home, ";
+  if (maintenance) return out + "sprung move, sprung stand, sprung status, sprung down";
   if (robot.why_not_standing() == nullptr)
     out += robot.gaits.empty() ? "sprung stand, sprung jump, " : "sprung stand, sprung walk, sprung stop, ";
   return out + "sprung status, sprung down";
@@ -76,7 +79,10 @@ void LaunchView::announce(double ready_s) {
   if (info.simulation && info.clock == "realtime")
     std::printf(
         "  note simulated drives in real time: the longer simulation_watchdogs of robot.yaml apply\n");
-  std::printf("In a second terminal: %s. Ctrl-C here ends it.\n", first_commands(robot_).c_str());
+  if (info.maintenance)
+    std::printf("  note maintenance mode: a quarter of the speed, half of the torque, and hold to run\n");
+  std::printf("In a second terminal: %s. Ctrl-C here ends it.\n",
+              first_commands(robot_, info.maintenance).c_str());
   std::fflush(stdout);
 }
 
@@ -101,7 +107,8 @@ ScreenContent LaunchView::content() const {
   }
   content.up_s = static_cast<double>(monotonic_us() - begin_us_) * 1e-6;
   content.rows = launcher_.rows();
-  content.hint = "Ctrl-C ends it, drives first. In a second terminal: " + first_commands(robot_);
+  content.hint = "Ctrl-C ends it, drives first. In a second terminal: " +
+                 first_commands(robot_, launcher_.info().maintenance);
   return content;
 }
 

@@ -39,6 +39,6 @@ class LaunchView {
 };
 
 /// What to type once this robot is up.
-std::string first_commands(const RobotConfig& robot);
+std::string first_commands(const RobotConfig& robot, bool maintenance);
 
 }  // namespace sprung

@@ -42,6 +42,7 @@ PlannedProcess plan_recorder(const LaunchRequest& request, const RobotConfig& ro
   if (!request.command_line.empty())
     process.arguments.insert(process.arguments.end(), {"--command-line", request.command_line});
   if (request.simulation || request.simulated_elsewhere) process.arguments.push_back("--simulation");
+  if (request.maintenance) process.arguments.push_back("--maintenance");
   add_recording(process.arguments, request.recording);
   return process;
 }

@@ -32,6 +32,7 @@ Json to_json(const RunInfo& info) {
            {"preset", info.preset},     {"clock", info.clock},       {"simulation", info.simulation},
            {"session", info.session},   {"epoch_us", info.epoch_us}, {"lcm_url", info.lcm_url},
            {"log", info.log},           {"can", info.can},           {"launcher_pid", info.launcher_pid}};
+  out["maintenance"] = info.maintenance;
   out["buses"] = info.buses;
   out["processes"] = Json::array();
   for (const RunningProcess& process : info.processes) {
@@ -48,6 +49,7 @@ RunInfo from_json(const Json& in) {
   info.preset = in.at("preset");
   info.clock = in.at("clock");
   info.simulation = in.at("simulation");
+  info.maintenance = in.at("maintenance");
   info.session = in.at("session");
   info.epoch_us = in.at("epoch_us");
   info.lcm_url = in.at("lcm_url");

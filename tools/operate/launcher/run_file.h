@@ -21,6 +21,7 @@ struct RunInfo {
   std::string preset;
   std::string clock;  ///< realtime or lockstep
   bool simulation = false;
+  bool maintenance = false;
   std::int64_t session = 0;
   std::int64_t epoch_us = 0;  ///< CLOCK_MONOTONIC at the session's begin
   std::string lcm_url;

@@ -67,6 +67,21 @@ TEST(Epos2Drive, FollowingErrorIsOffAtItsLargestValue) {
   EXPECT_NEAR(bench.read_i16(0x20F4), -0.1 * kEpos2DeviceCountsPerRad, 2.0);
 }
 
+TEST(Epos2Drive, BeyondItsPositionLimitsItFaultsInEveryModeOnceItHasPower) {
+  for (const std::int8_t mode : {kModeCurrent, kModePosition}) {
+    DriveBench bench;
+    bench.write(kMaxFollowingError, 0xFFFFFFFF, 4);
+    bench.write(kPositionLimits, -1000, 4, 1);
+    bench.write(kPositionLimits, 2000, 4, 2);
+    bench.start(mode);
+    bench.run(0.01, 0.1);
+    EXPECT_TRUE(bench.emergencies.empty());
+    bench.run(0.5, 0.1);
+    EXPECT_EQ(bench.emergencies, std::vector<int>{0xFF09}) << "mode " << int{mode};
+    EXPECT_EQ(bench.drive->motor_torque_Nm(), 0.0);
+  }
+}
+
 TEST(Epos2Drive, CurrentModeGivesTheCurrentInMilliamperes) {
   DriveBench bench;
   bench.start(kModeCurrent);

@@ -1,0 +1,65 @@
+#pragma once
+/// A drive's own position limits (CiA 402 0x607D, :01 lowest, :02 highest): a stop that needs no bridge. They
+/// count from the drive's zero, so they can only be written once the joint's zero is known, and again when it
+/// is found anew; each is read back. Until both agree the drive gets no power. Pure.
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+#include "drivers/canopen/protocol.h"
+#include "robots/robot_config.h"
+
+namespace sprung {
+
+/// [design choice] beyond robot.yaml's limits: further than the bridge's own hard limit (0.08 rad for 30 ms,
+/// hard_limit_watch.h), since a drive faults at once.
+inline constexpr double kDriveLimitMargin_rad = 0.1;
+
+/// What one transfer does.
+struct LimitTransfer {
+  bool write = false;
+  canopen::ObjectId object;
+  std::uint32_t value = 0;
+};
+
+/// Of one actuator: the furthest that the limits of the joints of its leg allow, with the margin.
+struct PositionRange {
+  double low_rad = -std::numeric_limits<double>::infinity();
+  double high_rad = std::numeric_limits<double>::infinity();
+};
+PositionRange drive_range(const RobotConfig& robot, int actuator);
+
+class DrivePositionLimits {
+ public:
+  /// @param index 0: the drive is told none.
+  explicit DrivePositionLimits(std::uint16_t index) noexcept : index_(index) {}
+
+  /// From now on these, in the drive's counts; either may be the lower one.
+  void want(std::int64_t one_counts, std::int64_t other_counts) noexcept;
+  /// The drive has begun anew, with its own.
+  void forget() noexcept;
+
+  std::optional<LimitTransfer> next() const noexcept;  ///< none: nothing is to be done
+  void took(bool good, std::uint32_t value) noexcept;
+  /// A refusal is forgotten: it is tried again.
+  void retry() noexcept;
+
+  bool confirmed() const noexcept { return index_ == 0 || step_ == kDone; }
+  bool refused() const noexcept { return failures_ >= kTries; }
+
+ private:
+  static constexpr int kDone = 4;  ///< of two that are written and two that are read back
+  static constexpr int kTries = 3;
+
+  std::uint16_t index_;
+  bool wanted_ = false;
+  /// A lowest above the highest that the drive still has may be refused; that is not known where the drive
+  /// kept it over a restart of ours, so each try has the other order.
+  bool high_first_ = false;
+  std::int32_t low_ = std::numeric_limits<std::int32_t>::min();
+  std::int32_t high_ = std::numeric_limits<std::int32_t>::max();
+  int step_ = 0;
+  int failures_ = 0;  ///< in a row
+};
+
+}  // namespace sprung
