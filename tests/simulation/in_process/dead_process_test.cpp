@@ -118,14 +118,16 @@ TEST_P(StoppedProcess, RobotWalksOnOrStaysOff) {
   walking_.robot().stop(std::get<0>(GetParam()), false);
   walking_.ticks(3000);
   const SafetyState safety = walking_.robot().bridge().safety();
-  std::printf("stopped %.0f ms: %s, %s\n", 1e3 * stopped * walking_.cycle_s(), name(safety.level),
-              name(safety.cause));
-  if (safety.level == SafetyLevel::kOperational) {
-    EXPECT_EQ(walking_.robot().motion_state().state, MotionPhase::kWalking);
+  std::printf("stopped %.0f ms: %s, %s, %s\n", 1e3 * stopped * walking_.cycle_s(), name(safety.level),
+              name(safety.cause), name(walking_.robot().motion_state().state));
+  // A stall that made the bridge damp has ended the motion: the planner has let go, and waits for `stand`.
+  const bool walks = walking_.robot().motion_state().state == MotionPhase::kWalking;
+  if (walks) {
+    EXPECT_EQ(safety.level, SafetyLevel::kOperational);
   } else {
-    EXPECT_TRUE(safety.latched);
     EXPECT_FALSE(walking_.powered());
     EXPECT_EQ(walking_.robot().motion_state().state, MotionPhase::kIdle);
+    EXPECT_TRUE(safety.latched || stopped * walking_.cycle_s() <= 0.2);
   }
 }
 
