@@ -100,7 +100,7 @@ INSTANTIATE_TEST_SUITE_P(OfAWalkingRobot, DeadProcess,
                          testing::Combine(testing::Values(StackProcess::kBridge, StackProcess::kEstimator,
                                                           StackProcess::kController),
                                           testing::Values(kTrot),
-                                          testing::Range<std::uint64_t>(1, 1 + test::seeds())),
+                                          testing::Range<std::uint64_t>(1, 1 + test::seeds(1))),
                          process_gait_and_seed);
 
 class StoppedProcess : public testing::TestWithParam<Case> {
@@ -135,7 +135,7 @@ INSTANTIATE_TEST_SUITE_P(OfAWalkingRobot, StoppedProcess,
                          testing::Combine(testing::Values(StackProcess::kBridge, StackProcess::kEstimator,
                                                           StackProcess::kPlanner, StackProcess::kController),
                                           testing::Values(kTrot),
-                                          testing::Range<std::uint64_t>(1, 1 + test::seeds())),
+                                          testing::Range<std::uint64_t>(1, 1 + test::seeds(1))),
                          process_gait_and_seed);
 
 class DeadPlanner : public testing::TestWithParam<std::tuple<int, std::uint64_t>> {};
@@ -180,7 +180,7 @@ std::string gait_then_seed(const testing::TestParamInfo<std::tuple<int, std::uin
 
 INSTANTIATE_TEST_SUITE_P(OfAWalkingRobot, DeadPlanner,
                          testing::Combine(testing::Values(kCrawl, kWalk, kTrot),
-                                          testing::Range<std::uint64_t>(1, 1 + test::seeds())),
+                                          testing::Range<std::uint64_t>(1, 1 + test::seeds(1))),
                          gait_then_seed);
 
 class DeadPlannerInAJump : public testing::TestWithParam<MotionPhase> {};

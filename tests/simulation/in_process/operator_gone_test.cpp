@@ -69,7 +69,7 @@ TEST_P(OperatorGone, RobotRestsAndStands) {
 }
 
 /// A crawl sways by 0.1 m while it sets one foot after another; it goes no further.
-constexpr GaitToLeave kGaits[] = {{3, 0.3, 2.0, 4.0}, {2, 0.2, 2.0, 4.0}, {1, 0.1, 8.0, 8.0}};
+constexpr GaitToLeave kGaits[] = {{3, 0.3, 1.0, 2.2}, {2, 0.2, 1.0, 2.5}, {1, 0.1, 6.0, 7.0}};
 constexpr const char* kLeftGaitNames[] = {"stand", "crawl", "walk", "trot"};
 
 std::string gait_and_seed(const testing::TestParamInfo<OperatorGone::ParamType>& one) {
