@@ -1,6 +1,6 @@
 #pragma once
-/// How many seeds a test that is run on each of them takes: `usual`, or what SPRUNG_SEEDS asks for. Figures of
-/// docs/measured.md name the number that they were made with.
+/// How many seeds a test that is run on each of them takes: `usual`, or what SPRUNG_SEEDS asks for. Figures
+/// of docs/measured.md name the number that they were made with.
 #include <cstdint>
 #include <cstdlib>
 
