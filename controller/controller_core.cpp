@@ -62,7 +62,7 @@ struct ControllerCore::Impl {
         leg_command_us(to_us(watchdogs.leg_command_s)),
         valid_us(to_us(watchdogs.command_hold_s + robot.cycle_s)),
         used(robot.legs.size()),
-        lowering(robot.legs.size(), preset.sit_length_m, robot.lowering_s()) {
+        lowering(robot.legs.size(), preset.sit_length_m, robot.lowering_s) {
     if (!(preset.friction_smoothing_rad_s > 0.0)) {
       throw std::invalid_argument("preset '" + preset.name + "': friction_smoothing must be positive");
     }

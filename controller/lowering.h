@@ -18,7 +18,7 @@ inline constexpr double kPutDown_s = 0.2;
 
 class Lowering {
  public:
-  /// @param sit_length_m hip to foot, where it ends. @param duration_s RobotConfig::lowering_s().
+  /// @param sit_length_m hip to foot, where it ends. @param duration_s RobotConfig::lowering_s.
   Lowering(std::size_t leg_count, double sit_length_m, double duration_s);
 
   /// @param last what the legs did; @param state where their feet are.

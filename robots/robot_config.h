@@ -220,8 +220,9 @@ struct RobotConfig {
   std::vector<GaitConfig> gaits;
   std::vector<ProcessConfig> processes;
   bool hold_to_run = false;  ///< no key of the file: maintenance.h
-  /// In which a robot that nobody plans for is let down; at a quarter of the speed in four times of it.
-  double lowering_s() const noexcept { return hold_to_run ? 4.8 : 1.2; }
+  /// In which a robot that nobody plans for is let down; no key either. [design choice] design section 8,
+  /// about 1.5 s until the drives are off: the bridge's margin and the time of rest come after it.
+  double lowering_s = 1.2;
   std::int64_t hash = 0;  ///< of the file's bytes and the preset's name
 
   /// Every leg can be stood on.

@@ -27,11 +27,9 @@ double inertia_kg_m2(const RobotConfig& robot, int actuator) {
 }
 
 DrivePlant plant_of(const RobotConfig& robot, int actuator) {
-  const ActuatorConfig& config = robot.actuators.at(actuator);
-  const bool reduced = robot.hold_to_run;
-  return {inertia_kg_m2(robot, actuator), drive_range(robot, actuator),
-          config.torque_limit_Nm / (reduced ? kMaintenanceTorque : 1.0),
-          config.speed_limit_rad_s / (reduced ? kMaintenanceSpeed : 1.0)};
+  const ActuatorConfig built = as_built(robot, actuator);
+  return {inertia_kg_m2(robot, actuator), drive_range(robot, actuator), built.torque_limit_Nm,
+          built.speed_limit_rad_s};
 }
 
 }  // namespace
@@ -46,7 +44,7 @@ BridgeCore::Impl::Impl(const RobotConfig& config, const BridgeOptions& bridge_op
       gate(config),
       setpoints(config),
       limits(config),
-      safety(bridge_options.watchdogs, config.lowering_s()),
+      safety(bridge_options.watchdogs, config.lowering_s),
       state(config.actuators.size()),
       motion(config.actuators.size()),
       set_points(config.actuators.size()),

@@ -1,6 +1,5 @@
 #include "drivers/bridge/drive_node.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "drivers/canopen/objects.h"
@@ -38,8 +37,8 @@ DriveNode::DriveNode(const ActuatorConfig& actuator, int index, double cycle_s,
       profile_(std::move(profile)),
       tracker_(plant.speed_limit_rad_s, quantum_rad(actuator)),
       reference_(actuator),
-      reads_(*profile_, actuator.emergency_input.bit >= 0, actuator.position_limits_object),
-      range_(plant.range),
+      reads_(*profile_, actuator.emergency_input.bit >= 0,
+             {actuator.position_limits_object, plant.range, actuator.direction / quantum_rad(actuator)}),
       emergency_input_(actuator.emergency_input),
       stuck_(plant.torque_limit_Nm),
       noise_(plant.torque_limit_Nm, plant.inertia_kg_m2, quantum_rad(actuator), cycle_s),
@@ -49,7 +48,8 @@ void DriveNode::step(std::int64_t time_us, FrameBatch& out) noexcept {
   const bool reads = link().boot().operational();
   if (link().step(time_us, out)) reference_.doubt();
   if (!reads || stop_.by_sdo()) return;
-  limit_drive();
+  if (reference().known && sampled_)
+    reads_.position_limits().follow(reference().offset_rad, measured_position_rad(), powered());
   CanFrame frame;
   if (reads_.step(time_us, link().sdo(), modes_.unconfirmed_us(), frame)) out.push(actuator_.bus, frame);
   if (const auto display = reads_.take_mode()) modes_.read_display(*display);
@@ -69,26 +69,6 @@ void DriveNode::begin_operation(std::int64_t time_us) noexcept {
   reads_.begin_operation(actuator_.node, time_us);
   modes_.begin_operation(link().boot().mode_display(), time_us);
   reads_.position_limits().forget();
-  limited_offset_rad_ = kNaN;
-}
-
-/// For each zero; and without power, where the joint lies beyond what the drive was told: it may come back.
-/// Once it is inside the limits are narrow again.
-void DriveNode::limit_drive() noexcept {
-  if (!reference().known || !sampled_ || !std::isfinite(range_.low_rad)) return;
-  const double here_rad = measured_position_rad();
-  const bool new_zero = reference().offset_rad != limited_offset_rad_;
-  const bool outside = here_rad < told_.low_rad || here_rad > told_.high_rad;
-  const bool wide = told_.low_rad < range_.low_rad || told_.high_rad > range_.high_rad;
-  const bool inside = here_rad > range_.low_rad && here_rad < range_.high_rad;
-  if (!new_zero && !(outside && !powered()) && !(wide && inside)) return;
-  limited_offset_rad_ = reference().offset_rad;
-  told_ = range_;
-  if (!inside)
-    told_ = {std::min(range_.low_rad, here_rad - kDriveLimitMargin_rad),
-             std::max(range_.high_rad, here_rad + kDriveLimitMargin_rad)};
-  reads_.position_limits().want(counts_of(told_.low_rad - limited_offset_rad_),
-                                counts_of(told_.high_rad - limited_offset_rad_));
 }
 
 void DriveNode::take_display(const CanFrame& frame) noexcept {
@@ -161,8 +141,8 @@ GateMotion DriveNode::gate_motion() const noexcept {
   return motion;
 }
 
-std::int64_t DriveNode::counts_of(double encoder_rad) const noexcept {
-  return std::llround(actuator_.direction * encoder_rad / quantum_rad(actuator_));
+std::int64_t DriveNode::encoder_counts() const noexcept {
+  return std::llround(actuator_.direction * tracker_.position_rad() / quantum_rad(actuator_));
 }
 
 double DriveNode::index_position_rad() const noexcept {

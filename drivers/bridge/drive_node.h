@@ -70,7 +70,7 @@ class DriveNode final : public BusNode {
   double measured_link_position_rad() const noexcept { return measured_link_position_rad_; }
   /// What the encoder says, at the output and without offset. Good when answered.
   double encoder_position_rad() const noexcept { return tracker_.position_rad(); }
-  std::int64_t encoder_counts() const noexcept { return counts_of(tracker_.position_rad()); }
+  std::int64_t encoder_counts() const noexcept;
   const ActuatorConfig& actuator() const noexcept { return actuator_; }
 
   /// Adds what only a drive has to its link's health.
@@ -89,7 +89,6 @@ class DriveNode final : public BusNode {
             const DrivePlant& plant, std::unique_ptr<DriveProfile> profile);
 
   void begin_operation(std::int64_t time_us) noexcept;
-  void limit_drive() noexcept;
   void take_sample(const CanFrame& frame, std::int64_t time_us) noexcept;
   void take_display(const CanFrame& frame) noexcept;
   void accept_sample() noexcept;
@@ -101,7 +100,6 @@ class DriveNode final : public BusNode {
   DriveSetpoint setpoint(SafetyLevel level, const ActuatorCommand& command) const noexcept;
   void watch_stop(std::int64_t time_us, SafetyLevel level, FrameBatch& out) noexcept;
   void stop_by_sdo(std::int64_t time_us, FrameBatch& out) noexcept;
-  std::int64_t counts_of(double encoder_rad) const noexcept;
   double measured_torque_Nm() const noexcept;  ///< by current, output side; NaN before the first sample
   double measured_position_rad() const noexcept { return tracker_.position_rad() + reference().offset_rad; }
 
@@ -112,9 +110,6 @@ class DriveNode final : public BusNode {
   ReferenceWatch reference_;
   ModeWatch modes_;
   BackgroundReads reads_;
-  PositionRange range_;
-  PositionRange told_;
-  double limited_offset_rad_ = kNaN;  ///< of the reference for which the drive's own limits were worked out
   EmergencyInput emergency_input_;
   StopWatch stop_;
   StuckEncoderWatch stuck_;

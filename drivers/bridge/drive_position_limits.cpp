@@ -1,6 +1,7 @@
 #include "drivers/bridge/drive_position_limits.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "drivers/canopen/objects.h"
 #include "model/transmission.h"
@@ -42,6 +43,27 @@ PositionRange drive_range(const RobotConfig& robot, int actuator) {
   return {};
 }
 
+DrivePositionLimits::DrivePositionLimits(std::uint16_t index, const PositionRange& range,
+                                         double counts_per_rad) noexcept
+    : index_(std::isfinite(range.low_rad) && std::isfinite(range.high_rad) ? index : std::uint16_t{0}),
+      range_(range),
+      counts_per_rad_(counts_per_rad) {}
+
+void DrivePositionLimits::follow(double zero_rad, double here_rad, bool powered) noexcept {
+  if (index_ == 0) return;
+  const bool outside = here_rad < told_.low_rad || here_rad > told_.high_rad;
+  const bool wide = told_.low_rad < range_.low_rad || told_.high_rad > range_.high_rad;
+  const bool inside = here_rad > range_.low_rad && here_rad < range_.high_rad;
+  if (zero_rad == told_zero_rad_ && !(outside && !powered) && !(wide && inside)) return;
+  told_zero_rad_ = zero_rad;
+  told_ = range_;
+  if (!inside)
+    told_ = {std::min(range_.low_rad, here_rad - kDriveLimitMargin_rad),
+             std::max(range_.high_rad, here_rad + kDriveLimitMargin_rad)};
+  want(std::llround(counts_per_rad_ * (told_.low_rad - zero_rad)),
+       std::llround(counts_per_rad_ * (told_.high_rad - zero_rad)));
+}
+
 void DrivePositionLimits::want(std::int64_t one_counts, std::int64_t other_counts) noexcept {
   const std::int32_t low = to_i32(std::min(one_counts, other_counts));
   const std::int32_t high = to_i32(std::max(one_counts, other_counts));
@@ -53,7 +75,7 @@ void DrivePositionLimits::want(std::int64_t one_counts, std::int64_t other_count
   step_ = failures_ = 0;
 }
 
-void DrivePositionLimits::forget() noexcept { *this = DrivePositionLimits(index_); }
+void DrivePositionLimits::forget() noexcept { *this = DrivePositionLimits(index_, range_, counts_per_rad_); }
 
 std::optional<LimitTransfer> DrivePositionLimits::next() const noexcept {
   if (index_ == 0 || !wanted_ || step_ == kDone || refused()) return std::nullopt;

@@ -8,6 +8,7 @@
 
 #include "drivers/canopen/protocol.h"
 #include "robots/robot_config.h"
+#include "signals/vec3.h"
 
 namespace sprung {
 
@@ -31,12 +32,15 @@ PositionRange drive_range(const RobotConfig& robot, int actuator);
 
 class DrivePositionLimits {
  public:
-  /// @param index 0: the drive is told none.
-  explicit DrivePositionLimits(std::uint16_t index) noexcept : index_(index) {}
+  /// @param index 0: the drive is told none. @param range infinite: none either. @param counts_per_rad of
+  /// the drive, at the gear's output, with the direction's sign.
+  DrivePositionLimits(std::uint16_t index, const PositionRange& range, double counts_per_rad) noexcept;
 
-  /// From now on these, in the drive's counts; either may be the lower one.
-  void want(std::int64_t one_counts, std::int64_t other_counts) noexcept;
-  /// The drive has begun anew, with its own.
+  /// Once a cycle in which both are known. For each zero; and without power, where the joint lies beyond what
+  /// the drive was told: it may come back. Once it is inside the limits are narrow again.
+  /// @param zero_rad actuator position at the drive's count zero. @param here_rad the measured one.
+  void follow(double zero_rad, double here_rad, bool powered) noexcept;
+  /// The drive has begun anew, maybe with its own.
   void forget() noexcept;
 
   std::optional<LimitTransfer> next() const noexcept;  ///< none: nothing is to be done
@@ -51,7 +55,13 @@ class DrivePositionLimits {
   static constexpr int kDone = 4;  ///< of two that are written and two that are read back
   static constexpr int kTries = 3;
 
+  void want(std::int64_t one_counts, std::int64_t other_counts) noexcept;
+
   std::uint16_t index_;
+  PositionRange range_;
+  double counts_per_rad_;
+  PositionRange told_;
+  double told_zero_rad_ = kNaN;
   bool wanted_ = false;
   /// A lowest above the highest that the drive still has may be refused; that is not known where the drive
   /// kept it over a restart of ours, so each try has the other order.

@@ -54,7 +54,7 @@ struct SafetyInputs {
 class SafetyMachine {
  public:
   /// @param lowering_s in which the leg controller lets the robot down.
-  explicit SafetyMachine(const WatchdogConfig& watchdogs, double lowering_s = RobotConfig().lowering_s());
+  explicit SafetyMachine(const WatchdogConfig& watchdogs, double lowering_s = RobotConfig().lowering_s);
 
   void update(const SafetyInputs& inputs) noexcept;
   /// At once; also before cyclic operation. A drive refused while something else is latched only explains

@@ -22,6 +22,16 @@ TEST(MaintenanceTest, LowersEverySpeedAndTorqueAndAsksForAHold) {
   }
 }
 
+TEST(MaintenanceTest, WhatARobotIsBuiltForStaysAsItWas) {
+  const RobotConfig robot = load_robot("pegasus");
+  const RobotConfig reduced = for_maintenance(robot);
+  EXPECT_EQ(reduced.lowering_s, 4.0 * robot.lowering_s);
+  for (const RobotConfig& one : {robot, reduced}) {
+    EXPECT_NEAR(as_built(one, 3).torque_limit_Nm, robot.actuators[3].torque_limit_Nm, 1e-12);
+    EXPECT_NEAR(as_built(one, 3).speed_limit_rad_s, robot.actuators[3].speed_limit_rad_s, 1e-12);
+  }
+}
+
 TEST(MaintenanceTest, FitsTheSameRobotFile) {
   const RobotConfig robot = load_robot("pegasus");
   EXPECT_EQ(for_maintenance(robot).hash, robot.hash);

@@ -225,7 +225,8 @@ inline void dump_value(test::ValueDump& dump, const std::string& at, const Proce
 
 inline std::string dump_of(const RobotConfig& robot) {
   const auto& [name, folder, cycle_s, buses, bit_rate_bit_s, actuators, encoder_cards, joints, legs,
-               watchdogs, simulation_watchdogs, presets, body, gaits, processes, hold_to_run, hash] = robot;
+               watchdogs, simulation_watchdogs, presets, body, gaits, processes, hold_to_run, lowering_s,
+               hash] = robot;
   test::ValueDump dump;
   dump.fields("",
               "name cycle_s buses bit_rate_bit_s actuators encoder_cards joints legs watchdogs "
@@ -234,6 +235,7 @@ inline std::string dump_of(const RobotConfig& robot) {
               simulation_watchdogs, presets, body, gaits, processes);
   static_cast<void>(folder);
   static_cast<void>(hold_to_run);  // no key of the file
+  static_cast<void>(lowering_s);
   static_cast<void>(hash);
   return dump.text();
 }

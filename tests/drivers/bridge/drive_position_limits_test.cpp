@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
 #include <map>
 
 #include "robots/robot_loader.h"
@@ -32,7 +34,11 @@ class DrivePositionLimitsTest : public testing::Test {
   }
   std::int32_t drive(int sub) { return static_cast<std::int32_t>(drive_[sub]); }
 
-  DrivePositionLimits limits_{0x607D};
+  /// Of a range from -3 to 5 rad, at 1000 counts a radian.
+  void zero_at(double zero_rad) { limits_.follow(zero_rad, kInside_rad, false); }
+
+  static constexpr double kInside_rad = 1.0;
+  DrivePositionLimits limits_{0x607D, {-3.0, 5.0}, 1000.0};
   std::map<int, std::uint32_t> drive_{{1, 0x80000000U}, {2, 0x7FFFFFFFU}};
   bool keeps_ = true;
 };
@@ -42,62 +48,64 @@ TEST_F(DrivePositionLimitsTest, NothingIsSaidBeforeTheZeroIsKnown) {
   EXPECT_FALSE(limits_.confirmed()) << "no power";
 }
 
-TEST_F(DrivePositionLimitsTest, BothAreWrittenAndReadBackLowestFirstWhicheverWayTheMotorTurns) {
-  limits_.want(5000, -3000);
+TEST_F(DrivePositionLimitsTest, BothAreWrittenAndReadBackLowestFirst) {
+  zero_at(0.0);
   EXPECT_EQ(talk(), 4);
   EXPECT_TRUE(limits_.confirmed());
   EXPECT_EQ(drive(1), -3000);
   EXPECT_EQ(drive(2), 5000);
-  limits_.want(-3000, 5000);
+  zero_at(0.0);
   EXPECT_EQ(talk(), 0) << "the same";
 }
 
-TEST_F(DrivePositionLimitsTest, AnotherZeroMovesThemWhereverItIs) {
-  limits_.want(-3000, 5000);
+TEST_F(DrivePositionLimitsTest, MotorThatTurnsTheOtherWayHasThemTheOtherWayRound) {
+  limits_ = DrivePositionLimits(0x607D, {-3.0, 5.0}, -1000.0);
+  zero_at(0.0);
   talk();
-  for (const auto& [low, high] : {std::pair(100000, 108000), std::pair(-208000, -200000)}) {
-    limits_.want(low, high);
+  EXPECT_EQ(drive(1), -5000);
+  EXPECT_EQ(drive(2), 3000);
+}
+
+TEST_F(DrivePositionLimitsTest, AnotherZeroMovesThemWhereverItIs) {
+  zero_at(0.0);
+  talk();
+  for (const double zero_rad : {-103.0, 205.0}) {
+    zero_at(zero_rad);
     EXPECT_FALSE(limits_.confirmed());
     talk();
     EXPECT_TRUE(limits_.confirmed());
-    EXPECT_EQ(drive(1), low);
-    EXPECT_EQ(drive(2), high);
+    EXPECT_EQ(drive(1), -3000 - std::lround(1000 * zero_rad));
+    EXPECT_EQ(drive(2), 5000 - std::lround(1000 * zero_rad));
   }
+}
+
+TEST_F(DrivePositionLimitsTest, JointThatLiesFurtherOutMayComeBackAndThenIsHeldAgain) {
+  zero_at(0.0);
+  talk();
+  limits_.follow(0.0, 5.5, true);
+  EXPECT_EQ(talk(), 0) << "not while it has power: it is the drive's to stop it";
+  limits_.follow(0.0, 5.5, false);
+  EXPECT_EQ(talk(), 4);
+  EXPECT_EQ(drive(2), 5600);
+  EXPECT_EQ(drive(1), -3000);
+  limits_.follow(0.0, 5.3, true);
+  EXPECT_EQ(talk(), 0) << "on its way back";
+  limits_.follow(0.0, 4.9, true);
+  EXPECT_EQ(talk(), 4);
+  EXPECT_EQ(drive(2), 5000);
 }
 
 TEST_F(DrivePositionLimitsTest, DriveThatKeepsSomethingElseIsRefusedAfterThreeTries) {
   keeps_ = false;
-  limits_.want(-3000, 5000);
+  zero_at(0.0);
   EXPECT_EQ(talk(), 9);
   EXPECT_TRUE(limits_.refused());
   EXPECT_FALSE(limits_.confirmed());
 }
 
-TEST_F(DrivePositionLimitsTest, DriveThatBeganAnewIsToldAgain) {
-  limits_.want(-3000, 5000);
-  talk();
-  limits_.forget();
-  EXPECT_FALSE(limits_.confirmed());
-  limits_.want(-3000, 5000);
-  EXPECT_EQ(talk(), 4);
-}
-
-/// NMT reset communication leaves it.
-TEST_F(DrivePositionLimitsTest, DriveThatKeptOldLimitsTakesNewOnesOnWhicheverSide) {
-  for (const auto& [low, high] : {std::pair(100000, 108000), std::pair(-208000, -200000)}) {
-    drive_ = {{1, static_cast<std::uint32_t>(-3000)}, {2, 5000}};
-    limits_.forget();
-    limits_.want(low, high);
-    talk();
-    EXPECT_TRUE(limits_.confirmed());
-    EXPECT_EQ(drive(1), low);
-    EXPECT_EQ(drive(2), high);
-  }
-}
-
 TEST_F(DrivePositionLimitsTest, RefusalIsTriedAgainWhenAsked) {
   keeps_ = false;
-  limits_.want(-3000, 5000);
+  zero_at(0.0);
   talk();
   ASSERT_TRUE(limits_.refused());
   keeps_ = true;
@@ -107,18 +115,42 @@ TEST_F(DrivePositionLimitsTest, RefusalIsTriedAgainWhenAsked) {
   EXPECT_TRUE(limits_.confirmed());
 }
 
+TEST_F(DrivePositionLimitsTest, DriveThatBeganAnewIsToldAgain) {
+  zero_at(0.0);
+  talk();
+  limits_.forget();
+  EXPECT_FALSE(limits_.confirmed());
+  zero_at(0.0);
+  EXPECT_EQ(talk(), 4);
+}
+
+/// NMT reset communication leaves it.
+TEST_F(DrivePositionLimitsTest, DriveThatKeptOldLimitsTakesNewOnesOnWhicheverSide) {
+  for (const double zero_rad : {-103.0, 205.0}) {
+    drive_ = {{1, static_cast<std::uint32_t>(-3000)}, {2, 5000}};
+    limits_.forget();
+    zero_at(zero_rad);
+    talk();
+    EXPECT_TRUE(limits_.confirmed());
+    EXPECT_EQ(drive(1), -3000 - std::lround(1000 * zero_rad));
+  }
+}
+
 TEST_F(DrivePositionLimitsTest, BeyondWhatTheObjectHoldsIsItsEnd) {
-  limits_.want(-5'000'000'000, 5'000'000'000);
+  limits_ = DrivePositionLimits(0x607D, {-5.0, 5.0}, 1e9);
+  zero_at(0.0);
   talk();
   EXPECT_EQ(drive(1), std::numeric_limits<std::int32_t>::min());
   EXPECT_EQ(drive(2), std::numeric_limits<std::int32_t>::max());
 }
 
-TEST(DrivePositionLimits, WithoutAnObjectThereIsNothingToConfirm) {
-  DrivePositionLimits none(0);
-  none.want(-3000, 5000);
-  EXPECT_TRUE(none.confirmed());
-  EXPECT_FALSE(none.next());
+TEST(DrivePositionLimits, WithoutAnObjectOrARangeThereIsNothingToConfirm) {
+  for (DrivePositionLimits none :
+       {DrivePositionLimits(0, {-3.0, 5.0}, 1e3), DrivePositionLimits(0x607D, {}, 1e3)}) {
+    none.follow(0.0, 0.0, false);
+    EXPECT_TRUE(none.confirmed());
+    EXPECT_FALSE(none.next());
+  }
 }
 
 TEST(DriveRange, IsThatOfTheJointAndAMarginWhereNothingIsCoupled) {

@@ -23,7 +23,7 @@ constexpr std::array<std::pair<const char*, MotionPhase>, 4> kJumpPhases{
      {"flight", MotionPhase::kFlight},
      {"landing", MotionPhase::kLanding}}};
 
-bool jumps(const RobotConfig& robot) { return robot.legs.size() == 1; }
+bool jumps(const RobotConfig& robot) { return robot.preset().jumps(); }
 
 class Beginning {
  public:

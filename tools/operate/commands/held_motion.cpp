@@ -40,22 +40,29 @@ int stop(OperatorClient& client) {
 int hold(const char* what, OperatorClient& client) {
   std::printf("%s: goes on while this command runs; Ctrl-C stops it\n", what);
   std::fflush(stdout);
-  while (!stop_requested()) {
-    OperatorCommand renewal;
-    renewal.kind = OperatorKind::kHold;
-    renewal.hold_s = kHold_s;
-    const auto answer = client.send(renewal, kSilence_s);
-    if (!answer) return motion_exit(what, answer);
-    if (answer->outcome == OperatorOutcome::kRefused) {
-      std::printf("%s: has ended\n", what);
-      return kExitDone;
-    }
-    pause(kRenew_s);
+  const std::optional<OperatorAnswer> last = keep_saying(OperatorKind::kHold, client);
+  if (!stop_requested() && !last) return motion_exit(what, last);
+  if (!stop_requested()) {
+    std::printf("%s: has ended\n", what);
+    return kExitDone;
   }
   return stop(client);
 }
 
 }  // namespace
+
+std::optional<OperatorAnswer> keep_saying(OperatorKind kind, OperatorClient& client) {
+  std::optional<OperatorAnswer> answer;
+  while (!stop_requested()) {
+    OperatorCommand renewal;
+    renewal.kind = kind;
+    renewal.hold_s = kHold_s;
+    answer = client.send(renewal, kSilence_s);
+    if (!answer || answer->outcome == OperatorOutcome::kRefused) return answer;
+    pause(kRenew_s);
+  }
+  return answer;
+}
 
 void add_held_call(CommandLine& command, HeldCall& call) {
   command.option("--for", call.for_s,

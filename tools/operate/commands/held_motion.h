@@ -2,9 +2,17 @@
 /// Motions that go on until told otherwise, walking and complying: somebody must be there, or say beforehand
 /// how long. Without --for the command stays in the foreground and renews a hold; Ctrl-C, or a connection
 /// that is cut, ends in a stand (design section 8, "operator link lost").
+#include <optional>
+
+#include "tools/operate/client/operator_client.h"
 #include "tools/operate/commands/motion_call.h"
 
 namespace sprung::commands {
+
+/// Says it ten times a second, each time for half a second, until a signal comes, it is refused, or nobody
+/// answers. @param kind kHold or kEnable. @return the last answer; what stop_requested() says is why it
+/// ended.
+std::optional<OperatorAnswer> keep_saying(OperatorKind kind, OperatorClient& client);
 
 struct HeldCall : MotionCall {
   double for_s = kNaN;
