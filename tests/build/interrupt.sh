@@ -8,6 +8,11 @@ work=$2
 rm -rf "$work"
 mkdir -p "$work"
 . "$source_dir/tests/build/small_tree.sh"
+# Who is not root gets as far as apt by this. sudo may ask for a password, and stays in the terminal's
+# foreground for that: a kill of the script alone waits for it, Ctrl-C does not.
+stub sudo <<'EOT'
+exec "$@"
+EOT
 cd "$tree"
 
 # Whatever a run starts carries its mark in its environment.
@@ -37,8 +42,10 @@ gone() { ! kill -0 "$run" 2>/dev/null; }
 
 # try COMMAND MOMENT SIGNAL STATUS script|group: a kill reaches the script alone, Ctrl-C all of the terminal's
 # foreground group.
+tries=0
 try() {
   command=$1 moment=$2 signal=$3 to=$5
+  tries=$((tries + 1))
   rm -rf build "$work/reached" "$work/missing"
   [ "$moment" != setup ] || echo ninja-build >"$work/missing"
   HANG=$moment setsid env --default-signal=INT,HUP "./$command" >"$work/said" 2>&1 &
@@ -56,13 +63,11 @@ try() {
   fi
 }
 
-tries=0
 for moment in setup configure build up stand jump; do
-  try run-demo "$moment" INT 130 script
+  [ "$moment" = setup ] && [ "$(id -u)" != 0 ] || try run-demo "$moment" INT 130 script
   try run-demo "$moment" INT 130 group
-  tries=$((tries + 2))
 done
-for moment in setup configure build ctest; do try run-tests "$moment" INT 130 group; tries=$((tries + 1)); done
+for moment in setup configure build ctest; do try run-tests "$moment" INT 130 group; done
 try run-demo build TERM 143 script
 try run-demo jump HUP 129 group
-echo "interrupted $((tries + 2)) times, nothing left"
+echo "interrupted $tries times, nothing left"

@@ -10,10 +10,13 @@ cat >"$work/source/CMakeLists.txt" <<'EOT'
 cmake_minimum_required(VERSION 3.22)
 project(tries NONE)
 enable_testing()
-# Fails as often as the file NAME.fails says.
+# Fails as often as the file NAME.fails says, while the machine stalls as often as NAME.stalls says.
 foreach(name sure.In slow.In/a slow.In/b slow.In/c slow.In/d)
   string(MAKE_C_IDENTIFIER ${name} file)
-  add_test(NAME ${name} COMMAND bash -c "left=$(cat ${file}.fails 2>/dev/null || echo 0); echo $((left - 1)) >${file}.fails; ((left <= 0))")
+  add_test(NAME ${name} COMMAND bash -c "left=$(cat ${file}.fails 2>/dev/null || echo 0); echo $((left - 1)) >${file}.fails
+    stalls=$(cat ${file}.stalls 2>/dev/null || echo 0); echo $((stalls - 1)) >${file}.stalls
+    ((stalls <= 0)) || echo the machine stalled for 90 ms, longer than real time bears
+    ((left <= 0))")
 endforeach()
 set_tests_properties(slow.In/a slow.In/b slow.In/c slow.In/d PROPERTIES LABELS "realtime;other")
 EOT
@@ -21,7 +24,7 @@ cmake -S "$work/source" -B "$work/build" >/dev/null
 
 # fails NAME=TIMES...: from now on. The rest passes.
 fails() {
-  rm -f "$work"/build/*.fails "$work/tally"
+  rm -f "$work"/build/*.fails "$work"/build/*.stalls "$work/tally"
   for one in "$@"; do echo "${one#*=}" >"$work/build/${one%=*}.fails"; done
 }
 expect() { # exit status, text, what it is about
@@ -41,6 +44,14 @@ fails slow_In_a=1 slow_In_b=1 slow_In_c=1 slow_In_d=1; expect 1 "more than 3" "f
 fails slow_In_a=1 slow_In_b=1; expect 0 "second-try: slow.In/b" "two in a first call"
 echo 1 >"$work/build/slow_In_c.fails"; echo 1 >"$work/build/slow_In_d.fails"
 expect 1 "more than 3" "and two in a second call of the same run"
+# stalls NAME=TIMES...
+stalls() { for one in "$@"; do echo "${one#*=}" >"$work/build/${one%=*}.stalls"; done; }
+fails slow_In_a=2; stalls slow_In_a=1; expect 0 "second-try: slow.In/a" "the machine stalls in one of two failures"
+grep -qx 'slow.In/a: the machine stalled for 90 ms.*' "$work/tally" || { echo "the stall was not written down"; cat "$work/tally"; exit 1; }
+fails slow_In_a=3; stalls slow_In_a=1; expect 1 "slow.In/a failed twice" "two of three failures without a stall"
+fails slow_In_a=1 slow_In_b=1 slow_In_c=1 slow_In_d=1; stalls slow_In_b=1; expect 0 "second-try: slow.In/d" "three fail, and one with a stall"
+fails slow_In_a=9; stalls slow_In_a=9; expect 1 "no machine for real time" "the machine stalls each time"
+fails sure_In=1; stalls sure_In=1; expect 1 "failed for good" "another test fails beside a stall"
 fails
 status=0
 "$second_try" "$work/build" "$work/tally" bash -c 'exit 9' || status=$?

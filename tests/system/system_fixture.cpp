@@ -54,6 +54,9 @@ void SystemTest::TearDown() {
   if (HasFailure() && up_) {
     std::printf("sprung up said:\n%s\n", read_all(folder_ / "up.txt").c_str());
   }
+  // .ci/second-try looks for these words.
+  if (HasFailure() && machine_stalled())
+    std::printf("the machine stalled for %.0f ms, longer than real time bears\n", longest_stall_ms());
 }
 
 CommandResult SystemTest::sprung(const std::string& arguments) const {
@@ -77,6 +80,7 @@ std::string SystemTest::can_options() const {
 std::string SystemTest::said() const { return read_all(folder_ / "up.txt"); }
 
 void SystemTest::up(const std::string& clock, const std::string& more) {
+  if (clock == "realtime") stalls_ = std::make_unique<StallWatch>();
   const std::string command = "exec " + test::bin_dir() + "/sprung up " +
                               (typed_robot_.empty() ? robot_.name : typed_robot_) + " --sim --clock " +
                               clock +

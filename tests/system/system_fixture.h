@@ -11,6 +11,7 @@
 
 #include "robots/robot_loader.h"
 #include "tests/support/own_folder.h"
+#include "tests/support/stall_watch.h"
 #include "tools/operate/launcher/child_process.h"
 #include "tools/operate/launcher/run_file.h"
 
@@ -47,6 +48,12 @@ class SystemTest : public testing::Test {
   static bool grows(const std::filesystem::path& file, std::uintmax_t bytes);
   std::string can_address() const { return can_address_; }  ///< of the robot's first bus
   std::string lcm_url() const { return lcm_url_; }
+  /// The longest stall of this machine since up("realtime"), ms; 0 in lock-step.
+  double longest_stall_ms() const { return stalls_ ? stalls_->longest_ms() : 0.0; }
+  /// Two stalls as long as this one stop a healthy robot: what the watchdogs are for.
+  bool machine_stalled() const {
+    return 2.0 * longest_stall_ms() > 1e3 * robot_.simulation_watchdogs.command_hold_s;
+  }
   /// What up() has said so far.
   std::string said() const;
 
@@ -62,6 +69,7 @@ class SystemTest : public testing::Test {
   std::string lcm_url_;
   std::vector<RunningProcess> started_;
   std::unique_ptr<ChildProcess> up_;
+  std::unique_ptr<StallWatch> stalls_;
 };
 
 }  // namespace sprung
