@@ -15,7 +15,7 @@ namespace {
 /// A basis that changes to and fro in every cycle must not fill the log.
 constexpr std::int64_t kLogInterval_us = 100'000;
 
-class ControllerShell : public ResponderShell {
+class ControllerShell final : public ResponderShell {
  public:
   explicit ControllerShell(Process& process)
       : process_(process),

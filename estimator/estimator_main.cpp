@@ -10,7 +10,7 @@
 namespace sprung {
 namespace {
 
-class EstimatorShell : public ResponderShell {
+class EstimatorShell final : public ResponderShell {
  public:
   explicit EstimatorShell(Process& process)
       : robot_(process.robot()),

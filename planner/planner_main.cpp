@@ -15,7 +15,7 @@ bool is_motion(OperatorKind kind) {
   return kind != OperatorKind::kEstop && kind != OperatorKind::kClear && kind != OperatorKind::kHome;
 }
 
-class PlannerShell : public ResponderShell {
+class PlannerShell final : public ResponderShell {
  public:
   explicit PlannerShell(Process& process)
       : process_(process),

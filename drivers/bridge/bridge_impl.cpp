@@ -12,6 +12,7 @@ constexpr double kSlow_rad_s = 0.1;  // [design choice] nearly at rest
 
 std::vector<DriveNode*> pointers(const std::vector<std::unique_ptr<DriveNode>>& drives) {
   std::vector<DriveNode*> found;
+  found.reserve(drives.size());
   for (const auto& drive : drives) found.push_back(drive.get());
   return found;
 }

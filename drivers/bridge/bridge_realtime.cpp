@@ -216,7 +216,11 @@ class RealTimeBridge {
   void report_send_error(std::size_t bus) {
     const CanSendError error = buses_[bus]->last_send_error();
     core_.send_failed(static_cast<int>(bus), failure_of(error), now_us());
-    if (send_errors_[bus].allow(now_us())) log_warn(buses_[bus]->describe() + ": " + text(error));
+    LogLimit& limit = send_errors_[bus];
+    if (!limit.allow(now_us())) return;
+    const std::int64_t more = limit.kept_back();
+    log_warn(buses_[bus]->describe() + ": " + text(error) +
+             (more > 0 ? "; and " + std::to_string(more) + " times since the last such line" : ""));
   }
 
   /// Takes frames and commands as they come until `done` or the deadline.

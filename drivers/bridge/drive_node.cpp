@@ -37,8 +37,8 @@ DriveNode::DriveNode(const ActuatorConfig& actuator, int index, double cycle_s,
       profile_(std::move(profile)),
       tracker_(plant.speed_limit_rad_s, quantum_rad(actuator)),
       reference_(actuator),
-      reads_(*profile_, actuator.emergency_input.bit >= 0,
-             {actuator.position_limits_object, plant.range, actuator.direction / quantum_rad(actuator)}),
+      background_(*profile_, actuator.emergency_input.bit >= 0,
+                  {actuator.position_limits_object, plant.range, actuator.direction / quantum_rad(actuator)}),
       emergency_input_(actuator.emergency_input),
       stuck_(plant.torque_limit_Nm),
       noise_(plant.torque_limit_Nm, plant.inertia_kg_m2, quantum_rad(actuator), cycle_s),
@@ -49,11 +49,11 @@ void DriveNode::step(std::int64_t time_us, FrameBatch& out) noexcept {
   if (link().step(time_us, out)) reference_.doubt();
   if (!reads || stop_.by_sdo()) return;
   if (reference().known && sampled_)
-    reads_.position_limits().follow(reference().offset_rad, measured_position_rad(), powered());
+    background_.position_limits().follow(reference().offset_rad, measured_position_rad(), powered());
   CanFrame frame;
-  if (reads_.step(time_us, link().sdo(), modes_.unconfirmed_us(), frame)) out.push(actuator_.bus, frame);
-  if (const auto display = reads_.take_mode()) modes_.read_display(*display);
-  if (const auto levels = reads_.take_inputs()) emergency_input_.take(*levels);
+  if (background_.step(time_us, link().sdo(), modes_.unconfirmed_us(), frame)) out.push(actuator_.bus, frame);
+  if (const auto display = background_.take_mode()) modes_.read_display(*display);
+  if (const auto levels = background_.take_inputs()) emergency_input_.take(*levels);
 }
 
 bool DriveNode::receive(const CanFrame& frame, std::int64_t time_us) noexcept {
@@ -66,9 +66,9 @@ bool DriveNode::receive(const CanFrame& frame, std::int64_t time_us) noexcept {
 }
 
 void DriveNode::begin_operation(std::int64_t time_us) noexcept {
-  reads_.begin_operation(actuator_.node, time_us);
+  background_.begin_operation(actuator_.node, time_us);
   modes_.begin_operation(link().boot().mode_display(), time_us);
-  reads_.position_limits().forget();
+  background_.position_limits().forget();
 }
 
 void DriveNode::take_display(const CanFrame& frame) noexcept {
@@ -146,7 +146,7 @@ std::int64_t DriveNode::encoder_counts() const noexcept {
 }
 
 double DriveNode::index_position_rad() const noexcept {
-  return actuator_.direction * reads_.index_counts() * quantum_rad(actuator_);
+  return actuator_.direction * background_.index_counts() * quantum_rad(actuator_);
 }
 
 void DriveNode::set_link_position(double measured_link_position_rad) noexcept {
@@ -171,7 +171,7 @@ NodeCondition DriveNode::condition() const noexcept {
 
 void DriveNode::show(NodeHealth& out) const noexcept {
   reference_.show(out);
-  reads_.show(out);
+  background_.show(out);
   out.implausible_samples = implausible_samples_;
   out.limited_by_drive = limited_by_drive_;
   out.winding_share = winding_.warmth();
@@ -182,7 +182,7 @@ void DriveNode::fill(ActuatorState& out) const noexcept {
   out.measured_link_position_rad = measured_link_position_rad_;
   out.measured_velocity_rad_s = kNaN;
   out.measured_current_A = sampled_ ? sample_.measured_current_A : kNaN;
-  out.measured_supply_V = reads_.supply_V();
+  out.measured_supply_V = background_.supply_V();
   out.fault_code = link().emergencies().emergency().code;
   out.age_cycles = link().samples().age_cycles();
   out.power_state = power_state_;
@@ -229,7 +229,7 @@ bool DriveNode::drive_fault(Fault& out) const noexcept {
     out.cause = SafetyCause::kWinding;
     print(out.detail, "%s: its winding is %.0f %% beyond what its rated current makes it: let it cool", drive,
           100.0 * (winding_.warmth() - 1.0));
-  } else if (reads_.position_limits().refused()) {
+  } else if (background_.position_limits().refused()) {
     out.cause = SafetyCause::kDriveRefused;
     print(out.detail, "%s: does not keep its position limits 0x%04X: position_limits_object of robot.yaml",
           drive, actuator_.position_limits_object);
@@ -246,7 +246,7 @@ bool DriveNode::drive_fault(Fault& out) const noexcept {
 /// Read once a second: a drive says sooner by an emergency when its supply breaks down.
 bool DriveNode::supply_fault(Fault& out) const noexcept {
   const SupplyConfig& range = actuator_.supply;
-  const double supply_V = reads_.supply_V();
+  const double supply_V = background_.supply_V();
   const bool good = range.max_V <= 0.0 || !(supply_V < range.min_V || supply_V > range.max_V);
   if (good || !powered()) return false;
   out.cause = SafetyCause::kSupply;
@@ -257,7 +257,7 @@ bool DriveNode::supply_fault(Fault& out) const noexcept {
 
 void DriveNode::reset_faults(bool reset) noexcept {
   power_.reset_faults(reset);
-  if (reset) reads_.position_limits().retry();
+  if (reset) background_.position_limits().retry();
   if (reset) distrusted_ = false;
   if (reset && !in_fault()) link().forget_emergency();
 }
@@ -284,7 +284,7 @@ PowerTarget DriveNode::target(SafetyLevel level, const ActuatorCommand& command)
   if (level != SafetyLevel::kOperational && distrusted_) return PowerTarget::kOff;
   switch (level) {
     case SafetyLevel::kOperational: {
-      const bool ready = reference().known && (enabled() || reads_.position_limits().confirmed());
+      const bool ready = reference().known && (enabled() || background_.position_limits().confirmed());
       if (command.mode == DriveMode::kDisabled || !ready) return PowerTarget::kOff;
       return command.mode == DriveMode::kDamping ? kept : PowerTarget::kEnabled;
     }
@@ -340,7 +340,7 @@ void DriveNode::watch_stop(std::int64_t time_us, SafetyLevel level, FrameBatch& 
   const bool was_by_sdo = stop_.by_sdo();
   stop_.update(inputs);
   if (stop_.by_sdo() != was_by_sdo) {  // what was asked before is another's
-    reads_.begin_operation(actuator_.node, time_us);
+    background_.begin_operation(actuator_.node, time_us);
     link().sdo().finish();
   }
   if (stop_.by_sdo()) stop_by_sdo(time_us, out);

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "drivers/bridge/background_reads.h"
+#include "drivers/bridge/background_access.h"
 #include "drivers/bridge/bus_node.h"
 #include "drivers/bridge/emergency_input.h"
 #include "drivers/bridge/mode_watch.h"
@@ -79,8 +79,8 @@ class DriveNode final : public BusNode {
   void set_reference(const Reference& reference) noexcept { reference_.set(reference); }
   bool has_index() const noexcept { return profile_->index_counter_object().index != 0; }
   /// Reads the encoder's count at its last index pulse, in the background.
-  void ask_index() noexcept { reads_.ask_index(); }
-  IndexAnswer index_answer() const noexcept { return reads_.index_answer(); }
+  void ask_index() noexcept { background_.ask_index(); }
+  IndexAnswer index_answer() const noexcept { return background_.index_answer(); }
   /// As encoder_position_rad(), at the last index pulse; when kKnown.
   double index_position_rad() const noexcept;
 
@@ -109,7 +109,7 @@ class DriveNode final : public BusNode {
   PositionTracker tracker_;
   ReferenceWatch reference_;
   ModeWatch modes_;
-  BackgroundReads reads_;
+  BackgroundAccess background_;
   EmergencyInput emergency_input_;
   StopWatch stop_;
   StuckEncoderWatch stuck_;

@@ -152,11 +152,10 @@ void NodeBoot::take_answer(SdoClient& sdo) noexcept {
   } else if (step.kind == Kind::kShowMode) {
     mode_display_ = static_cast<std::int8_t>(sdo.value() & 0xFF);
     next_step();
-  } else if (step.kind == Kind::kWrite) {
-    next_step();
   } else if (step.kind == Kind::kWriteAndVerify && !reading_back_) {
     reading_back_ = true;
-  } else if (low_bytes(sdo.value(), step.setting.size) != low_bytes(step.setting.value, step.setting.size)) {
+  } else if (step.kind != Kind::kWrite &&
+             low_bytes(sdo.value(), step.setting.size) != low_bytes(step.setting.value, step.setting.size)) {
     state_ = BootState::kRefused;
     print_difference(detail_, drive_, step.setting, sdo.value());
   } else {

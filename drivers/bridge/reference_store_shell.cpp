@@ -55,7 +55,7 @@ std::string device_of(const RobotConfig& robot, const ActuatorConfig& a) {
 /// Up to the next comma; cut off `text`.
 std::string next_part(std::string& text) {
   const std::size_t end = std::min(text.find(", "), text.size());
-  const std::string part = text.substr(0, end);
+  std::string part = text.substr(0, end);
   text.erase(0, end + 2);
   return part;
 }
@@ -67,7 +67,7 @@ std::string difference(std::string then, std::string now) {
     const std::string before = next_part(then);
     const std::string after = next_part(now);
     if (before == after) continue;
-    text += (text.empty() ? "'" : "; '") + before + "' then, '" + after + "' now";
+    text.append(text.empty() ? "'" : "; '").append(before).append("' then, '").append(after).append("' now");
   }
   return text;
 }

@@ -78,6 +78,7 @@ std::vector<std::string> fit_warnings(const std::vector<FitParameter>& parameter
                                       const FitStatistics& statistics,
                                       const std::vector<Eigen::VectorXd>& hidden) {
   std::vector<std::string> out;
+  out.reserve(hidden.size());
   for (const Eigen::VectorXd& direction : hidden) out.push_back(of_hidden(parameters, direction));
   warn_of_pairs(parameters, statistics.correlation, out);
   warn_of_single(parameters, fit, statistics, hidden, out);

@@ -72,6 +72,7 @@ ModelResult fitted(const TriedModel& tried, const JointResult& joint, const FitO
 
 Selection chosen_of(const std::vector<TriedModel>& tried) {
   std::vector<Candidate> candidates;
+  candidates.reserve(tried.size());
   for (const TriedModel& t : tried)
     candidates.push_back({t.model->name(), free_parameters(*t.model), t.validation});
   return select(candidates);

@@ -96,7 +96,8 @@ double median_interval(const Signal& time_s) {
   Signal intervals;
   for (std::size_t i = 1; i < time_s.size(); ++i) intervals.push_back(time_s[i] - time_s[i - 1]);
   if (intervals.empty()) refuse("one sample alone gives no motion");
-  std::nth_element(intervals.begin(), intervals.begin() + intervals.size() / 2, intervals.end());
+  std::nth_element(intervals.begin(), intervals.begin() + static_cast<Index>(intervals.size() / 2),
+                   intervals.end());
   return intervals[intervals.size() / 2];
 }
 
@@ -160,7 +161,8 @@ FitPiece piece_of(const MergedSeries& merged, std::size_t begin, std::size_t end
   for (Index i = 0; i < count; ++i)
     data.time_s[i] = span.from_s + static_cast<double>(grid.first + i) * period_s;
   const auto part = [&](const Signal& all) {
-    return all.empty() ? Signal() : Signal(all.begin() + begin, all.begin() + end);
+    if (all.empty()) return Signal();
+    return Signal(all.begin() + static_cast<Index>(begin), all.begin() + static_cast<Index>(end));
   };
   const Signal time_s = part(merged.time_s);
   for (std::size_t s = 0; s < kWeight; ++s) {

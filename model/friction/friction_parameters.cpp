@@ -72,13 +72,6 @@ FrictionVector to_vector(const FrictionParameters& parameters) noexcept {
   return vector;
 }
 
-FrictionParameters from_vector(const FrictionVector& vector, double reference_temperature_C) noexcept {
-  FrictionParameters parameters;
-  for (const FrictionParameterInfo& i : kTable) parameters.*(i.member) = vector[at(i.index)];
-  parameters.reference_temperature_C = reference_temperature_C;
-  return parameters;
-}
-
 const char* name(FrictionModelKind kind) noexcept {
   switch (kind) {
     case FrictionModelKind::kCoulomb:

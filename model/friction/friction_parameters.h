@@ -69,8 +69,6 @@ const std::array<FrictionParameterInfo, kFrictionParameters>& friction_parameter
 const FrictionParameterInfo& info(FrictionParameter parameter) noexcept;
 
 FrictionVector to_vector(const FrictionParameters& parameters) noexcept;
-/// @param reference_temperature_C is not in the vector.
-FrictionParameters from_vector(const FrictionVector& vector, double reference_temperature_C = 24.0) noexcept;
 
 /// Named subsets; each holds all of the one before.
 enum class FrictionModelKind {

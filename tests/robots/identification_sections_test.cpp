@@ -8,6 +8,7 @@
 
 #include "robots/robot_loader.h"
 #include "robots/robot_sections.h"
+#include "tests/model/friction/from_vector.h"
 #include "tests/support/paths.h"
 
 namespace sprung {
@@ -147,7 +148,7 @@ TEST(IdentificationSections, EverySubsetOfTermsIsReadBackUnderItsSmallestModel) 
     for (std::size_t i = 0; i < kFrictionParameters; ++i) {
       if ((subset >> i & 1u) != 0) vector[i] = full[i];
     }
-    const FrictionParameters p = from_vector(vector);
+    const FrictionParameters p = test::from_vector(vector);
     const bool shapes_nothing = p.viscous_Nm_s_rad == 0.0 &&
                                 (p.viscous_exponent != 1.0 || p.viscous_temperature_1_K != 0.0);
     if (shapes_nothing) continue;  // refused, see HalfATermIsRefused

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tests/model/friction/friction_examples.h"
+#include "tests/model/friction/from_vector.h"
 
 namespace sprung {
 namespace {
@@ -105,16 +106,16 @@ TEST(FrictionLawTest, OnlyEverTakesEnergy) {
 TEST(FrictionLawTest, GradientIsThatOfFiniteDifferences) {
   const FrictionVector here = to_vector(full_friction());
   for (const FrictionInput& in : many_points()) {
-    const FrictionValue value = evaluate(from_vector(here), in);
-    EXPECT_EQ(value.torque_Nm, friction_torque_Nm(from_vector(here), in));
+    const FrictionValue value = evaluate(test::from_vector(here), in);
+    EXPECT_EQ(value.torque_Nm, friction_torque_Nm(test::from_vector(here), in));
     for (const FrictionParameterInfo& row : friction_parameter_table()) {
       const auto i = static_cast<std::size_t>(row.index);
       const double step = 1e-5 * here[i];
       FrictionVector above = here, below = here;
       above[i] += step;
       below[i] -= step;
-      const double difference = (friction_torque_Nm(from_vector(above), in) -
-                                 friction_torque_Nm(from_vector(below), in)) /
+      const double difference = (friction_torque_Nm(test::from_vector(above), in) -
+                                 friction_torque_Nm(test::from_vector(below), in)) /
                                 (2.0 * step);
       EXPECT_NEAR(value.gradient[i], difference, 1e-6 * (1.0 + std::abs(difference))) << row.name;
     }

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "tests/model/friction/friction_examples.h"
+#include "tests/model/friction/from_vector.h"
 
 namespace sprung {
 namespace {
@@ -33,7 +34,7 @@ TEST(FrictionParametersTest, DefaultsAreTheTablesOffValues) {
 TEST(FrictionParametersTest, VectorAndStructHoldTheSame) {
   FrictionVector vector{};
   for (std::size_t i = 0; i < vector.size(); ++i) vector[i] = 0.1 * static_cast<double>(i + 1);
-  const FrictionParameters p = from_vector(vector, 31.0);
+  const FrictionParameters p = test::from_vector(vector, 31.0);
   EXPECT_EQ(to_vector(p), vector);
   EXPECT_EQ(p.reference_temperature_C, 31.0);
   EXPECT_EQ(p.stribeck_speed_rad_s, vector[static_cast<std::size_t>(FrictionParameter::kStribeckSpeed)]);

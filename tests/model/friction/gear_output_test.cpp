@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tests/model/friction/friction_examples.h"
+#include "tests/model/friction/from_vector.h"
 
 namespace sprung {
 namespace {
@@ -76,7 +77,7 @@ TEST(GearOutputTest, FrictionsGradientGivesTheTorquesOwn) {
     for (std::size_t i = 0; i < here.size(); ++i) {
       FrictionVector above = here;
       above[i] += 1e-6 * here[i];
-      const double moved_Nm = solve_gear_output(from_vector(above), available_Nm, in).torque_Nm;
+      const double moved_Nm = solve_gear_output(test::from_vector(above), available_Nm, in).torque_Nm;
       const double difference = (moved_Nm - out.torque_Nm) / (1e-6 * here[i]);
       EXPECT_NEAR(-out.by_available * gradient[i], difference, 1e-4 * (1.0 + std::abs(difference)));
     }

@@ -1,4 +1,4 @@
-#include "drivers/bridge/background_reads.h"
+#include "drivers/bridge/background_access.h"
 
 #include <gtest/gtest.h>
 
@@ -17,13 +17,13 @@ constexpr int kNode = 3;
 constexpr std::int64_t kTimeout_us = 100'000;
 constexpr std::int64_t kFirst_us = 60'000;  // 20 ms a node id
 
-class BackgroundReadsTest : public ::testing::Test {
+class BackgroundAccessTest : public ::testing::Test {
  protected:
-  explicit BackgroundReadsTest(const char* robot_name) {
+  explicit BackgroundAccessTest(const char* robot_name) {
     const RobotConfig robot = load_robot(robot_name);
     const WatchdogConfig& w = robot.watchdogs;
     profile_ = make_profile(robot.actuators[0], {robot.cycle_s, w.heartbeat_s, w.heartbeat_consumer_s});
-    reads_ = std::make_unique<BackgroundReads>(*profile_, false);
+    reads_ = std::make_unique<BackgroundAccess>(*profile_, false);
     reads_->begin_operation(kNode, 0);
   }
   bool step(std::int64_t time_us, std::int64_t unconfirmed_us = 0) {
@@ -41,21 +41,21 @@ class BackgroundReadsTest : public ::testing::Test {
 
   const canopen::ObjectId mode_object_{canopen::kModeDisplay, 0};
   std::unique_ptr<DriveProfile> profile_;
-  std::unique_ptr<BackgroundReads> reads_;
+  std::unique_ptr<BackgroundAccess> reads_;
   canopen::SdoClient sdo_{kNode, kTimeout_us};
   CanFrame request_;
 };
 
 /// Knows its supply voltage, in mV.
-struct BackgroundReadsOfGold : BackgroundReadsTest {
-  BackgroundReadsOfGold() : BackgroundReadsTest("single_leg") {}
+struct BackgroundAccessOfGold : BackgroundAccessTest {
+  BackgroundAccessOfGold() : BackgroundAccessTest("single_leg") {}
 };
 /// Knows the count at its index.
-struct BackgroundReadsOfEpos2 : BackgroundReadsTest {
-  BackgroundReadsOfEpos2() : BackgroundReadsTest("pegasus") {}
+struct BackgroundAccessOfEpos2 : BackgroundAccessTest {
+  BackgroundAccessOfEpos2() : BackgroundAccessTest("pegasus") {}
 };
 
-TEST_F(BackgroundReadsOfGold, SupplyIsReadOnceASecondEachNodeAtItsOwnTime) {
+TEST_F(BackgroundAccessOfGold, SupplyIsReadOnceASecondEachNodeAtItsOwnTime) {
   EXPECT_TRUE(std::isnan(reads_->supply_V()));
   EXPECT_FALSE(step(kFirst_us - 1));
   ASSERT_TRUE(step(kFirst_us));
@@ -66,7 +66,7 @@ TEST_F(BackgroundReadsOfGold, SupplyIsReadOnceASecondEachNodeAtItsOwnTime) {
   EXPECT_TRUE(step(kFirst_us + 1'000'000));
 }
 
-TEST_F(BackgroundReadsOfGold, AModeThatIsNotConfirmedIsReadEveryFiftyMilliseconds) {
+TEST_F(BackgroundAccessOfGold, AModeThatIsNotConfirmedIsReadEveryFiftyMilliseconds) {
   EXPECT_FALSE(step(1'000, 50'000));
   ASSERT_TRUE(step(2'000, 50'001));
   answer(mode_object_, 0xFD, 1);
@@ -77,7 +77,7 @@ TEST_F(BackgroundReadsOfGold, AModeThatIsNotConfirmedIsReadEveryFiftyMillisecond
   EXPECT_TRUE(step(52'000, 100'001));
 }
 
-TEST_F(BackgroundReadsOfEpos2, AnIndexThatIsAskedForComesFirst) {
+TEST_F(BackgroundAccessOfEpos2, AnIndexThatIsAskedForComesFirst) {
   reads_->ask_index();
   ASSERT_TRUE(step(kFirst_us, 60'000));
   EXPECT_EQ(reads_->index_answer(), IndexAnswer::kWaiting);
@@ -87,7 +87,7 @@ TEST_F(BackgroundReadsOfEpos2, AnIndexThatIsAskedForComesFirst) {
   EXPECT_EQ(reads_->index_counts(), -1234);
 }
 
-TEST_F(BackgroundReadsOfEpos2, WithoutAnIndexPulseTheCountIsZeroAndNone) {
+TEST_F(BackgroundAccessOfEpos2, WithoutAnIndexPulseTheCountIsZeroAndNone) {
   reads_->ask_index();
   ASSERT_TRUE(step(1'000));
   answer(profile_->index_counter_object(), 0, 4);
@@ -96,7 +96,7 @@ TEST_F(BackgroundReadsOfEpos2, WithoutAnIndexPulseTheCountIsZeroAndNone) {
   EXPECT_EQ(failures(), 0);
 }
 
-TEST_F(BackgroundReadsOfGold, SilenceIsCountedAndLeavesTheLastValue) {
+TEST_F(BackgroundAccessOfGold, SilenceIsCountedAndLeavesTheLastValue) {
   ASSERT_TRUE(step(kFirst_us));
   answer(profile_->supply_voltage_object(), 48'000, 4);
   step(kFirst_us + 1'000);
@@ -109,7 +109,7 @@ TEST_F(BackgroundReadsOfGold, SilenceIsCountedAndLeavesTheLastValue) {
   EXPECT_DOUBLE_EQ(reads_->supply_V(), 48.0);
 }
 
-TEST_F(BackgroundReadsOfGold, WhatWasAskedBeforeARestartIsForgotten) {
+TEST_F(BackgroundAccessOfGold, WhatWasAskedBeforeARestartIsForgotten) {
   ASSERT_TRUE(step(kFirst_us));
   sdo_.finish();
   reads_->begin_operation(kNode, 500'000);

@@ -14,14 +14,14 @@
 
 namespace sprung {
 
-/// Answer to BackgroundReads::ask_index().
+/// Answer to BackgroundAccess::ask_index().
 enum class IndexAnswer : std::int8_t { kNone, kWaiting, kKnown, kFailed };
 
-class BackgroundReads {
+class BackgroundAccess {
  public:
   /// @param profile of the drive, which outlives this.
-  BackgroundReads(const DriveProfile& profile, bool inputs,
-                  const DrivePositionLimits& position_limits = {0, {}, 1.0}) noexcept
+  BackgroundAccess(const DriveProfile& profile, bool inputs,
+                   const DrivePositionLimits& position_limits = {0, {}, 1.0}) noexcept
       : profile_(profile), inputs_(inputs), position_limits_(position_limits) {}
 
   /// The drive is in operation; what was being read is forgotten.

@@ -1,4 +1,4 @@
-#include "drivers/bridge/background_reads.h"
+#include "drivers/bridge/background_access.h"
 
 #include <utility>
 
@@ -17,14 +17,14 @@ constexpr std::int64_t kModeRead_us = 50'000;
 
 }  // namespace
 
-void BackgroundReads::begin_operation(int node, std::int64_t time_us) noexcept {
+void BackgroundAccess::begin_operation(int node, std::int64_t time_us) noexcept {
   reading_ = Reading::kNothing;
   next_inputs_us_ = time_us;
   next_supply_us_ = time_us + kSupplyStagger_us * node;
 }
 
-bool BackgroundReads::step(std::int64_t time_us, canopen::SdoClient& sdo, std::int64_t unconfirmed_us,
-                           CanFrame& out) noexcept {
+bool BackgroundAccess::step(std::int64_t time_us, canopen::SdoClient& sdo, std::int64_t unconfirmed_us,
+                            CanFrame& out) noexcept {
   if (sdo.status() != SdoStatus::kBusy) {
     take(sdo);
     reading_ = next(time_us, unconfirmed_us);
@@ -34,14 +34,14 @@ bool BackgroundReads::step(std::int64_t time_us, canopen::SdoClient& sdo, std::i
   return sdo.step(time_us, out);
 }
 
-void BackgroundReads::ask(canopen::SdoClient& sdo) const noexcept {
+void BackgroundAccess::ask(canopen::SdoClient& sdo) const noexcept {
   const auto limit = reading_ == Reading::kLimits ? position_limits_.next() : std::nullopt;
   if (limit && limit->write) return sdo.write(limit->object, limit->value, 4);
   sdo.read(limit ? limit->object : object_of(reading_));
 }
 
 /// A refusal or a time-out leaves the last value.
-void BackgroundReads::take(canopen::SdoClient& sdo) noexcept {
+void BackgroundAccess::take(canopen::SdoClient& sdo) noexcept {
   const bool good = sdo.status() == SdoStatus::kDone;
   if (!good && sdo.status() != SdoStatus::kIdle) ++failures_;
   if (reading_ == Reading::kLimits) position_limits_.took(good, sdo.value());
@@ -57,7 +57,7 @@ void BackgroundReads::take(canopen::SdoClient& sdo) noexcept {
   sdo.finish();
 }
 
-BackgroundReads::Reading BackgroundReads::next(std::int64_t time_us, std::int64_t unconfirmed_us) noexcept {
+BackgroundAccess::Reading BackgroundAccess::next(std::int64_t time_us, std::int64_t unconfirmed_us) noexcept {
   if (inputs_ && time_us >= next_inputs_us_) {
     next_inputs_us_ = time_us + kInputsPeriod_us;
     return Reading::kInputs;
@@ -73,17 +73,17 @@ BackgroundReads::Reading BackgroundReads::next(std::int64_t time_us, std::int64_
   return Reading::kSupply;
 }
 
-canopen::ObjectId BackgroundReads::object_of(Reading reading) const noexcept {
+canopen::ObjectId BackgroundAccess::object_of(Reading reading) const noexcept {
   if (reading == Reading::kInputs) return profile_.inputs().object;
   if (reading == Reading::kMode) return {canopen::kModeDisplay, 0};
   return reading == Reading::kIndex ? profile_.index_counter_object() : profile_.supply_voltage_object();
 }
 
-std::optional<std::uint32_t> BackgroundReads::take_inputs() noexcept {
+std::optional<std::uint32_t> BackgroundAccess::take_inputs() noexcept {
   return std::exchange(levels_, std::nullopt);
 }
 
-std::optional<std::int8_t> BackgroundReads::take_mode() noexcept {
+std::optional<std::int8_t> BackgroundAccess::take_mode() noexcept {
   return std::exchange(mode_, std::nullopt);
 }
 
