@@ -12,13 +12,10 @@
 
 #include "runtime/fault_injection.h"
 #include "runtime/stop_request.h"
+#include "runtime/transport/lcm_address.h"
 
 namespace sprung {
 namespace {
-
-/// The receiving thread empties LCM's own queue at once; this only bridges a moment in which it is not
-/// scheduled.
-constexpr int kLcmQueue = 4096;
 
 struct LcmDeleter {
   void operator()(lcm_t* lcm) const noexcept { lcm_destroy(lcm); }
@@ -26,31 +23,43 @@ struct LcmDeleter {
 using LcmPointer = std::unique_ptr<lcm_t, LcmDeleter>;
 
 LcmPointer open_lcm(const std::string& url) {
-  LcmPointer lcm(lcm_create(url.c_str()));
+  LcmPointer lcm(lcm_create(LcmAddress::of(url).url().c_str()));
   if (lcm != nullptr) return lcm;
   throw std::runtime_error("LCM could not start on '" + url +
                            "': check the address; without a multicast route run (as root) 'ip link set lo "
                            "multicast on; ip route add 239.0.0.0/8 dev lo'");
 }
 
+/// What the receiving thread has counted, for the others.
+struct SharedCounts {
+  std::atomic<std::int64_t> strangers{0}, malformed{0}, fragments{0}, lost{0};
+  void set(const ReceiverCounts& now) noexcept {
+    strangers = now.strangers;
+    malformed = now.malformed;
+    fragments = now.fragments;
+    lost = now.lost;
+  }
+};
+
 }  // namespace
 
 struct Node::Impl {
   struct Subscription {
-    Subscription(Impl* node, std::string channel, const MessageLayout& layout, const CountLimits& limits,
+    Subscription(std::string channel, const MessageLayout& layout, const CountLimits& limits,
                  std::int64_t session, Handler handle)
-        : impl(node), guard(std::move(channel), layout, limits, session), handler(std::move(handle)) {}
-    Impl* impl;
+        : guard(std::move(channel), layout, limits, session), handler(std::move(handle)) {}
     ReceiveGuard guard;
     Handler handler;
   };
 
   explicit Impl(const NodeOptions& options)
-      : faults(options.inject), sending(open_lcm(options.lcm_url)), receiving(open_lcm(options.lcm_url)) {}
+      : url(options.lcm_url), faults(options.inject), sending(open_lcm(options.lcm_url)) {}
 
-  static void on_bytes(const lcm_recv_buf_t* bytes, const char* /*channel*/, void* user) noexcept {
-    auto& subscription = *static_cast<Subscription*>(user);
-    subscription.impl->receive(subscription, bytes->data, bytes->data_size);
+  void dispatch(const ReceivedMessage& message) noexcept {
+    for (const auto& subscription : subscriptions) {
+      if (subscription->guard.channel() == message.channel)
+        receive(*subscription, message.data, message.size);
+    }
   }
 
   void receive(Subscription& subscription, const void* data, std::size_t size) noexcept {
@@ -63,24 +72,25 @@ struct Node::Impl {
     try {
       subscription.handler(guard, data, size);
     } catch (...) {
-      guard.refuse(Refusal::kNotDecodable, 0,
-                   0);  // out of memory: nothing may be thrown through LCM's C code
+      guard.refuse(Refusal::kNotDecodable, 0, 0);  // out of memory: the next one may find some
     }
     if (guard.refused() != before) last_refuser = &guard;
   }
 
-  void drain() {
-    std::array<pollfd, 2> waits{pollfd{lcm_get_fileno(receiving.get()), POLLIN, 0},
-                                pollfd{stopping.fd(), POLLIN, 0}};
+  void drain() noexcept {
+    std::array<pollfd, 2> waits{pollfd{receiver->fd(), POLLIN, 0}, pollfd{stopping.fd(), POLLIN, 0}};
     while ((waits[1].revents & POLLIN) == 0) {
-      if (poll(waits.data(), waits.size(), -1) > 0 && (waits[0].revents & POLLIN) != 0)
-        lcm_handle(receiving.get());
+      if (poll(waits.data(), waits.size(), -1) <= 0 || waits[0].revents == 0) continue;
+      receiver->receive([this](const ReceivedMessage& message) { dispatch(message); });
+      counts.set(receiver->counts());
     }
   }
 
+  std::string url;
   FaultInjection faults;
   LcmPointer sending;
-  LcmPointer receiving;
+  std::unique_ptr<LcmReceiver> receiver;  ///< of those who subscribe
+  SharedCounts counts;
   std::vector<std::unique_ptr<Subscription>> subscriptions;
   std::atomic<const ReceiveGuard*> last_refuser{nullptr};
   InputEvent stopping;
@@ -94,14 +104,10 @@ Node::~Node() { stop(); }
 
 void Node::add(const char* channel, const MessageLayout& layout, const CountLimits& limits, Handler handler) {
   if (impl_->thread.joinable()) throw std::logic_error("Node: subscribe before start()");
-  auto subscription = std::make_unique<Impl::Subscription>(impl_.get(), channel, layout, limits, session_,
-                                                           std::move(handler));
-  lcm_subscription_t* const made = lcm_subscribe(impl_->receiving.get(), channel, &Impl::on_bytes,
-                                                 subscription.get());
-  if (made == nullptr)
-    throw std::runtime_error(std::string("LCM cannot receive ") + channel + ": run 'sprung doctor'");
-  lcm_subscription_set_queue_capacity(made, kLcmQueue);
-  impl_->subscriptions.push_back(std::move(subscription));
+  if (impl_->receiver == nullptr)
+    impl_->receiver = std::make_unique<LcmReceiver>(impl_->url, Fragments::kRefused);
+  impl_->subscriptions.push_back(
+      std::make_unique<Impl::Subscription>(channel, layout, limits, session_, std::move(handler)));
 }
 
 void Node::start() {
@@ -119,9 +125,7 @@ void Node::send(const char* channel, std::int64_t seq) {
   const LinkFault fault = impl_->faults.on_publish(channel, seq);
   if (fault == LinkFault::kDropSent) return;
   for (int copies = fault == LinkFault::kRepeatSent ? 2 : 1; copies > 0; --copies) {
-    const int sent = lcm_publish(impl_->sending.get(), channel, buffer_.data(),
-                                 static_cast<unsigned int>(buffer_.size()));
-    if (sent != 0) ++send_failures_;
+    lcm_publish(impl_->sending.get(), channel, buffer_.data(), static_cast<unsigned int>(buffer_.size()));
   }
 }
 
@@ -135,15 +139,26 @@ bool Node::wait_for_input(std::int64_t deadline_utime_us) {
   return ready > 0;
 }
 
+ReceiverCounts Node::datagrams() const noexcept {
+  const SharedCounts& counts = impl_->counts;
+  return {counts.strangers, counts.malformed, counts.fragments, counts.lost};
+}
+
 std::int64_t Node::refused_messages() const {
-  std::int64_t sum = 0;
+  const ReceiverCounts datagrams = this->datagrams();
+  std::int64_t sum = datagrams.strangers + datagrams.malformed + datagrams.fragments;
   for (const auto& subscription : impl_->subscriptions) sum += subscription->guard.refused();
   return sum;
 }
 
 std::string Node::last_refusal() const {
   const ReceiveGuard* const guard = impl_->last_refuser.load();
-  return guard == nullptr ? "" : guard->last_refusal();
+  if (guard != nullptr) return guard->last_refusal();
+  const ReceiverCounts datagrams = this->datagrams();
+  if (datagrams.strangers + datagrams.malformed + datagrams.fragments == 0) return "";
+  return "datagrams refused: " + std::to_string(datagrams.strangers) + " of strangers, " +
+         std::to_string(datagrams.malformed) + " malformed, " + std::to_string(datagrams.fragments) +
+         " fragments";
 }
 
 }  // namespace sprung

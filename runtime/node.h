@@ -1,6 +1,7 @@
 #pragma once
-/// A process's place on the LCM network. One LCM object publishes (the node's own thread only), another
-/// receives in a thread that always drains, through a receive guard, into slots and queues.
+/// A process's place on the LCM network. LCM publishes (the node's own thread only); a receiver of our own
+/// (runtime/transport) takes what comes in a thread that always drains, through a receive guard, into slots
+/// and queues.
 ///
 ///   Node node(options);
 ///   Slot<DriveState> drive_states{DriveState(n)};
@@ -24,6 +25,7 @@
 #include "runtime/receive_guard.h"
 #include "runtime/session_clock.h"
 #include "runtime/slot.h"
+#include "runtime/transport/lcm_receiver.h"
 #include "signals/messages.h"
 
 namespace sprung {
@@ -110,9 +112,9 @@ class Node {
   const SessionClock& clock() const noexcept { return clock_; }
   std::int64_t session() const noexcept { return session_; }
 
-  std::int64_t refused_messages() const;  ///< by all receive guards
+  std::int64_t refused_messages() const;  ///< by all receive guards, and datagrams before them
   std::string last_refusal() const;       ///< of the guard that refused last; empty when none did
-  std::int64_t send_failures() const noexcept { return send_failures_; }
+  ReceiverCounts datagrams() const noexcept;
 
  private:
   using Handler = std::function<void(ReceiveGuard&, const void* data, std::size_t size)>;
@@ -124,7 +126,6 @@ class Node {
   std::int64_t session_;
   InputEvent event_;
   std::vector<std::uint8_t> buffer_;
-  std::int64_t send_failures_ = 0;
   std::unique_ptr<Impl> impl_;
 };
 

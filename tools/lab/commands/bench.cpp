@@ -11,6 +11,7 @@
 #include "tools/commands.h"
 #include "tools/common/progress_bar.h"
 #include "tools/lab/bench/can_bench.h"
+#include "tools/lab/bench/hops_bench.h"
 #include "tools/lab/bench/log_bench.h"
 #include "tools/lab/bench/recorder_bench.h"
 #include "tools/lab/bench/replay_bench.h"
@@ -181,6 +182,22 @@ void add_recorder_bench(CommandLine& bench) {
   });
 }
 
+void add_hops_bench(CommandLine& bench) {
+  const auto request = std::make_shared<BenchRequest>();
+  const auto hops = std::make_shared<HopsBench>();
+  CommandLine& line = add(bench, "hops",
+                          "A message through four programs: our receiver beside LCM's own, in turn.", request,
+                          "hops --runs 5");
+  line.option("--runs", hops->runs, "of each, of which the median is printed");
+  line.option("--messages", hops->messages, "in a run");
+  line.option("--rate", hops->rate_Hz, "messages a second");
+  line.action([=] {
+    if (hops->runs < 1 || hops->messages < 1 || !(hops->rate_Hz > 0.0))
+      throw WrongUse("--runs, --messages and --rate are above 0");
+    return print_measured(*request, "hops", "", [&](ExperimentReport&) { return bench_hops(*hops); });
+  });
+}
+
 /// @param log to repeat; empty: one is recorded.
 Rows log_rows(const BenchRequest& request, const std::string& log, int size_MB) {
   constexpr double kShortLog_s = 5.0;
@@ -226,6 +243,7 @@ void add_bench(CommandLine& sprung) {
   add_inprocess_bench(bench);
   add_replay_bench(bench);
   add_recorder_bench(bench);
+  add_hops_bench(bench);
   add_log_bench(bench);
 }
 

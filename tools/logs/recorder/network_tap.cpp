@@ -3,27 +3,19 @@
 #include <poll.h>
 
 #include <array>
-#include <stdexcept>
+#include <utility>
 
 namespace sprung {
 
 namespace {
 
-/// LCM: no limit. Its default of 30 messages over all channels is why lcm-logger loses some under load
-/// (facts L13).
-constexpr int kUnlimited = 0;
+/// Somebody who makes up names may not fill the memory.
+constexpr std::size_t kMostChannels = 4096;
 
 }  // namespace
 
 NetworkTap::NetworkTap(const std::string& lcm_url, const std::string& channels, MessageQueue& queue)
-    : queue_(queue), lcm_(lcm_create(lcm_url.c_str())) {
-  if (!lcm_)
-    throw std::runtime_error("LCM could not start on '" + lcm_url +
-                             "': check the address, or run 'sprung doctor'");
-  lcm_subscription_t* const all = lcm_subscribe(lcm_.get(), channels.c_str(), &NetworkTap::on_message, this);
-  if (all == nullptr)
-    throw std::runtime_error("LCM does not take '" + channels + "' for channels: give a regular expression");
-  lcm_subscription_set_queue_capacity(all, kUnlimited);
+    : queue_(queue), channels_(channels), receiver_(lcm_url, Fragments::kPutTogether) {
   thread_ = std::thread([this] { drain(); });
 }
 
@@ -34,19 +26,31 @@ void NetworkTap::stop() {
   if (thread_.joinable()) thread_.join();
 }
 
-void NetworkTap::on_message(const lcm_recv_buf_t* buffer, const char* channel, void* user) noexcept {
-  static_cast<NetworkTap*>(user)->queue_.push(buffer->recv_utime, channel, buffer->data, buffer->data_size);
+bool NetworkTap::is_wanted(std::string_view channel) {
+  std::string name(channel);
+  const auto seen = wanted_.find(name);
+  if (seen != wanted_.end()) return seen->second;
+  const bool wanted = channels_.matches(channel);
+  if (wanted_.size() < kMostChannels) wanted_.emplace(std::move(name), wanted);
+  return wanted;
+}
+
+void NetworkTap::take(const ReceivedMessage& message) noexcept {
+  try {
+    if (is_wanted(message.channel)) queue_.push(message.utc_us, message.channel, message.data, message.size);
+  } catch (...) {
+    return;  // a name that the expression cannot be held against, or no memory: the next one may fit
+  }
 }
 
 void NetworkTap::drain() noexcept {
   constexpr int kNever = -1;
-  std::array<pollfd, 2> waits{pollfd{lcm_get_fileno(lcm_.get()), POLLIN, 0},
-                              pollfd{stopping_.fd(), POLLIN, 0}};
+  std::array<pollfd, 2> waits{pollfd{receiver_.fd(), POLLIN, 0}, pollfd{stopping_.fd(), POLLIN, 0}};
   bool stopping = false;
   while (true) {
     const int ready = poll(waits.data(), waits.size(), stopping ? 0 : kNever);
-    if (ready > 0 && (waits[0].revents & POLLIN) != 0) {
-      lcm_handle(lcm_.get());
+    if (ready > 0 && waits[0].revents != 0) {
+      receiver_.receive([this](const ReceivedMessage& message) { take(message); });
     } else if (stopping) {
       return;
     }

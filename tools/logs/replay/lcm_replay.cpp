@@ -9,6 +9,7 @@
 #include "lcmtypes/channels.h"
 #include "runtime/session_clock.h"
 #include "runtime/stop_request.h"
+#include "runtime/transport/lcm_address.h"
 #include "tools/logs/log/channel_filter.h"
 #include "tools/logs/log/reader.h"
 #include "tools/logs/log/timeline.h"
@@ -42,7 +43,7 @@ class LcmReplay {
         filter_(request.channels, request.drop),
         names_(request.remaps),
         reader_(request.log),
-        lcm_(lcm_create(request.lcm_url.c_str())),
+        lcm_(lcm_create(LcmAddress::of(request.lcm_url).url().c_str())),
         pace_(gate ? 0.0 : request.speed) {
     if (!lcm_)
       throw std::runtime_error("LCM could not start on '" + request.lcm_url +

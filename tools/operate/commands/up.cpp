@@ -12,6 +12,7 @@
 #include "runtime/log.h"
 #include "runtime/session_clock.h"
 #include "runtime/stop_request.h"
+#include "runtime/transport/lcm_address.h"
 #include "simulation/plant/robot_check.h"
 #include "tools/commands.h"
 #include "tools/logs/commands/recording_options.h"
@@ -69,15 +70,18 @@ int watch_over(Launcher& launcher, LaunchView& view, ServiceNotify& service, con
 }
 
 void warn_of_ttl(const LaunchRequest& request, const RobotConfig& robot, Launcher& launcher) {
-  if (!remote_processes(request, robot).empty() && request.lcm_url.find("ttl=0") != std::string::npos)
+  const LcmAddress address = LcmAddress::of(request.lcm_url);
+  if (!remote_processes(request, robot).empty() && (address.ttl == 0 || address.interface.empty()))
     launcher.say(
-        "note: robot.yaml has processes on other hosts, but ttl=0 keeps LCM on this machine: --lcm-url "
-        "'udpm://239.255.76.67:7667?ttl=1&recv_buf_size=4194304' on every host");
+        "note: robot.yaml has processes on other hosts, but this machine alone is heard: with ttl=1 and the "
+        "interface of their network, --lcm-url "
+        "'udpm://239.255.76.67:7667?ttl=1&recv_buf_size=4194304&interface=NAME' on every host");
 }
 
 void refuse_contradictions(const LaunchRequest& request, const RobotConfig& robot) {
   if (!(request.timeout_s > 0.0)) throw WrongUse("--timeout is more than 0 s");
   try {
+    (void)LcmAddress::of(request.lcm_url);
     check_request(request, robot);
     check_recording(request.recorder, request.recording);
   } catch (const std::invalid_argument& error) {

@@ -1,7 +1,10 @@
 #include "tools/operate/doctor/network_checks.h"
 
 #include <algorithm>
-#include <cstdlib>
+#include <stdexcept>
+#include <string>
+
+#include "runtime/transport/lcm_address.h"
 
 namespace sprung::doctor {
 namespace {
@@ -11,10 +14,10 @@ constexpr const char* kAddRoute = "ip link set lo multicast on; ip route add 239
 // Facts L12: what a burst of large messages needs.
 constexpr std::int64_t kGoodBuffer_bytes = 4'194'304;
 
-std::int64_t number_after(const std::string& text, const std::string& key, std::int64_t otherwise) {
-  const std::size_t at = text.find(key + "=");
-  return at == std::string::npos ? otherwise : std::atoll(text.c_str() + at + key.size() + 1);
-}
+constexpr const char* kSeveralHosts =
+    "sprung up --lcm-url 'udpm://239.255.76.67:7667?ttl=1&recv_buf_size=4194304&interface=NAME' on every "
+    "host, "
+    "with the interface (ip address) of the network between them";
 
 Check route_check(const KernelFacts& kernel) {
   if (kernel.multicast_device.empty())
@@ -34,22 +37,25 @@ Check loopback_check(const LoopbackFacts& loopback) {
   return pass("LCM loop-back", found);
 }
 
-Check ttl_check(const std::string& url, const RobotConfig* robot) {
+Check ttl_check(const LcmAddress& address, const RobotConfig* robot) {
   const bool several = robot != nullptr &&
                        std::any_of(robot->processes.begin(), robot->processes.end(),
                                    [](const ProcessConfig& process) { return !process.host.empty(); });
-  const std::string found = "ttl=" + std::to_string(ttl_of(url));
-  if (several && ttl_of(url) == 0)
-    return fail("ttl", found + ", but robot.yaml has processes on other hosts",
-                "sprung up --lcm-url 'udpm://239.255.76.67:7667?ttl=1&recv_buf_size=4194304' on every host");
-  if (!several && ttl_of(url) > 0)
-    return warn("ttl", found + ": every machine on this network hears the robot, and may be heard by it",
-                "use ttl=0, or keep the robot's network apart");
+  const bool leaves = address.ttl > 0, hears = !address.interface.empty();
+  const std::string found = "ttl=" + std::to_string(address.ttl) +
+                            (hears ? ", interface=" + address.interface : "");
+  if (several && !(leaves && hears))
+    return fail("ttl", found + ", but robot.yaml has processes on other hosts", kSeveralHosts);
+  if (!several && hears)
+    return warn("ttl", found + ": every machine on that network is heard by the robot",
+                "leave interface out");
+  if (!several && leaves)
+    return warn("ttl", found + ": every machine on this network hears the robot", "use ttl=0");
   return pass("ttl", found + (several ? "" : ": LCM stays on this machine"));
 }
 
-Check buffer_check(const KernelFacts& kernel, const std::string& url) {
-  const std::int64_t wanted = std::max(receive_buffer_of(url), kGoodBuffer_bytes);
+Check buffer_check(const KernelFacts& kernel, const LcmAddress& address) {
+  const std::int64_t wanted = std::max<std::int64_t>(address.receive_buffer_bytes, kGoodBuffer_bytes);
   const std::string found = "net.core.rmem_max " + std::to_string(kernel.receive_buffer_bytes);
   if (kernel.receive_buffer_bytes >= wanted) return pass("receive buffer", found);
   const std::string set = "net.core.rmem_max=" + std::to_string(wanted);
@@ -59,15 +65,16 @@ Check buffer_check(const KernelFacts& kernel, const std::string& url) {
 
 }  // namespace
 
-int ttl_of(const std::string& lcm_url) { return static_cast<int>(number_after(lcm_url, "ttl", 0)); }
-std::int64_t receive_buffer_of(const std::string& lcm_url) {
-  return number_after(lcm_url, "recv_buf_size", 0);
-}
-
 std::vector<Check> network_checks(const KernelFacts& kernel, const LoopbackFacts& loopback,
                                   const RobotConfig* robot) {
-  return {route_check(kernel), loopback_check(loopback), ttl_check(loopback.url, robot),
-          buffer_check(kernel, loopback.url)};
+  LcmAddress address;
+  try {
+    address = LcmAddress::of(loopback.url);
+  } catch (const std::invalid_argument& error) {
+    return {route_check(kernel), fail("LCM address", error.what(), "give another --lcm-url")};
+  }
+  return {route_check(kernel), loopback_check(loopback), ttl_check(address, robot),
+          buffer_check(kernel, address)};
 }
 
 }  // namespace sprung::doctor

@@ -1,10 +1,12 @@
 #include "tools/logs/recorder/network_tap.h"
 
 #include <gtest/gtest.h>
+#include <lcm/lcm.h>
 
 #include <chrono>
 #include <cstring>
 #include <thread>
+#include <vector>
 
 #include "tests/runtime/lcm_network.h"
 
@@ -30,6 +32,21 @@ class NetworkTapTest : public testing::Test {
   MessageQueue queue_;
   MessageQueue::Batch batch_;
 };
+
+/// Above 64 kB LCM sends fragments, three of them here.
+TEST_F(NetworkTapTest, LargeMessageIsPutTogether) {
+  NetworkTap tap(url_, ".*", queue_);
+  std::vector<std::uint8_t> large(150'000);
+  for (std::size_t i = 0; i < large.size(); ++i) large[i] = static_cast<std::uint8_t>(i * 7 + i / 256);
+  ASSERT_EQ(lcm_publish(sender_.get(), "LARGE", large.data(), static_cast<unsigned>(large.size())), 0);
+  ASSERT_TRUE(have_come(1));
+  tap.stop();
+  queue_.take(batch_);
+  batch_.for_each([&](std::int64_t, std::string_view channel, const std::uint8_t* data, std::size_t size) {
+    EXPECT_EQ(channel, "LARGE");
+    EXPECT_EQ(std::vector<std::uint8_t>(data, data + size), large);
+  });
+}
 
 /// More than LCM's queue of 30 by far, and nobody takes them until the end. The kernel's buffer is finite
 /// (200 kB by default): no more are on their way at once than it holds.
@@ -77,7 +94,7 @@ TEST_F(NetworkTapTest, AddressThatIsNoneIsNamed) {
   try {
     NetworkTap tap("nonsense://x", ".*", queue_);
     FAIL();
-  } catch (const std::runtime_error& error) {
+  } catch (const std::invalid_argument& error) {
     EXPECT_NE(std::string(error.what()).find("nonsense://x"), std::string::npos);
   }
 }

@@ -55,13 +55,28 @@ TEST_F(NetworkChecks, TtlThatLeavesTheMachineWarns) {
   EXPECT_EQ(check("ttl").verdict, Verdict::kWarn);
 }
 
-TEST_F(NetworkChecks, RobotOnSeveralHostsNeedsATtl) {
+TEST_F(NetworkChecks, InterfaceThatLetsOthersInWarns) {
+  loopback_.url = "udpm://239.255.76.67:7667?ttl=0&interface=eth0";
+  EXPECT_EQ(check("ttl").verdict, Verdict::kWarn);
+  EXPECT_THAT(check("ttl").found, HasSubstr("heard by the robot"));
+}
+
+TEST_F(NetworkChecks, AddressThatIsNoneIsNamed) {
+  loopback_.url = "memq://";
+  EXPECT_EQ(check("LCM address").verdict, Verdict::kFail);
+  EXPECT_THAT(check("LCM address").found, HasSubstr("memq://"));
+}
+
+TEST_F(NetworkChecks, RobotOnSeveralHostsNeedsATtlAndAnInterface) {
   RobotConfig robot;
   robot.processes.resize(2);
   robot.processes[1].host = "trunk";
   EXPECT_EQ(check("ttl", &robot).verdict, Verdict::kFail);
   EXPECT_THAT(check("ttl", &robot).remedy, HasSubstr("ttl=1"));
   loopback_.url = "udpm://239.255.76.67:7667?ttl=1";
+  EXPECT_EQ(check("ttl", &robot).verdict, Verdict::kFail);
+  EXPECT_THAT(check("ttl", &robot).remedy, HasSubstr("interface="));
+  loopback_.url += "&interface=eth0";
   EXPECT_EQ(check("ttl", &robot).verdict, Verdict::kPass);
 }
 
@@ -71,13 +86,6 @@ TEST_F(NetworkChecks, SmallReceiveBufferWarnsWithTheSizeTheUrlAsksFor) {
   EXPECT_THAT(check("receive buffer").remedy, HasSubstr("sysctl -w net.core.rmem_max=4194304"));
   loopback_.url = "udpm://239.255.76.67:7667?recv_buf_size=8388608";
   EXPECT_THAT(check("receive buffer").remedy, HasSubstr("8388608"));
-}
-
-TEST(LcmUrl, OptionsAreRead) {
-  EXPECT_EQ(ttl_of("udpm://239.255.76.67:7667?recv_buf_size=5&ttl=2"), 2);
-  EXPECT_EQ(ttl_of("udpm://239.255.76.67:7667"), 0);
-  EXPECT_EQ(receive_buffer_of("udpm://239.255.76.67:7667?recv_buf_size=5&ttl=2"), 5);
-  EXPECT_EQ(receive_buffer_of("memq://"), 0);
 }
 
 }  // namespace
