@@ -34,8 +34,8 @@ struct LcmReplayResult {
 using StepGate = std::function<bool(double time_s)>;
 
 /// Ends at the end of the log, or with a stop request. @param gate empty: no steps.
-/// @throws std::invalid_argument on a wrong pattern or remap, std::runtime_error where the log or LCM cannot
-/// be opened.
+/// @throws std::invalid_argument on a wrong pattern, remap or address, std::runtime_error where the log or
+/// LCM cannot be opened.
 LcmReplayResult replay_to_lcm(const LcmReplayRequest& request, const StepGate& gate = {});
 
 }  // namespace sprung

@@ -195,7 +195,7 @@ TEST_F(LcmReplayTest, WrongPatternsAndAddressesAreRefused) {
   EXPECT_THROW(replay_to_lcm(request_), std::invalid_argument);
   request_.remaps = {};
   request_.lcm_url = "nonsense://";
-  EXPECT_THROW(replay_to_lcm(request_), std::runtime_error);
+  EXPECT_THROW(replay_to_lcm(request_), std::invalid_argument);
 }
 
 }  // namespace
