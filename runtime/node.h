@@ -58,7 +58,7 @@ class Publisher {
 class Node {
  public:
   /// @throws std::runtime_error when LCM cannot start, saying what to do; std::invalid_argument on a bad
-  /// injection.
+  /// address or injection.
   explicit Node(const NodeOptions& options);
   ~Node();  ///< stops and joins the receiving thread
   Node(const Node&) = delete;

@@ -20,7 +20,9 @@ std::uint32_t ipv4(const sockaddr* address) noexcept {
 }  // namespace
 
 std::vector<AddressRange> ranges_of_this_host(const std::string& interface) {
-  std::vector<AddressRange> out{{htonl(INADDR_LOOPBACK), htonl(IN_CLASSA_NET)}};
+  // Where lo is all there is, and the group's route leads there, what this machine sends has no address
+  // (lo's is of a narrower scope than the route). From outside Linux lets no such source in.
+  std::vector<AddressRange> out{{htonl(INADDR_LOOPBACK), htonl(IN_CLASSA_NET)}, {htonl(INADDR_ANY)}};
   ifaddrs* list = nullptr;
   if (getifaddrs(&list) != 0) return out;
   for (const ifaddrs* one = list; one != nullptr; one = one->ifa_next) {

@@ -15,8 +15,8 @@ struct AddressRange {
   bool has(std::uint32_t other) const noexcept { return (other & mask) == (address & mask); }
 };
 
-/// This machine's addresses as they are now, 127.0.0.0/8 among them, and the network of `interface` unless it
-/// is empty.
+/// This machine's addresses as they are now, 127.0.0.0/8 and 0.0.0.0 among them, and the network of
+/// `interface` unless it is empty.
 std::vector<AddressRange> ranges_of_this_host(const std::string& interface);
 
 class KnownSenders {

@@ -3,6 +3,8 @@
 
   hostile_datagrams.py GROUP PORT --seed S --count N [--to ADDRESS] [--again FILE]
   hostile_datagrams.py GROUP PORT --listen FILE --count N       keeps what is on the network, for --again
+  hostile_datagrams.py GROUP PORT --plain CHANNEL               a well-formed one
+  hostile_datagrams.py GROUP PORT --plain CHANNEL --interface NAME --source ADDRESS...   as if from these addresses
 
 Two of the kinds ended every process that received by LCM 1.3.1: a fragment beyond its message, and a channel without an end.
 """
@@ -36,6 +38,32 @@ def hostile(chance):
     yield b""
 
 
+def checksum(head):
+    total = sum(struct.unpack(">10H", head))
+    return ~((total & 0xFFFF) + (total >> 16)) & 0xFFFF
+
+
+def frame(group, port, source, datagram):
+    """An Ethernet frame to the group, byte by byte: no kernel corrects what it says of its source."""
+    address = socket.inet_aton(group)
+    udp = struct.pack(">HHHH", 7000, port, 8 + len(datagram), 0) + datagram  # without a checksum
+    ends = socket.inet_aton(source) + address
+    head = struct.pack(">BBHHHBBH", 0x45, 0, 20 + len(udp), 1, 0, 4, socket.IPPROTO_UDP, 0) + ends
+    head = head[:10] + struct.pack(">H", checksum(head)) + head[12:]
+    return b"\x01\x00\x5e" + bytes([address[1] & 0x7F]) + address[2:] + bytes(6) + b"\x08\x00" + head + udp
+
+
+def plain(group, port, channel, interface, sources):
+    datagram = b"LC02" + struct.pack(">I", 1) + channel.encode() + b"\0" + bytes(40)
+    if not sources:
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as out:
+            out.sendto(datagram, (group, port))
+    for source in sources:
+        with socket.socket(socket.AF_PACKET, socket.SOCK_RAW) as out:
+            out.bind((interface, 0))
+            out.send(frame(group, port, source, datagram))
+
+
 def listen(group, port, count):
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as hearing:
         hearing.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
@@ -58,7 +86,13 @@ def main():
     parser.add_argument("--to", action="append", default=[], help="addresses besides the group")
     parser.add_argument("--again")
     parser.add_argument("--listen")
+    parser.add_argument("--plain", metavar="CHANNEL")
+    parser.add_argument("--interface")
+    parser.add_argument("--source", action="append", default=[])
     asked = parser.parse_args()
+    if asked.plain:
+        plain(asked.group, asked.port, asked.plain, asked.interface, asked.source)
+        return
     if asked.listen:
         with open(asked.listen, "wb") as out:
             pickle.dump(listen(asked.group, asked.port, asked.count), out)

@@ -47,6 +47,11 @@ jump=$(sprung jump --report) || fail "it did not jump: $jump"
 wait %?seed\ 1 && wait %?seed\ 2
 [[ $jump == *"  yes"* ]] || fail "not upright: $jump"
 [ "$(pids)" = "$before" ] || fail "processes: $before, then $(pids)"
+# Well-formed ones: from this machine heard, from outside not, whoever they claim to come from.
+python3 "$hostile" $group $port --plain FROM_HERE
+stranger python3 "$hostile" $group $port --plain FROM_OUTSIDE
+stranger python3 "$hostile" $group $port --plain FROM_SPOOFED --interface stranger0 \
+  --source 10.9.0.1 --source 127.0.0.1 --source 0.0.0.0 --source 10.9.0.77
 said=$(sprung status --json)
 python3 - "$said" <<'EOT' || fail "$said"
 import json, sys
@@ -59,4 +64,6 @@ EOT
 sprung down >/dev/null
 wait $up || fail "sprung up ended with $?"
 sprung log info "$work"/*.lcm >"$work/info" || { cat "$work/info"; fail "the log"; }
+grep -q FROM_HERE "$work/info" || { cat "$work/info"; fail "a message from this machine was not heard"; }
+! grep -E 'FROM_(OUTSIDE|SPOOFED)' "$work/info" || fail "somebody else was heard"
 echo "$((2 * count)) hostile datagrams from two sides: nothing ended, nothing was obeyed"

@@ -25,6 +25,7 @@ TEST(KnownSendersTest, ThisMachineIsKnownAndOthersAreNot) {
   KnownSenders senders("");
   EXPECT_TRUE(senders.has(ip("127.0.0.1"), 0));
   EXPECT_TRUE(senders.has(ip("127.3.2.1"), 0));
+  EXPECT_TRUE(senders.has(ip("0.0.0.0"), 0)) << "a machine without any network";
   // TEST-NET-3 and broadcast: nobody's address
   EXPECT_FALSE(senders.has(ip("203.0.113.7"), 2 * KnownSenders::kLookAgain_us));
   EXPECT_FALSE(senders.has(ip("255.255.255.255"), 2 * KnownSenders::kLookAgain_us));
