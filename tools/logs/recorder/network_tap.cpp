@@ -5,12 +5,15 @@
 #include <array>
 #include <utility>
 
+#include "runtime/session_clock.h"
+
 namespace sprung {
 
 namespace {
 
 /// Somebody who makes up names may not fill the memory.
 constexpr std::size_t kMostChannels = 4096;
+constexpr std::int64_t kLongestEnd_us = 1'000'000;
 
 }  // namespace
 
@@ -45,17 +48,14 @@ void NetworkTap::take(const ReceivedMessage& message) noexcept {
 
 void NetworkTap::drain() noexcept {
   constexpr int kNever = -1;
+  const auto use = [this](const ReceivedMessage& message) { take(message); };
   std::array<pollfd, 2> waits{pollfd{receiver_.fd(), POLLIN, 0}, pollfd{stopping_.fd(), POLLIN, 0}};
-  bool stopping = false;
-  while (true) {
-    const int ready = poll(waits.data(), waits.size(), stopping ? 0 : kNever);
-    if (ready > 0 && waits[0].revents != 0) {
-      receiver_.receive([this](const ReceivedMessage& message) { take(message); });
-    } else if (stopping) {
-      return;
-    }
-    stopping = stopping || (waits[1].revents & POLLIN) != 0;
+  while ((waits[1].revents & POLLIN) == 0) {
+    if (poll(waits.data(), waits.size(), kNever) > 0 && waits[0].revents != 0) receiver_.receive(use);
   }
+  // What has arrived until now; somebody who goes on sending does not hold it up.
+  const std::int64_t end_us = monotonic_us() + kLongestEnd_us;
+  while (receiver_.receive(use) && monotonic_us() < end_us) continue;
 }
 
 }  // namespace sprung
