@@ -10,21 +10,11 @@
 #include <cstdint>
 #include <string_view>
 
-#include "signals/enumeration.h"
-
 namespace sprung {
 
 inline constexpr std::size_t kLongestChannel = 63;  ///< LCM_MAX_CHANNEL_NAME_LENGTH
 
 enum class PacketFault : std::int8_t { kNone = 0, kTooShort, kNotLcm, kBadChannel, kBadFragment };
-constexpr auto words_of(PacketFault) {
-  using E = PacketFault;
-  return words<E>({{E::kNone, "a packet"},
-                   {E::kTooShort, "too short"},
-                   {E::kNotLcm, "not of LCM"},
-                   {E::kBadChannel, "bad channel name"},
-                   {E::kBadFragment, "bad fragment"}});
-}
 
 struct LcmPacket {
   std::uint32_t seq = 0;               ///< the sender's count of messages

@@ -12,6 +12,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "runtime/session_clock.h"
+
 namespace sprung {
 namespace {
 
@@ -22,12 +24,6 @@ constexpr std::size_t kControl = CMSG_SPACE(sizeof(std::uint32_t)) + CMSG_SPACE(
   throw std::runtime_error("LCM on '" + address.url() + "': " + what + ": " + std::strerror(errno) +
                            "; without a multicast route run (as root) 'ip link set lo multicast on; ip route "
                            "add 239.0.0.0/8 dev lo', or look with 'sprung doctor'");
-}
-
-std::int64_t utc_now_us() noexcept {
-  timespec now{};
-  clock_gettime(CLOCK_REALTIME, &now);
-  return std::int64_t{now.tv_sec} * 1'000'000 + now.tv_nsec / 1000;
 }
 
 }  // namespace
@@ -96,7 +92,7 @@ struct LcmReceiver::Socket {
 
   /// @return when it arrived; also counts what the kernel lost before it.
   std::int64_t read_controls(int i, std::int64_t& lost) noexcept {
-    std::int64_t utc_us = 0;
+    std::int64_t arrival_utc_us = 0;
     msghdr& header = messages[i].msg_hdr;
     for (cmsghdr* c = CMSG_FIRSTHDR(&header); c != nullptr; c = CMSG_NXTHDR(&header, c)) {
       if (c->cmsg_level != SOL_SOCKET) continue;
@@ -108,10 +104,10 @@ struct LcmReceiver::Socket {
       } else if (c->cmsg_type == SCM_TIMESTAMPNS) {
         timespec at{};
         std::memcpy(&at, CMSG_DATA(c), sizeof at);
-        utc_us = std::int64_t{at.tv_sec} * 1'000'000 + at.tv_nsec / 1000;
+        arrival_utc_us = std::int64_t{at.tv_sec} * 1'000'000 + at.tv_nsec / 1000;
       }
     }
-    return utc_us != 0 ? utc_us : utc_now_us();
+    return arrival_utc_us != 0 ? arrival_utc_us : utc_us();
   }
 
   const int fd;
