@@ -95,7 +95,7 @@ Eigen::Vector2d ThreeJoint::nearest_in_reach_m(double forward_m, double from_axi
   const double distance = std::hypot(forward_m, from_axis_m);
   const double reached = std::clamp(distance, nearest_m_, farthest_m_);
   if (distance > 0.0) {
-    const Eigen::Vector2d radial = Eigen::Vector2d(forward_m, from_axis_m) * (reached / distance);
+    Eigen::Vector2d radial = Eigen::Vector2d(forward_m, from_axis_m) * (reached / distance);
     if (radial.y() >= offset) return radial;
   }
   return {std::copysign(std::clamp(std::abs(forward_m), folded, straight), forward_m), offset};

@@ -80,7 +80,7 @@ IdentifiedFriction read_friction(const YamlMap& map) {
 }
 
 std::string matching(const YamlMap& map, const std::string& key, const char* pattern, const char* expected) {
-  const std::string text = map.text(key);
+  std::string text = map.text(key);
   if (!TextPattern(pattern).matches(text))
     map.fail(key, std::string("expected ") + expected + ", found '" + text + "'");
   return text;

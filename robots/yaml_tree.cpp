@@ -86,7 +86,7 @@ bool YamlTree::erase(const std::string& key) {
 
 std::string YamlTree::name() const {
   for (const char* key : {"name", "actuator", "card"}) {
-    const std::string found = text_of(key);
+    std::string found = text_of(key);
     if (!found.empty()) return found;
   }
   return "";

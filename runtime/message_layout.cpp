@@ -131,13 +131,13 @@ MessageLayout layout_of<sprung_msgs::process_status_t>() {
 }
 
 std::int64_t read_int64(const std::uint8_t* data, std::size_t offset) noexcept {
-  std::uint64_t value;
+  std::uint64_t value = 0;
   std::memcpy(&value, data + offset, sizeof value);
   return static_cast<std::int64_t>(be64toh(value));
 }
 
 std::int32_t read_int32(const std::uint8_t* data, std::size_t offset) noexcept {
-  std::uint32_t value;
+  std::uint32_t value = 0;
   std::memcpy(&value, data + offset, sizeof value);
   return static_cast<std::int32_t>(be32toh(value));
 }

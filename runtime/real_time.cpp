@@ -49,7 +49,7 @@ int pin(int cpu) {
 
 // So that the loop never takes a page fault for stack it has not used before.
 void touch_stack() {
-  std::array<volatile char, 256 * 1024> stack;
+  std::array<volatile char, std::size_t{256} * 1024> stack;
   for (std::size_t i = 0; i < stack.size(); i += 4096) stack[i] = 0;
 }
 

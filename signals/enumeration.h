@@ -74,6 +74,7 @@ constexpr bool is_dense() noexcept {
 template <class E>
 std::vector<std::string> names_of() {
   std::vector<std::string> names;
+  names.reserve(std::size(kWords<E>));
   for (const Word<E>& word : kWords<E>) names.emplace_back(word.name);
   return names;
 }

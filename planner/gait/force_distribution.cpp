@@ -94,13 +94,14 @@ void ForceDistribution::pose(const BodyWrench& wanted) noexcept {
   const Eigen::Vector3d torque_wish = torque_weights_.cwiseProduct(wanted.torque_Nm);
   for (int i = 0; i < standing_count_; ++i) {
     const Eigen::Matrix3d turning = torque_of_force_m_[i].transpose() * torque_weights_.asDiagonal();
-    gradient.segment<3>(3 * i) = -(wish + torque_of_force_m_[i].transpose() * torque_wish);
+    const Eigen::Index row = Eigen::Index{3} * i;
+    gradient.segment<3>(row) = -(wish + torque_of_force_m_[i].transpose() * torque_wish);
     for (int k = 0; k <= i; ++k) {
-      auto block = cost.block<3, 3>(3 * i, 3 * k);
+      auto block = cost.block<3, 3>(row, Eigen::Index{3} * k);
       block = turning * torque_of_force_m_[k];
       block.diagonal() += force_weights_;
     }
-    cost.diagonal().segment<3>(3 * i).array() += foot_force_weight_;
+    cost.diagonal().segment<3>(row).array() += foot_force_weight_;
   }
   qp_.begin(cost, gradient, 3 * standing_count_);
 }
@@ -117,7 +118,7 @@ void ForceDistribution::keep(const ForceDistributionQp::Vector& forces,
   for (int i = 0; i < standing_count_; ++i) {
     const FootLoad& foot = feet[standing_[i]];
     Eigen::Vector3d& force = out_.ground_on_foot_N[standing_[i]];
-    force = forces.segment<3>(3 * i);
+    force = forces.segment<3>(Eigen::Index{3} * i);
     force.z() = std::clamp(force.z(), least_N(foot), most_N(foot));
     const double horizontal = force.head<2>().norm();
     const double most = friction_ * force.z();

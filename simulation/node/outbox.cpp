@@ -52,7 +52,8 @@ bool Outbox::hit(FaultKind kind, std::uint64_t number) const noexcept {
 
 void Outbox::flip(CanFrame& frame) const noexcept {
   if (frame.length == 0) return;
-  const std::uint64_t bit = (bits(index(FaultKind::kFramesFlipped), sent_) & 0x7FF) % (8U * frame.length);
+  const std::uint64_t bit = (bits(index(FaultKind::kFramesFlipped), sent_) & 0x7FF) %
+                            (std::uint64_t{8} * frame.length);
   frame.data[bit / 8] = static_cast<std::uint8_t>(frame.data[bit / 8] ^ (1U << (bit % 8)));
 }
 

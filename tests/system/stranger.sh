@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# A robot runs while hostile datagrams reach its LCM network: from another computer (a network namespace behind
-# a cable), by multicast and to its address, malformed ones and copies of what the robot itself had said; and
-# malformed ones from this machine. Nothing ends, nothing is obeyed, the strangers are counted.
+# A robot runs while hostile datagrams reach its LCM network: from another computer (a network namespace
+# behind a cable), by multicast and to its address, malformed ones and copies of what the robot itself had
+# said; and malformed ones from this machine. Nothing ends, nothing is obeyed, the strangers are counted.
 # usage: stranger.sh SOURCE_DIR BIN_DIR [COUNT]      77: not as root, or no network namespaces
 set -euo pipefail
 source_dir=$1 bin=$2 count=${3:-1000}

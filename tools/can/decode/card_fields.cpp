@@ -35,6 +35,7 @@ std::vector<DecodedField> card_fields(const NodeDescription& node, canopen::Obje
   CardSample sample;
   if (!node.card || !node.card->decode_sample(frame, sample)) return {};
   std::vector<DecodedField> fields;
+  fields.reserve(sample.channels + 1);
   for (int i = 0; i < sample.channels; ++i)
     fields.push_back(channel_field(node, object, i, sample.counts[i]));
   fields.push_back(number_field(object, "counter", sample.counter, ""));

@@ -5,8 +5,6 @@
 namespace sprung::cantools {
 namespace {
 
-using canopen::ObjectId;
-
 constexpr std::uint32_t kAll = 0xFFFFFFFF;
 
 void expect_identity(const IdentityConfig& identity, std::vector<ExpectedObject>& out) {

@@ -100,6 +100,7 @@ std::vector<std::uint8_t> number_bytes(const EdsObject& object, const std::strin
                                 (object.unit.empty() ? "" : " " + object.unit) + " (EDS)");
   }
   std::vector<std::uint8_t> bytes;
+  bytes.reserve(canopen::type_bytes(object.type));
   for (int i = 0; i < canopen::type_bytes(object.type); ++i) {
     bytes.push_back(static_cast<std::uint8_t>(static_cast<std::uint64_t>(value) >> (8 * i)));
   }

@@ -23,7 +23,7 @@ enum class Mark { kPlain, kGood, kBad };  ///< kGood and kBad are shown by colou
 struct Cell {
   std::string text;
   Mark mark = Mark::kPlain;
-  std::string link = "";  ///< a page beside this one, or "#...": the text leads there; empty: nowhere
+  std::string link{};  ///< a page beside this one, or "#...": the text leads there; empty: nowhere
 
   Cell(std::string text_in, Mark mark_in = Mark::kPlain) : text(std::move(text_in)), mark(mark_in) {}
   Cell(const char* text_in, Mark mark_in = Mark::kPlain) : text(text_in), mark(mark_in) {}
@@ -36,13 +36,13 @@ struct Table {
   std::string title;                         ///< may be empty
   std::vector<std::string> columns;          ///< unit in the heading: "RMS (Nm)"
   std::vector<std::vector<Cell>> rows = {};  ///< each as long as `columns`
-  std::string note = "";                     ///< below the table; may be empty
+  std::string note{};                        ///< below the table; may be empty
   bool folded = false;                       ///< shown as one line to click on: long lists of parameters
 };
 
 struct Axis {
   std::string label;
-  std::string unit = "";  ///< empty: no unit is printed
+  std::string unit{};  ///< empty: no unit is printed
 };
 
 enum class Style {
@@ -97,7 +97,7 @@ struct Plot {
   std::vector<Shade> shades = {};
   std::vector<Marker> markers = {};
   bool equal_axes = false;  ///< one unit is as long in x as in y (path of a foot)
-  std::string note = "";    ///< below the plot: what the reader should see
+  std::string note{};       ///< below the plot: what the reader should see
   /// A series with more samples is thinned to about as many: each stretch keeps its lowest and its highest,
   /// and gaps stay.
   std::size_t max_points = 3000;
@@ -113,8 +113,8 @@ struct Section {
 
 struct Report {
   std::string title;
-  std::string subtitle = "";  ///< robot, preset, seed, version, date
-  std::string command = "";   ///< the line that makes this report again
+  std::string subtitle{};  ///< robot, preset, seed, version, date
+  std::string command{};   ///< the line that makes this report again
   std::vector<Section> sections = {};
 };
 

@@ -125,7 +125,7 @@ Indices thin_in_order(const std::vector<const Column*>& columns, std::size_t max
 }
 
 Indices thin_cloud(const Column& x, const Column& y, std::size_t max_points) {
-  const Indices finite = finite_points(x, y);
+  Indices finite = finite_points(x, y);
   if (finite.size() <= max_points) return finite;
   const std::size_t half = std::max<std::size_t>(1, max_points / 2);
   Indices kept = one_of_each_cell(x, y, finite, half);

@@ -118,6 +118,7 @@ std::vector<ReportRow> bench_log(const std::string& log, int runs) {
   const auto measure_MB_s = [&](const std::string& name, double least_MB_s,
                                 const std::function<void()>& work) {
     std::vector<double> speeds;
+    speeds.reserve(runs);
     for (int run = 0; run < runs; ++run) speeds.push_back(size_MB / (1e-9 * time_ns(work)));
     rows.push_back(
         row("log." + name, "MB/s", median(speeds), demanded(least_MB_s > 0.0, at_least(least_MB_s))));

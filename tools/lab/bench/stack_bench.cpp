@@ -180,6 +180,7 @@ double bare_step_us(const RobotConfig& robot) {
     data->qpos[plant.index.joint_qpos[j]] = config.joints[j].initial_rad;
   data->qpos[plant.index.free_qpos + 2] = robot.preset().stand_length_m;
   std::vector<double> us;
+  us.reserve(kCalls);
   const int steps = static_cast<int>(std::lround(robot.cycle_s / config.step_s));
   for (int cycle = 0; cycle < kCalls; ++cycle) {
     us.push_back(1e-3 * time_ns([&] {

@@ -106,7 +106,7 @@ void add_up_bench(CommandLine& bench) {
     if (request->runs < 1) throw WrongUse("--runs is at least 1");
     const fs::path folder = fs::temp_directory_path() / ("sprung-bench-" + std::to_string(getpid()));
     return print_measured(*request, "up", "", [&](ExperimentReport& report) {
-      const Rows rows = of_each_robot(*request, report, {}, [&](const RobotConfig& robot) {
+      Rows rows = of_each_robot(*request, report, {}, [&](const RobotConfig& robot) {
         return bench_up(robot, request->runs, folder.string());
       });
       fs::remove_all(folder);

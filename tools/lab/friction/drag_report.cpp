@@ -7,7 +7,6 @@ namespace sprung {
 namespace {
 
 using report::Plot;
-using report::Series;
 using report::Style;
 
 std::string reference_name(const DragResult& result) {

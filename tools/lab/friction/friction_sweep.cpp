@@ -42,8 +42,8 @@ void add_parameters(const SweepFit& fit, const std::string& prefix, std::vector<
   for (const identification::FitParameter& p : fit.model->parameters()) {
     if (p.name.find("gravity") == 0) continue;
     const Estimate estimate = parameter(fit, p.name);
-    rows.push_back(row(prefix + p.name, p.unit.c_str(), estimate.value));
-    rows.push_back(row(prefix + p.name + "_standard_error", p.unit.c_str(), estimate.standard_error));
+    rows.push_back(row(prefix + p.name, p.unit, estimate.value));
+    rows.push_back(row(prefix + p.name + "_standard_error", p.unit, estimate.standard_error));
   }
 }
 

@@ -11,7 +11,6 @@ namespace sprung {
 namespace {
 
 using identification::FitParameter;
-using report::Cell;
 using report::Plot;
 using report::Series;
 using report::Style;

@@ -86,7 +86,8 @@ std::vector<EnduranceStep> endurance_script(const RobotConfig& robot, const std:
   Dice dice(seed);
   std::vector<EnduranceStep> out;
   int gait = -1;
-  for (double left_s = duration_s; left_s > 0.0; left_s -= out.back().lasts_s) {
+  double left_s = duration_s;
+  while (left_s > 0.0) {
     if (gait >= 0 && dice.below(kOneStopsIn) == 0) {
       out.push_back(stop());
       gait = -1;
@@ -95,6 +96,7 @@ std::vector<EnduranceStep> endurance_script(const RobotConfig& robot, const std:
       out.push_back(walk(robot, preset, gait, dice));
     }
     out.back().lasts_s = std::min(out.back().lasts_s, left_s);
+    left_s -= out.back().lasts_s;
   }
   return out;
 }
@@ -126,9 +128,11 @@ std::string words(const RobotConfig& robot, const OperatorCommand& command) {
 /// @return false when the robot has fallen or tripped.
 bool obey(WalkingRobot& walker, const EnduranceStep& step) {
   walker.say(step.command);
-  for (double left_s = step.lasts_s; left_s > 0.0; left_s -= kSecond_s) {
+  double left_s = step.lasts_s;
+  while (left_s > 0.0) {
     walker.run(std::min(left_s, kSecond_s));
     if (!walker.upright()) return false;
+    left_s -= kSecond_s;
   }
   return true;
 }

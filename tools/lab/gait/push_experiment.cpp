@@ -37,7 +37,8 @@ void wait_for_phase(WalkingRobot& walker, const RobotConfig& robot, const PushCa
   if (config.phases < 2) return;
   const double period_s = robot.gaits[gait_index(robot, config.gait)].period_s;
   const double near = robot.cycle_s / period_s;
-  for (double waited_s = 0.0; waited_s < 2.0 * period_s; waited_s += robot.cycle_s) {
+  const auto most_cycles = static_cast<int>(std::ceil(2.0 * period_s / robot.cycle_s));
+  for (int cycle = 0; cycle < most_cycles; ++cycle) {
     if (std::abs(std::remainder(walker.robot().motion_state().gait_phase - phase, 1.0)) <= near) return;
     walker.run(robot.cycle_s);
   }

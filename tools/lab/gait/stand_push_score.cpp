@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace sprung {
@@ -24,7 +25,7 @@ double static_Nm(const std::vector<PushSample>& samples, Torques torques, std::s
 }
 
 double excess_Nm(const std::vector<PushSample>& samples, Torques torques) {
-  double most = -INFINITY;
+  double most = -std::numeric_limits<double>::infinity();
   for (std::size_t joint = 0; joint < (samples.front().*torques).size(); ++joint) {
     const double before = static_Nm(samples, torques, joint);
     for (const PushSample& s : samples)

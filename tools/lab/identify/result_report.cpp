@@ -10,7 +10,6 @@ using identification::FitPiece;
 using identification::ModelResult;
 using report::Plot;
 using report::Section;
-using report::Series;
 using report::Style;
 using report::Table;
 

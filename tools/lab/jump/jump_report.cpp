@@ -10,7 +10,6 @@ using report::Cell;
 using report::Mark;
 using report::Plot;
 using report::Section;
-using report::Series;
 using report::Style;
 using report::Table;
 

@@ -97,6 +97,7 @@ std::vector<AblationRow> run_drop_ablation(const RobotConfig& robot, const DropR
       },
       parallel);
   std::vector<AblationRow> out;
+  out.reserve(cases.size() + 1);
   for (const AblationCase& c : cases) out.push_back({c.name, c.what, {}});
   out.push_back({"paper", "papers' hybrid law, preset `paper`", {}});
   for (std::size_t i = 0; i < results.size(); ++i) out[i / drops.size()].drops.push_back(results[i]);

@@ -18,6 +18,7 @@ constexpr double kRatio = 101.0;  ///< of both robots, data README
 
 Table read(const std::string& path, const std::vector<std::string>& columns) {
   std::vector<SignalColumns> wanted;
+  wanted.reserve(columns.size());
   for (const std::string& column : columns) wanted.push_back({column, {{column, 1.0}}});
   return identify::read_csv(path, wanted, {});
 }

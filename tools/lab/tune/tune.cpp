@@ -46,14 +46,14 @@ class Search {
   Search(const TuneSpace& space, const TuneRequest& request,
          const std::function<void(std::size_t, std::size_t)>& on_progress)
       : space_(space), request_(request), on_progress_(on_progress) {
-    const auto sets = static_cast<std::size_t>(1 + request.samples +
-                                               request.rounds * samples_of_round(request) + 2);
-    total_ = sets * static_cast<std::size_t>(request.plants);
+    const std::size_t refined = std::size_t{1} * request.rounds * samples_of_round(request);
+    total_ = (1 + request.samples + refined + 2) * request.plants;
   }
 
   std::vector<TuneCandidate> evaluate(const std::vector<std::vector<double>>& sets,
                                       const std::vector<SimOptions>& plants) {
     std::vector<RobotConfig> robots;
+    robots.reserve(sets.size());
     for (const std::vector<double>& values : sets) robots.push_back(space_.with(values));
     const auto jump = [&](std::size_t i) {
       return one_jump(robots[i / plants.size()], space_.preset(), plants[i % plants.size()], request_.mode);
@@ -128,7 +128,7 @@ std::vector<std::vector<double>> sets_around(const Search& search, const std::ve
   const UnitPoint centre = search.point_of(best);
   std::vector<std::vector<double>> sets;
   for (int i = 0; i < samples; ++i) {
-    const UnitPoint even = even_point(centre.size(), static_cast<std::size_t>(round * samples + i));
+    const UnitPoint even = even_point(centre.size(), static_cast<std::size_t>(round) * samples + i);
     sets.push_back(search.values_at(point_around(centre, refinement_width(round), even)));
   }
   return sets;

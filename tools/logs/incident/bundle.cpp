@@ -170,7 +170,7 @@ Bundle write_bundle(const BundleRequest& request, const Progress& progress) {
   NewFolder folder(archive ? request.out.substr(0, request.out.size() - ending.size()) : request.out);
   Findings findings = gather_logs(request, folder, progress);
   write_texts(request, findings, folder);
-  const Bundle bundle{names_in(folder.path()), findings.cause};
+  Bundle bundle{names_in(folder.path()), findings.cause};
   if (archive)
     pack(folder.path(), request.out);
   else

@@ -77,7 +77,7 @@ std::string lines_beside(const std::string& log) {
   const fs::path path(log);
   std::string stem = path.stem().string();
   for (;;) {
-    const std::string text = (path.parent_path() / (stem + ".txt")).string();
+    std::string text = (path.parent_path() / (stem + ".txt")).string();
     if (is_file(text)) return text;
     const std::size_t digits = number_digits(stem);
     if (digits == 0) return "";

@@ -56,8 +56,8 @@ struct Piece {
     act(action, count, kLongestLength);
     varies = true;
   }
-  void append(Piece piece) {
-    for (ProtoStep& step : piece.steps)
+  void append(const Piece& piece) {
+    for (const ProtoStep& step : piece.steps)
       steps.push_back({std::exchange(tail, {}) + step.before, step.action, step.count});
     tail += piece.tail;
     bytes += piece.bytes;
@@ -125,14 +125,14 @@ class Compiler {
   }
 
   void append_struct(const fields::StructType& type, Piece& out) {
-    Piece inner = structure(type);
+    const Piece inner = structure(type);
     const bool varies = inner.varies;
     if (varies) {
       out.act_of_any_length(ProtoAction::kBegin, 0);
     } else {
       out.length(inner.bytes);
     }
-    out.append(std::move(inner));
+    out.append(inner);
     if (varies) out.act(ProtoAction::kEnd, 0, 0);
   }
 

@@ -43,7 +43,7 @@ class CycleAssembler {
     unsigned parts = 0;
   };
   template <class Signal>
-  void put(Signal&& signal, Signal Cycle::*member, unsigned part) {
+  void put(Signal signal, Signal Cycle::*member, unsigned part) {
     if (signal.stamp.seq < next_) return;
     Cycle& cycle = pending_[signal.stamp.seq];
     cycle.*member = std::move(signal);

@@ -67,7 +67,7 @@ std::optional<OperatorAnswer> OperatorClient::wait_done(const OperatorCommand& c
   const auto timeout_us = static_cast<std::int64_t>(timeout_s * 1e6);
   std::int64_t end_us = node_.utime_us() + timeout_us;
   while (node_.utime_us() < end_us && !stop_requested()) {
-    if (const auto answer = next_answer(command.request_id)) {
+    if (auto answer = next_answer(command.request_id)) {
       if (ends(answer->outcome)) {
         return answer;
       }

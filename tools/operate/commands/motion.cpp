@@ -86,7 +86,7 @@ int run_reported_jump(const OperatorCommand& order, const MotionRequest& request
   }
   status = status == kExitDone ? motion_exit("jump", done) : status;
   std::printf("%scycles %lld, without a command %lld, overruns %lld, lost on the way to this table %lld\n",
-              jump_table(metrics.jumps()).c_str(), static_cast<long long>(collector.last_cycle() + 1),
+              jump_table(metrics.jumps()).c_str(), static_cast<long long>(collector.last_cycle()) + 1,
               static_cast<long long>(collector.missed_cycles()), static_cast<long long>(collector.overruns()),
               static_cast<long long>(collector.lost_cycles()));
   write_page(info, request, metrics.jumps(), trace.samples());

@@ -91,6 +91,7 @@ bool known_lcm(const std::string& version) {
 
 std::vector<Check> can_checks(const std::vector<BusFacts>& buses, const RobotConfig& robot) {
   std::vector<Check> checks;
+  checks.reserve(buses.size() + 1);
   for (const BusFacts& bus : buses) checks.push_back(bus_check(bus, robot));
   if (buses.empty()) checks.push_back(pass("CAN", "no bus of this robot is a CAN interface"));
   return checks;

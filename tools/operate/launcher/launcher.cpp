@@ -140,8 +140,12 @@ void Launcher::start(const PlannedProcess& planned) {
   EndedProcess end;
   end.policy = planned.restart;
   end.lockstep = request_.clock == "lockstep";
-  children_.push_back({planned, run_program(planned), {}, end, false});
-  info_.processes.push_back({planned.program, children_.back().process->pid()});
+  std::unique_ptr<ChildProcess> process = run_program(planned);
+  Child& child = children_.emplace_back();
+  child.planned = planned;
+  child.process = std::move(process);
+  child.end = end;
+  info_.processes.push_back({planned.program, child.process->pid()});
   run_file_.write(info_);
 }
 

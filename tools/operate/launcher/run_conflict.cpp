@@ -34,7 +34,7 @@ std::string why_not_beside(const RunInfo& ours, const RunInfo& other) {
 
 std::string why_not_beside(const RunInfo& ours, const std::vector<RunInfo>& others) {
   for (const RunInfo& other : others) {
-    const std::string why = why_not_beside(ours, other);
+    std::string why = why_not_beside(ours, other);
     if (!why.empty()) return why;
   }
   return "";

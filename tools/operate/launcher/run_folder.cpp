@@ -59,13 +59,13 @@ void make_private(const fs::path& folder) {
 }
 
 fs::path checked_run_folder() {
-  const fs::path folder = run_folder();
+  fs::path folder = run_folder();
   if (is_in_tmp()) require_private(folder);
   return folder;
 }
 
 fs::path made_run_folder() {
-  const fs::path folder = run_folder();
+  fs::path folder = run_folder();
   if (is_in_tmp())
     make_private(folder);
   else

@@ -26,6 +26,7 @@ struct Row {
 
 std::vector<std::uint8_t> bytes_of(const cantools::ExpectedObject& expected) {
   std::vector<std::uint8_t> bytes;
+  bytes.reserve(expected.size);
   for (int i = 0; i < expected.size; ++i)
     bytes.push_back(static_cast<std::uint8_t>(expected.value >> (8 * i)));
   return bytes;

@@ -29,6 +29,7 @@ std::unique_ptr<fields::TypeTable> types_with(const std::vector<std::string>& pa
   auto types = std::make_unique<fields::TypeTable>();
   types->add(fields::lcm_files());
   std::vector<std::string> texts;
+  texts.reserve(paths.size());
   for (const std::string& path : paths) texts.push_back(text_of(path));
   try {
     types->add({texts.begin(), texts.end()});

@@ -72,6 +72,7 @@ void run_spy_gui(const InspectSource& source, bool with_plots) {
                                      path,
                                      "lcm.spy.Spy"};
   std::vector<char*> pointers;
+  pointers.reserve(arguments.size() + 1);
   for (std::string& argument : arguments) pointers.push_back(argument.data());
   pointers.push_back(nullptr);
   setenv("LCM_DEFAULT_URL", source.url.c_str(), 1);
