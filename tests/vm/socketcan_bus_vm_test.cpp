@@ -23,6 +23,12 @@ struct Received {
   std::vector<std::int64_t> arrivals_us;
 };
 
+/// Whether something is there to be read, within a second.
+bool comes(const CanBus& bus) {
+  pollfd wait{bus.fd(), POLLIN, 0};
+  return ::poll(&wait, 1, 1000) > 0;
+}
+
 /// Until `count` are there, or nothing has come for a second.
 Received collect(CanBus& bus, int count) {
   Received all;
@@ -32,10 +38,20 @@ Received collect(CanBus& bus, int count) {
     const int got = bus.receive_timed(frames, arrivals_us, 64);
     all.frames.insert(all.frames.end(), frames, frames + got);
     all.arrivals_us.insert(all.arrivals_us.end(), arrivals_us, arrivals_us + got);
-    pollfd wait{bus.fd(), POLLIN, 0};
-    if (got == 0 && ::poll(&wait, 1, 1000) <= 0) break;
+    if (got == 0 && !comes(bus)) break;
   }
   return all;
+}
+
+/// Reads until the bus has confirmed `count` of its own frames, or nothing has come for a second. @return how
+/// many frames of others came with them.
+int confirm(CanBus& bus, std::int64_t count) {
+  int others = 0;
+  while (bus.counters().confirmed < count && comes(bus)) {
+    CanFrame frames[64];
+    others += bus.receive(frames, 64);
+  }
+  return others;
 }
 
 /// Ids run, data counts: no two are equal.
@@ -77,11 +93,20 @@ TEST_F(SocketCan, BatchesArriveWholeAndInOrder) {
 }
 
 TEST_F(SocketCan, ReadsNoMoreThanAskedFor) {
-  ASSERT_TRUE(send(*a_, numbered(10)));
+  const std::vector<CanFrame> sent = numbered(10);
+  ASSERT_TRUE(send(*a_, sent));
+  std::vector<CanFrame> received;
+  // vcan hands frames on in a turn of its own: on a slow machine some of them after send() is back.
+  while (received.size() < sent.size() && comes(*b_)) {
+    std::vector<CanFrame> frames = numbered(6);
+    const CanFrame untouched = frames[4];
+    const int got = b_->receive(frames.data(), 4);
+    ASSERT_LE(got, 4);
+    EXPECT_EQ(frames[4], untouched);
+    received.insert(received.end(), frames.begin(), frames.begin() + got);
+  }
+  EXPECT_EQ(received, sent);
   CanFrame frames[4];
-  EXPECT_EQ(b_->receive(frames, 4), 4);
-  EXPECT_EQ(b_->receive(frames, 4), 4);
-  EXPECT_EQ(b_->receive(frames, 4), 2);
   EXPECT_EQ(b_->receive(frames, 4), 0);
 }
 
@@ -157,8 +182,7 @@ TEST_F(SocketCan, ExtendedFramesAreCountedAndIgnored) {
 TEST_F(SocketCan, OwnFramesComeBackAsConfirmationsOnly) {
   ASSERT_TRUE(send(*a_, numbered(40)));
   ASSERT_EQ(collect(*b_, 40).frames.size(), 40u);
-  CanFrame frame;
-  EXPECT_EQ(a_->receive(&frame, 1), 0);
+  EXPECT_EQ(confirm(*a_, 40), 0);
   EXPECT_EQ(a_->counters().confirmed, 40);
   EXPECT_EQ(a_->counters().received, 0);
   EXPECT_GE(a_->counters().longest_confirmation_us, a_->counters().confirmation_us);
@@ -169,8 +193,7 @@ TEST_F(SocketCan, ConfirmationTellsHowLongAFrameWaitedForTheBus) {
   shell("tc qdisc add dev vcan0 root tbf rate 800bit burst 16 limit 1000");  // 0.16 s a frame
   ASSERT_TRUE(send(*a_, numbered(3)));
   ASSERT_EQ(collect(*b_, 3).frames.size(), 3u);
-  CanFrame frame;
-  EXPECT_EQ(a_->receive(&frame, 1), 0);
+  EXPECT_EQ(confirm(*a_, 3), 0);
   EXPECT_EQ(a_->counters().confirmed, 3);
   EXPECT_GT(a_->counters().longest_confirmation_us, 250'000);
 }
@@ -216,8 +239,7 @@ TEST_F(SocketCan, ShortLossOfTheLinkBetweenTwoCyclesCostsNothing) {
   EXPECT_EQ(collect(*b_, 3).frames, sent);
   shell("ip link set vcan0 down; ip link set vcan0 up");
   ASSERT_TRUE(send(*b_, sent));
-  CanFrame frames[8];
-  EXPECT_EQ(a_->receive(frames, 8), 3) << "nor keeps it from reading at once";
+  EXPECT_EQ(collect(*a_, 3).frames, sent) << "nor keeps it from reading";
 }
 
 TEST_F(SocketCan, InterfaceThatWasUnpluggedWorksAgainUnderItsName) {
