@@ -1,4 +1,7 @@
 /// sprung: the operator's and the engineer's one command.
+#include <poll.h>
+#include <unistd.h>
+
 #include <cstdio>
 
 #include "runtime/stop_request.h"
@@ -8,10 +11,16 @@
 
 namespace {
 
+/// Whether standard output is a pipe whose reader has gone, `| head` for one: it has read what it wanted.
+bool reader_left() {
+  pollfd out{STDOUT_FILENO, POLLOUT, 0};
+  return poll(&out, 1, 0) == 1 && (out.revents & POLLERR) != 0;
+}
+
 /// A command whose answer nobody could read has failed: a full disk behind `sprung log info x.lcm > y.txt`.
 int or_unsaid(int status) {
   const bool said = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
-  if (said || status != sprung::kExitDone) return status;
+  if (said || status != sprung::kExitDone || reader_left()) return status;
   std::fprintf(stderr, "sprung: not all could be written to standard output: is its disk full?\n");
   return sprung::kExitFailed;
 }

@@ -177,5 +177,12 @@ TEST_F(LogCommands, AnswerThatNobodyCouldReadIsAFailure) {
   EXPECT_THAT(end.output, HasSubstr("standard output"));
 }
 
+TEST_F(LogCommands, ReaderThatHasSeenEnoughIsNoFailure) {
+  const test::CommandEnd end = test::run_command("bash -o pipefail -c '(sleep 0.2; " + test::bin_dir() +
+                                                 "/sprung robot show pegasus) | true'");
+  EXPECT_EQ(end.status, 0) << end.output;
+  EXPECT_EQ(end.output, "");
+}
+
 }  // namespace
 }  // namespace sprung
