@@ -95,6 +95,7 @@ TEST_F(BusMonitorTest, FullQueueIsALossOnlyWhenItLasts) {
   tell(queue_full_frame());
   EXPECT_TRUE(monitor_.lost(0));
   EXPECT_EQ(health().bus_offs, 0);
+  EXPECT_THAT(monitor_.what_to_mend(), HasSubstr("takes no frames"));
 }
 
 TEST_F(BusMonitorTest, WarningIsShownAndPassiveIsALoss) {

@@ -27,6 +27,14 @@ TEST(MasterFrame, OnlyWhatAMasterSendsIsOne) {
   EXPECT_EQ(master_frame(frame(0x205), false), MasterFrame::kNone) << "to somebody else's node";
 }
 
+TEST(MasterFrame, EachHasItsWordsForPeople) {
+  EXPECT_STREQ(text(MasterFrame::kHeartbeat), "heartbeat of node 127");
+  EXPECT_STREQ(text(MasterFrame::kSync), "SYNC");
+  EXPECT_STREQ(text(MasterFrame::kNmt), "NMT command");
+  EXPECT_STREQ(text(MasterFrame::kSetPoint), "set-point (RPDO)");
+  EXPECT_STREQ(text(MasterFrame::kNone), "");
+}
+
 TEST(MasterFrame, ErrorAndRemoteFramesAreNone) {
   CanFrame error = frame(0x000);
   error.error = true;

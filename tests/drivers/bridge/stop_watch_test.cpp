@@ -83,6 +83,15 @@ TEST_F(StopWatchTest, NextStopBeginsAtTheFirstStep) {
   EXPECT_EQ(watch_.worst(), StopStep::kPdo);
 }
 
+TEST(StopStepText, EachStepHasItsWords) {
+  EXPECT_STREQ(text(StopStep::kNone), "");
+  EXPECT_STREQ(text(StopStep::kPdo), "by control word");
+  EXPECT_STREQ(text(StopStep::kSdo), "by SDO");
+  EXPECT_STREQ(text(StopStep::kReset), "by NMT reset");
+  EXPECT_STREQ(text(StopStep::kWithhold), "by withholding the heartbeat");
+  EXPECT_STREQ(text(StopStep::kGivenUp), "not at all: cut its supply");
+}
+
 /// The bridge with drives that do not obey.
 class WatchedStop : public test::PoweredBridge {
  protected:
