@@ -46,6 +46,7 @@ int main(int argc, char** argv) {
   add_replay(line);
   add_experiment(line);
   add_bench(line);
+  add_campaign(line);
   add_can(line);
   add_drive(line);
   add_hold(line);

@@ -23,6 +23,7 @@
 #include "signals/operator.h"
 #include "signals/sensors.h"
 #include "signals/simulation.h"
+#include "simulation/in_process/in_process_links.h"
 #include "simulation/sim_core.h"
 
 namespace sprung {
@@ -58,6 +59,10 @@ class InProcessRobot {
 
   /// @throws ConfigError, std::invalid_argument as the cores do.
   InProcessRobot(const RobotConfig& robot, const std::string& preset, const SimOptions& sim);
+  /// The stack believes what is not true of the machine: `robot` is its file, `machine` the one that the
+  /// simulated drives are made of. For wrong files that got past every check. @throws as above.
+  InProcessRobot(const RobotConfig& robot, const std::string& preset, const RobotConfig& machine,
+                 const SimOptions& sim);
 
   /// One SYNC and all that follows from it. @return true when it was a cycle, false while the drives boot.
   bool tick();
@@ -71,6 +76,9 @@ class InProcessRobot {
   /// From now on every DRIVE_COMMAND goes through this on its way to the bridge: what a broken controller, or
   /// somebody in its name, would send. @param change does not throw.
   void forge_commands_by(DriveCommandChange change) { forger_ = std::move(change); }
+
+  /// From now on every message and frame goes by these; nullptr: as they are. They must outlive the robot.
+  void put_on_links(InProcessLinks* links) { links_ = links; }
 
   /// From now on this program does nothing, as one that was killed or stopped (SIGSTOP): what it said last is
   /// all that the others have of it. false: it goes on where it was.
@@ -97,8 +105,12 @@ class InProcessRobot {
  private:
   bool advance_without_bridge();
   void exchange_frames();
+  void give_to_drives();
   void run_cores();
-  void plan();
+  template <class Signal>
+  const Signal* heard(const Signal& said, Signal& copy);
+  const LegCommand* heard_legs();
+  void plan(const JointState& estimated);
   bool take_reply(OperatorReply& out);
   bool runs(StackProcess which) const { return !stopped_[static_cast<std::size_t>(which)]; }
 
@@ -112,11 +124,17 @@ class InProcessRobot {
   LegCommandSource leg_source_;    ///< nothing: the planner
   std::array<bool, 4> stopped_{};  ///< by StackProcess
   DriveCommandChange forger_;      ///< nothing: the controller's commands as they are
+  InProcessLinks* links_ = nullptr;
+  FrameBatch foreign_;
   DriveState drive_state_;
   JointState joint_state_;
   LegCommand leg_command_;  ///< of the last cycle when the controller reads it
   MotionState motion_state_;
   DriveCommand drive_command_;
+  DriveState heard_drive_state_;  ///< these five: behind the links
+  JointState heard_joint_state_;
+  LegCommand passing_leg_command_, heard_leg_command_;
+  Imu heard_imu_;
   FrameBatch to_drives_;
   FrameBatch from_drives_;
   OperatorReply bridge_reply_;

@@ -27,7 +27,8 @@ bool jumps(const RobotConfig& robot) { return robot.preset().jumps(); }
 
 class Beginning {
  public:
-  Beginning(InProcessRobot& robot, const RobotConfig& config) : robot_(robot), config_(config) {}
+  Beginning(InProcessRobot& robot, const RobotConfig& config, const std::function<void()>& tick)
+      : robot_(robot), config_(config), tick_(tick) {}
 
   void walk(std::size_t gait, std::uint64_t seed) {
     const GaitConfig& wanted = config_.gaits[gait];
@@ -47,12 +48,16 @@ class Beginning {
 
  private:
   void advance(double seconds) {
-    for (std::int64_t i = std::llround(seconds / config_.cycle_s); i > 0; --i) robot_.tick();
+    for (std::int64_t i = std::llround(seconds / config_.cycle_s); i > 0; --i) tick();
+  }
+  void tick() {
+    if (tick_) return tick_();
+    robot_.tick();
   }
   void ask(const OperatorCommand& order, MotionPhase phase, double limit_s) {
     robot_.submit(order);
     for (std::int64_t i = std::llround(limit_s / config_.cycle_s); i > 0; --i) {
-      robot_.tick();
+      tick();
       if (robot_.motion_state().state == phase) return;
       for (OperatorReply reply; robot_.next_reply(reply);)
         if (reply.request_id == order.request_id && reply.outcome == OperatorOutcome::kRefused)
@@ -63,6 +68,7 @@ class Beginning {
 
   InProcessRobot& robot_;
   const RobotConfig& config_;
+  const std::function<void()>& tick_;
 };
 
 }  // namespace
@@ -79,8 +85,8 @@ std::vector<std::string> fault_motions(const RobotConfig& robot) {
 }
 
 void begin_motion(InProcessRobot& robot, const RobotConfig& config, const std::string& motion,
-                  std::uint64_t seed) {
-  Beginning begin(robot, config);
+                  std::uint64_t seed, const std::function<void()>& tick) {
+  Beginning begin(robot, config, tick);
   if (motion == kNoMotion) return;
   if (motion == "comply") return begin.comply();
   for (std::size_t i = 0; i < config.gaits.size(); ++i)

@@ -1,0 +1,86 @@
+#include "tools/lab/campaign/trial.h"
+
+#include <gtest/gtest.h>
+
+#include "robots/robot_loader.h"
+
+namespace sprung::campaign {
+namespace {
+
+Draw drawn(const std::string& state, const Injection& injection) {
+  Draw out;
+  out.state = state;
+  out.injections = {injection};
+  out.injections[0].at_seq = 0;
+  return out;
+}
+
+Injection drive_fault(FaultKind kind, double value = 0.0) {
+  Injection out;
+  out.kind = Class::kDrive;
+  out.drive_fault = kind;
+  out.value = value;
+  out.target = 1;
+  out.duration_s = 0.3;
+  return out;
+}
+
+class TrialTest : public testing::Test {
+ protected:
+  const RobotConfig robot_ = load_robot("single_leg");
+};
+
+TEST_F(TrialTest, NothingWrongIsNeverStoppedInAnyState) {
+  for (const std::string& state : states_of(robot_)) {
+    const Verdict verdict = run_trial(robot_, "best", drawn(state, {}));
+    EXPECT_EQ(verdict.failure, "") << state;
+    EXPECT_FALSE(verdict.tripped()) << state << ": " << name(verdict.cause);
+    EXPECT_TRUE(verdict.breaches.empty()) << state;
+    EXPECT_TRUE(verdict.recovered) << state << ": " << verdict.explained;
+  }
+}
+
+TEST_F(TrialTest, FaultIsNoticedMadeSafeAndRecoveredFrom) {
+  const Verdict verdict = run_trial(robot_, "best", drawn("thrust", drive_fault(FaultKind::kOverCurrent)));
+  EXPECT_EQ(verdict.failure, "");
+  EXPECT_EQ(verdict.cause, SafetyCause::kDriveFault);
+  EXPECT_TRUE(verdict.cause_expected);
+  EXPECT_LE(verdict.noticed_s, 0.01);
+  EXPECT_GT(verdict.safe_s, 0.0);
+  EXPECT_TRUE(verdict.recovered) << verdict.explained;
+  EXPECT_TRUE(verdict.breaches.empty());
+}
+
+TEST_F(TrialTest, DeadProgramIsExplained) {
+  Injection killed;
+  killed.kind = Class::kProcess;
+  killed.process = StackProcess::kController;
+  const Verdict verdict = run_trial(robot_, "best", drawn("standing", killed));
+  EXPECT_EQ(verdict.cause, SafetyCause::kCommandStale);
+  EXPECT_FALSE(verdict.recovered);
+  EXPECT_TRUE(verdict.back_or_explained());
+}
+
+TEST_F(TrialTest, StrangerWhoStopsADriveIsNamed) {
+  Injection stranger;
+  stranger.kind = Class::kForeign;
+  stranger.foreign = Foreign::kPreOperational;
+  stranger.duration_s = robot_.cycle_s;
+  const Verdict verdict = run_trial(robot_, "best", drawn("standing", stranger));
+  EXPECT_EQ(verdict.cause, SafetyCause::kForeignMaster);
+  EXPECT_TRUE(verdict.breaches.empty());
+}
+
+TEST_F(TrialTest, CauseThatTheFaultCannotHaveIsUnexpected) {
+  EXPECT_TRUE(cause_is_expected(drive_fault(FaultKind::kOverCurrent), SafetyCause::kDriveFault));
+  EXPECT_FALSE(cause_is_expected(drive_fault(FaultKind::kOverCurrent), SafetyCause::kNone));
+  EXPECT_FALSE(cause_is_expected(drive_fault(FaultKind::kOverCurrent), SafetyCause::kPlannerLost));
+  EXPECT_FALSE(cause_is_expected(Injection{}, SafetyCause::kImplausible)) << "nothing was wrong";
+}
+
+TEST_F(TrialTest, StateThatCannotBeReachedIsAFailureOfTheRun) {
+  EXPECT_NE(run_trial(robot_, "best", drawn("trot", {})).failure, "");
+}
+
+}  // namespace
+}  // namespace sprung::campaign

@@ -1,0 +1,167 @@
+#include "tools/lab/campaign/campaign.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <stdexcept>
+
+namespace sprung::campaign {
+namespace {
+
+Draw twin_of(Draw draw) {
+  draw.injections = {Injection{}};
+  draw.injections[0].at_seq = 0;
+  draw.second_while_clearing = false;
+  return draw;
+}
+
+bool breaks(const Verdict& verdict, Rule rule) noexcept {
+  return std::any_of(verdict.breaches.begin(), verdict.breaches.end(),
+                     [&](const Breach& one) { return one.rule == rule; });
+}
+
+template <class Is>
+double share_of(const std::vector<Verdict>& runs, const Is& is) {
+  int judged = 0, count = 0;
+  for (const Verdict& one : runs) {
+    if (!one.failure.empty()) continue;
+    ++judged;
+    count += is(one) ? 1 : 0;
+  }
+  return judged > 0 ? 100.0 * count / judged : kNaN;
+}
+
+template <class Is>
+int count_of(const std::vector<Verdict>& runs, const Is& is) {
+  return static_cast<int>(std::count_if(runs.begin(), runs.end(), is));
+}
+
+/// The value that this share of them does not exceed; NaN where there is none.
+double quantile(std::vector<double> values, double share) {
+  values.erase(std::remove_if(values.begin(), values.end(), [](double v) { return std::isnan(v); }),
+               values.end());
+  if (values.empty()) return kNaN;
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
+}
+
+std::vector<report::Cell> group_row(const std::string& name, const std::vector<const Verdict*>& runs) {
+  std::vector<double> noticed, safe, fastest;
+  int tripped = 0, bad_ones = 0;
+  for (const Verdict* one : runs) {
+    noticed.push_back(1e3 * one->noticed_s);
+    safe.push_back(1e3 * one->safe_s);
+    fastest.push_back(one->fastest_share);
+    tripped += one->tripped() ? 1 : 0;
+    bad_ones += bad(*one) ? 1 : 0;
+  }
+  return {name,
+          static_cast<int>(runs.size()),
+          tripped,
+          quantile(noticed, 0.5),
+          quantile(noticed, 0.95),
+          quantile(safe, 0.5),
+          quantile(safe, 0.95),
+          quantile(fastest, 1.0),
+          report::Cell(bad_ones, bad_ones == 0 ? report::Mark::kGood : report::Mark::kBad)};
+}
+
+template <class Key>
+report::Table grouped(const std::string& title, const std::vector<Verdict>& runs, const Key& key) {
+  report::Table table{title,
+                      {"", "runs", "stopped", "noticed, median (ms)", "95 %", "no torque, median (ms)",
+                       "95 %", "fastest joint over its limit", "not as it should be"}};
+  std::map<std::string, std::vector<const Verdict*>> groups;
+  for (const Verdict& one : runs) groups[key(one)].push_back(&one);
+  for (const auto& [name, group] : groups) table.rows.push_back(group_row(name, group));
+  return table;
+}
+
+}  // namespace
+
+double rule_of_three(std::size_t runs) noexcept { return runs > 0 ? 3.0 / static_cast<double>(runs) : kNaN; }
+
+bool bad(const Verdict& verdict) noexcept {
+  return !verdict.failure.empty() || !verdict.breaches.empty() || !verdict.cause_expected ||
+         !verdict.back_or_explained();
+}
+
+Result run_campaign(const RobotConfig& robot, const Request& request) {
+  if (request.runs < 1) throw std::invalid_argument("--runs must be 1 or more");
+  const auto count = static_cast<std::size_t>(request.runs);
+  const auto draw = [&](std::size_t i) {
+    return draw_run(robot, request.seed, request.first + i, request.only);
+  };
+  const auto all = parallel_map(
+      2 * count,
+      [&](std::size_t i) {
+        return run_trial(robot, request.preset, i % 2 == 0 ? draw(i / 2) : twin_of(draw(i / 2)));
+      },
+      request.parallel);
+  Result out;
+  for (std::size_t i = 0; i < all.size(); ++i) (i % 2 == 0 ? out.runs : out.twins).push_back(all[i]);
+  return out;
+}
+
+std::vector<ReportRow> campaign_rows(const Result& result) {
+  const std::vector<Verdict>& runs = result.runs;
+  std::vector<ReportRow> rows{row("campaign.all.runs", "", static_cast<double>(runs.size()))};
+  for (const auto& word : kWords<Rule>)
+    rows.push_back(row(std::string("campaign.all.") + word.name, "",
+                       count_of(runs, [&](const Verdict& v) { return breaks(v, word.value); }),
+                       at_most(0.0)));
+  rows.push_back(row("campaign.all.causes_right", "%",
+                     share_of(runs, [](const Verdict& v) { return v.cause_expected; }), at_least(99.0)));
+  rows.push_back(row("campaign.all.recovered_or_explained", "%",
+                     share_of(runs, [](const Verdict& v) { return v.back_or_explained(); }),
+                     at_least(100.0)));
+  rows.push_back(
+      row("campaign.all.recovered", "%", share_of(runs, [](const Verdict& v) { return v.recovered; })));
+  rows.push_back(row("campaign.all.not_judged", "",
+                     count_of(runs, [](const Verdict& v) { return !v.failure.empty(); }), at_most(0.0)));
+  rows.push_back(
+      row("campaign.none.false_stops", "",
+          count_of(result.twins, [](const Verdict& v) { return v.tripped() || !v.failure.empty(); }),
+          at_most(0.0)));
+  rows.push_back(row("campaign.all.less_than_at_95_percent", "%", 100.0 * rule_of_three(runs.size())));
+  return rows;
+}
+
+std::string failure_text(const Verdict& verdict, const RobotConfig& robot) {
+  const Draw& draw = verdict.draw;
+  std::string text = "run " + std::to_string(draw.number) + ", " + draw.state + ":";
+  for (std::size_t i = 0; i < draw.injections.size(); ++i)
+    text += std::string(i == 0                       ? " "
+                        : draw.second_while_clearing ? "; while clearing "
+                                                     : "; then ") +
+            text_of(draw.injections[i], robot);
+  text += "\n ";
+  if (!verdict.failure.empty()) text += " not judged: " + verdict.failure + ";";
+  for (const Breach& breach : verdict.breaches)
+    text += std::string(" ") + name(breach.rule) + ": " + breach.detail + " in cycle " +
+            std::to_string(breach.seq) + ";";
+  if (!verdict.cause_expected) text += std::string(" cause: ") + name(verdict.cause) + ";";
+  if (!verdict.back_or_explained()) text += " neither back nor explained;";
+  return text + "\n  sprung campaign --robot " + robot.name + " --seed " + std::to_string(draw.seed) +
+         " --first " + std::to_string(draw.number) + " --runs 1";
+}
+
+std::vector<report::Section> campaign_sections(const Result& result, const RobotConfig& robot) {
+  report::Section groups{"How soon it was safe"};
+  groups.tables = {
+      grouped("By what went wrong", result.runs,
+              [](const Verdict& v) { return std::string(name(v.draw.injections[0].kind)); }),
+      grouped("By what the robot did", result.runs, [](const Verdict& v) { return v.draw.state; })};
+  report::Section failures{"Runs that are not as they should be"};
+  for (const Verdict& one : result.runs)
+    if (bad(one)) failures.text.push_back(failure_text(one, robot));
+  for (const Verdict& one : result.twins)
+    if (one.tripped() || !one.failure.empty())
+      failures.text.push_back("without a fault, run " + std::to_string(one.draw.number) + ", " +
+                              one.draw.state + ": " + (one.failure.empty() ? name(one.cause) : one.failure));
+  if (failures.text.empty()) failures.text.emplace_back("None.");
+  return {groups, failures};
+}
+
+}  // namespace sprung::campaign

@@ -1,0 +1,104 @@
+#include "tools/lab/campaign/campaign.h"
+
+#include <chrono>
+#include <cstdio>
+#include <memory>
+
+#include "robots/robot_loader.h"
+#include "runtime/log.h"
+#include "tools/commands.h"
+#include "tools/common/progress_bar.h"
+#include "tools/common/report/report_shell.h"
+
+namespace sprung::commands {
+namespace {
+
+using namespace campaign;
+
+struct CampaignOptions {
+  std::string robot = "pegasus";
+  std::string only, out;
+  Request request;
+  bool as_json = false;
+};
+
+report::Report page_of(const Result& result, const RobotConfig& robot, const ExperimentReport& rows,
+                       const CampaignOptions& options) {
+  report::Report page{
+      "Campaign of " + robot.name, "seed " + std::to_string(options.request.seed) + ", preset " + rows.preset,
+      "sprung campaign --robot " + options.robot + " --runs " + std::to_string(options.request.runs) +
+          " --seed " + std::to_string(options.request.seed) +
+          (options.only.empty() ? "" : " --only " + options.only)};
+  report::Table table{"", {"row", "unit", "value"}};
+  for (const ReportRow& row : rows.rows)
+    table.rows.push_back({row.name, row.unit,
+                          report::Cell(row.value, !row.low && !row.high ? report::Mark::kPlain
+                                                  : row.ok()            ? report::Mark::kGood
+                                                                        : report::Mark::kBad)});
+  report::Section summary{"Summary"};
+  summary.tables = {table};
+  page.sections = campaign_sections(result, robot);
+  page.sections.insert(page.sections.begin(), summary);
+  return page;
+}
+
+void print_failures(const Result& result, const RobotConfig& robot) {
+  for (const Verdict& one : result.runs)
+    if (bad(one)) std::printf("%s\n", failure_text(one, robot).c_str());
+  for (const Verdict& one : result.twins)
+    if (one.tripped() || !one.failure.empty())
+      std::printf("without a fault: %s\n", failure_text(one, robot).c_str());
+}
+
+int run(CampaignOptions options) {
+  start_log("sprung");
+  const auto started = std::chrono::steady_clock::now();
+  const RobotConfig robot = load_robot(options.robot);
+  Request& request = options.request;
+  request.preset = preset_or(robot, "best");
+  if (!options.only.empty()) request.only = value_named<Class>(options.only).value_or(Class::kNone);
+  const Result result = with_progress("campaign", [&](ProgressBar& bar) {
+    request.parallel.on_progress = [&bar](std::size_t done, std::size_t count) { bar.show(done, count); };
+    return run_campaign(robot, request);
+  });
+  ExperimentReport report;
+  report.experiment = "campaign";
+  report.robot = robot.name;
+  report.preset = request.preset;
+  report.seed = request.seed;
+  report.rows = campaign_rows(result);
+  for (const auto* all : {&result.runs, &result.twins})
+    for (const Verdict& one : *all) report.simulated_s += one.simulated_s;
+  report.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+  if (!options.out.empty()) report::write_report(page_of(result, robot, report, options), options.out);
+  if (options.as_json) {
+    std::printf("%s\n", report.json().c_str());
+  } else {
+    print_failures(result, robot);
+    std::printf("%s\n", report.table().c_str());
+  }
+  return report.ok() ? kExitDone : kExitFailed;
+}
+
+}  // namespace
+
+void add_campaign(CommandLine& sprung) {
+  const auto options = std::make_shared<CampaignOptions>();
+  CommandLine& line = sprung.subcommand(
+      "campaign", "Robots in drawn states with drawn faults, judged by the simulation's truth.");
+  line.option("--robot", options->robot, "name or folder");
+  line.option("--runs", options->request.runs, "each with a twin in which nothing goes wrong");
+  line.option("--seed", options->request.seed, "of every draw");
+  line.option("--first", options->request.first, "number of the first run");
+  line.option("--jobs", options->request.parallel.jobs, "threads; 0: one for each core");
+  std::vector<std::string> classes = names_of<Class>();
+  classes[0] = "";
+  line.choice("--only", options->only, classes, "faults of this class alone");
+  line.option("--out", options->out,
+              "HTML file with distributions and every run that is not as it should be");
+  line.flag("--json", options->as_json, "one JSON object on standard output");
+  line.example("sprung campaign --robot pegasus --runs 1000 --seed 1 --out campaign.html");
+  line.action([=] { return run(*options); });
+}
+
+}  // namespace sprung::commands
