@@ -14,6 +14,8 @@ constexpr double kBeyond_rad = 0.05;  // a joint's stop in model.xml stands ther
 constexpr double kTooFastShare = 1.2, kTooFast_s = 0.02;
 constexpr double kNamed_s = 0.05;  // for the cause, from then on
 constexpr double kDrivingWork_J = 1.0;
+constexpr double
+    kCurrentFalls_s = 0.01;  // a thrust's torque does not end in one cycle: current loop, and its frame
 /// Lowering 1.5 s, damping until the joints rest 5 s, the drives' quick stop 0.5 s, and a tenth.
 constexpr double kLongestStop_s = 7.1;
 constexpr double kOff_s = 0.1;                // after `disabled`
@@ -130,6 +132,7 @@ void Judge::look(const Scene& scene) {
   seq_ = scene.seq;
   for (std::size_t i = 0; i < drives_.size(); ++i)
     drives_[i]->true_position_rad = scene.truth->joints[i].true_position_rad;
+  damped_ = scene.said->level == SafetyLevel::kDamping ? damped_ + 1 : 0;
   for (std::size_t j = 0; j < joints_.size(); ++j) look_at_joint(j, scene);
   look_at_stop(scene);
 }
@@ -150,7 +153,7 @@ void Judge::look_at_joint(std::size_t j, const Scene& scene) {
   seen.fast = share > kTooFastShare && !named ? seen.fast + 1 : 0;
   if (seen.fast > cycles(kTooFast_s + kNamed_s))
     breach(Rule::kTooFast, with_number(limits.name, share, "times"));
-  if (scene.said->level != SafetyLevel::kDamping) return;
+  if (damped_ <= cycles(kCurrentFalls_s)) return;
   seen.work_J += std::max(0.0, joint.true_motor_torque_Nm * joint.true_velocity_rad_s) * robot_.cycle_s;
   if (seen.work_J > kDrivingWork_J) breach(Rule::kDrivingStop, with_number(limits.name, seen.work_J, "J"));
 }

@@ -17,12 +17,12 @@ namespace sprung::campaign {
 /// Rules of a run, each broken at most once a run.
 enum class Rule : std::uint8_t {
   kUncommandedEnable,  ///< a drive gets power though nobody cleared or commanded since it lost it
-  kDrivingStop,        ///< damping puts more than 1 J into a joint
+  kDrivingStop,        ///< damping, 10 ms after it began, puts more than 1 J into a joint
   kTorqueStays,        ///< a latched stop, and motors have torque when it must be over
   kBeyondLimit,        ///< a joint 50 mrad beyond its limits, pushed there, without a cause within 50 ms
   kTooFast,            ///< above 1.2 times the speed limit for 20 ms, without a cause within 50 ms
-  kBadSetpoint,        ///< on the bus: beyond the torque limit, or 0.15 rad and more beyond the joint's limits
-  kDisagrees,          ///< SAFETY_STATE says disabled, and motors have torque
+  kBadSetpoint,  ///< on the bus: beyond the torque limit, or 0.15 rad and more beyond the joint's limits
+  kDisagrees,    ///< SAFETY_STATE says disabled, and motors have torque
 };
 constexpr auto words_of(Rule) {
   using E = Rule;
@@ -87,6 +87,7 @@ class Judge {
   std::vector<Breach> breaches_;
   std::int64_t seq_ = -1;
   bool operator_asked_ = true;
+  int damped_ = 0;    ///< cycles since the stack said so
   int stopped_ = 0;   ///< cycles since a latched stop was said
   int disabled_ = 0;  ///< cycles
   double fastest_share_ = 0.0, farthest_rad_ = 0.0;

@@ -119,6 +119,16 @@ TEST_F(JudgeTest, DampingThatDrives) {
   expect_only(Rule::kDrivingStop);
 }
 
+TEST_F(JudgeTest, TorqueOfAThrustMayFallFirst) {
+  latch(SafetyLevel::kDamping);
+  truth_.joints[0].true_velocity_rad_s = 7.0;
+  truth_.joints[0].true_motor_torque_Nm = 170.0;
+  look(0.009);
+  expect_none();
+  look(0.01);
+  expect_only(Rule::kDrivingStop);
+}
+
 TEST_F(JudgeTest, TorqueThatStaysAfterAStop) {
   latch(SafetyLevel::kDamping);
   torques_[0] = 3.0;
