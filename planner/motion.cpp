@@ -38,7 +38,8 @@ Motion::Motion(const RobotConfig& robot, const PresetConfig& preset)
       adaptive_said_(robot.legs.size()),
       joints_(robot),
       moves_(robot.legs.size()),
-      departure_m_(robot.legs.size()) {}
+      departure_m_(robot.legs.size()),
+      kept_m_(robot.legs.size()) {}
 
 bool Motion::stand(const JointState& in) noexcept {
   stop_ = false;
@@ -98,6 +99,11 @@ void Motion::stop() noexcept {
   joints_.brake(now_us_);
 }
 
+void Motion::halt() noexcept {
+  stop();
+  walk_.halt();
+}
+
 void Motion::restart(const JointState& in) noexcept {
   process(MotionEvent::kRestarted, in);
   lost_ = false;
@@ -143,6 +149,7 @@ void Motion::enter(MotionPhase from, const JointState& in) noexcept {
       break;
     case MotionPhase::kRising:
       enabled_ = false;
+      kept_m_.assign(kept_m_.size(), Vec3{});
       break;
     case MotionPhase::kMovingJoint:
       enabled_ = enabled_ && from == MotionPhase::kMovingJoint;
@@ -161,11 +168,13 @@ void Motion::enter(MotionPhase from, const JointState& in) noexcept {
       break;
     case MotionPhase::kRecover:
       if (from == MotionPhase::kLanding) jump_.landed();
-      recover_s_ = from == MotionPhase::kWalking && in_place() ? kShortRecover_s : preset_.recover_time_s;
+      if (from == MotionPhase::kWalking) keep_feet();
+      recover_s_ = from == MotionPhase::kWalking ? kShortRecover_s : preset_.recover_time_s;
       move_all(preset_.stand_length_m, recover_s_);
       break;
     case MotionPhase::kSitting:
       let_go_ = from == MotionPhase::kMovingJoint || from == MotionPhase::kRising;
+      kept_m_.assign(kept_m_.size(), Vec3{});  // folded legs do not reach beside their places
       move_all(preset_.sit_length_m, preset_.rise_time_s);
       break;
     case MotionPhase::kStanding:
@@ -187,9 +196,22 @@ bool Motion::in_place() const noexcept {
   return true;
 }
 
+/// A walk that was halted leaves its feet where they stand: drawn to their places they would be dragged.
+void Motion::keep_feet() noexcept {
+  const bool keep = !in_place();
+  for (std::size_t i = 0; i < kept_m_.size(); ++i) {
+    const Vec3 place_m = walk_.stance_foot_in_hip_m(i, preset_.stand_length_m);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      kept_m_[i][axis] = keep ? departure_m_[i][axis] - place_m[axis] : 0.0;
+  }
+}
+
 void Motion::move_all(double length_m, double duration_s) noexcept {
-  for (std::size_t i = 0; i < moves_.size(); ++i)
-    moves_[i] = {departure_m_[i], walk_.stance_foot_in_hip_m(i, length_m), duration_s};
+  for (std::size_t i = 0; i < moves_.size(); ++i) {
+    Vec3 to_m = walk_.stance_foot_in_hip_m(i, length_m);
+    for (std::size_t axis = 0; axis < to_m.size(); ++axis) to_m[axis] += kept_m_[i][axis];
+    moves_[i] = {departure_m_[i], to_m, duration_s};
+  }
   move_began_us_ = now_us_;
 }
 

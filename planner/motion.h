@@ -61,6 +61,8 @@ class Motion {
   /// Finish the phase, then stand: no thrust any more if it has not begun, no further jumps; no compliance. A
   /// joint that moves brakes, and all are held.
   void stop() noexcept;
+  /// As stop(), when the operator is gone: a walk ends within Walk::kHalt_s, on feet where they are.
+  void halt() noexcept;
   /// The bridge was restarted: off at once.
   void restart(const JointState& in) noexcept;
 
@@ -95,6 +97,7 @@ class Motion {
   void await_joints(const JointState& in) noexcept;
   bool lost(const JointState& in) noexcept;
   bool in_place() const noexcept;
+  void keep_feet() noexcept;
   void move_all(double length_m, double duration_s) noexcept;
   void update_walk(const JointState& in) noexcept;
   bool fell(const JointState& in) noexcept;
@@ -135,6 +138,7 @@ class Motion {
   JointRequest joint_request_;     ///< that waits for its drives
   std::vector<FootMove> moves_;    ///< one for each leg; played since move_began_us_
   std::vector<Vec3> departure_m_;  ///< where each leg's next move begins
+  std::vector<Vec3> kept_m_;       ///< where a walk left each foot, from its place; 0 where it set them
   std::int64_t now_us_ = 0;
   std::int64_t phase_began_us_ = 0;
   std::int64_t move_began_us_ = 0;

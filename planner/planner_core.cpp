@@ -258,7 +258,7 @@ void PlannerCore::Impl::watch_hold() noexcept {
   const bool moves = motion.state() == MotionPhase::kWalking || motion.state() == MotionPhase::kComplying;
   if (!moves) return hold.forget();
   if (!hold.take_lapse(now.utime_us) || stopping.kind != OperatorKind::kNone) return;
-  motion.stop();
+  motion.halt();
   lapsed = true;
 }
 

@@ -1,5 +1,6 @@
 #include "drivers/bridge/stuck_encoder_watch.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace sprung {
@@ -12,8 +13,11 @@ constexpr std::int64_t kWindow_us = 30'000;
 // experiment push --robot pegasus, and foot_return on single_leg at 0.35 rad/s, would be stopped.
 constexpr double kHigh = 0.5;  // of the torque limit
 constexpr double kMateMoves_rad = 0.06;
-/// Of a harmonic gear at its peak torque: 108 Nm / 10 kNm/rad is 0.011 rad.
-constexpr double kLinkMoves_rad = 0.03;
+/// A rotor that rests is held by its own friction: its gear twists by what the motor's torque changes by, and
+/// by twice that friction. [design choice] half as much again as of a harmonic gear at its peak torque, 108
+/// Nm / 10 kNm/rad or 0.011 rad; and for friction, noise and the gear's own error of 0.0003 rad:
+constexpr double kTwist_rad = 0.0165;  // at the torque limit
+constexpr double kLinkMoves_rad = 0.004;
 
 }  // namespace
 
@@ -29,9 +33,16 @@ bool StuckEncoderWatch::mate_moved(const StuckEncoderInputs& in) const noexcept 
 
 void StuckEncoderWatch::compare_with_link(const StuckEncoderInputs& in) noexcept {
   if (std::isnan(in.link_position_rad)) return;
-  if (std::isnan(still_.link_position_rad) || in.position_rad != still_.position_rad) still_ = in;
-  link_moved_ = link_moved_ || (in.time_us - still_.time_us >= kStill_us &&
-                                std::abs(in.link_position_rad - still_.link_position_rad) > kLinkMoves_rad);
+  if (std::isnan(still_.link_position_rad) || in.position_rad != still_.position_rad) {
+    still_ = in;
+    torque_change_Nm_ = 0.0;
+  }
+  const double change_Nm = std::abs(in.measured_torque_Nm - still_.measured_torque_Nm);
+  torque_change_Nm_ = std::max(torque_change_Nm_, change_Nm);
+  const double twist_rad = kTwist_rad * torque_change_Nm_ / limit_Nm_;
+  const double moved_rad = std::abs(in.link_position_rad - still_.link_position_rad);
+  link_moved_ = link_moved_ ||
+                (in.time_us - still_.time_us >= kStill_us && moved_rad > kLinkMoves_rad + twist_rad);
 }
 
 void StuckEncoderWatch::add(const StuckEncoderInputs& in) noexcept {

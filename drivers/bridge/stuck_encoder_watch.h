@@ -4,8 +4,8 @@
 /// thrusts hip and knee move. So an encoder is stuck that has not moved by one count for 20 ms, under more
 /// than half of the torque limit all the time, while the other of the two has moved by 0.06 rad within 30 ms.
 /// Less would stop healthy robots that are pushed or pulled (docs/safety.md): one that sticks under less
-/// torque is found where a link encoder sees the joint move by 0.03 rad, more than its gear gives way, while
-/// the motor's has not moved by one count for 20 ms. Pure; once a sample.
+/// torque is found where a link encoder sees the joint move by 4 mrad, and by what its gear gives way as the
+/// motor's torque changes, while the motor's has not moved by one count for 20 ms. Pure; once a sample.
 #include <cstdint>
 
 #include "signals/vec3.h"
@@ -43,7 +43,8 @@ class StuckEncoderWatch {
   StuckEncoderInputs first_;   ///< since which the position has not changed, and the torque was high
   std::int64_t since_us_ = 0;  ///< of that
   std::int64_t now_us_ = 0;
-  StuckEncoderInputs still_;  ///< since which the position has not changed, and the link was seen
+  StuckEncoderInputs still_;       ///< since which the position has not changed, and the link was seen
+  double torque_change_Nm_ = 0.0;  ///< at most, since still_
   bool any_ = false;
   bool link_moved_ = false;
   bool stuck_ = false;

@@ -21,8 +21,8 @@ BodyWrench wanted_wrench(const WalkConfig& law, const BodyShape& shape, const Bo
 /// the body began with twice the acceleration, and what is over one foot's line then tips the wrong way.)
 class Lean {
  public:
-  void reset() noexcept {
-    at_m_.setZero();
+  void rest_at(const Eigen::Vector2d& at_m) noexcept {
+    at_m_ = at_m;
     speed_m_s_.setZero();
     acceleration_m_s2_.setZero();
   }

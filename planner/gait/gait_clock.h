@@ -16,6 +16,7 @@ class GaitClock {
   /// From now on no leg begins to swing; those that do go on.
   void hold() noexcept { holding_ = true; }
   void resume() noexcept { holding_ = false; }
+  bool holds() const noexcept { return holding_; }
   /// A leg that still looks for the ground must not be left behind: call with 0 while it does.
   void advance(double dt_s) noexcept;
 

@@ -18,6 +18,7 @@ constexpr double kStop_s = 0.6;
 constexpr double kHeadingGain_1_s = 1.0;
 constexpr double kMostHeadingCorrection_rad_s = 0.2;
 constexpr double kHeightRate_m_s = 0.05;  // of a wanted height or width
+constexpr double kLeans_m = 0.03;         // [design choice] of a body that is not over the middle of its feet
 constexpr double kSlip_m = 0.03;          // more than feet that hold move against each other
 constexpr double kMostStretch_m = 0.04;  // of a standing foot's spring along the ground, in a gait that steps
 constexpr double kFootholdRate_m_s = 0.2;  // [design choice] on top of what a swinging foot does
@@ -87,7 +88,7 @@ void Walk::begin(const JointState& in, const WalkRequest& request) noexcept {
   start_clock();
   ramp_.reset();
   ramp_.want(request.speed);
-  weight_.reset();
+  weight_.begin(leaning_m());
   waits_ = false;
   pace_.reset();
   double sum_m = 0.0;
@@ -101,7 +102,7 @@ void Walk::begin(const JointState& in, const WalkRequest& request) noexcept {
   heading_rad_ = view_.attitude.yaw_rad;
   body_m_s_.setZero();
   last_us_ = in.stamp.utime_us;
-  stopping_ = ended_ = false;
+  stopping_ = halting_ = ended_ = false;
   placing_ = false;
   failure_ = nullptr;
   share_weight();
@@ -109,8 +110,9 @@ void Walk::begin(const JointState& in, const WalkRequest& request) noexcept {
 
 void Walk::change(const WalkRequest& request) noexcept {
   request_ = request;
-  stopping_ = false;
+  stopping_ = halting_ = false;
   placing_ = false;
+  weight_.move();
   ramp_.want(request.speed);
   wanted_ = order_of(request);
   if (!(wanted_ == now_) && !comes_to_rest()) {
@@ -127,6 +129,13 @@ void Walk::stop() noexcept {
   if (wanted_ == now_ || failure_ != nullptr || ended_) return;
   wanted_ = now_;  // not the gait that was to come: this one sets the feet in their places
   clock_.resume();
+}
+
+void Walk::halt() noexcept {
+  stop();
+  if (halting_) return;
+  halting_ = true;
+  halt_left_s_ = kHalt_s;
 }
 
 /// Turning or sideways alone it keeps the order that it has.
@@ -184,6 +193,18 @@ void Walk::lean(double dt_s) noexcept {
   body_m_s_ << speed_m_s + weight_.speed_m_s(), 0.0;
 }
 
+/// Of the body from the middle of its feet's places, before it walks; a gait that does not lean begins as it
+/// is.
+Eigen::Vector2d Walk::leaning_m() const noexcept {
+  Eigen::Vector2d sum_m = Eigen::Vector2d::Zero();
+  for (std::size_t i = 0; i < shape_.legs; ++i)
+    sum_m += (shape_.hip_in_trunk_m[i] + shape_.foot_beside_hip_m[i] - view_.foot_m[i]).head<2>();
+  const Eigen::Vector2d lean_m = sum_m / static_cast<double>(shape_.legs);
+  const double far_m = lean_m.norm(), most_m = gait().sway_m;
+  if (!(far_m > kLeans_m)) return Eigen::Vector2d::Zero();
+  return far_m > most_m ? Eigen::Vector2d(lean_m * (most_m / far_m)) : lean_m;
+}
+
 Eigen::Vector3d Walk::place_m(std::size_t leg) const noexcept {
   Eigen::Vector3d place = shape_.hip_in_trunk_m[leg] + shape_.foot_beside_hip_m[leg];
   place.y() += shape_.side[leg] * width_m_;
@@ -229,7 +250,14 @@ bool Walk::touches(std::size_t i, const EstimatedLeg& leg) const noexcept {
   return force_N.z() > kCertain * shape_.mass_kg * kGravity_m_s2;
 }
 
+/// The leg whose step would end too late stays where it is, and so do all that would follow it.
+void Walk::run_out(double dt_s) noexcept {
+  halt_left_s_ -= dt_s;
+  if (halt_left_s_ < clock_.swing_s()) clock_.hold();
+}
+
 void Walk::step_legs(const JointState& in, double dt_s) noexcept {
+  if (halting_) run_out(dt_s);
   waits_ = weight_.holds();
   for (std::size_t i = 0; i < shape_.legs; ++i)
     waits_ = waits_ || (clock_.swings(i) && clock_.swing_share(i) >= 1.0 && !steps_[i].stands());
@@ -240,6 +268,7 @@ void Walk::step_legs(const JointState& in, double dt_s) noexcept {
     if (clock_.swings(i) && steps_[i].stands()) steps_[i].lift(view_.foot_m[i]);
     if (!steps_[i].step(plan, view_.foot_m[i], foothold_m(i), touches(i, in.legs[i]))) continue;
     clock_.land(i);
+    if (halting_) weight_.stay();  // it came over three feet, and stands on four as well
     join(i);
     if (steps_[i].gave_up()) fail("a foot found no ground");
   }
@@ -344,6 +373,8 @@ void Walk::place_feet() noexcept {
   placing_ = true;
 }
 
+bool Walk::rests() const noexcept { return weight_.upright() || (halting_ && weight_.rests()); }
+
 void Walk::next_gait() noexcept {
   const bool all_stand = clock_.all_stand();
   if (comes_to_rest() && ramp_.arrived()) place_feet();
@@ -351,10 +382,10 @@ void Walk::next_gait() noexcept {
   const bool settled = std::all_of(
       steps_.begin(), steps_.begin() + static_cast<std::ptrdiff_t>(shape_.legs),
       [&](const LegStep& s) { return s.stands() && s.in_phase_s() >= law_.force_rise_s; });
-  const bool done = gait().duty >= 1.0 || failure_ != nullptr || (placing_ && clock_.rounds() > 0);
-  if (stopping_ && ramp_.arrived() && settled && all_stand && done && weight_.upright()) ended_ = true;
-  const bool placed = !comes_to_rest() || (placing_ && clock_.rounds() > 0);
-  if (!stopping_ && all_stand && placed && !(wanted_ == now_)) {
+  const bool placed = placing_ && clock_.rounds() > 0;
+  const bool done = gait().duty >= 1.0 || failure_ != nullptr || placed || (halting_ && clock_.holds());
+  if (stopping_ && ramp_.arrived() && settled && all_stand && done && rests()) ended_ = true;
+  if (!stopping_ && all_stand && (placed || !comes_to_rest()) && !(wanted_ == now_)) {
     now_ = wanted_;
     placing_ = false;
     start_clock();

@@ -40,6 +40,9 @@ class Walk {
   void change(const WalkRequest& request) noexcept;
   /// Slows down and sets every foot in its place once, then stands.
   void stop() noexcept;
+  /// As stop(), within kHalt_s, of whom nobody watches any more: no step begins that would last longer, and a
+  /// foot that is not set anew stays where it stands.
+  void halt() noexcept;
   bool ended() const noexcept { return ended_; }
   /// Why it ended by itself; nullptr: it did not.
   const char* failure() const noexcept { return failure_; }
@@ -50,6 +53,9 @@ class Walk {
 
   /// Where a leg's foot stands, in hip axes, at that height and width: before and after walking too.
   Vec3 stance_foot_in_hip_m(std::size_t leg, double height_m) const noexcept;
+
+  /// [design choice] With a hold of 0.5 s and Motion's recovery of 0.55 s the robot stands within 2 s.
+  static constexpr double kHalt_s = 0.8;
 
  private:
   void steer(double dt_s) noexcept;
@@ -67,7 +73,10 @@ class Walk {
   void next_gait() noexcept;
   void place_feet() noexcept;
   void follow_lead(double dt_s) noexcept;
+  void run_out(double dt_s) noexcept;
+  bool rests() const noexcept;
   void fail(const char* why) noexcept;
+  Eigen::Vector2d leaning_m() const noexcept;
   Eigen::Vector3d place_m(std::size_t leg) const noexcept;
   Eigen::Vector3d foothold_m(std::size_t leg) const noexcept;
   double load(std::size_t leg) const noexcept;
@@ -105,6 +114,8 @@ class Walk {
   bool waits_ = false;  ///< the clock, for a foot that is late or the body's weight
   Pace pace_;
   bool stopping_ = false;
+  bool halting_ = false;
+  double halt_left_s_ = 0.0;
   bool ended_ = true;
   double lead_s_ = 0.0;   ///< how long the body goes on until it is over a foot that lands now
   bool placing_ = false;  ///< each foot is set once more: where its place is when the body rests

@@ -33,10 +33,10 @@ std::array<Eigen::Vector2d, 3> others_m(const BodyView& view, std::size_t lifted
 
 }  // namespace
 
-void WeightShift::reset() noexcept {
-  lean_.reset();
+void WeightShift::begin(const Eigen::Vector2d& at_m) noexcept {
+  lean_.rest_at(at_m);
   waited_s_ = 0.0;
-  holds_ = false;
+  holds_ = stays_ = false;
 }
 
 /// The leg that swings, else the one whose turn is next.
@@ -58,7 +58,10 @@ void WeightShift::step(const GaitClock& clock, const BodyView& view, const Eigen
   const std::size_t leg = lifted(clock);
   const bool swings = clock.swings(leg);
   const bool to_come = swings || clock.until_swing_s(leg) <= clock.gait().period_s;
-  if (sway_m <= 0.0 || legs_ != kLegs || !to_come) return follow(clock, Eigen::Vector2d::Zero(), dt_s);
+  if (sway_m <= 0.0 || legs_ != kLegs || !to_come) {
+    const Eigen::Vector2d rest_m = stays_ ? lean_.at_m() : Eigen::Vector2d::Zero();
+    return follow(clock, rest_m, dt_s);
+  }
   const SupportTriangle support(others_m(view, leg));
   const Eigen::Vector2d com_m = view.com_m.head<2>();
 

@@ -10,7 +10,8 @@ namespace sprung {
 class WeightShift {
  public:
   explicit WeightShift(std::size_t legs) noexcept : legs_(legs) {}
-  void reset() noexcept;
+  /// @param at_m how far the body leans now: a walk that was halted leaves it so.
+  void begin(const Eigen::Vector2d& at_m) noexcept;
 
   /// One cycle, before the clock's. Gaits whose sway is 0 do not lean. @param speed_m_s of the body as
   /// wanted, without leaning.
@@ -23,12 +24,18 @@ class WeightShift {
   bool gave_up() const noexcept { return waited_s_ >= kGiveUp_s; }
   /// It leans no further than kUpright_m.
   bool upright() const noexcept { return lean_.at_m().norm() <= kUpright_m; }
+  /// It leans no faster than kRest_m_s.
+  bool rests() const noexcept { return lean_.speed_m_s().norm() <= kRest_m_s; }
+  /// No leg is to leave any more: the body stays where it leans, instead of coming back.
+  void stay() noexcept { stays_ = true; }
+  void move() noexcept { stays_ = false; }
   /// Of the body, from where it is without leaning.
   const Eigen::Vector2d& at_m() const noexcept { return lean_.at_m(); }
   const Eigen::Vector2d& speed_m_s() const noexcept { return lean_.speed_m_s(); }
 
   static constexpr double kGiveUp_s = 4.0;
   static constexpr double kUpright_m = 0.005;
+  static constexpr double kRest_m_s = 0.02;
 
  private:
   std::size_t lifted(const GaitClock& clock) const noexcept;
@@ -38,6 +45,7 @@ class WeightShift {
   Lean lean_;
   double waited_s_ = 0.0;
   bool holds_ = false;
+  bool stays_ = false;
 };
 
 }  // namespace sprung

@@ -128,6 +128,31 @@ TEST_F(PlannerWalkTest, HoldThatIsNotRenewedSlowsDownAndEndsInAStand) {
   }
 }
 
+TEST_F(PlannerWalkTest, HaltedCrawlStandsOnItsFeetWhereTheyAreUntilItSits) {
+  stand_up();
+  OperatorCommand order;
+  order.kind = OperatorKind::kWalk;
+  order.gait = kCrawl;
+  order.walk_speed = {0.1, 0.0, 0.0};
+  order.hold_s = 6.0;
+  send(order);
+  run(6.0);
+  run_until(MotionPhase::kRecover);
+  std::vector<Vec3> at_m;
+  for (const EstimatedLeg& leg : state_.legs) at_m.push_back(leg.estimated_foot_in_hip_m);
+  run_until(MotionPhase::kStanding);
+  double furthest_m = 0.0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t axis = 0; axis < 2; ++axis)
+      EXPECT_NEAR(legs_.legs[i].desired_foot_in_hip_m[axis], at_m[i][axis], 1e-3) << i;
+    furthest_m = std::max(furthest_m, std::abs(at_m[i][0]));
+  }
+  EXPECT_GT(furthest_m, 0.05) << "else this shows nothing";
+  send(OperatorKind::kSit);
+  run(1.9);
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(legs_.legs[i].desired_foot_in_hip_m[0], 0.0, 1e-3);
+}
+
 TEST_F(PlannerWalkTest, WalkWithoutAHoldGoesOnAndAHoldThatCannotBeIsRefused) {
   stand_up();
   OperatorCommand order;

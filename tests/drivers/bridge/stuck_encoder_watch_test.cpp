@@ -87,10 +87,29 @@ TEST_F(StuckEncoderWatchTest, LinkEncoderThatMovesOnFindsItUnderAnyTorque) {
     return -1;
   };
   EXPECT_EQ(after_ms(4.0, 0.0), 20);
-  EXPECT_NEAR(after_ms(0.5, 0.0), 60, 1);
-  EXPECT_EQ(after_ms(0.02, 0.0), -1) << "a gear that gives way";
+  EXPECT_NEAR(after_ms(0.1, 0.0), 41, 1);
+  EXPECT_NEAR(after_ms(0.02, 0.0), 201, 1);
   EXPECT_EQ(after_ms(0.5, 0.5), -1);
   EXPECT_EQ(after_ms(kNaN, 0.0), -1);
+}
+
+TEST_F(StuckEncoderWatchTest, GearThatGivesWayUnderItsTorqueIsWell) {
+  const auto stuck = [](double motor_Nm, double stiffness_Nm_rad, double friction_Nm) {
+    StuckEncoderWatch watch(100.0);
+    for (int i = 0; i < 1000; ++i) {
+      StuckEncoderInputs in;
+      in.time_us = 1000 * i;
+      in.position_rad = 0.5;
+      in.measured_torque_Nm = i % 100 < 50 ? motor_Nm : -motor_Nm;
+      const double gear_Nm = in.measured_torque_Nm + (i % 200 < 100 ? friction_Nm : -friction_Nm);
+      in.link_position_rad = gear_Nm / stiffness_Nm_rad;
+      watch.add(in);
+    }
+    return watch.stuck();
+  };
+  EXPECT_FALSE(stuck(90.0, 10e3, 10.0));
+  EXPECT_FALSE(stuck(0.0, 10e3, 15.0));
+  EXPECT_TRUE(stuck(90.0, 4e3, 10.0)) << "no gear is as soft as that";
 }
 
 TEST_F(StuckEncoderWatchTest, ForgetsAllWhenTold) {

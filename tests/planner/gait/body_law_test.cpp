@@ -82,7 +82,7 @@ TEST(LeanTest, NeitherPlaceNorSpeedJumpsWhenItsAimDoes) {
     EXPECT_LT((lean.speed_m_s() - speed).norm(), 4.0 * 0.002);
     EXPECT_TRUE((lean.at_m() - at).isApprox(0.002 * lean.speed_m_s(), 1e-9));
   }
-  lean.reset();
+  lean.rest_at(Eigen::Vector2d::Zero());
   EXPECT_TRUE(lean.at_m().isZero() && lean.speed_m_s().isZero());
 }
 

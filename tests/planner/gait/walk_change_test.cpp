@@ -41,6 +41,50 @@ TEST_F(WalkChangeTest, StopSlowsDownSetsTheFeetInTheirPlacesAndEnds) {
   }
 }
 
+TEST_F(WalkChangeTest, HaltEndsInTimeFromAnyMomentOfAnyGaitOnFeetThatAreNotMovedAnyMore) {
+  for (const char* name : {"crawl", "walk", "trot"}) {
+    const double speed = name == std::string("crawl") ? 0.1 : 0.2;
+    for (int moment = 0; moment < 12; ++moment) {
+      SCOPED_TRACE(std::string(name) + " " + std::to_string(moment));
+      begin(request(name, {speed, 0.0, 0.0}));
+      run(4.0 + 0.31 * moment);
+      walk_.halt();
+      const std::int64_t began_us = in_.stamp.utime_us;
+      run(10.0);
+      ASSERT_TRUE(walk_.ended());
+      EXPECT_LE(1e-6 * static_cast<double>(in_.stamp.utime_us - began_us),
+                Walk::kHalt_s + preset_.walk.force_rise_s + 2.0 * kStep_s);
+      EXPECT_EQ(standing(), 4);
+      EXPECT_EQ(motion_.desired_speed, (Vec3{0.0, 0.0, 0.0}));
+      EXPECT_EQ(walk_.failure(), nullptr);
+      if (name == std::string("trot")) {
+        EXPECT_LT(place_error_m(), 0.03) << "it has the time to set its feet";
+      }
+    }
+  }
+}
+
+TEST_F(WalkChangeTest, HaltThatIsTakenBackWalksOn) {
+  begin(request("crawl", {0.1, 0.0, 0.0}));
+  run(5.0);
+  walk_.halt();
+  run(0.2);
+  change(request("crawl", {0.1, 0.0, 0.0}));
+  const std::vector<std::string> lifted = lifts(8.0);
+  EXPECT_GE(lifted.size(), 8u);
+  EXPECT_FALSE(walk_.ended());
+}
+
+TEST_F(WalkChangeTest, StopAfterAHaltDoesNotSetTheFeetEither) {
+  begin(request("crawl", {0.1, 0.0, 0.0}));
+  run(5.0);
+  walk_.halt();
+  run(0.1);
+  walk_.stop();
+  EXPECT_LE(lifts(10.0).size(), 1u);
+  EXPECT_TRUE(walk_.ended());
+}
+
 TEST_F(WalkChangeTest, OtherGaitBeginsWhenAllFeetStand) {
   begin(request("walk", {0.2, 0.0, 0.0}));
   run(3.3);

@@ -73,6 +73,24 @@ TEST_F(WeightShiftTest, WhenNoLegIsToLeaveAnyMoreTheBodyComesBack) {
   EXPECT_TRUE(shift_.upright());
 }
 
+TEST_F(WeightShiftTest, ABodyThatIsToStayRestsWhereItLeans) {
+  begin(crawl());
+  while (!any_swings()) cycle();
+  const Eigen::Vector2d there_m = shift_.at_m();
+  clock_.land(2);
+  clock_.hold();
+  shift_.stay();
+  for (int k = 0; k < 1500; ++k) cycle();
+  EXPECT_LT((shift_.at_m() - there_m).norm(), 0.03);
+  EXPECT_FALSE(shift_.upright());
+  EXPECT_TRUE(shift_.rests());
+  shift_.move();
+  for (int k = 0; k < 150; ++k) cycle();
+  EXPECT_FALSE(shift_.rests());
+  for (int k = 0; k < 1500; ++k) cycle();
+  EXPECT_TRUE(shift_.upright());
+}
+
 TEST_F(WeightShiftTest, ABodyThatDoesNotFollowIsWaitedForAndThenGivenUp) {
   begin(crawl());
   int cycles = 0;
@@ -80,7 +98,7 @@ TEST_F(WeightShiftTest, ABodyThatDoesNotFollowIsWaitedForAndThenGivenUp) {
   EXPECT_FALSE(any_swings());
   EXPECT_GT(cycles * kWeightShiftCycle_s, WeightShift::kGiveUp_s);
   EXPECT_LT(cycles * kWeightShiftCycle_s, WeightShift::kGiveUp_s + 1.0);
-  shift_.reset();
+  shift_.begin(Eigen::Vector2d::Zero());
   EXPECT_FALSE(shift_.gave_up());
 }
 

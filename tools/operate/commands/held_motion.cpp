@@ -14,6 +14,8 @@ namespace {
 // [design choice] Four renewals may be lost. Slowing down and setting the feet come on top.
 constexpr double kHold_s = 0.5;
 constexpr double kRenew_s = 0.1;
+constexpr double kLetGo_s = 0.001;  // of a last renewal: the hold is over in the next cycle
+constexpr double kLapse_s = 0.05;   // until the planner has seen it
 constexpr double kLongest_s = 3600.0;
 
 void refuse_time(const HeldCall& call) {
@@ -27,8 +29,14 @@ void refuse_time(const HeldCall& call) {
 
 void pause(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
 
-int stop(OperatorClient& client) {
+/// As where the operator is gone: a walk ends sooner than by a stop, for no foot is set that need not be.
+int let_go(OperatorClient& client) {
   clear_stop_request();  // who asked for it waits for the end; the next signal ends the command at once
+  OperatorCommand last;
+  last.kind = OperatorKind::kHold;
+  last.hold_s = kLetGo_s;
+  client.send(last, kSilence_s);
+  pause(kLapse_s);
   OperatorCommand order;
   order.kind = OperatorKind::kStop;
   const int status = motion_exit("stop", client.send(order, kAnswer_s));
@@ -46,7 +54,7 @@ int hold(const char* what, OperatorClient& client) {
     std::printf("%s: has ended\n", what);
     return kExitDone;
   }
-  return stop(client);
+  return let_go(client);
 }
 
 }  // namespace
