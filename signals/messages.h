@@ -3,7 +3,8 @@
 /// a message or a signal has its size, converting into it allocates nothing (texts aside).
 ///
 /// to_message fills every field. from_message returns false, and leaves `out` unspecified, when a count
-/// differs from the vectors it comes with or an enumeration holds a value that this build does not know.
+/// differs from the vectors it comes with, an enumeration holds a value that this build does not know, or
+/// utime or seq is so far away that its difference from another one would not fit.
 #include <cstdint>
 
 #include "sprung_msgs/bus_state_t.hpp"
