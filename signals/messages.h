@@ -62,6 +62,7 @@ void to_message(const TorqueSensor& in, std::int64_t session, sprung_msgs::torqu
 /// `from` and `reason` point into `in` and live as long as it.
 [[nodiscard]] bool from_message(const sprung_msgs::operator_reply_t& in, OperatorReply& out);
 [[nodiscard]] bool from_message(const sprung_msgs::bus_state_t& in, BusState& out);
+/// Also false for numbers that no experiment has.
 [[nodiscard]] bool from_message(const sprung_msgs::sim_control_t& in, SimControl& out);
 [[nodiscard]] bool from_message(const sprung_msgs::sim_truth_t& in, SimTruth& out);
 [[nodiscard]] bool from_message(const sprung_msgs::imu_t& in, Imu& out);
