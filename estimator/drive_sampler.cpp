@@ -15,8 +15,13 @@ constexpr double kSaturatedAt = 0.99;
 
 double torque_per_A(const ActuatorConfig& a) noexcept { return a.gear_ratio * a.torque_constant_Nm_A; }
 
-bool finite(const ActuatorState& s) noexcept {
-  return std::isfinite(s.measured_position_rad) && std::isfinite(s.measured_current_A);
+/// Beyond them nothing was measured: 160,000 turns of an output, and what no drive's object can hold. The
+/// filter's squares of such numbers would no longer be finite.
+constexpr double kFarthest_rad = 1e6;
+constexpr double kMostCurrent_A = 1e6;
+
+bool measured(const ActuatorState& s) noexcept {  // false of NaN too
+  return std::abs(s.measured_position_rad) < kFarthest_rad && std::abs(s.measured_current_A) < kMostCurrent_A;
 }
 
 /// Of a drive that answers; silence is the joint estimator's to count.
@@ -58,9 +63,9 @@ void DriveSampler::sample(const std::vector<ActuatorState>& actuators,
   for (int i = 0; i < n; ++i) {
     const ActuatorState& s = state(actuators, i);
     // 0 * NaN is NaN: without this a drive would spoil joints that it does not move.
-    position[i] = finite(s) ? s.measured_position_rad : 0.0;
+    position[i] = measured(s) ? s.measured_position_rad : 0.0;
     link[i] = s.measured_link_position_rad;
-    torque[i] = finite(s) ? torque_per_A(actuators_[i]) * s.measured_current_A : 0.0;
+    torque[i] = measured(s) ? torque_per_A(actuators_[i]) * s.measured_current_A : 0.0;
   }
   const JointVector joint_position = transmission_.joint_from_actuator(position);
   const JointVector joint_torque = transmission_.joint_torque(torque);
@@ -88,7 +93,7 @@ JointSample DriveSampler::joint_sample(int joint,
   for (int i = 0; i < transmission_.size(); ++i) {
     if (!transmission_.couples(joint, i)) continue;
     const ActuatorState& s = state(actuators, i);
-    out.fresh = out.fresh && s.age_cycles == 0 && finite(s);
+    out.fresh = out.fresh && s.age_cycles == 0 && measured(s);
     out.drive_enabled = out.drive_enabled && drive_enabled(s);
     // The wire values are in order of harm.
     out.drive_status = std::max(out.drive_status, drive_status(s, actuators_[i]));

@@ -9,6 +9,10 @@
 namespace sprung {
 namespace {
 
+/// Of all entries, typed out, and counted again at each level: entries that begin with all of each other,
+/// level by level, make any number of them out of some lines. pegasus has less than a twentieth.
+constexpr std::size_t kMostExpandedValues = 200'000;
+
 constexpr const char* kMeasured[] = {"friction", "uncertainty", "identified", "torsion"};
 
 class Expansion {
@@ -30,10 +34,24 @@ class Expansion {
   }
   const std::string& path() const { return path_; }
   const std::vector<MirrorImage>& images() const { return images_; }
+  /// @throws ConfigError when more has been typed out by now than a robot has.
+  void count(const YamlTree& entry) {
+    values_ += size_of(entry);
+    if (values_ > kMostExpandedValues)
+      fail(entry.line,
+           "typed out, the file has more values than a robot: do `all` and `like` repeat each other?");
+  }
   void has_seen(const MirrorImage& image) { seen_[&image - images_.data()] = true; }
 
  private:
+  static std::size_t size_of(const YamlTree& tree) {
+    std::size_t size = 1;
+    for (const YamlTree& item : tree.items) size += size_of(item);
+    return size;
+  }
+
   const std::string& path_;
+  std::size_t values_ = 0;
   std::vector<MirrorImage> images_;
   std::vector<bool> seen_;  ///< something was mirrored
 };
@@ -114,6 +132,7 @@ const YamlTree& Siblings::finished(std::size_t index) {
   entry.state = Entry::State::kBusy;
   const YamlTree base = base_of(entry);
   entry.done = merged(base, entry.typed);
+  expansion_.count(entry.done);
   expansion_.expand(entry.done);
   entry.state = Entry::State::kDone;
   return entry.done;

@@ -22,7 +22,8 @@ namespace sprung {
 
 /// @param path stands for the file in messages.
 /// @throws ConfigError with file and line: `like` a name that there is not, in a circle, `all` that is no map
-/// or stands beside what is none, `mirror` a leg that has nothing, `flips` without a mirror.
+/// or stands beside what is none, `mirror` a leg that has nothing, `flips` without a mirror, and entries that
+/// repeat each other without an end that a robot could have.
 void expand(YamlTree& file, const std::string& path);
 
 }  // namespace sprung

@@ -10,14 +10,18 @@ namespace sprung {
 namespace {
 
 constexpr int kDeepest = 64;  ///< an anchor inside itself would never end
+/// Twenty times pegasus. Anchors of anchors make any number of them out of some lines.
+constexpr int kMostTypedValues = 50'000;
 
 class Converter {
  public:
   explicit Converter(const std::string& file) : file_(file) {}
 
-  YamlTree convert(const YAML::Node& node, const std::string& path, int depth) const {
+  YamlTree convert(const YAML::Node& node, const std::string& path, int depth) {
     YamlTree tree;
     tree.line = node.Mark().line + 1;
+    if (++values_ > kMostTypedValues)
+      fail(tree.line, path, "is of more values than a robot has: do anchors repeat anchors?");
     if (depth > kDeepest) fail(tree.line, path, "is nested too deep: does an anchor stand inside itself?");
     if (node.IsMap()) {
       tree.kind = YamlTree::Kind::kMap;
@@ -35,7 +39,7 @@ class Converter {
 
  private:
   void add_entry(const YAML::Node& key, const YAML::Node& value, const std::string& path, int depth,
-                 YamlTree& map) const {
+                 YamlTree& map) {
     const YamlKey name{key.IsScalar() ? key.Scalar() : "", key.Mark().line + 1};
     const std::string whole = (path.empty() ? "" : path + ".") + name.name;
     if (name.name.empty()) fail(name.line, whole, "expected a word as key");
@@ -55,6 +59,7 @@ class Converter {
   }
 
   const std::string& file_;
+  int values_ = 0;
 };
 
 }  // namespace

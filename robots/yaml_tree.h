@@ -41,8 +41,8 @@ struct YamlTree {
 };
 
 /// @param file stands for the path in messages.
-/// @throws ConfigError on what is no YAML, a key that stands twice, anchors that go round in a circle, and
-/// YAML's merge key `<<`, instead of which robot files have `like:`.
+/// @throws ConfigError on what is no YAML, a key that stands twice, anchors that go round in a circle or make
+/// more values than a robot has, and YAML's merge key `<<`, instead of which robot files have `like:`.
 YamlTree parse_yaml(const std::string& text, const std::string& file);
 
 /// `base` with everything that `own` says: maps are merged key by key, all else is replaced. A map of `own`

@@ -97,11 +97,18 @@ void write(const Fields& list, const S& in, std::int64_t session, M& out) {
   list(way, out, in);
 }
 
+/// 36,000 years in us: whoever adds or subtracts two such times or cycles does not overflow.
+inline constexpr std::int64_t kFarthestStamp = std::int64_t{1} << 60U;
+
+inline bool within_reach(std::int64_t stamp) noexcept {
+  return stamp > -kFarthestStamp && stamp < kFarthestStamp;
+}
+
 template <class Fields, class M, class S>
 bool read(const Fields& list, const M& in, S& out) {
   FromMessage way;
   list(way, in, out);
-  return way.good;
+  return way.good && within_reach(in.utime) && within_reach(in.seq);
 }
 
 }  // namespace sprung::fields

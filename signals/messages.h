@@ -3,7 +3,8 @@
 /// a message or a signal has its size, converting into it allocates nothing (texts aside).
 ///
 /// to_message fills every field. from_message returns false, and leaves `out` unspecified, when a count
-/// differs from the vectors it comes with or an enumeration holds a value that this build does not know.
+/// differs from the vectors it comes with, an enumeration holds a value that this build does not know, or
+/// utime or seq is so far away that its difference from another one would not fit.
 #include <cstdint>
 
 #include "sprung_msgs/bus_state_t.hpp"
@@ -61,6 +62,7 @@ void to_message(const TorqueSensor& in, std::int64_t session, sprung_msgs::torqu
 /// `from` and `reason` point into `in` and live as long as it.
 [[nodiscard]] bool from_message(const sprung_msgs::operator_reply_t& in, OperatorReply& out);
 [[nodiscard]] bool from_message(const sprung_msgs::bus_state_t& in, BusState& out);
+/// Also false for numbers that no experiment has.
 [[nodiscard]] bool from_message(const sprung_msgs::sim_control_t& in, SimControl& out);
 [[nodiscard]] bool from_message(const sprung_msgs::sim_truth_t& in, SimTruth& out);
 [[nodiscard]] bool from_message(const sprung_msgs::imu_t& in, Imu& out);

@@ -1,4 +1,6 @@
 /// The signals that come now and then: motion, safety, operator, simulation control.
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "signals/bus_state.h"
@@ -94,6 +96,17 @@ const auto kSimControl = [](auto& way, auto& m, auto& s) {
   way(m.fault, s.fault);
   way(m.value, s.value);
 };
+
+/// The largest emergency code; no push (N), height (m) or jump (rad) of an experiment is larger. The
+/// simulation makes counts, steps and codes of these numbers, which must fit.
+constexpr double kMostOfAnExperiment = 65535.0;
+constexpr double kLongestExperiment_s = 1e7;  ///< what goes on until it is ended is given as 1e6 s
+
+bool is_an_experiment(const SimControl& control) noexcept {
+  const auto fits = [](double number) { return std::abs(number) <= kMostOfAnExperiment; };  // false of NaN
+  return std::abs(control.duration_s) <= kLongestExperiment_s && fits(control.value) &&
+         std::all_of(control.wrench.begin(), control.wrench.end(), fits);
+}
 
 const auto kTorqueSensor = [](auto& way, auto& m, auto& s) {
   fields::stamp(way, m, s);
@@ -204,7 +217,7 @@ bool from_message(const sprung_msgs::torque_sensor_t& in, TorqueSensor& out) {
   return read(kTorqueSensor, in, out);
 }
 bool from_message(const sprung_msgs::sim_control_t& in, SimControl& out) {
-  return read(kSimControl, in, out);
+  return read(kSimControl, in, out) && is_an_experiment(out);
 }
 bool from_message(const sprung_msgs::bus_state_t& in, BusState& out) { return read(kBusState, in, out); }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "robots/robot_loader.h"
 
@@ -55,6 +56,21 @@ TEST_F(DriveSamplerTest, BadDriveSpoilsOnlyTheJointsItMoves) {
   robot_.legs[0].transmission = {1.0, 0.5, 0.0, 1.0};
   samples = sample();
   EXPECT_FALSE(samples[0].fresh);
+}
+
+/// Found by fuzzing: a finite position of 1e145 rad gave a good joint whose estimates were NaN.
+TEST_F(DriveSamplerTest, NumbersThatNobodyMeasuredAreNotFresh) {
+  for (const double far : {1e145, -1e7, std::numeric_limits<double>::infinity()}) {
+    actuators_[0].measured_position_rad = far;
+    actuators_[1].measured_position_rad = 1.0;
+    actuators_[1].measured_current_A = far;
+    for (const JointSample& joint : sample()) {
+      EXPECT_FALSE(joint.fresh) << far;
+      EXPECT_LT(std::abs(joint.measured_position_rad) + std::abs(joint.motor_torque_Nm), 10.0) << far;
+    }
+  }
+  actuators_[0].measured_position_rad = actuators_[1].measured_current_A = 1e5;
+  for (const JointSample& joint : sample()) EXPECT_TRUE(joint.fresh);
 }
 
 TEST_F(DriveSamplerTest, LinkEncodersAreSeenThroughTheTransmissionAndAMissingOneSpoilsOnlyItsJoints) {

@@ -177,5 +177,12 @@ TEST(Expansion, MistakesAreNamedWithTheirLine) {
               AllOf(HasSubstr("r.yaml:2"), HasSubstr("no entry of any list is called fl or fl_...")));
 }
 
+/// Each level gives two entries all of the next one: 2^30 of them in 800 bytes.
+TEST(Expansion, EntriesThatDoubleEachOtherAreRefused) {
+  std::string text = "{a: 1}";
+  for (int level = 0; level < 30; ++level) text = "{all: {m: " + text + "}, p: {}, q: {}}";
+  EXPECT_THAT(expansion_complaint("top: " + text), HasSubstr("more values than a robot"));
+}
+
 }  // namespace
 }  // namespace sprung

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "robots/config_error.h"
+#include "tests/support/refusal.h"
 
 namespace sprung {
 namespace {
@@ -56,6 +57,19 @@ TEST(YamlTree, WhatIsNoTreeIsRefused) {
   EXPECT_THAT(tree_complaint("a: [1,\nb: }"), HasSubstr("no YAML"));
   EXPECT_THAT(tree_complaint("a: &x [*x]"), HasSubstr("anchor"));
   EXPECT_THAT(tree_complaint("? [a, b]\n: 1\n"), HasSubstr("expected a word"));
+}
+
+/// Found by fuzzing: these eight lines are 400 million values, and a log's robot.yaml comes from anybody.
+TEST(YamlTree, AnchorsThatRepeatAnchorsAreRefused) {
+  std::string text = "a: &a [x, x, x, x, x, x, x, x, x]\n";
+  for (char key = 'b'; key <= 'h'; ++key) {
+    const std::string before(1, static_cast<char>(key - 1));
+    text += std::string(1, key) + ": &" + key + " [";
+    for (int i = 0; i < 9; ++i) text += (i == 0 ? "*" : ", *") + before;
+    text += "]\n";
+  }
+  const std::string told = test::refusal_of<ConfigError>([&] { parse_yaml(text, "r.yaml"); });
+  EXPECT_NE(told.find("is of more values than a robot has"), std::string::npos) << told;
 }
 
 TEST(YamlTree, ErasingTakesKeyAndValue) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "signals/messages.h"
@@ -34,6 +35,23 @@ void expect_round_trip() {
 TEST(EventMessages, OperatorCommandSurvivesBitForBit) { expect_round_trip<OperatorCommand>(); }
 
 TEST(EventMessages, SimControlSurvivesBitForBit) { expect_round_trip<SimControl>(); }
+
+/// Found by fuzzing the simulated devices: counts, steps and emergency codes are made of these numbers.
+TEST(EventMessages, SimControlOfNumbersThatNoExperimentHasIsRefused) {
+  sprung_msgs::sim_control_t good{};
+  good.value = good.wrench[5] = 65535.0;
+  good.duration_s = 1e6;
+  SimControl signal;
+  EXPECT_TRUE(from_message(good, signal));
+  for (const double bad : {kNaN, std::numeric_limits<double>::infinity(), 65536.0, -1e300}) {
+    sprung_msgs::sim_control_t value = good, duration = good, wrench = good;
+    value.value = wrench.wrench[2] = bad;
+    duration.duration_s = 200.0 * bad;
+    EXPECT_FALSE(from_message(value, signal)) << bad;
+    EXPECT_FALSE(from_message(duration, signal)) << bad;
+    EXPECT_FALSE(from_message(wrench, signal)) << bad;
+  }
+}
 
 TEST(EventMessages, TorqueSensorSurvivesBitForBit) { expect_round_trip<TorqueSensor>(); }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <limits>
 
 #include "signals/drive_command.h"
 #include "signals/drive_state.h"
@@ -147,6 +148,25 @@ TEST(Messages, UnknownEnumerationValuesAreRefused) {
   auto message = drive_state_of(2);
   message.safety = 5;
   EXPECT_FALSE(from_message(message, signal));
+}
+
+/// Found by fuzzing: the age of such a LEG_COMMAND overflowed in the leg controller.
+TEST(Messages, StampsWhoseDifferencesDoNotFitAreRefused) {
+  constexpr std::int64_t kLeast = std::numeric_limits<std::int64_t>::min();
+  constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
+  sprung_msgs::leg_command_t message{};
+  LegCommand signal;
+  for (const std::int64_t far : {kLeast, kLeast / 2, kMost / 2 + 1, kMost}) {
+    message.utime = far;
+    message.seq = 0;
+    EXPECT_FALSE(from_message(message, signal)) << far;
+    message.utime = 0;
+    message.seq = far;
+    EXPECT_FALSE(from_message(message, signal)) << far;
+  }
+  message.seq = -1;
+  message.utime = std::int64_t{1} << 59U;
+  EXPECT_TRUE(from_message(message, signal));
 }
 
 TEST(Messages, CountThatIsNotTheVectorsIsRefused) {

@@ -24,12 +24,16 @@ bool parse_hex(const std::string& text, std::uint32_t& value) {
   return error == std::errc() && last == text.data() + text.size() && !text.empty();
 }
 
+/// Beyond them microseconds do not fit.
+constexpr std::int64_t kMostSeconds = 9'000'000'000'000;
+
 /// "(1436509052.249713)"; six digits behind the point.
 bool parse_time(const std::string& word, std::int64_t& time_us) {
   std::int64_t seconds = 0, micros = 0;
   int end = 0;
   const int found = std::sscanf(word.c_str(), "(%" SCNd64 ".%6" SCNd64 ")%n", &seconds, &micros, &end);
   if (found != 2 || end != static_cast<int>(word.size())) return false;
+  if (seconds < 0 || seconds > kMostSeconds || micros < 0) return false;
   time_us = seconds * 1'000'000 + micros;
   return true;
 }

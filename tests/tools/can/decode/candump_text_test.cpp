@@ -52,6 +52,15 @@ TEST(CandumpText, PlainFormatWithAndWithoutTime) {
   EXPECT_EQ(parse("  can0  TX - -  181   [1]  05").frame.direction, Direction::kSent);
 }
 
+/// Found by fuzzing: the time in microseconds overflowed.
+TEST(CandumpText, TimesThatCannotBeAreBroken) {
+  EXPECT_EQ(parse("(14365444409052.249713) can0 044#2A").kind, CandumpLine::kBroken);
+  EXPECT_EQ(parse("(9223372036854775807.999999) can0 044#2A").kind, CandumpLine::kBroken);
+  EXPECT_EQ(parse("(-5.000001) can0 044#2A").kind, CandumpLine::kBroken);
+  EXPECT_EQ(parse("(5.-00001) can0 044#2A").kind, CandumpLine::kBroken);
+  EXPECT_EQ(parse("(9000000000000.999999) can0 044#2A").frame.time_us, 9'000'000'000'000'999'999);
+}
+
 TEST(CandumpText, ForeignFramesAreToldApart) {
   EXPECT_EQ(parse("(1.000000) can0 12345678#00").kind, CandumpLine::kForeign);
   EXPECT_EQ(parse("(1.000000) can0 123##10011").kind, CandumpLine::kForeign);
