@@ -63,7 +63,7 @@ void queue_commands(const RunScript& script, const RunInfo& info) {
 void queue_controls(const RunScript& script, const RunInfo& info) {
   if (script.controls.empty()) return;
   constexpr int kTimes = 5;
-  Node node(NodeOptions{info.lcm_url, info.session, info.epoch_us, {}});
+  Node node(commanding(info));
   Publisher<SimControl> publisher = node.publisher<SimControl>(channels::kSimControl);
   node.start();
   for (std::size_t i = 0; i < script.controls.size(); ++i) {

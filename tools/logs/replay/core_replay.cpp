@@ -181,7 +181,7 @@ void CoreReplay::Impl::compare(const LoggedCycle& cycle, const Bytes& recorded, 
     return;
   }
   ++counts.compared;
-  if (recorded == replayed) return;
+  if (ours.same(recorded)) return;
   ++counts.differing;
   if (use_difference)
     use_difference({ours.channel(), cycle.seq, cycle.time_us, cycle.time_s, recorded, replayed});

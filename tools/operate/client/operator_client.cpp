@@ -26,7 +26,7 @@ bool ends(OperatorOutcome outcome) {
 }  // namespace
 
 OperatorClient::OperatorClient(const RunInfo& info)
-    : node_(NodeOptions{info.lcm_url, info.session, info.epoch_us, {}}),
+    : node_(commanding(info)),
       commands_(node_.publisher<OperatorCommand>(channels::kOperatorCommand)) {
   node_.subscribe_message(channels::kOperatorReply, CountLimits::none(), replies_);
   node_.start();
@@ -42,6 +42,12 @@ std::optional<OperatorAnswer> OperatorClient::next_answer(std::int64_t request_i
   return std::nullopt;
 }
 
+/// Each time with its own time: what comes again as it was is refused as a replay.
+void OperatorClient::publish(OperatorCommand command) {
+  command.stamp.utime_us = node_.utime_us();
+  commands_.publish(command);
+}
+
 std::optional<OperatorAnswer> OperatorClient::send(OperatorCommand& command, double timeout_s) {
   if (command.request_id == 0) {
     command.request_id = random_id();
@@ -50,8 +56,7 @@ std::optional<OperatorAnswer> OperatorClient::send(OperatorCommand& command, dou
   std::int64_t send_us = 0;
   while (node_.utime_us() < end_us && !stop_requested()) {
     if (node_.utime_us() >= send_us) {
-      command.stamp.utime_us = node_.utime_us();
-      commands_.publish(command);
+      publish(command);
       send_us = node_.utime_us() + kSendAgain_us;
     }
     if (auto answer = next_answer(command.request_id)) {
@@ -75,7 +80,7 @@ std::optional<OperatorAnswer> OperatorClient::wait_done(const OperatorCommand& c
       continue;
     }
     if (node_.utime_us() >= next_ask_us_) {
-      commands_.publish(command);
+      publish(command);
       next_ask_us_ = node_.utime_us() + kAskAgain_us;
     }
     node_.wait_for_input(std::min(next_ask_us_, end_us));
