@@ -8,10 +8,11 @@
 #include <cstdint>
 #include <string_view>
 
+#include "signals/message_mac.h"
+
 namespace sprung {
 
 inline constexpr std::size_t kKeyBytes = 32;
-inline constexpr std::size_t kMacBytes = 16;
 
 class MessageKey {
  public:

@@ -5,8 +5,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 
+#include "signals/message_mac.h"
 #include "sprung_msgs/bus_state_t.hpp"
 #include "sprung_msgs/can_trace_t.hpp"
 #include "sprung_msgs/drive_command_t.hpp"
@@ -38,12 +38,6 @@ enum class Proof {
   kEvent,         ///< several senders, now and then; stamped anew whenever it is sent again
   kRepeatedEvent  ///< the same, but sent several times with one stamp
 };
-
-/// Whether message type M ends with a MAC.
-template <class M, class = void>
-inline constexpr bool kHasMac = false;
-template <class M>
-inline constexpr bool kHasMac<M, std::void_t<decltype(M::mac)>> = true;
 
 struct MessageLayout {
   std::int64_t hash = 0;

@@ -2,13 +2,12 @@
 /// A message whose every field differs from its default, and its bytes, for tests that compare bit for bit.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <random>
-#include <type_traits>
 #include <vector>
+
+#include "signals/message_mac.h"
 
 namespace sprung::test {
 
@@ -18,18 +17,6 @@ std::vector<std::uint8_t> encoded(const M& message) {
   EXPECT_EQ(message.encode(bytes.data(), 0, static_cast<int>(bytes.size())), static_cast<int>(bytes.size()));
   return bytes;
 }
-
-/// A signal has no MAC: Node puts it on what it sends.
-template <class M, class = void>
-struct Mac {
-  static void clear(M&) {}
-};
-template <class M>
-struct Mac<M, std::void_t<decltype(M::mac)>> {
-  static void clear(M& message) {
-    std::fill(std::begin(message.mac), std::end(message.mac), std::uint8_t{0});
-  }
-};
 
 /// Random content behind hash and counts: every byte 0 or 1, so that enumerations and booleans stay valid.
 /// @param prototype has its counts and its vectors' sizes set. @param counts number of leading counts.
@@ -43,7 +30,7 @@ M random_message(const M& prototype, std::size_t counts, unsigned seed) {
   }
   M message = prototype;
   EXPECT_EQ(message.decode(bytes.data(), 0, static_cast<int>(bytes.size())), static_cast<int>(bytes.size()));
-  Mac<M>::clear(message);
+  clear_mac(message);  // a signal has none
   return message;
 }
 

@@ -17,7 +17,7 @@ FieldDifference whole(const std::string& first, const std::string& second) {
 }
 
 /// Each run's key is another, and a replay has none.
-bool is_mac(const fields::Field& field) { return field.path.rfind("mac[", 0) == 0; }
+bool is_mac(const fields::Field& field) { return field.path == "mac"; }
 
 std::string described(fields::Fault fault, const fields::MessageView& message, const Bytes& bytes) {
   if (bytes.empty()) return "no message";

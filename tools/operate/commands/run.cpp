@@ -46,7 +46,7 @@ void add_run(CommandLine& sprung) {
       "run", "Starts a program of your own that may command the robot: it gets the run's key.");
   run.option("--instance", *instance, "which run");
   run.option("program", *words, "after --: the program and its arguments", Need::kRequired);
-  run.example("sprung run -- python3 examples/operator.py stand");
+  run.example("sprung run -- ./my_planner");
   run.action([=] { return run_with_key(*instance, *words); });
 }
 
