@@ -32,6 +32,9 @@ find_file(CHART_JS chart.min.js PATHS /usr/share/javascript/chart.js NO_DEFAULT_
 # libmd: digest of the log that friction was identified from (tools/lab/identify/file_digest.cpp).
 find_path(MD_INCLUDE_DIR sha2.h REQUIRED)
 find_library(MD_LIBRARY md REQUIRED)
+# libsodium: MAC of command channels (runtime/message_key.cpp).
+find_path(SODIUM_INCLUDE_DIR sodium.h REQUIRED)
+find_library(SODIUM_LIBRARY sodium REQUIRED)
 # zstd: chunks of MCAP files (tools/logs/log/chunk_packer.cpp).
 find_path(ZSTD_INCLUDE_DIR zstd.h REQUIRED)
 find_library(ZSTD_LIBRARY zstd REQUIRED)

@@ -3,10 +3,19 @@
 #include <algorithm>
 
 namespace sprung {
+namespace {
+
+constexpr const char* kForgotten = "asked too long ago: request ids grow with time, and 256 came since";
+
+}  // namespace
 
 bool OperatorDesk::submit(const OperatorCommand& command) noexcept {
   if (const Answered* known = find(command.request_id)) {
     if (known->answered) push(known->reply);
+    return true;
+  }
+  if (command.request_id <= forgotten_) {
+    reply(command.request_id, OperatorOutcome::kRefused, kForgotten, {});
     return true;
   }
   if (waiting_count_ == kMostWaiting) return false;
@@ -74,6 +83,7 @@ OperatorDesk::Answered* OperatorDesk::find(std::int64_t request_id) noexcept {
 void OperatorDesk::remember(std::int64_t request_id) noexcept {
   Answered& entry = memory_[next_memory_];
   next_memory_ = (next_memory_ + 1) % kRemembered;
+  if (entry.used) forgotten_ = std::max(forgotten_, entry.reply.request_id);
   entry = Answered{};
   entry.used = true;
   entry.reply.request_id = request_id;

@@ -28,6 +28,7 @@ MessageLayout without_counts(int strings) {
   MessageLayout layout;
   layout.hash = M::getHash();
   layout.strings = strings;
+  if (kHasMac<M>) layout.proof = Proof::kCycle;
   layout.fixed_size = size_of(M()) - static_cast<std::size_t>(strings) * kEmptyString;
   return layout;
 }
@@ -46,6 +47,14 @@ template <class M, class Count, class Elements>
 MessageLayout with_count(Count M::*count, Elements M::*elements, int strings = 0) {
   MessageLayout layout = without_counts<M>(strings);
   add_count(layout, count, elements, static_cast<std::size_t>(strings));
+  return layout;
+}
+
+template <class M>
+MessageLayout event(Proof proof) {
+  static_assert(kHasMac<M>);
+  MessageLayout layout = without_counts<M>(0);
+  layout.proof = proof;
   return layout;
 }
 
@@ -103,7 +112,7 @@ MessageLayout layout_of<sprung_msgs::sim_truth_t>() {
 }
 template <>
 MessageLayout layout_of<sprung_msgs::sim_control_t>() {
-  return without_counts<sprung_msgs::sim_control_t>(0);
+  return event<sprung_msgs::sim_control_t>(Proof::kRepeatedEvent);
 }
 template <>
 MessageLayout layout_of<sprung_msgs::imu_t>() {
@@ -115,7 +124,7 @@ MessageLayout layout_of<sprung_msgs::torque_sensor_t>() {
 }
 template <>
 MessageLayout layout_of<sprung_msgs::operator_command_t>() {
-  return without_counts<sprung_msgs::operator_command_t>(0);
+  return event<sprung_msgs::operator_command_t>(Proof::kEvent);
 }
 template <>
 MessageLayout layout_of<sprung_msgs::operator_reply_t>() {

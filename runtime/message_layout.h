@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "signals/message_mac.h"
 #include "sprung_msgs/bus_state_t.hpp"
 #include "sprung_msgs/can_trace_t.hpp"
 #include "sprung_msgs/drive_command_t.hpp"
@@ -25,13 +26,24 @@
 namespace sprung {
 
 inline constexpr std::size_t kSessionOffset = 8;
+inline constexpr std::size_t kUtimeOffset = 16;
 inline constexpr std::size_t kSeqOffset = 24;
 inline constexpr std::size_t kCountsOffset = 32;
+
+/// What a message carries as proof that it is true: the last kMacBytes of its encoding (message_key.h), and
+/// by which rule of freshness.h it is new.
+enum class Proof {
+  kNone,
+  kCycle,         ///< one sender, one message a cycle
+  kEvent,         ///< several senders, now and then; stamped anew whenever it is sent again
+  kRepeatedEvent  ///< the same, but sent several times with one stamp
+};
 
 struct MessageLayout {
   std::int64_t hash = 0;
   int counts = 0;                             ///< leading counts, 0..2
   int strings = 0;                            ///< at the end
+  Proof proof = Proof::kNone;                 ///< kNone exactly where the type has no MAC
   std::size_t fixed_size = 0;                 ///< bytes with all counts zero, without the strings
   std::array<std::size_t, 2> element_size{};  ///< bytes for each element that a count counts
 };

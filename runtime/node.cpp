@@ -53,7 +53,12 @@ struct Node::Impl {
   };
 
   explicit Impl(const NodeOptions& options)
-      : url(options.lcm_url), faults(options.inject), sending(open_lcm(options.lcm_url)) {}
+      : url(options.lcm_url),
+        key(options.key),
+        lockstep(options.lockstep),
+        clock(options.epoch_us),
+        faults(options.inject),
+        sending(open_lcm(options.lcm_url)) {}
 
   void dispatch(const ReceivedMessage& message) noexcept {
     for (const auto& subscription : subscriptions) {
@@ -70,7 +75,7 @@ struct Node::Impl {
     }
     const std::int64_t before = guard.refused();
     try {
-      subscription.handler(guard, data, size);
+      subscription.handler(guard, {data, size, clock.utime_us()});
     } catch (...) {
       guard.refuse(Refusal::kNotDecodable, 0, 0);  // out of memory: the next one may find some
     }
@@ -87,6 +92,9 @@ struct Node::Impl {
   }
 
   std::string url;
+  std::shared_ptr<const MessageKey> key;
+  bool lockstep;
+  SessionClock clock;
   FaultInjection faults;
   LcmPointer sending;
   std::unique_ptr<LcmReceiver> receiver;  ///< of those who subscribe
@@ -108,6 +116,7 @@ void Node::add(const char* channel, const MessageLayout& layout, const CountLimi
     impl_->receiver = std::make_unique<LcmReceiver>(impl_->url, Fragments::kRefused);
   impl_->subscriptions.push_back(
       std::make_unique<Impl::Subscription>(channel, layout, limits, session_, std::move(handler)));
+  impl_->subscriptions.back()->guard.demand(impl_->key, impl_->lockstep);
 }
 
 void Node::start() {
@@ -119,6 +128,10 @@ void Node::stop() {
   impl_->stopping.signal();
   if (impl_->thread.joinable()) impl_->thread.join();
   impl_->stopping.clear();
+}
+
+void Node::seal(const char* channel) {
+  if (impl_->key != nullptr) impl_->key->seal(channel, buffer_.data(), buffer_.size());
 }
 
 void Node::send(const char* channel, std::int64_t seq) {

@@ -21,6 +21,7 @@
 
 #include "runtime/input_event.h"
 #include "runtime/input_queue.h"
+#include "runtime/message_key.h"
 #include "runtime/message_layout.h"
 #include "runtime/receive_guard.h"
 #include "runtime/session_clock.h"
@@ -37,6 +38,10 @@ struct NodeOptions {
   std::int64_t session = 0;         ///< sent with every message; only this one is accepted, 0 = any (tools)
   std::int64_t epoch_us = 0;        ///< see SessionClock
   std::vector<std::string> inject;  ///< see FaultInjection
+  /// Seals what is sent, and is demanded of what comes, on channels that carry a MAC. None: such messages go
+  /// out with a MAC of zeros, and every one is believed: for who only looks, and for tests.
+  std::shared_ptr<const MessageKey> key = nullptr;
+  bool lockstep = false;  ///< times of cycles are not the clock's (freshness.h)
 };
 
 class Node;
@@ -117,9 +122,16 @@ class Node {
   ReceiverCounts datagrams() const noexcept;
 
  private:
-  using Handler = std::function<void(ReceiveGuard&, const void* data, std::size_t size)>;
+  /// Bytes that came, and when.
+  struct Arrival {
+    const void* data;
+    std::size_t size;
+    std::int64_t utime_us;
+  };
+  using Handler = std::function<void(ReceiveGuard&, const Arrival&)>;
   struct Impl;
   void add(const char* channel, const MessageLayout& layout, const CountLimits& limits, Handler handler);
+  void seal(const char* channel);                    ///< buffer_
   void send(const char* channel, std::int64_t seq);  ///< buffer_
 
   SessionClock clock_;
@@ -154,15 +166,15 @@ void Node::publish_message(const char* channel, M& message) {
   const int size = message.getEncodedSize();
   buffer_.resize(static_cast<std::size_t>(size));
   message.encode(buffer_.data(), 0, size);
+  if (kHasMac<M>) seal(channel);
   send(channel, message.seq);
 }
 
 template <class M>
 void Node::on_message(const char* channel, const CountLimits& limits, std::function<void(const M&)> handle) {
   add(channel, layout_of<M>(), limits,
-      [message = M(), handle = std::move(handle)](ReceiveGuard& guard, const void* data,
-                                                  std::size_t size) mutable {
-        if (guard.decode(data, size, message) == Refusal::kNone) handle(message);
+      [message = M(), handle = std::move(handle)](ReceiveGuard& guard, const Arrival& in) mutable {
+        if (guard.decode(in.data, in.size, message, in.utime_us) == Refusal::kNone) handle(message);
       });
 }
 
@@ -171,9 +183,9 @@ void Node::on_signal(const char* channel, const CountLimits& limits,
                      std::function<void(const Signal&)> handle) {
   using M = MessageOf<Signal>;
   add(channel, layout_of<M>(), limits,
-      [message = M(), signal = Signal(), handle = std::move(handle)](ReceiveGuard& guard, const void* data,
-                                                                     std::size_t size) mutable {
-        if (guard.decode(data, size, message) != Refusal::kNone) return;
+      [message = M(), signal = Signal(), handle = std::move(handle)](ReceiveGuard& guard,
+                                                                     const Arrival& in) mutable {
+        if (guard.decode(in.data, in.size, message, in.utime_us) != Refusal::kNone) return;
         if (from_message(message, signal)) return handle(signal);
         guard.refuse(Refusal::kBadValue, 0, 0);
       });

@@ -29,6 +29,8 @@ int run(const ProgramInfo& info, ProcessOptions options, const std::function<int
   }
   if (options.maintenance) robot = for_maintenance(std::move(robot));
   refuse_injection(options);
+  if (!info.only_looks) options.node.key = key_of(options);
+  options.node.lockstep = options.clock_mode() == ClockMode::kLockstep;
   const std::string real_time = set_up_real_time(options.real_time());
   if (real_time_refused(real_time)) log_warn("real time: " + real_time);
   Process process(info, options, robot, real_time);

@@ -25,6 +25,7 @@ namespace sprung {
 struct ProgramInfo {
   std::string program;      ///< "sprung-torque-estimator"
   std::string description;  ///< for --help
+  bool only_looks = false;  ///< needs no key: it neither moves the robot nor obeys
 };
 
 /// What a running process has at hand. Owned by run_process().

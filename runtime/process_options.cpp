@@ -1,6 +1,27 @@
 #include "runtime/process_options.h"
 
+#include <charconv>
+#include <cstdlib>
+#include <cstring>
+
+#include "runtime/key_source.h"
+
 namespace sprung {
+namespace {
+
+/// -1: nobody handed one on.
+int key_fd_of_environment() {
+  const char* const text = std::getenv(kKeyFdVariable);
+  int fd = -1;
+  if (text != nullptr) std::from_chars(text, text + std::strlen(text), fd);
+  return fd;
+}
+
+bool is_simulated(const ProcessOptions& options) {
+  return options.simulation || options.clock_mode() == ClockMode::kLockstep;
+}
+
+}  // namespace
 
 ClockMode ProcessOptions::clock_mode() const noexcept {
   return value_named<ClockMode>(clock).value_or(ClockMode::kRealTime);
@@ -27,6 +48,8 @@ void add_process_options(CommandLine& line, ProcessOptions& options) {
   line.option("--cpu", options.cpu, "pin to this CPU, -1 = any");
   line.option("--inject", options.node.inject,
               "link fault: drop-rx|drop-tx|repeat-tx:CHANNEL:SEQ (for tests)");
+  line.option("--key-fd", options.key_fd, "open descriptor with the run's key; -1 = $SPRUNG_KEY_FD");
+  line.flag("--no-key", options.no_key, "believe every message (for tests: lock-step or --simulation)");
   line.flag("--simulation", options.simulation,
             "real time on a shared machine: the robot's simulation_watchdogs");
   line.flag("--maintenance", options.maintenance,
@@ -34,9 +57,21 @@ void add_process_options(CommandLine& line, ProcessOptions& options) {
 }
 
 void refuse_injection(const ProcessOptions& options) {
-  if (options.node.inject.empty() || options.simulation || options.clock_mode() == ClockMode::kLockstep)
-    return;
+  if (options.node.inject.empty() || is_simulated(options)) return;
   throw WrongUse("--inject makes faults for tests: only in lock-step, or with --simulation");
+}
+
+std::shared_ptr<const MessageKey> key_of(const ProcessOptions& options) {
+  if (options.no_key && !is_simulated(options))
+    throw WrongUse(
+        "--no-key lets anybody on the network move the drives: only in lock-step, or with --simulation");
+  if (options.no_key) return nullptr;
+  const int fd = options.key_fd >= 0 ? options.key_fd : key_fd_of_environment();
+  if (fd >= 0) return read_key_fd(fd);
+  throw WrongUse(
+      "there is no key, without which nothing is believed and nobody believes this program: start it by "
+      "sprung "
+      "up (robot.yaml's processes), or sprung run -- PROGRAM; for tests in lock-step --no-key");
 }
 
 const WatchdogConfig& watchdogs_for(const RobotConfig& robot, const ProcessOptions& options) noexcept {

@@ -1,6 +1,7 @@
 #pragma once
 /// Options that every process of the stack has; `sprung up` gives them all.
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,8 @@ struct ProcessOptions {
   int cpu = -1;                      ///< --cpu
   bool simulation = false;   ///< --simulation: robot.yaml's simulation_watchdogs apply (real time only)
   bool maintenance = false;  ///< --maintenance: robots/maintenance.h
+  int key_fd = -1;           ///< --key-fd, else $SPRUNG_KEY_FD; -1 = none
+  bool no_key = false;       ///< --no-key: every message is believed (tests)
   NodeOptions node;          ///< --session, --epoch-us, --lcm-url, --inject
 
   ClockMode clock_mode() const noexcept;
@@ -38,6 +41,11 @@ void add_process_options(CommandLine& line, ProcessOptions& options);
 
 /// Faults are made on simulated robots alone. @throws WrongUse on --inject in real time without --simulation.
 void refuse_injection(const ProcessOptions& options);
+
+/// The key of the run, from --key-fd, else from the descriptor that $SPRUNG_KEY_FD names; none with --no-key.
+/// @throws WrongUse where there is none, and on --no-key for what may have real drives; std::runtime_error as
+/// read_key_fd.
+std::shared_ptr<const MessageKey> key_of(const ProcessOptions& options);
 
 /// Which set of robot.yaml applies: simulation_watchdogs in real time with --simulation, else watchdogs.
 const WatchdogConfig& watchdogs_for(const RobotConfig& robot, const ProcessOptions& options) noexcept;

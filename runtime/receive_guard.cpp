@@ -7,14 +7,39 @@ namespace sprung {
 
 ReceiveGuard::ReceiveGuard(std::string channel, const MessageLayout& layout, const CountLimits& limits,
                            std::int64_t session)
-    : channel_(std::move(channel)), layout_(layout), limits_(limits), session_(session) {}
+    : channel_(std::move(channel)),
+      layout_(layout),
+      limits_(limits),
+      session_(session),
+      events_(layout.proof == Proof::kRepeatedEvent) {}
 
-Refusal ReceiveGuard::check(const void* data, std::size_t size) noexcept {
+void ReceiveGuard::demand(std::shared_ptr<const MessageKey> key, bool lockstep) {
+  if (layout_.proof != Proof::kNone) key_ = std::move(key);
+  lockstep_ = lockstep;
+}
+
+Refusal ReceiveGuard::check(const void* data, std::size_t size, std::int64_t now_us) noexcept {
+  const auto* const bytes = static_cast<const std::uint8_t*>(data);
   std::int64_t found = 0;
   std::int64_t expected = 0;
-  const Refusal refusal = inspect(static_cast<const std::uint8_t*>(data), size, found, expected);
+  Refusal refusal = inspect(bytes, size, found, expected);
+  if (refusal == Refusal::kNone && key_ != nullptr) {
+    refusal = judge(bytes, size, now_us);
+    found = read_int64(bytes, kUtimeOffset);
+    expected = now_us;
+  }
   if (refusal != Refusal::kNone) refuse(refusal, found, expected);
   return refusal;
+}
+
+/// Of a message that is whole: whether it is of somebody who has the key, and new.
+Refusal ReceiveGuard::judge(const std::uint8_t* bytes, std::size_t size, std::int64_t now_us) noexcept {
+  if (!key_->fits(channel_, bytes, size)) return Refusal::kForged;
+  const Stamp stamp{read_int64(bytes, kUtimeOffset), read_int64(bytes, kSeqOffset)};
+  if (layout_.proof != Proof::kCycle)
+    return events_.admit(stamp.utime_us, static_cast<std::uint64_t>(read_int64(bytes, size - kMacBytes)),
+                         now_us);
+  return cycles_.admit(stamp, lockstep_ ? std::nullopt : std::optional<std::int64_t>(now_us));
 }
 
 Refusal ReceiveGuard::inspect(const std::uint8_t* bytes, std::size_t size, std::int64_t& found,
@@ -80,8 +105,9 @@ std::int64_t ReceiveGuard::refused(Refusal why) const noexcept {
 std::string ReceiveGuard::last_refusal() const {
   const std::lock_guard<std::mutex> lock(last_mutex_);
   if (last_ == Refusal::kNone) return "";
-  return channel_ + " refused: " + name(last_) + ", found " + std::to_string(last_found_) + ", expected " +
-         std::to_string(last_expected_);
+  const bool timely = last_ >= Refusal::kForged && last_ <= Refusal::kFuture;
+  return channel_ + " refused: " + name(last_) + (timely ? ", its time " : ", found ") +
+         std::to_string(last_found_) + (timely ? ", ours " : ", expected ") + std::to_string(last_expected_);
 }
 
 }  // namespace sprung

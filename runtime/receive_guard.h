@@ -6,35 +6,17 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 
+#include "runtime/freshness.h"
+#include "runtime/message_key.h"
 #include "runtime/message_layout.h"
-#include "signals/enumeration.h"
+#include "runtime/refusal.h"
 
 namespace sprung {
-
-enum class Refusal : std::int8_t {
-  kNone = 0,
-  kTooShort,      ///< not even a header and its counts
-  kWrongHash,     ///< another type, or another version of it
-  kWrongSession,  ///< of another `sprung up`, or a replay
-  kBadCount,      ///< negative, or not this robot's
-  kWrongLength,   ///< truncated, trailing bytes, or a string that does not fit
-  kNotDecodable,  ///< LCM's decoder refused it
-  kBadValue,      ///< an enumeration value that is unknown here
-};
-constexpr auto words_of(Refusal) {
-  using E = Refusal;
-  return words<E>({{E::kNone, "accepted"},
-                   {E::kTooShort, "too short"},
-                   {E::kWrongHash, "wrong hash"},
-                   {E::kWrongSession, "wrong session"},
-                   {E::kBadCount, "bad count"},
-                   {E::kWrongLength, "wrong length"},
-                   {E::kNotDecodable, "not decodable"},
-                   {E::kBadValue, "bad value"}});
-}
 
 class ReceiveGuard {
  public:
@@ -42,11 +24,16 @@ class ReceiveGuard {
   ReceiveGuard(std::string channel, const MessageLayout& layout, const CountLimits& limits,
                std::int64_t session);
 
+  /// From now on messages of a type that carries a MAC must have the right one, and be new (freshness.h).
+  /// @param lockstep times of cycles are not the clock's.
+  void demand(std::shared_ptr<const MessageKey> key, bool lockstep);
+
   /// kNone: decoding these bytes is safe. Counts and remembers what it refuses.
-  Refusal check(const void* data, std::size_t size) noexcept;
+  /// @param now_us session's time; of no matter without demand().
+  Refusal check(const void* data, std::size_t size, std::int64_t now_us = 0) noexcept;
   /// check(), then decode in place and require every byte consumed. Unless kNone, `out` is unspecified.
   template <class M>
-  Refusal decode(const void* data, std::size_t size, M& out) noexcept;
+  Refusal decode(const void* data, std::size_t size, M& out, std::int64_t now_us = 0) noexcept;
   /// Counts a refusal found later, e.g. kBadValue by from_message.
   void refuse(Refusal why, std::int64_t found, std::int64_t expected) noexcept;
 
@@ -60,12 +47,17 @@ class ReceiveGuard {
  private:
   Refusal inspect(const std::uint8_t* bytes, std::size_t size, std::int64_t& found,
                   std::int64_t& expected) const noexcept;
+  Refusal judge(const std::uint8_t* bytes, std::size_t size, std::int64_t now_us) noexcept;
   bool strings_fit(const std::uint8_t* bytes, std::size_t size, std::size_t position) const noexcept;
 
   std::string channel_;
   MessageLayout layout_;
   CountLimits limits_;
   std::int64_t session_;
+  std::shared_ptr<const MessageKey> key_;  ///< unless every message is believed
+  bool lockstep_ = false;
+  CycleFreshness cycles_;
+  EventFreshness events_;
   std::atomic<std::int64_t> accepted_{0};
   std::array<std::atomic<std::int64_t>, kWords<Refusal>.size()> refused_{};
   mutable std::mutex last_mutex_;
@@ -75,8 +67,8 @@ class ReceiveGuard {
 };
 
 template <class M>
-Refusal ReceiveGuard::decode(const void* data, std::size_t size, M& out) noexcept {
-  const Refusal refusal = check(data, size);
+Refusal ReceiveGuard::decode(const void* data, std::size_t size, M& out, std::int64_t now_us) noexcept {
+  const Refusal refusal = check(data, size, now_us);
   if (refusal != Refusal::kNone) return refusal;
   int consumed = -1;
   try {

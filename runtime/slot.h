@@ -10,12 +10,10 @@
 #include <optional>
 #include <utility>
 
+#include "runtime/freshness.h"
 #include "runtime/input_event.h"
 
 namespace sprung {
-
-/// A sender whose seq falls back by more than this has restarted.
-inline constexpr std::int64_t kRestartGap = 8;
 
 /// Seqs held by a slot, ascending.
 struct HeldSeqs {

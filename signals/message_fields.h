@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "signals/message_mac.h"
 #include "signals/modes.h"
 #include "signals/stamp.h"
 
@@ -95,6 +96,7 @@ void write(const Fields& list, const S& in, std::int64_t session, M& out) {
   ToMessage way;
   out.session = session;
   list(way, out, in);
+  clear_mac(out);
 }
 
 /// 36,000 years in us: whoever adds or subtracts two such times or cycles does not overflow.

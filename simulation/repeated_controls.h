@@ -11,7 +11,7 @@ namespace sprung::sim {
 
 class RepeatedControls {
  public:
-  static constexpr std::size_t kRemembered = 16;  ///< of several senders at once
+  static constexpr std::size_t kRemembered = 256;  ///< as many as a receive guard (EventFreshness)
 
   /// @return false for a (utime, seq) that was among the last kRemembered.
   bool is_new(const Stamp& stamp) noexcept {

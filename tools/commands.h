@@ -27,6 +27,7 @@ void add_identify(CommandLine& sprung);
 void add_log(CommandLine& sprung);  ///< log info, cut, filter, merge, verify, repair, csv, mcap, plot
 void add_move(CommandLine& sprung);
 void add_robot(CommandLine& sprung);  ///< robot show, check, new
+void add_run(CommandLine& sprung);
 void add_spy(CommandLine& sprung);
 void add_topics(CommandLine& sprung);
 void add_watch(CommandLine& sprung);

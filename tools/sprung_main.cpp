@@ -56,6 +56,7 @@ int main(int argc, char** argv) {
   add_log(line);
   add_move(line);
   add_robot(line);
+  add_run(line);
   add_fault(line);
   add_doctor(line);
   add_help(line);

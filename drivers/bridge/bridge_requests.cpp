@@ -7,6 +7,8 @@ namespace sprung {
 
 OperatorReply BridgeCore::Impl::clear(const OperatorCommand& command, std::int64_t time_us) noexcept {
   if (command.request_id == last_clear.reply.request_id) return last_clear.reply;
+  if (command.request_id < last_clear.reply.request_id)
+    return reply(command, "another clear was asked since");
   if (recovery->kind() == Recovery::Kind::kClear || recovery->kind() == Recovery::Kind::kBoot)
     return reply(command, "a clear is already under way");
   const char* refusal = why_not_clear(time_us);
@@ -53,6 +55,7 @@ const char* BridgeCore::Impl::why_not_clear(std::int64_t time_us) const noexcept
 
 OperatorReply BridgeCore::Impl::home(const OperatorCommand& command, std::int64_t time_us) noexcept {
   if (command.request_id == last_home.reply.request_id) return last_home.reply;
+  if (command.request_id < last_home.reply.request_id) return reply(command, "another home was asked since");
   if (homing->running()) return reply(command, "homing is already under way");
   const char* refusal = why_not_home();
   if (refusal == nullptr) refusal = homing->begin(command, time_us);

@@ -135,6 +135,8 @@ def start_simulated_drives(folder, robot, buses, log):
         "--rt-policy",
         "off",
         "--no-truth",
+        "--simulation",
+        "--no-key",
     ]
     for name, bus in buses.items():
         arguments += ["--can", f"{name}={address(bus)}"]

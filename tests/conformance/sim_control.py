@@ -32,7 +32,7 @@ class SimControl:
         """Acts at the next cycle."""
         self._count += 1
         message = struct.pack(
-            ">Qqqqq6ddbiibd",
+            ">Qqqqq6ddbiibd16x",  # without a MAC: the drives were started with --no-key
             *(self._hash, self._session, self._count, self._count, 0, *[0.0] * 6, 0.0),
             *(_NODE_FAULT, actuator, -1, kind, 0.0),
         )

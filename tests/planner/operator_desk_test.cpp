@@ -57,6 +57,22 @@ TEST(OperatorDeskTest, RepeatedIdIsAnsweredAgainAndNeverExecutedAgain) {
   EXPECT_FALSE(desk.take_due(4, c));
 }
 
+/// Ids are remembered for the session, though memory is bounded: what is forgotten is known by its size.
+TEST(OperatorDeskTest, ForgottenIdIsRefusedAndNeverExecutedAgain) {
+  OperatorDesk desk;
+  OperatorCommand c;
+  constexpr int kMany = 3 * OperatorDesk::kRemembered;
+  const auto is_executed = [&](std::int64_t id) { return desk.submit(command(id)) && desk.take_due(0, c); };
+  for (int id = 1; id <= kMany; ++id) ASSERT_TRUE(is_executed(id)) << id;
+  for (int id = 1; id <= kMany; ++id) ASSERT_FALSE(is_executed(id)) << id;
+  OperatorReply r;
+  desk.submit(command(1));
+  while (desk.next_reply(r)) continue;
+  EXPECT_EQ(r.request_id, 1);
+  EXPECT_EQ(r.outcome, OperatorOutcome::kRefused);
+  EXPECT_TRUE(is_executed(kMany + 1));
+}
+
 TEST(OperatorDeskTest, DoneKeepsTheCycleInWhichTheCommandTookEffect) {
   OperatorDesk desk;
   OperatorReply r;

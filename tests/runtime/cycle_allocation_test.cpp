@@ -1,7 +1,9 @@
 /// What runs in every cycle around a core allocates nothing once it has its size (LCM itself aside).
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdlib>
+#include <memory>
 #include <vector>
 
 #include "runtime/answer_store.h"
@@ -22,13 +24,15 @@ class CycleAllocationTest : public ::testing::Test {
     state_.stamp.seq = 0;
     to_message(state_, 1, message_);
     bytes_.resize(static_cast<std::size_t>(message_.getEncodedSize()));
+    guard_.demand(key_, true);
   }
 
-  /// As a message of cycle `seq` would: sent, checked, decoded, stored, decided upon, taken, kept.
+  /// As a message of cycle `seq` would: sent, sealed, checked, decoded, stored, decided upon, taken, kept.
   void cycle(std::int64_t seq) {
     state_.stamp.seq = seq;
     to_message(state_, 1, message_);
     message_.encode(bytes_.data(), 0, static_cast<int>(bytes_.size()));
+    key_->seal("JOINT_STATE", bytes_.data(), bytes_.size());
     ASSERT_EQ(guard_.decode(bytes_.data(), bytes_.size(), received_message_), Refusal::kNone);
     ASSERT_TRUE(from_message(received_message_, received_));
     slot_.push(received_);
@@ -40,6 +44,8 @@ class CycleAllocationTest : public ::testing::Test {
     statistics_.end_cycle(seq);
   }
 
+  const std::shared_ptr<const MessageKey> key_ = std::make_shared<const MessageKey>(
+      std::array<std::uint8_t, kKeyBytes>{});
   JointState state_{12, 4};
   JointState received_{12, 4};
   JointState taken_{12, 4};

@@ -39,6 +39,8 @@ class EstimatorProcessTest : public ::testing::Test {
                                    std::to_string(kSession),
                                    "--lcm-url",
                                    url_,
+                                   "--no-key",
+                                   "--simulation",
                                    "--clock",
                                    clock};
     words.insert(words.end(), more.begin(), more.end());

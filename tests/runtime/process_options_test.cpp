@@ -1,7 +1,12 @@
 #include "runtime/process_options.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <cstdlib>
+#include <stdexcept>
+
+#include "runtime/key_source.h"
 #include "tests/support/enumerators.h"
 
 namespace sprung {
@@ -36,6 +41,27 @@ TEST(ProcessOptions, FaultsAreMadeOnSimulatedRobotsAlone) {
   EXPECT_NO_THROW(
       refuse_injection(parsed({"--session", "5", "--inject", "drop-rx:A:1", "--clock", "lockstep"})));
   EXPECT_THROW(refuse_injection(parsed({"--session", "5", "--inject", "drop-rx:A:1"})), WrongUse);
+}
+
+TEST(ProcessOptions, WithoutAKeyNothingThatMayMoveDrivesStarts) {
+  unsetenv(kKeyFdVariable);
+  EXPECT_THROW(key_of(parsed({"--session", "5"})), WrongUse);
+  EXPECT_THROW(key_of(parsed({"--session", "5", "--clock", "lockstep"})), WrongUse);
+  EXPECT_THROW(key_of(parsed({"--session", "5", "--no-key"})), WrongUse);
+  EXPECT_EQ(key_of(parsed({"--session", "5", "--no-key", "--simulation"})), nullptr);
+  EXPECT_EQ(key_of(parsed({"--session", "5", "--no-key", "--clock", "lockstep"})), nullptr);
+}
+
+TEST(ProcessOptions, KeyComesByTheDescriptorThatIsNamed) {
+  const auto key = random_key();
+  const KeyFd fd(*key);
+  const auto copy = [&] { return std::to_string(dup(fd.number())); };
+  const std::string named = copy();
+  EXPECT_EQ(key_of(parsed({"--session", "5", "--key-fd", named.c_str()}))->bytes(), key->bytes());
+  setenv(kKeyFdVariable, copy().c_str(), 1);
+  EXPECT_EQ(key_of(parsed({"--session", "5"}))->bytes(), key->bytes()) << "as sprung run hands it on";
+  unsetenv(kKeyFdVariable);
+  EXPECT_THROW(key_of(parsed({"--session", "5", "--key-fd", "999"})), std::runtime_error);
 }
 
 TEST(ProcessOptions, ReadsAllThatTheLauncherGives) {

@@ -52,6 +52,8 @@ class Programs {
                                      url_,
                                      "--rt-policy",
                                      "off",
+                                     "--no-key",
+                                     "--simulation",
                                      "--clock",
                                      clock};
       for (const std::string& fault : faults) words.insert(words.end(), {"--inject", fault});

@@ -7,6 +7,8 @@
 #include <random>
 #include <vector>
 
+#include "signals/message_mac.h"
+
 namespace sprung::test {
 
 template <class M>
@@ -28,6 +30,7 @@ M random_message(const M& prototype, std::size_t counts, unsigned seed) {
   }
   M message = prototype;
   EXPECT_EQ(message.decode(bytes.data(), 0, static_cast<int>(bytes.size())), static_cast<int>(bytes.size()));
+  clear_mac(message);  // a signal has none
   return message;
 }
 

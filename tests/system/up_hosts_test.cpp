@@ -1,5 +1,6 @@
 /// `sprung up` on several hosts, and what others say on its network.
 #include "lcmtypes/channels.h"
+#include "runtime/key_source.h"
 #include "runtime/resource_use.h"
 #include "tests/support/paths.h"
 #include "tests/system/up_fixture.h"
@@ -85,6 +86,8 @@ class UpOnTwoHosts : public Up {
     text.insert(at + planner.size(), " host: trunk,");
     std::ofstream(robot / "robot.yaml") << text;
     setenv("SPRUNG_ROBOTS", (folder_ / "robots").c_str(), 1);
+    write_key_file(key_file("trunk"), *key_);
+    write_key_file(key_file("lead"), *key_);
   }
   void TearDown() override {
     if (trunk_) trunk_->stop(10.0);
@@ -93,20 +96,24 @@ class UpOnTwoHosts : public Up {
   }
   void start_trunk(const std::string& more = "") {
     trunk_ = std::make_unique<ChildProcess>(
-        "/bin/sh",
-        std::vector<std::string>{
-            "-c", "exec " + test::bin_dir() +
-                      "/sprung up single_leg --sim --clock lockstep --no-record --host trunk"
-                      " --instance trunk --lcm-url '" +
-                      lcm_url() + "' " + more + " > " + (folder_ / "trunk.txt").string() + " 2>&1"});
+        "/bin/sh", std::vector<std::string>{
+                       "-c", "exec " + test::bin_dir() +
+                                 "/sprung up single_leg --sim --clock lockstep --no-record --host trunk"
+                                 " --instance trunk --key-file " +
+                                 key_file("trunk") + " --lcm-url '" + lcm_url() + "' " + more + " > " +
+                                 (folder_ / "trunk.txt").string() + " 2>&1"});
   }
+  /// The copy of that host.
+  std::string key_file(const std::string& host) const { return (folder_ / (host + ".key")).string(); }
+  std::string lead_key() const { return "--key-file " + key_file("lead") + " "; }
   std::string trunk_said() const { return read_all(folder_ / "trunk.txt"); }
+  const std::shared_ptr<const MessageKey> key_ = random_key();
   std::unique_ptr<ChildProcess> trunk_;
 };
 
 TEST_F(UpOnTwoHosts, EachStartsItsOwnAndTheSecondEndsWithTheFirst) {
   start_trunk();
-  up("lockstep", "--speed 2");
+  up("lockstep", lead_key() + "--speed 2");
   EXPECT_EQ(pid_of("sprung-motion-planner"), 0) << "the planner is the other host's";
   EXPECT_TRUE(within(kTimeout_s, [&] {
     return trunk_said().find("is up: 1 processes") != std::string::npos;
@@ -117,8 +124,24 @@ TEST_F(UpOnTwoHosts, EachStartsItsOwnAndTheSecondEndsWithTheFirst) {
   EXPECT_TRUE(trunk_->wait(kTimeout_s)) << "it goes on without its lead";
 }
 
+TEST_F(UpOnTwoHosts, RobotOfSeveralHostsNeedsOneKeyForAll) {
+  const CommandResult refused = sprung("up single_leg --sim --clock lockstep --no-record");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.output,
+              AllOf(HasSubstr("several hosts"), HasSubstr("scp -p"), HasSubstr("--key-file")));
+}
+
+TEST_F(UpOnTwoHosts, HostsOfDifferentKeysDoNotObeyEachOther) {
+  write_key_file(key_file("trunk"), *random_key());
+  start_trunk();
+  up("lockstep", lead_key() + "--speed 2");
+  EXPECT_TRUE(within(kTimeout_s, [&] { return sprung("status").output.find("forged") != std::string::npos; }))
+      << sprung("status").output;
+  EXPECT_NE(sprung("stand").status, 0);
+}
+
 TEST_F(UpOnTwoHosts, HostThatIsMissingIsNamedWithWhatToTypeThere) {
-  EXPECT_THAT([&] { up("lockstep", "--timeout 5"); },
+  EXPECT_THAT([&] { up("lockstep", lead_key() + "--timeout 5"); },
               testing::ThrowsMessage<std::runtime_error>(
                   AllOf(HasSubstr("sprung-motion-planner is not ready"),
                         HasSubstr("sprung up single_leg --host trunk"), HasSubstr("ttl"))));
@@ -126,7 +149,7 @@ TEST_F(UpOnTwoHosts, HostThatIsMissingIsNamedWithWhatToTypeThere) {
 
 TEST_F(UpOnTwoHosts, AnotherRobotFileOnTheSecondHostIsRefusedAndNamed) {
   start_trunk("--preset paper");
-  EXPECT_THAT([&] { up("lockstep", "--timeout 3"); },
+  EXPECT_THAT([&] { up("lockstep", lead_key() + "--timeout 3"); },
               testing::ThrowsMessage<std::runtime_error>(HasSubstr("sprung-motion-planner")));
   EXPECT_TRUE(trunk_->wait(kTimeout_s));
   EXPECT_THAT(trunk_said(), HasSubstr("another configuration"));

@@ -67,7 +67,7 @@ int joint_of(const RobotConfig& robot, const GuidedRecording& request) {
 
 /// The plant's base to a height at which legs hang free.
 void hang_up(const RunInfo& info, const RobotConfig& robot) {
-  Node node({info.lcm_url, info.session, info.epoch_us, {}});
+  Node node(commanding(info));
   Publisher<SimControl> controls = node.publisher<SimControl>(channels::kSimControl);
   SimControl control;
   control.kind = SimControlKind::kSuspend;

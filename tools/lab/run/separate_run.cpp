@@ -63,7 +63,7 @@ void queue_commands(const RunScript& script, const RunInfo& info) {
 void queue_controls(const RunScript& script, const RunInfo& info) {
   if (script.controls.empty()) return;
   constexpr int kTimes = 5;
-  Node node(NodeOptions{info.lcm_url, info.session, info.epoch_us, {}});
+  Node node(commanding(info));
   Publisher<SimControl> publisher = node.publisher<SimControl>(channels::kSimControl);
   node.start();
   for (std::size_t i = 0; i < script.controls.size(); ++i) {
@@ -114,10 +114,11 @@ SeparateResult run_separate(const RunScript& script, const CycleObserver& on_cyc
     throw std::invalid_argument("separate processes are commanded by their planner, not by this one");
   Launcher launcher(launch_request(script, options), script.robot);
   launcher.start_all_but_bridge();
-  CycleCollector collector(launcher.info(), script.robot);
+  CycleCollector collector(commanding(launcher.info()), script.robot);
   collector.count_until(script.cycles - 1);
   queue_commands(script, launcher.info());
   queue_controls(script, launcher.info());
+  if (options.on_ready) options.on_ready(launcher.info());
   launcher.start_bridge();
   std::int64_t next = 0;
   const auto until_last = [&](const CycleRecord& cycle) {

@@ -1,14 +1,18 @@
 #pragma once
 /// The same script as run_in_process, on the real processes in lock-step over LCM and the user-space CAN bus.
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "tools/lab/run/scripted_run.h"
+#include "tools/operate/launcher/run_file.h"
 
 namespace sprung {
 
 struct SeparateOptions {
   std::vector<std::string> inject;  ///< PROGRAM=SPEC, tests of the links
+  /// Called when every process but the bridge is ready.
+  std::function<void(const RunInfo&)> on_ready = nullptr;
 };
 
 struct SeparateResult {

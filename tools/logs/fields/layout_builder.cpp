@@ -69,7 +69,8 @@ class Builder {
     if (dimension == member.dimensions.size()) return element(member, path, flat, depth);
     const Dimension& brackets = member.dimensions[dimension];
     const std::int64_t count = brackets.count_member < 0 ? brackets.fixed : counts[brackets.count_member];
-    if (count < 0 || !fits(member, dimension, static_cast<std::size_t>(count))) return Fault::kBadCount;
+    if (count < 0 || !fits(member, dimension, static_cast<std::size_t>(count)))
+      return brackets.count_member < 0 ? Fault::kTooShort : Fault::kBadCount;
     const auto extent = static_cast<std::size_t>(count);
     if (member.wire == Wire::kByte && dimension + 1 == member.dimensions.size())
       return bytes(member, path, extent);

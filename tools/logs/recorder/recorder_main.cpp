@@ -162,7 +162,7 @@ int main(int argc, char** argv) {
   return sprung::run_process(
       argc, argv,
       {"sprung-recorder",
-       "Every message on the robot's network into LCM logs; loses none, and says so if it did."},
+       "Every message on the robot's network into LCM logs; loses none, and says so if it did.", true},
       [&](sprung::Process& process) {
         sprung::go_ahead_of_others();
         return sprung::Recorder(process, options).run();

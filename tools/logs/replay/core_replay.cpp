@@ -16,9 +16,9 @@ namespace sprung {
 
 namespace {
 
-/// DRIVE_COMMAND ends with it.
+/// DRIVE_COMMAND ends with it and the MAC.
 std::int64_t used_leg_command_seq(const Bytes& drive_command) {
-  return read_int64(drive_command.data(), drive_command.size() - sizeof(std::int64_t));
+  return read_int64(drive_command.data(), drive_command.size() - kMacBytes - sizeof(std::int64_t));
 }
 
 /// Every message begins with its type's fingerprint.
@@ -181,7 +181,7 @@ void CoreReplay::Impl::compare(const LoggedCycle& cycle, const Bytes& recorded, 
     return;
   }
   ++counts.compared;
-  if (recorded == replayed) return;
+  if (ours.same(recorded)) return;
   ++counts.differing;
   if (use_difference)
     use_difference({ours.channel(), cycle.seq, cycle.time_us, cycle.time_s, recorded, replayed});

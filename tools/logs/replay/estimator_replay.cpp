@@ -11,11 +11,11 @@ namespace sprung {
 
 namespace {
 
-/// used_imu_seq stands right before the trunk, with which JOINT_STATE ends. Nothing of a message that is
-/// none, or too short for one.
+/// used_imu_seq stands right before the trunk and the MAC, with which JOINT_STATE ends. Nothing of a message
+/// that is none, or too short for one.
 std::optional<std::int64_t> used_imu_seq(const Bytes& joint_state) {
   const auto body = static_cast<std::size_t>(sprung_msgs::estimated_body_t()._getEncodedSizeNoHash());
-  const std::size_t tail = body + sizeof(std::int64_t);
+  const std::size_t tail = body + kMacBytes + sizeof(std::int64_t);
   if (joint_state.size() < kCountsOffset + tail) return std::nullopt;
   return read_int64(joint_state.data(), joint_state.size() - tail);
 }

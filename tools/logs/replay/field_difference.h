@@ -19,8 +19,8 @@ struct FieldDifference {
 
 class MessageComparison {
  public:
-  /// Fields whose bytes differ, as they are encoded; the session is left out. Where the messages are of two
-  /// types, or do not have equally many elements, or are damaged, one difference says so.
+  /// Fields whose bytes differ, as they are encoded; session and MAC are left out. Where the messages are of
+  /// two types, or do not have equally many elements, or are damaged, one difference says so.
   std::vector<FieldDifference> compare(const Bytes& first, const Bytes& second);
 
  private:

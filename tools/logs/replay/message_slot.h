@@ -1,5 +1,7 @@
 #pragma once
 /// One kind of message on its way between bytes and signal; keeps its memory from one message to the next.
+#include <algorithm>
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -40,6 +42,13 @@ class MessageSlot {
     bytes_.resize(static_cast<std::size_t>(message_.getEncodedSize()));
     message_.encode(bytes_.data(), 0, static_cast<int>(bytes_.size()));
     return bytes_;
+  }
+
+  /// Whether what write() made last is what the log has, bit for bit but for the MAC, which replays have not.
+  bool same(const Bytes& recorded) const noexcept {
+    const std::size_t mac = kHasMac<MessageOf<Signal>> ? kMacBytes : 0;
+    return recorded.size() == bytes_.size() && recorded.size() >= mac &&
+           std::equal(bytes_.begin(), bytes_.end() - static_cast<std::ptrdiff_t>(mac), recorded.begin());
   }
 
   const char* channel() const noexcept { return channel_; }

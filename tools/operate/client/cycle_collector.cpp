@@ -11,6 +11,9 @@ constexpr std::size_t kQueue = 1 << 18;  // four minutes at 1 kHz
 }  // namespace
 
 CycleCollector::CycleCollector(const RunInfo& info, const RobotConfig& robot)
+    : CycleCollector(NodeOptions{info.lcm_url, info.session, info.epoch_us, {}}, robot) {}
+
+CycleCollector::CycleCollector(const NodeOptions& options, const RobotConfig& robot)
     : robot_(robot),
       drive_states_(kQueue),
       joint_states_(kQueue),
@@ -21,7 +24,7 @@ CycleCollector::CycleCollector(const RunInfo& info, const RobotConfig& robot)
       replies_(kQueue),
       safeties_(kQueue),
       statuses_(kQueue),
-      node_(NodeOptions{info.lcm_url, info.session, info.epoch_us, {}}) {
+      node_(options) {
   const std::size_t actuators = robot.actuators.size();
   const std::size_t joints = robot.joints.size();
   const std::size_t legs = robot.legs.size();

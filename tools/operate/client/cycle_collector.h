@@ -22,6 +22,9 @@ class CycleCollector {
  public:
   /// Listens from here on. A cycle is whole with its SIM_TRUTH, so there must be simulated drives.
   CycleCollector(const RunInfo& info, const RobotConfig& robot);
+  /// With the run's key (commanding() in run_file.h) it hears what the robot's own processes say, and nobody
+  /// else.
+  CycleCollector(const NodeOptions& options, const RobotConfig& robot);
 
   /// Hands over every cycle that is complete by now. @return how many.
   int collect(const CycleObserver& on_cycle, const ReplyObserver& on_reply);

@@ -13,10 +13,10 @@ namespace {
 constexpr std::int64_t kSendAgain_us = 100'000;
 constexpr std::int64_t kAskAgain_us = 500'000;
 
-std::int64_t random_id() {
-  std::random_device device;
-  return static_cast<std::int64_t>((static_cast<std::uint64_t>(device()) << 31) ^ device()) &
-         0x7FFFFFFFFFFFFFFF;
+/// Later ones are greater, as lcmtypes/operator.lcm asks; of two operators in one microsecond, most probably.
+std::int64_t new_id(std::int64_t now_us) {
+  constexpr std::int64_t kEach_us = 1024;
+  return now_us * kEach_us + static_cast<std::int64_t>(std::random_device()() % kEach_us);
 }
 
 bool ends(OperatorOutcome outcome) {
@@ -26,8 +26,7 @@ bool ends(OperatorOutcome outcome) {
 }  // namespace
 
 OperatorClient::OperatorClient(const RunInfo& info)
-    : node_(NodeOptions{info.lcm_url, info.session, info.epoch_us, {}}),
-      commands_(node_.publisher<OperatorCommand>(channels::kOperatorCommand)) {
+    : node_(commanding(info)), commands_(node_.publisher<OperatorCommand>(channels::kOperatorCommand)) {
   node_.subscribe_message(channels::kOperatorReply, CountLimits::none(), replies_);
   node_.start();
 }
@@ -42,16 +41,21 @@ std::optional<OperatorAnswer> OperatorClient::next_answer(std::int64_t request_i
   return std::nullopt;
 }
 
+/// Each time with its own time: what comes again as it was is refused as a replay.
+void OperatorClient::publish(OperatorCommand command) {
+  command.stamp.utime_us = node_.utime_us();
+  commands_.publish(command);
+}
+
 std::optional<OperatorAnswer> OperatorClient::send(OperatorCommand& command, double timeout_s) {
   if (command.request_id == 0) {
-    command.request_id = random_id();
+    command.request_id = new_id(node_.utime_us());
   }
   const std::int64_t end_us = node_.utime_us() + static_cast<std::int64_t>(timeout_s * 1e6);
   std::int64_t send_us = 0;
   while (node_.utime_us() < end_us && !stop_requested()) {
     if (node_.utime_us() >= send_us) {
-      command.stamp.utime_us = node_.utime_us();
-      commands_.publish(command);
+      publish(command);
       send_us = node_.utime_us() + kSendAgain_us;
     }
     if (auto answer = next_answer(command.request_id)) {
@@ -75,7 +79,7 @@ std::optional<OperatorAnswer> OperatorClient::wait_done(const OperatorCommand& c
       continue;
     }
     if (node_.utime_us() >= next_ask_us_) {
-      commands_.publish(command);
+      publish(command);
       next_ask_us_ = node_.utime_us() + kAskAgain_us;
     }
     node_.wait_for_input(std::min(next_ask_us_, end_us));

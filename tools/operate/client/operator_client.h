@@ -30,6 +30,7 @@ class OperatorClient {
   std::optional<OperatorAnswer> wait_done(const OperatorCommand& command, double timeout_s);
 
  private:
+  void publish(OperatorCommand command);
   std::optional<OperatorAnswer> next_answer(std::int64_t request_id);
   InputQueue<sprung_msgs::operator_reply_t> replies_{256};
   std::int64_t next_ask_us_ = 0;

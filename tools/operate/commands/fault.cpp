@@ -81,7 +81,7 @@ int run_fault(const FaultCall& request) {
   const RobotConfig robot = load_robot(info.robot_folder);
   SimControl control = control_of(robot, request);
   InputQueue<sprung_msgs::drive_state_t> states(1024);
-  Node node({info.lcm_url, info.session, info.epoch_us, {}});
+  Node node(commanding(info));
   node.subscribe_message(channels::kDriveState, CountLimits::exactly(robot.actuators.size()), states);
   node.start();
   std::int64_t seq = next_cycle(node, states);

@@ -183,6 +183,9 @@ void add_up(CommandLine& sprung) {
   add_recording_options(up, request->recorder, request->recording);
   up.option("--host", request->host,
             "start the processes that robot.yaml gives to this host; without: those that have no host");
+  up.option(
+      "--key-file", request->key_file,
+      "32 bytes that prove to the processes of several hosts that they belong together; default: new ones");
   up.flag("--plain", *plain, "lines instead of a screen, also in a terminal");
   up.flag("--unchecked", *unchecked,
           "start though robot.yaml, model.xml and sim.yaml disagree: sprung robot check");

@@ -33,13 +33,14 @@ std::array<int, 2> output_pipe(Output output) {
 }
 
 /// In the child: never returns. Reports errno through `report` when the program cannot be started.
-[[noreturn]] void become(char* const* argv, pid_t launcher, int report, int output) {
+[[noreturn]] void become(char* const* argv, pid_t launcher, int report, int output, int inherited) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (output >= 0) {
     dup2(output, STDOUT_FILENO);
     dup2(output, STDERR_FILENO);
   }
+  if (inherited >= 0) fcntl(inherited, F_SETFD, 0);
   if (getppid() == launcher) {  // else the launcher died before the line above took hold
     execv(argv[0], argv);
     const int error = errno;
@@ -50,8 +51,8 @@ std::array<int, 2> output_pipe(Output output) {
 
 }  // namespace
 
-ChildProcess::ChildProcess(const std::string& path, const std::vector<std::string>& arguments,
-                           Output output) {
+ChildProcess::ChildProcess(const std::string& path, const std::vector<std::string>& arguments, Output output,
+                           int inherited_fd) {
   std::vector<char*> argv{const_cast<char*>(path.c_str())};
   for (const std::string& argument : arguments) {
     argv.push_back(const_cast<char*>(argument.c_str()));
@@ -66,7 +67,7 @@ ChildProcess::ChildProcess(const std::string& path, const std::vector<std::strin
   const pid_t launcher = getpid();
   pid_ = fork();
   if (pid_ == 0) {
-    become(argv.data(), launcher, report[1], captured[1]);
+    become(argv.data(), launcher, report[1], captured[1], inherited_fd);
   }
   close(report[1]);
   if (captured[1] >= 0) close(captured[1]);

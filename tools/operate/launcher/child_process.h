@@ -20,8 +20,9 @@ enum class Output {
 class ChildProcess {
  public:
   /// @throws std::runtime_error when the program cannot be started, naming it.
+  /// @param inherited_fd stays open in it, under the same number; -1 = none.
   ChildProcess(const std::string& path, const std::vector<std::string>& arguments,
-               Output output = Output::kInherited);
+               Output output = Output::kInherited, int inherited_fd = -1);
   ~ChildProcess();  ///< of the handle; the process itself is not touched
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;

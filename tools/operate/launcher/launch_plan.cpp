@@ -31,7 +31,7 @@ void add_injections(PlannedProcess& process, const LaunchRequest& request) {
 
 PlannedProcess plan_process(const ProcessConfig& config, const LaunchRequest& request,
                             const RobotConfig& robot, std::int64_t session, std::int64_t epoch_us) {
-  PlannedProcess process{config.program, {}, config.restart};
+  PlannedProcess process{config.program, {}, config.restart, true};
   process.arguments = {"--robot",     robot.folder,
                        "--preset",    robot.preset(request.preset).name,
                        "--session",   std::to_string(session),
@@ -79,6 +79,16 @@ void refuse_unknown_host(const LaunchRequest& request, const RobotConfig& robot)
           : "robot " + robot.name + " gives no process to host '" + request.host + "'; its hosts: " + known);
 }
 
+/// The processes of all hosts must believe each other.
+void refuse_missing_key(const LaunchRequest& request, const RobotConfig& robot) {
+  if (!request.key_file.empty() || remote_processes(request, robot).empty()) return;
+  throw std::invalid_argument(
+      "robot " + robot.name +
+      " has processes on several hosts, which need one key: make it once, (umask 077; head -c 32 "
+      "/dev/urandom > sprung.key); copy it, scp -p sprung.key HOST: ; and on every host: sprung up " +
+      request.robot + " --key-file sprung.key");
+}
+
 void refuse_processes(const RobotConfig& robot) {
   const auto& all = robot.processes;
   for (auto process = all.begin(); process != all.end(); ++process) {
@@ -120,6 +130,7 @@ void check_request(const LaunchRequest& request, const RobotConfig& robot) {
   }
   refuse_processes(robot);
   refuse_unknown_host(request, robot);
+  refuse_missing_key(request, robot);
   (void)bus_addresses(robot, request.can);
 }
 

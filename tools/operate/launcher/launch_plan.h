@@ -41,6 +41,8 @@ struct LaunchRequest {
   std::int64_t cycles = 0;  ///< the bridge ends after that many, 0 = never
   std::string log_folder;   ///< empty = no recording
   std::string host;         ///< starts what robot.yaml gives to this host; empty = what it gives to none
+  /// With the run's key; empty = a new one. All hosts of a run have the same.
+  std::string key_file;
   std::string recorder = "sprung-recorder";  ///< or "lcm-logger"
   RecordingRequest recording;
   std::string command_line;  ///< what was typed, for the log's metadata
@@ -51,6 +53,7 @@ struct PlannedProcess {
   std::string program;
   std::vector<std::string> arguments;
   RestartPolicy restart = RestartPolicy::kNever;
+  bool gets_key = false;  ///< by --key-fd
 };
 
 inline constexpr const char* kBridgeProgram = "sprung-can-bridge";

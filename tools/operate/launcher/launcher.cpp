@@ -76,6 +76,8 @@ Launcher::Launcher(const LaunchRequest& request, const RobotConfig& robot)
     : request_(request),
       robot_(robot),
       leads_(checked_leads(request, robot)),
+      key_(request.key_file.empty() ? random_key() : read_key_file(request.key_file)),
+      key_fd_(*key_),
       run_file_(request.instance),
       info_(leads_ ? describe_run(request, robot) : describe_joined_run(request, robot)),
       plan_(plan_processes(request_, robot_, info_.session, info_.epoch_us)),
@@ -87,6 +89,7 @@ Launcher::Launcher(const LaunchRequest& request, const RobotConfig& robot)
   node_.subscribe_message(channels::kProcessStatus, CountLimits::none(), statuses_);
   node_.subscribe_message(channels::kSafetyState, CountLimits::none(), safeties_);
   wait_for_left_behind(request);
+  run_file_.write_key(*key_);
   run_file_.write(info_);  // first, so that of two that begin at once none misses the other
   const std::string conflict = why_not_beside(info_, others(request.instance));
   if (!conflict.empty()) throw std::runtime_error(conflict);
@@ -133,7 +136,10 @@ void Launcher::start_recorder() {
 std::unique_ptr<ChildProcess> Launcher::run_program(const PlannedProcess& planned) const {
   const std::string path = planned.program == kLcmLogger ? system_program(kLcmLogger, "liblcm-bin")
                                                          : program_folder() + "/" + planned.program;
-  return std::make_unique<ChildProcess>(path, planned.arguments, Output::kCaptured);
+  std::vector<std::string> arguments = planned.arguments;
+  const int key = planned.gets_key ? key_fd_.number() : -1;
+  if (planned.gets_key) arguments.insert(arguments.end(), {"--key-fd", std::to_string(key)});
+  return std::make_unique<ChildProcess>(path, arguments, Output::kCaptured, key);
 }
 
 void Launcher::start(const PlannedProcess& planned) {
@@ -194,7 +200,9 @@ void Launcher::start_again_what_may() {
     waiting = waiting || !child.end.harmless;
     if (waiting && torque_watch_ == nullptr)
       torque_watch_ = std::make_unique<TorqueWatch>(
-          NodeOptions{request_.lcm_url, info_.session, info_.epoch_us, {}}, robot_);
+          NodeOptions{
+              request_.lcm_url, info_.session, info_.epoch_us, {}, key_, request_.clock == "lockstep"},
+          robot_);
     const auto torque = torque_watch_ != nullptr ? torque_watch_->heard() : std::nullopt;
     if (RestartRule::due(child.end, torque, node_.utime_us())) start_again(child);
   }

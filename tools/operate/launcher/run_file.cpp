@@ -16,6 +16,7 @@
 #include <set>
 #include <thread>
 
+#include "runtime/key_source.h"
 #include "tools/operate/launcher/run_folder.h"
 
 namespace sprung {
@@ -113,6 +114,17 @@ std::string run_file_path(const std::string& instance) {
   return (run_folder() / (instance + ".json")).string();
 }
 
+std::string run_key_path(const std::string& instance) {
+  return (run_folder() / (instance + ".key")).string();
+}
+
+NodeOptions commanding(const RunInfo& info) {
+  NodeOptions options{info.lcm_url, info.session, info.epoch_us, {}};
+  options.key = read_key_file(run_key_path(info.instance));
+  options.lockstep = info.clock == "lockstep";
+  return options;
+}
+
 RunFile::RunFile(const std::string& instance) : instance_(instance) {
   made_run_folder();
   lock_ = open_lock(instance, O_RDWR | O_CREAT);
@@ -135,7 +147,13 @@ RunFile::RunFile(const std::string& instance) : instance_(instance) {
 RunFile::~RunFile() {
   std::error_code ignored;
   if (written_) fs::remove(run_file_path(instance_), ignored);
+  if (key_written_) fs::remove(run_key_path(instance_), ignored);
   close(lock_);
+}
+
+void RunFile::write_key(const MessageKey& key) {
+  write_key_file(run_key_path(instance_), key);
+  key_written_ = true;
 }
 
 void RunFile::write(const RunInfo& info) {

@@ -7,6 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "runtime/message_key.h"
+#include "runtime/node.h"
+
 namespace sprung {
 
 struct RunningProcess {
@@ -38,6 +41,12 @@ struct NotRunning : std::runtime_error {
 };
 
 std::string run_file_path(const std::string& instance);
+/// Of the run's key (runtime/key_source.h), which lives as long as the run.
+std::string run_key_path(const std::string& instance);
+
+/// How a command gets to a run that it commands: with its key. Who only looks needs none. @throws
+/// std::runtime_error as read_key_file.
+NodeOptions commanding(const RunInfo& info);
 
 /// The right to be `sprung up` of an instance: a lock that the kernel releases when its holder ends, however
 /// that happens. Its file holds the run's description for the others.
@@ -45,11 +54,13 @@ class RunFile {
  public:
   /// @throws std::runtime_error when another launcher holds the instance, naming its robot.
   explicit RunFile(const std::string& instance);
-  ~RunFile();  ///< removes the description that it wrote, then lets go; what a killed one left stays for the
-               ///< next to see
+  ~RunFile();  ///< removes description and key that it wrote, then lets go; what a killed one left stays for
+               ///< the next to see
   RunFile(const RunFile&) = delete;
   RunFile& operator=(const RunFile&) = delete;
 
+  /// For the user's own commands. @throws std::runtime_error when it cannot be written.
+  void write_key(const MessageKey& key);
   /// Written whole or not at all. @throws std::runtime_error when it cannot be written.
   void write(const RunInfo& info);
 
@@ -57,6 +68,7 @@ class RunFile {
   std::string instance_;
   int lock_ = -1;
   bool written_ = false;
+  bool key_written_ = false;
 };
 
 /// nullopt where nobody holds the instance, or its description is not there yet.

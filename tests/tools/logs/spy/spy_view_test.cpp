@@ -108,13 +108,13 @@ TEST_F(SpyViewTest, TheCursorStaysInSightAndInTheList) {
   key(Key::kUp);
   EXPECT_THAT(selected(), HasSubstr("session"));
   key(Key::kEnd);
-  EXPECT_THAT(selected(), HasSubstr("uses_imu"));
+  EXPECT_THAT(selected(), HasSubstr("mac"));
   key(Key::kPageUp);
   key(Key::kPageDown);
   key(Key::kDown);
-  EXPECT_THAT(selected(), HasSubstr("uses_imu"));
+  EXPECT_THAT(selected(), HasSubstr("mac"));
   letters("kk");
-  EXPECT_THAT(selected(), Not(HasSubstr("uses_imu")));
+  EXPECT_THAT(selected(), Not(HasSubstr("mac")));
   key(Key::kHome);
   letters("j");
   EXPECT_THAT(selected(), HasSubstr("utime"));

@@ -132,8 +132,15 @@ class LaunchPlanOfTwoHosts : public LaunchPlan {
       if (process.program == "sprung-motion-planner") process.host = "trunk";
     }
     request_.simulation = true;
+    request_.key_file = "sprung.key";
   }
 };
+
+TEST_F(LaunchPlanOfTwoHosts, OneKeyIsNeededAndHowItGetsThereIsSaid) {
+  request_.key_file.clear();
+  EXPECT_THAT([&] { plan(); }, testing::ThrowsMessage<std::invalid_argument>(
+                                   testing::AllOf(HasSubstr("scp -p"), HasSubstr("--key-file"))));
+}
 
 TEST_F(LaunchPlanOfTwoHosts, EachHostStartsItsOwn) {
   const auto lead = plan();

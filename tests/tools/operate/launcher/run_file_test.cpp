@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "runtime/key_source.h"
 #include "tests/support/own_folder.h"
 #include "tools/operate/launcher/child_process.h"
 
@@ -51,6 +52,23 @@ TEST_F(RunFileTest, WhatIsWrittenIsReadBack) {
   EXPECT_EQ(info->can, std::vector<std::string>{"leg=socketcan:can1"});
   ASSERT_EQ(info->processes.size(), 1u);
   EXPECT_EQ(info->processes[0].pid, 12);
+}
+
+TEST_F(RunFileTest, KeyLiesBesideForItsOwnerAloneAndGoesWithTheRun) {
+  const auto key = random_key();
+  {
+    RunFile file("default");
+    file.write_key(*key);
+    file.write(sample());
+    const NodeOptions options = commanding(*read_run_file("default"));
+    EXPECT_EQ(options.key->bytes(), key->bytes());
+    EXPECT_EQ(options.session, sample().session);
+    using std::filesystem::perms;
+    EXPECT_EQ(std::filesystem::status(run_key_path("default")).permissions(),
+              perms::owner_read | perms::owner_write);
+  }
+  EXPECT_FALSE(std::filesystem::exists(run_key_path("default")));
+  EXPECT_THROW(commanding(sample()), std::runtime_error);
 }
 
 TEST_F(RunFileTest, AllThatAreUpAreListed) {

@@ -1,0 +1,42 @@
+#!/usr/bin/env python3
+"""Commands the robot that `sprung up` runs: operator.py stand|sit|stop|jump|estop|clear
+
+Needs PyPI's lcm, and the messages in Python, once: lcm-gen -p lcmtypes/*.lcm --ppath ."""
+import hashlib, json, os, random, sys, time
+import lcm
+from sprung_msgs import operator_command_t, operator_reply_t
+
+KINDS = {"stand": 1, "jump": 2, "stop": 3, "estop": 4, "clear": 5, "sit": 6}  # sprung::OperatorKind
+OUTCOMES = ["accepted", "refused", "done", "failed", "queued"]  # sprung::OperatorOutcome
+runtime = os.environ.get("XDG_RUNTIME_DIR")
+folder = f"{runtime}/sprung" if runtime else f"/tmp/sprung-{os.getuid()}"
+folder = os.environ.get("SPRUNG_RUN_DIR", folder)
+run = json.load(open(f"{folder}/default.json"))  # session, time and network of this run
+key = open(f"{folder}/default.key", "rb").read()  # its owner alone can read it
+
+network = lcm.LCM(run["lcm_url"])
+command = operator_command_t()
+command.session = run["session"]
+command.utime = time.monotonic_ns() // 1000 - run["epoch_us"]  # more than 2 s old is refused
+command.request_id = 1024 * command.utime + random.randrange(1024)
+command.apply_at_seq = -1
+command.kind = KINDS[sys.argv[1]]
+command.jump_count = 1
+content = command.encode()[:-16]  # all but the MAC, which stands at the end
+mac = hashlib.blake2b(b"OPERATOR_COMMAND\0" + content, digest_size=16, key=key).digest()
+
+
+def answered(_channel, data):
+    reply = operator_reply_t.decode(data)
+    if (reply.session, reply.request_id) != (run["session"], command.request_id):
+        return
+    print(sys.argv[1], OUTCOMES[reply.outcome], reply.reason)
+    if OUTCOMES[reply.outcome] not in ("accepted", "queued"):
+        sys.exit(OUTCOMES[reply.outcome] != "done")
+
+
+network.subscribe("OPERATOR_REPLY", answered)
+network.publish("OPERATOR_COMMAND", content + mac)
+while network.handle_timeout(10_000):
+    pass
+sys.exit("no answer")
