@@ -4,7 +4,6 @@
 #include <array>
 
 #include "robots/identification_sections.h"
-#include "robots/torsion_section.h"
 
 namespace sprung::robot_sections {
 

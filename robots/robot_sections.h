@@ -1,10 +1,11 @@
 #pragma once
-/// The sections of robot.yaml, one reader each; used by robot_loader.cpp alone. What has to do with encoders
-/// and homing is in encoder_sections.cpp.
+/// The sections of robot.yaml, one reader each; used by robot_loader.cpp alone. What has to do with encoders,
+/// homing and torsion is in encoder_sections.cpp.
 #include <string>
 #include <vector>
 
 #include "robots/robot_config.h"
+#include "robots/torsion_config.h"
 #include "robots/yaml_reader.h"
 
 namespace sprung::robot_sections {
@@ -32,6 +33,11 @@ EncoderCardConfig read_encoder_card(const YamlMap& map, const std::vector<BusCon
 ActuatorConfig read_actuator(const YamlMap& map, const RobotConfig& robot);
 LinkEncoderConfig read_link_encoder(const YamlMap& map, const std::vector<EncoderCardConfig>& cards);
 ReferenceConfig read_reference(const YamlMap& map);
+/// The key `torsion` of a joint:
+///   torsion: {stiffness: 25000 Nm/rad, second_stiffness: 34000 Nm/rad, second_from: 14 Nm,
+///             angle_std: 0.00002 rad, kinematic_error: [{order: 2, cosine: 0.00001 rad, sine: 0.00029 rad}]}
+/// Both second_* and kinematic_error may be missing.
+GearTorsion read_torsion(const YamlMap& map);
 /// A link position is known within half a turn either way of zero: an actuator with a link encoder must stay
 /// there wherever its leg's joints are within their limits.
 void refuse_folded_link_positions(const YamlMap& file, const RobotConfig& robot);

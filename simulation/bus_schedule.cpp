@@ -3,6 +3,7 @@
 #include <algorithm>
 
 namespace sprung::sim {
+
 namespace {
 
 constexpr std::int64_t kSync_us = 55;  ///< SYNC has no data
@@ -19,6 +20,21 @@ std::int64_t BusSchedule::acts_us(const BusFrame& frame, std::int64_t sync_us) n
   std::int64_t& free_us = free_us_[frame.bus];
   free_us += frame_us(frame.frame);
   return std::min(free_us, sync_us);
+}
+
+bool FrameQueue::push(const TimedFrame& frame) noexcept {
+  if (frames_.size() == kCapacity) return false;
+  const auto later = [](const TimedFrame& kept, const TimedFrame& added) {
+    return kept.time_us > added.time_us;
+  };
+  frames_.insert(std::lower_bound(frames_.begin(), frames_.end(), frame, later), frame);
+  return true;
+}
+
+TimedFrame FrameQueue::pop() noexcept {
+  const TimedFrame next = frames_.back();
+  frames_.pop_back();
+  return next;
 }
 
 }  // namespace sprung::sim

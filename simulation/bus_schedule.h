@@ -1,6 +1,8 @@
 #pragma once
-/// Bus time of classic CAN at 1 Mbit/s, and when a burst's frames act (facts canopen 6.1).
+/// Bus time of classic CAN at 1 Mbit/s, when a burst's frames act (facts canopen 6.1), and where they wait
+/// until then.
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "drivers/can/can_frame.h"
@@ -27,6 +29,29 @@ class BusSchedule {
   std::int64_t compute_us_;
   std::vector<std::int64_t> answers_us_;  ///< bus time of the answers to the last SYNC
   std::vector<std::int64_t> free_us_;
+};
+
+struct TimedFrame {
+  std::int64_t time_us = 0;
+  int bus = 0;
+  CanFrame frame;
+};
+
+/// Frames from the master, each kept until the time at which it acts; those of one time in the order in which
+/// they came.
+class FrameQueue {
+ public:
+  static constexpr std::size_t kCapacity = std::size_t{4} * FrameBatch::kCapacity;
+  static constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
+  FrameQueue() { frames_.reserve(kCapacity); }
+  /// @return false when full: the frame is lost.
+  bool push(const TimedFrame& frame) noexcept;
+  std::int64_t next_us() const noexcept { return frames_.empty() ? kNever : frames_.back().time_us; }
+  /// The next one; only when next_us() is not kNever.
+  TimedFrame pop() noexcept;
+
+ private:
+  std::vector<TimedFrame> frames_;  ///< latest first, so that taking the next one moves nothing
 };
 
 }  // namespace sprung::sim

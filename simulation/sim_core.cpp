@@ -6,7 +6,6 @@
 #include "drivers/canopen/protocol.h"
 #include "simulation/bus_faults.h"
 #include "simulation/bus_schedule.h"
-#include "simulation/frame_queue.h"
 #include "simulation/plant/drive_train.h"
 #include "simulation/plant/experimenter.h"
 #include "simulation/plant/imu_sensor.h"

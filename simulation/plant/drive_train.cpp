@@ -1,13 +1,19 @@
 #include "simulation/plant/drive_train.h"
 
+#include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 
 #include "drivers/canopen/nmt.h"
+#include "robots/robot_loader.h"
 #include "simulation/device_registry.h"
 #include "simulation/hash_noise.h"
 
 namespace sprung::sim {
+
 namespace {
+
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// Noise sources of actuator i: torque 2 i, instant of sampling 2 i + 1; its link encoder's are counted
 /// apart.
@@ -49,6 +55,42 @@ std::vector<ActuatorConfig> mounted(const RobotConfig& robot, const SimConfig& c
 }
 
 }  // namespace
+
+Transmission::Transmission(const RobotConfig& robot) {
+  const auto joints = static_cast<Eigen::Index>(robot.joints.size());
+  const auto actuators = static_cast<Eigen::Index>(robot.actuators.size());
+  RowMajor whole = RowMajor::Zero(joints, actuators);
+  for (const LegConfig& leg : robot.legs) {
+    for (std::size_t row = 0; row < leg.joints.size(); ++row) {
+      for (std::size_t column = 0; column < leg.actuators.size(); ++column) {
+        whole(leg.joints[row], leg.actuators[column]) = leg.transmission[row * leg.actuators.size() + column];
+      }
+    }
+  }
+  const Eigen::FullPivLU<RowMajor> factors(whole);
+  if (joints != actuators || !factors.isInvertible()) {
+    throw ConfigError(robot.name + ": transmission cannot be inverted, so the plant cannot be driven");
+  }
+  const RowMajor inverse = factors.inverse();
+  for (Eigen::Index a = 0; a < actuators; ++a) {
+    for (Eigen::Index j = 0; j < joints; ++j) {
+      if (inverse(a, j) != 0.0)
+        shares_.push_back({static_cast<std::size_t>(a), static_cast<std::size_t>(j), inverse(a, j)});
+    }
+  }
+}
+
+void Transmission::to_actuators(const std::vector<double>& joints,
+                                std::vector<double>& actuators) const noexcept {
+  std::fill(actuators.begin(), actuators.end(), 0.0);
+  for (const Share& share : shares_) actuators[share.actuator] += share.of * joints[share.joint];
+}
+
+void Transmission::torques_to_joints(const std::vector<double>& actuator_Nm,
+                                     std::vector<double>& joint_Nm) const noexcept {
+  std::fill(joint_Nm.begin(), joint_Nm.end(), 0.0);
+  for (const Share& share : shares_) joint_Nm[share.joint] += share.of * actuator_Nm[share.actuator];
+}
 
 DriveTrain::DriveTrain(const RobotConfig& robot, const SimConfig& config, std::uint64_t seed)
     : actuators_(mounted(robot, config)),

@@ -1,7 +1,6 @@
-#include "estimator/body_motion.h"
-
 #include <gtest/gtest.h>
 
+#include "estimator/body_estimator.h"
 #include "tests/estimator/trunk_sample.h"
 
 namespace sprung {

@@ -1,10 +1,9 @@
-#include "estimator/imu_watch.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
+#include "estimator/imu_input.h"
 #include "tests/estimator/trunk_sample.h"
 
 namespace sprung {

@@ -1,5 +1,3 @@
-#include "robots/landing_section.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -8,6 +6,7 @@
 #include <iterator>
 #include <string>
 
+#include "robots/preset_section.h"
 #include "robots/robot_loader.h"
 #include "tests/support/own_folder.h"
 #include "tests/support/paths.h"

@@ -1,4 +1,4 @@
-#include "robots/torsion_section.h"
+#include "robots/robot_sections.h"
 
 #include <gtest/gtest.h>
 

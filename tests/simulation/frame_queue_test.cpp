@@ -1,6 +1,6 @@
-#include "simulation/frame_queue.h"
-
 #include <gtest/gtest.h>
+
+#include "simulation/bus_schedule.h"
 
 namespace sprung::sim {
 namespace {

@@ -28,9 +28,6 @@ class Epos2Profile final : public DriveProfile {
   CanFrame encode_setpoint(const DriveSetpoint& setpoint) const noexcept override;
   CanFrame encode_control_word(std::uint16_t word) const noexcept override;
 
-  /// Current that stands for the actuator's torque limit (0x6410:02).
-  int peak_current_mA() const noexcept { return peak_current_mA_; }
-
  private:
   void add_motor(std::vector<DriveSetting>& settings) const;
   void add_position_loop(std::vector<DriveSetting>& settings) const;
@@ -38,7 +35,7 @@ class Epos2Profile final : public DriveProfile {
   DriveTiming timing_;
   double mA_per_Nm_ = 0.0;   ///< of torque at the gear's output, without the direction's sign
   double qc_per_rad_ = 0.0;  ///< of the output, without the direction's sign
-  int peak_current_mA_ = 0;
+  int peak_current_mA_ = 0;  ///< that stands for the actuator's torque limit (0x6410:02)
 };
 
 }  // namespace sprung::epos2

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drivers/canopen/eds.h"
 #include "drivers/canopen/objects.h"
 #include "drivers/cia402/words.h"
-#include "drivers/profiles/gold/gold_device_objects.h"
 #include "drivers/profiles/gold/gold_units.h"
 #include "signals/angles.h"
 #include "simulation/device_registry.h"
+#include "sprung_embedded/gold_eds_text.h"
 
 namespace sprung::sim {
 namespace {
@@ -30,6 +31,18 @@ double clamp_i32(double value) { return std::clamp(value, -2147483648.0, 2147483
 double clamp_i16(double value) { return std::clamp(value, -32768.0, 32767.0); }
 
 }  // namespace
+
+ObjectDictionary gold_dictionary(const GoldCommissioning& commissioning) {
+  const std::vector<ObjectValue> values = {
+      {{canopen::kIdentity, 3}, commissioning.revision},
+      {{canopen::kIdentity, 4}, commissioning.serial},
+      {{canopen::kRatedCurrent, 0}, commissioning.rated_current_mA},
+      {{canopen::kRatedTorque, 0}, commissioning.rated_torque_mNm},
+      {{canopen::kMaxMotorSpeed, 0}, commissioning.max_motor_speed_rpm},
+      {{canopen::kSupplyVoltage, 0}, commissioning.supply_mV},
+  };
+  return ObjectDictionary(canopen::parse_eds(gold_eds_text(), "gold.eds", commissioning.node), values);
+}
 
 GoldMake::GoldMake(const SimDriveSetup& setup)
     : setup_(setup), dictionary_(gold_dictionary(commissioning(setup))) {}

@@ -25,9 +25,6 @@ class GoldProfile final : public DriveProfile {
   CanFrame encode_setpoint(const DriveSetpoint& setpoint) const noexcept override;
   CanFrame encode_control_word(std::uint16_t word) const noexcept override;
 
-  /// Per mille of rated torque that stands for the actuator's torque limit (0x6072).
-  int max_torque_permille() const noexcept { return max_torque_permille_; }
-
  private:
   void add_speed_limit(std::vector<DriveSetting>& settings) const;
   void add_position_gains(std::vector<DriveSetting>& settings) const;
@@ -36,7 +33,7 @@ class GoldProfile final : public DriveProfile {
   std::uint32_t rated_torque_mNm_ = 0;
   double rated_torque_Nm_ = 0.0;
   double counts_per_rad_ = 0.0;  ///< of the output, with the direction's sign
-  int max_torque_permille_ = 0;
+  int max_torque_permille_ = 0;  ///< of rated torque, for the actuator's torque limit (0x6072)
 };
 
 }  // namespace sprung::gold

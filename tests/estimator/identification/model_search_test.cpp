@@ -1,10 +1,9 @@
-#include "estimator/identification/model_search.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
+#include "estimator/identification/identify_joint.h"
 #include "tests/estimator/identification/identification_fixture.h"
 
 namespace sprung::identification {

@@ -1,8 +1,8 @@
-#include "estimator/identification/torsion_spring.h"
-
 #include <gtest/gtest.h>
 
 #include <stdexcept>
+
+#include "estimator/identification/footprint.h"
 
 namespace sprung::identification {
 namespace {

@@ -1,8 +1,7 @@
-#include "simulation/plant/transmission.h"
-
 #include <gtest/gtest.h>
 
 #include "robots/robot_loader.h"
+#include "simulation/plant/drive_train.h"
 #include "tests/support/paths.h"
 
 namespace sprung::sim {

@@ -5,7 +5,7 @@
 
 #include "drivers/canopen/objects.h"
 #include "drivers/canopen/protocol.h"
-#include "tools/can/decode/card_fields.h"
+#include "tools/can/decode/decoded_field.h"
 #include "tools/can/decode/word_texts.h"
 
 namespace sprung::cantools {

@@ -1,8 +1,7 @@
-#include "drivers/profiles/gold/gold_device_objects.h"
-
 #include <gtest/gtest.h>
 
 #include "drivers/canopen/objects.h"
+#include "drivers/profiles/gold/gold_device.h"
 
 namespace sprung::sim {
 namespace {

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "drivers/canopen/objects.h"
-#include "drivers/profiles/gold/gold_device_objects.h"
 
 namespace sprung::sim {
 namespace {

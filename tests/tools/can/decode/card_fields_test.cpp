@@ -1,11 +1,10 @@
-#include "tools/can/decode/card_fields.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "drivers/canopen/protocol.h"
 #include "drivers/profiles/encoder_card/encoder_card_layout.h"
 #include "robots/robot_loader.h"
+#include "tools/can/decode/decoded_field.h"
 #include "tools/can/decode/frame_decoder.h"
 
 namespace sprung::cantools {
