@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
-"""Commands the robot that `sprung up` runs: operator.py stand|sit|stop|jump|estop|clear
+r"""Commands the robot that `sprung up` runs: command_robot.py stand|sit|stop|jump|estop|clear
 
-Needs PyPI's lcm, and the messages in Python, once: lcm-gen -p lcmtypes/*.lcm --ppath ."""
+Needs PyPI's lcm, and the messages in Python, once (operator_reply_t has a field that Python reserves):
+  lcm-gen -p lcmtypes/*.lcm --ppath .
+  sed -i 's/self\.from\b/self.from_/g; s/"from"/"from_"/' sprung_msgs/operator_reply_t.py"""
 import hashlib, json, os, random, sys, time
 import lcm
 from sprung_msgs import operator_command_t, operator_reply_t
@@ -22,6 +24,7 @@ command.request_id = 1024 * command.utime + random.randrange(1024)
 command.apply_at_seq = -1
 command.kind = KINDS[sys.argv[1]]
 command.jump_count = 1
+command.mac = bytes(16)
 content = command.encode()[:-16]  # all but the MAC, which stands at the end
 mac = hashlib.blake2b(b"OPERATOR_COMMAND\0" + content, digest_size=16, key=key).digest()
 
