@@ -122,4 +122,9 @@ struct Report {
 /// place.
 std::string to_html(const Report& report);
 
+/// Plots as data for tools/common/report/report.js, thinned: a JSON array, safe inside a <script>; what is
+/// not finite becomes null.
+/// @throws std::invalid_argument where x and y are not equally long, naming plot and series.
+std::string plots_json(const std::vector<const Plot*>& plots);
+
 }  // namespace sprung::report

@@ -1,4 +1,4 @@
-// Draws the plots of a report with Chart.js from the data that tools/common/report/plot_json.cpp wrote into the page.
+// Draws the plots of a report with Chart.js from the data that tools/common/report/report.cpp wrote into the page.
 'use strict';
 (() => {
   // Okabe and Ito's colours for every kind of colour vision, without the yellow, which white paper swallows.

@@ -15,7 +15,7 @@
 #include "tools/logs/log/big_endian.h"
 #include "tools/logs/log/csv_export.h"
 #include "tools/logs/log/mcap_export.h"
-#include "tools/logs/log/stamp_reader.h"
+#include "tools/logs/log/timeline.h"
 #include "tools/logs/log/verify.h"
 #include "tools/logs/log/writer.h"
 #include "tools/logs/recorder/inprocess_log.h"

@@ -13,18 +13,6 @@ ApproachClass approach_class(double speed_m_s) noexcept {
   return speed_m_s > 0.3 ? ApproachClass::kMedium : ApproachClass::kSlow;
 }
 
-const char* name(ApproachClass approach) noexcept {
-  switch (approach) {
-    case ApproachClass::kFast:
-      return "fast";
-    case ApproachClass::kMedium:
-      return "medium";
-    case ApproachClass::kSlow:
-      return "slow";
-  }
-  return "?";
-}
-
 void ContactScorer::begin_step() {
   finish();
   phase_ = Phase::kBefore;

@@ -10,15 +10,22 @@
 #include <optional>
 #include <vector>
 
+#include "signals/enumeration.h"
 #include "signals/joint_state.h"
 #include "signals/simulation.h"
 
 namespace sprung {
 
 enum class ApproachClass { kFast, kMedium, kSlow };
+constexpr auto words_of(ApproachClass) {
+  return words<ApproachClass>({
+      {ApproachClass::kFast, "fast"},
+      {ApproachClass::kMedium, "medium"},
+      {ApproachClass::kSlow, "slow"},
+  });
+}
 /// Above 1 m/s, above 0.3 m/s, slower.
 ApproachClass approach_class(double speed_m_s) noexcept;
-const char* name(ApproachClass approach) noexcept;
 
 struct ContactStep {
   std::optional<double> approach_speed_m_s;  ///< nothing: there was no floor, or it was not reached

@@ -144,20 +144,6 @@ FitScore held_out_score(const SweepRecording& recording, SweepPoints points, con
 
 }  // namespace
 
-const char* name(SweepPoints points) {
-  switch (points) {
-    case SweepPoints::kForward:
-      return "single samples, one direction";
-    case SweepPoints::kBoth:
-      return "single samples, both directions";
-    case SweepPoints::kForwardMeans:
-      return "mean of each pass, one direction";
-    case SweepPoints::kMagnitudes:
-      return "half the difference of both directions' means";
-  }
-  return "unknown";
-}
-
 std::vector<FitPiece> sweep_pieces(const SweepRecording& recording, SweepPoints points) {
   std::vector<FitPiece> out;
   const std::vector<RecordedPass>& passes = recording.passes;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "estimator/identification/fit_statistics.h"
+#include "signals/enumeration.h"
 #include "tools/lab/friction/friction_sweep_bench.h"
 #include "tools/lab/friction/friction_sweep_model.h"
 
@@ -17,7 +18,14 @@ enum class SweepPoints {
   kForwardMeans,  ///< the mean of each pass with positive speed
   kMagnitudes,    ///< S0's: half the difference between there and back, one point for both
 };
-const char* name(SweepPoints points);
+constexpr auto words_of(SweepPoints) {
+  return words<SweepPoints>({
+      {SweepPoints::kForward, "single samples, one direction"},
+      {SweepPoints::kBoth, "single samples, both directions"},
+      {SweepPoints::kForwardMeans, "mean of each pass, one direction"},
+      {SweepPoints::kMagnitudes, "half the difference of both directions' means"},
+  });
+}
 
 /// One piece for each pass (or pair of passes).
 std::vector<identification::FitPiece> sweep_pieces(const SweepRecording& recording, SweepPoints points);

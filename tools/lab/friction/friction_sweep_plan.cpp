@@ -85,25 +85,6 @@ void add_passes(SweepPass pass, bool mirrored, const BenchLimits& limits, std::v
 
 }  // namespace
 
-const char* name(SweepProtocol protocol) {
-  switch (protocol) {
-    case SweepProtocol::kS0:
-      return "s0";
-    case SweepProtocol::kS1:
-      return "s1";
-    case SweepProtocol::kLoaded:
-      return "loaded";
-  }
-  return "unknown";
-}
-
-std::optional<SweepProtocol> sweep_protocol_of(const std::string& text) {
-  for (const SweepProtocol protocol : {SweepProtocol::kS0, SweepProtocol::kS1, SweepProtocol::kLoaded}) {
-    if (text == name(protocol)) return protocol;
-  }
-  return std::nullopt;
-}
-
 SweepPlan sweep_plan(SweepProtocol protocol, const BenchLimits& limits) {
   const Settings s = settings(protocol, limits);
   SweepPlan plan;

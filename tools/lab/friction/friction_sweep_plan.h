@@ -1,8 +1,8 @@
 #pragma once
 /// Which constant speeds a friction sweep drives, and which of its samples count. Pure.
-#include <optional>
-#include <string>
 #include <vector>
+
+#include "signals/enumeration.h"
 
 namespace sprung {
 
@@ -17,8 +17,10 @@ enum class SweepProtocol {
   kLoaded,  ///< slow and fast in both directions under constant outside torques, so that the gear drives and
             ///< is driven back
 };
-const char* name(SweepProtocol protocol);  ///< "s0", "s1", "loaded"
-std::optional<SweepProtocol> sweep_protocol_of(const std::string& name);
+constexpr auto words_of(SweepProtocol) {
+  return words<SweepProtocol>(
+      {{SweepProtocol::kS0, "s0"}, {SweepProtocol::kS1, "s1"}, {SweepProtocol::kLoaded, "loaded"}});
+}
 
 /// One way at one constant speed, there or back.
 struct SweepPass {

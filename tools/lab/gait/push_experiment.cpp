@@ -140,20 +140,6 @@ report::Section push_section(const std::vector<PushOutcome>& outcomes) {
   return out;
 }
 
-const char* name(PushDirection direction) noexcept {
-  switch (direction) {
-    case PushDirection::kLeft:
-      return "left";
-    case PushDirection::kRight:
-      return "right";
-    case PushDirection::kForward:
-      return "forward";
-    case PushDirection::kBackward:
-      break;
-  }
-  return "backward";
-}
-
 Experiment push_experiment() {
   Experiment out = gait_experiment(
       "push",

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "signals/enumeration.h"
 #include "simulation/sim_core.h"
 #include "tools/common/parallel.h"
 #include "tools/common/report/report.h"
@@ -23,6 +24,14 @@ struct PushCase {
 };
 
 enum class PushDirection { kLeft, kRight, kForward, kBackward };
+constexpr auto words_of(PushDirection) {
+  return words<PushDirection>({
+      {PushDirection::kLeft, "left"},
+      {PushDirection::kRight, "right"},
+      {PushDirection::kForward, "forward"},
+      {PushDirection::kBackward, "backward"},
+  });
+}
 
 struct PushOutcome {
   std::string name;
@@ -59,8 +68,6 @@ double survived_impulse_Ns(const PushCase& config, const std::vector<PushOutcome
 std::vector<ReportRow> push_rows(const std::vector<PushCase>& cases,
                                  const std::vector<PushOutcome>& outcomes);
 report::Section push_section(const std::vector<PushOutcome>& outcomes);
-
-const char* name(PushDirection direction) noexcept;
 
 Experiment push_experiment();
 

@@ -96,22 +96,6 @@ void Moves::swings() {
 
 }  // namespace
 
-const char* name(RecordPart part) noexcept {
-  switch (part) {
-    case RecordPart::kApproach:
-      return "approach";
-    case RecordPart::kStops:
-      return "stops";
-    case RecordPart::kSpeeds:
-      return "constant speeds";
-    case RecordPart::kSwings:
-      return "swings";
-    case RecordPart::kReturn:
-      return "return";
-  }
-  return "unknown";
-}
-
 RecordRange record_range(const RobotConfig& robot, int joint) {
   const auto index = static_cast<std::size_t>(joint);
   const JointLimits limits = joint_limits(robot)[index];

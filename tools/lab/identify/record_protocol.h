@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "planner/joint_limits.h"
+#include "signals/enumeration.h"
 #include "signals/vec3.h"
 
 namespace sprung::identify {
@@ -39,7 +40,15 @@ struct AskedRange {
 RecordRange narrowed(const RecordRange& range, const AskedRange& asked);
 
 enum class RecordPart { kApproach, kStops, kSpeeds, kSwings, kReturn };
-const char* name(RecordPart part) noexcept;
+constexpr auto words_of(RecordPart) {
+  return words<RecordPart>({
+      {RecordPart::kApproach, "approach"},
+      {RecordPart::kStops, "stops"},
+      {RecordPart::kSpeeds, "constant speeds"},
+      {RecordPart::kSwings, "swings"},
+      {RecordPart::kReturn, "return"},
+  });
+}
 
 struct RecordMove {
   RecordPart part = RecordPart::kApproach;

@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "tools/common/report/report.h"
 #include "tools/lab/landing/drop.h"
 #include "tools/lab/run/experiment.h"
 
@@ -48,5 +49,9 @@ DropExperiment run_drop_experiment(const RobotConfig& robot, const DropRequest& 
                                    const ScriptRunner& run);
 
 Experiment drop_experiment();
+
+/// Tables and plots of `sprung experiment drop`. One drop from 0.3 m in each mode is run again for the plots.
+std::vector<report::Section> drop_sections(const RobotConfig& robot, const DropRequest& request,
+                                           const DropExperiment& experiment, const ScriptRunner& run);
 
 }  // namespace sprung

@@ -2,10 +2,107 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
+#include <limits>
+
+#include "estimator/identification/footprint.h"
 
 namespace sprung::recordings {
+
 namespace {
+
+using namespace identification;  // NOLINT: this file is about nothing else
+using Index = Eigen::Index;
+
+/// Root mean square of differences where the weight is not zero.
+class WeightedRms {
+ public:
+  void add(const Eigen::VectorXd& difference, const Eigen::VectorXd& weight) {
+    for (Index i = 0; i < difference.size(); ++i) {
+      if (weight[i] == 0.0) continue;
+      sum_ += difference[i] * difference[i];
+      ++count_;
+    }
+  }
+  double value() const {
+    return count_ == 0 ? std::numeric_limits<double>::quiet_NaN()
+                       : std::sqrt(sum_ / static_cast<double>(count_));
+  }
+
+ private:
+  double sum_ = 0.0;
+  long count_ = 0;
+};
+
+double link_rms_Nm(const ModelResult& model, const std::vector<FitPiece>& test) {
+  WeightedRms rms;
+  for (const FitPiece& piece : test) {
+    if (piece.data.has_load() && piece.data.torque_unit == "Nm")
+      rms.add(model.model->gear_output(piece.data, model.fit.parameters) - piece.data.load_Nm, piece.weight);
+  }
+  return rms.value();
+}
+
+/// The better of two: link torque counts where it is known.
+bool better(const ModelScore& a, const ModelScore& b) {
+  if (!std::isnan(a.link_rms_Nm)) return a.link_rms_Nm < b.link_rms_Nm;
+  return a.r2 > b.r2;
+}
+
+std::string line_of(const ModelScore& model) {
+  char text[200];
+  std::snprintf(text, sizeof text, "%c %-62s %3d %9.5f %10.4f ", model.chosen ? '*' : ' ',
+                model.model.c_str(), model.parameters, model.r2, model.rms);
+  std::string out = text;
+  if (!std::isnan(model.link_rms_Nm)) {
+    std::snprintf(text, sizeof text, "%9.2f", model.link_rms_Nm);
+    out += text;
+  }
+  return out + "\n";
+}
+
+std::string verdict_of(const RecordingResult& result) {
+  const ModelScore& chosen = result.chosen();
+  const ModelScore& best = result.best();
+  std::string out = "  chosen: " + result.why + ".\n";
+  if (best.model != chosen.model)
+    out += "  on the scored part " +
+           std::string(best.parameters < chosen.parameters ? "a simpler model wins: '"
+                                                           : "the best one is '") +
+           best.model + "'.\n";
+  return out;
+}
+
+/// Blocks by turns: 1 in every other block, beginning with `first`.
+Eigen::VectorXd every_other(const JointDataset& data, double block_s, long first) {
+  return data.time_s.unaryExpr(
+      [=](double t) { return (std::lround(std::floor(t / block_s + 1e-9)) + first) % 2 == 0 ? 1.0 : 0.0; });
+}
+
+std::vector<FitPiece> encoder_pieces(const Recording& recording, double block_s, long first) {
+  std::vector<FitPiece> out = prepare(recording.series, recording.protocol.window,
+                                      recording.protocol.prepare);
+  for (FitPiece& piece : out) {
+    piece.data = encoder_difference(piece.data);
+    piece.weight = every_other(piece.data, block_s, first);
+  }
+  return out;
+}
+
+double torsion_rms_Nm(const FootprintTerms& terms, const Recording& recording, double block_s) {
+  const FootprintModel model(terms);
+  WeightedRms rms;
+  for (const long first : {0L, 1L}) {
+    const Fit found = fit(FitProblem(model, encoder_pieces(recording, block_s, first)), FitOptions{});
+    for (const FitPiece& piece : encoder_pieces(recording, block_s, 1 - first))
+      rms.add(model.torque_Nm(piece.data, found.parameters) - piece.data.load_Nm, piece.weight);
+  }
+  return rms.value();
+}
+
+/// Data README: joint 3 of LARA8, from the maker's data sheet.
+TorsionSpring lara8_spring() { return TorsionSpring({{0.0, 31e3}, {14.0, 50e3}, {48.0, 57e3}}); }
 
 /// Held-out R2 that is known to be within reach; joints that are not named are only reported.
 struct KnownJoint {
@@ -50,6 +147,49 @@ ReportRow main_row(const RecordingResult& result) {
 }
 
 }  // namespace
+
+const ModelScore& RecordingResult::chosen() const {
+  return *std::find_if(models.begin(), models.end(), [](const ModelScore& m) { return m.chosen; });
+}
+
+const ModelScore& RecordingResult::best() const {
+  return *std::min_element(models.begin(), models.end(), better);
+}
+
+RecordingResult result_of(const Recording& recording) {
+  const JointResult joint = identify_joint(recording.series, recording.protocol);
+  RecordingResult out;
+  out.recording = recording.name;
+  out.unit = recording.series.torque_unit;
+  out.why = joint.why;
+  for (std::size_t i = 0; i < joint.models.size(); ++i) {
+    const ModelResult& model = joint.models[i];
+    out.models.push_back({model.model->name(), model.free_parameters, model.held_out.r2, model.held_out.rms,
+                          link_rms_Nm(model, joint.test), i == joint.chosen});
+  }
+  return out;
+}
+
+std::string table_of(const std::vector<RecordingResult>& results) {
+  std::string out;
+  for (const RecordingResult& result : results) {
+    char head[200];
+    std::snprintf(head, sizeof head, "%s%-64s %3s %9s %8s %s %9s\n", out.empty() ? "" : "\n",
+                  result.recording.c_str(), "n", "R2", "rms", result.unit.c_str(),
+                  std::isnan(result.models.front().link_rms_Nm) ? "" : "link Nm");
+    out += head;
+    for (const ModelScore& model : result.models) out += line_of(model);
+    out += verdict_of(result);
+  }
+  return out;
+}
+
+FootprintScore footprint_of(const Recording& lara8, double block_s) {
+  FootprintTerms with, without;
+  with.spring = without.spring = lara8_spring();
+  without.motor_harmonics = without.link_harmonics = {};
+  return {torsion_rms_Nm(without, lara8, block_s), torsion_rms_Nm(with, lara8, block_s)};
+}
 
 std::vector<RecordingResult> results_of(const std::string& folder) {
   std::vector<RecordingResult> out;

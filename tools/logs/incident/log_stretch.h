@@ -5,10 +5,25 @@
 #include <string>
 #include <vector>
 
-#include "tools/logs/incident/trip.h"
+#include "tools/logs/log/incidents.h"
 #include "tools/logs/log/log_info.h"
 
 namespace sprung::log {
+
+/// A time that safety stopped the robot, from the first cause on until safety was well again or the log
+/// ended. The first cause is the one that tells; what follows from it comes later.
+struct Trip {
+  Incident first;
+  Incident last;             ///< of the same trip; equal to `first` where nothing followed
+  bool from_before = false;  ///< it was there when the log began: `first` is not its beginning
+};
+
+/// The newest one of a log; nothing where safety stopped nothing. A start and an orderly end are no trips.
+std::optional<Trip> last_trip(const std::vector<Incident>& incidents);
+
+/// One or two lines, each with its time in `log`: what began it, and what safety said last where that is
+/// another.
+std::string trip_text(const std::optional<Trip>& trip, const std::string& log);
 
 /// In the robot's time since the log's begin.
 struct Stretch {

@@ -1,14 +1,25 @@
 #pragma once
-/// A log as CSV text. Shell: reads a file, twice.
+/// A log as CSV text, a table for pandas, PlotJuggler or a spreadsheet. Shell: reads a file, twice.
+#include <cstdint>
 #include <functional>
+#include <string>
 #include <string_view>
+#include <vector>
 
-#include "tools/logs/log/csv_table.h"
+#include "tools/logs/log/field_selection.h"
 #include "tools/logs/log/log_info.h"
 #include "tools/logs/log/reader.h"
 #include "tools/logs/log/time_span.h"
 
 namespace sprung::log {
+
+/// A row is a cycle: what channels with one message a cycle say of cycle k stands in row k. Messages of other
+/// channels, and those before cycle 0, have rows of their own. Cells are empty where a row has no message of
+/// that channel.
+struct CsvOptions {
+  bool one_row_a_message = false;  ///< cycles are not joined
+  bool joint_names = false;        ///< headings with names of joints and legs instead of numbers
+};
 
 struct CsvResult {
   std::size_t columns = 0;  ///< without time and cycle

@@ -45,8 +45,8 @@ bool is_ascii(std::string_view text) noexcept {
 
 /// At most three times as long.
 std::string valid_utf8(std::string_view text) {
-  using Json = nlohmann::json;
-  return Json::parse(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>();
+  using nlohmann::json;
+  return json::parse(json(text).dump(-1, ' ', false, json::error_handler_t::replace)).get<std::string>();
 }
 
 char* put_bytes(std::string_view bytes, char* to) noexcept {

@@ -5,13 +5,35 @@
 /// computer took. So messages of channels with one message a cycle count by their stamp, each session joined
 /// to the one before where it was first received, and what comes between them by how much later it was
 /// received.
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <unordered_map>
 
+#include "tools/logs/fields/type_table.h"
 #include "tools/logs/log/event.h"
-#include "tools/logs/log/stamp_reader.h"
 
 namespace sprung::log {
+
+/// What every message of sprung begins with.
+struct SessionStamp {
+  std::int64_t session = 0;
+  std::int64_t utime_us = 0;  ///< of the session; in lock-step the cycle's own time
+  std::int64_t seq = -1;
+};
+
+/// Reads a message's stamp without decoding the rest.
+class StampReader {
+ public:
+  explicit StampReader(const fields::TypeTable& types = fields::TypeTable::sprung()) : types_(types) {}
+
+  /// Nothing where the type is unknown, or is one without a stamp.
+  std::optional<SessionStamp> read(const std::uint8_t* data, std::size_t size);
+
+ private:
+  const fields::TypeTable& types_;
+  std::unordered_map<std::int64_t, bool> stamped_;  ///< by fingerprint
+};
 
 class Timeline {
  public:

@@ -1,6 +1,6 @@
 #pragma once
-/// Differences of many pairs of messages, by channel and field: how many, the first, the largest, and their
-/// course. Pure.
+/// Two messages field by field; and the differences of many such pairs, by channel and field: how many, the
+/// first, the largest, and their course. Pure.
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -8,9 +8,31 @@
 #include <utility>
 #include <vector>
 
-#include "tools/logs/replay/field_difference.h"
+#include "tools/logs/fields/decoder.h"
+#include "tools/logs/replay/log_cycles.h"
 
 namespace sprung {
+
+/// One field in which two messages of one type differ.
+struct FieldDifference {
+  std::string path;  ///< "joints[3].gear_output_torque_Nm"; empty: the messages as wholes
+  std::string unit;
+  std::string first;  ///< both values, in words
+  std::string second;
+  double difference = 0.0;  ///< second minus first; NaN of texts, and where one of both is not a number
+};
+
+class MessageComparison {
+ public:
+  /// Fields whose bytes differ, as they are encoded; session and MAC are left out. Where the messages are of
+  /// two types, or do not have equally many elements, or are damaged, one difference says so.
+  std::vector<FieldDifference> compare(const Bytes& first, const Bytes& second);
+
+ private:
+  fields::Decoder decoder_;
+  fields::MessageView first_;
+  fields::MessageView second_;
+};
 
 struct FirstDifference {
   std::string channel;

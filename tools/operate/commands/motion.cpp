@@ -9,7 +9,6 @@
 #include "runtime/stop_request.h"
 #include "tools/commands.h"
 #include "tools/common/report/report_shell.h"
-#include "tools/lab/jump/jump_table.h"
 #include "tools/lab/jump/live_jump_report.h"
 #include "tools/operate/client/cycle_collector.h"
 #include "tools/operate/client/jump_heights.h"

@@ -1,5 +1,3 @@
-#include "tools/common/report/plot_json.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,6 +5,7 @@
 #include <stdexcept>
 
 #include "tests/support/enumerators.h"
+#include "tools/common/report/report.h"
 
 namespace sprung::report {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "tests/tools/logs/log/robot_sample.h"
 #include "tools/logs/log/log_info.h"
-#include "tools/logs/log/stamp_reader.h"
+#include "tools/logs/log/timeline.h"
 #include "tools/logs/log/verify.h"
 
 namespace sprung::log {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/enumerators.h"
+
 namespace sprung {
 namespace {
 
@@ -28,6 +30,8 @@ class ContactScorerTest : public testing::Test {
   JointState estimate_{2, 1};
   SimTruth truth_{2, 1};
 };
+
+TEST(ApproachClassTest, EveryOneHasItsOwnName) { test::expect_own_names<ApproachClass>(); }
 
 TEST(ApproachClassTest, IsByTheIssuesSpeeds) {
   EXPECT_EQ(approach_class(1.2), ApproachClass::kFast);

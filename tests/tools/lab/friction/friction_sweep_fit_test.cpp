@@ -6,6 +6,7 @@
 
 #include "model/friction/friction_law.h"
 #include "simulation/hash_noise.h"
+#include "tests/support/enumerators.h"
 
 namespace sprung {
 namespace {
@@ -56,6 +57,8 @@ SweepRecording made(SweepProtocol protocol, const FrictionParameters& law, doubl
   }
   return out;
 }
+
+TEST(SweepPointsTest, EveryOneHasItsOwnName) { test::expect_own_names<SweepPoints>(); }
 
 TEST(FrictionSweepFit, NoiseFreeSweepsGiveTheLawBack) {
   const SweepRecording recording = made(SweepProtocol::kLoaded, n50(), 0.0, 1);

@@ -6,6 +6,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "tests/support/enumerators.h"
 #include "tools/lab/friction/friction_sweep_bench.h"
 
 namespace sprung {
@@ -101,15 +102,12 @@ TEST(FrictionSweepPlan, AJointThatIsTooShortOrTooSlowIsRefused) {
   EXPECT_THROW((void)sweep_plan(SweepProtocol::kS0, slow), std::invalid_argument);
 }
 
+TEST(FrictionSweepPlan, EveryProtocolHasItsOwnName) { test::expect_own_names<SweepProtocol>(); }
+
 TEST(FrictionSweepPlan, SamplesArePickedEvenlyAndNeverTwice) {
   EXPECT_EQ(evenly_picked(10, 5), (std::vector<std::size_t>{0, 2, 4, 6, 8}));
   EXPECT_EQ(evenly_picked(3, 5), (std::vector<std::size_t>{0, 1, 2}));
   EXPECT_TRUE(evenly_picked(0, 5).empty());
-}
-
-TEST(FrictionSweepPlan, ProtocolsAreFoundByName) {
-  for (const SweepProtocol protocol : kAll) EXPECT_EQ(sweep_protocol_of(name(protocol)), protocol);
-  EXPECT_FALSE(sweep_protocol_of("s2"));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "robots/robot_loader.h"
+#include "tests/support/enumerators.h"
 
 namespace sprung {
 namespace {
@@ -23,6 +24,8 @@ const ReportRow& push_experiment_row(const std::vector<ReportRow>& rows, const s
     if (row.name == "push." + name) return row;
   throw std::out_of_range(name);
 }
+
+TEST(PushDirections, EveryOneHasItsOwnName) { test::expect_own_names<PushDirection>(); }
 
 TEST(PushRows, TheSurvivedImpulseIsTheLargestBelowTheFirstFallToEitherSide) {
   const std::vector<PushOutcome> outcomes{

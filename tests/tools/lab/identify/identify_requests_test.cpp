@@ -8,7 +8,7 @@
 #include "tests/support/refusal.h"
 #include "tools/lab/identify/csv_table.h"
 #include "tools/lab/identify/fragment.h"
-#include "tools/lab/identify/protocol_request.h"
+#include "tools/lab/identify/identify_recording.h"
 #include "tools/lab/identify/text_parts.h"
 
 namespace sprung::identify {

@@ -10,6 +10,7 @@
 
 #include "planner/joint_move.h"
 #include "robots/robot_loader.h"
+#include "tests/support/enumerators.h"
 
 namespace sprung::identify {
 namespace {
@@ -23,6 +24,8 @@ std::set<double> speeds_of(const std::vector<RecordMove>& moves, const RecordRan
   }
   return speeds;
 }
+
+TEST(RecordParts, EveryOneHasItsOwnName) { test::expect_own_names<RecordPart>(); }
 
 TEST(RecordProtocol, NeverLeavesItsRangeWhateverThatIs) {
   std::mt19937 random(11);

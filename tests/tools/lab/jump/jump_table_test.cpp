@@ -1,7 +1,7 @@
-#include "tools/lab/jump/jump_table.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "tools/lab/jump/live_jump_report.h"
 
 namespace sprung {
 namespace {

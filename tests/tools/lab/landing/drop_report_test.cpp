@@ -1,10 +1,9 @@
-#include "tools/lab/landing/drop_report.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "robots/robot_loader.h"
 #include "tests/tools/lab/landing/drop_sample.h"
+#include "tools/lab/landing/drop_experiment.h"
 
 namespace sprung {
 namespace {

@@ -1,9 +1,9 @@
-#include "tools/lab/recordings/recording_results.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <map>
+
+#include "tools/lab/recordings/recording_rows.h"
 
 namespace sprung::recordings {
 namespace {

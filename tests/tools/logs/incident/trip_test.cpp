@@ -1,9 +1,8 @@
-#include "tools/logs/incident/trip.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/tools/logs/log/robot_sample.h"
+#include "tools/logs/incident/log_stretch.h"
 #include "tools/logs/log/log_info.h"
 
 namespace sprung::log {

@@ -1,5 +1,3 @@
-#include "tools/logs/replay/field_difference.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,6 +7,7 @@
 #include "signals/motion_state.h"
 #include "signals/vec3.h"
 #include "tests/tools/logs/replay/logged_message.h"
+#include "tools/logs/replay/difference_table.h"
 
 namespace sprung {
 namespace {

@@ -1,5 +1,3 @@
-#include "tools/logs/replay/logged_run.h"
-
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -10,6 +8,7 @@
 #include "tests/tools/logs/replay/logged_run_fixture.h"
 #include "tools/logs/log/writer.h"
 #include "tools/logs/recorder/log_metadata.h"
+#include "tools/logs/replay/replay_run.h"
 
 namespace sprung {
 namespace {

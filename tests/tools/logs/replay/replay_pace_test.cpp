@@ -1,8 +1,8 @@
-#include "tools/logs/replay/replay_pace.h"
-
 #include <gtest/gtest.h>
 
 #include <stdexcept>
+
+#include "tools/logs/replay/lcm_replay.h"
 
 namespace sprung {
 namespace {

@@ -1,6 +1,6 @@
-#include "tools/logs/spy/channel_statistics.h"
-
 #include <gtest/gtest.h>
+
+#include "tools/logs/spy/channel_book.h"
 
 namespace sprung::spy {
 namespace {

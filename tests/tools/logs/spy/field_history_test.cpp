@@ -1,10 +1,9 @@
-#include "tools/logs/spy/field_history.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "tests/tools/logs/spy/sample_messages.h"
+#include "tools/logs/spy/channel_book.h"
 
 namespace sprung::spy {
 namespace {
