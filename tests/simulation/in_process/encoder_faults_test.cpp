@@ -28,7 +28,7 @@ struct EncoderFault {
 };
 
 constexpr EncoderFault kEncoderFaults[] = {
-    {"sticks", FaultKind::kEncoderStuck, 0.0, 0.05, 0.25},
+    {"sticks", FaultKind::kEncoderStuck, 0.0, 0.05, 0.1},
     {"jumps", FaultKind::kEncoderJump, 0.5, 0.05, 0.05},
     {"is_noisy", FaultKind::kEncoderNoise, 0.2, 0.05, 0.05},
     {"is_a_little_noisy", FaultKind::kEncoderNoise, 0.01, 0.05, 0.05},
