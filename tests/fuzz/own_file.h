@@ -1,8 +1,8 @@
 #pragma once
 /// A file of this process for code that reads files; in memory where there is such a folder.
-#include <sys/stat.h>
 #include <unistd.h>
 
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 #include <string>
@@ -10,16 +10,25 @@
 
 namespace sprung::fuzz {
 
-/// "FOLDER/sprung-fuzz-PID/", made once; libFuzzer ends without calling destructors, so the next run of this
-/// process id takes it over.
-inline std::string own_folder() {
-  static const std::string folder = [] {
-    const std::string base = access("/dev/shm", W_OK) == 0 ? "/dev/shm" : "/tmp";
-    const std::string path = base + "/sprung-fuzz-" + std::to_string(getpid());
-    if (mkdir(path.c_str(), 0700) != 0 && errno != EEXIST) throw std::runtime_error("cannot make " + path);
-    return path + "/";
-  }();
-  return folder;
+/// "FOLDER/sprung-fuzz-PID/", made once and gone with the process. Where libFuzzer ends it, tests/fuzz/run
+/// tidies up.
+inline const std::string& own_folder() {
+  struct Folder {
+    Folder()
+        : path((access("/dev/shm", W_OK) == 0 ? "/dev/shm" : "/tmp") +
+               ("/sprung-fuzz-" + std::to_string(getpid()) + "/")) {
+      std::filesystem::create_directories(path);
+    }
+    ~Folder() {
+      std::error_code ignored;
+      std::filesystem::remove_all(path, ignored);
+    }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+    std::string path;
+  };
+  static const Folder folder;
+  return folder.path;
 }
 
 inline void write_file(const std::string& path, std::string_view bytes) {
