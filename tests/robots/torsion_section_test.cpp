@@ -1,10 +1,9 @@
-#include "robots/robot_sections.h"
-
 #include <gtest/gtest.h>
 
 #include <string>
 
 #include "robots/robot_loader.h"
+#include "robots/robot_sections.h"
 
 namespace sprung {
 namespace {
