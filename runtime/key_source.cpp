@@ -114,7 +114,7 @@ KeyFd::KeyFd(const MessageKey& key) : fd_(memfd_create("sprung key", MFD_CLOEXEC
   constexpr int kSeals = F_SEAL_WRITE | F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL;
   if (fd_ < 0) fail("memfd_create");
   if (write(fd_, key.bytes().data(), kKeyBytes) == static_cast<ssize_t>(kKeyBytes) &&
-      fcntl(fd_, F_ADD_SEALS, kSeals) == 0)
+      lseek(fd_, 0, SEEK_SET) == 0 && fcntl(fd_, F_ADD_SEALS, kSeals) == 0)
     return;
   close(fd_);
   fail("key");

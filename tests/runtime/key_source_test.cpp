@@ -6,6 +6,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -78,6 +80,14 @@ TEST_F(KeySource, EveryProcessCanReadTheSameDescriptor) {
   const KeyFd fd(*key);
   for (int process = 0; process < 3; ++process)
     EXPECT_EQ(read_key_fd(dup(fd.number()))->bytes(), key->bytes()) << "of one that shares its offset";
+}
+
+TEST_F(KeySource, DescriptorIsReadFromItsBegin) {
+  const auto key = random_key();
+  const KeyFd fd(*key);
+  std::array<std::uint8_t, 64> bytes{};
+  ASSERT_EQ(::read(fd.number(), bytes.data(), bytes.size()), static_cast<ssize_t>(kKeyBytes));
+  EXPECT_TRUE(std::equal(key->bytes().begin(), key->bytes().end(), bytes.begin()));
 }
 
 TEST_F(KeySource, DescriptorIsClosedWhenReadAndInOtherPrograms) {

@@ -86,7 +86,7 @@ class Stranger {
         lcm_publish(replaying_.get(), channel.c_str(), bytes.data(), static_cast<unsigned>(bytes.size()));
         ++sent_;
       }
-      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
   }
   void forge(Node& node) {

@@ -135,8 +135,9 @@ TEST_F(UpOnTwoHosts, HostsOfDifferentKeysDoNotObeyEachOther) {
   write_key_file(key_file("trunk"), *random_key());
   start_trunk();
   up("lockstep", lead_key() + "--speed 2");
-  EXPECT_TRUE(within(kTimeout_s, [&] { return sprung("status").output.find("forged") != std::string::npos; }))
-      << sprung("status").output;
+  EXPECT_TRUE(within(kTimeout_s, [&] {
+    return sprung("status --instance trunk").output.find("JOINT_STATE refused: forged") != std::string::npos;
+  })) << sprung("status --instance trunk").output;
   EXPECT_NE(sprung("stand").status, 0);
 }
 

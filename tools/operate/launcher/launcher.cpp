@@ -13,6 +13,7 @@
 
 #include "lcmtypes/channels.h"
 #include "robots/robot_loader.h"
+#include "runtime/key_source.h"
 #include "runtime/process_options.h"
 #include "runtime/resource_use.h"
 #include "runtime/stop_request.h"
@@ -77,7 +78,6 @@ Launcher::Launcher(const LaunchRequest& request, const RobotConfig& robot)
       robot_(robot),
       leads_(checked_leads(request, robot)),
       key_(request.key_file.empty() ? random_key() : read_key_file(request.key_file)),
-      key_fd_(*key_),
       run_file_(request.instance),
       info_(leads_ ? describe_run(request, robot) : describe_joined_run(request, robot)),
       plan_(plan_processes(request_, robot_, info_.session, info_.epoch_us)),
@@ -137,9 +137,10 @@ std::unique_ptr<ChildProcess> Launcher::run_program(const PlannedProcess& planne
   const std::string path = planned.program == kLcmLogger ? system_program(kLcmLogger, "liblcm-bin")
                                                          : program_folder() + "/" + planned.program;
   std::vector<std::string> arguments = planned.arguments;
-  const int key = planned.gets_key ? key_fd_.number() : -1;
-  if (planned.gets_key) arguments.insert(arguments.end(), {"--key-fd", std::to_string(key)});
-  return std::make_unique<ChildProcess>(path, arguments, Output::kCaptured, key);
+  if (!planned.gets_key) return std::make_unique<ChildProcess>(path, arguments, Output::kCaptured);
+  const KeyFd key(*key_);  // each its own, to be read from its begin
+  arguments.insert(arguments.end(), {"--key-fd", std::to_string(key.number())});
+  return std::make_unique<ChildProcess>(path, arguments, Output::kCaptured, key.number());
 }
 
 void Launcher::start(const PlannedProcess& planned) {

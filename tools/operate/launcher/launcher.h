@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/key_source.h"
+#include "runtime/message_key.h"
 #include "runtime/node.h"
 #include "runtime/process_status.h"
 #include "runtime/resource_use.h"
@@ -115,7 +115,6 @@ class Launcher {
   const std::string host_name_ = host_name();
   bool leads_;
   std::shared_ptr<const MessageKey> key_;
-  KeyFd key_fd_;  ///< as its processes get it
   RunFile run_file_;
   RunInfo info_;
   std::vector<PlannedProcess> plan_;
