@@ -13,9 +13,6 @@ namespace {
 // them (sprung experiment push --robot pegasus --seed 2): further out the position is not what is measured.
 constexpr double kBeyond_rad = 0.08;
 constexpr double kFurther_rad = 0.02;
-// [design choice] Stops stand some 0.05 rad beyond the limits. A direction, a zero or a node id that is wrong
-// in robot.yaml shows as this (sprung campaign --only file).
-constexpr double kImpossible_rad = 0.3;
 /// A push may throw a joint into its stop, which springs back.
 constexpr std::int64_t kBeyond_us = 30'000;
 constexpr double kOverspeedShare = 1.2;
@@ -67,8 +64,7 @@ void HardLimitWatch::judge_joint(Joint& joint, double position_rad, bool powered
   const double now_rad = beyond_rad(joint.config, position_rad);
   if (!powered) joint.allowed_rad = std::numeric_limits<double>::infinity();
   if (!(now_rad > joint.allowed_rad)) joint.inside_us = time_us;
-  joint.impossible = powered && now_rad > kImpossible_rad;
-  joint.beyond = joint.impossible || time_us - joint.inside_us >= kBeyond_us;
+  joint.beyond = time_us - joint.inside_us >= kBeyond_us;
   if (!powered || !std::isfinite(position_rad)) return;
   joint.position_rad = position_rad;
   joint.allowed_rad = std::min(joint.allowed_rad, std::max(kBeyond_rad, now_rad + kFurther_rad));
@@ -81,9 +77,8 @@ bool HardLimitWatch::fault(Fault& out) const noexcept {
       if (!joint.beyond) continue;
       out.cause = SafetyCause::kJointLimit;
       out.actuator = leg.actuators[j];
-      print(out.detail, "%s: at %.3g rad, beyond its limits of %.3g to %.3g rad%s", joint.config.name.c_str(),
-            joint.position_rad, joint.config.position_min_rad, joint.config.position_max_rad,
-            joint.impossible ? ", where no stop lets it be: direction, zero or node id wrong?" : "");
+      print(out.detail, "%s: at %.3g rad, beyond its limits of %.3g to %.3g rad", joint.config.name.c_str(),
+            joint.position_rad, joint.config.position_min_rad, joint.config.position_max_rad);
       return true;
     }
   }

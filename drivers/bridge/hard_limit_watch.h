@@ -2,8 +2,7 @@
 /// Where limiting has not helped, the robot is stopped: a joint with power that is more than 0.08 rad beyond
 /// its limits for 30 ms, or an actuator that turns faster than 1.2 times its speed limit for 20 ms. A joint
 /// that was further out when its power came on may come back, and is not stopped until it goes 0.02 rad
-/// further still; one that reads 0.3 rad beyond then gets no power at all, since no robot's stops let it be
-/// there: robot.yaml is wrong. Pure; once a cycle.
+/// further still. Pure; once a cycle.
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -34,7 +33,6 @@ class HardLimitWatch {
     double position_rad = 0.0;
     std::int64_t inside_us = 0;  ///< when it was last seen no further
     bool beyond = false;
-    bool impossible = false;  ///< where no joint can be
   };
   struct Leg {
     Transmission transmission;
