@@ -4,11 +4,16 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cstdlib>
+#include <memory>
 #include <thread>
 
 #include "lcmtypes/channels.h"
 #include "robots/robot_loader.h"
+#include "runtime/key_source.h"
 #include "tests/runtime/lcm_network.h"
+#include "tests/support/own_folder.h"
+#include "tools/operate/launcher/run_file.h"
 
 namespace sprung::identify {
 namespace {
@@ -20,8 +25,7 @@ constexpr int kJoint = 1;
 class StartingLeg {
  public:
   StartingLeg(const RunInfo& info, const RobotConfig& robot, int ready_from)
-      : node_({info.lcm_url, info.session, 0, {}}),
-        thread_([this, robot, ready_from] { run(robot, ready_from); }) {}
+      : node_(commanding(info)), thread_([this, robot, ready_from] { run(robot, ready_from); }) {}
   ~StartingLeg() {
     stop_ = true;
     thread_.join();
@@ -51,15 +55,25 @@ class StartingLeg {
 class PlanRecording : public testing::Test {
  protected:
   PlanRecording() {
+    setenv("SPRUNG_RUN_DIR", folder_.path().c_str(), 1);
     info_.lcm_url = test::own_lcm_url();
     info_.session = kSession;
+    info_.clock = "lockstep";  // this leg's time is that of its cycles
+    run_ = std::make_unique<RunFile>(info_.instance);
+    run_->write_key(*random_key());
+  }
+  ~PlanRecording() override {
+    run_.reset();
+    unsetenv("SPRUNG_RUN_DIR");
   }
   RecordPlan plan(int ready_from) {
     JointMover mover(info_, robot_);
     const StartingLeg leg(info_, robot_, ready_from);
     return plan_recording(robot_, kJoint, {}, mover);
   }
+  const test::OwnFolder folder_{"plan-recording"};
   RunInfo info_;
+  std::unique_ptr<RunFile> run_;
   const RobotConfig robot_ = load_robot("single_leg");
 };
 
