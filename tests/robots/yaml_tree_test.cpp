@@ -59,7 +59,8 @@ TEST(YamlTree, WhatIsNoTreeIsRefused) {
   EXPECT_THAT(tree_complaint("? [a, b]\n: 1\n"), HasSubstr("expected a word"));
 }
 
-/// Made by hand while the fuzz target was written: these eight lines are 400 million values, and a log's robot.yaml comes from anybody.
+/// Made by hand while the fuzz target was written: these eight lines are 400 million values, and a log's
+/// robot.yaml comes from anybody.
 TEST(YamlTree, AnchorsThatRepeatAnchorsAreRefused) {
   std::string text = "a: &a [x, x, x, x, x, x, x, x, x]\n";
   for (char key = 'b'; key <= 'h'; ++key) {
