@@ -259,7 +259,9 @@ TEST_P(Forgery, MillionHostileMessagesAreNotObeyed) {
   }
   EXPECT_GE(hostile, 1'000'000);
   for (const char* why : {"forged", "replayed", "wrong length"}) EXPECT_GT(refused[why], 10'000) << why;
+#ifndef __SANITIZE_ADDRESS__  // which keeps what was given back, to see who uses it
   EXPECT_LT(resident_kB(), memory_kB + 1'000);
+#endif
 }
 
 INSTANTIATE_TEST_SUITE_P(OnBothClocks, Forgery, testing::Bool(),
