@@ -13,8 +13,8 @@ namespace sprung {
 class OperatorDesk {
  public:
   static constexpr int kMostWaiting = 16;
-  static constexpr int
-      kRemembered = 256;  ///< request ids; what is not greater than a forgotten one is refused
+  /// Request ids; what is not greater than a forgotten one is refused.
+  static constexpr int kRemembered = 256;
   static constexpr int kMostReplies = 64;
 
   /// @return false when the queue is full. Repeated ids are answered with their last answer, or wait for
@@ -42,8 +42,8 @@ class OperatorDesk {
   int waiting_count_ = 0;
   std::array<Answered, kRemembered> memory_{};
   int next_memory_ = 0;
-  std::int64_t
-      forgotten_ = std::numeric_limits<std::int64_t>::min();  ///< greatest id that is in memory no more
+  /// Greatest id that is in memory no more.
+  std::int64_t forgotten_ = std::numeric_limits<std::int64_t>::min();
   std::array<OperatorReply, kMostReplies> replies_{};
   int first_reply_ = 0;
   int reply_count_ = 0;

@@ -98,7 +98,11 @@ void add_campaign(CommandLine& sprung) {
               "HTML file with distributions and every run that is not as it should be");
   line.flag("--json", options->as_json, "one JSON object on standard output");
   line.example("sprung campaign --robot pegasus --runs 1000 --seed 1 --out campaign.html");
-  line.action([=] { return run(*options); });
+  line.action([=] {
+    if (options->request.runs < 1 || options->request.parallel.jobs < 0)
+      throw WrongUse("--runs is at least 1, --jobs at least 0");
+    return run(*options);
+  });
 }
 
 }  // namespace sprung::commands
