@@ -87,6 +87,10 @@ bool bad(const Verdict& verdict) noexcept {
          !verdict.back_or_explained();
 }
 
+bool bad_twin(const Verdict& verdict) noexcept {
+  return !verdict.failure.empty() || verdict.tripped() || !verdict.breaches.empty();
+}
+
 Result run_campaign(const RobotConfig& robot, const Request& request) {
   if (request.runs < 1) throw std::invalid_argument("--runs must be 1 or more");
   const auto count = static_cast<std::size_t>(request.runs);
@@ -120,10 +124,7 @@ std::vector<ReportRow> campaign_rows(const Result& result) {
       row("campaign.all.recovered", "%", share_of(runs, [](const Verdict& v) { return v.recovered; })));
   rows.push_back(row("campaign.all.not_judged", "",
                      count_of(runs, [](const Verdict& v) { return !v.failure.empty(); }), at_most(0.0)));
-  rows.push_back(
-      row("campaign.none.false_stops", "",
-          count_of(result.twins, [](const Verdict& v) { return v.tripped() || !v.failure.empty(); }),
-          at_most(0.0)));
+  rows.push_back(row("campaign.none.false_stops", "", count_of(result.twins, bad_twin), at_most(0.0)));
   rows.push_back(row("campaign.all.less_than_at_95_percent", "%", 100.0 * rule_of_three(runs.size())));
   return rows;
 }
@@ -147,19 +148,31 @@ std::string failure_text(const Verdict& verdict, const RobotConfig& robot) {
          " --first " + std::to_string(draw.number) + " --runs 1";
 }
 
+namespace {
+
+report::Table explanations(const std::vector<Verdict>& runs) {
+  report::Table table{"Why a robot did not stand again", {"what it said", "runs"}};
+  std::map<std::string, int> counts;
+  for (const Verdict& one : runs)
+    if (!one.recovered && one.failure.empty()) ++counts[one.explained.empty() ? "nothing" : one.explained];
+  for (const auto& [text, count] : counts) table.rows.push_back({text, count});
+  return table;
+}
+
+}  // namespace
+
 std::vector<report::Section> campaign_sections(const Result& result, const RobotConfig& robot) {
   report::Section groups{"How soon it was safe"};
   groups.tables = {
       grouped("By what went wrong", result.runs,
               [](const Verdict& v) { return std::string(name(v.draw.injections[0].kind)); }),
-      grouped("By what the robot did", result.runs, [](const Verdict& v) { return v.draw.state; })};
+      grouped("By what the robot did", result.runs, [](const Verdict& v) { return v.draw.state; }),
+      explanations(result.runs)};
   report::Section failures{"Runs that are not as they should be"};
   for (const Verdict& one : result.runs)
     if (bad(one)) failures.text.push_back(failure_text(one, robot));
   for (const Verdict& one : result.twins)
-    if (one.tripped() || !one.failure.empty())
-      failures.text.push_back("without a fault, run " + std::to_string(one.draw.number) + ", " +
-                              one.draw.state + ": " + (one.failure.empty() ? name(one.cause) : one.failure));
+    if (bad_twin(one)) failures.text.push_back("without a fault: " + failure_text(one, robot));
   if (failures.text.empty()) failures.text.emplace_back("None.");
   return {groups, failures};
 }

@@ -35,6 +35,9 @@ std::vector<ReportRow> campaign_rows(const Result& result);
 
 /// Whether anything about this run is not as it should be.
 bool bad(const Verdict& verdict) noexcept;
+/// The same of a twin, in which nothing went wrong: it was stopped, a rule was broken, or it could not be
+/// made.
+bool bad_twin(const Verdict& verdict) noexcept;
 
 /// What went wrong in a run and what is not as it should be, and the command that makes it again; a line
 /// each.

@@ -7,6 +7,7 @@
 
 #include "tools/lab/campaign/link_tamper.h"
 #include "tools/lab/faults/fault_motion.h"
+#include "tools/lab/run/dice.h"
 
 namespace sprung::campaign {
 namespace {
@@ -14,25 +15,7 @@ namespace {
 constexpr double kLongestWait_s = 0.6;
 constexpr double kFrictionSpread = 0.20, kMassSpread = 0.10;  // as `sprung experiment endurance`
 constexpr double kSlippery = 0.4, kGrippy = 1.0;
-constexpr int kOneInSoManyHasTwo = 3;
-
-class Dice {
- public:
-  explicit Dice(std::uint64_t seed) : random_(seed) {}
-  double between(double low, double high) {
-    return low + (high - low) * static_cast<double>(random_() >> 11) * 0x1p-53;
-  }
-  /// As likely between 1 and 2 as between 10 and 20.
-  double scale(double low, double high) { return std::exp(between(std::log(low), std::log(high))); }
-  int below(int count) { return static_cast<int>(random_() % static_cast<std::uint64_t>(count)); }
-  template <class Value, std::size_t N>
-  Value one_of(const std::array<Value, N>& all) {
-    return all[static_cast<std::size_t>(below(static_cast<int>(N)))];
-  }
-
- private:
-  std::mt19937_64 random_;
-};
+constexpr std::size_t kOneInSoManyHasTwo = 3;
 
 constexpr std::array kDriveFaults{
     FaultKind::kOverCurrent,      FaultKind::kUnderVoltage,  FaultKind::kOverTemperature,
@@ -42,6 +25,7 @@ constexpr std::array kDriveFaults{
     FaultKind::kPowerCycle,       FaultKind::kDuplicateNode, FaultKind::kShortPdo};
 constexpr std::array kBusFaults{FaultKind::kBusOff, FaultKind::kErrorPassive, FaultKind::kLinkDown,
                                 FaultKind::kQueueFull};
+/// Drives and what they say have the most kinds of fault: two shares.
 constexpr std::array kClasses{Class::kDrive, Class::kDrive,   Class::kBus,     Class::kMessage,
                               Class::kField, Class::kProcess, Class::kForeign, Class::kFile};
 
@@ -49,7 +33,7 @@ constexpr std::array kClasses{Class::kDrive, Class::kDrive,   Class::kBus,     C
 double size_of(FaultKind kind, double cycle_s, Dice& dice) {
   switch (kind) {
     case FaultKind::kEncoderJump:
-      return (dice.below(2) == 0 ? -1.0 : 1.0) * dice.scale(0.02, 1.0);
+      return dice.either_sign(dice.scale(0.02, 1.0));
     case FaultKind::kEncoderNoise:
       return dice.scale(1e-4, 0.3);
     case FaultKind::kCurrentOffset:
@@ -65,9 +49,19 @@ double size_of(FaultKind kind, double cycle_s, Dice& dice) {
   }
 }
 
+template <class E>
+E any_of_kind(Dice& dice) {
+  return kWords<E>[dice.below(kWords<E>.size())].value;
+}
+
+/// IMU is the last of them.
+Link any_link(bool has_imu, Dice& dice) {
+  return kWords<Link>[dice.below(kWords<Link>.size() - (has_imu ? 0 : 1))].value;
+}
+
 void draw_message(Injection& out, bool has_imu, Dice& dice) {
-  out.link = static_cast<Link>(dice.below(has_imu ? 5 : 4));
-  out.link_fault = static_cast<LinkFault>(dice.below(4));
+  out.link = any_link(has_imu, dice);
+  out.link_fault = any_of_kind<LinkFault>(dice);
   switch (out.link_fault) {
     case LinkFault::kLost:
       out.value = dice.scale(0.02, 1.0);
@@ -84,32 +78,39 @@ void draw_message(Injection& out, bool has_imu, Dice& dice) {
 }
 
 void draw_field(Injection& out, bool has_imu, Dice& dice) {
-  out.link = static_cast<Link>(dice.below(has_imu ? 5 : 4));
-  out.field_fault = static_cast<FieldFault>(dice.below(4));
-  out.field = dice.below(fields_of(out.link));
+  out.link = any_link(has_imu, dice);
+  out.field_fault = any_of_kind<FieldFault>(dice);
+  out.field = static_cast<int>(dice.below(static_cast<std::size_t>(fields_of(out.link))));
 }
 
 void draw_process(Injection& out, Dice& dice) {
   out.process = static_cast<StackProcess>(dice.below(4));
-  out.process_fault = static_cast<ProcessFault>(dice.below(3));
+  out.process_fault = any_of_kind<ProcessFault>(dice);
   if (out.process_fault == ProcessFault::kKilled) out.duration_s = 0.0;
   if (out.process_fault == ProcessFault::kStopped) out.duration_s = dice.scale(0.005, 0.5);
-  if (out.process_fault == ProcessFault::kBusy) out.value = 2 + dice.below(4);
+  if (out.process_fault == ProcessFault::kBusy) out.value = static_cast<double>(2 + dice.below(4));
 }
 
-void draw_mistake(Injection& out, Dice& dice) {
-  out.mistake = static_cast<FileMistake>(dice.below(4));
+bool has_mate(const RobotConfig& robot, int actuator) {
+  const auto& all = robot.actuators;
+  return std::count_if(all.begin(), all.end(),
+                       [&](const ActuatorConfig& one) { return one.bus == all[actuator].bus; }) > 1;
+}
+
+void draw_mistake(Injection& out, const RobotConfig& robot, Dice& dice) {
+  out.mistake = any_of_kind<FileMistake>(dice);
+  // There is nothing to swap with.
+  if (out.mistake == FileMistake::kSwapped && !has_mate(robot, out.target)) out.mistake = FileMistake::kSign;
   out.duration_s = 0.0;
-  if (out.mistake == FileMistake::kZero)
-    out.value = (dice.below(2) == 0 ? -1.0 : 1.0) * dice.between(0.1, 0.6);
-  if (out.mistake == FileMistake::kRatio) out.value = dice.below(2) == 0 ? 0.5 : 2.0;
+  if (out.mistake == FileMistake::kZero) out.value = dice.either_sign(dice.between(0.1, 0.6));
+  if (out.mistake == FileMistake::kRatio) out.value = dice.one_in(2) ? 0.5 : 2.0;
 }
 
 Injection draw_injection(const RobotConfig& robot, Class kind, Dice& dice) {
   Injection out;
   out.kind = kind;
   out.duration_s = dice.scale(0.01, 1.0);
-  out.target = dice.below(static_cast<int>(robot.actuators.size()));
+  out.target = static_cast<int>(dice.below(robot.actuators.size()));
   const bool has_imu = robot.body.mass_kg > 0.0;
   switch (kind) {
     case Class::kNone:
@@ -120,8 +121,8 @@ Injection draw_injection(const RobotConfig& robot, Class kind, Dice& dice) {
       break;
     case Class::kBus:
       out.drive_fault = dice.one_of(kBusFaults);
-      out.target = dice.below(static_cast<int>(robot.buses.size()));
-      out.half_of_buses = robot.buses.size() > 1 && dice.below(3) == 0;
+      out.target = static_cast<int>(dice.below(robot.buses.size()));
+      out.half_of_buses = robot.buses.size() > 1 && dice.one_in(3);
       break;
     case Class::kMessage:
       draw_message(out, has_imu, dice);
@@ -133,12 +134,12 @@ Injection draw_injection(const RobotConfig& robot, Class kind, Dice& dice) {
       draw_process(out, dice);
       break;
     case Class::kForeign:
-      out.foreign = static_cast<Foreign>(dice.below(6));
+      out.foreign = any_of_kind<Foreign>(dice);
       if (out.foreign == Foreign::kSetpoint) out.value = dice.between(-1.0, 1.0);
-      if (dice.below(2) == 0) out.duration_s = robot.cycle_s;  // one frame
+      if (dice.one_in(2)) out.duration_s = robot.cycle_s;  // one frame
       break;
     case Class::kFile:
-      draw_mistake(out, dice);
+      draw_mistake(out, robot, dice);
       break;
   }
   return out;
@@ -172,18 +173,18 @@ Draw draw_run(const RobotConfig& robot, std::uint64_t seed, std::uint64_t number
   out.seed = seed;
   out.number = number;
   const std::vector<std::string> states = states_of(robot);
-  out.state = states[static_cast<std::size_t>(dice.below(static_cast<int>(states.size())))];
+  out.state = dice.one_of(states);
   out.wait_s = dice.between(0.0, kLongestWait_s);
   out.sim = draw_plant(robot, dice);
   out.sim.seed = (std::uint64_t{words[0]} << 32) ^ words[1];
   const auto kind = [&] { return only == Class::kNone ? dice.one_of(kClasses) : only; };
   out.injections.push_back(draw_injection(robot, kind(), dice));
   out.injections[0].at_seq = 0;
-  if (out.injections[0].kind == Class::kFile || dice.below(kOneInSoManyHasTwo) != 0) return out;
+  if (out.injections[0].kind == Class::kFile || !dice.one_in(kOneInSoManyHasTwo)) return out;
   Class second = kind();
   if (second == Class::kFile) second = Class::kDrive;  // a file is wrong from the beginning
   out.injections.push_back(draw_injection(robot, second, dice));
-  out.second_while_clearing = dice.below(2) == 0;
+  out.second_while_clearing = dice.one_in(2);
   out.injections[1].at_seq = std::lround(dice.between(0.0, 0.5) / robot.cycle_s);
   return out;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <stdexcept>
 
 #include "drivers/canopen/wire.h"
 #include "drivers/cia402/words.h"
@@ -18,6 +19,8 @@ constexpr double
     kCurrentFalls_s = 0.01;  // a thrust's torque does not end in one cycle: current loop, and its frame
 /// Lowering 1.5 s, damping until the joints rest 5 s, the drives' quick stop 0.5 s, and a tenth.
 constexpr double kLongestStop_s = 7.1;
+/// Heartbeat consumers of 20 ms and the 60 ms in which a dead program must be without effect.
+constexpr double kDeadBridge_s = 0.06;
 constexpr double kOff_s = 0.1;                // after `disabled`
 constexpr double kSetpointBeyond_rad = 0.15;  // the window in which the drives' own limits lie
 constexpr double kHeld_rad = 0.02;            // what an encoder and a cycle's motion leave
@@ -51,6 +54,10 @@ struct Judge::Drive {
 };
 
 Judge::Judge(const RobotConfig& machine) : robot_(machine), joints_(machine.joints.size()) {
+  if (machine.actuators.size() != machine.joints.size())
+    throw std::invalid_argument("the campaign's judge knows robots with one actuator a joint; " +
+                                machine.name + " has " + std::to_string(machine.actuators.size()) + " of " +
+                                std::to_string(machine.joints.size()));
   for (std::size_t i = 0; i < machine.actuators.size(); ++i) {
     const ActuatorConfig& actuator = machine.actuators[i];
     auto drive = std::make_shared<Drive>();
@@ -94,6 +101,8 @@ double Judge::damping_work_J() const noexcept {
 }
 
 void Judge::sent(const FrameBatch& frames) noexcept {
+  bridge_spoke_ = true;
+  silent_ = 0;
   for (const BusFrame& one : frames)
     for (const auto& drive : drives_)
       if (drive->bus == one.bus && drive->setpoint_id == one.frame.id && one.frame.length >= 7)
@@ -167,6 +176,8 @@ void Judge::look_at_stop(const Scene& scene) {
   if (stopped_ > cycles(kLongestStop_s) && torque) breach(Rule::kTorqueStays, name(scene.said->level));
   disabled_ = scene.said->level == SafetyLevel::kDisabled ? disabled_ + 1 : 0;
   if (disabled_ > cycles(kOff_s) && torque) breach(Rule::kDisagrees, name(scene.said->cause));
+  if (bridge_spoke_ && ++silent_ > cycles(kDeadBridge_s) && torque)
+    breach(Rule::kTorqueStays, "the bridge is silent");
   if (latched) operator_asked_ = false;  // from here on power wants somebody's word
 }
 

@@ -18,7 +18,8 @@ namespace sprung::campaign {
 enum class Rule : std::uint8_t {
   kUncommandedEnable,  ///< a drive gets power though nobody cleared or commanded since it lost it
   kDrivingStop,        ///< damping, 10 ms after it began, puts more than 1 J into a joint
-  kTorqueStays,        ///< a latched stop, and motors have torque when it must be over
+  kTorqueStays,        ///< a latched stop, or a bridge that has fallen silent, and motors have torque when
+                       ///< they must not any more
   kBeyondLimit,        ///< a joint 50 mrad beyond its limits, pushed there, without a cause within 50 ms
   kTooFast,            ///< above 1.2 times the speed limit for 20 ms, without a cause within 50 ms
   kBadSetpoint,  ///< on the bus: beyond the torque limit, or 0.15 rad and more beyond the joint's limits
@@ -52,7 +53,8 @@ struct Scene {
 
 class Judge {
  public:
-  /// @param machine what the robot truly is, not what a wrong file says of it.
+  /// @param machine what the robot truly is, not what a wrong file says of it; each joint has the actuator of
+  /// its number. @throws std::invalid_argument where there are not as many of each.
   explicit Judge(const RobotConfig& machine);
 
   /// Frames of the bridge on their way to the drives, and those of the drives.
@@ -87,7 +89,9 @@ class Judge {
   std::vector<Breach> breaches_;
   std::int64_t seq_ = -1;
   bool operator_asked_ = true;
-  int damped_ = 0;    ///< cycles since the stack said so
+  int damped_ = 0;  ///< cycles since the stack said so
+  bool bridge_spoke_ = false;
+  int silent_ = 0;    ///< cycles since the bridge sent anything
   int stopped_ = 0;   ///< cycles since a latched stop was said
   int disabled_ = 0;  ///< cycles
   double fastest_share_ = 0.0, farthest_rad_ = 0.0;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "tools/lab/campaign/expected_cause.h"
 #include "tools/lab/campaign/link_tamper.h"
 #include "tools/lab/faults/fault_motion.h"
 #include "tools/lab/run/scripted_run.h"
@@ -13,7 +14,7 @@ namespace sprung::campaign {
 namespace {
 
 constexpr double kSettleBooted_s = 0.5, kHome_s = 2.0, kStand_s = 6.0;
-constexpr double kPartOfARise_s = 0.3, kPartOfASit_s = 0.2;
+constexpr double kPartOfARise_s = 0.3, kPartOfASit_s = 0.2, kStopped_s = 0.5;
 constexpr double kWatched_s = 2.0;  // after the last injection has ended, and until torque is off
 constexpr double kLongestWatched_s = 9.0;
 constexpr double kClear_s = 8.0, kStops_s = 8.0;
@@ -144,16 +145,24 @@ class Trial {
     }
   }
   bool reach_state() {
+    const std::string& state = draw().state;
     boot();
     advance(kSettleBooted_s);
-    if (draw().state == "homing" && all_referenced() == false) return order(OperatorKind::kHome), true;
+    if (state == "homing") return begin(OperatorKind::kHome, 0.0);
     if (!all_referenced()) home();
-    if (draw().state == "rising") return order(OperatorKind::kStand), advance(kPartOfARise_s), true;
+    if (state == "rising") return begin(OperatorKind::kStand, kPartOfARise_s);
     if (!stand()) return false;
-    if (draw().state == "sitting") return order(OperatorKind::kSit), advance(kPartOfASit_s), true;
-    if (draw().state == "clearing") return estop_and_clear();
-    if (draw().state == "homing") return order(OperatorKind::kHome), true;
-    begin_motion(robot_, stack_, draw().state, draw().sim.seed, [this] { tick(); });
+    if (state == "sitting") return begin(OperatorKind::kSit, kPartOfASit_s);
+    if (state == "clearing") {
+      begin(OperatorKind::kEstop, kStopped_s);
+      return begin(OperatorKind::kClear, 0.0);
+    }
+    begin_motion(robot_, stack_, state, draw().sim.seed, [this] { tick(); });
+    return true;
+  }
+  bool begin(OperatorKind kind, double part_s) {
+    order(kind);
+    advance(part_s);
     return true;
   }
   void boot() {
@@ -162,13 +171,6 @@ class Trial {
       tick();
     }
   }
-  bool estop_and_clear() {
-    order(OperatorKind::kEstop);
-    advance(0.5);
-    order(OperatorKind::kClear);
-    return true;
-  }
-
   void inject(std::size_t i) {
     Injection injection = draw().injections[i];
     if (injection.kind == Class::kDrive || injection.kind == Class::kBus) control(injection);
@@ -277,77 +279,7 @@ class Trial {
   std::string refusal_;
 };
 
-bool any_of(SafetyCause cause, std::initializer_list<SafetyCause> allowed) noexcept {
-  return std::find(allowed.begin(), allowed.end(), cause) != allowed.end();
-}
-
-bool drive_cause(FaultKind kind, SafetyCause cause) noexcept {
-  using C = SafetyCause;
-  switch (kind) {
-    case FaultKind::kOverCurrent:
-    case FaultKind::kUnderVoltage:
-    case FaultKind::kOverTemperature:
-      return any_of(cause, {C::kDriveFault});
-    case FaultKind::kEncoderStuck:
-    case FaultKind::kEncoderJump:
-    case FaultKind::kEncoderNoise:
-      return any_of(cause, {C::kNone, C::kImplausible, C::kJointLimit, C::kOverspeed, C::kDriveFault});
-    case FaultKind::kCurrentOffset:
-      return any_of(cause, {C::kNone});
-    case FaultKind::kHeartbeatStopped:
-    case FaultKind::kFramesLost:
-    case FaultKind::kShortPdo:
-      return any_of(cause, {C::kNone, C::kDriveSilent});
-    case FaultKind::kFramesLate:
-    case FaultKind::kFramesDuplicated:
-      return any_of(cause, {C::kNone, C::kDriveSilent, C::kDuplicateNode});
-    case FaultKind::kFramesFlipped:
-      return any_of(cause, {C::kNone, C::kImplausible, C::kDriveFault, C::kDriveSilent, C::kDuplicateNode});
-    case FaultKind::kPowerCycle:
-      return any_of(cause, {C::kDriveSilent, C::kDriveFault});
-    case FaultKind::kDuplicateNode:
-      return any_of(cause, {C::kNone, C::kDuplicateNode});
-    default:
-      return any_of(cause, {C::kBusLost, C::kNone});
-  }
-}
-
-bool process_cause(StackProcess process, SafetyCause cause) noexcept {
-  using C = SafetyCause;
-  switch (process) {
-    case StackProcess::kBridge:
-      return any_of(cause, {C::kNone, C::kDriveFault, C::kDriveSilent});
-    case StackProcess::kPlanner:
-      return any_of(cause, {C::kNone, C::kPlannerLost});
-    default:
-      return any_of(cause, {C::kNone, C::kCommandStale});
-  }
-}
-
 }  // namespace
-
-bool cause_is_expected(const Injection& injection, SafetyCause cause) noexcept {
-  using C = SafetyCause;
-  switch (injection.kind) {
-    case Class::kNone:
-      return cause == C::kNone;
-    case Class::kDrive:
-    case Class::kBus:
-      return drive_cause(injection.drive_fault, cause);
-    case Class::kMessage:
-      return any_of(cause, {C::kNone, C::kCommandStale, C::kCommandRefused, C::kPlannerLost});
-    case Class::kField:
-      return any_of(cause, {C::kNone, C::kCommandStale, C::kCommandRefused, C::kPlannerLost, C::kJointLimit,
-                            C::kOverspeed});
-    case Class::kProcess:
-      return process_cause(injection.process, cause);
-    case Class::kForeign:
-      return any_of(cause, {C::kNone, C::kForeignMaster, C::kDriveSilent, C::kDriveFault});
-    case Class::kFile:
-      return true;  // which of its marks shows first is chance
-  }
-  return false;
-}
 
 Verdict run_trial(const RobotConfig& robot, const std::string& preset, const Draw& draw) {
   try {

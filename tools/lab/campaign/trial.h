@@ -31,7 +31,4 @@ struct Verdict {
 /// Never throws: what a run throws is its `failure`.
 Verdict run_trial(const RobotConfig& robot, const std::string& preset, const Draw& draw);
 
-/// Which causes a thing of this kind may have; SafetyCause::kNone among them: the robot may go on.
-bool cause_is_expected(const Injection& injection, SafetyCause cause) noexcept;
-
 }  // namespace sprung::campaign

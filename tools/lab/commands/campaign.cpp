@@ -46,8 +46,7 @@ void print_failures(const Result& result, const RobotConfig& robot) {
   for (const Verdict& one : result.runs)
     if (bad(one)) std::printf("%s\n", failure_text(one, robot).c_str());
   for (const Verdict& one : result.twins)
-    if (one.tripped() || !one.failure.empty())
-      std::printf("without a fault: %s\n", failure_text(one, robot).c_str());
+    if (bad_twin(one)) std::printf("without a fault: %s\n", failure_text(one, robot).c_str());
 }
 
 int run(CampaignOptions options) {

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
-#include <random>
 #include <stdexcept>
 
 #include "robots/gait_speed.h"
 #include "tools/lab/bench/stopwatch.h"
 #include "tools/lab/gait/walking_robot.h"
+#include "tools/lab/run/dice.h"
 
 namespace sprung {
 
@@ -23,21 +23,6 @@ constexpr double kSlippery = 0.4, kGrippy = 1.0;
 constexpr double kLowest = 0.9, kHighest = 1.02;  // of the preset's height
 constexpr double kWider_m = 0.04;
 constexpr int kOneStopsIn = 8;
-
-class Dice {
- public:
-  explicit Dice(std::uint64_t seed) : random_(seed) {}
-  /// The same on every machine, which std::uniform_real_distribution does not promise.
-  double between(double low, double high) {
-    return low + (high - low) * static_cast<double>(random_() >> 11) * 0x1p-53;
-  }
-  std::size_t below(std::size_t count) {
-    return std::min(count - 1, static_cast<std::size_t>(between(0.0, static_cast<double>(count))));
-  }
-
- private:
-  std::mt19937_64 random_;
-};
 
 int endurance_gait(const RobotConfig& robot, const std::string& gait) {
   for (std::size_t i = 0; i < robot.gaits.size(); ++i)

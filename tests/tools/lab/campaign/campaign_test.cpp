@@ -62,6 +62,10 @@ TEST_F(CampaignTest, WrongCausesLostRobotsAndFalseStopsAreNotOk) {
   EXPECT_EQ(value_of(campaign_rows(one), "none.false_stops"), 1.0);
   EXPECT_FALSE(all_ok(campaign_rows(one)));
   one = result_;
+  one.twins[3].breaches = {{Rule::kTooFast, 5, "knee"}};
+  EXPECT_EQ(value_of(campaign_rows(one), "none.false_stops"), 1.0)
+      << "a rule broken without a fault counts too";
+  one = result_;
   one.runs[2].failure = "the plant failed";
   EXPECT_FALSE(all_ok(campaign_rows(one)));
 }
@@ -92,7 +96,7 @@ TEST_F(CampaignTest, PageHasGroupsAndEveryBadRun) {
   result_.runs[7].breaches = {{Rule::kTooFast, 99, "knee"}};
   const auto sections = campaign_sections(result_, robot_);
   ASSERT_EQ(sections.size(), 2u);
-  EXPECT_EQ(sections[0].tables.size(), 2u);
+  EXPECT_EQ(sections[0].tables.size(), 3u);
   EXPECT_EQ(sections[1].text.size(), 1u);
 }
 

@@ -138,6 +138,21 @@ TEST_F(JudgeTest, TorqueThatStaysAfterAStop) {
   expect_only(Rule::kTorqueStays);
 }
 
+TEST_F(JudgeTest, TorqueUnderABridgeThatHasFallenSilent) {
+  torques_[0] = 3.0;
+  judge_.sent({});
+  look(0.06);
+  expect_none();
+  look(0.01);
+  expect_only(Rule::kTorqueStays);
+}
+
+TEST_F(JudgeTest, RobotWithMoreActuatorsThanJointsIsRefused) {
+  RobotConfig robot = robot_;
+  robot.actuators.push_back(robot.actuators[0]);
+  EXPECT_THROW(Judge{robot}, std::invalid_argument);
+}
+
 TEST_F(JudgeTest, TorqueWhileTheStackSaysDisabled) {
   latch(SafetyLevel::kDisabled);
   torques_[0] = 3.0;

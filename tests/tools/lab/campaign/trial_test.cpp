@@ -71,11 +71,14 @@ TEST_F(TrialTest, StrangerWhoStopsADriveIsNamed) {
   EXPECT_TRUE(verdict.breaches.empty());
 }
 
-TEST_F(TrialTest, CauseThatTheFaultCannotHaveIsUnexpected) {
-  EXPECT_TRUE(cause_is_expected(drive_fault(FaultKind::kOverCurrent), SafetyCause::kDriveFault));
-  EXPECT_FALSE(cause_is_expected(drive_fault(FaultKind::kOverCurrent), SafetyCause::kNone));
-  EXPECT_FALSE(cause_is_expected(drive_fault(FaultKind::kOverCurrent), SafetyCause::kPlannerLost));
-  EXPECT_FALSE(cause_is_expected(Injection{}, SafetyCause::kImplausible)) << "nothing was wrong";
+TEST_F(TrialTest, DeadBridgeNamesNothingAndItsDrivesLetGo) {
+  Injection killed;
+  killed.kind = Class::kProcess;
+  killed.process = StackProcess::kBridge;
+  const Verdict verdict = run_trial(robot_, "best", drawn("thrust", killed));
+  EXPECT_TRUE(verdict.cause_expected);
+  EXPECT_LE(verdict.safe_s, 0.06);
+  EXPECT_TRUE(verdict.breaches.empty());
 }
 
 TEST_F(TrialTest, StateThatCannotBeReachedIsAFailureOfTheRun) {
