@@ -70,8 +70,7 @@ std::shared_ptr<const MessageKey> key_of(const ProcessOptions& options) {
   if (fd >= 0) return read_key_fd(fd);
   throw WrongUse(
       "there is no key, without which nothing is believed and nobody believes this program: start it by "
-      "sprung "
-      "up (robot.yaml's processes), or sprung run -- PROGRAM; for tests in lock-step --no-key");
+      "sprung up (robot.yaml's processes), or sprung run -- PROGRAM; for tests in lock-step --no-key");
 }
 
 const WatchdogConfig& watchdogs_for(const RobotConfig& robot, const ProcessOptions& options) noexcept {

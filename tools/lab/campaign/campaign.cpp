@@ -145,7 +145,8 @@ std::string failure_text(const Verdict& verdict, const RobotConfig& robot) {
   if (!verdict.cause_expected) text += std::string(" cause: ") + name(verdict.cause) + ";";
   if (!verdict.back_or_explained()) text += " neither back nor explained;";
   return text + "\n  sprung campaign --robot " + robot.name + " --seed " + std::to_string(draw.seed) +
-         " --first " + std::to_string(draw.number) + " --runs 1";
+         " --first " + std::to_string(draw.number) + " --runs 1" +
+         (draw.only == Class::kNone ? "" : std::string(" --only ") + name(draw.only));
 }
 
 namespace {

@@ -172,6 +172,7 @@ Draw draw_run(const RobotConfig& robot, std::uint64_t seed, std::uint64_t number
   Draw out;
   out.seed = seed;
   out.number = number;
+  out.only = only;
   const std::vector<std::string> states = states_of(robot);
   out.state = dice.one_of(states);
   out.wait_s = dice.between(0.0, kLongestWait_s);

@@ -14,6 +14,7 @@ namespace sprung::campaign {
 struct Draw {
   std::uint64_t seed = 1;  ///< of the campaign
   std::uint64_t number = 0;
+  Class only = Class::kNone;  ///< that it was drawn from; kNone: every class
   std::string state;    ///< of states_of()
   double wait_s = 0.0;  ///< in that state, before the first injection
   SimOptions sim;

@@ -28,6 +28,7 @@ report::Report page_of(const Result& result, const RobotConfig& robot, const Exp
       "Campaign of " + robot.name, "seed " + std::to_string(options.request.seed) + ", preset " + rows.preset,
       "sprung campaign --robot " + options.robot + " --runs " + std::to_string(options.request.runs) +
           " --seed " + std::to_string(options.request.seed) +
+          (options.request.first == 0 ? "" : " --first " + std::to_string(options.request.first)) +
           (options.only.empty() ? "" : " --only " + options.only)};
   report::Table table{"", {"row", "unit", "value"}};
   for (const ReportRow& row : rows.rows)
