@@ -43,7 +43,7 @@ double quantile(std::vector<double> values, double share) {
                values.end());
   if (values.empty()) return kNaN;
   std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
+  return values[static_cast<std::size_t>(std::lround(share * static_cast<double>(values.size() - 1)))];
 }
 
 std::vector<report::Cell> group_row(const std::string& name, const std::vector<const Verdict*>& runs) {

@@ -15,8 +15,8 @@ struct Draw {
   std::uint64_t seed = 1;  ///< of the campaign
   std::uint64_t number = 0;
   Class only = Class::kNone;  ///< that it was drawn from; kNone: every class
-  std::string state;    ///< of states_of()
-  double wait_s = 0.0;  ///< in that state, before the first injection
+  std::string state;          ///< of states_of()
+  double wait_s = 0.0;        ///< in that state, before the first injection
   SimOptions sim;
   /// One or two; at_seq is the number of cycles after the state was reached. The second one's begins behind
   /// the first one's, or with the clear.
