@@ -105,13 +105,13 @@ class Stranger {
       drives.actuators.front().fault_code = kForgedFault;
       send(node, channels::kDriveState, drives);
     }
-    OperatorCommand sit;
-    sit.stamp = {node.utime_us(), seq};
-    sit.request_id = node.utime_us() * 1024;
-    sit.kind = OperatorKind::kEstop;
-    send(node, channels::kOperatorCommand, sit);
+    OperatorCommand estop;
+    estop.stamp = {node.utime_us(), seq};
+    estop.request_id = node.utime_us() * 1024;
+    estop.kind = OperatorKind::kEstop;
+    send(node, channels::kOperatorCommand, estop);
     SimControl push;
-    push.stamp = sit.stamp;
+    push.stamp = estop.stamp;
     push.kind = SimControlKind::kWrench;
     push.actuator = -1;
     push.wrench = {500.0, 0.0, 0.0};
