@@ -11,6 +11,7 @@
 #include "tools/commands.h"
 #include "tools/common/progress_bar.h"
 #include "tools/lab/bench/can_bench.h"
+#include "tools/lab/bench/chain_bench.h"
 #include "tools/lab/bench/hops_bench.h"
 #include "tools/lab/bench/log_bench.h"
 #include "tools/lab/bench/recorder_bench.h"
@@ -233,12 +234,39 @@ void add_log_bench(CommandLine& bench) {
   });
 }
 
+void add_chain_bench(CommandLine& bench) {
+  const auto request = std::make_shared<BenchRequest>();
+  const auto logs = std::make_shared<std::vector<std::string>>();
+  CommandLine& line = add(bench, "chain",
+                          "From SYNC to the last set-point of each cycle, by CAN_TRACE of logs.", request,
+                          "chain new-1.lcm new-2.lcm old-1.lcm old-2.lcm");
+  line.option("log", *logs, "of robots in real time; the first half is compared with the second",
+              Need::kRequired);
+  line.action([=] {
+    return print_measured(*request, "chain", "", [&](ExperimentReport&) { return bench_chain(*logs); });
+  });
+}
+
+void add_mac_bench(CommandLine& bench) {
+  const auto request = std::make_shared<BenchRequest>();
+  request->runs = 9;
+  CommandLine& line = add(bench, "mac", "Making the MAC of a message, by its size, beside a reference loop.",
+                          request, "mac");
+  line.option("--runs", request->runs, "of which the median is printed");
+  line.action([=] {
+    if (request->runs < 1) throw WrongUse("--runs is at least 1");
+    return print_measured(*request, "mac", "", [&](ExperimentReport&) { return bench_mac(request->runs); });
+  });
+}
+
 }  // namespace
 
 void add_bench(CommandLine& sprung) {
   CommandLine& bench = sprung.subcommand("bench", "Measure what the stack costs on this machine.");
   bench.example("sprung bench up; sprung bench can --robot pegasus");
   add_can_bench(bench);
+  add_chain_bench(bench);
+  add_mac_bench(bench);
   add_up_bench(bench);
   add_inprocess_bench(bench);
   add_replay_bench(bench);

@@ -78,10 +78,12 @@ std::string ExperimentReport::json() const {
 
 std::string ExperimentReport::table() const {
   char line[200];
-  std::snprintf(line, sizeof line, "%s on %s, preset %s, seed %llu: %.1f s simulated in %.1f s\n",
-                experiment.c_str(), robot.c_str(), preset.c_str(), static_cast<unsigned long long>(seed),
-                simulated_s, wall_s);
-  std::string text = line;
+  std::string text = experiment;
+  if (!robot.empty()) text += " on " + robot;
+  if (!preset.empty()) text += ", preset " + preset;
+  if (!preset.empty() || seed != 0) text += ", seed " + std::to_string(seed);  // a benchmark draws nothing
+  std::snprintf(line, sizeof line, ": %.1f s simulated in %.1f s\n", simulated_s, wall_s);
+  text += line;
   std::snprintf(line, sizeof line, "%-44s %5s %12s %9s  %s\n", "row", "unit", "value", "paper", "bounds");
   text += line;
   for (const ReportRow& row : rows) {

@@ -67,5 +67,14 @@ TEST(ExperimentReport, OneBadRowMakesItBad) {
   EXPECT_THAT(report.table(), testing::HasSubstr("NOT OK"));
 }
 
+TEST(ExperimentReport, HeadlineOfABenchmarkNamesNoRobotThatItDoesNotHave) {
+  ExperimentReport report;
+  report.experiment = "mac";
+  EXPECT_THAT(report.table(), testing::StartsWith("mac: 0.0 s simulated"));
+  report.robot = "pegasus";
+  report.preset = "nominal";
+  EXPECT_THAT(report.table(), testing::StartsWith("mac on pegasus, preset nominal, seed 0: 0.0 s simulated"));
+}
+
 }  // namespace
 }  // namespace sprung
