@@ -34,7 +34,8 @@ if(SPRUNG_SANITIZE)
   target_link_options(sprung_flags INTERFACE -fsanitize=address,undefined)
 endif()
 if(SPRUNG_FUZZ)
-  # A number that does not fit its integer is no part of clang's `undefined`, and is what a NaN off the wire does.
+  # A number that does not fit its integer is no part of clang's `undefined`, and is what a NaN off the wire
+  # does.
   set(sprung_fuzz_checks -fsanitize=address,undefined,float-cast-overflow)
   target_compile_options(sprung_flags INTERFACE -fsanitize=fuzzer-no-link ${sprung_fuzz_checks} -fno-sanitize-recover=all
     -fno-omit-frame-pointer)
