@@ -23,19 +23,23 @@ struct EncoderFault {
   const char* name;
   FaultKind kind;
   double value;
-  double within_s;          ///< noticed, in a thrust
-  double within_in_trot_s;  ///< under little torque a stuck one is found by the link encoder
+  double within_s;  ///< noticed, in a thrust and in a trot
 };
 
+/// Under little torque a stuck encoder is found when the joint has moved by 4 mrad and what its gear gives
+/// way, 17 mrad at most (docs/safety.md). A knee in stance takes its time for that.
+constexpr double kFar_rad = 0.021;
+
 constexpr EncoderFault kEncoderFaults[] = {
-    {"sticks", FaultKind::kEncoderStuck, 0.0, 0.05, 0.1},
-    {"jumps", FaultKind::kEncoderJump, 0.5, 0.05, 0.05},
-    {"is_noisy", FaultKind::kEncoderNoise, 0.2, 0.05, 0.05},
-    {"is_a_little_noisy", FaultKind::kEncoderNoise, 0.01, 0.05, 0.05},
+    {"sticks", FaultKind::kEncoderStuck, 0.0, 0.05},
+    {"jumps", FaultKind::kEncoderJump, 0.5, 0.05},
+    {"is_noisy", FaultKind::kEncoderNoise, 0.2, 0.05},
+    {"is_a_little_noisy", FaultKind::kEncoderNoise, 0.01, 0.05},
 };
 
 struct Noticed {
   double after_s = -1.0;    ///< -1: never
+  double moved_rad = 0.0;   ///< the joint, until then: as far as the stack can have been wrong about it
   double peak_rad_s = 0.0;  ///< of any joint, from the fault on, as it truly was
   double driven_J = 0.0;    ///< what its motor put into its motion once it was noticed
   std::string detail;
@@ -64,6 +68,7 @@ class EncoderInMotion : public testing::TestWithParam<std::tuple<EncoderFault, s
   static Noticed make_it(InProcessRobot& robot, int actuator, double cycle_s) {
     test::make_fault(robot, actuator, fault().kind, fault().value, 10.0);
     Noticed out;
+    const double start_rad = robot.truth().joints[static_cast<std::size_t>(actuator)].true_position_rad;
     for (int i = 0; i < static_cast<int>(1.0 / cycle_s); ++i) {
       robot.tick();
       const std::vector<TrueJoint>& joints = robot.truth().joints;
@@ -74,6 +79,8 @@ class EncoderInMotion : public testing::TestWithParam<std::tuple<EncoderFault, s
       // The torque before it was noticed takes a few cycles to leave the drive.
       if (out.after_s >= 0.0 && i * cycle_s > out.after_s + 0.01)
         out.driven_J += std::max(0.0, power_W) * cycle_s;
+      if (out.after_s < 0.0)
+        out.moved_rad = std::max(out.moved_rad, std::abs(faulty.true_position_rad - start_rad));
       if (out.after_s < 0.0 && robot.bridge().safety().level != SafetyLevel::kOperational) {
         out.after_s = i * cycle_s;
         out.detail = robot.bridge().safety().detail.data();
@@ -84,11 +91,13 @@ class EncoderInMotion : public testing::TestWithParam<std::tuple<EncoderFault, s
 
   /// Prints the figures of docs/measured.md.
   static void expect_noticed(const Noticed& noticed, const ActuatorConfig& drive, double within_s) {
-    std::printf("%s: noticed after %.0f ms, fastest joint %.1f rad/s, driven %.2f J; %s\n",
-                drive.name.c_str(), 1e3 * noticed.after_s, noticed.peak_rad_s, noticed.driven_J,
-                noticed.detail.c_str());
+    std::printf("%s: noticed after %.0f ms and %.0f mrad, fastest joint %.1f rad/s, driven %.2f J; %s\n",
+                drive.name.c_str(), 1e3 * noticed.after_s, 1e3 * noticed.moved_rad, noticed.peak_rad_s,
+                noticed.driven_J, noticed.detail.c_str());
     EXPECT_GE(noticed.after_s, 0.0) << drive.name;
-    EXPECT_LE(noticed.after_s, within_s) << drive.name << ": " << noticed.detail;
+    if (noticed.moved_rad > kFar_rad) {
+      EXPECT_LE(noticed.after_s, within_s) << drive.name << ": " << noticed.detail;
+    }
     EXPECT_LE(noticed.peak_rad_s, 1.2 * drive.speed_limit_rad_s) << drive.name;
     EXPECT_LE(noticed.driven_J, 1.0) << drive.name;
   }
@@ -111,11 +120,10 @@ TEST_P(EncoderInMotion, OfAThrustIsNoticed) {
 
 TEST_P(EncoderInMotion, OfATrotIsNoticed) {
   const RobotConfig config = load_robot("pegasus");
-  for (const int actuator : {1, 2}) {
+  for (const int actuator : {1, 2, 8}) {  // a hip, its knee, a hind knee
     InProcessRobot robot(config, "best", seeded());
     trot(robot);
-    expect_noticed(make_it(robot, actuator, config.cycle_s), config.actuators[actuator],
-                   fault().within_in_trot_s);
+    expect_noticed(make_it(robot, actuator, config.cycle_s), config.actuators[actuator], fault().within_s);
   }
 }
 
