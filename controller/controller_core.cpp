@@ -34,28 +34,6 @@ CommandBasis basis_of(LegOutcome outcome) noexcept {
 
 }  // namespace
 
-const char* name(CommandBasis value) noexcept {
-  switch (value) {
-    case CommandBasis::kCommanded:
-      return "commanded";
-    case CommandBasis::kNoCommand:
-      return "no leg command yet";
-    case CommandBasis::kCommandStale:
-      return "leg command stale";
-    case CommandBasis::kJointNotReady:
-      return "joint not ready";
-    case CommandBasis::kNotFinite:
-      return "not finite";
-    case CommandBasis::kUnreachable:
-      return "foot out of reach";
-    case CommandBasis::kSafety:
-      return "safety is not operational";
-    case CommandBasis::kLowering:
-      return "leg command stale: lowering";
-  }
-  return "unknown";
-}
-
 struct ControllerCore::Impl {
   Impl(const RobotConfig& robot, const PresetConfig& preset, const WatchdogConfig& watchdogs)
       : cycle_s(robot.cycle_s),

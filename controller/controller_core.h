@@ -6,6 +6,7 @@
 #include "controller/torque_limits.h"
 #include "robots/robot_config.h"
 #include "signals/drive_command.h"
+#include "signals/enumeration.h"
 #include "signals/joint_state.h"
 #include "signals/leg_command.h"
 
@@ -25,7 +26,17 @@ enum class CommandBasis : std::int8_t {
   kLowering = 7,     ///< no good LEG_COMMAND, so the robot is let down
 };
 
-const char* name(CommandBasis value) noexcept;
+constexpr auto words_of(CommandBasis) {
+  using E = CommandBasis;
+  return words<E>({{E::kCommanded, "commanded"},
+                   {E::kNoCommand, "no leg command yet"},
+                   {E::kCommandStale, "leg command stale"},
+                   {E::kJointNotReady, "joint not ready"},
+                   {E::kNotFinite, "not finite"},
+                   {E::kUnreachable, "foot out of reach"},
+                   {E::kSafety, "safety is not operational"},
+                   {E::kLowering, "leg command stale: lowering"}});
+}
 
 class ControllerCore {
  public:

@@ -25,7 +25,7 @@ double read_value(const YamlMap& map, const FrictionParameterInfo& row, const Fr
 
 FrictionModelKind read_model(const YamlMap& map) {
   const std::string wanted = map.text("model");
-  if (const auto kind = friction_model_of(wanted)) return *kind;
+  if (const auto kind = value_named<FrictionModelKind>(wanted)) return *kind;
   std::string known;
   for (const FrictionModelKind kind : kFrictionModels)
     known += (known.empty() ? "" : ", ") + std::string(name(kind));

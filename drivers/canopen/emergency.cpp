@@ -36,10 +36,6 @@ bool decode_emergency(const CanFrame& frame, Emergency& emergency) noexcept {
   return true;
 }
 
-const char* error_register_name(int bit) noexcept {
-  return bit >= 0 && bit < 8 ? kRegisterNames[bit] : "no such bit";
-}
-
 ErrorRegisterText error_register_text(std::uint8_t error_register) noexcept {
   ErrorRegisterText text{};
   if (error_register == 0) append(text, "none");

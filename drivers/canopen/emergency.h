@@ -30,8 +30,6 @@ inline constexpr std::uint8_t kErrorCommunication = 0x10;
 inline constexpr std::uint8_t kErrorProfile = 0x20;
 inline constexpr std::uint8_t kErrorMaker = 0x80;  ///< EPOS calls it motion
 
-/// @param bit 0..7. Static text.
-const char* error_register_name(int bit) noexcept;
 /// Names of all bits set, e.g. "generic, communication"; "none" for 0. Ends with 0.
 using ErrorRegisterText = std::array<char, 96>;
 ErrorRegisterText error_register_text(std::uint8_t error_register) noexcept;

@@ -43,11 +43,6 @@ constexpr bool pdo_type_supported(int type) noexcept { return is_sync_type(type)
 /// Inhibit time (sub 3): least time between two PDOs of event type.
 inline constexpr std::int64_t kInhibitUnit_us = 100;
 constexpr std::int64_t inhibit_us(std::uint16_t units) noexcept { return units * kInhibitUnit_us; }
-/// Rounded up, so that the time is never shorter than asked for; 65535 at most.
-constexpr std::uint16_t inhibit_units(std::int64_t time_us) noexcept {
-  const std::int64_t units = (time_us + kInhibitUnit_us - 1) / kInhibitUnit_us;
-  return static_cast<std::uint16_t>(units < 0 ? 0 : units > 0xFFFF ? 0xFFFF : units);
-}
 
 inline constexpr int kMaxMapped = 8;  ///< objects in a PDO on an EPOS2 and a Gold
 inline constexpr int kPdoBits = 64;

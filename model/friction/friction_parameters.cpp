@@ -1,7 +1,5 @@
 #include "model/friction/friction_parameters.h"
 
-#include <cmath>
-
 namespace sprung {
 namespace {
 
@@ -72,29 +70,6 @@ FrictionVector to_vector(const FrictionParameters& parameters) noexcept {
   return vector;
 }
 
-const char* name(FrictionModelKind kind) noexcept {
-  switch (kind) {
-    case FrictionModelKind::kCoulomb:
-      return "coulomb";
-    case FrictionModelKind::kViscous:
-      return "viscous";
-    case FrictionModelKind::kStribeck:
-      return "stribeck";
-    case FrictionModelKind::kLoad:
-      return "load";
-    case FrictionModelKind::kPresliding:
-      return "presliding";
-  }
-  return "unknown";
-}
-
-std::optional<FrictionModelKind> friction_model_of(std::string_view wanted) noexcept {
-  for (const FrictionModelKind kind : kFrictionModels) {
-    if (wanted == name(kind)) return kind;
-  }
-  return std::nullopt;
-}
-
 bool has(FrictionModelKind kind, FrictionParameter parameter) noexcept {
   return kMembership[at(parameter)].own && allows(kind, parameter);
 }
@@ -109,26 +84,6 @@ FrictionParameters restricted(const FrictionParameters& parameters, FrictionMode
     if (!allows(kind, i.index)) out.*(i.member) = i.off;
   }
   return out;
-}
-
-FrictionModelKind smallest_model(const FrictionParameters& parameters) noexcept {
-  FrictionParameters switched_on = parameters;
-  if (!(switched_on.stribeck_Nm > 0.0)) {  // its shape then means nothing
-    switched_on.stribeck_speed_rad_s = info(P::kStribeckSpeed).off;
-    switched_on.stribeck_exponent = info(P::kStribeckExponent).off;
-  }
-  for (const FrictionModelKind kind : kFrictionModels) {
-    if (to_vector(restricted(switched_on, kind)) == to_vector(switched_on)) return kind;
-  }
-  return FrictionModelKind::kPresliding;
-}
-
-const char* first_impossible(const FrictionParameters& parameters) noexcept {
-  for (const FrictionParameterInfo& i : kTable) {
-    const double value = parameters.*(i.member);
-    if (!(value >= i.low && value <= i.high)) return i.name;
-  }
-  return std::isfinite(parameters.reference_temperature_C) ? nullptr : "reference_temperature";
 }
 
 }  // namespace sprung

@@ -6,8 +6,8 @@
 /// A parameter that is zero switches its term off (exponents: their plain value stands in the struct).
 #include <array>
 #include <cstddef>
-#include <optional>
-#include <string_view>
+
+#include "signals/enumeration.h"
 
 namespace sprung {
 
@@ -82,9 +82,15 @@ inline constexpr std::array<FrictionModelKind, 5> kFrictionModels = {
     FrictionModelKind::kCoulomb, FrictionModelKind::kViscous, FrictionModelKind::kStribeck,
     FrictionModelKind::kLoad, FrictionModelKind::kPresliding};
 
-/// "coulomb", "viscous", "stribeck", "load", "presliding": in robot.yaml and in reports.
-const char* name(FrictionModelKind kind) noexcept;
-std::optional<FrictionModelKind> friction_model_of(std::string_view name) noexcept;
+/// Words of robot.yaml and of reports.
+constexpr auto words_of(FrictionModelKind) {
+  using E = FrictionModelKind;
+  return words<E>({{E::kCoulomb, "coulomb"},
+                   {E::kViscous, "viscous"},
+                   {E::kStribeck, "stribeck"},
+                   {E::kLoad, "load"},
+                   {E::kPresliding, "presliding"}});
+}
 
 /// Is the parameter one of this model's? Exponents and temperature factors are of no model by default: they
 /// may be added to any that has the term which they shape.
@@ -93,12 +99,5 @@ bool has(FrictionModelKind kind, FrictionParameter parameter) noexcept;
 bool allows(FrictionModelKind kind, FrictionParameter parameter) noexcept;
 /// The same with every parameter off that the model does not allow.
 FrictionParameters restricted(const FrictionParameters& parameters, FrictionModelKind kind) noexcept;
-
-/// The poorest model that allows every term which these parameters switch on.
-FrictionModelKind smallest_model(const FrictionParameters& parameters) noexcept;
-
-/// Why these parameters cannot be: name of the first that is not finite or outside its bounds, nullptr if
-/// none.
-const char* first_impossible(const FrictionParameters& parameters) noexcept;
 
 }  // namespace sprung

@@ -153,7 +153,7 @@ TEST(IdentificationSections, EverySubsetOfTermsIsReadBackUnderItsSmallestModel) 
                                 (p.viscous_exponent != 1.0 || p.viscous_temperature_1_K != 0.0);
     if (shapes_nothing) continue;  // refused, see HalfATermIsRefused
     joint.friction->parameters = p;
-    joint.friction->model = smallest_model(p);
+    joint.friction->model = test::smallest_model(p);
     const JointConfig again = read(kPlain + identification_text(joint));
     FrictionParameters expected = p;
     if (p.stribeck_Nm == 0.0) {

@@ -52,11 +52,6 @@ TEST(InhibitTime, CountsHundredMicroseconds) {
   EXPECT_EQ(inhibit_us(10), 1000) << "EPOS2's default";
   EXPECT_EQ(inhibit_us(0), 0);
   EXPECT_EQ(inhibit_us(0xFFFF), 6553500);
-  EXPECT_EQ(inhibit_units(1000), 10);
-  EXPECT_EQ(inhibit_units(1), 1) << "never shorter than asked for";
-  EXPECT_EQ(inhibit_units(101), 2);
-  EXPECT_EQ(inhibit_units(-5), 0);
-  EXPECT_EQ(inhibit_units(10'000'000), 0xFFFF);
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <set>
 #include <string>
 
@@ -46,7 +45,8 @@ TEST(FrictionParametersTest, BreakawayIsCoulombPlusStribeck) {
 
 TEST(FrictionParametersTest, CoulombAloneHasEveryOtherTermOff) {
   EXPECT_EQ(coulomb_alone(1.79).coulomb_Nm, 1.79);
-  EXPECT_EQ(smallest_model(coulomb_alone(1.79)), FrictionModelKind::kCoulomb);
+  EXPECT_EQ(to_vector(restricted(coulomb_alone(1.79), FrictionModelKind::kCoulomb)),
+            to_vector(coulomb_alone(1.79)));
 }
 
 TEST(FrictionParametersTest, EachModelHoldsTheOneBefore) {
@@ -84,35 +84,10 @@ TEST(FrictionParametersTest, RestrictedSwitchesOffWhatTheModelDoesNotKnow) {
             to_vector(full_friction()));
 }
 
-TEST(FrictionParametersTest, SmallestModelAllowsWhatIsSwitchedOn) {
-  FrictionParameters p;
-  p.coulomb_Nm = 3.0;
-  p.stribeck_speed_rad_s = 0.3;  // of nothing
-  EXPECT_EQ(smallest_model(p), FrictionModelKind::kCoulomb);
-  p.viscous_Nm_s_rad = 1.0;
-  p.viscous_exponent = 0.7;
-  EXPECT_EQ(smallest_model(p), FrictionModelKind::kViscous);
-  p.asymmetry = -0.1;
-  EXPECT_EQ(smallest_model(p), FrictionModelKind::kLoad);
-  EXPECT_EQ(smallest_model(full_friction()), FrictionModelKind::kPresliding);
-}
-
 TEST(FrictionParametersTest, ModelsAreFoundByTheirNames) {
-  for (const FrictionModelKind kind : kFrictionModels) EXPECT_EQ(friction_model_of(name(kind)), kind);
-  EXPECT_EQ(friction_model_of("lugre"), std::nullopt);
-}
-
-TEST(FrictionParametersTest, ImpossibleValuesAreNamed) {
-  EXPECT_EQ(first_impossible(full_friction()), nullptr);
-  FrictionParameters p = full_friction();
-  p.load_share_driven = 0.7;
-  EXPECT_STREQ(first_impossible(p), "load_share_driven");
-  p = full_friction();
-  p.viscous_Nm_s_rad = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_STREQ(first_impossible(p), "viscous");
-  p = full_friction();
-  p.reference_temperature_C = std::numeric_limits<double>::infinity();
-  EXPECT_STREQ(first_impossible(p), "reference_temperature");
+  for (const FrictionModelKind kind : kFrictionModels)
+    EXPECT_EQ(value_named<FrictionModelKind>(name(kind)), kind);
+  EXPECT_EQ(value_named<FrictionModelKind>("lugre"), std::nullopt);
 }
 
 }  // namespace

@@ -108,7 +108,6 @@ class Launcher {
   void publish_status();
   void stop_one(Child& child, double timeout_s);
   void wait_while_it_speaks(Child& child);
-  bool is_remote(const std::string& program) const;
 
   LaunchRequest request_;
   RobotConfig robot_;
