@@ -64,6 +64,7 @@ void draw_message(Injection& out, bool has_imu, Dice& dice) {
   out.link_fault = any_of_kind<LinkFault>(dice);
   switch (out.link_fault) {
     case LinkFault::kLost:
+    case LinkFault::kFlipped:
       out.value = dice.scale(0.02, 1.0);
       break;
     case LinkFault::kLate:
@@ -73,6 +74,7 @@ void draw_message(Injection& out, bool has_imu, Dice& dice) {
       out.value = std::floor(dice.scale(1.0, 1e6));
       break;
     case LinkFault::kRepeated:
+    case LinkFault::kDisorder:
       break;
   }
 }

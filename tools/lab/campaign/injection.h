@@ -50,11 +50,17 @@ enum class LinkFault : std::uint8_t {
   kLate,      ///< value: cycles
   kRepeated,  ///< the first one again and again, with its own number
   kFuture,    ///< value: cycles ahead in its number
+  kDisorder,  ///< each second one behind the one that was sent after it
+  kFlipped,   ///< one bit turned over on the wire; value: share
 };
 constexpr auto words_of(LinkFault) {
   using E = LinkFault;
-  return words<E>(
-      {{E::kLost, "lost"}, {E::kLate, "late"}, {E::kRepeated, "repeated"}, {E::kFuture, "future"}});
+  return words<E>({{E::kLost, "lost"},
+                   {E::kLate, "late"},
+                   {E::kRepeated, "repeated"},
+                   {E::kFuture, "future"},
+                   {E::kDisorder, "out of order"},
+                   {E::kFlipped, "with a bit flipped"}});
 }
 
 enum class FieldFault : std::uint8_t { kNaN, kInfinite, kHuge, kSign };

@@ -5,6 +5,7 @@
 
 #include "drivers/canopen/protocol.h"
 #include "drivers/profiles/drive_profile.h"
+#include "tools/lab/campaign/wire_flip.h"
 
 namespace sprung::campaign {
 namespace {
@@ -104,18 +105,27 @@ bool LinkTamper::pass_by(Link link, Signal& message, History<Signal>& history) n
   return arrives;
 }
 
+/// What was sent so many cycles ago. @return false: there was nothing.
+template <class Signal>
+bool LinkTamper::take_back(std::int64_t cycles, Signal& message, const History<Signal>& history) noexcept {
+  const std::int64_t wanted = history.count - 1 - cycles;
+  if (wanted < 0) return false;
+  message = history.ring[static_cast<std::size_t>(wanted) % kHistory];
+  return true;
+}
+
 template <class Signal>
 bool LinkTamper::disturb(const Injection& injection, Signal& message, History<Signal>& history) noexcept {
   const auto cycles = static_cast<std::int64_t>(injection.value);
   switch (injection.link_fault) {
     case LinkFault::kLost:
       return share(random_) >= injection.value;
-    case LinkFault::kLate: {
-      const std::int64_t wanted = history.count - 1 - cycles;
-      if (wanted < 0) return false;
-      message = history.ring[static_cast<std::size_t>(wanted) % kHistory];
-      return true;
-    }
+    case LinkFault::kLate:
+      return take_back(cycles, message, history);
+    case LinkFault::kDisorder:  // 4, 3, 6, 5, 8, ...
+      return (seq_ - injection.at_seq) % 2 == 0 || take_back(2, message, history);
+    case LinkFault::kFlipped:
+      return share(random_) >= injection.value || arrives_flipped(message, random_());
     case LinkFault::kRepeated:
       if (history.repeats_since != injection.at_seq) {
         history.first = message;

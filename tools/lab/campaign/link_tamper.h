@@ -42,6 +42,8 @@ class LinkTamper : public InProcessLinks {
   template <class Signal>
   bool pass_by(Link link, Signal& message, History<Signal>& history) noexcept;
   template <class Signal>
+  static bool take_back(std::int64_t cycles, Signal& message, const History<Signal>& history) noexcept;
+  template <class Signal>
   bool disturb(const Injection& injection, Signal& message, History<Signal>& history) noexcept;
   void add_foreign(const Injection& injection, FrameBatch& frames) noexcept;
 

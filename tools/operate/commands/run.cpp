@@ -31,6 +31,7 @@ int run_with_key(const std::string& instance, std::vector<std::string> words) {
   describe(info, key.number());
   KeyFd::inherit(key.number());
   std::vector<char*> argv;
+  argv.reserve(words.size() + 1);
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
   execvp(argv[0], argv.data());

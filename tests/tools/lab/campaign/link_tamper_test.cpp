@@ -45,6 +45,9 @@ TEST_F(LinkTamperTest, MessagesAreLostLateRepeatedOrAheadFromTheirCycleOn) {
   EXPECT_EQ(arrivals(on(link, LinkFault::kLate, 2)), (Seqs{0, 1, 2, 3, 4, 3, 4, 5, 6, 7}));
   EXPECT_EQ(arrivals(on(link, LinkFault::kRepeated, 0)), (Seqs{0, 1, 2, 3, 4, 5, 5, 5, 5, 5}));
   EXPECT_EQ(arrivals(on(link, LinkFault::kFuture, 3)), (Seqs{0, 1, 2, 3, 4, 8, 9, 10, 11, 12}));
+  EXPECT_EQ(arrivals(on(link, LinkFault::kDisorder, 0)), (Seqs{0, 1, 2, 3, 4, 5, 4, 7, 6, 9}));
+  EXPECT_EQ(arrivals(on(link, LinkFault::kFlipped, 1.0)), (Seqs{0, 1, 2, 3, 4, -1, -1, -1, -1, -1}));
+  EXPECT_EQ(arrivals(on(link, LinkFault::kFlipped, 0.0)), (Seqs{0, 1, 2, 3, 4, 5, 6, 7, 8, 9}));
   EXPECT_EQ(arrivals(on(Link::kJointState, LinkFault::kLost, 1.0)), (Seqs{0, 1, 2, 3, 4, 5, 6, 7, 8, 9}));
 }
 
