@@ -47,12 +47,13 @@ double quantile(std::vector<double> values, double share) {
 }
 
 std::vector<report::Cell> group_row(const std::string& name, const std::vector<const Verdict*>& runs) {
-  std::vector<double> noticed, safe, fastest;
+  std::vector<double> noticed, safe, fastest, force;
   int tripped = 0, bad_ones = 0;
   for (const Verdict* one : runs) {
     noticed.push_back(1e3 * one->noticed_s);
     safe.push_back(1e3 * one->safe_s);
     fastest.push_back(one->fastest_share);
+    force.push_back(one->peak_force_N);
     tripped += one->tripped() ? 1 : 0;
     bad_ones += bad(*one) ? 1 : 0;
   }
@@ -64,19 +65,48 @@ std::vector<report::Cell> group_row(const std::string& name, const std::vector<c
           quantile(safe, 0.5),
           quantile(safe, 0.95),
           quantile(fastest, 1.0),
+          quantile(force, 0.5),
+          quantile(force, 1.0),
           report::Cell(bad_ones, bad_ones == 0 ? report::Mark::kGood : report::Mark::kBad)};
+}
+
+template <class Key>
+std::map<std::string, std::vector<const Verdict*>> groups_of(const std::vector<Verdict>& runs,
+                                                             const Key& key) {
+  std::map<std::string, std::vector<const Verdict*>> groups;
+  for (const Verdict& one : runs) groups[key(one)].push_back(&one);
+  return groups;
 }
 
 template <class Key>
 report::Table grouped(const std::string& title, const std::vector<Verdict>& runs, const Key& key) {
   report::Table table{title,
                       {"", "runs", "stopped", "noticed, median (ms)", "95 %", "no torque, median (ms)",
-                       "95 %", "fastest joint over its limit", "not as it should be"}};
-  std::map<std::string, std::vector<const Verdict*>> groups;
-  for (const Verdict& one : runs) groups[key(one)].push_back(&one);
-  for (const auto& [name, group] : groups) table.rows.push_back(group_row(name, group));
+                       "95 %", "fastest joint over its limit", "largest force on a foot, median (N)",
+                       "largest (N)", "not as it should be"}};
+  for (const auto& [name, group] : groups_of(runs, key)) table.rows.push_back(group_row(name, group));
   return table;
 }
+
+/// Of the runs that came to rest: the share that had by then.
+template <class Key>
+report::Plot distribution(const std::string& title, const std::vector<Verdict>& runs, const Key& key) {
+  report::Plot plot{title, {"time from the fault to no torque", "s"}, {"share of runs", "%"}};
+  for (const auto& [name, group] : groups_of(runs, key)) {
+    report::Series series;
+    series.name = name;
+    for (const Verdict* one : group)
+      if (!std::isnan(one->safe_s)) series.x.push_back(one->safe_s);
+    std::sort(series.x.begin(), series.x.end());
+    for (std::size_t i = 1; i <= series.x.size(); ++i)
+      series.y.push_back(100.0 * static_cast<double>(i) / static_cast<double>(series.x.size()));
+    if (!series.x.empty()) plot.series.push_back(std::move(series));
+  }
+  return plot;
+}
+
+std::string class_of(const Verdict& verdict) { return name(verdict.draw.injections[0].kind); }
+std::string state_of(const Verdict& verdict) { return verdict.draw.state; }
 
 }  // namespace
 
@@ -164,11 +194,10 @@ report::Table explanations(const std::vector<Verdict>& runs) {
 
 std::vector<report::Section> campaign_sections(const Result& result, const RobotConfig& robot) {
   report::Section groups{"How soon it was safe"};
-  groups.tables = {
-      grouped("By what went wrong", result.runs,
-              [](const Verdict& v) { return std::string(name(v.draw.injections[0].kind)); }),
-      grouped("By what the robot did", result.runs, [](const Verdict& v) { return v.draw.state; }),
-      explanations(result.runs)};
+  groups.tables = {grouped("By what went wrong", result.runs, class_of),
+                   grouped("By what the robot did", result.runs, state_of), explanations(result.runs)};
+  groups.plots = {distribution("No torque any more, by what went wrong", result.runs, class_of),
+                  distribution("No torque any more, by what the robot did", result.runs, state_of)};
   report::Section failures{"Runs that are not as they should be"};
   for (const Verdict& one : result.runs)
     if (bad(one)) failures.text.push_back(failure_text(one, robot));

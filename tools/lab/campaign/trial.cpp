@@ -97,7 +97,15 @@ class Trial {
     if (stopped && std::isnan(verdict_.noticed_s) && struck_) verdict_.noticed_s = since_s();
     if (stopped && struck_ && verdict_.cause == SafetyCause::kNone && !recovering_)
       verdict_.cause = safety().cause;
+    if (struck_) note_force();
     if (!any_torque() && std::isnan(verdict_.safe_s) && struck_) verdict_.safe_s = since_s();
+  }
+
+  void note_force() {
+    for (const TrueLeg& leg : robot_.truth().legs) {
+      const Vec3& force = leg.true_contact_force_N;
+      verdict_.peak_force_N = std::max(verdict_.peak_force_N, std::hypot(force[0], force[1], force[2]));
+    }
   }
 
   OperatorCommand order(OperatorKind kind) {

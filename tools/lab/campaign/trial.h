@@ -19,6 +19,7 @@ struct Verdict {
   double noticed_s = kNaN;  ///< from the injection to the first level that is not operational
   double safe_s = kNaN;     ///< to the end of motors' torque, where it ended
   double fastest_share = 0.0, farthest_rad = 0.0, damping_work_J = 0.0;
+  double peak_force_N = 0.0;  ///< on any foot, from the injection on
   bool recovered = false;
   std::string explained;  ///< where it was not: what the robot said
   std::string failure;    ///< the run itself could not be made: no verdict

@@ -98,6 +98,9 @@ TEST_F(CampaignTest, PageHasGroupsAndEveryBadRun) {
   const auto sections = campaign_sections(result_, robot_);
   ASSERT_EQ(sections.size(), 2u);
   EXPECT_EQ(sections[0].tables.size(), 3u);
+  ASSERT_EQ(sections[0].plots.size(), 2u);
+  for (const report::Plot& plot : sections[0].plots)
+    for (const report::Series& series : plot.series) EXPECT_EQ(series.y.back(), 100.0) << series.name;
   EXPECT_EQ(sections[1].text.size(), 1u);
 }
 
