@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "signals/messages.h"
+
 namespace sprung {
 namespace {
 
@@ -56,6 +58,15 @@ Target find_target(const RobotConfig& robot, const std::string& name) {
   list(robot.joints, "joints", known);
   list(robot.buses, "buses", known);
   throw std::invalid_argument("'" + name + "' is nothing of " + robot.name + "; there are: " + known);
+}
+
+/// By the simulation's own check of what comes in.
+void refuse_unheard(const SimControl& control) {
+  sprung_msgs::sim_control_t message;
+  SimControl heard;
+  to_message(control, 0, message);
+  if (!from_message(message, heard))
+    throw std::invalid_argument("--value is 65535 at most, --for 1e7 s: the simulation takes no more");
 }
 
 }  // namespace
@@ -131,6 +142,7 @@ SimControl fault_control(const RobotConfig& robot, const FaultRequest& request) 
   control.fault = guide->kind;
   control.value = request.value.value_or(guide->usual_value);
   control.duration_s = request.for_s;
+  refuse_unheard(control);
   return control;
 }
 

@@ -55,6 +55,8 @@ TEST_F(FaultRequestTest, RefusalsSayWhatWouldDo) {
   EXPECT_THAT(refusal({"knee", "over-current", 3.0, 0.0}), HasSubstr("takes no --value"));
   EXPECT_THAT(refusal({"knee", "fire", {}, 0.0}), HasSubstr("sprung fault --help"));
   EXPECT_THAT(refusal({"knee", "bus-off", {}, -1.0}), HasSubstr("--for"));
+  EXPECT_THAT(refusal({"knee", "encoder-jump", 70000.0, 0.0}), HasSubstr("65535 at most"));
+  EXPECT_THAT(refusal({"knee", "bus-off", {}, 1e8}), HasSubstr("1e7 s"));
 }
 
 TEST_F(FaultRequestTest, AFaultActsAndNoneTakesItAway) {
