@@ -229,6 +229,19 @@ TEST_F(JointEstimatorTest, ALinkEncoderThatFallsSilentLeavesTheMotorsSide) {
   EXPECT_NEAR(out.gear_output_torque_Nm, 5.0, 1e-9);
 }
 
+TEST_F(JointEstimatorTest, EncodersThatDisagreeShowNoTwist) {
+  joint_.torsion = GearTorsion{};
+  joint_.torsion->stiffness_Nm_rad = joint_.torsion->second_stiffness_Nm_rad = 25000.0;
+  joint_.torsion->angle_std_rad = 1e-5;
+  for (const double apart_rad : {0.002, 0.02, -0.02}) {
+    estimator_ = JointEstimator(joint_, kJointEstimatorDt_s, kEncoderStep_rad, kCoast);
+    settle(1.0, 5.0);
+    JointSample sample = fresh(1.0, 5.0);
+    sample.measured_link_position_rad = 1.0 + apart_rad;
+    EXPECT_EQ(std::isnan(step(sample).torsion_torque_Nm), std::abs(apart_rad) > 0.01) << apart_rad;
+  }
+}
+
 TEST_F(JointEstimatorTest, HomingStartsItAnewInsteadOfAsAMotion) {
   JointSample sample = fresh(0.2, 5.0);
   sample.drive_status = JointStatus::kNotReferenced;

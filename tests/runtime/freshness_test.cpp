@@ -60,6 +60,15 @@ TEST(CycleFreshness, SenderThatBeganAnewIsKnownByItsTime) {
   EXPECT_EQ(fresh.admit(cycle(10, kAnew_us), kAnew_us), Refusal::kNone);
 }
 
+TEST(CycleFreshness, WhatTheSenderBeforeSaidFillsNoGapOfTheNewOne) {
+  CycleFreshness fresh;
+  EXPECT_EQ(fresh.admit(cycle(50), 50'000), Refusal::kNone);
+  constexpr std::int64_t kAnew_us = 60'000;
+  for (const std::int64_t seq : {0, 5}) EXPECT_EQ(fresh.admit(cycle(seq, kAnew_us), 65'000), Refusal::kNone);
+  EXPECT_EQ(fresh.admit(cycle(3), 65'000), Refusal::kReplayed);
+  EXPECT_EQ(fresh.admit(cycle(3, kAnew_us), 65'000), Refusal::kNone) << "it may come late";
+}
+
 TEST(CycleFreshness, ProcessThatStartsLateIsNotFooledByWhatWasSaidBefore) {
   CycleFreshness fresh;
   EXPECT_EQ(fresh.admit(cycle(100), 10'000'000), Refusal::kLate);

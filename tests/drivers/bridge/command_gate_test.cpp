@@ -61,13 +61,14 @@ TEST_F(CommandGateTest, OnlyAllDisabledArms) {
 }
 
 TEST_F(CommandGateTest, SequenceMustGrowAndNotRunAhead) {
+  EXPECT_FALSE(accept(command(-1, DriveMode::kDisabled))) << "the first one is of a cycle too";
   EXPECT_TRUE(accept(command(4, DriveMode::kDisabled)));
   EXPECT_FALSE(accept(command(4, DriveMode::kDisabled))) << "repeated";
   EXPECT_FALSE(accept(command(3, DriveMode::kDisabled))) << "older";
   EXPECT_FALSE(accept(command(6, DriveMode::kDisabled))) << "of a cycle to come";
   EXPECT_THAT(detail(), HasSubstr("command of cycle 6 in cycle 5, the last good one was of 4"));
   EXPECT_FALSE(accept(command(-1, DriveMode::kDisabled)));
-  EXPECT_EQ(gate_.refused(), 4);
+  EXPECT_EQ(gate_.refused(), 5);
 }
 
 TEST_F(CommandGateTest, ExpiredAndMisshapenCommandsAreRefused) {
@@ -98,6 +99,8 @@ TEST_F(CommandGateTest, ValuesThatTheModeUsesAreJudged) {
        "172 Nm, limit 171.6 Nm"},
       {DriveMode::kTorque, [](ActuatorCommand& a) { a.commanded_torque_Nm = -kInfinity; },
        "commanded torque -inf"},
+      {DriveMode::kPosition, [](ActuatorCommand& a) { a.commanded_torque_Nm = 172.0; },
+       "172 Nm, limit 171.6 Nm"},
       {DriveMode::kPosition, [](ActuatorCommand& a) { a.commanded_position_rad = kNaN; },
        "commanded position nan"},
       {DriveMode::kPosition, [](ActuatorCommand& a) { a.commanded_position_rad = 22.0; },

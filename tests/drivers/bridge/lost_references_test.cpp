@@ -92,6 +92,24 @@ TEST(BridgeReferences, IncrementalOneIsLostWhenTheBootNeedsASecondTry) {
   expect_reference_lost_while_configured([](test::FakeDrive& hip) { hip.dead = true; });
 }
 
+TEST(BridgeReferences, IncrementalOneIsLostWhenTheDriveWasSilent) {
+  RobotConfig robot = test::two_drive_robot();
+  for (ActuatorConfig& actuator : robot.actuators) actuator.reference.absolute_encoder = false;
+  test::BridgeBench bench(robot);
+  ASSERT_TRUE(bench.boot());
+  bench.run(50);
+  bench.drives[0].mute_samples = true;  // as without supply
+  bench.run(900);
+  ASSERT_EQ(bench.ask(OperatorKind::kClear).outcome, OperatorOutcome::kAccepted);
+  bench.run(5);
+  bench.drives[0].mute_samples = false;
+  OperatorReply reply;
+  for (int i = 0; i < 7000 && !bench.bridge->next_reply(reply); ++i) bench.tick();
+  EXPECT_EQ(reply.outcome, OperatorOutcome::kDone) << reply.reason;
+  EXPECT_FALSE(bench.state.actuators[0].referenced);
+  EXPECT_TRUE(bench.state.actuators[1].referenced);
+}
+
 TEST(BridgeReferences, IncrementalOneIsKeptByAResetOfTheCommunication) {
   RobotConfig robot = test::two_drive_robot();
   for (ActuatorConfig& actuator : robot.actuators) actuator.reference.absolute_encoder = false;

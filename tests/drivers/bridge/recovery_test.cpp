@@ -53,6 +53,25 @@ TEST_F(BridgeRecovery, ClearNeedsADisabledCommandBeforeTorqueComesBack) {
   EXPECT_EQ(level(), SafetyLevel::kOperational);
 }
 
+TEST_F(BridgeRecovery, DisabledCommandOfBeforeTheClearDoesNotArm) {
+  bench_.ask(OperatorKind::kEstop);
+  bench_.run(10);
+  bench_.mute_commands = true;  // they come too late for their cycle, and before the next
+  bench_.command_all(DriveMode::kDisabled);
+  bench_.tick();
+  ASSERT_EQ(bench_.ask(OperatorKind::kClear).outcome, OperatorOutcome::kAccepted);
+  OperatorReply reply;
+  for (int i = 0; i < 20 && !bench_.bridge->next_reply(reply); ++i) {
+    bench_.command.stamp = bench_.state.stamp;
+    bench_.command.valid_until_utime_us = bench_.time_us + 21000;
+    EXPECT_TRUE(bench_.bridge->command(bench_.command, bench_.time_us));
+    bench_.tick();
+  }
+  EXPECT_EQ(reply.outcome, OperatorOutcome::kDone);
+  bench_.mute_commands = false;
+  expect_stays_off();
+}
+
 TEST_F(BridgeRecovery, ClearOfARobotInOperationDisturbsNothing) {
   bench_.command_all(DriveMode::kTorque, 5.0);
   EXPECT_EQ(bench_.ask_and_wait(OperatorKind::kClear).outcome, OperatorOutcome::kDone);
@@ -145,6 +164,20 @@ TEST_F(BridgeRecovery, FaultThatCannotBeResetFailsAndStaysLatched) {
   EXPECT_TRUE(latched());
   EXPECT_EQ(bench_.drives[1].resets, 2) << "the communication reset was tried too, once";
   EXPECT_EQ(bench_.drives[0].resets, 1);
+}
+
+TEST_F(BridgeRecovery, DriveThatFallsSilentAfterItsResetFailsTheClear) {
+  bench_.drives[1].pending_emergency = 0x2310;
+  bench_.run(900);
+  bench_.ask(OperatorKind::kClear);
+  for (int i = 0; i < 1000 && bench_.drives[1].power == PowerState::kFault; ++i) bench_.tick();
+  bench_.tick();  // so that it is seen
+  bench_.drives[1].mute_samples = true;
+  OperatorReply reply;
+  for (int i = 0; i < 600 && !bench_.bridge->next_reply(reply); ++i) bench_.tick();
+  EXPECT_EQ(reply.outcome, OperatorOutcome::kFailed);
+  EXPECT_STREQ(reply.reason, "a drive is in fault again; see BUS_STATE");
+  EXPECT_TRUE(latched());
 }
 
 TEST_F(BridgeRecovery, FaultThatOnlyACommunicationResetHealsGetsItInTheSameClear) {

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "drivers/cia402/words.h"
@@ -70,6 +71,56 @@ TEST(BridgeSetpoints, NothingIsEnabledBeforeACommandWithEveryModeDisabled) {
   EXPECT_EQ(bench.enabled(), 0);
   EXPECT_EQ(bench.state.safety, SafetyLevel::kDisabled);
   EXPECT_THAT(bench.detail(), HasSubstr("every mode disabled"));
+}
+
+TEST(BridgeSetpoints, NothingIsEnabledBeforeTheFaultsOfTheStartAreReset) {
+  BridgeBench bench;
+  bench.drives[1].power = PowerState::kFault;
+  bench.drives[1].stuck_in_fault = true;
+  ASSERT_TRUE(bench.boot());
+  bench.run(20);
+  bench.command_all(DriveMode::kTorque, 5.0);
+  for (int i = 0; i < 400; ++i) {
+    bench.tick();
+    ASSERT_EQ(bench.enabled(), 0) << i;
+  }
+  EXPECT_EQ(bench.bridge->safety().cause, SafetyCause::kDriveFault);
+}
+
+TEST(BridgeSetpoints, DriveThatHasNotConfirmedItsPositionLimitsGetsNoPower) {
+  RobotConfig robot = test::with_leg(two_drive_robot(), 1.0);
+  robot.actuators[0].position_limits_object = 0x607D;
+  BridgeBench bench(robot);
+  ASSERT_TRUE(bench.boot());
+  bench.on_answers = [](std::vector<CanFrame>& frames) {
+    const auto of_hip = [](const CanFrame& frame) { return frame.id == canopen::sdo_server_id(1); };
+    frames.erase(std::remove_if(frames.begin(), frames.end(), of_hip), frames.end());
+  };
+  bench.enable();
+  bench.run(50);
+  EXPECT_EQ(bench.drives[0].enabled_count, 0);
+  EXPECT_EQ(bench.drives[1].enabled_count, 1);
+  bench.on_answers = nullptr;
+  bench.run(200);  // an answer is missed for 100 ms
+  EXPECT_EQ(bench.drives[0].enabled_count, 1);
+}
+
+TEST(BridgeSetpoints, DriveThatIsNotEnabledYetIsToldNoTorqueAndThePositionWhereItIs) {
+  BridgeBench bench;
+  ASSERT_TRUE(bench.boot());
+  bench.run(400);
+  ASSERT_EQ(bench.state.safety, SafetyLevel::kOperational);
+  for (const DriveMode mode : {DriveMode::kTorque, DriveMode::kPosition}) {
+    bench.command_all(DriveMode::kDisabled);
+    bench.run(5);
+    bench.command_all(mode, mode == DriveMode::kTorque ? 5.0 : kNaN, 0.2);
+    for (int i = 0; i < 20 && bench.drives[0].power != PowerState::kOperationEnabled; ++i) {
+      bench.tick();
+      EXPECT_EQ(bench.drives[0].target_torque_permille, 0) << i;
+      EXPECT_EQ(bench.drives[0].target_position_counts, 0) << i;
+    }
+    EXPECT_EQ(bench.drives[0].power, PowerState::kOperationEnabled);
+  }
 }
 
 TEST(BridgeSetpoints, EnabledDriveGetsItsTorqueAndShowsItsModeOnlyWhenConfirmed) {
@@ -194,6 +245,18 @@ TEST(BridgeShutdown, OfAStandingRobotLetsItSinkDamped) {
     ASSERT_GT(bench.enabled(), 0) << "dropped after " << i << " ms";
   }
   EXPECT_GT(bench.drives[0].target_torque_permille, 300);
+}
+
+TEST(BridgeShutdown, EndsThoughADriveObeysNoStop) {
+  BridgeBench bench;
+  ASSERT_TRUE(bench.boot());
+  bench.enable();
+  bench.drives[0].stuck_on = true;
+  bench.bridge->begin_shutdown(bench.time_us);
+  bench.run(1990);
+  EXPECT_FALSE(bench.bridge->shut_down());
+  bench.run(20);
+  EXPECT_TRUE(bench.bridge->shut_down());
 }
 
 TEST(BridgeShutdown, WhileBootingIsImmediate) {

@@ -67,6 +67,12 @@ TEST_F(StopWatchTest, DriveThatTakesNoSetPointsIsAskedBySdoAtOnce) {
   EXPECT_TRUE(watch_.by_sdo());
 }
 
+TEST_F(StopWatchTest, DriveThatLeavesOperationalMeanwhileIsAskedBySdoAtOnce) {
+  EXPECT_EQ(after_ms(50), StopStep::kPdo);
+  in_.takes_pdos = false;
+  EXPECT_EQ(after_ms(1), StopStep::kSdo);
+}
+
 TEST_F(StopWatchTest, HeartbeatStaysForADriveThatIsNotHeard) {
   in_.alive = false;
   after_ms(301);

@@ -138,6 +138,8 @@ TEST_F(StuckEncoder, RobotIsDampedAndThatJointGetsNoTorqueByAVelocityThatIsNotTh
   EXPECT_EQ(bench_.bridge->safety().actuator, 0);
   EXPECT_NE(bench_.detail().find("hip_motor: encoder stuck"), std::string::npos) << bench_.detail();
   EXPECT_EQ(bench_.drives[0].target_torque_permille, 0);
+  EXPECT_NE(bench_.drives[0].power, PowerState::kOperationEnabled) << "it would brake by that encoder";
+  EXPECT_EQ(bench_.drives[1].power, PowerState::kOperationEnabled);
 }
 
 TEST_F(StuckEncoder, AbductionJointMayRestWhileHipAndKneeMove) {

@@ -127,14 +127,16 @@ Result run_campaign(const RobotConfig& robot, const Request& request) {
   const auto draw = [&](std::size_t i) {
     return draw_run(robot, request.seed, request.first + i, request.only);
   };
+  const std::size_t of_each = request.twins ? 2 : 1;
   const auto all = parallel_map(
-      2 * count,
+      of_each * count,
       [&](std::size_t i) {
-        return run_trial(robot, request.preset, i % 2 == 0 ? draw(i / 2) : twin_of(draw(i / 2)));
+        const Draw drawn = draw(i / of_each);
+        return run_trial(robot, request.preset, i % of_each == 0 ? drawn : twin_of(drawn));
       },
       request.parallel);
   Result out;
-  for (std::size_t i = 0; i < all.size(); ++i) (i % 2 == 0 ? out.runs : out.twins).push_back(all[i]);
+  for (std::size_t i = 0; i < all.size(); ++i) (i % of_each == 0 ? out.runs : out.twins).push_back(all[i]);
   return out;
 }
 

@@ -19,6 +19,7 @@ struct Request {
   std::uint64_t first = 0;  ///< number of the first run
   int runs = 1000;
   Class only = Class::kNone;  ///< kNone: every class
+  bool twins = true;          ///< they take half of the time
   ParallelOptions parallel;
 };
 

@@ -19,7 +19,7 @@ struct CampaignOptions {
   std::string robot = "pegasus";
   std::string only, out;
   Request request;
-  bool as_json = false;
+  bool as_json = false, no_twins = false;
 };
 
 report::Report page_of(const Result& result, const RobotConfig& robot, const ExperimentReport& rows,
@@ -56,6 +56,7 @@ int run(CampaignOptions options) {
   const RobotConfig robot = load_robot(options.robot);
   Request& request = options.request;
   request.preset = preset_or(robot, "best");
+  request.twins = !options.no_twins;
   if (!options.only.empty()) request.only = value_named<Class>(options.only).value_or(Class::kNone);
   const Result result = with_progress("campaign", [&](ProgressBar& bar) {
     request.parallel.on_progress = [&bar](std::size_t done, std::size_t count) { bar.show(done, count); };
@@ -94,6 +95,8 @@ void add_campaign(CommandLine& sprung) {
   std::vector<std::string> classes = names_of<Class>();
   classes[0] = "";
   line.choice("--only", options->only, classes, "faults of this class alone");
+  line.flag("--no-twins", options->no_twins,
+            "in half of the time, without asking whether a healthy robot is stopped");
   line.option("--out", options->out,
               "HTML file with distributions and every run that is not as it should be");
   line.flag("--json", options->as_json, "one JSON object on standard output");

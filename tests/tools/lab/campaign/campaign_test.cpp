@@ -38,6 +38,20 @@ TEST_F(CampaignTest, RunsThatWentWellAreWithinAllBounds) {
   EXPECT_DOUBLE_EQ(value_of(campaign_rows(result_), "all.less_than_at_95_percent"), 30.0);
 }
 
+TEST_F(CampaignTest, WithoutTwinsThereAreTheSameRuns) {
+  Request request;
+  request.runs = 1;
+  request.only = Class::kBus;
+  const Result with = run_campaign(robot_, request);
+  request.twins = false;
+  const Result without = run_campaign(robot_, request);
+  ASSERT_EQ(with.twins.size(), 1U);
+  EXPECT_TRUE(without.twins.empty());
+  ASSERT_EQ(without.runs.size(), 1U);
+  EXPECT_EQ(without.runs[0].cause, with.runs[0].cause);
+  EXPECT_EQ(without.runs[0].simulated_s, with.runs[0].simulated_s);
+}
+
 TEST_F(CampaignTest, EachBreachCountsInItsRow) {
   for (const auto& word : kWords<Rule>) {
     Result one = result_;

@@ -1,0 +1,78 @@
+// What a drive's own watches find stops the robot: each by itself is tested beside it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/bridge_bench.h"
+
+namespace sprung {
+namespace {
+
+using test::BridgeBench;
+using ::testing::HasSubstr;
+
+/// Two joints of which motor and gear are known.
+RobotConfig robot_with_inertia() {
+  RobotConfig robot = test::with_leg(test::two_drive_robot());
+  for (JointConfig& joint : robot.joints) joint.armature_kg_m2 = 0.82;
+  return robot;
+}
+
+void expect_stop(const BridgeBench& bench, SafetyCause cause, const char* text) {
+  EXPECT_EQ(bench.bridge->safety().level, SafetyLevel::kDamping);
+  EXPECT_EQ(bench.bridge->safety().cause, cause);
+  EXPECT_TRUE(bench.bridge->safety().latched);
+  EXPECT_THAT(bench.detail(), HasSubstr(text));
+}
+
+TEST(WatchedDrive, EncoderThatJittersStopsTheRobotAndHasNoPower) {
+  BridgeBench bench(robot_with_inertia());
+  ASSERT_TRUE(bench.boot());
+  bench.enable();
+  for (int i = 0; i < 25; ++i) {
+    bench.drives[0].position_counts += i % 2 == 0 ? 20'000 : -20'000;  // 10 mrad
+    bench.tick();
+  }
+  expect_stop(bench, SafetyCause::kImplausible, "hip_motor: encoder noisy: it jitters by");
+  EXPECT_NE(bench.drives[0].power, PowerState::kOperationEnabled);
+  EXPECT_EQ(bench.drives[1].power, PowerState::kOperationEnabled) << "it damps";
+}
+
+TEST(WatchedDrive, WindingThatIsFarTooWarmStopsTheRobot) {
+  RobotConfig robot = test::two_drive_robot();
+  robot.actuators[0].winding_time_constant_s = 1.0;
+  BridgeBench bench(robot);
+  ASSERT_TRUE(bench.boot());
+  bench.enable();
+  bench.drives[0].torque_permille = 1500;  // of the rated current: 2.25 times as warm in the end
+  bench.run(700);
+  EXPECT_EQ(bench.bridge->safety().level, SafetyLevel::kOperational) << bench.detail();
+  bench.run(100);
+  expect_stop(bench, SafetyCause::kWinding, "hip_motor: its winding is 20 % beyond");
+}
+
+TEST(WatchedDrive, OneWhoseEmergencyInputIsNotKnownKeepsEveryDriveWithoutPower) {
+  RobotConfig robot = test::two_drive_robot();
+  robot.actuators[0].emergency_input = {0, false};
+  BridgeBench bench(robot);
+  ASSERT_TRUE(bench.boot());
+  bench.enable();
+  bench.run(200);
+  EXPECT_EQ(bench.enabled(), 0) << "the drive does not say";
+  bench.drives[0].objects[{canopen::kDigitalInputs, 0}] = 1;
+  bench.run(200);
+  bench.enable();
+  EXPECT_EQ(bench.enabled(), 2) << bench.detail();
+}
+
+TEST(WatchedDrive, OneThatKeepsOtherPositionLimitsStopsTheRobot) {
+  RobotConfig robot = test::with_leg(test::two_drive_robot(), 1.0);
+  robot.actuators[0].position_limits_object = 0x607D;
+  BridgeBench bench(robot);
+  bench.drives[0].clamped[{0x607D, 1}] = 0;
+  ASSERT_TRUE(bench.boot());
+  bench.run(100);
+  expect_stop(bench, SafetyCause::kDriveRefused, "hip_motor: does not keep its position limits 0x607D");
+}
+
+}  // namespace
+}  // namespace sprung
