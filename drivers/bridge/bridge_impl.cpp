@@ -179,7 +179,7 @@ void BridgeCore::Impl::judge_motion() noexcept {
     hip.judge_motion(knee_rad);
     knee.judge_motion(hip_rad);
   }
-  for (std::size_t i = 0; i < drives.size(); ++i) motion[i] = drives[i]->gate_motion();
+  for (std::size_t i = 0; i < drives.size(); ++i) drives[i]->show(motion[i]);
   limits.judge(motion, sync_us);
 }
 
@@ -266,7 +266,6 @@ void BridgeCore::Impl::heed_emergency_inputs(std::int64_t time_us) noexcept {
 
 void BridgeCore::Impl::update_safety(std::int64_t time_us, bool command_due) noexcept {
   heed_emergency_inputs(time_us);
-  Fault node_trouble, planner_trouble;
   SafetyInputs inputs;
   inputs.time_us = time_us;
   inputs.cycle = cycle;

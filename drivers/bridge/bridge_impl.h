@@ -97,7 +97,8 @@ struct BridgeCore::Impl {
   HardLimitWatch limits;
   SafetyMachine safety;
   SafetyState published;
-  DetailText boot_text{};  ///< of boot_detail()
+  Fault node_trouble, planner_trouble;  ///< found by update_safety(); kept, so that no cycle clears texts
+  DetailText boot_text{};               ///< of boot_detail()
   DriveState state;
   std::vector<GateMotion> motion;           ///< of the drives in this cycle
   std::vector<ActuatorCommand> set_points;  ///< of the last command, as the gate lets them pass

@@ -130,15 +130,13 @@ double DriveNode::measured_torque_Nm() const noexcept {
   return sample_.measured_current_A * actuator_.torque_constant_Nm_A * actuator_.gear_ratio;
 }
 
-GateMotion DriveNode::gate_motion() const noexcept {
+void DriveNode::show(GateMotion& out) const noexcept {
   const bool fresh = link().samples().answered() && !implausible_;
-  GateMotion motion;
-  if (fresh && reference().known) motion.measured_position_rad = measured_position_rad();
-  if (fresh && !distrusted_) motion.filtered_velocity_rad_s = tracker_.filtered_velocity_rad_s();
-  motion.measured_torque_Nm = measured_torque_Nm();
-  motion.enabled = enabled();
-  motion.warm = winding_.warm();
-  return motion;
+  out.measured_position_rad = fresh && reference().known ? measured_position_rad() : kNaN;
+  out.filtered_velocity_rad_s = fresh && !distrusted_ ? tracker_.filtered_velocity_rad_s() : 0.0;
+  out.measured_torque_Nm = measured_torque_Nm();
+  out.enabled = enabled();
+  out.warm = winding_.warm();
 }
 
 std::int64_t DriveNode::encoder_counts() const noexcept {

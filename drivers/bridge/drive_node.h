@@ -64,7 +64,7 @@ class DriveNode final : public BusNode {
   /// Once a cycle after end_sampling(). @param mate_rad encoder_position_rad() of the drive beside it, with
   /// which it swings in one plane.
   void judge_motion(double mate_rad) noexcept;
-  GateMotion gate_motion() const noexcept;  ///< of this cycle
+  void show(GateMotion& out) const noexcept;  ///< of this cycle
 
   double filtered_velocity_rad_s() const noexcept { return tracker_.filtered_velocity_rad_s(); }
   double measured_link_position_rad() const noexcept { return measured_link_position_rad_; }

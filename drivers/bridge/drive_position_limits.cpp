@@ -77,8 +77,7 @@ void DrivePositionLimits::want(std::int64_t one_counts, std::int64_t other_count
 
 void DrivePositionLimits::forget() noexcept { *this = DrivePositionLimits(index_, range_, counts_per_rad_); }
 
-std::optional<LimitTransfer> DrivePositionLimits::next() const noexcept {
-  if (index_ == 0 || !wanted_ || step_ == kDone || refused()) return std::nullopt;
+std::optional<LimitTransfer> DrivePositionLimits::transfer() const noexcept {
   const bool is_high = (step_ % 2 == 1) != high_first_;
   const auto value = static_cast<std::uint32_t>(is_high ? high_ : low_);
   return LimitTransfer{step_ < 2, {index_, static_cast<std::uint8_t>(is_high ? 2 : 1)}, value};

@@ -43,7 +43,8 @@ class DrivePositionLimits {
   /// The drive has begun anew, maybe with its own.
   void forget() noexcept;
 
-  std::optional<LimitTransfer> next() const noexcept;  ///< none: nothing is to be done
+  /// None: nothing is to be done.
+  std::optional<LimitTransfer> next() const noexcept { return due() ? transfer() : std::nullopt; }
   void took(bool good, std::uint32_t value) noexcept;
   /// A refusal is forgotten: it is tried again.
   void retry() noexcept;
@@ -56,6 +57,8 @@ class DrivePositionLimits {
   static constexpr int kTries = 3;
 
   void want(std::int64_t one_counts, std::int64_t other_counts) noexcept;
+  bool due() const noexcept { return index_ != 0 && wanted_ && step_ != kDone && !refused(); }
+  std::optional<LimitTransfer> transfer() const noexcept;
 
   std::uint16_t index_;
   PositionRange range_;

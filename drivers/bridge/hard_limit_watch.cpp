@@ -35,6 +35,7 @@ HardLimitWatch::HardLimitWatch(const RobotConfig& robot) {
 }
 
 void HardLimitWatch::judge(const std::vector<GateMotion>& motion, std::int64_t time_us) noexcept {
+  any_ = false;
   for (Leg& leg : legs_) judge_leg(leg, motion, time_us);
   for (std::size_t i = 0; i < drives_.size(); ++i) {
     Drive& drive = drives_[i];
@@ -43,11 +44,12 @@ void HardLimitWatch::judge(const std::vector<GateMotion>& motion, std::int64_t t
                         std::abs(drive.velocity_rad_s) > kOverspeedShare * drive.limit_rad_s;
     if (!faster) drive.slow_us = time_us;
     drive.fast = time_us - drive.slow_us >= kFast_us;
+    any_ = any_ || drive.fast;
   }
 }
 
 void HardLimitWatch::judge_leg(Leg& leg, const std::vector<GateMotion>& motion,
-                               std::int64_t time_us) const noexcept {
+                               std::int64_t time_us) noexcept {
   JointVector measured_rad(leg.transmission.size());
   for (int i = 0; i < leg.transmission.size(); ++i)
     measured_rad[i] = motion[leg.actuators[i]].measured_position_rad;
@@ -56,6 +58,7 @@ void HardLimitWatch::judge_leg(Leg& leg, const std::vector<GateMotion>& motion,
     for (int i = 0; i < leg.transmission.size(); ++i)
       powered = powered || (leg.transmission.couples(j, i) && motion[leg.actuators[i]].enabled);
     judge_joint(leg.joints[j], leg.transmission.joint_from_coupled(j, measured_rad), powered, time_us);
+    any_ = any_ || leg.joints[j].beyond;
   }
 }
 
@@ -71,6 +74,7 @@ void HardLimitWatch::judge_joint(Joint& joint, double position_rad, bool powered
 }
 
 bool HardLimitWatch::fault(Fault& out) const noexcept {
+  if (!any_) return false;
   for (const Leg& leg : legs_) {
     for (std::size_t j = 0; j < leg.joints.size(); ++j) {
       const Joint& joint = leg.joints[j];

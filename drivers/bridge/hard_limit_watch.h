@@ -48,8 +48,9 @@ class HardLimitWatch {
   };
 
   static void judge_joint(Joint& joint, double position_rad, bool powered, std::int64_t time_us) noexcept;
-  void judge_leg(Leg& leg, const std::vector<GateMotion>& motion, std::int64_t time_us) const noexcept;
+  void judge_leg(Leg& leg, const std::vector<GateMotion>& motion, std::int64_t time_us) noexcept;
 
+  bool any_ = false;  ///< beyond, or fast
   std::vector<Leg> legs_;
   std::vector<Drive> drives_;
 };

@@ -36,7 +36,7 @@ void HeartbeatWatch::watch(std::int64_t time_us, bool in_operation) noexcept {
 }
 
 bool HeartbeatWatch::missing(std::int64_t time_us) const noexcept {
-  return seconds(time_us - heard_us_) > longest_pause_s_;
+  return time_us - heard_us_ > longest_pause_us_;
 }
 
 void HeartbeatWatch::show(NodeHealth& out) const noexcept {

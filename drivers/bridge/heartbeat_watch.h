@@ -6,13 +6,14 @@
 #include "drivers/canopen/nmt.h"
 #include "robots/robot_config.h"
 #include "signals/bus_state.h"
+#include "signals/microseconds.h"
 
 namespace sprung {
 
 class HeartbeatWatch {
  public:
   explicit HeartbeatWatch(const WatchdogConfig& watchdogs) noexcept
-      : period_s_(watchdogs.heartbeat_s), longest_pause_s_(watchdogs.drive_heartbeat_s) {}
+      : period_s_(watchdogs.heartbeat_s), longest_pause_us_(to_us(watchdogs.drive_heartbeat_s)) {}
 
   /// The node has been brought into operation, and was heard: from now on heartbeats are due.
   void begin_operation(std::int64_t time_us) noexcept;
@@ -37,7 +38,7 @@ class HeartbeatWatch {
 
  private:
   double period_s_;
-  double longest_pause_s_;
+  std::int64_t longest_pause_us_;
   canopen::NmtState state_ = canopen::NmtState::kUnknown;
   std::int64_t operational_us_ = 0;
   std::int64_t heard_us_ = 0;

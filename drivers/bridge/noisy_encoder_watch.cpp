@@ -37,13 +37,12 @@ void NoisyEncoderWatch::add(double position_rad, std::int64_t sync_us) noexcept 
 }
 
 void NoisyEncoderWatch::judge(double difference_rad) noexcept {
+  if (filled_ == window_ && is_jitter(difference_[next_])) --beyond_;
+  if (is_jitter(difference_rad)) ++beyond_;
   difference_[next_] = difference_rad;
-  next_ = (next_ + 1) % window_;
+  next_ = next_ + 1 == window_ ? 0 : next_ + 1;
   filled_ = std::min(filled_ + 1, window_);
-  const auto beyond = static_cast<std::size_t>(
-      std::count_if(difference_.begin(), difference_.begin() + static_cast<std::ptrdiff_t>(filled_),
-                    [this](double d) { return std::abs(d) > most_rad_; }));
-  noisy_ = noisy_ || (beyond >= kLeast && 3 * beyond >= window_);
+  noisy_ = noisy_ || (beyond_ >= kLeast && 3 * beyond_ >= window_);
 }
 
 /// White noise has second differences of sqrt(6) times its own size.
@@ -57,7 +56,7 @@ double NoisyEncoderWatch::noise_rad() const noexcept {
 
 void NoisyEncoderWatch::forget() noexcept {
   known_ = 0;
-  next_ = filled_ = 0;
+  next_ = filled_ = beyond_ = 0;
   noisy_ = false;
 }
 

@@ -5,6 +5,7 @@
 /// beyond eight times what the torque limit gives the motor's own inertia. An impact is over sooner: it is
 /// one or two. Pure; once a sample.
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -28,6 +29,7 @@ class NoisyEncoderWatch {
   static constexpr std::size_t kMost = 20;  ///< samples in the window, at 1 kHz
 
   void judge(double difference_rad) noexcept;
+  bool is_jitter(double difference_rad) const noexcept { return std::abs(difference_rad) > most_rad_; }
 
   double most_rad_;     ///< of a second difference that is no jitter; 0: nothing is watched
   std::size_t window_;  ///< samples
@@ -38,6 +40,7 @@ class NoisyEncoderWatch {
   std::array<double, kMost> difference_{};  ///< second differences, a ring
   std::size_t next_ = 0;
   std::size_t filled_ = 0;
+  std::size_t beyond_ = 0;  ///< of those in the ring
   bool noisy_ = false;
 };
 

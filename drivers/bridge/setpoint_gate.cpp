@@ -26,9 +26,9 @@ double held_torque_Nm(const JointConfig& joint, double position_rad, double velo
   const double above_rad = position_rad - joint.position_max_rad;
   const double below_rad = joint.position_min_rad - position_rad;
   const double room_rad = std::max(velocity_rad_s > 0.0 ? -above_rad : -below_rad, kLeastRoom_rad);
-  const double needed_Nm = 0.5 * joint.armature_kg_m2 * velocity_rad_s * velocity_rad_s / room_rad;
-  if (needed_Nm > kBrakeShare * bound_Nm) {
-    const double brake_Nm = std::min(needed_Nm, bound_Nm);
+  const double energy_J = 0.5 * joint.armature_kg_m2 * velocity_rad_s * velocity_rad_s;
+  if (energy_J > kBrakeShare * bound_Nm * room_rad) {
+    const double brake_Nm = std::min(energy_J / room_rad, bound_Nm);
     return velocity_rad_s > 0.0 ? std::min(torque_Nm, -brake_Nm) : std::max(torque_Nm, brake_Nm);
   }
   if (above_rad > 0.0) return std::min(torque_Nm, 0.0);
@@ -40,7 +40,8 @@ bool differ(double a, double b) noexcept { return std::abs(a - b) > 1e-9; }
 }  // namespace
 
 SetpointGate::SetpointGate(const RobotConfig& robot) : cycle_s_(robot.cycle_s) {
-  for (const ActuatorConfig& actuator : robot.actuators) drives_.push_back({actuator, kNaN, kNaN, {}});
+  for (const ActuatorConfig& actuator : robot.actuators)
+    drives_.push_back({actuator, actuator.torque_limit_Nm * cycle_s_ / kFullTorque_s, kNaN, kNaN, {}});
   for (const LegConfig& leg : robot.legs) {
     std::vector<JointConfig> joints;
     for (const int joint : leg.joints) joints.push_back(robot.joints.at(joint));
@@ -160,10 +161,11 @@ double SetpointGate::torque_of(Drive& drive, const GateMotion& motion, double to
   const double before_Nm = std::isfinite(drive.set_torque_Nm) ? drive.set_torque_Nm
                                                               : motion.measured_torque_Nm;
   if (std::isfinite(before_Nm)) {
-    const double step_Nm = a.torque_limit_Nm * cycle_s_ / kFullTorque_s;
-    limit_to(std::min(before_Nm, 0.0) - step_Nm, std::max(before_Nm, 0.0) + step_Nm, GateLimit::kRate);
+    limit_to(std::min(before_Nm, 0.0) - drive.most_step_Nm, std::max(before_Nm, 0.0) + drive.most_step_Nm,
+             GateLimit::kRate);
   }
-  if (faster && a.power_limit_W > 0.0) {
+  const bool too_strong = std::abs(torque_Nm * velocity_rad_s) > kPowerShare * a.power_limit_W;
+  if (faster && a.power_limit_W > 0.0 && too_strong) {
     const double most_Nm = kPowerShare * a.power_limit_W / std::abs(velocity_rad_s);
     limit_to(-most_Nm, most_Nm, GateLimit::kPower);
   }

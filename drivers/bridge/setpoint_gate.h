@@ -48,6 +48,7 @@ class SetpointGate {
  private:
   struct Drive {
     ActuatorConfig config;
+    double most_step_Nm;          ///< of its torque in a cycle
     double set_torque_Nm = kNaN;  ///< of the cycle before, in torque control
     double set_position_rad = kNaN;
     GateCounts counts{};
