@@ -155,6 +155,12 @@ TEST(ReceiveGuard, RefusesEveryTruncationOfAMessageWithStrings) {
   }
 }
 
+TEST(ReceiveGuard, RefusesBytesAfterTheLastString) {
+  Bytes bytes = encoded(reply());
+  bytes.push_back(0);
+  expect_refused<sprung_msgs::operator_reply_t>(Refusal::kWrongLength, bytes, CountLimits::none());
+}
+
 TEST(ReceiveGuard, CountsWhatIsRefusedLater) {
   ReceiveGuard guard("X", layout_of<sprung_msgs::joint_state_t>(), CountLimits::exactly(2, 1),
                      kReceiveGuardSession);
