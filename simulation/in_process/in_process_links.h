@@ -6,6 +6,7 @@
 #include "signals/drive_state.h"
 #include "signals/joint_state.h"
 #include "signals/leg_command.h"
+#include "signals/operator.h"
 #include "signals/sensors.h"
 
 namespace sprung {
@@ -21,6 +22,8 @@ class InProcessLinks {
   virtual bool pass(LegCommand&) noexcept { return true; }
   virtual bool pass(DriveCommand&) noexcept { return true; }
   virtual bool pass(Imu&) noexcept { return true; }
+  /// What an operator asks for, when it is given to the robot.
+  virtual void ordered(const OperatorCommand&) noexcept {}
   /// What the drives said in this cycle.
   virtual void answered(const FrameBatch&) noexcept {}
   /// The bridge's frames of this cycle, as they go to the drives.

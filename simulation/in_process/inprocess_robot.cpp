@@ -138,6 +138,7 @@ void InProcessRobot::boot(double limit_s) {
 
 void InProcessRobot::submit(const OperatorCommand& command) {
   if (observer_) observer_->on_command(command);
+  if (links_ != nullptr) links_->ordered(command);
   const OperatorKind kind = command.kind;
   if (kind == OperatorKind::kEstop || kind == OperatorKind::kClear || kind == OperatorKind::kHome) {
     bridge_reply_ = bridge_.operator_command(command, time_us_);

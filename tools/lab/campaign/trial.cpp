@@ -26,10 +26,13 @@ class Links : public LinkTamper {
       : LinkTamper(stack, seed), judge_(machine) {}
   void sent(const FrameBatch& frames) noexcept override { judge_.sent(frames); }
   void answered(const FrameBatch& frames) noexcept override { judge_.answered(frames); }
+  void ordered(const OperatorCommand& command) noexcept override { orders_.push_back(command); }
   Judge& judge() noexcept { return judge_; }
+  const std::vector<OperatorCommand>& orders() const noexcept { return orders_; }
 
  private:
   Judge judge_;
+  std::vector<OperatorCommand> orders_;
 };
 
 class Trial {
@@ -38,6 +41,7 @@ class Trial {
       : machine_(robot),
         stack_(with_mistake(robot, draw.injections[0])),
         links_(stack_, machine_, draw.sim.seed),
+        preset_(preset),
         robot_(stack_, preset, machine_, draw.sim),
         torques_(robot.actuators.size()) {
     verdict_.draw = draw;
@@ -56,6 +60,19 @@ class Trial {
     recover();
     finish();
     return verdict_;
+  }
+
+  ScriptedTrial script() {
+    if (!reach_state()) throw std::runtime_error("the robot did not come to " + draw().state);
+    advance(draw().wait_s);
+    for (std::size_t i = 0; i < draw().injections.size(); ++i) inject(i);
+    watch();
+    RunScript out{machine_, preset_, draw().sim, links_.orders(), robot_.cycle() + 1, controls_};
+    for (OperatorCommand& order : out.commands) {
+      if (order.kind == OperatorKind::kHome) throw std::runtime_error("the robot has to be homed first");
+      order.request_id = order.apply_at_seq + 1;
+    }
+    return {out, robot_.truth()};
   }
 
  private:
@@ -196,13 +213,17 @@ class Trial {
     control.value = injection.value;
     if (injection.kind == Class::kDrive) {
       control.actuator = injection.target;
-      return robot_.sim().control(control);
+      return make(control);
     }
     const int buses = static_cast<int>(machine_.buses.size());
     for (int k = 0; k < (injection.half_of_buses ? buses / 2 : 1); ++k) {
       control.bus = (injection.target + k) % buses;
-      robot_.sim().control(control);
+      make(control);
     }
+  }
+  void make(const SimControl& control) {
+    controls_.push_back(control);
+    robot_.sim().control(control);
   }
   void act_on_processes() {
     for (const Injection& injection : injected_) {
@@ -277,9 +298,11 @@ class Trial {
 
   const RobotConfig machine_, stack_;
   Links links_;
+  const std::string preset_;
   InProcessRobot robot_;
   std::vector<double> torques_;
   std::vector<Injection> injected_;
+  std::vector<SimControl> controls_;
   Verdict verdict_;
   std::int64_t seq_ = -1, watching_since_ = -1, last_request_ = 1000;
   double begun_s_ = 0.0;
@@ -288,6 +311,19 @@ class Trial {
 };
 
 }  // namespace
+
+bool has_script(const Draw& draw) noexcept {
+  const bool asks_the_bridge = draw.state == "clearing" || draw.state == "homing";
+  return !asks_the_bridge && !draw.second_while_clearing &&
+         std::all_of(draw.injections.begin(), draw.injections.end(), [](const Injection& one) {
+           return one.kind == Class::kDrive || one.kind == Class::kBus;
+         });
+}
+
+ScriptedTrial script_of(const RobotConfig& robot, const std::string& preset, const Draw& draw) {
+  if (!has_script(draw)) throw std::invalid_argument("no script holds this run");
+  return Trial(robot, preset, draw).script();
+}
 
 Verdict run_trial(const RobotConfig& robot, const std::string& preset, const Draw& draw) {
   try {

@@ -8,6 +8,7 @@
 #include "signals/vec3.h"
 #include "tools/lab/campaign/draw.h"
 #include "tools/lab/campaign/judge.h"
+#include "tools/lab/run/scripted_run.h"
 
 namespace sprung::campaign {
 
@@ -31,5 +32,17 @@ struct Verdict {
 
 /// Never throws: what a run throws is its `failure`.
 Verdict run_trial(const RobotConfig& robot, const std::string& preset, const Draw& draw);
+
+/// Whether a script can hold the run: drives and buses go wrong alone, and the bridge is asked for nothing.
+bool has_script(const Draw& draw) noexcept;
+/// A run as commands and faults at fixed cycles, and how it ended.
+struct ScriptedTrial {
+  RunScript script;
+  SimTruth end;
+};
+/// The run up to where it would be recovered: for real processes.
+/// @throws std::runtime_error where the robot does not come to its state without `home`;
+/// std::invalid_argument where has_script() is false.
+ScriptedTrial script_of(const RobotConfig& robot, const std::string& preset, const Draw& draw);
 
 }  // namespace sprung::campaign

@@ -9,6 +9,7 @@
 #include "tools/commands.h"
 #include "tools/common/progress_bar.h"
 #include "tools/common/report/report_shell.h"
+#include "tools/lab/campaign/separate.h"
 
 namespace sprung::commands {
 namespace {
@@ -19,6 +20,7 @@ struct CampaignOptions {
   std::string robot = "pegasus";
   std::string only, out;
   Request request;
+  int separate = 0;  ///< runs by real processes
   bool as_json = false, no_twins = false;
 };
 
@@ -50,10 +52,32 @@ void print_failures(const Result& result, const RobotConfig& robot) {
     if (bad_twin(one)) std::printf("without a fault: %s\n", failure_text(one, robot).c_str());
 }
 
+void print_differences(const std::vector<SeparateRun>& runs, const RobotConfig& robot) {
+  for (const SeparateRun& one : runs) {
+    if (one.same()) continue;
+    const std::string why = one.failure.empty()
+                                ? "differs first in cycle " + std::to_string(one.first_difference)
+                                : one.failure;
+    std::printf(
+        "run %llu by real processes: %s\n  sprung campaign --robot %s --seed %llu --first %llu "
+        "--runs 1 --separate 1\n",
+        static_cast<unsigned long long>(one.draw.number), why.c_str(), robot.name.c_str(),
+        static_cast<unsigned long long>(one.draw.seed), static_cast<unsigned long long>(one.draw.number));
+  }
+}
+
+void refuse_homing(const RobotConfig& robot) {
+  for (const ActuatorConfig& actuator : robot.actuators)
+    if (actuator.reference.method != ReferenceMethod::kNone)
+      throw WrongUse("--separate: " + robot.name + " has to be homed (" + actuator.name +
+                     "), which no script of commands at fixed cycles can do");
+}
+
 int run(CampaignOptions options) {
   start_log("sprung");
   const auto started = std::chrono::steady_clock::now();
   const RobotConfig robot = load_robot(options.robot);
+  if (options.separate > 0) refuse_homing(robot);
   Request& request = options.request;
   request.preset = preset_or(robot, "best");
   request.twins = !options.no_twins;
@@ -68,6 +92,9 @@ int run(CampaignOptions options) {
   report.preset = request.preset;
   report.seed = request.seed;
   report.rows = campaign_rows(result);
+  const auto separate = run_separately(robot, request.preset, request.seed, request.first, options.separate);
+  if (options.separate > 0)
+    for (const ReportRow& one : separate_rows(separate)) report.rows.push_back(one);
   for (const auto* all : {&result.runs, &result.twins})
     for (const Verdict& one : *all) report.simulated_s += one.simulated_s;
   report.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
@@ -76,6 +103,7 @@ int run(CampaignOptions options) {
     std::printf("%s\n", report.json().c_str());
   } else {
     print_failures(result, robot);
+    print_differences(separate, robot);
     std::printf("%s\n", report.table().c_str());
   }
   return report.ok() ? kExitDone : kExitFailed;
@@ -97,13 +125,15 @@ void add_campaign(CommandLine& sprung) {
   line.choice("--only", options->only, classes, "faults of this class alone");
   line.flag("--no-twins", options->no_twins,
             "in half of the time, without asking whether a healthy robot is stopped");
+  line.option("--separate", options->separate,
+              "so many of the runs also by real processes in lock-step, compared bit for bit");
   line.option("--out", options->out,
               "HTML file with distributions and every run that is not as it should be");
   line.flag("--json", options->as_json, "one JSON object on standard output");
   line.example("sprung campaign --robot pegasus --runs 1000 --seed 1 --out campaign.html");
   line.action([=] {
-    if (options->request.runs < 1 || options->request.parallel.jobs < 0)
-      throw WrongUse("--runs is at least 1, --jobs at least 0");
+    if (options->request.runs < 1 || options->request.parallel.jobs < 0 || options->separate < 0)
+      throw WrongUse("--runs is at least 1, --jobs and --separate at least 0");
     return run(*options);
   });
 }

@@ -51,6 +51,26 @@ TEST_F(TrialTest, FaultIsNoticedMadeSafeAndRecoveredFrom) {
   EXPECT_TRUE(verdict.breaches.empty());
 }
 
+TEST_F(TrialTest, ScriptHasTheCommandsAndFaultsOfItsRun) {
+  const Draw draw = drawn("thrust", drive_fault(FaultKind::kOverCurrent));
+  ASSERT_TRUE(has_script(draw));
+  const ScriptedTrial trial = script_of(robot_, "best", draw);
+  ASSERT_EQ(trial.script.commands.size(), 2u);
+  EXPECT_EQ(trial.script.commands[0].kind, OperatorKind::kStand);
+  EXPECT_EQ(trial.script.commands[1].kind, OperatorKind::kJump);
+  ASSERT_EQ(trial.script.controls.size(), 1u);
+  EXPECT_EQ(trial.script.controls[0].fault, FaultKind::kOverCurrent);
+  EXPECT_EQ(trial.end.stamp.seq, trial.script.cycles - 1);
+}
+
+TEST_F(TrialTest, RunThatAsksTheBridgeOrTouchesMessagesHasNone) {
+  EXPECT_FALSE(has_script(drawn("clearing", drive_fault(FaultKind::kOverCurrent))));
+  Injection lost;
+  lost.kind = Class::kMessage;
+  EXPECT_FALSE(has_script(drawn("standing", lost)));
+  EXPECT_THROW(script_of(robot_, "best", drawn("standing", lost)), std::invalid_argument);
+}
+
 TEST_F(TrialTest, DeadProgramIsExplained) {
   Injection killed;
   killed.kind = Class::kProcess;
