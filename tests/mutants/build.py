@@ -2,7 +2,6 @@
 
 import hashlib
 import os
-import pathlib
 import shutil
 import subprocess
 
@@ -78,6 +77,6 @@ def environment(mutant):
 
 def scratch():
     """Where programs run, and may leave what they write."""
-    folder = pathlib.Path(FOLDER / "scratch")
+    folder = FOLDER / "scratch"
     folder.mkdir(parents=True, exist_ok=True)
     return folder

@@ -43,7 +43,8 @@ def stages(mutant):
     out = [(f"{room}_tests", filter_of(suites_of([own])))] if own in of_room else []
     out.append((f"{room}_tests", filter_of(suites_of(of_room))))
     if room != "runtime":
-        out.append(("simulation_tests", filter_of(suites_of(f"tests/simulation/in_process/{name}_test.cpp" for name in WHOLE))))
+        whole = suites_of(f"tests/simulation/in_process/{name}_test.cpp" for name in WHOLE)
+        out.append(("simulation_tests", filter_of(whole)))
     return out
 
 
@@ -85,9 +86,9 @@ def unit_test(mutant):
 
 
 def campaign_runs(mutant, robot, fault, first, count):
-    """Runs that are not as they should be: number -> why. Healthy twins are asked of the build without a mutant alone."""
-    command = [build.program("sprung"), "campaign", "--robot", robot, "--seed", SEED, "--first", first, "--runs", count,
-               "--jobs", 1, *(["--no-twins"] if mutant else []), *([] if fault == "any" else ["--only", fault])]  # fmt: skip
+    """Runs that are not as they should be: number -> why. Healthy twins are made without a mutant alone."""
+    command = [build.program("sprung"), "campaign", "--robot", robot, "--seed", SEED, "--first", first, "--runs", count]
+    command += ["--jobs", 1] + ([] if fault == "any" else ["--only", fault]) + (["--no-twins"] if mutant else [])
     code, said = called(command, mutant)
     if code < 0:
         return {f"{first}": f"the campaign ends with {code}"}

@@ -1,16 +1,17 @@
 """What tests/mutants/list says, and the sources with a switch for each mutant in them.
 
   file drivers/bridge/command_gate.cpp   whose mutants follow
-  campaign message field on pegasus      classes of faults that could tell, `any`, or `none: WHY` where none can; without
-                                         `on pegasus` only the robot that is asked first could, single_leg
+  campaign message field                 classes of faults that could tell, on single_leg; `any`
+  campaign message field on pegasus      where it does not tell, on pegasus too
+  campaign none: WHY                     none can
   NAME: what it switches off
   - what stands in the file; «this part» of it alone is replaced, where it is marked
   + what the mutant has instead; nothing: the statement is left out
   alive: why no unit test can tell
   unseen: why the campaign does not tell
 
-Lines of one kind that follow one another are one text, and white space is any white space. A text that ends in ; or } is
-statements, any other an expression. One may lie within another.
+Lines of one kind that follow one another are one text, and white space is any white space. A text that ends in ; or }
+is statements, any other an expression. One may lie within another. A `campaign` is that of all that follow it.
 """
 
 import dataclasses
