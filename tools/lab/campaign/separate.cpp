@@ -73,7 +73,7 @@ SeparateRun compare(const RobotConfig& robot, const std::string& preset, const D
 std::vector<SeparateRun> run_separately(const RobotConfig& robot, const std::string& preset,
                                         std::uint64_t seed, std::uint64_t first, int count) {
   std::vector<SeparateRun> out;
-  for (std::uint64_t number = first; number < first + 20U * static_cast<unsigned>(count); ++number) {
+  for (std::uint64_t number = first; number < first + 20 * static_cast<std::uint64_t>(count); ++number) {
     const Draw draw = draw_run(robot, seed, number, Class::kNone);
     if (has_script(draw)) out.push_back(compare(robot, preset, draw));
     if (out.size() == static_cast<std::size_t>(count)) break;
