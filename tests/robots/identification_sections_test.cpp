@@ -8,7 +8,7 @@
 
 #include "robots/robot_loader.h"
 #include "robots/robot_sections.h"
-#include "tests/model/friction/from_vector.h"
+#include "tests/model/friction/parameter_sets.h"
 #include "tests/support/paths.h"
 
 namespace sprung {

@@ -92,10 +92,15 @@ TEST(BridgeReferences, IncrementalOneIsLostWhenTheBootNeedsASecondTry) {
   expect_reference_lost_while_configured([](test::FakeDrive& hip) { hip.dead = true; });
 }
 
-TEST(BridgeReferences, IncrementalOneIsLostWhenTheDriveWasSilent) {
+/// Its drives know where they are, and not any more once they have begun anew.
+RobotConfig incremental_robot() {
   RobotConfig robot = test::two_drive_robot();
   for (ActuatorConfig& actuator : robot.actuators) actuator.reference.absolute_encoder = false;
-  test::BridgeBench bench(robot);
+  return robot;
+}
+
+TEST(BridgeReferences, IncrementalOneIsLostWhenTheDriveWasSilent) {
+  test::BridgeBench bench(incremental_robot());
   ASSERT_TRUE(bench.boot());
   bench.run(50);
   bench.drives[0].mute_samples = true;  // as without supply
@@ -111,9 +116,7 @@ TEST(BridgeReferences, IncrementalOneIsLostWhenTheDriveWasSilent) {
 }
 
 TEST(BridgeReferences, IncrementalOneIsKeptByAResetOfTheCommunication) {
-  RobotConfig robot = test::two_drive_robot();
-  for (ActuatorConfig& actuator : robot.actuators) actuator.reference.absolute_encoder = false;
-  test::BridgeBench bench(robot);
+  test::BridgeBench bench(incremental_robot());
   ASSERT_TRUE(bench.boot());
   bench.run(50);
   bench.bridge->receive(0, canopen::emergency_frame(1, {0x8120, 0x11}), bench.time_us);

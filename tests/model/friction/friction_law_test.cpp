@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "tests/model/friction/friction_examples.h"
-#include "tests/model/friction/from_vector.h"
+#include "tests/model/friction/parameter_sets.h"
 
 namespace sprung {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "tests/model/friction/friction_examples.h"
-#include "tests/model/friction/from_vector.h"
+#include "tests/model/friction/parameter_sets.h"
 
 namespace sprung {
 namespace {
