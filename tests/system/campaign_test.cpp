@@ -11,7 +11,10 @@ namespace {
 class CampaignOfProcesses : public SystemTest {};
 
 TEST_F(CampaignOfProcesses, DrawnFaultsGiveTheBitsOfOneProcess) {
-  const auto runs = campaign::run_separately(robot_, "best", 1, 0, 2);
+  std::vector<campaign::Draw> draws;
+  for (std::uint64_t number = 0; number < 20; ++number)
+    draws.push_back(campaign::draw_run(robot_, 1, number, campaign::Class::kNone));
+  const auto runs = campaign::run_separately(robot_, "best", draws, 2);
   ASSERT_EQ(runs.size(), 2u);
   for (const campaign::SeparateRun& one : runs) {
     EXPECT_EQ(one.failure, "");

@@ -11,6 +11,7 @@
 #include "runtime/message_key.h"
 #include "runtime/receive_guard.h"
 #include "tools/lab/bench/stopwatch.h"
+#include "tools/lab/run/quantile.h"
 #include "tools/logs/log/reader.h"
 
 namespace sprung {
@@ -18,7 +19,11 @@ namespace {
 
 constexpr std::size_t kMostFrames = 256;  // lcmtypes/can_trace.lcm
 
-bool is_set_point(int can_id) { return can_id > 0x200 && can_id < 0x280; }  // RPDO1, CiA 301's identifiers
+/// RPDO1 of some node.
+bool is_set_point(int can_id) {
+  const auto id = static_cast<std::uint32_t>(can_id);
+  return id >= canopen::rpdo_id(0, 1) && id <= canopen::rpdo_id(0, canopen::kMaxNode);
+}
 
 /// Follows the bridge's own frames over the messages of a log.
 class Cycles {
@@ -32,10 +37,8 @@ class Cycles {
       last_us_ = frame.utime;
     }
   }
-  /// @return ascending.
   std::vector<double> times_us() {
     end();
-    std::sort(times_us_.begin(), times_us_.end());
     return times_us_;
   }
 
@@ -58,10 +61,6 @@ class Cycles {
   std::int64_t sync_us_ = 0, last_us_ = 0;
 };
 
-double at_share(const std::vector<double>& sorted, double share) {
-  return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
-}
-
 }  // namespace
 
 ChainTimes chain_times(const std::string& log) {
@@ -77,7 +76,7 @@ ChainTimes chain_times(const std::string& log) {
   }
   const std::vector<double> times_us = cycles.times_us();
   if (times_us.empty()) throw std::runtime_error(log + ": no cycle with a SYNC and a set-point in CAN_TRACE");
-  return {times_us.size(), at_share(times_us, 0.5), at_share(times_us, 0.99)};
+  return {times_us.size(), quantile(times_us, 0.5), quantile(times_us, 0.99)};
 }
 
 std::vector<ReportRow> bench_chain(const std::vector<std::string>& logs) {

@@ -5,6 +5,9 @@
 #include <cstdio>
 #include <map>
 #include <stdexcept>
+#include <utility>
+
+#include "tools/lab/run/quantile.h"
 
 namespace sprung::campaign {
 namespace {
@@ -37,13 +40,11 @@ int count_of(const std::vector<Verdict>& runs, const Is& is) {
   return static_cast<int>(std::count_if(runs.begin(), runs.end(), is));
 }
 
-/// The value that this share of them does not exceed; NaN where there is none.
-double quantile(std::vector<double> values, double share) {
+/// Of those that are known.
+double quantile_of(std::vector<double> values, double share) {
   values.erase(std::remove_if(values.begin(), values.end(), [](double v) { return std::isnan(v); }),
                values.end());
-  if (values.empty()) return kNaN;
-  std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(std::lround(share * static_cast<double>(values.size() - 1)))];
+  return quantile(std::move(values), share);
 }
 
 std::vector<report::Cell> group_row(const std::string& name, const std::vector<const Verdict*>& runs) {
@@ -60,13 +61,13 @@ std::vector<report::Cell> group_row(const std::string& name, const std::vector<c
   return {name,
           static_cast<int>(runs.size()),
           tripped,
-          quantile(noticed, 0.5),
-          quantile(noticed, 0.95),
-          quantile(safe, 0.5),
-          quantile(safe, 0.95),
-          quantile(fastest, 1.0),
-          quantile(force, 0.5),
-          quantile(force, 1.0),
+          quantile_of(noticed, 0.5),
+          quantile_of(noticed, 0.95),
+          quantile_of(safe, 0.5),
+          quantile_of(safe, 0.95),
+          quantile_of(fastest, 1.0),
+          quantile_of(force, 0.5),
+          quantile_of(force, 1.0),
           report::Cell(bad_ones, bad_ones == 0 ? report::Mark::kGood : report::Mark::kBad)};
 }
 
@@ -110,7 +111,9 @@ std::string state_of(const Verdict& verdict) { return verdict.draw.state; }
 
 }  // namespace
 
-double rule_of_three(std::size_t runs) noexcept { return runs > 0 ? 3.0 / static_cast<double>(runs) : kNaN; }
+double rule_of_three(std::size_t runs) noexcept {
+  return runs > 0 ? std::min(3.0 / static_cast<double>(runs), 1.0) : kNaN;
+}
 
 bool bad(const Verdict& verdict) noexcept {
   return !verdict.failure.empty() || !verdict.breaches.empty() || !verdict.cause_expected ||
@@ -161,7 +164,14 @@ std::vector<ReportRow> campaign_rows(const Result& result) {
   return rows;
 }
 
-std::string failure_text(const Verdict& verdict, const RobotConfig& robot) {
+std::string campaign_command(const std::string& robot, std::uint64_t seed, std::uint64_t first, int runs,
+                             Class only) {
+  return "sprung campaign --robot " + robot + " --seed " + std::to_string(seed) +
+         (first == 0 ? "" : " --first " + std::to_string(first)) + " --runs " + std::to_string(runs) +
+         (only == Class::kNone ? "" : std::string(" --only ") + name(only));
+}
+
+std::string failure_text(const Verdict& verdict, const RobotConfig& robot, const std::string& asked_robot) {
   const Draw& draw = verdict.draw;
   std::string text = "run " + std::to_string(draw.number) + ", " + draw.state + ":";
   for (std::size_t i = 0; i < draw.injections.size(); ++i)
@@ -176,9 +186,7 @@ std::string failure_text(const Verdict& verdict, const RobotConfig& robot) {
             std::to_string(breach.seq) + ";";
   if (!verdict.cause_expected) text += std::string(" cause: ") + name(verdict.cause) + ";";
   if (!verdict.back_or_explained()) text += " neither back nor explained;";
-  return text + "\n  sprung campaign --robot " + robot.name + " --seed " + std::to_string(draw.seed) +
-         " --first " + std::to_string(draw.number) + " --runs 1" +
-         (draw.only == Class::kNone ? "" : std::string(" --only ") + name(draw.only));
+  return text + "\n  " + campaign_command(asked_robot, draw.seed, draw.number, 1, draw.only);
 }
 
 namespace {
@@ -194,7 +202,8 @@ report::Table explanations(const std::vector<Verdict>& runs) {
 
 }  // namespace
 
-std::vector<report::Section> campaign_sections(const Result& result, const RobotConfig& robot) {
+std::vector<report::Section> campaign_sections(const Result& result, const RobotConfig& robot,
+                                               const std::string& asked_robot) {
   report::Section groups{"How soon it was safe"};
   groups.tables = {grouped("By what went wrong", result.runs, class_of),
                    grouped("By what the robot did", result.runs, state_of), explanations(result.runs)};
@@ -202,9 +211,9 @@ std::vector<report::Section> campaign_sections(const Result& result, const Robot
                   distribution("No torque any more, by what the robot did", result.runs, state_of)};
   report::Section failures{"Runs that are not as they should be"};
   for (const Verdict& one : result.runs)
-    if (bad(one)) failures.text.push_back(failure_text(one, robot));
+    if (bad(one)) failures.text.push_back(failure_text(one, robot, asked_robot));
   for (const Verdict& one : result.twins)
-    if (bad_twin(one)) failures.text.push_back("without a fault: " + failure_text(one, robot));
+    if (bad_twin(one)) failures.text.push_back("without a fault: " + failure_text(one, robot, asked_robot));
   if (failures.text.empty()) failures.text.emplace_back("None.");
   return {groups, failures};
 }

@@ -40,14 +40,19 @@ bool bad(const Verdict& verdict) noexcept;
 /// made.
 bool bad_twin(const Verdict& verdict) noexcept;
 
+/// "sprung campaign --robot ..." with what these runs take. @param robot as it was asked for: name or folder.
+std::string campaign_command(const std::string& robot, std::uint64_t seed, std::uint64_t first, int runs,
+                             Class only);
+
 /// What went wrong in a run and what is not as it should be, and the command that makes it again; a line
-/// each.
-std::string failure_text(const Verdict& verdict, const RobotConfig& robot);
+/// each. @param asked_robot as for campaign_command().
+std::string failure_text(const Verdict& verdict, const RobotConfig& robot, const std::string& asked_robot);
 
-/// Distributions by class and state, and every bad run.
-std::vector<report::Section> campaign_sections(const Result& result, const RobotConfig& robot);
+/// Distributions by class and state, and every bad run. @param asked_robot as for campaign_command().
+std::vector<report::Section> campaign_sections(const Result& result, const RobotConfig& robot,
+                                               const std::string& asked_robot);
 
-/// Largest probability of what was seen in none of so many runs, at 95 %.
+/// Largest probability of what was seen in none of so many runs, at 95 %; 1 at most.
 double rule_of_three(std::size_t runs) noexcept;
 
 }  // namespace sprung::campaign

@@ -11,7 +11,6 @@ namespace sprung::campaign {
 namespace {
 
 constexpr double kHuge = 1e9;
-constexpr std::uint32_t kNmtId = 0x000, kSyncId = 0x080, kHeartbeatOfMaster = 0x77F;
 
 /// In [0, 1), the same on every machine.
 double share(std::mt19937_64& random) noexcept { return static_cast<double>(random() >> 11) * 0x1p-53; }
@@ -60,13 +59,6 @@ std::array<double*, 3> fields(DriveCommand& message, int target) noexcept {
 std::array<double*, 3> fields(Imu& message, int) noexcept {
   return {&message.measured_angular_velocity_rad_s[1], &message.measured_specific_force_m_s2[2],
           &message.measured_quaternion_wxyz[0]};
-}
-
-CanFrame frame_of(std::uint32_t id, std::initializer_list<int> bytes) noexcept {
-  CanFrame frame;
-  frame.id = id;
-  for (const int byte : bytes) frame.data[frame.length++] = static_cast<std::uint8_t>(byte);
-  return frame;
 }
 
 }  // namespace
@@ -148,22 +140,23 @@ void LinkTamper::add_foreign(FrameBatch& frames) noexcept {
 
 void LinkTamper::add_foreign(const Injection& injection, FrameBatch& frames) noexcept {
   const ActuatorConfig& victim = part_of(robot_.actuators, injection.target);
-  const auto nmt = [&](int command) { return frame_of(kNmtId, {command, victim.node}); };
+  const auto nmt = [&](canopen::NmtCommand command) { return canopen::nmt_frame(command, victim.node); };
   switch (injection.foreign) {
     case Foreign::kPreOperational:
-      frames.push(victim.bus, nmt(0x80));
+      frames.push(victim.bus, nmt(canopen::NmtCommand::kEnterPreOperational));
       return;
     case Foreign::kReset:
-      frames.push(victim.bus, nmt(0x81));
+      frames.push(victim.bus, nmt(canopen::NmtCommand::kResetNode));
       return;
     case Foreign::kStopNode:
-      frames.push(victim.bus, nmt(0x02));
+      frames.push(victim.bus, nmt(canopen::NmtCommand::kStop));
       return;
     case Foreign::kHeartbeat:
-      frames.push(victim.bus, frame_of(kHeartbeatOfMaster, {0x05}));
+      frames.push(victim.bus,
+                  canopen::heartbeat_frame(canopen::kBridgeNode, canopen::NmtState::kOperational));
       return;
     case Foreign::kSync:
-      frames.push(victim.bus, frame_of(kSyncId, {}));
+      frames.push(victim.bus, canopen::sync_frame());
       return;
     case Foreign::kSetpoint:
       DriveSetpoint setpoint;

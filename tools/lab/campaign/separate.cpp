@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "runtime/stop_request.h"
 #include "signals/messages.h"
 #include "tools/lab/campaign/trial.h"
 #include "tools/lab/run/separate_run.h"
+#include "tools/logs/recorder/log_messages.h"
 
 namespace sprung::campaign {
 namespace {
@@ -13,18 +15,15 @@ namespace {
 constexpr std::uint64_t kFnvBasis = 0xcbf29ce484222325, kFnvPrime = 0x100000001b3;  // FNV-1a
 
 template <class Signal>
-void mix(const Signal& signal, std::vector<std::uint8_t>& bytes, std::uint64_t& digest) {
+void mix(const Signal& signal, std::uint64_t& digest) {
   MessageOf<Signal> message;
   to_message(signal, 0, message);
-  bytes.resize(static_cast<std::size_t>(message.getEncodedSize()));
-  message.encode(bytes.data(), 0, message.getEncodedSize());
-  for (const std::uint8_t byte : bytes) digest = (digest ^ byte) * kFnvPrime;
+  for (const std::uint8_t byte : message_bytes(message)) digest = (digest ^ byte) * kFnvPrime;
 }
 
 std::uint64_t digest_of(const SimTruth& truth) {
   std::uint64_t digest = kFnvBasis;
-  std::vector<std::uint8_t> bytes;
-  mix(truth, bytes, digest);
+  mix(truth, digest);
   return digest;
 }
 
@@ -32,16 +31,15 @@ std::uint64_t digest_of(const SimTruth& truth) {
 std::vector<std::uint64_t> digests(const ScriptRunner& run, const RunScript& script) {
   std::vector<std::uint64_t> out;
   std::uint64_t end = 0;
-  std::vector<std::uint8_t> bytes;
   const auto add = [&](const CycleRecord& cycle) {
     std::uint64_t digest = kFnvBasis;
     MotionState motion = cycle.motion_state;
     motion.last_transition = "";  // texts are not collected
-    mix(cycle.drive_state, bytes, digest);
-    mix(cycle.joint_state, bytes, digest);
-    mix(motion, bytes, digest);
-    mix(cycle.drive_command, bytes, digest);
-    mix(cycle.truth, bytes, digest);
+    mix(cycle.drive_state, digest);
+    mix(cycle.joint_state, digest);
+    mix(motion, digest);
+    mix(cycle.drive_command, digest);
+    mix(cycle.truth, digest);
     out.push_back(digest);
     if (cycle.truth.stamp.seq == script.cycles - 1) end = digest_of(cycle.truth);
   };
@@ -71,12 +69,13 @@ SeparateRun compare(const RobotConfig& robot, const std::string& preset, const D
 }  // namespace
 
 std::vector<SeparateRun> run_separately(const RobotConfig& robot, const std::string& preset,
-                                        std::uint64_t seed, std::uint64_t first, int count) {
+                                        const std::vector<Draw>& draws, int most) {
   std::vector<SeparateRun> out;
-  for (std::uint64_t number = first; number < first + 20 * static_cast<std::uint64_t>(count); ++number) {
-    const Draw draw = draw_run(robot, seed, number, Class::kNone);
-    if (has_script(draw)) out.push_back(compare(robot, preset, draw));
-    if (out.size() == static_cast<std::size_t>(count)) break;
+  for (const Draw& draw : draws) {
+    if (out.size() == static_cast<std::size_t>(most)) break;
+    if (!has_script(draw)) continue;
+    out.push_back(compare(robot, preset, draw));
+    if (stop_requested()) throw std::runtime_error("stopped by the operator");
   }
   return out;
 }

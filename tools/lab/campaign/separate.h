@@ -19,10 +19,10 @@ struct SeparateRun {
   bool same() const noexcept { return failure.empty() && first_difference < 0; }
 };
 
-/// The first `count` runs from number `first` on that have a script (has_script() of trial.h); one after the
-/// other. Looks at 20 times as many at most.
+/// The first `most` of these runs that have a script (has_script() of trial.h), one after the other.
+/// @throws std::runtime_error where the operator stops it.
 std::vector<SeparateRun> run_separately(const RobotConfig& robot, const std::string& preset,
-                                        std::uint64_t seed, std::uint64_t first, int count);
+                                        const std::vector<Draw>& draws, int most);
 
 /// Rows campaign.separate.{runs,cycles,different}.
 std::vector<ReportRow> separate_rows(const std::vector<SeparateRun>& runs);

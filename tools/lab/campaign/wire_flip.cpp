@@ -8,6 +8,7 @@
 #include "runtime/message_key.h"
 #include "runtime/receive_guard.h"
 #include "signals/messages.h"
+#include "tools/logs/recorder/log_messages.h"
 
 namespace sprung::campaign {
 namespace {
@@ -19,8 +20,7 @@ bool arrives(Signal& signal, const char* channel, const CountLimits& limits, std
   static const auto key = std::make_shared<const MessageKey>(std::array<std::uint8_t, kKeyBytes>{1});
   Message message;
   to_message(signal, kSession, message);
-  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(message.getEncodedSize()));
-  message.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
+  std::vector<std::uint8_t> bytes = message_bytes(message);
   key->seal(channel, bytes.data(), bytes.size());
   const std::uint64_t bit = random % (8 * bytes.size());
   bytes[bit / 8] ^= static_cast<std::uint8_t>(1U << (bit % 8));

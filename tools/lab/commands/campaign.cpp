@@ -26,12 +26,10 @@ struct CampaignOptions {
 
 report::Report page_of(const Result& result, const RobotConfig& robot, const ExperimentReport& rows,
                        const CampaignOptions& options) {
-  report::Report page{
-      "Campaign of " + robot.name, "seed " + std::to_string(options.request.seed) + ", preset " + rows.preset,
-      "sprung campaign --robot " + options.robot + " --runs " + std::to_string(options.request.runs) +
-          " --seed " + std::to_string(options.request.seed) +
-          (options.request.first == 0 ? "" : " --first " + std::to_string(options.request.first)) +
-          (options.only.empty() ? "" : " --only " + options.only)};
+  report::Report page{"Campaign of " + robot.name,
+                      "seed " + std::to_string(options.request.seed) + ", preset " + rows.preset,
+                      campaign_command(options.robot, options.request.seed, options.request.first,
+                                       options.request.runs, options.request.only)};
   report::Table table{"", {"row", "unit", "value"}};
   for (const ReportRow& row : rows.rows)
     table.rows.push_back({row.name, row.unit,
@@ -40,30 +38,36 @@ report::Report page_of(const Result& result, const RobotConfig& robot, const Exp
                                                                         : report::Mark::kBad)});
   report::Section summary{"Summary"};
   summary.tables = {table};
-  page.sections = campaign_sections(result, robot);
+  page.sections = campaign_sections(result, robot, options.robot);
   page.sections.insert(page.sections.begin(), summary);
   return page;
 }
 
-void print_failures(const Result& result, const RobotConfig& robot) {
+void print_failures(const Result& result, const RobotConfig& robot, const std::string& asked_robot) {
   for (const Verdict& one : result.runs)
-    if (bad(one)) std::printf("%s\n", failure_text(one, robot).c_str());
+    if (bad(one)) std::printf("%s\n", failure_text(one, robot, asked_robot).c_str());
   for (const Verdict& one : result.twins)
-    if (bad_twin(one)) std::printf("without a fault: %s\n", failure_text(one, robot).c_str());
+    if (bad_twin(one)) std::printf("without a fault: %s\n", failure_text(one, robot, asked_robot).c_str());
 }
 
-void print_differences(const std::vector<SeparateRun>& runs, const RobotConfig& robot) {
+void print_differences(const std::vector<SeparateRun>& runs, const std::string& asked_robot) {
   for (const SeparateRun& one : runs) {
     if (one.same()) continue;
     const std::string why = one.failure.empty()
                                 ? "differs first in cycle " + std::to_string(one.first_difference)
                                 : one.failure;
-    std::printf(
-        "run %llu by real processes: %s\n  sprung campaign --robot %s --seed %llu --first %llu "
-        "--runs 1 --separate 1\n",
-        static_cast<unsigned long long>(one.draw.number), why.c_str(), robot.name.c_str(),
-        static_cast<unsigned long long>(one.draw.seed), static_cast<unsigned long long>(one.draw.number));
+    const Draw& draw = one.draw;
+    std::printf("run %llu by real processes: %s\n  %s --separate 1\n",
+                static_cast<unsigned long long>(draw.number), why.c_str(),
+                campaign_command(asked_robot, draw.seed, draw.number, 1, draw.only).c_str());
   }
+}
+
+std::vector<SeparateRun> separately(const Result& result, const RobotConfig& robot,
+                                    const CampaignOptions& options) {
+  std::vector<Draw> draws;
+  for (const Verdict& one : result.runs) draws.push_back(one.draw);
+  return run_separately(robot, options.request.preset, draws, options.separate);
 }
 
 void refuse_homing(const RobotConfig& robot) {
@@ -92,7 +96,7 @@ int run(CampaignOptions options) {
   report.preset = request.preset;
   report.seed = request.seed;
   report.rows = campaign_rows(result);
-  const auto separate = run_separately(robot, request.preset, request.seed, request.first, options.separate);
+  const std::vector<SeparateRun> separate = separately(result, robot, options);
   if (options.separate > 0)
     for (const ReportRow& one : separate_rows(separate)) report.rows.push_back(one);
   for (const auto* all : {&result.runs, &result.twins})
@@ -102,8 +106,8 @@ int run(CampaignOptions options) {
   if (options.as_json) {
     std::printf("%s\n", report.json().c_str());
   } else {
-    print_failures(result, robot);
-    print_differences(separate, robot);
+    print_failures(result, robot, options.robot);
+    print_differences(separate, options.robot);
     std::printf("%s\n", report.table().c_str());
   }
   return report.ok() ? kExitDone : kExitFailed;
@@ -126,7 +130,7 @@ void add_campaign(CommandLine& sprung) {
   line.flag("--no-twins", options->no_twins,
             "in half of the time, without asking whether a healthy robot is stopped");
   line.option("--separate", options->separate,
-              "so many of the runs also by real processes in lock-step, compared bit for bit");
+              "so many of the runs, where drives or buses go wrong, also by real processes, bit for bit");
   line.option("--out", options->out,
               "HTML file with distributions and every run that is not as it should be");
   line.flag("--json", options->as_json, "one JSON object on standard output");

@@ -9,6 +9,7 @@
 #include "tools/lab/estimation/stepping_leg.h"
 #include "tools/lab/gait/legged_trial.h"
 #include "tools/lab/jump/jump_experiment.h"
+#include "tools/lab/run/quantile.h"
 #include "tools/lab/run/scripted_run.h"
 
 namespace sprung {
@@ -41,16 +42,6 @@ void move_floor(InProcessRobot& robot, double height_m) {
 
 double percent(std::size_t part, std::size_t whole) {
   return whole > 0 ? 100.0 * static_cast<double>(part) / static_cast<double>(whole) : kNaN;
-}
-
-/// NaN when there is none. @param share 0 to 1 of the values are smaller.
-double quantile(std::vector<double> values, double share) {
-  if (values.empty()) return kNaN;
-  const double place = std::min(share * static_cast<double>(values.size()),
-                                static_cast<double>(values.size() - 1));
-  const auto nth = values.begin() + static_cast<std::ptrdiff_t>(place);
-  std::nth_element(values.begin(), nth, values.end());
-  return *nth;
 }
 
 double median_of(std::vector<double> values) { return quantile(std::move(values), 0.5); }

@@ -87,7 +87,7 @@ TEST_F(CampaignTest, WrongCausesLostRobotsAndFalseStopsAreNotOk) {
 TEST_F(CampaignTest, BadRunIsRepeatedByThePrintedCommand) {
   Verdict& verdict = result_.runs[7];
   verdict.breaches = {{Rule::kTooFast, 99, "knee 1.5 times"}};
-  const std::string text = failure_text(verdict, robot_);
+  const std::string text = failure_text(verdict, robot_, "single_leg");
   EXPECT_THAT(text, HasSubstr("too_fast: knee 1.5 times in cycle 99"));
   EXPECT_THAT(text, HasSubstr("sprung campaign --robot single_leg --seed 3 --first 7 --runs 1 --only drive"))
       << "what is drawn depends on it";
@@ -109,7 +109,7 @@ TEST_F(CampaignTest, SameSeedGivesTheSameRowsWhateverTheThreads) {
 
 TEST_F(CampaignTest, PageHasGroupsAndEveryBadRun) {
   result_.runs[7].breaches = {{Rule::kTooFast, 99, "knee"}};
-  const auto sections = campaign_sections(result_, robot_);
+  const auto sections = campaign_sections(result_, robot_, "single_leg");
   ASSERT_EQ(sections.size(), 2u);
   EXPECT_EQ(sections[0].tables.size(), 3u);
   ASSERT_EQ(sections[0].plots.size(), 2u);
