@@ -42,6 +42,7 @@ DriveNode::DriveNode(const ActuatorConfig& actuator, int index, double cycle_s,
       emergency_input_(actuator.emergency_input),
       stuck_(plant.torque_limit_Nm),
       noise_(plant.torque_limit_Nm, plant.inertia_kg_m2, quantum_rad(actuator), cycle_s),
+      impact_(plant.torque_limit_Nm, plant.inertia_kg_m2, cycle_s),
       winding_(actuator.rated_current_A, actuator.winding_time_constant_s) {}
 
 void DriveNode::step(std::int64_t time_us, FrameBatch& out) noexcept {
@@ -102,15 +103,18 @@ void DriveNode::accept_sample() noexcept {
   implausible_ = motion != Motion::kGood;
   if (implausible_) ++implausible_samples_;
   if (enabled()) noise_.add(sample_.measured_position_rad, samples.sample_sync_us());
+  if (enabled() && !implausible_) impact_.add(sample_.measured_position_rad, samples.sample_sync_us());
   distrusted_ = distrusted_ || implausible_ || noise_.noisy();
   // Also an absolute encoder's: what it shows from now on is not the place that the reference was found for.
   if (motion == Motion::kJumped) reference_.lose("reference lost: encoder jumped");
+  if (impact_.hit()) reference_.lose("reference lost: hit harder than its gear bears");
   sampled_ = true;
 }
 
 void DriveNode::judge_motion(double mate_rad) noexcept {
   if (!enabled()) {
     noise_.forget();
+    impact_.forget();
     return stuck_.forget();
   }
   if (!link().samples().answered() || implausible_) return;
@@ -219,6 +223,11 @@ bool DriveNode::drive_fault(Fault& out) const noexcept {
     out.cause = SafetyCause::kImplausible;
     print(out.detail, "%s: encoder noisy: it jitters by %.2g rad, faster than any torque turns it", drive,
           noise_.noise_rad());
+  } else if (impact_.hit()) {
+    out.cause = SafetyCause::kImplausible;
+    print(out.detail,
+          "%s: hit something: its speed changed by %.2g rad/s in 8 ms; reference lost; check direction, zero",
+          drive, impact_.change_rad_s());
   } else if (reference_.apart() && powered()) {
     out.cause = SafetyCause::kImplausible;
     print(out.detail, "%s: motor encoder says %g rad, link encoder %g rad; reference lost: sprung home",
@@ -271,6 +280,7 @@ void DriveNode::restart() noexcept {
   stop_.forget();
   stuck_.forget();
   noise_.forget();
+  impact_.forget();
   emergency_input_.forget();
   modes_.restart();
 }

@@ -7,6 +7,7 @@
 #include "drivers/bridge/background_access.h"
 #include "drivers/bridge/bus_node.h"
 #include "drivers/bridge/emergency_input.h"
+#include "drivers/bridge/impact_watch.h"
 #include "drivers/bridge/mode_watch.h"
 #include "drivers/bridge/noisy_encoder_watch.h"
 #include "drivers/bridge/position_tracker.h"
@@ -114,6 +115,7 @@ class DriveNode final : public BusNode {
   StopWatch stop_;
   StuckEncoderWatch stuck_;
   NoisyEncoderWatch noise_;
+  ImpactWatch impact_;
   WindingWatch winding_;
   std::int64_t limited_by_drive_ = 0;  ///< cycles with its status bit "internal limit active"
   double commanded_torque_Nm_ = kNaN;  ///< of the last set-point, in torque control

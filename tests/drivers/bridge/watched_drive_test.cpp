@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/support/bridge_bench.h"
 
 namespace sprung {
@@ -35,6 +37,21 @@ TEST(WatchedDrive, EncoderThatJittersStopsTheRobotAndHasNoPower) {
   expect_stop(bench, SafetyCause::kImplausible, "hip_motor: encoder noisy: it jitters by");
   EXPECT_NE(bench.drives[0].power, PowerState::kOperationEnabled);
   EXPECT_EQ(bench.drives[1].power, PowerState::kOperationEnabled) << "it damps";
+}
+
+TEST(WatchedDrive, JointThatRunsIntoItsStopStopsTheRobot) {
+  BridgeBench bench(robot_with_inertia());
+  ASSERT_TRUE(bench.boot());
+  bench.enable();
+  for (int i = 0; i < 60; ++i) {
+    bench.drives[0].position_counts += 280 * std::min(i, 50);  // 7 rad/s
+    bench.tick();
+  }
+  ASSERT_EQ(bench.bridge->safety().level, SafetyLevel::kOperational) << bench.detail();
+  bench.run(13);
+  expect_stop(bench, SafetyCause::kImplausible, "hip_motor: hit something: its speed changed by -");
+  EXPECT_FALSE(bench.bridge->reference(0).known) << "its gear may have slipped";
+  EXPECT_EQ(bench.drives[0].power, PowerState::kOperationEnabled) << "its encoder is believed: it damps";
 }
 
 TEST(WatchedDrive, WindingThatIsFarTooWarmStopsTheRobot) {
