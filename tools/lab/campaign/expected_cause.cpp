@@ -57,7 +57,7 @@ bool drive_cause(const Injection& one, SafetyCause cause) noexcept {
       return cause == C::kDriveSilent;
     case FaultKind::kFramesLate:
     case FaultKind::kFramesDuplicated:
-      return any_of(cause, {C::kDriveSilent, C::kDuplicateNode});
+      return any_of(cause, {C::kDriveSilent, C::kDuplicateNode, C::kImplausible});
     case FaultKind::kFramesFlipped:
       return any_of(cause, {C::kImplausible, C::kDriveFault, C::kDriveSilent, C::kDuplicateNode});
     case FaultKind::kPowerCycle:
@@ -74,11 +74,12 @@ bool drive_cause(const Injection& one, SafetyCause cause) noexcept {
   }
 }
 
-bool process_cause(const Injection& one, SafetyCause cause) noexcept {
+bool process_cause(const Injection& one, SafetyCause cause, bool powered) noexcept {
   using C = SafetyCause;
   // A bridge that is gone names nothing; that the drives let go is the judge's to see.
   const bool killed = one.process_fault == ProcessFault::kKilled && one.process != StackProcess::kBridge;
-  if (cause == C::kNone) return !killed;
+  const bool missed = one.process != StackProcess::kPlanner || powered;
+  if (cause == C::kNone) return !(killed && missed);
   switch (one.process) {
     case StackProcess::kBridge:
       return any_of(cause, {C::kDriveFault, C::kDriveSilent});
@@ -97,7 +98,7 @@ bool foreign_cause(const Injection& one, SafetyCause cause) noexcept {
 
 }  // namespace
 
-bool cause_is_expected(const Injection& injection, SafetyCause cause) noexcept {
+bool cause_is_expected(const Injection& injection, SafetyCause cause, bool powered) noexcept {
   using C = SafetyCause;
   switch (injection.kind) {
     case Class::kNone:
@@ -111,7 +112,7 @@ bool cause_is_expected(const Injection& injection, SafetyCause cause) noexcept {
       return any_of(cause, {C::kNone, C::kCommandStale, C::kCommandRefused, C::kPlannerLost, C::kJointLimit,
                             C::kOverspeed});
     case Class::kProcess:
-      return process_cause(injection, cause);
+      return process_cause(injection, cause, powered);
     case Class::kForeign:
       return foreign_cause(injection, cause);
     case Class::kFile:

@@ -11,7 +11,9 @@
 namespace sprung::campaign {
 namespace {
 
-constexpr double kBeyond_rad = 0.05;  // a joint's stop in model.xml stands there
+/// Beyond its limits, and what a joint's stop yields that stands just there in model.xml: one that leans on
+/// it is not beyond it.
+constexpr double kBeyond_rad = 0.05 + 0.001;
 constexpr double kTooFastShare = 1.2, kTooFast_s = 0.02;
 constexpr double kNamed_s = 0.05;  // for the cause, from then on
 constexpr double kDrivingWork_J = 1.0;

@@ -115,6 +115,7 @@ class Trial {
     if (stopped && struck_ && verdict_.cause == SafetyCause::kNone && !recovering_)
       verdict_.cause = safety().cause;
     if (struck_) note_force();
+    if (struck_ && !recovering_) powered_ = powered_ || links_.judge().any_enabled();
     if (!any_torque() && std::isnan(verdict_.safe_s) && struck_) verdict_.safe_s = since_s();
   }
 
@@ -261,7 +262,7 @@ class Trial {
     if (verdict_.draw.injections.size() > 1 && draw().second_while_clearing) inject(1);
     const auto reply = end_of(clear, kClear_s);
     if (!reply || reply->outcome != OperatorOutcome::kDone) {
-      verdict_.explained = reply ? reply->reason : "";
+      verdict_.explained = reply ? reply->reason : dead_process() ? "a program is gone" : "";
       return;
     }
     if (!all_referenced()) home();
@@ -292,7 +293,7 @@ class Trial {
     verdict_.farthest_rad = judge.farthest_beyond_rad();
     verdict_.damping_work_J = judge.damping_work_J();
     verdict_.cause_expected = std::any_of(injected_.begin(), injected_.end(), [&](const Injection& one) {
-      return cause_is_expected(one, verdict_.cause);
+      return cause_is_expected(one, verdict_.cause, powered_);
     });
   }
 
@@ -307,6 +308,7 @@ class Trial {
   std::int64_t seq_ = -1, watching_since_ = -1, last_request_ = 1000;
   double begun_s_ = 0.0;
   bool struck_ = false, recovering_ = false;
+  bool powered_ = false;  ///< any drive, since something went wrong
   std::string refusal_;
 };
 

@@ -89,6 +89,13 @@ TEST_F(JudgeTest, JointDrivenIntoItsStopWithoutACause) {
   expect_only(Rule::kBeyondLimit);
 }
 
+TEST_F(JudgeTest, JointThatLeansOnAStopFiftyMilliradiansBeyondIsNotBeyondIt) {
+  truth_.joints[1].true_position_rad = robot_.joints[1].position_max_rad + 0.0505;
+  truth_.joints[1].true_motor_torque_Nm = 1.0;
+  look(0.2);
+  expect_none();
+}
+
 TEST_F(JudgeTest, JointThatItsMotorPullsBackOrWhoseStopIsNamedMayBeBeyond) {
   truth_.joints[1].true_position_rad = robot_.joints[1].position_max_rad + 0.06;
   truth_.joints[1].true_motor_torque_Nm = -1.0;

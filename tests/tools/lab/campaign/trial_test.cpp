@@ -81,6 +81,27 @@ TEST_F(TrialTest, DeadProgramIsExplained) {
   EXPECT_TRUE(verdict.back_or_explained());
 }
 
+TEST_F(TrialTest, BridgeThatDiesWhileItClearsIsExplained) {
+  Injection killed;
+  killed.kind = Class::kProcess;
+  killed.process = StackProcess::kBridge;
+  Draw draw = drawn("standing", {});
+  draw.injections.push_back(killed);
+  draw.second_while_clearing = true;
+  const Verdict verdict = run_trial(robot_, "best", draw);
+  EXPECT_FALSE(verdict.recovered);
+  EXPECT_EQ(verdict.explained, "a program is gone");
+}
+
+TEST_F(TrialTest, PlannerThatDiesWhileNothingHasPowerIsNotMissed) {
+  Injection killed;
+  killed.kind = Class::kProcess;
+  killed.process = StackProcess::kPlanner;
+  const Verdict verdict = run_trial(robot_, "best", drawn("clearing", killed));
+  EXPECT_EQ(verdict.cause, SafetyCause::kNone);
+  EXPECT_TRUE(verdict.cause_expected);
+}
+
 TEST_F(TrialTest, StrangerWhoStopsADriveIsNamed) {
   Injection stranger;
   stranger.kind = Class::kForeign;
