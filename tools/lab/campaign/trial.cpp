@@ -327,9 +327,29 @@ ScriptedTrial script_of(const RobotConfig& robot, const std::string& preset, con
   return Trial(robot, preset, draw).script();
 }
 
+namespace {
+
+/// @return why no process begins with this wrong file, though no check has seen it; "" where one does.
+std::string refused_at_start(const RobotConfig& robot, const std::string& preset, const Draw& draw) {
+  if (draw.injections[0].kind != Class::kFile) return "";
+  try {
+    InProcessRobot(with_mistake(robot, draw.injections[0]), preset, robot, draw.sim);
+    return "";
+  } catch (const std::invalid_argument& refusal) {
+    return refusal.what();
+  }
+}
+
+}  // namespace
+
 Verdict run_trial(const RobotConfig& robot, const std::string& preset, const Draw& draw) {
   try {
-    return Trial(robot, preset, draw).run();
+    const std::string refusal = refused_at_start(robot, preset, draw);
+    if (refusal.empty()) return Trial(robot, preset, draw).run();
+    Verdict verdict;
+    verdict.draw = draw;
+    verdict.explained = refusal;
+    return verdict;
   } catch (const std::exception& error) {
     Verdict verdict;
     verdict.draw = draw;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "robots/robot_loader.h"
 
 namespace sprung::campaign {
@@ -120,6 +122,18 @@ TEST_F(TrialTest, DeadBridgeNamesNothingAndItsDrivesLetGo) {
   EXPECT_TRUE(verdict.cause_expected);
   EXPECT_LE(verdict.safe_s, 0.06);
   EXPECT_TRUE(verdict.breaches.empty());
+}
+
+TEST_F(TrialTest, WrongFileThatTheBridgeItselfRefusesIsExplained) {
+  Injection wrong;
+  wrong.kind = Class::kFile;
+  wrong.mistake = FileMistake::kRatio;
+  wrong.value = 0.5;
+  const Verdict verdict = run_trial(load_robot("pegasus"), "best", drawn("standing", wrong));
+  EXPECT_EQ(verdict.failure, "");
+  EXPECT_TRUE(verdict.cause_expected);
+  EXPECT_NE(verdict.explained.find("torque_limit needs"), std::string::npos) << verdict.explained;
+  EXPECT_TRUE(std::isnan(verdict.safe_s)) << "it never had power";
 }
 
 TEST_F(TrialTest, StateThatCannotBeReachedIsAFailureOfTheRun) {
