@@ -18,6 +18,7 @@ Transmission::Transmission(const LegConfig& leg) {
   const Eigen::FullPivLU<Matrix> lu(to_joint_);
   if (!lu.isInvertible()) throw std::invalid_argument(who + "is singular");
   to_actuator_ = lu.inverse();
+  direct_ = to_joint_ == Matrix::Identity(to_joint_.rows(), to_joint_.cols());
 }
 
 JointVector Transmission::joint_from_actuator(const JointVector& actuator_motion) const noexcept {

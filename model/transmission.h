@@ -14,6 +14,8 @@ class Transmission {
   explicit Transmission(const LegConfig& leg);
 
   int size() const noexcept { return static_cast<int>(to_joint_.rows()); }
+  /// Each actuator is its joint: nothing to multiply.
+  bool direct() const noexcept { return direct_; }
   JointVector joint_from_actuator(const JointVector& actuator_motion) const noexcept;
   JointVector actuator_from_joint(const JointVector& joint_motion) const noexcept;
   JointVector joint_torque(const JointVector& actuator_torque_Nm) const noexcept;
@@ -34,6 +36,7 @@ class Transmission {
                                kMaxLegJoints>;
   Matrix to_joint_;
   Matrix to_actuator_;
+  bool direct_ = false;
 };
 
 }  // namespace sprung

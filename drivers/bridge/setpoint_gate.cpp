@@ -34,6 +34,10 @@ double held_torque_Nm(const JointConfig& joint, double position_rad, double velo
   if (above_rad > 0.0) return std::min(torque_Nm, 0.0);
   return below_rad > 0.0 ? std::max(torque_Nm, 0.0) : torque_Nm;
 }
+/// As Transmission's, but for legs whose actuators are their joints: this is run every cycle.
+JointVector joints_of(const Transmission& transmission, const JointVector& actuators) noexcept {
+  return transmission.direct() ? actuators : transmission.joint_from_actuator(actuators);
+}
 /// More than rounding on the way through a transmission.
 bool differ(double a, double b) noexcept { return std::abs(a - b) > 1e-9; }
 
@@ -96,11 +100,15 @@ void SetpointGate::hold_positions(const Leg& leg, const JointVector& measured_ra
                                   Commands& commands) noexcept {
   const int size = leg.transmission.size();
   JointVector set_rad = measured_rad;
+  bool any = false;
   for (int i = 0; i < size; ++i) {
     const ActuatorCommand& command = commands[leg.actuators[i]];
-    if (is_position(command)) set_rad[i] = command.commanded_position_rad;
+    if (!is_position(command)) continue;
+    set_rad[i] = command.commanded_position_rad;
+    any = true;
   }
-  JointVector joints_rad = leg.transmission.joint_from_actuator(set_rad);
+  if (!any) return;
+  JointVector joints_rad = joints_of(leg.transmission, set_rad);
   bool held = false;
   for (int j = 0; j < size; ++j) {
     const JointConfig& joint = leg.joints[j];
@@ -127,9 +135,9 @@ void SetpointGate::hold_torques(const Leg& leg, const JointVector& measured_rad,
     torque_Nm[i] = is_torque(command) ? command.commanded_torque_Nm : 0.0;
     velocity_rad_s[i] = motion[leg.actuators[i]].filtered_velocity_rad_s;
   }
-  torque_Nm = leg.transmission.joint_torque(torque_Nm);
-  const JointVector position_rad = leg.transmission.joint_from_actuator(measured_rad);
-  velocity_rad_s = leg.transmission.joint_from_actuator(velocity_rad_s);
+  if (!leg.transmission.direct()) torque_Nm = leg.transmission.joint_torque(torque_Nm);
+  const JointVector position_rad = joints_of(leg.transmission, measured_rad);
+  velocity_rad_s = joints_of(leg.transmission, velocity_rad_s);
   bool held = false;
   for (int j = 0; j < size; ++j) {
     const double inside_Nm = held_torque_Nm(leg.joints[j], position_rad[j], velocity_rad_s[j], torque_Nm[j],
