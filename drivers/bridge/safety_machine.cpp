@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace sprung {
 namespace {
@@ -156,9 +155,9 @@ void SafetyMachine::follow_commands(const SafetyInputs& inputs) noexcept {
   } else if (inputs.overruns_in_row >= watchdogs_.overruns_in_row) {
     enter(SafetyLevel::kDamping, false, fault_of(SafetyCause::kOverruns, "too many cycles in a row overran"),
           inputs.time_us, inputs.cycle);
-  } else if (state_.level != SafetyLevel::kOperational ||
-             std::strcmp(state_.detail.data(), past_.data()) != 0) {  // else all is said
+  } else if (state_.level != SafetyLevel::kOperational || !past_is_told_) {
     enter(SafetyLevel::kOperational, false, {SafetyCause::kNone, -1, past_}, inputs.time_us, inputs.cycle);
+    past_is_told_ = true;
   }
 }
 

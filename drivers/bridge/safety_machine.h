@@ -66,7 +66,10 @@ class SafetyMachine {
   /// Forgets a latched cause; the caller has made sure that it is gone.
   void clear(std::int64_t time_us, std::int64_t cycle) noexcept;
   /// What was not latched and is over.
-  void forget_past() noexcept { past_ = {}; }
+  void forget_past() noexcept {
+    past_ = {};
+    past_is_told_ = false;
+  }
 
   SafetyLevel level() const noexcept { return state_.level; }
   SafetyCause cause() const noexcept { return state_.cause; }
@@ -88,6 +91,7 @@ class SafetyMachine {
   double lowering_s_;
   SafetyState state_;
   DetailText past_{};
+  bool past_is_told_ = false;  ///< in the detail, while operational
   std::int64_t since_us_ = 0;
   std::int64_t slow_since_us_ = 0;  ///< while damping for good
 };
