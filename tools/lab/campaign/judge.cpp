@@ -39,8 +39,8 @@ std::string with_number(const std::string& name, double value, const char* unit)
 
 }  // namespace
 
-/// Counts of a set-point are read by what its drive has measured and where its joint truly is, so that no
-/// zero has to be believed.
+/// Counts of a set-point are read by what its drive has measured and where its joint truly was then, so that
+/// no zero has to be believed. What an encoder shows that sticks says nothing of the joint any more.
 struct Judge::Drive {
   std::string name;
   int bus = 0;
@@ -52,6 +52,7 @@ struct Judge::Drive {
   std::unique_ptr<DriveProfile> profile;
   bool enabled = false;
   std::int32_t measured_counts = 0;
+  double zero_rad = kNaN;  ///< the joint's true position at count 0, by the last sample that differed
   double true_position_rad = 0.0;
 };
 
@@ -115,9 +116,7 @@ void Judge::look_at_setpoint(Drive& drive, const CanFrame& frame) {
   const int torque = i16(&frame.data[0]);
   if (std::abs(torque) > drive.most_torque)
     breach(Rule::kBadSetpoint, with_number(drive.name, torque, "counts of torque"));
-  const double way_rad = (static_cast<double>(i32(&frame.data[2])) - drive.measured_counts) /
-                         drive.counts_per_rad;
-  const double goal_rad = drive.true_position_rad + way_rad;
+  const double goal_rad = drive.zero_rad + i32(&frame.data[2]) / drive.counts_per_rad;
   // A joint that is beyond its limits itself may be held where it is, or brought back.
   const double low_rad = std::min(drive.lowest_rad, drive.true_position_rad - kHeld_rad);
   const double high_rad = std::max(drive.highest_rad, drive.true_position_rad + kHeld_rad);
@@ -134,7 +133,10 @@ void Judge::answered(const FrameBatch& frames) noexcept {
       const bool enabled = cia402::decode_status(sample.status_word) == PowerState::kOperationEnabled;
       if (enabled && !drive->enabled && !operator_asked_) breach(Rule::kUncommandedEnable, drive->name);
       drive->enabled = enabled;
-      drive->measured_counts = i32(&one.frame.data[0]);
+      const std::int32_t counts = i32(&one.frame.data[0]);
+      if (counts != drive->measured_counts || std::isnan(drive->zero_rad))
+        drive->zero_rad = drive->true_position_rad - counts / drive->counts_per_rad;
+      drive->measured_counts = counts;
     }
   }
 }

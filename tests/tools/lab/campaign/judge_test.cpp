@@ -212,5 +212,23 @@ TEST_F(JudgeTest, SetpointBeyondTheTorqueLimitOrFarBeyondTheJoint) {
   expect_only(Rule::kBadSetpoint);
 }
 
+TEST_F(JudgeTest, EncoderThatSticksMakesNoSetpointBad) {
+  look(robot_.cycle_s);
+  answer(PowerState::kOperationEnabled);
+  DriveSetpoint inside;
+  inside.commanded_position_rad = robot_.joints[0].position_max_rad;
+  inside.mode = DriveMode::kPosition;
+  const double shown_rad = truth_.joints[0].true_position_rad;
+  truth_.joints[0].true_position_rad += 0.5;  // and the encoder does not say so
+  look(robot_.cycle_s);
+  truth_.joints[0].true_position_rad = shown_rad;
+  answer(PowerState::kOperationEnabled);
+  send(inside);
+  expect_none();
+  inside.commanded_position_rad += 0.3;
+  send(inside);
+  expect_only(Rule::kBadSetpoint);
+}
+
 }  // namespace
 }  // namespace sprung::campaign
