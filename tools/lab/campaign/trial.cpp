@@ -333,7 +333,7 @@ namespace {
 std::string refused_at_start(const RobotConfig& robot, const std::string& preset, const Draw& draw) {
   if (draw.injections[0].kind != Class::kFile) return "";
   try {
-    InProcessRobot(with_mistake(robot, draw.injections[0]), preset, robot, draw.sim);
+    const InProcessRobot begins(with_mistake(robot, draw.injections[0]), preset, robot, draw.sim);
     return "";
   } catch (const std::invalid_argument& refusal) {
     return refusal.what();
