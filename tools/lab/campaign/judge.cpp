@@ -53,7 +53,7 @@ struct Judge::Drive {
   bool enabled = false;
   std::int32_t measured_counts = 0;
   double zero_rad = kNaN;  ///< the joint's true position at count 0, by the last sample that differed
-  double true_position_rad = 0.0;
+  double true_position_rad = kNaN;  ///< not known before the first cycle
 };
 
 Judge::Judge(const RobotConfig& machine) : robot_(machine), joints_(machine.joints.size()) {
