@@ -38,6 +38,7 @@ JointVector Transmission::actuator_torque(const JointVector& joint_torque_Nm) co
 }
 
 double Transmission::joint_from_coupled(int joint, const JointVector& actuator_motion) const noexcept {
+  if (direct_) return actuator_motion[joint];
   double motion = 0.0;
   for (int i = 0; i < size(); ++i) {
     if (couples(joint, i)) motion += to_joint_(joint, i) * actuator_motion[i];

@@ -14,7 +14,7 @@ class Transmission {
   explicit Transmission(const LegConfig& leg);
 
   int size() const noexcept { return static_cast<int>(to_joint_.rows()); }
-  /// Each actuator is its joint: nothing to multiply.
+  /// Each actuator is its joint: nothing has to be multiplied.
   bool direct() const noexcept { return direct_; }
   JointVector joint_from_actuator(const JointVector& actuator_motion) const noexcept;
   JointVector actuator_from_joint(const JointVector& joint_motion) const noexcept;

@@ -50,20 +50,12 @@ void HardLimitWatch::judge(const std::vector<GateMotion>& motion, std::int64_t t
 
 void HardLimitWatch::judge_leg(Leg& leg, const std::vector<GateMotion>& motion,
                                std::int64_t time_us) noexcept {
-  const int size = leg.transmission.size();
-  if (leg.transmission.direct()) {
-    for (int j = 0; j < size; ++j) {
-      const GateMotion& own = motion[leg.actuators[j]];
-      judge_joint(leg.joints[j], own.measured_position_rad, own.enabled, time_us);
-      any_ = any_ || leg.joints[j].beyond;
-    }
-    return;
-  }
-  JointVector measured_rad(size);
-  for (int i = 0; i < size; ++i) measured_rad[i] = motion[leg.actuators[i]].measured_position_rad;
-  for (int j = 0; j < size; ++j) {
+  JointVector measured_rad(leg.transmission.size());
+  for (int i = 0; i < leg.transmission.size(); ++i)
+    measured_rad[i] = motion[leg.actuators[i]].measured_position_rad;
+  for (int j = 0; j < leg.transmission.size(); ++j) {
     bool powered = false;
-    for (int i = 0; i < size; ++i)
+    for (int i = 0; i < leg.transmission.size(); ++i)
       powered = powered || (leg.transmission.couples(j, i) && motion[leg.actuators[i]].enabled);
     judge_joint(leg.joints[j], leg.transmission.joint_from_coupled(j, measured_rad), powered, time_us);
     any_ = any_ || leg.joints[j].beyond;

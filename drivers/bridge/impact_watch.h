@@ -21,15 +21,18 @@ class ImpactWatch {
   bool hit() const noexcept { return std::abs(change_rad_s_) > most_rad_s_; }
   /// Of the speed, in 8 ms: the one that was too much, else the last.
   double change_rad_s() const noexcept { return change_rad_s_; }
-  void forget() noexcept { known_ = 0, change_rad_s_ = 0.0; }
+  void forget() noexcept {
+    known_ = 0;
+    change_rad_s_ = 0.0;
+  }
 
  private:
   static constexpr int kMostSpan = 8;  ///< cycles of 4 ms, at 2 kHz
   static constexpr int kMost = 3 * kMostSpan + 1;
 
   std::int64_t cycle_us_;
-  int span_;           ///< 4 ms in cycles
-  double per_rad_s_;   ///< seconds of a span, of which positions make speeds
+  int span_;           ///< 4 ms, in cycles
+  double span_s_;      ///< what these take
   double most_rad_s_;  ///< infinite: nothing is watched
   std::int64_t last_us_ = 0;
   std::array<double, kMost> position_rad_{};  ///< a ring of 12 ms

@@ -34,6 +34,10 @@ double held_torque_Nm(const JointConfig& joint, double position_rad, double velo
   if (above_rad > 0.0) return std::min(torque_Nm, 0.0);
   return below_rad > 0.0 ? std::max(torque_Nm, 0.0) : torque_Nm;
 }
+/// As Transmission's, but for legs whose actuators are their joints: this is run every cycle.
+JointVector joints_of(const Transmission& transmission, const JointVector& actuators) noexcept {
+  return transmission.direct() ? actuators : transmission.joint_from_actuator(actuators);
+}
 /// More than rounding on the way through a transmission.
 bool differ(double a, double b) noexcept { return std::abs(a - b) > 1e-9; }
 
@@ -81,10 +85,8 @@ void SetpointGate::limit(const Motions& motion, Commands& commands) noexcept {
   }
 }
 
-/// Where an actuator of the leg is not known, neither are its joints. Legs whose actuators are their joints,
-/// which most are, multiply nothing: this is run every cycle.
+/// Where an actuator of the leg is not known, neither are its joints.
 void SetpointGate::within_joint_limits(const Leg& leg, const Motions& motion, Commands& commands) noexcept {
-  if (leg.transmission.direct()) return hold_each(leg, motion, commands);
   JointVector measured_rad(leg.transmission.size());
   for (int i = 0; i < leg.transmission.size(); ++i) {
     measured_rad[i] = motion[leg.actuators[i]].measured_position_rad;
@@ -94,35 +96,19 @@ void SetpointGate::within_joint_limits(const Leg& leg, const Motions& motion, Co
   hold_torques(leg, measured_rad, motion, commands);
 }
 
-void SetpointGate::hold_each(const Leg& leg, const Motions& motion, Commands& commands) noexcept {
-  const auto known = [&](int i) { return std::isfinite(motion[i].measured_position_rad); };
-  if (!std::all_of(leg.actuators.begin(), leg.actuators.end(), known)) return;
-  for (std::size_t j = 0; j < leg.joints.size(); ++j) {
-    const int i = leg.actuators[j];
-    ActuatorCommand& command = commands[i];
-    if (!is_torque(command) && !is_position(command)) continue;
-    double& set = is_torque(command) ? command.commanded_torque_Nm : command.commanded_position_rad;
-    const JointConfig& joint = leg.joints[j];
-    const double inside = is_torque(command)
-                              ? held_torque_Nm(joint, motion[i].measured_position_rad,
-                                               motion[i].filtered_velocity_rad_s, set,
-                                               leg.torque_bound_Nm[static_cast<Eigen::Index>(j)])
-                              : std::clamp(set, joint.position_min_rad, joint.position_max_rad);
-    if (!differ(set, inside)) continue;
-    set = inside;
-    count(i, GateLimit::kJointPosition);
-  }
-}
-
 void SetpointGate::hold_positions(const Leg& leg, const JointVector& measured_rad,
                                   Commands& commands) noexcept {
   const int size = leg.transmission.size();
   JointVector set_rad = measured_rad;
+  bool any = false;
   for (int i = 0; i < size; ++i) {
     const ActuatorCommand& command = commands[leg.actuators[i]];
-    if (is_position(command)) set_rad[i] = command.commanded_position_rad;
+    if (!is_position(command)) continue;
+    set_rad[i] = command.commanded_position_rad;
+    any = true;
   }
-  JointVector joints_rad = leg.transmission.joint_from_actuator(set_rad);
+  if (!any) return;
+  JointVector joints_rad = joints_of(leg.transmission, set_rad);
   bool held = false;
   for (int j = 0; j < size; ++j) {
     const JointConfig& joint = leg.joints[j];
@@ -149,9 +135,9 @@ void SetpointGate::hold_torques(const Leg& leg, const JointVector& measured_rad,
     torque_Nm[i] = is_torque(command) ? command.commanded_torque_Nm : 0.0;
     velocity_rad_s[i] = motion[leg.actuators[i]].filtered_velocity_rad_s;
   }
-  torque_Nm = leg.transmission.joint_torque(torque_Nm);
-  const JointVector position_rad = leg.transmission.joint_from_actuator(measured_rad);
-  velocity_rad_s = leg.transmission.joint_from_actuator(velocity_rad_s);
+  if (!leg.transmission.direct()) torque_Nm = leg.transmission.joint_torque(torque_Nm);
+  const JointVector position_rad = joints_of(leg.transmission, measured_rad);
+  velocity_rad_s = joints_of(leg.transmission, velocity_rad_s);
   bool held = false;
   for (int j = 0; j < size; ++j) {
     const double inside_Nm = held_torque_Nm(leg.joints[j], position_rad[j], velocity_rad_s[j], torque_Nm[j],

@@ -63,7 +63,6 @@ class SetpointGate {
   using Motions = std::vector<GateMotion>;
 
   void within_joint_limits(const Leg& leg, const Motions& motion, Commands& commands) noexcept;
-  void hold_each(const Leg& leg, const Motions& motion, Commands& commands) noexcept;
   void hold_positions(const Leg& leg, const JointVector& measured_rad, Commands& commands) noexcept;
   void hold_torques(const Leg& leg, const JointVector& measured_rad, const Motions& motion,
                     Commands& commands) noexcept;

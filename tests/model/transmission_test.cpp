@@ -56,7 +56,9 @@ TEST(TransmissionTest, MotionBoundsAddUpWhereMotionsCancel) {
 TEST(TransmissionTest, KnowsWhichDriveMovesWhichJoint) {
   LegConfig leg = belt_leg();
   EXPECT_TRUE(Transmission(leg).couples(1, 0));
+  EXPECT_FALSE(Transmission(leg).direct());
   leg.transmission = {1.0, 0.0, 0.0, 1.0};
+  EXPECT_TRUE(Transmission(leg).direct());
   EXPECT_FALSE(Transmission(leg).couples(1, 0));
   EXPECT_TRUE(Transmission(leg).couples(1, 1));
 }
