@@ -57,6 +57,7 @@ bool drive_cause(const Injection& one, SafetyCause cause) noexcept {
       return cause == C::kDriveSilent;
     case FaultKind::kFramesLate:
     case FaultKind::kFramesDuplicated:
+      // A sample of another cycle than it is taken for looks like a jump where the joint is fast.
       return any_of(cause, {C::kDriveSilent, C::kDuplicateNode, C::kImplausible});
     case FaultKind::kFramesFlipped:
       return any_of(cause, {C::kImplausible, C::kDriveFault, C::kDriveSilent, C::kDuplicateNode});

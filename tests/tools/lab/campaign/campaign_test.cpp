@@ -87,10 +87,10 @@ TEST_F(CampaignTest, WrongCausesLostRobotsAndFalseStopsAreNotOk) {
 TEST_F(CampaignTest, BadRunIsRepeatedByThePrintedCommand) {
   Verdict& verdict = result_.runs[7];
   verdict.breaches = {{Rule::kTooFast, 99, "knee 1.5 times"}};
-  const std::string text = failure_text(verdict, robot_, "single_leg");
+  const std::string text = failure_text(verdict, robot_, "my/leg");
   EXPECT_THAT(text, HasSubstr("too_fast: knee 1.5 times in cycle 99"));
-  EXPECT_THAT(text, HasSubstr("sprung campaign --robot single_leg --seed 3 --first 7 --runs 1 --only drive"))
-      << "what is drawn depends on it";
+  EXPECT_THAT(text, HasSubstr("sprung campaign --robot my/leg --seed 3 --first 7 --runs 1 --only drive"))
+      << "as it was asked for; and what is drawn depends on the class";
 }
 
 TEST_F(CampaignTest, SameSeedGivesTheSameRowsWhateverTheThreads) {

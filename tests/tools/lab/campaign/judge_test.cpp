@@ -212,6 +212,20 @@ TEST_F(JudgeTest, SetpointBeyondTheTorqueLimitOrFarBeyondTheJoint) {
   expect_only(Rule::kBadSetpoint);
 }
 
+TEST_F(JudgeTest, CountBeforeTheFirstCycleTellsNoZero) {
+  answer(PowerState::kSwitchOnDisabled);  // while the drives boot nobody has said where the joint is
+  look(robot_.cycle_s);
+  answer(PowerState::kOperationEnabled);  // the same count: it rests
+  DriveSetpoint here;
+  here.commanded_position_rad = truth_.joints[0].true_position_rad;
+  here.mode = DriveMode::kPosition;
+  send(here);
+  expect_none();
+  here.commanded_position_rad = robot_.joints[0].position_max_rad + 0.3;
+  send(here);
+  expect_only(Rule::kBadSetpoint);
+}
+
 TEST_F(JudgeTest, EncoderThatSticksMakesNoSetpointBad) {
   look(robot_.cycle_s);
   answer(PowerState::kOperationEnabled);

@@ -27,6 +27,13 @@ Injection drive_fault(FaultKind kind, double value = 0.0) {
   return out;
 }
 
+Injection killed(StackProcess process) {
+  Injection out;
+  out.kind = Class::kProcess;
+  out.process = process;
+  return out;
+}
+
 class TrialTest : public testing::Test {
  protected:
   const RobotConfig robot_ = load_robot("single_leg");
@@ -74,21 +81,15 @@ TEST_F(TrialTest, RunThatAsksTheBridgeOrTouchesMessagesHasNone) {
 }
 
 TEST_F(TrialTest, DeadProgramIsExplained) {
-  Injection killed;
-  killed.kind = Class::kProcess;
-  killed.process = StackProcess::kController;
-  const Verdict verdict = run_trial(robot_, "best", drawn("standing", killed));
+  const Verdict verdict = run_trial(robot_, "best", drawn("standing", killed(StackProcess::kController)));
   EXPECT_EQ(verdict.cause, SafetyCause::kCommandStale);
   EXPECT_FALSE(verdict.recovered);
   EXPECT_TRUE(verdict.back_or_explained());
 }
 
 TEST_F(TrialTest, BridgeThatDiesWhileItClearsIsExplained) {
-  Injection killed;
-  killed.kind = Class::kProcess;
-  killed.process = StackProcess::kBridge;
   Draw draw = drawn("standing", {});
-  draw.injections.push_back(killed);
+  draw.injections.push_back(killed(StackProcess::kBridge));
   draw.second_while_clearing = true;
   const Verdict verdict = run_trial(robot_, "best", draw);
   EXPECT_FALSE(verdict.recovered);
@@ -96,10 +97,7 @@ TEST_F(TrialTest, BridgeThatDiesWhileItClearsIsExplained) {
 }
 
 TEST_F(TrialTest, PlannerThatDiesWhileNothingHasPowerIsNotMissed) {
-  Injection killed;
-  killed.kind = Class::kProcess;
-  killed.process = StackProcess::kPlanner;
-  const Verdict verdict = run_trial(robot_, "best", drawn("clearing", killed));
+  const Verdict verdict = run_trial(robot_, "best", drawn("clearing", killed(StackProcess::kPlanner)));
   EXPECT_EQ(verdict.cause, SafetyCause::kNone);
   EXPECT_TRUE(verdict.cause_expected);
 }
@@ -115,10 +113,7 @@ TEST_F(TrialTest, StrangerWhoStopsADriveIsNamed) {
 }
 
 TEST_F(TrialTest, DeadBridgeNamesNothingAndItsDrivesLetGo) {
-  Injection killed;
-  killed.kind = Class::kProcess;
-  killed.process = StackProcess::kBridge;
-  const Verdict verdict = run_trial(robot_, "best", drawn("thrust", killed));
+  const Verdict verdict = run_trial(robot_, "best", drawn("thrust", killed(StackProcess::kBridge)));
   EXPECT_TRUE(verdict.cause_expected);
   EXPECT_LE(verdict.safe_s, 0.06);
   EXPECT_TRUE(verdict.breaches.empty());
