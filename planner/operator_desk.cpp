@@ -51,7 +51,7 @@ void OperatorDesk::reply(std::int64_t request_id, OperatorOutcome outcome, const
   out.stamp = now;
   out.request_id = request_id;
   out.outcome = outcome;
-  out.from = "sprung-motion-planner";
+  out.answered_by = "sprung-motion-planner";
   out.reason = reason;
   Answered* known = find(request_id);
   const bool took_effect_before = known != nullptr && known->answered;

@@ -74,7 +74,7 @@ class PlannerShell final : public ResponderShell {
     answer.stamp = {process_.node().utime_us(), process_.status().stamp.seq};
     answer.request_id = command.request_id;
     answer.outcome = outcome;
-    answer.from = "planner";
+    answer.answered_by = "planner";
     answer.reason = reason;
     replies_.publish(answer);
   }

@@ -186,8 +186,9 @@ void Node::on_signal(const char* channel, const CountLimits& limits,
       [message = M(), signal = Signal(), handle = std::move(handle)](ReceiveGuard& guard,
                                                                      const Arrival& in) mutable {
         if (guard.decode(in.data, in.size, message, in.utime_us) != Refusal::kNone) return;
-        if (from_message(message, signal)) return handle(signal);
-        guard.refuse(Refusal::kBadValue, 0, 0);
+        const Reading reading = from_message(message, signal);
+        if (reading.good) return handle(signal);
+        guard.refuse(Refusal::kBadValue, reading.found, reading.largest);
       });
 }
 

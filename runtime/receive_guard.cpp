@@ -102,9 +102,20 @@ std::int64_t ReceiveGuard::refused(Refusal why) const noexcept {
   return refused_[static_cast<std::size_t>(why)].load();
 }
 
+namespace {
+
+std::string bad_value(std::int64_t found, std::int64_t largest) {
+  const std::string text = name(Refusal::kBadValue);
+  if (largest == 0) return text + ", a number beyond its range";
+  return text + ", found " + std::to_string(found) + ", known are 0 to " + std::to_string(largest);
+}
+
+}  // namespace
+
 std::string ReceiveGuard::last_refusal() const {
   const std::lock_guard<std::mutex> lock(last_mutex_);
   if (last_ == Refusal::kNone) return "";
+  if (last_ == Refusal::kBadValue) return channel_ + " refused: " + bad_value(last_found_, last_expected_);
   const bool timely = last_ >= Refusal::kForged && last_ <= Refusal::kFuture;
   return channel_ + " refused: " + name(last_) + (timely ? ", its time " : ", found ") +
          std::to_string(last_found_) + (timely ? ", ours " : ", expected ") + std::to_string(last_expected_);

@@ -5,12 +5,14 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <string>
 #include <type_traits>
 #include <vector>
 
 #include "signals/message_mac.h"
 #include "signals/modes.h"
+#include "signals/reading.h"
 #include "signals/stamp.h"
 
 namespace sprung::fields {
@@ -47,9 +49,9 @@ struct ToMessage {
   }
 };
 
-/// Message to signal; `good` turns false on what this build does not know.
+/// Message to signal; `reading` is not good after what this build does not know.
 struct FromMessage {
-  bool good = true;
+  Reading reading;
   template <class T, std::enable_if_t<std::is_arithmetic_v<T> && !std::is_same_v<T, bool>, int> = 0>
   void operator()(const T& message, T& signal) {
     signal = message;
@@ -57,7 +59,7 @@ struct FromMessage {
   void operator()(const std::int8_t& message, bool& signal) { signal = message != 0; }
   template <class E, std::enable_if_t<std::is_enum_v<E>, int> = 0>
   void operator()(const std::int8_t& message, E& signal) {
-    good = good && is_known<E>(message);
+    if (!is_known<E>(message)) reading.refuse(message, static_cast<std::int64_t>(kWords<E>.back().value));
     signal = static_cast<E>(message);
   }
   void operator()(const std::string& message, std::string& signal) { signal = message; }
@@ -77,8 +79,9 @@ struct FromMessage {
   template <class M, class S, class Fields>
   void elements(const std::int32_t& count, const std::vector<M>& message, std::vector<S>& signal,
                 Fields each) {
-    good = good && count >= 0 && static_cast<std::size_t>(count) == message.size();
-    if (!good) return;
+    if (count < 0 || static_cast<std::size_t>(count) != message.size())
+      reading.refuse(count, static_cast<std::int64_t>(message.size()));
+    if (!reading) return;
     signal.resize(message.size());
     for (std::size_t i = 0; i < message.size(); ++i) each(*this, message[i], signal[i]);
   }
@@ -107,10 +110,13 @@ inline bool within_reach(std::int64_t stamp) noexcept {
 }
 
 template <class Fields, class M, class S>
-bool read(const Fields& list, const M& in, S& out) {
+Reading read(const Fields& list, const M& in, S& out) {
   FromMessage way;
   list(way, in, out);
-  return way.good && within_reach(in.utime) && within_reach(in.seq);
+  for (const std::int64_t stamp : {in.utime, in.seq}) {
+    if (!within_reach(stamp)) way.reading.refuse(stamp, kFarthestStamp);
+  }
+  return way.reading;
 }
 
 }  // namespace sprung::fields

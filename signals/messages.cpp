@@ -180,19 +180,19 @@ void to_message(const Imu& in, std::int64_t session, sprung_msgs::imu_t& out) {
   write(kImu, in, session, out);
 }
 
-bool from_message(const sprung_msgs::drive_state_t& in, DriveState& out) {
+Reading from_message(const sprung_msgs::drive_state_t& in, DriveState& out) {
   return read(kDriveState, in, out);
 }
-bool from_message(const sprung_msgs::drive_command_t& in, DriveCommand& out) {
+Reading from_message(const sprung_msgs::drive_command_t& in, DriveCommand& out) {
   return read(kDriveCommand, in, out);
 }
-bool from_message(const sprung_msgs::joint_state_t& in, JointState& out) {
+Reading from_message(const sprung_msgs::joint_state_t& in, JointState& out) {
   return read(kJointState, in, out);
 }
-bool from_message(const sprung_msgs::leg_command_t& in, LegCommand& out) {
+Reading from_message(const sprung_msgs::leg_command_t& in, LegCommand& out) {
   return read(kLegCommand, in, out);
 }
-bool from_message(const sprung_msgs::sim_truth_t& in, SimTruth& out) { return read(kSimTruth, in, out); }
-bool from_message(const sprung_msgs::imu_t& in, Imu& out) { return read(kImu, in, out); }
+Reading from_message(const sprung_msgs::sim_truth_t& in, SimTruth& out) { return read(kSimTruth, in, out); }
+Reading from_message(const sprung_msgs::imu_t& in, Imu& out) { return read(kImu, in, out); }
 
 }  // namespace sprung

@@ -2,11 +2,12 @@
 /// Signals to LCM messages and back, bit for bit (NaN too). Pure: no transport, clock or log. In place: once
 /// a message or a signal has its size, converting into it allocates nothing (texts aside).
 ///
-/// to_message fills every field. from_message returns false, and leaves `out` unspecified, when a count
+/// to_message fills every field. from_message is not good, and leaves `out` unspecified, when a count
 /// differs from the vectors it comes with, an enumeration holds a value that this build does not know, or
 /// utime or seq is so far away that its difference from another one would not fit.
 #include <cstdint>
 
+#include "signals/reading.h"
 #include "sprung_msgs/bus_state_t.hpp"
 #include "sprung_msgs/drive_command_t.hpp"
 #include "sprung_msgs/drive_state_t.hpp"
@@ -51,22 +52,22 @@ void to_message(const SimTruth& in, std::int64_t session, sprung_msgs::sim_truth
 void to_message(const Imu& in, std::int64_t session, sprung_msgs::imu_t& out);
 void to_message(const TorqueSensor& in, std::int64_t session, sprung_msgs::torque_sensor_t& out);
 
-[[nodiscard]] bool from_message(const sprung_msgs::drive_state_t& in, DriveState& out);
-[[nodiscard]] bool from_message(const sprung_msgs::drive_command_t& in, DriveCommand& out);
-[[nodiscard]] bool from_message(const sprung_msgs::joint_state_t& in, JointState& out);
-[[nodiscard]] bool from_message(const sprung_msgs::leg_command_t& in, LegCommand& out);
+[[nodiscard]] Reading from_message(const sprung_msgs::drive_state_t& in, DriveState& out);
+[[nodiscard]] Reading from_message(const sprung_msgs::drive_command_t& in, DriveCommand& out);
+[[nodiscard]] Reading from_message(const sprung_msgs::joint_state_t& in, JointState& out);
+[[nodiscard]] Reading from_message(const sprung_msgs::leg_command_t& in, LegCommand& out);
 /// `last_transition` points into `in` and lives as long as it.
-[[nodiscard]] bool from_message(const sprung_msgs::motion_state_t& in, MotionState& out);
-[[nodiscard]] bool from_message(const sprung_msgs::safety_state_t& in, SafetyState& out);
-[[nodiscard]] bool from_message(const sprung_msgs::operator_command_t& in, OperatorCommand& out);
-/// `from` and `reason` point into `in` and live as long as it.
-[[nodiscard]] bool from_message(const sprung_msgs::operator_reply_t& in, OperatorReply& out);
-[[nodiscard]] bool from_message(const sprung_msgs::bus_state_t& in, BusState& out);
-/// Also false for numbers that no experiment has.
-[[nodiscard]] bool from_message(const sprung_msgs::sim_control_t& in, SimControl& out);
-[[nodiscard]] bool from_message(const sprung_msgs::sim_truth_t& in, SimTruth& out);
-[[nodiscard]] bool from_message(const sprung_msgs::imu_t& in, Imu& out);
-[[nodiscard]] bool from_message(const sprung_msgs::torque_sensor_t& in, TorqueSensor& out);
+[[nodiscard]] Reading from_message(const sprung_msgs::motion_state_t& in, MotionState& out);
+[[nodiscard]] Reading from_message(const sprung_msgs::safety_state_t& in, SafetyState& out);
+[[nodiscard]] Reading from_message(const sprung_msgs::operator_command_t& in, OperatorCommand& out);
+/// `answered_by` and `reason` point into `in` and live as long as it.
+[[nodiscard]] Reading from_message(const sprung_msgs::operator_reply_t& in, OperatorReply& out);
+[[nodiscard]] Reading from_message(const sprung_msgs::bus_state_t& in, BusState& out);
+/// Also not good for numbers that no experiment has.
+[[nodiscard]] Reading from_message(const sprung_msgs::sim_control_t& in, SimControl& out);
+[[nodiscard]] Reading from_message(const sprung_msgs::sim_truth_t& in, SimTruth& out);
+[[nodiscard]] Reading from_message(const sprung_msgs::imu_t& in, Imu& out);
+[[nodiscard]] Reading from_message(const sprung_msgs::torque_sensor_t& in, TorqueSensor& out);
 
 /// The message type of a signal: MessageOf<DriveState> is sprung_msgs::drive_state_t.
 template <class Signal>

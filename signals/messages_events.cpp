@@ -183,7 +183,7 @@ void to_message(const OperatorCommand& in, std::int64_t session, sprung_msgs::op
 }
 void to_message(const OperatorReply& in, std::int64_t session, sprung_msgs::operator_reply_t& out) {
   write(kOperatorReply, in, session, out);
-  out.from = in.from;
+  out.answered_by = in.answered_by;
   out.reason = in.reason;
 }
 void to_message(const TorqueSensor& in, std::int64_t session, sprung_msgs::torque_sensor_t& out) {
@@ -196,29 +196,31 @@ void to_message(const BusState& in, std::int64_t session, sprung_msgs::bus_state
   write(kBusState, in, session, out);
 }
 
-bool from_message(const sprung_msgs::motion_state_t& in, MotionState& out) {
+Reading from_message(const sprung_msgs::motion_state_t& in, MotionState& out) {
   out.last_transition = in.last_transition.c_str();
   return read(kMotionState, in, out);
 }
-bool from_message(const sprung_msgs::safety_state_t& in, SafetyState& out) {
+Reading from_message(const sprung_msgs::safety_state_t& in, SafetyState& out) {
   out.detail.fill('\0');
   in.detail.copy(out.detail.data(), out.detail.size() - 1);
   return read(kSafetyState, in, out);
 }
-bool from_message(const sprung_msgs::operator_command_t& in, OperatorCommand& out) {
+Reading from_message(const sprung_msgs::operator_command_t& in, OperatorCommand& out) {
   return read(kOperatorCommand, in, out);
 }
-bool from_message(const sprung_msgs::operator_reply_t& in, OperatorReply& out) {
-  out.from = in.from.c_str();
+Reading from_message(const sprung_msgs::operator_reply_t& in, OperatorReply& out) {
+  out.answered_by = in.answered_by.c_str();
   out.reason = in.reason.c_str();
   return read(kOperatorReply, in, out);
 }
-bool from_message(const sprung_msgs::torque_sensor_t& in, TorqueSensor& out) {
+Reading from_message(const sprung_msgs::torque_sensor_t& in, TorqueSensor& out) {
   return read(kTorqueSensor, in, out);
 }
-bool from_message(const sprung_msgs::sim_control_t& in, SimControl& out) {
-  return read(kSimControl, in, out) && is_an_experiment(out);
+Reading from_message(const sprung_msgs::sim_control_t& in, SimControl& out) {
+  Reading reading = read(kSimControl, in, out);
+  reading.good = reading.good && is_an_experiment(out);
+  return reading;
 }
-bool from_message(const sprung_msgs::bus_state_t& in, BusState& out) { return read(kBusState, in, out); }
+Reading from_message(const sprung_msgs::bus_state_t& in, BusState& out) { return read(kBusState, in, out); }
 
 }  // namespace sprung

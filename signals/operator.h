@@ -41,8 +41,8 @@ struct OperatorReply {
   std::int64_t request_id = 0;
   std::int64_t took_effect_at_seq = -1;
   OperatorOutcome outcome = OperatorOutcome::kRefused;
-  const char* from = "";    ///< static text
-  const char* reason = "";  ///< static text
+  const char* answered_by = "";  ///< process; static text
+  const char* reason = "";       ///< static text
 };
 
 }  // namespace sprung

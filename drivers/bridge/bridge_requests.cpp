@@ -126,7 +126,7 @@ OperatorReply BridgeCore::Impl::reply(const OperatorCommand& command, const char
   OperatorReply answer;
   answer.stamp = {now_us, cycle};
   answer.request_id = command.request_id;
-  answer.from = "bridge";
+  answer.answered_by = "bridge";
   answer.outcome = refusal == nullptr ? OperatorOutcome::kAccepted : OperatorOutcome::kRefused;
   answer.reason = refusal == nullptr ? "" : refusal;
   answer.took_effect_at_seq = refusal == nullptr ? cycle : -1;

@@ -1,15 +1,11 @@
 #!/usr/bin/env python3
-r"""Commands the robot that `sprung up` runs: command_robot.py stand|sit|stop|jump|estop|clear
+"""Commands the robot that `sprung up` runs: command_robot.py home|stand|sit|stop|jump|estop|clear
 
-Needs PyPI's lcm, and the messages in Python, once (operator_reply_t has a field that Python reserves):
-  lcm-gen -p lcmtypes/*.lcm --ppath .
-  sed -i 's/self\.from\b/self.from_/g; s/"from"/"from_"/' sprung_msgs/operator_reply_t.py"""
+Needs PyPI's lcm, and the messages in Python, once: lcm-gen -p lcmtypes/*.lcm --ppath ."""
 import hashlib, json, os, random, sys, time
 import lcm
-from sprung_msgs import operator_command_t, operator_reply_t
+from sprung_msgs import operator_command_t, operator_kind_t, operator_outcome_t, operator_reply_t
 
-KINDS = {"stand": 1, "jump": 2, "stop": 3, "estop": 4, "clear": 5, "sit": 6}  # sprung::OperatorKind
-OUTCOMES = ["accepted", "refused", "done", "failed", "queued"]  # sprung::OperatorOutcome
 runtime = os.environ.get("XDG_RUNTIME_DIR")
 folder = f"{runtime}/sprung" if runtime else f"/tmp/sprung-{os.getuid()}"
 folder = os.environ.get("SPRUNG_RUN_DIR", folder)
@@ -22,8 +18,9 @@ command.session = run["session"]
 command.utime = time.monotonic_ns() // 1000 - run["epoch_us"]  # more than 2 s old is refused
 command.request_id = 1024 * command.utime + random.randrange(1024)
 command.apply_at_seq = -1
-command.kind = KINDS[sys.argv[1]]
+command.kind = getattr(operator_kind_t, sys.argv[1].upper())
 command.jump_count = 1
+command.actuator = -1  # home: all of them
 command.mac = bytes(16)
 content = command.encode()[:-16]  # all but the MAC, which stands at the end
 mac = hashlib.blake2b(b"OPERATOR_COMMAND\0" + content, digest_size=16, key=key).digest()
@@ -33,9 +30,12 @@ def answered(_channel, data):
     reply = operator_reply_t.decode(data)
     if (reply.session, reply.request_id) != (run["session"], command.request_id):
         return
-    print(sys.argv[1], OUTCOMES[reply.outcome], reply.reason)
-    if OUTCOMES[reply.outcome] not in ("accepted", "queued"):
-        sys.exit(OUTCOMES[reply.outcome] != "done")
+    if reply.outcome in (operator_outcome_t.ACCEPTED, operator_outcome_t.QUEUED):
+        return
+    if reply.outcome != operator_outcome_t.DONE:
+        sys.exit(f"{sys.argv[1]}: {reply.answered_by} says no: {reply.reason}")
+    print(sys.argv[1], "done", reply.reason)
+    sys.exit(0)
 
 
 network.subscribe("OPERATOR_REPLY", answered)

@@ -53,7 +53,8 @@ class Bench {
     command.kind = static_cast<OperatorKind>(input.byte() % std::size(kWords<OperatorKind>));
     if (!change(input, command)) return;
     require(bench_.bridge->operator_command(command, bench_.time_us).reason != nullptr, "a reason or none");
-    for (OperatorReply reply; bench_.bridge->next_reply(reply);) require(reply.from != nullptr, "a sender");
+    for (OperatorReply reply; bench_.bridge->next_reply(reply);)
+      require(reply.answered_by != nullptr, "a sender");
   }
   void bend_a_drive(Input& input) {
     test::FakeDrive& drive = bench_.drives[input.byte() % bench_.drives.size()];

@@ -84,7 +84,7 @@ TEST(OperatorDeskTest, DoneKeepsTheCycleInWhichTheCommandTookEffect) {
   EXPECT_EQ(r.took_effect_at_seq, 3);
   EXPECT_EQ(r.stamp.seq, 9);
   EXPECT_STREQ(r.reason, "stand reached");
-  EXPECT_STREQ(r.from, "sprung-motion-planner");
+  EXPECT_STREQ(r.answered_by, "sprung-motion-planner");
 }
 
 TEST(OperatorDeskTest, RefusedNeverTookEffect) {

@@ -44,7 +44,7 @@ sprung_msgs::joint_state_t joint_state() {
 sprung_msgs::operator_reply_t reply() {
   sprung_msgs::operator_reply_t message{};
   message.session = kReceiveGuardSession;
-  message.from = "planner";
+  message.answered_by = "planner";
   message.reason = "a reason";
   return message;
 }
@@ -166,7 +166,9 @@ TEST(ReceiveGuard, CountsWhatIsRefusedLater) {
                      kReceiveGuardSession);
   guard.refuse(Refusal::kBadValue, 9, 3);
   EXPECT_EQ(guard.refused(Refusal::kBadValue), 1);
-  EXPECT_EQ(guard.last_refusal(), "X refused: bad value, found 9, expected 3");
+  EXPECT_EQ(guard.last_refusal(), "X refused: bad value, found 9, known are 0 to 3");
+  guard.refuse(Refusal::kBadValue, 0, 0);
+  EXPECT_EQ(guard.last_refusal(), "X refused: bad value, a number beyond its range");
 }
 
 /// 100 000 seeded buffers: random ones, and good ones with a few bytes changed or cut. Whatever is accepted

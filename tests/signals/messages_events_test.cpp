@@ -130,7 +130,7 @@ TEST(EventMessages, OperatorReplyKeepsItsNumbersAndTexts) {
   signal.request_id = 42;
   signal.took_effect_at_seq = 21;
   signal.outcome = OperatorOutcome::kQueued;
-  signal.from = "planner";
+  signal.answered_by = "planner";
   signal.reason = "no contact";
   sprung_msgs::operator_reply_t message{};
   to_message(signal, 5, message);
@@ -140,7 +140,7 @@ TEST(EventMessages, OperatorReplyKeepsItsNumbersAndTexts) {
   EXPECT_EQ(back.request_id, 42);
   EXPECT_EQ(back.took_effect_at_seq, 21);
   EXPECT_EQ(back.outcome, OperatorOutcome::kQueued);
-  EXPECT_STREQ(back.from, "planner");
+  EXPECT_STREQ(back.answered_by, "planner");
   EXPECT_STREQ(back.reason, "no contact");
 }
 
@@ -189,7 +189,21 @@ TEST(EventMessages, UnknownOperatorKindIsRefused) {
   sprung_msgs::operator_command_t message{};
   message.kind = 100;
   OperatorCommand signal;
-  EXPECT_FALSE(from_message(message, signal));
+  const Reading reading = from_message(message, signal);
+  EXPECT_FALSE(reading);
+  EXPECT_EQ(reading.found, 100);
+  EXPECT_EQ(reading.largest, static_cast<int>(OperatorKind::kEnable));
+}
+
+TEST(EventMessages, TheFirstNumberThatIsUnknownIsTold) {
+  sprung_msgs::operator_command_t message{};
+  message.jump_mode = 77;
+  message.gait_control = 88;
+  message.utime = std::int64_t{1} << 60;
+  OperatorCommand signal;
+  EXPECT_EQ(from_message(message, signal).found, 77);
+  message.jump_mode = message.gait_control = 0;
+  EXPECT_EQ(from_message(message, signal).found, message.utime);
 }
 
 }  // namespace

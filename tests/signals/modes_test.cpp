@@ -2,32 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/enumerators.h"
+#include "tests/support/every_enumeration.h"
 
 namespace sprung {
 namespace {
 
 TEST(Modes, EveryValueHasItsOwnName) {
-  test::expect_own_names<DriveMode>();
-  test::expect_own_names<PowerState>();
-  test::expect_own_names<SafetyLevel>();
-  test::expect_own_names<SafetyCause>();
-  test::expect_own_names<JointStatus>();
-  test::expect_own_names<ControlMode>();
-  test::expect_own_names<LegPhase>();
-  test::expect_own_names<MotionPhase>();
-  test::expect_own_names<LegEvent>();
-  test::expect_own_names<GaitControl>();
-  test::expect_own_names<JumpMode>();
-  test::expect_own_names<OperatorKind>();
-  test::expect_own_names<OperatorOutcome>();
-  test::expect_own_names<ProcessState>();
-  test::expect_own_names<ImuStatus>();
-  test::expect_own_names<SimControlKind>();
-  test::expect_own_names<FaultKind>();
-  test::expect_own_names<BusCondition>();
-  test::expect_own_names<ReferenceSource>();
-  test::expect_own_names<LogEndReason>();
+  test::of_every_enumeration([](auto value) { test::expect_own_names<decltype(value)>(); });
 }
 
 TEST(Modes, EveryLegEventHasItsCounter) {

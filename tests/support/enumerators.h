@@ -3,7 +3,10 @@
 /// text says "kTorque" for a value that has an enumerator, and "(sprung::DriveMode)99" for one that has none.
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <cstddef>
+#include <functional>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -18,6 +21,49 @@ constexpr bool is_enumerator() {
   constexpr std::string_view kText = __PRETTY_FUNCTION__;
   constexpr std::string_view kMark = "Value = ";
   return kText[kText.find(kMark) + kMark.size()] != '(';
+}
+
+/// "kPreStance" becomes "k_Pre_Stance".
+inline std::string with_underscores(std::string_view camel_case) {
+  std::string out;
+  for (const char letter : camel_case) {
+    if (!out.empty() && std::isupper(static_cast<unsigned char>(letter)) != 0) out += '_';
+    out += letter;
+  }
+  return out;
+}
+
+/// "PRE_STANCE" for LegPhase::kPreStance: the name of its constant in lcmtypes/enumerations.lcm.
+template <auto Value>
+std::string constant_name() {
+  std::string_view text = __PRETTY_FUNCTION__;
+  text.remove_prefix(text.find("Value = "));
+  text = text.substr(0, text.find_first_of(";]"));
+  std::string out = with_underscores(text.substr(text.rfind("::k") + 3));
+  for (char& letter : out) letter = static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
+  return out;
+}
+
+/// "leg_phase_t" for LegPhase: the name of its struct there.
+template <class E>
+std::string constants_type() {
+  std::string_view text = __PRETTY_FUNCTION__;
+  text.remove_prefix(text.find("E = "));
+  text = text.substr(0, text.find_first_of(";]"));
+  std::string out = with_underscores(text.substr(text.rfind("::") + 2));
+  for (char& letter : out) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  return out + "_t";
+}
+
+/// Constants of E as lcmtypes/enumerations.lcm should have them.
+template <class E, std::size_t... Numbers>
+std::map<std::string, std::string, std::less<>> constants_of(std::index_sequence<Numbers...>) {
+  std::map<std::string, std::string, std::less<>> out;
+  const auto add = [&out](std::size_t number, bool exists, const std::string& name) {
+    if (exists) out[name] = std::to_string(number);
+  };
+  (add(Numbers, is_enumerator<static_cast<E>(Numbers)>(), constant_name<static_cast<E>(Numbers)>()), ...);
+  return out;
 }
 
 template <class E, std::size_t... Numbers>

@@ -39,11 +39,14 @@ class Tokens {
   void expect(std::string_view wanted);  ///< @throws BadLcmText unless it comes next
   /// Comments up to the next token in one line; forgets them.
   std::string take_comment();
+  /// The comment behind the last token, where it begins on the same line.
+  std::string take_comment_behind();
   std::int64_t number(const std::string& token) const;   ///< @throws BadLcmText
   [[noreturn]] void fail(const std::string& why) const;  ///< @throws BadLcmText with the line
 
  private:
-  void skip();  ///< white space and comments, which are kept
+  void skip();                                              ///< white space and comments, which are kept
+  std::size_t comment_length(std::string_view rest) const;  ///< 0 where none begins
   void keep(std::string_view comment);
 
   std::string_view text_;
@@ -87,6 +90,19 @@ std::string Tokens::take_comment() {
   return out;
 }
 
+std::string Tokens::take_comment_behind() {
+  std::size_t begin = position_;
+  while (begin < text_.size() && text_[begin] != '\n' && is_space(text_[begin])) ++begin;
+  const std::size_t length = comment_length(text_.substr(begin));
+  if (length == 0) return "";
+  comment_.clear();
+  keep(text_.substr(begin, length));
+  position_ = begin + length;
+  std::string out;
+  out.swap(comment_);
+  return out;
+}
+
 std::int64_t Tokens::number(const std::string& token) const {
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
@@ -102,28 +118,27 @@ void Tokens::fail(const std::string& why) const {
   throw BadLcmText("line " + std::to_string(line) + ": " + why);
 }
 
+std::size_t Tokens::comment_length(std::string_view rest) const {
+  if (rest.substr(0, 2) == "//") return std::min(rest.find('\n'), rest.size());
+  if (rest.substr(0, 2) != "/*") return 0;
+  const std::size_t end = rest.find("*/", 2);
+  if (end == std::string_view::npos) fail("a comment does not end");
+  return end + 2;
+}
+
 void Tokens::skip() {
   while (position_ < text_.size()) {
     const std::string_view rest = text_.substr(position_);
-    std::size_t length = 0;
-    if (is_space(rest[0])) {
-      length = 1;
-    } else if (rest.substr(0, 2) == "//") {
-      length = std::min(rest.find('\n'), rest.size());
-      keep(rest.substr(2, length - 2));
-    } else if (rest.substr(0, 2) == "/*") {
-      const std::size_t end = rest.find("*/", 2);
-      if (end == std::string_view::npos) fail("a comment does not end");
-      length = end + 2;
-      keep(rest.substr(2, length - 4));
-    } else {
-      return;
-    }
-    position_ += length;
+    const std::size_t length = comment_length(rest);
+    if (length == 0 && !is_space(rest[0])) return;
+    if (length > 0) keep(rest.substr(0, length));
+    position_ += std::max<std::size_t>(length, 1);
   }
 }
 
 void Tokens::keep(std::string_view comment) {
+  if (comment.substr(0, 2) == "/*") comment.remove_suffix(2);
+  comment.remove_prefix(2);
   while (!comment.empty() && is_space(comment.front())) comment.remove_prefix(1);
   while (!comment.empty() && is_space(comment.back())) comment.remove_suffix(1);
   if (!comment_.empty()) comment_ += ' ';
@@ -154,29 +169,30 @@ class Parser {
     StructType out;
     out.package = package_;
     out.name = tokens_.next();
-    constants_.clear();
     tokens_.expect("{");
-    tokens_.take_comment();
+    tokens_.take_comment_behind();
     while (!tokens_.accept("}")) {
+      const std::string above = tokens_.take_comment();
       const std::string word = tokens_.next();
-      word == "const" ? constants() : members(out, word);
+      word == "const" ? constants(out) : members(out, word, above);
     }
     return out;
   }
 
   /// const int32_t a = 1, b = 2;
-  void constants() {
+  void constants(StructType& out) {
     tokens_.next();
     do {
       const std::string name = tokens_.next();
       tokens_.expect("=");
-      constants_[name] = tokens_.next();
+      out.constants[name] = tokens_.next();
     } while (tokens_.accept(","));
     tokens_.expect(";");
+    tokens_.take_comment_behind();
   }
 
-  /// double a, b[3];   the comment behind it belongs to all of them.
-  void members(StructType& out, const std::string& type) {
+  /// double a, b[3];   the comments above and behind belong to all of them.
+  void members(StructType& out, const std::string& type, const std::string& above) {
     const std::size_t first = out.members.size();
     do {
       Member member;
@@ -191,15 +207,16 @@ class Parser {
       out.members.push_back(std::move(member));
     } while (tokens_.accept(","));
     tokens_.expect(";");
-    const std::string comment = tokens_.take_comment();
+    const std::string behind = tokens_.take_comment_behind();
+    const std::string comment = above + (above.empty() || behind.empty() ? "" : " ") + behind;
     for (std::size_t i = first; i < out.members.size(); ++i) explain(out.members[i], comment);
   }
 
   Dimension dimension(StructType& in) {
     Dimension out;
     out.text = tokens_.next();
-    const auto constant = constants_.find(out.text);
-    if (constant != constants_.end()) out.text = constant->second;
+    const auto constant = in.constants.find(out.text);
+    if (constant != in.constants.end()) out.text = constant->second;
     if (is_number(out.text)) {
       out.fixed = tokens_.number(out.text);
       return out;
@@ -216,20 +233,13 @@ class Parser {
   }
 
   static void explain(Member& member, const std::string& comment) {
-    constexpr std::string_view kOurs = "sprung::";
     member.comment = comment;
     member.is_text = member.wire == Wire::kByte && comment.find("zero-terminated text") != std::string::npos;
-    const std::size_t begin = comment.find(kOurs);
-    if (begin == std::string::npos || member.wire != Wire::kInt8) return;
-    std::size_t end = begin + kOurs.size();
-    while (end < comment.size() && std::isalnum(static_cast<unsigned char>(comment[end])) != 0) ++end;
-    member.enumeration = find_enumeration(
-        std::string_view(comment).substr(begin + kOurs.size(), end - begin - kOurs.size()));
+    if (member.wire == Wire::kInt8) member.enumeration = enumeration_in(comment);
   }
 
   Tokens tokens_;
   std::string package_;
-  std::map<std::string, std::string> constants_;
   std::vector<StructType> structs_;
 };
 

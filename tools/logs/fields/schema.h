@@ -3,6 +3,8 @@
 /// without its class.
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -42,7 +44,7 @@ struct Member {
   Wire wire = Wire::kDouble;
   const StructType* type = nullptr;  ///< where wire is kStruct
   std::vector<Dimension> dimensions;
-  std::string comment;                       ///< behind it, in one line
+  std::string comment;                       ///< above it and behind it, in one line
   const Enumeration* enumeration = nullptr;  ///< of an integer whose comment names one of sprung's
   bool is_count = false;                     ///< another member's size
   bool is_text = false;                      ///< bytes that hold a zero-terminated text, as the comment says
@@ -52,6 +54,7 @@ struct StructType {
   std::string package;
   std::string name;  ///< without package
   std::vector<Member> members;
+  std::map<std::string, std::string, std::less<>> constants;  ///< numbers as written
   std::int64_t hash = 0;       ///< LCM's fingerprint, first 8 bytes of an encoded message
   std::size_t least_size = 0;  ///< bytes that one takes at least, without the fingerprint
 };

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "lcmtypes/former.h"
 #include "tools/logs/fields/lcm_files.h"
 #include "tools/logs/fields/lcm_text.h"
 
@@ -37,22 +38,35 @@ std::int64_t own_hash(const StructType& type) {
   return hash;
 }
 
+/// Types that consist of each other twice are walked through twice as often with each: no file is meant so.
+class Walks {
+ public:
+  void count(const StructType& type) {
+    if (--left_ == 0) throw BadLcmText(type.name + ": types consist of each other too often");
+  }
+
+ private:
+  int left_ = 100'000;
+};
+
 /// @param parents types that this one is a part of: in a ring, LCM counts each once.
-std::int64_t full_hash(const StructType& type, std::vector<const StructType*>& parents) {
+std::int64_t full_hash(const StructType& type, std::vector<const StructType*>& parents, Walks& walks) {
+  walks.count(type);
   for (const StructType* parent : parents) {
     if (parent == &type) return 0;
   }
   parents.push_back(&type);
   auto sum = static_cast<std::uint64_t>(own_hash(type));
   for (const Member& member : type.members) {
-    if (member.type != nullptr) sum += static_cast<std::uint64_t>(full_hash(*member.type, parents));
+    if (member.type != nullptr) sum += static_cast<std::uint64_t>(full_hash(*member.type, parents, walks));
   }
   parents.pop_back();
   return static_cast<std::int64_t>((sum << 1U) + (sum >> 63U));
 }
 
 /// @param depth ends a ring, which only a list of no elements can close.
-std::size_t least_size(const StructType& type, int depth) {
+std::size_t least_size(const StructType& type, int depth, Walks& walks) {
+  walks.count(type);
   constexpr std::size_t kEmptyString = 5;
   std::size_t sum = 0;
   for (const Member& member : type.members) {
@@ -60,7 +74,7 @@ std::size_t least_size(const StructType& type, int depth) {
     for (const Dimension& dimension : member.dimensions)
       count *= dimension.count_member >= 0 ? 0 : static_cast<std::size_t>(dimension.fixed);
     std::size_t one = member.wire == Wire::kString ? kEmptyString : size_of(member.wire);
-    if (member.type != nullptr && count > 0 && depth > 0) one = least_size(*member.type, depth - 1);
+    if (member.type != nullptr && count > 0 && depth > 0) one = least_size(*member.type, depth - 1, walks);
     sum += count * one;
   }
   return sum;
@@ -93,6 +107,7 @@ const TypeTable& TypeTable::sprung() {
   static const TypeTable& table = []() -> TypeTable& {
     static TypeTable ours;
     ours.add(lcm_files());
+    ours.by_hash_.emplace(kFormerOperatorReplyHash, ours.by_name("operator_reply_t"));
     return ours;
   }();
   return table;
@@ -103,6 +118,11 @@ void TypeTable::add(const std::vector<std::string_view>& texts) {
   const std::size_t first = types_.size();
   for (const std::string_view text : texts) {
     for (StructType& type : parse_lcm(text)) {
+      const bool is_sent = !type.members.empty() || type.constants.empty();
+      if (!is_sent) {
+        constants_.push_back(std::move(type));
+        continue;
+      }
       const StructType* known = by_name(type.package.empty() ? type.name : type.package + "." + type.name);
       if (known == nullptr || known->package != type.package) types_.push_back(std::move(type));
     }
@@ -110,8 +130,9 @@ void TypeTable::add(const std::vector<std::string_view>& texts) {
   for (std::size_t i = first; i < types_.size(); ++i) link(types_[i]);
   for (std::size_t i = first; i < types_.size(); ++i) {
     std::vector<const StructType*> parents;
-    types_[i].hash = full_hash(types_[i], parents);
-    types_[i].least_size = least_size(types_[i], kDeepest);
+    Walks walks;
+    types_[i].hash = full_hash(types_[i], parents, walks);
+    types_[i].least_size = least_size(types_[i], kDeepest, walks);
     by_hash_.emplace(types_[i].hash, &types_[i]);
   }
 }

@@ -29,11 +29,14 @@ class TypeTable {
   const StructType* by_name(
       std::string_view name) const noexcept;  ///< with package or, where that is clear, without
   const std::deque<StructType>& all() const noexcept { return types_; }
+  /// Structs of constants alone, which nobody sends: values in words (lcmtypes/enumerations.lcm).
+  const std::vector<StructType>& constants() const noexcept { return constants_; }
 
  private:
   void link(StructType& type) const;
 
   std::deque<StructType> types_;  // stays where it is when more come
+  std::vector<StructType> constants_;
   std::unordered_map<std::int64_t, const StructType*> by_hash_;
 };
 

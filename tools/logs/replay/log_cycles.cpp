@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "lcmtypes/channels.h"
+#include "lcmtypes/former.h"
 #include "runtime/message_layout.h"
 #include "runtime/receive_guard.h"
 #include "signals/modes.h"
@@ -19,9 +20,13 @@ constexpr std::string_view kProgramOfCore[kCores] = {"sprung-torque-estimator", 
 constexpr std::string_view kPlanner = kProgramOfCore[static_cast<std::size_t>(Core::kPlanner)];
 
 template <class M>
-bool decode(const log::Event& event, M& out) {
+bool decode(const std::uint8_t* data, std::size_t size, M& out) {
   ReceiveGuard guard("", layout_of<M>(), CountLimits::none(), 0);
-  return guard.decode(event.data, event.size, out) == Refusal::kNone;
+  return guard.decode(data, size, out) == Refusal::kNone;
+}
+template <class M>
+bool decode(const log::Event& event, M& out) {
+  return decode(event.data, event.size, out);
 }
 
 /// Emergency stop, clear and homing are the bridge's.
@@ -31,6 +36,16 @@ bool is_motion(std::int8_t kind) {
 }
 
 Bytes bytes_of(const log::Event& event) { return {event.data, event.data + event.size}; }
+
+/// As a planner of today would have written it.
+Bytes reply_bytes(const log::Event& event) {
+  Bytes bytes = bytes_of(event);
+  constexpr std::size_t kHashBytes = 8;
+  if (bytes.size() < kHashBytes || read_int64(bytes.data(), 0) != kFormerOperatorReplyHash) return bytes;
+  const auto hash = static_cast<std::uint64_t>(sprung_msgs::operator_reply_t::getHash());
+  for (std::size_t i = 0; i < kHashBytes; ++i) bytes[i] = static_cast<std::uint8_t>(hash >> (56 - 8 * i));
+  return bytes;
+}
 
 /// nullptr where a channel has not one message each cycle, or none that a core takes or makes.
 Bytes LoggedCycle::*member_of(std::string_view channel) noexcept {
@@ -205,13 +220,13 @@ void LogCycles::add_command(const log::Event& event) {
 /// A reply that is not the planner core's own ("queued", "too many wait") comes from its shell, under a short
 /// name.
 void LogCycles::add_reply(const log::Event& event) {
+  const Bytes bytes = reply_bytes(event);
   sprung_msgs::operator_reply_t reply;
-  if (!decode(event, reply) || reply.from != kPlanner) return;
+  if (!decode(bytes.data(), bytes.size(), reply) || reply.answered_by != kPlanner) return;
   executed_.emplace(Request{reply.session, reply.request_id}, reply.seq);
   if (reply.session != session_ || reply.seq <= handed_out_ || reply.seq > kLastCycle) return;
   LoggedCycle* const cycle = cycle_of(reply.seq);
   if (cycle == nullptr) return;
-  const Bytes bytes = bytes_of(event);
   const bool repeated = std::find(cycle->replies.begin(), cycle->replies.end(), bytes) !=
                         cycle->replies.end();
   if (!repeated) cycle->replies.push_back(bytes);

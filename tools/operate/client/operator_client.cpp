@@ -35,7 +35,7 @@ std::optional<OperatorAnswer> OperatorClient::next_answer(std::int64_t request_i
   while (const auto reply = replies_.pop()) {
     if (reply->request_id == request_id) {
       return OperatorAnswer{static_cast<OperatorOutcome>(reply->outcome), reply->took_effect_at_seq,
-                            reply->from, reply->reason};
+                            reply->answered_by, reply->reason};
     }
   }
   return std::nullopt;

@@ -19,7 +19,10 @@ namespace fs = std::filesystem;
 
 std::int64_t random_session() {
   std::random_device device;
-  return static_cast<std::int64_t>((static_cast<std::uint64_t>(device()) << 32 | device()) >> 1) | 1;
+  constexpr unsigned
+      kExactInDoubles = 53;  // so that Lua, JavaScript and jq read the number that stands there
+  const std::uint64_t bits = static_cast<std::uint64_t>(device()) << 32 | device();
+  return static_cast<std::int64_t>(bits >> (64 - kExactInDoubles)) | 1;
 }
 
 std::string lcm_url_on_port(int port) {

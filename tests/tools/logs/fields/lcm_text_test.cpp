@@ -33,21 +33,35 @@ TEST(LcmText, ReadsMembersSizesAndPackages) {
   EXPECT_EQ(types[0].members[3].type_name, "c.two_t");
 }
 
-TEST(LcmText, CommentsBelongToWhatStandsBeforeThem) {
+TEST(LcmText, CommentsBelongToTheMemberBelowThemOrBeforeThemOnItsLine) {
   const auto types = parse_lcm(
-      "struct a_t {\n // of nobody\n int8_t x; // first\n // and more\n int8_t y;\n}");
-  EXPECT_EQ(types[0].members[0].comment, "first and more");
-  EXPECT_EQ(types[0].members[1].comment, "");
+      "struct a_t { // of nobody\n // above\n /* and\n more */ int8_t x; // behind\n // of y\n int8_t y, "
+      "z;\n\n"
+      " int8_t w;\n // of nobody\n}");
+  EXPECT_EQ(types[0].members[0].comment, "above and\n more behind");
+  EXPECT_EQ(types[0].members[1].comment, "of y");
+  EXPECT_EQ(types[0].members[2].comment, "of y");
+  EXPECT_EQ(types[0].members[3].comment, "");
 }
 
 TEST(LcmText, AnEnumerationIsNamedInTheComment) {
   const auto types = parse_lcm(
-      "struct a_t { int8_t x; // sprung::LegPhase, now\n double y; // see sprung::LegPhase\n int8_t z; // "
-      "sprung::None\n }");
+      "struct a_t { // stands above: leg_phase_t, now\n int8_t x; // leg_phase_t, now\n // see leg_phase_t\n "
+      "double y;\n"
+      " // leg_phases_t\n int8_t z;\n }");
   ASSERT_NE(types[0].members[0].enumeration, nullptr);
-  EXPECT_STREQ(types[0].members[0].enumeration->name, "LegPhase");
+  EXPECT_STREQ(types[0].members[0].enumeration->name, "leg_phase_t");
   EXPECT_EQ(types[0].members[1].enumeration, nullptr);
   EXPECT_EQ(types[0].members[2].enumeration, nullptr);
+}
+
+TEST(LcmText, ConstantsAreKeptAsTheyStand) {
+  const auto types = parse_lcm(
+      "struct a_t {\n // one\n const int8_t ONE = 1, TWO = 2; // both\n const int8_t NONE = -1;\n double x; "
+      "}");
+  EXPECT_THAT(types[0].constants, testing::ElementsAre(testing::Pair("NONE", "-1"), testing::Pair("ONE", "1"),
+                                                       testing::Pair("TWO", "2")));
+  EXPECT_EQ(types[0].members[0].comment, "");
 }
 
 TEST(LcmText, ConstantsMayBeSizes) {

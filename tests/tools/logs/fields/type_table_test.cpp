@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
+#include "lcmtypes/former.h"
 #include "tools/logs/fields/lcm_text.h"
 
 namespace sprung::fields {
@@ -33,6 +36,39 @@ TEST(TypeTable, AMissingTypeIsNamed) {
     FAIL();
   } catch (const BadLcmText& bad) {
     EXPECT_STREQ(bad.what(), "x_t.v: no type lost_t");
+  }
+}
+
+TEST(TypeTable, ARepliesFormerFingerprintIsKnown) {
+  TypeTable former;
+  former.add(
+      {"package sprung_msgs; struct operator_reply_t { int64_t session, utime, seq, request_id, "
+       "took_effect_at_seq;"
+       " int8_t outcome; string from; string reason; }"});
+  const std::int64_t hash = former.all().front().hash;
+  EXPECT_EQ(hash, kFormerOperatorReplyHash);
+  EXPECT_EQ(TypeTable::sprung().by_hash(hash), TypeTable::sprung().by_name("operator_reply_t"));
+}
+
+TEST(TypeTable, StructsOfConstantsAloneAreNoMessages) {
+  TypeTable table;
+  table.add(
+      {"struct a_t { const int8_t ONE = 1; } struct b_t { } struct c_t { const int8_t TWO = 2; double v; }"});
+  ASSERT_EQ(table.constants().size(), 1u);
+  EXPECT_EQ(table.constants()[0].name, "a_t");
+  EXPECT_EQ(table.by_name("a_t"), nullptr);
+  EXPECT_EQ(table.all().size(), 2u);
+}
+
+TEST(TypeTable, TypesThatConsistOfEachOtherTwiceAreRefusedInsteadOfWalkedThroughForEver) {
+  std::string chain = "struct t0_t { double v; } ";
+  for (int i = 1; i < 40; ++i) {
+    const std::string below = "t" + std::to_string(i - 1) + "_t";
+    chain += "struct t" + std::to_string(i) + "_t { " + below + " a, b; } ";
+  }
+  for (const std::string& text : {std::string("struct b_t { b_t a, b; }"), chain}) {
+    TypeTable table;
+    EXPECT_THROW(table.add({text}), BadLcmText) << text.substr(0, 30);
   }
 }
 

@@ -90,7 +90,7 @@ TEST(ProtoSchema, TellsNumbersTypesUnitsAndComments) {
   EXPECT_EQ(joint["gear_output_torque_Nm"].label, 1u);
   EXPECT_EQ(joint["gear_output_torque_Nm"].comment.substr(0, 16), " Nm; what the li");
   EXPECT_EQ(joint["at_rest"].type, 8u);
-  EXPECT_EQ(joint["status"].comment, " sprung::JointStatus\n");
+  EXPECT_EQ(joint["status"].comment, " joint_status_t\n");
 }
 
 TEST(ProtoSchema, ListsOfNumbersArePackedBytesAreOneValue) {

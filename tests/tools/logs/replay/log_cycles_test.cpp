@@ -7,6 +7,7 @@
 #include <random>
 
 #include "lcmtypes/channels.h"
+#include "lcmtypes/former.h"
 #include "runtime/process_status.h"
 #include "signals/drive_state.h"
 #include "signals/joint_state.h"
@@ -44,13 +45,19 @@ class LogCyclesTest : public testing::Test {
     command.kind = kind;
     add(channels::kOperatorCommand, command);
   }
-  void reply(std::int64_t id, std::int64_t seq, const char* from = "sprung-motion-planner",
-             OperatorOutcome outcome = OperatorOutcome::kAccepted) {
+  static OperatorReply a_reply(std::int64_t id, std::int64_t seq) {
     OperatorReply reply;
     reply.stamp.seq = seq;
     reply.request_id = id;
+    reply.outcome = OperatorOutcome::kAccepted;
+    reply.answered_by = "sprung-motion-planner";
+    return reply;
+  }
+  void reply(std::int64_t id, std::int64_t seq, const char* from = "sprung-motion-planner",
+             OperatorOutcome outcome = OperatorOutcome::kAccepted) {
+    OperatorReply reply = a_reply(id, seq);
     reply.outcome = outcome;
-    reply.from = from;
+    reply.answered_by = from;
     add(channels::kOperatorReply, reply);
   }
   void status(const char* process, std::int64_t pid) {
@@ -223,6 +230,23 @@ TEST_F(LogCyclesTest, ProcessThatWasStartedAgainIsFreshFromItsNextMessageOn) {
   EXPECT_FALSE(at(1).restarted[estimator]);
   EXPECT_TRUE(at(2).restarted[estimator]);
   EXPECT_FALSE(at(2).restarted[static_cast<std::size_t>(Core::kPlanner)]);
+}
+
+TEST_F(LogCyclesTest, ReplyOfALogOfBeforeCountsAsOneOfToday) {
+  leg_command(0);
+  command(7);
+  for (std::int64_t k = 1; k < 6; ++k) leg_command(k);
+  const Bytes today = message_of(a_reply(7, 3), session_);
+  Bytes before = today;
+  for (std::size_t i = 0; i < 8; ++i)
+    before[i] = static_cast<std::uint8_t>(static_cast<std::uint64_t>(kFormerOperatorReplyHash) >>
+                                          (56 - 8 * i));
+  ++time_us_;
+  cycles_.add(event_of(channels::kOperatorReply, before, time_us_), 1e-6 * static_cast<double>(time_us_));
+  cycles_.finish();
+  EXPECT_EQ(at(3).operator_commands.size(), 1u);
+  ASSERT_EQ(at(3).replies.size(), 1u);
+  EXPECT_EQ(at(3).replies[0], today) << "compared with what a planner of today answers";
 }
 
 TEST_F(LogCyclesTest, CommandComesInTheCycleThatItsAnswerNames) {
