@@ -57,6 +57,11 @@ expect 1 $'apt-get update\napt-get install libmd-dev\napt-get update\napt-get in
 machine root chromium
 echo "E: Unable to locate package chromium" >"$work/apt_fails"
 expect 0 $'apt-get update\napt-get install chromium' "could not be installed: chromium"
+# A package of use that this Debian does not have keeps the others not away.
+machine root liblcm-lua gcovr
+echo liblcm-lua >"$work/unknown"
+expect 0 $'apt-get update\napt-get install gcovr' "this Debian has no liblcm-lua; its test will say"
+rm "$work/unknown"
 
 # A network without a route for multicast, and no right to add one.
 machine user

@@ -39,6 +39,10 @@ echo "apt-get ${words[*]}" >>"$work/asked"
 [ ! -s "$work/apt_fails" ] || { cat "$work/apt_fails"; exit 100; }
 for word in "${words[@]:1}"; do sed -i "/^$word\$/d" "$work/missing"; done
 EOT
+stub apt-cache <<'EOT'
+for name; do :; done
+! grep -qxF -- "$name" "$work/unknown" 2>/dev/null
+EOT
 stub ip <<'EOT'
 [ ! -e "$work/no_route" ] || { [ "$1 $2" != "route get" ] && echo "RTNETLINK answers: Operation not permitted" && exit 2; exit 0; }
 echo "multicast 239.255.76.67 dev lo"
