@@ -39,7 +39,7 @@ void to_message(const ProcessStatus& in, std::int64_t session, sprung_msgs::proc
   fields::write(kProcessStatus, in, session, out);
 }
 
-bool from_message(const sprung_msgs::process_status_t& in, ProcessStatus& out) {
+Reading from_message(const sprung_msgs::process_status_t& in, ProcessStatus& out) {
   return fields::read(kProcessStatus, in, out);
 }
 

@@ -38,7 +38,7 @@ struct ProcessStatus {
 };
 
 void to_message(const ProcessStatus& in, std::int64_t session, sprung_msgs::process_status_t& out);
-[[nodiscard]] bool from_message(const sprung_msgs::process_status_t& in, ProcessStatus& out);
+[[nodiscard]] Reading from_message(const sprung_msgs::process_status_t& in, ProcessStatus& out);
 
 template <>
 struct MessageOfSignal<ProcessStatus> {

@@ -102,23 +102,15 @@ std::int64_t ReceiveGuard::refused(Refusal why) const noexcept {
   return refused_[static_cast<std::size_t>(why)].load();
 }
 
-namespace {
-
-std::string bad_value(std::int64_t found, std::int64_t largest) {
-  const std::string text = name(Refusal::kBadValue);
-  if (largest == 0) return text + ", a number beyond its range";
-  return text + ", found " + std::to_string(found) + ", known are 0 to " + std::to_string(largest);
-}
-
-}  // namespace
-
 std::string ReceiveGuard::last_refusal() const {
   const std::lock_guard<std::mutex> lock(last_mutex_);
   if (last_ == Refusal::kNone) return "";
-  if (last_ == Refusal::kBadValue) return channel_ + " refused: " + bad_value(last_found_, last_expected_);
+  const std::string refused = channel_ + " refused: " + name(last_);
+  if (last_ == Refusal::kBadValue && last_expected_ == 0) return refused + ", a number beyond its range";
   const bool timely = last_ >= Refusal::kForged && last_ <= Refusal::kFuture;
-  return channel_ + " refused: " + name(last_) + (timely ? ", its time " : ", found ") +
-         std::to_string(last_found_) + (timely ? ", ours " : ", expected ") + std::to_string(last_expected_);
+  const char* const expected = last_ == Refusal::kBadValue ? ", expected 0 to " : ", expected ";
+  return refused + (timely ? ", its time " : ", found ") + std::to_string(last_found_) +
+         (timely ? ", ours " : expected) + std::to_string(last_expected_);
 }
 
 }  // namespace sprung

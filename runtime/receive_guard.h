@@ -34,7 +34,8 @@ class ReceiveGuard {
   /// check(), then decode in place and require every byte consumed. Unless kNone, `out` is unspecified.
   template <class M>
   Refusal decode(const void* data, std::size_t size, M& out, std::int64_t now_us = 0) noexcept;
-  /// Counts a refusal found later, e.g. kBadValue by from_message.
+  /// Counts a refusal found later: kBadValue by from_message, whose Reading has both numbers (0 expected: no
+  /// single number is wrong).
   void refuse(Refusal why, std::int64_t found, std::int64_t expected) noexcept;
 
   const std::string& channel() const noexcept { return channel_; }

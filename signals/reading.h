@@ -1,5 +1,5 @@
 #pragma once
-/// What became of a message that was read: good, or which number is none that this build knows.
+/// What became of a message that was read: good, or the first number in it that this build does not know.
 #include <cstdint>
 
 namespace sprung {
@@ -9,17 +9,9 @@ struct Reading {
   std::int64_t found = 0;    ///< unless good: the number
   std::int64_t largest = 0;  ///< that it could be; 0: no single number is wrong
 
-  Reading() = default;
-  Reading(bool is_good)
-      : good(is_good) {}  // NOLINT(google-explicit-constructor): as functions that have no number say
-  operator bool() const noexcept {
-    return good;
-  }  // NOLINT(google-explicit-constructor): asked as a truth everywhere
+  explicit operator bool() const noexcept { return good; }
   void refuse(std::int64_t number, std::int64_t most) noexcept {
-    if (!good) return;  // the first one counts
-    good = false;
-    found = number;
-    largest = most;
+    if (good) *this = {false, number, most};
   }
 };
 

@@ -1,14 +1,19 @@
 #!/usr/bin/env python3
-"""Commands the robot that `sprung up` runs: command_robot.py home|stand|sit|stop|jump|estop|clear
+"""Commands the robot that `sprung up` runs: command_robot.py home|stand|sit|stop|jump|estop|clear.
 
 Needs PyPI's lcm, and the messages in Python, once: lcm-gen -p lcmtypes/*.lcm --ppath ."""
 import hashlib, json, os, random, sys, time
 import lcm
 from sprung_msgs import operator_command_t, operator_kind_t, operator_outcome_t, operator_reply_t
 
+WORDS = ["home", "stand", "sit", "stop", "jump", "estop", "clear"]
+if len(sys.argv) != 2 or sys.argv[1] not in WORDS:
+    sys.exit(f"usage: {sys.argv[0]} {'|'.join(WORDS)}")
 runtime = os.environ.get("XDG_RUNTIME_DIR")
 folder = f"{runtime}/sprung" if runtime else f"/tmp/sprung-{os.getuid()}"
 folder = os.environ.get("SPRUNG_RUN_DIR", folder)
+if not os.path.exists(f"{folder}/default.json"):
+    sys.exit(f"no robot is up ({folder}): sprung up")
 run = json.load(open(f"{folder}/default.json"))  # session, time and network of this run
 key = open(f"{folder}/default.key", "rb").read()  # its owner alone can read it
 

@@ -9,6 +9,7 @@ import pytest
 import objects
 import programs
 from power_states import OFF, BySdo
+from robot_file import robot_file
 from sim_control import SimControl
 from wire import TIMEOUT_S, Wire, until
 
@@ -107,7 +108,7 @@ class Bench:
     """One process of simulated drives; its buses and wires."""
 
     def __init__(self, folder, robot, log):
-        self.robot = programs.robot_file(robot, folder)
+        self.robot = robot_file(robot, folder)
         buses = {bus["name"]: programs.random_bus() for bus in self.robot["buses"]}
         first = self.robot["buses"][0]["name"]
         self.first = first

@@ -7,6 +7,7 @@ import subprocess
 import yaml
 
 import programs
+from robot_file import robot_file
 from slave import POSITION, Card, Drive
 from wire import Wire, until
 
@@ -62,7 +63,7 @@ class Robot:
         self._environment = {"SPRUNG_RUN_DIR": str(folder), "SPRUNG_PROGRAMS": self._programs}
         self._bus = programs.random_bus()
         self.wire = Wire(self._bus)
-        self.settings = on_one_bus(programs.robot_file(name, self._programs))
+        self.settings = on_one_bus(robot_file(name, self._programs))
         self.settings.update(cycle_rate=CYCLE_RATE, simulation_watchdogs=WATCHDOGS)
         self.drives = {a["node"]: self._drive(a) for a in self.settings["actuators"]}
         self.cards = {c["node"]: self._node(Card, c, {}) for c in self.settings.get("encoder_cards", [])}

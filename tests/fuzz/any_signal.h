@@ -79,7 +79,7 @@ bool change(Input& input, Signal& signal) {
     }
   }
   message.decode(bytes.data(), 0, static_cast<int>(bytes.size()));
-  return from_message(message, signal);
+  return from_message(message, signal).good;
 }
 
 }  // namespace sprung::fuzz

@@ -36,7 +36,7 @@ void require_round_trip(const M& message) {
   if (!from_message(message, signal)) return;
   M first{}, second{};
   to_message(signal, message.session, first);
-  require(from_message(first, again), "its own message is read");
+  require(from_message(first, again).good, "its own message is read");
   to_message(again, message.session, second);
   require(encoded(first) == encoded(second), "a signal comes back");
 }

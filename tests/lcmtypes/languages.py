@@ -152,8 +152,6 @@ class Go:
     options = ["--go", "--go-path", ".", "--go-fingerprint"]
 
     def build(self, folder, types, lcm):
-        if lcm.version.startswith("1.3"):
-            raise Missing("its lcm-gen writes no Go")
         _need("go", "golang-go")
         name_of = {}
         for path in (folder / "sprung_msgs").glob("*.go"):

@@ -111,7 +111,7 @@ TEST_F(NodeTest, UnknownEnumerationValueIsRefused) {
   message.legs[0].control_mode = 99;
   sender.publish_message(channels::kLegCommand, message);
   ASSERT_TRUE(eventually(receiver, [&] { return receiver.refused_messages() == 1; }));
-  EXPECT_THAT(receiver.last_refusal(), ::testing::HasSubstr("bad value, found 99, known are 0 to 4"));
+  EXPECT_THAT(receiver.last_refusal(), ::testing::HasSubstr("bad value, found 99, expected 0 to 4"));
 }
 
 TEST_F(NodeTest, MessagesWithTextsArriveInAQueue) {

@@ -166,7 +166,7 @@ TEST(ReceiveGuard, CountsWhatIsRefusedLater) {
                      kReceiveGuardSession);
   guard.refuse(Refusal::kBadValue, 9, 3);
   EXPECT_EQ(guard.refused(Refusal::kBadValue), 1);
-  EXPECT_EQ(guard.last_refusal(), "X refused: bad value, found 9, known are 0 to 3");
+  EXPECT_EQ(guard.last_refusal(), "X refused: bad value, found 9, expected 0 to 3");
   guard.refuse(Refusal::kBadValue, 0, 0);
   EXPECT_EQ(guard.last_refusal(), "X refused: bad value, a number beyond its range");
 }

@@ -23,12 +23,16 @@ constexpr bool is_enumerator() {
   return kText[kText.find(kMark) + kMark.size()] != '(';
 }
 
-/// "kPreStance" becomes "k_Pre_Stance".
-inline std::string with_underscores(std::string_view camel_case) {
+/// "pre_stance" of "... [with auto Value = sprung::LegPhase::kPreStance]": the last name in a function's own
+/// text behind @p mark, without @p prefix, in small letters with underscores.
+inline std::string last_name(std::string_view function, std::string_view mark, std::string_view prefix) {
+  function.remove_prefix(function.find(mark));
+  function = function.substr(0, function.find_first_of(";]"));
+  function.remove_prefix(function.rfind("::") + 2 + prefix.size());
   std::string out;
-  for (const char letter : camel_case) {
+  for (const char letter : function) {
     if (!out.empty() && std::isupper(static_cast<unsigned char>(letter)) != 0) out += '_';
-    out += letter;
+    out += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
   }
   return out;
 }
@@ -36,10 +40,7 @@ inline std::string with_underscores(std::string_view camel_case) {
 /// "PRE_STANCE" for LegPhase::kPreStance: the name of its constant in lcmtypes/enumerations.lcm.
 template <auto Value>
 std::string constant_name() {
-  std::string_view text = __PRETTY_FUNCTION__;
-  text.remove_prefix(text.find("Value = "));
-  text = text.substr(0, text.find_first_of(";]"));
-  std::string out = with_underscores(text.substr(text.rfind("::k") + 3));
+  std::string out = last_name(__PRETTY_FUNCTION__, "Value = ", "k");
   for (char& letter : out) letter = static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
   return out;
 }
@@ -47,12 +48,7 @@ std::string constant_name() {
 /// "leg_phase_t" for LegPhase: the name of its struct there.
 template <class E>
 std::string constants_type() {
-  std::string_view text = __PRETTY_FUNCTION__;
-  text.remove_prefix(text.find("E = "));
-  text = text.substr(0, text.find_first_of(";]"));
-  std::string out = with_underscores(text.substr(text.rfind("::") + 2));
-  for (char& letter : out) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  return out + "_t";
+  return last_name(__PRETTY_FUNCTION__, "E = ", "") + "_t";
 }
 
 /// Constants of E as lcmtypes/enumerations.lcm should have them.

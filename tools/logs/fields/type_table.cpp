@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "lcmtypes/former.h"
+#include "sprung_embedded/former_lcm_text.h"
 #include "tools/logs/fields/lcm_files.h"
 #include "tools/logs/fields/lcm_text.h"
 
@@ -103,11 +103,20 @@ std::size_t size_of(Wire wire) noexcept {
   return 0;
 }
 
+const TypeTable& TypeTable::former() {
+  static const TypeTable& table = []() -> TypeTable& {
+    static TypeTable before;
+    before.add({former_lcm_text()});
+    return before;
+  }();
+  return table;
+}
+
 const TypeTable& TypeTable::sprung() {
   static const TypeTable& table = []() -> TypeTable& {
     static TypeTable ours;
     ours.add(lcm_files());
-    ours.by_hash_.emplace(kFormerOperatorReplyHash, ours.by_name("operator_reply_t"));
+    for (const StructType& type : former().all()) ours.by_hash_.emplace(type.hash, &type);
     return ours;
   }();
   return table;

@@ -17,8 +17,10 @@ class TypeTable {
   TypeTable(const TypeTable&) = delete;
   TypeTable& operator=(const TypeTable&) = delete;
 
-  /// Every type of lcmtypes/.
+  /// Every type of lcmtypes/; by their hash also those of logs of before.
   static const TypeTable& sprung();
+  /// Types that lcmtypes/ had before, as they were: former.lcm.
+  static const TypeTable& former();
 
   /// Adds the types of .lcm files that belong together, e.g. a user's own. A type that is known already is
   /// left out.

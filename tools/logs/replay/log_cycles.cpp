@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "lcmtypes/channels.h"
-#include "lcmtypes/former.h"
 #include "runtime/message_layout.h"
 #include "runtime/receive_guard.h"
 #include "signals/modes.h"
+#include "tools/logs/fields/type_table.h"
 #include "tools/logs/recorder/gap_tracker.h"
 
 namespace sprung {
@@ -37,11 +37,13 @@ bool is_motion(std::int8_t kind) {
 
 Bytes bytes_of(const log::Event& event) { return {event.data, event.data + event.size}; }
 
-/// As a planner of today would have written it.
+/// As a planner of today would have written it: one of before has a field of another name, and the same
+/// bytes.
 Bytes reply_bytes(const log::Event& event) {
+  static const std::int64_t former = fields::TypeTable::former().by_name("operator_reply_t")->hash;
   Bytes bytes = bytes_of(event);
   constexpr std::size_t kHashBytes = 8;
-  if (bytes.size() < kHashBytes || read_int64(bytes.data(), 0) != kFormerOperatorReplyHash) return bytes;
+  if (bytes.size() < kHashBytes || read_int64(bytes.data(), 0) != former) return bytes;
   const auto hash = static_cast<std::uint64_t>(sprung_msgs::operator_reply_t::getHash());
   for (std::size_t i = 0; i < kHashBytes; ++i) bytes[i] = static_cast<std::uint8_t>(hash >> (56 - 8 * i));
   return bytes;

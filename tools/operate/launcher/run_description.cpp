@@ -19,8 +19,7 @@ namespace fs = std::filesystem;
 
 std::int64_t random_session() {
   std::random_device device;
-  constexpr unsigned
-      kExactInDoubles = 53;  // so that Lua, JavaScript and jq read the number that stands there
+  constexpr unsigned kExactInDoubles = 53;  // Lua, JavaScript and jq then read the number that stands there
   const std::uint64_t bits = static_cast<std::uint64_t>(device()) << 32 | device();
   return static_cast<std::int64_t>(bits >> (64 - kExactInDoubles)) | 1;
 }

@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <string>
+#include <tuple>
 
-#include "lcmtypes/former.h"
 #include "tools/logs/fields/lcm_text.h"
 
 namespace sprung::fields {
@@ -39,15 +41,20 @@ TEST(TypeTable, AMissingTypeIsNamed) {
   }
 }
 
-TEST(TypeTable, ARepliesFormerFingerprintIsKnown) {
-  TypeTable former;
-  former.add(
-      {"package sprung_msgs; struct operator_reply_t { int64_t session, utime, seq, request_id, "
-       "took_effect_at_seq;"
-       " int8_t outcome; string from; string reason; }"});
-  const std::int64_t hash = former.all().front().hash;
-  EXPECT_EQ(hash, kFormerOperatorReplyHash);
-  EXPECT_EQ(TypeTable::sprung().by_hash(hash), TypeTable::sprung().by_name("operator_reply_t"));
+/// As Debian's lcm-gen made them of lcmtypes/ at fe05734.
+constexpr std::int64_t kFormerReplyHash = 0x3e25ef2266fe2692;
+constexpr std::int64_t kFormerBusStateHash = 0x78035c76d2a3c128;
+
+TEST(TypeTable, TypesOfLogsOfBeforeAreFoundByHashAndKeepTheirFields) {
+  for (const auto& [hash, name, field] : {std::tuple{kFormerReplyHash, "operator_reply_t", "from"},
+                                          std::tuple{kFormerBusStateHash, "bus_state_t", "recovering"}}) {
+    const StructType* const type = TypeTable::sprung().by_hash(hash);
+    ASSERT_NE(type, nullptr) << name;
+    EXPECT_EQ(type->name, name);
+    EXPECT_NE(type, TypeTable::sprung().by_name(name)) << "a name is that of today";
+    const auto is_it = [&](const Member& member) { return member.name == field; };
+    EXPECT_TRUE(std::any_of(type->members.begin(), type->members.end(), is_it)) << name << "." << field;
+  }
 }
 
 TEST(TypeTable, StructsOfConstantsAloneAreNoMessages) {

@@ -7,7 +7,6 @@
 #include <random>
 
 #include "lcmtypes/channels.h"
-#include "lcmtypes/former.h"
 #include "runtime/process_status.h"
 #include "signals/drive_state.h"
 #include "signals/joint_state.h"
@@ -238,9 +237,8 @@ TEST_F(LogCyclesTest, ReplyOfALogOfBeforeCountsAsOneOfToday) {
   for (std::int64_t k = 1; k < 6; ++k) leg_command(k);
   const Bytes today = message_of(a_reply(7, 3), session_);
   Bytes before = today;
-  for (std::size_t i = 0; i < 8; ++i)
-    before[i] = static_cast<std::uint8_t>(static_cast<std::uint64_t>(kFormerOperatorReplyHash) >>
-                                          (56 - 8 * i));
+  constexpr std::uint64_t kFormerHash = 0x3e25ef2266fe2692;  // of the field `from`, by lcm-gen
+  for (std::size_t i = 0; i < 8; ++i) before[i] = static_cast<std::uint8_t>(kFormerHash >> (56 - 8 * i));
   ++time_us_;
   cycles_.add(event_of(channels::kOperatorReply, before, time_us_), 1e-6 * static_cast<double>(time_us_));
   cycles_.finish();

@@ -8,8 +8,6 @@ import signal
 import socket
 import subprocess
 
-import yaml
-
 TOP = pathlib.Path(__file__).resolve().parents[2]
 _PR_SET_PDEATHSIG = 1
 _LIBC = ctypes.CDLL(None)
@@ -56,28 +54,6 @@ def address(bus):
 def random_lcm_url():
     group = f"239.255.{random.randint(1, 254)}.{random.randint(1, 254)}"
     return f"udpm://{group}:{own_port()}?ttl=0"
-
-
-class _Loader(yaml.SafeLoader):
-    """As YAML 1.2 has it: `on` is a word, not a truth."""
-
-    yaml_implicit_resolvers = {
-        first: [
-            (tag, pattern) for tag, pattern in found if tag != "tag:yaml.org,2002:bool" or first in "tTfF"
-        ]
-        for first, found in yaml.SafeLoader.yaml_implicit_resolvers.items()
-    }
-
-
-def robot_file(robot, folder):
-    """robot.yaml typed out; folder: where the programs are."""
-    shown = subprocess.run(
-        [str(pathlib.Path(folder) / "sprung"), "robot", "show", str(TOP / "robots" / robot)],
-        capture_output=True,
-        text=True,
-        check=True,
-    )
-    return yaml.load(shown.stdout, _Loader)
 
 
 def _die_with_parent():
