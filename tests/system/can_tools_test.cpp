@@ -57,7 +57,9 @@ TEST_F(CanTools, LockstepIsHeardOnceAndAnExportReadsAsItsLog) {
   ASSERT_EQ(sprung("can export " + log + " -o " + file("trace.candump")).status, 0);
   EXPECT_EQ(sprung("can dump single_leg --log " + file("trace.candump")).output,
             sprung("can dump single_leg --log " + log).output);
-  EXPECT_EQ(sprung("can export " + log + " --format pcap -o " + file("trace.pcapng")).status, 0);
+  const CommandResult pcap = sprung("can export " + log + " --format pcap -o " + file("trace.pcapng"));
+  EXPECT_EQ(pcap.status, 0);
+  EXPECT_THAT(pcap.output, HasSubstr("wireshark -d can.subdissector,canopen " + file("trace.pcapng")));
   EXPECT_GT(std::filesystem::file_size(file("trace.pcapng")), 10'000u);
   const CommandResult read = sprung("drive read single_leg knee_motor 0x6064");
   EXPECT_EQ(read.status, 1);

@@ -61,6 +61,8 @@ refused = {p["name"]: p["refused_messages"] for p in status["processes"]}
 print("refused:", refused)
 assert all(refused[name] > 100 for name in refused if name not in ("sprung-recorder",)), refused
 EOT
+sprung status >"$work/status"
+grep -q '^refused sprung-can-bridge: ' "$work/status" || { cat "$work/status"; fail "refused messages are not in the table"; }
 sprung down >/dev/null
 wait $up || fail "sprung up ended with $?"
 sprung log info "$work"/*.lcm >"$work/info" || { cat "$work/info"; fail "the log"; }

@@ -1,6 +1,9 @@
 #include "tools/logs/log/mcap_export.h"
 
+#include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <vector>
 
 #include "lcmtypes/channels.h"
 #include "tools/logs/fields/decoder.h"
@@ -20,9 +23,51 @@ std::uint64_t ns(double us) {
   return us > 0.0 && us < kLatest_us ? static_cast<std::uint64_t>(std::llround(us)) * 1000 : 0;
 }
 
+/// Brings messages into the order of their log times: an event's robot time may go back a little where the
+/// network or a lock-step run mixed it. A message that is later than what has been written stays out of order.
+class InOrder {
+ public:
+  explicit InOrder(McapWriter& writer) : writer_(writer) {}
+
+  void add(const McapMessageHead& head, std::string_view data) {
+    held_.push_back({head, count_++, std::string(data)});
+    std::push_heap(held_.begin(), held_.end(), LaterFirst{});
+    if (held_.size() > kHeld) write_first();
+  }
+  void finish() {
+    while (!held_.empty()) write_first();
+  }
+
+ private:
+  static constexpr std::size_t kHeld = 1024;  // messages; a cycle of pegasus has some 10, with CAN_TRACE 15
+
+  struct Held {
+    McapMessageHead head;
+    std::uint64_t count = 0;  ///< equal times stay as they came
+    std::string data;
+  };
+  struct LaterFirst {
+    bool operator()(const Held& a, const Held& b) const noexcept {
+      return std::tie(a.head.log_ns, a.count) > std::tie(b.head.log_ns, b.count);
+    }
+  };
+
+  void write_first() {
+    std::pop_heap(held_.begin(), held_.end(), LaterFirst{});
+    const Held& first = held_.back();
+    writer_.add_message(first.head.channel, first.head.sequence, first.head.log_ns, first.head.publish_ns,
+                        first.data);
+    held_.pop_back();
+  }
+
+  McapWriter& writer_;
+  std::vector<Held> held_;  ///< a heap
+  std::uint64_t count_ = 0;
+};
+
 class Exporter {
  public:
-  explicit Exporter(McapWriter& writer) : writer_(writer) {}
+  explicit Exporter(McapWriter& writer) : writer_(writer), messages_(writer) {}
 
   /// @return whether it was a message of a known type.
   bool add(const Event& event, const Timeline::Moment& moment, std::int64_t begin_us) {
@@ -31,11 +76,12 @@ class Exporter {
     const bool frame = event.channel == channels::kLogMetadata;
     const double log_us = static_cast<double>(frame ? event.time_us : begin_us) +
                           (frame ? 0.0 : 1e6 * moment.time_s);
-    writer_.add_message(topic.id, topic.sequence++, ns(log_us), ns(static_cast<double>(event.time_us)),
-                        protos_.encode(message_, event.data, event.size));
+    messages_.add({topic.id, topic.sequence++, ns(log_us), ns(static_cast<double>(event.time_us))},
+                  protos_.encode(message_, event.data, event.size));
     if (frame) note_metadata(event);
     return true;
   }
+  void finish() { messages_.finish(); }
 
  private:
   struct Topic {
@@ -72,6 +118,7 @@ class Exporter {
   }
 
   McapWriter& writer_;
+  InOrder messages_;
   fields::Decoder decoder_;
   fields::MessageView message_;
   ProtoMessages protos_;
@@ -92,6 +139,7 @@ McapResult export_mcap(Reader& reader, ChannelFilter& channels, McapWriter& writ
     if (!channels.keeps(event.channel)) continue;
     ++(exporter.add(event, moment, timeline.begin_us()) ? result.written : result.not_decoded);
   }
+  exporter.finish();
   return result;
 }
 

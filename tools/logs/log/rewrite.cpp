@@ -5,6 +5,7 @@
 #include <memory>
 #include <queue>
 #include <stdexcept>
+#include <vector>
 
 #include "lcmtypes/channels.h"
 #include "tools/logs/log/message_check.h"
@@ -55,6 +56,48 @@ class Copy {
   RewriteResult result_;
 };
 
+/// LOG_METADATA that stands outside the stretch comes along at the time of the stretch's first message: with
+/// its own, tools that go by the times of events would take the time between for a part of the log.
+class BroughtMetadata {
+ public:
+  explicit BroughtMetadata(Copy& copy) : copy_(copy) {}
+
+  void take(const Event& event) {
+    waiting_.push_back({event, {event.data, event.data + event.size}});
+    if (begun_) bring_at(newest_us_);
+  }
+  /// Call it before each message of the stretch is written.
+  void before(const Event& event) {
+    bring_at(event.time_us);
+    newest_us_ = event.time_us;
+    begun_ = true;
+  }
+  void finish() {  ///< of a stretch without messages, as they were
+    for (Kept& kept : waiting_) bring(kept);
+    waiting_.clear();
+  }
+
+ private:
+  struct Kept {
+    Event event;
+    std::vector<std::uint8_t> data;
+  };
+  void bring_at(std::int64_t time_us) {
+    for (Kept& kept : waiting_) kept.event.time_us = time_us;
+    finish();
+  }
+  void bring(Kept& kept) {
+    kept.event.channel = channels::kLogMetadata;
+    kept.event.data = kept.data.data();
+    copy_.bring(kept.event);
+  }
+
+  Copy& copy_;
+  std::vector<Kept> waiting_;
+  bool begun_ = false;
+  std::int64_t newest_us_ = 0;  ///< of what is written
+};
+
 /// A log and its next event.
 struct Stream {
   Stream(const std::string& path, const ReaderOptions& options) : reader(path, options) {}
@@ -85,14 +128,17 @@ RewriteResult copy_part(Reader& reader, const TimeSpan& span, ChannelFilter& fil
                         const Progress& progress) {
   const SpanTest test(span, span.needs_end() ? extent_of(reader) : LogExtent{});
   Copy copy(writer, progress, reader.file_bytes());
+  BroughtMetadata metadata(copy);
   Timeline timeline;
   for (Event event; reader.next(event);) {
     copy.read(event);
     const double time_s = timeline.next(event).time_s;
     const bool wanted = test.holds(time_s, event.time_us) && filter.keeps(event.channel);
+    if (wanted) metadata.before(event);
     if (wanted) copy.write(event);
-    if (!wanted && event.channel == channels::kLogMetadata) copy.bring(event);
+    if (!wanted && event.channel == channels::kLogMetadata) metadata.take(event);
   }
+  metadata.finish();
   copy.finish(reader);
   return copy.result();
 }

@@ -35,7 +35,7 @@ std::optional<SessionStamp> StampReader::read(const std::uint8_t* data, std::siz
 }
 
 Timeline::Moment Timeline::next(const Event& event) {
-  // Of a stretch that was cut out LOG_METADATA comes along from the old log's begin.
+  // Of a stretch that was cut out LOG_METADATA may come along from the old log's begin.
   if (event.channel == channels::kLogMetadata && !begun_) return {0.0, stamps_.read(event.data, event.size)};
   if (!begun_) {
     begun_ = true;

@@ -200,6 +200,8 @@ void print_process_news(const Json& processes) {
                   state.c_str());
     const std::string detail = process.value("detail", "");
     if (!detail.empty()) std::printf("says    %s: %s\n", name.c_str(), detail.c_str());
+    if (const long long refused = process.value("refused_messages", 0LL); refused > 0)
+      std::printf("refused %s: %lld messages\n", name.c_str(), refused);
   }
 }
 

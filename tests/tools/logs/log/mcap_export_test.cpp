@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <zstd.h>
 
+#include <algorithm>
+
 #include "tests/tools/logs/log/proto_reader.h"
 #include "tests/tools/logs/log/robot_sample.h"
 #include "tools/logs/log/checksum.h"
@@ -97,6 +99,23 @@ class McapTest : public testing::Test {
 std::size_t count(const std::vector<Record>& records, McapOp op) {
   return static_cast<std::size_t>(
       std::count_if(records.begin(), records.end(), [op](const Record& record) { return record.op == op; }));
+}
+
+TEST_F(McapTest, MessagesAreInTheOrderOfTheirLogTimes) {
+  std::vector<Kept> events = robot_events(30);
+  std::swap(events[20], events[31]);
+  std::vector<std::uint64_t> times_ns;
+  for (const Record& record : exported(events, false)) {
+    if (record.op != McapOp::kChunk) continue;
+    const std::string inner = records_in(record);
+    for (const Record& message : records_of(inner, 0, inner.size())) {
+      Cursor cursor(message.content);
+      cursor.take(2 + 4);
+      times_ns.push_back(cursor.number<std::uint64_t>());
+    }
+  }
+  EXPECT_EQ(times_ns.size(), 63u);
+  EXPECT_TRUE(std::is_sorted(times_ns.begin(), times_ns.end()));
 }
 
 TEST_F(McapTest, EveryMessageIsThereInProtocolBuffers) {

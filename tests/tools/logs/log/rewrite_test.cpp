@@ -39,6 +39,7 @@ TEST_F(LogRewrite, ACutHasTheStretchAndTheMetadata) {
     const std::int64_t since_us = event.time_us - kSampleBegin_us - 300;
     if (since_us >= 100'000 && since_us < 200'000) wanted.push_back(event);
   }
+  wanted[0].time_us = wanted[1].time_us;  // a cut of 0.1 s lasts 0.1 s for tools that go by events' times
   EXPECT_EQ(got, same(wanted));
   EXPECT_EQ(result_.read, 1 + 600 + 3 + 1);
   EXPECT_EQ(result_.written, 1 + 100);

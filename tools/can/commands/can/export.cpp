@@ -104,6 +104,9 @@ int run_export(const ExportRequest& request) {
   }
   if (request.out != "-")
     std::printf("%lld frames to %s\n", static_cast<long long>(frames), request.out.c_str());
+  if (pcap && request.out != "-")
+    std::printf("CANopen in words: wireshark -d can.subdissector,canopen %s (tshark takes it too)\n",
+                request.out.c_str());
   return kExitDone;
 }
 
