@@ -2,6 +2,7 @@
 
 #include "lcmtypes/channels.h"
 #include "signals/mode_names.h"
+#include "tools/logs/recorder/log_messages.h"
 
 namespace sprung::log {
 
@@ -19,17 +20,39 @@ bool is_trip(const std::string& level, const std::string& cause) {
 }  // namespace
 
 void IncidentFinder::add(const Event& event, const Timeline::Moment& moment) {
+  if (event.channel == channels::kLogMetadata) {
+    const auto metadata = read_log_metadata(event.data, event.size);
+    lockstep_ = metadata && metadata->clock == "lockstep";
+  }
   const bool safety = event.channel == channels::kSafetyState;
-  if (!safety && event.channel != channels::kMotionState) return;
+  const bool command = lockstep_ && event.channel == channels::kDriveCommand;
+  if (!safety && !command && event.channel != channels::kMotionState) return;
   if (decoder_.open(event.data, event.size, message_) != fields::Fault::kNone) return;
   if (moment.stamp && moment.stamp->session != session_) {
     session_ = moment.stamp->session;
     safety_.clear();
     motion_.clear();
     seen_.clear();
+    command_seq_ = -1;
     note(IncidentKind::kSession, moment, "session " + std::to_string(session_));
   }
+  if (command) return add_command(moment);
   safety ? add_safety(moment) : add_motion(moment);
+}
+
+void IncidentFinder::add_command(const Timeline::Moment& moment) {
+  const fields::Layout& layout = *message_.layout();
+  const int joints = layout.find("used_joint_state_seq"), legs = layout.find("used_leg_command_seq");
+  if (!moment.stamp || joints == fields::Layout::kNone || legs == fields::Layout::kNone) return;
+  const std::int64_t seq = moment.stamp->seq;
+  if (seq <= command_seq_) return;  // repeated
+  command_seq_ = seq;
+  const std::int64_t used_joints = message_.integer(message_.fields()[static_cast<std::size_t>(joints)]);
+  const std::int64_t used_legs = message_.integer(message_.fields()[static_cast<std::size_t>(legs)]);
+  if (used_joints == seq && used_legs == seq - 1) return;
+  note(IncidentKind::kNotDeterministic, moment,
+       "not deterministic: made from JOINT_STATE " + std::to_string(used_joints) + " and LEG_COMMAND " +
+           std::to_string(used_legs));
 }
 
 void IncidentFinder::add_safety(const Timeline::Moment& moment) {

@@ -1,5 +1,6 @@
 #pragma once
-/// What happened in a log, in words: changes of safety and of the motion's state, and what befell legs. Pure.
+/// What happened in a log, in words: changes of safety and of the motion's state, what befell legs, and
+/// cycles of a lock-step run that were made from older messages than their own. Pure.
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -13,8 +14,8 @@
 
 namespace sprung::log {
 
-enum class IncidentKind : std::int8_t { kSession, kSafety, kMotion, kLeg };
-inline constexpr std::size_t kIncidentKinds = 4;
+enum class IncidentKind : std::int8_t { kSession, kSafety, kMotion, kLeg, kNotDeterministic };
+inline constexpr std::size_t kIncidentKinds = 5;
 
 struct Incident {
   IncidentKind kind = IncidentKind::kMotion;
@@ -34,6 +35,10 @@ class IncidentFinder {
   const std::vector<Incident>& incidents() const noexcept { return incidents_; }
   /// Those that were left out.
   std::int64_t left_out() const noexcept { return left_out_; }
+  /// Of a lock-step run: cycles for which the leg controller gave up waiting, by wall time, for its inputs.
+  std::int64_t not_deterministic() const noexcept {
+    return of_kind_[static_cast<std::size_t>(IncidentKind::kNotDeterministic)];
+  }
   /// How often each befell any leg, by LegEvent.
   const std::array<std::int64_t, kLegEventCount>& leg_counts() const noexcept { return leg_counts_; }
 
@@ -46,6 +51,7 @@ class IncidentFinder {
     std::vector<std::array<int, kLegEventCount>> counts;  ///< of each leg
   };
 
+  void add_command(const Timeline::Moment& moment);
   void add_safety(const Timeline::Moment& moment);
   void add_motion(const Timeline::Moment& moment);
   void add_legs(const Timeline::Moment& moment);
@@ -58,6 +64,8 @@ class IncidentFinder {
   fields::Decoder decoder_;
   fields::MessageView message_;
   std::int64_t session_ = 0;
+  bool lockstep_ = false;
+  std::int64_t command_seq_ = -1;  ///< newest, of the session
   std::string safety_;
   std::string motion_;
   MotionFields motion_fields_;

@@ -146,6 +146,7 @@ LogInfo collect_info(Reader& reader, const std::vector<std::string>& leg_names, 
   info.begin_us = timeline.begin_us();
   info.incidents = incidents.incidents();
   info.incidents_left_out = incidents.left_out();
+  info.not_deterministic = incidents.not_deterministic();
   info.leg_counts = incidents.leg_counts();
   note_damages(reader, info);
   return info;

@@ -43,6 +43,7 @@ struct LogInfo {
   std::map<std::string, ChannelReport, std::less<>> channels;
   std::vector<Incident> incidents;  ///< the first thousand of each kind
   std::int64_t incidents_left_out = 0;
+  std::int64_t not_deterministic = 0;  ///< cycles of a lock-step run, see IncidentFinder
   std::array<std::int64_t, kLegEventCount> leg_counts{};
   std::optional<sprung_msgs::log_metadata_t> metadata;  ///< the first one
   std::optional<sprung_msgs::log_end_t> end;            ///< the last one

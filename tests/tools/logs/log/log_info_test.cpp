@@ -78,6 +78,30 @@ TEST_F(LogInfoTest, SaysWhatHappenedOnceEach) {
   EXPECT_EQ(found.leg_counts[5], 1);
 }
 
+Kept command_event(std::int64_t cycle, std::int64_t used_leg_command) {
+  auto message = stamped<sprung_msgs::drive_command_t>(cycle);
+  message.used_joint_state_seq = cycle;
+  message.used_leg_command_seq = used_leg_command;
+  return kept(channels::kDriveCommand, cycle, encoded(message));
+}
+
+TEST_F(LogInfoTest, LockStepCyclesMadeFromOlderMessagesAreNamed) {
+  const std::vector<Kept> commands{command_event(0, -1), command_event(1, 0), command_event(2, 0),
+                                   command_event(2, 0), command_event(3, 2)};
+  for (const char* clock : {"lockstep", "realtime"}) {
+    std::vector<Kept> events{metadata_event(kSampleYaml, clock)};
+    events.insert(events.end(), commands.begin(), commands.end());
+    const LogInfo found = info(events);
+    const bool lockstep = clock == std::string("lockstep");
+    EXPECT_EQ(found.not_deterministic, lockstep ? 1 : 0) << clock;
+    EXPECT_EQ(nlohmann::json::parse(info_json(found))["not_deterministic"], lockstep ? 1 : 0);
+    if (!lockstep) continue;
+    EXPECT_THAT(info_text(found), HasSubstr("lock-step  not deterministic: 1 cycles"));
+    EXPECT_THAT(info_text(found),
+                HasSubstr("2  not deterministic: made from JOINT_STATE 2 and LEG_COMMAND 0"));
+  }
+}
+
 TEST_F(LogInfoTest, WhatLegsMetBeforeTheLogIsNoNews) {
   const LogInfo found = info({motion_event(5, "walking", "", 40), motion_event(6, "walking", "", 42)});
   EXPECT_EQ(found.leg_counts[5], 2);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lcmtypes/channels.h"
+#include "sprung_msgs/drive_command_t.hpp"
 #include "sprung_msgs/joint_state_t.hpp"
 #include "sprung_msgs/log_end_t.hpp"
 #include "sprung_msgs/log_metadata_t.hpp"
