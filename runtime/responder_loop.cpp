@@ -38,16 +38,6 @@ void act(Process& process, ResponderShell& shell, const ResponderDecision& decis
   }
 }
 
-/// Of a lock-step run it is said once, by who waited: such a run cannot be made again.
-void note_gaps(Process& process, std::int64_t gaps) {
-  std::int64_t& said = process.status().sequence_gaps;
-  if (process.lockstep() && gaps > 0 && said == 0) {
-    process.status().detail = "an answer did not come in time: this run is not deterministic";
-    log_warn(process.status().detail);
-  }
-  said = gaps;
-}
-
 }  // namespace
 
 std::unique_ptr<Responder> make_responder(const Process& process, const ResponderRole& role) {
@@ -69,7 +59,7 @@ int run_responder(Process& process, Responder& responder, ResponderShell& shell)
     view.now_us = process.node().utime_us();
     act(process, shell, responder.decide(view));
     const ResponderCounters& counters = responder.counters();
-    note_gaps(process, counters.skipped_inputs + counters.missed_partners);
+    process.status().sequence_gaps = counters.skipped_inputs + counters.missed_partners;
     process.publish_status_if_due();
   }
   return kExitDone;

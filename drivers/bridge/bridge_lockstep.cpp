@@ -9,6 +9,7 @@
 #include "drivers/can/lockstep_link.h"
 #include "runtime/log.h"
 #include "runtime/stop_request.h"
+#include "signals/own_inputs.h"
 
 namespace sprung {
 
@@ -124,7 +125,7 @@ class LockstepBridge {
       if (chain_.over(wall_us())) {
         chain_.gave_up();
         core_.count_missed_cycle();
-        process_.status().detail = "no DRIVE_COMMAND for a cycle: this run is not deterministic";
+        tell_not_deterministic("no DRIVE_COMMAND for cycle " + std::to_string(state_.stamp.seq));
         return;
       }
       if (chain_.repeat_due(wall_us())) {
@@ -136,6 +137,16 @@ class LockstepBridge {
     }
     chain_.answered();
     core_.count_good_cycle();
+    if (!stopping_ && !made_from_own_inputs(command_.stamp.seq, command_.used_joint_state_seq,
+                                            command_.used_leg_command_seq))
+      tell_not_deterministic("cycle " + std::to_string(command_.stamp.seq) + " was made from older messages");
+  }
+
+  /// Whoever runs it twice and compares shall know: `status` and the launcher show it from then on.
+  void tell_not_deterministic(const std::string& what) {
+    process_.status().detail = what + ": this run is not deterministic";
+    if (!told_not_deterministic_ && !stopping_) log_warn(process_.status().detail);
+    told_not_deterministic_ = true;
   }
 
   bool take_command() {
@@ -192,6 +203,7 @@ class LockstepBridge {
   std::int64_t time_us_ = 0;
   int silent_ticks_ = 0;
   bool stopping_ = false;
+  bool told_not_deterministic_ = false;
 };
 
 }  // namespace

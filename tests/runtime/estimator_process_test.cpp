@@ -158,20 +158,6 @@ TEST_F(EstimatorProcessTest, LostAnswerIsRepairedByARepeatedInput) {
   EXPECT_EQ(child.wait(), 0);
 }
 
-TEST_F(EstimatorProcessTest, LockStepThatLeftACycleOutSaysSo) {
-  Child child(command("lockstep"));
-  ASSERT_TRUE(reaches(ProcessState::kReady));
-  for (const std::int64_t seq : {0, 5}) {
-    drive_states_.publish(drive_state(seq));
-    ASSERT_TRUE(answered(seq, out_)) << seq;
-  }
-  child.signal(SIGTERM);
-  ASSERT_TRUE(reaches(ProcessState::kStopping));
-  EXPECT_EQ(status_.sequence_gaps, 4);
-  EXPECT_EQ(status_.detail, "an answer did not come in time: this run is not deterministic");
-  EXPECT_EQ(child.wait(), 0);
-}
-
 TEST_F(EstimatorProcessTest, RealTimeAnswersTheNewest) {
   Child child(command("realtime", {"--rt-policy", "off"}));
   ASSERT_TRUE(reaches(ProcessState::kReady));

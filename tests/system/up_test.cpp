@@ -94,6 +94,24 @@ TEST_F(Up, NothingStartsBesideABridgeWhoseLauncherWasKilled) {
   EXPECT_EQ(next.status, 0) << next.output;
 }
 
+TEST_F(Up, LockStepThatIsNoLongerDeterministicSaysSoLiveAndInItsLog) {
+  log_folder_ = folder_ / "logs";
+  up("lockstep", "--speed 1");
+  ASSERT_THAT(sprung("status").output, Not(HasSubstr("not deterministic")));
+  const auto stalled = within(kTimeout_s, [&] {
+    signal_program("sprung-motion-planner", SIGSTOP);
+    std::this_thread::sleep_for(std::chrono::milliseconds(600));  // the leg controller waits for half of that
+    signal_program("sprung-motion-planner", SIGCONT);
+    return sprung("status").output.find("was made from older messages: this run is not deterministic") !=
+           std::string::npos;
+  });
+  EXPECT_TRUE(stalled) << sprung("status").output;
+  EXPECT_TRUE(says("this run is not deterministic"));
+  const std::string log = info().log;
+  ASSERT_EQ(sprung("down").status, 0);
+  EXPECT_THAT(info_of_log(log), HasSubstr("lock-step  not deterministic: "));
+}
+
 TEST_F(Up, WhereNoDriveAnswersSimulatedOnesAreNamed) {
   const CommandResult result = sprung("up single_leg --no-record --timeout 5 --lcm-url '" + lcm_url() +
                                       "' --can leg=" + can_address());

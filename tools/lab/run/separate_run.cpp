@@ -9,6 +9,7 @@
 #include "lcmtypes/channels.h"
 #include "runtime/own_port.h"
 #include "runtime/stop_request.h"
+#include "signals/own_inputs.h"
 #include "tools/operate/client/cycle_collector.h"
 #include "tools/operate/client/operator_client.h"
 #include "tools/operate/launcher/launcher.h"
@@ -89,7 +90,8 @@ void refuse_early_end(Launcher& launcher, std::int64_t last_cycle, std::int64_t 
 void refuse_nondeterministic(const CycleRecord& cycle, std::int64_t expected_seq) {
   const DriveCommand& command = cycle.drive_command;
   const std::int64_t seq = cycle.drive_state.stamp.seq;
-  const bool own_inputs = command.used_joint_state_seq == seq && command.used_leg_command_seq == seq - 1;
+  const bool own_inputs = made_from_own_inputs(seq, command.used_joint_state_seq,
+                                               command.used_leg_command_seq);
   if (seq != expected_seq || !own_inputs) {
     throw std::runtime_error("this run is not deterministic: cycle " + std::to_string(seq) + " (expected " +
                              std::to_string(expected_seq) + ") used JOINT_STATE " +

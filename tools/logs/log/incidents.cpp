@@ -2,6 +2,7 @@
 
 #include "lcmtypes/channels.h"
 #include "signals/mode_names.h"
+#include "signals/own_inputs.h"
 #include "tools/logs/recorder/log_messages.h"
 
 namespace sprung::log {
@@ -34,6 +35,7 @@ void IncidentFinder::add(const Event& event, const Timeline::Moment& moment) {
     motion_.clear();
     seen_.clear();
     command_seq_ = -1;
+    other_inputs_seq_ = kNoCycle;
     note(IncidentKind::kSession, moment, "session " + std::to_string(session_));
   }
   if (command) return add_command(moment);
@@ -47,12 +49,25 @@ void IncidentFinder::add_command(const Timeline::Moment& moment) {
   const std::int64_t seq = moment.stamp->seq;
   if (seq <= command_seq_) return;  // repeated
   command_seq_ = seq;
-  const std::int64_t used_joints = message_.integer(message_.fields()[static_cast<std::size_t>(joints)]);
-  const std::int64_t used_legs = message_.integer(message_.fields()[static_cast<std::size_t>(legs)]);
-  if (used_joints == seq && used_legs == seq - 1) return;
-  note(IncidentKind::kNotDeterministic, moment,
-       "not deterministic: made from JOINT_STATE " + std::to_string(used_joints) + " and LEG_COMMAND " +
-           std::to_string(used_legs));
+  const auto value = [&](int field) {
+    return message_.integer(message_.fields()[static_cast<std::size_t>(field)]);
+  };
+  if (!made_from_own_inputs(seq, value(joints), value(legs))) note_not_deterministic(moment);
+}
+
+void IncidentFinder::note_not_deterministic(const Timeline::Moment& moment) {
+  const std::int64_t seq = moment.stamp->seq;
+  const bool goes_on = seq == other_inputs_seq_ + 1 && other_inputs_incident_ < incidents_.size();
+  ++not_deterministic_;
+  other_inputs_seq_ = seq;
+  if (!goes_on) {
+    other_inputs_incident_ = incidents_.size();
+    note(IncidentKind::kNotDeterministic, moment, "");
+    if (other_inputs_incident_ == incidents_.size()) return;  // one too many
+  }
+  Incident& incident = incidents_[other_inputs_incident_];
+  incident.text = "not deterministic: made from older messages" +
+                  (seq == incident.seq ? "" : ", up to cycle " + std::to_string(seq));
 }
 
 void IncidentFinder::add_safety(const Timeline::Moment& moment) {

@@ -35,14 +35,14 @@ class IncidentFinder {
   const std::vector<Incident>& incidents() const noexcept { return incidents_; }
   /// Those that were left out.
   std::int64_t left_out() const noexcept { return left_out_; }
-  /// Of a lock-step run: cycles for which the leg controller gave up waiting, by wall time, for its inputs.
-  std::int64_t not_deterministic() const noexcept {
-    return of_kind_[static_cast<std::size_t>(IncidentKind::kNotDeterministic)];
-  }
+  /// Of a lock-step run: cycles made from older messages than their own (signals/own_inputs.h). Such cycles
+  /// in a row are one incident, that of the first.
+  std::int64_t not_deterministic() const noexcept { return not_deterministic_; }
   /// How often each befell any leg, by LegEvent.
   const std::array<std::int64_t, kLegEventCount>& leg_counts() const noexcept { return leg_counts_; }
 
  private:
+  static constexpr std::int64_t kNoCycle = -2;
   /// Where the fields of the newest MOTION_STATE's shape are.
   struct MotionFields {
     std::shared_ptr<const fields::Layout> layout;  ///< kept, so that no other gets its address
@@ -52,6 +52,7 @@ class IncidentFinder {
   };
 
   void add_command(const Timeline::Moment& moment);
+  void note_not_deterministic(const Timeline::Moment& moment);
   void add_safety(const Timeline::Moment& moment);
   void add_motion(const Timeline::Moment& moment);
   void add_legs(const Timeline::Moment& moment);
@@ -66,6 +67,9 @@ class IncidentFinder {
   std::int64_t session_ = 0;
   bool lockstep_ = false;
   std::int64_t command_seq_ = -1;  ///< newest, of the session
+  std::int64_t not_deterministic_ = 0;
+  std::int64_t other_inputs_seq_ = kNoCycle;  ///< newest that was made from older messages, of the session
+  std::size_t other_inputs_incident_ = 0;     ///< of incidents_, where it is in
   std::string safety_;
   std::string motion_;
   MotionFields motion_fields_;

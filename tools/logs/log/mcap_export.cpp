@@ -24,8 +24,7 @@ std::uint64_t ns(double us) {
 }
 
 /// Brings messages into the order of their log times: an event's robot time may go back a little where the
-/// network or a lock-step run mixed it. One that is later than
-/// what has been written stays out of order.
+/// network or a lock-step run mixed it. One that is older than what has been written stays out of order.
 class InOrder {
  public:
   explicit InOrder(McapWriter& writer) : writer_(writer) {}

@@ -87,18 +87,22 @@ Kept command_event(std::int64_t cycle, std::int64_t used_leg_command) {
 
 TEST_F(LogInfoTest, LockStepCyclesMadeFromOlderMessagesAreNamed) {
   const std::vector<Kept> commands{command_event(0, -1), command_event(1, 0), command_event(2, 0),
-                                   command_event(2, 0), command_event(3, 2)};
+                                   command_event(2, 0),  command_event(3, 1), command_event(4, 3),
+                                   command_event(9, 7)};
   for (const char* clock : {"lockstep", "realtime"}) {
     std::vector<Kept> events{metadata_event(kSampleYaml, clock)};
     events.insert(events.end(), commands.begin(), commands.end());
     const LogInfo found = info(events);
     const bool lockstep = clock == std::string("lockstep");
-    EXPECT_EQ(found.not_deterministic, lockstep ? 1 : 0) << clock;
-    EXPECT_EQ(nlohmann::json::parse(info_json(found))["not_deterministic"], lockstep ? 1 : 0);
+    EXPECT_EQ(found.not_deterministic, lockstep ? 3 : 0) << clock;
+    EXPECT_EQ(nlohmann::json::parse(info_json(found))["not_deterministic"], lockstep ? 3 : 0);
     if (!lockstep) continue;
-    EXPECT_THAT(info_text(found), HasSubstr("lock-step  not deterministic: 1 cycles"));
-    EXPECT_THAT(info_text(found),
-                HasSubstr("2  not deterministic: made from JOINT_STATE 2 and LEG_COMMAND 0"));
+    EXPECT_THAT(info_text(found), HasSubstr("lock-step  not deterministic: 3 cycles"));
+    ASSERT_EQ(found.incidents.size(), 3u);  // the session is the first
+    EXPECT_EQ(found.incidents[1].seq, 2);
+    EXPECT_EQ(found.incidents[1].text, "not deterministic: made from older messages, up to cycle 3");
+    EXPECT_EQ(found.incidents[2].seq, 9);
+    EXPECT_EQ(found.incidents[2].text, "not deterministic: made from older messages");
   }
 }
 
