@@ -1,5 +1,5 @@
-# python_venv FOLDER REQUIREMENTS [pip options]: $venv, a virtual environment of python with these packages of PyPI, made once
-# and again when they change. Calls `skip WHY`, which the caller has, where it cannot be made.
+# python_venv FOLDER REQUIREMENTS [pip options]: $venv, a virtual environment of python with these packages of
+# PyPI, made once and again when they change. Calls `skip WHY`, which the caller has, where it cannot be made.
 python_venv() {
   venv=$1
   local requirements=$2 python first
