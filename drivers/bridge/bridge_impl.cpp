@@ -278,7 +278,7 @@ void BridgeCore::Impl::update_safety(std::int64_t time_us, bool command_due) noe
   const Fault* foreign = masters.fault();
   const bool latched = safety.latched();
   if (!latched && planner_lost(planner_trouble)) inputs.planner = &planner_trouble;
-  if (!latched || safety.level() == SafetyLevel::kLowering)
+  if (!latched || safety.level() == SafetyLevel::kLowering || safety.unexplained())
     inputs.drive = foreign != nullptr ? foreign : find_fault(time_us, node_trouble) ? &node_trouble : nullptr;
   inputs.bus = buses.fault() == nullptr && masters.insists() ? foreign : buses.fault();
   inputs.overruns_in_row = overruns_in_row;

@@ -198,6 +198,7 @@ bool DriveNode::fault(std::int64_t time_us, bool ignore_faults, Fault& out) cons
   const std::uint16_t code = link().emergencies().emergency().code;
   if (judges_drive && condition().faulted) {
     out.cause = SafetyCause::kDriveFault;
+    out.unexplained = code == 0;
     print(out.detail, "%s: drive fault 0x%04X (%s), state %s", drive, code, canopen::emergency_text(code),
           sprung::name(power_state_));
   } else if (judges_drive && power_.lost_power() && !link().lost(time_us)) {

@@ -51,6 +51,7 @@ void SafetyMachine::enter(SafetyLevel level, bool latched, const Fault& fault, s
   state_.latched = latched;
   state_.actuator = fault.actuator;
   state_.detail = fault.detail;
+  unexplained_ = fault.unexplained;
   if (level == SafetyLevel::kDamping && !latched) keep_past();
 }
 
@@ -115,7 +116,16 @@ void SafetyMachine::update(const SafetyInputs& inputs) noexcept {
   }
 }
 
+void SafetyMachine::explain(const SafetyInputs& inputs) noexcept {
+  const Fault* const now = inputs.drive;
+  if (!unexplained_ || now == nullptr || now->unexplained) return;
+  if (now->cause != state_.cause || now->actuator != state_.actuator) return;
+  state_.detail = now->detail;
+  unexplained_ = false;
+}
+
 void SafetyMachine::worsen(const SafetyInputs& inputs) noexcept {
+  explain(inputs);
   if (severity(state_.level) > severity(SafetyLevel::kDamping)) return;
   if (inputs.bus != nullptr) {
     latch(SafetyLevel::kQuickStop, *inputs.bus, inputs);

@@ -34,6 +34,8 @@ struct Fault {
   SafetyCause cause = SafetyCause::kNone;
   int actuator = -1;
   DetailText detail{};
+  /// The status word says fault; the emergency message with its code is on its way.
+  bool unexplained = false;
 };
 
 struct SafetyInputs {
@@ -74,6 +76,8 @@ class SafetyMachine {
   SafetyLevel level() const noexcept { return state_.level; }
   SafetyCause cause() const noexcept { return state_.cause; }
   bool latched() const noexcept { return state_.latched; }
+  /// A drive that says fault has not said yet which: its message is still of use.
+  bool unexplained() const noexcept { return unexplained_; }
   /// Level, cause, latched, actuator, since_seq and detail; the bridge fills the counters.
   const SafetyState& state() const noexcept { return state_; }
 
@@ -83,6 +87,7 @@ class SafetyMachine {
   void keep_past() noexcept;
   void latch(SafetyLevel level, const Fault& fault, const SafetyInputs& inputs) noexcept;
   void worsen(const SafetyInputs& inputs) noexcept;
+  void explain(const SafetyInputs& inputs) noexcept;
   void lower(const SafetyInputs& inputs) noexcept;
   void follow_commands(const SafetyInputs& inputs) noexcept;
   bool lasted(double duration_s, std::int64_t time_us) const noexcept;  ///< the level in force
@@ -90,6 +95,7 @@ class SafetyMachine {
   WatchdogConfig watchdogs_;
   double lowering_s_;
   SafetyState state_;
+  bool unexplained_ = false;
   DetailText past_{};
   bool past_is_told_ = false;  ///< in the detail, while operational
   std::int64_t since_us_ = 0;

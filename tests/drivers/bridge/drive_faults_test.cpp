@@ -20,6 +20,20 @@ TEST_F(BridgeFaults, DriveThatGotAShortSetpointSaysSoAndStopsTheRobot) {
   expect_cleared();
 }
 
+/// The status word may come first: drives send both when they like.
+TEST_F(BridgeFaults, EmergencyThatComesAfterTheStatusWordSaysWhatItWas) {
+  bench_.drives[0].power = PowerState::kFault;
+  bench_.tick();
+  EXPECT_EQ(cause(), SafetyCause::kDriveFault);
+  EXPECT_THAT(bench_.detail(), ::testing::HasSubstr("hip_motor: drive fault 0x0000"));
+  bench_.drives[0].pending_emergency = 0x2310;
+  bench_.tick();
+  EXPECT_THAT(bench_.detail(), ::testing::HasSubstr("hip_motor: drive fault 0x2310"));
+  bench_.drives[0].pending_emergency = 0x4210;  // what comes after it is not the cause
+  bench_.tick();
+  expect_damping(SafetyCause::kDriveFault, "hip_motor: drive fault 0x2310");
+}
+
 TEST_F(BridgeFaults, EmergencyOfEveryClassIsADriveFaultWithItsText) {
   for (const int code : {0x1000, 0x2310, 0x3210, 0x4210, 0x5113, 0x6320, 0x7320, 0x8611, 0xFF0B}) {
     SCOPED_TRACE(code);

@@ -42,6 +42,30 @@ class SafetyMachineTest : public ::testing::Test {
   const Fault bus_ = fault(Cause::kBusLost, "bus");
 };
 
+TEST_F(SafetyMachineTest, ExplanationOfAFaultIsTakenOnceAndFromTheSameDriveOnly) {
+  update(good_);
+  Fault first = fault(Cause::kDriveFault, "no code yet");
+  first.unexplained = true;
+  SafetyInputs inputs = good_;
+  inputs.drive = &first;
+  update(inputs);
+  Fault other = fault(Cause::kDriveFault, "of another drive");
+  other.actuator = 0;
+  const Fault silent = fault(Cause::kDriveSilent, "another cause");
+  for (const Fault* wrong : {static_cast<const Fault*>(&other), &silent}) {
+    inputs.drive = wrong;
+    update(inputs);
+    EXPECT_STREQ(machine_.state().detail.data(), "no code yet");
+  }
+  const Fault explained = fault(Cause::kDriveFault, "over-current"), later = fault(Cause::kDriveFault, "x");
+  for (const Fault* now : {&explained, &later}) {
+    inputs.drive = now;
+    update(inputs);
+    EXPECT_STREQ(machine_.state().detail.data(), "over-current");
+  }
+  expect(Level::kDamping, Cause::kDriveFault, true);
+}
+
 TEST_F(SafetyMachineTest, StartsDisabledUntilArmed) {
   expect(Level::kDisabled, Cause::kStarting, false);
   SafetyInputs unarmed;
