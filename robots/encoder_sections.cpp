@@ -45,20 +45,6 @@ void refuse_folded(const YamlMap& file, const ActuatorConfig& actuator, const Ra
                 "3.14159 rad: narrow the limits, move the zero, or leave the link_encoder out");
 }
 
-/// Index of `map`'s text under `key` in `known`. @throws ConfigError naming them.
-int choice(const YamlMap& map, const std::string& key, const std::vector<std::string>& known) {
-  const std::string found = map.text(key);
-  const auto at = std::find(known.begin(), known.end(), found);
-  if (at != known.end()) {
-    return static_cast<int>(at - known.begin());
-  }
-  std::string names;
-  for (const std::string& name : known) {
-    names += (names.empty() ? "" : ", ") + name;
-  }
-  map.fail(key, "found '" + found + "', expected one of: " + names);
-}
-
 constexpr double kSoftest_Nm_rad = 1.0, kHardest_Nm_rad = 1e7;
 
 KinematicErrorTerm read_term(const YamlMap& map) {
@@ -79,6 +65,19 @@ void read_kinematic_error(const YamlMap& map, GearTorsion& torsion) {
 }
 
 }  // namespace
+
+int choice(const YamlMap& map, const std::string& key, const std::vector<std::string>& known) {
+  const std::string found = map.text(key);
+  const auto at = std::find(known.begin(), known.end(), found);
+  if (at != known.end()) {
+    return static_cast<int>(at - known.begin());
+  }
+  std::string names;
+  for (const std::string& name : known) {
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  map.fail(key, "found '" + found + "', expected one of: " + names);
+}
 
 double read_bit_rate(const YamlMap& file) {
   const double rate = file.quantity_or("bit_rate", "kbit/s", 0, 1e6, kBitRates_kbit_s.front());

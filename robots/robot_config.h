@@ -77,6 +77,12 @@ struct EmergencyInputConfig {
 };
 
 /// One drive with motor and gear. Actuator space: output side of the gear, after direction and offset.
+/// Who closes an actuator's position loop.
+enum class PositionLoopSide : std::int8_t {
+  kDrive,  ///< the drive, in a position mode of its own
+  kHost,   ///< the bridge; the drive takes torques alone
+};
+
 struct ActuatorConfig {
   std::string name;
   int bus = 0;          ///< index into RobotConfig::buses
@@ -96,7 +102,8 @@ struct ActuatorConfig {
   std::uint16_t speed_limit_object = 0;  ///< where the drive takes its speed cap; 0 = the drive's own stays
   /// Where the drive takes its own position limits, CiA 402's 0x607D; 0 = it is told none.
   std::uint16_t position_limits_object = 0;
-  double position_stiffness_Nm_rad = 0.0;  ///< drive's position loop, in joint units; the profile converts
+  PositionLoopSide position_loop = PositionLoopSide::kDrive;
+  double position_stiffness_Nm_rad = 0.0;  ///< position loop, in joint units; the profile converts
   double position_damping_Nm_s_rad = 0.0;
   std::uint16_t position_gains_object = 0;  ///< where the drive takes these gains; 0 = its own tuning stays
   double safety_damping_Nm_s_rad = 0.0;     ///< bridge's damping

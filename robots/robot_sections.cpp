@@ -148,6 +148,21 @@ BusConfig read_bus(const YamlMap& map) {
   return bus;
 }
 
+namespace {
+
+void read_position_loop(const YamlMap& map, ActuatorConfig& a) {
+  const bool host = map.has("closed_by") && choice(map, "closed_by", {"drive", "host"}) == 1;
+  a.position_loop = host ? PositionLoopSide::kHost : PositionLoopSide::kDrive;
+  a.position_stiffness_Nm_rad = map.quantity("stiffness", "Nm/rad", 0, 1e5);
+  a.position_damping_Nm_s_rad = map.quantity("damping", "Nm s/rad", 0, 1e4);
+  a.position_gains_object = static_cast<std::uint16_t>(map.integer_or("object", 0, 0xFFFF, 0));
+  if (host && a.position_gains_object != 0)
+    map.fail("object", "with closed_by: host the drive needs no gains: leave the key out");
+  map.finish();
+}
+
+}  // namespace
+
 ActuatorConfig read_actuator(const YamlMap& map, const RobotConfig& robot) {
   ActuatorConfig a;
   a.name = map.text("name");
@@ -168,11 +183,7 @@ ActuatorConfig read_actuator(const YamlMap& map, const RobotConfig& robot) {
   a.speed_limit_object = static_cast<std::uint16_t>(map.integer("speed_limit_object", 0, 0xFFFF));
   a.position_limits_object = static_cast<std::uint16_t>(
       map.integer_or("position_limits_object", 0, 0xFFFF, 0));
-  const YamlMap loop = map.map("position_loop");
-  a.position_stiffness_Nm_rad = loop.quantity("stiffness", "Nm/rad", 0, 1e5);
-  a.position_damping_Nm_s_rad = loop.quantity("damping", "Nm s/rad", 0, 1e4);
-  a.position_gains_object = static_cast<std::uint16_t>(loop.integer("object", 0, 0xFFFF));
-  loop.finish();
+  read_position_loop(map.map("position_loop"), a);
   a.safety_damping_Nm_s_rad = map.quantity("safety_damping", "Nm s/rad", 0.1, 1000);
   a.pole_pairs = static_cast<int>(map.integer_or("pole_pairs", 1, 255, 0));
   a.winding_time_constant_s = map.quantity_or("winding_time_constant", "s", 0.1, 1000, 0.0);

@@ -24,6 +24,9 @@ int index_of(const std::vector<Named>& things, const std::string& wanted, const 
   map.fail(key, "'" + wanted + "' is not known; there are: " + (known.empty() ? "none" : known));
 }
 
+/// Index of `map`'s text under `key` in `known`. @throws ConfigError naming them.
+int choice(const YamlMap& map, const std::string& key, const std::vector<std::string>& known);
+
 BusConfig read_bus(const YamlMap& map);
 /// Of the whole robot's buses: the standard ones up to 1 Mbit/s; 1 Mbit/s where the key is missing.
 double read_bit_rate(const YamlMap& file);

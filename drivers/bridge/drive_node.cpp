@@ -11,6 +11,9 @@ namespace {
 using cia402::PowerTarget;
 
 constexpr std::int64_t kModeLimit_us = 1'000'000;
+/// [design choice] than samples after which the bridge stops the robot by itself: 5 with the shipped
+/// watchdogs, as others have it (2 to 6).
+constexpr int kMoreLostSetpoints = 3;
 
 double quantum_rad(const ActuatorConfig& actuator) noexcept {
   return 2.0 * kPi / (actuator.encoder_counts_per_turn * actuator.gear_ratio);
@@ -19,7 +22,9 @@ double quantum_rad(const ActuatorConfig& actuator) noexcept {
 std::unique_ptr<DriveProfile> make_raw_profile(ActuatorConfig actuator, double cycle_s,
                                                const WatchdogConfig& watchdogs) {
   actuator.offset_rad = 0.0;
-  return make_profile(actuator, {cycle_s, watchdogs.heartbeat_s, watchdogs.heartbeat_consumer_s});
+  const int lost_setpoints = watchdogs.silent_cycles + kMoreLostSetpoints;
+  return make_profile(actuator,
+                      {cycle_s, watchdogs.heartbeat_s, watchdogs.heartbeat_consumer_s, lost_setpoints});
 }
 
 }  // namespace
@@ -43,6 +48,7 @@ DriveNode::DriveNode(const ActuatorConfig& actuator, int index, double cycle_s,
       stuck_(plant.torque_limit_Nm),
       noise_(plant.torque_limit_Nm, plant.inertia_kg_m2, quantum_rad(actuator), cycle_s),
       impact_(plant.torque_limit_Nm, plant.inertia_kg_m2, cycle_s),
+      position_loop_(actuator, cycle_s),
       winding_(actuator.rated_current_A, actuator.winding_time_constant_s) {}
 
 void DriveNode::step(std::int64_t time_us, FrameBatch& out) noexcept {
@@ -188,8 +194,15 @@ void DriveNode::fill(ActuatorState& out) const noexcept {
   out.fault_code = link().emergencies().emergency().code;
   out.age_cycles = link().samples().age_cycles();
   out.power_state = power_state_;
-  out.shown_mode = enabled() ? profile_->shown_mode(modes_.display()) : DriveMode::kDisabled;
+  out.shown_mode = shown_mode();
   out.referenced = reference().known;
+}
+
+/// A position loop on the host is in force as soon as the drive shows that it takes torques.
+DriveMode DriveNode::shown_mode() const noexcept {
+  if (!enabled()) return DriveMode::kDisabled;
+  const DriveMode shown = profile_->shown_mode(modes_.display());
+  return shown == DriveMode::kTorque && position_loop_.closed() ? DriveMode::kPosition : shown;
 }
 
 bool DriveNode::fault(std::int64_t time_us, bool ignore_faults, Fault& out) const noexcept {
@@ -334,6 +347,17 @@ DriveSetpoint DriveNode::setpoint(SafetyLevel level, const ActuatorCommand& comm
   return setpoint;
 }
 
+/// Makes a torque of a position set-point, where the drive is not to close that loop. The measurement is of
+/// this cycle, as the gate's is; without one the last good one stands for the cycle or two until the node
+/// counts as silent.
+void DriveNode::close_position_loop(DriveSetpoint& setpoint) noexcept {
+  if (setpoint.mode != DriveMode::kPosition) return position_loop_.forget();
+  setpoint.mode = DriveMode::kTorque;
+  if (!enabled()) return position_loop_.forget();
+  setpoint.commanded_torque_Nm = position_loop_.torque_Nm(
+      setpoint.commanded_position_rad, measured_position_rad(), tracker_.latest_velocity_rad_s());
+}
+
 /// A drive that resets restarts without power; else only an answer of this cycle, or one by SDO, tells.
 void DriveNode::watch_stop(std::int64_t time_us, SafetyLevel level, FrameBatch& out) noexcept {
   const bool gone = link().gone();
@@ -384,6 +408,7 @@ void DriveNode::emit(std::int64_t time_us, SafetyLevel level, const ActuatorComm
   watch_stop(time_us, level, out);
   if (link().gone()) return;
   DriveSetpoint now = setpoint(level, command);
+  if (actuator_.position_loop == PositionLoopSide::kHost) close_position_loop(now);
   commanded_torque_Nm_ = now.mode == DriveMode::kTorque ? now.commanded_torque_Nm : kNaN;
   now.commanded_position_rad -= reference().offset_rad;
   modes_.send(now.mode, !enabled() || profile_->shown_mode(modes_.display()) == now.mode, time_us);

@@ -7,6 +7,7 @@
 #include "drivers/bridge/background_access.h"
 #include "drivers/bridge/bus_node.h"
 #include "drivers/bridge/emergency_input.h"
+#include "drivers/bridge/host_position_loop.h"
 #include "drivers/bridge/impact_watch.h"
 #include "drivers/bridge/mode_watch.h"
 #include "drivers/bridge/noisy_encoder_watch.h"
@@ -99,6 +100,8 @@ class DriveNode final : public BusNode {
   bool supply_fault(Fault& out) const noexcept;
   cia402::PowerTarget target(SafetyLevel level, const ActuatorCommand& command) const noexcept;
   DriveSetpoint setpoint(SafetyLevel level, const ActuatorCommand& command) const noexcept;
+  DriveMode shown_mode() const noexcept;
+  void close_position_loop(DriveSetpoint& setpoint) noexcept;
   void watch_stop(std::int64_t time_us, SafetyLevel level, FrameBatch& out) noexcept;
   void stop_by_sdo(std::int64_t time_us, FrameBatch& out) noexcept;
   double measured_torque_Nm() const noexcept;  ///< by current, output side; NaN before the first sample
@@ -116,6 +119,7 @@ class DriveNode final : public BusNode {
   StuckEncoderWatch stuck_;
   NoisyEncoderWatch noise_;
   ImpactWatch impact_;
+  HostPositionLoop position_loop_;
   WindingWatch winding_;
   std::int64_t limited_by_drive_ = 0;  ///< cycles with its status bit "internal limit active"
   double commanded_torque_Nm_ = kNaN;  ///< of the last set-point, in torque control

@@ -33,7 +33,8 @@ NodeLink::NodeLink(const NodeSetup& setup, const IdentityConfig& identity, const
     int bits = 0;
     for (const canopen::MapEntry& entry : pdo.entries) bits += entry.bits;
     transmitted_bytes_[pdo.number] = (bits + 7) / 8;
-    if (pdo.transmission_type != canopen::kTypeEvent) sample_pdo_ = pdo.number;
+    const bool answers_sync = pdo.transmission_type != canopen::kTypeEvent;
+    if (answers_sync && sample_pdo_ < 0) sample_pdo_ = pdo.number;
   }
   health_.bus = setup.bus;
   health_.node = setup.node;

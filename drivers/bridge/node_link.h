@@ -98,7 +98,7 @@ class NodeLink {
   canopen::SdoClient sdo_;
   NodeBoot boot_;
   std::array<int, canopen::kPdoCount> transmitted_bytes_{};  ///< of each TPDO; -1 = disabled
-  int sample_pdo_ = -1;                                      ///< the TPDO that answers SYNC
+  int sample_pdo_ = -1;                                      ///< the first TPDO that answers SYNC
   SampleWatch samples_;
   HeartbeatWatch heartbeats_;
   EmergencyWatch emergencies_;

@@ -45,12 +45,13 @@ Motion PositionTracker::add(double measured_position_rad, const SampleTime& time
   // A cycle that was sent late is shorter by its time stamps than it was.
   const double fastest_rad_s = kSpeedFactor * speed_limit_rad_s_;
   const double speed_rad_s = std::clamp(step_rad / dt_s, -fastest_rad_s, fastest_rad_s);
+  latest_velocity_rad_s_ = speed_rad_s;
   velocity_rad_s_ += (speed_rad_s - velocity_rad_s_) * dt_s / (kTimeConstant_s + dt_s);
   return Motion::kGood;
 }
 
 void PositionTracker::resume() noexcept {
-  velocity_rad_s_ = 0.0;
+  velocity_rad_s_ = latest_velocity_rad_s_ = 0.0;
   resumed_ = true;
   forget_rejected();
 }

@@ -39,6 +39,8 @@ class PositionTracker {
     return good_.position_rad;
   }  ///< last good sample; 0 before the first
   double filtered_velocity_rad_s() const noexcept { return velocity_rad_s_; }
+  /// Between the last two good samples, not filtered.
+  double latest_velocity_rad_s() const noexcept { return latest_velocity_rad_s_; }
 
  private:
   struct Sample {
@@ -52,6 +54,7 @@ class PositionTracker {
   double speed_limit_rad_s_;
   double quantum_rad_;
   double velocity_rad_s_ = 0.0;
+  double latest_velocity_rad_s_ = 0.0;
   Sample good_;
   bool resumed_ = false;     ///< no good sample since resume()
   Sample rejected_;          ///< the last one, until a good one came

@@ -23,7 +23,6 @@ constexpr NamedObject kNames[] = {
     {kHeartbeatProducer, "heartbeat producer"},
     {kIdentity, "identity"},
     {kErrorBehaviour, "error behaviour"},
-    {kPositionGains, "position gains"},
     {kAbortConnectionOption, "abort connection option"},
     {kErrorCode, "error code"},
     {kControlWord, "control word"},

@@ -24,10 +24,6 @@ inline constexpr std::uint16_t kRpdoMapping = 0x1600;
 inline constexpr std::uint16_t kTpdoCommunication = 0x1800;
 inline constexpr std::uint16_t kTpdoMapping = 0x1A00;
 
-/// sprung's own objects for the gains of a Gold drive's position loop; scale in
-/// drivers/profiles/gold/gold_units.h.
-inline constexpr std::uint16_t kPositionGains = 0x2F01;  ///< :01 stiffness, :02 damping
-
 inline constexpr std::uint16_t kAbortConnectionOption = 0x6007;
 inline constexpr std::uint16_t kErrorCode = 0x603F;
 inline constexpr std::uint16_t kControlWord = 0x6040;

@@ -19,6 +19,7 @@ struct DriveTiming {
   double cycle_s = 0.0;
   double heartbeat_s = 0.0;           ///< period of the drive's own heartbeat
   double heartbeat_consumer_s = 0.0;  ///< the drive gives up on the bridge after this
+  int lost_setpoints = 5;             ///< in a row that a drive has to bear
 };
 
 /// One object to write at start-up and to read back.

@@ -32,7 +32,7 @@ CanopenDevice::CanopenDevice(int node, ObjectDictionary& dictionary, DeviceAppli
       application_(application),
       outbox_(outbox),
       policy_(policy),
-      pdos_(dictionary, application, outbox),
+      pdos_(dictionary, application, outbox, policy.events_on_change),
       sdo_(node, *this),
       errors_(dictionary),
       watch_(dictionary) {}

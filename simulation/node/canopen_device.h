@@ -42,6 +42,9 @@ struct DevicePolicy {
   /// NMT state after a communication error where there is no 0x1029: 0 = pre-operational, 1 = no change, 2 =
   /// stopped.
   int after_communication_error = 1;
+  /// TPDOs of types 254 and 255 are sent when their objects change; else by their event timer alone, since
+  /// what else makes them due is the maker's own affair (a Gold's 0x2F20).
+  bool events_on_change = true;
 };
 
 class CanopenDevice : private canopen::SdoObjects {

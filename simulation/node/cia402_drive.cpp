@@ -19,6 +19,8 @@ constexpr std::uint16_t kErrorPassive = 0x8120;
 constexpr std::uint16_t kMasterLost = 0x8130;
 constexpr std::uint16_t kBusOff = 0x81FD;
 constexpr std::uint16_t kFollowingError = 0x8611;
+/// Set-points of a cyclic mode stay away [U: code of Elmo's "IP underflow"].
+constexpr std::uint16_t kSetpointsMissing = 0xFF02;
 
 constexpr std::int64_t kCommunicationBit = 0x10;  ///< of the error register
 
@@ -107,8 +109,9 @@ bool Cia402Drive::supply_is_bad() const noexcept {
 
 void Cia402Drive::written(canopen::ObjectId id) noexcept {
   if (id.index == canopen::kControlWord) control_word();
-  if (id.index == make_->position_object())
-    position_loop_.set_target(static_cast<double>(dictionary_.get({make_->position_object(), 0})));
+  if (id.index != make_->position_object()) return;
+  since_setpoint_s_ = 0.0;
+  position_loop_.set_target(static_cast<double>(dictionary_.get({make_->position_object(), 0})));
 }
 
 int Cia402Drive::option(std::uint16_t index, int otherwise) const noexcept {
@@ -158,9 +161,24 @@ void Cia402Drive::change_mode() noexcept {
 /// The position loop runs while it is in force and operation is enabled.
 void Cia402Drive::follow_mode() noexcept {
   const bool position = stage_.state() == PowerState::kOperationEnabled && mode_ == ModeUse::kPosition;
-  if (position && !position_active_) position_loop_.enter(counts_);
+  if (position && !position_active_) {
+    position_loop_.enter(counts_);
+    since_setpoint_s_ = 0.0;
+  }
   position_active_ = position;
-  if (position && !stage_.braking()) reference_ = position_loop_.step(setup_.step_s, smoothing_s());
+  if (!position || stage_.braking()) return;
+  reference_ = position_loop_.step(setup_.step_s, smoothing_s(), make_->extrapolation_s() > 0.0);
+  miss_setpoints();
+}
+
+/// The first period is that of the set-point itself.
+void Cia402Drive::miss_setpoints() noexcept {
+  const double bearable_s = make_->extrapolation_s();
+  since_setpoint_s_ += setup_.step_s;
+  if (bearable_s <= 0.0) return;
+  // Half a tick of tolerance: sums of ticks are not exactly the time.
+  if (since_setpoint_s_ > bearable_s + make_->interpolation_period_s() + 0.5 * setup_.step_s)
+    raise_fault(kSetpointsMissing);
 }
 
 double Cia402Drive::smoothing_s() const noexcept {

@@ -58,6 +58,9 @@ class DriveMake {
   virtual std::uint16_t position_object() const noexcept = 0;
   /// Time in which the reference moves to a new set-point.
   virtual double interpolation_period_s() const noexcept = 0;
+  /// How long a position mode goes on without a new set-point, as fast as before; then it is a fault. 0: the
+  /// last one stays, without end.
+  virtual double extrapolation_s() const noexcept { return 0.0; }
   /// 0x605A where the drive does not have it.
   virtual int quick_stop_option() const noexcept { return 2; }
   virtual PowerTimes power_times() const noexcept { return {}; }
@@ -101,6 +104,7 @@ class Cia402Drive : public SimDrive, private DeviceApplication {
   void control_word() noexcept;
   void change_mode() noexcept;
   void follow_mode() noexcept;
+  void miss_setpoints() noexcept;
   void drive_motor() noexcept;
   void supervise() noexcept;
   void show(double counts) noexcept;
@@ -131,6 +135,7 @@ class Cia402Drive : public SimDrive, private DeviceApplication {
   double velocity_rad_s_ = 0.0;
   bool has_counts_ = false;
   bool position_active_ = false;
+  double since_setpoint_s_ = 0.0;  ///< while the position loop runs
   bool limited_ = false;
   bool on_ = true;                    ///< has its supply
   bool latches_ = false;              ///< communication faults, until NMT reset communication

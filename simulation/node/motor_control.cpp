@@ -25,13 +25,18 @@ void PositionLoop::set_target(double target_counts) noexcept {
   elapsed_s_ = 0.0;
 }
 
-PositionLoop::Reference PositionLoop::step(double dt_s, double period_s) noexcept {
+PositionLoop::Reference PositionLoop::step(double dt_s, double period_s, bool extrapolates) noexcept {
+  const double velocity_counts_s = (target_counts_ - start_counts_) / period_s;
   // Half a tick of tolerance: sums of ticks are not exactly the period.
-  if (elapsed_s_ > period_s - 0.5 * dt_s) return {target_counts_, 0.0};
+  if (elapsed_s_ > period_s - 0.5 * dt_s) {
+    if (!extrapolates) return {target_counts_, 0.0};
+    reference_counts_ += velocity_counts_s * dt_s;
+    return {reference_counts_, velocity_counts_s};
+  }
   elapsed_s_ += dt_s;
   const double share = std::min(elapsed_s_ / period_s, 1.0);
   reference_counts_ = start_counts_ + share * (target_counts_ - start_counts_);
-  return {reference_counts_, (target_counts_ - start_counts_) / period_s};
+  return {reference_counts_, velocity_counts_s};
 }
 
 CurrentLoop::CurrentLoop(double bandwidth_Hz, double dt_s) noexcept

@@ -19,7 +19,8 @@ class PositionLoop {
   /// New set-point, to be reached one interpolation period from now.
   void set_target(double target_counts) noexcept;
   /// One tick. @param period_s interpolation period, 0x60C2.
-  Reference step(double dt_s, double period_s) noexcept;
+  /// @param extrapolates after it, until the next set-point, it goes on as fast as before; else it stays.
+  Reference step(double dt_s, double period_s, bool extrapolates = false) noexcept;
 
  private:
   double reference_counts_ = 0.0;

@@ -17,8 +17,9 @@ void put_bytes(std::uint8_t* bytes, std::uint64_t value, int count) noexcept {
 
 }  // namespace
 
-PdoExchange::PdoExchange(ObjectDictionary& dictionary, WriteListener& listener, Outbox& outbox) noexcept
-    : dictionary_(dictionary), listener_(listener), outbox_(outbox) {
+PdoExchange::PdoExchange(ObjectDictionary& dictionary, WriteListener& listener, Outbox& outbox,
+                         bool events_on_change) noexcept
+    : dictionary_(dictionary), listener_(listener), outbox_(outbox), events_on_change_(events_on_change) {
   configure();
 }
 
@@ -122,7 +123,8 @@ void PdoExchange::send_events(std::int64_t time_us) noexcept {
     if (!pdo.map.valid || pdo.map.count == 0 || pdo.map.type <= canopen::kTypeSyncMax) continue;
     const std::int64_t since_us = time_us - pdo.last_us;
     const CanFrame frame = pack(pdo.map);
-    const bool changed = !pdo.sent || (!(frame == pdo.last) && since_us >= pdo.inhibit_us);
+    const bool changed = events_on_change_ &&
+                         (!pdo.sent || (!(frame == pdo.last) && since_us >= pdo.inhibit_us));
     if (!changed && (pdo.event_us == 0 || since_us < pdo.event_us)) continue;
     pdo.last_us = time_us;
     send(pdo, frame);

@@ -26,7 +26,9 @@ enum class PdoReception : std::uint8_t {
 
 class PdoExchange {
  public:
-  PdoExchange(ObjectDictionary& dictionary, WriteListener& listener, Outbox& outbox) noexcept;
+  /// @param events_on_change see DevicePolicy.
+  PdoExchange(ObjectDictionary& dictionary, WriteListener& listener, Outbox& outbox,
+              bool events_on_change = true) noexcept;
 
   /// When the device becomes operational: every PDO begins anew, and every event TPDO is sent once.
   void configure() noexcept;
@@ -64,6 +66,7 @@ class PdoExchange {
   ObjectDictionary& dictionary_;
   WriteListener& listener_;
   Outbox& outbox_;
+  bool events_on_change_;
   std::array<Receive, canopen::kPdoCount> receive_;
   std::array<Transmit, canopen::kPdoCount> transmit_;
 };

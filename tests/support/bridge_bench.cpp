@@ -25,7 +25,6 @@ RobotConfig two_drive_robot() {
     actuator.speed_limit_object = 0x6080;
     actuator.position_stiffness_Nm_rad = 503;
     actuator.position_damping_Nm_s_rad = 29.7;
-    actuator.position_gains_object = 0x2F01;
     actuator.safety_damping_Nm_s_rad = 12;
     robot.actuators.push_back(actuator);
   }

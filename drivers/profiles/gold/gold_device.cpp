@@ -70,6 +70,10 @@ double GoldMake::interpolation_period_s() const noexcept {
   return period_s;
 }
 
+double GoldMake::extrapolation_s() const noexcept {
+  return object(gold::kExtrapolationCycles) * interpolation_period_s();
+}
+
 /// By the ratings in the drive; 0 while they are not set.
 double GoldMake::believed_constant_Nm_A() const noexcept {
   const double rated_mA = object(canopen::kRatedCurrent);
@@ -80,13 +84,14 @@ double GoldMake::per_mille_to_Nm(double per_mille) const noexcept {
   return 1e-6 * per_mille * object(canopen::kRatedTorque) * setup_.actuator.gear_ratio;
 }
 
+/// As tuned with the maker's tool, to what robot.yaml says.
 double GoldMake::position_torque_Nm(const DriveMoment& now) noexcept {
-  const double stiffness = gold::kStiffnessUnit_Nm_rad * object(canopen::kPositionGains, gold::kStiffnessSub);
-  const double damping = gold::kDampingUnit_Nm_s_rad * object(canopen::kPositionGains, gold::kDampingSub);
   const double error_counts = now.reference.position_counts - now.counts;
   show(kFollowingError, clamp_i32(error_counts));
-  return stiffness * error_counts / now.counts_per_rad +
-         damping * (now.reference.velocity_counts_s / now.counts_per_rad - now.velocity_rad_s);
+  const ActuatorConfig& tuned = setup_.actuator;
+  return tuned.position_stiffness_Nm_rad * error_counts / now.counts_per_rad +
+         tuned.position_damping_Nm_s_rad *
+             (now.reference.velocity_counts_s / now.counts_per_rad - now.velocity_rad_s);
 }
 
 double GoldMake::desired_torque_Nm(const DriveMoment& now) noexcept {

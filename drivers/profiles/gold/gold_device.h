@@ -11,7 +11,7 @@ namespace sprung::sim {
 /// Values that a real drive has from its commissioning.
 struct GoldCommissioning {
   int node = 1;
-  std::uint32_t revision = 0;
+  std::uint32_t revision = 0x000103F6;  ///< of "CANeds Gold V002"
   std::uint32_t serial = 1;
   std::uint32_t rated_current_mA = 0;
   std::uint32_t rated_torque_mNm = 0;     ///< motor side
@@ -35,6 +35,8 @@ class GoldMake final : public DriveMake {
   ModeUse mode_use(std::int8_t code) const noexcept override;
   std::uint16_t position_object() const noexcept override;
   double interpolation_period_s() const noexcept override;
+  double extrapolation_s() const noexcept override;
+  DevicePolicy policy() const noexcept override { return {0, false, 1, false}; }
   CurrentDemand demand(const DriveMoment& now) noexcept override;
   void show(const DriveMoment& now) noexcept override;
   std::uint16_t status_word(const PowerStage& stage, const DriveMoment& now) const noexcept override;

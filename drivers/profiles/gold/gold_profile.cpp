@@ -20,11 +20,17 @@ using namespace sprung::profiles;
 constexpr std::int16_t kPowerOff = 2;         ///< 0x6007: disable voltage when the bridge's heartbeat is lost
 constexpr std::int16_t kSlowDownThenOff = 2;  ///< 0x605A: quick stop ramp, then switch on disabled
 constexpr int kLargestMaxTorque = 50000;      ///< EDS limit of 0x6072
-constexpr std::uint16_t kDisplayPeriod_ms = 100;  ///< [design choice] a lost mode display heals after this
-/// [design choice] At most so often (10 ms), so that what a bus has to carry has an end. Unconfirmed for
-/// longer, a mode only shows later: nothing in the loop waits for it.
-constexpr std::uint16_t kDisplayInhibit_100us = 100;
+/// [design choice] The mode is shown at every so many SYNCs, since what an asynchronous TPDO of a Gold is
+/// sent for is the maker's own affair (0x2F20). Unconfirmed for longer, a mode only shows later: nothing in
+/// the loop waits for it.
+constexpr double kDisplayPeriod_s = 0.007;
 constexpr std::uint8_t kSamplePdo = 0, kSetpointPdo = 0, kControlPdo = 1;
+
+/// @return 1..240: a transmission type.
+std::uint8_t syncs_in(double time_s, double cycle_s) {
+  return static_cast<std::uint8_t>(
+      std::clamp(std::round(time_s / cycle_s), 1.0, double{canopen::kTypeSyncMax}));
+}
 
 /// 0x60C2: seconds = value * 10^exponent, value 1..255.
 struct InterpolationPeriod {
@@ -55,6 +61,13 @@ GoldProfile::GoldProfile(const ActuatorConfig& actuator, const DriveTiming& timi
   }
   rated_torque_Nm_ = 1e-3 * rated_torque_mNm_;
   counts_per_rad_ = actuator.direction * actuator.encoder_counts_per_turn * actuator.gear_ratio / (2.0 * kPi);
+  if (actuator.position_gains_object != 0) {
+    throw std::invalid_argument(
+        owner(actuator) +
+        ": a Gold over CAN has no object for position gains that sprung knows (0x2F01 is its user's own "
+        "array): "
+        "tune its loop with the maker's tool and leave position_loop.object out, or write closed_by: host");
+  }
   const double permille = 1e3 * actuator.torque_limit_Nm / (actuator.gear_ratio * rated_torque_Nm_);
   max_torque_permille_ = to_integer(
       permille, 0.0, std::min<int>(kLargestMaxTorque, std::numeric_limits<std::int16_t>::max()));
@@ -76,9 +89,9 @@ std::vector<DriveSetting> GoldProfile::settings() const {
       u8({canopen::kInterpolationPeriod, 1}, period.value),
       i8({canopen::kInterpolationPeriod, 2}, period.exponent),
       u32({canopen::kSyncPeriod, 0}, to_object(1e6 * timing_.cycle_s, owner(actuator_), "cycle")),
+      u16({kExtrapolationCycles, 0}, static_cast<std::uint32_t>(timing_.lost_setpoints)),
   };
   add_speed_limit(settings);
-  add_position_gains(settings);
   return settings;
 }
 
@@ -90,17 +103,6 @@ void GoldProfile::add_speed_limit(std::vector<DriveSetting>& settings) const {
       u32({actuator_.speed_limit_object, 0}, to_object(speed_rpm, owner(actuator_), "speed limit")));
 }
 
-void GoldProfile::add_position_gains(std::vector<DriveSetting>& settings) const {
-  const std::uint16_t object = actuator_.position_gains_object;
-  if (object == 0) return;
-  settings.push_back(
-      u32({object, kStiffnessSub}, to_object(actuator_.position_stiffness_Nm_rad / kStiffnessUnit_Nm_rad,
-                                             owner(actuator_), "position stiffness")));
-  settings.push_back(
-      u32({object, kDampingSub}, to_object(actuator_.position_damping_Nm_s_rad / kDampingUnit_Nm_s_rad,
-                                           owner(actuator_), "position damping")));
-}
-
 std::vector<PdoSetting> GoldProfile::pdos() const {
   std::vector<PdoSetting> pdos = {
       {true,
@@ -109,7 +111,7 @@ std::vector<PdoSetting> GoldProfile::pdos() const {
        {{{canopen::kPositionActual, 0}, 32},
         {{canopen::kTorqueActual, 0}, 16},
         {{canopen::kStatusWord, 0}, 16}}},
-      {true, kDisplayPdo, canopen::kTypeEvent, display_entries(), kDisplayPeriod_ms, kDisplayInhibit_100us},
+      {true, kDisplayPdo, syncs_in(kDisplayPeriod_s, timing_.cycle_s), display_entries()},
       {false,
        kSetpointPdo,
        canopen::kTypeEvent,

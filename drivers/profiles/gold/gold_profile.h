@@ -27,7 +27,6 @@ class GoldProfile final : public DriveProfile {
 
  private:
   void add_speed_limit(std::vector<DriveSetting>& settings) const;
-  void add_position_gains(std::vector<DriveSetting>& settings) const;
   ActuatorConfig actuator_;
   DriveTiming timing_;
   std::uint32_t rated_torque_mNm_ = 0;

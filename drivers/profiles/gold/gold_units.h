@@ -1,21 +1,15 @@
 #pragma once
-/// Scales of sprung's own objects 0x2F01 on a Gold drive, shared with the simulated drives that decode them.
-/// A real Gold has no standard object for position gains in physical units: these are sprung's choice, to be
-/// replaced by the gain scheduling commands of the drive's own tool [unverified].
+/// The maker's own objects of an Elmo Gold that sprung uses, shared with the simulated drive ("CANeds Gold
+/// V002", product 0x00030923, revision 0x000103F6).
 ///
-/// Position loop that the gains describe, in joint units about the gear's output side:
-///
-///   torque_Nm = stiffness * (target_rad - measured_rad)
-///             + damping * (reference_velocity_rad_s - measured_velocity_rad_s)
-///
-/// where the reference velocity is the slope between set-points.
+/// Position gains are none of them: the data sheet of the CAN firmware names no object for these (0x310C and
+/// 0x3113 are known of EtherCAT firmware alone), and 0x2F01, which sprung once wrote, is its user's array.
+/// The maker's tool tunes the drive's own loop; or the bridge closes it (position_loop: closed_by: host).
 #include <cstdint>
 
 namespace sprung::gold {
 
-inline constexpr std::uint8_t kStiffnessSub = 1;       ///< u32
-inline constexpr std::uint8_t kDampingSub = 2;         ///< u32
-inline constexpr double kStiffnessUnit_Nm_rad = 1e-3;  ///< one count of 0x2F01:01, output side
-inline constexpr double kDampingUnit_Nm_s_rad = 1e-3;  ///< one count of 0x2F01:02, output side
+/// u16: cycles of 0x60C2 for which a cyclic mode goes on without a new set-point; 1 at default.
+inline constexpr std::uint16_t kExtrapolationCycles = 0x2F75;
 
 }  // namespace sprung::gold

@@ -68,7 +68,8 @@ TEST(Boot, LeavesTheSettingsOfTheRobotsFileInTheDrive) {
   auto& objects = bench.drives[0].objects;
   EXPECT_EQ((objects[{kTorqueOffset, 0}]), 0U);
   EXPECT_EQ((objects[{kMaxMotorSpeed, 0}]), 11459U);
-  EXPECT_EQ((objects[{0x1801, 5}]), 100U) << "the mode display comes again when a frame of it was lost";
+  EXPECT_EQ((objects[{0x1801, 2}]), 7U) << "the mode display comes at every seventh SYNC, asked or not";
+  EXPECT_EQ((objects[{0x2F75, 0}]), 5U);
   EXPECT_EQ((objects[{kHeartbeatConsumer, 1}]), 0x007F0014U);
   EXPECT_EQ((objects[{kHeartbeatProducer, 0}]), 5U);
   EXPECT_EQ((objects[{kAbortConnectionOption, 0}]), 2U);
@@ -99,10 +100,10 @@ TEST(Boot, SettingThatTheDriveClampsIsRefusedAndNamed) {
 
 TEST(Boot, SettingThatTheDriveAbortsIsRefusedWithItsReason) {
   BridgeBench bench;
-  bench.drives[0].aborts[{kPositionGains, 1}] = kAbortNoObject;
+  bench.drives[0].aborts[{kMaxMotorSpeed, 0}] = kAbortNoObject;
   EXPECT_FALSE(bench.boot(500));
   EXPECT_EQ(bench.detail(),
-            "hip_motor: object 0x2F01:01 position gains: refused by the drive (no such object)");
+            "hip_motor: object 0x6080:00 max motor speed: refused by the drive (no such object)");
 }
 
 TEST(Boot, RefusedDriveIsTriedAgainAfterClear) {

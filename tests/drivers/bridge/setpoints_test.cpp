@@ -73,6 +73,37 @@ TEST(BridgeSetpoints, NothingIsEnabledBeforeACommandWithEveryModeDisabled) {
   EXPECT_THAT(bench.detail(), HasSubstr("every mode disabled"));
 }
 
+/// Both drives' position loops are closed by the bridge.
+RobotConfig host_loop_robot() {
+  RobotConfig robot = two_drive_robot();
+  for (ActuatorConfig& actuator : robot.actuators) actuator.position_loop = PositionLoopSide::kHost;
+  return robot;
+}
+
+TEST(BridgeSetpoints, PositionLoopOnTheHostSendsTorqueAndShowsPosition) {
+  BridgeBench bench(host_loop_robot());
+  ASSERT_TRUE(bench.boot());
+  bench.enable(DriveMode::kPosition);
+  EXPECT_EQ(bench.drives[0].mode, cia402::kModeCyclicTorque);
+  EXPECT_EQ(bench.state.actuators[0].shown_mode, DriveMode::kPosition);
+  const double here_rad = bench.state.actuators[0].measured_position_rad;
+  bench.command_all(DriveMode::kPosition, 0.0, here_rad + 0.01);
+  bench.run(5);
+  // 503 Nm/rad over 0.01 rad, by 30.8 Nm of rated torque at the output
+  EXPECT_EQ(bench.drives[0].target_torque_permille, std::lround(1000 * 5.03 / 30.8));
+  EXPECT_EQ(bench.drives[0].mode, cia402::kModeCyclicTorque);
+}
+
+TEST(BridgeSetpoints, PositionLoopOnTheHostEndsWithTheMode) {
+  BridgeBench bench(host_loop_robot());
+  ASSERT_TRUE(bench.boot());
+  bench.enable(DriveMode::kPosition);
+  bench.command_all(DriveMode::kTorque, 3.08);
+  bench.run(3);
+  EXPECT_EQ(bench.state.actuators[0].shown_mode, DriveMode::kTorque);
+  EXPECT_EQ(bench.drives[0].target_torque_permille, 100);
+}
+
 TEST(BridgeSetpoints, NothingIsEnabledBeforeTheFaultsOfTheStartAreReset) {
   BridgeBench bench;
   bench.drives[1].power = PowerState::kFault;

@@ -102,7 +102,7 @@ class SimMaster {
   void configure(int node) {
     const auto id = static_cast<std::uint32_t>(node);
     map_pdo(node, 0x1800, 0x180 + id, 1, {0x60640020, 0x60770010, 0x60410010});
-    map_pdo(node, 0x1801, 0x280 + id, 255, {0x60610008});
+    map_pdo(node, 0x1801, 0x280 + id, 1, {0x60610008});
     map_pdo(node, 0x1802, 0x380 + id, 255, {});
     map_pdo(node, 0x1803, 0x480 + id, 255, {});
     map_pdo(node, 0x1400, 0x200 + id, 255, {0x60710010, 0x607A0020, 0x60600008});
@@ -110,8 +110,6 @@ class SimMaster {
     EXPECT_EQ(write(node, canopen::kHeartbeatConsumer, 1, (127U << 16) | 20U, 4), 0U);
     EXPECT_EQ(write(node, canopen::kHeartbeatProducer, 0, 5, 2), 0U);
     EXPECT_EQ(write(node, canopen::kAbortConnectionOption, 0, 2, 2), 0U);
-    EXPECT_EQ(write(node, canopen::kPositionGains, 1, 503000, 4), 0U);
-    EXPECT_EQ(write(node, canopen::kPositionGains, 2, 29700, 4), 0U);
   }
   /// Both drives configured and NMT operational; power off.
   void boot() {

@@ -72,6 +72,9 @@ void add_common(CommandLine& line, const Experiment& experiment, ExperimentOptio
   if (takes(Common::kPlant))
     line.option("--plant", request.plant,
                 "KEY=VALUE changes the plant, e.g. friction_scale=1.2; may be repeated");
+  if (takes(Common::kPlant))
+    line.choice("--position-loop", request.position_loop, {"drive", "host"},
+                "who closes every actuator's; default: as robot.yaml says");
   if (takes(Common::kJobs)) line.option("--jobs", request.jobs, "threads; 0: one for each core");
   if (takes(Common::kSeparate))
     line.flag("--separate", request.separate,

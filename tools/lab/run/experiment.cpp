@@ -14,6 +14,7 @@ std::string command_of(const Experiment& experiment, const ExperimentRequest& re
   std::string line = "sprung experiment " + experiment.name + " --robot " + request.robot;
   if (experiment.takes.count(Common::kPreset) > 0) line += " --preset " + preset;
   for (const std::string& change : request.plant) line += " --plant " + change;
+  if (!request.position_loop.empty()) line += " --position-loop " + request.position_loop;
   return line + " --seed " + std::to_string(request.seed) + experiment.own.words() +
          (request.separate ? " --separate" : "");
 }
@@ -22,6 +23,17 @@ std::string preset_of(const Experiment& experiment, const ExperimentRequest& req
                       const RobotConfig& robot) {
   if (!request.preset.empty()) return robot.preset(request.preset).name;
   return preset_or(robot, request.in_all ? experiment.presets.in_all : experiment.presets.alone);
+}
+
+/// The other processes read robot.yaml themselves.
+RobotConfig robot_of(const ExperimentRequest& request, RobotConfig robot) {
+  if (request.position_loop.empty()) return robot;
+  if (request.separate)
+    throw WrongUse("--position-loop runs in one process: without --separate, or change robot.yaml");
+  for (ActuatorConfig& actuator : robot.actuators)
+    actuator.position_loop = request.position_loop == "host" ? PositionLoopSide::kHost
+                                                             : PositionLoopSide::kDrive;
+  return robot;
 }
 
 ExperimentReport report_of(const Experiment& experiment, const ExperimentInput& input) {
@@ -88,7 +100,7 @@ ExperimentInput experiment_input(const Experiment& experiment, const ExperimentR
                                  const RobotConfig& robot) {
   ExperimentInput input;
   input.asked = request;
-  input.robot = robot;
+  input.robot = robot_of(request, robot);
   input.preset = preset_of(experiment, request, robot);
   if (experiment.needs_gaits && robot.gaits.empty())
     throw WrongUse("experiment " + experiment.name + " needs a robot that walks; " + request.robot +

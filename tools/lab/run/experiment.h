@@ -27,6 +27,7 @@ struct ExperimentRequest {
   std::string preset;                ///< empty: Presets says
   std::uint64_t seed = 1;
   std::vector<std::string> plant;  ///< KEY=VALUE
+  std::string position_loop;       ///< "drive" or "host", of every actuator; empty: robot.yaml's
   int jobs = 0;                    ///< ParallelOptions::jobs
   bool separate = false;           ///< real processes over LCM instead of this one
   bool in_all = false;             ///< by `sprung experiment all`

@@ -6,9 +6,12 @@
 #include <vector>
 
 #include "drivers/canopen/objects.h"
+#include "drivers/profiles/gold/gold_units.h"
 
 namespace sprung::sim {
 namespace {
+
+using gold::kExtrapolationCycles;
 
 constexpr std::int64_t kTick_us = 250;
 constexpr double kPerMille_Nm = 1e-3 * 0.308 * 100.0;
@@ -21,6 +24,8 @@ SimDriveSetup drive_config() {
   config.actuator.rated_current_A = 7.0;
   config.actuator.encoder_counts_per_turn = 131072;
   config.actuator.speed_limit_rad_s = 12.0;
+  config.actuator.position_stiffness_Nm_rad = 503.0;
+  config.actuator.position_damping_Nm_s_rad = 29.7;
   config.truth.torque_constant_Nm_A = 0.044;
   config.truth.torque_loop_Hz = 94.0;
   config.truth.peak_torque_Nm = 171.6;
@@ -134,8 +139,7 @@ TEST_F(GoldDriveTest, SpeedCapTakesTheTorque) {
 
 TEST_F(GoldDriveTest, PositionLoopActsAsSpringAndDamper) {
   run(1);
-  write(canopen::kPositionGains, 503000, 4, 1);
-  write(canopen::kPositionGains, 29700, 4, 2);
+  write(kExtrapolationCycles, 1000, 2);
   start(8);
   run(80);
   EXPECT_NEAR(drive_.motor_torque_Nm(), 0.0, 1e-6);  // enters where it is
@@ -145,6 +149,23 @@ TEST_F(GoldDriveTest, PositionLoopActsAsSpringAndDamper) {
   const double before_rad = shaft_rad_;
   run(400, 0.5);
   EXPECT_NEAR(drive_.motor_torque_Nm(), 50.3 - 503 * (shaft_rad_ - before_rad) - 29.7 * 0.5, 0.6);
+}
+
+TEST_F(GoldDriveTest, GoesOnAsFastAsBeforeWithoutSetPointsAndThenFaults) {
+  run(1);
+  write(kExtrapolationCycles, 5, 2);
+  start(8);
+  const auto counts = read(canopen::kPositionActual, ObjectType::kI32);
+  for (int cycle = 0; cycle < 20; ++cycle) {
+    write(canopen::kTargetPosition, counts + 100 * cycle, 4);
+    run(4);
+    ASSERT_EQ(status() & 0x6F, 0x27) << cycle;
+  }
+  run(20);  // five cycles
+  EXPECT_EQ(status() & 0x6F, 0x27);
+  EXPECT_NEAR(static_cast<double>(read(kFollowingError, ObjectType::kI32)), 100 * 24, 1);
+  run(2);
+  EXPECT_EQ(status() & 0x4F, 0x08);
 }
 
 TEST_F(GoldDriveTest, UnknownModeIsNotShown) {

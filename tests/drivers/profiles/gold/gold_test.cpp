@@ -52,8 +52,7 @@ TEST(GoldSettings, FollowFromTheRobotsFile) {
   EXPECT_EQ(value_of(profile, {canopen::kTorqueOffset, 0}), 0U);
   EXPECT_EQ(value_of(profile, {canopen::kMaxMotorSpeed, 0}), 11459U);  // 12 rad/s * 100, rpm
   EXPECT_EQ(value_of(profile, {canopen::kSyncPeriod, 0}), 1000U);
-  EXPECT_EQ(value_of(profile, {canopen::kPositionGains, gold::kStiffnessSub}), 503000U);
-  EXPECT_EQ(value_of(profile, {canopen::kPositionGains, gold::kDampingSub}), 29700U);
+  EXPECT_EQ(value_of(profile, {gold::kExtrapolationCycles, 0}), 5U);
 }
 
 TEST(GoldSettings, InterpolationPeriodHoldsTheCycle) {
@@ -77,17 +76,15 @@ TEST(GoldSettings, ImpossibleActuatorsAreRefused) {
   config = gold_actuator();
   config.speed_limit_rad_s = -1.0;
   EXPECT_THROW(gold::GoldProfile(config, kGoldTiming).settings(), std::invalid_argument);
-  config = gold_actuator();
-  config.position_stiffness_Nm_rad = -1.0;
-  EXPECT_THROW(gold::GoldProfile(config, kGoldTiming).settings(), std::invalid_argument);
 }
 
-TEST(GoldSettings, GainsAreWrittenOnlyWhereTheDriveHasAnObjectForThem) {
+TEST(GoldSettings, NothingIsWrittenToObjectsWhoseMeaningIsAnotherOne) {
+  const auto settings = gold::GoldProfile(gold_actuator(), kGoldTiming).settings();
+  for (const DriveSetting& setting : settings) EXPECT_NE(setting.object.index, 0x2F01);
   ActuatorConfig config = gold_actuator();
   config.position_gains_object = 0x2F01;
-  const std::size_t with = gold::GoldProfile(config, kGoldTiming).settings().size();
-  config.position_gains_object = 0;
-  EXPECT_EQ(gold::GoldProfile(config, kGoldTiming).settings().size() + 2, with);
+  EXPECT_THAT([&] { gold::GoldProfile(config, kGoldTiming); },
+              ::testing::ThrowsMessage<std::invalid_argument>(::testing::HasSubstr("closed_by: host")));
 }
 
 TEST(GoldSettings, SpeedCapIsWrittenOnlyWhereTheDriveHasAnObjectForIt) {

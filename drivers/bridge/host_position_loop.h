@@ -1,0 +1,30 @@
+#pragma once
+/// The position loop of a drive that has none of known stiffness, closed here and sent as torque:
+///
+///   torque_Nm = stiffness (commanded_rad - measured_rad) + damping (reference_rad_s - measured_rad_s)
+///
+/// about the gear's output; the reference velocity is the slope between set-points, 0 at the first. As a
+/// drive's own loop it stays within the torque limit, and makes nothing faster than the speed limit. Pure.
+#include "robots/robot_config.h"
+#include "signals/vec3.h"
+
+namespace sprung {
+
+class HostPositionLoop {
+ public:
+  HostPositionLoop(const ActuatorConfig& actuator, double cycle_s) noexcept;
+
+  /// Once a cycle while position is controlled, after the SetpointGate.
+  double torque_Nm(double commanded_position_rad, double measured_position_rad,
+                   double measured_velocity_rad_s) noexcept;
+  /// Something else acts: the next set-point is the first one.
+  void forget() noexcept;
+  /// Position was controlled in the last cycle.
+  bool closed() const noexcept;
+
+ private:
+  double stiffness_Nm_rad_, damping_Nm_s_rad_, torque_limit_Nm_, speed_limit_rad_s_, cycle_s_;
+  double set_position_rad_ = kNaN;
+};
+
+}  // namespace sprung
