@@ -71,6 +71,8 @@ DevicePolicy Epos2Make::policy() const noexcept {
   DevicePolicy policy;
   policy.remap_in_operational = canopen::kAbortMaxonNmtState;
   policy.short_pdo_loses_connection = true;
+  policy.lss = true;  // its EDS says so
+  policy.factory_node = setup_.truth.factory_node;
   return policy;
 }
 
