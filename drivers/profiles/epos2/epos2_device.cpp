@@ -38,8 +38,8 @@ ObjectDictionary epos2_dictionary(const SimDriveSetup& setup) {
   const double pulses = std::clamp(setup.actuator.encoder_counts_per_turn / 4.0, 16.0, 2.5e6);
   // No two devices have the same identity, else LSS could not tell them apart.
   const int serial = (setup.actuator.bus + 1) * 1000 + setup.actuator.node;
-  return ObjectDictionary(
-      eds, {{{kEncoderPulses, 1}, std::llround(pulses)}, {{canopen::kIdentity, 4}, serial}});
+  return ObjectDictionary(eds,
+                          {{{kEncoderPulses, 1}, std::llround(pulses)}, {{canopen::kIdentity, 4}, serial}});
 }
 
 double clamp_i32(double value) { return std::clamp(value, -2147483648.0, 2147483647.0); }
