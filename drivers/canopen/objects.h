@@ -19,6 +19,7 @@ inline constexpr std::uint16_t kHeartbeatConsumer = 0x1016;  ///< node << 16 | m
 inline constexpr std::uint16_t kHeartbeatProducer = 0x1017;  ///< ms
 inline constexpr std::uint16_t kIdentity = 0x1018;  ///< :01 vendor, :02 product, :03 revision, :04 serial
 inline constexpr std::uint16_t kErrorBehaviour = 0x1029;
+inline constexpr std::uint16_t kSdoServer = 0x1200;          ///< :01, :02 its identifiers
 inline constexpr std::uint16_t kRpdoCommunication = 0x1400;  ///< + n, n from 0
 inline constexpr std::uint16_t kRpdoMapping = 0x1600;
 inline constexpr std::uint16_t kTpdoCommunication = 0x1800;

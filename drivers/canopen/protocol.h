@@ -1,8 +1,9 @@
 #pragma once
 /// CANopen on the wire (CiA 301), whole: for the bridge, for the simulated drives and for tools alike. Pure
-/// values; all multi-byte numbers are little-endian. Not here: TIME, LSS, SDO block transfer, PDOs asked for
-/// by remote frames (types 252 and 253): nothing of sprung needs them, and our devices refuse them.
+/// values; all multi-byte numbers are little-endian. Not here: TIME, SDO block transfer, PDOs asked for by
+/// remote frames (types 252 and 253): nothing of sprung needs them, and our devices refuse them.
 #include "drivers/canopen/emergency.h"
+#include "drivers/canopen/lss_frames.h"
 #include "drivers/canopen/nmt.h"
 #include "drivers/canopen/pdo_words.h"
 #include "drivers/canopen/sdo_aborts.h"

@@ -41,6 +41,11 @@ class SdoServer {
   /// Forgets the transfer under way: the node was reset or stopped.
   void reset() noexcept { transfer_ = Transfer::kNone; }
   bool busy() const noexcept { return transfer_ != Transfer::kNone; }
+  /// The node has another id now; the transfer under way is forgotten.
+  void set_node(int node) noexcept {
+    node_ = node;
+    reset();
+  }
 
  private:
   enum class Transfer : std::int8_t { kNone, kUpload, kDownload };

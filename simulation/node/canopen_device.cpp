@@ -32,12 +32,25 @@ CanopenDevice::CanopenDevice(int node, ObjectDictionary& dictionary, DeviceAppli
       application_(application),
       outbox_(outbox),
       policy_(policy),
+      lss_(dictionary, policy.lss, policy.factory_node != 0 ? policy.factory_node : node),
       pdos_(dictionary, application, outbox, policy.events_on_change),
       sdo_(node, *this),
       errors_(dictionary),
       watch_(dictionary) {}
 
+/// The node id that counts from here on, and every identifier that hangs on it.
+void CanopenDevice::take_node() noexcept {
+  if (!lss_.has_node() || lss_.node() == node_) return;
+  renumber(dictionary_, node_, lss_.node());
+  node_ = lss_.node();
+  sdo_.set_node(node_);
+}
+
+/// Without a node id it says nothing, and hears layer setting services alone.
 void CanopenDevice::boot_up() noexcept {
+  state_ = NmtState::kBootUp;
+  if (!lss_.has_node()) return;
+  take_node();
   watch_.restart();
   sdo_.reset();
   next_heartbeat_us_ = 0;
@@ -48,7 +61,9 @@ void CanopenDevice::boot_up() noexcept {
 
 void CanopenDevice::receive(const CanFrame& frame, std::int64_t time_us) noexcept {
   outbox_.release(time_us);
-  if (frame.error || state_ == NmtState::kBootUp || !outbox_.hears()) return;
+  const bool lss = frame.id == canopen::kLssMasterId;
+  if (frame.error || (state_ == NmtState::kBootUp && !lss) || !outbox_.hears()) return;
+  if (lss) return receive_lss(frame);
   NmtCommand command{};
   if (frame.remote) {
     if (canopen::is_guard_request(frame, node_)) answer_guard(time_us);
@@ -61,6 +76,12 @@ void CanopenDevice::receive(const CanFrame& frame, std::int64_t time_us) noexcep
   } else if (operational()) {
     is_sync(frame) ? sync() : receive_pdo(frame);
   }
+}
+
+void CanopenDevice::receive_lss(const CanFrame& frame) noexcept {
+  const LssSlave::Answer answer = lss_.receive(frame);
+  if (answer.replies) outbox_.send(answer.reply);
+  if (answer.wakes) boot_up();
 }
 
 void CanopenDevice::nmt(NmtCommand command) noexcept {
@@ -81,6 +102,7 @@ void CanopenDevice::nmt(NmtCommand command) noexcept {
   enter(NmtState::kPreOperational);
   application_.connection_lost();
   dictionary_.recall(0x1000, 0x1FFF);
+  lss_.reset_communication();
   boot_up();
   if (was_lost) application_.connection_back();
 }
@@ -99,6 +121,7 @@ void CanopenDevice::enter(NmtState state) noexcept {
 /// As after power-on, but for the boot-up frame.
 void CanopenDevice::restart() noexcept {
   dictionary_.restart();
+  lss_.restart();
   errors_.restart();
   application_.reset();
 }
@@ -207,6 +230,7 @@ void CanopenDevice::watch_bus() noexcept {
 void CanopenDevice::tick(std::int64_t time_us) noexcept {
   outbox_.release(time_us);
   if (state_ == NmtState::kBootUp) boot_up();
+  if (!lss_.has_node()) return;
   watch_bus();
   produce_heartbeat(time_us);
   follow(watch_.check(time_us));

@@ -7,6 +7,7 @@
 #include "drivers/canopen/protocol.h"
 #include "drivers/canopen/sdo_server.h"
 #include "simulation/node/error_record.h"
+#include "simulation/node/lss_slave.h"
 #include "simulation/node/master_watch.h"
 #include "simulation/node/pdo_exchange.h"
 
@@ -45,11 +46,15 @@ struct DevicePolicy {
   /// TPDOs of types 254 and 255 are sent when their objects change; else by their event timer alone, since
   /// what else makes them due is the maker's own affair (a Gold's 0x2F20).
   bool events_on_change = true;
+  bool lss = false;  ///< it gets node id and bit rate by layer setting services (CiA 305)
+  /// What the device was delivered with, canopen::kNoNode = none; 0 = the node id of its dictionary.
+  int factory_node = 0;
 };
 
 class CanopenDevice : private canopen::SdoObjects {
  public:
-  /// The references must outlive the device. The first tick sends the boot-up frame.
+  /// The references must outlive the device. The first tick sends the boot-up frame, where it has a node id.
+  /// @param node 1..127, of the identifiers in the dictionary.
   CanopenDevice(int node, ObjectDictionary& dictionary, DeviceApplication& application, Outbox& outbox,
                 const DevicePolicy& policy = {}) noexcept;
 
@@ -59,6 +64,7 @@ class CanopenDevice : private canopen::SdoObjects {
 
   bool operational() const noexcept { return state_ == canopen::NmtState::kOperational; }
   canopen::NmtState state() const noexcept { return state_; }
+  int node() const noexcept { return lss_.node(); }  ///< canopen::kNoNode = it has none
   /// Master's heartbeat or guarding lost and not heard again, nor reset.
   bool master_lost() const noexcept { return watch_.lost(); }
 
@@ -83,6 +89,8 @@ class CanopenDevice : private canopen::SdoObjects {
   void after_write(canopen::ObjectId id) noexcept;
 
   void boot_up() noexcept;
+  void take_node() noexcept;
+  void receive_lss(const CanFrame& frame) noexcept;
   void nmt(canopen::NmtCommand command) noexcept;
   void enter(canopen::NmtState state) noexcept;
   void restart() noexcept;
@@ -96,11 +104,12 @@ class CanopenDevice : private canopen::SdoObjects {
   void produce_heartbeat(std::int64_t time_us) noexcept;
   void send_emergency(std::uint16_t code) noexcept;
 
-  int node_;
+  int node_;  ///< of the identifiers in the dictionary
   ObjectDictionary& dictionary_;
   DeviceApplication& application_;
   Outbox& outbox_;
   DevicePolicy policy_;
+  LssSlave lss_;
   PdoExchange pdos_;
   canopen::SdoServer sdo_;
   ErrorRecord errors_;

@@ -83,6 +83,22 @@ std::uint32_t check_communication_write(const ObjectDictionary& dictionary, cano
   }
 }
 
+void renumber(ObjectDictionary& dictionary, int from_node, int to_node) noexcept {
+  const auto move = [&](int index, int sub) {
+    const canopen::ObjectId id{static_cast<std::uint16_t>(index), static_cast<std::uint8_t>(sub)};
+    const int position = dictionary.find(id);
+    const bool of_node = position >= 0 && (dictionary.entry(position).initial & 0x7F) == from_node;
+    if (of_node) dictionary.move_default(id, to_node - from_node);
+  };
+  move(canopen::kSdoServer, 1);
+  move(canopen::kSdoServer, 2);
+  move(canopen::kEmergencyCobId, 0);
+  for (int n = 0; n < canopen::kPdoCount; ++n) {
+    move(canopen::kRpdoCommunication + n, 1);
+    move(canopen::kTpdoCommunication + n, 1);
+  }
+}
+
 bool is_store_order(canopen::ObjectId id) noexcept {
   return id.index == canopen::kStoreParameters || id.index == canopen::kRestoreDefaults;
 }

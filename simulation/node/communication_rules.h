@@ -21,6 +21,10 @@ bool restricted_id(std::uint32_t id) noexcept;
 std::uint32_t check_communication_write(const ObjectDictionary& dictionary, canopen::ObjectId id,
                                         std::int64_t value) noexcept;
 
+/// Identifiers that hang on the node id (SDO, emergency, PDOs) become another node's, where they are the
+/// maker's.
+void renumber(ObjectDictionary& dictionary, int from_node, int to_node) noexcept;
+
 /// 0x1010 and 0x1011: what is written is an order, and reading them gives what they can do.
 bool is_store_order(canopen::ObjectId id) noexcept;
 /// Does what 0x1010 or 0x1011 orders. A load counts from the next reset.

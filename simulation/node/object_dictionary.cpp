@@ -186,6 +186,15 @@ void ObjectDictionary::recall_at(int position) noexcept {
     set_value(position, stored_[position]);
 }
 
+void ObjectDictionary::move_default(canopen::ObjectId id, std::int64_t by) noexcept {
+  const int position = find(id);
+  if (position < 0) return;
+  const std::int64_t former = entries_[position].initial;
+  entries_[position].initial += by;
+  if (stored_[position] == former) stored_[position] += by;
+  if (values_[position] == former) values_[position] += by;
+}
+
 void ObjectDictionary::recall(std::uint16_t first, std::uint16_t last) noexcept {
   each_storable(first, last, [this](int position) { recall_at(position); });
 }

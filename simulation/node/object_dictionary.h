@@ -59,6 +59,9 @@ class ObjectDictionary {
   /// Stored values become the maker's again.
   void forget(std::uint16_t first, std::uint16_t last) noexcept;
   void forget(canopen::ObjectId id) noexcept;
+  /// The maker's default is another one now, and so is what had it; what differs from it stays. For objects
+  /// that hang on the node id. Nothing where there is no such object.
+  void move_default(canopen::ObjectId id, std::int64_t by) noexcept;
   /// Present values of storable objects become the stored ones.
   void recall(std::uint16_t first, std::uint16_t last) noexcept;
   /// All present values become the stored ones: power on.

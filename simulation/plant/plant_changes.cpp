@@ -107,6 +107,10 @@ constexpr Change kChanges[] = {
     {"armature_scale", 0.01, 100, scale_armature},
     {"compute_time_us", 0, 1e5, [](SimConfig& c, double v) { c.timing.compute_s = 1e-6 * v; }},
     {"coulomb_scale", 0, 100, scale_coulomb},
+    {"factory_node", 0, 255,
+     [](SimConfig& c, double v) {
+       each_drive(c, [v](SimDriveConfig& drive) { drive.factory_node = static_cast<int>(v); });
+     }},
     {"floor_height", -10, 10, [](SimConfig& c, double v) { c.plant.floor_height_m = v; }},
     {"friction_scale", 0, 100, scale_friction},
     {"ground_damping", 0, 1e6, [](SimConfig& c, double v) { c.plant.contact.damping_N_s_m = v; }},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "drivers/canopen/lss_frames.h"
 #include "robots/robot_loader.h"
 #include "robots/yaml_reader.h"
 
@@ -50,6 +51,9 @@ void read_optional(const YamlMap& map, SimDriveConfig& drive) {
   drive.index_angle_rad = map.quantity_or("index_angle", "rad", -10, 10, drive.index_angle_rad);
   drive.smoothing_s = map.quantity_or("position_smoothing", "s", 0, 1, drive.smoothing_s);
   drive.mode_delay_s = map.quantity_or("mode_delay", "s", 0, 1, drive.mode_delay_s);
+  drive.factory_node = static_cast<int>(map.integer_or("factory_node", 0, 255, drive.factory_node));
+  if (drive.factory_node > canopen::kMaxNode && drive.factory_node != canopen::kNoNode)
+    map.fail("factory_node", "is no node id: expected 1..127, or 255 for none");
   if (map.has("starts_in_fault")) drive.starts_in_fault = map.flag("starts_in_fault");
   if (map.has("communication_faults"))
     drive.latches_communication_faults = chosen(map, "communication_faults", "latched", "passing", false);

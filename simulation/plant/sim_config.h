@@ -75,6 +75,7 @@ struct SimDriveConfig {
   double index_angle_rad = 0.0;  ///< of the motor's shaft, where the encoder's index pulse is
   double smoothing_s = 0.0;      ///< over which a new position set-point is drawn in; 0 = the make's own way
   double mode_delay_s = 0.0;     ///< from a new 0x6060 to its confirmation in 0x6061 [unverified]
+  int factory_node = 0;  ///< node id it was delivered with, 255 = none: LSS gives it one (a make that has it)
   bool starts_in_fault = false;  ///< 0x8120 at power-on, as when nobody acknowledges (facts canopen 2.5)
   std::optional<bool> latches_communication_faults;  ///< instead of the make's own way
   KinematicErrorConfig kinematic_error;

@@ -110,7 +110,8 @@ SPRUNG_FUZZ(simulation_node, node_seeds) {
   const sim::ObjectDictionary& dictionary = dictionaries()[input.byte() % dictionaries().size()];
   const std::uint8_t bits = input.byte();
   Bench bench(dictionary, {(bits & 1U) != 0 ? canopen::kAbortMaxonNmtState : 0, (bits & 2U) != 0,
-                           static_cast<int>(bits >> 2U & 3U)});
+                           static_cast<int>(bits >> 2U & 3U), (bits & 16U) != 0,
+                           (bits & 32U) != 0 ? canopen::kNoNode : 0});
   for (int left = 300; left > 0 && !input.done(); --left) {
     const int what = input.byte() % 4;
     if (what == 0) bench.hear(input);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <stdexcept>
 
 #include "drivers/canopen/emergency.h"
 #include "drivers/canopen/nmt.h"
@@ -94,6 +95,13 @@ bool bridge_drives(CanBus& bus) {
     return !heard;
   });
   return heard;
+}
+
+void refuse_while_driven(CanBus& bus, bool force) {
+  if (force || !bridge_drives(bus)) return;
+  throw std::runtime_error(
+      "a bridge drives " + bus.describe() +
+      " (SYNC or its heartbeat was heard): sprung down first, or --force if you know what it does");
 }
 
 std::vector<FoundNode> scan_nodes(CanBus& bus) {

@@ -10,6 +10,8 @@ namespace sprung {
 
 /// Whether a master is at work: SYNC or the bridge's heartbeat within 200 ms.
 bool bridge_drives(CanBus& bus);
+/// @throws std::runtime_error where one is, unless it is forced.
+void refuse_while_driven(CanBus& bus, bool force);
 
 /// Whoever answers a read of its device type (0x1000), and how many answers came: two of one id are two
 /// devices.

@@ -36,7 +36,10 @@ constexpr std::uint16_t kRefreshBit = 1U << 14;
 ObjectDictionary epos2_dictionary(const SimDriveSetup& setup) {
   const canopen::Eds eds = canopen::parse_eds(epos2_eds_text(), "epos2.eds", setup.actuator.node);
   const double pulses = std::clamp(setup.actuator.encoder_counts_per_turn / 4.0, 16.0, 2.5e6);
-  return ObjectDictionary(eds, {{{kEncoderPulses, 1}, std::llround(pulses)}});
+  // No two devices have the same identity, else LSS could not tell them apart.
+  const int serial = (setup.actuator.bus + 1) * 1000 + setup.actuator.node;
+  return ObjectDictionary(eds,
+                          {{{kEncoderPulses, 1}, std::llround(pulses)}, {{canopen::kIdentity, 4}, serial}});
 }
 
 double clamp_i32(double value) { return std::clamp(value, -2147483648.0, 2147483647.0); }
@@ -71,6 +74,8 @@ DevicePolicy Epos2Make::policy() const noexcept {
   DevicePolicy policy;
   policy.remap_in_operational = canopen::kAbortMaxonNmtState;
   policy.short_pdo_loses_connection = true;
+  policy.lss = true;  // its EDS says so
+  policy.factory_node = setup_.truth.factory_node;
   return policy;
 }
 

@@ -70,6 +70,12 @@ double GoldMake::interpolation_period_s() const noexcept {
   return period_s;
 }
 
+DevicePolicy GoldMake::policy() const noexcept {
+  DevicePolicy policy;
+  policy.events_on_change = false;  // 0x2F20
+  return policy;
+}
+
 double GoldMake::extrapolation_s() const noexcept {
   return object(gold::kExtrapolationCycles) * interpolation_period_s();
 }

@@ -36,7 +36,7 @@ class GoldMake final : public DriveMake {
   std::uint16_t position_object() const noexcept override;
   double interpolation_period_s() const noexcept override;
   double extrapolation_s() const noexcept override;
-  DevicePolicy policy() const noexcept override { return {0, false, 1, false}; }
+  DevicePolicy policy() const noexcept override;
   CurrentDemand demand(const DriveMoment& now) noexcept override;
   void show(const DriveMoment& now) noexcept override;
   std::uint16_t status_word(const PowerStage& stage, const DriveMoment& now) const noexcept override;

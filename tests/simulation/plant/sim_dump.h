@@ -85,15 +85,16 @@ inline void dump_value(ValueDump& dump, const std::string& at, const MountingCon
 
 inline void dump_value(ValueDump& dump, const std::string& at, const SimDriveConfig& value) {
   const auto& [actuator, torque_constant, torque_loop, peak_torque, torque_noise, supply, quick_stop,
-               supply_min, supply_max, absolute, index_angle, smoothing, mode_delay, starts_in_fault, latches,
-               error, mounting] = value;
-  dump.fields(
-      at,
-      "actuator torque_constant_Nm_A torque_loop_Hz peak_torque_Nm torque_noise_Nm supply_V "
-      "quick_stop_damping_Nm_s_rad supply_min_V supply_max_V absolute_encoder index_angle_rad "
-      "smoothing_s mode_delay_s starts_in_fault latches_communication_faults kinematic_error mounting",
-      actuator, torque_constant, torque_loop, peak_torque, torque_noise, supply, quick_stop, supply_min,
-      supply_max, absolute, index_angle, smoothing, mode_delay, starts_in_fault, latches, error, mounting);
+               supply_min, supply_max, absolute, index_angle, smoothing, mode_delay, factory_node,
+               starts_in_fault, latches, error, mounting] = value;
+  dump.fields(at,
+              "actuator torque_constant_Nm_A torque_loop_Hz peak_torque_Nm torque_noise_Nm supply_V "
+              "quick_stop_damping_Nm_s_rad supply_min_V supply_max_V absolute_encoder index_angle_rad "
+              "smoothing_s mode_delay_s factory_node starts_in_fault latches_communication_faults "
+              "kinematic_error mounting",
+              actuator, torque_constant, torque_loop, peak_torque, torque_noise, supply, quick_stop,
+              supply_min, supply_max, absolute, index_angle, smoothing, mode_delay, factory_node,
+              starts_in_fault, latches, error, mounting);
 }
 
 inline void dump_value(ValueDump& dump, const std::string& at, const SimCardConfig& value) {

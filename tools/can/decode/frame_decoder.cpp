@@ -12,8 +12,6 @@ namespace sprung::cantools {
 namespace {
 
 constexpr std::uint32_t kTimeId = 0x100;
-constexpr std::uint32_t kLssMaster = 0x7E5;
-constexpr std::uint32_t kLssSlave = 0x7E4;
 constexpr std::uint32_t kFunctionMask = 0x780;
 constexpr std::uint32_t kNodeMask = 0x07F;
 
@@ -25,6 +23,13 @@ std::string bytes_text(const CanFrame& frame) {
     text += (i == 0 ? "" : " ") + std::string(pair);
   }
   return text.empty() ? "no data" : text;
+}
+
+std::string lss_frame_text(const CanFrame& frame) {
+  const std::string sender = frame.id == canopen::kLssMasterId ? "from master " : "from slave ";
+  const bool known = canopen::is_lss_request(frame) || canopen::is_lss_reply(frame);
+  return sender + (known ? canopen::lss_text(canopen::lss_command(frame)) + std::string(", ") : "") +
+         bytes_text(frame);
 }
 
 bool is_same_map(const PdoSetting& setting, const PdoTable& pdo) {
@@ -100,9 +105,9 @@ DecodedFrame FrameDecoder::decode(const ObservedFrame& observed) {
     decode_sdo(observed, false, out);
   } else if ((frame.id & kFunctionMask) == canopen::kHeartbeatBase) {
     decode_heartbeat(observed, out);
-  } else if (frame.id == kLssMaster || frame.id == kLssSlave) {
+  } else if (frame.id == canopen::kLssMasterId || frame.id == canopen::kLssSlaveId) {
     out.kind = FrameKind::kLss;
-    out.text = (frame.id == kLssMaster ? "from master " : "from slave ") + bytes_text(frame);
+    out.text = lss_frame_text(frame);
   } else if (!decode_pdo(observed, out)) {
     out.text = bytes_text(frame);
   }

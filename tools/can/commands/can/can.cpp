@@ -55,10 +55,12 @@ void tell_losses(const FrameSource& source) {
 }
 
 void add_can(CommandLine& sprung) {
-  CommandLine& can = sprung.subcommand("can", "Look at CAN frames, live or recorded.");
+  CommandLine& can = sprung.subcommand("can",
+                                       "Look at CAN frames, live or recorded; give a device its node id.");
   can.example("sprung can dump single_leg");
   add_can_dump(can);
   add_can_export(can);
+  add_can_lss(can);
 }
 
 }  // namespace sprung::commands

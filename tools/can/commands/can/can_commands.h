@@ -15,6 +15,7 @@ namespace sprung::commands {
 
 void add_can_dump(CommandLine& can);
 void add_can_export(CommandLine& can);
+void add_can_lss(CommandLine& can);
 
 /// Names of nodes and objects, of buses and interfaces: of the robot, or of nothing.
 struct BusNames {

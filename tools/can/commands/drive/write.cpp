@@ -15,13 +15,6 @@ namespace {
 
 using cantools::NodeDescription;
 
-void refuse_while_driven(CanBus& bus, bool force) {
-  if (force || !bridge_drives(bus)) return;
-  throw std::runtime_error(
-      "a bridge drives " + bus.describe() +
-      " (SYNC or its heartbeat was heard): sprung down first, or --force if you know what it does");
-}
-
 /// The text of what the object holds now; why not, where it cannot be read.
 std::string held(SdoSession& session, const canopen::EdsObject& object) {
   const SdoAnswer answer = session.read(object.id);
