@@ -10,14 +10,28 @@ _NUMBERS = {
 }  # fmt: skip
 
 
+def _structs(folder):
+    """(name, body without comments) of every struct in the .lcm files of `folder`."""
+    for path in sorted(folder.glob("*.lcm")):
+        text = re.sub(r"//[^\n]*|/\*.*?\*/", "", path.read_text(), flags=re.S)
+        yield from re.findall(r"struct\s+(\w+)\s*{(.*?)}", text, flags=re.S)
+
+
+def read_constants(folder):
+    """{struct name: {constant: integer}} of every .lcm file in `folder`."""
+    found = {}
+    for name, body in _structs(folder):
+        constants = re.findall(r"\bconst\s+int\d+_t\s+(\w+)\s*=\s*(-?\d+)\s*;", body)
+        found[name] = {constant: int(value) for constant, value in constants}
+    return found
+
+
 def read_types(folder):
     """{struct name: [Member]} of every .lcm file in `folder`."""
     types = {}
-    for path in sorted(folder.glob("*.lcm")):
-        text = re.sub(r"//[^\n]*|/\*.*?\*/", "", path.read_text(), flags=re.S)
-        for name, body in re.findall(r"struct\s+(\w+)\s*{(.*?)}", text, flags=re.S):
-            members = re.findall(r"([\w.]+)\s+(\w+)((?:\[\w+\])*)\s*;", re.sub(r"\bconst\b[^;]*;", "", body))
-            types[name] = [Member(kind.split(".")[-1], own, re.findall(r"\w+", extents)) for kind, own, extents in members]
+    for name, body in _structs(folder):
+        members = re.findall(r"([\w.]+)\s+(\w+)((?:\[\w+\])*)\s*;", re.sub(r"\bconst\b[^;]*;", "", body))
+        types[name] = [Member(kind.split(".")[-1], own, re.findall(r"\w+", extents)) for kind, own, extents in members]
     return types
 
 

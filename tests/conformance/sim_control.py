@@ -6,8 +6,14 @@ import socket
 import struct
 import urllib.parse
 
-OVER_CURRENT, UNDER_VOLTAGE, OVER_TEMPERATURE, MENDED = 1, 2, 3, 0  # sprung::FaultKind
-_NODE_FAULT = 5  # sprung::SimControlKind
+import lcm_types
+import programs
+
+_CONSTANTS = lcm_types.read_constants(programs.TOP / "lcmtypes")
+_FAULTS = _CONSTANTS["fault_kind_t"]
+OVER_CURRENT, UNDER_VOLTAGE = _FAULTS["OVER_CURRENT"], _FAULTS["UNDER_VOLTAGE"]
+OVER_TEMPERATURE, MENDED = _FAULTS["OVER_TEMPERATURE"], _FAULTS["NONE"]
+_NODE_FAULT = _CONSTANTS["sim_control_kind_t"]["NODE_FAULT"]
 _SHORT_MESSAGE = 0x4C433032  # LCM's magic of a message in one datagram: "LC02"
 
 

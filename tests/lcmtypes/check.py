@@ -14,6 +14,7 @@ import tempfile
 
 import languages
 import recording
+import refusals
 from programs import TOP
 
 EXAMPLES = TOP / "examples/operator"
@@ -73,6 +74,8 @@ def record(programs, lcm, folder):
         pass  # up means that cycles have been counted
     with recording.Robot(programs, "pegasus", folder / "pegasus") as robot:
         use_examples(robot, python, listener / "listener", folder / "heard.txt")
+        sys.path.insert(0, str(python))
+        refusals.check(robot, folder / "pegasus")
         assert robot.ask("fault", "fl_knee_motor", "current-offset", "--value", "0").returncode == 0
     messages = {**recording.newest_messages(axis.log), **recording.newest_messages(robot.log)}
     named = set(re.findall(r'"([A-Z_]+)"', (TOP / "lcmtypes/channels.h").read_text()))
@@ -82,18 +85,19 @@ def record(programs, lcm, folder):
 
 def use_examples(robot, messages, listener, heard):
     def command(word):
-        return robot.run(sys.executable, EXAMPLES / "command_robot.py", word, PYTHONPATH=str(messages))
+        example = [sys.executable, EXAMPLES / "command_robot.py", word]
+        return robot.run(robot.sprung, "run", "--", *example, PYTHONPATH=str(messages))
 
     with open(heard, "w", encoding="utf-8") as file:
         listening = subprocess.Popen([str(listener), robot.lcm_url], stdout=file)
     try:
         refused = command("stand")
-        assert refused.returncode == 1 and "not referenced" in refused.stderr, refused
+        assert refused.returncode == 1 and "not referenced" in refused.stdout, refused
         unknown = command("sitt")
-        assert unknown.returncode != 0 and "home|stand|sit" in unknown.stderr and "Traceback" not in unknown.stderr, unknown
+        assert unknown.returncode != 0 and "home|stand|jump" in unknown.stderr and "Traceback" not in unknown.stderr, unknown
         for word in ("home", "stand"):
             done = command(word)
-            assert done.returncode == 0 and done.stdout.startswith(f"{word} done"), done
+            assert done.returncode == 0 and re.match(r"[\w-]+: \w", done.stdout), done
         robot.wait_for(lambda: "stands" in heard.read_text(), "the listener to see it stand")
     finally:
         listening.terminate()
@@ -101,10 +105,8 @@ def use_examples(robot, messages, listener, heard):
     assert "safety: operational" in heard.read_text(), heard.read_text()
 
 
-def types_of(messages, folder):
+def types_of(messages):
     """{type: channel}, by the fingerprint that each message begins with."""
-    python = folder / "python"
-    sys.path.insert(0, str(python))
     import sprung_msgs  # pylint: disable=import-outside-toplevel
 
     by_fingerprint = {
@@ -158,7 +160,7 @@ def main():
         folder = pathlib.Path(temporary)
         versions = lcm_versions()
         messages = record(programs, versions[0], folder)
-        types = types_of(messages, folder)
+        types = types_of(messages)
         print(f"languages: {len(types)} types on {len(messages)} channels; the examples command and listen")
         for lcm in versions:
             for language in languages.LANGUAGES:

@@ -4,6 +4,7 @@ Every class writes its program into a folder, builds it, and answers the command
 with one file for each type, named after it, writes TYPE.again beside each, and prints "2 12": drive_mode_t.TORQUE and
 operator_kind_t.HOLD. `inexact`: fields whose last digits a language loses."""
 
+import os
 import pathlib
 import re
 import shutil
@@ -124,6 +125,32 @@ class Java:
         return ["java", "-cp", f".:{lcm.jar}", "Main"]
 
 
+class CSharp:
+    """With LCM's own classes for it, which no package has: from Debian's source of LCM 1.3.1, for either lcm-gen."""
+
+    options = ["--csharp", "--csharp-strip-dirs"]
+    runtime = ["LCMEncodable.cs", "LCMDataInputStream.cs", "LCMDataOutputStream.cs"]
+
+    def build(self, folder, types, lcm):
+        _need("mcs", "mono-mcs")
+        _need("mono", "mono-runtime")
+        sources = pathlib.Path(os.environ.get("LCM_DOTNET", ""))
+        if not (sources / "lcm").is_dir():
+            raise Missing("no source of LCM from Debian")
+        one = """    write(words[0], "TYPE", new sprung_msgs.TYPE(new LCMDataInputStream(File.ReadAllBytes(Path.Combine(words[0], "TYPE")))));"""
+        (folder / "Main.cs").write_text(
+            "using System;\nusing System.IO;\nusing System.Linq;\nusing LCM.LCM;\npublic class Again {\n"
+            "  static void write(string folder, string type, LCMEncodable message) {\n"
+            "    LCMDataOutputStream data = new LCMDataOutputStream(); message.Encode(data);\n"
+            '    File.WriteAllBytes(Path.Combine(folder, type + ".again"), data.Buffer.Take(data.Length).ToArray()); }\n'
+            f"  public static void Main(string[] words) {{\n{_each(one, types)}\n"
+            '    Console.WriteLine(sprung_msgs.drive_mode_t.TORQUE + " " + sprung_msgs.operator_kind_t.HOLD); } }\n'
+        )
+        own = [sources / "lcm" / name for name in self.runtime] + [sources / "util/BitConverter.cs"]
+        _built("mcs", "-r:System.Core.dll", "-nowarn:0168,0219", "-out:main.exe", "Main.cs", *own, "-recurse:sprung_msgs/*.cs", folder=folder)
+        return ["mono", "main.exe"]
+
+
 class Lua:
     """Debian's LCM library for Lua serves what either lcm-gen writes. Its numbers are doubles."""
 
@@ -172,4 +199,4 @@ class Go:
         return ["./main"]
 
 
-LANGUAGES = [C, Cpp, Python, Java, Lua, Go]
+LANGUAGES = [C, Cpp, Python, Java, CSharp, Lua, Go]

@@ -16,6 +16,7 @@ class Robot:
     def __init__(self, folder, name, place):
         place.mkdir(parents=True)
         self._folder, self._name, self._place = folder, name, place
+        self.sprung = folder / "sprung"
         self.environment = {"SPRUNG_RUN_DIR": str(place), "SPRUNG_STATE_DIR": str(place)}
         self.lcm_url = programs.random_lcm_url()
 
@@ -38,7 +39,7 @@ class Robot:
         return subprocess.run([str(word) for word in words], env=environment, capture_output=True, text=True, timeout=60)
 
     def ask(self, *words):
-        return self.run(self._folder / "sprung", *words)
+        return self.run(self.sprung, *words)
 
     def wait_for(self, true, what, seconds=60.0):
         end = time.monotonic() + seconds

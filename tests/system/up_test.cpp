@@ -110,6 +110,8 @@ TEST_F(Up, LockStepThatIsNoLongerDeterministicSaysSoLiveAndInItsLog) {
   const std::string log = info().log;
   ASSERT_EQ(sprung("down").status, 0);
   EXPECT_THAT(info_of_log(log), HasSubstr("lock-step  not deterministic: "));
+  EXPECT_THAT(sprung("replay " + log + " --into estimator,planner,controller").output,
+              HasSubstr("not deterministic: "));
 }
 
 TEST_F(Up, WhereNoDriveAnswersSimulatedOnesAreNamed) {

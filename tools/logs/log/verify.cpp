@@ -5,6 +5,9 @@
 
 #include "lcmtypes/channels.h"
 #include "runtime/process_options.h"
+#include "signals/own_inputs.h"
+#include "tools/logs/log/cycle_stretches.h"
+#include "tools/logs/log/used_inputs.h"
 #include "tools/logs/log/writer.h"
 #include "tools/logs/recorder/gap_tracker.h"
 
@@ -17,7 +20,8 @@ using Kind = Finding::Kind;
 constexpr std::int64_t kShownOfAKind = 20;
 
 bool is_wrong(Kind kind) {
-  return kind != Kind::kUnfinished && kind != Kind::kOrder && kind != Kind::kUnknown && kind != Kind::kLate;
+  return kind != Kind::kUnfinished && kind != Kind::kOrder && kind != Kind::kUnknown && kind != Kind::kLate &&
+         kind != Kind::kOlder;
 }
 
 /// Of any two numbers: a damaged event may say what it likes. @param from <= to.
@@ -41,24 +45,26 @@ struct MissingCycles {
   std::vector<std::string> first;              ///< what and where, of as many as are shown
 };
 
-/// Sessions whose processes say that nobody waits for them: LOG_METADATA does, and PROCESS_STATUS in other
-/// programs' logs.
-class RealTimeSessions {
+/// By which clock a session's processes say that they go: LOG_METADATA does, and PROCESS_STATUS in other
+/// programs' logs. In real time nobody waits for them.
+class SessionClocks {
  public:
   void add(const Event& event, const Timeline::Moment& moment) {
     if (event.channel != channels::kLogMetadata && event.channel != channels::kProcessStatus) return;
     if (!moment.stamp || decoder_.open(event.data, event.size, message_) != fields::Fault::kNone) return;
     const int clock = message_.layout()->find("clock");
     if (clock == fields::Layout::kNone) return;
-    if (message_.text(message_.fields()[clock]) == name(ClockMode::kRealTime))
-      sessions_.insert(moment.stamp->session);
+    sessions_.emplace(moment.stamp->session, message_.text(message_.fields()[clock]));
   }
-  bool has(std::int64_t session) const { return sessions_.count(session) > 0; }
+  bool is(std::int64_t session, ClockMode clock) const {
+    const auto found = sessions_.find(session);
+    return found != sessions_.end() && found->second == name(clock);
+  }
 
  private:
   fields::Decoder decoder_;
   fields::MessageView message_;
-  std::set<std::int64_t> sessions_;
+  std::map<std::int64_t, std::string> sessions_;
 };
 
 class Verifier {
@@ -72,7 +78,9 @@ class Verifier {
   void check_place(const Event& event);
   void check_message(const Event& event);
   void check_cycle(const Event& event, const Timeline::Moment& moment);
+  void check_inputs(const Event& event, const Timeline::Moment& moment);
   void finish_cycles();
+  void finish_inputs();
   void finish_damages(const Reader& reader);
   std::string at(const Event& event) const;
 
@@ -83,9 +91,10 @@ class Verifier {
   std::int64_t last_time_us_ = 0;
   std::map<std::string, SessionGapTracker, std::less<>> cycles_;
   std::map<std::int64_t, MissingCycles> missing_;  ///< by session
-  RealTimeSessions real_time_;
-  std::int64_t recorder_missed_ = 0;            ///< cycles, as LOG_END says
-  std::set<std::string, std::less<>> unknown_;  ///< channels whose type was named already
+  SessionClocks clocks_;
+  std::map<std::int64_t, CycleStretches> older_;  ///< DRIVE_COMMANDs made from older messages, by session
+  std::int64_t recorder_missed_ = 0;              ///< cycles, as LOG_END says
+  std::set<std::string, std::less<>> unknown_;    ///< channels whose type was named already
   bool has_metadata_ = false;
   bool has_end_ = false;
 };
@@ -104,7 +113,8 @@ void Verifier::add(const Event& event) {
   check_place(event);
   check_message(event);
   check_cycle(event, moment);
-  real_time_.add(event, moment);
+  check_inputs(event, moment);
+  clocks_.add(event, moment);
   last_number_ = event.number;
   last_time_us_ = event.time_us;
   ++result_.events;
@@ -155,10 +165,26 @@ void Verifier::check_cycle(const Event& event, const Timeline::Moment& moment) {
                       " cycles before cycle " + std::to_string(moment.stamp->seq) + ", at " + time);
 }
 
+void Verifier::check_inputs(const Event& event, const Timeline::Moment& moment) {
+  if (!moment.stamp || event.channel != channels::kDriveCommand) return;
+  const auto used = used_inputs(event.data, event.size);
+  if (used && !made_from_own_inputs(used->seq, used->joint_state_seq, used->leg_command_seq))
+    older_[moment.stamp->session].add(used->seq);
+}
+
+/// The log may be whole all the same; in real time they are nothing special.
+void Verifier::finish_inputs() {
+  for (const auto& [session, older] : older_) {
+    if (!clocks_.is(session, ClockMode::kLockstep)) continue;
+    find(Kind::kOlder, "not deterministic: " + std::to_string(older.cycles()) +
+                           " cycles made from older messages than their own: " + older.text());
+  }
+}
+
 /// In real time a cycle may be late or lost, but then the recorder did not have it either.
 void Verifier::finish_cycles() {
   for (const auto& [session, missing] : missing_) {
-    const Kind kind = real_time_.has(session) ? Kind::kLate : Kind::kMissing;
+    const Kind kind = clocks_.is(session, ClockMode::kRealTime) ? Kind::kLate : Kind::kMissing;
     for (const std::string& text : missing.first) find(kind, text);
     if (missing.gaps > kShownOfAKind) result_.counts[kind] += missing.gaps - kShownOfAKind;
     if (kind != Kind::kLate) continue;
@@ -187,6 +213,7 @@ void Verifier::finish_damages(const Reader& reader) {
 VerifyResult Verifier::finish(const Reader& reader) {
   finish_cycles();
   finish_damages(reader);
+  finish_inputs();
   if (!has_end_ && result_.being_written)
     find(Kind::kUnfinished, "there is no LOG_END yet: it is still being written");
   else if (has_metadata_ && !has_end_)

@@ -28,6 +28,7 @@ struct Finding {
     kUnfinished,  ///< LOG_METADATA, but no LOG_END
     kOrder,       ///< received before the event in front of it
     kUnknown,     ///< a channel that is not sprung's, of a type that nobody here knows
+    kOlder,       ///< in lock-step: commands made from older messages (signals/own_inputs.h)
   };
   Kind kind = Kind::kGarbage;
   bool wrong = true;  ///< false: worth knowing, but such a log is as it was meant to be
@@ -45,7 +46,8 @@ constexpr auto words_of(Finding::Kind) {
                    {E::kCount, "wrong counts of events"},
                    {E::kUnfinished, "unfinished"},
                    {E::kOrder, "events out of order"},
-                   {E::kUnknown, "channels of an unknown type"}});
+                   {E::kUnknown, "channels of an unknown type"},
+                   {E::kOlder, "runs that were not deterministic"}});
 }
 
 struct VerifyResult {

@@ -62,6 +62,28 @@ std::string other_version_note(const ReplayResult& result) {
          " messages were not compared; that version's own replay compares them";
 }
 
+/// Cycles that were made from older messages than their own, or that never were.
+std::vector<std::string> lockstep_notes(const LockstepFlaws& flaws) {
+  std::vector<std::string> out;
+  const auto cycles = [](const log::CycleStretches& which) {
+    return std::to_string(which.cycles()) + (which.cycles() == 1 ? " cycle" : " cycles");
+  };
+  if (!flaws.older.empty())
+    out.push_back("not deterministic: " + cycles(flaws.older) +
+                  " made from older messages than their own: " + flaws.older.text());
+  for (std::size_t i = 0; i < flaws.absent.size(); ++i) {
+    const std::string channel = LockstepFlaws::kChannels[i];
+    const auto& [never_made, not_in_log] = flaws.absent[i];
+    if (!never_made.empty())
+      out.push_back("not deterministic: " + channel + " of " + cycles(never_made) +
+                    " never existed: " + never_made.text());
+    if (!not_in_log.empty())
+      out.push_back(channel + " of " + cycles(not_in_log) +
+                    " is not in the log, lost or never made: " + not_in_log.text());
+  }
+  return out;
+}
+
 /// What the reader must know to judge the verdict.
 std::vector<std::string> notes(const ReplayResult& result) {
   std::vector<std::string> out;
@@ -71,6 +93,7 @@ std::vector<std::string> notes(const ReplayResult& result) {
   if (result.counts.incomplete > 0)
     out.push_back(std::to_string(result.counts.incomplete) + " inputs are missing, first " +
                   result.counts.first_incomplete);
+  for (std::string& note : lockstep_notes(result.lockstep)) out.push_back(std::move(note));
   if (result.counts.other_version > 0) out.push_back(other_version_note(result));
   if (result.flaws.unanswered > 0)
     out.push_back(
@@ -90,9 +113,11 @@ std::string verdict(const ReplayResult& result) {
     return "first difference: " + result.differences.first()->text(kReplaySides.first, kReplaySides.second);
   if (result.counts.compared == 0)
     return "nothing to compare: the log has no message that these cores make, or none in that time";
-  if (result.identical()) return "identical";
-  return result.counts.other_version > 0 ? "identical, where the log can be compared"
-                                         : "identical, where the log has the inputs";
+  if (result.identical())
+    return result.lockstep.deterministic() ? "identical" : "identical, of a run that was not deterministic";
+  if (result.counts.other_version > 0) return "identical, where the log can be compared";
+  return result.counts.incomplete > 0 ? "identical, where the log has the inputs"
+                                      : "identical, where the log has the messages";
 }
 
 report::Table field_table(const DifferenceTable& table) {
@@ -144,6 +169,22 @@ std::string replay_head(const ReplayRequest& request, const ReplayResult& result
                 result.times_real_time());
 }
 
+nlohmann::ordered_json stretches_json(const log::CycleStretches& which) {
+  nlohmann::ordered_json first = nlohmann::ordered_json::array();
+  for (const log::CycleStretch& one : which.first()) first.push_back({one.first, one.last});
+  return {{"cycles", which.cycles()}, {"stretches", which.stretches()}, {"first_stretches", first}};
+}
+
+void add_lockstep(const LockstepFlaws& flaws, nlohmann::ordered_json& out) {
+  out["made_from_older"] = stretches_json(flaws.older);
+  for (const char* key : {"never_existed", "not_in_log"}) out[key] = nlohmann::ordered_json::object();
+  for (std::size_t i = 0; i < flaws.absent.size(); ++i) {
+    const auto& [never_made, not_in_log] = flaws.absent[i];
+    if (!never_made.empty()) out["never_existed"][LockstepFlaws::kChannels[i]] = stretches_json(never_made);
+    if (!not_in_log.empty()) out["not_in_log"][LockstepFlaws::kChannels[i]] = stretches_json(not_in_log);
+  }
+}
+
 report::Table channel_table(const DiffResult& result) {
   report::Table out;
   out.title = "Channels";
@@ -171,6 +212,7 @@ std::string replay_json(const ReplayRequest& request, const ReplayResult& result
   json["compared"] = result.counts.compared;
   json["differing"] = result.counts.differing;
   json["missing_inputs"] = result.counts.incomplete;
+  add_lockstep(result.lockstep, json);
   json["replayed_s"] = result.replayed_s;
   json["wall_s"] = result.wall_s;
   json["times_real_time"] = result.times_real_time();

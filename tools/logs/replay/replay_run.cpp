@@ -44,6 +44,10 @@ std::string text_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
+/// Whether each process waits for the others, so that each cycle has each message, as `sprung log verify` has
+/// it.
+bool waits_for_all(const std::string& clock) { return clock == "lockstep" || clock == "inprocess"; }
+
 bool has_word(const std::string& text, const std::string& word) {
   return (' ' + text + ' ').find(' ' + word + ' ') != std::string::npos;
 }
@@ -165,7 +169,8 @@ ReplayRobot replay_robot(const LoggedRun& run, const std::string& robot, const s
 }
 
 bool ReplayResult::identical() const noexcept {
-  return counts.compared > 0 && !differences.first() && counts.incomplete == 0 && counts.other_version == 0;
+  return counts.compared > 0 && !differences.first() && counts.incomplete == 0 && counts.other_version == 0 &&
+         lockstep.every_message();
 }
 
 ReplayResult run_replay(const ReplayRequest& request, const ReplayProgress& progress) {
@@ -192,6 +197,8 @@ ReplayResult run_replay(const ReplayRequest& request, const ReplayProgress& prog
 
   const auto started = std::chrono::steady_clock::now();
   const std::clock_t processor_started = std::clock();
+  const bool all_wait = waits_for_all(run.clock);
+  LockstepCycles lockstep;
   CycleFeed feed(request.log, request.to_s, with.robot, estimator);
   while (CycleBatch* const batch = feed.next()) {
     for (std::size_t i = 0; i < batch->count; ++i) {
@@ -199,6 +206,7 @@ ReplayResult run_replay(const ReplayRequest& request, const ReplayProgress& prog
       if (std::isnan(first_s)) first_s = cycle.time_s;
       last_s = cycle.time_s;
       result.last_logged_seq = cycle.seq;
+      if (all_wait && cycle.time_s >= request.from_s) lockstep.add(cycle);
       replay.step(cycle, estimated);
     }
     if (progress && batch->position) progress(*batch->position, feed.file_bytes());
@@ -209,6 +217,7 @@ ReplayResult run_replay(const ReplayRequest& request, const ReplayProgress& prog
   result.replayed_s = std::isnan(first_s) ? 0.0 : last_s - first_s;
   result.counts = replay.counts();
   result.flaws = feed.flaws();
+  result.lockstep = lockstep.flaws();
   result.damages = feed.damage_count();
   return result;
 }

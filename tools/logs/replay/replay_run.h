@@ -10,6 +10,7 @@
 #include "sprung_msgs/log_metadata_t.hpp"
 #include "tools/logs/replay/core_replay.h"
 #include "tools/logs/replay/difference_table.h"
+#include "tools/logs/replay/lockstep_cycles.h"
 
 namespace sprung {
 
@@ -56,6 +57,7 @@ struct ReplayRequest {
 struct ReplayResult {
   ReplayCounts counts;
   LogFlaws flaws;
+  LockstepFlaws lockstep;  ///< of the cycles that are compared; none where the clock lets messages be late
   DifferenceTable differences;
   std::string source;                 ///< of robot and preset
   std::string robot;                  ///< name
@@ -67,7 +69,9 @@ struct ReplayResult {
   double processor_s = 0.0;   ///< of this process meanwhile: on a busy machine less than the wall time
   std::uint64_t damages = 0;  ///< of the file
 
-  bool identical() const noexcept;  ///< all was compared, all of it is the same, and no input was missing
+  /// All was compared, all of it is the same, and neither input nor message was missing. In real time
+  /// messages may be.
+  bool identical() const noexcept;
   double times_real_time() const noexcept { return wall_s > 0.0 ? replayed_s / wall_s : 0.0; }
 };
 

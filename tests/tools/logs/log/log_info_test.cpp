@@ -78,13 +78,6 @@ TEST_F(LogInfoTest, SaysWhatHappenedOnceEach) {
   EXPECT_EQ(found.leg_counts[5], 1);
 }
 
-Kept command_event(std::int64_t cycle, std::int64_t used_leg_command) {
-  auto message = stamped<sprung_msgs::drive_command_t>(cycle);
-  message.used_joint_state_seq = cycle;
-  message.used_leg_command_seq = used_leg_command;
-  return kept(channels::kDriveCommand, cycle, encoded(message));
-}
-
 TEST_F(LogInfoTest, LockStepCyclesMadeFromOlderMessagesAreNamed) {
   const std::vector<Kept> commands{command_event(0, -1), command_event(1, 0), command_event(2, 0),
                                    command_event(2, 0),  command_event(3, 1), command_event(4, 3),

@@ -57,6 +57,13 @@ inline Kept joint_event(std::int64_t cycle, std::int64_t session = 77) {
   return kept(channels::kJointState, cycle, encoded(message));
 }
 
+inline Kept command_event(std::int64_t cycle, std::int64_t used_leg_command) {
+  auto message = stamped<sprung_msgs::drive_command_t>(cycle);
+  message.used_joint_state_seq = cycle;
+  message.used_leg_command_seq = used_leg_command;
+  return kept(channels::kDriveCommand, cycle, encoded(message));
+}
+
 inline Kept motion_event(std::int64_t cycle, const std::string& state, const std::string& why = "",
                          int stumbles = 0) {
   auto message = stamped<sprung_msgs::motion_state_t>(cycle);

@@ -92,6 +92,27 @@ TEST_F(LogVerify, InLockStepNothingIsLateSoAMissingCycleIsWrong) {
   EXPECT_THAT(text_, HasSubstr("WRONG  JOINT_STATE misses 3 cycles"));
 }
 
+/// With commands of which 3 and 4 were made from older messages than their own.
+std::vector<Kept> with_older_inputs(const std::string& clock) {
+  std::vector<Kept> events{metadata_event(kSampleYaml, clock)};
+  for (std::int64_t k = 0; k < 8; ++k) events.push_back(command_event(k, k == 3 || k == 4 ? 1 : k - 1));
+  events.push_back(end_event(8, static_cast<std::int64_t>(events.size())));
+  for (std::size_t i = 0; i < events.size(); ++i) events[i].number = static_cast<std::int64_t>(i);
+  return events;
+}
+
+TEST_F(LogVerify, LockStepRunThatWasNotDeterministicIsNamedAndItsLogIsWhole) {
+  const VerifyResult result = check(with_older_inputs("lockstep"));
+  EXPECT_TRUE(result.good()) << text_;
+  EXPECT_EQ(result.counts.at(Kind::kOlder), 1);
+  EXPECT_THAT(text_, HasSubstr("note   not deterministic: 2 cycles made from older messages than their own: "
+                               "3 to 4"));
+}
+
+TEST_F(LogVerify, OlderMessagesAreNothingSpecialInRealTime) {
+  EXPECT_EQ(check(with_older_inputs("realtime")).counts.count(Kind::kOlder), 0u) << text_;
+}
+
 TEST_F(LogVerify, LcmLoggersLogIsOfRealTimeWhereItsProcessesSaySo) {
   auto status = stamped<sprung_msgs::process_status_t>(0);
   status.clock = "realtime";

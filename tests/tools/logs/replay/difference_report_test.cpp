@@ -107,6 +107,48 @@ TEST(ReplayText, NotesWhatMakesTheVerdictWeaker) {
   EXPECT_THAT(text, HasSubstr("identical, where the log has the inputs"));
 }
 
+/// Cycle 5 to 7 from older messages, LEG_COMMAND 4 to 6 never made.
+ReplayResult not_deterministic() {
+  ReplayResult result = result_of(4000);
+  result.lockstep.older.add(5, 7);
+  result.lockstep.absent[1].never_made.add(4, 6);
+  return result;
+}
+
+TEST(ReplayText, NamesCyclesThatNeverExisted) {
+  const std::string text = replay_text(request(), not_deterministic());
+  EXPECT_THAT(
+      text, HasSubstr("note: not deterministic: 3 cycles made from older messages than their own: 5 to 7\n"));
+  EXPECT_THAT(text, HasSubstr("note: not deterministic: LEG_COMMAND of 3 cycles never existed: 4 to 6\n"));
+  EXPECT_THAT(text, HasSubstr("\nidentical, where the log has the messages\n"));
+}
+
+TEST(ReplayText, NamesMessagesThatTheLogLacks) {
+  ReplayResult result = result_of(4000);
+  result.lockstep.absent[0].not_in_log.add(7);
+  const std::string text = replay_text(request(), result);
+  EXPECT_THAT(text, HasSubstr("note: JOINT_STATE of 1 cycle is not in the log, lost or never made: 7\n"));
+  EXPECT_THAT(text, HasSubstr("\nidentical, where the log has the messages\n"));
+}
+
+TEST(ReplayText, WholeLogOfARunThatWasNotDeterministicIsNotJustIdentical) {
+  ReplayResult result = result_of(4000);
+  result.lockstep.older.add(5);
+  EXPECT_TRUE(result.identical());
+  EXPECT_THAT(replay_text(request(), result),
+              HasSubstr("\nidentical, of a run that was not deterministic\n"));
+}
+
+TEST(ReplayJson, HasTheCyclesThatNeverExisted) {
+  const auto json = nlohmann::json::parse(replay_json(request(), not_deterministic()));
+  EXPECT_FALSE(json["identical"]);
+  EXPECT_EQ(json["made_from_older"],
+            nlohmann::json::parse(R"({"cycles": 3, "stretches": 1, "first_stretches": [[5, 7]]})"));
+  EXPECT_EQ(json["never_existed"]["LEG_COMMAND"]["first_stretches"], nlohmann::json::parse("[[4, 6]]"));
+  EXPECT_TRUE(json["not_in_log"].empty());
+  EXPECT_EQ(json["notes"].size(), 2u);
+}
+
 TEST(ReplayText, NothingComparedIsNotIdentical) {
   EXPECT_THAT(replay_text(request(), result_of(0)), HasSubstr("nothing to compare"));
 }

@@ -10,7 +10,9 @@
 #include "lcmtypes/channels.h"
 #include "tests/tools/logs/replay/logged_run_fixture.h"
 #include "tools/logs/log/reader.h"
+#include "tools/logs/log/verify.h"
 #include "tools/logs/log/writer.h"
+#include "tools/logs/recorder/log_messages.h"
 #include "tools/logs/replay/log_diff.h"
 
 namespace sprung {
@@ -178,7 +180,71 @@ TEST_F(ReplayRun, OutputThatTheLogLacksIsMadeAllTheSame) {
   request.log = copy_of_log("output-gap.lcm", [](const log::Event& e) {
     return !is(e, channels::kJointState, 700) && !is(e, channels::kLegCommand, 800);
   });
-  EXPECT_TRUE(run_replay(request).identical());
+  const ReplayResult result = run_replay(request);
+  EXPECT_EQ(result.counts.compared, run_replay(this->request()).counts.compared - 2);
+  EXPECT_EQ(result.counts.differing, 0);
+  EXPECT_EQ(result.counts.incomplete, 0);
+}
+
+/// Where each process waits for the others, `sprung log verify` calls such a log not good.
+TEST_F(ReplayRun, MessagesThatAreNotThereAreNamedAndTheLogIsNotCalledIdentical) {
+  ReplayRequest request = this->request();
+  request.log = copy_of_log("not-there.lcm",
+                            [](const log::Event& e) { return !is(e, channels::kJointState, 700); });
+  const ReplayResult result = run_replay(request);
+  EXPECT_FALSE(result.identical());
+  EXPECT_EQ(result.lockstep.absent[0].not_in_log.text(), "700");
+  EXPECT_TRUE(result.lockstep.deterministic());
+  log::Reader reader(request.log);
+  EXPECT_FALSE(log::verify(reader).good());
+  request.from_s = 1.0;
+  EXPECT_TRUE(run_replay(request).identical()) << "what is earlier is not looked at";
+}
+
+/// The log of a planner that held still for a while, made of one that did not: LEG_COMMAND 800 and 801 never
+/// existed, and the leg controller did without.
+TEST_F(ReplayRun, CyclesOfALockStepRunThatNeverExistedAreNamed) {
+  const auto without = [](const log::Event& event) {
+    const bool planners = event.channel == channels::kLegCommand || event.channel == channels::kMotionState;
+    const std::int64_t seq = planners ? read_int64(event.data, kSeqOffset) : -1;
+    return seq == 800 || seq == 801;
+  };
+  const auto changed = [](const log::Event& event) {
+    if (event.channel == channels::kLogMetadata) {
+      auto metadata = read_log_metadata(event.data, event.size);
+      metadata->clock = "lockstep";
+      return message_bytes(*metadata);
+    }
+    Bytes bytes(event.data, event.data + event.size);
+    const bool did_without = is(event, channels::kDriveCommand, 801) ||
+                             is(event, channels::kDriveCommand, 802);
+    if (did_without) {
+      const auto end = bytes.end() - kMacBytes;  // big-endian before it: used_leg_command_seq
+      end[-2] = 799 >> 8;
+      end[-1] = 799 & 0xff;
+    }
+    return bytes;
+  };
+  ReplayRequest request = this->request();
+  request.log = *folder_ / "never.lcm";
+  log::Reader reader(log());
+  log::Writer writer(request.log);
+  for (log::Event event; reader.next(event);) {
+    if (without(event)) continue;
+    const Bytes bytes = changed(event);
+    writer.write(event.time_us, event.channel, bytes.data(), bytes.size());
+  }
+  writer.close();
+  request.cores = core_choice("estimator");
+  const ReplayResult result = run_replay(request);
+  EXPECT_EQ(result.counts.differing, 0);
+  EXPECT_FALSE(result.identical());
+  EXPECT_FALSE(result.lockstep.deterministic());
+  EXPECT_EQ(result.lockstep.older.text(), "801 to 802");
+  EXPECT_EQ(result.lockstep.absent[1].never_made.text(), "800 to 801");
+  EXPECT_EQ(result.lockstep.absent[2].never_made.text(), "800 to 801");
+  log::Reader whole(request.log);
+  EXPECT_FALSE(log::verify(whole).good()) << "and both say so";
 }
 
 TEST_F(ReplayRun, LogWithoutTheCoresMessagesIsNotIdentical) {
