@@ -43,7 +43,7 @@ void BodyMotion::step(const ImuReading* imu, const Attitude& attitude, const Sta
   if (!known_) start(attitude, feet);
   predict(imu, attitude, dt_s);
   for (const StandingFoot& foot : feet.feet())
-    if (foot.weight > 0.0) correct(foot, attitude.angular_velocity_rad_s, dt_s);
+    if (foot.weight > 0.0) correct(foot, attitude, dt_s);
   follow_height(attitude, feet, dt_s);
   in_flight_s_ = stands ? 0.0 : in_flight_s_ + dt_s;
   known_ = in_flight_s_ < kLongestFlight_s;
@@ -58,9 +58,12 @@ void BodyMotion::predict(const ImuReading* imu, const Attitude& attitude, double
   variance_m2_s2_ += dt_s * (imu != nullptr ? kImuDensity_m2_s3 : kUnknownDensity_m2_s3);
 }
 
-void BodyMotion::correct(const StandingFoot& foot, const Eigen::Vector3d& angular_velocity_rad_s,
-                         double dt_s) noexcept {
-  const Eigen::Vector3d seen_m_s = -foot.velocity_m_s - angular_velocity_rad_s.cross(foot.in_trunk_m);
+/// The ball of a foot that stands rolls: its centre moves by its radius times its own turning.
+void BodyMotion::correct(const StandingFoot& foot, const Attitude& attitude, double dt_s) noexcept {
+  const Eigen::Vector3d up = attitude.trunk_to_world.conjugate() * Eigen::Vector3d::UnitZ();
+  const Eigen::Vector3d turning_rad_s = attitude.angular_velocity_rad_s + foot.link_rate_rad_s;
+  const Eigen::Vector3d seen_m_s = foot.radius_m * turning_rad_s.cross(up) - foot.velocity_m_s -
+                                   attitude.angular_velocity_rad_s.cross(foot.in_trunk_m);
   const Eigen::Vector3d surprise_m_s = seen_m_s - velocity_m_s_;
   const double plausible_m_s = kPlausible_m_s + 3.0 * std::sqrt(variance_m2_s2_);
   const double pull = std::min(1.0, plausible_m_s / std::max(plausible_m_s, surprise_m_s.norm()));
@@ -87,10 +90,11 @@ void BodyEstimator::reset() noexcept {
   motion_.reset();
 }
 
-void BodyEstimator::step(const std::vector<EstimatedLeg>& legs, const Imu* imu, std::int64_t seq, double dt_s,
-                         EstimatedBody& out) noexcept {
+void BodyEstimator::step(const std::vector<EstimatedLeg>& legs,
+                         const std::vector<Eigen::Vector3d>& last_link_rates_rad_s, const Imu* imu,
+                         std::int64_t seq, double dt_s, EstimatedBody& out) noexcept {
   const ImuReading* const reading = imu_.update(has_imu_ ? imu : nullptr, seq, cycle_s_);
-  feet_.update(legs, dt_s);
+  feet_.update(legs, last_link_rates_rad_s, dt_s);
   attitude_.step(reading, feet_, dt_s);
   if (attitude_.known())
     motion_.step(reading, {attitude_.trunk_to_world(), attitude_.angular_velocity_rad_s()}, feet_, dt_s);

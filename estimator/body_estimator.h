@@ -15,9 +15,9 @@ namespace sprung {
 ///
 /// A Kalman filter whose noise has no direction, so that its variance is one number: specific force moves the
 /// velocity (without an IMU it is taken to go on as it is), each standing foot says -(its velocity) - w x
-/// (its place). A foot that disagrees by much, as one that slides, counts less. The height follows the
-/// vertical velocity and is held by the standing feet. In flight both go on for a while, and are then
-/// unknown.
+/// (its place), and what its ball has rolled. A foot that disagrees by much, as one that slides, counts less.
+/// The height follows the vertical velocity and is held by the standing feet. In flight both go on for a
+/// while, and are then unknown.
 class BodyMotion {
  public:
   void reset() noexcept;
@@ -37,7 +37,7 @@ class BodyMotion {
  private:
   void start(const Attitude& attitude, const StandingFeet& feet) noexcept;
   void predict(const ImuReading* imu, const Attitude& attitude, double dt_s) noexcept;
-  void correct(const StandingFoot& foot, const Eigen::Vector3d& angular_velocity_rad_s, double dt_s) noexcept;
+  void correct(const StandingFoot& foot, const Attitude& attitude, double dt_s) noexcept;
   void follow_height(const Attitude& attitude, const StandingFeet& feet, double dt_s) noexcept;
 
   bool known_ = false;
@@ -53,12 +53,13 @@ class BodyEstimator {
 
   /// Starts anew; heading goes on.
   void reset() noexcept;
-  /// @param legs of this cycle. @param imu newest sample, nullptr: none, as always without robot.body.imu;
+  /// @param legs of this cycle. @param last_link_rates_rad_s with them: what their feet roll with, seen from
+  /// the trunk, trunk axes. @param imu newest sample, nullptr: none, as always without robot.body.imu;
   /// its age is the difference of the seqs. Writes all of `out`; NaN: attitude until there was an IMU sample
   /// or three feet stood, velocity and height until a foot stands and when none has stood for half a second.
   /// Never NaN else.
-  void step(const std::vector<EstimatedLeg>& legs, const Imu* imu, std::int64_t seq, double dt_s,
-            EstimatedBody& out) noexcept;
+  void step(const std::vector<EstimatedLeg>& legs, const std::vector<Eigen::Vector3d>& last_link_rates_rad_s,
+            const Imu* imu, std::int64_t seq, double dt_s, EstimatedBody& out) noexcept;
   std::int64_t newest_imu_seq() const noexcept { return imu_.newest_seq(); }  ///< -1: none has come
 
  private:

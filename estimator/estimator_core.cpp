@@ -13,6 +13,7 @@ struct EstimatorCore::Impl {
       : actuator_count(robot.actuators.size()),
         cycle_s(robot.cycle_s),
         longest_gap_s(watchdogs.joint_state_s),
+        last_link_rates_rad_s(robot.legs.size()),
         answer(robot.joints.size(), robot.legs.size()) {
     for (const LegConfig& leg : robot.legs) legs.emplace_back(robot, leg, watchdogs.silent_cycles);
     if (robot.body.mass_kg > 0.0) body.emplace(robot);
@@ -30,9 +31,11 @@ struct EstimatorCore::Impl {
 
   void run(const DriveState& in, const Imu* imu) noexcept {
     const double dt_s = advance(in.stamp);
-    for (std::size_t i = 0; i < legs.size(); ++i)
+    for (std::size_t i = 0; i < legs.size(); ++i) {
       legs[i].step(in.actuators, dt_s, answer.joints, answer.legs[i]);
-    if (body) body->step(answer.legs, imu, in.stamp.seq, dt_s, answer.body);
+      last_link_rates_rad_s[i] = legs[i].last_link_rate_rad_s();
+    }
+    if (body) body->step(answer.legs, last_link_rates_rad_s, imu, in.stamp.seq, dt_s, answer.body);
     newest = answer.stamp = in.stamp;
     answer.used_drive_state_seq = in.stamp.seq;
     if (body) answer.used_imu_seq = body->newest_imu_seq();
@@ -43,7 +46,8 @@ struct EstimatorCore::Impl {
   double longest_gap_s;
   std::vector<LegEstimator> legs;
   std::optional<BodyEstimator> body;
-  Stamp newest;       ///< of the DRIVE_STATE that was answered last
+  std::vector<Eigen::Vector3d> last_link_rates_rad_s;  ///< of this cycle, one for each leg
+  Stamp newest;                                        ///< of the DRIVE_STATE that was answered last
   JointState answer;  ///< to it: only ever written, and given again when that cycle is repeated
   bool started = false;
 };

@@ -119,6 +119,7 @@ void LegEstimator::write_motion(EstimatedLeg& out) noexcept {
   jacobian_ = kinematics_->jacobian(pose_);
   out.estimated_foot_in_hip_m = to_vec3(kinematics_->foot_in_hip_m(pose_));
   out.estimated_foot_velocity_m_s = to_vec3(jacobian_ * velocity_rad_s_);
+  last_link_rate_rad_s_ = kinematics_->last_link_rate_rad_s(pose_, velocity_rad_s_);
 }
 
 void LegEstimator::write_force(std::vector<EstimatedJoint>& joints, EstimatedLeg& out) noexcept {

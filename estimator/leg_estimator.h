@@ -23,6 +23,8 @@ class LegEstimator {
   /// output is state. What is not known is NaN.
   void step(const std::vector<ActuatorState>& actuators, double dt_s, std::vector<EstimatedJoint>& joints,
             EstimatedLeg& out) noexcept;
+  /// Of this cycle: angular velocity of the last link, hip axes. Not finite where the joints are not known.
+  const Eigen::Vector3d& last_link_rate_rad_s() const noexcept { return last_link_rate_rad_s_; }
 
  private:
   void sample(const std::vector<ActuatorState>& actuators) noexcept;
@@ -50,6 +52,7 @@ class LegEstimator {
   JointVector external_torque_Nm_;  ///< until the next cycle, which begins with it; NaN: not known
   LegPose pose_;                    ///< of this cycle, as jacobian_
   LegJacobian jacobian_;
+  Eigen::Vector3d last_link_rate_rad_s_ = Eigen::Vector3d::Constant(kNaN);
 };
 
 }  // namespace sprung

@@ -20,7 +20,8 @@ constexpr double kLeastSpread_m = 0.03;
 
 StandingFeet::StandingFeet(const std::vector<LegConfig>& legs) : feet_(legs.size()) {
   for (const LegConfig& leg : legs)
-    legs_.push_back({to_eigen(leg.hip_in_trunk_m), std::max(1.0, kLoaded * leg.contact_on_N)});
+    legs_.push_back(
+        {to_eigen(leg.hip_in_trunk_m), std::max(1.0, kLoaded * leg.contact_on_N), leg.foot_radius_m});
 }
 
 void StandingFeet::reset() noexcept {
@@ -29,18 +30,23 @@ void StandingFeet::reset() noexcept {
   weight_ = 0.0;
 }
 
-void StandingFeet::update(const std::vector<EstimatedLeg>& legs, double dt_s) noexcept {
+void StandingFeet::update(const std::vector<EstimatedLeg>& legs,
+                          const std::vector<Eigen::Vector3d>& last_link_rates_rad_s, double dt_s) noexcept {
   for (std::size_t i = 0; i < legs_.size() && i < legs.size(); ++i)
-    update_foot(legs_[i], legs[i], dt_s, feet_[i]);
+    update_foot(legs_[i], legs[i], last_link_rates_rad_s[i], dt_s, feet_[i]);
   find_middle();
 }
 
-void StandingFeet::update_foot(Leg& leg, const EstimatedLeg& estimated, double dt_s,
+void StandingFeet::update_foot(Leg& leg, const EstimatedLeg& estimated,
+                               const Eigen::Vector3d& link_rate_rad_s, double dt_s,
                                StandingFoot& foot) const noexcept {
   foot.in_trunk_m = leg.hip_in_trunk_m + to_eigen(estimated.estimated_foot_in_hip_m);
   foot.velocity_m_s = to_eigen(estimated.estimated_foot_velocity_m_s);
+  foot.link_rate_rad_s = link_rate_rad_s;
+  foot.radius_m = leg.radius_m;
   const double load = estimated.foot_force_N[2] / leg.loaded_N;
-  const bool known = foot.in_trunk_m.allFinite() && foot.velocity_m_s.allFinite() && std::isfinite(load);
+  const bool known = foot.in_trunk_m.allFinite() && foot.velocity_m_s.allFinite() &&
+                     link_rate_rad_s.allFinite() && std::isfinite(load);
   if (!known || !estimated.contact) {
     leg.since_s = 0.0;
     foot = StandingFoot{};

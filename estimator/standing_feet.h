@@ -11,8 +11,10 @@ namespace sprung {
 
 struct StandingFoot {
   Eigen::Vector3d in_trunk_m = Eigen::Vector3d::Zero();
-  Eigen::Vector3d velocity_m_s = Eigen::Vector3d::Zero();  ///< as seen from the trunk
-  double weight = 0.0;                                     ///< how much it counts, 0..1; 0: it does not stand
+  Eigen::Vector3d velocity_m_s = Eigen::Vector3d::Zero();     ///< as seen from the trunk
+  Eigen::Vector3d link_rate_rad_s = Eigen::Vector3d::Zero();  ///< of the link that it is on, from the trunk
+  double radius_m = 0.0;
+  double weight = 0.0;  ///< how much it counts, 0..1; 0: it does not stand
 };
 
 class StandingFeet {
@@ -20,9 +22,11 @@ class StandingFeet {
   explicit StandingFeet(const std::vector<LegConfig>& legs);
 
   void reset() noexcept;
-  /// @param legs one for each leg. A foot counts for as much as its contact is sure and loaded, and fully
-  /// only some time after its touchdown, in which it slides and bounces.
-  void update(const std::vector<EstimatedLeg>& legs, double dt_s) noexcept;
+  /// @param legs one for each leg, as last_link_rates_rad_s (hip axes). A foot counts for as much as its
+  /// contact is sure and loaded, and fully only some time after its touchdown, in which it slides and
+  /// bounces.
+  void update(const std::vector<EstimatedLeg>& legs,
+              const std::vector<Eigen::Vector3d>& last_link_rates_rad_s, double dt_s) noexcept;
 
   const std::vector<StandingFoot>& feet() const noexcept { return feet_; }  ///< one for each leg
   double weight() const noexcept { return weight_; }                        ///< sum
@@ -40,9 +44,11 @@ class StandingFeet {
   struct Leg {
     Eigen::Vector3d hip_in_trunk_m;
     double loaded_N;       ///< a foot that carries this counts fully
+    double radius_m;       ///< of the foot
     double since_s = 0.0;  ///< since touchdown
   };
-  void update_foot(Leg& leg, const EstimatedLeg& estimated, double dt_s, StandingFoot& foot) const noexcept;
+  void update_foot(Leg& leg, const EstimatedLeg& estimated, const Eigen::Vector3d& link_rate_rad_s,
+                   double dt_s, StandingFoot& foot) const noexcept;
   void find_middle() noexcept;
 
   std::vector<Leg> legs_;

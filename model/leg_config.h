@@ -42,6 +42,9 @@ struct LegConfig {
   std::vector<LinkConfig> links;  ///< thigh, shank; kThreeJoint: hip link (sideways), thigh, shank
   /// Origin of the hip's axes, in trunk axes, from the middle of the hips.
   std::array<double, 3> hip_in_trunk_m{};
+  /// Of the ball about the end of the last link that stands on the ground. The foot of all kinematics is its
+  /// centre; 0 = the foot is a point.
+  double foot_radius_m = 0.0;
   double contact_on_N = 0.0;    ///< vertical foot force above which contact is declared
   double contact_off_N = 0.0;   ///< below which it is lost
   double contact_rise_s = 0.0;  ///< must last this long

@@ -54,6 +54,9 @@ class LegKinematics {
   virtual LegPose pose(const JointVector& position_rad) const noexcept = 0;
   virtual Eigen::Vector3d foot_in_hip_m(const LegPose& pose) const noexcept = 0;
   virtual LegJacobian jacobian(const LegPose& pose) const noexcept = 0;
+  /// Angular velocity of the last link, hip axes: a ball at its end rolls with it.
+  virtual Eigen::Vector3d last_link_rate_rad_s(const LegPose& pose,
+                                               const JointVector& velocity_rad_s) const noexcept = 0;
   /// J' q': what the foot accelerates by while the joints move evenly.
   virtual Eigen::Vector3d even_motion_acceleration_m_s2(const LegPose& pose,
                                                         const JointVector& velocity_rad_s) const noexcept = 0;

@@ -32,6 +32,11 @@ LegJacobian OneLink::jacobian(const LegPose& pose) const noexcept {
   return j;
 }
 
+Eigen::Vector3d OneLink::last_link_rate_rad_s(const LegPose& /*pose*/,
+                                              const JointVector& velocity_rad_s) const noexcept {
+  return {0.0, -velocity_rad_s[0], 0.0};
+}
+
 Eigen::Vector3d OneLink::even_motion_acceleration_m_s2(const LegPose& pose,
                                                        const JointVector& velocity_rad_s) const noexcept {
   return -velocity_rad_s[0] * velocity_rad_s[0] * foot_in_hip_m(pose);

@@ -20,6 +20,8 @@ class OneLink final : public LegKinematics {
   LegPose pose(const JointVector& position_rad) const noexcept override;
   Eigen::Vector3d foot_in_hip_m(const LegPose& pose) const noexcept override;
   LegJacobian jacobian(const LegPose& pose) const noexcept override;
+  Eigen::Vector3d last_link_rate_rad_s(const LegPose& pose,
+                                       const JointVector& velocity_rad_s) const noexcept override;
   Eigen::Vector3d even_motion_acceleration_m_s2(const LegPose& pose,
                                                 const JointVector& velocity_rad_s) const noexcept override;
   /// The angle toward the foot; unreachable when the foot is more than 1 mm off the arm's circle: a foot that

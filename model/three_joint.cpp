@@ -74,6 +74,12 @@ LegJacobian ThreeJoint::jacobian(const LegPose& pose) const noexcept {
   return j;
 }
 
+Eigen::Vector3d ThreeJoint::last_link_rate_rad_s(const LegPose& pose,
+                                                 const JointVector& velocity_rad_s) const noexcept {
+  const double in_plane_rad_s = velocity_rad_s[1] - velocity_rad_s[2];
+  return Eigen::Vector3d(velocity_rad_s[0], 0.0, 0.0) + abducted(pose.abduction, {0.0, in_plane_rad_s, 0.0});
+}
+
 /// That of the plane, what turning takes (toward the abduction axis), and Coriolis: sideways, where the foot
 /// moves up or down in the plane.
 Eigen::Vector3d ThreeJoint::even_motion_acceleration_m_s2(const LegPose& pose,

@@ -40,6 +40,8 @@ class ThreeJoint final : public LegKinematics {
   LegPose pose(const JointVector& position_rad) const noexcept override;
   Eigen::Vector3d foot_in_hip_m(const LegPose& pose) const noexcept override;
   LegJacobian jacobian(const LegPose& pose) const noexcept override;
+  Eigen::Vector3d last_link_rate_rad_s(const LegPose& pose,
+                                       const JointVector& velocity_rad_s) const noexcept override;
   Eigen::Vector3d even_motion_acceleration_m_s2(const LegPose& pose,
                                                 const JointVector& velocity_rad_s) const noexcept override;
   /// Of the two abductions that reach a foot (leg's plane with the foot below or above O) the one nearer to

@@ -55,6 +55,11 @@ LegJacobian TwoLink::jacobian(const LegPose& pose) const noexcept {
   return j;
 }
 
+Eigen::Vector3d TwoLink::last_link_rate_rad_s(const LegPose& /*pose*/,
+                                              const JointVector& velocity_rad_s) const noexcept {
+  return {0.0, velocity_rad_s[0] - velocity_rad_s[1], 0.0};
+}
+
 Eigen::Vector3d TwoLink::even_motion_acceleration_m_s2(const LegPose& pose,
                                                        const JointVector& velocity_rad_s) const noexcept {
   const double shank_rad_s = velocity_rad_s[0] - velocity_rad_s[1];

@@ -109,6 +109,7 @@ void read_geometry(const YamlMap& map, LegConfig& leg) {
   }
   require_count(map, "joints", leg.joints.size(), shape, shape.joint_names);
   require_count(map, "links", leg.links.size(), shape, shape.link_names);
+  leg.foot_radius_m = map.quantity_or("foot_radius", "m", 0.0, 0.2, 0.0);
   const YamlMap contact = map.map("contact");
   leg.contact_on_N = contact.quantity("on", "N", 0.1, 1e4);
   leg.contact_off_N = contact.quantity("off", "N", 0.0, leg.contact_on_N);

@@ -21,6 +21,7 @@ BodyShape::BodyShape(const RobotConfig& robot)
   for (std::size_t i = 0; i < legs; ++i) {
     const LegConfig& leg = robot.legs[i];
     hip_in_trunk_m[i] = to_eigen(leg.hip_in_trunk_m);
+    foot_radius_m[i] = leg.foot_radius_m;
     side[i] = leg.hip_in_trunk_m[1] >= 0.0 ? 1.0 : -1.0;
     const bool sideways = leg.kinematics == kThreeJoint;
     foot_beside_hip_m[i].setZero();

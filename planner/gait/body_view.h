@@ -18,6 +18,7 @@ struct BodyShape {
   std::array<Eigen::Vector3d, kMostLegs> hip_in_trunk_m{};
   /// Foot of a leg that stands straight under its hip, from the hip: sideways by the leg's own offset.
   std::array<Eigen::Vector3d, kMostLegs> foot_beside_hip_m{};
+  std::array<double, kMostLegs> foot_radius_m{};
   std::array<double, kMostLegs> side{};  ///< +1 left, -1 right
 
   Eigen::Vector3d com_in_trunk_m(const JointState& in) const noexcept;

@@ -10,12 +10,22 @@ constexpr double kStumbleTo = 0.6;     // later it is on its way down: then cont
 constexpr double kLateAfter_s = 0.02;  // contact is felt a little after it is made
 /// A swing that accelerates hard looks like contact for some 10 ms (docs/locomotion.md, "What is weak").
 constexpr double kStumbleFor_s = 0.02;
+constexpr double kLeastHeight_m = 0.05;     // of the hip over a standing foot; lower, nothing walks
 constexpr double kClearance_m = 0.02;       // that a stumble adds to the lift
 constexpr double kClearanceRate_m_s = 0.2;  // so that the foot is not jerked
 
 /// Of a place on the ground, as the body sees it.
 Eigen::Vector3d ground_m_s(const StepPlan& plan, const Eigen::Vector3d& place_m) noexcept {
   return -plan.body_m_s - Eigen::Vector3d(0.0, 0.0, plan.turning_rad_s).cross(place_m);
+}
+
+/// Of the centre of a standing foot's ball, as the body sees it. The leg turns about where the ball touches
+/// the ground, and so takes the centre along: radius over height of the hip as fast as the hip.
+Eigen::Vector3d standing_m_s(const StepPlan& plan, const Eigen::Vector3d& foot_m) noexcept {
+  Eigen::Vector3d out = ground_m_s(plan, foot_m);
+  const double height_m = std::max(kLeastHeight_m, -foot_m.z());
+  out.head<2>() *= height_m / (height_m + plan.foot_radius_m);
+  return out;
 }
 
 }  // namespace
@@ -54,7 +64,7 @@ bool LegStep::step(const StepPlan& plan, const Eigen::Vector3d& foot_m, const Ei
                    bool contact) noexcept {
   in_phase_s_ += plan.dt_s;
   if (stands()) {
-    wanted_m_s_ = ground_m_s(plan, wanted_m_);
+    wanted_m_s_ = standing_m_s(plan, wanted_m_);
     wanted_m_ += wanted_m_s_ * plan.dt_s;
     return false;
   }
@@ -71,7 +81,7 @@ bool LegStep::step(const StepPlan& plan, const Eigen::Vector3d& foot_m, const Ei
   if (!landed(plan, contact)) return false;
   const bool gave_up = gave_up_;
   stand(foot_m);
-  wanted_m_s_ = ground_m_s(plan, foot_m);
+  wanted_m_s_ = standing_m_s(plan, foot_m);
   gave_up_ = gave_up;
   return true;
 }

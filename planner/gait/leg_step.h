@@ -25,6 +25,8 @@ struct StepPlan {
   double turning_rad_s = 0.0;
   double ground_z_m = 0.0;  ///< expected, of a foot that leaves now
   double sunk_m = 0.0;      ///< of the trunk against the standing feet, in this cycle
+  /// Of a foot's ball: while it stands it rolls after the body.
+  double foot_radius_m = 0.0;
 
   double approach_m_s() const noexcept {
     return gait->approach_m_s > 0.0 ? gait->approach_m_s : law->approach_m_s;

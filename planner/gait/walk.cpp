@@ -262,9 +262,10 @@ void Walk::step_legs(const JointState& in, double dt_s) noexcept {
   for (std::size_t i = 0; i < shape_.legs; ++i)
     waits_ = waits_ || (clock_.swings(i) && clock_.swing_share(i) >= 1.0 && !steps_[i].stands());
   clock_.advance(waits_ ? 0.0 : dt_s);
-  const StepPlan plan{&gait(),        &law_,         request_.control, dt_s, clock_.swing_s(), body_m_s_,
-                      turning_rad_s_, ground_.z_m(), ground_.sunk_m()};
+  StepPlan plan{&gait(),        &law_,         request_.control, dt_s, clock_.swing_s(), body_m_s_,
+                turning_rad_s_, ground_.z_m(), ground_.sunk_m()};
   for (std::size_t i = 0; i < shape_.legs; ++i) {
+    plan.foot_radius_m = shape_.foot_radius_m[i];
     if (clock_.swings(i) && steps_[i].stands()) steps_[i].lift(view_.foot_m[i]);
     if (!steps_[i].step(plan, view_.foot_m[i], foothold_m(i), touches(i, in.legs[i]))) continue;
     clock_.land(i);

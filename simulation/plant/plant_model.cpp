@@ -101,6 +101,15 @@ int height_qpos(const mjModel& model, int base_body) {
   return model.jnt_qposadr[require(model, mjOBJ_JOINT, "rail_z")];
 }
 
+/// What is only to be seen meets nothing: contype and conaffinity 0, and no pair names it.
+bool meets_anything(const mjModel& model, int geom) {
+  if (model.geom_contype[geom] != 0 || model.geom_conaffinity[geom] != 0) return true;
+  for (int pair = 0; pair < model.npair; ++pair) {
+    if (model.pair_geom1[pair] == geom || model.pair_geom2[pair] == geom) return true;
+  }
+  return false;
+}
+
 PlantIndex find_parts(const mjModel& model, const RobotConfig& robot) {
   PlantIndex index;
   index.base_body = require(model, mjOBJ_BODY, "base");
@@ -123,7 +132,8 @@ PlantIndex find_parts(const mjModel& model, const RobotConfig& robot) {
   }
   for (int geom = 0; geom < model.ngeom; ++geom) {
     const bool moves = model.body_weldid[model.geom_bodyid[geom]] != 0;
-    if (moves && model.geom_type[geom] == mjGEOM_SPHERE) index.ground_geom.push_back(geom);
+    if (moves && model.geom_type[geom] == mjGEOM_SPHERE && meets_anything(model, geom))
+      index.ground_geom.push_back(geom);
   }
   return index;
 }

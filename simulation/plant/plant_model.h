@@ -40,7 +40,7 @@ struct PlantIndex {
   std::vector<Linkage> linkages;
   std::vector<int> foot_geom;       ///< of RobotConfig::legs
   std::vector<int> leg_floor_geom;  ///< `<leg>_floor`, else floor_geom
-  std::vector<int> ground_geom;  ///< every sphere of a moving body, feet among them: what the ground can push
+  std::vector<int> ground_geom;     ///< spheres of moving bodies that may meet a floor, feet among them
 };
 
 struct PlantModel {

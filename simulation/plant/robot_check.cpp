@@ -109,6 +109,7 @@ class Check {
   void check_axis(std::size_t leg, std::size_t k, const Vector3d& expected);
   void check_link(std::size_t leg, std::size_t k, const Vector3d& link, const Vector3d& expected);
   void check_link_mass(std::size_t leg, std::size_t k);
+  void check_foot(std::size_t index);
   void check_hips();
   void check_trunk();
   void check_lengths_to_stand_at();
@@ -186,6 +187,16 @@ void Check::check_leg(std::size_t index) {
     check_link(index, k, at[k + 1] - at[k], zero.links[k]);
     check_link_mass(index, k);
   }
+  check_foot(index);
+}
+
+void Check::check_foot(std::size_t index) {
+  const LegConfig& leg = robot_.legs[index];
+  const double there_m = row(model_->geom_size, id(mjOBJ_GEOM, leg.name + "_foot"), 3)[0];
+  if (std::abs(there_m - leg.foot_radius_m) > tolerance_.length_m)
+    add(leg.name + "'s foot has a radius of", quantity(leg.foot_radius_m, "m"),
+        place(leg_path(index) + ".foot_radius"), quantity(there_m, "m"),
+        places_.of("geom", leg.name + "_foot"));
 }
 
 void Check::check_axis(std::size_t leg, std::size_t k, const Vector3d& expected) {

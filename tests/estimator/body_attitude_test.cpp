@@ -26,7 +26,7 @@ class BodyAttitudeTest : public testing::Test {
   void step(Source source) {
     time_s_ += 0.002;
     ++seq_;
-    feet_.update(trunk_.legs(time_s_), 0.002);
+    feet_.update(trunk_.legs(time_s_), trunk_.link_rates_rad_s(time_s_), 0.002);
     Imu sample = trunk_.imu(time_s_, seq_, imu_yaw_rad_);
     if (source == Source::kRates) sample.status = ImuStatus::kNoAttitude;
     const ImuReading* reading = source == Source::kNone ? nullptr : imu_.update(&sample, seq_, 0.002);

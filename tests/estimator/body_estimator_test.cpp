@@ -60,7 +60,7 @@ class BodyEstimatorTest : public testing::Test {
     return imu;
   }
   const EstimatedBody& step(const Imu* imu) {
-    estimator_.step(trunk_.legs(time_s_), imu, seq_, kCycle_s, body_);
+    estimator_.step(trunk_.legs(time_s_), trunk_.link_rates_rad_s(time_s_), imu, seq_, kCycle_s, body_);
     return body_;
   }
   void next() {
@@ -169,7 +169,7 @@ TEST_F(BodyEstimatorTest, RobotWithoutAnImuIgnoresOne) {
   trunk_.robot.body.imu = false;
   BodyEstimator estimator(trunk_.robot);
   const Imu imu = noisy_imu();
-  estimator.step(trunk_.legs(time_s_), &imu, seq_, kCycle_s, body_);
+  estimator.step(trunk_.legs(time_s_), trunk_.link_rates_rad_s(time_s_), &imu, seq_, kCycle_s, body_);
   EXPECT_FALSE(body_.uses_imu);
 }
 
@@ -196,7 +196,8 @@ TEST_F(BodyEstimatorTest, OnceKnownNoInputMakesANumberThatIsNone) {
     if (dice(random_) == 0) imu.status = static_cast<ImuStatus>(dice(random_) % 4);
     std::vector<EstimatedLeg> legs = trunk_.legs(time_s_);
     if (dice(random_) == 0) legs[dice(random_) % 4] = EstimatedLeg{};
-    estimator_.step(legs, dice(random_) < 3 ? nullptr : &imu, seq_, kCycle_s, body_);
+    estimator_.step(legs, trunk_.link_rates_rad_s(time_s_), dice(random_) < 3 ? nullptr : &imu, seq_,
+                    kCycle_s, body_);
     for (const double value : body_.estimated_quaternion_wxyz) ASSERT_TRUE(std::isfinite(value)) << k;
     for (const double value : body_.estimated_angular_velocity_rad_s) ASSERT_TRUE(std::isfinite(value)) << k;
     for (const double value : body_.estimated_velocity_m_s) ASSERT_TRUE(std::isfinite(value)) << k;
@@ -212,11 +213,12 @@ TEST_F(BodyEstimatorTest, SameInputsGiveTheSameBitsAndNothingIsAllocated) {
     next();
     const Imu imu = noisy_imu();
     const std::vector<EstimatedLeg> legs = trunk_.legs(time_s_);
+    const std::vector<Eigen::Vector3d> rates_rad_s = trunk_.link_rates_rad_s(time_s_);
     const Imu* const given = k % 100 < 70 ? &imu : nullptr;
     const std::int64_t before = test::allocation_count();
-    estimator_.step(legs, given, seq_, kCycle_s, body_);
+    estimator_.step(legs, rates_rad_s, given, seq_, kCycle_s, body_);
     EXPECT_EQ(test::allocation_count(), before);
-    other.step(legs, given, seq_, kCycle_s, twin);
+    other.step(legs, rates_rad_s, given, seq_, kCycle_s, twin);
     ASSERT_EQ(
         std::memcmp(&body_.estimated_quaternion_wxyz, &twin.estimated_quaternion_wxyz, 4 * sizeof(double)),
         0);

@@ -19,7 +19,7 @@ class BodyMotionTest : public testing::Test {
   void step(bool imu) {
     time_s_ += 0.002;
     ++seq_;
-    feet_.update(trunk_.legs(time_s_), 0.002);
+    feet_.update(trunk_.legs(time_s_), trunk_.link_rates_rad_s(time_s_), 0.002);
     const Imu sample = trunk_.imu(time_s_, seq_);
     motion_.step(imu ? imu_.update(&sample, seq_, 0.002) : nullptr,
                  {trunk_.pose(time_s_).to_world, trunk_.angular_velocity_rad_s(time_s_)}, feet_, 0.002);
@@ -97,6 +97,23 @@ TEST_F(BodyMotionTest, WithoutImuAFlightKeepsTheLastVelocityForAsLong) {
   EXPECT_FALSE(motion_.known());
 }
 
+TEST_F(BodyMotionTest, FeetThatRollSayTheSameAsPoints) {
+  const auto velocity_m_s = [this] {
+    time_s_ = 0.0;
+    seq_ = 0;
+    motion_.reset();
+    feet_.reset();
+    run(false, 0.5);
+    return motion_.velocity_m_s();
+  };
+  const Eigen::Vector3d points_m_s = velocity_m_s();
+  for (LegConfig& leg : trunk_.robot.legs) leg.foot_radius_m = 0.02;
+  trunk_.link_turning_rad_s = {0.4, 2.0, 0.1};  // the balls' centres go at 40 mm/s
+  EXPECT_GT((velocity_m_s() - points_m_s).norm(), 0.03) << "whoever takes them for points";
+  feet_ = StandingFeet(trunk_.robot.legs);
+  EXPECT_LT((velocity_m_s() - points_m_s).norm(), 1e-6);
+}
+
 TEST_F(BodyMotionTest, AFootThatSlidesCountsLess) {
   run(true, 0.5);
   for (int k = 0; k < 100; ++k) {
@@ -104,7 +121,7 @@ TEST_F(BodyMotionTest, AFootThatSlidesCountsLess) {
     ++seq_;
     std::vector<EstimatedLeg> legs = trunk_.legs(time_s_);
     legs[2].estimated_foot_velocity_m_s[1] += 1.0;
-    feet_.update(legs, 0.002);
+    feet_.update(legs, trunk_.link_rates_rad_s(time_s_), 0.002);
     const Imu sample = trunk_.imu(time_s_, seq_);
     motion_.step(imu_.update(&sample, seq_, 0.002),
                  {trunk_.pose(time_s_).to_world, trunk_.angular_velocity_rad_s(time_s_)}, feet_, 0.002);

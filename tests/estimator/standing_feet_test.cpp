@@ -14,7 +14,7 @@ class StandingFeetTest : public testing::Test {
  protected:
   /// Long enough for every foot that stands to count fully.
   const StandingFeet& settle(double t = 0.0) {
-    for (int k = 0; k < 50; ++k) feet_.update(trunk_.legs(t), 0.002);
+    for (int k = 0; k < 50; ++k) feet_.update(trunk_.legs(t), trunk_.link_rates_rad_s(t), 0.002);
     return feet_;
   }
   static TrunkPose pose(double t) {
@@ -24,8 +24,17 @@ class StandingFeetTest : public testing::Test {
   StandingFeet feet_{trunk_.robot.legs};
 };
 
+TEST_F(StandingFeetTest, AFootWhoseLinkTurnsNobodyKnowsHowDoesNotStand) {
+  settle();
+  std::vector<Eigen::Vector3d> rates_rad_s = trunk_.link_rates_rad_s(0.0);
+  rates_rad_s[1].y() = kNaN;
+  feet_.update(trunk_.legs(0.0), rates_rad_s, 0.002);
+  EXPECT_EQ(feet_.feet()[1].weight, 0.0);
+  EXPECT_EQ(feet_.count(), 3);
+}
+
 TEST_F(StandingFeetTest, FootGainsItsWeightAfterTouchdownAndLosesItAtOnce) {
-  feet_.update(trunk_.legs(0), 0.002);
+  feet_.update(trunk_.legs(0), trunk_.link_rates_rad_s(0), 0.002);
   const double first = feet_.feet()[0].weight;
   EXPECT_GT(first, 0.0);
   EXPECT_LT(first, 0.1);
@@ -34,7 +43,7 @@ TEST_F(StandingFeetTest, FootGainsItsWeightAfterTouchdownAndLosesItAtOnce) {
   EXPECT_DOUBLE_EQ(feet_.feet()[0].weight, 1.0);
   EXPECT_EQ(feet_.count(), 4);
   trunk_.stands[0] = false;
-  feet_.update(trunk_.legs(0), 0.002);
+  feet_.update(trunk_.legs(0), trunk_.link_rates_rad_s(0), 0.002);
   EXPECT_EQ(feet_.feet()[0].weight, 0.0);
   EXPECT_EQ(feet_.count(), 3);
 }
@@ -44,7 +53,7 @@ TEST_F(StandingFeetTest, FootThatHardlyCarriesHardlyCounts) {
   std::vector<EstimatedLeg> legs = trunk_.legs(0);
   legs[0].foot_force_N[2] = 4.0;
   legs[1].contact_confidence = 0.5;
-  feet_.update(legs, 0.002);
+  feet_.update(legs, trunk_.link_rates_rad_s(0.0), 0.002);
   EXPECT_NEAR(feet_.feet()[0].weight, 0.1, 1e-12);
   EXPECT_NEAR(feet_.feet()[1].weight, 0.5, 1e-12);
 }
@@ -55,7 +64,7 @@ TEST_F(StandingFeetTest, FootThatIsNotKnownDoesNotStand) {
   legs[0].estimated_foot_in_hip_m[1] = kNaN;
   legs[1].estimated_foot_velocity_m_s[0] = kNaN;
   legs[2].foot_force_N[2] = kNaN;
-  feet_.update(legs, 0.002);
+  feet_.update(legs, trunk_.link_rates_rad_s(0.0), 0.002);
   EXPECT_EQ(feet_.count(), 1);
   EXPECT_TRUE(feet_.angular_velocity_rad_s().allFinite());
   EXPECT_TRUE(feet_.tilt_error_rad(Eigen::Quaterniond::Identity()).allFinite());

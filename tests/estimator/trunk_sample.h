@@ -49,6 +49,8 @@ class TrunkSample {
       {0.33, 0.2, 0}, {0.33, -0.2, 0}, {-0.33, 0.2, 0}, {-0.33, -0.2, 0}};
   std::vector<bool> stands{true, true, true, true};
   double foot_noise_m_s = 0.0;
+  /// Of all last links, world axes: what their feet roll with, by the radius in `robot`.
+  Eigen::Vector3d link_turning_rad_s = Eigen::Vector3d::Zero();
 
   TrunkPose pose(double t) const { return motion_(t); }
   Eigen::Vector3d velocity_world(double t) const {
@@ -87,6 +89,10 @@ class TrunkSample {
     }
     return out;
   }
+  std::vector<Eigen::Vector3d> link_rates_rad_s(double t) const {
+    const Eigen::Vector3d turning_rad_s = pose(t).to_world.conjugate() * link_turning_rad_s;
+    return std::vector<Eigen::Vector3d>(4, turning_rad_s - angular_velocity_rad_s(t));
+  }
   /// @param yaw_rad of the IMU's own world against ours.
   Imu imu(double t, std::int64_t seq, double yaw_rad = 0.0) const {
     Imu out;
@@ -103,7 +109,9 @@ class TrunkSample {
   static constexpr double kStep_s = 1e-5;
   Eigen::Vector3d in_trunk(std::size_t i, double t) const {
     const TrunkPose at = pose(t);
-    return at.to_world.conjugate() * (feet_in_world_m[i] - at.in_world_m);
+    const Eigen::Vector3d rolled_m = t * robot.legs[i].foot_radius_m *
+                                     link_turning_rad_s.cross(Eigen::Vector3d::UnitZ());
+    return at.to_world.conjugate() * (feet_in_world_m[i] + rolled_m - at.in_world_m);
   }
   Motion motion_;
   std::mt19937 random_{1};

@@ -46,6 +46,19 @@ class ThreeJointTest : public testing::Test {
   std::mt19937 random_{11};
 };
 
+TEST_F(ThreeJointTest, TheLastLinkTurnsAsItsEndMovesAboutTheKnee) {
+  LegConfig config = test::pegasus_leg(LegSide::kLeft);
+  config.links[0].length_m = 0.0;
+  config.links[1].length_m = 1e-9;  // the knee at the hip
+  const ThreeJoint leg(config);
+  for (int i = 0; i < 50; ++i) {
+    const JointVector at = random(2.0), w = random(3.0);
+    const Eigen::Vector3d turning_rad_s = leg.last_link_rate_rad_s(leg.pose(at), w);
+    const Eigen::Vector3d end_m_s = leg.jacobian(at) * w;
+    EXPECT_TRUE(end_m_s.isApprox(turning_rad_s.cross(leg.foot_in_hip_m(at)), 1e-6));
+  }
+}
+
 TEST_F(ThreeJointTest, NeedsThreeJointsAndThreeLinks) {
   LegConfig leg = test::pegasus_leg(LegSide::kLeft);
   leg.links.pop_back();

@@ -122,12 +122,13 @@ inline void dump_value(test::ValueDump& dump, const std::string& at, const LinkC
 }
 
 inline void dump_value(test::ValueDump& dump, const std::string& at, const LegConfig& value) {
-  const auto& [name, kinematics, side, joints, actuators, transmission, links, hip, on, off, rise,
+  const auto& [name, kinematics, side, joints, actuators, transmission, links, hip, radius, on, off, rise,
                fall] = value;
   dump.fields(at,
-              "name kinematics side joints actuators transmission links hip_in_trunk_m contact_on_N "
-              "contact_off_N contact_rise_s contact_fall_s",
-              name, kinematics, side, joints, actuators, transmission, links, hip, on, off, rise, fall);
+              "name kinematics side joints actuators transmission links hip_in_trunk_m foot_radius_m "
+              "contact_on_N contact_off_N contact_rise_s contact_fall_s",
+              name, kinematics, side, joints, actuators, transmission, links, hip, radius, on, off, rise,
+              fall);
 }
 
 inline void dump_value(test::ValueDump& dump, const std::string& at, const WatchdogConfig& value) {

@@ -37,7 +37,8 @@ constexpr const char* kNoLimits[] = {
     R"(actuators\[\]\.(identity\..*|node|gear_ratio|direction|torque_constant|encoder_counts|pole_pairs))",
     R"(actuators\[\]\.(offset|link_encoder\..*|reference\..*|speed_limit_object|position_limits_object))",
     R"(joints\[\]\.(armature|coulomb_friction|friction\..*|identified\..*|uncertainty\..*))",
-    R"(legs\[\]\.(hip_in_trunk\..|links\[\]\..*|transmission))", R"(body\.(mass|com\..|inertia\..))",
+    R"(legs\[\]\.(hip_in_trunk\..|links\[\]\..*|transmission|foot_radius))",
+    R"(body\.(mass|com\..|inertia\..))",
     // gains, and what contact is
     R"(actuators\[\]\.(position_loop\..*|safety_damping))", R"(legs\[\]\.contact\..*)",
     // gaits as data; one that stands goes nowhere already

@@ -49,7 +49,7 @@ Jump jump(SimMaster& master) {
   for (int ms = 1; ms <= 800 && result.touchdown_ms == 0; ++ms) {
     hold_length(master, jump_length_m(1e-3 * ms));
     const SimTruth& truth = master.sim.truth();
-    const bool in_air = truth.legs[0].true_foot_in_world_m[2] > 0.001;
+    const bool in_air = truth.legs[0].true_foot_in_world_m[2] > 0.02;  // its radius
     if (ms < 200 && !in_air) take_off_m = truth.base_in_world_m[2];
     if (ms > 200 && !in_air) result.touchdown_ms = ms;
     result.height_m = std::max(result.height_m, truth.base_in_world_m[2] - take_off_m);

@@ -53,7 +53,8 @@ inline std::string without_feet(const std::string& yaml) {
     if (section == "body" || section == "gaits" || section == "presets") continue;
     const bool of_feet = section == "legs" &&
                          (line.find("    side:") == 0 || line.find("    links:") == 0 ||
-                          line.find("      - {length:") == 0 || line.find("    contact:") == 0);
+                          line.find("      - {length:") == 0 || line.find("    contact:") == 0 ||
+                          line.find("    foot_radius:") == 0);
     if (of_feet) continue;
     const std::size_t at = section == "legs" ? line.find("kinematics:") : std::string::npos;
     out += (at == std::string::npos ? line : line.substr(0, at) + "kinematics: none") + "\n";

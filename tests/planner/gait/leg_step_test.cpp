@@ -78,6 +78,14 @@ TEST_F(LegStepTest, StandingFootIsCarriedAlongAsTheBodyMovesOverIt) {
   EXPECT_NEAR(leg_.in_phase_s(), 0.002, 1e-15);
 }
 
+TEST_F(LegStepTest, StandingFootRollsAfterTheBodyByItsShareOfTheHipsHeight) {
+  plan_.foot_radius_m = 0.02;
+  cycle();
+  const double height_m = -kPlace_m.z();
+  EXPECT_NEAR(leg_.wanted_m_s().x(), -0.3 * height_m / (height_m + 0.02), 1e-12);
+  EXPECT_EQ(leg_.wanted_m_s().z(), 0.0);
+}
+
 TEST_F(LegStepTest, FootThatStoodBeforeSaysSinceWhen) {
   leg_.stand(kPlace_m, 0.1);
   cycle();

@@ -199,7 +199,7 @@ TEST_F(ExperimenterTest, ResetEndsPushAndSuspension) {
   run(40);
   SimTruth truth(2, 1);
   train_.plant().fill_truth(truth);
-  EXPECT_LT(truth.base_in_world_m[2], 0.31);
+  EXPECT_LT(truth.base_in_world_m[2], 0.33);
   EXPECT_LT(truth.base_velocity_m_s[2], 0.0);  // sags
 }
 

@@ -64,6 +64,15 @@ TEST_F(RobotCheck, AShank10cmShortInTheModelIsNamedWithItsLine) {
   EXPECT_THAT(all, Contains(AllOf(HasSubstr("0.3 m in"), HasSubstr("0.2 m in"), HasSubstr(at("model.xml")))));
 }
 
+TEST_F(RobotCheck, AFootOfAnotherRadiusIsNamed) {
+  change("robot.yaml", "    foot_radius: 0.02 m", "    foot_radius: 0.03 m");
+  const auto all = found();
+  EXPECT_THAT(all, testing::SizeIs(4));  // the leg and its images
+  EXPECT_THAT(all,
+              Contains(AllOf(HasSubstr("fl's foot has a radius of: 0.03 m in "), HasSubstr(at("robot.yaml")),
+                             HasSubstr(", 0.02 m in "), ContainsRegex("model.xml:[0-9]+$"))));
+}
+
 TEST_F(RobotCheck, ALegOnTheWrongSideIsNamed) {
   change("robot.yaml", "  - name: fl\n    kinematics: three_joint\n    side: left",
          "  - name: fl\n    kinematics: three_joint\n    side: right");

@@ -114,7 +114,7 @@ void run_stepping(const RobotConfig& robot, const std::string& preset, const Sim
   script.seed = sim.seed;
   script.steps = steps;
   SimOptions suspended = sim;
-  suspended.plant["suspended"] = script.hip_height_m;
+  suspended.plant["suspended"] = script.hip_height_m + robot.legs.front().foot_radius_m;
   SteppingLeg stepping(script);
   InProcessRobot process(robot, preset, suspended);
   process.command_legs_by([&](const JointState& in, LegCommand& out) { stepping.command(in, out); });

@@ -18,14 +18,16 @@ constexpr GaitControl kControls[] = {GaitControl::kHybrid, GaitControl::kPreStan
 /// Moves the ground under each foot that is above all of it, once in each swing.
 class MovingGround {
  public:
-  MovingGround(std::uint64_t seed, std::size_t legs) : seed_(seed), up_(legs, false), steps_(legs, 0) {}
+  MovingGround(std::uint64_t seed, const std::vector<LegConfig>& legs)
+      : seed_(seed), legs_(legs), up_(legs.size(), false), steps_(legs.size(), 0) {}
 
   void notice(InProcessRobot& robot) {
     for (std::size_t i = 0; i < up_.size(); ++i) {
       const TrueLeg& leg = robot.truth().legs[i];
       // A foot that bounces as it lands is above the ground too: whoever has just felt it must not lose it.
       const bool swings = robot.motion_state().legs[i].phase == LegPhase::kSwing;
-      const bool above = swings && leg.true_foot_in_world_m[2] > kError_m + kClearOfGround_m;
+      const double lowest_m = leg.true_foot_in_world_m[2] - legs_[i].foot_radius_m;
+      const bool above = swings && lowest_m > kError_m + kClearOfGround_m;
       if (above && !up_[i]) set(robot, i, error_m(i));
       // A foot that is down has its next swing before it.
       if (above || leg.true_contact_force_N[2] > 0.0) up_[i] = above;
@@ -46,6 +48,7 @@ class MovingGround {
   }
 
   const std::uint64_t seed_;
+  const std::vector<LegConfig>& legs_;
   std::vector<bool> up_;
   std::vector<int> steps_;
 };
@@ -54,7 +57,7 @@ SimOptions plant_of(const RobotConfig& robot, const GroundErrorTask& task, const
   if (!config.held) return lying(task.sim);
   SimOptions sim = task.sim;
   sim.plant["lying"] = 0.0;
-  sim.plant["suspended"] = robot.preset(task.preset).stand_length_m;
+  sim.plant["suspended"] = robot.preset(task.preset).stand_length_m + robot.legs.front().foot_radius_m;
   return sim;
 }
 
@@ -167,7 +170,7 @@ GroundOutcome step_on_errors(const RobotConfig& given, const GroundErrorTask& ta
   const RobotConfig robot = robot_for(given, config);
   WalkingRobot walker(robot, task.preset, plant_of(robot, task, config));
   walker.walk(config.gait, {config.speed_m_s, 0.0, 0.0}, control);
-  MovingGround ground(task.sim.seed, robot.legs.size());
+  MovingGround ground(task.sim.seed, robot.legs);
   StepScore score(robot);
   GroundOutcome out;
   out.name = config.name;

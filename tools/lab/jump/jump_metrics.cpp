@@ -26,7 +26,7 @@ JumpMetrics::JumpMetrics(const RobotConfig& robot, double floor_m)
       knee_(measured_joint(robot, "knee")),
       folded_knee_rad_(robot.joints[knee_].position_max_rad - kStopMargin_rad),
       cycle_s_(robot.cycle_s),
-      floor_m_(floor_m) {}
+      standing_foot_m_(floor_m + robot.legs.front().foot_radius_m) {}
 
 void JumpMetrics::add(const MotionState& motion, const JointState& joints, const SimTruth& truth,
                       const LegCommand* desired) {
@@ -95,7 +95,7 @@ void JumpMetrics::follow_push_off(const JointState& joints, const SimTruth& trut
 }
 
 void JumpMetrics::follow_flight(const SimTruth& truth) {
-  const bool on_floor = lowest_foot_m(truth) <= floor_m_;
+  const bool on_floor = lowest_foot_m(truth) <= standing_foot_m_;
   const double height_m = truth.base_in_world_m[2];
   const std::int64_t now_us = truth.stamp.utime_us;
   if (span_ == Span::kGround && !on_floor) {

@@ -70,7 +70,7 @@ class JumpMetrics {
   std::size_t knee_;
   double folded_knee_rad_;
   double cycle_s_;
-  double floor_m_;
+  double standing_foot_m_;  ///< height of a foot that just touches the floor
   std::vector<JumpResult> jumps_;
   Span span_ = Span::kNone;
   MotionPhase last_phase_ = MotionPhase::kIdle;

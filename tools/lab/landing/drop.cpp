@@ -57,7 +57,7 @@ RunScript drop_script(const RobotConfig& robot, const std::string& preset, const
   const std::int64_t release = release_cycle(robot, preset);
   const double expected_s = expected_fall_s(p, drop);
   RunScript script{robot, preset, sim, {}, 0};
-  script.sim.plant["suspended"] = p.stand_length_m + drop.height_m;
+  script.sim.plant["suspended"] = p.stand_length_m + robot.legs.front().foot_radius_m + drop.height_m;
   script.controls = {control(SimControlKind::kFloor, kHangCycle, floor_height_m(expected_s, drop)),
                      control(SimControlKind::kSuspend, release, 0.0)};
   script.commands = {scripted(OperatorKind::kStand, kHangCycle), scripted(OperatorKind::kLand, release)};

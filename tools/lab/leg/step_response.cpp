@@ -87,7 +87,6 @@ constexpr double kCentre_s = 2.0;           // compliance; the foot slides under
 constexpr double kPress_s = 2.8;            // kBefore_N alone
 constexpr double kStep_s = 3.5;
 constexpr double kEnd_s = 4.0;
-constexpr double kFootRadius_m = 0.001;  // of model.xml: its centre is where the foot is
 constexpr double kCentring_N_m = 20000.0, kCentring_N_s_m = 300.0;
 constexpr double kShownBefore_s = 0.02;
 constexpr double kThrustWatch_s = 0.12;  // by then the knee pushes no more
@@ -109,7 +108,8 @@ OperatorCommand press(const RobotConfig& robot, double time_s, double force_N) {
 RunScript locked_script(const RobotConfig& robot, const std::string& preset, const SimOptions& sim,
                         const StepCase& config) {
   RunScript out{robot, preset, sim, {}, cycle_at(robot, kEnd_s)};
-  out.sim.plant["suspended"] = robot.preset(preset).stand_length_m - kPressed_m + kFootRadius_m;
+  out.sim.plant["suspended"] = robot.preset(preset).stand_length_m - kPressed_m +
+                               robot.legs.front().foot_radius_m;
   out.sim.plant["floor_height"] = 0.0;
   out.sim.plant["ground_stiffness"] = config.floor_N_m;
   out.sim.plant["ground_friction"] = 0.0;

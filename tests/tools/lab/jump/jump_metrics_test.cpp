@@ -18,7 +18,7 @@ class JumpMetricsTest : public testing::Test {
     motion_.state = phase;
     truth_.stamp.utime_us += 1000;
     truth_.base_in_world_m[2] = hip_height_m;
-    truth_.legs[0].true_foot_in_world_m[2] = floor_m_ + foot_m;
+    truth_.legs[0].true_foot_in_world_m[2] = floor_m_ + robot_.legs[0].foot_radius_m + foot_m;
     truth_.joints[1].true_gear_output_torque_Nm = knee_output_Nm;
     joints_.joints[0].motor_side_torque_Nm = 3.0;
     joints_.joints[1].motor_side_torque_Nm = knee_torque_Nm;
@@ -56,7 +56,7 @@ TEST_F(JumpMetricsTest, HeightIsTheRiseAboveWhereTheFootLeavesTheFloor) {
   EXPECT_NEAR(result.height_mm, 150.0, 1e-9);
   EXPECT_NEAR(result.takeoff_time_ms, 100.0, 1e-9);
   EXPECT_NEAR(result.touchdown_time_ms, 300.0, 1e-9);
-  EXPECT_NEAR(result.touchdown_leg_mm, 390.0, 1e-9);
+  EXPECT_NEAR(result.touchdown_leg_mm, 370.0, 1e-9);  // hip to the middle of the foot
 }
 
 TEST_F(JumpMetricsTest, FloorMayBeElsewhere) {

@@ -86,7 +86,8 @@ TEST_F(DropAblationTest, MeanAndWorstAreOfTheComparedHeightAloneAndFoldedLegsAre
   folds_ = true;
   peak_Nm_ = [&](const RunScript& script) {
     const double height_m = script.sim.plant.at("suspended") -
-                            script.robot.preset(script.preset).stand_length_m;
+                            script.robot.preset(script.preset).stand_length_m -
+                            script.robot.legs[0].foot_radius_m;
     const bool compared = std::abs(height_m - 0.3) < 1e-9;
     const bool early = script.controls.front().value > 1e-6;
     return compared ? (early ? 30.0 : 20.0) : 40.0;

@@ -51,7 +51,8 @@ class DropExperimentTest : public testing::Test {
 TEST_F(DropExperimentTest, EveryModeLandsFromEveryHeight) {
   peak_Nm_ = [](const RunScript& script) {
     const double height_m = script.sim.plant.at("suspended") -
-                            script.robot.preset(script.preset).stand_length_m;
+                            script.robot.preset(script.preset).stand_length_m -
+                            script.robot.legs[0].foot_radius_m;
     return 100.0 * static_cast<double>(script.commands.back().jump_mode) + 10.0 * height_m;
   };
   const DropExperiment experiment = run();
