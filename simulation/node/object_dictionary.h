@@ -54,14 +54,14 @@ class ObjectDictionary {
 
   /// Whether 0x1010 saves it: writable, and neither a command nor the error history.
   bool storable(int position) const noexcept;
-  /// Stored values become the present ones; of indexes first..last.
+  /// Present values of storable objects become the stored ones; of indexes first..last.
   void store(std::uint16_t first, std::uint16_t last) noexcept;
   /// Stored values become the maker's again.
   void forget(std::uint16_t first, std::uint16_t last) noexcept;
   void forget(canopen::ObjectId id) noexcept;
-  /// Present values of storable objects become the stored ones.
+  /// Stored values become the present ones.
   void recall(std::uint16_t first, std::uint16_t last) noexcept;
-  /// All present values become the stored ones: power on.
+  /// All stored values become the present ones: power on.
   void restart() noexcept;
 
  private:
