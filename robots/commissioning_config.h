@@ -7,7 +7,7 @@
 namespace sprung {
 
 enum class MotorKind : std::int8_t {
-  kBrushless,   ///< sinusoidal or block, whichever the drive has
+  kBrushless,  ///< sinusoidal or block, whichever the drive has
   kSinusoidal,
   kBlock,
   kBrushed,
@@ -16,7 +16,7 @@ enum class MotorKind : std::int8_t {
 struct CommissioningConfig {
   MotorKind motor = MotorKind::kBrushless;
   bool encoder_inverted = false;  ///< polarity that the drive must be told, as the encoder is wired
-  int current_p = 0;              ///< current regulator, the maker's own units; 0, 0 = only that they are plausible
+  int current_p = 0;  ///< current regulator, the maker's own units; 0, 0 = only that they are plausible
   int current_i = 0;
   bool brake = false;  ///< a brake holds the motor without power
 };

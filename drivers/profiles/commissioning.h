@@ -28,16 +28,17 @@ struct CommissioningObject {
   canopen::ObjectId object;
   int size = 0;  ///< bytes
   bool is_signed = false;
-  std::int64_t low = 0;   ///< of `mask`ed values that are right
+  std::int64_t low = 0;  ///< of `mask`ed values that are right
   std::int64_t high = 0;
   std::uint32_t mask = 0xFFFFFFFF;
-  std::string expected;      ///< in words, with where it comes from: "12 (pole_pairs of robot.yaml)"
+  std::string expected;         ///< in words, with where it comes from: "12 (pole_pairs of robot.yaml)"
   bool may_be_written = false;  ///< `low` can be written when the operator agrees: its meaning is confirmed
 };
 
 struct CommissioningPlan {
-  std::uint32_t vendor = 0, product = 0;   ///< 0x1018; 0 = not compared
-  std::vector<std::uint32_t> revisions{};  ///< firmware that the objects below were checked with; empty: unknown
+  std::uint32_t vendor = 0, product = 0;  ///< 0x1018; 0 = not compared
+  std::vector<std::uint32_t>
+      revisions{};  ///< firmware that the objects below were checked with; empty: unknown
   std::uint32_t revision_mask = 0xFFFFFFFF;
   std::vector<CommissioningObject> objects{};
   std::string not_readable{};  ///< what this make keeps where no confirmed object shows it, and how to look

@@ -7,21 +7,34 @@
 
 namespace sprung::sim {
 
+namespace {
+constexpr int kSubsteps = 4;  ///< of a period, in which the current is integrated
+}
+
 GainedCurrentLoop::GainedCurrentLoop(double bandwidth_Hz, double step_s) noexcept
     : bandwidth_rad_s_(kTurn_rad * bandwidth_Hz),
-      substeps_(std::max(1, static_cast<int>(std::lround(4.0 * step_s / kDeadTime_s)))) {}
+      substeps_(std::max(1, static_cast<int>(std::lround(kSubsteps * step_s / kPeriod_s)))) {}
 
-void GainedCurrentLoop::switch_off() noexcept { current_A_ = integral_A_ = drive_A_ = 0.0; }
+void GainedCurrentLoop::switch_off() noexcept {
+  current_A_ = integral_A_ = applied_A_ = next_A_ = 0.0;
+  phase_ = 0;
+}
 
-/// In quarters of the dead time, which is a lag here. Voltages are told by the current that they drive through the winding's resistance.
+/// What is computed in one period is applied in the next. Voltages are told by the current that they drive
+/// through the winding's resistance.
+void GainedCurrentLoop::control(double error_A, double gain_p, double gain_i, double voltage_A) noexcept {
+  applied_A_ = next_A_;
+  integral_A_ = std::clamp(integral_A_ + gain_i * bandwidth_rad_s_ * error_A * kPeriod_s, -voltage_A,
+                           voltage_A);
+  next_A_ = std::clamp(gain_p * bandwidth_rad_s_ * kWinding_s * error_A + integral_A_, -voltage_A, voltage_A);
+}
+
 double GainedCurrentLoop::step(double target_A, double gain_p, double gain_i, double voltage_A) noexcept {
-  const double dt_s = kDeadTime_s / 4.0;
+  const double share = 1.0 - std::exp(-kPeriod_s / kSubsteps / kWinding_s);
   for (int i = 0; i < substeps_; ++i) {
-    const double error_A = target_A - current_A_;
-    integral_A_ = std::clamp(integral_A_ + gain_i * bandwidth_rad_s_ * error_A * dt_s, -voltage_A, voltage_A);
-    const double asked_A = gain_p * bandwidth_rad_s_ * kWinding_s * error_A + integral_A_;
-    drive_A_ += dt_s / kDeadTime_s * (std::clamp(asked_A, -voltage_A, voltage_A) - drive_A_);
-    current_A_ += dt_s / kWinding_s * (drive_A_ - current_A_);
+    if (phase_ == 0) control(target_A - current_A_, gain_p, gain_i, voltage_A);
+    phase_ = (phase_ + 1) % kSubsteps;
+    current_A_ += share * (applied_A_ - current_A_);
   }
   return current_A_;
 }

@@ -29,8 +29,8 @@ struct DriveWiring {
   double commutation_error_rad = 0;     ///< electrical
   int drive_pole_pairs = 0;             ///< in a drive without an object for them; 0 = the motor's
   double fitting_p = 0, fitting_i = 0;  ///< current gains that give sim.yaml's torque_loop; 0 = not asked
-  double gain_p = 1, gain_i = 1;  ///< in a drive without objects for them: of the fitting ones
-  double voltage_A = 60;          ///< current that the supply drives through the winding at rest [design choice]
+  double gain_p = 1, gain_i = 1;        ///< in a drive without objects for them: of the fitting ones
+  double voltage_A = 60;  ///< current that the supply drives through the winding at rest [design choice]
   /// Stored in the drive instead of what its EDS and make say.
   std::vector<std::pair<canopen::ObjectId, std::int64_t>> stored{};
 };
@@ -43,12 +43,13 @@ struct MotorBelief {
   double current_p = 0, current_i = 0;
 };
 
-/// A drive's current loop with gains that may not fit: PI on a winding, with the dead time of a converter.
+/// A drive's current loop with gains that may not fit: PI on a winding, sampled, a period late; it swings up
+/// where its bandwidth times one and a half periods is above about pi / 2.
 /// Gains are shares of those that cancel the winding's time constant and give the loop its bandwidth.
 class GainedCurrentLoop {
  public:
   static constexpr double kWinding_s = 1.1e-3;  ///< L / R [design choice: facts canopen 4.6, about 1 ms]
-  static constexpr double kDeadTime_s = 1e-4;   ///< of a 10 kHz loop [unverified: facts canopen 2.4]
+  static constexpr double kPeriod_s = 1e-4;     ///< a 10 kHz loop [unverified: facts canopen 2.4]
   GainedCurrentLoop(double bandwidth_Hz, double step_s) noexcept;
   /// @param voltage_A what the converter can drive through the winding at rest.
   double step(double target_A, double gain_p, double gain_i, double voltage_A) noexcept;
@@ -56,9 +57,11 @@ class GainedCurrentLoop {
   double current_A() const noexcept { return current_A_; }
 
  private:
+  void control(double error_A, double gain_p, double gain_i, double voltage_A) noexcept;
+
   double bandwidth_rad_s_;
-  int substeps_;
-  double current_A_ = 0, integral_A_ = 0, drive_A_ = 0;
+  int substeps_, phase_ = 0;
+  double current_A_ = 0, integral_A_ = 0, applied_A_ = 0, next_A_ = 0;
 };
 
 /// Share of Kt I that becomes torque.
@@ -68,7 +71,8 @@ class Commutation {
   /// Power comes on: the Hall sensors are read.
   void align(double motor_rad, double counts) noexcept;
   /// @param counts as the drive reads them, with its polarity. @return -1..1.
-  double share(double motor_rad, double counts, const MotorBelief& belief, double true_counts_per_turn) const noexcept;
+  double share(double motor_rad, double counts, const MotorBelief& belief,
+               double true_counts_per_turn) const noexcept;
 
  private:
   double pole_pairs_, drive_pole_pairs_, sign_, error_rad_;

@@ -102,7 +102,7 @@ class Plant {
   PlantIndex index_;
   DataPtr data_;
   std::vector<double> motor_torque_Nm_;
-  std::vector<double> push_Nm_;         ///< from outside, by joint
+  std::vector<double> push_Nm_;        ///< from outside, by joint
   std::vector<double> base_armature_;  ///< of the base's degrees of freedom, when not suspended
   std::vector<std::array<double, 6>> foot_wrench_;
   Ground ground_;

@@ -99,9 +99,9 @@ CommissioningPlan Epos2Profile::commissioning(double bit_rate_bit_s) const {
   sensor.mask = kSensorKind;
   sensor.high = 2;
   objects.push_back(sensor);
-  CommissioningObject polarity = exactly(Topic::kEncoder, {kEncoderPulses, kSensorPolaritySub}, 2,
-                                         wanted.encoder_inverted ? 1 : 0,
-                                         wanted.encoder_inverted ? "bit 0 set (encoder_inverted)" : "bit 0 clear");
+  CommissioningObject polarity = exactly(
+      Topic::kEncoder, {kEncoderPulses, kSensorPolaritySub}, 2, wanted.encoder_inverted ? 1 : 0,
+      wanted.encoder_inverted ? "bit 0 set (encoder_inverted)" : "bit 0 clear");
   polarity.mask = kPolarityOfEncoder1;
   objects.push_back(polarity);
   add_current_gains(wanted, objects);

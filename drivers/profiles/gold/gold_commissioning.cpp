@@ -1,6 +1,6 @@
 /// What a Gold must have been told before it may turn a motor. Its motor and encoder are set by commands
-/// (CA[], KP[], KI[]) of its own tool; no CANopen object for them is confirmed, so commissioning finds them by
-/// hand and by a small current.
+/// (CA[], KP[], KI[]) of its own tool; no CANopen object for them is confirmed, so commissioning finds them
+/// by hand and by a small current.
 #include <cmath>
 
 #include "drivers/canopen/objects.h"
@@ -32,18 +32,19 @@ CommissioningPlan GoldProfile::commissioning(double /*bit_rate_bit_s*/) const {
   CommissioningPlan plan;
   plan.vendor = kVendor;
   plan.product = kProduct;
-  plan.objects.push_back(limit(canopen::kRatedCurrent, 4, 1e3 * actuator_.rated_current_A,
-                               "mA (rated_current of robot.yaml)"));
-  plan.objects.push_back(limit(canopen::kRatedTorque, 4, rated_torque_mNm_,
-                               "mNm (torque_constant x rated_current)"));
-  plan.objects.push_back(limit(canopen::kMaxTorque, 2, max_torque_permille_,
-                               "per mille of rated torque (torque_limit)"));
+  plan.objects.push_back(
+      limit(canopen::kRatedCurrent, 4, 1e3 * actuator_.rated_current_A, "mA (rated_current of robot.yaml)"));
+  plan.objects.push_back(
+      limit(canopen::kRatedTorque, 4, rated_torque_mNm_, "mNm (torque_constant x rated_current)"));
+  plan.objects.push_back(
+      limit(canopen::kMaxTorque, 2, max_torque_permille_, "per mille of rated torque (torque_limit)"));
   if (actuator_.speed_limit_object != 0) {
     const double speed_rpm = actuator_.speed_limit_rad_s * actuator_.gear_ratio * 60.0 / (2.0 * kPi);
     plan.objects.push_back(limit(actuator_.speed_limit_object, 4, speed_rpm, "rpm (speed_limit)"));
   }
   plan.not_readable =
-      "a Gold shows motor type, pole pairs (CA[19]), encoder counts (CA[18]) and current gains (KP[1], KI[1]) "
+      "a Gold shows motor type, pole pairs (CA[19]), encoder counts (CA[18]) and current gains (KP[1], "
+      "KI[1]) "
       "to its own tool alone: compare them there; by hand and by a small current they are found below";
   plan.torque_mode = cia402::kModeCyclicTorque;
   plan.setpoint = {canopen::kTargetTorque, 0};

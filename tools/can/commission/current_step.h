@@ -23,12 +23,13 @@ constexpr auto words_of(CurrentLoopVerdict) {
 
 struct CurrentStepResult {
   CurrentLoopVerdict verdict = CurrentLoopVerdict::kNothing;
-  double early_A = 0.0;    ///< mean from 5 to 12 ms
+  double early_A = 0.0;    ///< mean from 3 to 8 ms
   double settled_A = 0.0;  ///< mean from 20 ms on
   double ripple_A = 0.0;   ///< rms about that
 };
 
-/// @param before without current: its scatter is the sensor's. @param after the step to `target_A`, 60 ms of it.
+/// @param before without current: its scatter is the sensor's. @param after the step to `target_A`, 60 ms of
+/// it; several steps one after the other may be in it.
 CurrentStepResult judge_current_step(const std::vector<CurrentSample>& before,
                                      const std::vector<CurrentSample>& after, double target_A);
 

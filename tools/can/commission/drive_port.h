@@ -38,16 +38,16 @@ class DrivePort {
 
 /// What a person is asked to do or to say.
 enum class Ask : std::int8_t {
-  kTurn,              ///< the joint by hand, forward; the answer is the angle, rad
-  kTurnBack,          ///< to where it was
-  kPressEmergency,    ///< the answer means nothing
+  kTurn,            ///< the joint by hand, forward; the answer is the angle, rad
+  kTurnBack,        ///< to where it was
+  kPressEmergency,  ///< the answer means nothing
   kReleaseEmergency,
-  kBrake,             ///< 1: a brake holds the motor without power, 0: none
-  kPower,             ///< power may come on: 1
-  kHangWeight,        ///< the answer is its torque about the joint, Nm; 0: there is none
+  kBrake,       ///< 1: a brake holds the motor without power, 0: none
+  kPower,       ///< power may come on: 1
+  kHangWeight,  ///< the answer is its torque about the joint, Nm; 0: there is none
   kTakeWeight,
-  kWrite,             ///< robot.yaml's value may be written: 1
-  kStore,             ///< what was written may be stored in the drive: 1
+  kWrite,  ///< robot.yaml's value may be written: 1
+  kStore,  ///< what was written may be stored in the drive: 1
 };
 constexpr auto words_of(Ask) {
   using E = Ask;

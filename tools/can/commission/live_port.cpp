@@ -73,7 +73,8 @@ void LivePort::wait(double seconds) {
   while (monotonic_us() < end_us) {
     beat();
     CanFrame frames[32];
-    const int count = internal::wait_and_receive(bus_, std::min(end_us, internal::end_after(kLook_s)), frames, 32);
+    const int count = internal::wait_and_receive(bus_, std::min(end_us, internal::end_after(kLook_s)), frames,
+                                                 32);
     for (int i = 0; i < count; ++i) hear(frames[i]);
   }
 }
@@ -82,7 +83,8 @@ double LivePort::now_s() const { return 1e-6 * static_cast<double>(monotonic_us(
 
 std::vector<int> LivePort::nodes() {
   std::vector<int> found;
-  for (const FoundNode& one : scan_nodes(bus_)) found.insert(found.end(), static_cast<std::size_t>(one.answers), one.node);
+  for (const FoundNode& one : scan_nodes(bus_))
+    found.insert(found.end(), static_cast<std::size_t>(one.answers), one.node);
   return found;
 }
 

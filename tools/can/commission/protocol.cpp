@@ -37,8 +37,11 @@ report::Mark mark(Verdict verdict) {
 }
 
 Json finding_json(const Step& step, const Finding& finding) {
-  return {{"step", step.name},          {"what", finding.what},   {"expected", finding.expected},
-          {"found", finding.found},     {"verdict", name(finding.verdict)},
+  return {{"step", step.name},
+          {"what", finding.what},
+          {"expected", finding.expected},
+          {"found", finding.found},
+          {"verdict", name(finding.verdict)},
           {"to_do", finding.to_do}};
 }
 
@@ -91,17 +94,18 @@ std::string summary_text(const Protocol& protocol) {
 
 report::Section protocol_section(const Protocol& protocol) {
   report::Section section{protocol.drive};
-  section.text.push_back(protocol.ok() ? "Every step is as it should be."
-                                       : "Not ready: " + (protocol.first_difference().empty()
-                                                              ? std::string("steps are left")
-                                                              : protocol.first_difference()) +
-                                             ".");
+  section.text.push_back(protocol.ok()
+                             ? "Every step is as it should be."
+                             : "Not ready: " +
+                                   (protocol.first_difference().empty() ? std::string("steps are left")
+                                                                        : protocol.first_difference()) +
+                                   ".");
   section.text.push_back(exposure_text(protocol));
   report::Table steps{"Steps", {"step", "", "what", "expected", "found", "to do"}};
   for (const Step& step : protocol.steps) {
     for (const Finding& finding : step.findings)
-      steps.rows.push_back({step.name, report::Cell(name(finding.verdict), mark(finding.verdict)), finding.what,
-                            finding.expected, finding.found, finding.to_do});
+      steps.rows.push_back({step.name, report::Cell(name(finding.verdict), mark(finding.verdict)),
+                            finding.what, finding.expected, finding.found, finding.to_do});
   }
   section.tables.push_back(steps);
   report::Table written{"Written to the drive", {"what was done"}};

@@ -40,7 +40,8 @@ struct Exposure {
 struct Protocol {
   std::string drive;  ///< "hip_motor: node 1 on socketcan:can0"
   std::vector<Step> steps{};
-  std::vector<std::string> written{};  ///< objects that were changed, and whether they were put back or stored
+  std::vector<std::string>
+      written{};  ///< objects that were changed, and whether they were put back or stored
   Exposure exposure{};
   double torque_cap_Nm = 0.0;  ///< 0: it was never powered
   bool finished = false;       ///< every step was reached

@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::int64_t kHalfTransfer_us = 250;  ///< a request or its answer, with a drive's time to think
 constexpr std::int64_t kSimulatedReply_us = 50'000;
-constexpr double kHanging_m = 0.8;              ///< clear of the floor
-constexpr double kPowerOn_s = 0.2;              ///< the drives have booted
+constexpr double kHanging_m = 0.8;                             ///< clear of the floor
+constexpr double kPowerOn_s = 0.2;                             ///< the drives have booted
 constexpr double kHand_Nm_rad = 400.0, kHand_Nm_s_rad = 40.0;  ///< a firm hand, as experiment drag's
 constexpr double kHandTime_s = 0.6, kHoldTime_s = 0.3;
 
@@ -33,13 +33,26 @@ SimulatedBench::SimulatedBench(const RobotConfig& machine, const BenchSetup& set
   push(0.0);
 }
 
+/// In steps of the drives' own loops, so that the truth sees every one of them.
 void SimulatedBench::advance(std::int64_t us) {
-  time_us_ += us;
-  answers_.clear();
-  sim_.advance_to(time_us_, answers_);
+  const std::int64_t end_us = time_us_ + us;
+  do {
+    time_us_ = std::min(end_us, time_us_ + kHalfTransfer_us);
+    answers_.clear();
+    sim_.advance_to(time_us_, answers_);
+    take_in();
+    watch();
+  } while (time_us_ < end_us);
   truth_.simulated_s = now_s();
-  take_in();
-  watch();
+}
+
+double SimulatedBench::mean_torque_Nm(double now_Nm) {
+  constexpr std::int64_t kWindow_us = 5'000;
+  torques_.emplace_back(time_us_, now_Nm);
+  while (torques_.front().first < time_us_ - kWindow_us) torques_.pop_front();
+  double sum_Nm = 0.0;
+  for (const auto& [time_us, torque_Nm] : torques_) sum_Nm += torque_Nm;
+  return sum_Nm / static_cast<double>(torques_.size());
 }
 
 void SimulatedBench::take_in() {
@@ -47,14 +60,15 @@ void SimulatedBench::take_in() {
     if (one.bus != setup_.bus || one.frame.error) continue;
     heard_.push_back(one.frame);
     const int node = static_cast<int>(one.frame.id) - static_cast<int>(canopen::heartbeat_id(0));
-    const bool boot_up = node > 0 && node < 128 && canopen::heartbeat_state(one.frame) == canopen::NmtState::kBootUp;
+    const bool boot_up = node > 0 && node < 128 &&
+                         canopen::heartbeat_state(one.frame) == canopen::NmtState::kBootUp;
     if (boot_up) ++boot_ups_[static_cast<std::size_t>(node)];
   }
 }
 
 /// Torque and motion as they truly are, while the motor gives torque and no hand is on the joint.
 void SimulatedBench::watch() {
-  const double torque_Nm = std::abs(sim_.true_motor_torque_Nm(setup_.actuator));
+  const double torque_Nm = std::abs(mean_torque_Nm(sim_.true_motor_torque_Nm(setup_.actuator)));
   truth_.highest_torque_Nm = std::max(truth_.highest_torque_Nm, torque_Nm);
   if (torque_Nm > 0.0 && !under_torque_) torque_from_rad_ = joint_rad();
   under_torque_ = under_torque_ || torque_Nm > 0.0;
@@ -108,7 +122,8 @@ void SimulatedBench::beat() {
   sync.id = canopen::kSyncId;
   for (std::size_t bus = 0; bus < machine_.buses.size(); ++bus)
     sim_.receive(static_cast<int>(bus), sync, time_us_);
-  sim_.receive(setup_.bus, canopen::heartbeat_frame(canopen::kBridgeNode, canopen::NmtState::kOperational), time_us_);
+  sim_.receive(setup_.bus, canopen::heartbeat_frame(canopen::kBridgeNode, canopen::NmtState::kOperational),
+               time_us_);
   advance(0);
 }
 
@@ -149,7 +164,8 @@ void SimulatedBench::fault(FaultKind kind, double value, double duration_s) {
   beat();
 }
 
-void SimulatedBench::break_at(const std::string& step, int transfer, std::function<void(SimulatedBench&)> how) {
+void SimulatedBench::break_at(const std::string& step, int transfer,
+                              std::function<void(SimulatedBench&)> how) {
   break_step_ = step;
   break_after_ = transfer;
   break_how_ = std::move(how);
@@ -161,12 +177,12 @@ void SimulatedBench::turn_joint(double to_rad) {
   const double from_rad = joint_rad();
   hand_on_ = true;
   double last_rad = from_rad;
-  for (std::int64_t t_us = 0; 1e-6 * static_cast<double>(t_us) < kHandTime_s + kHoldTime_s; t_us += kStep_us) {
+  for (std::int64_t t_us = 0; 1e-6 * static_cast<double>(t_us) < kHandTime_s + kHoldTime_s;
+       t_us += kStep_us) {
     const double share = std::min(1.0, 1e-6 * static_cast<double>(t_us) / kHandTime_s);
     const double at_rad = joint_rad(), speed_rad_s = (at_rad - last_rad) / (1e-6 * kStep_us);
     last_rad = at_rad;
-    push(kHand_Nm_rad * (from_rad + share * (to_rad - from_rad) - at_rad) -
-         kHand_Nm_s_rad * speed_rad_s);
+    push(kHand_Nm_rad * (from_rad + share * (to_rad - from_rad) - at_rad) - kHand_Nm_s_rad * speed_rad_s);
     beat();
     advance(kStep_us);
   }

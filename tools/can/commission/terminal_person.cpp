@@ -27,7 +27,8 @@ bool read_line(char (&line)[64]) {
 
 }  // namespace
 
-TerminalPerson::TerminalPerson(const std::string& answers_file, bool yes, bool prints) : yes_(yes), prints_(prints) {
+TerminalPerson::TerminalPerson(const std::string& answers_file, bool yes, bool prints)
+    : yes_(yes), prints_(prints) {
   if (answers_file.empty()) return;
   const YamlMap file = YamlMap::load(answers_file);
   for (const auto& word : kWords<Ask>)
@@ -42,8 +43,8 @@ double TerminalPerson::answer(const Question& question) {
   if (isatty(STDIN_FILENO) == 0)
     throw WrongUse(question.text + " Nobody to ask here: put `" + name(question.ask) + ": " +
                    std::to_string(question.suggested) + "` into the file of --answers");
-  std::printf("\n%s\n[%s] Enter for %g, a number, or s to leave this step: ", question.text.c_str(), name(question.ask),
-              question.suggested);
+  std::printf("\n%s\n[%s] Enter for %g, a number, or s to leave this step: ", question.text.c_str(),
+              name(question.ask), question.suggested);
   std::fflush(stdout);
   char line[64] = "";
   if (!read_line(line) || line[0] == 's') return kNobody;

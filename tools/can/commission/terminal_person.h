@@ -9,9 +9,9 @@ namespace sprung::commission {
 
 class TerminalPerson final : public Person {
  public:
-  /// @param answers_file "" = none. A YAML map: `turn: 0.2` and so on, by the questions' names; what it does not
-  /// name is asked. @param yes takes what is suggested, but for power. @throws ConfigError on a name that is no
-  /// question's or a value that is no number.
+  /// @param answers_file "" = none. A YAML map: `turn: 0.2` and so on, by the questions' names; what it does
+  /// not name is asked. @param yes takes what is suggested, but for power. @throws ConfigError on a name that
+  /// is no question's or a value that is no number.
   TerminalPerson(const std::string& answers_file, bool yes, bool prints);
 
   /// @throws WrongUse where nobody can be asked, naming the answer that the file lacks.

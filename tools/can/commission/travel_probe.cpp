@@ -6,10 +6,10 @@
 namespace sprung::commission {
 namespace {
 
-constexpr double kSpeedFilter_s = 0.02;    ///< of differentiated counts [design choice]
-constexpr double kDampingRatio = 0.7;      ///< of integrator and inertia
-constexpr double kAtCap = 0.98;            ///< of the cap
-constexpr double kProgress_rad = 0.0005;   ///< within kPatience_s, else it stands still
+constexpr double kSpeedFilter_s = 0.02;   ///< of differentiated counts [design choice]
+constexpr double kDampingRatio = 0.7;     ///< of integrator and inertia
+constexpr double kAtCap = 0.98;           ///< of the cap
+constexpr double kProgress_rad = 0.0005;  ///< within kPatience_s, else it stands still
 
 }  // namespace
 
@@ -21,7 +21,8 @@ double TravelProbe::step(double dt_s, double position_rad) noexcept {
   const double stiffness = plan_.cap_Nm / plan_.ramp_s / plan_.speed_rad_s;  // Nm / rad
   const double damping = 2.0 * kDampingRatio * std::sqrt(stiffness * plan_.inertia_kg_m2);
   const double speed_rad_s = plan_.direction * speed_rad_s_;
-  integral_Nm_ = std::clamp(integral_Nm_ + stiffness * (plan_.speed_rad_s - speed_rad_s) * dt_s, 0.0, plan_.cap_Nm);
+  integral_Nm_ = std::clamp(integral_Nm_ + stiffness * (plan_.speed_rad_s - speed_rad_s) * dt_s, 0.0,
+                            plan_.cap_Nm);
   torque_Nm_ = std::clamp(integral_Nm_ - damping * speed_rad_s, 0.0, plan_.cap_Nm);
   highest_Nm_ = std::max(highest_Nm_, torque_Nm_);
   return plan_.direction * torque_Nm_;

@@ -3,15 +3,16 @@
 /// cycle: values and a time step in, torque and outcome out. Pure.
 ///
 /// Torque is that of an integrator on the difference of speeds, with damping, and is never above the cap:
-///   torque = direction * clamp(integral - damping * speed, 0, cap),  integral' = rate / speed * (speed_wanted - speed)
+///   torque = direction * clamp(integral - damping * speed, 0, cap),  integral' = rate / speed *
+///   (speed_wanted - speed)
 #include "signals/enumeration.h"
 
 namespace sprung::commission {
 
 struct TravelPlan {
   double direction = 1.0;
-  double cap_Nm = 0.0;         ///< never asked for more
-  double ramp_s = 1.5;         ///< from nothing to the cap, while nothing moves
+  double cap_Nm = 0.0;  ///< never asked for more
+  double ramp_s = 1.5;  ///< from nothing to the cap, while nothing moves
   double speed_rad_s = 0.05;
   double travel_rad = 0.03;
   double inertia_kg_m2 = 0.8;  ///< that the damping is made for
@@ -41,8 +42,8 @@ class TravelProbe {
   double step(double dt_s, double position_rad) noexcept;
   Travel outcome() const noexcept { return outcome_; }
 
-  double moved_rad() const noexcept { return moved_rad_; }          ///< in `direction`
-  double farthest_rad() const noexcept { return farthest_rad_; }    ///< either way
+  double moved_rad() const noexcept { return moved_rad_; }        ///< in `direction`
+  double farthest_rad() const noexcept { return farthest_rad_; }  ///< either way
   double highest_Nm() const noexcept { return highest_Nm_; }
   /// When it began to move; 0 before.
   double breakaway_Nm() const noexcept { return breakaway_Nm_; }

@@ -49,6 +49,9 @@ Protocol Walk::run() {
     finding({"the drive", "answers", lost.what(), Verdict::kDiffers,
              "mend supply and cable, then run this again from the start"});
     end_step();
+  } catch (...) {
+    switch_off();
+    throw;
   }
   switch_off();
   for (const std::string& value : values_written_)
@@ -65,7 +68,7 @@ void Walk::all_steps() {
   step("encoder", &Walk::encoder);
   step("current loop gains", &Walk::current_gains);
   step("limits", &Walk::limits);
-  step("bit rate", &Walk::bit_rate);
+  step("bus settings", &Walk::bus_settings);
   store_written();
   step("brake", &Walk::brake);
   step("emergency input", &Walk::emergency_input);

@@ -22,14 +22,6 @@
 
 namespace sprung::commission {
 
-/// Names of the steps, in their order.
-inline constexpr const char* kSteps[] = {
-    "node id",       "maker and firmware", "errors and supply", "stored configuration",
-    "motor",         "encoder",            "current loop gains", "limits",
-    "bit rate",      "brake",              "emergency input",    "turned by hand",
-    "power",         "current step",       "commutation and signs", "torque constant",
-};
-
 struct WalkOptions {
   bool write = false;     ///< offers to write what differs and may be written
   bool power = true;      ///< false: ends before the first current
@@ -87,7 +79,7 @@ class Walk {
   void encoder() { topic(CommissioningTopic::kEncoder); }
   void current_gains() { topic(CommissioningTopic::kCurrentLoop); }
   void limits() { topic(CommissioningTopic::kLimits); }
-  void bit_rate() { topic(CommissioningTopic::kBitRate); }
+  void bus_settings();
   void topic(CommissioningTopic which);
   void compare(const CommissioningObject& wanted);
   bool offer_to_write(const CommissioningObject& wanted, const std::string& found);

@@ -11,9 +11,9 @@
 namespace sprung::commission {
 namespace {
 
-constexpr double kHandError = 0.10;      ///< of an angle that a hand turned and a protractor showed
-constexpr double kLinkError = 0.03;      ///< of the link encoder against the motor's, play included
-constexpr double kNothing = 0.1;         ///< of the angle told: it does not count
+constexpr double kHandError = 0.10;  ///< of an angle that a hand turned and a protractor showed
+constexpr double kLinkError = 0.03;  ///< of the link encoder against the motor's, play included
+constexpr double kNothing = 0.1;     ///< of the angle told: it does not count
 constexpr std::uint16_t kCardSample = 0x2100;
 
 std::string radians(double value) {
@@ -26,16 +26,18 @@ std::string radians(double value) {
 
 void Walk::brake() {
   const bool wanted = actuator_.commissioning.brake;
-  const double answer = ask(Ask::kBrake, "Does a brake hold the motor without power? 1 yes, 0 no", wanted ? 1.0 : 0.0);
+  const double answer = ask(Ask::kBrake, "Does a brake hold the motor without power? 1 yes, 0 no",
+                            wanted ? 1.0 : 0.0);
   Finding one{"brake", wanted ? "one (brake of robot.yaml)" : "none (brake of robot.yaml)", "not looked at",
               Verdict::kNeedsHand, "look, and run this again"};
   if (std::isfinite(answer)) {
     const bool found = answer != 0.0;
     one.found = found ? "one" : "none";
     one.verdict = found == wanted ? Verdict::kOk : Verdict::kDiffers;
-    one.to_do = found == wanted ? (found ? "open it by hand for the next steps" : "")
-                                : "mend `commissioning: {brake: ...}` of robot.yaml; a brake that is not opened makes "
-                                  "every torque test fail";
+    one.to_do = found == wanted
+                    ? (found ? "open it by hand for the next steps" : "")
+                    : "mend `commissioning: {brake: ...}` of robot.yaml; a brake that is not opened makes "
+                      "every torque test fail";
   }
   finding(one);
 }
@@ -58,7 +60,9 @@ void Walk::emergency_input() {
     const auto level = emergency_level();
     const bool stops = level && *level == input.stops_high;
     Finding one{what + ", " + when, pressed ? "stops" : "does not stop",
-                !level ? "not readable" : stops ? "stops" : "does not stop"};
+                !level  ? "not readable"
+                : stops ? "stops"
+                        : "does not stop"};
     if (!level || stops != pressed) {
       one.verdict = Verdict::kDiffers;
       one.to_do = "pin, level (`stops_at` of robot.yaml) and wire of the emergency input";
@@ -91,13 +95,15 @@ std::optional<double> Walk::link_rad() {
   port_.wait(2.0 * DrivePort::kCycle_s);
   const SdoAnswer answer = port_.read(card.node, {kCardSample, 0});
   if (!answer.done() || answer.bytes.size() != 8)
-    throw DriveLost("encoder card " + card.name + " (node " + std::to_string(card.node) + ") does not answer");
+    throw DriveLost("encoder card " + card.name + " (node " + std::to_string(card.node) +
+                    ") does not answer");
   CanFrame frame;
   frame.id = canopen::tpdo_id(0, card.node);
   frame.length = 8;
   std::copy(answer.bytes.begin(), answer.bytes.end(), frame.data.begin());
   CardSample sample;
-  if (!make_card_profile(card, DriveTiming{robot_.cycle_s, 0.005, 0.02})->decode_sample(frame, sample)) return std::nullopt;
+  if (!make_card_profile(card, DriveTiming{robot_.cycle_s, 0.005, 0.02})->decode_sample(frame, sample))
+    return std::nullopt;
   return encoder.direction * sample.counts[static_cast<std::size_t>(encoder.channel)] * kTurn_rad /
          encoder.counts_per_turn;
 }
@@ -113,7 +119,8 @@ void Walk::judge_turn(const char* what, double moved_rad, double told_rad, const
     std::snprintf(text, sizeof text, "the sign is wrong: %s", remedy);
     one.to_do = text;
   } else if (std::abs(share - 1.0) > kHandError) {
-    std::snprintf(text, sizeof text, "%.3f times too much: encoder counts, gear ratio, or the angle told", share);
+    std::snprintf(text, sizeof text, "%.3f times too much: encoder counts, gear ratio, or the angle told",
+                  share);
     one.to_do = text;
   }
   if (!one.to_do.empty()) one.verdict = Verdict::kDiffers;
@@ -124,13 +131,15 @@ void Walk::turned_by_hand() {
   const double motor_before = position_rad();
   const auto link_before = link_rad();
   char text[200];
-  std::snprintf(text, sizeof text,
-                "Turn %s by hand in its positive direction, by about %.2f rad (%.0f degrees), and hold it; by how many "
-                "rad was it?",
-                joint_.name.c_str(), options_.turn_rad, options_.turn_rad * 180.0 / kPi);
+  std::snprintf(
+      text, sizeof text,
+      "Turn %s by hand in its positive direction, by about %.2f rad (%.0f degrees), and hold it; by how many "
+      "rad was it?",
+      joint_.name.c_str(), options_.turn_rad, options_.turn_rad * 180.0 / kPi);
   const double told_rad = ask(Ask::kTurn, text, options_.turn_rad);
   if (!std::isfinite(told_rad) || told_rad <= 0.0) {
-    finding({"signs and counts", "turned by hand", "not turned", Verdict::kNeedsHand, "turn it, and run this again"});
+    finding({"signs and counts", "turned by hand", "not turned", Verdict::kNeedsHand,
+             "turn it, and run this again"});
     throw Ended{};
   }
   const double motor_rad = position_rad() - motor_before;

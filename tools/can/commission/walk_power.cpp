@@ -11,17 +11,18 @@
 namespace sprung::commission {
 namespace {
 
-constexpr std::int64_t kPowerOffOption = 2;   ///< 0x6007: disable voltage when this master is gone
-constexpr std::uint32_t kWatch_ms = 100;      ///< the drive gives up on this master after
+constexpr std::int64_t kPowerOffOption = 2;  ///< 0x6007: disable voltage when this master is gone
+constexpr std::uint32_t kWatch_ms = 100;     ///< the drive gives up on this master after
 constexpr double kEnable_s = 1.0, kStill_s = 0.05, kCurrent_s = 0.06;
-constexpr double kStandstillShare = 0.5;      ///< of breakaway friction: it does not turn
+constexpr int kCurrentSteps = 8;          ///< both ways in turn: the sensor's noise is averaged out
+constexpr double kStandstillShare = 0.5;  ///< of breakaway friction: it does not turn
 constexpr double kStandstill_rad = 0.002;
-constexpr double kWeightShare = 0.25;  ///< of breakaway friction: the known weight
-constexpr double kWeightMargin = 0.05;        ///< the same: that it surely moves
-constexpr double kLargestLoad = 0.8;          ///< of breakaway friction, on a joint that should have none
-constexpr double kWeightedCapShare = 1.45;    ///< of the measured breakaway friction, with the weight
-constexpr double kConstantError = 0.12;       ///< of the torque constant, by a weight and a protractor
-constexpr double kFrictionFactor = 2.0;       ///< measured against robot.yaml's: further apart is said
+constexpr double kWeightShare = 0.25;       ///< of breakaway friction: the known weight
+constexpr double kWeightMargin = 0.05;      ///< the same: that it surely moves
+constexpr double kLargestLoad = 0.8;        ///< of breakaway friction, on a joint that should have none
+constexpr double kWeightedCapShare = 1.45;  ///< of the measured breakaway friction, with the weight
+constexpr double kConstantError = 0.12;     ///< of the torque constant, by a weight and a protractor
+constexpr double kFrictionFactor = 2.0;     ///< measured against robot.yaml's: further apart is said
 
 std::string text_of(const char* format, double a, double b = 0.0, double c = 0.0) {
   char text[240];
@@ -32,10 +33,12 @@ std::string text_of(const char* format, double a, double b = 0.0, double c = 0.0
 const char* remedy_of(Travel outcome) {
   switch (outcome) {
     case Travel::kWrongWay:
-      return "phases or Hall sensors swapped, or the commutation angle is off: not the sign in robot.yaml, which "
+      return "phases or Hall sensors swapped, or the commutation angle is off: not the sign in robot.yaml, "
+             "which "
              "the hand found right";
     case Travel::kNoMotion:
-      return "two phases swapped, commutation angle, brake, a load on the joint, or more friction than robot.yaml "
+      return "two phases swapped, commutation angle, brake, a load on the joint, or more friction than "
+             "robot.yaml "
              "says";
     case Travel::kFades:
       return "pole pairs or encoder counts in the drive, or phases: the field runs away from the rotor";
@@ -53,7 +56,8 @@ void Walk::set_for_now(canopen::ObjectId object, std::int64_t value, int size) {
   const SdoAnswer before = ask_drive(object);
   if (before.done()) backups_.push_back({object, before.bytes});
   if (!write(object, value, size) || number(object, false).value_or(-1) != value)
-    throw DriveLost("it does not take " + named(object) + ", without which nothing would stop it if this computer died");
+    throw DriveLost("it does not take " + named(object) +
+                    ", without which nothing would stop it if this computer died");
 }
 
 void Walk::power() {
@@ -64,9 +68,10 @@ void Walk::power() {
     throw Ended{};
   }
   const double cap_A = protocol_.torque_cap_Nm / (actuator_.gear_ratio * actuator_.torque_constant_Nm_A);
-  const std::string question = text_of(
-      "The motor gets power now: at most %.2f Nm at the joint (%.2f A), and off at %.3f rad. ", protocol_.torque_cap_Nm,
-      cap_A, kBound_rad) + "The robot hangs, the joint is unloaded and free, hands are off, the emergency stop is at hand. 1 = on";
+  const std::string question =
+      text_of("The motor gets power now: at most %.2f Nm at the joint (%.2f A), and off at %.3f rad. ",
+              protocol_.torque_cap_Nm, cap_A, kBound_rad) +
+      "The robot hangs, the joint is unloaded and free, hands are off, the emergency stop is at hand. 1 = on";
   if (!(ask(Ask::kPower, question, 1.0) == 1.0)) {
     finding({"power", "", "not wanted", Verdict::kNeedsHand, "run this again"});
     throw Ended{};
@@ -130,16 +135,18 @@ void Walk::put_back() noexcept {
     for (; !backups_.empty(); backups_.pop_back()) {
       const Backup& backup = backups_.back();
       const bool done = port_.write(actuator_.node, backup.object, backup.bytes).done();
-      protocol_.written.push_back(named(backup.object) +
-                                  (done ? ": set for this walk, put back"
-                                        : ": set for this walk, NOT put back (no answer): gone when its power goes"));
+      protocol_.written.push_back(
+          named(backup.object) +
+          (done ? ": set for this walk, put back"
+                : ": set for this walk, NOT put back (no answer): gone when its power goes"));
     }
   } catch (...) {
   }
 }
 
 void Walk::set_torque(double torque_Nm) {
-  const double motor_A = actuator_.direction * torque_Nm / (actuator_.gear_ratio * actuator_.torque_constant_Nm_A);
+  const double motor_A = actuator_.direction * torque_Nm /
+                         (actuator_.gear_ratio * actuator_.torque_constant_Nm_A);
   const double raw = std::round(motor_A / plan_.A_per_setpoint);
   if (!write(plan_.setpoint, static_cast<std::int16_t>(std::clamp(raw, -32767.0, 32767.0)), 2))
     throw DriveLost("it refuses the set-point " + named(plan_.setpoint));
@@ -149,7 +156,8 @@ void Walk::set_torque(double torque_Nm) {
 Walk::Sample Walk::sample() {
   Sample now;
   now.position_rad = position_rad();
-  now.current_A = static_cast<double>(number(plan_.measured_current, true).value_or(0)) * plan_.A_per_measured;
+  now.current_A = static_cast<double>(number(plan_.measured_current, true).value_or(0)) *
+                  plan_.A_per_measured;
   now.status = static_cast<std::uint16_t>(number({canopen::kStatusWord, 0}, false).value_or(0));
   require_enabled(now);
   return now;
@@ -169,7 +177,8 @@ std::vector<CurrentSample> Walk::record_current(double seconds) {
   const double begin_s = port_.now_s();
   while (port_.now_s() - begin_s < seconds) {
     port_.beat();
-    const double current_A = static_cast<double>(number(plan_.measured_current, true).value_or(0)) * plan_.A_per_measured;
+    const double current_A = static_cast<double>(number(plan_.measured_current, true).value_or(0)) *
+                             plan_.A_per_measured;
     out.push_back({port_.now_s() - begin_s, current_A});
   }
   return out;
@@ -177,25 +186,35 @@ std::vector<CurrentSample> Walk::record_current(double seconds) {
 
 void Walk::current_step() {
   const double torque_Nm = kStandstillShare * friction_Nm_;
-  const double target_A = actuator_.direction * torque_Nm / (actuator_.gear_ratio * actuator_.torque_constant_Nm_A);
+  const double target_A = actuator_.direction * torque_Nm /
+                          (actuator_.gear_ratio * actuator_.torque_constant_Nm_A);
   const double from_rad = position_rad();
-  const std::vector<CurrentSample> before = record_current(kStill_s);
-  set_torque(torque_Nm);
-  const std::vector<CurrentSample> after = record_current(kCurrent_s);
-  set_torque(0.0);
+  const std::vector<CurrentSample> before = record_current(kStill_s);  // later a loop may swing by itself
+  std::vector<CurrentSample> after;
+  for (int i = 0; i < kCurrentSteps; ++i) {
+    const double sign = i % 2 == 0 ? 1.0 : -1.0;
+    set_torque(sign * torque_Nm);
+    for (const CurrentSample& one : record_current(kCurrent_s))
+      after.push_back({one.time_s, sign * one.current_A});
+    set_torque(0.0);
+    port_.wait(4.0 * DrivePort::kCycle_s);
+  }
   const double moved_rad = std::abs(sample().position_rad - from_rad);
   const CurrentStepResult result = judge_current_step(before, after, target_A);
-  Finding one{text_of("current of %.3f A, half of breakaway friction", target_A), "follows",
-              std::string(name(result.verdict)) + text_of(": %.3f A after 5 to 12 ms, then %.3f A, ripple %.3f A rms",
-                                                          result.early_A, result.settled_A, result.ripple_A)};
+  Finding one{
+      text_of("current of %.3f A, half of breakaway friction", target_A), "follows",
+      std::string(name(result.verdict)) + text_of(": %.3f A after 3 to 8 ms, then %.3f A, ripple %.3f A rms",
+                                                  result.early_A, result.settled_A, result.ripple_A)};
   if (result.verdict != CurrentLoopVerdict::kFollows) {
     one.verdict = Verdict::kDiffers;
     one.to_do = result.verdict == CurrentLoopVerdict::kNothing
                     ? "motor cable, power stage's supply (STO), or ratings of 0"
-                    : "current loop gains of another motor: tune them with the maker's tool, type them in robot.yaml";
+                    : "current loop gains of another motor: tune them with the maker's tool, type them in "
+                      "robot.yaml";
   }
   finding(one);
-  Finding still{"standstill meanwhile", text_of("below %.3f rad", kStandstill_rad), text_of("%.4f rad", moved_rad)};
+  Finding still{"standstill meanwhile", text_of("below %.3f rad", kStandstill_rad),
+                text_of("%.4f rad", moved_rad)};
   if (moved_rad > kStandstill_rad) {
     still.verdict = Verdict::kDiffers;
     still.to_do = "friction is less than half of robot.yaml's, or the torque constant is another one";
@@ -230,9 +249,9 @@ TravelProbe Walk::travel(double direction, double cap_Nm) {
 void Walk::judge_travel(const TravelProbe& probe, double direction, double cap_Nm) {
   Finding one{direction > 0 ? "small torque forward" : "small torque back",
               text_of("moves %+.3f rad with at most %.2f Nm", direction * TravelPlan{}.travel_rad, cap_Nm),
-              std::string(name(probe.outcome())) +
-                  text_of(": %+.4f rad, breakaway %.2f Nm, highest %.2f Nm", direction * probe.moved_rad(),
-                          probe.breakaway_Nm(), probe.highest_Nm())};
+              std::string(name(probe.outcome())) + text_of(": %+.4f rad, breakaway %.2f Nm, highest %.2f Nm",
+                                                           direction * probe.moved_rad(),
+                                                           probe.breakaway_Nm(), probe.highest_Nm())};
   if (probe.outcome() != Travel::kArrived) {
     one.verdict = Verdict::kDiffers;
     one.to_do = remedy_of(probe.outcome());
@@ -281,14 +300,16 @@ void Walk::commutation() {
     forward = against_load(1.0, back, forward_cap_Nm);
   }
   if (loaded) judge_travel(forward, 1.0, forward_cap_Nm);
-  if (loaded && forward.outcome() == Travel::kArrived) compare_link(link_before, position_rad() - motor_before);
+  if (loaded && forward.outcome() == Travel::kArrived)
+    compare_link(link_before, position_rad() - motor_before);
   judge_travel(back, -1.0, back_cap_Nm);
   if (forward.outcome() != Travel::kArrived || back.outcome() != Travel::kArrived) return;
   const double measured_Nm = 0.5 * (forward.breakaway_Nm() + back.breakaway_Nm());
   mean_Nm_ = 0.5 * (forward.sliding_Nm() + back.sliding_Nm());
   hardest_Nm_ = std::max(forward.breakaway_Nm(), back.breakaway_Nm());
-  Finding friction{"breakaway friction, load", text_of("%.2f Nm (robot.yaml), little load", friction_Nm_),
-                   text_of("%.2f Nm, %+.2f Nm", measured_Nm, 0.5 * (forward.breakaway_Nm() - back.breakaway_Nm()))};
+  Finding friction{
+      "breakaway friction, load", text_of("%.2f Nm (robot.yaml), little load", friction_Nm_),
+      text_of("%.2f Nm, %+.2f Nm", measured_Nm, 0.5 * (forward.breakaway_Nm() - back.breakaway_Nm()))};
   if (measured_Nm * kFrictionFactor < friction_Nm_)
     friction.to_do = "less than half of robot.yaml's: sprung identify";
   finding(friction);
@@ -312,12 +333,15 @@ void Walk::torque_constant() {
   const double wanted_Nm = std::min(kWeightShare * friction_Nm_, room_Nm);
   const double weight_Nm = ask(
       Ask::kHangWeight,
-      text_of("Power is off. Hang a known weight on the link that makes about %.2f Nm about the joint (mass x 9.81 x "
-              "horizontal lever, for example %.2f kg at 0.2 m), and say how many Nm it makes; 0 = no weight here",
-              wanted_Nm, wanted_Nm / 9.81 / 0.2),
+      text_of(
+          "Power is off. Hang a known weight on the link that makes about %.2f Nm about the joint (mass x "
+          "9.81 x "
+          "horizontal lever, for example %.2f kg at 0.2 m), and say how many Nm it makes; 0 = no weight here",
+          wanted_Nm, wanted_Nm / 9.81 / 0.2),
       wanted_Nm);
   if (!std::isfinite(weight_Nm) || weight_Nm <= 0.0) {
-    finding({"torque constant", text_of("%.4f Nm/A", actuator_.torque_constant_Nm_A), "no weight", Verdict::kSkipped,
+    finding({"torque constant", text_of("%.4f Nm/A", actuator_.torque_constant_Nm_A), "no weight",
+             Verdict::kSkipped,
              "without it forces are off by as much as the constant is: sprung identify with a known mass"});
     return;
   }
@@ -328,7 +352,8 @@ void Walk::torque_constant() {
   switch_off();
   ask(Ask::kTakeWeight, "Power is off. Take the weight away", 1.0);
   const double measured_Nm = std::abs(mean_Nm - mean_Nm_);
-  const double constant = actuator_.torque_constant_Nm_A * (measured_Nm > 0.0 ? weight_Nm / measured_Nm : 0.0);
+  const double constant = actuator_.torque_constant_Nm_A *
+                          (measured_Nm > 0.0 ? weight_Nm / measured_Nm : 0.0);
   Finding one{text_of("torque constant by %.2f Nm of weight", weight_Nm),
               text_of("%.4f Nm/A", actuator_.torque_constant_Nm_A),
               moves ? text_of("%.4f Nm/A", constant) : "it does not move both ways with the weight"};

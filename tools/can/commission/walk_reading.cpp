@@ -34,21 +34,27 @@ void Walk::node_id() {
       known = known || (card.bus == actuator_.bus && card.node == node);
     if (!known) strangers += (strangers.empty() ? "" : ", ") + std::to_string(node);
   }
-  Finding one{"who answers on the bus", "one device with id " + std::to_string(actuator_.node), "", Verdict::kOk};
+  Finding one{"who answers on the bus", "one device with id " + std::to_string(actuator_.node), "",
+              Verdict::kOk};
   one.found = mine == 1 ? "one" : mine == 0 ? "none" : "two devices with this id";
   if (!strangers.empty()) one.found += "; not in robot.yaml: " + strangers;
   if (mine != 1) {
     one.verdict = Verdict::kDiffers;
-    one.to_do = mine > 1 ? "take one of the two off the bus, give it its own id, put it back"
-                : strangers.empty()
-                    ? "power, cable, termination, bit rate of drive and interface"
-                    : "give the drive its id: the maker's tool or object (EPOS2: 0x2000, then store and switch off "
-                      "and on), or by LSS: sprung can lss";
+    one.to_do = mine > 1            ? "take one of the two off the bus, give it its own id, put it back"
+                : strangers.empty() ? "power, cable, termination, bit rate of drive and interface"
+                                    : "give the drive its id: the maker's tool or object (EPOS2: 0x2000, "
+                                      "then store and switch off "
+                                      "and on), or by LSS: sprung can lss";
   }
   finding(one);
   if (mine != 1) throw Ended{};
+}
+
+/// What it will have when it is switched on the next time.
+void Walk::bus_settings() {
   for (const CommissioningObject& object : plan_.objects)
     if (object.topic == CommissioningTopic::kNodeId) compare(object);
+  topic(CommissioningTopic::kBitRate);
 }
 
 void Walk::identity() {
@@ -60,7 +66,8 @@ void Walk::identity() {
   for (std::uint8_t sub = 1; sub <= 4; ++sub) {
     const auto value = number({canopen::kIdentity, sub}, false);
     const std::uint32_t wanted = typed[sub - 1] != 0 ? typed[sub - 1] : planned[sub - 1];
-    Finding one{names[sub - 1], wanted != 0 ? hex(wanted) : "", value ? hex(static_cast<std::uint32_t>(*value)) : "not readable"};
+    Finding one{names[sub - 1], wanted != 0 ? hex(wanted) : "",
+                value ? hex(static_cast<std::uint32_t>(*value)) : "not readable"};
     bool right = wanted == 0 || (value && static_cast<std::uint32_t>(*value) == wanted);
     if (sub == 3 && wanted == 0 && !plan_.revisions.empty()) {
       right = false;
@@ -71,10 +78,13 @@ void Walk::identity() {
     }
     if (!right) {
       one.verdict = Verdict::kDiffers;
-      one.to_do = sub <= 2 ? "another make or model than `profile` of robot.yaml: nothing more of it is read or written"
-                  : sub == 3 ? "objects were not checked with this firmware: load the known one, or check every object "
-                               "with the maker's manual and type it as `revision` in robot.yaml"
-                             : "another drive than robot.yaml's: swapped? Type its serial number, then sprung home";
+      one.to_do =
+          sub <= 2
+              ? "another make or model than `profile` of robot.yaml: nothing more of it is read or written"
+          : sub == 3
+              ? "objects were not checked with this firmware: load the known one, or check every object "
+                "with the maker's manual and type it as `revision` in robot.yaml"
+              : "another drive than robot.yaml's: swapped? Type its serial number, then sprung home";
       stranger = true;
     }
     finding(one);
@@ -88,7 +98,8 @@ void Walk::errors() {
     reset_fault();
     status = number({canopen::kStatusWord, 0}, false);
   }
-  const PowerState state = status ? cia402::decode_status(static_cast<std::uint16_t>(*status)) : PowerState::kUnknown;
+  const PowerState state = status ? cia402::decode_status(static_cast<std::uint16_t>(*status))
+                                  : PowerState::kUnknown;
   Finding one{"state", "no fault, no power", name(state)};
   const bool faulty = state == PowerState::kFault || state == PowerState::kFaultReactionActive;
   const bool on = state == PowerState::kOperationEnabled || state == PowerState::kQuickStopActive;
@@ -96,8 +107,8 @@ void Walk::errors() {
     const auto code = number(plan_.last_error, false).value_or(0) & 0xFFFF;
     char text[16];
     std::snprintf(text, sizeof text, "0x%04X", static_cast<unsigned>(code));
-    one.found = std::string("fault ") + text + " " + canopen::emergency_text(static_cast<std::uint16_t>(code)) +
-                ", which a reset does not end";
+    one.found = std::string("fault ") + text + " " +
+                canopen::emergency_text(static_cast<std::uint16_t>(code)) + ", which a reset does not end";
   }
   if (faulty || on || !status) {
     one.verdict = Verdict::kDiffers;
@@ -127,7 +138,8 @@ void Walk::supply() {
   if (object.index == 0) return;
   const auto raw = number(object, false);
   char text[48];
-  std::snprintf(text, sizeof text, "%.1f V", raw ? profile_->supply_V(static_cast<std::uint32_t>(*raw)) : 0.0);
+  std::snprintf(text, sizeof text, "%.1f V",
+                raw ? profile_->supply_V(static_cast<std::uint32_t>(*raw)) : 0.0);
   Finding one{"supply", "", raw ? text : "not readable"};
   const SupplyConfig& wanted = actuator_.supply;
   if (wanted.max_V > 0.0 && raw) {
@@ -174,11 +186,12 @@ void Walk::stored() {
                       ? value_text(setting.object, *described->default_value, setting.size)
                       : "own"),
              value_text(setting.object, *value, setting.size), Verdict::kDiffers,
-             "stored for another robot or by another tool: restore the maker's values (0x1011:01), switch off and "
+             "stored for another robot or by another tool: restore the maker's values (0x1011:01), switch "
+             "off and "
              "on, and begin again"});
   }
-  finding({"what the bridge writes at each start", "", std::to_string(right) + " as robot.yaml, " +
-                                                            std::to_string(factory) + " still the maker's"});
+  finding({"what the bridge writes at each start", "",
+           std::to_string(right) + " as robot.yaml, " + std::to_string(factory) + " still the maker's"});
 }
 
 void Walk::topic(CommissioningTopic which) {
@@ -191,15 +204,17 @@ void Walk::topic(CommissioningTopic which) {
 
 void Walk::compare(const CommissioningObject& wanted) {
   const auto raw = number(wanted.object, wanted.is_signed);
-  Finding one{named(wanted.object), wanted.expected, raw ? value_text(wanted.object, *raw, wanted.size) : "not readable"};
+  Finding one{named(wanted.object), wanted.expected,
+              raw ? value_text(wanted.object, *raw, wanted.size) : "not readable"};
   const std::int64_t value = raw ? (wanted.mask == 0xFFFFFFFF ? *raw : *raw & wanted.mask) : 0;
   const bool right = raw && value >= wanted.low && value <= wanted.high;
   if (!right && raw && wanted.may_be_written && options_.write && offer_to_write(wanted, one.found)) {
     one.found += " -> " + value_text(wanted.object, wanted.low, wanted.size) + ", written and read back";
   } else if (!right) {
     one.verdict = Verdict::kDiffers;
-    one.to_do = wanted.may_be_written && raw ? "set it (this command with --write offers to), or mend robot.yaml"
-                                             : "set it with the maker's tool, or mend robot.yaml";
+    one.to_do = wanted.may_be_written && raw
+                    ? "set it (this command with --write offers to), or mend robot.yaml"
+                    : "set it with the maker's tool, or mend robot.yaml";
   }
   finding(one);
 }
@@ -207,7 +222,8 @@ void Walk::compare(const CommissioningObject& wanted) {
 /// @return whether it is in force now.
 bool Walk::offer_to_write(const CommissioningObject& wanted, const std::string& found) {
   const std::string to = value_text(wanted.object, wanted.low, wanted.size);
-  if (!(ask(Ask::kWrite, named(wanted.object) + ": " + found + " -> " + to + ". Write?", 1.0) == 1.0)) return false;
+  if (!(ask(Ask::kWrite, named(wanted.object) + ": " + found + " -> " + to + ". Write?", 1.0) == 1.0))
+    return false;
   std::int64_t value = wanted.low;
   if (wanted.mask != 0xFFFFFFFF) {
     const std::int64_t before = number(wanted.object, wanted.is_signed).value_or(0);
@@ -222,8 +238,10 @@ bool Walk::offer_to_write(const CommissioningObject& wanted, const std::string& 
 
 void Walk::store_written() {
   if (values_written_.empty()) return;
-  if (!(ask(Ask::kStore, std::to_string(values_written_.size()) +
-                             " values were written. Store them in the drive (0x1010:01)?", 1.0) == 1.0))
+  if (!(ask(Ask::kStore,
+            std::to_string(values_written_.size()) +
+                " values were written. Store them in the drive (0x1010:01)?",
+            1.0) == 1.0))
     return;
   if (!write({canopen::kStoreParameters, 1}, kSave, 4)) return;
   for (const std::string& value : values_written_) protocol_.written.push_back(value + ", stored");

@@ -7,7 +7,7 @@
 namespace sprung::commission {
 namespace {
 
-constexpr int kUsualPolePairs = 11;                ///< where robot.yaml knows none [design choice]
+constexpr int kUsualPolePairs = 11;                 ///< where robot.yaml knows none [design choice]
 constexpr double kFittingP = 800, kFittingI = 160;  ///< of an EPOS2 with such a motor [design choice]
 constexpr DriveTiming kAnyTiming{0.002, 0.005, 0.02};
 
@@ -42,8 +42,8 @@ sim::DriveWiring commissioned_drive(const ActuatorConfig& machine) {
 
 sim::DriveWiring factory_drive(const ActuatorConfig& machine) {
   const CommissioningPlan plan = plan_of(machine);
-  const canopen::Eds eds =
-      canopen::parse_eds(find_profile_kind(machine.profile)->eds_text(), machine.profile + ".eds", machine.node);
+  const canopen::Eds eds = canopen::parse_eds(find_profile_kind(machine.profile)->eds_text(),
+                                              machine.profile + ".eds", machine.node);
   sim::DriveWiring wiring = wired(machine, plan);
   for (const CommissioningObject& object : plan.objects) {
     const canopen::EdsObject* described = eds.find(object.object);

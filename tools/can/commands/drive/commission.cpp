@@ -35,7 +35,8 @@ std::vector<int> chosen(const RobotConfig& robot, const std::string& node) {
     if (node.empty() || node == actuator.name || node == std::to_string(actuator.node)) out.push_back(i);
   }
   if (out.empty()) throw WrongUse("'" + node + "' is no drive of " + robot.name);
-  if (out.size() > 1 && !node.empty()) throw WrongUse("node " + node + " is there on several buses: name the drive");
+  if (out.size() > 1 && !node.empty())
+    throw WrongUse("node " + node + " is there on several buses: name the drive");
   return out;
 }
 
@@ -72,11 +73,21 @@ Protocol walk_live(DriveBench& bench, int actuator, const CommissionRequest& req
   return Walk(bench.robot(), actuator, bench.timing(), request.walk, port, person).run();
 }
 
-report::Report page_of(const std::vector<Protocol>& protocols, const RobotConfig& robot, bool simulated) {
+std::string command_of(const CommissionRequest& request, const RobotConfig& robot) {
+  std::string text = "sprung drive commission " + robot.name;
+  if (!request.drive.node.empty()) text += " " + request.drive.node;
+  if (request.simulated) text += request.factory ? " --sim --factory" : " --sim";
+  if (request.walk.write) text += " --write";
+  if (request.no_power) text += " --no-power";
+  return text;
+}
+
+report::Report page_of(const std::vector<Protocol>& protocols, const RobotConfig& robot,
+                       const CommissionRequest& request) {
   report::Report page{"Commissioning of " + robot.name,
-                      simulated ? "simulated drives and hand: says nothing about a robot"
-                                : utc_text(utc_us(), ' ') + " UTC",
-                      "sprung drive commission " + robot.name};
+                      request.simulated ? "simulated drives and hand: says nothing about a robot"
+                                        : utc_text(utc_us(), ' ') + " UTC",
+                      command_of(request, robot)};
   for (const Protocol& one : protocols) page.sections.push_back(protocol_section(one));
   return page;
 }
@@ -97,7 +108,8 @@ int run_commission(CommissionRequest request) {
     if (stop_requested()) break;
   }
   if (request.drive.as_json) std::printf("%s\n", protocol_json(protocols).c_str());
-  if (!request.report.empty()) report::write_report(page_of(protocols, bench.robot(), request.simulated), request.report);
+  if (!request.report.empty())
+    report::write_report(page_of(protocols, bench.robot(), request), request.report);
   return ok ? kExitDone : kExitFailed;
 }
 
@@ -114,7 +126,8 @@ void add_drive_commission(CommandLine& drive) {
   line.flag("--write", request->walk.write, "offer to write what differs, where its meaning is confirmed");
   line.flag("--no-power", request->no_power, "end before the first current");
   line.option("--answers", request->answers, "YAML file with an answer for each question, for scripts");
-  line.flag("--yes", request->drive.yes, "take every suggested answer; never for power: that needs --answers");
+  line.flag("--yes", request->drive.yes,
+            "take every suggested answer; never for power: that needs --answers");
   line.option("--report", request->report, "HTML file: the protocol");
   line.flag("--sim", request->simulated, "simulated drives, plant and hand in this process");
   line.flag("--factory", request->factory, "with --sim: the drive is as its maker sells it");
