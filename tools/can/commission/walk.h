@@ -106,6 +106,7 @@ class Walk {
   void set_torque(double torque_Nm);
   Sample sample();
   void require_enabled(const Sample& now);
+  void require_bounded(double current_A);
   TravelProbe travel(double direction, double cap_Nm);
   void judge_travel(const TravelProbe& probe, double direction, double cap_Nm);
   TravelProbe against_load(double direction, const TravelProbe& other, double& cap_Nm);

@@ -21,6 +21,7 @@ constexpr double kWeightShare = 0.25;       ///< of breakaway friction: the know
 constexpr double kWeightMargin = 0.05;      ///< the same: that it surely moves
 constexpr double kLargestLoad = 0.8;        ///< of breakaway friction, on a joint that should have none
 constexpr double kWeightedCapShare = 1.45;  ///< of the measured breakaway friction, with the weight
+constexpr double kCurrentBound = 1.3;       ///< of the cap, measured: beyond it power goes off at once
 constexpr double kConstantError = 0.12;     ///< of the torque constant, by a weight and a protractor
 constexpr double kFrictionFactor = 2.0;     ///< measured against robot.yaml's: further apart is said
 
@@ -160,6 +161,7 @@ Walk::Sample Walk::sample() {
                   plan_.A_per_measured;
   now.status = static_cast<std::uint16_t>(number({canopen::kStatusWord, 0}, false).value_or(0));
   require_enabled(now);
+  require_bounded(now.current_A);
   return now;
 }
 
@@ -172,6 +174,17 @@ void Walk::require_enabled(const Sample& now) {
   throw DriveLost(std::string("it left operation by itself: ") + name(state));
 }
 
+/// A loop that swings up, or a sensor: the drive loses its power before anything is judged.
+void Walk::require_bounded(double current_A) {
+  const double cap_A = protocol_.torque_cap_Nm / (actuator_.gear_ratio * actuator_.torque_constant_Nm_A);
+  if (std::abs(current_A) <= kCurrentBound * cap_A) return;
+  switch_off();
+  finding({"measured current", text_of("below %.2f A", kCurrentBound * cap_A),
+           text_of("%.2f A: power off", current_A), Verdict::kDiffers,
+           "current loop gains of another motor, which swing up, or the current sensor: the maker's tool"});
+  throw Ended{};
+}
+
 std::vector<CurrentSample> Walk::record_current(double seconds) {
   std::vector<CurrentSample> out;
   const double begin_s = port_.now_s();
@@ -180,6 +193,7 @@ std::vector<CurrentSample> Walk::record_current(double seconds) {
     const double current_A = static_cast<double>(number(plan_.measured_current, true).value_or(0)) *
                              plan_.A_per_measured;
     out.push_back({port_.now_s() - begin_s, current_A});
+    require_bounded(current_A);
   }
   return out;
 }
