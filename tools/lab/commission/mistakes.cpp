@@ -184,10 +184,13 @@ void of_wiring(CommissionCase& c, DriveWiring& wiring, Dice& dice) {
 void of_the_file(CommissionCase& c, Dice& dice) {
   ActuatorConfig& believed = actuator(c.believed, c.actuator);
   switch (c.mistake) {
-    case Mistake::kGearRatio:
-      believed.gear_ratio *= dice.one_of(std::vector<double>{0.5, 0.8, 1.2, 1.6, 2.0});
+    case Mistake::kGearRatio: {
+      const double share = dice.one_of(std::vector<double>{0.5, 0.8, 1.2, 1.6, 2.0});
+      believed.gear_ratio *= share;
+      believed.torque_limit_Nm *= std::min(1.0, share);  // else the profile refuses the file at once
       c.detail = said("%.0f, true %.0f", believed.gear_ratio, actuator(c.machine, c.actuator).gear_ratio);
       return;
+    }
     case Mistake::kDirection:
       believed.direction *= -1.0;
       return;
