@@ -75,9 +75,10 @@ void of_the_drive(CommissionCase& c, DriveWiring& wiring, Dice& dice) {
       };
       return;
     case Mistake::kPowerLost: {
-      const std::string at = dice.one_of(std::vector<std::string>{
-          "encoder", "limits", "turned by hand", "power", "current step", "commutation and signs"});
-      const int transfer = 1 + static_cast<int>(dice.below(at == "commutation and signs" ? 200 : 3));
+      const std::string at = dice.one_of(std::vector<std::string>{"stored configuration", "limits",
+                                                                  "turned by hand", "power", "current step",
+                                                                  "commutation and signs"});
+      const int transfer = 1 + static_cast<int>(dice.below(at == "commutation and signs" ? 200 : 2));
       const double seconds = dice.one_in(2) ? 0.15 : 30.0;
       c.detail = "in step " + at + said(", transfer %.0f, for %.2f s", transfer, seconds);
       c.prepare = [=](SimulatedBench& bench) {
