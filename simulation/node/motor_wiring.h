@@ -48,7 +48,7 @@ struct MotorBelief {
 /// Gains are shares of those that cancel the winding's time constant and give the loop its bandwidth.
 class GainedCurrentLoop {
  public:
-  static constexpr double kWinding_s = 1.1e-3;  ///< L / R [design choice: facts canopen 4.6, about 1 ms]
+  static constexpr double kWinding_s = 1.1e-3;  ///< L / R [design choice], sim.yaml has 1.09 ms
   static constexpr double kPeriod_s = 1e-4;     ///< a 10 kHz loop [unverified: facts canopen 2.4]
   GainedCurrentLoop(double bandwidth_Hz, double step_s) noexcept;
   /// @param voltage_A what the converter can drive through the winding at rest.
