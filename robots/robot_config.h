@@ -10,6 +10,7 @@
 
 #include "model/leg_config.h"
 #include "robots/adaptive_landing_config.h"
+#include "robots/commissioning_config.h"
 #include "robots/gait_config.h"
 #include "robots/identification_config.h"
 #include "robots/torsion_config.h"
@@ -111,6 +112,7 @@ struct ActuatorConfig {
   double winding_time_constant_s = 0.0;     ///< thermal, of the motor's winding; 0 = the drive's own stays
   SupplyConfig supply;
   EmergencyInputConfig emergency_input;
+  CommissioningConfig commissioning;
   LinkEncoderConfig link_encoder;
   ReferenceConfig reference;
 };

@@ -136,6 +136,31 @@ EmergencyInputConfig read_emergency_input(const YamlMap& map) {
   return input;
 }
 
+MotorKind read_motor_kind(const YamlMap& map) {
+  const std::string motor = map.text("motor");
+  if (motor == "brushless") return MotorKind::kBrushless;
+  if (motor == "sinusoidal") return MotorKind::kSinusoidal;
+  if (motor == "block") return MotorKind::kBlock;
+  if (motor != "brushed")
+    map.fail("motor", "expected brushless, sinusoidal, block or brushed, found '" + motor + "'");
+  return MotorKind::kBrushed;
+}
+
+CommissioningConfig read_commissioning(const YamlMap& map) {
+  CommissioningConfig c;
+  if (map.has("motor")) c.motor = read_motor_kind(map);
+  if (map.has("encoder_inverted")) c.encoder_inverted = map.flag("encoder_inverted");
+  if (map.has("brake")) c.brake = map.flag("brake");
+  if (map.has("current_gains")) {
+    const YamlMap gains = map.map("current_gains");
+    c.current_p = static_cast<int>(gains.integer("p", 1, 32767));
+    c.current_i = static_cast<int>(gains.integer("i", 1, 32767));
+    gains.finish();
+  }
+  map.finish();
+  return c;
+}
+
 }  // namespace
 
 BusConfig read_bus(const YamlMap& map) {
@@ -190,6 +215,7 @@ ActuatorConfig read_actuator(const YamlMap& map, const RobotConfig& robot) {
   a.winding_time_constant_s = map.quantity_or("winding_time_constant", "s", 0.1, 1000, 0.0);
   if (map.has("supply")) a.supply = read_supply(map.map("supply"));
   if (map.has("emergency_input")) a.emergency_input = read_emergency_input(map.map("emergency_input"));
+  if (map.has("commissioning")) a.commissioning = read_commissioning(map.map("commissioning"));
   read_reference_of(map, robot, a);
   map.finish();
   return a;

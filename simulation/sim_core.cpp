@@ -25,7 +25,7 @@ struct SimCore::Impl {
   Impl(const RobotConfig& robot, const SimOptions& options)
       : Impl(robot, options, sim::load_sim_config(robot, options.plant)) {}
   Impl(const RobotConfig& robot, const SimOptions& options, const sim::SimConfig& config)
-      : train(robot, config, options.seed),
+      : train(robot, config, options.seed, options.wiring),
         bus_faults(robot.buses.size()),
         imu(config.imu.value_or(sim::ImuConfig{}), options.seed),
         with_imu(config.imu.has_value()),
@@ -34,6 +34,7 @@ struct SimCore::Impl {
         step_us(microseconds(config.plant.step_s)),
         torque_sensor(config.torque_sensor.value_or(sim::TorqueSensorConfig{}), options.seed),
         with_truth(options.truth),
+        runs_from_power_on(options.runs_from_power_on),
         truth(robot.joints.size(), robot.legs.size()) {}
 
   void queue(std::int64_t time_us, int bus, const CanFrame& frame) noexcept;
@@ -55,6 +56,7 @@ struct SimCore::Impl {
   std::int64_t step_us;
   sim::TorqueSensorDevice torque_sensor;
   bool with_truth;
+  bool runs_from_power_on;
   SimTruth truth;
   std::int64_t cycle = -1;
   std::int64_t plant_us = -1;   ///< time of the plant's state, on the grid of steps; -1 = not begun
@@ -87,7 +89,7 @@ void SimCore::Impl::step_until(std::int64_t time_us) noexcept {
   while (plant_us + step_us <= time_us) {
     tick_drives();
     plant_us += step_us;
-    if (cycle >= 0) step_plant();
+    if (cycle >= 0 || runs_from_power_on) step_plant();
     ticked = false;
   }
   if (time_us > plant_us) tick_drives();
@@ -120,7 +122,7 @@ void SimCore::Impl::deliver(const sim::TimedFrame& event) noexcept {
 
 void SimCore::Impl::sync(const sim::TimedFrame& event) noexcept {
   if (event.bus == kPacingBus) {
-    if (cycle >= 0 || train.all_operational()) ++cycle;
+    if (cycle >= 0 || runs_from_power_on || train.all_operational()) ++cycle;
     experimenter.start_cycle(cycle);
   }
   train.sample(event.bus, 1e-6 * static_cast<double>(event.time_us - plant_us), cycle);
@@ -178,6 +180,18 @@ const Imu& SimCore::imu() const noexcept { return impl_->imu.newest(); }
 double SimCore::true_motor_torque_Nm(int actuator) noexcept {
   const sim::SimDrive* drive = impl_->train.drive(actuator);
   return drive != nullptr ? drive->motor_torque_Nm() : 0.0;
+}
+
+double SimCore::true_load_Nm(int joint) const noexcept {
+  return impl_->train.plant().load_Nm(static_cast<std::size_t>(joint));
+}
+
+double SimCore::true_position_rad(int joint) const noexcept {
+  return impl_->train.plant().position_rad(static_cast<std::size_t>(joint));
+}
+
+void SimCore::push_joint(int joint, double torque_Nm) noexcept {
+  impl_->train.plant().push_joint(joint, torque_Nm);
 }
 
 bool SimCore::failed() const noexcept { return impl_->failure != nullptr || impl_->train.plant().failed(); }

@@ -8,11 +8,13 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "drivers/can/can_frame.h"
 #include "robots/robot_config.h"
 #include "signals/sensors.h"
 #include "signals/simulation.h"
+#include "simulation/node/motor_wiring.h"
 
 namespace sprung {
 
@@ -22,6 +24,9 @@ struct SimOptions {
   /// (docs in sim.yaml).
   std::map<std::string, double> plant;
   bool truth = true;  ///< fill SIM_TRUTH; must change nothing else
+  /// By actuator: drives that are still to be commissioned. Empty: they know their motors.
+  std::vector<sim::DriveWiring> wiring{};
+  bool runs_from_power_on = false;  ///< the plant does not wait for cycle 0: nobody boots the drives
 };
 
 class SimCore {
@@ -55,6 +60,13 @@ class SimCore {
   const Imu& imu() const noexcept;
   /// Of one actuator's motor at its gear's output, now: not what the bus says. For experiments.
   double true_motor_torque_Nm(int actuator) noexcept;
+  /// Of a joint, now, as it truly is. For experiments. @param joint of the robot.
+  double true_position_rad(int joint) const noexcept;
+  /// Torque that holds it where it is, at rest and without friction.
+  double true_load_Nm(int joint) const noexcept;
+  /// Somebody pushes a joint from outside, Nm about its positive direction, until told otherwise. For
+  /// experiments.
+  void push_joint(int joint, double torque_Nm) noexcept;
   bool failed() const noexcept;  ///< a MuJoCo warning or a number that is not finite: the run is void
   const char* failure() const noexcept;
 

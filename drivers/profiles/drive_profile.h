@@ -9,6 +9,7 @@
 
 #include "drivers/can/can_frame.h"
 #include "drivers/canopen/protocol.h"
+#include "drivers/profiles/commissioning.h"
 #include "robots/robot_config.h"
 #include "signals/modes.h"
 
@@ -80,6 +81,9 @@ class DriveProfile : public NodeProfile {
   bool decode_inputs(const CanFrame& frame, std::uint32_t& levels) const noexcept;
   /// Where the drive keeps its encoder's count at the last index pulse; {0, 0} where it does not.
   virtual canopen::ObjectId index_counter_object() const noexcept { return {}; }
+
+  /// For `sprung drive commission`; empty where the make has no plan yet. Allocates.
+  virtual CommissioningPlan commissioning(double /*bit_rate_bit_s*/) const { return {}; }
 
   /// @return false when the frame is not this drive's sample (other id or length).
   virtual bool decode_sample(const CanFrame& frame, DriveSample& sample) const noexcept = 0;

@@ -5,6 +5,7 @@
 
 #include "drivers/canopen/objects.h"
 #include "drivers/cia402/words.h"
+#include "signals/angles.h"
 #include "simulation/hash_noise.h"
 
 namespace sprung::sim {
@@ -30,6 +31,8 @@ constexpr std::uint64_t kEncoderSignals = 1ULL << 32;
 EncoderTruth encoder_truth(const SimDriveSetup& setup) {
   EncoderTruth truth;
   truth.counts_per_turn = setup.actuator.encoder_counts_per_turn;
+  if (setup.wiring.given && setup.wiring.encoder_counts_per_turn > 0.0)
+    truth.counts_per_turn = setup.wiring.encoder_counts_per_turn;
   truth.gear_ratio = setup.actuator.gear_ratio;
   truth.absolute = setup.truth.absolute_encoder;
   truth.index_rad = setup.truth.index_angle_rad;
@@ -52,10 +55,29 @@ Cia402Drive::Cia402Drive(const SimDriveSetup& setup, std::unique_ptr<DriveMake> 
       stage_(make_->power_times(), setup.step_s),
       encoder_(encoder_truth(setup)),
       current_loop_(setup.truth.torque_loop_Hz, setup.step_s),
+      gained_loop_(setup.truth.torque_loop_Hz, setup.step_s),
+      commutation_(setup.wiring),
       latches_(setup.truth.latches_communication_faults.value_or(make_->latches_communication_faults())),
       comes_up_in_fault_(setup.truth.starts_in_fault),
       noise_A_(sensor_noise_A(-1)),
-      supply_V_(setup.truth.supply_V) {}
+      supply_V_(setup.truth.supply_V) {
+  if (setup.wiring.given) store(setup.wiring);
+}
+
+/// As if somebody had set the drive up before, and stored it.
+void Cia402Drive::store(const DriveWiring& wiring) noexcept {
+  for (const auto& [id, value] : wiring.stored) {
+    if (dictionary_.has(id)) dictionary_.set(id, value);
+  }
+  dictionary_.store(0, 0xFFFF);
+  encoder_.set_fault(FaultKind::kEncoderStuck, 0.0, wiring.encoder_dead);
+}
+
+/// The shaft as the encoder and the drive's polarity show it.
+double Cia402Drive::seen_rad(double shaft_rad) const noexcept {
+  if (!setup_.wiring.given) return shaft_rad;
+  return setup_.wiring.encoder_reversed != make_->motor_belief().encoder_inverted ? -shaft_rad : shaft_rad;
+}
 
 void Cia402Drive::receive(const CanFrame& frame, std::int64_t time_us) noexcept {
   if (!on_) return;
@@ -72,17 +94,17 @@ void Cia402Drive::forget_communication_fault() noexcept {
 }
 
 double Cia402Drive::motor_torque_Nm() const noexcept {
-  return setup_.truth.torque_constant_Nm_A * setup_.actuator.gear_ratio * current_loop_.current_A();
+  return setup_.truth.torque_constant_Nm_A * setup_.actuator.gear_ratio * torque_share_ * current_A();
 }
 
 void Cia402Drive::sample(double shaft_rad, std::int64_t cycle) noexcept {
   noise_A_ = sensor_noise_A(cycle);
-  if (on_) show(encoder_.read(shaft_rad));
+  if (on_) show(encoder_.read(seen_rad(shaft_rad)));
 }
 
 void Cia402Drive::step(double shaft_rad, std::int64_t time_us) noexcept {
   if (!on_) return outbox().release(time_us);
-  const double counts = encoder_.tick(shaft_rad);
+  const double counts = encoder_.tick(seen_rad(shaft_rad));
   velocity_rad_s_ = has_counts_ ? (counts - counts_) / encoder_.counts_per_rad() / setup_.step_s : 0.0;
   counts_ = counts;
   has_counts_ = true;
@@ -90,6 +112,7 @@ void Cia402Drive::step(double shaft_rad, std::int64_t time_us) noexcept {
   supervise();
   change_mode();
   follow_mode();
+  if (setup_.wiring.given) commutate(shaft_rad);
   drive_motor();
   show(counts);
   device_.tick(time_us);
@@ -196,7 +219,7 @@ DriveMoment Cia402Drive::moment(double counts) const noexcept {
   now.counts = counts;
   now.counts_at_index = encoder_.counts_at_index();
   now.velocity_rad_s = velocity_rad_s_;
-  now.measured_current_A = current_loop_.current_A() + noise_A_ + current_offset_A_;
+  now.measured_current_A = current_A() + noise_A_ + current_offset_A_;
   now.supply_V = supply_V_;
   now.dt_s = setup_.step_s;
   now.counts_per_rad = encoder_.counts_per_rad();
@@ -212,11 +235,41 @@ void Cia402Drive::drive_motor() noexcept {
   const CurrentDemand demand = make_->demand(moment(counts_));
   limited_ = demand.limited;
   if (!demand.on) {
-    current_loop_.switch_off();
+    switch_off_current();
   } else {
-    current_loop_.step(demand.current_A - current_offset_A_);  // the loop brings the sensor to the set-point
+    step_current(demand.current_A - current_offset_A_);  // the loop brings the sensor to the set-point
   }
   if (demand.fault != 0 && !stage_.in_fault()) raise_fault(demand.fault);
+}
+
+double Cia402Drive::current_A() const noexcept {
+  return setup_.wiring.given ? gained_loop_.current_A() : current_loop_.current_A();
+}
+
+void Cia402Drive::switch_off_current() noexcept {
+  current_loop_.switch_off();
+  gained_loop_.switch_off();
+}
+
+void Cia402Drive::step_current(double target_A) noexcept {
+  if (!setup_.wiring.given) {
+    current_loop_.step(target_A);
+    return;
+  }
+  const DriveWiring& wiring = setup_.wiring;
+  const MotorBelief belief = make_->motor_belief();
+  const bool told = wiring.fitting_p > 0.0 && belief.current_p + belief.current_i > 0.0;
+  const double gain_p = told ? belief.current_p / wiring.fitting_p : wiring.gain_p;
+  const double gain_i = told ? belief.current_i / wiring.fitting_i : wiring.gain_i;
+  gained_loop_.step(target_A, gain_p, gain_i, setup_.wiring.voltage_A);
+}
+
+/// The Hall sensors are read when power comes on; from then on the encoder is counted.
+void Cia402Drive::commutate(double shaft_rad) noexcept {
+  const double motor_rad = shaft_rad * setup_.actuator.gear_ratio;
+  if (!stage_.powered()) commutation_.align(motor_rad, counts_);
+  torque_share_ = commutation_.share(motor_rad, counts_, make_->motor_belief(),
+                                     encoder_.counts_per_rad() * kTurn_rad / setup_.actuator.gear_ratio);
 }
 
 void Cia402Drive::show(double counts) noexcept {
@@ -258,7 +311,7 @@ void Cia402Drive::reset() noexcept {
   mode_ = ModeUse::kNone;
   mode_wait_s_ = 0.0;
   communication_fault_ = false;
-  current_loop_.switch_off();
+  switch_off_current();
 }
 
 void Cia402Drive::set_fault(FaultKind kind, double value, bool on) noexcept {
@@ -274,7 +327,7 @@ void Cia402Drive::set_fault(FaultKind kind, double value, bool on) noexcept {
       overheated_ = on;
       return;
     case FaultKind::kEmergencyInput:
-      emergency_stop_ = on;
+      emergency_stop_ = on && !setup_.wiring.emergency_dead;
       return;
     case FaultKind::kCurrentOffset:
       current_offset_A_ = on ? value : 0.0;
@@ -301,7 +354,7 @@ void Cia402Drive::tell_again() noexcept {
 
 void Cia402Drive::switch_power(bool on) noexcept {
   on_ = on;
-  current_loop_.switch_off();
+  switch_off_current();
   if (!on) return;
   encoder_.power_on();
   has_counts_ = false;

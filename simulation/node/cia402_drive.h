@@ -7,6 +7,7 @@
 #include "simulation/node/canopen_device.h"
 #include "simulation/node/motor_control.h"
 #include "simulation/node/motor_encoder.h"
+#include "simulation/node/motor_wiring.h"
 #include "simulation/node/object_dictionary.h"
 #include "simulation/node/power_stage.h"
 #include "simulation/node/sim_device.h"
@@ -74,6 +75,8 @@ class DriveMake {
   virtual void show(const DriveMoment& now) noexcept = 0;
   /// Status word without bits 9 and 11.
   virtual std::uint16_t status_word(const PowerStage& stage, const DriveMoment& now) const noexcept = 0;
+  /// What its objects say of the motor; asked only of drives whose wiring is given.
+  virtual MotorBelief motor_belief() const noexcept { return {}; }
   /// NMT reset node, power on.
   virtual void reset() noexcept {}
 
@@ -106,6 +109,12 @@ class Cia402Drive : public SimDrive, private DeviceApplication {
   void follow_mode() noexcept;
   void miss_setpoints() noexcept;
   void drive_motor() noexcept;
+  double current_A() const noexcept;
+  void switch_off_current() noexcept;
+  void step_current(double target_A) noexcept;
+  void commutate(double shaft_rad) noexcept;
+  double seen_rad(double shaft_rad) const noexcept;
+  void store(const DriveWiring& wiring) noexcept;
   void supervise() noexcept;
   void show(double counts) noexcept;
   void show_error_code(std::uint16_t code) noexcept;
@@ -129,6 +138,9 @@ class Cia402Drive : public SimDrive, private DeviceApplication {
   PositionLoop position_loop_;
   PositionLoop::Reference reference_;
   CurrentLoop current_loop_;
+  GainedCurrentLoop gained_loop_;  ///< instead, where the wiring is given
+  Commutation commutation_;        ///< the same
+  double torque_share_ = 1.0;      ///< of Kt I that becomes torque
   ModeUse mode_ = ModeUse::kNone;  ///< shown in 0x6061
   double mode_wait_s_ = 0.0;       ///< since another one was asked for
   double counts_ = 0.0;

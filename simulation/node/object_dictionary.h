@@ -54,7 +54,7 @@ class ObjectDictionary {
 
   /// Whether 0x1010 saves it: writable, and neither a command nor the error history.
   bool storable(int position) const noexcept;
-  /// Stored values become the present ones; of indexes first..last.
+  /// Present values of storable objects become the stored ones; of indexes first..last.
   void store(std::uint16_t first, std::uint16_t last) noexcept;
   /// Stored values become the maker's again.
   void forget(std::uint16_t first, std::uint16_t last) noexcept;
@@ -62,9 +62,9 @@ class ObjectDictionary {
   /// The maker's default is another one now, and so is what had it; what differs from it stays. For objects
   /// that hang on the node id. Nothing where there is no such object.
   void move_default(canopen::ObjectId id, std::int64_t by) noexcept;
-  /// Present values of storable objects become the stored ones.
+  /// Stored values become the present ones.
   void recall(std::uint16_t first, std::uint16_t last) noexcept;
-  /// All present values become the stored ones: power on.
+  /// All stored values become the present ones: power on.
   void restart() noexcept;
 
  private:

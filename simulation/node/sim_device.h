@@ -7,6 +7,7 @@
 #include "drivers/can/can_frame.h"
 #include "robots/robot_config.h"
 #include "signals/modes.h"
+#include "simulation/node/motor_wiring.h"
 #include "simulation/node/outbox.h"
 #include "simulation/plant/sim_config.h"
 
@@ -70,6 +71,7 @@ struct SimDriveSetup {
   double step_s = 0.0;  ///< of the drive's loops
   std::uint64_t seed = 0;
   std::uint64_t signal = 0;  ///< number of this drive's current noise
+  DriveWiring wiring{};      ///< not given: the drive knows its motor
 };
 
 struct SimCardSetup {

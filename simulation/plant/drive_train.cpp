@@ -92,7 +92,8 @@ void Transmission::torques_to_joints(const std::vector<double>& actuator_Nm,
   for (const Share& share : shares_) joint_Nm[share.joint] += share.of * actuator_Nm[share.actuator];
 }
 
-DriveTrain::DriveTrain(const RobotConfig& robot, const SimConfig& config, std::uint64_t seed)
+DriveTrain::DriveTrain(const RobotConfig& robot, const SimConfig& config, std::uint64_t seed,
+                       const std::vector<DriveWiring>& wiring)
     : actuators_(mounted(robot, config)),
       plant_(robot, config.plant),
       transmission_(robot),
@@ -110,8 +111,8 @@ DriveTrain::DriveTrain(const RobotConfig& robot, const SimConfig& config, std::u
       link_rad_(actuators_.size()),
       link_rad_s_(actuators_.size()) {
   for (std::size_t i = 0; i < actuators_.size(); ++i) {
-    drives_.push_back(
-        make_sim_drive({actuators_[i], config.drives[i], config.plant.step_s, seed, torque_signal(i)}));
+    drives_.push_back(make_sim_drive({actuators_[i], config.drives[i], config.plant.step_s, seed,
+                                      torque_signal(i), i < wiring.size() ? wiring[i] : DriveWiring{}}));
     drives_[i]->outbox().set_seed(seed, i);
   }
   for (std::size_t i = 0; i < card_configs_.size(); ++i) {

@@ -33,7 +33,9 @@ class Transmission {
 class DriveTrain {
  public:
   /// @throws ConfigError
-  DriveTrain(const RobotConfig& robot, const SimConfig& config, std::uint64_t seed);
+  /// @param wiring by actuator; empty: every drive knows its motor.
+  DriveTrain(const RobotConfig& robot, const SimConfig& config, std::uint64_t seed,
+             const std::vector<DriveWiring>& wiring = {});
 
   /// Nodes' frames go here.
   void open(FrameBatch* out) noexcept;

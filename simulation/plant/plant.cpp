@@ -36,6 +36,7 @@ const char* warning_name(int warning) noexcept {
 Plant::Plant(const RobotConfig& robot, const PlantConfig& config)
     : config_(config),
       motor_torque_Nm_(robot.joints.size(), 0.0),
+      push_Nm_(robot.joints.size(), 0.0),
       foot_wrench_(robot.legs.size()),
       ground_(config.ground, config.floor_height_m, robot.legs.size()),
       foot_m_(robot.legs.size()) {
@@ -175,6 +176,7 @@ void Plant::apply_torques() noexcept {
     if (gear.torsion)
       gear.output_torque_Nm = gear.torsion->output_torque_Nm(position_rad(i), velocity_rad_s(i));
     data_->qfrc_applied[index_.joint_dof[i]] = gear.torsion ? gear.output_torque_Nm : motor_torque_Nm_[i];
+    if (push_Nm_[i] != 0.0) data_->qfrc_applied[index_.joint_dof[i]] += push_Nm_[i];
   }
   for (const Linkage& linkage : index_.linkages) {
     Gear& gear = gears_[linkage.gear];
@@ -253,6 +255,10 @@ void Plant::set_foot_wrench(int leg, const std::array<double, 6>& wrench) noexce
   if (leg >= 0 && leg < static_cast<int>(foot_wrench_.size())) {
     foot_wrench_[leg] = wrench;
   }
+}
+
+void Plant::push_joint(int joint, double torque_Nm) noexcept {
+  if (joint >= 0 && joint < static_cast<int>(push_Nm_.size())) push_Nm_[joint] = torque_Nm;
 }
 
 mjtNum* Plant::base_armature() const noexcept {

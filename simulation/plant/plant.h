@@ -31,6 +31,8 @@ class Plant {
   void set_base_wrench(const std::array<double, 6>& wrench) noexcept;
   /// The same at the foot of a leg.
   void set_foot_wrench(int leg, const std::array<double, 6>& wrench) noexcept;
+  /// From outside, about the joint's positive direction; kept until changed. Others are ignored.
+  void push_joint(int joint, double torque_Nm) noexcept;
   /// Holds the base still. @param height_m of the base in the world; not above 0 = where it is.
   void suspend(double height_m) noexcept;
   /// At once, also under a foot: the contact's spring then pushes. reset() puts it back to sim.yaml's.
@@ -41,6 +43,8 @@ class Plant {
   double step_s() const noexcept { return model_->opt.timestep; }
   double position_rad(std::size_t joint) const noexcept;
   double velocity_rad_s(std::size_t joint) const noexcept;
+  /// Torque that holds the joint where it is, at rest and without friction; as of the last step.
+  double load_Nm(std::size_t joint) const noexcept { return data_->qfrc_bias[index_.joint_dof[joint]]; }
   /// Of the rotor, output side; the joint's own where the gear has no torsion.
   double motor_position_rad(std::size_t joint) const noexcept;
   double motor_velocity_rad_s(std::size_t joint) const noexcept;
@@ -98,6 +102,7 @@ class Plant {
   PlantIndex index_;
   DataPtr data_;
   std::vector<double> motor_torque_Nm_;
+  std::vector<double> push_Nm_;        ///< from outside, by joint
   std::vector<double> base_armature_;  ///< of the base's degrees of freedom, when not suspended
   std::vector<std::array<double, 6>> foot_wrench_;
   Ground ground_;

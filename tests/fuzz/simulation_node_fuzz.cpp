@@ -109,9 +109,14 @@ std::vector<std::string> node_seeds() {
 SPRUNG_FUZZ(simulation_node, node_seeds) {
   const sim::ObjectDictionary& dictionary = dictionaries()[input.byte() % dictionaries().size()];
   const std::uint8_t bits = input.byte();
-  Bench bench(dictionary, {(bits & 1U) != 0 ? canopen::kAbortMaxonNmtState : 0, (bits & 2U) != 0,
-                           static_cast<int>(bits >> 2U & 3U), (bits & 16U) != 0,
-                           (bits & 32U) != 0 ? canopen::kNoNode : 0});
+  sim::DevicePolicy policy;
+  if ((bits & 1U) != 0) policy.remap_in_operational = canopen::kAbortMaxonNmtState;
+  policy.short_pdo_loses_connection = (bits & 2U) != 0;
+  policy.after_communication_error = static_cast<int>(bits >> 2U & 3U);
+  policy.lss = (bits & 16U) != 0;
+  if ((bits & 32U) != 0) policy.factory_node = canopen::kNoNode;
+  policy.events_on_change = (bits & 64U) == 0;
+  Bench bench(dictionary, policy);
   for (int left = 300; left > 0 && !input.done(); --left) {
     const int what = input.byte() % 4;
     if (what == 0) bench.hear(input);

@@ -86,6 +86,16 @@ void Epos2Make::reset() noexcept {
   average_rad_s_ = 0.0;
 }
 
+MotorBelief Epos2Make::motor_belief() const noexcept {
+  MotorBelief belief;
+  belief.pole_pairs = static_cast<int>(object(kMotorData, 3));
+  belief.encoder_counts_per_turn = 4.0 * object(kEncoderPulses, 1);
+  belief.encoder_inverted = (dictionary_.get({kEncoderPulses, kSensorPolaritySub}) & 1) != 0;
+  belief.current_p = object(kCurrentRegulator, 1);
+  belief.current_i = object(kCurrentRegulator, 2);
+  return belief;
+}
+
 double Epos2Make::position_current_A(const DriveMoment& now) noexcept {
   const double error_qc = now.reference.position_counts - now.counts;
   const double error_qc_s = now.reference.velocity_counts_s - now.velocity_rad_s * now.counts_per_rad;

@@ -28,6 +28,7 @@ class Epos2Make final : public DriveMake {
   CurrentDemand demand(const DriveMoment& now) noexcept override;
   void show(const DriveMoment& now) noexcept override;
   std::uint16_t status_word(const PowerStage& stage, const DriveMoment& now) const noexcept override;
+  MotorBelief motor_belief() const noexcept override;
   void reset() noexcept override;
 
  private:

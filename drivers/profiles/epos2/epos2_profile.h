@@ -18,6 +18,7 @@ class Epos2Profile final : public DriveProfile {
 
   std::vector<DriveSetting> settings() const override;
   std::vector<PdoSetting> pdos() const override;
+  CommissioningPlan commissioning(double bit_rate_bit_s) const override;
   /// None: the data sheets at hand show no supply voltage.
   canopen::ObjectId supply_voltage_object() const noexcept override { return {0, 0}; }
   double supply_V(std::uint32_t raw) const noexcept override;

@@ -33,6 +33,16 @@ inline constexpr std::uint16_t kPositionRegulator = 0x60FB;  ///< i16, :01 P, :0
 inline constexpr std::uint16_t kMotorData = 0x6410;  ///< :01 continuous mA, :02 peak mA, :04 rpm, :05 0.1 s
 inline constexpr std::uint16_t kEncoderPulses = 0x2210;  ///< :01, pulses a turn; qc = 4 * pulses
 
+inline constexpr std::uint8_t
+    kSensorTypeSub = 2;  ///< of 0x2210; low nibble 1, 2: incremental, with and without index
+inline constexpr std::uint8_t kSensorPolaritySub = 4;  ///< of 0x2210; bit 0: encoder 1 counts the other way
+inline constexpr std::uint16_t kCurrentRegulator = 0x60F6;  ///< i16, :01 P, :02 I
+inline constexpr std::uint16_t
+    kMotorType = 0x6402;                          ///< u16: 1 DC, 10 sinusoidal, 11 block (facts canopen 2.4)
+inline constexpr std::uint16_t kNodeId = 0x2000;  ///< u8
+inline constexpr std::uint16_t
+    kBitRateCode = 0x2001;  ///< u16: 0 = 1 M, 1 = 800 k, 2 = 500 k, 3 = 250 k, 4 = 125 kbit/s
+
 inline constexpr double kProportionalUnit_mA_qc = 1e-3;  ///< one count of 0x60FB:01
 inline constexpr double kDerivativeUnit_mA_s_qc = 1e-5;  ///< one count of 0x60FB:03
 inline constexpr double kThermalUnit_s = 0.1;            ///< one count of 0x6410:05

@@ -17,6 +17,7 @@ class GoldProfile final : public DriveProfile {
 
   std::vector<DriveSetting> settings() const override;
   std::vector<PdoSetting> pdos() const override;
+  CommissioningPlan commissioning(double bit_rate_bit_s) const override;
   canopen::ObjectId supply_voltage_object() const noexcept override;
   double supply_V(std::uint32_t raw) const noexcept override { return 1e-3 * raw; }
   canopen::MapEntry inputs() const noexcept override;

@@ -29,6 +29,7 @@ void add_drive(CommandLine& sprung) {
   add_drive_write(drive);
   add_drive_scan(drive);
   add_drive_check(drive);
+  add_drive_commission(drive);
 }
 
 }  // namespace sprung::commands

@@ -37,5 +37,6 @@ void add_drive_read(CommandLine& drive);
 void add_drive_write(CommandLine& drive);
 void add_drive_scan(CommandLine& drive);
 void add_drive_check(CommandLine& drive);
+void add_drive_commission(CommandLine& drive);
 
 }  // namespace sprung::commands
