@@ -42,24 +42,28 @@ inline void dump_value(test::ValueDump& dump, const std::string& at, const Emerg
   dump.fields(at, "bit stops_high", value.bit, value.stops_high);
 }
 
+inline void dump_value(test::ValueDump& dump, const std::string& at, const CommissioningConfig& value) {
+  dump.fields(at, "motor encoder_inverted current_p current_i brake", static_cast<int>(value.motor),
+              value.encoder_inverted, value.current_p, value.current_i, value.brake);
+}
+
 inline void dump_value(test::ValueDump& dump, const std::string& at, const ActuatorConfig& value) {
   const auto& [name, bus, node, profile, identity, ratio, direction, torque_constant, rated_current, counts,
                offset, referenced, torque_limit, speed_limit, power_limit, speed_object, limits_object, loop,
                stiffness, damping, gains_object, safety_damping, pole_pairs, winding, supply, emergency_input,
-               link_encoder, reference] = value;
-  dump.fields(
-      at,
-      "name bus node profile identity gear_ratio direction torque_constant_Nm_A rated_current_A "
-      "encoder_counts_per_turn offset_rad referenced torque_limit_Nm speed_limit_rad_s power_limit_W "
-      "speed_limit_object position_limits_object position_loop position_stiffness_Nm_rad "
-      "position_damping_Nm_s_rad "
-      "position_gains_object "
-      "safety_damping_Nm_s_rad pole_pairs winding_time_constant_s supply emergency_input link_encoder "
-      "reference",
-      name, bus, node, profile, identity, ratio, direction, torque_constant, rated_current, counts, offset,
-      referenced, torque_limit, speed_limit, power_limit, speed_object, limits_object, static_cast<int>(loop),
-      stiffness, damping, gains_object, safety_damping, pole_pairs, winding, supply, emergency_input,
-      link_encoder, reference);
+               commissioning, link_encoder, reference] = value;
+  dump.fields(at,
+              "name bus node profile identity gear_ratio direction torque_constant_Nm_A rated_current_A "
+              "encoder_counts_per_turn offset_rad referenced torque_limit_Nm speed_limit_rad_s power_limit_W "
+              "speed_limit_object position_limits_object position_loop position_stiffness_Nm_rad "
+              "position_damping_Nm_s_rad "
+              "position_gains_object "
+              "safety_damping_Nm_s_rad pole_pairs winding_time_constant_s supply emergency_input "
+              "commissioning link_encoder reference",
+              name, bus, node, profile, identity, ratio, direction, torque_constant, rated_current, counts,
+              offset, referenced, torque_limit, speed_limit, power_limit, speed_object, limits_object,
+              static_cast<int>(loop), stiffness, damping, gains_object, safety_damping, pole_pairs, winding,
+              supply, emergency_input, commissioning, link_encoder, reference);
 }
 
 inline void dump_value(test::ValueDump& dump, const std::string& at, const FrictionParameters& value) {
