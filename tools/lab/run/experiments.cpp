@@ -25,8 +25,7 @@ std::vector<Experiment> experiments() {
   return {jump_experiment(), foot_return_experiment(),   stand_push_experiment(), step_response_experiment(),
           drop_experiment(), jump_ensemble_experiment(), walk_experiment(),       ground_error_experiment(),
           push_experiment(), endurance_experiment(),     faults_experiment(),     friction_sweep_experiment(),
-          drag_experiment(), estimator_experiment(),     tune_experiment(),
-          commission_experiment()};
+          drag_experiment(), estimator_experiment(),     tune_experiment(),       commission_experiment()};
 }
 
 std::vector<Experiment> experiments_of(const RobotConfig& robot) {
