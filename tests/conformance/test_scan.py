@@ -50,9 +50,11 @@ MEASURED = {
 
 HISTORY = "CiA 301: a history refuses everything but 0 with 06090030, whatever its limits"
 
+HALF = "the maker's default maps 32 bits of a 64-bit object, which CiA 301 refuses with 06040041"
+
 # (index, sub-index, check): why the device differs from the EDS there. A simulated device must do so.
 EXPLAINED = {
-    "gold": {(0x1003, 0, "1, beyond its limit"): HISTORY},
+    "gold": {(0x1003, 0, "1, beyond its limit"): HISTORY, (0x1601, 1, "write back"): HALF},
     "epos2": {(0x1003, 0, "1, beyond its limit"): HISTORY},
     "encoder_card": {(0x1003, 0, "1, beyond its limit"): HISTORY},
 }

@@ -41,9 +41,11 @@ TEST_P(EmergencyInputLevel, EmergencyInputTakesThePowerAtOnceAndHoldsOffTheClear
     a.emergency_input = {3, GetParam()};
   });
   InProcessRobot robot(config, "best", {});
+  robot.boot();
+  for (int i = 0; i < 20; ++i) robot.tick();  // a Gold tells its inputs at every seventh SYNC
   test::stand_up(robot, false);
   test::make_fault(robot, 1, FaultKind::kEmergencyInput, 0.0, 2.0);
-  for (int i = 0; i < 15; ++i) robot.tick();  // inhibit time of the frame: 10 ms
+  for (int i = 0; i < 15; ++i) robot.tick();  // seven cycles until the frame, at most
   EXPECT_EQ(safety(robot).level, SafetyLevel::kDisabled);
   EXPECT_EQ(safety(robot).cause, SafetyCause::kEmergencyStop);
   EXPECT_EQ(safety(robot).actuator, 1);

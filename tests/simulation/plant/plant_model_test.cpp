@@ -59,7 +59,7 @@ TEST_F(PlantModelTest, ABodyThatCannotBeIsNamedWithItsLine) {
   EXPECT_THAT(text, HasSubstr("Object name = base"));
 }
 
-/// Debian's MuJoCo; later ones: tests/robots/models/run.
+/// Debian's MuJoCo; later ones: tests/mujoco/run.
 class ShippedModel : public testing::TestWithParam<const char*> {
  protected:
   static inline std::string warned_;

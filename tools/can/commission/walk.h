@@ -31,7 +31,7 @@ struct WalkOptions {
 class Walk {
  public:
   /// Of the cap on torque: robot.yaml's breakaway friction of the joint, then the measured one.
-  static constexpr double kCapShare = 1.4;
+  static constexpr double kCapShare = 1.35;
   static constexpr double kBound_rad = 0.045;  ///< of motion under power
 
   /// @throws std::invalid_argument on values that a profile cannot hold. All must outlive the walk.

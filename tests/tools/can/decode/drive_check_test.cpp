@@ -76,7 +76,7 @@ TEST_F(ObjectLookup, NumbersAreHexadecimalWithOrWithoutPrefix) {
 TEST_F(ObjectLookup, NamesMayBeShortenedToWhatOnlyOneHas) {
   EXPECT_EQ(find_object("Position Actual", eds_),
             (canopen::ObjectId{0x6064, 0}));  // though 0x6063 has it as a part
-  EXPECT_EQ(find_object("stiffness", eds_), (canopen::ObjectId{0x2F01, 1}));
+  EXPECT_EQ(find_object("extrapolation", eds_), (canopen::ObjectId{0x2F75, 0}));
 }
 
 TEST_F(ObjectLookup, SeveralOrNoneAreExplained) {
