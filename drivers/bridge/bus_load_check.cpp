@@ -112,7 +112,7 @@ std::string percent(double share, const char* format = "%.1f %%") {
 }  // namespace
 
 BusLoadReport bus_load(const RobotConfig& robot, const WatchdogConfig& watchdogs) {
-  const DriveTiming timing{robot.cycle_s, watchdogs.heartbeat_s, watchdogs.heartbeat_consumer_s};
+  const DriveTiming timing = timing_of(robot.cycle_s, watchdogs);
   BusSum sum(robot, watchdogs);
   for (std::size_t bus = 0; bus < robot.buses.size(); ++bus) sum.add_bridge(bus);
   for (const ActuatorConfig& a : robot.actuators)

@@ -11,9 +11,6 @@ namespace {
 using cia402::PowerTarget;
 
 constexpr std::int64_t kModeLimit_us = 1'000'000;
-/// [design choice] than samples after which the bridge stops the robot by itself: 5 with the shipped
-/// watchdogs, as others have it (2 to 6).
-constexpr int kMoreLostSetpoints = 3;
 
 double quantum_rad(const ActuatorConfig& actuator) noexcept {
   return 2.0 * kPi / (actuator.encoder_counts_per_turn * actuator.gear_ratio);
@@ -22,9 +19,7 @@ double quantum_rad(const ActuatorConfig& actuator) noexcept {
 std::unique_ptr<DriveProfile> make_raw_profile(ActuatorConfig actuator, double cycle_s,
                                                const WatchdogConfig& watchdogs) {
   actuator.offset_rad = 0.0;
-  const int lost_setpoints = watchdogs.silent_cycles + kMoreLostSetpoints;
-  return make_profile(actuator,
-                      {cycle_s, watchdogs.heartbeat_s, watchdogs.heartbeat_consumer_s, lost_setpoints});
+  return make_profile(actuator, timing_of(cycle_s, watchdogs));
 }
 
 }  // namespace

@@ -20,6 +20,14 @@ namespace {
 
 }  // namespace
 
+DriveTiming timing_of(double cycle_s, const WatchdogConfig& watchdogs) noexcept {
+  /// [design choice] than samples after which the bridge stops the robot by itself: 5 with the shipped
+  /// watchdogs, as others have it (2 to 6).
+  constexpr int kMoreLostSetpoints = 3;
+  return {cycle_s, watchdogs.heartbeat_s, watchdogs.heartbeat_consumer_s,
+          watchdogs.silent_cycles + kMoreLostSetpoints};
+}
+
 std::vector<canopen::MapEntry> DriveProfile::display_entries() const {
   std::vector<canopen::MapEntry> entries = {{{canopen::kModeDisplay, 0}, 8}};
   if (carries_inputs_) entries.push_back(inputs());

@@ -23,6 +23,9 @@ struct DriveTiming {
   int lost_setpoints = 5;             ///< in a row that a drive has to bear
 };
 
+/// What the bridge tells drives, and tools expect in them.
+DriveTiming timing_of(double cycle_s, const WatchdogConfig& watchdogs) noexcept;
+
 /// One object to write at start-up and to read back.
 struct DriveSetting {
   canopen::ObjectId object;

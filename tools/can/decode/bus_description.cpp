@@ -48,7 +48,7 @@ std::string BusDescription::node_name(int bus, int node) const {
 }
 
 DriveTiming drive_timing(const RobotConfig& robot, const WatchdogConfig& watchdogs) {
-  return {robot.cycle_s, watchdogs.heartbeat_s, watchdogs.heartbeat_consumer_s};
+  return timing_of(robot.cycle_s, watchdogs);
 }
 
 std::unique_ptr<NodeProfile> node_profile(const NodeDescription& node, const DriveTiming& timing) {

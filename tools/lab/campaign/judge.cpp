@@ -66,8 +66,7 @@ Judge::Judge(const RobotConfig& machine) : robot_(machine), joints_(machine.join
     auto drive = std::make_shared<Drive>();
     drive->name = actuator.name;
     drive->bus = actuator.bus;
-    drive->profile = make_profile(
-        actuator, {machine.cycle_s, machine.watchdogs.heartbeat_s, machine.watchdogs.heartbeat_consumer_s});
+    drive->profile = make_profile(actuator, timing_of(machine.cycle_s, machine.watchdogs));
     DriveSetpoint setpoint{actuator.torque_limit_Nm, 0.0, DriveMode::kPosition};
     const CanFrame at_zero = drive->profile->encode_setpoint(setpoint);
     setpoint.commanded_position_rad = 1.0;
