@@ -25,8 +25,8 @@ void LivePort::hear(const CanFrame& frame) {
   if (boot_up) ++boot_ups_[static_cast<std::size_t>(node)];
 }
 
-/// Goes on after Ctrl-C: the words that switch power off are transfers too. Heartbeats go on between the
-/// frames, so that the drive's watch sees this process and not the length of a transfer.
+/// Goes on after Ctrl-C: the words that switch power off are transfers too. Nothing beats meanwhile: a drive
+/// with power that does not answer hears no heartbeat either, and switches off by its own watch.
 SdoAnswer LivePort::transfer(canopen::SdoClient& client) {
   while (client.status() == canopen::SdoStatus::kBusy) {
     CanFrame request;

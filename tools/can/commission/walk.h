@@ -101,9 +101,11 @@ class Walk {
   void torque_constant();
   void switch_on();
   void switch_off() noexcept;
-  void put_back() noexcept;
+  bool take_power();
+  void put_back(bool off);
   void set_for_now(canopen::ObjectId object, std::int64_t value, int size);
   void set_torque(double torque_Nm);
+  double measured_A();
   Sample sample();
   void require_enabled(const Sample& now);
   void require_bounded(double current_A);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "drivers/canopen/objects.h"
 #include "drivers/cia402/words.h"
@@ -13,6 +14,7 @@ namespace {
 
 constexpr std::int64_t kPowerOffOption = 2;  ///< 0x6007: disable voltage when this master is gone
 constexpr std::uint32_t kWatch_ms = 100;     ///< the drive gives up on this master after
+constexpr int kOffTries = 3;                 ///< frames may be lost
 constexpr double kEnable_s = 1.0, kStill_s = 0.05, kCurrent_s = 0.06;
 constexpr int kCurrentSteps = 8;          ///< both ways in turn: the sensor's noise is averaged out
 constexpr double kStandstillShare = 0.5;  ///< of breakaway friction: it does not turn
@@ -118,30 +120,40 @@ void Walk::switch_on() {
   }
 }
 
-/// On every way out. What the drive still hears is enough; if it hears nothing, it switches off by itself.
+/// On every way out. A drive that does not say that its power is off keeps its watch of this master, which
+/// takes the power, since nothing beats any more.
 void Walk::switch_off() noexcept {
-  if (powered_) {
-    powered_ = false;
-    try {
-      port_.write(actuator_.node, plan_.setpoint, {0, 0});
-      port_.write(actuator_.node, {canopen::kControlWord, 0}, {0, 0});
-    } catch (...) {  // the drive's own watch of this master remains
-    }
+  try {
+    const bool off = !std::exchange(powered_, false) || take_power();
+    put_back(off);
+  } catch (...) {  // the drive's own watch of this master remains
   }
-  put_back();
 }
 
-void Walk::put_back() noexcept {
-  try {
-    for (; !backups_.empty(); backups_.pop_back()) {
-      const Backup& backup = backups_.back();
-      const bool done = port_.write(actuator_.node, backup.object, backup.bytes).done();
-      protocol_.written.push_back(
-          named(backup.object) +
-          (done ? ": set for this walk, put back"
-                : ": set for this walk, NOT put back (no answer): gone when its power goes"));
-    }
-  } catch (...) {
+/// @return whether the drive says so.
+bool Walk::take_power() {
+  for (int tries = 0; tries < kOffTries; ++tries) {
+    port_.write(actuator_.node, plan_.setpoint, {0, 0});
+    port_.write(actuator_.node, {canopen::kControlWord, 0}, {0, 0});
+    const SdoAnswer word = port_.read(actuator_.node, {canopen::kStatusWord, 0});
+    if (!word.done()) continue;
+    const PowerState state = cia402::decode_status(static_cast<std::uint16_t>(word.number()));
+    if (state == PowerState::kSwitchOnDisabled || state == PowerState::kReadyToSwitchOn ||
+        state == PowerState::kNotReadyToSwitchOn || state == PowerState::kFault)
+      return true;
+  }
+  return false;
+}
+
+void Walk::put_back(bool off) {
+  for (; !backups_.empty(); backups_.pop_back()) {
+    const Backup& backup = backups_.back();
+    const bool done = off && port_.write(actuator_.node, backup.object, backup.bytes).done();
+    const char* what = done  ? "put back"
+                       : off ? "NOT put back (no answer): gone when its power goes"
+                             : "NOT put back, since the drive does not say that its motor is off: its watch "
+                               "takes the power, then the supply off and on";
+    protocol_.written.push_back(named(backup.object) + ": set for this walk, " + what);
   }
 }
 
@@ -154,11 +166,17 @@ void Walk::set_torque(double torque_Nm) {
   protocol_.exposure.torque_Nm = std::max(protocol_.exposure.torque_Nm, std::abs(torque_Nm));
 }
 
+/// What bounds everything with power: without it, none.
+double Walk::measured_A() {
+  const auto raw = number(plan_.measured_current, true);
+  if (!raw) throw DriveLost(named(plan_.measured_current) + " cannot be read");
+  return static_cast<double>(*raw) * plan_.A_per_measured;
+}
+
 Walk::Sample Walk::sample() {
   Sample now;
   now.position_rad = position_rad();
-  now.current_A = static_cast<double>(number(plan_.measured_current, true).value_or(0)) *
-                  plan_.A_per_measured;
+  now.current_A = measured_A();
   now.status = static_cast<std::uint16_t>(number({canopen::kStatusWord, 0}, false).value_or(0));
   require_enabled(now);
   require_bounded(now.current_A);
@@ -190,8 +208,7 @@ std::vector<CurrentSample> Walk::record_current(double seconds) {
   const double begin_s = port_.now_s();
   while (port_.now_s() - begin_s < seconds) {
     port_.beat();
-    const double current_A = static_cast<double>(number(plan_.measured_current, true).value_or(0)) *
-                             plan_.A_per_measured;
+    const double current_A = measured_A();
     out.push_back({port_.now_s() - begin_s, current_A});
     require_bounded(current_A);
   }

@@ -164,6 +164,86 @@ TEST(CommissioningWalk, ADriveThatHearsNobodyAnyMoreSwitchesOffByItself) {
   EXPECT_NE(summary_text(protocol).find("NOT put back"), std::string::npos);
 }
 
+/// Loses writes of control word 0, and refuses to show the current, when told.
+class BadPort final : public DrivePort {
+ public:
+  explicit BadPort(SimulatedBench& bench) : bench_(bench) {}
+  SdoAnswer read(int node, canopen::ObjectId object) override {
+    if (object == canopen::ObjectId{0x6078, 0} && hides_current && powered_) {
+      SdoAnswer refused;
+      refused.status = canopen::SdoStatus::kAborted;
+      return refused;
+    }
+    return bench_.read(node, object);
+  }
+  SdoAnswer write(int node, canopen::ObjectId object, const std::vector<std::uint8_t>& bytes) override {
+    const bool control = object == canopen::ObjectId{0x6040, 0};
+    if (control && bytes[0] == 0x0F) powered_ = true;
+    if (!control || bytes[0] != 0 || !powered_ || lost_words-- <= 0) return bench_.write(node, object, bytes);
+    bench_.wait(0.0);
+    SdoAnswer silence;
+    silence.status = canopen::SdoStatus::kTimeout;
+    return silence;
+  }
+  void send(const CanFrame& frame) override { bench_.send(frame); }
+  void beat() override { bench_.beat(); }
+  void wait(double seconds) override { bench_.wait(seconds); }
+  double now_s() const override { return bench_.now_s(); }
+  std::vector<int> nodes() override { return bench_.nodes(); }
+  int boot_ups(int node) const override { return bench_.boot_ups(node); }
+  bool stopped() const override { return bench_.stopped(); }
+
+  int lost_words = 0;
+  bool hides_current = false;
+
+ private:
+  SimulatedBench& bench_;
+  bool powered_ = false;
+};
+
+Protocol walk_by(BadPort& port, Bench& bench) {
+  return Walk(bench.robot, 0, cantools::drive_timing(bench.robot, bench.robot.watchdogs), {}, port,
+              *bench.bench)
+      .run();
+}
+
+TEST(CommissioningWalk, AWordThatIsLostIsSaidAgainBeforeTheWatchIsPutBack) {
+  Bench bench("single_leg");
+  bench.open();
+  const std::uint32_t consumer = bench.value(kConsumer);
+  bench.bench->break_at("commutation and signs", 200, [](SimulatedBench& b) { b.stop(); });
+  BadPort port(*bench.bench);
+  port.lost_words = 2;
+  (void)walk_by(port, bench);
+  EXPECT_TRUE(is_off(bench));
+  EXPECT_EQ(bench.value(kConsumer), consumer);
+}
+
+TEST(CommissioningWalk, ADriveThatDoesNotSayThatItIsOffKeepsItsWatchWhichSwitchesItOff) {
+  Bench bench("single_leg");
+  bench.open();
+  bench.bench->break_at("commutation and signs", 200, [](SimulatedBench& b) { b.stop(); });
+  BadPort port(*bench.bench);
+  port.lost_words = 100;
+  const Protocol protocol = walk_by(port, bench);
+  EXPECT_NE(summary_text(protocol).find("NOT put back, since the drive"), std::string::npos);
+  EXPECT_EQ(bench.value(kConsumer), 0x007F0064U);
+  for (int reads = 0; reads < 2000 && !is_off(bench); ++reads) {
+  }
+  EXPECT_TRUE(is_off(bench)) << "nothing beats any more";
+}
+
+TEST(CommissioningWalk, WithoutItsMeasuredCurrentADriveGetsNoPower) {
+  Bench bench("single_leg");
+  bench.open();
+  BadPort port(*bench.bench);
+  port.hides_current = true;
+  const Protocol protocol = walk_by(port, bench);
+  EXPECT_NE(all_text(protocol).find("cannot be read"), std::string::npos);
+  EXPECT_EQ(bench.bench->truth().highest_torque_Nm, 0.0);
+  EXPECT_TRUE(is_off(bench));
+}
+
 TEST(CommissioningWalk, WhateverHappensToThePersonPowerGoesOff) {
   struct Gone {};
   Bench bench("single_leg");
