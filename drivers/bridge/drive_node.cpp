@@ -10,8 +10,6 @@ namespace {
 
 using cia402::PowerTarget;
 
-constexpr std::int64_t kModeLimit_us = 1'000'000;
-
 double quantum_rad(const ActuatorConfig& actuator) noexcept {
   return 2.0 * kPi / (actuator.encoder_counts_per_turn * actuator.gear_ratio);
 }
@@ -200,77 +198,6 @@ DriveMode DriveNode::shown_mode() const noexcept {
   return shown == DriveMode::kTorque && position_loop_.closed() ? DriveMode::kPosition : shown;
 }
 
-bool DriveNode::fault(std::int64_t time_us, bool ignore_faults, Fault& out) const noexcept {
-  const char* drive = actuator_.name.c_str();
-  const bool judges_drive = !link().duplicate() && !ignore_faults;
-  const std::uint16_t code = link().emergencies().emergency().code;
-  if (judges_drive && condition().faulted) {
-    out.cause = SafetyCause::kDriveFault;
-    out.unexplained = code == 0;
-    print(out.detail, "%s: drive fault 0x%04X (%s), state %s", drive, code, canopen::emergency_text(code),
-          sprung::name(power_state_));
-  } else if (judges_drive && power_.lost_power() && !link().lost(time_us)) {
-    out.cause = SafetyCause::kDriveFault;
-    print(out.detail, "%s: lost its power by itself", drive);
-  } else {
-    return link().fault(time_us, ignore_faults, out) || drive_fault(out) || supply_fault(out);
-  }
-  return true;
-}
-
-bool DriveNode::drive_fault(Fault& out) const noexcept {
-  const char* drive = actuator_.name.c_str();
-  if (implausible_) {
-    out.cause = SafetyCause::kImplausible;
-    print(out.detail, "%s: measured position jumped to %g rad", drive,
-          sample_.measured_position_rad + reference().offset_rad);
-  } else if (stuck_.stuck()) {
-    out.cause = SafetyCause::kImplausible;
-    print(out.detail, "%s: encoder stuck: not one count in %lld ms under %.0f Nm, though it must move", drive,
-          static_cast<long long>(stuck_.still_us() / 1000), stuck_.torque_Nm());
-  } else if (noise_.noisy()) {
-    out.cause = SafetyCause::kImplausible;
-    print(out.detail, "%s: encoder noisy: it jitters by %.2g rad, faster than any torque turns it", drive,
-          noise_.noise_rad());
-  } else if (impact_.hit()) {
-    out.cause = SafetyCause::kImplausible;
-    print(out.detail,
-          "%s: hit something: its speed changed by %.2g rad/s in 8 ms; reference lost; check direction, zero",
-          drive, impact_.change_rad_s());
-  } else if (reference_.apart() && powered()) {
-    out.cause = SafetyCause::kImplausible;
-    print(out.detail, "%s: motor encoder says %g rad, link encoder %g rad; reference lost: sprung home",
-          drive, measured_position_rad(), measured_link_position_rad_);
-  } else if (winding_.hot() && powered()) {
-    out.cause = SafetyCause::kWinding;
-    print(out.detail, "%s: its winding is %.0f %% beyond what its rated current makes it: let it cool", drive,
-          100.0 * (winding_.warmth() - 1.0));
-  } else if (background_.position_limits().refused()) {
-    out.cause = SafetyCause::kDriveRefused;
-    print(out.detail, "%s: does not keep its position limits 0x%04X: position_limits_object of robot.yaml",
-          drive, actuator_.position_limits_object);
-  } else if (modes_.unconfirmed_us() > kModeLimit_us) {
-    out.cause = SafetyCause::kDriveFault;
-    print(out.detail, "%s: shows mode %d, a second after it was told to switch to %s", drive,
-          modes_.display(), sprung::name(modes_.sent()));
-  } else {
-    return false;
-  }
-  return true;
-}
-
-/// Read once a second: a drive says sooner by an emergency when its supply breaks down.
-bool DriveNode::supply_fault(Fault& out) const noexcept {
-  const SupplyConfig& range = actuator_.supply;
-  const double supply_V = background_.supply_V();
-  const bool good = range.max_V <= 0.0 || !(supply_V < range.min_V || supply_V > range.max_V);
-  if (good || !powered()) return false;
-  out.cause = SafetyCause::kSupply;
-  print(out.detail, "%s: supply of %.1f V, robot.yaml allows %.1f to %.1f V", actuator_.name.c_str(),
-        supply_V, range.min_V, range.max_V);
-  return true;
-}
-
 void DriveNode::reset_faults(bool reset) noexcept {
   power_.reset_faults(reset);
   if (reset) background_.position_limits().retry();
@@ -343,8 +270,8 @@ DriveSetpoint DriveNode::setpoint(SafetyLevel level, const ActuatorCommand& comm
 }
 
 /// Makes a torque of a position set-point, where the drive is not to close that loop. The measurement is of
-/// this cycle, as the gate's is; without one the last good one stands for the cycle or two until the node
-/// counts as silent.
+/// this cycle, as the gate's is; without one the last good one stands until the node counts as silent
+/// (watchdogs: silent_cycles).
 void DriveNode::close_position_loop(DriveSetpoint& setpoint) noexcept {
   if (setpoint.mode != DriveMode::kPosition) return position_loop_.forget();
   setpoint.mode = DriveMode::kTorque;
