@@ -9,6 +9,7 @@
 
 #include "drivers/canopen/objects.h"
 #include "simulation/node/lss_slave.h"
+#include "tests/support/device_thread.h"
 
 namespace sprung {
 namespace {
@@ -30,24 +31,10 @@ sim::ObjectDictionary dictionary_with_identity() {
 
 class LssSessionTest : public testing::Test {
  protected:
-  void SetUp() override {
-    device_ = std::thread([this] { serve(); });
-  }
-  void TearDown() override {
-    stop_ = true;
-    device_.join();
-  }
-  void serve() {
-    CanFrame frame;
-    while (!stop_) {
-      if (wire_->receive(&frame, 1) == 0) {
-        std::this_thread::yield();
-        continue;
-      }
-      const sim::LssSlave::Answer answer = slave_.receive(frame);
-      if (answer.replies) wire_->send(&answer.reply, 1);
-      node_ = slave_.node();
-    }
+  void hear(const CanFrame& frame) {
+    const sim::LssSlave::Answer answer = slave_.receive(frame);
+    if (answer.replies) wire_->send(&answer.reply, 1);
+    node_ = slave_.node();
   }
 
   std::unique_ptr<CanBus> bus_ = open_can_bus("memory:lss_session_test");
@@ -55,8 +42,7 @@ class LssSessionTest : public testing::Test {
   sim::ObjectDictionary dictionary_ = dictionary_with_identity();
   sim::LssSlave slave_{dictionary_, true, canopen::kNoNode};
   std::atomic<int> node_{canopen::kNoNode};
-  std::atomic<bool> stop_{false};
-  std::thread device_;
+  test::DeviceThread device_{*wire_, [this](const CanFrame& frame) { hear(frame); }};
 };
 
 TEST_F(LssSessionTest, SelectsConfiguresAndWakesADevice) {

@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <thread>
 
 #include "drivers/canopen/protocol.h"
+#include "tests/support/device_thread.h"
 #include "tools/can/node_inspection.h"
 
 namespace sprung {
@@ -20,23 +20,9 @@ constexpr int kNode = 5;
 
 class SdoSessionTest : public testing::Test {
  protected:
-  void SetUp() override {
-    device_ = std::thread([this] { serve(); });
-  }
-  void TearDown() override {
-    stop_ = true;
-    device_.join();
-  }
-
-  void serve() {
-    CanFrame frame;
-    while (!stop_) {
-      if (wire_->receive(&frame, 1) == 0) {
-        std::this_thread::yield();
-      } else if (frame.id == canopen::sdo_client_id(kNode)) {
-        for (int i = 0; i < copies_; ++i) answer(canopen::decode_sdo_request(frame));
-      }
-    }
+  void hear(const CanFrame& frame) {
+    if (frame.id != canopen::sdo_client_id(kNode)) return;
+    for (int i = 0; i < copies_; ++i) answer(canopen::decode_sdo_request(frame));
   }
 
   void answer(const canopen::SdoMessage& request) {
@@ -59,9 +45,8 @@ class SdoSessionTest : public testing::Test {
 
   std::unique_ptr<CanBus> bus_ = open_can_bus("memory:sdo_session_test");
   std::unique_ptr<CanBus> wire_ = open_can_bus("memory:sdo_session_test");
-  std::atomic<bool> stop_{false};
   std::atomic<int> copies_{1};
-  std::thread device_;
+  test::DeviceThread device_{*wire_, [this](const CanFrame& frame) { hear(frame); }};
 };
 
 TEST_F(SdoSessionTest, ReadsExpeditedAndSegmented) {
