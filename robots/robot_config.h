@@ -238,6 +238,8 @@ struct RobotConfig {
   bool has_feet() const { return why_not_standing() == nullptr; }
   /// Static text, nullptr for a robot that has feet.
   const char* why_not_standing() const;
+  /// The joint beside this actuator in its leg, which it moves first of all; -1: no leg has it.
+  int joint_of_actuator(int actuator) const noexcept;
   /// Without a name: the one called `best`, else the only one there is. Of a robot without feet, which needs
   /// no presets and may have none: one that moves nothing, whatever the name. @throws std::invalid_argument
   /// naming the presets there are.

@@ -260,6 +260,14 @@ const char* RobotConfig::why_not_standing() const {
   return nullptr;
 }
 
+int RobotConfig::joint_of_actuator(int actuator) const noexcept {
+  for (const LegConfig& leg : legs) {
+    for (std::size_t i = 0; i < leg.actuators.size(); ++i)
+      if (leg.actuators[i] == actuator) return leg.joints[i];
+  }
+  return -1;
+}
+
 const PresetConfig& RobotConfig::preset(const std::string& preset_name) const {
   static const PresetConfig still = still_preset();
   if (presets.empty() && !has_feet()) return still;

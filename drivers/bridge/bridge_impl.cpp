@@ -17,14 +17,10 @@ std::vector<DriveNode*> pointers(const std::vector<std::unique_ptr<DriveNode>>& 
   return found;
 }
 
-/// Of motor and gear, as the joint beside the actuator in its leg knows it; 0: no leg has it.
+/// Of motor and gear, as the actuator's joint knows it; 0: no leg has it.
 double inertia_kg_m2(const RobotConfig& robot, int actuator) {
-  for (const LegConfig& leg : robot.legs) {
-    const auto found = std::find(leg.actuators.begin(), leg.actuators.end(), actuator);
-    if (found != leg.actuators.end())
-      return robot.joints.at(leg.joints.at(found - leg.actuators.begin())).armature_kg_m2;
-  }
-  return 0.0;
+  const int joint = robot.joint_of_actuator(actuator);
+  return joint < 0 ? 0.0 : robot.joints[static_cast<std::size_t>(joint)].armature_kg_m2;
 }
 
 DrivePlant plant_of(const RobotConfig& robot, int actuator) {

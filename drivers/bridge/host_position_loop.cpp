@@ -3,18 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drivers/bridge/setpoint_gate.h"
+
 namespace sprung {
-namespace {
-
-constexpr double kSpeedShare = 1.05;  // [design choice] as the SetpointGate's
-
-}  // namespace
 
 HostPositionLoop::HostPositionLoop(const ActuatorConfig& actuator, double cycle_s) noexcept
     : stiffness_Nm_rad_(actuator.position_stiffness_Nm_rad),
       damping_Nm_s_rad_(actuator.position_damping_Nm_s_rad),
       torque_limit_Nm_(actuator.torque_limit_Nm),
-      speed_limit_rad_s_(kSpeedShare * actuator.speed_limit_rad_s),
+      speed_limit_rad_s_(SetpointGate::kSpeedShare * actuator.speed_limit_rad_s),
       cycle_s_(cycle_s) {}
 
 double HostPositionLoop::torque_Nm(double commanded_position_rad, double measured_position_rad,

@@ -3,8 +3,9 @@
 ///
 ///   torque_Nm = stiffness (commanded_rad - measured_rad) + damping (reference_rad_s - measured_rad_s)
 ///
-/// about the gear's output; the reference velocity is the slope between set-points, 0 at the first. As a
-/// drive's own loop it stays within the torque limit, and makes nothing faster than the speed limit. Pure.
+/// about the gear's output. As in a drive the reference moves in a straight line from set-point to set-point:
+/// its velocity is the slope, 0 at the first, and commanded_rad the middle of the way that it makes in this
+/// cycle. Torque stays within its limit, and makes nothing faster than the speed limit. Pure.
 #include "robots/robot_config.h"
 #include "signals/vec3.h"
 

@@ -7,7 +7,6 @@ namespace sprung {
 namespace {
 
 // All [design choice]: a little wider than what the leg controller does by itself.
-constexpr double kSpeedShare = 1.05;
 constexpr double kPowerShare = 1.1;
 constexpr double kFullTorque_s = 0.0038;
 constexpr double kSetPointSpeedShare = 2.0;

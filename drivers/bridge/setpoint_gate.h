@@ -35,6 +35,9 @@ struct GateMotion {
 
 class SetpointGate {
  public:
+  /// Of the speed limit: above it nothing makes an actuator faster [design choice].
+  static constexpr double kSpeedShare = 1.05;
+
   explicit SetpointGate(const RobotConfig& robot);
 
   /// Once a cycle; changes `commands` in place where a limit acts. Commands have passed the CommandGate.

@@ -10,13 +10,11 @@
 namespace sprung::commission {
 namespace {
 
-/// The joint that the actuator moves first of all: the leg lists both in the same order.
 const JointConfig& joint_of(const RobotConfig& robot, int actuator) {
-  for (const LegConfig& leg : robot.legs) {
-    for (std::size_t i = 0; i < leg.actuators.size(); ++i)
-      if (leg.actuators[i] == actuator) return robot.joints[static_cast<std::size_t>(leg.joints[i])];
-  }
-  return robot.joints.at(static_cast<std::size_t>(actuator));
+  const int joint = robot.joint_of_actuator(actuator);
+  if (joint < 0)
+    throw std::invalid_argument("no leg of " + robot.name + " has this drive: `legs` of robot.yaml");
+  return robot.joints[static_cast<std::size_t>(joint)];
 }
 
 }  // namespace

@@ -222,14 +222,6 @@ void draw_plant(CommissionCase& c, Dice& dice) {
   c.setup.sling = dice.between(0.7, 1.1);
 }
 
-int joint_of_actuator(const RobotConfig& robot, int actuator) {
-  for (const LegConfig& leg : robot.legs) {
-    for (std::size_t i = 0; i < leg.actuators.size(); ++i)
-      if (leg.actuators[i] == actuator) return leg.joints[i];
-  }
-  return actuator;
-}
-
 }  // namespace
 
 bool possible(Mistake mistake, const ActuatorConfig& actuator) {
@@ -259,7 +251,7 @@ CommissionCase draw_case(const RobotConfig& robot, Mistake mistake, std::uint64_
     throw std::invalid_argument(drive.profile + " cannot have: " + name(mistake));
   c.setup.bus = drive.bus;
   c.setup.actuator = c.actuator;
-  c.setup.joint = joint_of_actuator(robot, c.actuator);
+  c.setup.joint = robot.joint_of_actuator(c.actuator);
   c.setup.sim.seed = seed;
   c.setup.sim.wiring = std::vector<DriveWiring>(robot.actuators.size());
   DriveWiring& wiring = c.setup.sim.wiring[static_cast<std::size_t>(c.actuator)];

@@ -40,20 +40,12 @@ std::vector<int> chosen(const RobotConfig& robot, const std::string& node) {
   return out;
 }
 
-int joint_index(const RobotConfig& robot, int actuator) {
-  for (const LegConfig& leg : robot.legs) {
-    for (std::size_t i = 0; i < leg.actuators.size(); ++i)
-      if (leg.actuators[i] == actuator) return leg.joints[i];
-  }
-  return actuator;
-}
-
 Protocol walk_simulated(const RobotConfig& robot, const DriveTiming& timing, int actuator,
                         const CommissionRequest& request) {
   BenchSetup setup;
   setup.bus = robot.actuators[static_cast<std::size_t>(actuator)].bus;
   setup.actuator = actuator;
-  setup.joint = joint_index(robot, actuator);
+  setup.joint = robot.joint_of_actuator(actuator);
   setup.sim.wiring = std::vector<sim::DriveWiring>(robot.actuators.size());
   const std::size_t index = static_cast<std::size_t>(actuator);
   setup.sim.wiring[index] = request.factory ? factory_drive(robot.actuators[index])
