@@ -134,7 +134,9 @@ void Cia402Drive::written(canopen::ObjectId id) noexcept {
   if (id.index == canopen::kControlWord) control_word();
   if (id.index != make_->position_object()) return;
   since_setpoint_s_ = 0.0;
-  position_loop_.set_target(static_cast<double>(dictionary_.get({make_->position_object(), 0})));
+  // A drive that extrapolates does so by a clock of its own.
+  const double clock_s = make_->extrapolation_s() > 0.0 ? smoothing_s() : 0.0;
+  position_loop_.set_target(static_cast<double>(dictionary_.get({make_->position_object(), 0})), clock_s);
 }
 
 int Cia402Drive::option(std::uint16_t index, int otherwise) const noexcept {

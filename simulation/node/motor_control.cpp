@@ -15,10 +15,12 @@ constexpr double kCapBand = 0.1;  ///< of the speed cap [design choice]
 void PositionLoop::enter(double measured_counts) noexcept {
   reference_counts_ = start_counts_ = measured_counts;
   if (!has_target_) target_counts_ = measured_counts;
-  elapsed_s_ = 0.0;
+  elapsed_s_ = early_s_ = length_s_ = 0.0;
 }
 
-void PositionLoop::set_target(double target_counts) noexcept {
+void PositionLoop::set_target(double target_counts, double clock_s) noexcept {
+  const bool clocked = clock_s > 0.0 && has_target_ && length_s_ > 0.0;
+  early_s_ = clocked ? std::remainder(length_s_ - elapsed_s_, clock_s) : 0.0;
   start_counts_ = reference_counts_;
   target_counts_ = target_counts;
   has_target_ = true;
@@ -26,15 +28,17 @@ void PositionLoop::set_target(double target_counts) noexcept {
 }
 
 PositionLoop::Reference PositionLoop::step(double dt_s, double period_s, bool extrapolates) noexcept {
-  const double velocity_counts_s = (target_counts_ - start_counts_) / period_s;
+  length_s_ = period_s + early_s_;
+  const double velocity_counts_s = (target_counts_ - start_counts_) / length_s_;
   // Half a tick of tolerance: sums of ticks are not exactly the period.
-  if (elapsed_s_ > period_s - 0.5 * dt_s) {
-    if (!extrapolates) return {target_counts_, 0.0};
+  const bool there = elapsed_s_ > length_s_ - 0.5 * dt_s;
+  if (there && !extrapolates) return {target_counts_, 0.0};
+  elapsed_s_ += dt_s;
+  if (there) {
     reference_counts_ += velocity_counts_s * dt_s;
     return {reference_counts_, velocity_counts_s};
   }
-  elapsed_s_ += dt_s;
-  const double share = std::min(elapsed_s_ / period_s, 1.0);
+  const double share = std::min(elapsed_s_ / length_s_, 1.0);
   reference_counts_ = start_counts_ + share * (target_counts_ - start_counts_);
   return {reference_counts_, velocity_counts_s};
 }

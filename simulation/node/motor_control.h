@@ -17,7 +17,9 @@ class PositionLoop {
   /// before, if any.
   void enter(double measured_counts) noexcept;
   /// New set-point, to be reached one interpolation period from now.
-  void set_target(double target_counts) noexcept;
+  /// @param clock_s period of a clock of the drive's own, which SYNC keeps in step: it is reached when that
+  /// says so, and one that comes a moment early or late changes no speed. 0: there is none.
+  void set_target(double target_counts, double clock_s = 0.0) noexcept;
   /// One tick. @param period_s interpolation period, 0x60C2.
   /// @param extrapolates after it, until the next set-point, it goes on as fast as before; else it stays.
   Reference step(double dt_s, double period_s, bool extrapolates = false) noexcept;
@@ -26,7 +28,9 @@ class PositionLoop {
   double reference_counts_ = 0.0;
   double start_counts_ = 0.0;
   double target_counts_ = 0.0;
-  double elapsed_s_ = 0.0;
+  double elapsed_s_ = 0.0;  ///< since the last set-point
+  double length_s_ = 0.0;   ///< of the way to it, as far as it is known
+  double early_s_ = 0.0;    ///< it came so much before the clock; negative: after it
   bool has_target_ = false;
 };
 

@@ -10,6 +10,32 @@ namespace {
 constexpr double kTick_s = 0.25e-3;
 constexpr double kPeriod_s = 1e-3;
 
+TEST(PositionLoop, OnItsOwnClockASetPointThatComesEarlyOrLateChangesNoSpeed) {
+  PositionLoop loop;
+  loop.enter(0.0);
+  double reference_counts = 0.0;
+  for (int cycle = 0; cycle < 50; ++cycle) {
+    loop.set_target(100.0 * (cycle + 1), kPeriod_s);
+    const int ticks = cycle % 7 == 3 ? 5 : cycle % 7 == 4 ? 3 : 4;  // one comes a tick late
+    for (int i = 0; i < ticks; ++i) {
+      const PositionLoop::Reference now = loop.step(kTick_s, kPeriod_s, true);
+      EXPECT_NEAR(now.velocity_counts_s, 100.0 / kPeriod_s, 1e-6) << cycle;
+      EXPECT_NEAR(now.position_counts - reference_counts, 25.0, 1e-9) << cycle;
+      reference_counts = now.position_counts;
+    }
+  }
+}
+
+TEST(PositionLoop, OnItsOwnClockALostSetPointIsBridgedByTheSpeedBefore) {
+  PositionLoop loop;
+  loop.enter(0.0);
+  for (const double target : {100.0, 200.0, 400.0}) {  // 300 is lost
+    loop.set_target(target, kPeriod_s);
+    for (int i = 0; i < (target == 200.0 ? 8 : 4); ++i)
+      EXPECT_NEAR(loop.step(kTick_s, kPeriod_s, true).velocity_counts_s, 100.0 / kPeriod_s, 1e-6) << target;
+  }
+}
+
 TEST(PositionLoop, InterpolatesAndGivesTheVelocity) {
   PositionLoop loop;
   loop.enter(100.0);
