@@ -21,9 +21,8 @@ constexpr std::int16_t kPowerOff = 2;         ///< 0x6007: disable voltage when 
 constexpr std::int16_t kSlowDownThenOff = 2;  ///< 0x605A: quick stop ramp, then switch on disabled
 constexpr int kLargestMaxTorque = 50000;      ///< EDS limit of 0x6072
 /// [design choice] The mode is shown at every so many SYNCs, since what an asynchronous TPDO of a Gold is
-/// sent for is the maker's own affair (0x2F20). At every SYNC it would take single_leg's bus over its 80 %.
-/// The leg controller waits for a mode that it has asked for, so a jump's first set-points act up to 7 ms
-/// later.
+/// sent for is the maker's own affair (0x2F20). At every SYNC it would take single_leg's bus over its 80 %;
+/// nothing in the loop waits for it.
 constexpr double kDisplayPeriod_s = 0.007;
 constexpr std::uint8_t kSamplePdo = 0, kSetpointPdo = 0, kControlPdo = 1;
 
