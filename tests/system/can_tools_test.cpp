@@ -85,6 +85,17 @@ TEST_F(CanTools, RealTimeDrivesAnswerBesideTheBridge) {
   EXPECT_THAT(changed.output, HasSubstr("DIFFERS"));
 }
 
+TEST_F(CanTools, CommissioningTakesTheDrivesThatAreNamedAndNoOthers) {
+  const std::string walk = "drive commission pegasus --sim --no-power ";
+  const std::string of_a_bus = sprung(walk + "--bus hr").output;
+  EXPECT_THAT(of_a_bus, testing::AllOf(HasSubstr("hr_hip_motor"), HasSubstr("hr_knee_motor")));
+  EXPECT_THAT(of_a_bus, testing::Not(HasSubstr("fl_")));
+  const CommandResult unknown = sprung(walk + "hr_kne_motor");
+  EXPECT_EQ(unknown.status, 2);
+  EXPECT_THAT(unknown.output, HasSubstr("expected one of fl_abduction_motor"));
+  EXPECT_THAT(sprung(walk + "hr_card").output, HasSubstr("is no drive"));
+}
+
 TEST_F(CanTools, AFaultIsNamedByStatusAndToldByClear) {
   up("lockstep", "--speed 2");
   const CommandResult fault = sprung("fault knee over-current");

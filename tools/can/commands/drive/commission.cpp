@@ -28,15 +28,15 @@ struct CommissionRequest {
   bool simulated = false, factory = false, no_power = false;
 };
 
-std::vector<int> chosen(const RobotConfig& robot, const std::string& node) {
+/// Of the actuators among the nodes that were asked for. @throws WrongUse where there is none.
+std::vector<int> chosen(const DriveBench& bench, const std::string& node) {
+  const std::vector<ActuatorConfig>& actuators = bench.robot().actuators;
   std::vector<int> out;
-  for (int i = 0; i < static_cast<int>(robot.actuators.size()); ++i) {
-    const ActuatorConfig& actuator = robot.actuators[static_cast<std::size_t>(i)];
-    if (node.empty() || node == actuator.name || node == std::to_string(actuator.node)) out.push_back(i);
+  for (const cantools::NodeDescription& one : bench.nodes(node)) {
+    for (std::size_t i = 0; i < actuators.size(); ++i)
+      if (actuators[i].name == one.name) out.push_back(static_cast<int>(i));
   }
-  if (out.empty()) throw WrongUse("'" + node + "' is no drive of " + robot.name);
-  if (out.size() > 1 && !node.empty())
-    throw WrongUse("node " + node + " is there on several buses: name the drive");
+  if (out.empty()) throw WrongUse("'" + node + "' is no drive: an encoder card has nothing to commission");
   return out;
 }
 
@@ -90,7 +90,7 @@ int run_commission(CommissionRequest request) {
   DriveBench bench(request.drive.where);
   std::vector<Protocol> protocols;
   bool ok = true;
-  for (const int actuator : chosen(bench.robot(), request.drive.node)) {
+  for (const int actuator : chosen(bench, request.drive.node)) {
     if (!request.drive.as_json)
       std::printf("%s\n", bench.robot().actuators[static_cast<std::size_t>(actuator)].name.c_str());
     protocols.push_back(request.simulated ? walk_simulated(bench.robot(), bench.timing(), actuator, request)
