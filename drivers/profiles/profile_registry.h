@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "drivers/canopen/eds.h"
 #include "drivers/profiles/drive_profile.h"
 
 namespace sprung {
@@ -16,10 +17,15 @@ struct ProfileKind {
   std::unique_ptr<DriveProfile> (*make_drive)(const ActuatorConfig& actuator, const DriveTiming& timing);
   std::unique_ptr<CardProfile> (*make_card)(const EncoderCardConfig& card, const DriveTiming& timing);
   const char* (*eds_text)() noexcept;  ///< text of the folder's EDS; nullptr where it has none
+  /// Units and PDO directions beside it (drivers/canopen/eds.h); nullptr where there are none.
+  const char* (*eds_extra_text)() noexcept = nullptr;
 };
 
 /// In the order of the folders' names.
 const std::vector<const ProfileKind*>& profile_kinds();
+
+/// The EDS of a profile that has one, with what is beside it.
+canopen::Eds profile_eds(const ProfileKind& kind, int node);
 
 /// @return nullptr where there is none.
 const ProfileKind* find_profile_kind(const std::string& name);

@@ -17,8 +17,7 @@ constexpr int kNode = 1;
 const std::vector<sim::ObjectDictionary>& dictionaries() {
   static const std::vector<sim::ObjectDictionary> all = [] {
     std::vector<sim::ObjectDictionary> made;
-    for (const ProfileKind* kind : profile_kinds())
-      made.emplace_back(canopen::parse_eds(kind->eds_text(), std::string(kind->name) + ".eds", kNode));
+    for (const ProfileKind* kind : profile_kinds()) made.emplace_back(profile_eds(*kind, kNode));
     return made;
   }();
   return all;
