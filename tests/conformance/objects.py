@@ -68,8 +68,20 @@ class Expected:
         return f"{self.index:04X}:{self.sub:02X} {self.name}"
 
 
+# Of an object, in CiA 306; what else is to be said of it stands in a file beside the EDS.
+EDS_KEYS = {
+    *("ParameterName", "ObjectType", "DataType", "AccessType", "PDOMapping"),
+    *("DefaultValue", "LowLimit", "HighLimit", "ObjFlags"),
+}
+
+
 def eds_path(profile):
     return PROFILES / profile / f"{profile}.eds"
+
+
+def extra_path(profile):
+    """Units and PDO directions, in the EDS's sections (drivers/canopen/eds.h)."""
+    return PROFILES / profile / f"{profile}.extra.ini"
 
 
 def dictionary(profile, node):
@@ -78,9 +90,9 @@ def dictionary(profile, node):
 
 
 def _map_overrides(profile):
-    """SprungMap= of drivers/canopen/eds.h: directions of PDO that AccessType cannot tell."""
-    text = configparser.RawConfigParser(inline_comment_prefixes=(";",))
-    text.read(eds_path(profile), encoding="utf-8")
+    """Directions of PDO that AccessType cannot tell."""
+    text = configparser.RawConfigParser()
+    text.read(extra_path(profile), encoding="utf-8")
     return {name.lower(): text[name]["SprungMap"] for name in text.sections() if "SprungMap" in text[name]}
 
 
