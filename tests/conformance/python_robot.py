@@ -6,6 +6,7 @@ import subprocess
 
 import yaml
 
+import objects
 import programs
 from robot_file import robot_file
 from slave import POSITION, Card, Drive
@@ -55,9 +56,13 @@ def on_one_bus(robot):
 
 
 class Robot:
-    """python nodes on a bus of their own as robot.yaml has them, and `sprung up` in front of them."""
+    """python nodes on a bus of their own as robot.yaml has them, and `sprung up` in front of them.
 
-    def __init__(self, request, folder, name="single_leg"):
+    @param adapt what differs in robot.yaml; changes the settings.
+    @param dictionary of a profile and node: python-canopen's; else our EDS files'.
+    @param values of a profile's objects at power-on."""
+
+    def __init__(self, request, folder, name="single_leg", adapt=None, dictionary=objects.dictionary, values=None):
         self._folder = folder
         self._programs = request.config.option.programs
         self._environment = {"SPRUNG_RUN_DIR": str(folder), "SPRUNG_PROGRAMS": self._programs}
@@ -65,6 +70,9 @@ class Robot:
         self.wire = Wire(self._bus)
         self.settings = on_one_bus(robot_file(name, self._programs))
         self.settings.update(cycle_rate=CYCLE_RATE, simulation_watchdogs=WATCHDOGS)
+        if adapt is not None:
+            adapt(self.settings)
+        self._dictionary, self._values = dictionary, VALUES | (values or {})
         self.drives = {a["node"]: self._drive(a) for a in self.settings["actuators"]}
         self.cards = {c["node"]: self._node(Card, c, {}) for c in self.settings.get("encoder_cards", [])}
         self.up = None
@@ -73,9 +81,8 @@ class Robot:
         identity = {(0x1018, 1): settings["identity"]["vendor"], (0x1018, 2): settings["identity"]["product"]}
         return kind(
             self.wire,
-            settings["node"],
-            settings["profile"],
-            {**VALUES[settings["profile"]], **identity, **more},
+            self._dictionary(settings["profile"], settings["node"]),
+            {**identity, **self._values[settings["profile"]], **more},
         )
 
     def _drive(self, settings):
