@@ -12,7 +12,7 @@ from robot_file import robot_file
 from slave import POSITION, Card, Drive
 from wire import Wire, until
 
-START_RAD = 1.1  # of every joint: inside the limits
+START_RAD = 1.1  # of every joint but an abduction: inside the limits
 UP_S = 12.0  # time-out for what `sprung` starts
 VALUES = {
     "gold": {(0x1018, 3): 1, (0x1018, 4): 1, (0x6079, 0): 48000, (0x6077, 0): 0},
@@ -87,7 +87,9 @@ class Robot:
 
     def _drive(self, settings):
         counts_per_rad = settings["encoder_counts"] * settings["gear_ratio"] / (2 * 3.14159265)
-        return self._node(Drive, settings, {(POSITION, 0): round(START_RAD * counts_per_rad)})
+        angle_rad = 0.0 if "abduction" in settings["name"] else START_RAD
+        counts = round(settings["direction"] * angle_rad * counts_per_rad)
+        return self._node(Drive, settings, {(POSITION, 0): counts})
 
     def _robot_folder(self):
         folder = self._folder / "robot"

@@ -1,0 +1,70 @@
+"""`sprung up` in front of nodes made of the makers' figures, limits enforced; and a jump on simulated drives, which
+test_makers.py holds to the same limits."""
+
+import functools
+
+import pytest
+
+import makers
+from golden import EPOS2_REMAP, REMAP
+from power_states import ENABLED, OFF
+from python_robot import UP_S, Robot
+from test_bridge import check_remap, sent_to
+from wire import until
+
+ABORT = 0x80
+
+
+def without_cards(settings):
+    """The drives alone: their encoders count as referenced."""
+    settings.pop("encoder_cards")
+    for actuator in settings["actuators"]:
+        actuator.pop("link_encoder")
+        actuator.pop("reference")
+        actuator["referenced"] = True
+
+
+LEGS = {"gold": ("single_leg", None, REMAP), "epos2": ("pegasus", without_cards, EPOS2_REMAP)}
+
+
+def leg_of(make, request, folder, consumer_limit):
+    name, adapt, _ = LEGS[make]
+    dictionary = functools.partial(makers.dictionary, consumer_limit=consumer_limit)
+    return Robot(request, folder, name, adapt, dictionary, makers.VALUES)
+
+
+def aborts_of(leg):
+    """@return (index, sub-index, code) of what the drives refused."""
+    frames = [f for node in leg.drives for f in leg.wire.record.since(0, 0x580 + node) if f.data[0] == ABORT]
+    return {
+        (f.data[1] | f.data[2] << 8, f.data[3], int.from_bytes(f.data[4:], "little")) for f in frames
+    }
+
+
+@pytest.mark.parametrize("make", makers.MAKES)
+def test_makers_drives_boot_stand_fail_and_are_brought_back(make, request, tmp_path):
+    leg = leg_of(make, request, tmp_path, consumer_limit=False)
+    drives = list(leg.drives.values())
+    try:
+        leg.start_and_wait()
+        leg.wait_for_safety("operational")
+        assert aborts_of(leg) == set()
+        check_remap(leg, 1, LEGS[make][2])
+        assert all(sent_to(leg, node) for node in leg.drives)
+        assert all(drive.state == OFF for drive in drives), "nobody asked for power"
+
+        said = leg.sprung("stand")
+        assert until(lambda: all(drive.state == ENABLED for drive in drives), UP_S), said
+
+        drives[1].fail(0x2310)
+        assert until(lambda: drives[0].state == OFF, UP_S), "the healthy drive keeps its power"
+        found = leg.wait_for_safety("quick stop")
+        name = leg.settings["actuators"][1]["name"]
+        assert found["latched"] and found["cause"] == "drive fault" and name in found["detail"], found
+
+        said = leg.sprung("clear")
+        assert not leg.wait_for_safety("operational")["latched"], said
+        assert name in said and all(drive.state == OFF for drive in drives), said
+        assert aborts_of(leg) == set()
+    finally:
+        leg.close()
