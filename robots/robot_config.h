@@ -113,6 +113,7 @@ struct ActuatorConfig {
   SupplyConfig supply;
   EmergencyInputConfig emergency_input;
   CommissioningConfig commissioning;
+  bool restore_settings = false;  ///< at an orderly end the drive gets back what boot has overwritten
   LinkEncoderConfig link_encoder;
   ReferenceConfig reference;
 };

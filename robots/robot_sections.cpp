@@ -213,6 +213,7 @@ ActuatorConfig read_actuator(const YamlMap& map, const RobotConfig& robot) {
   a.safety_damping_Nm_s_rad = map.quantity("safety_damping", "Nm s/rad", 0.1, 1000);
   a.pole_pairs = static_cast<int>(map.integer_or("pole_pairs", 1, 255, 0));
   a.winding_time_constant_s = map.quantity_or("winding_time_constant", "s", 0.1, 1000, 0.0);
+  a.restore_settings = map.has("restore_settings") && map.flag("restore_settings");
   if (map.has("supply")) a.supply = read_supply(map.map("supply"));
   if (map.has("emergency_input")) a.emergency_input = read_emergency_input(map.map("emergency_input"));
   if (map.has("commissioning")) a.commissioning = read_commissioning(map.map("commissioning"));

@@ -9,12 +9,20 @@ namespace {
 using canopen::ObjectId;
 using Kind = BootStep::Kind;
 
-void verify_identity(const IdentityConfig& identity, std::vector<BootStep>& script) {
-  const std::uint32_t expected[] = {identity.vendor, identity.product, identity.revision, identity.serial};
-  for (std::uint8_t sub = 1; sub <= 4; ++sub) {
-    const std::uint32_t value = expected[sub - 1];
+/// What robot.yaml types wins: whoever types a revision has checked the objects with it.
+void verify_identity(const IdentityConfig& typed, const KnownDevice& known, std::vector<BootStep>& script) {
+  const auto verify = [&script](std::uint8_t sub, std::uint32_t value) {
     if (value != 0) script.push_back({Kind::kVerify, {{canopen::kIdentity, sub}, 4, value, false}});
+  };
+  verify(1, typed.vendor != 0 ? typed.vendor : known.vendor);
+  verify(2, typed.product != 0 ? typed.product : known.product);
+  verify(3, typed.revision);
+  if (typed.revision == 0 && known.vendor != 0) {
+    BootStep firmware{Kind::kFirmware, {{canopen::kIdentity, 3}, 4, 0, false}, known};
+    if (typed.product != 0 && typed.product != known.product) firmware.device.revisions.clear();
+    script.push_back(firmware);
   }
+  verify(4, typed.serial);
 }
 
 /// The order that drives accept: invalid, type, inhibit time, event timer, no map, entries, map, valid.
@@ -47,11 +55,13 @@ void remap(const PdoSetting& pdo, int node, std::vector<BootStep>& script) {
 std::vector<BootStep> make_boot_script(const IdentityConfig& identity, const NodeProfile& profile, int node,
                                        bool has_power) {
   std::vector<BootStep> script;
-  verify_identity(identity, script);
+  verify_identity(identity, profile.known_device(), script);
   // A drive that a former bridge left enabled loses its power before anything is changed.
   if (has_power)
     script.push_back({Kind::kWrite, {{canopen::kControlWord, 0}, 2, cia402::kDisableVoltageWord, false}});
-  for (const DriveSetting& setting : profile.settings()) script.push_back({Kind::kWriteAndVerify, setting});
+  if (const std::uint32_t modes = profile.required_modes(); modes != 0)
+    script.push_back({Kind::kRequireBits, {{canopen::kSupportedModes, 0}, 4, modes, false}});
+  for (const DriveSetting& setting : profile.settings()) script.push_back({Kind::kAdopt, setting});
   for (const PdoSetting& pdo : profile.pdos()) remap(pdo, node, script);
   if (has_power) script.push_back({Kind::kShowMode, {{canopen::kModeDisplay, 0}, 1, 0, true}});
   return script;

@@ -1,7 +1,7 @@
 #pragma once
-/// What the bridge does to a node before it may run, as a list of SDO transfers: verify identity, power off,
-/// write every setting and read it back, remap every PDO (procedure of facts canopen 1.5) and read that back
-/// too. Start-up only.
+/// What the bridge does to a node before it may run, as a list of SDO transfers: verify identity and
+/// firmware, power off, verify modes, write every setting and read it back, remap every PDO (procedure of
+/// facts canopen 1.5) and read that back too. Start-up only.
 #include <cstdint>
 #include <vector>
 
@@ -13,12 +13,16 @@ namespace sprung {
 struct BootStep {
   enum class Kind : std::int8_t {
     kVerify,          ///< read; must equal value
+    kFirmware,        ///< read; must be one that `device` knows, or one that does with the standard alone
+    kRequireBits,     ///< read; must have every bit of value
     kWrite,           ///< write only
+    kAdopt,           ///< read what there was, write, read back; must equal value
     kWriteAndVerify,  ///< write, read back; must equal value
     kShowMode,        ///< read the mode display: its PDO comes on change only
   };
   Kind kind = Kind::kVerify;
   DriveSetting setting;
+  KnownDevice device{};  ///< kFirmware
 };
 
 /// @param has_power a drive: its power is taken away first, and its mode display is read at the end.

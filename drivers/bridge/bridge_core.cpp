@@ -1,5 +1,6 @@
 #include "drivers/bridge/bridge_core.h"
 
+#include "drivers/bridge/boot_report.h"
 #include "drivers/bridge/bridge_impl.h"
 
 namespace sprung {
@@ -20,6 +21,7 @@ void BridgeCore::begin_tick(std::int64_t time_us, FrameBatch& out) noexcept {
   s.now_us = time_us;
   s.buses.begin_cycle(time_us);
   s.step_boot(time_us);
+  if (s.shutting_down && s.at_rest()) s.begin_restore();
   for (BusNode* node : s.nodes) node->step(time_us, out);
   s.push_heartbeats(time_us, out);
   s.sync_us = time_us;
@@ -157,8 +159,19 @@ bool BridgeCore::shut_down() const noexcept {
   const Impl& s = *impl_;
   if (!s.shutting_down) return false;
   if (!s.cyclic || s.now_us - s.shutdown_us > kShutdownLimit_us) return true;
-  return s.safety.level() != SafetyLevel::kDamping &&
-         s.all_drives([](const DriveNode& n) { return !n.powered(); });
+  return s.at_rest() && s.all_drives([](const DriveNode& n) { return n.restored(); });
+}
+
+std::vector<std::string> BridgeCore::boot_report() const {
+  std::vector<std::string> lines;
+  for (const BusNode* node : impl_->nodes) report_boot(node->link(), lines);
+  return lines;
+}
+
+std::vector<std::string> BridgeCore::restore_report() const {
+  std::vector<std::string> lines;
+  for (const auto& drive : impl_->drives) report_restore(*drive, lines);
+  return lines;
 }
 
 const SafetyState& BridgeCore::safety() const noexcept {

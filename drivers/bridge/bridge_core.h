@@ -13,6 +13,8 @@
 ///   emit_setpoints(t, o) RPDOs of this cycle: the command if it is good, else what safety says
 #include <cstdint>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "drivers/bridge/bus_monitor.h"
 #include "drivers/can/can_frame.h"
@@ -82,6 +84,11 @@ class BridgeCore {
   /// storage.
   const char* boot_detail() const noexcept;
   bool operational() const noexcept;  ///< cyclic operation has begun
+  /// For the log, a line each: what boot has overwritten in each node, and whose firmware is not known.
+  /// Allocates.
+  std::vector<std::string> boot_report() const;
+  /// The same after shut_down(): which drives have their settings back, and which have not. Allocates.
+  std::vector<std::string> restore_report() const;
 
  private:
   struct Impl;

@@ -106,6 +106,15 @@ void BridgeCore::Impl::push_heartbeats(std::int64_t time_us, FrameBatch& out) no
   }
 }
 
+bool BridgeCore::Impl::at_rest() const noexcept {
+  return cyclic && safety.level() != SafetyLevel::kDamping &&
+         all_drives([](const DriveNode& n) { return !n.powered(); });
+}
+
+void BridgeCore::Impl::begin_restore() noexcept {
+  for (auto& drive : drives) drive->begin_restore();
+}
+
 void BridgeCore::Impl::show_stops(DetailText& detail) const noexcept {
   for (const auto& drive : drives) {
     const StopWatch& stop = drive->stop();

@@ -53,6 +53,8 @@ struct BridgeCore::Impl {
   bool find_fault(std::int64_t time_us, Fault& out) const noexcept;
   bool planner_lost(Fault& out) const noexcept;
   void show_stops(DetailText& detail) const noexcept;
+  bool at_rest() const noexcept;  ///< shutting down: no drive has power any more
+  void begin_restore() noexcept;
   double command_age_s(std::int64_t time_us, bool command_due) const noexcept;
 
   // Requests: bridge_requests.cpp.

@@ -47,6 +47,7 @@ class LockstepBridge {
         wait_for_pace(started_us + static_cast<std::int64_t>(due_us));
       }
     }
+    shell_.report_end();
     return 0;
   }
 

@@ -12,7 +12,9 @@
 #include "drivers/can/can_bus.h"
 #include "drivers/can/can_filter.h"
 #include "drivers/can/can_interface.h"
+#include "drivers/canopen/objects.h"
 #include "drivers/canopen/protocol.h"
+#include "drivers/canopen/sdo_frames.h"
 #include "runtime/host_lock.h"
 #include "runtime/log.h"
 #include "runtime/stop_request.h"
@@ -35,6 +37,7 @@ constexpr std::int64_t kSendErrorInterval_us = 1'000'000;
 
 /// [design choice] Before the first frame of ours: many SYNCs and heartbeats of whoever is master already.
 constexpr std::int64_t kListen_us = 100'000;
+constexpr std::int64_t kAnswer_us = 20'000;  ///< [design choice] drives answer within milliseconds
 
 bool is_node(const RobotConfig& robot, int bus, int node) {
   const auto it = [bus, node](const auto& device) { return device.bus == bus && device.node == node; };
@@ -90,6 +93,7 @@ class RealTimeBridge {
       process_.publish_status_if_due();
       deadline_us += cycle_us_;
     }
+    shell_.report_end();
     return 0;
   }
 
@@ -100,9 +104,17 @@ class RealTimeBridge {
 
   std::int64_t now_us() const { return process_.node().utime_us(); }
 
-  /// Sends nothing. @throws std::runtime_error when another master speaks on one of the buses.
+  /// Sends nothing but, at the end, a question to whoever has the bridge's own node id: a drive as it was
+  /// delivered may, and keeps silent until it is asked. @throws std::runtime_error when there is one, or
+  /// another master speaks on one of the buses.
   void listen() {
-    const std::int64_t end_us = now_us() + kListen_us;
+    listen_until(now_us() + kListen_us);
+    const CanFrame question = canopen::sdo_read_request(canopen::kBridgeNode, {canopen::kDeviceType, 0});
+    for (auto& bus : buses_) bus->send(&question, 1);
+    listen_until(now_us() + kAnswer_us);
+  }
+
+  void listen_until(std::int64_t end_us) {
     while (now_us() < end_us) {
       sleep_until(end_us, fds_.data(), buses_.size());
       for (std::size_t bus = 0; bus < buses_.size(); ++bus) listen(static_cast<int>(bus));
@@ -116,8 +128,8 @@ class RealTimeBridge {
       const MasterFrame kind = master_frame(received_[i], is_node(process_.robot(), bus, node));
       if (kind == MasterFrame::kNone) continue;
       throw std::runtime_error("bus " + process_.robot().buses[bus].name + " (" + buses_[bus]->describe() +
-                               "): another master speaks there, it sent a " + text(kind) +
-                               "; nothing was sent. Stop it first: another sprung up, another tool?");
+                               "): somebody else speaks there as a master does: " + text(kind) +
+                               "; nothing was commanded. " + remedy(kind));
     }
   }
 

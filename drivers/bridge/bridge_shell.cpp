@@ -119,7 +119,12 @@ void BridgeShell::follow_start() {
   if (waiting && core_.safety().level == SafetyLevel::kOperational) {
     process_.set_state(ProcessState::kRunning);
     process_.status().detail.clear();
+    for (const std::string& line : core_.boot_report()) log_info(line);
   }
+}
+
+void BridgeShell::report_end() const {
+  for (const std::string& line : core_.restore_report()) log_info(line);
 }
 
 void BridgeShell::repeat_drive_state() { drive_states_.publish(last_state_); }

@@ -32,6 +32,8 @@ class BridgeShell {
   void publish_cycle(const DriveState& state);
   /// `running` on PROCESS_STATUS once safety lets the robot move: that is what `sprung up` waits for.
   void follow_start();
+  /// After an orderly end: whose settings are back.
+  void report_end() const;
   /// The last DRIVE_STATE again, for whoever lost it or whose answer was lost.
   void repeat_drive_state();
   /// SAFETY_STATE and BUS_STATE while no cycle runs yet: on change and at 10 Hz of wall time.

@@ -33,6 +33,12 @@ std::uint32_t low_bytes(std::uint32_t value, int size) noexcept {
   return size >= 4 ? value : value & ((1U << (8 * size)) - 1U);
 }
 
+std::string value_text(const DriveSetting& setting) {
+  char text[16];
+  print_value(text, sizeof text, setting, setting.value);
+  return text;
+}
+
 void print(DetailText& text, const char* format, ...) noexcept {
   std::va_list arguments;
   va_start(arguments, format);

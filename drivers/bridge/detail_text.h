@@ -2,6 +2,7 @@
 /// Sentences for people in the fixed-size text of SAFETY_STATE; no heap.
 #include <array>
 #include <cstdint>
+#include <string>
 
 #include "drivers/profiles/drive_profile.h"
 
@@ -21,6 +22,9 @@ void print_difference(DetailText& text, const char* drive, const DriveSetting& s
 /// "knee_motor: object 0x6072:00 max torque: refused by the drive (value too high)"
 void print_abort(DetailText& text, const char* drive, canopen::ObjectId object,
                  std::uint32_t abort_code) noexcept;
+
+/// A setting's value as these sentences have it. Allocates.
+std::string value_text(const DriveSetting& setting);
 
 /// The low `size` bytes of a value.
 std::uint32_t low_bytes(std::uint32_t value, int size) noexcept;

@@ -44,7 +44,18 @@ DriveNode::DriveNode(const ActuatorConfig& actuator, int index, double cycle_s,
       position_loop_(actuator, cycle_s),
       winding_(actuator.rated_current_A, actuator.winding_time_constant_s) {}
 
+void DriveNode::begin_restore() noexcept {
+  if (!actuator_.restore_settings || restore_.begun()) return;
+  link().sdo().finish();
+  restore_.begin(link().boot().overwritten());
+}
+
 void DriveNode::step(std::int64_t time_us, FrameBatch& out) noexcept {
+  if (restore_.begun()) {
+    CanFrame frame;
+    if (restore_.step(time_us, actuator_.node, link().sdo(), frame)) out.push(actuator_.bus, frame);
+    return;
+  }
   const bool reads = link().boot().operational();
   if (link().step(time_us, out)) reference_.doubt();
   if (!reads || stop_.by_sdo()) return;

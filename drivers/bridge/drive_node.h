@@ -15,6 +15,7 @@
 #include "drivers/bridge/power_control.h"
 #include "drivers/bridge/reference_watch.h"
 #include "drivers/bridge/setpoint_gate.h"
+#include "drivers/bridge/settings_restore.h"
 #include "drivers/bridge/stop_watch.h"
 #include "drivers/bridge/stuck_encoder_watch.h"
 #include "drivers/bridge/winding_watch.h"
@@ -55,6 +56,11 @@ class DriveNode final : public BusNode {
   const EmergencyInput& emergency_input() const noexcept { return emergency_input_; }
   const StopWatch& stop() const noexcept { return stop_; }
   void forget_stop() noexcept { stop_.forget(); }
+
+  /// At an orderly end, without power: its settings as they were before us, where robot.yaml asks for that.
+  void begin_restore() noexcept;
+  bool restored() const noexcept { return !actuator_.restore_settings || restore_.done(); }
+  const SettingsRestore& restore() const noexcept { return restore_; }
 
   /// The last control word may not have gone out.
   void resend_control_word() noexcept { power_.resend(); }
@@ -121,6 +127,7 @@ class DriveNode final : public BusNode {
   ImpactWatch impact_;
   HostPositionLoop position_loop_;
   WindingWatch winding_;
+  SettingsRestore restore_;
   std::int64_t limited_by_drive_ = 0;  ///< cycles with its status bit "internal limit active"
   double commanded_torque_Nm_ = kNaN;  ///< of the last set-point, in torque control
   bool confirmed_off_ = false;  ///< the last that it said of its power, by an answer to SYNC or to an SDO

@@ -11,8 +11,17 @@
 namespace sprung {
 
 /// What a frame is that only a master sends.
-enum class MasterFrame : std::int8_t { kNone, kHeartbeat, kSync, kNmt, kSetPoint };
+enum class MasterFrame : std::int8_t {
+  kNone,
+  kHeartbeat,
+  kAnswer,  ///< of a device that has the bridge's own node id
+  kSync,
+  kNmt,
+  kSetPoint
+};
 const char* text(MasterFrame kind) noexcept;  ///< "SYNC"
+/// Whose it may be and what to do. Static text.
+const char* remedy(MasterFrame kind) noexcept;
 
 /// @param ours the frame's id ends in the id of one of this robot's nodes on that bus. Service data (SDO) are
 /// left out: tools beside the bridge read objects.

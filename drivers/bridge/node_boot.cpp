@@ -16,13 +16,20 @@ using Kind = BootStep::Kind;
 constexpr std::int64_t kBootUpTimeout_us = 500'000;
 constexpr std::int64_t kStartTimeout_us = 500'000;  // then NMT start is sent again
 
+bool writes(Kind kind) noexcept {
+  return kind == Kind::kWrite || kind == Kind::kAdopt || kind == Kind::kWriteAndVerify;
+}
+
 }  // namespace
 
 NodeBoot::NodeBoot(const char* drive, int node, std::vector<BootStep> script)
     : drive_(drive), node_(node), script_(std::move(script)) {
-  settings_ = static_cast<int>(std::count_if(script_.begin(), script_.end(), [](const BootStep& step) {
-    return step.kind == Kind::kWrite || step.kind == Kind::kWriteAndVerify;
-  }));
+  const auto count = [this](auto is) {
+    return std::count_if(script_.begin(), script_.end(),
+                         [is](const BootStep& step) { return is(step.kind); });
+  };
+  settings_ = static_cast<int>(count(writes));
+  overwritten_.reserve(static_cast<std::size_t>(count([](Kind kind) { return kind == Kind::kAdopt; })));
   print(detail_, "%s: not yet reset", drive_);
 }
 
@@ -53,8 +60,9 @@ void NodeBoot::confirm_operational() noexcept {
 void NodeBoot::begin_script(std::int64_t time_us) noexcept {
   enter(BootState::kConfigure, time_us);
   at_ = 0;
-  reading_back_ = unanswered_ = false;
+  unanswered_ = standard_alone_ = false;
   forget_transfer_ = true;
+  begin_step();
 }
 
 void NodeBoot::on_heartbeat(canopen::NmtState state, std::int64_t time_us) noexcept {
@@ -127,8 +135,7 @@ bool NodeBoot::step_script(std::int64_t time_us, SdoClient& sdo, CanFrame& out) 
 
 void NodeBoot::ask(SdoClient& sdo) noexcept {
   const BootStep& step = script_[at_];
-  const bool write = (step.kind == Kind::kWrite || step.kind == Kind::kWriteAndVerify) && !reading_back_;
-  if (write) {
+  if (transfer_ == Transfer::kWrite) {
     sdo.write(step.setting.object, step.setting.value, step.setting.size);
   } else {
     sdo.read(step.setting.object);
@@ -141,31 +148,96 @@ void NodeBoot::take_answer(SdoClient& sdo) noexcept {
   const BootStep& step = script_[at_];
   const SdoStatus status = sdo.status();
   sdo.finish();
-  if (status == SdoStatus::kTimeout || status == SdoStatus::kAborted) ++sdo_failures_;
-  if (status == SdoStatus::kTimeout) {
+  // Some objects cannot be read: what they had cannot be told, and writing says whether they are there.
+  const bool unread = status == SdoStatus::kAborted && transfer_ == Transfer::kReadBefore;
+  if (unread) {
+    transfer_ = Transfer::kWrite;
+  } else if (status == SdoStatus::kTimeout) {
+    ++sdo_failures_;
     state_ = BootState::kReset;
     print(detail_, "%s: no answer about object 0x%04X:%02X; beginning again", drive_,
           step.setting.object.index, step.setting.object.sub);
   } else if (status == SdoStatus::kAborted) {
+    ++sdo_failures_;
     state_ = BootState::kRefused;
     print_abort(detail_, drive_, step.setting.object, sdo.abort_code());
-  } else if (step.kind == Kind::kShowMode) {
-    mode_display_ = static_cast<std::int8_t>(sdo.value() & 0xFF);
-    next_step();
-  } else if (step.kind == Kind::kWriteAndVerify && !reading_back_) {
-    reading_back_ = true;
-  } else if (step.kind != Kind::kWrite &&
-             low_bytes(sdo.value(), step.setting.size) != low_bytes(step.setting.value, step.setting.size)) {
-    state_ = BootState::kRefused;
-    print_difference(detail_, drive_, step.setting, sdo.value());
   } else {
-    next_step();
+    take_transfer(low_bytes(sdo.value(), step.setting.size));
   }
 }
 
+/// @param value of what was read.
+void NodeBoot::take_transfer(std::uint32_t value) noexcept {
+  if (transfer_ == Transfer::kReadBefore) {
+    remember(value);
+    transfer_ = Transfer::kWrite;
+  } else if (transfer_ == Transfer::kWrite && script_[at_].kind != Kind::kWrite) {
+    transfer_ = Transfer::kRead;
+  } else if (transfer_ == Transfer::kWrite) {
+    next_step();
+  } else {
+    judge(value);
+  }
+}
+
+void NodeBoot::judge(std::uint32_t value) noexcept {
+  const BootStep& step = script_[at_];
+  const std::uint32_t wanted = low_bytes(step.setting.value, step.setting.size);
+  switch (step.kind) {
+    case Kind::kShowMode:
+      mode_display_ = static_cast<std::int8_t>(value);
+      return next_step();
+    case Kind::kFirmware:
+      return judge_firmware(value);
+    case Kind::kRequireBits:
+      return (value & wanted) == wanted ? next_step() : refuse(value);
+    default:
+      return value == wanted ? next_step() : refuse(value);
+  }
+}
+
+void NodeBoot::judge_firmware(std::uint32_t revision) noexcept {
+  const KnownDevice& device = script_[at_].device;
+  firmware_ = revision;
+  const bool known = device.knows_firmware(revision);
+  standard_alone_ = !known && device.standard_alone;
+  if (known || standard_alone_) return next_step();
+  state_ = BootState::kRefused;
+  print(detail_,
+        "%s: firmware 0x%08X is none that its objects were checked with: docs/drivers.md, "
+        "\"Firmware\"; then identity: {revision: 0x%08X}",
+        drive_, revision, revision);
+}
+
+/// Only the first boot finds what was there before us.
+void NodeBoot::remember(std::uint32_t value) noexcept {
+  const DriveSetting& setting = script_[at_].setting;
+  const std::uint32_t written = low_bytes(setting.value, setting.size);
+  const bool listed = std::any_of(overwritten_.begin(), overwritten_.end(), [&setting](const Overwritten& o) {
+    return o.setting.object == setting.object;
+  });
+  if (value == written || listed || overwritten_.size() == overwritten_.capacity()) return;
+  overwritten_.push_back({setting, written});
+  overwritten_.back().setting.value = value;
+}
+
+void NodeBoot::refuse(std::uint32_t found) noexcept {
+  state_ = BootState::kRefused;
+  print_difference(detail_, drive_, script_[at_].setting, found);
+}
+
+void NodeBoot::begin_step() noexcept {
+  const Kind kind = script_[at_].kind;
+  transfer_ = kind == Kind::kAdopt ? Transfer::kReadBefore
+              : writes(kind)       ? Transfer::kWrite
+                                   : Transfer::kRead;
+}
+
 void NodeBoot::next_step() noexcept {
-  reading_back_ = false;
-  if (++at_ < script_.size()) return;
+  do {
+    ++at_;
+  } while (at_ < script_.size() && standard_alone_ && is_makers_own(script_[at_].setting.object.index));
+  if (at_ < script_.size()) return begin_step();
   state_ = BootState::kConfigured;
   print(detail_, "%s: configured, waiting for the others", drive_);
 }

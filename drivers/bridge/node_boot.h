@@ -21,6 +21,12 @@ enum class BootState : std::int8_t {
   kRefused,
 };
 
+/// A setting that boot has written over another value.
+struct Overwritten {
+  DriveSetting setting;  ///< with the value that it had
+  std::uint32_t written = 0;
+};
+
 class NodeBoot {
  public:
   NodeBoot(const char* drive, int node, std::vector<BootStep> script);
@@ -45,14 +51,28 @@ class NodeBoot {
   std::int64_t sdo_failures() const noexcept { return sdo_failures_; }
   std::int8_t mode_display() const noexcept { return mode_display_; }
   const DetailText& detail() const noexcept { return detail_; }
+  /// Settings that had another value when the node was first booted, in the order of the script; PDOs and
+  /// what could not be read are left out.
+  const std::vector<Overwritten>& overwritten() const noexcept { return overwritten_; }
+  /// Its firmware is none that the profile knows: the maker's own objects are left alone.
+  bool standard_alone() const noexcept { return standard_alone_; }
+  std::uint32_t firmware() const noexcept { return firmware_; }  ///< 0x1018:03; 0: not asked for
 
  private:
+  enum class Transfer : std::int8_t { kReadBefore, kWrite, kRead };
+
   void enter(BootState state, std::int64_t time_us) noexcept;
   void begin_script(std::int64_t time_us) noexcept;
   bool step_probe(std::int64_t time_us, canopen::SdoClient& sdo, CanFrame& out) noexcept;
   bool step_script(std::int64_t time_us, canopen::SdoClient& sdo, CanFrame& out) noexcept;
   void ask(canopen::SdoClient& sdo) noexcept;
   void take_answer(canopen::SdoClient& sdo) noexcept;
+  void take_transfer(std::uint32_t value) noexcept;
+  void judge(std::uint32_t value) noexcept;
+  void judge_firmware(std::uint32_t revision) noexcept;
+  void remember(std::uint32_t value) noexcept;
+  void refuse(std::uint32_t found) noexcept;
+  void begin_step() noexcept;
   void next_step() noexcept;
 
   const char* drive_;
@@ -61,13 +81,16 @@ class NodeBoot {
   BootState state_ = BootState::kReset;
   std::int64_t since_us_ = 0;
   std::size_t at_ = 0;
-  bool reading_back_ = false;
+  Transfer transfer_ = Transfer::kRead;
   bool forget_transfer_ = false;  ///< whatever the SDO client does was asked before the script
   bool start_due_ = false;
   int settings_ = 0;
   std::int64_t sdo_failures_ = 0;  ///< aborted or unanswered
   bool unanswered_ = false;        ///< keeps the sentence about it through the next reset
   std::int8_t mode_display_ = 0;
+  bool standard_alone_ = false;
+  std::uint32_t firmware_ = 0;
+  std::vector<Overwritten> overwritten_;  ///< never more than its capacity
   DetailText detail_{};
 };
 

@@ -13,6 +13,7 @@ constexpr std::uint32_t kFunctionMask = 0x780;
 constexpr CanFilter kNmt{0x000};
 constexpr CanFilter kSync{0x080};
 constexpr CanFilter kAnyHeartbeat{0x700, kFunctionMask};
+constexpr CanFilter kAnswerOfOwnId{0x5FF};
 
 }  // namespace
 
@@ -23,7 +24,7 @@ bool passes(const CanFilter* filters, int count, std::uint32_t id) noexcept {
 }
 
 std::vector<CanFilter> bus_filters(const RobotConfig& robot, int bus) {
-  std::vector<CanFilter> filters{kNmt, kSync, kAnyHeartbeat};
+  std::vector<CanFilter> filters{kNmt, kSync, kAnyHeartbeat, kAnswerOfOwnId};
   const auto add = [&filters, bus](const auto& device) {
     if (device.bus == bus) filters.push_back({static_cast<std::uint32_t>(device.node), kNodeMask});
   };

@@ -21,7 +21,8 @@ bool passes(const CanFilter* filters, int count, std::uint32_t id) noexcept;
 ///     set-points and SDO requests included: a second master that commands our drives must be seen,
 ///   - NMT and SYNC, which our nodes obey whoever sends them,
 ///   - boot-up and heartbeat of any node: so a device that robot.yaml does not list, or lists with another
-///     id, is noticed.
+///     id, is noticed,
+///   - SDO answers of the bridge's own node id: so a drive that has it, as some are delivered, is noticed.
 /// Process data of foreign nodes stays out.
 std::vector<CanFilter> bus_filters(const RobotConfig& robot, int bus);
 

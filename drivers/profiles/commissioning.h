@@ -36,10 +36,6 @@ struct CommissioningObject {
 };
 
 struct CommissioningPlan {
-  std::uint32_t vendor = 0, product = 0;  ///< 0x1018; 0 = not compared
-  std::vector<std::uint32_t>
-      revisions{};  ///< firmware that the objects below were checked with; empty: unknown
-  std::uint32_t revision_mask = 0xFFFFFFFF;
   std::vector<CommissioningObject> objects{};
   std::string not_readable{};  ///< what this make keeps where no confirmed object shows it, and how to look
 

@@ -58,11 +58,6 @@ const ProfileKind* find_profile_kind(const std::string& name) {
   return nullptr;
 }
 
-canopen::Eds profile_eds(const ProfileKind& kind, int node) {
-  const char* const extra = kind.eds_extra_text == nullptr ? "" : kind.eds_extra_text();
-  return canopen::parse_eds(kind.eds_text(), std::string(kind.name) + ".eds", node, extra);
-}
-
 std::unique_ptr<DriveProfile> make_profile(const ActuatorConfig& actuator, const DriveTiming& timing) {
   const ProfileKind* kind = find_profile_kind(actuator.profile);
   if (kind == nullptr || kind->make_drive == nullptr)

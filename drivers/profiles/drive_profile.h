@@ -58,6 +58,25 @@ struct DriveSetpoint {
   DriveMode mode = DriveMode::kTorque;  ///< kTorque or kPosition
 };
 
+/// Which devices a profile's objects were checked with: 0x1018 of the maker's files.
+struct KnownDevice {
+  std::uint32_t vendor = 0, product = 0;   ///< 0: of no maker, nothing is compared
+  std::vector<std::uint32_t> revisions{};  ///< firmware, in the bits of revision_mask
+  std::uint32_t revision_mask = 0xFFFFFFFF;
+  /// Another firmware runs with what CiA 301 and 402 define, and the maker's own objects are left alone;
+  /// else it is refused.
+  bool standard_alone = false;
+
+  bool knows_firmware(std::uint32_t revision) const noexcept {
+    for (const std::uint32_t known : revisions)
+      if (((revision ^ known) & revision_mask) == 0) return true;
+    return false;
+  }
+};
+
+/// 0x2000 to 0x5FFF: what an object means there, its maker alone says (CiA 301).
+constexpr bool is_makers_own(std::uint16_t index) noexcept { return index >= 0x2000 && index < 0x6000; }
+
 /// What every node needs: how to configure it.
 class NodeProfile {
  public:
@@ -65,6 +84,9 @@ class NodeProfile {
   NodeProfile(const NodeProfile&) = delete;
   NodeProfile& operator=(const NodeProfile&) = delete;
 
+  virtual KnownDevice known_device() const { return {}; }
+  /// Modes that 0x6502 must show before the drive is used: bit n - 1 is mode n. 0: not read.
+  virtual std::uint32_t required_modes() const noexcept { return 0; }
   virtual std::vector<DriveSetting> settings() const = 0;
   /// Every PDO of the node, so that none keeps a default that talks in between.
   virtual std::vector<PdoSetting> pdos() const = 0;

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "drivers/canopen/eds.h"
 #include "drivers/profiles/drive_profile.h"
 
 namespace sprung {
@@ -23,9 +22,6 @@ struct ProfileKind {
 
 /// In the order of the folders' names.
 const std::vector<const ProfileKind*>& profile_kinds();
-
-/// The EDS of a profile that has one, with what is beside it.
-canopen::Eds profile_eds(const ProfileKind& kind, int node);
 
 /// @return nullptr where there is none.
 const ProfileKind* find_profile_kind(const std::string& name);

@@ -130,6 +130,11 @@ bool Cia402Drive::supply_is_bad() const noexcept {
   return supply_V_ < setup_.truth.supply_min_V || supply_V_ > setup_.truth.supply_max_V;
 }
 
+std::uint32_t Cia402Drive::check_write(canopen::ObjectId id, std::int64_t value) noexcept {
+  if (id.index != canopen::kMode) return 0;
+  return make_->mode_use(static_cast<std::int8_t>(value)) == ModeUse::kRefused ? canopen::kAbortRange : 0;
+}
+
 void Cia402Drive::written(canopen::ObjectId id) noexcept {
   if (id.index == canopen::kControlWord) control_word();
   if (id.index != make_->position_object()) return;

@@ -16,10 +16,13 @@ namespace sprung::sim {
 
 /// What a mode of operation means for the loops.
 enum class ModeUse : std::int8_t {
-  kRefused,  ///< not simulated: 0x6061 stays
+  kRefused,  ///< not simulated: 0x6060 aborts, 0x6061 stays
   kNone,     ///< no set-point: no current
   kCurrent,
-  kPosition,
+  kPosition,  ///< set-points come once a cycle
+  kVelocity,
+  kProfilePosition,  ///< of these the make knows the reference itself
+  kProfileVelocity,
 };
 
 /// One tick, as the drive sees itself.
@@ -99,6 +102,7 @@ class Cia402Drive : public SimDrive, private DeviceApplication {
   void raise_fault(std::uint16_t code) noexcept override;
 
  private:
+  std::uint32_t check_write(canopen::ObjectId id, std::int64_t value) noexcept override;
   void written(canopen::ObjectId id) noexcept override;
   void connection_lost() noexcept override;
   void connection_back() noexcept override;

@@ -48,7 +48,12 @@ void PowerStage::control(std::uint16_t word, const PowerOptions& options, double
                          bool fault_reset_allowed) noexcept {
   const auto acts = static_cast<std::uint16_t>(fault_reset_allowed ? word : word & ~cia402::kFaultResetBit);
   const PowerState before = state_;
-  const PowerState next = cia402::apply_control(before, acts, last_word_);
+  PowerState next = cia402::apply_control(before, acts, last_word_);
+  // Transitions 3 and 4 in one: a word that enables operation goes on through "switched on".
+  if (before == PowerState::kReadyToSwitchOn && next == PowerState::kSwitchedOn)
+    next = cia402::apply_control(next, acts, last_word_);
+  if (before == PowerState::kReadyToSwitchOn && next == PowerState::kOperationEnabled)
+    enter(PowerState::kSwitchedOn);
   last_word_ = word;
   halted_ = (word & kHaltBit) != 0;
   const bool operates = before == PowerState::kOperationEnabled;

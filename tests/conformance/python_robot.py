@@ -15,7 +15,7 @@ from wire import Wire, until
 START_RAD = 1.1  # of every joint but an abduction: inside the limits
 UP_S = 12.0  # time-out for what `sprung` starts
 VALUES = {
-    "gold": {(0x1018, 3): 1, (0x1018, 4): 1, (0x6079, 0): 48000, (0x6077, 0): 0},
+    "gold": {(0x1018, 3): 0x000103F6, (0x1018, 4): 1, (0x6079, 0): 48000, (0x6077, 0): 0},
     "epos2": {(0x1018, 3): 0x21260000, (0x1018, 4): 1, (0x6078, 0): 0},
     "encoder_card": {(0x1018, 4): 1},
 }

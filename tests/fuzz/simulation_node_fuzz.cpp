@@ -4,7 +4,7 @@
 #include "drivers/canopen/eds.h"
 #include "drivers/canopen/objects.h"
 #include "drivers/canopen/protocol.h"
-#include "drivers/profiles/profile_registry.h"
+#include "drivers/profiles/profile_eds.h"
 #include "simulation/node/canopen_device.h"
 #include "tests/fuzz/can_frames.h"
 #include "tests/fuzz/fuzz.h"

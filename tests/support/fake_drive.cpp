@@ -6,11 +6,22 @@
 namespace sprung::test {
 
 using namespace canopen;
+namespace {
+
+/// Firmware that the profiles know: a Gold's, an EPOS2's.
+std::uint32_t known_revision(const IdentityConfig& identity) {
+  return identity.vendor == 0xFB ? 0x21260000 : 0x000103F6;
+}
+constexpr std::uint32_t kCyclicModes = 0x280;  ///< 8 and 10
+
+}  // namespace
 
 FakeDrive::FakeDrive(int node, const IdentityConfig& identity) : node_(node) {
   objects[{kDeviceType, 0}] = 0x00020192;
   objects[{kIdentity, 1}] = identity.vendor;
   objects[{kIdentity, 2}] = identity.product;
+  objects[{kIdentity, 3}] = identity.revision != 0 ? identity.revision : known_revision(identity);
+  objects[{kSupportedModes, 0}] = kCyclicModes;
   objects[{kSupplyVoltage, 0}] = 48000;
   objects[{kModeDisplay, 0}] = 0;
   objects[{kControlWord, 0}] = 0;

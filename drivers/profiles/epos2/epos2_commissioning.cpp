@@ -13,9 +13,7 @@ namespace {
 using namespace sprung::profiles;
 using Topic = CommissioningTopic;
 
-constexpr std::uint32_t kVendor = 0xFB, kProduct = 0x63220000;  ///< EPOS2 50/5, facts canopen 1.6
-constexpr std::uint32_t kFirmware = 0xFFFF0000;                 ///< of the revision: software version
-constexpr std::uint16_t kSensorKind = 0x000F;                   ///< low nibble of 0x2210:02
+constexpr std::uint16_t kSensorKind = 0x000F;  ///< low nibble of 0x2210:02
 constexpr std::uint16_t kPolarityOfEncoder1 = 0x0001;
 constexpr std::uint8_t kPolePairsSub = 3;
 
@@ -80,10 +78,6 @@ int bit_rate_code(double bit_rate_bit_s) {
 
 CommissioningPlan Epos2Profile::commissioning(double bit_rate_bit_s) const {
   CommissioningPlan plan;
-  plan.vendor = kVendor;
-  plan.product = kProduct;
-  plan.revisions = {0x21260000, 0x21200000};
-  plan.revision_mask = kFirmware;
   const CommissioningConfig& wanted = actuator_.commissioning;
   std::vector<CommissioningObject>& objects = plan.objects;
   objects.push_back(exactly(Topic::kNodeId, {kNodeId, 0}, 1, actuator_.node, typed(actuator_.node, "node")));

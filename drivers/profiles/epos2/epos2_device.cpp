@@ -54,7 +54,8 @@ double wrap_u32(double value) { return static_cast<std::uint32_t>(std::llround(v
 Epos2Make::Epos2Make(const SimDriveSetup& setup)
     : setup_(setup),
       dictionary_(epos2_dictionary(setup)),
-      rpm_per_rad_s_(setup.actuator.gear_ratio * 60.0 / kTurn_rad) {}
+      rpm_per_rad_s_(setup.actuator.gear_ratio * 60.0 / kTurn_rad),
+      motion_(dictionary_, rpm_per_rad_s_) {}
 
 double Epos2Make::object(std::uint16_t index, std::uint8_t sub) const noexcept {
   return static_cast<double>(dictionary_.get({index, sub}));
@@ -65,8 +66,20 @@ void Epos2Make::show(std::uint16_t index, double value) noexcept {
 }
 
 ModeUse Epos2Make::mode_use(std::int8_t code) const noexcept {
-  if (code == kModePosition) return ModeUse::kPosition;
-  return code == kModeCurrent ? ModeUse::kCurrent : ModeUse::kRefused;
+  switch (code) {
+    case kModePosition:
+      return ModeUse::kPosition;
+    case kModeCurrent:
+      return ModeUse::kCurrent;
+    case kModeVelocity:
+      return ModeUse::kVelocity;
+    case kModeProfilePosition:
+      return ModeUse::kProfilePosition;
+    case kModeProfileVelocity:
+      return ModeUse::kProfileVelocity;
+    default:
+      return ModeUse::kRefused;
+  }
 }
 
 std::uint16_t Epos2Make::position_object() const noexcept { return kPositionSetting; }
@@ -86,6 +99,7 @@ void Epos2Make::reset() noexcept {
   warm_ = false;
   average_current_A_ = 0.0;
   average_rad_s_ = 0.0;
+  motion_.forget();
 }
 
 MotorBelief Epos2Make::motor_belief() const noexcept {
@@ -98,10 +112,11 @@ MotorBelief Epos2Make::motor_belief() const noexcept {
   return belief;
 }
 
-double Epos2Make::position_current_A(const DriveMoment& now) noexcept {
-  const double error_qc = now.reference.position_counts - now.counts;
-  const double error_qc_s = now.reference.velocity_counts_s - now.velocity_rad_s * now.counts_per_rad;
-  show(kPositionDemand, clamp_i32(now.reference.position_counts));
+double Epos2Make::position_current_A(const PositionLoop::Reference& reference,
+                                     const DriveMoment& now) noexcept {
+  const double error_qc = reference.position_counts - now.counts;
+  const double error_qc_s = reference.velocity_counts_s - now.velocity_rad_s * now.counts_per_rad;
+  show(kPositionDemand, clamp_i32(reference.position_counts));
   show(kFollowingError, clamp_i16(error_qc));
   return 1e-3 * (kProportionalUnit_mA_qc * object(kPositionRegulator, 1) * error_qc +
                  kDerivativeUnit_mA_s_qc * object(kPositionRegulator, 3) * error_qc_s);
@@ -112,7 +127,8 @@ double Epos2Make::desired_current_A(const DriveMoment& now) noexcept {
   const double brake_A_s_rad = setup_.truth.quick_stop_damping_Nm_s_rad /
                                (actuator.gear_ratio * actuator.torque_constant_Nm_A);
   if (now.braking) return -brake_A_s_rad * now.velocity_rad_s;
-  if (now.mode == ModeUse::kPosition) return position_current_A(now);
+  if (Epos2Motion::drives(now.mode)) return position_current_A(motion_.reference(), now);
+  if (now.mode == ModeUse::kPosition) return position_current_A(now.reference, now);
   return now.mode == ModeUse::kCurrent ? 1e-3 * object(kCurrentSetting) : 0.0;
 }
 
@@ -128,9 +144,11 @@ double Epos2Make::limit_A(const DriveMoment& now) noexcept {
 }
 
 bool Epos2Make::lags_too_far(const DriveMoment& now) const noexcept {
-  if (now.mode != ModeUse::kPosition || now.braking) return false;
+  const bool profile = now.mode == ModeUse::kProfilePosition;
+  if ((now.mode != ModeUse::kPosition && !profile) || now.braking) return false;
   const std::int64_t furthest_qc = dictionary_.get({kMaxFollowingError, 0});
-  const double error_qc = std::abs(now.reference.position_counts - now.counts);
+  const PositionLoop::Reference& reference = profile ? motion_.reference() : now.reference;
+  const double error_qc = std::abs(reference.position_counts - now.counts);
   return furthest_qc != kNeverTooFar && error_qc > static_cast<double>(furthest_qc);
 }
 
@@ -146,6 +164,7 @@ void Epos2Make::average(const DriveMoment& now) noexcept {
 
 CurrentDemand Epos2Make::demand(const DriveMoment& now) noexcept {
   average(now);
+  motion_.step(now);
   const double limit = limit_A(now);  // also without power: the winding cools
   if (!now.powered) {
     show(kCurrentDemand, 0.0);
@@ -186,6 +205,7 @@ std::uint16_t Epos2Make::status_word(const PowerStage& stage, const DriveMoment&
   if (stage_on) word |= cia402::kVoltageEnabledBit;
   if (refreshes) word |= kRefreshBit;
   if (reached) word |= cia402::kTargetReachedBit;
+  word |= motion_.status_bits(now);
   return static_cast<std::uint16_t>(word);
 }
 

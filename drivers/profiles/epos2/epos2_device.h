@@ -1,10 +1,12 @@
 #pragma once
-/// One simulated maxon EPOS2 50/5 with its motor (facts canopen 2): modes -3 (current, mA) and -1 (position,
-/// qc), i2t, speed cap, following error, the 12 status words. Objects are those of epos2.eds.
+/// One simulated maxon EPOS2 50/5 with its motor (facts canopen 2): modes -3 (current, mA), -1 (position,
+/// qc), -2, 1 and 3 (epos2_motion.h), i2t, speed cap, following error, the 12 status words. Objects are those
+/// of epos2.eds.
 ///
-/// Not simulated: modes 1, 3, 6, 7, -2, -4..-6. An EPOS2 takes them; here 0x6061 keeps showing the mode
-/// before, so that nobody mistakes them for working. Neither are Hall sensors, analog and digital
+/// Not simulated: homing (6), interpolated position (7) and modes -4..-6, which an EPOS2 has: 0x6060 refuses
+/// them with 06090030, so that nobody mistakes them for working. Neither are Hall sensors, analog and digital
 /// inputs, auxiliary encoder. Beyond 0x607D a drive with power faults [unverified: in every mode, 0xFF09].
+#include "drivers/profiles/epos2/epos2_motion.h"
 #include "simulation/node/cia402_drive.h"
 
 namespace sprung::sim {
@@ -35,7 +37,7 @@ class Epos2Make final : public DriveMake {
   double object(std::uint16_t index, std::uint8_t sub = 0) const noexcept;
   void show(std::uint16_t index, double value) noexcept;
   double desired_current_A(const DriveMoment& now) noexcept;
-  double position_current_A(const DriveMoment& now) noexcept;
+  double position_current_A(const PositionLoop::Reference& reference, const DriveMoment& now) noexcept;
   double limit_A(const DriveMoment& now) noexcept;
   bool beyond_limits(const DriveMoment& now) const noexcept;
   bool lags_too_far(const DriveMoment& now) const noexcept;
@@ -46,6 +48,7 @@ class Epos2Make final : public DriveMake {
   ThermalLimit thermal_;
   bool warm_ = false;  ///< only the continuous current is allowed
   double rpm_per_rad_s_;
+  Epos2Motion motion_;
   double average_current_A_ = 0.0;
   double average_rad_s_ = 0.0;
 };

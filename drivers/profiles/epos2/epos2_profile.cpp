@@ -25,6 +25,8 @@ constexpr double kLargestGain = 32767;
 constexpr int kInputBits = 16;            ///< of 0x2071:01
 constexpr double kLargestThermal = 5400;  ///< in kThermalUnit_s
 
+constexpr std::uint32_t kVendor = 0xFB, kProduct = 0x63220000;  ///< EPOS2 50/5, facts canopen 1.6
+constexpr std::uint32_t kSoftware = 0xFFFF0000;                 ///< of the revision
 constexpr std::int16_t kPowerOff = 2;  ///< 0x6007: disable voltage; coding of CiA 402, unverified for EPOS2
 constexpr std::int16_t kDisableDrive = 0;  ///< 0x605B, 0x605C, 0x605E
 /// [design choice] A mode display waits this long at most: 0x1800:03, 10 ms. An EPOS2 has no event timer to
@@ -72,6 +74,12 @@ Epos2Profile::Epos2Profile(const ActuatorConfig& actuator, const DriveTiming& ti
   if (1e3 * actuator.rated_current_A > kLargestContinuous_mA)
     refuse(actuator, "rated_current: an EPOS2 50/5 gives 5 A for long");
   (void)settings();  // refuse now rather than while booting
+}
+
+/// Of these two the maker's files are at hand. Its modes and set-points are the maker's own: on another
+/// firmware nothing of it can be used.
+KnownDevice Epos2Profile::known_device() const {
+  return {kVendor, kProduct, {0x21260000, 0x21200000}, kSoftware, false};
 }
 
 std::vector<DriveSetting> Epos2Profile::settings() const {

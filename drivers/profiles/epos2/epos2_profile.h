@@ -16,6 +16,7 @@ class Epos2Profile final : public DriveProfile {
   /// 2 500 000 pulses, 25 000 rpm.
   Epos2Profile(const ActuatorConfig& actuator, const DriveTiming& timing);
 
+  KnownDevice known_device() const override;
   std::vector<DriveSetting> settings() const override;
   std::vector<PdoSetting> pdos() const override;
   CommissioningPlan commissioning(double bit_rate_bit_s) const override;

@@ -18,6 +18,9 @@
 
 namespace sprung::epos2 {
 
+inline constexpr std::int8_t kModeProfilePosition = 1;
+inline constexpr std::int8_t kModeProfileVelocity = 3;
+inline constexpr std::int8_t kModeVelocity = -2;  ///< set-point 0x206B
 inline constexpr std::int8_t kModePosition = -1;  ///< set-point 0x2062
 inline constexpr std::int8_t kModeCurrent = -3;   ///< set-point 0x2030
 

@@ -13,8 +13,6 @@ namespace {
 
 using namespace sprung::profiles;
 
-constexpr std::uint32_t kVendor = 0x9A, kProduct = 0x00030923;  ///< facts canopen 3
-
 CommissioningObject limit(std::uint16_t index, int size, double value, const char* unit_and_key) {
   CommissioningObject out;
   out.topic = CommissioningTopic::kLimits;
@@ -30,8 +28,6 @@ CommissioningObject limit(std::uint16_t index, int size, double value, const cha
 
 CommissioningPlan GoldProfile::commissioning(double /*bit_rate_bit_s*/) const {
   CommissioningPlan plan;
-  plan.vendor = kVendor;
-  plan.product = kProduct;
   plan.objects.push_back(
       limit(canopen::kRatedCurrent, 4, 1e3 * actuator_.rated_current_A, "mA (rated_current of robot.yaml)"));
   plan.objects.push_back(

@@ -26,6 +26,10 @@ constexpr int kLargestMaxTorque = 50000;      ///< EDS limit of 0x6072
 /// nothing in the loop waits for it.
 constexpr double kDisplayPeriod_s = 0.007;
 constexpr std::uint8_t kSamplePdo = 0, kSetpointPdo = 0, kControlPdo = 1;
+constexpr std::uint32_t kVendor = 0x9A, kProduct = 0x00030923, kRevision = 0x000103F6;  ///< facts canopen 3
+
+/// Of 0x6502.
+constexpr std::uint32_t bit_of_mode(std::int8_t mode) noexcept { return 1U << (mode - 1); }
 
 /// @return 1..240: a transmission type.
 std::uint8_t syncs_in(double time_s, double cycle_s) {
@@ -73,6 +77,15 @@ GoldProfile::GoldProfile(const ActuatorConfig& actuator, const DriveTiming& timi
   max_torque_permille_ = to_integer(
       permille, 0.0, std::min<int>(kLargestMaxTorque, std::numeric_limits<std::int16_t>::max()));
   (void)interpolation_period(timing.cycle_s);  // refuse now rather than while booting
+}
+
+/// Set-points, states and limits of a Gold are CiA 402's: without 0x2F75 it runs as well, it only bears fewer
+/// lost set-points in its position mode.
+KnownDevice GoldProfile::known_device() const { return {kVendor, kProduct, {kRevision}, 0xFFFFFFFF, true}; }
+
+std::uint32_t GoldProfile::required_modes() const noexcept {
+  const bool by_drive = actuator_.position_loop == PositionLoopSide::kDrive;
+  return bit_of_mode(cia402::kModeCyclicTorque) | (by_drive ? bit_of_mode(cia402::kModeCyclicPosition) : 0U);
 }
 
 std::vector<DriveSetting> GoldProfile::settings() const {

@@ -15,6 +15,8 @@ class GoldProfile final : public DriveProfile {
  public:
   GoldProfile(const ActuatorConfig& actuator, const DriveTiming& timing);
 
+  KnownDevice known_device() const override;
+  std::uint32_t required_modes() const noexcept override;
   std::vector<DriveSetting> settings() const override;
   std::vector<PdoSetting> pdos() const override;
   CommissioningPlan commissioning(double bit_rate_bit_s) const override;

@@ -31,7 +31,9 @@ TEST(Boot, FirstResetsThenReadsTheIdentityThenTakesPowerAway) {
   EXPECT_EQ(received[0], nmt_frame(NmtCommand::kResetCommunication, 1));
   EXPECT_EQ(received[1], sdo_read_request(1, {kIdentity, 1}));
   EXPECT_EQ(received[2], sdo_read_request(1, {kIdentity, 2}));
-  EXPECT_EQ(received[3], sdo_write_request(1, {kControlWord, 0}, 0, 2));
+  EXPECT_EQ(received[3], sdo_read_request(1, {kIdentity, 3}));
+  EXPECT_EQ(received[4], sdo_write_request(1, {kControlWord, 0}, 0, 2));
+  EXPECT_EQ(received[5], sdo_read_request(1, {kSupportedModes, 0}));
   EXPECT_EQ(received.back(), nmt_frame(NmtCommand::kStart, 1));
 }
 
@@ -104,6 +106,59 @@ TEST(Boot, SettingThatTheDriveAbortsIsRefusedWithItsReason) {
   EXPECT_FALSE(bench.boot(500));
   EXPECT_EQ(bench.detail(),
             "hip_motor: object 0x6080:00 max motor speed: refused by the drive (no such object)");
+}
+
+bool touched(const FakeDrive& drive, std::uint16_t index) {
+  return std::any_of(drive.received.begin(), drive.received.end(), [index](const CanFrame& frame) {
+    return frame.id != kNmtId && decode_sdo_request(frame).object.index == index;
+  });
+}
+
+// A Gold runs by CiA 402 alone: what 0x2F75 means on another firmware nobody here knows.
+TEST(Boot, GoldOfUnknownFirmwareRunsWithoutItsMakersObjectsAndIsReported) {
+  BridgeBench bench;
+  bench.drives[1].objects[{kIdentity, 3}] = 0x00010400;
+  ASSERT_TRUE(bench.boot()) << bench.detail();
+  EXPECT_FALSE(touched(bench.drives[1], 0x2F75));
+  EXPECT_TRUE(touched(bench.drives[0], 0x2F75));
+  const std::vector<std::string> report = bench.bridge->boot_report();
+  EXPECT_THAT(report, ::testing::Contains(HasSubstr("knee_motor: firmware 0x00010400 is none that")));
+  EXPECT_THAT(report, ::testing::Not(::testing::Contains(HasSubstr("hip_motor: firmware"))));
+}
+
+TEST(Boot, RevisionThatIsTypedIsTheOneThatRuns) {
+  RobotConfig robot = test::two_drive_robot();
+  robot.actuators[1].identity.revision = 0x00010400;
+  BridgeBench bench(robot);
+  bench.drives[1].objects[{kIdentity, 3}] = 0x00010400;
+  ASSERT_TRUE(bench.boot());
+  EXPECT_TRUE(touched(bench.drives[1], 0x2F75)) << "who types it has checked its objects";
+}
+
+TEST(Boot, DriveWithoutAModeThatIsNeededIsRefusedBeforeAnySetting) {
+  BridgeBench bench;
+  bench.drives[0].objects[{kSupportedModes, 0}] = 0x80;  // cyclic position alone
+  EXPECT_FALSE(bench.boot(500));
+  EXPECT_EQ(bench.detail(), "hip_motor: object 0x6502:00 supported modes: expected 640, found 128");
+  EXPECT_FALSE(touched(bench.drives[0], kRatedCurrent));
+}
+
+TEST(Boot, PositionLoopOnTheHostNeedsTheTorqueModeAlone) {
+  RobotConfig robot = test::two_drive_robot();
+  for (ActuatorConfig& actuator : robot.actuators) actuator.position_loop = PositionLoopSide::kHost;
+  BridgeBench bench(robot);
+  for (FakeDrive& drive : bench.drives) drive.objects[{kSupportedModes, 0}] = 0x200;
+  EXPECT_TRUE(bench.boot()) << bench.detail();
+}
+
+TEST(Boot, WhatItOverwritesIsListedWithBothValues) {
+  BridgeBench bench;
+  bench.drives[0].objects[{kRatedCurrent, 0}] = 2500;
+  bench.drives[0].objects[{kMaxTorque, 0}] = 5571;  // as wanted
+  ASSERT_TRUE(bench.boot());
+  const std::vector<std::string> report = bench.bridge->boot_report();
+  ASSERT_EQ(report.size(), 1U) << "what cannot be read has nothing to be listed";
+  EXPECT_EQ(report[0], "hip_motor: boot has overwritten 0x6075:00 rated current (2500, now 7000)");
 }
 
 TEST(Boot, RefusedDriveIsTriedAgainAfterClear) {

@@ -19,6 +19,7 @@ TEST(MasterFrame, OnlyWhatAMasterSendsIsOne) {
   EXPECT_EQ(master_frame(frame(0x000, 2), false), MasterFrame::kNmt);
   EXPECT_EQ(master_frame(frame(0x080, 0), false), MasterFrame::kSync);
   EXPECT_EQ(master_frame(frame(0x77F, 1), false), MasterFrame::kHeartbeat);
+  EXPECT_EQ(master_frame(frame(0x5FF), false), MasterFrame::kAnswer) << "a drive with the bridge's own id";
   for (const std::uint32_t id : {0x201U, 0x301U, 0x401U, 0x501U})
     EXPECT_EQ(master_frame(frame(id), true), MasterFrame::kSetPoint) << std::hex << id;
   // What a node sends, and services: emergency, TPDOs, SDO both ways, heartbeat.
@@ -32,7 +33,10 @@ TEST(MasterFrame, EachHasItsWordsForPeople) {
   EXPECT_STREQ(text(MasterFrame::kSync), "SYNC");
   EXPECT_STREQ(text(MasterFrame::kNmt), "NMT command");
   EXPECT_STREQ(text(MasterFrame::kSetPoint), "set-point (RPDO)");
+  EXPECT_STREQ(text(MasterFrame::kAnswer), "answer of node 127");
   EXPECT_STREQ(text(MasterFrame::kNone), "");
+  EXPECT_NE(std::string(remedy(MasterFrame::kAnswer)).find("id of its own"), std::string::npos);
+  EXPECT_EQ(std::string(remedy(MasterFrame::kSync)).find("127"), std::string::npos);
 }
 
 TEST(MasterFrame, ErrorAndRemoteFramesAreNone) {

@@ -52,6 +52,7 @@ TEST(BusFilters, SecondMasterIsSeen) {
   EXPECT_TRUE(bridge_sees(filters, canopen::rpdo_id(0, 2)));
   EXPECT_TRUE(bridge_sees(filters, canopen::sdo_client_id(1)));
   EXPECT_TRUE(bridge_sees(filters, canopen::heartbeat_id(canopen::kBridgeNode)));
+  EXPECT_TRUE(bridge_sees(filters, canopen::sdo_server_id(canopen::kBridgeNode))) << "a drive as delivered";
 }
 
 TEST(BusFilters, ForeignNodeIsSeenByItsHeartbeatAlone) {

@@ -47,6 +47,29 @@ TEST(PowerStage, FirstEnableTakesRefreshAndMeasurementOnce) {
   EXPECT_EQ(stage.state(), PowerState::kOperationEnabled);  // not again
 }
 
+TEST(PowerStage, EnableFromReadyGoesOnThroughSwitchedOn) {
+  PowerStage stage({}, kPowerStageStep_s);
+  stage.advance(0.0);
+  give(stage, {0x06, 0x0F});
+  EXPECT_EQ(stage.state(), PowerState::kOperationEnabled);
+  PowerStage refreshed(kEpos2Like, kPowerStageStep_s);
+  for (int i = 0; i < 4; ++i) refreshed.advance(0.0);
+  give(refreshed, {0x06, 0x0F});
+  EXPECT_EQ(refreshed.state(), PowerState::kSwitchedOn);
+  EXPECT_EQ(refreshed.extra(), PowerExtra::kRefresh);
+  give(refreshed, {0x06});
+  EXPECT_EQ(refreshed.state(), PowerState::kReadyToSwitchOn) << "taken back before it was enabled";
+  for (int i = 0; i < 30; ++i) give(refreshed, {0x0F});
+  EXPECT_EQ(refreshed.state(), PowerState::kOperationEnabled);
+}
+
+TEST(PowerStage, EnableFromDisabledDoesNothing) {
+  PowerStage stage({}, kPowerStageStep_s);
+  stage.advance(0.0);
+  give(stage, {0x0F, 0x0F, 0x07});
+  EXPECT_EQ(stage.state(), PowerState::kSwitchOnDisabled);
+}
+
 TEST(PowerStage, RefreshIsLeftWhenEnableIsTakenBack) {
   PowerStage stage(kEpos2Like, kPowerStageStep_s);
   for (int i = 0; i < 4; ++i) stage.advance(0.0);

@@ -4,7 +4,7 @@
 
 #include "drivers/canopen/objects.h"
 #include "drivers/canopen/sdo_aborts.h"
-#include "drivers/profiles/profile_registry.h"
+#include "drivers/profiles/profile_eds.h"
 #include "tools/can/decode/object_value.h"
 
 namespace sprung::commission {

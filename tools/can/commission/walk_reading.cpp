@@ -60,7 +60,8 @@ void Walk::bus_settings() {
 void Walk::identity() {
   const std::uint32_t typed[] = {actuator_.identity.vendor, actuator_.identity.product,
                                  actuator_.identity.revision, actuator_.identity.serial};
-  const std::uint32_t planned[] = {plan_.vendor, plan_.product, 0, 0};
+  const KnownDevice known = profile_->known_device();
+  const std::uint32_t planned[] = {known.vendor, known.product, 0, 0};
   const char* const names[] = {"vendor", "product", "revision", "serial number"};
   bool stranger = false;
   for (std::uint8_t sub = 1; sub <= 4; ++sub) {
@@ -69,12 +70,10 @@ void Walk::identity() {
     Finding one{names[sub - 1], wanted != 0 ? hex(wanted) : "",
                 value ? hex(static_cast<std::uint32_t>(*value)) : "not readable"};
     bool right = wanted == 0 || (value && static_cast<std::uint32_t>(*value) == wanted);
-    if (sub == 3 && wanted == 0 && !plan_.revisions.empty()) {
-      right = false;
-      for (const std::uint32_t known : plan_.revisions) {
-        one.expected += (one.expected.empty() ? "one of " : ", ") + hex(known);
-        right = right || (value && ((static_cast<std::uint32_t>(*value) ^ known) & plan_.revision_mask) == 0);
-      }
+    if (sub == 3 && wanted == 0 && !known.revisions.empty()) {
+      for (const std::uint32_t revision : known.revisions)
+        one.expected += (one.expected.empty() ? "one of " : ", ") + hex(revision);
+      right = value && known.knows_firmware(static_cast<std::uint32_t>(*value));
     }
     if (!right) {
       one.verdict = Verdict::kDiffers;

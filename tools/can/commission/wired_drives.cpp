@@ -2,7 +2,7 @@
 
 #include "drivers/canopen/eds.h"
 #include "drivers/profiles/drive_profile.h"
-#include "drivers/profiles/profile_registry.h"
+#include "drivers/profiles/profile_eds.h"
 
 namespace sprung::commission {
 namespace {

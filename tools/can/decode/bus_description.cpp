@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "drivers/profiles/profile_registry.h"
+#include "drivers/profiles/profile_eds.h"
 
 namespace sprung::cantools {
 namespace {

@@ -62,6 +62,12 @@ Bytes LoggedCycle::*member_of(std::string_view channel) noexcept {
   return nullptr;
 }
 
+/// What comes first of a cycle, from the bridge and the simulated drives. Whoever answers may stall and then
+/// tell of cycles long gone: that is no new beginning.
+bool begins_cycles(Bytes LoggedCycle::*member) noexcept {
+  return member == &LoggedCycle::drive_state || member == &LoggedCycle::imu;
+}
+
 }  // namespace
 
 bool LoggedCycle::empty() const noexcept {
@@ -118,6 +124,7 @@ void LogCycles::add_cyclic(Bytes LoggedCycle::*member, const log::Event& event, 
     return;
   }
   take_session(read_int64(event.data, kSessionOffset));
+  if (begins_cycles(member) && begun_ && seq < newest_ - kWindow) restart();
   LoggedCycle* const cycle = cycle_of(seq);
   if (cycle == nullptr) return;
   if (cycle->time_us == 0) {
@@ -142,7 +149,6 @@ void LogCycles::add_cyclic(Bytes LoggedCycle::*member, const log::Event& event, 
 /// nullptr where the cycle is none, or was handed out.
 LoggedCycle* LogCycles::cycle_of(std::int64_t seq) {
   if (seq < 0) return nullptr;
-  if (begun_ && seq < newest_ - kWindow) restart();
   if (!begun_) {
     begun_ = true;
     newest_ = handed_out_ = std::max<std::int64_t>(-1, seq - kWindow / 2);

@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-#include "drivers/profiles/profile_registry.h"
+#include "drivers/profiles/profile_eds.h"
 #include "tests/support/refusal.h"
 
 namespace sprung::cantools {

@@ -123,6 +123,30 @@ TEST_F(LogCyclesTest, FirstOfRepeatedMessagesCounts) {
   EXPECT_EQ(seen_[0].drive_state, message_of(first));
 }
 
+// A leg controller or an estimator that stood still for a second, while the bridge went on.
+TEST_F(LogCyclesTest, OldMessagesOfOneThatStalledAreLateAndNoNewBeginning) {
+  for (std::int64_t k = 0; k < 1000; ++k) drive_state(k);
+  for (std::int64_t k = 400; k < 700; ++k) joint_state(k);
+  for (std::int64_t k = 1000; k < 1100; ++k) drive_state(k);
+  cycles_.finish();
+  ASSERT_EQ(seen_.size(), 1100U);
+  EXPECT_EQ(std::count_if(seen_.begin(), seen_.end(), [](const LoggedCycle& one) { return one.anew; }), 0);
+  EXPECT_EQ(cycles_.flaws().late, 300);
+}
+
+TEST_F(LogCyclesTest, BridgeThatCountsFromZeroAgainIsANewBeginning) {
+  for (std::int64_t k = 0; k < 1000; ++k) drive_state(k);
+  for (std::int64_t k = 0; k < 10; ++k) {
+    drive_state(k);
+    joint_state(k);
+  }
+  cycles_.finish();
+  ASSERT_EQ(seen_.size(), 1010U);
+  EXPECT_TRUE(seen_[1000].anew);
+  EXPECT_FALSE(seen_[1009].joint_state.empty());
+  EXPECT_EQ(cycles_.flaws().late, 0);
+}
+
 TEST_F(LogCyclesTest, MessageThatIsFarTooLateIsCountedAndLeftOut) {
   for (std::int64_t k = 0; k < 300; ++k) drive_state(k);
   leg_command(43);  // handed out, but not so long ago that the bridge began anew
