@@ -15,12 +15,13 @@ IDENTITY = {
     "gold": {(0x1018, 1): 0x9A, (0x1018, 2): 0x00030923, (0x1018, 3): 0x000103F6, (0x1018, 4): 1},
     "epos2": {(0x1018, 1): 0xFB, (0x1018, 2): 0x63220000, (0x1018, 3): 0x21200000, (0x1018, 4): 1},
 }
-# The files say nothing of these: CiA 402's bits of the modes that each make has (facts canopen 2.3, 3; [U] which
-# of them a given firmware reports), and a supply.
+# The files say nothing of these: CiA 402's bits of the modes that each make has (facts canopen 2.3, 3; [U]
+# which of them a given firmware reports), and a supply.
 VALUES = {
     "gold": {**IDENTITY["gold"], (0x6502, 0): 0x3ED, (0x6079, 0): 48000},
     "epos2": {**IDENTITY["epos2"], (0x1000, 0): 0x00020192, (0x6502, 0): 0x65},
 }
+_EMPTY = {"visible string": "", "octet string": b"", "domain": b""}
 _CODES = {name: code for code, name in objects.TYPES.items()}
 
 
@@ -44,14 +45,13 @@ def _variable(row, node):
     variable.min, variable.max = _number(row["low"], node), _number(row["high"], node)
     variable.default = _number(row["default"], node)
     if variable.default is None:  # every object of a drive has some value
-        text = row["type"][0] not in "iu"
-        variable.default = ("" if row["type"] == "visible string" else b"") if text else max(0, variable.min or 0)
+        variable.default = _EMPTY.get(row["type"], max(0, variable.min or 0))
     return variable
 
 
 def dictionary(make, node, consumer_limit=True):
-    """@param consumer_limit the Gold's file allows 0..65535 in 0x1016, though the node that is to be heard stands
-    in bits 16..23 by CiA 301 and by Elmo's own guide. False: as the guide has it."""
+    """@param consumer_limit the Gold's file allows 0..65535 in 0x1016, though the node that is to be heard
+    stands in bits 16..23 by CiA 301 and by Elmo's own guide. False: as the guide has it."""
     found = canopen.ObjectDictionary()
     found.node_id = node
     variables = [_variable(row, node) for row in rows(make)]

@@ -55,6 +55,19 @@ def on_one_bus(robot):
     }
 
 
+def run_sprung(folder, environment, *arguments):
+    """A command in a second terminal. @return exit status, and all that it said."""
+    done = subprocess.run(
+        [f"{folder}/sprung", *arguments],
+        capture_output=True,
+        text=True,
+        timeout=120,
+        env={**os.environ, **environment},
+        check=False,
+    )
+    return done.returncode, done.stdout + done.stderr
+
+
 class Robot:
     """python nodes on a bus of their own as robot.yaml has them, and `sprung up` in front of them.
 
@@ -62,7 +75,9 @@ class Robot:
     @param dictionary of a profile and node: python-canopen's; else our EDS files'.
     @param values of a profile's objects at power-on."""
 
-    def __init__(self, request, folder, name="single_leg", adapt=None, dictionary=objects.dictionary, values=None):
+    def __init__(
+        self, request, folder, name="single_leg", adapt=None, dictionary=objects.dictionary, values=None
+    ):
         self._folder = folder
         self._programs = request.config.option.programs
         self._environment = {"SPRUNG_RUN_DIR": str(folder), "SPRUNG_PROGRAMS": self._programs}
@@ -125,15 +140,7 @@ class Robot:
         assert self.up.running(), self.up.said()
 
     def sprung(self, *arguments):
-        done = subprocess.run(
-            [f"{self._programs}/sprung", *arguments],
-            capture_output=True,
-            text=True,
-            timeout=30,
-            env={**os.environ, **self._environment},
-            check=False,
-        )
-        return done.stdout + done.stderr
+        return run_sprung(self._programs, self._environment, *arguments)[1]
 
     def safety(self):
         text = self.sprung("status", "--json")

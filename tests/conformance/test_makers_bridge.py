@@ -1,16 +1,18 @@
-"""`sprung up` in front of nodes made of the makers' figures, limits enforced; and a jump on simulated drives, which
-test_makers.py holds to the same limits."""
+"""`sprung up` in front of nodes made of the makers' figures, limits enforced; and a jump on simulated drives,
+which test_makers.py holds to the same limits."""
 
 import functools
+import re
 
 import pytest
 
 import makers
+import programs
 from golden import EPOS2_REMAP, REMAP
 from power_states import ENABLED, OFF
-from python_robot import UP_S, Robot
+from python_robot import UP_S, Robot, run_sprung
 from test_bridge import check_remap, sent_to
-from wire import until
+from wire import Wire, until
 
 ABORT = 0x80
 
@@ -68,3 +70,43 @@ def test_makers_drives_boot_stand_fail_and_are_brought_back(make, request, tmp_p
         assert aborts_of(leg) == set()
     finally:
         leg.close()
+
+
+def test_gold_with_the_consumer_limit_of_its_makers_file_is_not_run_unwatched(request, tmp_path):
+    """0x1016 takes no node id there, and there is no 0x100C: such a drive would not notice a lost master."""
+    leg = leg_of("gold", request, tmp_path, consumer_limit=True)
+    try:
+        leg.start()
+        found = leg.wait_for_safety("disabled", "drive refused")
+        assert found["latched"] and "0x1016" in found["detail"], found
+        assert leg.settings["actuators"][0]["name"] in found["detail"], found
+        assert (0x1016, 1, 0x06090031) in aborts_of(leg)
+        assert all(drive.state == OFF for drive in leg.drives.values())
+    finally:
+        leg.close()
+
+
+def test_jump_of_simulated_golds_meets_no_limit(request, tmp_path):
+    """test_makers.py compares their limits, types and access with the maker's."""
+    folder, bus = request.config.option.programs, programs.random_bus()
+    environment = {"SPRUNG_RUN_DIR": str(tmp_path), "SPRUNG_PROGRAMS": folder}
+    arguments = [
+        *("sprung", "up", programs.TOP / "robots/single_leg", "--sim", "--clock", "lockstep", "--no-record"),
+        *("--lcm-url", programs.random_lcm_url(), "--can", f"leg={programs.address(bus)}"),
+    ]
+    wire = Wire(bus)
+    up = programs.Program(folder, arguments, tmp_path / "up.txt", environment)
+    try:
+        assert until(lambda: "is up" in up.said() or not up.running(), UP_S), up.said()
+        assert up.running(), up.said()
+        for command in ("stand", "jump"):
+            status, said = run_sprung(folder, environment, command)
+            assert status == 0, said
+        height_mm = re.search(r"jump 1: (\d+) mm high", said)
+        assert height_mm and int(height_mm.group(1)) > 50, said
+        answers = [f for node in (1, 2) for f in wire.record.since(0, 0x580 + node)]
+        assert len(answers) > 100, "the boot was not heard"
+        assert [f.data.hex(" ") for f in answers if f.data[0] == ABORT] == []
+    finally:
+        up.stop()
+        wire.close()
