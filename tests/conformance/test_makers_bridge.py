@@ -15,6 +15,7 @@ from test_bridge import check_remap, sent_to
 from wire import Wire, until
 
 ABORT = 0x80
+MAPPED = b"\x60\x00\x1a\x00"  # the write of TPDO1's count is accepted
 
 
 def without_cards(settings):
@@ -29,10 +30,10 @@ def without_cards(settings):
 LEGS = {"gold": ("single_leg", None, REMAP), "epos2": ("pegasus", without_cards, EPOS2_REMAP)}
 
 
-def leg_of(make, request, folder, consumer_limit):
+def leg_of(make, request, folder, consumer_limit=False, values=None):
     name, adapt, _ = LEGS[make]
     dictionary = functools.partial(makers.dictionary, consumer_limit=consumer_limit)
-    return Robot(request, folder, name, adapt, dictionary, makers.VALUES)
+    return Robot(request, folder, name, adapt, dictionary, {make: makers.VALUES[make] | (values or {})})
 
 
 def aborts_of(leg):
@@ -45,7 +46,7 @@ def aborts_of(leg):
 
 @pytest.mark.parametrize("make", makers.MAKES)
 def test_makers_drives_boot_stand_fail_and_are_brought_back(make, request, tmp_path):
-    leg = leg_of(make, request, tmp_path, consumer_limit=False)
+    leg = leg_of(make, request, tmp_path)
     drives = list(leg.drives.values())
     try:
         leg.start_and_wait()
@@ -68,6 +69,25 @@ def test_makers_drives_boot_stand_fail_and_are_brought_back(make, request, tmp_p
         assert not leg.wait_for_safety("operational")["latched"], said
         assert name in said and all(drive.state == OFF for drive in drives), said
         assert aborts_of(leg) == set()
+    finally:
+        leg.close()
+
+
+@pytest.mark.parametrize(
+    "make, values, words",
+    [
+        ("gold", {(0x6502, 0): 0x7F}, ["0x6502"]),  # no cyclic mode
+        ("epos2", {(0x1018, 3): 0x21300000}, ["firmware 0x21300000"]),
+    ],
+    ids=["modes", "firmware"],
+)
+def test_drive_that_its_maker_may_sell_but_nobody_checked_is_refused(make, values, words, request, tmp_path):
+    leg = leg_of(make, request, tmp_path, values=values)
+    try:
+        leg.start()
+        found = leg.wait_for_safety("disabled", "drive refused")
+        assert found["latched"] and all(word in found["detail"] for word in words), found
+        assert all(drive.state == OFF for drive in leg.drives.values())
     finally:
         leg.close()
 
@@ -104,9 +124,10 @@ def test_jump_of_simulated_golds_meets_no_limit(request, tmp_path):
             assert status == 0, said
         height_mm = re.search(r"jump 1: (\d+) mm high", said)
         assert height_mm and int(height_mm.group(1)) > 50, said
-        answers = [f for node in (1, 2) for f in wire.record.since(0, 0x580 + node)]
-        assert len(answers) > 100, "the boot was not heard"
-        assert [f.data.hex(" ") for f in answers if f.data[0] == ABORT] == []
+        for node in (1, 2):
+            answers = wire.record.since(0, 0x580 + node)
+            assert any(f.data[:4] == MAPPED for f in answers), "the boot was not heard"
+            assert [f.data.hex(" ") for f in answers if f.data[0] == ABORT] == []
     finally:
         up.stop()
         wire.close()
