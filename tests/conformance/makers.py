@@ -53,7 +53,6 @@ def dictionary(make, node, consumer_limit=True):
     """@param consumer_limit the Gold's file allows 0..65535 in 0x1016, though the node that is to be heard
     stands in bits 16..23 by CiA 301 and by Elmo's own guide. False: as the guide has it."""
     found = canopen.ObjectDictionary()
-    found.node_id = node
     variables = [_variable(row, node) for row in rows(make)]
     records = {variable.index for variable in variables if variable.subindex != 0}
     for index in sorted({variable.index for variable in variables}):

@@ -96,6 +96,7 @@ class Robot:
         identity = {(0x1018, 1): settings["identity"]["vendor"], (0x1018, 2): settings["identity"]["product"]}
         return kind(
             self.wire,
+            settings["node"],
             self._dictionary(settings["profile"], settings["node"]),
             {**identity, **self._values[settings["profile"]], **more},
         )

@@ -23,8 +23,7 @@ class Node:
     """@param dictionary python-canopen's, of this node.
     @param values instead of its defaults, {(index, sub): value}; they outlive a reset."""
 
-    def __init__(self, wire, dictionary, values):
-        node = dictionary.node_id
+    def __init__(self, wire, node, dictionary, values):
         self.node = canopen.LocalNode(node, dictionary)
         self.speaks = True
         self.refuses = {}  # (index, sub): abort code of every write
@@ -150,9 +149,9 @@ class Node:
 
 
 class Drive(Node):
-    def __init__(self, wire, dictionary, values):
+    def __init__(self, wire, node, dictionary, values):
         self.state = OFF
-        super().__init__(wire, dictionary, {(CONTROL, 0): 0, (MODE_DISPLAY, 0): 0, **values})
+        super().__init__(wire, node, dictionary, {(CONTROL, 0): 0, (MODE_DISPLAY, 0): 0, **values})
 
     def fail(self, code):
         self._enter(FAULT)
@@ -186,9 +185,9 @@ class Drive(Node):
 class Card(Node):
     """Three 20-bit positions and a counter that goes up with each sample."""
 
-    def __init__(self, wire, dictionary, values):
+    def __init__(self, wire, node, dictionary, values):
         self.counter = 0
-        super().__init__(wire, dictionary, values)
+        super().__init__(wire, node, dictionary, values)
 
     def _sample(self):
         self.counter = (self.counter + 1) % 16

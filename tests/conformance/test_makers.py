@@ -112,7 +112,7 @@ class Quiet:
 
 
 def node_of(make, **options):
-    return Node(Quiet(), makers.dictionary(make, NODE, **options), makers.VALUES[make])
+    return Node(Quiet(), NODE, makers.dictionary(make, NODE, **options), makers.VALUES[make])
 
 
 def answer(node, index, sub, value, size):
