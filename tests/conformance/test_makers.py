@@ -243,13 +243,13 @@ def conclude(what, make, count, differences, explained):
 def facts_of(one):
     """Limits as they act: of what is written, and the type's where none is given."""
     access = {"const": "ro"}.get(one.access, one.access)
-    facts = {"type": one.type, "access": access, "map": "".join(sorted(one.map)), "default": one.default}
+    seen = {"type": one.type, "access": access, "map": "".join(sorted(one.map)), "default": one.default}
     if one.text or access == "ro":
-        return facts
+        return seen
     highest = (1 << 8 * one.size - one.signed) - 1
     lowest = -highest - 1 if one.signed else 0
     low, high = (lowest if one.low is None else one.low), (highest if one.high is None else one.high)
-    return facts | {"low": low, "high": high}
+    return seen | {"low": low, "high": high}
 
 
 @pytest.mark.parametrize("make", makers.MAKES)
