@@ -109,13 +109,26 @@ class Robot:
 
     def _robot_folder(self):
         folder = self._folder / "robot"
-        folder.mkdir()
+        folder.mkdir(exist_ok=True)
         (folder / "robot.yaml").write_text(yaml.safe_dump(self.settings, sort_keys=False))
         return folder
 
-    def start(self):
+    def _can(self):
+        return "--can", f"{self.settings['buses'][0]['name']}={programs.address(self._bus)}"
+
+    def power_up(self):
         for node in [*self.drives.values(), *self.cards.values()]:
             node.power_up()
+
+    def drive_check(self):
+        """`sprung drive check` of every node; for a robot that is not up. @return exit status, what it said."""
+        self.power_up()
+        return run_sprung(
+            self._programs, self._environment, "drive", "check", str(self._robot_folder()), *self._can()
+        )
+
+    def start(self):
+        self.power_up()
         self.up = programs.Program(
             self._programs,
             [
@@ -128,8 +141,7 @@ class Robot:
                 "off",
                 "--lcm-url",
                 programs.random_lcm_url(),
-                "--can",
-                f"{self.settings['buses'][0]['name']}={programs.address(self._bus)}",
+                *self._can(),
             ],
             self._folder / "up.txt",
             self._environment,

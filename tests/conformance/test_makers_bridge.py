@@ -44,6 +44,19 @@ def aborts_of(leg):
 
 
 @pytest.mark.parametrize("make", makers.MAKES)
+def test_check_of_makers_drives_asks_only_for_objects_that_they_have(make, request, tmp_path):
+    leg = leg_of(make, request, tmp_path)
+    try:
+        status, said = leg.drive_check()
+        assert status == 1, "as delivered they are not as the robot wants them"
+        assert all(f"{actuator['name']}: node" in said for actuator in leg.settings["actuators"]), said
+        assert re.search(r"0x6075:00 .* 7000 mA +0 mA +DIFFERS|0x6410:01 .* 2120 mA +5000 mA +DIFFERS", said), said
+        assert aborts_of(leg) == set()
+    finally:
+        leg.close()
+
+
+@pytest.mark.parametrize("make", makers.MAKES)
 def test_makers_drives_boot_stand_fail_and_are_brought_back(make, request, tmp_path):
     leg = leg_of(make, request, tmp_path)
     drives = list(leg.drives.values())
