@@ -36,6 +36,8 @@ BridgeCore::Impl::Impl(const RobotConfig& config, const BridgeOptions& bridge_op
       watchdogs(bridge_options.watchdogs),
       cycle_us(to_us(config.cycle_s)),
       by_bus_and_node(config.buses.size()),
+      battery(config.battery),
+      auxiliary(config.actuators.size()),
       buses(robot, bridge_options.watchdogs),
       masters(robot),
       gate(config),
