@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <set>
 
+#include "drivers/canopen/eds_extra.h"
 #include "drivers/canopen/eds_values.h"
 #include "signals/text_pattern.h"
 
@@ -81,7 +82,9 @@ EdsObject read_variable(const IniSection& section, ObjectId id, const std::strin
   object.group = group;
   object.name = section.text("ParameterName");
   if (object.name.empty()) section.fail("ParameterName", "is missing; give the object a name");
-  object.unit = section.text("Unit");
+  object.unit = section.text("Unit");  // some makers' files have one
+  if (section.has("SprungMap"))
+    section.fail("SprungMap", "is no key of an EDS; move it into the file beside it (*.extra.ini)");
   const std::int64_t kind = read_integer(section, "ObjectType", kVariable, 0, 0xFF);
   const bool plain_domain = kind == kDomainObject && !section.has("DataType");
   object.type = plain_domain ? EdsType::kDomain : read_type(section);
@@ -151,7 +154,11 @@ std::string Eds::name_of(ObjectId id) const {
 
 std::string id_text(ObjectId id) { return "0x" + hex(id.index, 4) + ":" + hex(id.sub, 2); }
 
-Eds parse_eds(const std::string& text, const std::string& file_name, int node) {
+std::string extra_file_name(const std::string& eds_file_name) {
+  return eds_file_name.substr(0, eds_file_name.rfind(".eds")) + ".extra.ini";
+}
+
+Eds parse_eds(const std::string& text, const std::string& file_name, int node, const std::string& extra) {
   if (node < 1 || node > kMaxNode)
     throw EdsError(file_name + ": node " + std::to_string(node) + " is none of 1..127");
   const IniText sections(text, file_name);
@@ -161,6 +168,7 @@ Eds parse_eds(const std::string& text, const std::string& file_name, int node) {
   eds.device = read_device(sections);
   eds.dummies = read_dummies(sections);
   for (const std::uint16_t index : listed) read_object(sections, index, node, eds);
+  apply_extra(IniText(extra, extra_file_name(file_name)), eds);
   return eds;
 }
 

@@ -2,14 +2,16 @@
 /// Electronic data sheets (EDS, CiA 306): a device's object dictionary as data. Text in, struct out; pure,
 /// start-up only: throws and allocates.
 ///
-///   const Eds eds = parse_eds(text, "epos2.eds", 5);
+///   const Eds eds = parse_eds(text, "epos2.eds", 5, extra);
 ///   eds.find({0x6078, 0})->unit;                  // "mA"
 ///   eds.name_of({0x6410, 1});                     // "motor data: continuous current limit"
 ///
-/// Not standard but read: `Unit=` (python-canopen reads it too) and `SprungMap=`, one of R, T, RT: the
-/// directions of PDO in which a device really takes the object, where AccessType cannot say it.
+/// What CiA 306 has no key for stands in a text of its own (`gold.extra.ini` beside `gold.eds`), in sections
+/// of the same names, so that other tools can read the EDS: `Unit=`, for people, and `SprungMap=`, one of R,
+/// T, RT: the directions of PDO in which a device really takes the object, where AccessType cannot say it.
 /// Refused with a message: CompactSubObj, floating point and text types that no drive here has, and lists or
-/// counts of objects that differ from the sections (makers' files often need a line or two corrected).
+/// counts of objects that differ from the sections (makers' files often need a line or two corrected); in the
+/// extra text sections that are no object of the EDS, and other keys.
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -78,8 +80,12 @@ struct Eds {
 };
 
 /// @param file_name stands for the text in messages. @param node 1..127, for $NODEID.
+/// @param extra the extra text, "" where there is none; messages call it extra_file_name(file_name).
 /// @throws EdsError naming file, section, key, value and remedy.
-Eds parse_eds(const std::string& text, const std::string& file_name, int node);
+Eds parse_eds(const std::string& text, const std::string& file_name, int node, const std::string& extra = "");
+
+/// "gold.extra.ini" of "gold.eds".
+std::string extra_file_name(const std::string& eds_file_name);
 
 /// Bytes of a number on the wire, 0 for texts and domains.
 int type_bytes(EdsType type) noexcept;

@@ -147,19 +147,6 @@ void read_access(const IniSection& section, EdsObject& object) {
     section.fail("AccessType", "write ro, wo, rw, rww, rwr or const");
   object.map_receive = mappable && (word == "wo" || word == "rw" || word == "rww");
   object.map_transmit = mappable && word != "wo" && word != "rww";
-
-  const std::string directions = lower_case(section.text("SprungMap"));
-  if (directions.empty()) return;
-  const bool receive = directions.find('r') != std::string::npos;
-  const bool transmit = directions.find('t') != std::string::npos;
-  if (directions != "r" && directions != "t" && directions != "rt")
-    section.fail("SprungMap", "write R, T or RT");
-  if (!mappable) section.fail("SprungMap", "needs PDOMapping=1");
-  const bool writable = object.access == EdsAccess::kReadWrite || object.access == EdsAccess::kWriteOnly;
-  if ((receive && !writable) || (transmit && object.access == EdsAccess::kWriteOnly))
-    section.fail("SprungMap", "contradicts AccessType=" + word);
-  object.map_receive = receive;
-  object.map_transmit = transmit;
 }
 
 void read_values(const IniSection& section, int node, EdsObject& object) {

@@ -6,7 +6,7 @@ namespace sprung::canopen {
 
 /// The section's DataType. @throws EdsError on types that are not supported.
 EdsType read_type(const IniSection& section);
-/// Sets access and both PDO directions from AccessType, PDOMapping and SprungMap.
+/// Sets access and both PDO directions from AccessType and PDOMapping.
 void read_access(const IniSection& section, EdsObject& object);
 /// Sets default and limits; they must fit the type, and the default the limits.
 void read_values(const IniSection& section, int node, EdsObject& object);

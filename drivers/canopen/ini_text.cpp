@@ -35,6 +35,12 @@ std::string IniSection::text(const std::string& key) const {
   return found == values_.end() ? "" : found->second;
 }
 
+std::vector<std::string> IniSection::keys() const {
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : values_) keys.push_back(key);
+  return keys;
+}
+
 bool IniSection::add(const std::string& key, const std::string& value) {
   return values_.emplace(lower_case(key), value).second;
 }

@@ -22,6 +22,7 @@ class IniSection {
   /// A key with nothing behind its "=" counts as absent: EDS tools write those.
   bool has(const std::string& key) const { return !text(key).empty(); }
   std::string text(const std::string& key) const;  ///< "" when absent
+  std::vector<std::string> keys() const;           ///< in lower case
   /// @return false when the key was there already.
   bool add(const std::string& key, const std::string& value);
   /// @throws EdsError "file: [section] key=value: problem".

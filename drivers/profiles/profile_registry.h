@@ -16,6 +16,8 @@ struct ProfileKind {
   std::unique_ptr<DriveProfile> (*make_drive)(const ActuatorConfig& actuator, const DriveTiming& timing);
   std::unique_ptr<CardProfile> (*make_card)(const EncoderCardConfig& card, const DriveTiming& timing);
   const char* (*eds_text)() noexcept;  ///< text of the folder's EDS; nullptr where it has none
+  /// Units and PDO directions beside it (drivers/canopen/eds.h); nullptr where there are none.
+  const char* (*eds_extra_text)() noexcept = nullptr;
 };
 
 /// In the order of the folders' names.

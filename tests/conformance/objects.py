@@ -12,7 +12,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 PROFILES = HERE.parents[1] / "drivers" / "profiles"
 SILENT = "?"  # docs/sources.md does not say
 
-_TYPES = {
+TYPES = {
     datatypes.INTEGER8: "i8",
     datatypes.INTEGER16: "i16",
     datatypes.INTEGER32: "i32",
@@ -25,8 +25,9 @@ _TYPES = {
     datatypes.OCTET_STRING: "octet string",
     datatypes.DOMAIN: "domain",
 }
-_ACCESS = {"rww": "rw", "rwr": "rw"}
-_MAP_OF_ACCESS = {"ro": "T", "const": "T", "wo": "R", "rww": "R", "rwr": "T", "rw": "RT"}
+PLAIN_ACCESS = {"rww": "rw", "rwr": "rw"}
+# Directions of PDO: R = received by the device, T = sent by it.
+MAP_OF_ACCESS = {"ro": "T", "const": "T", "wo": "R", "rww": "R", "rwr": "T", "rw": "RT"}
 
 
 @dataclasses.dataclass(frozen=True)
@@ -68,8 +69,20 @@ class Expected:
         return f"{self.index:04X}:{self.sub:02X} {self.name}"
 
 
+# Of an object, in CiA 306; what else is to be said of it stands in a file beside the EDS.
+EDS_KEYS = {
+    *("ParameterName", "ObjectType", "DataType", "AccessType", "PDOMapping"),
+    *("DefaultValue", "LowLimit", "HighLimit", "ObjFlags"),
+}
+
+
 def eds_path(profile):
     return PROFILES / profile / f"{profile}.eds"
+
+
+def extra_path(profile):
+    """Units and PDO directions, in the EDS's sections (drivers/canopen/eds.h)."""
+    return PROFILES / profile / f"{profile}.extra.ini"
 
 
 def dictionary(profile, node):
@@ -78,16 +91,16 @@ def dictionary(profile, node):
 
 
 def _map_overrides(profile):
-    """SprungMap= of drivers/canopen/eds.h: directions of PDO that AccessType cannot tell."""
-    text = configparser.RawConfigParser(inline_comment_prefixes=(";",))
-    text.read(eds_path(profile), encoding="utf-8")
+    """Directions of PDO that AccessType cannot tell."""
+    text = configparser.RawConfigParser()
+    text.read(extra_path(profile), encoding="utf-8")
     return {name.lower(): text[name]["SprungMap"] for name in text.sections() if "SprungMap" in text[name]}
 
 
 def _map_of(variable, override):
     if override is not None:
         return override
-    return _MAP_OF_ACCESS[variable.access_type] if variable.pdo_mappable else ""
+    return MAP_OF_ACCESS[variable.access_type] if variable.pdo_mappable else ""
 
 
 def _expected(variable, override):
@@ -95,8 +108,8 @@ def _expected(variable, override):
         variable.index,
         variable.subindex,
         variable.qualname,
-        _TYPES[variable.data_type],
-        _ACCESS.get(variable.access_type, variable.access_type),
+        TYPES[variable.data_type],
+        PLAIN_ACCESS.get(variable.access_type, variable.access_type),
         _map_of(variable, override),
         variable.default,
         variable.min,

@@ -35,8 +35,8 @@ COMMAND = {
 # Typed from facts canopen 2.1, transitions 2-12: where each leads; what is not here changes nothing.
 NEXT = {
     OFF: {"shutdown": READY},
-    # 0x0F holds switch on as well.
-    READY: {"switch on": ON, "enable": ON, "quick stop": OFF, "voltage off": OFF},
+    # 0x0F holds switch on as well, and goes on: transitions 3 and 4.
+    READY: {"switch on": ON, "enable": ENABLED, "quick stop": OFF, "voltage off": OFF},
     ON: {"shutdown": READY, "enable": ENABLED, "quick stop": OFF, "voltage off": OFF},
     ENABLED: {"shutdown": READY, "switch on": ON, "quick stop": QUICK_STOP, "voltage off": OFF},
     FAULT: {},

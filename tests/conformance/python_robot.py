@@ -6,12 +6,13 @@ import subprocess
 
 import yaml
 
+import objects
 import programs
 from robot_file import robot_file
 from slave import POSITION, Card, Drive
 from wire import Wire, until
 
-START_RAD = 1.1  # of every joint: inside the limits
+START_RAD = 1.1  # of every joint but an abduction: inside the limits
 UP_S = 12.0  # time-out for what `sprung` starts
 VALUES = {
     "gold": {(0x1018, 3): 0x000103F6, (0x1018, 4): 1, (0x6079, 0): 48000, (0x6077, 0): 0},
@@ -54,10 +55,29 @@ def on_one_bus(robot):
     }
 
 
-class Robot:
-    """python nodes on a bus of their own as robot.yaml has them, and `sprung up` in front of them."""
+def run_sprung(folder, environment, *arguments):
+    """A command in a second terminal. @return exit status, and all that it said."""
+    done = subprocess.run(
+        [f"{folder}/sprung", *arguments],
+        capture_output=True,
+        text=True,
+        timeout=120,
+        env={**os.environ, **environment},
+        check=False,
+    )
+    return done.returncode, done.stdout + done.stderr
 
-    def __init__(self, request, folder, name="single_leg"):
+
+class Robot:
+    """python nodes on a bus of their own as robot.yaml has them, and `sprung up` in front of them.
+
+    @param adapt what differs in robot.yaml; changes the settings.
+    @param dictionary of a profile and node: python-canopen's; else our EDS files'.
+    @param values of a profile's objects at power-on."""
+
+    def __init__(
+        self, request, folder, name="single_leg", adapt=None, dictionary=objects.dictionary, values=None
+    ):
         self._folder = folder
         self._programs = request.config.option.programs
         self._environment = {"SPRUNG_RUN_DIR": str(folder), "SPRUNG_PROGRAMS": self._programs}
@@ -65,6 +85,9 @@ class Robot:
         self.wire = Wire(self._bus)
         self.settings = on_one_bus(robot_file(name, self._programs))
         self.settings.update(cycle_rate=CYCLE_RATE, simulation_watchdogs=WATCHDOGS)
+        if adapt is not None:
+            adapt(self.settings)
+        self._dictionary, self._values = dictionary, VALUES | (values or {})
         self.drives = {a["node"]: self._drive(a) for a in self.settings["actuators"]}
         self.cards = {c["node"]: self._node(Card, c, {}) for c in self.settings.get("encoder_cards", [])}
         self.up = None
@@ -74,13 +97,15 @@ class Robot:
         return kind(
             self.wire,
             settings["node"],
-            settings["profile"],
-            {**VALUES[settings["profile"]], **identity, **more},
+            self._dictionary(settings["profile"], settings["node"]),
+            {**identity, **self._values[settings["profile"]], **more},
         )
 
     def _drive(self, settings):
         counts_per_rad = settings["encoder_counts"] * settings["gear_ratio"] / (2 * 3.14159265)
-        return self._node(Drive, settings, {(POSITION, 0): round(START_RAD * counts_per_rad)})
+        angle_rad = 0.0 if "abduction" in settings["name"] else START_RAD
+        counts = round(settings["direction"] * angle_rad * counts_per_rad)
+        return self._node(Drive, settings, {(POSITION, 0): counts})
 
     def _robot_folder(self):
         folder = self._folder / "robot"
@@ -116,15 +141,7 @@ class Robot:
         assert self.up.running(), self.up.said()
 
     def sprung(self, *arguments):
-        done = subprocess.run(
-            [f"{self._programs}/sprung", *arguments],
-            capture_output=True,
-            text=True,
-            timeout=30,
-            env={**os.environ, **self._environment},
-            check=False,
-        )
-        return done.stdout + done.stderr
+        return run_sprung(self._programs, self._environment, *arguments)[1]
 
     def safety(self):
         text = self.sprung("status", "--json")

@@ -1,6 +1,6 @@
 """Nodes made of python-canopen's LocalNode: its SDO server, heartbeat and emergencies. Here is what it leaves
-out (facts canopen 7.3): SYNC, PDOs, limits, and for a drive the power states of CiA 402. Its
-motor never moves."""
+out (facts canopen 7.3): SYNC, PDOs and what may be mapped into them, limits, and for a drive the power states
+of CiA 402. Its motor never moves."""
 
 import canopen
 from canopen import SdoAbortedError
@@ -12,14 +12,19 @@ STATUS_WORDS = {OFF: 0x0240, READY: 0x0221, ON: 0x0233, ENABLED: 0x0237, FAULT: 
 CONTROL, STATUS, MODE, MODE_DISPLAY, POSITION = 0x6040, 0x6041, 0x6060, 0x6061, 0x6064
 SAMPLE = 0x2100  # of an encoder card
 PDO_INVALID, PDO_ID = 1 << 31, 0x7FF
+PDO_BITS = 64
+TOO_HIGH, TOO_LOW, STATE = 0x06090031, 0x06090032, 0x08000022
+NOT_MAPPABLE, MAP_TOO_LONG = 0x06040041, 0x06040042
+RECEIVE_MAPS, TRANSMIT_MAPS = range(0x1600, 0x1604), range(0x1A00, 0x1A04)
 SYNC_TYPES = range(1, 241)
 
 
 class Node:
-    """@param values instead of the EDS's defaults, {(index, sub): value}; they outlive a reset."""
+    """@param dictionary python-canopen's, of this node.
+    @param values instead of its defaults, {(index, sub): value}; they outlive a reset."""
 
-    def __init__(self, wire, node, profile, values):
-        self.node = canopen.LocalNode(node, objects.dictionary(profile, node))
+    def __init__(self, wire, node, dictionary, values):
+        self.node = canopen.LocalNode(node, dictionary)
         self.speaks = True
         self.refuses = {}  # (index, sub): abort code of every write
         self.prepare = lambda node: None  # done after each reset: how this node differs from others
@@ -63,17 +68,34 @@ class Node:
         self.prepare(self)
 
     def _check(self, index, subindex, od, data):
-        """What LocalNode does not: limits, and here the reluctance that a test asks for."""
+        """What LocalNode does not: limits, mappings, and here the reluctance that a test asks for."""
         if not self.speaks:
-            raise SdoAbortedError(0x08000022)
+            raise SdoAbortedError(STATE)
         if (index, subindex) in self.refuses:
             raise SdoAbortedError(self.refuses[index, subindex])
         value = od.decode_raw(data)
         if od.max is not None and value > od.max:
-            raise SdoAbortedError(0x06090031)
+            raise SdoAbortedError(TOO_HIGH)
         if od.min is not None and value < od.min:
-            raise SdoAbortedError(0x06090032)
+            raise SdoAbortedError(TOO_LOW)
+        if index in RECEIVE_MAPS or index in TRANSMIT_MAPS:
+            self._check_mapping(index, subindex, value)
         self._written(index, value)
+
+    def _check_mapping(self, index, sub, value):
+        """CiA 301's order: the PDO invalid, its count 0, then entries, then the count."""
+        if not self.get(index - 0x200, 1) & PDO_INVALID or (sub and self.get(index, 0)):
+            raise SdoAbortedError(STATE)
+        if sub:
+            self._check_entry(value, "R" if index in RECEIVE_MAPS else "T")
+        elif sum(self.get(index, n + 1) & 0xFF for n in range(value)) > PDO_BITS:
+            raise SdoAbortedError(MAP_TOO_LONG)
+
+    def _check_entry(self, entry, direction):
+        od = self.node._find_object(entry >> 16, entry >> 8 & 0xFF)  # or no such object, no such sub-index
+        directions = objects.MAP_OF_ACCESS[od.access_type] if od.pdo_mappable else ""
+        if direction not in directions or len(od) != entry & 0xFF:
+            raise SdoAbortedError(NOT_MAPPABLE)
 
     def _written(self, index, value):
         pass
@@ -127,9 +149,9 @@ class Node:
 
 
 class Drive(Node):
-    def __init__(self, wire, node, profile, values):
+    def __init__(self, wire, node, dictionary, values):
         self.state = OFF
-        super().__init__(wire, node, profile, {(CONTROL, 0): 0, (MODE_DISPLAY, 0): 0, **values})
+        super().__init__(wire, node, dictionary, {(CONTROL, 0): 0, (MODE_DISPLAY, 0): 0, **values})
 
     def fail(self, code):
         self._enter(FAULT)
@@ -163,9 +185,9 @@ class Drive(Node):
 class Card(Node):
     """Three 20-bit positions and a counter that goes up with each sample."""
 
-    def __init__(self, wire, node, profile, values):
+    def __init__(self, wire, node, dictionary, values):
         self.counter = 0
-        super().__init__(wire, node, profile, values)
+        super().__init__(wire, node, dictionary, values)
 
     def _sample(self):
         self.counter = (self.counter + 1) % 16

@@ -1,4 +1,7 @@
-/// An EDS as anybody's drive may bring one: the first byte is the node's id, the rest is the text.
+/// An EDS as anybody's drive may bring one: the first byte is the node's id, then the text, and behind a NUL
+/// the text of units and PDO directions beside it.
+#include <algorithm>
+
 #include "drivers/canopen/eds.h"
 #include "drivers/profiles/profile_registry.h"
 #include "tests/fuzz/fuzz.h"
@@ -26,8 +29,9 @@ std::vector<std::string> eds_seeds() {
   std::vector<std::string> seeds;
   for (const ProfileKind* kind : profile_kinds()) {
     const std::string text = kind->eds_text == nullptr ? "" : kind->eds_text();
+    const std::string extra = kind->eds_extra_text == nullptr ? "" : kind->eds_extra_text();
     // The whole one, and the sections of its first objects alone: short inputs are changed more thoroughly.
-    seeds.push_back(Output().byte(1).text(text).bytes());
+    seeds.push_back(Output().byte(1).text(text).byte(0).text(extra).bytes());
     seeds.push_back(Output().byte(5).text(text.substr(0, text.find("[1003]"))).bytes());
   }
   seeds.push_back(Output()
@@ -35,7 +39,9 @@ std::vector<std::string> eds_seeds() {
                       .text("[DeviceInfo]\nVendorName=x\nVendorNumber=0x9A\nProductName=y\nProductNumber=1\n"
                             "RevisionNumber=1\n[MandatoryObjects]\nSupportedObjects=1\n1=0x1000\n"
                             "[1000]\nParameterName=type\nObjectType=0x7\nDataType=0x0007\nAccessType=ro\n"
-                            "DefaultValue=$NODEID+0x180\nLowLimit=0\nHighLimit=0xFFFF\nPDOMapping=0\n")
+                            "DefaultValue=$NODEID+0x180\nLowLimit=0\nHighLimit=0xFFFF\nPDOMapping=1\n")
+                      .byte(0)
+                      .text("[1000]\nUnit=mA\nSprungMap=T\n")
                       .bytes());
   return seeds;
 }
@@ -44,8 +50,11 @@ std::vector<std::string> eds_seeds() {
 
 SPRUNG_FUZZ(drivers_canopen_eds, eds_seeds) {
   const int node = 1 + input.byte() % kMaxNode;
+  const std::string whole(input.rest());
+  const std::size_t end = std::min(whole.find('\0'), whole.size());
+  const std::string extra = end < whole.size() ? whole.substr(end + 1) : "";
   try {
-    require_sane(parse_eds(std::string(input.rest()), "any.eds", node));
+    require_sane(parse_eds(whole.substr(0, end), "any.eds", node, extra));
   } catch (const EdsError&) {  // that is how mistakes are told
   }
 }

@@ -4,7 +4,7 @@
 #include "drivers/canopen/eds.h"
 #include "drivers/canopen/objects.h"
 #include "drivers/canopen/protocol.h"
-#include "drivers/profiles/profile_registry.h"
+#include "drivers/profiles/profile_eds.h"
 #include "simulation/node/canopen_device.h"
 #include "tests/fuzz/can_frames.h"
 #include "tests/fuzz/fuzz.h"
@@ -17,8 +17,7 @@ constexpr int kNode = 1;
 const std::vector<sim::ObjectDictionary>& dictionaries() {
   static const std::vector<sim::ObjectDictionary> all = [] {
     std::vector<sim::ObjectDictionary> made;
-    for (const ProfileKind* kind : profile_kinds())
-      made.emplace_back(canopen::parse_eds(kind->eds_text(), std::string(kind->name) + ".eds", kNode));
+    for (const ProfileKind* kind : profile_kinds()) made.emplace_back(profile_eds(*kind, kNode));
     return made;
   }();
   return all;

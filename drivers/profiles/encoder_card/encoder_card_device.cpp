@@ -6,6 +6,7 @@
 #include "signals/angles.h"
 #include "simulation/device_registry.h"
 #include "simulation/hash_noise.h"
+#include "sprung_embedded/encoder_card_eds_extra_text.h"
 #include "sprung_embedded/encoder_card_eds_text.h"
 
 namespace sprung::encoder_card {
@@ -38,7 +39,8 @@ EncoderCardDevice::EncoderCardDevice(const sim::SimCardSetup& setup)
       seed_(setup.seed),
       signal_(noise_signal(setup.card)),
       counts_per_turn_(counts_per_turn(setup)),
-      dictionary_(canopen::parse_eds(encoder_card_eds_text(), "encoder_card.eds", setup.card.node)),
+      dictionary_(canopen::parse_eds(encoder_card_eds_text(), "encoder_card.eds", setup.card.node,
+                                     encoder_card_eds_extra_text())),
       device_(setup.card.node, dictionary_, *this, outbox()) {}
 
 void EncoderCardDevice::receive(const CanFrame& frame, std::int64_t time_us) noexcept {

@@ -3,6 +3,7 @@
 #include "drivers/profiles/encoder_card/encoder_card_layout.h"
 #include "drivers/profiles/profile_registry.h"
 #include "drivers/profiles/profile_values.h"
+#include "sprung_embedded/encoder_card_eds_extra_text.h"
 #include "sprung_embedded/encoder_card_eds_text.h"
 
 namespace sprung::encoder_card {
@@ -55,6 +56,6 @@ extern const ProfileKind encoder_card_profile_kind{
     [](const EncoderCardConfig& card, const DriveTiming& timing) -> std::unique_ptr<CardProfile> {
       return std::make_unique<encoder_card::EncoderCardProfile>(card, timing);
     },
-    encoder_card_eds_text};
+    encoder_card_eds_text, encoder_card_eds_extra_text};
 
 }  // namespace sprung::profiles

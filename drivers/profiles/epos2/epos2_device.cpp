@@ -9,6 +9,7 @@
 #include "drivers/profiles/epos2/epos2_units.h"
 #include "signals/angles.h"
 #include "simulation/device_registry.h"
+#include "sprung_embedded/epos2_eds_extra_text.h"
 #include "sprung_embedded/epos2_eds_text.h"
 
 namespace sprung::sim {
@@ -34,7 +35,8 @@ constexpr std::uint16_t kOffsetMeasuredBit = 1U << 8;
 constexpr std::uint16_t kRefreshBit = 1U << 14;
 
 ObjectDictionary epos2_dictionary(const SimDriveSetup& setup) {
-  const canopen::Eds eds = canopen::parse_eds(epos2_eds_text(), "epos2.eds", setup.actuator.node);
+  const canopen::Eds eds = canopen::parse_eds(epos2_eds_text(), "epos2.eds", setup.actuator.node,
+                                              epos2_eds_extra_text());
   const double pulses = std::clamp(setup.actuator.encoder_counts_per_turn / 4.0, 16.0, 2.5e6);
   // No two devices have the same identity, else LSS could not tell them apart.
   const int serial = (setup.actuator.bus + 1) * 1000 + setup.actuator.node;

@@ -8,6 +8,7 @@
 #include "drivers/profiles/epos2/epos2_units.h"
 #include "drivers/profiles/profile_registry.h"
 #include "drivers/profiles/profile_values.h"
+#include "sprung_embedded/epos2_eds_extra_text.h"
 #include "sprung_embedded/epos2_eds_text.h"
 
 namespace sprung::epos2 {
@@ -216,6 +217,6 @@ extern const ProfileKind epos2_profile_kind{
     [](const ActuatorConfig& actuator, const DriveTiming& timing) -> std::unique_ptr<DriveProfile> {
       return std::make_unique<epos2::Epos2Profile>(actuator, timing);
     },
-    nullptr, epos2_eds_text};
+    nullptr, epos2_eds_text, epos2_eds_extra_text};
 
 }  // namespace sprung::profiles

@@ -9,6 +9,7 @@
 #include "drivers/profiles/gold/gold_units.h"
 #include "signals/angles.h"
 #include "simulation/device_registry.h"
+#include "sprung_embedded/gold_eds_extra_text.h"
 #include "sprung_embedded/gold_eds_text.h"
 
 namespace sprung::sim {
@@ -41,7 +42,8 @@ ObjectDictionary gold_dictionary(const GoldCommissioning& commissioning) {
       {{canopen::kMaxMotorSpeed, 0}, commissioning.max_motor_speed_rpm},
       {{canopen::kSupplyVoltage, 0}, commissioning.supply_mV},
   };
-  return ObjectDictionary(canopen::parse_eds(gold_eds_text(), "gold.eds", commissioning.node), values);
+  return ObjectDictionary(
+      canopen::parse_eds(gold_eds_text(), "gold.eds", commissioning.node, gold_eds_extra_text()), values);
 }
 
 GoldMake::GoldMake(const SimDriveSetup& setup)

@@ -10,6 +10,7 @@
 #include "drivers/profiles/gold/gold_units.h"
 #include "drivers/profiles/profile_registry.h"
 #include "drivers/profiles/profile_values.h"
+#include "sprung_embedded/gold_eds_extra_text.h"
 #include "sprung_embedded/gold_eds_text.h"
 
 namespace sprung::gold {
@@ -193,6 +194,6 @@ extern const ProfileKind gold_profile_kind{
     [](const ActuatorConfig& actuator, const DriveTiming& timing) -> std::unique_ptr<DriveProfile> {
       return std::make_unique<gold::GoldProfile>(actuator, timing);
     },
-    nullptr, gold_eds_text};
+    nullptr, gold_eds_text, gold_eds_extra_text};
 
 }  // namespace sprung::profiles

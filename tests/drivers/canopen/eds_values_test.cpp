@@ -140,9 +140,6 @@ TEST(EdsValues, AccessTypeAndMappingGiveTheDirections) {
       {"AccessType=rwr\nPDOMapping=1\n", EdsAccess::kReadWrite, false, true},
       {"AccessType=rww\nPDOMapping=0\n", EdsAccess::kReadWrite, false, false},
       {"AccessType=rw\n", EdsAccess::kReadWrite, false, false},
-      {"AccessType=rww\nPDOMapping=1\nSprungMap=RT\n", EdsAccess::kReadWrite, true, true},
-      {"AccessType=rw\nPDOMapping=1\nSprungMap=R\n", EdsAccess::kReadWrite, true, false},
-      {"AccessType=rww\nPDOMapping=1\nSprungMap=T\n", EdsAccess::kReadWrite, false, true},
   };
   for (const Row& row : rows) {
     const EdsObject object = read(std::string("DataType=7\n") + row.keys);
@@ -152,19 +149,12 @@ TEST(EdsValues, AccessTypeAndMappingGiveTheDirections) {
   }
 }
 
-TEST(EdsValues, ContradictionsOfAccessAndMapAreRefused) {
+TEST(EdsValues, WhatIsNoAccessAndNoMappingIsRefused) {
   const std::string u32 = "DataType=7\n";
   EXPECT_THAT(eds_values_error_of(u32 + "AccessType=maybe\n"),
               HasSubstr("AccessType=maybe: write ro, wo, rw"));
   EXPECT_THAT(eds_values_error_of(u32), HasSubstr("AccessType=: write ro"));
   EXPECT_THAT(eds_values_error_of(u32 + "AccessType=rw\nPDOMapping=yes\n"), HasSubstr("PDOMapping=yes"));
-  EXPECT_THAT(eds_values_error_of(u32 + "AccessType=rw\nPDOMapping=1\nSprungMap=X\n"),
-              HasSubstr("write R, T or RT"));
-  EXPECT_THAT(eds_values_error_of(u32 + "AccessType=rw\nSprungMap=R\n"), HasSubstr("needs PDOMapping=1"));
-  EXPECT_THAT(eds_values_error_of(u32 + "AccessType=ro\nPDOMapping=1\nSprungMap=RT\n"),
-              HasSubstr("AccessType=ro"));
-  EXPECT_THAT(eds_values_error_of(u32 + "AccessType=wo\nPDOMapping=1\nSprungMap=T\n"),
-              HasSubstr("AccessType=wo"));
 }
 
 TEST(EdsValues, TextsKeepTheirTextAndBytesTheirDigits) {

@@ -32,8 +32,9 @@ std::string read_file(const std::string& path) {
 }
 
 Eds load(const std::string& device) {
-  const std::string file = device + "/" + device + ".eds";
-  return canopen::parse_eds(read_file(kTop + "/drivers/profiles/" + file), file, kEdsNode);
+  const std::string path = kTop + "/drivers/profiles/" + device + "/" + device;
+  return canopen::parse_eds(read_file(path + ".eds"), device + ".eds", kEdsNode,
+                            read_file(path + ".extra.ini"));
 }
 
 /// One line of the table, every column as text.
@@ -248,8 +249,11 @@ TEST(ProfileEds, IdentityIsTheSameInBothPlaces) {
 TEST(ProfileEds, EmbeddedTextIsTheFile) {
   for (const ProfileKind* kind : profile_kinds()) {
     const std::string name = kind->name;
+    const std::string path = kTop + "/drivers/profiles/" + name + "/" + name;
     ASSERT_NE(kind->eds_text, nullptr) << name;
-    EXPECT_EQ(kind->eds_text(), read_file(kTop + "/drivers/profiles/" + name + "/" + name + ".eds")) << name;
+    EXPECT_EQ(kind->eds_text(), read_file(path + ".eds")) << name;
+    ASSERT_NE(kind->eds_extra_text, nullptr) << name;
+    EXPECT_EQ(kind->eds_extra_text(), read_file(path + ".extra.ini")) << name;
   }
 }
 

@@ -15,10 +15,13 @@
 namespace sprung::sim {
 
 inline canopen::Eds load_eds(const std::string& device, int node) {
-  const std::string path = test::source_dir() + "/drivers/profiles/" + device + "/" + device + ".eds";
-  std::ifstream in(path, std::ios::binary);
-  EXPECT_TRUE(in) << path;
-  return canopen::parse_eds({std::istreambuf_iterator<char>(in), {}}, path, node);
+  const std::string path = test::source_dir() + "/drivers/profiles/" + device + "/" + device;
+  const auto text = [&path](const std::string& ending) -> std::string {
+    std::ifstream in(path + ending, std::ios::binary);
+    EXPECT_TRUE(in) << path << ending;
+    return {std::istreambuf_iterator<char>(in), {}};
+  };
+  return canopen::parse_eds(text(".eds"), path + ".eds", node, text(".extra.ini"));
 }
 
 class NodeBench : public DeviceApplication {

@@ -4,7 +4,7 @@
 
 #include "drivers/canopen/objects.h"
 #include "drivers/canopen/sdo_aborts.h"
-#include "drivers/profiles/profile_registry.h"
+#include "drivers/profiles/profile_eds.h"
 #include "tools/can/decode/object_value.h"
 
 namespace sprung::commission {
@@ -29,8 +29,7 @@ Walk::Walk(const RobotConfig& robot, int actuator, const DriveTiming& timing, co
       person_(person),
       profile_(make_profile(actuator_, timing)),
       plan_(profile_->commissioning(robot.bit_rate_bit_s)),
-      eds_(canopen::parse_eds(find_profile_kind(actuator_.profile)->eds_text(), actuator_.profile + ".eds",
-                              actuator_.node)),
+      eds_(profile_eds(*find_profile_kind(actuator_.profile), actuator_.node)),
       boot_ups_(port.boot_ups(actuator_.node)),
       friction_Nm_(breakaway_Nm(joint_.estimated_friction())) {
   protocol_.drive = actuator_.name + ": node " + std::to_string(actuator_.node) + " on " +

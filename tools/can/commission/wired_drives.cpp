@@ -2,7 +2,7 @@
 
 #include "drivers/canopen/eds.h"
 #include "drivers/profiles/drive_profile.h"
-#include "drivers/profiles/profile_registry.h"
+#include "drivers/profiles/profile_eds.h"
 
 namespace sprung::commission {
 namespace {
@@ -42,8 +42,7 @@ sim::DriveWiring commissioned_drive(const ActuatorConfig& machine) {
 
 sim::DriveWiring factory_drive(const ActuatorConfig& machine) {
   const CommissioningPlan plan = plan_of(machine);
-  const canopen::Eds eds = canopen::parse_eds(find_profile_kind(machine.profile)->eds_text(),
-                                              machine.profile + ".eds", machine.node);
+  const canopen::Eds eds = profile_eds(*find_profile_kind(machine.profile), machine.node);
   sim::DriveWiring wiring = wired(machine, plan);
   for (const CommissioningObject& object : plan.objects) {
     const canopen::EdsObject* described = eds.find(object.object);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "drivers/profiles/profile_registry.h"
+#include "drivers/profiles/profile_eds.h"
 
 namespace sprung::cantools {
 namespace {
@@ -10,7 +10,7 @@ namespace {
 std::shared_ptr<const canopen::Eds> eds_of(const std::string& profile, int node) {
   const ProfileKind* kind = find_profile_kind(profile);
   if (kind == nullptr || kind->eds_text == nullptr) return nullptr;
-  return std::make_shared<canopen::Eds>(canopen::parse_eds(kind->eds_text(), profile + ".eds", node));
+  return std::make_shared<canopen::Eds>(profile_eds(*kind, node));
 }
 
 template <class Device>

@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-#include "drivers/profiles/profile_registry.h"
+#include "drivers/profiles/profile_eds.h"
 #include "tests/support/refusal.h"
 
 namespace sprung::cantools {
@@ -19,7 +19,7 @@ class ObjectLookupTest : public testing::Test {
   static std::string refusal(const std::string& text, const canopen::Eds* eds) {
     return test::refusal_of([&] { find_object(text, eds); });
   }
-  canopen::Eds gold_ = canopen::parse_eds(find_profile_kind("gold")->eds_text(), "gold.eds", 1);
+  canopen::Eds gold_ = profile_eds(*find_profile_kind("gold"), 1);
 };
 
 TEST_F(ObjectLookupTest, NumbersAreHexadecimalWithOrWithoutMark) {

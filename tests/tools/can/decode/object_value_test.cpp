@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "drivers/profiles/profile_registry.h"
+#include "drivers/profiles/profile_eds.h"
 #include "tests/support/refusal.h"
 
 namespace sprung::cantools {
@@ -23,7 +23,7 @@ class ObjectValueTest : public testing::Test {
   std::string refusal(ObjectId id, const std::string& text) const {
     return test::refusal_of([&] { written(id, text); });
   }
-  Eds epos2_ = canopen::parse_eds(find_profile_kind("epos2")->eds_text(), "epos2.eds", 3);
+  Eds epos2_ = profile_eds(*find_profile_kind("epos2"), 3);
 };
 
 TEST_F(ObjectValueTest, NumbersHaveSignAndUnit) {
