@@ -33,12 +33,20 @@ struct IdentityConfig {
 
 /// A node that reads encoders on the link side of gears (design section 2: three 20-bit encoders and a
 /// counter in 64 bits).
+/// How the bridge and a node watch each other.
+enum class NodeWatch : std::int8_t {
+  kHeartbeat,  ///< each sends its own (0x1017, 0x1016)
+  kGuarding,   ///< the bridge asks by remote frames, and the node watches that it does (0x100C, 0x100D): for
+               ///< nodes without heartbeat
+};
+
 struct EncoderCardConfig {
   std::string name;
   int bus = 0;          ///< index into RobotConfig::buses
   int node = 0;         ///< CANopen node id, 1..126
   std::string profile;  ///< drivers/profiles/<profile>
   IdentityConfig identity;
+  NodeWatch watch = NodeWatch::kHeartbeat;
 };
 
 /// Encoder on the link side of an actuator's gear, absolute over its turn.
@@ -122,6 +130,7 @@ struct ActuatorConfig {
   int node = 0;         ///< CANopen node id, 1..126
   std::string profile;  ///< drivers/profiles/<profile>
   IdentityConfig identity;
+  NodeWatch watch = NodeWatch::kHeartbeat;
   double gear_ratio = 0.0;             ///< motor turns per output turn, > 0
   double direction = 1.0;              ///< +1 or -1: sign of the motor's own forward in actuator space
   double torque_constant_Nm_A = 0.0;   ///< motor side, > 0

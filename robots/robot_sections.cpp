@@ -197,6 +197,7 @@ ActuatorConfig read_actuator(const YamlMap& map, const RobotConfig& robot) {
   a.node = static_cast<int>(map.integer("node", 1, 126));
   a.profile = map.text("profile");
   a.identity = read_identity(map.map("identity"));
+  a.watch = read_node_watch(map);
   a.gear_ratio = map.quantity("gear_ratio", "", 1, 1000);
   a.direction = read_direction(map);
   a.torque_constant_Nm_A = map.quantity("torque_constant", "Nm/A", 1e-4, 10);

@@ -25,6 +25,7 @@ void BridgeCore::begin_tick(std::int64_t time_us, FrameBatch& out) noexcept {
   for (BusNode* node : s.nodes) node->step(time_us, out);
   if (CanFrame question; s.battery.step(time_us, question)) out.push(s.battery.bus(), question);
   s.push_heartbeats(time_us, out);
+  s.push_guarding(time_us, out);
   s.sync_us = time_us;
   for (BusNode* node : s.nodes) node->link().begin_sampling(time_us);
   s.push_on_every_bus(canopen::sync_frame(), out);

@@ -117,6 +117,13 @@ void BridgeCore::Impl::begin_restore() noexcept {
   for (auto& drive : drives) drive->begin_restore();
 }
 
+/// A drive that obeys no stop is not asked either: its life time runs out.
+void BridgeCore::Impl::push_guarding(std::int64_t time_us, FrameBatch& out) noexcept {
+  for (auto& drive : drives)
+    if (drive->stop().step() != StopStep::kWithhold) drive->link().guard(time_us, cycle_us, out);
+  for (auto& card : cards) card->link().guard(time_us, cycle_us, out);
+}
+
 void BridgeCore::Impl::show_stops(DetailText& detail) const noexcept {
   for (const auto& drive : drives) {
     const StopWatch& stop = drive->stop();

@@ -40,6 +40,7 @@ struct BridgeCore::Impl {
   void check_card_channels() const;  ///< @throws std::invalid_argument on one that the card has not
   void push_on_every_bus(const CanFrame& frame, FrameBatch& out) const noexcept;
   void push_heartbeats(std::int64_t time_us, FrameBatch& out) noexcept;
+  void push_guarding(std::int64_t time_us, FrameBatch& out) noexcept;
   void count_sent(const FrameBatch& batch, int first) noexcept;
   void step_boot(std::int64_t time_us) noexcept;
   void refuse_nodes(std::int64_t time_us) noexcept;
