@@ -106,6 +106,11 @@ IdentityConfig read_identity(const YamlMap& map) {
   return identity;
 }
 
+NodeWatch read_node_watch(const YamlMap& map) {
+  const bool guarding = map.has("watch") && choice(map, "watch", {"heartbeat", "guarding"}) == 1;
+  return guarding ? NodeWatch::kGuarding : NodeWatch::kHeartbeat;
+}
+
 EncoderCardConfig read_encoder_card(const YamlMap& map, const std::vector<BusConfig>& buses) {
   EncoderCardConfig card;
   card.name = map.text("name");
@@ -113,6 +118,7 @@ EncoderCardConfig read_encoder_card(const YamlMap& map, const std::vector<BusCon
   card.node = static_cast<int>(map.integer("node", 1, 126));
   card.profile = map.text("profile");
   card.identity = read_identity(map.map("identity"));
+  card.watch = read_node_watch(map);
   map.finish();
   return card;
 }

@@ -14,12 +14,28 @@ struct StiffnessConfig {
   double velocity_feedforward = 0.0;  ///< share of desired foot velocity in the damping term
 };
 
+/// A real IMU and what is known of it; sprung-imu-driver reads it. docs/drivers.md, "IMU".
+struct ImuDriverConfig {
+  std::string device;  ///< serial line, e.g. /dev/ttyUSB0; empty = there is none
+  int baud = 115200;
+  /// Trunk axes to sensor axes: the sensor is turned by yaw about z, then by pitch about the new y, then by
+  /// roll about the new x.
+  double mounting_roll_rad = 0.0;
+  double mounting_pitch_rad = 0.0;
+  double mounting_yaw_rad = 0.0;
+  double latency_s = 0.0;          ///< from a measurement to its first byte here
+  double range_rad_s = 0.0;        ///< of the gyroscopes: a rate beyond it is clipped
+  double range_m_s2 = 0.0;         ///< of the accelerometers
+  double longest_silence_s = 0.0;  ///< then the sensor counts as gone
+};
+
 /// The trunk, without legs (their masses are their links').
 struct BodyConfig {
   double mass_kg = 0.0;                    ///< 0: the robot has no body that could fall
   std::array<double, 3> com_in_trunk_m{};  ///< from the middle of the hips
   std::array<double, 3> inertia_kg_m2{};   ///< about its axes
   bool imu = false;                        ///< somebody publishes IMU
+  ImuDriverConfig imu_driver;
   double fallen_tilt_rad = 0.0;            ///< roll or pitch beyond which the robot counts as fallen
   double fallen_height_m = 0.0;            ///< height of the hips over the standing feet, below which it does
 };

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
+
+#include "robots/robot_sections.h"
 
 namespace sprung::robot_sections {
 namespace {
@@ -76,12 +80,37 @@ StiffnessConfig read_stiffness(const YamlMap& map) {
   return config;
 }
 
+ImuDriverConfig read_imu_driver(const YamlMap& map) {
+  ImuDriverConfig imu;
+  imu.device = map.text("device");
+  if (imu.device.empty() || imu.device.front() != '/')
+    map.fail("device", "expected the path of a serial line, e.g. /dev/ttyUSB0, found '" + imu.device + "'");
+  static const std::vector<std::string> kRates{"9600",   "19200",  "38400",  "57600",  "115200",
+                                               "230400", "460800", "921600", "2000000"};
+  imu.baud = std::stoi(kRates[static_cast<std::size_t>(choice(map, "baud", kRates))]);
+  const YamlMap mounting = map.map("mounting");
+  imu.mounting_roll_rad = mounting.quantity("roll", "rad", -3.15, 3.15);
+  imu.mounting_pitch_rad = mounting.quantity("pitch", "rad", -3.15, 3.15);
+  imu.mounting_yaw_rad = mounting.quantity("yaw", "rad", -3.15, 3.15);
+  mounting.finish();
+  imu.latency_s = map.quantity("latency", "s", 0, 0.1);
+  imu.range_rad_s = map.quantity("rate_range", "rad/s", 1, 100);
+  imu.range_m_s2 = map.quantity("force_range", "m/s^2", 10, 2000);
+  imu.longest_silence_s = map.quantity("longest_silence", "s", 0.002, 1);
+  map.finish();
+  return imu;
+}
+
 BodyConfig read_body(const YamlMap& map) {
   BodyConfig body;
   body.mass_kg = map.quantity("mass", "kg", 0.1, 500);
   body.com_in_trunk_m = read_axes(map.map("com"), "m", -1, 1);
   body.inertia_kg_m2 = read_axes(map.map("inertia"), "kg m^2", 1e-4, 500);
   body.imu = map.flag("imu");
+  if (map.has("imu_driver")) {
+    if (!body.imu) map.fail("imu_driver", "there is one, but imu: false says that nobody publishes IMU");
+    body.imu_driver = read_imu_driver(map.map("imu_driver"));
+  }
   const YamlMap fallen = map.map("fallen");
   body.fallen_tilt_rad = fallen.quantity("tilt", "rad", 0.1, 3.15);
   body.fallen_height_m = fallen.quantity("height", "m", 0, 2);

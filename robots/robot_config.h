@@ -33,12 +33,20 @@ struct IdentityConfig {
 
 /// A node that reads encoders on the link side of gears (design section 2: three 20-bit encoders and a
 /// counter in 64 bits).
+/// How the bridge and a node watch each other.
+enum class NodeWatch : std::int8_t {
+  kHeartbeat,  ///< each sends its own (0x1017, 0x1016)
+  kGuarding,   ///< the bridge asks by remote frames, and the node watches that it does (0x100C, 0x100D): for
+               ///< nodes without heartbeat
+};
+
 struct EncoderCardConfig {
   std::string name;
   int bus = 0;          ///< index into RobotConfig::buses
   int node = 0;         ///< CANopen node id, 1..126
   std::string profile;  ///< drivers/profiles/<profile>
   IdentityConfig identity;
+  NodeWatch watch = NodeWatch::kHeartbeat;
 };
 
 /// Encoder on the link side of an actuator's gear, absolute over its turn.
@@ -71,6 +79,38 @@ struct SupplyConfig {
   double max_V = 0.0;
 };
 
+/// A number of a node that is read by SDO once a second, beside the cycle.
+struct ReadingConfig {
+  std::uint16_t index = 0;  ///< 0 = there is none
+  std::uint8_t sub = 0;
+  int bytes = 0;  ///< 1, 2 or 4
+  bool is_signed = false;
+  double scale = 1.0;  ///< unit of the reading for one count
+
+  double value(std::uint32_t raw) const noexcept {
+    const int shift = 32 - 8 * bytes;
+    const std::uint32_t high = raw << shift;
+    return scale * (is_signed ? static_cast<double>(static_cast<std::int32_t>(high) >> shift)
+                              : static_cast<double>(high >> shift));
+  }
+};
+
+/// Thermal sensor that an actuator's drive shows. Beyond its limit the robot is stopped.
+struct TemperatureConfig {
+  ReadingConfig reading;  ///< degC
+  double max_degC = 0.0;
+};
+
+/// A battery on one of the buses, that answers SDO (CiA 418, or objects of its maker).
+struct BatteryConfig {
+  int bus = -1;  ///< index into RobotConfig::buses; -1 = there is none
+  int node = 0;
+  ReadingConfig voltage;          ///< V
+  ReadingConfig charge;           ///< share of its capacity, 0 to 1
+  ReadingConfig temperature;      ///< degC
+  double min_charge_share = 0.0;  ///< below, `sprung status` and the bridge's log warn
+};
+
 /// A digital input of an actuator's drive at which an emergency stop is read.
 struct EmergencyInputConfig {
   int bit = -1;             ///< of the drive's object for its inputs; -1 = none
@@ -90,6 +130,7 @@ struct ActuatorConfig {
   int node = 0;         ///< CANopen node id, 1..126
   std::string profile;  ///< drivers/profiles/<profile>
   IdentityConfig identity;
+  NodeWatch watch = NodeWatch::kHeartbeat;
   double gear_ratio = 0.0;             ///< motor turns per output turn, > 0
   double direction = 1.0;              ///< +1 or -1: sign of the motor's own forward in actuator space
   double torque_constant_Nm_A = 0.0;   ///< motor side, > 0
@@ -113,6 +154,7 @@ struct ActuatorConfig {
   SupplyConfig supply;
   EmergencyInputConfig emergency_input;
   CommissioningConfig commissioning;
+  TemperatureConfig temperature;
   bool restore_settings = false;  ///< at an orderly end the drive gets back what boot has overwritten
   LinkEncoderConfig link_encoder;
   ReferenceConfig reference;
@@ -221,6 +263,7 @@ struct RobotConfig {
   double bit_rate_bit_s = 1e6;  ///< of every bus
   std::vector<ActuatorConfig> actuators;
   std::vector<EncoderCardConfig> encoder_cards;
+  BatteryConfig battery;
   std::vector<JointConfig> joints;
   std::vector<LegConfig> legs;
   WatchdogConfig watchdogs;             ///< on the robot, and in lock-step
@@ -235,6 +278,8 @@ struct RobotConfig {
   double lowering_s = 1.2;
   std::int64_t hash = 0;  ///< of the file's bytes and the preset's name
 
+  /// Something is read for AUXILIARY_STATE.
+  bool has_auxiliary_readings() const noexcept;
   /// Every leg can be stood on.
   bool has_feet() const { return why_not_standing() == nullptr; }
   /// Static text, nullptr for a robot that has feet.

@@ -10,6 +10,7 @@
 #include "robots/file_version.h"
 #include "robots/gait_section.h"
 #include "robots/preset_section.h"
+#include "robots/reading_sections.h"
 #include "robots/robot_numbers.h"
 #include "robots/robot_sections.h"
 
@@ -46,10 +47,14 @@ void refuse_shared_node_ids(const YamlMap& file, const RobotConfig& robot) {
   for (const ActuatorConfig& actuator : robot.actuators)
     nodes.push_back({actuator.name, actuator.bus, actuator.node});
   for (const EncoderCardConfig& card : robot.encoder_cards) nodes.push_back({card.name, card.bus, card.node});
+  if (robot.battery.bus >= 0) nodes.push_back({"battery", robot.battery.bus, robot.battery.node});
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       if (nodes[i].bus == nodes[j].bus && nodes[i].node == nodes[j].node) {
-        file.fail(i < robot.actuators.size() ? "actuators" : "encoder_cards",
+        const std::size_t cards_end = robot.actuators.size() + robot.encoder_cards.size();
+        file.fail(i < robot.actuators.size() ? "actuators"
+                  : i < cards_end            ? "encoder_cards"
+                                             : "battery",
                   nodes[j].name + " and " + nodes[i].name + " share node id " +
                       std::to_string(nodes[i].node) + " on bus " + robot.buses[nodes[i].bus].name);
       }
@@ -128,6 +133,7 @@ void read_nodes(const YamlMap& file, RobotConfig& robot) {
   for (const YamlMap& map : file.list("actuators")) {
     robot.actuators.push_back(read_actuator(map, robot));
   }
+  if (file.has("battery")) robot.battery = read_battery(file.map("battery"), robot.buses);
   refuse_same_names(file, "actuators", robot.actuators);
 }
 
@@ -258,6 +264,11 @@ const char* RobotConfig::why_not_standing() const {
     if (leg.kinematics == kOneLink) return "this robot has an arm where legs would be: it cannot stand";
   }
   return nullptr;
+}
+
+bool RobotConfig::has_auxiliary_readings() const noexcept {
+  const auto reads = [](const ActuatorConfig& actuator) { return actuator.temperature.reading.index != 0; };
+  return battery.bus >= 0 || std::any_of(actuators.begin(), actuators.end(), reads);
 }
 
 int RobotConfig::joint_of_actuator(int actuator) const noexcept {

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "robots/identification_sections.h"
+#include "robots/reading_sections.h"
 
 namespace sprung::robot_sections {
 
@@ -196,6 +197,7 @@ ActuatorConfig read_actuator(const YamlMap& map, const RobotConfig& robot) {
   a.node = static_cast<int>(map.integer("node", 1, 126));
   a.profile = map.text("profile");
   a.identity = read_identity(map.map("identity"));
+  a.watch = read_node_watch(map);
   a.gear_ratio = map.quantity("gear_ratio", "", 1, 1000);
   a.direction = read_direction(map);
   a.torque_constant_Nm_A = map.quantity("torque_constant", "Nm/A", 1e-4, 10);
@@ -214,6 +216,7 @@ ActuatorConfig read_actuator(const YamlMap& map, const RobotConfig& robot) {
   a.pole_pairs = static_cast<int>(map.integer_or("pole_pairs", 1, 255, 0));
   a.winding_time_constant_s = map.quantity_or("winding_time_constant", "s", 0.1, 1000, 0.0);
   a.restore_settings = map.has("restore_settings") && map.flag("restore_settings");
+  if (map.has("temperature")) a.temperature = read_temperature(map.map("temperature"));
   if (map.has("supply")) a.supply = read_supply(map.map("supply"));
   if (map.has("emergency_input")) a.emergency_input = read_emergency_input(map.map("emergency_input"));
   if (map.has("commissioning")) a.commissioning = read_commissioning(map.map("commissioning"));

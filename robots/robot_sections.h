@@ -31,6 +31,8 @@ BusConfig read_bus(const YamlMap& map);
 /// Of the whole robot's buses: the standard ones up to 1 Mbit/s; 1 Mbit/s where the key is missing.
 double read_bit_rate(const YamlMap& file);
 IdentityConfig read_identity(const YamlMap& map);
+/// The optional key `watch` of an actuator or an encoder card.
+NodeWatch read_node_watch(const YamlMap& map);
 EncoderCardConfig read_encoder_card(const YamlMap& map, const std::vector<BusConfig>& buses);
 /// @param robot its buses and encoder cards are there already.
 ActuatorConfig read_actuator(const YamlMap& map, const RobotConfig& robot);

@@ -103,6 +103,11 @@ MessageLayout layout_of<sprung_msgs::bus_state_t>() {
   return layout;
 }
 template <>
+MessageLayout layout_of<sprung_msgs::auxiliary_state_t>() {
+  return with_count(&sprung_msgs::auxiliary_state_t::n_actuators,
+                    &sprung_msgs::auxiliary_state_t::measured_temperature_degC);
+}
+template <>
 MessageLayout layout_of<sprung_msgs::can_trace_t>() {
   return with_count(&sprung_msgs::can_trace_t::n, &sprung_msgs::can_trace_t::frames);
 }

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "signals/message_mac.h"
+#include "sprung_msgs/auxiliary_state_t.hpp"
 #include "sprung_msgs/bus_state_t.hpp"
 #include "sprung_msgs/can_trace_t.hpp"
 #include "sprung_msgs/drive_command_t.hpp"
@@ -72,6 +73,8 @@ template <>
 MessageLayout layout_of<sprung_msgs::motion_state_t>();
 template <>
 MessageLayout layout_of<sprung_msgs::bus_state_t>();
+template <>
+MessageLayout layout_of<sprung_msgs::auxiliary_state_t>();
 template <>
 MessageLayout layout_of<sprung_msgs::can_trace_t>();
 template <>

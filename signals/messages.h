@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "signals/reading.h"
+#include "sprung_msgs/auxiliary_state_t.hpp"
 #include "sprung_msgs/bus_state_t.hpp"
 #include "sprung_msgs/drive_command_t.hpp"
 #include "sprung_msgs/drive_state_t.hpp"
@@ -33,6 +34,7 @@ struct LegCommand;
 struct MotionState;
 struct OperatorCommand;
 struct OperatorReply;
+struct AuxiliaryState;
 struct SafetyState;
 struct SimControl;
 struct SimTruth;
@@ -47,6 +49,7 @@ void to_message(const SafetyState& in, std::int64_t session, sprung_msgs::safety
 void to_message(const OperatorCommand& in, std::int64_t session, sprung_msgs::operator_command_t& out);
 void to_message(const OperatorReply& in, std::int64_t session, sprung_msgs::operator_reply_t& out);
 void to_message(const BusState& in, std::int64_t session, sprung_msgs::bus_state_t& out);
+void to_message(const AuxiliaryState& in, std::int64_t session, sprung_msgs::auxiliary_state_t& out);
 void to_message(const SimControl& in, std::int64_t session, sprung_msgs::sim_control_t& out);
 void to_message(const SimTruth& in, std::int64_t session, sprung_msgs::sim_truth_t& out);
 void to_message(const Imu& in, std::int64_t session, sprung_msgs::imu_t& out);
@@ -63,6 +66,7 @@ void to_message(const TorqueSensor& in, std::int64_t session, sprung_msgs::torqu
 /// `answered_by` and `reason` point into `in` and live as long as it.
 [[nodiscard]] Reading from_message(const sprung_msgs::operator_reply_t& in, OperatorReply& out);
 [[nodiscard]] Reading from_message(const sprung_msgs::bus_state_t& in, BusState& out);
+[[nodiscard]] Reading from_message(const sprung_msgs::auxiliary_state_t& in, AuxiliaryState& out);
 /// Also not good for numbers that no experiment has.
 [[nodiscard]] Reading from_message(const sprung_msgs::sim_control_t& in, SimControl& out);
 [[nodiscard]] Reading from_message(const sprung_msgs::sim_truth_t& in, SimTruth& out);
@@ -75,6 +79,10 @@ struct MessageOfSignal;
 template <class Signal>
 using MessageOf = typename MessageOfSignal<Signal>::Type;
 
+template <>
+struct MessageOfSignal<AuxiliaryState> {
+  using Type = sprung_msgs::auxiliary_state_t;
+};
 template <>
 struct MessageOfSignal<Imu> {
   using Type = sprung_msgs::imu_t;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "signals/auxiliary_state.h"
 #include "signals/bus_state.h"
 #include "signals/message_fields.h"
 #include "signals/messages.h"
@@ -158,6 +159,16 @@ const auto kNodeHealth = [](auto& way, auto& m, auto& s) {
   way(m.recovery, s.recovery);
 };
 
+const auto kSame = [](auto& way, auto& m, auto& s) { way(m, s); };
+
+const auto kAuxiliaryState = [](auto& way, auto& m, auto& s) {
+  fields::stamp(way, m, s);
+  way.elements(m.n_actuators, m.measured_temperature_degC, s.measured_temperature_degC, kSame);
+  way(m.battery_voltage_V, s.battery_voltage_V);
+  way(m.battery_charge_share, s.battery_charge_share);
+  way(m.battery_temperature_degC, s.battery_temperature_degC);
+};
+
 const auto kBusState = [](auto& way, auto& m, auto& s) {
   fields::stamp(way, m, s);
   way.elements(m.n_buses, m.buses, s.buses, kBusHealth);
@@ -195,6 +206,9 @@ void to_message(const SimControl& in, std::int64_t session, sprung_msgs::sim_con
 void to_message(const BusState& in, std::int64_t session, sprung_msgs::bus_state_t& out) {
   write(kBusState, in, session, out);
 }
+void to_message(const AuxiliaryState& in, std::int64_t session, sprung_msgs::auxiliary_state_t& out) {
+  write(kAuxiliaryState, in, session, out);
+}
 
 Reading from_message(const sprung_msgs::motion_state_t& in, MotionState& out) {
   out.last_transition = in.last_transition.c_str();
@@ -220,6 +234,9 @@ Reading from_message(const sprung_msgs::sim_control_t& in, SimControl& out) {
   Reading reading = read(kSimControl, in, out);
   reading.good = reading.good && is_an_experiment(out);
   return reading;
+}
+Reading from_message(const sprung_msgs::auxiliary_state_t& in, AuxiliaryState& out) {
+  return read(kAuxiliaryState, in, out);
 }
 Reading from_message(const sprung_msgs::bus_state_t& in, BusState& out) { return read(kBusState, in, out); }
 

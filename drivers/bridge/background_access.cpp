@@ -11,6 +11,7 @@ using canopen::SdoStatus;
 
 constexpr std::int64_t kInputsPeriod_us = 100'000;
 constexpr std::int64_t kSupplyPeriod_us = 1'000'000;
+constexpr std::int64_t kTemperaturePeriod_us = 1'000'000;
 constexpr std::int64_t kSupplyStagger_us = 20'000;  // a node: not all drives ask the bus in one cycle
 // [design choice] a TPDO2 that was lost is asked for after this; drives switch within milliseconds
 constexpr std::int64_t kModeRead_us = 50'000;
@@ -21,6 +22,7 @@ void BackgroundAccess::begin_operation(int node, std::int64_t time_us) noexcept 
   reading_ = Reading::kNothing;
   next_inputs_us_ = time_us;
   next_supply_us_ = time_us + kSupplyStagger_us * node;
+  next_temperature_us_ = next_supply_us_ + kTemperaturePeriod_us / 2;
 }
 
 bool BackgroundAccess::step(std::int64_t time_us, canopen::SdoClient& sdo, std::int64_t unconfirmed_us,
@@ -46,6 +48,7 @@ void BackgroundAccess::take(canopen::SdoClient& sdo) noexcept {
   if (!good && sdo.status() != SdoStatus::kIdle) ++failures_;
   if (reading_ == Reading::kLimits) position_limits_.took(good, sdo.value());
   if (reading_ == Reading::kSupply && good) measured_supply_V_ = profile_.supply_V(sdo.value());
+  if (reading_ == Reading::kTemperature && good) measured_temperature_degC_ = temperature_.value(sdo.value());
   if (reading_ == Reading::kInputs && good) levels_ = sdo.value();
   if (reading_ == Reading::kMode && good) mode_ = static_cast<std::int8_t>(sdo.value() & 0xFF);
   if (reading_ == Reading::kIndex) {
@@ -68,6 +71,10 @@ BackgroundAccess::Reading BackgroundAccess::next(std::int64_t time_us, std::int6
     next_mode_us_ = time_us + kModeRead_us;
     return Reading::kMode;
   }
+  if (temperature_.index != 0 && time_us >= next_temperature_us_) {
+    next_temperature_us_ = time_us + kTemperaturePeriod_us;
+    return Reading::kTemperature;
+  }
   if (time_us < next_supply_us_ || profile_.supply_voltage_object().index == 0) return Reading::kNothing;
   next_supply_us_ = time_us + kSupplyPeriod_us;
   return Reading::kSupply;
@@ -76,6 +83,7 @@ BackgroundAccess::Reading BackgroundAccess::next(std::int64_t time_us, std::int6
 canopen::ObjectId BackgroundAccess::object_of(Reading reading) const noexcept {
   if (reading == Reading::kInputs) return profile_.inputs().object;
   if (reading == Reading::kMode) return {canopen::kModeDisplay, 0};
+  if (reading == Reading::kTemperature) return {temperature_.index, temperature_.sub};
   return reading == Reading::kIndex ? profile_.index_counter_object() : profile_.supply_voltage_object();
 }
 

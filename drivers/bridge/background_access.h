@@ -20,9 +20,11 @@ enum class IndexAnswer : std::int8_t { kNone, kWaiting, kKnown, kFailed };
 class BackgroundAccess {
  public:
   /// @param profile of the drive, which outlives this.
+  /// @param temperature where the drive shows one; index 0: it does not.
   BackgroundAccess(const DriveProfile& profile, bool inputs,
-                   const DrivePositionLimits& position_limits = {0, {}, 1.0}) noexcept
-      : profile_(profile), inputs_(inputs), position_limits_(position_limits) {}
+                   const DrivePositionLimits& position_limits = {0, {}, 1.0},
+                   const ReadingConfig& temperature = {}) noexcept
+      : profile_(profile), inputs_(inputs), position_limits_(position_limits), temperature_(temperature) {}
 
   /// The drive is in operation; what was being read is forgotten.
   void begin_operation(int node, std::int64_t time_us) noexcept;
@@ -34,6 +36,8 @@ class BackgroundAccess {
   DrivePositionLimits& position_limits() noexcept { return position_limits_; }
   const DrivePositionLimits& position_limits() const noexcept { return position_limits_; }
   double supply_V() const noexcept { return measured_supply_V_; }  ///< NaN until it was read
+  /// NaN until it was read, and where there is none.
+  double temperature_degC() const noexcept { return measured_temperature_degC_; }
   /// The mode display that was read since the last call.
   std::optional<std::int8_t> take_mode() noexcept;
 
@@ -47,7 +51,7 @@ class BackgroundAccess {
   void show(NodeHealth& out) const noexcept { out.sdo_failures += failures_; }
 
  private:
-  enum class Reading : std::int8_t { kNothing, kInputs, kLimits, kSupply, kMode, kIndex };
+  enum class Reading : std::int8_t { kNothing, kInputs, kLimits, kSupply, kMode, kIndex, kTemperature };
 
   void take(canopen::SdoClient& sdo) noexcept;
   Reading next(std::int64_t time_us, std::int64_t unconfirmed_us) noexcept;
@@ -57,12 +61,15 @@ class BackgroundAccess {
   const DriveProfile& profile_;
   bool inputs_;
   DrivePositionLimits position_limits_;
+  ReadingConfig temperature_;
   Reading reading_ = Reading::kNothing;
   std::int64_t next_supply_us_ = 0;
+  std::int64_t next_temperature_us_ = 0;
   std::int64_t next_mode_us_ = 0;
   std::int64_t next_inputs_us_ = 0;
   std::optional<std::uint32_t> levels_;
   double measured_supply_V_ = kNaN;
+  double measured_temperature_degC_ = kNaN;
   std::optional<std::int8_t> mode_;
   IndexAnswer index_answer_ = IndexAnswer::kNone;
   std::int32_t index_counts_ = 0;

@@ -23,7 +23,9 @@ void BridgeCore::begin_tick(std::int64_t time_us, FrameBatch& out) noexcept {
   s.step_boot(time_us);
   if (s.shutting_down && s.at_rest()) s.begin_restore();
   for (BusNode* node : s.nodes) node->step(time_us, out);
+  if (CanFrame question; s.battery.step(time_us, question)) out.push(s.battery.bus(), question);
   s.push_heartbeats(time_us, out);
+  s.push_guarding(time_us, out);
   s.sync_us = time_us;
   for (BusNode* node : s.nodes) node->link().begin_sampling(time_us);
   s.push_on_every_bus(canopen::sync_frame(), out);
@@ -37,8 +39,11 @@ void BridgeCore::receive(int bus, const CanFrame& frame, std::int64_t time_us) n
     s.buses.error_frame(bus, frame);
     return;
   }
-  BusNode* node = s.by_bus_and_node[bus][frame.id & 0x7F];
-  const bool expected = node != nullptr && node->receive(frame, time_us);
+  const int id = static_cast<int>(frame.id & 0x7F);
+  BusNode* node = s.by_bus_and_node[bus][id];
+  const bool of_battery = s.battery.bus() == bus && s.battery.node() == id;
+  if (of_battery) s.battery.receive(frame);
+  const bool expected = of_battery || (node != nullptr && node->receive(frame, time_us));
   s.buses.received(bus, frame, expected);
   s.masters.receive(bus, frame, node != nullptr);
 }
@@ -202,6 +207,15 @@ const BusState& BridgeCore::bus_state() const noexcept {
     s.setpoints.show(i, s.bus_state.nodes[i]);
   }
   return s.bus_state;
+}
+
+const AuxiliaryState& BridgeCore::auxiliary_state() const noexcept {
+  Impl& s = *impl_;
+  s.auxiliary.stamp = {s.now_us, s.cycle};
+  for (std::size_t i = 0; i < s.drives.size(); ++i)
+    s.auxiliary.measured_temperature_degC[i] = s.drives[i]->temperature_degC();
+  s.battery.show(s.auxiliary);
+  return s.auxiliary;
 }
 
 const char* BridgeCore::boot_detail() const noexcept {

@@ -19,6 +19,7 @@
 #include "drivers/bridge/bus_monitor.h"
 #include "drivers/can/can_frame.h"
 #include "robots/robot_config.h"
+#include "signals/auxiliary_state.h"
 #include "signals/bus_state.h"
 #include "signals/drive_command.h"
 #include "signals/drive_state.h"
@@ -80,6 +81,7 @@ class BridgeCore {
 
   const SafetyState& safety() const noexcept;
   const BusState& bus_state() const noexcept;
+  const AuxiliaryState& auxiliary_state() const noexcept;
   /// One line for people about where boot stands, e.g. "knee: waiting for boot-up". Static or internal
   /// storage.
   const char* boot_detail() const noexcept;

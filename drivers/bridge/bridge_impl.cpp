@@ -36,6 +36,8 @@ BridgeCore::Impl::Impl(const RobotConfig& config, const BridgeOptions& bridge_op
       watchdogs(bridge_options.watchdogs),
       cycle_us(to_us(config.cycle_s)),
       by_bus_and_node(config.buses.size()),
+      battery(config.battery),
+      auxiliary(config.actuators.size()),
       buses(robot, bridge_options.watchdogs),
       masters(robot),
       gate(config),
@@ -113,6 +115,13 @@ bool BridgeCore::Impl::at_rest() const noexcept {
 
 void BridgeCore::Impl::begin_restore() noexcept {
   for (auto& drive : drives) drive->begin_restore();
+}
+
+/// A drive that obeys no stop is not asked either: its life time runs out.
+void BridgeCore::Impl::push_guarding(std::int64_t time_us, FrameBatch& out) noexcept {
+  for (auto& drive : drives)
+    if (drive->stop().step() != StopStep::kWithhold) drive->link().guard(time_us, cycle_us, out);
+  for (auto& card : cards) card->link().guard(time_us, cycle_us, out);
 }
 
 void BridgeCore::Impl::show_stops(DetailText& detail) const noexcept {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "drivers/bridge/battery_link.h"
 #include "drivers/bridge/bridge_core.h"
 #include "drivers/bridge/command_gate.h"
 #include "drivers/bridge/drive_node.h"
@@ -17,6 +18,7 @@
 #include "drivers/bridge/recovery.h"
 #include "drivers/bridge/safety_machine.h"
 #include "drivers/bridge/setpoint_gate.h"
+#include "signals/auxiliary_state.h"
 #include "signals/bus_state.h"
 #include "signals/drive_state.h"
 #include "signals/microseconds.h"
@@ -38,6 +40,7 @@ struct BridgeCore::Impl {
   void check_card_channels() const;  ///< @throws std::invalid_argument on one that the card has not
   void push_on_every_bus(const CanFrame& frame, FrameBatch& out) const noexcept;
   void push_heartbeats(std::int64_t time_us, FrameBatch& out) noexcept;
+  void push_guarding(std::int64_t time_us, FrameBatch& out) noexcept;
   void count_sent(const FrameBatch& batch, int first) noexcept;
   void step_boot(std::int64_t time_us) noexcept;
   void refuse_nodes(std::int64_t time_us) noexcept;
@@ -92,6 +95,8 @@ struct BridgeCore::Impl {
   std::vector<std::unique_ptr<EncoderCardNode>> cards;
   std::vector<BusNode*> nodes;  ///< drives, then cards
   std::vector<std::array<BusNode*, canopen::kMaxNode + 1>> by_bus_and_node;
+  BatteryLink battery;
+  AuxiliaryState auxiliary;
   BusMonitor buses;
   ForeignMasterWatch masters;
   CommandGate gate;

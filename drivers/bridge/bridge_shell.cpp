@@ -1,6 +1,7 @@
 #include "drivers/bridge/bridge_shell.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "drivers/bridge/traced_frame_shell.h"
 #include "lcmtypes/channels.h"
@@ -13,6 +14,7 @@ namespace sprung {
 namespace {
 
 constexpr std::int64_t kInterval_us = 100'000;  // of what is also published on change
+constexpr std::int64_t kAuxiliary_us = 1'000'000;
 /// CAN_TRACE's own limit: four buses of 15 frames a cycle fit four times.
 constexpr std::size_t kTraceCapacity = 256;
 
@@ -41,6 +43,7 @@ BridgeShell::BridgeShell(Process& process, BridgeCore& core)
       drive_states_(process.node().publisher<DriveState>(channels::kDriveState)),
       safety_states_(process.node().publisher<SafetyState>(channels::kSafetyState)),
       bus_states_(process.node().publisher<BusState>(channels::kBusState)),
+      auxiliary_states_(process.node().publisher<AuxiliaryState>(channels::kAuxiliaryState)),
       replies_(process.node().publisher<OperatorReply>(channels::kOperatorReply)) {
   process.node().subscribe(channels::kDriveCommand, CountLimits::exactly(process.robot().actuators.size()),
                            commands_);
@@ -97,6 +100,7 @@ void BridgeShell::publish_cycle(const DriveState& state) {
   drive_states_.publish(state);
   publish_safety_if_due(state.stamp.utime_us);
   publish_buses_if_due(state.stamp.utime_us);
+  publish_auxiliary_if_due(state.stamp.utime_us);
   publish_replies();
   publish_trace(state.stamp);
   process_.status().stamp = state.stamp;
@@ -157,6 +161,19 @@ void BridgeShell::publish_buses_if_due(std::int64_t now_us) {
   bus_states_.publish(buses);
   last_buses_ = buses;
   next_buses_us_ = now_us + kInterval_us;
+}
+
+void BridgeShell::publish_auxiliary_if_due(std::int64_t now_us) {
+  if (!process_.robot().has_auxiliary_readings() || now_us < next_auxiliary_us_) return;
+  next_auxiliary_us_ = now_us + kAuxiliary_us;
+  const AuxiliaryState& state = core_.auxiliary_state();
+  auxiliary_states_.publish(state);
+  const double least = process_.robot().battery.min_charge_share;
+  if (told_low_battery_ || !(state.battery_charge_share < least)) return;
+  told_low_battery_ = true;
+  log_warn("battery at " + std::to_string(std::lround(100.0 * state.battery_charge_share)) +
+           " %, robot.yaml wants " + std::to_string(std::lround(100.0 * least)) +
+           " % at least: let the robot sit, then charge");
 }
 
 void BridgeShell::publish_replies() {

@@ -51,6 +51,7 @@ class BridgeShell {
  private:
   void publish_safety_if_due(std::int64_t now_us);
   void publish_buses_if_due(std::int64_t now_us);
+  void publish_auxiliary_if_due(std::int64_t now_us);
   void publish_replies();
   void restore_references();
   void store_references();
@@ -64,12 +65,15 @@ class BridgeShell {
   Publisher<DriveState> drive_states_;
   Publisher<SafetyState> safety_states_;
   Publisher<BusState> bus_states_;
+  Publisher<AuxiliaryState> auxiliary_states_;
   Publisher<OperatorReply> replies_;
   sprung_msgs::can_trace_t trace_;
   SafetyState last_safety_;
   std::int64_t next_safety_us_ = 0;
   BusState last_buses_;
   std::int64_t next_buses_us_ = 0;
+  std::int64_t next_auxiliary_us_ = 0;
+  bool told_low_battery_ = false;
   std::optional<ReferenceStore> references_;  ///< none in lock-step: a run must not depend on what was before
   std::int64_t stored_homings_ = 0;
   std::int64_t last_command_seq_ = -1;

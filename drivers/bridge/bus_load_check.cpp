@@ -60,13 +60,13 @@ class BusSum {
   }
 
   void add_drive(std::size_t bus, const ActuatorConfig& drive, const NodeProfile& profile) {
-    add_node(bus, drive.name, profile);
+    add_node(bus, drive.name, drive.watch, profile);
     const double read_bits = 2.0 * canopen::worst_frame_bits(kFullFrameBytes);
     add(bus,
         {drive.name + " background reads", read_bits * (kSupplyReadsPerSecond + kModeReadsPerSecond), 0.0});
   }
 
-  void add_node(std::size_t bus, const std::string& name, const NodeProfile& profile) {
+  void add_node(std::size_t bus, const std::string& name, NodeWatch watch, const NodeProfile& profile) {
     for (const PdoSetting& pdo : profile.pdos()) {
       if (pdo.entries.empty()) continue;
       const double bits_per_s = frame_bits(pdo) * worst_rate(pdo, robot_.cycle_s);
@@ -74,8 +74,17 @@ class BusSum {
       add(bus, {what, bits_per_s, is_cyclic(pdo) ? bits_per_s * robot_.cycle_s : 0.0});
     }
     const double frame = canopen::worst_frame_bits(kFullFrameBytes);
-    add(bus, {name + " heartbeat", canopen::worst_frame_bits(kHeartbeatBytes) / watchdogs_.heartbeat_s, 0.0});
+    add_watch(bus, name, watch);
     add(bus, {name + " emergencies", frame * kEmergenciesPerSecond, 0.0});
+  }
+
+  /// A remote frame carries no data, whatever length it asks for.
+  void add_watch(std::size_t bus, const std::string& name, NodeWatch watch) {
+    const double answer_bits = canopen::worst_frame_bits(kHeartbeatBytes);
+    if (watch == NodeWatch::kHeartbeat)
+      return add(bus, {name + " heartbeat", answer_bits / watchdogs_.heartbeat_s, 0.0});
+    const double period_s = bridge_heartbeat_s(watchdogs_.heartbeat_s, robot_.cycle_s);
+    add(bus, {name + " guarding", (canopen::worst_frame_bits(0) + answer_bits) / period_s, 0.0});
   }
 
   BusLoadReport finish() {
@@ -118,7 +127,7 @@ BusLoadReport bus_load(const RobotConfig& robot, const WatchdogConfig& watchdogs
   for (const ActuatorConfig& a : robot.actuators)
     sum.add_drive(static_cast<std::size_t>(a.bus), a, *make_profile(a, timing));
   for (const EncoderCardConfig& card : robot.encoder_cards)
-    sum.add_node(static_cast<std::size_t>(card.bus), card.name, *make_card_profile(card, timing));
+    sum.add_node(static_cast<std::size_t>(card.bus), card.name, card.watch, *make_card_profile(card, timing));
   return sum.finish();
 }
 

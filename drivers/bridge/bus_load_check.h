@@ -6,8 +6,9 @@
 /// What counts, sustained for as long as one likes: SYNC; every PDO at SYNC by its type; set-points and,
 /// since nothing keeps the state machine from changing its mind, the control word in every cycle; TPDOs on
 /// change at their inhibit rate, in every cycle where they have none; heartbeats of the nodes, and the
-/// bridge's in whole cycles; background reads and emergencies at the rates below. Not counted: error frames,
-/// repeats on the wire, and tools that read objects.
+/// bridge's in whole cycles; question and answer of a guarded node in whole cycles; background reads and
+/// emergencies at the rates below. Not counted: error frames, repeats on the wire, and tools that read
+/// objects.
 #include <string>
 #include <vector>
 

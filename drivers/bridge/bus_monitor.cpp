@@ -46,13 +46,13 @@ void BusMonitor::begin_cycle(std::int64_t time_us) noexcept {
 void BusMonitor::sent(int bus, const CanFrame& frame) noexcept {
   Watch& watch = watches_[bus];
   ++watch.health.sent;
-  watch.worst_bits += canopen::worst_frame_bits(frame.length);
+  watch.worst_bits += canopen::worst_frame_bits(frame.remote ? 0 : frame.length);
 }
 
 void BusMonitor::received(int bus, const CanFrame& frame, bool expected) noexcept {
   Watch& watch = watches_[bus];
   ++watch.health.received;
-  watch.worst_bits += canopen::worst_frame_bits(frame.length);
+  watch.worst_bits += canopen::worst_frame_bits(frame.remote ? 0 : frame.length);
   if (!expected) ++watch.health.unexpected;
   if (watch.controller == BusCondition::kOff)
     set_controller(bus, BusCondition::kActive);  // what arrives shows that the bus works

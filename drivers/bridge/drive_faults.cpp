@@ -21,7 +21,8 @@ bool DriveNode::fault(std::int64_t time_us, bool ignore_faults, Fault& out) cons
     out.cause = SafetyCause::kDriveFault;
     print(out.detail, "%s: lost its power by itself", drive);
   } else {
-    return link().fault(time_us, ignore_faults, out) || drive_fault(out) || supply_fault(out);
+    return link().fault(time_us, ignore_faults, out) || drive_fault(out) || supply_fault(out) ||
+           temperature_fault(out);
   }
   return true;
 }
@@ -76,6 +77,17 @@ bool DriveNode::supply_fault(Fault& out) const noexcept {
   out.cause = SafetyCause::kSupply;
   print(out.detail, "%s: supply of %.1f V, robot.yaml allows %.1f to %.1f V", actuator_.name.c_str(),
         supply_V, range.min_V, range.max_V);
+  return true;
+}
+
+/// Read once a second, which is soon for what warms in minutes.
+bool DriveNode::temperature_fault(Fault& out) const noexcept {
+  const TemperatureConfig& sensor = actuator_.temperature;
+  const double found_degC = background_.temperature_degC();
+  if (sensor.reading.index == 0 || !(found_degC > sensor.max_degC) || !powered()) return false;
+  out.cause = SafetyCause::kDriveFault;
+  print(out.detail, "%s: %.0f degC, robot.yaml allows %.0f degC: let it cool", actuator_.name.c_str(),
+        found_degC, sensor.max_degC);
   return true;
 }
 

@@ -81,6 +81,7 @@ class DriveNode final : public BusNode {
   std::int64_t encoder_counts() const noexcept;
   const ActuatorConfig& actuator() const noexcept { return actuator_; }
 
+  double temperature_degC() const noexcept { return background_.temperature_degC(); }
   /// Adds what only a drive has to its link's health.
   void show(NodeHealth& out) const noexcept;
   const Reference& reference() const noexcept { return reference_.reference(); }
@@ -104,6 +105,7 @@ class DriveNode final : public BusNode {
   bool in_fault() const noexcept;
   bool drive_fault(Fault& out) const noexcept;
   bool supply_fault(Fault& out) const noexcept;
+  bool temperature_fault(Fault& out) const noexcept;
   cia402::PowerTarget target(SafetyLevel level, const ActuatorCommand& command) const noexcept;
   DriveSetpoint setpoint(SafetyLevel level, const ActuatorCommand& command) const noexcept;
   DriveMode shown_mode() const noexcept;

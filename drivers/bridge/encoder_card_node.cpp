@@ -7,13 +7,11 @@
 namespace sprung {
 EncoderCardNode::EncoderCardNode(const EncoderCardConfig& card, double cycle_s,
                                  const WatchdogConfig& watchdogs)
-    : EncoderCardNode(
-          card, watchdogs,
-          make_card_profile(card, {cycle_s, watchdogs.heartbeat_s, watchdogs.heartbeat_consumer_s})) {}
+    : EncoderCardNode(card, watchdogs, make_card_profile(card, timing_of(cycle_s, watchdogs))) {}
 
 EncoderCardNode::EncoderCardNode(const EncoderCardConfig& card, const WatchdogConfig& watchdogs,
                                  std::unique_ptr<CardProfile> profile)
-    : BusNode({card.name, card.bus, card.node, -1, watchdogs}, card.identity, *profile, false),
+    : BusNode({card.name, card.bus, card.node, -1, watchdogs, card.watch}, card.identity, *profile, false),
       profile_(std::move(profile)) {}
 
 bool EncoderCardNode::receive(const CanFrame& frame, std::int64_t time_us) noexcept {

@@ -26,6 +26,7 @@ NodeLink::NodeLink(const NodeSetup& setup, const IdentityConfig& identity, const
       boot_(setup_.name.c_str(), setup.node, make_boot_script(identity, profile, setup.node, has_power)),
       samples_(setup.watchdogs.silent_cycles),
       heartbeats_(setup.watchdogs),
+      guard_(setup.watch == NodeWatch::kGuarding, to_us(setup.watchdogs.heartbeat_s)),
       second_device_(setup.watchdogs.heartbeat_s) {
   transmitted_bytes_.fill(-1);
   for (const PdoSetting& pdo : profile.pdos()) {
@@ -51,6 +52,12 @@ bool NodeLink::step(std::int64_t time_us, FrameBatch& out) noexcept {
   return now != before && (now == BootState::kProbe || now == BootState::kReset);
 }
 
+/// From NMT start on: before, the node has not been told its life time, and needs no watching.
+void NodeLink::guard(std::int64_t time_us, std::int64_t cycle_us, FrameBatch& out) noexcept {
+  if (boot_.started() && guard_.due(time_us, cycle_us))
+    out.push(setup_.bus, canopen::guard_request(setup_.node));
+}
+
 NodeEvents NodeLink::receive(const CanFrame& frame, std::int64_t time_us) noexcept {
   NodeEvents events;
   if (frame.id == canopen::sdo_server_id(setup_.node)) {
@@ -66,7 +73,9 @@ NodeEvents NodeLink::receive(const CanFrame& frame, std::int64_t time_us) noexce
 }
 
 void NodeLink::receive_heartbeat(const CanFrame& frame, std::int64_t time_us, NodeEvents& events) noexcept {
-  const NmtState state = canopen::heartbeat_state(frame);
+  const canopen::GuardReply reply = canopen::decode_guard_reply(frame);
+  const NmtState state = reply.state;
+  if (state != NmtState::kUnknown && !guard_.answered(reply)) return;
   if (!heartbeats_.receive(state, time_us, in_operation())) return;
   if (state == NmtState::kBootUp && boot_.configuring()) {
     ++health_.boot_ups;
@@ -134,6 +143,12 @@ bool NodeLink::lost(std::int64_t time_us) const noexcept {
 
 bool NodeLink::gone() const noexcept { return !heartbeats_.operational() && samples_.age_cycles() > 0; }
 
+const char* NodeLink::silence_text() const noexcept {
+  if (!guard_.guarded()) return "no heartbeat";
+  return guard_.toggle_stands() ? "the toggle bit of its answers to node guarding stands"
+                                : "no answer to node guarding";
+}
+
 bool NodeLink::fault(std::int64_t time_us, bool ignore_faults, Fault& out) const noexcept {
   const char* who = setup_.name.c_str();
   const int code = emergencies_.emergency().code;
@@ -153,7 +168,7 @@ bool NodeLink::fault(std::int64_t time_us, bool ignore_faults, Fault& out) const
     print(out.detail, "%s: did not answer SYNC%s for %d cycles", who, late ? " in time" : "",
           late ? samples_.untimely_cycles() : samples_.age_cycles());
   } else if (heartbeats_.missing(time_us)) {
-    print(out.detail, "%s: no heartbeat", who);
+    print(out.detail, "%s: %s", who, silence_text());
   } else {
     return false;
   }
@@ -166,6 +181,7 @@ void NodeLink::restart() noexcept {
   emergencies_.forget();
   second_device_.restart();
   heartbeats_.restart();
+  guard_.restart();
   samples_.restart();
   bus_loss_ = "";
 }
@@ -190,6 +206,7 @@ NodeHealth NodeLink::health() const noexcept {
   samples_.show(health);
   heartbeats_.show(health);
   emergencies_.show(health);
+  health.heartbeat_losses += guard_.toggle_errors();
   health.sdo_failures += boot_.sdo_failures();
   health.operational = in_operation() && heartbeats_.operational();
   return health;

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "drivers/bridge/emergency_watch.h"
+#include "drivers/bridge/guard_watch.h"
 #include "drivers/bridge/heartbeat_watch.h"
 #include "drivers/bridge/node_boot.h"
 #include "drivers/bridge/safety_machine.h"
@@ -23,6 +24,7 @@ struct NodeSetup {
   int node = 0;
   int actuator = -1;  ///< -1 = an encoder card
   WatchdogConfig watchdogs;
+  NodeWatch watch = NodeWatch::kHeartbeat;
 };
 
 /// What a frame of a node is, and what it has brought about.
@@ -43,6 +45,8 @@ class NodeLink {
   /// Watches the heartbeat, and boots until the node is in operation; at most one frame.
   /// @return true when its supply may have been cut: it had to be asked, or reset once more.
   bool step(std::int64_t time_us, FrameBatch& out) noexcept;
+  /// The question of node guarding, where the node is guarded and it is time.
+  void guard(std::int64_t time_us, std::int64_t cycle_us, FrameBatch& out) noexcept;
   NodeEvents receive(const CanFrame& frame, std::int64_t time_us) noexcept;
   void begin_sampling(std::int64_t sync_us) noexcept;
   /// @param accepted samples().to_be_judged(), and it is a new measurement.
@@ -91,6 +95,7 @@ class NodeLink {
   void receive_emergency(const CanFrame& frame) noexcept;
   void receive_process_data(const CanFrame& frame, std::int64_t time_us, NodeEvents& events) noexcept;
   void receive_sample(const CanFrame& frame, std::int64_t time_us, NodeEvents& events) noexcept;
+  const char* silence_text() const noexcept;
   bool confirm_operational(std::int64_t time_us) noexcept;
 
   NodeSetup setup_;
@@ -101,6 +106,7 @@ class NodeLink {
   int sample_pdo_ = -1;                                      ///< the first TPDO that answers SYNC
   SampleWatch samples_;
   HeartbeatWatch heartbeats_;
+  GuardWatch guard_;
   EmergencyWatch emergencies_;
   SecondDeviceWatch second_device_;
   const char* bus_loss_ = "";

@@ -17,6 +17,8 @@ int CanBus::receive_timed(CanFrame* frames, std::int64_t* arrival_us, int max) n
   return count;
 }
 
+int CanBus::receive_fd(CanFdFrame* /*frames*/, int /*max*/) noexcept { return 0; }
+
 bool CanBus::accept_only(const CanFilter*, int) { return false; }
 
 const char* text(CanSendError error) noexcept {
@@ -49,6 +51,16 @@ std::unique_ptr<CanBus> open_udp(const std::string& address, const std::string& 
                               "': expected udp:GROUP:PORT, e.g. udp:239.74.163.2:43113");
 }
 
+std::unique_ptr<CanBus> open_socketcan(const std::string& address, const std::string& rest) {
+  const std::size_t question = rest.find('?');
+  const bool fd = question != std::string::npos && rest.substr(question) == "?fd=1";
+  if (question == 0 || (question != std::string::npos && !fd)) {
+    throw std::invalid_argument("CAN bus '" + address +
+                                "': expected socketcan:INTERFACE or socketcan:INTERFACE?fd=1");
+  }
+  return std::make_unique<SocketCanBus>(rest.substr(0, question), fd);
+}
+
 }  // namespace
 
 std::unique_ptr<CanBus> open_can_bus(const std::string& address) {
@@ -56,7 +68,7 @@ std::unique_ptr<CanBus> open_can_bus(const std::string& address) {
   const std::string kind = address.substr(0, colon);
   const std::string rest = colon == std::string::npos ? "" : address.substr(colon + 1);
   if (colon != std::string::npos) {
-    if (kind == "socketcan" && !rest.empty()) return std::make_unique<SocketCanBus>(rest);
+    if (kind == "socketcan" && !rest.empty()) return open_socketcan(address, rest);
     if (kind == "udp") return open_udp(address, rest);
     if (kind == "memory") return std::make_unique<MemoryBus>(MemoryMedium::named(rest));
   }

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "drivers/can/can_fd_frame.h"
 #include "drivers/can/can_filter.h"
 #include "drivers/can/can_frame.h"
 
@@ -28,6 +29,7 @@ struct CanBusCounters {
   std::int64_t link_down = 0;    ///< of these: CanSendError::kLinkDown
   std::int64_t dropped = 0;      ///< frames lost before we read them: receive queue full
   std::int64_t malformed = 0;    ///< datagrams or frames that are no classic 11-bit frame; ignored
+  std::int64_t fd_frames = 0;    ///< CAN FD frames of others; see receive_fd()
   /// Own frames that came back from the bus after they were sent on it (socketcan only); those that pass the
   /// filter.
   std::int64_t confirmed = 0;
@@ -50,6 +52,11 @@ class CanBus {
   /// stamps give the time of reading. Sampling jitter is what hurts an encoder's derivative most, and a
   /// process wakes up late.
   virtual int receive_timed(CanFrame* frames, std::int64_t* arrival_us, int max) noexcept;
+  /// CAN FD frames that came since the last call, for people to look at: CANopen here is classic, so that
+  /// receive() never gives one, nor a part of one. Only a bus that was opened for them has any (?fd=1); what
+  /// is not fetched is forgotten, the oldest first.
+  /// @return frames read now, 0..max.
+  virtual int receive_fd(CanFdFrame* frames, int max) noexcept;
   /// Only frames that pass wake up and are received, so that foreign traffic costs nothing; count 0 = all
   /// again. Not for the loop.
   /// @return false where this back end lets everything through: udp: and memory: carry no foreign traffic
@@ -70,8 +77,8 @@ class CanBus {
   CanSendError last_send_error_ = CanSendError::kNone;
 };
 
-/// Opens "socketcan:can0", "udp:239.74.163.2:43113" or "memory:NAME" (endpoints of one process that name the
-/// same medium).
+/// Opens "socketcan:can0", "socketcan:can0?fd=1" (which hears CAN FD too), "udp:239.74.163.2:43113" or
+/// "memory:NAME" (endpoints of one process that name the same medium).
 /// @throws std::invalid_argument when the address cannot be understood, naming the forms there are;
 /// @throws std::runtime_error when the system refuses, saying what to do about it.
 std::unique_ptr<CanBus> open_can_bus(const std::string& address);

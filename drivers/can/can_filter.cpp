@@ -30,6 +30,7 @@ std::vector<CanFilter> bus_filters(const RobotConfig& robot, int bus) {
   };
   std::for_each(robot.actuators.begin(), robot.actuators.end(), add);
   std::for_each(robot.encoder_cards.begin(), robot.encoder_cards.end(), add);
+  add(robot.battery);
   return filters;
 }
 

@@ -118,11 +118,17 @@ std::optional<InterfaceFacts> parse_interface(const std::string& text) {
   }
 }
 
-std::optional<InterfaceFacts> read_interface(const std::string& address) {
+std::string interface_of(const std::string& address) {
   const std::string kind = "socketcan:";
-  if (address.compare(0, kind.size(), kind) != 0 || !plain(address.substr(kind.size()))) return std::nullopt;
-  return parse_interface(output_of("PATH=$PATH:/usr/sbin:/sbin ip -details -json link show dev " +
-                                   address.substr(kind.size()) + " 2>/dev/null"));
+  if (address.compare(0, kind.size(), kind) != 0) return "";
+  return address.substr(kind.size(), address.find('?') - kind.size());
+}
+
+std::optional<InterfaceFacts> read_interface(const std::string& address) {
+  const std::string name = interface_of(address);
+  if (!plain(name)) return std::nullopt;
+  return parse_interface(
+      output_of("PATH=$PATH:/usr/sbin:/sbin ip -details -json link show dev " + name + " 2>/dev/null"));
 }
 
 }  // namespace sprung

@@ -36,6 +36,9 @@ void require_virtual(const InterfaceFacts& facts);
 /// @param json of `ip -details -json link show dev NAME`. Nothing when that is no CAN interface.
 std::optional<InterfaceFacts> parse_interface(const std::string& json);
 
+/// Its name, of socketcan:INTERFACE and socketcan:INTERFACE?fd=1; "" of other addresses.
+std::string interface_of(const std::string& address);
+
 /// @param address of a bus; nothing when it is no socketcan:INTERFACE, or `ip` cannot be had. Starts a
 /// process: not for the loop.
 std::optional<InterfaceFacts> read_interface(const std::string& address);

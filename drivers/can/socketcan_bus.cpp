@@ -3,6 +3,7 @@
 #include <linux/can/error.h>
 #include <linux/can/raw.h>
 #include <net/if.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -19,6 +20,7 @@ namespace sprung {
 namespace {
 
 constexpr int kFrameBatch = 32;
+constexpr std::size_t kMostFdFrames = 1024;  // that wait to be fetched
 /// What the kernel's limit allows of it: a stall must not lose frames.
 constexpr int kSocketBuffer_bytes = 1 << 20;
 
@@ -37,7 +39,9 @@ struct SocketCanBus::Socket {
   std::vector<can_filter> filters{{0, 0}};  ///< as the kernel has them: everything passes
   KernelDrops drops;
   SendConfirmations confirmations;
-  std::array<can_frame, kFrameBatch> frames{};
+  /// Of both kinds: a classic one is the beginning of such a frame (linux/can.h).
+  std::array<canfd_frame, kFrameBatch> frames{};
+  std::size_t longest = CAN_MTU;  ///< that is received; longer ones of FD do not come
   std::array<iovec, kFrameBatch> vectors{};
   std::array<mmsghdr, kFrameBatch> messages{};
   alignas(cmsghdr) std::array<std::array<char, kReceiveControl_bytes>, kFrameBatch> controls{};
@@ -50,7 +54,7 @@ struct SocketCanBus::Socket {
 
   void prepare(int i, bool receiving) noexcept {
     const auto at = static_cast<std::size_t>(i);
-    vectors[at] = {&frames[at], sizeof frames[at]};
+    vectors[at] = {&frames[at], receiving ? longest : CAN_MTU};
     msghdr& header = messages[at].msg_hdr;
     header = {};
     header.msg_iov = &vectors[at];
@@ -66,8 +70,8 @@ struct SocketCanBus::Socket {
   }
 };
 
-SocketCanBus::SocketCanBus(const std::string& interface)
-    : interface_(interface), socket_(std::make_unique<Socket>()) {
+SocketCanBus::SocketCanBus(const std::string& interface, bool hears_fd)
+    : interface_(interface), hears_fd_(hears_fd), socket_(std::make_unique<Socket>()) {
   if (socket_->fd < 0) fail(interface, "this kernel has no CAN (modprobe can-raw, or use a udp: bus)");
   configure();
 }
@@ -86,7 +90,20 @@ void SocketCanBus::configure() {
   if (!socket_->set(SOL_CAN_RAW, CAN_RAW_RECV_OWN_MSGS, 1)) fail(interface_, "cannot ask for confirmations");
   if (!ask_for_receive_controls(socket_->fd)) fail(interface_, "cannot ask for time stamps");
   (void)socket_->set(SOL_SOCKET, SO_RCVBUF, kSocketBuffer_bytes);
+  if (hears_fd_) ask_for_fd();
   if (!bind_interface()) fail(interface_, "cannot bind (ip link set " + interface_ + " up)");
+}
+
+void SocketCanBus::ask_for_fd() {
+  ifreq request{};
+  std::strncpy(request.ifr_name, interface_.c_str(), sizeof request.ifr_name - 1);
+  if (::ioctl(socket_->fd, SIOCGIFMTU, &request) != 0) fail(interface_, "cannot be asked for its MTU");
+  if (request.ifr_mtu != static_cast<int>(CANFD_MTU)) {
+    throw std::runtime_error("socketcan:" + interface_ + "?fd=1: a classic interface (ip link set " +
+                             interface_ + " type can ... fd on, or leave ?fd=1 out)");
+  }
+  if (!socket_->set(SOL_CAN_RAW, CAN_RAW_FD_FRAMES, 1)) fail(interface_, "cannot ask for CAN FD frames");
+  socket_->longest = CANFD_MTU;
 }
 
 bool SocketCanBus::bind_interface() noexcept {
@@ -132,7 +149,8 @@ bool SocketCanBus::send(const CanFrame* frames, int count) noexcept {
 
 int SocketCanBus::send_batch(const CanFrame* frames, int count) noexcept {
   for (int i = 0; i < count; ++i) {
-    socket_->frames[i] = to_kernel(frames[i]);
+    const can_frame raw = to_kernel(frames[i]);
+    std::memcpy(&socket_->frames[i], &raw, sizeof raw);
     socket_->prepare(i, false);
   }
   const std::int64_t now_us = can_clock_us();
@@ -205,7 +223,15 @@ bool SocketCanBus::take(int i, CanFrame& frame, std::int64_t& arrival_us) noexce
   msghdr& header = socket_->messages[at].msg_hdr;
   arrival_us = read_receive_controls(header, socket_->utc_offset.us(), socket_->drops);
   counters_.dropped = socket_->drops.total;
-  if (socket_->messages[at].msg_len != sizeof(can_frame) || !from_kernel(socket_->frames[at], frame)) {
+  if (socket_->messages[at].msg_len == CANFD_MTU) {
+    ++counters_.fd_frames;
+    if (fd_frames_.size() == kMostFdFrames) fd_frames_.pop_front();
+    fd_frames_.push_back(fd_from_kernel(socket_->frames[at]));
+    return false;
+  }
+  can_frame raw;
+  std::memcpy(&raw, &socket_->frames[at], sizeof raw);
+  if (socket_->messages[at].msg_len != CAN_MTU || !from_kernel(raw, frame)) {
     ++counters_.malformed;
     return false;
   }
@@ -215,6 +241,15 @@ bool SocketCanBus::take(int i, CanFrame& frame, std::int64_t& arrival_us) noexce
   }
   if (frame.error && (frame.id & CAN_ERR_BUSOFF) != 0) socket_->confirmations.forget();
   return true;
+}
+
+int SocketCanBus::receive_fd(CanFdFrame* frames, int max) noexcept {
+  int count = 0;
+  for (; count < max && !fd_frames_.empty(); ++count) {
+    frames[count] = fd_frames_.front();
+    fd_frames_.pop_front();
+  }
+  return count;
 }
 
 void SocketCanBus::count_confirmation(const CanFrame& frame, std::int64_t arrival_us) noexcept {

@@ -28,17 +28,23 @@ constexpr bool pdo_cob_id_allowed(std::uint32_t cob_id) noexcept {
 inline constexpr std::uint8_t kTypeSyncOnChange = 0;  ///< TPDO: at the next SYNC after a change
 inline constexpr std::uint8_t kTypeEverySync = 1;
 inline constexpr std::uint8_t kTypeSyncMax = 240;  ///< TPDO: every n-th SYNC; RPDO: applied at the next SYNC
-inline constexpr std::uint8_t kTypeRemoteSync = 252;  ///< refused: nothing of sprung asks for a PDO
-inline constexpr std::uint8_t kTypeRemote = 253;      ///< refused, likewise
+inline constexpr std::uint8_t kTypeRemoteSync = 252;  ///< TPDO: when asked for, as it was at the last SYNC
+inline constexpr std::uint8_t kTypeRemote = 253;      ///< TPDO: when asked for, as it is then
 inline constexpr std::uint8_t kTypeEventMaker = 254;
 inline constexpr std::uint8_t kTypeEvent = 255;  ///< TPDO: on change; RPDO: applied on arrival
 
 /// 1..240: bound to SYNC, every n-th one.
 constexpr bool is_sync_type(int type) noexcept { return type >= kTypeEverySync && type <= kTypeSyncMax; }
 constexpr bool is_event_type(int type) noexcept { return type == kTypeEventMaker || type == kTypeEvent; }
-/// What our devices offer: 1..240, 254, 255. Not 0 (SYNC, on change), not 241..251 (reserved), not 252 and
-/// 253 (sent when asked for by a remote frame). A real EPOS2 may take fewer ([U] facts canopen 1.5).
-constexpr bool pdo_type_supported(int type) noexcept { return is_sync_type(type) || is_event_type(type); }
+/// Sent when a remote frame asks for it, and only then.
+constexpr bool is_remote_type(int type) noexcept { return type == kTypeRemoteSync || type == kTypeRemote; }
+/// What our devices offer but 0 (SYNC, on change): 1..240, 254, 255, and for a TPDO 252 and 253. Not 241..251
+/// (reserved). A real EPOS2 may take fewer ([U] facts canopen 1.5).
+constexpr bool pdo_type_supported(int type, bool transmit) noexcept {
+  return is_sync_type(type) || is_event_type(type) || (transmit && is_remote_type(type));
+}
+/// Whether a remote frame may ask for this TPDO, whatever its type.
+constexpr bool pdo_answers_remote(std::uint32_t cob_id) noexcept { return (cob_id & kPdoNoRtr) == 0; }
 
 /// Inhibit time (sub 3): least time between two PDOs of event type.
 inline constexpr std::int64_t kInhibitUnit_us = 100;

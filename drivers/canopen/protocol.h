@@ -1,7 +1,6 @@
 #pragma once
 /// CANopen on the wire (CiA 301), whole: for the bridge, for the simulated drives and for tools alike. Pure
-/// values; all multi-byte numbers are little-endian. Not here: TIME, SDO block transfer, PDOs asked for by
-/// remote frames (types 252 and 253): nothing of sprung needs them, and our devices refuse them.
+/// values; all multi-byte numbers are little-endian. Not here: TIME, which nothing of sprung needs.
 #include "drivers/canopen/emergency.h"
 #include "drivers/canopen/lss_frames.h"
 #include "drivers/canopen/nmt.h"

@@ -1,6 +1,6 @@
 #pragma once
-/// The bytes of one segmented SDO transfer, going out or coming in; the rules about lengths are the same for
-/// client and server. Pure; fixed capacity.
+/// The bytes of one segmented or block SDO transfer, going out or coming in; the rules about lengths are the
+/// same for client and server. Pure; fixed capacity.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -9,9 +9,9 @@
 
 namespace sprung::canopen {
 
-/// Longest value that a transfer can carry [design choice: the longest object of an EPOS2 or a Gold is a name
-/// of some tens of bytes].
-inline constexpr std::size_t kMaxTransfer = 1024;
+/// Longest value that a transfer can carry [design choice: names have some tens of bytes, a maker's table or
+/// a recording some thousands].
+inline constexpr std::size_t kMaxTransfer = 8192;
 
 class SdoBuffer {
  public:

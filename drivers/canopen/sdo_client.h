@@ -1,9 +1,10 @@
 #pragma once
-/// SDO client of one node: one transfer under way, expedited or segmented, with a time-out for each reply and
-/// one retry of the whole transfer. Pure: the caller sends what step() gives it.
+/// SDO client of one node: one transfer under way, expedited, segmented or in blocks, with a time-out for
+/// each reply and one retry of the whole transfer. Pure: the caller sends what step() gives it.
 #include <cstddef>
 #include <cstdint>
 
+#include "drivers/canopen/sdo_block.h"
 #include "drivers/canopen/sdo_buffer.h"
 #include "drivers/canopen/sdo_frames.h"
 
@@ -17,18 +18,27 @@ enum class SdoStatus : std::int8_t {
   kTimeout,  ///< no answer to the request nor to its retry
 };
 
+/// How a value may travel.
+enum class SdoService : std::int8_t {
+  kPlain,  ///< expedited or in segments, which every server has
+  /// In blocks where that is shorter (kBlockWorthwhile) and the server has it; one that refuses block
+  /// transfer (05040001), does not answer it or answers plainly is asked plainly.
+  kBlock,
+};
+
 class SdoClient {
  public:
   /// @param timeout_us for each reply.
   SdoClient(int node, std::int64_t timeout_us) noexcept : node_(node), timeout_us_(timeout_us) {}
 
   /// Begin a transfer; whatever was under way is forgotten.
-  void read(ObjectId object) noexcept;
+  void read(ObjectId object, SdoService service = SdoService::kPlain) noexcept;
   /// @param size 1..4 bytes of `value`.
   void write(ObjectId object, std::uint32_t value, int size) noexcept;
   /// Copies the bytes. Up to 4 go expedited, 0 and more than 4 in segments; more than kMaxTransfer end at
   /// once as kAborted with kAbortMemory, nothing is sent.
-  void write(ObjectId object, const std::uint8_t* bytes, std::size_t count) noexcept;
+  void write(ObjectId object, const std::uint8_t* bytes, std::size_t count,
+             SdoService service = SdoService::kPlain) noexcept;
   /// Call after each receive() and once a cycle. @return true when `request` has to be sent now: the next
   /// frame of the transfer, the first one again after a time-out, or an abort to the server. Call again to
   /// see whether there is more.
@@ -50,10 +60,17 @@ class SdoClient {
   std::size_t size() const noexcept { return buffer_.size(); }
 
  private:
-  enum class Phase : std::int8_t { kBegin, kSegments };
+  enum class Phase : std::int8_t { kBegin, kSegments, kBlocks, kBlockEnd };
 
   void begin(ObjectId object, SdoKind kind) noexcept;
   void restart() noexcept;
+  void ask_plainly() noexcept;
+  bool next_frame(CanFrame& request) noexcept;
+  bool next_of_blocks(CanFrame& request) noexcept;
+  void receive_blocks(const CanFrame& frame) noexcept;
+  void begin_blocks(const SdoMessage& reply) noexcept;
+  void receive_block_segment(const CanFrame& frame) noexcept;
+  void receive_block_end(const SdoMessage& reply) noexcept;
   CanFrame next_request() noexcept;
   CanFrame first_request() const noexcept;
   CanFrame next_segment() noexcept;
@@ -77,6 +94,12 @@ class SdoClient {
   int attempts_ = 0;
   bool segmented_ = false;  ///< as far as is known; the server must be told when we give up
   bool waiting_ = false;    ///< for a reply
+  bool blocks_ = false;     ///< asked for by block transfer; not at the second attempt
+  bool block_crc_ = false;  ///< both sides check one
+  bool heard_ = false;      ///< a segment of a block, since the last step()
+  int block_ack_ = -1;      ///< to be sent: segments of the block that came in order; -1 = nothing
+  BlockSender sender_;
+  BlockReceiver receiver_;
   bool toggle_ = false;
   bool last_ = false;  ///< the segment sent was the last one
 };

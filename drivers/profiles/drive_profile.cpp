@@ -18,6 +18,11 @@ namespace {
                               "'; there are: " + known);
 }
 
+DriveTiming guarded(DriveTiming timing, NodeWatch watch) noexcept {
+  timing.guarded = watch == NodeWatch::kGuarding;
+  return timing;
+}
+
 }  // namespace
 
 DriveTiming timing_of(double cycle_s, const WatchdogConfig& watchdogs) noexcept {
@@ -25,7 +30,7 @@ DriveTiming timing_of(double cycle_s, const WatchdogConfig& watchdogs) noexcept 
   /// watchdogs, as others have it (2 to 6).
   constexpr int kMoreLostSetpoints = 3;
   return {cycle_s, watchdogs.heartbeat_s, watchdogs.heartbeat_consumer_s,
-          watchdogs.silent_cycles + kMoreLostSetpoints};
+          watchdogs.silent_cycles + kMoreLostSetpoints, false};
 }
 
 std::vector<canopen::MapEntry> DriveProfile::display_entries() const {
@@ -62,14 +67,14 @@ std::unique_ptr<DriveProfile> make_profile(const ActuatorConfig& actuator, const
   const ProfileKind* kind = find_profile_kind(actuator.profile);
   if (kind == nullptr || kind->make_drive == nullptr)
     refuse("actuator '" + actuator.name + "'", actuator.profile, true);
-  return kind->make_drive(actuator, timing);
+  return kind->make_drive(actuator, guarded(timing, actuator.watch));
 }
 
 std::unique_ptr<CardProfile> make_card_profile(const EncoderCardConfig& card, const DriveTiming& timing) {
   const ProfileKind* kind = find_profile_kind(card.profile);
   if (kind == nullptr || kind->make_card == nullptr)
     refuse("encoder card '" + card.name + "'", card.profile, false);
-  return kind->make_card(card, timing);
+  return kind->make_card(card, guarded(timing, card.watch));
 }
 
 }  // namespace sprung

@@ -21,6 +21,9 @@ struct DriveTiming {
   double heartbeat_s = 0.0;           ///< period of the drive's own heartbeat
   double heartbeat_consumer_s = 0.0;  ///< the drive gives up on the bridge after this
   int lost_setpoints = 5;             ///< in a row that a drive has to bear
+  /// The node is guarded, heartbeat_s apart, and gives up after the same time; make_profile() sets it as
+  /// robot.yaml says.
+  bool guarded = false;
 };
 
 /// What the bridge tells drives, and tools expect in them.

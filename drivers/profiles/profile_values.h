@@ -58,12 +58,22 @@ inline void put_i32(std::uint8_t* bytes, std::int32_t value) noexcept {
   canopen::put_le(bytes, static_cast<std::uint32_t>(value), 4);
 }
 
-/// The node's heartbeat, and the bridge's that it gives up on: every device has these (CiA 301).
+/// How the bridge and the node watch each other: two settings, of heartbeats or of node guarding (CiA 301).
+/// This one says how often the node is heard: its heartbeat's period, or the guard time. A guarded node may
+/// have no 0x1017, so that is not written.
 inline DriveSetting heartbeat_producer(const DriveTiming& timing, const std::string& owner) {
+  if (timing.guarded)
+    return u16({canopen::kGuardTime, 0}, to_object(1e3 * timing.heartbeat_s, owner, "guard time", 0xFFFF));
   return u16({canopen::kHeartbeatProducer, 0},
              to_object(1e3 * timing.heartbeat_s, owner, "heartbeat period", 0xFFFF));
 }
+/// And this one when the node gives up on the bridge: heartbeat consumer time, or the number of guard times.
 inline DriveSetting heartbeat_consumer(const DriveTiming& timing, const std::string& owner) {
+  if (timing.guarded) {
+    const double factor = std::ceil(timing.heartbeat_consumer_s / timing.heartbeat_s - 1e-9);
+    return u8({canopen::kLifeTimeFactor, 0},
+              static_cast<std::uint8_t>(to_object(factor, owner, "life time factor", 0xFF)));
+  }
   const std::uint32_t ms = to_object(1e3 * timing.heartbeat_consumer_s, owner, "heartbeat consumer time",
                                      0xFFFF);
   return u32({canopen::kHeartbeatConsumer, 1}, (static_cast<std::uint32_t>(canopen::kBridgeNode) << 16) | ms);

@@ -66,7 +66,8 @@ void CanopenDevice::receive(const CanFrame& frame, std::int64_t time_us) noexcep
   if (lss) return receive_lss(frame);
   NmtCommand command{};
   if (frame.remote) {
-    if (canopen::is_guard_request(frame, node_)) answer_guard(time_us);
+    if (canopen::is_guard_request(frame, node_)) return answer_guard(time_us);
+    if (operational()) pdos_.answer_remote(frame);
   } else if (canopen::decode_nmt(frame, node_, command)) {
     nmt(command);
   } else if ((frame.id & ~0x7FU) == canopen::kHeartbeatBase) {
@@ -234,8 +235,8 @@ void CanopenDevice::tick(std::int64_t time_us) noexcept {
   watch_bus();
   produce_heartbeat(time_us);
   follow(watch_.check(time_us));
-  CanFrame abort;
-  if (sdo_.step(time_us, abort)) outbox_.send(abort, FrameKind::kSdo);
+  CanFrame unasked;  // a segment of a block each tick: a drive has other things to do
+  if (sdo_.step(time_us, unasked)) outbox_.send(unasked, FrameKind::kSdo);
   if (operational()) pdos_.send_events(time_us);
 }
 

@@ -105,10 +105,21 @@ bool PdoExchange::due_by_sync(Transmit& pdo, const CanFrame& frame) noexcept {
   return true;
 }
 
+void PdoExchange::answer_remote(const CanFrame& request) noexcept {
+  for (Transmit& pdo : transmit_) {
+    const PdoMap& map = pdo.map;
+    if (!map.valid || map.count == 0 || map.cob_id != request.id || !map.answers_remote) continue;
+    const bool by_sync = map.type <= canopen::kTypeSyncMax || map.type == canopen::kTypeRemoteSync;
+    outbox_.send(by_sync && pdo.has_sampled ? pdo.sampled : pack(map), pdo.kind);
+  }
+}
+
 void PdoExchange::sync() noexcept {
   for (Transmit& pdo : transmit_) {
     if (!pdo.map.valid || pdo.map.count == 0) continue;
     const CanFrame frame = pack(pdo.map);
+    pdo.sampled = frame;
+    pdo.has_sampled = true;
     if (due_by_sync(pdo, frame)) send(pdo, frame);
   }
   for (Receive& pdo : receive_) {
@@ -120,7 +131,7 @@ void PdoExchange::sync() noexcept {
 
 void PdoExchange::send_events(std::int64_t time_us) noexcept {
   for (Transmit& pdo : transmit_) {
-    if (!pdo.map.valid || pdo.map.count == 0 || pdo.map.type <= canopen::kTypeSyncMax) continue;
+    if (!pdo.map.valid || pdo.map.count == 0 || !canopen::is_event_type(pdo.map.type)) continue;
     const std::int64_t since_us = time_us - pdo.last_us;
     const CanFrame frame = pack(pdo.map);
     const bool changed = events_on_change_ &&

@@ -36,6 +36,9 @@ class PdoExchange {
   void configure(const PdoObject& pdo) noexcept;
   /// Several RPDOs may share an identifier.
   PdoReception receive(const CanFrame& frame) noexcept;
+  /// A remote frame: sends the TPDO that it asks for, where that one lets itself be asked for. What is bound
+  /// to SYNC says how it was at the last one.
+  void answer_remote(const CanFrame& request) noexcept;
   /// Sends what is due by SYNC, then applies what waited for it.
   void sync() noexcept;
   /// Sends event TPDOs that changed or whose timer is up.
@@ -52,6 +55,8 @@ class PdoExchange {
     FrameKind kind = FrameKind::kOther;
     CanFrame last;
     bool sent = false;
+    CanFrame sampled;  ///< at the last SYNC
+    bool has_sampled = false;
     int syncs = 0;
     std::int64_t last_us = 0;
     std::int64_t inhibit_us = 0;

@@ -84,17 +84,17 @@ std::uint32_t check_cob_id(const ObjectDictionary& dictionary, const PdoObject& 
   return stays_valid && (value & canopen::kPdoIdMask) != old_id ? canopen::kAbortDeviceState : 0;
 }
 
-/// SYNC, on change or every n-th, or by event; remote requests are not simulated.
-std::uint32_t check_type(std::uint32_t value) noexcept {
+std::uint32_t check_type(PdoDirection direction, std::uint32_t value) noexcept {
   const int type = static_cast<int>(value);
-  const bool known = type == canopen::kTypeSyncOnChange || canopen::pdo_type_supported(type);
+  const bool known = type == canopen::kTypeSyncOnChange ||
+                     canopen::pdo_type_supported(type, direction == PdoDirection::kTransmit);
   return known ? 0 : canopen::kAbortRange;
 }
 
 std::uint32_t check_communication(const ObjectDictionary& dictionary, const PdoObject& pdo, int sub,
                                   std::uint32_t value) noexcept {
   if (sub == 1) return check_cob_id(dictionary, pdo, value);
-  if (sub == 2) return check_type(value);
+  if (sub == 2) return check_type(pdo.direction, value);
   const bool needs_invalid = sub == kInhibitSub && pdo.direction == PdoDirection::kTransmit;
   return needs_invalid && is_valid(dictionary, pdo.direction, pdo.n) ? canopen::kAbortDeviceState : 0;
 }
@@ -121,7 +121,9 @@ std::uint32_t check_pdo_write(const ObjectDictionary& dictionary, canopen::Objec
 PdoMap resolve_pdo(const ObjectDictionary& dictionary, PdoDirection direction, int n) noexcept {
   PdoMap pdo;
   pdo.valid = is_valid(dictionary, direction, n);
-  pdo.cob_id = read_u32(dictionary, communication(direction, n, 1)) & canopen::kPdoIdMask;
+  const std::uint32_t cob_id = read_u32(dictionary, communication(direction, n, 1));
+  pdo.cob_id = cob_id & canopen::kPdoIdMask;
+  pdo.answers_remote = direction == PdoDirection::kTransmit && canopen::pdo_answers_remote(cob_id);
   pdo.type = static_cast<int>(dictionary.get_or(communication(direction, n, 2), canopen::kTypeEvent));
   pdo.count = static_cast<int>(dictionary.get_or(mapping(direction, n, 0), 0));
   for (int i = 0; i < pdo.count; ++i) {

@@ -15,6 +15,7 @@ enum class PdoDirection { kReceive, kTransmit };
 struct PdoMap {
   bool valid = false;  ///< also false where the device does not have this PDO
   std::uint32_t cob_id = 0;
+  bool answers_remote = false;  ///< transmit: a remote frame may ask for it
   int type = canopen::kTypeEvent;
   int count = 0;
   int length = 0;                 ///< bytes

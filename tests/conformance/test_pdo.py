@@ -175,3 +175,33 @@ def test_encoder_card_answers_sync_with_its_64_bits(device, profile):
     assert counters == [(counters[0] + n) % 16 for n in range(3)]
     channels = [int.from_bytes(samples[-1], "little") >> 20 * n & 0xFFFFF for n in range(3)]
     assert channels == [device.sdo[0x2101][n + 1].raw for n in range(3)]
+
+
+@pytest.mark.parametrize("profile", DRIVES)
+@pytest.mark.parametrize("kind", [252, 253, 255])
+def test_pdo_that_is_asked_for_by_a_remote_frame_comes(device, profile, kind):
+    silence(device)
+    pdo_id = 0x180 + device.node
+    configure(device.remote.tpdo[1], [STATUS], kind, 0, device.node, True)
+    device.sdo[0x1800][1].raw = pdo_id  # bit 30 clear: it may be asked for
+    device.nmt(0x01)
+    device.wire.sync()
+    mark = device.wire.record.mark()
+    device.wire.send(pdo_id, remote=True)
+    answer = device.wire.record.wait_for_id(pdo_id, mark)
+    assert answer is not None and len(answer.data) == 2
+    assert int.from_bytes(bytes(answer.data), "little") & 0x6F == device.sdo[STATUS].raw & 0x6F
+
+
+@pytest.mark.parametrize("profile", DRIVES)
+def test_pdo_that_forbids_remote_frames_does_not_answer_one(device, profile):
+    silence(device)
+    pdo_id = 0x180 + device.node
+    configure(device.remote.tpdo[1], [STATUS], 253, 0, device.node, True)
+    device.sdo[0x1800][1].raw = pdo_id | 1 << 30
+    device.nmt(0x01)
+    mark = device.wire.record.mark()
+    device.wire.send(pdo_id, remote=True)
+    assert device.sdo[STATUS].raw is not None  # it has had the time
+    answers = [f for f in device.wire.record.since(mark, pdo_id) if not f.is_remote_frame]
+    assert answers == []

@@ -11,6 +11,7 @@ DRIVES = ["gold", "epos2"]
 WIDE = {"gold": 0x2012, "epos2": 0x20C1}  # write-only u64: more than one frame can carry
 NAME = "08 10 00"  # index and sub-index of the device's name
 TOGGLE, TIME_OUT, COMMAND, LENGTH_LONG = "00 00 03 05", "00 00 04 05", "01 00 04 05", "12 00 07 06"
+CHECKSUM = "04 00 04 05"
 
 
 def ask(device, text):
@@ -124,9 +125,46 @@ def test_more_bytes_than_the_object_has_are_refused_at_the_latest_with_the_last(
 
 
 @pytest.mark.parametrize("profile", PROFILES)
-def test_block_transfer_and_unknown_commands_are_refused(device, profile):
-    with pytest.raises(canopen.SdoAbortedError) as error:
-        device.sdo.open(0x1008, 0, "rb", block_transfer=True)
-    assert error.value.code == 0x05040001
-    assert ask(device, "c2 17 10 00 02")[-11:] == COMMAND
+def test_unknown_commands_are_refused(device, profile):
     assert ask(device, "e0 17 10 00")[-11:] == COMMAND
+    assert ask(device, "a3")[-11:] == COMMAND  # a block's start that nothing came before
+
+
+@pytest.mark.parametrize("profile", PROFILES)
+@pytest.mark.parametrize("with_crc", [True, False])
+def test_name_is_read_by_block_transfer(device, profile, with_crc):
+    expected = objects.from_eds(profile, device.node)[0x1008, 0].default
+    with device.sdo.open(
+        0x1008, 0, "rb", buffering=0, block_transfer=True, request_crc_support=with_crc
+    ) as stream:
+        assert stream.readall().decode() == expected
+    assert device.sdo[0x1008].raw == expected  # the transfer has ended: the next one begins
+
+
+@pytest.mark.parametrize("profile", DRIVES)
+@pytest.mark.parametrize("with_crc", [True, False])
+def test_eight_bytes_are_written_by_block_transfer(device, profile, with_crc):
+    with device.sdo.open(
+        WIDE[profile], 0, "wb", size=8, buffering=7, block_transfer=True, request_crc_support=with_crc
+    ) as stream:
+        stream.write(bytes(8))
+    assert len(device.sdo[0x1008].raw) > 7
+
+
+@pytest.mark.parametrize("profile", DRIVES)
+def test_wrong_checksum_of_a_block_is_refused(device, profile):
+    wide = id_text(WIDE[profile])
+    assert ask(device, f"c6 {wide} 08") == frame(f"a4 {wide} 7f")
+    device.wire.send(0x600 + device.node, bytes.fromhex("01 11 22 33 44 55 66 77"))
+    assert ask(device, "82 88") == frame("a2 02 7f")
+    assert ask(device, "d9 12 34") == frame(f"80 {wide} {CHECKSUM}")
+
+
+@pytest.mark.parametrize("profile", DRIVES)
+def test_lost_segment_of_a_block_is_asked_for_again(device, profile):
+    wide = id_text(WIDE[profile])
+    assert ask(device, f"c2 {wide} 08") == frame(f"a4 {wide} 7f")
+    assert ask(device, "82 88") == frame("a2 00 7f")
+    device.wire.send(0x600 + device.node, bytes.fromhex("01 11 22 33 44 55 66 77"))
+    assert ask(device, "82 88") == frame("a2 02 7f")
+    assert ask(device, "d9") == frame("a1")

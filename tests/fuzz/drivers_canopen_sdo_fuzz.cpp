@@ -36,14 +36,17 @@ class Pair {
  public:
   void ask(Input& input) {
     const ObjectId object{input.number<std::uint16_t>(), input.byte()};
-    switch (input.byte() % 3) {
+    const int what = input.byte() % 5;
+    const SdoService service = what >= 3 ? SdoService::kBlock : SdoService::kPlain;
+    switch (what) {
       case 0:
-        return client_.read(object);
+      case 3:
+        return client_.read(object, service);
       case 1:
         return client_.write(object, input.number<std::uint32_t>(), 1 + input.byte() % 4);
       default: {
         const std::string_view bytes = input.piece();
-        client_.write(object, reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+        client_.write(object, reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size(), service);
       }
     }
   }
@@ -60,6 +63,10 @@ class Pair {
     for (int i = 0; i < times && client_.step(time_us_, request); ++i) {
       require(request.length == 8 && request.id == sdo_client_id(kNode), "a request is one");
       if (server_.receive(request, time_us_, reply)) client_.receive(reply);
+      for (int segment = 0; segment <= kMaxBlock && server_.step(time_us_, reply); ++segment) {
+        require(reply.length == 8 && reply.id == sdo_server_id(kNode), "what is unasked is the server's");
+        client_.receive(reply);
+      }
     }
   }
   void wait(std::int64_t us) {
@@ -95,6 +102,16 @@ std::vector<std::string> sdo_seeds() {
   return {
       ask(0x1000, 1).byte(2).byte(9).bytes(),
       ask(0x1008, 20).byte(2).byte(200).bytes(),
+      Output().byte(0).number(std::uint16_t{0x1008}).byte(250).byte(3).byte(2).byte(200).bytes(),
+      Output()
+          .byte(0)
+          .number(std::uint16_t{0x1008})
+          .byte(1)
+          .byte(4)
+          .piece(std::string(900, 'x'))
+          .byte(2)
+          .byte(250)
+          .bytes(),
       ask(0x1001, 1).byte(2).byte(9).byte(3).byte(30).bytes(),
       Output()
           .byte(0)

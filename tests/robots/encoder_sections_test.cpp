@@ -248,5 +248,17 @@ TEST_F(ChangedPegasus, JointsOutsideOfLegsAreToldOfJointsAlone) {
       AllOf(HasSubstr("fl_abduction"), HasSubstr("kinematics: none")));
 }
 
+TEST_F(ChangedPegasus, NodesAreWatchedByHeartbeatUnlessTheFileSaysGuarding) {
+  for (const ActuatorConfig& a : load_robot("pegasus").actuators) EXPECT_EQ(a.watch, NodeWatch::kHeartbeat);
+  const RobotConfig guarded = changed("profile: encoder_card,", "profile: encoder_card, watch: guarding,");
+  EXPECT_EQ(guarded.encoder_cards[0].watch, NodeWatch::kGuarding);
+  EXPECT_EQ(changed("profile: epos2,", "profile: epos2, watch: guarding,").actuators[0].watch,
+            NodeWatch::kGuarding);
+  EXPECT_EQ(changed("profile: epos2,", "profile: epos2, watch: heartbeat,").actuators[0].watch,
+            NodeWatch::kHeartbeat);
+  EXPECT_THAT(complaint("profile: epos2,", "profile: epos2, watch: polling,"),
+              AllOf(HasSubstr("watch"), HasSubstr("heartbeat"), HasSubstr("guarding")));
+}
+
 }  // namespace
 }  // namespace sprung

@@ -143,5 +143,37 @@ TEST_F(WalkingPegasus, PresetsLawOfWalkingIsRead) {
   EXPECT_GT(best.force_rise_s, 0.0);
 }
 
+class WithImuDriver : public WalkingPegasus {
+ protected:
+  static std::string driver(const std::string& device = "/dev/ttyUSB0", const std::string& baud = "460800") {
+    return "imu_driver: {device: " + device + ", baud: " + baud +
+           ", mounting: {roll: 3.14159 rad, pitch: 0 rad, yaw: -1.5708 rad}, latency: 2 ms, rate_range: 34 "
+           "rad/s, "
+           "force_range: 150 m/s^2, longest_silence: 20 ms}";
+  }
+  std::string complaint_about(const std::string& text) const {
+    return complaint("imu: true,", "imu: true, " + text + ",");
+  }
+};
+
+TEST_F(WithImuDriver, SaysLineMountingAndRanges) {
+  const BodyConfig body = folder_.load(test::replaced(text_, "imu: true,", "imu: true, " + driver() + ","))
+                              .body;
+  EXPECT_EQ(body.imu_driver.device, "/dev/ttyUSB0");
+  EXPECT_EQ(body.imu_driver.baud, 460800);
+  EXPECT_DOUBLE_EQ(body.imu_driver.mounting_yaw_rad, -1.5708);
+  EXPECT_DOUBLE_EQ(body.imu_driver.latency_s, 0.002);
+  EXPECT_DOUBLE_EQ(body.imu_driver.range_rad_s, 34.0);
+  EXPECT_DOUBLE_EQ(body.imu_driver.longest_silence_s, 0.020);
+  EXPECT_TRUE(load_robot("pegasus").body.imu_driver.device.empty());
+}
+
+TEST_F(WithImuDriver, WhatNoLineCanBeIsRefused) {
+  EXPECT_THAT(complaint_about(driver("ttyUSB0")), AllOf(HasSubstr("device"), HasSubstr("/dev/ttyUSB0")));
+  EXPECT_THAT(complaint_about(driver("/dev/ttyUSB0", "12345")),
+              AllOf(HasSubstr("baud"), HasSubstr("115200")));
+  EXPECT_THAT(complaint("imu: true,", "imu: false, " + driver() + ","), HasSubstr("imu: false"));
+}
+
 }  // namespace
 }  // namespace sprung

@@ -47,11 +47,26 @@ inline void dump_value(test::ValueDump& dump, const std::string& at, const Commi
               value.encoder_inverted, value.current_p, value.current_i, value.brake);
 }
 
+inline void dump_value(test::ValueDump& dump, const std::string& at, const ReadingConfig& value) {
+  const auto& [index, sub, bytes, is_signed, scale] = value;
+  dump.fields(at, "index sub bytes is_signed scale", index, sub, bytes, is_signed, scale);
+}
+
+inline void dump_value(test::ValueDump& dump, const std::string& at, const TemperatureConfig& value) {
+  dump.fields(at, "reading max_degC", value.reading, value.max_degC);
+}
+
+inline void dump_value(test::ValueDump& dump, const std::string& at, const BatteryConfig& value) {
+  const auto& [bus, node, voltage, charge, temperature, min_charge_share] = value;
+  dump.fields(at, "bus node voltage charge temperature min_charge_share", bus, node, voltage, charge,
+              temperature, min_charge_share);
+}
+
 inline void dump_value(test::ValueDump& dump, const std::string& at, const ActuatorConfig& value) {
   const auto& [name, bus, node, profile, identity, ratio, direction, torque_constant, rated_current, counts,
                offset, referenced, torque_limit, speed_limit, power_limit, speed_object, limits_object, loop,
                stiffness, damping, gains_object, safety_damping, pole_pairs, winding, supply, emergency_input,
-               commissioning, link_encoder, reference] = value;
+               commissioning, temperature, restore_settings, link_encoder, reference] = value;
   dump.fields(at,
               "name bus node profile identity gear_ratio direction torque_constant_Nm_A rated_current_A "
               "encoder_counts_per_turn offset_rad referenced torque_limit_Nm speed_limit_rad_s power_limit_W "
@@ -59,11 +74,11 @@ inline void dump_value(test::ValueDump& dump, const std::string& at, const Actua
               "position_damping_Nm_s_rad "
               "position_gains_object "
               "safety_damping_Nm_s_rad pole_pairs winding_time_constant_s supply emergency_input "
-              "commissioning link_encoder reference",
+              "commissioning temperature restore_settings link_encoder reference",
               name, bus, node, profile, identity, ratio, direction, torque_constant, rated_current, counts,
               offset, referenced, torque_limit, speed_limit, power_limit, speed_object, limits_object,
               static_cast<int>(loop), stiffness, damping, gains_object, safety_damping, pole_pairs, winding,
-              supply, emergency_input, commissioning, link_encoder, reference);
+              supply, emergency_input, commissioning, temperature, restore_settings, link_encoder, reference);
 }
 
 inline void dump_value(test::ValueDump& dump, const std::string& at, const FrictionParameters& value) {
@@ -231,15 +246,15 @@ inline void dump_value(test::ValueDump& dump, const std::string& at, const Proce
 }
 
 inline std::string dump_of(const RobotConfig& robot) {
-  const auto& [name, folder, cycle_s, buses, bit_rate_bit_s, actuators, encoder_cards, joints, legs,
+  const auto& [name, folder, cycle_s, buses, bit_rate_bit_s, actuators, encoder_cards, battery, joints, legs,
                watchdogs, simulation_watchdogs, presets, body, gaits, processes, hold_to_run, lowering_s,
                hash] = robot;
   test::ValueDump dump;
   dump.fields("",
-              "name cycle_s buses bit_rate_bit_s actuators encoder_cards joints legs watchdogs "
+              "name cycle_s buses bit_rate_bit_s actuators encoder_cards battery joints legs watchdogs "
               "simulation_watchdogs presets body gaits processes",
-              name, cycle_s, buses, bit_rate_bit_s, actuators, encoder_cards, joints, legs, watchdogs,
-              simulation_watchdogs, presets, body, gaits, processes);
+              name, cycle_s, buses, bit_rate_bit_s, actuators, encoder_cards, battery, joints, legs,
+              watchdogs, simulation_watchdogs, presets, body, gaits, processes);
   static_cast<void>(folder);
   static_cast<void>(hold_to_run);  // no key of the file
   static_cast<void>(lowering_s);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 
+#include "signals/auxiliary_state.h"
 #include "signals/messages.h"
 #include "signals/motion_state.h"
 #include "signals/operator.h"
@@ -54,6 +55,24 @@ TEST(EventMessages, SimControlOfNumbersThatNoExperimentHasIsRefused) {
 }
 
 TEST(EventMessages, TorqueSensorSurvivesBitForBit) { expect_round_trip<TorqueSensor>(); }
+
+TEST(EventMessages, AuxiliaryStateKeepsEachActuatorsTemperatureAndTheBattery) {
+  AuxiliaryState signal(2);
+  signal.stamp = {10, 20};
+  signal.measured_temperature_degC[1] = 41.5;
+  signal.battery_charge_share = 0.5;
+  sprung_msgs::auxiliary_state_t message{};
+  to_message(signal, 5, message);
+  EXPECT_EQ(message.n_actuators, 2);
+  EXPECT_TRUE(std::isnan(message.measured_temperature_degC[0]));
+  AuxiliaryState back(0);
+  ASSERT_TRUE(from_message(message, back));
+  EXPECT_EQ(back.measured_temperature_degC[1], 41.5);
+  EXPECT_EQ(back.battery_charge_share, 0.5);
+  EXPECT_EQ(back.stamp.seq, 20);
+  message.n_actuators = 3;
+  EXPECT_FALSE(from_message(message, back)) << "a count that differs from what comes with it";
+}
 
 TEST(EventMessages, MotionStateKeepsItsNumbersAndTexts) {
   MotionState signal(2);

@@ -30,6 +30,13 @@ FakeDrive::FakeDrive(int node, const IdentityConfig& identity) : node_(node) {
 
 void FakeDrive::receive(const CanFrame& frame, std::vector<CanFrame>& out) {
   if (dead) return;
+  if (is_guard_request(frame, node_)) {
+    ++guard_requests;
+    if (mute_guarding) return;
+    out.push_back(guard_reply(node_, {nmt, toggle_}));
+    toggle_ = toggle_ == stuck_toggle;
+    return;
+  }
   NmtCommand command{};
   if (decode_nmt(frame, node_, command)) {
     received.push_back(frame);
@@ -52,6 +59,7 @@ void FakeDrive::receive_nmt(NmtCommand command, std::vector<CanFrame>& out) {
   if (reset_heals_stuck_fault) stuck_in_fault = false;
   if (loses_settings_on_reset) objects = defaults_;
   nmt = NmtState::kPreOperational;
+  toggle_ = false;
   if (!boots_silently) out.push_back(heartbeat_frame(node_, NmtState::kBootUp));
 }
 
@@ -118,6 +126,7 @@ void FakeDrive::tick(std::int64_t time_us, std::vector<CanFrame>& out) {
     objects = defaults_;
     power = PowerState::kSwitchOnDisabled;
     nmt = NmtState::kPreOperational;
+    toggle_ = false;
     out.push_back(heartbeat_frame(node_, NmtState::kBootUp));
   }
   if (pending_emergency != 0) {

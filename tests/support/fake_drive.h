@@ -45,6 +45,9 @@ class FakeDrive {
   bool dead = false;                    ///< neither hears nor speaks
   bool mute_samples = false;            ///< does not answer SYNC
   bool mute_heartbeat = false;
+  bool mute_guarding = false;        ///< does not answer node guarding
+  bool stuck_toggle = false;         ///< answers it with one and the same bit
+  int guard_requests = 0;            ///< heard
   bool boots_silently = false;       ///< no boot-up frame
   bool stuck_in_quick_stop = false;  ///< never leaves it by itself
   bool stuck_in_fault = false;
@@ -69,6 +72,7 @@ class FakeDrive {
   int node_;
   std::map<Key, std::uint32_t> defaults_;
   std::int64_t next_heartbeat_us_ = 0;
+  bool toggle_ = false;  ///< of the next answer to node guarding
   int quick_stop_cycles_ = 0;
 };
 

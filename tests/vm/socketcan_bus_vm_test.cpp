@@ -2,7 +2,11 @@
 /// prepare the interface themselves.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <linux/can/raw.h>
+#include <net/if.h>
 #include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -10,6 +14,7 @@
 
 #include "drivers/can/can_errors.h"
 #include "drivers/can/can_interface.h"
+#include "drivers/can/kernel_frame.h"
 #include "drivers/can/receive_controls.h"
 #include "drivers/can/socketcan_bus.h"
 
@@ -343,6 +348,78 @@ TEST_F(Sja1000, ControllerThatIsSwitchedOffAndOnWorksAgain) {
   shell("ip link set sja0 up");
   EXPECT_TRUE(send(a, sent));
   EXPECT_EQ(collect(b, 4).frames, sent);
+}
+
+/// An interface that takes CAN FD, somebody who speaks it, and a classic bus of ours on it.
+class CanFd : public testing::Test {
+ protected:
+  void SetUp() override {
+    shell("ip link set vcan0 down; ip link set vcan0 mtu 72; ip link set vcan0 up");
+    ours_ = std::make_unique<SocketCanBus>("vcan0");
+    hears_ = std::make_unique<SocketCanBus>("vcan0", true);
+    stranger_ = ::socket(PF_CAN, SOCK_RAW, CAN_RAW);
+    const int on = 1;
+    ASSERT_EQ(::setsockopt(stranger_, SOL_CAN_RAW, CAN_RAW_FD_FRAMES, &on, sizeof on), 0);
+    sockaddr_can address{};
+    address.can_family = AF_CAN;
+    address.can_ifindex = static_cast<int>(::if_nametoindex("vcan0"));
+    ASSERT_EQ(::bind(stranger_, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+  }
+  void TearDown() override {
+    ::close(stranger_);
+    shell("ip link set vcan0 down; ip link set vcan0 mtu 16; ip link set vcan0 up");
+  }
+  void send_fd(std::uint32_t id, std::uint8_t length) const {
+    CanFdFrame frame;
+    frame.id = id;
+    frame.fast = true;
+    frame.length = length;
+    for (std::size_t i = 0; i < length; ++i) frame.data[i] = static_cast<std::uint8_t>(255 - i);
+    const canfd_frame raw = fd_to_kernel(frame);
+    ASSERT_EQ(::write(stranger_, &raw, CANFD_MTU), static_cast<ssize_t>(CANFD_MTU));
+  }
+  int stranger_ = -1;
+  std::unique_ptr<SocketCanBus> ours_, hears_;
+};
+
+TEST_F(CanFd, ClassicFramesWorkBesideFramesOfFdAndNoneIsMistaken) {
+  const std::vector<CanFrame> sent = numbered(20);
+  for (const CanFrame& frame : sent) {
+    send_fd(0x181, 64);  // an identifier of ours
+    send_fd(0x181, 8);   // and as long as a classic frame
+    ASSERT_TRUE(ours_->send(&frame, 1));
+  }
+  EXPECT_EQ(collect(*hears_, 20).frames, sent);
+  confirm(*ours_, 20);
+  CanFrame frame;
+  EXPECT_EQ(ours_->receive(&frame, 1), 0);
+  EXPECT_EQ(ours_->counters().fd_frames + ours_->counters().malformed, 0) << "the kernel gives it none";
+  EXPECT_EQ(hears_->counters().malformed, 0);
+  EXPECT_EQ(hears_->counters().fd_frames, 40);
+}
+
+TEST_F(CanFd, FramesOfFdAreHeardWhole) {
+  send_fd(0x123, 64);
+  send_fd(0x124, 12);
+  EXPECT_TRUE(collect(*hears_, 1).frames.empty());
+  CanFdFrame frames[4];
+  ASSERT_EQ(hears_->receive_fd(frames, 4), 2);
+  EXPECT_EQ(frames[0].id, 0x123u);
+  EXPECT_EQ(frames[0].length, 64);
+  EXPECT_TRUE(frames[0].fast);
+  EXPECT_EQ(frames[0].data[63], 192);
+  EXPECT_EQ(frames[1].length, 12);
+  EXPECT_EQ(hears_->receive_fd(frames, 4), 0);
+}
+
+TEST_F(CanFd, ClassicInterfaceIsRefusedForFd) {
+  shell("ip link set vcan0 down; ip link set vcan0 mtu 16; ip link set vcan0 up");
+  try {
+    const SocketCanBus bus("vcan0", true);
+    FAIL() << "not refused";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("fd on"));
+  }
 }
 
 }  // namespace

@@ -18,6 +18,8 @@ class FrameSource {
 
   /// Never waits longer than `timeout_ms`; files do not wait at all.
   virtual Read next(cantools::ObservedFrame& frame, int timeout_ms) = 0;
+  /// CAN FD frames that passed meanwhile; only live buses that were opened for them have any (?fd=1).
+  virtual bool next_fd(cantools::ObservedFdFrame& /*frame*/) { return false; }
   /// By the frame's `bus`; may grow while a file is read.
   const std::vector<std::string>& buses() const noexcept { return buses_; }
   /// To add to a frame's time for UTC; 0 where the source's times are UTC, or nobody knows.

@@ -28,6 +28,7 @@ class Listener {
     }
   }
 
+  int read_fd(CanFdFrame* frames, int max) { return other_ ? other_->receive_fd(frames, max) : 0; }
   const CanBus& bus() const noexcept { return udp_ ? *udp_ : *other_; }
 
   void read(int index, std::deque<ObservedFrame>& out) {
@@ -76,6 +77,16 @@ class LiveSource final : public FrameSource {
     frame = ready_.front();
     ready_.pop_front();
     return Read::kFrame;
+  }
+
+  bool next_fd(cantools::ObservedFdFrame& out) override {
+    for (std::size_t i = 0; i < listeners_.size(); ++i) {
+      if (listeners_[i]->read_fd(&out.frame, 1) == 0) continue;
+      out.time_us = monotonic_us();
+      out.bus = static_cast<int>(i);
+      return true;
+    }
+    return false;
   }
 
   std::string losses() const override {

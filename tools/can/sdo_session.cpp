@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 
 #include "drivers/canopen/eds.h"
 #include "runtime/session_clock.h"
@@ -59,11 +60,28 @@ std::uint32_t SdoAnswer::number() const noexcept {
 SdoSession::SdoSession(CanBus& bus, int node, double timeout_s)
     : bus_(bus), node_(node), client_(node, std::llround(1e6 * timeout_s)) {}
 
+/// Everything that is due now. A block is longer than an interface's queue: what it does not take is waited
+/// for.
+/// @return false when the bus takes nothing.
+bool SdoSession::send_due() {
+  constexpr int kTries = 500;
+  CanFrame request;
+  while (client_.step(monotonic_us(), request)) {
+    int tries = 0;
+    while (!bus_.send(&request, 1) && bus_.last_send_error() == CanSendError::kNoBuffers &&
+           !stop_requested()) {
+      if (++tries == kTries) return false;
+      const timespec wait{0, 1'000'000};
+      nanosleep(&wait, nullptr);
+    }
+  }
+  return true;
+}
+
 SdoAnswer SdoSession::run() {
   constexpr double kTurn_s = 0.001;  // the client looks at its time-out that often
   while (client_.status() == canopen::SdoStatus::kBusy && !stop_requested()) {
-    CanFrame request;
-    while (client_.step(monotonic_us(), request)) bus_.send(&request, 1);
+    if (!send_due()) break;
     if (client_.status() != canopen::SdoStatus::kBusy) break;
     listen(bus_, kTurn_s, [&](const CanFrame& frame) {
       if (frame.error || frame.remote || frame.id != canopen::sdo_server_id(node_)) return true;
@@ -80,18 +98,18 @@ SdoAnswer SdoSession::run() {
   return answer;
 }
 
-SdoAnswer SdoSession::read(canopen::ObjectId object) {
-  client_.read(object);
+SdoAnswer SdoSession::read(canopen::ObjectId object, canopen::SdoService service) {
+  client_.read(object, service);
   return run();
 }
 
 SdoAnswer SdoSession::write(canopen::ObjectId object, const std::vector<std::uint8_t>& bytes) {
-  client_.write(object, bytes.data(), bytes.size());
+  client_.write(object, bytes.data(), bytes.size(), canopen::SdoService::kBlock);
   return run();
 }
 
-SdoAnswer SdoSession::must_read(canopen::ObjectId object) {
-  SdoAnswer answer = read(object);
+SdoAnswer SdoSession::must_read(canopen::ObjectId object, canopen::SdoService service) {
+  SdoAnswer answer = read(object, service);
   if (!answer.done()) fail("reading", object, answer);
   return answer;
 }

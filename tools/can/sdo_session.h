@@ -32,11 +32,13 @@ class SdoSession {
   /// called absent sends people to check cables.
   SdoSession(CanBus& bus, int node, double timeout_s = 0.5);
 
-  SdoAnswer read(canopen::ObjectId object);
+  /// @param service kBlock for what may be long; see SdoService.
+  SdoAnswer read(canopen::ObjectId object, canopen::SdoService service = canopen::SdoService::kPlain);
+  /// Long values go in blocks where the server has them.
   SdoAnswer write(canopen::ObjectId object, const std::vector<std::uint8_t>& bytes);
 
   /// The same for those who cannot go on without. @throws SdoFailed.
-  SdoAnswer must_read(canopen::ObjectId object);
+  SdoAnswer must_read(canopen::ObjectId object, canopen::SdoService service = canopen::SdoService::kPlain);
   void must_write(canopen::ObjectId object, const std::vector<std::uint8_t>& bytes);
 
   int node() const noexcept { return node_; }
@@ -44,6 +46,7 @@ class SdoSession {
 
  private:
   SdoAnswer run();
+  bool send_due();
   [[noreturn]] void fail(const char* what, canopen::ObjectId object, const SdoAnswer& answer) const;
 
   CanBus& bus_;

@@ -62,6 +62,16 @@ TEST(BusLoad, EveryFrameIsCountedAtItsWorstRate) {
   EXPECT_NEAR(bus.share, 0.70766, 1e-9);
 }
 
+TEST(BusLoad, GuardedNodeHasQuestionAndAnswerInWholeCycles) {
+  RobotConfig robot = load_robot("pegasus");
+  robot.actuators[1].watch = NodeWatch::kGuarding;
+  robot.encoder_cards[0].watch = NodeWatch::kGuarding;
+  const BusLoad bus = report_of(robot).buses[0];
+  EXPECT_DOUBLE_EQ(bits_per_s(bus, "fl_hip_motor guarding"), (55 + 65) * 250.0);
+  EXPECT_DOUBLE_EQ(bits_per_s(bus, "fl_card guarding"), (55 + 65) * 250.0);
+  EXPECT_DOUBLE_EQ(bits_per_s(bus, "fl_knee_motor heartbeat"), 65 * 200.0);
+}
+
 double bridge_heartbeats_per_s(double cycle_s, double heartbeat_s) {
   RobotConfig robot = load_robot("single_leg");
   robot.cycle_s = cycle_s;

@@ -67,6 +67,25 @@ TEST(WatchedDrive, WindingThatIsFarTooWarmStopsTheRobot) {
   expect_stop(bench, SafetyCause::kWinding, "hip_motor: its winding is 20 % beyond");
 }
 
+TEST(WatchedDrive, DriveThatSaysThatItIsTooHotStopsTheRobotAndIsShown) {
+  RobotConfig robot = test::two_drive_robot();
+  robot.actuators[0].temperature = {{0x22A2, 0, 2, true, 0.1}, 85.0};
+  robot.battery = {0,  20, {0x6060, 0, 4, false, 1.0}, {0x6081, 0, 1, false, 0.01}, {0x6010, 0, 2, true, 0.1},
+                   0.1};
+  BridgeBench bench(robot);
+  bench.drives[0].objects[{0x22A2, 0}] = 600;
+  ASSERT_TRUE(bench.boot());
+  bench.enable();
+  bench.run(2000);
+  EXPECT_EQ(bench.bridge->safety().level, SafetyLevel::kOperational) << bench.detail();
+  EXPECT_EQ(bench.bridge->auxiliary_state().measured_temperature_degC[0], 60.0);
+  EXPECT_TRUE(std::isnan(bench.bridge->auxiliary_state().measured_temperature_degC[1])) << "it has no sensor";
+  EXPECT_TRUE(std::isnan(bench.bridge->auxiliary_state().battery_voltage_V)) << "there is none on the bus";
+  bench.drives[0].objects[{0x22A2, 0}] = 911;
+  for (int i = 0; i < 1100 && bench.bridge->safety().level == SafetyLevel::kOperational; ++i) bench.tick();
+  expect_stop(bench, SafetyCause::kDriveFault, "hip_motor: 91 degC, robot.yaml allows 85 degC: let it cool");
+}
+
 TEST(WatchedDrive, OneWhoseEmergencyInputIsNotKnownKeepsEveryDriveWithoutPower) {
   RobotConfig robot = test::two_drive_robot();
   robot.actuators[0].emergency_input = {0, false};

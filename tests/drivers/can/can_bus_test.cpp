@@ -24,6 +24,13 @@ TEST(OpenCanBus, RefusesUnknownFormsAndNamesTheKnownOnes) {
   }
 }
 
+TEST(OpenCanBus, OnlyOneOptionOfSocketCanIsKnown) {
+  for (const char* address : {"socketcan:can0?", "socketcan:can0?fd=0", "socketcan:can0?fd=1x",
+                              "socketcan:can0?fd", "socketcan:?fd=1", "socketcan:can0?FD=1"}) {
+    EXPECT_THAT(refusal_of(address), testing::HasSubstr("socketcan:INTERFACE?fd=1")) << address;
+  }
+}
+
 TEST(OpenCanBus, RefusesUdpAddressesWithAnExample) {
   for (const char* address : {"udp:", "udp:239.74.163.2", "udp:239.74.163.2:", "udp:239.74.163.2:99999",
                               "udp:239.74.163.2:12x", "udp:239.74.163.2:-1"}) {

@@ -184,5 +184,11 @@ TEST(ReadInterface, OnlySocketCanAddressesThatAreOneWordAreAskedFor) {
   }
 }
 
+TEST(InterfaceOf, IsTheNameWithoutOptions) {
+  EXPECT_EQ(interface_of("socketcan:can0"), "can0");
+  EXPECT_EQ(interface_of("socketcan:can0?fd=1"), "can0");
+  EXPECT_EQ(interface_of("udp:239.74.163.2:43113"), "");
+}
+
 }  // namespace
 }  // namespace sprung

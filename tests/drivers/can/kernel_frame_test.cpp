@@ -65,5 +65,32 @@ TEST(KernelFrame, LengthBeyondEightIsCut) {
   EXPECT_EQ(frame.length, 8);
 }
 
+TEST(KernelFrame, FdFramesKeepAllOfTheirBytesAndFlags) {
+  CanFdFrame frame;
+  frame.id = 0x123;
+  frame.length = 64;
+  frame.fast = true;
+  for (std::size_t i = 0; i < 64; ++i) frame.data[i] = static_cast<std::uint8_t>(i);
+  const canfd_frame raw = fd_to_kernel(frame);
+  EXPECT_EQ(raw.len, 64);
+  EXPECT_EQ(raw.flags & CANFD_BRS, CANFD_BRS);
+  const CanFdFrame back = fd_from_kernel(raw);
+  EXPECT_EQ(back.id, frame.id);
+  EXPECT_EQ(back.data, frame.data);
+  EXPECT_TRUE(back.fast);
+  EXPECT_FALSE(back.passive || back.extended);
+}
+
+TEST(KernelFrame, FdFramesMayHaveLongIdentifiersAndNoMoreThan64Bytes) {
+  canfd_frame raw{};
+  raw.can_id = 0x18DAF110 | CAN_EFF_FLAG;
+  raw.len = 200;
+  raw.flags = CANFD_ESI;
+  const CanFdFrame frame = fd_from_kernel(raw);
+  EXPECT_TRUE(frame.extended && frame.passive);
+  EXPECT_EQ(frame.id, 0x18DAF110u);
+  EXPECT_EQ(frame.length, 64);
+}
+
 }  // namespace
 }  // namespace sprung

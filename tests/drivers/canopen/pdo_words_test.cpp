@@ -41,11 +41,12 @@ TEST(TransmissionType, EveryTypeHasOneMeaning) {
   for (int type = 0; type <= 255; ++type) {
     EXPECT_EQ(is_sync_type(type), type >= 1 && type <= 240) << type;
     EXPECT_EQ(is_event_type(type), type == 254 || type == 255) << type;
-    EXPECT_EQ(pdo_type_supported(type), (type >= 1 && type <= 240) || type >= 254) << type;
+    EXPECT_EQ(pdo_type_supported(type, false), (type >= 1 && type <= 240) || type >= 254) << type;
+    EXPECT_EQ(pdo_type_supported(type, true), (type >= 1 && type <= 240) || type >= 252) << type;
   }
-  EXPECT_FALSE(pdo_type_supported(kTypeSyncOnChange));
-  EXPECT_FALSE(pdo_type_supported(kTypeRemoteSync));
-  EXPECT_FALSE(pdo_type_supported(kTypeRemote));
+  EXPECT_FALSE(pdo_type_supported(kTypeSyncOnChange, true));
+  EXPECT_TRUE(pdo_answers_remote(0x181));
+  EXPECT_FALSE(pdo_answers_remote(0x181 | kPdoNoRtr));
 }
 
 TEST(InhibitTime, CountsHundredMicroseconds) {

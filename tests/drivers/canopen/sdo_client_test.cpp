@@ -296,5 +296,215 @@ TEST_F(SdoClientTest, EverySegmentHasItsOwnTimeout) {
   EXPECT_TRUE(step(2 * kTimeout_us - 1));
 }
 
+/// A value that is worth a block: 31 bytes, five segments.
+class SdoClientBlockTest : public SdoClientTest {
+ protected:
+  static constexpr std::size_t kLong = 31;
+  SdoClientBlockTest() {
+    for (std::size_t i = 0; i < kLong; ++i) long_.push_back(static_cast<std::uint8_t>(i * 7));
+    crc_ = block_crc(long_.data(), kLong);
+  }
+  CanFrame segment(int sequence, int from, bool last) const {
+    const int count = last ? 3 : 7;
+    return sdo_block_segment(sdo_server_id(3), sequence, &long_[static_cast<std::size_t>(from) * 7], count,
+                             last);
+  }
+  /// Up to the start of the first block.
+  void begin_block_read() {
+    client_.read(kName, SdoService::kBlock);
+    ASSERT_TRUE(step(0));
+    ASSERT_EQ(request_, sdo_block_read_request(3, kName, kBlockWorthwhile));
+    client_.receive(sdo_block_read_begin(3, kName, kLong));
+    ASSERT_TRUE(step(0));
+    ASSERT_EQ(request_, sdo_block_read_start(3));
+    ASSERT_FALSE(step(0));
+  }
+  void begin_block_write(int block_size) {
+    client_.write(kName, long_.data(), kLong, SdoService::kBlock);
+    ASSERT_TRUE(step(0));
+    ASSERT_EQ(request_, sdo_block_write_begin(3, kName, kLong));
+    CanFrame reply = sdo_block_write_reply(3, kName);
+    reply.data[4] = static_cast<std::uint8_t>(block_size);
+    client_.receive(reply);
+  }
+  CanFrame ack(int acknowledged, int block_size) const {
+    CanFrame frame = sdo_block_write_ack(3, acknowledged);
+    frame.data[2] = static_cast<std::uint8_t>(block_size);
+    return frame;
+  }
+  std::vector<std::uint8_t> long_;
+  std::uint16_t crc_ = 0;
+};
+
+TEST_F(SdoClientBlockTest, ReadsABlockAndSaysThatItWasTaken) {
+  begin_block_read();
+  for (int i = 0; i < 5; ++i) {
+    EXPECT_FALSE(step(0));
+    client_.receive(segment(i + 1, i, i == 4));
+  }
+  ASSERT_TRUE(step(0));
+  EXPECT_EQ(request_, sdo_block_read_ack(3, 5));
+  client_.receive(sdo_block_read_end(3, 4, crc_));
+  EXPECT_EQ(client_.status(), SdoStatus::kBusy);
+  ASSERT_TRUE(step(0));
+  EXPECT_EQ(request_, sdo_block_read_taken(3));
+  EXPECT_EQ(client_.status(), SdoStatus::kDone);
+  EXPECT_EQ(bytes(), std::vector<int>(long_.begin(), long_.end()));
+}
+
+TEST_F(SdoClientBlockTest, SegmentThatWasLostIsAskedForAgain) {
+  begin_block_read();
+  client_.receive(segment(1, 0, false));
+  client_.receive(segment(3, 2, false));
+  client_.receive(segment(5, 4, true));
+  ASSERT_TRUE(step(0));
+  EXPECT_EQ(request_, sdo_block_read_ack(3, 1));
+  for (int i = 1; i < 5; ++i) client_.receive(segment(i, i, i == 4));
+  ASSERT_TRUE(step(0));
+  EXPECT_EQ(request_, sdo_block_read_ack(3, 4));
+  client_.receive(sdo_block_read_end(3, 4, crc_));
+  ASSERT_TRUE(step(0));
+  EXPECT_EQ(bytes(), std::vector<int>(long_.begin(), long_.end()));
+}
+
+TEST_F(SdoClientBlockTest, BlockThatBreaksOffIsAcknowledgedAsFarAsItCame) {
+  begin_block_read();
+  client_.receive(segment(1, 0, false));
+  EXPECT_FALSE(step(5)) << "it was heard now";
+  EXPECT_FALSE(step(kTimeout_us + 4));
+  ASSERT_TRUE(step(kTimeout_us + 5));
+  EXPECT_EQ(request_, sdo_block_read_ack(3, 1));
+  EXPECT_EQ(client_.status(), SdoStatus::kBusy);
+}
+
+TEST_F(SdoClientBlockTest, WrongChecksumIsTold) {
+  begin_block_read();
+  for (int i = 0; i < 5; ++i) client_.receive(segment(i + 1, i, i == 4));
+  ASSERT_TRUE(step(0));
+  client_.receive(sdo_block_read_end(3, 4, static_cast<std::uint16_t>(crc_ ^ 1)));
+  step(0);
+  expect_own_abort(kAbortBlockCrc);
+}
+
+TEST_F(SdoClientBlockTest, ServerThatAnswersPlainlyIsReadPlainly) {
+  client_.read(kName, SdoService::kBlock);
+  step(0);
+  client_.receive(sdo_read_begin_reply(3, kName, 9));
+  ASSERT_TRUE(step(0));
+  EXPECT_EQ(request_, sdo_read_segment_request(3, false));
+  client_.read({0x6041, 0}, SdoService::kBlock);
+  step(0);
+  client_.receive(sdo_read_reply(3, {0x6041, 0}, 0x0137, 2));
+  EXPECT_EQ(client_.status(), SdoStatus::kDone);
+  EXPECT_EQ(client_.value(), 0x0137U);
+}
+
+TEST_F(SdoClientBlockTest, ServerWithoutBlocksIsAskedPlainlyAtOnce) {
+  client_.read(kName, SdoService::kBlock);
+  step(0);
+  client_.receive(sdo_server_abort(3, {0, 0}, kAbortCommand));
+  ASSERT_TRUE(step(0));
+  EXPECT_EQ(request_, sdo_read_request(3, kName));
+  client_.write(kName, long_.data(), kLong, SdoService::kBlock);
+  step(0);
+  client_.receive(sdo_server_abort(3, kName, kAbortCommand));
+  ASSERT_TRUE(step(0));
+  EXPECT_EQ(request_, sdo_write_begin(3, kName, kLong));
+}
+
+TEST_F(SdoClientBlockTest, ServerThatIsSilentAboutBlocksIsAskedPlainly) {
+  client_.read(kName, SdoService::kBlock);
+  step(0);
+  ASSERT_TRUE(step(kTimeout_us));
+  EXPECT_EQ(request_, sdo_read_request(3, kName));
+  client_.receive(sdo_block_read_begin(3, kName, kLong));
+  EXPECT_FALSE(step(kTimeout_us)) << "too late";
+  EXPECT_EQ(client_.status(), SdoStatus::kBusy);
+}
+
+TEST_F(SdoClientBlockTest, OtherRefusalsAreTheAnswer) {
+  client_.read(kName, SdoService::kBlock);
+  step(0);
+  client_.receive(sdo_server_abort(3, kName, kAbortNoObject));
+  EXPECT_EQ(client_.status(), SdoStatus::kAborted);
+  EXPECT_EQ(client_.abort_code(), kAbortNoObject);
+}
+
+TEST_F(SdoClientBlockTest, WritesBlocksOfTheServersSize) {
+  begin_block_write(2);
+  const auto expect = [&](int sequence, int at) {
+    const bool last = at == 4;
+    ASSERT_TRUE(step(0));
+    EXPECT_EQ(request_, sdo_block_segment(sdo_client_id(3), sequence,
+                                          &long_[static_cast<std::size_t>(at) * 7], last ? 3 : 7, last));
+  };
+  expect(1, 0);
+  expect(2, 1);
+  EXPECT_FALSE(step(0)) << "waits for the acknowledgement";
+  client_.receive(ack(1, 3));  // the second was lost; the next block may have three
+  expect(1, 1);
+  expect(2, 2);
+  expect(3, 3);
+  EXPECT_FALSE(step(0));
+  client_.receive(ack(3, 3));
+  expect(1, 4);
+  EXPECT_FALSE(step(0));
+  client_.receive(ack(1, 3));
+  ASSERT_TRUE(step(0));
+  EXPECT_EQ(request_, sdo_block_write_end(3, 4, crc_));
+  client_.receive(sdo_block_write_taken(3));
+  EXPECT_EQ(client_.status(), SdoStatus::kDone);
+}
+
+TEST_F(SdoClientBlockTest, ServerWithoutChecksumGetsNone) {
+  client_.write(kName, long_.data(), kLong, SdoService::kBlock);
+  step(0);
+  CanFrame reply = sdo_block_write_reply(3, kName);
+  reply.data[0] = 0xA0;
+  client_.receive(reply);
+  while (step(0)) continue;
+  client_.receive(ack(5, 127));
+  ASSERT_TRUE(step(0));
+  EXPECT_EQ(request_, sdo_block_write_end(3, 4, 0));
+}
+
+TEST_F(SdoClientBlockTest, BlockSizesAndSegmentsThatCannotBeAreAborted) {
+  begin_block_write(0);
+  step(0);
+  expect_own_abort(kAbortBlockSize);
+  begin_block_write(2);
+  while (step(0)) continue;
+  client_.receive(ack(3, 2));
+  step(0);
+  expect_own_abort(kAbortBlockSequence);
+}
+
+TEST_F(SdoClientBlockTest, BlockOfWhichNothingEverArrivesIsGivenUp) {
+  begin_block_write(2);
+  int blocks = 0;
+  while (client_.status() == SdoStatus::kBusy && blocks < 100) {
+    while (step(0)) continue;
+    client_.receive(ack(0, 2));
+    ++blocks;
+  }
+  EXPECT_LT(blocks, 20);
+  EXPECT_EQ(client_.abort_code(), kAbortBlockSequence);
+}
+
+TEST_F(SdoClientBlockTest, FewBytesAreNotWorthABlock) {
+  client_.write(kName, long_.data(), kBlockWorthwhile, SdoService::kBlock);
+  step(0);
+  EXPECT_EQ(request_, sdo_write_begin(3, kName, kBlockWorthwhile));
+}
+
+TEST_F(SdoClientBlockTest, SilenceWithinABlockIsToldAndTriedInSegments) {
+  begin_block_write(2);
+  while (step(0)) continue;
+  ASSERT_TRUE(step(kTimeout_us));
+  EXPECT_EQ(request_, sdo_client_abort(3, kName, kAbortTimeout));
+  ASSERT_TRUE(step(kTimeout_us));
+  EXPECT_EQ(request_, sdo_write_begin(3, kName, kLong));
+}
+
 }  // namespace
 }  // namespace sprung::canopen

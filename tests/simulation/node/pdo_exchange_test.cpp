@@ -186,5 +186,61 @@ TEST_F(PdoExchangeTest, InvalidPdosAndForeignFramesAreIgnored) {
   EXPECT_TRUE(written_.empty());
 }
 
+class RemotePdo : public PdoExchangeTest {
+ protected:
+  /// TPDO1 with the status word alone.
+  void only_status(int type, std::int64_t cob_id = 0x181) {
+    quiet();
+    dictionary_.set({0x1800, 1}, cob_id);
+    map(0x1800, type, {0x60410010});
+  }
+  int ask(std::uint32_t id = 0x181) {
+    CanFrame request;
+    request.id = id;
+    request.length = 2;
+    request.remote = true;
+    exchange_.answer_remote(request);
+    return sent();
+  }
+};
+
+TEST_F(RemotePdo, TypeThatIsAskedForSaysWhatIsNow) {
+  only_status(canopen::kTypeRemote);
+  dictionary_.set({0x6041, 0}, 0x1234);
+  exchange_.sync();
+  exchange_.send_events(1'000'000);
+  EXPECT_EQ(sent(), 0) << "by itself it never comes";
+  dictionary_.set({0x6041, 0}, 0x5678);
+  EXPECT_EQ(ask(), 1);
+  EXPECT_TRUE(last_ == (CanFrame{0x181, 2, {0x78, 0x56}, false}));
+}
+
+TEST_F(RemotePdo, TypeThatIsBoundToSyncSaysWhatWasThen) {
+  for (const int type : {int{canopen::kTypeRemoteSync}, 240}) {
+    only_status(type);
+    dictionary_.set({0x6041, 0}, 0x1234);
+    exchange_.sync();
+    EXPECT_EQ(sent(), 0);
+    dictionary_.set({0x6041, 0}, 0x5678);
+    EXPECT_EQ(ask(), 1);
+    EXPECT_TRUE(last_ == (CanFrame{0x181, 2, {0x34, 0x12}, false})) << type;
+  }
+}
+
+TEST_F(RemotePdo, EventTypeAnswersToo) {
+  only_status(canopen::kTypeEvent);
+  EXPECT_EQ(ask(), 1);
+}
+
+TEST_F(RemotePdo, OneThatForbidsItOrIsSwitchedOffDoesNotAnswer) {
+  only_status(canopen::kTypeRemote, 0x181 | canopen::kPdoNoRtr);
+  EXPECT_EQ(ask(), 0);
+  only_status(canopen::kTypeRemote, 0x181 | canopen::kPdoInvalid);
+  EXPECT_EQ(ask(), 0);
+  only_status(canopen::kTypeRemote);
+  EXPECT_EQ(ask(0x182), 0) << "another node's";
+  EXPECT_EQ(ask(0x201), 0) << "a receive PDO";
+}
+
 }  // namespace
 }  // namespace sprung::sim

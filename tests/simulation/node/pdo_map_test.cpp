@@ -110,11 +110,13 @@ TEST_F(PdoMapTest, IdentifierIsChangedOnlyWhileInvalidAndWithinItsRange) {
   EXPECT_EQ(write(0x1800, 1, 0x57F, 4), 0U);
 }
 
-TEST_F(PdoMapTest, ReservedAndRemoteRequestTypesAreRefused) {
-  for (const std::uint32_t type : {0U, 1U, 240U, 254U, 255U})
+TEST_F(PdoMapTest, ReservedTypesAndThoseThatReceiveNothingAreRefused) {
+  for (const std::uint32_t type : {0U, 1U, 240U, 252U, 253U, 254U, 255U})
     EXPECT_EQ(write(0x1800, 2, type, 1), 0U) << type;
-  for (std::uint32_t type = 241; type <= 253; ++type)
+  for (std::uint32_t type = 241; type <= 251; ++type)
     EXPECT_EQ(write(0x1800, 2, type, 1), canopen::kAbortRange) << type;
+  for (const std::uint32_t type : {252U, 253U})
+    EXPECT_EQ(write(0x1400, 2, type, 1), canopen::kAbortRange) << type;
 }
 
 TEST_F(PdoMapTest, InhibitTimeIsChangedOnlyWhileInvalid) {

@@ -5,9 +5,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 
 #include "drivers/canopen/protocol.h"
+#include "drivers/canopen/sdo_server.h"
 #include "tests/support/device_thread.h"
 #include "tools/can/node_inspection.h"
 
@@ -108,6 +110,67 @@ TEST_F(SdoSessionTest, InspectionLeavesOutWhatTheNodeHasNot) {
   ASSERT_EQ(report.size(), 1u);  // no identity objects
   EXPECT_EQ(report[0].name, "device name");
   EXPECT_EQ(report[0].text, "\"a long name\"");
+}
+
+/// A device with one long object, in a thread of its own.
+class LongObject : public testing::Test, protected canopen::SdoObjects {
+ protected:
+  std::uint32_t read(canopen::ObjectId, std::uint8_t* bytes, std::size_t,
+                     std::size_t& size) noexcept override {
+    size = value_.size();
+    std::copy(value_.begin(), value_.end(), bytes);
+    return 0;
+  }
+  std::uint32_t write(canopen::ObjectId, const std::uint8_t* bytes, std::size_t size,
+                      bool) noexcept override {
+    value_.assign(bytes, bytes + size);
+    return 0;
+  }
+  void hear(const CanFrame& frame) {
+    if (frame.id != canopen::sdo_client_id(kNode)) return;
+    const bool block = canopen::decode_sdo_request(frame).kind >= canopen::SdoKind::kBlockDownloadBegin;
+    blocks_ += block ? 1 : 0;
+    CanFrame out;
+    if (block && !has_blocks_) {
+      out = canopen::sdo_server_abort(kNode, {0, 0}, canopen::kAbortCommand);
+      wire_->send(&out, 1);
+      return;
+    }
+    if (server_.receive(frame, 0, out)) wire_->send(&out, 1);
+    while (server_.step(0, out)) wire_->send(&out, 1);
+  }
+
+  std::vector<std::uint8_t> value_;
+  std::atomic<bool> has_blocks_{true};
+  std::atomic<int> blocks_{0};
+  canopen::SdoServer server_{kNode, *this};
+  std::unique_ptr<CanBus> bus_ = open_can_bus("memory:sdo_session_long_test");
+  std::unique_ptr<CanBus> wire_ = open_can_bus("memory:sdo_session_long_test");
+  test::DeviceThread device_{*wire_, [this](const CanFrame& frame) { hear(frame); }};
+};
+
+TEST_F(LongObject, TravelsInBlocks) {
+  SdoSession session(*bus_, kNode, 5.0);
+  const std::vector<std::uint8_t> bytes(3000, 0x5A);
+  session.must_write({0x2100, 0}, bytes);
+  EXPECT_GT(blocks_, 0);
+  EXPECT_EQ(session.must_read({0x2100, 0}, canopen::SdoService::kBlock).bytes, bytes);
+}
+
+TEST_F(LongObject, TravelsInSegmentsWhereTheServerHasNoBlocks) {
+  has_blocks_ = false;
+  SdoSession session(*bus_, kNode, 5.0);
+  const std::vector<std::uint8_t> bytes(3000, 0x5A);
+  session.must_write({0x2100, 0}, bytes);
+  EXPECT_EQ(session.must_read({0x2100, 0}, canopen::SdoService::kBlock).bytes, bytes);
+  EXPECT_EQ(blocks_, 2) << "asked once each";
+}
+
+TEST_F(LongObject, ShortReadsDoNotAskForBlocks) {
+  SdoSession session(*bus_, kNode, 5.0);
+  session.must_write({0x2100, 0}, {1, 2, 3, 4});
+  EXPECT_EQ(session.must_read({0x2100, 0}).number(), 0x04030201U);
+  EXPECT_EQ(blocks_, 0);
 }
 
 }  // namespace

@@ -149,4 +149,22 @@ std::string candump_line(const ObservedFrame& observed, const std::string& inter
   return line;
 }
 
+std::string candump_fd_line(const ObservedFdFrame& observed, const std::string& interface,
+                            std::int64_t time_us) {
+  const CanFdFrame& frame = observed.frame;
+  char text[96];
+  std::snprintf(text, sizeof text, "(%010" PRId64 ".%06" PRId64 ") ", time_us / 1'000'000,
+                time_us % 1'000'000);
+  std::string line = text + interface;
+  const int flags = (frame.fast ? 1 : 0) | (frame.passive ? 2 : 0);
+  std::snprintf(text, sizeof text, frame.extended ? " %08X##%X" : " %03X##%X",
+                static_cast<unsigned>(frame.id), static_cast<unsigned>(flags));
+  line += text;
+  for (int i = 0; i < frame.length; ++i) {
+    std::snprintf(text, sizeof text, "%02X", frame.data[static_cast<std::size_t>(i)]);
+    line += text;
+  }
+  return line;
+}
+
 }  // namespace sprung::cantools

@@ -26,4 +26,8 @@ CandumpLine parse_candump(const std::string& line, std::string& interface, Obser
 /// Log format, without a line's end. @param utc_us microseconds since 1970, or any other beginning, >= 0.
 std::string candump_line(const ObservedFrame& frame, const std::string& interface, std::int64_t utc_us);
 
+/// A CAN FD frame the same way, e.g. "(1700000000.000123) can0 123##1DEADBEEF": behind ## 1 = BRS, 2 = ESI.
+std::string candump_fd_line(const ObservedFdFrame& observed, const std::string& interface,
+                            std::int64_t time_us);
+
 }  // namespace sprung::cantools

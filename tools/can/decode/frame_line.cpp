@@ -18,14 +18,18 @@ const char* direction_name(Direction direction) {
   return direction == Direction::kReceived ? "received" : "unknown";
 }
 
-std::string data_text(const CanFrame& frame) {
+std::string hex_text(const std::uint8_t* bytes, int count) {
   std::string text;
-  for (int i = 0; i < frame.length && !frame.remote; ++i) {
+  for (int i = 0; i < count; ++i) {
     char pair[4];
-    std::snprintf(pair, sizeof pair, "%02X", frame.data[i]);
+    std::snprintf(pair, sizeof pair, "%02X", bytes[i]);
     text += pair;
   }
   return text;
+}
+
+std::string data_text(const CanFrame& frame) {
+  return frame.remote ? "" : hex_text(frame.data.data(), frame.length);
 }
 
 Json field_json(const DecodedField& field) {
@@ -74,6 +78,29 @@ Json frame_json(const ObservedFrame& observed, const DecodedFrame& decoded, cons
   if (decoded.node >= 0) out["node"] = decoded.node;
   for (const DecodedField& field : decoded.fields) out["fields"].push_back(field_json(field));
   return out;
+}
+
+std::string fd_frame_line(const ObservedFdFrame& observed, const std::string& bus, std::int64_t begin_us) {
+  const CanFdFrame& frame = observed.frame;
+  char head[96];
+  std::snprintf(head, sizeof head,
+                frame.extended ? "%13.6f %-6s    %08X CAN FD [%d]" : "%13.6f %-6s    %03X CAN FD [%d]",
+                static_cast<double>(observed.time_us - begin_us) * 1e-6, bus.c_str(),
+                static_cast<unsigned>(frame.id), frame.length);
+  return std::string(head) + (frame.fast ? " BRS" : "") + (frame.passive ? " ESI" : "") +
+         (frame.length == 0 ? "" : " " + hex_text(frame.data.data(), frame.length));
+}
+
+Json fd_frame_json(const ObservedFdFrame& observed, const std::string& bus, std::int64_t begin_us) {
+  const CanFdFrame& frame = observed.frame;
+  return {{"time_us", observed.time_us - begin_us},
+          {"bus", bus},
+          {"id", frame.id},
+          {"extended", frame.extended},
+          {"data", hex_text(frame.data.data(), frame.length)},
+          {"kind", "CAN FD"},
+          {"bit_rate_switch", frame.fast},
+          {"error_passive", frame.passive}};
 }
 
 }  // namespace sprung::cantools

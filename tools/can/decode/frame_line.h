@@ -18,4 +18,9 @@ nlohmann::ordered_json frame_json(const ObservedFrame& observed, const DecodedFr
 /// null where there is none.
 nlohmann::ordered_json number_json(const ObjectValue& value);
 
+/// A CAN FD frame: identifier, length, BRS and ESI where they are set, bytes. @param begin_us as above.
+std::string fd_frame_line(const ObservedFdFrame& observed, const std::string& bus, std::int64_t begin_us);
+nlohmann::ordered_json fd_frame_json(const ObservedFdFrame& observed, const std::string& bus,
+                                     std::int64_t begin_us);
+
 }  // namespace sprung::cantools

@@ -70,6 +70,44 @@ std::string node_trouble(const sprung_msgs::node_health_t& node) {
   return text;
 }
 
+Json auxiliary_json(const RobotConfig& robot, const std::optional<sprung_msgs::auxiliary_state_t>& state) {
+  if (!state) return nullptr;
+  const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
+  Json out{{"temperatures_degC", Json::object()}, {"battery", nullptr}};
+  for (std::size_t i = 0; i < state->measured_temperature_degC.size() && i < robot.actuators.size(); ++i) {
+    if (robot.actuators[i].temperature.reading.index != 0)
+      out["temperatures_degC"][robot.actuators[i].name] = number(state->measured_temperature_degC[i]);
+  }
+  if (robot.battery.bus < 0) return out;
+  out["battery"] = {{"voltage_V", number(state->battery_voltage_V)},
+                    {"charge_share", number(state->battery_charge_share)},
+                    {"temperature_degC", number(state->battery_temperature_degC)},
+                    {"low", state->battery_charge_share < robot.battery.min_charge_share}};
+  return out;
+}
+
+std::vector<std::string> auxiliary_lines(const Json& auxiliary) {
+  std::vector<std::string> lines;
+  if (auxiliary.is_null()) return lines;
+  const auto text = [](const Json& value, double scale, const char* unit) {
+    char buffer[32];
+    if (!value.is_number()) return std::string("?") + unit;
+    std::snprintf(buffer, sizeof buffer, "%.3g%s", scale * value.get<double>(), unit);
+    return std::string(buffer);
+  };
+  const Json& battery = auxiliary["battery"];
+  if (!battery.is_null())
+    lines.push_back("battery " + text(battery["charge_share"], 100.0, " %, ") +
+                    text(battery["voltage_V"], 1.0, " V, ") +
+                    text(battery["temperature_degC"], 1.0, " degC") +
+                    (battery["low"].get<bool>() ? "; LOW: let the robot sit, then charge" : ""));
+  std::string drives;
+  for (const auto& [name, value] : auxiliary["temperatures_degC"].items())
+    drives += (drives.empty() ? "" : ", ") + name + " " + text(value, 1.0, " degC");
+  if (!drives.empty()) lines.push_back("drives  " + drives);
+  return lines;
+}
+
 Json buses_json(const RobotConfig& robot, const sprung_msgs::bus_state_t& state) {
   Json out = Json::array();
   for (std::size_t i = 0; i < state.buses.size() && i < robot.buses.size(); ++i) {

@@ -45,6 +45,11 @@ std::string recovery_text(const sprung_msgs::node_health_t& node);
 /// What a node has had: "2 emergencies (last 0x8130 ...), 3 samples missing"; "" where all is well.
 std::string node_trouble(const sprung_msgs::node_health_t& node);
 
+/// Drives' temperatures by name, and the battery; null where nothing was heard of them.
+nlohmann::ordered_json auxiliary_json(const RobotConfig& robot,
+                                      const std::optional<sprung_msgs::auxiliary_state_t>& state);
+/// The same in lines for people; none where there is nothing.
+std::vector<std::string> auxiliary_lines(const nlohmann::ordered_json& auxiliary);
 nlohmann::ordered_json buses_json(const RobotConfig& robot, const sprung_msgs::bus_state_t& state);
 nlohmann::ordered_json nodes_json(const RobotConfig& robot, const sprung_msgs::bus_state_t& state);
 /// @param age_s since it was heard: keys age_s, stale.

@@ -37,11 +37,10 @@ void append(std::vector<Check>& checks, const std::vector<Check>& more) {
 }
 
 std::vector<doctor::BusFacts> read_buses(const RobotConfig& robot) {
-  constexpr const char* kSocketCan = "socketcan:";
   std::vector<doctor::BusFacts> buses;
   for (const BusConfig& bus : robot.buses) {
-    if (bus.can.rfind(kSocketCan, 0) == 0)
-      buses.push_back({bus.name, bus.can.substr(std::string(kSocketCan).size()), read_interface(bus.can)});
+    const std::string interface = interface_of(bus.can);
+    if (!interface.empty()) buses.push_back({bus.name, interface, read_interface(bus.can)});
   }
   return buses;
 }

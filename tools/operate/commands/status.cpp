@@ -50,6 +50,7 @@ struct Heard {
   Newest<sprung_msgs::joint_state_t> joints;
   Newest<sprung_msgs::safety_state_t> safety;
   Newest<sprung_msgs::bus_state_t> buses;
+  Newest<sprung_msgs::auxiliary_state_t> auxiliary;
   std::int64_t end_us = 0;
 };
 
@@ -80,6 +81,7 @@ Heard listen(const RunInfo& info, const RobotConfig& robot) {
   InputQueue<sprung_msgs::joint_state_t> joint_states(64);  // only the newest counts
   InputQueue<sprung_msgs::safety_state_t> safeties(256);
   InputQueue<sprung_msgs::bus_state_t> buses(256);
+  InputQueue<sprung_msgs::auxiliary_state_t> auxiliaries(16);
   Heard heard;
   Node node({info.lcm_url, info.session, info.epoch_us, {}});
   node.subscribe_message(channels::kProcessStatus, CountLimits::none(), processes);
@@ -89,6 +91,8 @@ Heard listen(const RunInfo& info, const RobotConfig& robot) {
   node.subscribe_message(channels::kSafetyState, CountLimits::none(), safeties);
   const std::size_t nodes = robot.actuators.size() + robot.encoder_cards.size();
   node.subscribe_message(channels::kBusState, CountLimits::exactly(robot.buses.size(), nodes), buses);
+  node.subscribe_message(channels::kAuxiliaryState, CountLimits::exactly(robot.actuators.size()),
+                         auxiliaries);
   node.start();
   const std::int64_t begin_us = node.utime_us();
   std::int64_t now_us = begin_us;
@@ -104,6 +108,7 @@ Heard listen(const RunInfo& info, const RobotConfig& robot) {
     heard.joints.take(joint_states, now_us);
     heard.safety.take(safeties, now_us);
     heard.buses.take(buses, now_us);
+    heard.auxiliary.take(auxiliaries, now_us);
   }
   heard.end_us = node.utime_us();
   return heard;
@@ -165,6 +170,7 @@ Json status_json(const RunInfo& info, const RobotConfig& robot, const Heard& hea
   const auto& buses = heard.buses.message;
   out["buses"] = buses ? buses_json(robot, *buses) : Json::array();
   out["nodes"] = buses ? nodes_json(robot, *buses) : Json::array();
+  out["auxiliary"] = auxiliary_json(robot, heard.auxiliary.message);
   out["motion"] = motion_json(robot, heard.motion.message, heard.motion.age_s(heard.end_us));
   out["body"] = body_json(robot, heard.joints.message, heard.joints.age_s(heard.end_us));
   return out;
@@ -225,6 +231,7 @@ void print_table(const Json& status) {
   std::printf("%s\n", safety_text(status["safety"]).c_str());
   for (const std::string& line : motion_lines(status["motion"], status["body"]))
     std::printf("%s\n", line.c_str());
+  for (const std::string& line : auxiliary_lines(status["auxiliary"])) std::printf("%s\n", line.c_str());
   print_buses(status);
 }
 

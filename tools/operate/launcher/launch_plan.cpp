@@ -10,6 +10,7 @@ namespace sprung {
 namespace {
 
 constexpr const char* kSimDrives = "sprung-sim-drives";
+constexpr const char* kImuDriver = "sprung-imu-driver";
 
 void add_each(std::vector<std::string>& arguments, const std::string& option,
               const std::vector<std::string>& values) {
@@ -62,8 +63,13 @@ void add_simulation_options(PlannedProcess& sim, const LaunchRequest& request) {
   }
 }
 
+/// Simulated drives publish IMU themselves: two would be one too many.
+bool is_wanted(const ProcessConfig& process, const LaunchRequest& request) {
+  return process.program != kImuDriver || !(request.simulation || request.simulated_elsewhere);
+}
+
 bool is_here(const ProcessConfig& process, const LaunchRequest& request) {
-  return process.host == request.host;
+  return process.host == request.host && is_wanted(process, request);
 }
 
 void refuse_unknown_host(const LaunchRequest& request, const RobotConfig& robot) {
@@ -157,7 +163,8 @@ std::vector<PlannedProcess> plan_processes(const LaunchRequest& request, const R
 std::vector<RemoteProcess> remote_processes(const LaunchRequest& request, const RobotConfig& robot) {
   std::vector<RemoteProcess> remote;
   for (const ProcessConfig& config : robot.processes) {
-    if (!is_here(config, request)) remote.push_back({config.program, config.host});
+    if (is_wanted(config, request) && !is_here(config, request))
+      remote.push_back({config.program, config.host});
   }
   return remote;
 }

@@ -161,11 +161,11 @@ TEST(Epos2Drive, PositionModeIsTheSpringAndDamperOfItsUnits) {
   EXPECT_NEAR(bench.drive->motor_torque_Nm(), -0.02 * 500 - 0.2 * 30, 0.8);
 }
 
-TEST(Epos2Drive, ModesThatAreNotSimulatedAreNotShown) {
+TEST(Epos2Drive, ModesThatAreNotSimulatedAreRefusedAndNotShown) {
   DriveBench bench;
   bench.start(kModeCurrent);
-  for (const int mode : {1, 3, 6, 7, -2, 10}) {
-    bench.write(canopen::kMode, mode, 1);
+  for (const int mode : {6, 7, -4, 10}) {
+    EXPECT_EQ(bench.try_write(canopen::kMode, mode, 1), canopen::kAbortRange) << mode;
     bench.run(0.01);
     EXPECT_EQ(static_cast<std::int8_t>(bench.read(canopen::kModeDisplay)), kModeCurrent) << mode;
   }

@@ -168,9 +168,12 @@ TEST_F(GoldDriveTest, GoesOnAsFastAsBeforeWithoutSetPointsAndThenFaults) {
   EXPECT_EQ(status() & 0x4F, 0x08);
 }
 
-TEST_F(GoldDriveTest, UnknownModeIsNotShown) {
+TEST_F(GoldDriveTest, UnknownModeIsRefusedAndNotShown) {
   start(10);
-  write(canopen::kMode, 3, 1);
+  out_.clear();
+  drive_.receive(canopen::sdo_write_request(4, {canopen::kMode, 0}, 3, 1), time_us_);
+  ASSERT_EQ(out_.size(), 1);
+  EXPECT_EQ(canopen::decode_sdo_reply(out_[0].frame).value, canopen::kAbortRange);
   run(2);
   EXPECT_EQ(read(canopen::kModeDisplay, ObjectType::kI8), 10);
   write(canopen::kMode, 8, 1);

@@ -108,5 +108,21 @@ TEST(CandumpText, LineIsThatOfCandump) {
   EXPECT_EQ(candump_line(frame, "can0", 1'000'000'012'345'678), "(1000000012.345678) can0 081#3081");
 }
 
+TEST(CandumpText, FdFramesAreWrittenAsCandumpDoes) {
+  ObservedFdFrame observed;
+  observed.frame.id = 0x123;
+  observed.frame.length = 12;
+  observed.frame.fast = true;
+  observed.frame.data[0] = 0xDE;
+  const std::string line = candump_fd_line(observed, "can0", 1'700'000'000'000'123);
+  EXPECT_EQ(line, "(1700000000.000123) can0 123##1DE0000000000000000000000");
+  std::string interface;
+  ObservedFrame classic;
+  EXPECT_EQ(parse_candump(line, interface, classic), CandumpLine::kForeign);
+  observed.frame.extended = true;
+  observed.frame.passive = true;
+  EXPECT_EQ(candump_fd_line(observed, "can0", 0).substr(20, 18), " can0 00000123##3D");
+}
+
 }  // namespace
 }  // namespace sprung::cantools

@@ -87,5 +87,17 @@ TEST(NumberJson, WideNumbersStayUnsignedAndTextsAreNull) {
   EXPECT_TRUE(number_json({std::nullopt, "\"text\"", "", false}).is_null());
 }
 
+TEST(FdFrameLine, SaysWhatItIsAndDecodesNothing) {
+  ObservedFdFrame observed;
+  observed.time_us = 1'500'000;
+  observed.frame.id = 0x181;
+  observed.frame.length = 12;
+  observed.frame.fast = true;
+  observed.frame.data[0] = 0xAB;
+  EXPECT_EQ(fd_frame_line(observed, "leg", 1'000'000),
+            "     0.500000 leg       181 CAN FD [12] BRS AB0000000000000000000000");
+  EXPECT_EQ(fd_frame_json(observed, "leg", 0).at("bit_rate_switch"), true);
+}
+
 }  // namespace
 }  // namespace sprung::cantools

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <cstring>
 #include <nlohmann/json.hpp>
 
@@ -62,6 +63,28 @@ TEST(HealthReport, JsonHoldsTheCountersByTheirNames) {
   EXPECT_EQ(json[0]["implausible_samples"], 7);
   EXPECT_EQ(json[0]["nmt_state"], "operational");
   EXPECT_TRUE(json[0]["bus"].is_null()) << "the robot has no such bus";
+}
+
+TEST(HealthReport, TemperaturesAndBatteryAreShownWhereTheRobotHasThem) {
+  RobotConfig robot;
+  robot.actuators.resize(2);
+  robot.actuators[0].name = "hip_motor";
+  robot.actuators[0].temperature.reading.index = 0x22A2;
+  robot.actuators[1].name = "knee_motor";
+  robot.battery.bus = 0;
+  robot.battery.min_charge_share = 0.15;
+  sprung_msgs::auxiliary_state_t state{};
+  state.measured_temperature_degC = {41.25, 20.0};
+  state.battery_voltage_V = 47.5;
+  state.battery_charge_share = 0.12;
+  state.battery_temperature_degC = std::nan("");
+  const auto json = auxiliary_json(robot, state);
+  EXPECT_EQ(json["temperatures_degC"].dump(), R"({"hip_motor":41.25})");
+  EXPECT_TRUE(json["battery"]["temperature_degC"].is_null());
+  EXPECT_THAT(auxiliary_lines(json),
+              testing::ElementsAre("battery 12 %, 47.5 V, ? degC; LOW: let the robot sit, then charge",
+                                   "drives  hip_motor 41.2 degC"));
+  EXPECT_TRUE(auxiliary_lines(auxiliary_json(robot, std::nullopt)).empty());
 }
 
 TEST(HealthReport, RecoveryTextMayFillItsField) {

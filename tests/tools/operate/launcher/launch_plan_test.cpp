@@ -39,6 +39,20 @@ TEST_F(LaunchPlan, BridgeComesLastAndSimulatedDrivesFirst) {
   EXPECT_EQ(all.size(), robot_.processes.size() + 1);
 }
 
+TEST_F(LaunchPlan, RealImuIsReadOnARealRobotAlone) {
+  robot_.processes.push_back({"sprung-imu-driver", 40, -1, RestartPolicy::kNever, ""});
+  const auto has_driver = [this] {
+    const auto all = plan();
+    return std::any_of(all.begin(), all.end(),
+                       [](const PlannedProcess& p) { return p.program == "sprung-imu-driver"; });
+  };
+  EXPECT_TRUE(has_driver());
+  request_.simulation = true;
+  EXPECT_FALSE(has_driver()) << "simulated drives publish IMU";
+  robot_.processes.back().host = "head";
+  EXPECT_TRUE(remote_processes(request_, robot_).empty());
+}
+
 TEST_F(LaunchPlan, RealRobotHasNoSimulatedDrives) {
   for (const PlannedProcess& planned : plan()) {
     EXPECT_NE(planned.program, "sprung-sim-drives");

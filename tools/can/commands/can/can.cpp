@@ -1,5 +1,6 @@
 #include <cstdio>
 
+#include "drivers/can/can_interface.h"
 #include "robots/robot_loader.h"
 #include "tools/can/commands/can/can_commands.h"
 #include "tools/commands.h"
@@ -25,9 +26,7 @@ std::optional<RobotConfig> robot_of_log(const std::string& path) {
 BusNames names_of(const std::optional<RobotConfig>& robot) {
   if (!robot) return {};
   BusNames names{cantools::describe_buses(*robot), {}};
-  const std::string kernel = "socketcan:";
-  for (const BusConfig& bus : robot->buses)
-    names.interfaces.push_back(bus.can.rfind(kernel, 0) == 0 ? bus.can.substr(kernel.size()) : "");
+  for (const BusConfig& bus : robot->buses) names.interfaces.push_back(interface_of(bus.can));
   return names;
 }
 

@@ -61,6 +61,13 @@ class Printer {
     std::printf("%s\n", line_of(frame, decoded).c_str());
     return request_.count == 0 || ++printed_ < request_.count;
   }
+  /// CAN FD has no node and no service, so that no filter lets it through.
+  bool print(const cantools::ObservedFdFrame& frame) {
+    if ((bus_ >= 0 && frame.bus != bus_) || !request_.filters.empty()) return true;
+    if (begin_us_ < 0) begin_us_ = frame.time_us;
+    std::printf("%s\n", line_of(frame).c_str());
+    return request_.count == 0 || ++printed_ < request_.count;
+  }
 
  private:
   std::string line_of(const ObservedFrame& frame, const cantools::DecodedFrame& decoded) const {
@@ -68,6 +75,13 @@ class Printer {
     if (request_.raw) return cantools::candump_line(frame, bus, frame.time_us + source_.utc_offset_us());
     if (request_.as_json) return cantools::frame_json(frame, decoded, bus, begin_us_).dump();
     return cantools::frame_line(frame, decoded, bus, begin_us_);
+  }
+
+  std::string line_of(const cantools::ObservedFdFrame& frame) const {
+    const std::string& bus = source_.buses()[frame.bus];
+    if (request_.raw) return cantools::candump_fd_line(frame, bus, frame.time_us + source_.utc_offset_us());
+    if (request_.as_json) return cantools::fd_frame_json(frame, bus, begin_us_).dump();
+    return cantools::fd_frame_line(frame, bus, begin_us_);
   }
 
   const DumpRequest& request_;
@@ -85,6 +99,15 @@ std::unique_ptr<FrameSource> open_source(const DumpRequest& request, const std::
   return open_file_source(request.log, names.description.buses, names.interfaces);
 }
 
+/// @return false when no more is wanted.
+bool print_fd(FrameSource& source, Printer& printer) {
+  cantools::ObservedFdFrame frame;
+  while (source.next_fd(frame)) {
+    if (!printer.print(frame)) return false;
+  }
+  return true;
+}
+
 /// Until the end of the file, enough lines, or a stop; a live bus may also be silent to its end.
 void print_all(FrameSource& source, Printer& printer, const DumpRequest& request) {
   const bool ends = request.log.empty() && request.for_s > 0.0;
@@ -94,6 +117,7 @@ void print_all(FrameSource& source, Printer& printer, const DumpRequest& request
     const FrameSource::Read read = source.next(frame, kTimeout_ms);
     if (read == FrameSource::Read::kEnd) break;
     if (read == FrameSource::Read::kFrame && !printer.print(frame)) break;
+    if (!print_fd(source, printer)) break;
     if (read == FrameSource::Read::kNothingYet) std::fflush(stdout);
   }
   std::fflush(stdout);
@@ -119,8 +143,10 @@ void add_can_dump(CommandLine& can) {
   dump.option("robot", request->where.robot,
               "name of a folder in robots/, or a folder; default: the one that is up, or the log's");
   dump.option("--bus", request->where.bus, "only this bus");
-  dump.option("--can", request->where.can,
-              "ADDRESS or BUS=ADDRESS instead of robot.yaml's: socketcan:can0, udp:GROUP:PORT");
+  dump.option(
+      "--can", request->where.can,
+      "ADDRESS or BUS=ADDRESS instead of robot.yaml's: socketcan:can0, socketcan:can0?fd=1 for CAN FD "
+      "too, udp:GROUP:PORT");
   dump.option("--log", request->log, "read this LCM log or candump file instead of a live bus");
   dump.flag("--raw", request->raw, "undecoded, in the format of candump -L");
   dump.option("--filter", request->filters,

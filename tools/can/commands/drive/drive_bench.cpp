@@ -105,4 +105,9 @@ std::string object_name(const NodeDescription& node, canopen::ObjectId object) {
   return described(node, object) != nullptr ? node.eds->name_of(object) : canopen::object_name(object.index);
 }
 
+canopen::SdoService service_for(const canopen::EdsObject* object) noexcept {
+  const bool may_be_long = object != nullptr && canopen::type_bytes(object->type) == 0;
+  return may_be_long ? canopen::SdoService::kBlock : canopen::SdoService::kPlain;
+}
+
 }  // namespace sprung::commands

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "drivers/can/can_bus.h"
+#include "drivers/canopen/sdo_client.h"
 #include "tools/can/bus_choice.h"
 #include "tools/can/decode/bus_description.h"
 #include "tools/can/decode/object_value.h"
@@ -45,5 +46,7 @@ class DriveBench {
 /// nullptr where no EDS has the object.
 const canopen::EdsObject* described(const cantools::NodeDescription& node, canopen::ObjectId object);
 std::string object_name(const cantools::NodeDescription& node, canopen::ObjectId object);
+/// How to read an object: texts and domains may be long. @param object nullptr where it is not described.
+canopen::SdoService service_for(const canopen::EdsObject* object) noexcept;
 
 }  // namespace sprung::commands

@@ -54,7 +54,7 @@ int run_read(const DriveRequest& request) {
   Json all = Json::array();
   for (const std::string& text : request.objects) {
     const canopen::ObjectId object = cantools::find_object(text, node.eds.get());
-    const SdoAnswer answer = session.must_read(object);
+    const SdoAnswer answer = session.must_read(object, service_for(described(node, object)));
     const cantools::ObjectValue value = cantools::object_value(described(node, object), object,
                                                                answer.bytes.data(), answer.bytes.size());
     all.push_back(value_json(node, object, value));

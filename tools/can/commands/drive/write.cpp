@@ -17,7 +17,7 @@ using cantools::NodeDescription;
 
 /// The text of what the object holds now; why not, where it cannot be read.
 std::string held(SdoSession& session, const canopen::EdsObject& object) {
-  const SdoAnswer answer = session.read(object.id);
+  const SdoAnswer answer = session.read(object.id, service_for(&object));
   if (!answer.done()) return "not readable";
   return with_unit(cantools::object_value(&object, object.id, answer.bytes.data(), answer.bytes.size()));
 }
