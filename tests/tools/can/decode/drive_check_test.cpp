@@ -30,7 +30,7 @@ TEST(DriveCheck, ExpectsWhatTheBridgeWrites) {
       std::map<std::uint32_t, std::uint32_t> written;
       for (const BootStep& step :
            make_boot_script(identity, *node_profile(node, timing), node.node, node.actuator.has_value())) {
-        const bool checked = step.kind == BootStep::Kind::kVerify ||
+        const bool checked = step.kind == BootStep::Kind::kVerify || step.kind == BootStep::Kind::kAdopt ||
                              step.kind == BootStep::Kind::kWriteAndVerify;
         if (checked) written[key(step.setting.object)] = step.setting.value;
       }
