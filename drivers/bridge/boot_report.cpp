@@ -28,6 +28,10 @@ void report_boot(const NodeLink& link, std::vector<std::string>& lines) {
                   link.name().c_str(), boot.firmware());
     lines.emplace_back(text);
   }
+  if (boot.guarded_instead())
+    lines.push_back(link.name() +
+                    ": refuses to watch the bridge's heartbeat (0x1016); node guarding does it "
+                    "instead, as with watch: guarding in robot.yaml");
   std::string overwritten;
   for (const Overwritten& one : boot.overwritten())
     overwritten += (overwritten.empty() ? "" : ", ") + object_text(one);

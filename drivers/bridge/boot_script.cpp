@@ -61,7 +61,12 @@ std::vector<BootStep> make_boot_script(const IdentityConfig& identity, const Nod
     script.push_back({Kind::kWrite, {{canopen::kControlWord, 0}, 2, cia402::kDisableVoltageWord, false}});
   if (const std::uint32_t modes = profile.required_modes(); modes != 0)
     script.push_back({Kind::kRequireBits, {{canopen::kSupportedModes, 0}, 4, modes, false}});
-  for (const DriveSetting& setting : profile.settings()) script.push_back({Kind::kAdopt, setting});
+  for (const DriveSetting& setting : profile.settings()) {
+    script.push_back({Kind::kAdopt, setting});
+    if (setting.object.index != canopen::kHeartbeatConsumer) continue;
+    for (const DriveSetting& instead : profile.guarding_instead())
+      script.push_back({Kind::kAdoptInstead, instead});
+  }
   for (const PdoSetting& pdo : profile.pdos()) remap(pdo, node, script);
   if (has_power) script.push_back({Kind::kShowMode, {{canopen::kModeDisplay, 0}, 1, 0, true}});
   return script;

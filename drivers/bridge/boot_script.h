@@ -17,6 +17,7 @@ struct BootStep {
     kRequireBits,     ///< read; must have every bit of value
     kWrite,           ///< write only
     kAdopt,           ///< read what there was, write, read back; must equal value
+    kAdoptInstead,    ///< the same, only where the heartbeat consumer before it was refused
     kWriteAndVerify,  ///< write, read back; must equal value
     kShowMode,        ///< read the mode display: its PDO comes on change only
   };

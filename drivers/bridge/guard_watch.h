@@ -14,6 +14,11 @@ class GuardWatch {
   GuardWatch(bool guarded, std::int64_t period_us) noexcept : guarded_(guarded), period_us_(period_us) {}
 
   bool guarded() const noexcept { return guarded_; }
+  /// From now on, as the node was found to need; the bits of its answers begin anew.
+  void set_guarded(bool guarded) noexcept {
+    if (guarded_ != guarded) restart();
+    guarded_ = guarded;
+  }
   /// The node's communication was reset: its next answer has toggle 0.
   void restart() noexcept;
   /// Once a cycle while the node is to be watched. @param cycle_us questions come rather early than late, so

@@ -16,8 +16,10 @@ using Kind = BootStep::Kind;
 constexpr std::int64_t kBootUpTimeout_us = 500'000;
 constexpr std::int64_t kStartTimeout_us = 500'000;  // then NMT start is sent again
 
+bool adopts(Kind kind) noexcept { return kind == Kind::kAdopt || kind == Kind::kAdoptInstead; }
+
 bool writes(Kind kind) noexcept {
-  return kind == Kind::kWrite || kind == Kind::kAdopt || kind == Kind::kWriteAndVerify;
+  return kind == Kind::kWrite || adopts(kind) || kind == Kind::kWriteAndVerify;
 }
 
 }  // namespace
@@ -28,8 +30,8 @@ NodeBoot::NodeBoot(const char* drive, int node, std::vector<BootStep> script)
     return std::count_if(script_.begin(), script_.end(),
                          [is](const BootStep& step) { return is(step.kind); });
   };
-  settings_ = static_cast<int>(count(writes));
-  overwritten_.reserve(static_cast<std::size_t>(count([](Kind kind) { return kind == Kind::kAdopt; })));
+  settings_ = static_cast<int>(count([](Kind kind) { return writes(kind) && kind != Kind::kAdoptInstead; }));
+  overwritten_.reserve(static_cast<std::size_t>(count(adopts)));
   print(detail_, "%s: not yet reset", drive_);
 }
 
@@ -61,6 +63,7 @@ void NodeBoot::begin_script(std::int64_t time_us) noexcept {
   enter(BootState::kConfigure, time_us);
   at_ = 0;
   unanswered_ = standard_alone_ = false;
+  consumer_abort_ = 0;
   forget_transfer_ = true;
   begin_step();
 }
@@ -158,12 +161,26 @@ void NodeBoot::take_answer(SdoClient& sdo) noexcept {
     print(detail_, "%s: no answer about object 0x%04X:%02X; beginning again", drive_,
           step.setting.object.index, step.setting.object.sub);
   } else if (status == SdoStatus::kAborted) {
-    ++sdo_failures_;
-    state_ = BootState::kRefused;
-    print_abort(detail_, drive_, step.setting.object, sdo.abort_code());
+    take_abort(sdo.abort_code());
   } else {
     take_transfer(low_bytes(sdo.value(), step.setting.size));
   }
+}
+
+/// A node that takes no heartbeat consumer may be guarded; one that cannot be either would keep its torque
+/// when the bridge dies.
+void NodeBoot::take_abort(std::uint32_t code) noexcept {
+  ++sdo_failures_;
+  const BootStep& step = script_[at_];
+  const bool has_other_way = at_ + 1 < script_.size() && script_[at_ + 1].kind == Kind::kAdoptInstead;
+  if (step.setting.object.index == canopen::kHeartbeatConsumer && has_other_way) {
+    consumer_abort_ = code;
+    return next_step();
+  }
+  state_ = BootState::kRefused;
+  if (step.kind != Kind::kAdoptInstead) return print_abort(detail_, drive_, step.setting.object, code);
+  print(detail_, "%s: cannot watch the bridge: 0x1016 refused (%s), guarding 0x%04X refused (%s)", drive_,
+        canopen::abort_text(consumer_abort_), step.setting.object.index, canopen::abort_text(code));
 }
 
 /// @param value of what was read.
@@ -228,15 +245,18 @@ void NodeBoot::refuse(std::uint32_t found) noexcept {
 
 void NodeBoot::begin_step() noexcept {
   const Kind kind = script_[at_].kind;
-  transfer_ = kind == Kind::kAdopt ? Transfer::kReadBefore
-              : writes(kind)       ? Transfer::kWrite
-                                   : Transfer::kRead;
+  transfer_ = adopts(kind) ? Transfer::kReadBefore : writes(kind) ? Transfer::kWrite : Transfer::kRead;
+}
+
+bool NodeBoot::is_left_out(const BootStep& step) const noexcept {
+  return (standard_alone_ && is_makers_own(step.setting.object.index)) ||
+         (step.kind == Kind::kAdoptInstead && consumer_abort_ == 0);
 }
 
 void NodeBoot::next_step() noexcept {
   do {
     ++at_;
-  } while (at_ < script_.size() && standard_alone_ && is_makers_own(script_[at_].setting.object.index));
+  } while (at_ < script_.size() && is_left_out(script_[at_]));
   if (at_ < script_.size()) return begin_step();
   state_ = BootState::kConfigured;
   print(detail_, "%s: configured, waiting for the others", drive_);

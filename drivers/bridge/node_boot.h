@@ -56,6 +56,8 @@ class NodeBoot {
   const std::vector<Overwritten>& overwritten() const noexcept { return overwritten_; }
   /// Its firmware is none that the profile knows: the maker's own objects are left alone.
   bool standard_alone() const noexcept { return standard_alone_; }
+  /// It refused the heartbeat consumer, and is guarded instead.
+  bool guarded_instead() const noexcept { return consumer_abort_ != 0; }
   std::uint32_t firmware() const noexcept { return firmware_; }  ///< 0x1018:03; 0: not asked for
 
  private:
@@ -67,6 +69,8 @@ class NodeBoot {
   bool step_script(std::int64_t time_us, canopen::SdoClient& sdo, CanFrame& out) noexcept;
   void ask(canopen::SdoClient& sdo) noexcept;
   void take_answer(canopen::SdoClient& sdo) noexcept;
+  void take_abort(std::uint32_t code) noexcept;
+  bool is_left_out(const BootStep& step) const noexcept;
   void take_transfer(std::uint32_t value) noexcept;
   void judge(std::uint32_t value) noexcept;
   void judge_firmware(std::uint32_t revision) noexcept;
@@ -90,6 +94,7 @@ class NodeBoot {
   std::int8_t mode_display_ = 0;
   bool standard_alone_ = false;
   std::uint32_t firmware_ = 0;
+  std::uint32_t consumer_abort_ = 0;      ///< why 0x1016 was refused; 0: it was not
   std::vector<Overwritten> overwritten_;  ///< never more than its capacity
   DetailText detail_{};
 };

@@ -54,8 +54,9 @@ bool NodeLink::step(std::int64_t time_us, FrameBatch& out) noexcept {
 
 /// From NMT start on: before, the node has not been told its life time, and needs no watching.
 void NodeLink::guard(std::int64_t time_us, std::int64_t cycle_us, FrameBatch& out) noexcept {
-  if (boot_.started() && guard_.due(time_us, cycle_us))
-    out.push(setup_.bus, canopen::guard_request(setup_.node));
+  if (!boot_.started()) return;
+  guard_.set_guarded(setup_.watch == NodeWatch::kGuarding || boot_.guarded_instead());
+  if (guard_.due(time_us, cycle_us)) out.push(setup_.bus, canopen::guard_request(setup_.node));
 }
 
 NodeEvents NodeLink::receive(const CanFrame& frame, std::int64_t time_us) noexcept {

@@ -91,6 +91,9 @@ class NodeProfile {
   /// Modes that 0x6502 must show before the drive is used: bit n - 1 is mode n. 0: not read.
   virtual std::uint32_t required_modes() const noexcept { return 0; }
   virtual std::vector<DriveSetting> settings() const = 0;
+  /// What is written instead where the node refuses the heartbeat consumer (0x1016): node guarding, by which
+  /// it watches the bridge as well. Empty: it is refused.
+  virtual std::vector<DriveSetting> guarding_instead() const { return {}; }
   /// Every PDO of the node, so that none keeps a default that talks in between.
   virtual std::vector<PdoSetting> pdos() const = 0;
 

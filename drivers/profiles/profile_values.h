@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "drivers/canopen/objects.h"
 #include "drivers/profiles/drive_profile.h"
@@ -77,6 +78,14 @@ inline DriveSetting heartbeat_consumer(const DriveTiming& timing, const std::str
   const std::uint32_t ms = to_object(1e3 * timing.heartbeat_consumer_s, owner, "heartbeat consumer time",
                                      0xFFFF);
   return u32({canopen::kHeartbeatConsumer, 1}, (static_cast<std::uint32_t>(canopen::kBridgeNode) << 16) | ms);
+}
+
+/// Node guarding in place of heartbeats; a node that sends heartbeats is not guarded (CiA 301), so they go
+/// off.
+inline std::vector<DriveSetting> guarding_settings(DriveTiming timing, const std::string& owner) {
+  timing.guarded = true;
+  return {u16({canopen::kHeartbeatProducer, 0}, 0), heartbeat_producer(timing, owner),
+          heartbeat_consumer(timing, owner)};
 }
 
 }  // namespace sprung::profiles

@@ -109,6 +109,10 @@ std::vector<DriveSetting> GoldProfile::settings() const {
   return settings;
 }
 
+std::vector<DriveSetting> GoldProfile::guarding_instead() const {
+  return guarding_settings(timing_, owner(actuator_));
+}
+
 /// Second line behind the torque's own limits; unverified that a Gold heeds it in cyclic torque mode.
 void GoldProfile::add_speed_limit(std::vector<DriveSetting>& settings) const {
   if (actuator_.speed_limit_object == 0) return;

@@ -18,6 +18,9 @@ class GoldProfile final : public DriveProfile {
   KnownDevice known_device() const override;
   std::uint32_t required_modes() const noexcept override;
   std::vector<DriveSetting> settings() const override;
+  /// Its maker's file limits 0x1016 to 65535, and says that the node id stands above: a drive may go by
+  /// either.
+  std::vector<DriveSetting> guarding_instead() const override;
   std::vector<PdoSetting> pdos() const override;
   CommissioningPlan commissioning(double bit_rate_bit_s) const override;
   canopen::ObjectId supply_voltage_object() const noexcept override;

@@ -151,6 +151,37 @@ TEST(Boot, PositionLoopOnTheHostNeedsTheTorqueModeAlone) {
   EXPECT_TRUE(bench.boot()) << bench.detail();
 }
 
+// A Gold's file limits 0x1016 to 65535, where no node id has room.
+TEST(Boot, DriveThatRefusesTheHeartbeatConsumerIsGuardedAndReported) {
+  BridgeBench bench;
+  bench.drives[1].aborts[{kHeartbeatConsumer, 1}] = kAbortTooHigh;
+  ASSERT_TRUE(bench.boot()) << bench.detail();
+  auto& objects = bench.drives[1].objects;
+  EXPECT_EQ((objects[{kHeartbeatProducer, 0}]), 0U) << "a node that sends heartbeats is not guarded";
+  EXPECT_EQ((objects[{kGuardTime, 0}]), 5U);
+  EXPECT_EQ((objects[{kLifeTimeFactor, 0}]), 4U);
+  EXPECT_EQ((bench.drives[0].objects.count({kGuardTime, 0})), 0U) << "the other takes the heartbeat";
+  EXPECT_THAT(bench.bridge->boot_report(),
+              ::testing::Contains(HasSubstr("knee_motor: refuses to watch the bridge's heartbeat")));
+  bench.enable();
+  bench.run(500);
+  EXPECT_EQ(bench.state.safety, SafetyLevel::kOperational) << bench.detail();
+  bool asked = false;
+  for (int i = 0; i < 6; ++i, bench.tick()) asked = asked || !bench.sent(heartbeat_id(2)).empty();
+  EXPECT_TRUE(asked) << "node guarding's question";
+}
+
+TEST(Boot, DriveThatCannotWatchTheBridgeAtAllIsRefused) {
+  BridgeBench bench;
+  bench.drives[1].aborts[{kHeartbeatConsumer, 1}] = kAbortTooHigh;
+  bench.drives[1].aborts[{kGuardTime, 0}] = kAbortNoObject;
+  EXPECT_FALSE(bench.boot(500));
+  EXPECT_EQ(
+      bench.detail(),
+      "knee_motor: cannot watch the bridge: 0x1016 refused (value too high), guarding 0x100C refused (no "
+      "such object)");
+}
+
 TEST(Boot, WhatItOverwritesIsListedWithBothValues) {
   BridgeBench bench;
   bench.drives[0].objects[{kRatedCurrent, 0}] = 2500;
