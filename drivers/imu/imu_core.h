@@ -3,10 +3,10 @@
 /// mounted, each stamped with the cycle in which it was measured. Stepped by time; no clock, no line, no
 /// allocation.
 ///
-/// Status of what it gives: kGood; kNoAttitude where the sensor sends none that can be, says that its filter is not
-/// valid, or has its world's z axis down; kFault where a number is not finite or beyond the sensor's range,
-/// or the sensor says that it was clipped; and kFault without numbers, once a cycle, from longest_silence on.
-/// What comes before the first DRIVE_STATE has no cycle, and is not given.
+/// Status of what it gives: kGood; kNoAttitude where the sensor sends none that can be, says that its filter
+/// is not valid, or has its world's z axis down; kFault where a number is not finite or beyond the sensor's
+/// range, or the sensor says that it was clipped; and kFault without numbers, once a cycle, from
+/// longest_silence on. What comes before the first DRIVE_STATE has no cycle, and is not given.
 ///
 /// A sensor beside the trunk's centre also feels what its lever arm does; that is not taken off.
 #include <Eigen/Geometry>
