@@ -3,18 +3,15 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "lcmtypes/channels.h"
-#include "robots/robot_loader.h"
 #include "tools/logs/log/robot_names.h"
 #include "tools/logs/log/timeline.h"
 #include "tools/station/frames/frame_layout.h"
 #include "tools/station/page/page.h"
-#include "tools/station/scene/scene.h"
+#include "tools/station/scene/logged_scene.h"
 
 namespace sprung::station {
 
@@ -57,34 +54,6 @@ class PhaseList {
   float last_ = NAN;
   Json phases_ = Json::array();
 };
-
-std::string file_text(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-/// The scene of a log's robot, and what is to be said about it.
-struct FoundScene {
-  Json scene;           ///< null where there is none
-  std::string missing;  ///< why
-  std::string note;
-};
-
-FoundScene find_scene(RobotConfig robot, const log::LogInfo& info) {
-  try {
-    std::string note;
-    if (robot.folder.empty()) {
-      robot.folder = robot_folder(robot.name);
-      if (info.metadata && file_text(robot.folder + "/robot.yaml") != info.metadata->robot_yaml) {
-        note = "The shapes are those of " + robot.folder +
-               "/model.xml, whose robot.yaml is another than this log's: lengths may differ.";
-      }
-    }
-    return {make_scene(robot, info.metadata ? info.metadata->preset : ""), "", note};
-  } catch (const std::exception& error) {
-    return {nullptr, std::string("No model of this robot is here: ") + error.what(), ""};
-  }
-}
 
 /// As the page marks it.
 const char* kind_of(log::IncidentKind kind) {
@@ -144,7 +113,7 @@ std::vector<std::string> thinning_notes(const LogColumns& columns, double cycle_
   if (columns.cycles_a_moment() > 1) {
     const auto n = static_cast<double>(columns.cycles_a_moment());
     notes.push_back(
-        format("The robot is drawn from every %.0f. cycle (each %.0f ms).", n, 1e3 * n * cycle_s));
+        format("The robot is drawn from one cycle in %.0f, %.0f ms apart.", n, 1e3 * n * cycle_s));
   }
   if (columns.cycles_a_stretch() > 1) {
     const auto n = static_cast<double>(columns.cycles_a_stretch());
@@ -233,7 +202,7 @@ LogPage make_log_page(log::Reader& reader, const log::Progress& progress, const 
                                   : "no JOINT_STATE, DRIVE_STATE or SIM_TRUTH is in it") +
                              ". sprung log info tells what is.");
   }
-  const FoundScene found = find_scene(robot, info);
+  const LoggedScene found = scene_of_log(robot, info.metadata);
   LogPage page;
   page.notes = damage_notes(info);
   if (!found.missing.empty()) page.notes.push_back(found.missing);
@@ -243,7 +212,7 @@ LogPage make_log_page(log::Reader& reader, const log::Progress& progress, const 
     page.notes.push_back(std::move(note));
   Json config{{"mode", "log"},
               {"title", title_of(info, robot)},
-              {"scene", found.scene},
+              {"scene", found.scene ? *found.scene : Json()},
               {"scene_missing", found.missing},
               {"layout", frame_layout(robot, pass.frames().fields())},
               {"notes", page.notes},
