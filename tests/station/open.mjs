@@ -88,10 +88,34 @@ check("what is drawn can be switched off, a plot chosen, zoomed and taken away",
   const [from_s, to_s] = await page.evaluate(() => window.sprung.plots.span());
   const [first_s, last_s] = await page.evaluate(() => window.sprung.source.range());
   assert.ok(to_s - from_s < 0.3 * (last_s - first_s), "a drag zooms");
+  assert.equal(await page.evaluate(() => window.sprung.timeline.time_s), 4.66, "a drag leaves the time alone");
+  await page.mouse.click(area.x + 0.5 * area.width, area.y + 30);
+  const clicked_s = await page.evaluate(() => window.sprung.timeline.time_s);
+  assert.ok(Math.abs(clicked_s - (from_s + to_s) / 2) < 0.1 * (to_s - from_s), `a click goes to ${clicked_s} s`);
   const plots = await page.locator(".plot").count();
   await page.getByRole("button", { name: "Take this plot away" }).first().click();
   assert.equal(await page.locator(".plot").count(), plots - 1);
   assert.deepEqual(page.complaints, []);
+  await page.close();
+});
+
+check("a picture of a moment is a picture of the page", async (browser) => {
+  const png = readFileSync(path.join(folder, "picture.png"));
+  assert.deepEqual([png.readUInt32BE(16), png.readUInt32BE(20)], [900, 620]);
+  const page = await browser.newPage();
+  const colours = await page.evaluate(async (base64) => {
+    const image = new Image();
+    image.src = `data:image/png;base64,${base64}`;
+    await image.decode();
+    const canvas = new OffscreenCanvas(image.width, image.height);
+    const context = canvas.getContext("2d");
+    context.drawImage(image, 0, 0);
+    const { data } = context.getImageData(0, 60, 400, 460); // where the robot stands
+    const found = new Set();
+    for (let i = 0; i < data.length; i += 4) found.add(`${data[i] >> 3},${data[i + 1] >> 3},${data[i + 2] >> 3}`);
+    return found.size;
+  }, png.toString("base64"));
+  assert.ok(colours > 60, `${colours} colours where the robot stands`);
   await page.close();
 });
 

@@ -75,6 +75,7 @@ export class App {
     by_id("theme").addEventListener("click", () => this.set_theme(this.theme === "dark" ? "light" : "dark"));
     const at = new URLSearchParams(location.hash.slice(1)).get("at");
     if (at !== null) this.timeline.seek(Number(at));
+    if (this.view?.draw()) this.pictures = 1;
     requestAnimationFrame((now_ms) => this.frame(now_ms));
   }
 
@@ -174,6 +175,7 @@ export async function start() {
   window.sprung = app;  // to look inside from the browser's console, and for tests
   try {
     await app.open();
+    performance.mark("sprung-ready");
     document.documentElement.dataset.ready = "yes";
   } catch (error) {
     const note = by_id("stage-note");

@@ -135,8 +135,11 @@ class Plot {
       hooks: {
         draw: [(chart) => this.plots.draw_now(chart)],
         ready: [(chart) => this.listen(chart)],
-        setSelect: [(chart) => this.plots.zoom_to(chart.posToVal(chart.select.left, "x"),
-                                                  chart.posToVal(chart.select.left + chart.select.width, "x"))],
+        setSelect: [(chart) => {
+          this.dragged = true;
+          this.plots.zoom_to(chart.posToVal(chart.select.left, "x"),
+                             chart.posToVal(chart.select.left + chart.select.width, "x"));
+        }],
       },
     };
   }
@@ -144,7 +147,8 @@ class Plot {
   listen(chart) {
     chart.over.addEventListener("click", (event) => {
       const x = event.clientX - chart.over.getBoundingClientRect().left;
-      if (chart.select.width < 2) this.plots.on_seek(chart.posToVal(x, "x"));
+      if (!this.dragged) this.plots.on_seek(chart.posToVal(x, "x"));
+      this.dragged = false;  // a drag ends with a click, too
     });
     chart.over.addEventListener("dblclick", () => this.plots.zoom_to());
   }
