@@ -31,8 +31,6 @@ struct IdentityConfig {
   std::uint32_t serial = 0;
 };
 
-/// A node that reads encoders on the link side of gears (design section 2: three 20-bit encoders and a
-/// counter in 64 bits).
 /// How the bridge and a node watch each other.
 enum class NodeWatch : std::int8_t {
   kHeartbeat,  ///< each sends its own (0x1017, 0x1016)
@@ -40,6 +38,7 @@ enum class NodeWatch : std::int8_t {
                ///< nodes without heartbeat
 };
 
+/// A node that reads encoders on the link side of gears: three 20-bit encoders and a counter in 64 bits.
 struct EncoderCardConfig {
   std::string name;
   int bus = 0;          ///< index into RobotConfig::buses
@@ -117,13 +116,13 @@ struct EmergencyInputConfig {
   bool stops_high = false;  ///< whether a 1 stops; a 0 is what a cut wire gives
 };
 
-/// One drive with motor and gear. Actuator space: output side of the gear, after direction and offset.
 /// Who closes an actuator's position loop.
 enum class PositionLoopSide : std::int8_t {
   kDrive,  ///< the drive, in a position mode of its own
   kHost,   ///< the bridge; the drive takes torques alone
 };
 
+/// One drive with motor and gear. Actuator space: output side of the gear, after direction and offset.
 struct ActuatorConfig {
   std::string name;
   int bus = 0;          ///< index into RobotConfig::buses

@@ -37,7 +37,7 @@ expect() {
 }
 
 good
-expect 0 15 run-demo "setup: every package is there" "built in" "$ sprung up single_leg" "   1    186.0" "log of all messages: $work/robot.lcm" "report of the jumps: logs/demo-"
+expect 0 15 run-demo "setup: every package is there" "built in" "$ sprung up single_leg" "   1    186.0" "log of all messages: $work/robot.lcm" "the robot in 3-D: logs/demo-" "report of the jumps: logs/demo-"
 expect 8 40 run-tests "running every test" "fails"
 # The two take turns in one folder: what the one has built the other leaves there.
 tests_built_at() { stat -c %y build/release/part_test build/release/CMakeFiles/part_test.dir/*.o; }

@@ -36,7 +36,9 @@ const std::vector<std::string> kCoreFolders = {"signals",
                                                "tools/common/report",
                                                "tools/operate/doctor",
                                                "tools/logs/fields",
-                                               "tools/logs/spy"};
+                                               "tools/logs/spy",
+                                               "tools/station/frames",
+                                               "tools/station/page"};
 const std::regex kShell(R"((_main|_shell|_lockstep|_realtime)\.(h|cpp)$)");
 const std::regex kMessages(R"(signals/messages|signals/message_fields)");
 
@@ -115,7 +117,7 @@ const std::vector<std::vector<std::string>> kFloors = {
     {"robots"},        {"runtime"},    {"drivers", "estimator", "controller"},
     {"planner"},       {"simulation"}, {"tools/common"},
     {"tools/operate"}, {"tools/can"},  {"tools/logs"},
-    {"tools/lab"}};
+    {"tools/lab", "tools/station"}};
 
 bool is_roof(const std::string& path) {
   static const std::regex roof(R"(^tools/(\w+/commands/|\w+\.(h|cpp)$))");

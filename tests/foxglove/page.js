@@ -1,7 +1,8 @@
-// Foxglove Studio with one layout: a plot of the fields that the address asks for, and the number of the message at the time shown.
+// Foxglove Studio with one layout: that of the file `layout` which the address names, else a plot of the fields that it asks for, and
+// the number of the message at the time shown.
 const asked = new URLSearchParams(location.search);
 const fields = asked.getAll("field");
-const numbers = fields[0].split(".")[0] + ".seq";
+const numbers = fields.length > 0 ? fields[0].split(".")[0] + ".seq" : "";
 
 const plot = {
   paths: fields.map((value) => ({ value, enabled: true, timestampMethod: "receiveTime" })),
@@ -21,6 +22,7 @@ const layout = {
   },
 };
 
+if (asked.has("layout")) layout.baseline.data = await (await fetch(asked.get("layout"))).json();
 const layouts = new Map([[layout.id, layout]]);
 const layoutStorage = {
   list: async () => [...layouts.values()],

@@ -18,8 +18,9 @@ inline void dump_value(test::ValueDump& dump, const std::string& at, const Ident
 }
 
 inline void dump_value(test::ValueDump& dump, const std::string& at, const EncoderCardConfig& value) {
-  const auto& [name, bus, node, profile, identity] = value;
-  dump.fields(at, "name bus node profile identity", name, bus, node, profile, identity);
+  const auto& [name, bus, node, profile, identity, watch] = value;
+  dump.fields(at, "name bus node profile identity watch", name, bus, node, profile, identity,
+              static_cast<int>(watch));
 }
 
 inline void dump_value(test::ValueDump& dump, const std::string& at, const LinkEncoderConfig& value) {
@@ -63,22 +64,25 @@ inline void dump_value(test::ValueDump& dump, const std::string& at, const Batte
 }
 
 inline void dump_value(test::ValueDump& dump, const std::string& at, const ActuatorConfig& value) {
-  const auto& [name, bus, node, profile, identity, ratio, direction, torque_constant, rated_current, counts,
-               offset, referenced, torque_limit, speed_limit, power_limit, speed_object, limits_object, loop,
-               stiffness, damping, gains_object, safety_damping, pole_pairs, winding, supply, emergency_input,
-               commissioning, temperature, restore_settings, link_encoder, reference] = value;
-  dump.fields(at,
-              "name bus node profile identity gear_ratio direction torque_constant_Nm_A rated_current_A "
-              "encoder_counts_per_turn offset_rad referenced torque_limit_Nm speed_limit_rad_s power_limit_W "
-              "speed_limit_object position_limits_object position_loop position_stiffness_Nm_rad "
-              "position_damping_Nm_s_rad "
-              "position_gains_object "
-              "safety_damping_Nm_s_rad pole_pairs winding_time_constant_s supply emergency_input "
-              "commissioning temperature restore_settings link_encoder reference",
-              name, bus, node, profile, identity, ratio, direction, torque_constant, rated_current, counts,
-              offset, referenced, torque_limit, speed_limit, power_limit, speed_object, limits_object,
-              static_cast<int>(loop), stiffness, damping, gains_object, safety_damping, pole_pairs, winding,
-              supply, emergency_input, commissioning, temperature, restore_settings, link_encoder, reference);
+  const auto& [name, bus, node, profile, identity, watch, ratio, direction, torque_constant, rated_current,
+               counts, offset, referenced, torque_limit, speed_limit, power_limit, speed_object,
+               limits_object, loop, stiffness, damping, gains_object, safety_damping, pole_pairs, winding,
+               supply, emergency_input, commissioning, temperature, restore_settings, link_encoder,
+               reference] = value;
+  dump.fields(
+      at,
+      "name bus node profile identity watch gear_ratio direction torque_constant_Nm_A rated_current_A "
+      "encoder_counts_per_turn offset_rad referenced torque_limit_Nm speed_limit_rad_s power_limit_W "
+      "speed_limit_object position_limits_object position_loop position_stiffness_Nm_rad "
+      "position_damping_Nm_s_rad "
+      "position_gains_object "
+      "safety_damping_Nm_s_rad pole_pairs winding_time_constant_s supply emergency_input "
+      "commissioning temperature restore_settings link_encoder reference",
+      name, bus, node, profile, identity, static_cast<int>(watch), ratio, direction, torque_constant,
+      rated_current, counts, offset, referenced, torque_limit, speed_limit, power_limit, speed_object,
+      limits_object, static_cast<int>(loop), stiffness, damping, gains_object, safety_damping, pole_pairs,
+      winding, supply, emergency_input, commissioning, temperature, restore_settings, link_encoder,
+      reference);
 }
 
 inline void dump_value(test::ValueDump& dump, const std::string& at, const FrictionParameters& value) {
@@ -224,10 +228,19 @@ inline void dump_value(test::ValueDump& dump, const std::string& at, const Prese
       adaptive_landing, walk);
 }
 
+inline void dump_value(test::ValueDump& dump, const std::string& at, const ImuDriverConfig& value) {
+  const auto& [device, baud, roll, pitch, yaw, latency, rate, force, silence] = value;
+  dump.fields(
+      at,
+      "device baud mounting_roll_rad mounting_pitch_rad mounting_yaw_rad latency_s range_rad_s range_m_s2 "
+      "longest_silence_s",
+      device, baud, roll, pitch, yaw, latency, rate, force, silence);
+}
+
 inline void dump_value(test::ValueDump& dump, const std::string& at, const BodyConfig& value) {
-  const auto& [mass_kg, com, inertia, imu, fallen_tilt_rad, fallen_height_m] = value;
-  dump.fields(at, "mass_kg com_in_trunk_m inertia_kg_m2 imu fallen_tilt_rad fallen_height_m", mass_kg, com,
-              inertia, imu, fallen_tilt_rad, fallen_height_m);
+  const auto& [mass_kg, com, inertia, imu, imu_driver, fallen_tilt_rad, fallen_height_m] = value;
+  dump.fields(at, "mass_kg com_in_trunk_m inertia_kg_m2 imu imu_driver fallen_tilt_rad fallen_height_m",
+              mass_kg, com, inertia, imu, imu_driver, fallen_tilt_rad, fallen_height_m);
 }
 
 inline void dump_value(test::ValueDump& dump, const std::string& at, const GaitConfig& value) {

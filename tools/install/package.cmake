@@ -23,7 +23,7 @@ set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_DEPENDS iproute2)
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_RECOMMENDS liblcm-bin)
-set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SUGGESTS "can-utils, default-jre, libjchart2d-java, liblcm-java")
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SUGGESTS "can-utils, chromium, default-jre, ffmpeg, libegl1, libgl1-mesa-dri, libjchart2d-java, liblcm-java")
 set(CPACK_COMPONENT_PROGRAMS_DESCRIPTION
   "Compliant torque control of harmonic-drive legged robots with no torque sensor\nand no mechanical spring: torque is estimated from motor current and encoders.\nSeparate processes exchange LCM messages; drives hang on CANopen, and simulated\ndrives stand in for them on the same frames.")
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_SOURCE_DIR}/debian/postinst

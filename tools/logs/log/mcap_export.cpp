@@ -81,6 +81,9 @@ class Exporter {
     if (frame) note_metadata(event);
     return true;
   }
+  void add(const std::vector<McapAddition>& additions) {
+    for (const McapAddition& one : additions) messages_.add(one.head, one.data);
+  }
   void finish() { messages_.finish(); }
 
  private:
@@ -128,17 +131,20 @@ class Exporter {
 
 }  // namespace
 
-McapResult export_mcap(Reader& reader, ChannelFilter& channels, McapWriter& writer,
-                       const Progress& progress) {
+McapResult export_mcap(Reader& reader, ChannelFilter& channels, McapWriter& writer, const Progress& progress,
+                       McapAdditions* additions) {
   Exporter exporter(writer);
+  if (additions != nullptr) additions->begin(writer);
   Timeline timeline;
   McapResult result;
   for (Event event; reader.next(event);) {
     const Timeline::Moment moment = timeline.next(event);
     if (++result.events % kMessagesBetween == 0 && progress) progress(reader.position(), reader.file_bytes());
+    if (additions != nullptr) exporter.add(additions->add(event, moment.time_s, timeline.begin_us()));
     if (!channels.keeps(event.channel)) continue;
     ++(exporter.add(event, moment, timeline.begin_us()) ? result.written : result.not_decoded);
   }
+  if (additions != nullptr) exporter.add(additions->finish());
   exporter.finish();
   return result;
 }

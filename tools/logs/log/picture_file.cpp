@@ -5,6 +5,7 @@
 #include <cstring>
 #include <filesystem>
 #include <stdexcept>
+#include <vector>
 
 #include "tools/common/report/report_shell.h"
 #include "tools/operate/launcher/child_process.h"
@@ -49,24 +50,48 @@ std::string browser() {
 
 }  // namespace
 
-void write_png(const std::string& path, const std::string& html, int width, int height) {
+namespace {
+
+void shoot(const std::string& path, const std::string& html, const std::string& fragment,
+           const std::vector<std::string>& drawing, int width, int height) {
   const std::string program = browser();
   const ScratchFolder folder;
   report::write_text(html, folder / "plot.html");
   const std::string shot = folder / "plot.png";
-  ChildProcess chromium(
-      program,
-      {"--headless", "--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking",
-       "--disable-component-update", "--disable-sync", "--disable-dev-shm-usage", "--hide-scrollbars",
-       "--window-size=" + std::to_string(width) + "," + std::to_string(height),
-       "--user-data-dir=" + (folder / "profile"), "--screenshot=" + shot,
-       "file://" + (folder / "plot.html") + "#picture"},
-      Output::kCaptured);
+  std::vector<std::string> arguments{"--headless",
+                                     "--no-sandbox",
+                                     "--no-first-run",
+                                     "--disable-background-networking",
+                                     "--disable-component-update",
+                                     "--disable-sync",
+                                     "--disable-dev-shm-usage",
+                                     "--hide-scrollbars",
+                                     "--window-size=" + std::to_string(width) + "," + std::to_string(height),
+                                     "--user-data-dir=" + (folder / "profile"),
+                                     "--screenshot=" + shot};
+  arguments.insert(arguments.end(), drawing.begin(), drawing.end());
+  arguments.push_back("file://" + (folder / "plot.html") + "#" + fragment);
+  ChildProcess chromium(program, arguments, Output::kCaptured);
   if (!chromium.wait(kTimeout_s)) chromium.stop(1.0);
   std::error_code error;
   if (!fs::exists(shot)) throw std::runtime_error("chromium drew nothing: write .html instead");
   fs::copy_file(shot, path, fs::copy_options::overwrite_existing, error);
   if (error) throw std::runtime_error("cannot write " + path + ": " + error.message());
+}
+
+}  // namespace
+
+void write_png(const std::string& path, const std::string& html, int width, int height) {
+  shoot(path, html, "picture", {"--disable-gpu"}, width, height);
+}
+
+void write_page_png(const std::string& path, const std::string& html, const std::string& fragment, int width,
+                    int height) {
+  // The page's own time goes on until it has opened, however slow the machine is.
+  constexpr const char* kPagesTime = "--virtual-time-budget=20000";
+  shoot(path, html, fragment,
+        {"--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", kPagesTime}, width,
+        height);
 }
 
 }  // namespace sprung::log

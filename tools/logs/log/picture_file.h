@@ -10,4 +10,10 @@ namespace sprung::log {
 /// or wrote nothing.
 void write_png(const std::string& path, const std::string& html, int width, int height);
 
+/// A page that draws in 3-D and takes its time to open (tools/station), as write_png draws a report: by
+/// software where there is no graphics card.
+/// @param fragment behind the address, "at=12.3". @throws as write_png.
+void write_page_png(const std::string& path, const std::string& html, const std::string& fragment, int width,
+                    int height);
+
 }  // namespace sprung::log

@@ -6,6 +6,8 @@
 #include "tools/logs/commands/log/output_file.h"
 #include "tools/logs/log/log_info.h"
 #include "tools/logs/log/mcap_export.h"
+#include "tools/station/foxglove/robot_topics.h"
+#include "tools/station/scene/logged_scene.h"
 
 namespace sprung::commands {
 
@@ -15,8 +17,24 @@ struct McapRequest {
   std::string log;
   std::vector<std::string> keep, drop;
   bool plain = false;
+  bool plain_channels = false;
   std::string out;
 };
+
+/// Of the log's robot, nullptr where it or its model is not here: says so on standard error.
+std::unique_ptr<log::McapAdditions> robot_topics(log::Reader& reader,
+                                                 const std::optional<sprung_msgs::log_metadata_t>& metadata) {
+  const log::LoggedRobot logged = log::robot_in_log(reader);
+  const std::string none = reader.path() + ": 3-D panels stay empty: ";
+  if (!logged.robot) {
+    std::fprintf(stderr, "%s%s\n", none.c_str(), logged.missing.c_str());
+    return nullptr;
+  }
+  const station::LoggedScene found = station::scene_of_log(*logged.robot, metadata);
+  if (!found.scene) std::fprintf(stderr, "%s%s\n", none.c_str(), found.missing.c_str());
+  if (!found.note.empty()) std::fprintf(stderr, "%s\n", found.note.c_str());
+  return found.scene ? station::make_robot_topics(*logged.robot, *found.scene, found.model_xml) : nullptr;
+}
 
 int run_mcap(const McapRequest& request) {
   const std::string path = request.out.empty() ? beside(request.log, ".mcap") : request.out;
@@ -31,7 +49,9 @@ int run_mcap(const McapRequest& request) {
   options.compress = !request.plain;
   log::McapWriter writer([&out](std::string_view bytes) { out.write(bytes); }, "sprung " SPRUNG_VERSION,
                          options);
-  const log::McapResult result = log::export_mcap(reader, channels, writer, progress_line("mcap"));
+  const auto additions = request.plain_channels ? nullptr : robot_topics(reader, metadata);
+  const log::McapResult result = log::export_mcap(reader, channels, writer, progress_line("mcap"),
+                                                  additions.get());
   writer.finish();
   out.finish();
   std::printf("%s: %lld of %lld events, %llu bytes\n", path.c_str(), static_cast<long long>(result.written),
@@ -55,6 +75,8 @@ void add_log_mcap(CommandLine& log) {
             "messages are protocol buffers: Foxglove, Rerun and PlotJuggler read it. Leave the option out; "
             "for text, "
             "sprung log csv");
+  mcap.flag("--only-channels", request->plain_channels,
+            "the log's own channels alone, without /tf, /robot, /forces and /joint_states for 3-D panels");
   mcap.flag("--plain", request->plain, "do not compress (zstd)");
   mcap.option("-o,--output", request->out, "file; default: named after the log, in this folder");
   mcap.example("sprung log mcap logs/pegasus.lcm --drop CAN_TRACE -o pegasus.mcap");
