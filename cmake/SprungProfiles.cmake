@@ -5,9 +5,9 @@
 # SOURCES is the bridge's side, DEVICE_SOURCES the simulated device; either may be left out. They define
 # `const ProfileKind NAME_profile_kind` and `const DeviceKind NAME_device_kind` in namespace sprung::profiles
 # (drivers/profiles/profile_registry.h, simulation/device_registry.h). EDS is built in once, for both sides:
-# `sprung::NAME_eds_text()` of "sprung_embedded/NAME_eds_text.h"; EXTRA, the units and PDO directions beside it
-# (drivers/canopen/eds.h), likewise as `NAME_eds_extra_text()`. The folders are found, not listed, so that a new
-# one needs no change elsewhere.
+# `sprung::NAME_eds_text()` of "sprung_embedded/NAME_eds_text.h"; EXTRA, the units and PDO directions beside
+# it (drivers/canopen/eds.h), likewise as `NAME_eds_extra_text()`. The folders are found, not listed, so that
+# a new one needs no change elsewhere.
 
 function(sprung_profile name)
   cmake_parse_arguments(ARG "" "EDS;EXTRA" "SOURCES;DEVICE_SOURCES" ${ARGN})

@@ -70,7 +70,7 @@ DRIVE_DIFFERS = {
         **FEWER_ENTRIES,
     },
 }
-# Of the makers' objects, nothing in sprung asks for these: single ones of indexes that are there, whole indexes.
+# Of the makers' objects nothing in sprung asks for these: single ones of indexes that are there; whole ones.
 NOT_SIMULATED = {
     "gold": (
         {(0x1800 + n, 4) for n in range(4)},
