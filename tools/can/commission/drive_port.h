@@ -6,6 +6,7 @@
 
 #include "drivers/can/can_frame.h"
 #include "drivers/canopen/protocol.h"
+#include "signals/enumeration.h"
 #include "tools/can/sdo_session.h"
 
 namespace sprung::commission {
