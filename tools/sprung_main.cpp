@@ -48,6 +48,7 @@ int main(int argc, char** argv) {
   add_bench(line);
   add_campaign(line);
   add_can(line);
+  add_console(line);
   add_drive(line);
   add_hold(line);
   add_home(line);

@@ -1,0 +1,191 @@
+#include "tools/station/server/console_shell.h"
+
+#include <sys/random.h>
+
+#include <array>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "robots/maintenance.h"
+#include "robots/robot_loader.h"
+#include "runtime/stop_request.h"
+#include "tools/operate/launcher/torque_watch.h"
+#include "tools/station/server/console_session.h"
+#include "tools/station/server/live_report.h"
+#include "tools/station/server/page_files.h"
+#include "tools/station/server/robot_link_shell.h"
+
+namespace sprung::station {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::int64_t kTick_us = 20'000;
+constexpr std::int64_t kState_us = 100'000;
+constexpr std::int64_t kProcesses_us = 500'000;  // PROCESS_STATUS comes twice a second
+constexpr std::int64_t kRunCheck_us = 1'000'000;
+
+std::array<unsigned char, 16> random_bytes() {
+  std::array<unsigned char, 16> bytes{};
+  if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
+    throw std::runtime_error("the kernel gives no random numbers for the page's token");
+  return bytes;
+}
+
+std::string random_token() {
+  std::string text;
+  for (const unsigned char byte : random_bytes()) {
+    char hex[3];
+    std::snprintf(hex, sizeof hex, "%02x", byte);
+    text += hex;
+  }
+  return text;
+}
+
+RobotConfig robot_of(const RunInfo& info) {
+  const RobotConfig robot = as_in_preset(load_robot(info.robot_folder), info.preset);
+  return info.maintenance ? for_maintenance(robot) : robot;
+}
+
+class Console {
+ public:
+  Console(const RunInfo& info, const ConsoleOptions& options)
+      : info_(info),
+        robot_(robot_of(info)),
+        link_(info, robot_),
+        session_(robot_, {info.preset, info.maintenance, random_bytes()[0]}),
+        drives_(robot_.actuators.size()),
+        joints_(robot_.joints.size(), robot_.legs.size()),
+        server_({options.port, random_token(), options.other_origins, ConsoleSession::kLongestText},
+                {[](std::string_view path) { return console_file(path); }, [this](int page) { opened(page); },
+                 [this](int page) {
+                   session_.page_closed(page, link_.utime_us());
+                   flush();
+                 },
+                 [this](int page, std::string_view text) {
+                   session_.text(page, text, link_.utime_us());
+                   flush();
+                 }}) {}
+
+  ConsoleAddress address() const {
+    const int port = server_.port();
+    return {"http://127.0.0.1:" + std::to_string(port) + "/" + server_.token() + "/", port};
+  }
+
+  std::string run() {
+    while (!stop_requested()) {
+      const std::int64_t now_us = link_.utime_us();
+      if (now_us >= next_tick_us_) tick(now_us);
+      if (now_us >= next_run_check_us_ && !run_goes_on(now_us)) return farewell();
+      server_.service(static_cast<int>(std::max<std::int64_t>(1, (next_tick_us_ - now_us) / 1000)));
+    }
+    return "";
+  }
+
+ private:
+  void opened(int page) {
+    Json hello = robot_json(robot_);
+    hello["type"] = "robot";
+    hello["preset"] = info_.preset;
+    hello["clock"] = info_.clock;
+    hello["simulation"] = info_.simulation;
+    hello["maintenance"] = info_.maintenance;
+    hello["instance"] = info_.instance;
+    server_.send(page, hello.dump());
+    session_.page_opened(page, link_.utime_us());
+    flush();
+  }
+
+  void flush() {
+    const Outbox out = session_.step(link_.utime_us());
+    for (const OperatorCommand& command : out.commands) link_.say(command);
+    for (const auto& [page, text] : out.texts) server_.send(page, text);
+    for (const int page : out.close) server_.close(page);
+  }
+
+  void tick(std::int64_t now_us) {
+    next_tick_us_ = now_us + kTick_us;
+    for (const RobotAnswer& answer : link_.take_answers()) session_.answer(answer, now_us);
+    listen(now_us);
+    flush();
+    if (server_.pages().empty()) return;
+    if (now_us >= next_state_us_) send_state(now_us);
+  }
+
+  void listen(std::int64_t now_us) {
+    const std::int64_t before = drives_.stamp.seq;
+    if (link_.drives(drives_) && drives_.stamp.seq != before) {
+      drives_heard_us_ = now_us;
+      // In lock-step a message's time is not the clock's.
+      const bool lockstep = info_.clock == "lockstep";
+      session_.drives(may_have_torque(drives_), lockstep ? now_us : drives_.stamp.utime_us);
+    }
+    if (!link_.joints(joints_)) return;
+    RobotNow now;
+    for (const EstimatedJoint& joint : joints_.joints)
+      now.joint_positions_rad.push_back(joint.estimated_position_rad);
+    const auto& motion = heard_ == nullptr ? std::nullopt : heard_->motion.message;
+    const bool walks = motion && static_cast<MotionPhase>(motion->state) == MotionPhase::kWalking;
+    now.walking_in = walks ? motion->gait : -1;
+    session_.robot_is(std::move(now));
+  }
+
+  void send_state(std::int64_t now_us) {
+    next_state_us_ = now_us + kState_us;
+    heard_ = &link_.hear();
+    if (now_us >= next_processes_us_) {
+      processes_ = processes_json(info_, *heard_);
+      next_processes_us_ = now_us + kProcesses_us;
+    }
+    Json state{{"type", "state"}, {"time_s", 1e-6 * static_cast<double>(drives_.stamp.utime_us)}};
+    state["age_s"] = drives_.stamp.seq < 0 ? Json(nullptr)
+                                           : Json(1e-6 * static_cast<double>(now_us - drives_heard_us_));
+    state.update(live_json(joints_, drives_));
+    state.update(health_json(robot_, *heard_));
+    state["processes"] = processes_;
+    state["session"] = session_.status_json(now_us);
+    const auto text = std::make_shared<const std::string>(
+        state.dump(-1, ' ', false, Json::error_handler_t::replace));
+    for (const int page : server_.pages()) server_.send_state(page, text);
+  }
+
+  bool run_goes_on(std::int64_t now_us) {
+    next_run_check_us_ = now_us + kRunCheck_us;
+    const auto run = read_run_file(info_.instance);
+    return run && run->session == info_.session;
+  }
+
+  std::string farewell() {
+    for (const int page : server_.pages())
+      server_.send(page, Json({{"type", "end"}, {"text", "the robot is down"}}).dump());
+    const std::int64_t until_us = link_.utime_us() + 10 * kTick_us;
+    while (link_.utime_us() < until_us) server_.service(20);
+    return info_.robot + " is down";
+  }
+
+  RunInfo info_;
+  RobotConfig robot_;
+  RobotLink link_;
+  ConsoleSession session_;
+  DriveState drives_;
+  JointState joints_;
+  std::int64_t drives_heard_us_ = 0;
+  const HeardRobot* heard_ = nullptr;
+  Json processes_ = Json::array();
+  std::int64_t next_tick_us_ = 0, next_state_us_ = 0, next_processes_us_ = 0, next_run_check_us_ = 0;
+  WebServer server_;
+};
+
+}  // namespace
+
+std::string serve_console(const RunInfo& info, const ConsoleOptions& options,
+                          const std::function<void(const ConsoleAddress&)>& ready) {
+  Console console(info, options);
+  ready(console.address());
+  return console.run();
+}
+
+}  // namespace sprung::station
