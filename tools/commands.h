@@ -10,6 +10,7 @@ void add_motion(CommandLine& sprung);  ///< stand, sit, jump, comply, land, walk
 void add_walk(CommandLine& sprung);
 void add_safety(CommandLine& sprung);  ///< estop, clear
 void add_status(CommandLine& sprung);
+void add_play(CommandLine& sprung);
 void add_record(CommandLine& sprung);
 void add_replay(CommandLine& sprung);
 void add_experiment(CommandLine& sprung);

@@ -42,6 +42,7 @@ int main(int argc, char** argv) {
   add_topics(line);
   add_watch(line);
   add_spy(line);
+  add_play(line);
   add_record(line);
   add_replay(line);
   add_experiment(line);

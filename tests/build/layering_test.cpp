@@ -37,6 +37,8 @@ const std::vector<std::string> kCoreFolders = {"signals",
                                                "tools/operate/doctor",
                                                "tools/logs/fields",
                                                "tools/logs/spy",
+                                               "tools/station/frames",
+                                               "tools/station/page",
                                                "tools/station/server"};
 const std::regex kShell(R"((_main|_shell|_lockstep|_realtime)\.(h|cpp)$)");
 const std::regex kMessages(R"(signals/messages|signals/message_fields)");
@@ -116,7 +118,7 @@ const std::vector<std::vector<std::string>> kFloors = {
     {"robots"},        {"runtime"},    {"drivers", "estimator", "controller"},
     {"planner"},       {"simulation"}, {"tools/common"},
     {"tools/operate"}, {"tools/can"},  {"tools/logs"},
-    {"tools/station"}, {"tools/lab"}};
+    {"tools/lab", "tools/station"}};
 
 bool is_roof(const std::string& path) {
   static const std::regex roof(R"(^tools/(\w+/commands/|\w+\.(h|cpp)$))");

@@ -13,7 +13,10 @@
 #include "robots/robot_loader.h"
 #include "runtime/stop_request.h"
 #include "tools/operate/launcher/torque_watch.h"
+#include "tools/station/frames/frame_layout.h"
+#include "tools/station/scene/scene.h"
 #include "tools/station/server/console_session.h"
+#include "tools/station/server/frame_bytes.h"
 #include "tools/station/server/live_report.h"
 #include "tools/station/server/page_files.h"
 #include "tools/station/server/robot_link_shell.h"
@@ -50,6 +53,15 @@ RobotConfig robot_of(const RunInfo& info) {
   return info.maintenance ? for_maintenance(robot) : robot;
 }
 
+/// A robot that cannot be drawn is shown by its panels: the page says why.
+std::string scene_of(const RobotConfig& robot, const std::string& preset) {
+  try {
+    return make_scene(robot, preset).dump();
+  } catch (const std::exception& error) {
+    return Json({{"missing", error.what()}}).dump();
+  }
+}
+
 class Console {
  public:
   Console(const RunInfo& info, const ConsoleOptions& options)
@@ -59,8 +71,12 @@ class Console {
         session_(robot_, {info.preset, info.maintenance, random_bytes()[0]}),
         drives_(robot_.actuators.size()),
         joints_(robot_.joints.size(), robot_.legs.size()),
-        server_({options.port, random_token(), options.other_origins, ConsoleSession::kLongestText},
-                {[](std::string_view path) { return console_file(path); }, [this](int page) { opened(page); },
+        nonce_(random_token()),
+        page_text_(console_page(nonce_)),
+        scene_text_(scene_of(robot_, info.preset)),
+        layout_text_(frame_layout(robot_, link_.frame_fields()).dump()),
+        server_({options.port, random_token(), options.other_origins, ConsoleSession::kLongestText, nonce_},
+                {[this](std::string_view path) { return file(path); }, [this](int page) { opened(page); },
                  [this](int page) {
                    session_.page_closed(page, link_.utime_us());
                    flush();
@@ -86,6 +102,13 @@ class Console {
   }
 
  private:
+  const WebFile* file(std::string_view path) const {
+    if (path.empty()) return &page_;
+    if (path == "scene.json") return &scene_;
+    if (path == "layout.json") return &layout_;
+    return console_file(path);
+  }
+
   void opened(int page) {
     Json hello = robot_json(robot_);
     hello["type"] = "robot";
@@ -112,30 +135,36 @@ class Console {
     listen(now_us);
     flush();
     if (server_.pages().empty()) return;
+    if (const Frame* const frame = link_.frame()) {
+      const auto bytes = std::make_shared<const std::string>(frame_bytes(*frame));
+      for (const int page : server_.pages()) server_.send_frame(page, bytes);
+    }
     if (now_us >= next_state_us_) send_state(now_us);
   }
 
   void listen(std::int64_t now_us) {
-    const std::int64_t before = drives_.stamp.seq;
-    if (link_.drives(drives_) && drives_.stamp.seq != before) {
-      drives_heard_us_ = now_us;
-      // In lock-step a message's time is not the clock's.
-      const bool lockstep = info_.clock == "lockstep";
-      session_.drives(may_have_torque(drives_), lockstep ? now_us : drives_.stamp.utime_us);
-    }
-    if (!link_.joints(joints_)) return;
+    if (!link_.drives(drives_)) return;
+    drives_heard_us_ = now_us;
+    // In lock-step a message's time is not the clock's.
+    const bool lockstep = info_.clock == "lockstep";
+    session_.drives(may_have_torque(drives_), lockstep ? now_us : drives_.stamp.utime_us);
+  }
+
+  RobotNow robot_now() const {
     RobotNow now;
     for (const EstimatedJoint& joint : joints_.joints)
       now.joint_positions_rad.push_back(joint.estimated_position_rad);
-    const auto& motion = heard_ == nullptr ? std::nullopt : heard_->motion.message;
+    const auto& motion = heard_->motion.message;
     const bool walks = motion && static_cast<MotionPhase>(motion->state) == MotionPhase::kWalking;
     now.walking_in = walks ? motion->gait : -1;
-    session_.robot_is(std::move(now));
+    return now;
   }
 
   void send_state(std::int64_t now_us) {
     next_state_us_ = now_us + kState_us;
     heard_ = &link_.hear();
+    link_.joints(joints_);
+    session_.robot_is(robot_now());
     if (now_us >= next_processes_us_) {
       processes_ = processes_json(info_, *heard_);
       next_processes_us_ = now_us + kProcesses_us;
@@ -175,6 +204,10 @@ class Console {
   std::int64_t drives_heard_us_ = 0;
   const HeardRobot* heard_ = nullptr;
   Json processes_ = Json::array();
+  std::string nonce_, page_text_, scene_text_, layout_text_;
+  WebFile page_{"text/html; charset=utf-8", page_text_};
+  WebFile scene_{"application/json", scene_text_};
+  WebFile layout_{"application/json", layout_text_};
   std::int64_t next_tick_us_ = 0, next_state_us_ = 0, next_processes_us_ = 0, next_run_check_us_ = 0;
   WebServer server_;
 };

@@ -1,9 +1,10 @@
 #pragma once
-/// The live page's end of a robot's LCM network: an ordinary operator with the run's key. Keeps the newest of
-/// what it hears; only answers are kept in a row.
+/// The live page's end of a robot's LCM network: an ordinary operator with the run's key. It keeps the newest
+/// message of each channel, and decodes what is asked for when it is asked for: 50 of some 4000 a second.
 #include <cstdint>
+#include <map>
 #include <mutex>
-#include <optional>
+#include <string>
 #include <vector>
 
 #include "robots/robot_config.h"
@@ -13,9 +14,23 @@
 #include "signals/operator.h"
 #include "tools/operate/client/status_report.h"
 #include "tools/operate/launcher/run_file.h"
+#include "tools/station/frames/frames.h"
 #include "tools/station/server/request_desk.h"
 
 namespace sprung::station {
+
+/// The newest message of a channel, as it came.
+class NewestBytes {
+ public:
+  void put(const std::uint8_t* data, std::size_t size);
+  /// @param version of what the caller has; set. @return false where there is nothing newer.
+  bool get(std::int64_t& version, std::vector<std::uint8_t>& out) const;
+
+ private:
+  mutable std::mutex mutex_;
+  std::vector<std::uint8_t> bytes_;
+  std::int64_t version_ = 0;
+};
 
 class RobotLink {
  public:
@@ -30,40 +45,37 @@ class RobotLink {
   void say(OperatorCommand command);
 
   std::vector<RobotAnswer> take_answers();
-  /// The newest; false as long as there is none.
-  bool drives(DriveState& out) const { return drives_.newest(out); }
-  bool joints(JointState& out) const { return joints_.newest(out); }
+  /// The newest; false where it is the one of before.
+  bool drives(DriveState& out);
+  bool joints(JointState& out);
   /// What `sprung status` tells, of now.
   const HeardRobot& hear();
-  std::int64_t refused_messages() const { return node_.refused_messages(); }
+  /// One row of what is to be drawn, of now; nullptr where nothing has come since.
+  const Frame* frame();
+  const std::vector<FrameField>& frame_fields() const noexcept { return frames_.fields(); }
 
  private:
-  /// One message that a newer one replaces.
-  template <class M>
-  struct Box {
-    std::mutex mutex;
-    std::optional<M> message;
-    void put(const M& next) {
-      const std::lock_guard<std::mutex> lock(mutex);
-      message = next;
-    }
-    void take_to(Newest<M>& newest, std::int64_t now_us) {
-      const std::lock_guard<std::mutex> lock(mutex);
-      if (message) newest.take(std::move(*message), now_us);
-      message.reset();
-    }
+  struct Reader {
+    const char* channel;
+    std::int64_t version = 0;
   };
+  template <class M>
+  void listen_to(const char* channel, const CountLimits& limits);
+  /// What the reader has not had yet. @return whether there is.
+  bool newer(Reader& reader);
+  template <class M>
+  bool newer(Reader& reader, M& out);
 
-  std::int64_t session_;
-  Slot<DriveState> drives_;
-  Slot<JointState> joints_;
-  Box<sprung_msgs::motion_state_t> motions_;
-  Box<sprung_msgs::safety_state_t> safeties_;
-  Box<sprung_msgs::bus_state_t> buses_;
+  std::map<std::string, NewestBytes> newest_;
+  std::vector<std::uint8_t> bytes_;
+  Frames frames_;
+  std::vector<Reader> frame_readers_;
+  Reader drive_reader_, joint_reader_, motion_reader_, safety_reader_, bus_reader_, heard_joint_reader_;
+  sprung_msgs::drive_state_t drive_message_;
+  sprung_msgs::joint_state_t joint_message_;
   InputQueue<sprung_msgs::process_status_t> processes_{256};
   InputQueue<sprung_msgs::operator_reply_t> replies_{256};
   HeardRobot heard_;
-  JointState newest_joints_;
   Node node_;
   Publisher<OperatorCommand> commands_;
 };

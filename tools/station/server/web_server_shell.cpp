@@ -20,11 +20,7 @@ constexpr int kTimeout_s = 20;
 
 /// On every answer. No page of another origin may frame this one (a button under the reader's mouse) or read
 /// it, none may leave with its address, and nothing is loaded from elsewhere.
-constexpr std::array<std::pair<const char*, const char*>, 5> kHeaders{{
-    {"content-security-policy:",
-     "default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
-     "connect-src 'self'; worker-src 'self' blob:; base-uri 'none'; form-action 'none'; frame-ancestors "
-     "'none'"},
+constexpr std::array<std::pair<const char*, const char*>, 4> kHeaders{{
     {"x-content-type-options:", "nosniff"},
     {"referrer-policy:", "no-referrer"},
     {"cache-control:", "no-store"},
@@ -93,6 +89,13 @@ struct WebServer::Impl {
   std::vector<unsigned char> buffer;
   std::int64_t frames_sent = 0, frames_replaced = 0, refused = 0;
 };
+
+std::string content_policy(const std::string& nonce) {
+  return "default-src 'none'; script-src 'self' 'nonce-" + nonce +
+         "'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; connect-src 'self'; base-uri "
+         "'none'; "
+         "form-action 'none'; frame-ancestors 'none'";
+}
 
 Admission WebServer::Impl::judge(lws* wsi) const {
   const std::string host = header_of(wsi, WSI_TOKEN_HOST), origin = header_of(wsi, WSI_TOKEN_ORIGIN),

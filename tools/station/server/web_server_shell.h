@@ -20,6 +20,7 @@ struct WebServerOptions {
   std::string token;                       ///< of Doorkeeper
   std::vector<std::string> other_origins;  ///< likewise
   std::size_t longest_text = 4096;         ///< of a page; a longer one ends its connection
+  std::string nonce;                       ///< of scripts that stand in a page itself
 };
 
 /// What a server asks of whoever uses it, from within service(). None may throw.

@@ -3,6 +3,7 @@ import { showCommands } from "./commands.js";
 import { Driving } from "./driving.js";
 import { Link } from "./link.js";
 import { Panels } from "./panels.js";
+import { LiveView } from "./view.js";
 
 const hold_ms = 100;
 const most_news = 40;
@@ -11,6 +12,7 @@ const link = new Link(new URL("live", location.href).href.replace(/^http/, "ws")
 let panels = null;
 let state = null;
 let drives = false;
+const view = new LiveView(byId("view"));
 
 function show(id, value, name) {
   if (byId(id).textContent !== value) byId(id).textContent = value;
@@ -74,6 +76,7 @@ on("state", (message) => {
   panels?.update(message);
   showSession(message.session);
 });
+on("frame", (data) => view.take(data));
 on("reply", ({ command, outcome, reason, cycle }) => {
   const bad = !["accepted", "queued", "done"].includes(outcome);
   news(`${command}: ${outcome}${reason ? `: ${reason}` : ""}${cycle >= 0 ? ` (cycle ${cycle})` : ""}`, bad);
@@ -115,5 +118,6 @@ setInterval(() => {
 }, hold_ms);
 
 new Driving(link, { source: byId("source"), gait: byId("gait"), estop: () => link.estop() });
+view.open().catch((error) => news(`the 3-D view: ${error.message}`, true));
 // For tests and the browser's own console.
-window.sprung = { link, get state() { return state; } };
+window.sprung = { link, view, get state() { return state; } };
