@@ -1,6 +1,7 @@
 // The page of the station: the robot in 3-D, its values beside it, and time. A log and a live robot are shown
 // by the same page; config.mode says which (page.h).
 import {RobotView, torque_colour} from "robot_view";
+import {Footfalls} from "footfalls";
 import {Plots, number_text} from "plots";
 import {Timeline} from "timeline";
 import {LogSource, index_of_fields, word_of} from "source";
@@ -66,6 +67,7 @@ export class App {
     this.show_notes();
     this.make_view();
     this.joints = new JointBars(by_id("joints"), this.config.layout, this.config.scene);
+    this.footfalls = new Footfalls(by_id("footfalls"), this.source);
     this.plots = new Plots(by_id("plots"), by_id("plot-tools"), this.source, (time_s) => this.timeline.seek(time_s));
     this.badges = by_id("badges");
     this.timeline = new Timeline(by_id("timeline"), this.source, this.config, (time_s) => this.show(time_s));
@@ -139,6 +141,7 @@ export class App {
     document.documentElement.dataset.theme = theme;
     this.view?.set_theme(theme);
     this.plots.set_theme(theme);
+    this.footfalls.set_theme(theme);
     this.show(this.timeline.time_s);
   }
 
@@ -146,6 +149,7 @@ export class App {
     const row = this.source.row(time_s);
     this.view?.show(row);
     this.joints.show(row);
+    this.footfalls.show(time_s);
     this.plots.show(time_s, row);
     this.show_badges(row);
   }

@@ -146,8 +146,6 @@ export class RobotView {
     this.add_floor();
     this.add_robot();
     this.add_feet();
-    this.place_camera();
-    this.last_base = new THREE.Vector3().copy(this.body.base.position);
     this.dirty = true;
   }
 
@@ -240,16 +238,18 @@ export class RobotView {
     });
   }
 
+  /** So that the robot fills the picture, with room to jump; then the camera is the user's. */
   place_camera() {
-    this.body.base.updateWorldMatrix(true, true);
     const box = new THREE.Box3().setFromObject(this.body.root);
-    const size_m = Math.max(0.7, box.getSize(new THREE.Vector3()).length());
-    const centre = box.getCenter(new THREE.Vector3());
+    const size = box.getSize(new THREE.Vector3());
+    const away_m = 1.1 * Math.max(0.8, size.length());
     this.controls = new OrbitControls(this.camera, this.canvas);
     this.controls.addEventListener("change", () => { this.dirty = true; });
-    this.controls.target.copy(centre);
-    this.camera.position.copy(centre).add(new THREE.Vector3(1.0, -1.35, 0.55).multiplyScalar(size_m));
+    this.controls.target.copy(box.getCenter(new THREE.Vector3()));
+    this.controls.target.z = Math.max(0.25, 0.5 * box.max.z);
+    this.camera.position.copy(this.controls.target).add(new THREE.Vector3(0.85, -1.45, 0.5).multiplyScalar(away_m));
     this.controls.update();
+    this.last_base = this.body.base.position.clone();
   }
 
   /** "light" or "dark" */
@@ -284,6 +284,7 @@ export class RobotView {
     this.ghost.root.visible = this.shown.ghost && wished.some(Number.isFinite);
     this.colour_torques(numbers(this.torque_fields));
     this.body.root.updateMatrixWorld(true);
+    if (!this.controls) this.place_camera();
     this.feet.forEach((foot, i) => { if (foot) this.show_foot(foot, this.leg_fields[i], row); });
     if (this.shown.follow) this.follow();
     this.dirty = true;

@@ -1,0 +1,29 @@
+// A page in Debian's Chromium, and what it complains of.
+import { createRequire } from "node:module";
+import path from "node:path";
+
+const software = ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update",
+  "--disable-sync", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
+
+/** @param folder that has node_modules. @param more arguments for Chromium */
+export async function launch(folder, more = []) {
+  const { chromium } = createRequire(path.resolve(folder) + "/")("playwright-core");
+  return chromium.launch({ executablePath: "/usr/bin/chromium", args: [...software, ...more] });
+}
+
+/** @return the opened page; its `complaints` are errors and warnings of the console, and whatever it asked of a network. */
+export async function open(browser, file, { width = 1280, height = 720, theme = "light", hash = "" } = {}) {
+  const page = await browser.newPage({ viewport: { width, height }, colorScheme: theme });
+  page.complaints = [];
+  page.on("console", (message) => {
+    const drivers = message.text().includes("GPU stall"); // reading pixels back, by software
+    if (["error", "warning"].includes(message.type()) && !drivers) page.complaints.push(message.text());
+  });
+  page.on("pageerror", (error) => page.complaints.push(error.message));
+  page.on("request", (request) => {
+    if (/^(https?|wss?):/.test(request.url())) page.complaints.push(`asks for ${request.url()}`);
+  });
+  await page.goto(`file://${file}${hash}`);
+  await page.waitForFunction(() => document.documentElement.dataset.ready, null, { timeout: 120_000 });
+  return page;
+}
