@@ -21,6 +21,7 @@ void add_campaign(CommandLine& sprung);
 void add_can(CommandLine& sprung);    ///< can dump, can export, can lss
 void add_console(CommandLine& sprung);
 void add_drive(CommandLine& sprung);  ///< drive info, read, write, scan, check
+void add_drive_by(CommandLine& sprung);
 void add_fault(CommandLine& sprung);
 void add_hold(CommandLine& sprung);
 void add_home(CommandLine& sprung);

@@ -51,6 +51,7 @@ int main(int argc, char** argv) {
   add_can(line);
   add_console(line);
   add_drive(line);
+  add_drive_by(line);
   add_hold(line);
   add_home(line);
   add_identify(line);

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <stdexcept>
 
 #include "robots/maintenance.h"
@@ -16,16 +17,19 @@
 #include "tools/station/frames/frame_layout.h"
 #include "tools/station/scene/scene.h"
 #include "tools/station/server/console_session.h"
+#include "tools/station/server/foxglove_session.h"
 #include "tools/station/server/frame_bytes.h"
 #include "tools/station/server/live_report.h"
 #include "tools/station/server/page_files.h"
 #include "tools/station/server/robot_link_shell.h"
+#include "tools/station/server/transforms.h"
 
 namespace sprung::station {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr std::array<const char*, 3> kProtocols{"sprung.v1", "foxglove.sdk.v1", "foxglove.websocket.v1"};
 constexpr std::int64_t kTick_us = 20'000;
 constexpr std::int64_t kState_us = 100'000;
 constexpr std::int64_t kProcesses_us = 500'000;  // PROCESS_STATUS comes twice a second
@@ -75,16 +79,20 @@ class Console {
         page_text_(console_page(nonce_)),
         scene_text_(scene_of(robot_, info.preset)),
         layout_text_(frame_layout(robot_, link_.frame_fields()).dump()),
-        server_({options.port, random_token(), options.other_origins, ConsoleSession::kLongestText, nonce_},
-                {[this](std::string_view path) { return file(path); }, [this](int page) { opened(page); },
-                 [this](int page) {
-                   session_.page_closed(page, link_.utime_us());
-                   flush();
-                 },
-                 [this](int page, std::string_view text) {
-                   session_.text(page, text, link_.utime_us());
-                   flush();
-                 }}) {}
+        viewers_(robot_.name, RobotLink::channels_heard()),
+        transforms_(nlohmann::json::parse(scene_text_), link_.frame_fields()),
+        server_({options.port,
+                 random_token(),
+                 {kProtocols.begin(), kProtocols.end()},
+                 options.other_origins,
+                 ConsoleSession::kLongestText,
+                 nonce_},
+                {[this](std::string_view path) { return file(path); },
+                 [this](int page, std::string_view protocol) { opened(page, protocol); },
+                 [this](int page) { closed(page); },
+                 [this](int page, std::string_view text) { heard(page, text); }}) {
+    for (const auto& [channel, type] : RobotLink::channels_heard()) viewers_readers_.push_back({channel, 0});
+  }
 
   ConsoleAddress address() const {
     const int port = server_.port();
@@ -109,7 +117,12 @@ class Console {
     return console_file(path);
   }
 
-  void opened(int page) {
+  void opened(int page, std::string_view protocol) {
+    if (protocol != kProtocols.front()) {
+      for (std::string& text : viewers_.opened(page)) server_.send(page, std::move(text));
+      return;
+    }
+    pages_.insert(page);
     Json hello = robot_json(robot_);
     hello["type"] = "robot";
     hello["preset"] = info_.preset;
@@ -119,6 +132,23 @@ class Console {
     hello["instance"] = info_.instance;
     server_.send(page, hello.dump());
     session_.page_opened(page, link_.utime_us());
+    flush();
+  }
+
+  void closed(int page) {
+    viewers_.closed(page);
+    if (pages_.erase(page) == 0) return;
+    session_.page_closed(page, link_.utime_us());
+    flush();
+  }
+
+  void heard(int page, std::string_view text) {
+    if (viewers_.has(page)) {
+      std::string told = viewers_.text(page, text);
+      if (!told.empty()) server_.send(page, std::move(told));
+      return;
+    }
+    session_.text(page, text, link_.utime_us());
     flush();
   }
 
@@ -134,12 +164,31 @@ class Console {
     for (const RobotAnswer& answer : link_.take_answers()) session_.answer(answer, now_us);
     listen(now_us);
     flush();
-    if (server_.pages().empty()) return;
-    if (const Frame* const frame = link_.frame()) {
-      const auto bytes = std::make_shared<const std::string>(frame_bytes(*frame));
-      for (const int page : server_.pages()) server_.send_frame(page, bytes);
+    const bool transforms = viewers_.wanted(kTransformTopic);
+    if (!pages_.empty() || transforms) send_frame(transforms);
+    send_to_viewers();
+    if (!pages_.empty() && now_us >= next_state_us_) send_state(now_us);
+  }
+
+  void send_frame(bool transforms) {
+    const Frame* const frame = link_.frame();
+    if (frame == nullptr) return;
+    const auto bytes = std::make_shared<const std::string>(frame_bytes(*frame));
+    for (const int page : pages_) server_.send_frame(page, bytes);
+    const std::int64_t now_ns = utc_us() * 1000;
+    if (transforms) send_binaries(viewers_.transforms(transforms_.json(*frame, now_ns), now_ns));
+  }
+
+  void send_binaries(FoxgloveSession::Messages messages) {
+    for (auto& [page, bytes] : messages) server_.send_binary(page, std::move(bytes));
+  }
+
+  void send_to_viewers() {
+    for (RobotLink::Reader& reader : viewers_readers_) {
+      if (!viewers_.wanted(reader.channel)) continue;
+      if (const auto* const bytes = link_.newest(reader))
+        send_binaries(viewers_.message(reader.channel, bytes->data(), bytes->size(), utc_us() * 1000));
     }
-    if (now_us >= next_state_us_) send_state(now_us);
   }
 
   void listen(std::int64_t now_us) {
@@ -178,7 +227,7 @@ class Console {
     state["session"] = session_.status_json(now_us);
     const auto text = std::make_shared<const std::string>(
         state.dump(-1, ' ', false, Json::error_handler_t::replace));
-    for (const int page : server_.pages()) server_.send_state(page, text);
+    for (const int page : pages_) server_.send_state(page, text);
   }
 
   bool run_goes_on(std::int64_t now_us) {
@@ -188,7 +237,7 @@ class Console {
   }
 
   std::string farewell() {
-    for (const int page : server_.pages())
+    for (const int page : pages_)
       server_.send(page, Json({{"type", "end"}, {"text", "the robot is down"}}).dump());
     const std::int64_t until_us = link_.utime_us() + 10 * kTick_us;
     while (link_.utime_us() < until_us) server_.service(20);
@@ -208,6 +257,10 @@ class Console {
   WebFile page_{"text/html; charset=utf-8", page_text_};
   WebFile scene_{"application/json", scene_text_};
   WebFile layout_{"application/json", layout_text_};
+  std::set<int> pages_;  ///< of ours; the others are viewers
+  FoxgloveSession viewers_;
+  std::vector<RobotLink::Reader> viewers_readers_;
+  Transforms transforms_;
   std::int64_t next_tick_us_ = 0, next_state_us_ = 0, next_processes_us_ = 0, next_run_check_us_ = 0;
   WebServer server_;
 };

@@ -35,17 +35,17 @@ void RobotLink::listen_to(const char* channel, const CountLimits& limits) {
   NewestBytes& newest = newest_[channel];
   node_.on_bytes<M>(channel, limits,
                     [&newest](const std::uint8_t* data, std::size_t size) { newest.put(data, size); });
-  frame_readers_.push_back({channel});
+  frame_readers_.push_back({channel, 0});
 }
 
 RobotLink::RobotLink(const RunInfo& info, const RobotConfig& robot)
     : frames_(robot),
-      drive_reader_{channels::kDriveState},
-      joint_reader_{channels::kJointState},
-      motion_reader_{channels::kMotionState},
-      safety_reader_{channels::kSafetyState},
-      bus_reader_{channels::kBusState},
-      heard_joint_reader_{channels::kJointState},
+      drive_reader_{channels::kDriveState, 0},
+      joint_reader_{channels::kJointState, 0},
+      motion_reader_{channels::kMotionState, 0},
+      safety_reader_{channels::kSafetyState, 0},
+      bus_reader_{channels::kBusState, 0},
+      heard_joint_reader_{channels::kJointState, 0},
       node_(looking(info)),
       commands_(node_.publisher<OperatorCommand>(channels::kOperatorCommand)) {
   const std::size_t actuators = robot.actuators.size(), joints = robot.joints.size(),
@@ -63,6 +63,20 @@ RobotLink::RobotLink(const RunInfo& info, const RobotConfig& robot)
   node_.subscribe_message(channels::kProcessStatus, CountLimits::none(), processes_);
   node_.subscribe_message(channels::kOperatorReply, CountLimits::none(), replies_);
   node_.start();
+}
+
+const std::vector<std::pair<std::string, std::string>>& RobotLink::channels_heard() {
+  static const std::vector<std::pair<std::string, std::string>> all{
+      {channels::kDriveState, "drive_state_t"},
+      {channels::kDriveCommand, "drive_command_t"},
+      {channels::kJointState, "joint_state_t"},
+      {channels::kLegCommand, "leg_command_t"},
+      {channels::kMotionState, "motion_state_t"},
+      {channels::kSafetyState, "safety_state_t"},
+      {channels::kImu, "imu_t"},
+      {channels::kSimTruth, "sim_truth_t"},
+      {channels::kBusState, "bus_state_t"}};
+  return all;
 }
 
 bool RobotLink::newer(Reader& reader) { return newest_.at(reader.channel).get(reader.version, bytes_); }

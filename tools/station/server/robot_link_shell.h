@@ -5,6 +5,7 @@
 #include <map>
 #include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "robots/robot_config.h"
@@ -54,11 +55,18 @@ class RobotLink {
   const Frame* frame();
   const std::vector<FrameField>& frame_fields() const noexcept { return frames_.fields(); }
 
- private:
+  /// Who has read what of a channel.
   struct Reader {
-    const char* channel;
+    std::string channel;
     std::int64_t version = 0;
   };
+  /// What the reader has not had yet: the channel's newest message; nullptr where there is nothing newer.
+  /// Valid until the next call of any function.
+  const std::vector<std::uint8_t>* newest(Reader& reader) { return newer(reader) ? &bytes_ : nullptr; }
+  /// Each with the name of its type.
+  static const std::vector<std::pair<std::string, std::string>>& channels_heard();
+
+ private:
   template <class M>
   void listen_to(const char* channel, const CountLimits& limits);
   /// What the reader has not had yet. @return whether there is.

@@ -14,6 +14,7 @@ namespace sprung::station {
 namespace {
 
 constexpr std::size_t kMostTexts = 256;
+constexpr std::size_t kMostBinaries = 64;
 constexpr std::size_t kFileChunk = 16384;
 /// A page that takes nothing and says nothing: its machine is asleep, or the cable is out.
 constexpr int kTimeout_s = 20;
@@ -52,7 +53,7 @@ struct Connection {
 struct WebServer::Impl {
   struct Page {
     lws* wsi = nullptr;
-    std::deque<std::string> texts;
+    std::deque<std::pair<lws_write_protocol, std::string>> texts;
     SharedBytes state;
     SharedBytes frame;
     std::string incoming;
@@ -80,7 +81,7 @@ struct WebServer::Impl {
   WebServerOptions options;
   WebHandlers handlers;
   Doorkeeper door;
-  std::array<lws_protocols, 2> protocols{};
+  std::vector<lws_protocols> protocols;
   lws_context* context = nullptr;
   lws_sorted_usec_list_t timer{};
   int port = 0;
@@ -158,7 +159,7 @@ int WebServer::Impl::filter(lws* wsi) {
 void WebServer::Impl::open(lws* wsi, Connection* connection) {
   connection->page = next_page++;
   pages[connection->page].wsi = wsi;
-  handlers.opened(connection->page);
+  handlers.opened(connection->page, lws_get_protocol(wsi)->name);
 }
 
 int WebServer::Impl::receive(lws* wsi, Connection* connection, std::string_view part) {
@@ -186,9 +187,9 @@ int WebServer::Impl::write(lws* wsi, const std::string& bytes, lws_write_protoco
 int WebServer::Impl::write(lws* wsi, Page& page) {
   int result = 0;
   if (!page.texts.empty()) {
-    const std::string text = std::move(page.texts.front());
+    const auto [kind, bytes] = std::move(page.texts.front());
     page.texts.pop_front();
-    result = write(wsi, text, LWS_WRITE_TEXT);
+    result = write(wsi, bytes, kind);
   } else if (page.close) {
     lws_close_reason(wsi, LWS_CLOSE_STATUS_POLICY_VIOLATION, nullptr, 0);
     return -1;
@@ -244,7 +245,9 @@ void WebServer::Impl::create(const char* address, lws_context_creation_info& inf
 WebServer::WebServer(const WebServerOptions& options, WebHandlers handlers)
     : impl_(std::make_unique<Impl>(options, std::move(handlers))) {
   lws_set_log_level(0, nullptr);
-  impl_->protocols[0] = {"sprung.v1", Impl::callback, sizeof(Connection), 4096, 0, nullptr, 0};
+  for (const std::string& protocol : impl_->options.protocols)
+    impl_->protocols.push_back({protocol.c_str(), Impl::callback, sizeof(Connection), 4096, 0, nullptr, 0});
+  impl_->protocols.push_back({});
   lws_context_creation_info info{};
   info.options = LWS_SERVER_OPTION_EXPLICIT_VHOSTS;
   info.gid = -1;
@@ -285,8 +288,16 @@ void WebServer::send(int page, std::string text) {
   Impl::Page* const to = impl_->find(page);
   if (to == nullptr) return;
   if (to->texts.size() >= kMostTexts) return close(page);
-  to->texts.push_back(std::move(text));
+  to->texts.emplace_back(LWS_WRITE_TEXT, std::move(text));
   lws_callback_on_writable(to->wsi);
+}
+
+bool WebServer::send_binary(int page, std::string bytes) {
+  Impl::Page* const to = impl_->find(page);
+  if (to == nullptr || to->texts.size() >= kMostBinaries) return false;
+  to->texts.emplace_back(LWS_WRITE_BINARY, std::move(bytes));
+  lws_callback_on_writable(to->wsi);
+  return true;
 }
 
 void WebServer::send_state(int page, SharedBytes text) {

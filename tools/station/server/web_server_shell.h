@@ -18,6 +18,7 @@ namespace sprung::station {
 struct WebServerOptions {
   int port = 0;                            ///< 0: any that is free
   std::string token;                       ///< of Doorkeeper
+  std::vector<std::string> protocols;      ///< WebSocket's subprotocols; the first is for who names none
   std::vector<std::string> other_origins;  ///< likewise
   std::size_t longest_text = 4096;         ///< of a page; a longer one ends its connection
   std::string nonce;                       ///< of scripts that stand in a page itself
@@ -26,7 +27,7 @@ struct WebServerOptions {
 /// What a server asks of whoever uses it, from within service(). None may throw.
 struct WebHandlers {
   std::function<const WebFile*(std::string_view path)> file;  ///< nullptr: there is none
-  std::function<void(int page)> opened;
+  std::function<void(int page, std::string_view protocol)> opened;
   std::function<void(int page)> closed;
   std::function<void(int page, std::string_view text)> text;
 };
@@ -49,6 +50,8 @@ class WebServer {
 
   /// In order, and none is lost; a page that does not take 256 of them is closed.
   void send(int page, std::string text);
+  /// In order; a page that has not taken 64 of them yet does without. @return whether it gets this one.
+  bool send_binary(int page, std::string bytes);
   /// The newest alone counts: one that has not gone yet is replaced.
   void send_state(int page, SharedBytes text);
   void send_frame(int page, SharedBytes binary);
