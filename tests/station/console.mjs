@@ -1,6 +1,7 @@
 // What an operator does with the live page, and what goes wrong with pages.
 // usage: console.mjs FOLDER BIN   FOLDER has node_modules and keeps pictures; exit status 1: something is not as it should be
 import assert from "node:assert/strict";
+import { readFileSync, writeFileSync } from "node:fs";
 import http from "node:http";
 import { createRequire } from "node:module";
 import path from "node:path";
@@ -16,7 +17,7 @@ const picture = (page, name) => page.screenshot({ path: path.join(folder, name) 
 
 async function accessible(page, what) {
   // Scripts from elsewhere are refused by the page's own rule; this one comes by the debugger.
-  await page.evaluate((await import("node:fs")).readFileSync(axe, "utf8"));
+  await page.evaluate(readFileSync(axe, "utf8"));
   const { violations } = await page.evaluate(() => window.axe.run());
   assert.deepEqual(violations.map(({ id, nodes }) => `${id}: ${nodes[0].html}`), [], `axe-core, ${what}`);
 }
@@ -30,7 +31,7 @@ const scriptedGamepad = () => {
 const pad = (page, axes, deadMan) => page.evaluate(([a, held]) => { window.pad.axes = a; window.pad.buttons[5].pressed = held; }, [axes, deadMan]);
 
 function request(url, headers) {
-  return new Promise((resolve) => http.get(url, { headers }, (answer) => {
+  return new Promise((resolve) => http.get(url, { headers, agent: false }, (answer) => {
     let text = "";
     answer.on("data", (part) => { text += part; });
     answer.on("end", () => resolve({ status: answer.statusCode, text, headers: answer.headers }));
@@ -39,7 +40,7 @@ function request(url, headers) {
 /** What becomes of a request to become a WebSocket. */
 function upgrade(url, headers) {
   return new Promise((resolve) => {
-    const asked = http.get(url + "live", { headers: { Connection: "Upgrade", Upgrade: "websocket", "Sec-WebSocket-Version": "13",
+    const asked = http.get(url + "live", { agent: false, headers: { Connection: "Upgrade", Upgrade: "websocket", "Sec-WebSocket-Version": "13",
       "Sec-WebSocket-Key": "dGhlIHNhbXBsZSBub25jZQ==", "Sec-WebSocket-Protocol": "sprung.v1", ...headers } });
     asked.on("upgrade", (answer, socket) => { socket.destroy(); resolve(101); });
     asked.on("response", (answer) => { answer.resume(); resolve(answer.statusCode); });
@@ -147,7 +148,7 @@ check("a page that sleeps: the robot stands, nobody drives, and it says so when 
   const other = await openLive(browser, url);
   await press(page, "walk", { forward_m_s: 0.1 });
   await motionIs(other, "walking");
-  await page.evaluate(() => { const end = Date.now() + 4000; while (Date.now() < end); }); // its thread stands still
+  await page.evaluate(() => { const end = Date.now() + 7000; while (Date.now() < end); }); // its thread stands still
   assert.notEqual((await state(other)).motion.state, "walking");
   await eventually("the page knows that it does not drive", async () => (await page.locator("#role").textContent()) === "nobody drives");
   await page.close();
@@ -196,6 +197,66 @@ check("a browser without WebGL shows everything else, and says so", async ({ url
   await page.locator("#view", { hasText: "no WebGL" }).waitFor({ timeout: 60_000 });
   await eventually("it is live", async () => (await state(page))?.motion.state === "standing");
   await browser.close();
+});
+
+check("drive-by gamepad: recorded events are locked at first, walk while the dead-man is held, and end in a stand", async ({ browser, url, robot }) => {
+  const EV_KEY = 1, EV_ABS = 3, ABS_Y = 1, BTN_TR = 0x137;
+  const file = path.join(robot.folder, "events");
+  const events = [ // s, type, code, value
+    [0, EV_KEY, BTN_TR, 1], [0, EV_ABS, ABS_Y, -32768], // held and pushed when it begins
+    [1, EV_KEY, BTN_TR, 0], [1, EV_ABS, ABS_Y, 0],
+    [1.5, EV_KEY, BTN_TR, 1], [1.5, EV_ABS, ABS_Y, -20000], [4.5, EV_KEY, BTN_TR, 0], [7, EV_ABS, ABS_Y, 0]];
+  writeFileSync(file, Buffer.concat(events.map(([time_s, type, code, value]) => {
+    const event = Buffer.alloc(24); // struct input_event of a 64-bit Linux
+    event.writeBigInt64LE(BigInt(1_700_000_000 + Math.floor(time_s)), 0);
+    event.writeBigInt64LE(BigInt(Math.round(1e6 * (time_s % 1))), 8);
+    event.writeUInt16LE(type, 16);
+    event.writeUInt16LE(code, 18);
+    event.writeInt32LE(value, 20);
+    return event;
+  })));
+  const page = await openLive(browser, url);
+  const driving = robot.start("drive-by.txt", ["drive-by", "gamepad", "--device", file]);
+  await robot.says("drive-by.txt", "driving");
+  await motionIs(page, "walking");
+  assert.ok(robot.said("drive-by.txt").indexOf("locked") < robot.said("drive-by.txt").indexOf("ready"), robot.said("drive-by.txt"));
+  await motionIs(page, "standing");
+  await robot.says("drive-by.txt", "the gamepad is gone; the robot stands");
+  await eventually("it has ended", () => driving.status !== undefined);
+  assert.equal(driving.status, 1);
+  await page.close();
+});
+
+check("a viewer that speaks Foxglove's protocol gets channels, messages and transforms, and commands nothing", async ({ browser, url }) => {
+  const page = await openLive(browser, url);
+  const seen = await page.evaluate(() => new Promise((resolve, reject) => {
+    const socket = new WebSocket(new URL("live", location.href).href.replace(/^http/, "ws"), ["foxglove.sdk.v1", "foxglove.websocket.v1"]);
+    const out = { protocol: "", topics: [], messages: {}, status: "" };
+    socket.binaryType = "arraybuffer";
+    setTimeout(() => reject(new Error(`only ${JSON.stringify(out)}`)), 20_000);
+    socket.onmessage = ({ data }) => {
+      if (typeof data !== "string") {
+        const view = new DataView(data);
+        const topic = out.topics[view.getUint32(1, true)];
+        out.messages[topic] = topic === "/tf" ? new TextDecoder().decode(data.slice(13)) : data.byteLength;
+        if (out.messages["/tf"] && out.messages.JOINT_STATE && out.status) resolve({ ...out, opcode: view.getUint8(0) });
+        return;
+      }
+      const message = JSON.parse(data);
+      if (message.op === "status") out.status = message.message;
+      if (message.op !== "advertise") return;
+      out.protocol = socket.protocol;
+      out.topics = message.channels.map(({ topic }) => topic);
+      socket.send(JSON.stringify({ op: "subscribe", subscriptions: message.channels.map(({ id }) => ({ id, channelId: id })) }));
+      socket.send(JSON.stringify({ op: "setParameters", parameters: [] }));
+    };
+  }));
+  assert.equal(seen.protocol, "foxglove.sdk.v1");
+  assert.equal(seen.opcode, 1);
+  assert.match(seen.status, /only shows/);
+  assert.ok(seen.messages.JOINT_STATE > 1000);
+  assert.ok(JSON.parse(seen.messages["/tf"]).transforms.some(({ parent_frame_id }) => parent_frame_id === "world"));
+  await page.close();
 });
 
 check("the space bar stops whatever has the focus; the page says why and what to do, and clear and stand bring it back", async ({ browser, url, robot }) => {

@@ -12,7 +12,7 @@ export async function openLive(browser, url, { width = 1280, height = 720, theme
   page.on("pageerror", (error) => page.complaints.push(error.message));
   if (script) await page.addInitScript(script);
   await page.goto(url);
-  await page.waitForFunction(() => window.sprung?.state && window.sprung.view.frames > 0, null, { timeout: 60_000 });
+  await page.waitForFunction(() => window.sprung?.link.ready && window.sprung.state?.session.driver > 0, null, { timeout: 60_000 });
   return page;
 }
 

@@ -168,6 +168,7 @@ std::string safety_advice(const sprung_msgs::safety_state_t& safety) {
     const std::string first = remedy(cause);
     return first + (first.empty() ? "" : ", then ") + "clear, then stand";
   }
+  if (safety.detail.find("sprung home") != std::string::npos) return "home, then stand";
   if (cause == SafetyCause::kNone && !safety.detail.empty()) return "it is over by itself; clear forgets it";
   return remedy(cause);
 }

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <utility>
 
 namespace sprung::station {
 namespace {
@@ -13,7 +14,7 @@ constexpr const char* kWatches =
     "this page watches and does not drive: take the controls first (the emergency stop works from every "
     "page)";
 constexpr std::int64_t kEnableRenew_us = 100'000;
-constexpr std::int64_t kEnableGone_us = 300'000;
+constexpr std::int64_t kEnableGone_us = 500'000;
 
 std::string text_of(const Json& message, const char* key) {
   const auto found = message.find(key);
@@ -71,9 +72,8 @@ void ConsoleSession::refuse(int page, std::int64_t number, const std::string& co
 bool ConsoleSession::demand_driver(int page) const { return page == driver_; }
 
 void ConsoleSession::page_opened(int page, std::int64_t now_us) {
-  pages_[page] = {now_us, 0, false};
+  pages_[page] = {now_us, 0, false, driver_ < 0};
   send(page, {{"type", "hello"}, {"page", page}, {"commands", forms_json(forms_)}});
-  if (driver_ < 0) return drive(page, "it was opened while nobody drove", now_us);
   send(page, {{"type", "role"}, {"driver", driver_}, {"why", driver_why_}});
 }
 
@@ -105,6 +105,8 @@ void ConsoleSession::text(int page, std::string_view text, std::int64_t now_us) 
     if (text.size() > kLongestText) throw std::invalid_argument("a message has 4096 bytes at most");
     const Json message = Json::parse(text);
     if (!message.is_object()) throw std::invalid_argument("a message is an object");
+    if (std::exchange(known->second.may_begin, false) && driver_ < 0)
+      drive(page, "it was opened while nobody drove", now_us);
     take(page, message, now_us);
   } catch (const std::exception& error) {
     send(page, {{"type", "error"}, {"text", std::string(error.what()).substr(0, 200)}});
@@ -205,7 +207,7 @@ void ConsoleSession::tell(const RequestNews& news) {
       if (steered_.active() && news.kind == OperatorKind::kWalk)
         send(driver_, {{"type", "error"}, {"text", "walk: " + news.reason}});
       if (steered_.active()) steered_.ended();
-      held_.forget();
+      if (held_.active()) held_.forget();
     }
     return;
   }
@@ -247,9 +249,11 @@ Outbox ConsoleSession::step(std::int64_t now_us) {
   }
   say_for_driver(say, now_us);
   std::vector<RequestNews> news;
+  desk_.step(now_us, say = {}, news);
   // The emergency stop goes first, and as often as it likes.
   if (estop_.due(now_us)) out_.commands.push_back(estop_command_);
-  desk_.step(now_us, out_.commands, news);
+  for (const OperatorCommand& each : say)
+    if (each.kind != OperatorKind::kEstop) out_.commands.push_back(each);
   for (const RequestNews& each : news) tell(each);
   return std::exchange(out_, {});
 }

@@ -38,9 +38,9 @@ class ConsoleSession {
  public:
   static constexpr std::size_t kLongestText = 4096;
   static constexpr int kMostBadTexts = 20;
-  /// [design choice] a page says something five times a second; one that does not is closed, asleep, or its
-  /// laptop is.
-  static constexpr std::int64_t kAsleep_us = 2'000'000;
+  /// [design choice] a page says something three times a second; one that does not is asleep, or its laptop
+  /// is. What it held has ended long before. A busy browser stands still for two seconds when it first draws.
+  static constexpr std::int64_t kAsleep_us = 5'000'000;
 
   ConsoleSession(const RobotConfig& robot, const SessionOptions& options);
 
@@ -67,6 +67,7 @@ class ConsoleSession {
     std::int64_t heard_us = 0;
     int bad_texts = 0;
     bool asleep = false;
+    bool may_begin = false;  ///< nobody drove when it was opened: it drives once it speaks
   };
   void take(int page, const nlohmann::json& message, std::int64_t now_us);
   void request(int page, const nlohmann::json& message, std::int64_t now_us);

@@ -3,7 +3,6 @@
 namespace sprung::station {
 namespace {
 
-constexpr double kLetGo_s = 0.001;          // of the last word: over in the next cycle
 constexpr std::int64_t kLapse_us = 50'000;  // until the planner has seen it
 
 OperatorCommand hold(double hold_s) {
@@ -41,7 +40,7 @@ void HeldMotion::step(std::int64_t now_us, std::vector<OperatorCommand>& say) {
     say.push_back(hold(kHold_s));
     renewed(now_us);
   }
-  if (last_word_) say.push_back(hold(kLetGo_s));
+  if (last_word_) say.push_back(hold(HeldMotion::kLetGo_s));
   last_word_ = false;
   if (stop_us_ == kNone || now_us < stop_us_) return;
   stop_us_ = kNone;

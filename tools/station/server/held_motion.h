@@ -11,11 +11,12 @@ namespace sprung::station {
 
 class HeldMotion {
  public:
-  static constexpr double kHold_s = 0.5;  ///< [design choice] four renewals may be lost
+  static constexpr double kHold_s = 0.5;     ///< [design choice] four renewals may be lost
+  static constexpr double kLetGo_s = 0.001;  ///< of the last word: over in the next cycle
   static constexpr std::int64_t kRenew_us = 100'000;
   /// [design choice] nothing heard of who holds: he is gone. Together with the hold, and with setting the
   /// feet, the robot stands within 2 s.
-  static constexpr std::int64_t kGone_us = 300'000;
+  static constexpr std::int64_t kGone_us = 500'000;
 
   /// Its command has been sent, with kHold_s.
   void begin(std::int64_t now_us) noexcept;

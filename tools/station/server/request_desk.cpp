@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "tools/station/server/held_motion.h"
+
 namespace sprung::station {
 namespace {
 
@@ -13,12 +15,22 @@ bool is_stop(OperatorKind kind) noexcept {
   return kind == OperatorKind::kStop || kind == OperatorKind::kSit || kind == OperatorKind::kEstop;
 }
 
-bool is_made_void(OperatorKind kind, OperatorKind by) noexcept {
+bool ends_motion(const OperatorCommand& command) noexcept {
+  return is_stop(command.kind) ||
+         (command.kind == OperatorKind::kHold && command.hold_s <= HeldMotion::kLetGo_s);
+}
+
+bool is_said_once(OperatorKind kind) noexcept {
+  return kind == OperatorKind::kHold || kind == OperatorKind::kEnable;
+}
+
+bool is_made_void(OperatorKind kind, const OperatorCommand& command) noexcept {
+  const OperatorKind by = command.kind;
   const bool walk = by == OperatorKind::kWalk && kind == OperatorKind::kHold;
   const bool renewed = kind == by && (by == OperatorKind::kWalk || by == OperatorKind::kHold ||
                                       by == OperatorKind::kEnable);
   const bool moves = !is_stop(kind) && kind != OperatorKind::kClear && kind != OperatorKind::kHome;
-  return walk || renewed || (is_stop(by) && moves);
+  return walk || renewed || (ends_motion(command) && moves);
 }
 
 const char* who_is_silent(OperatorKind kind) noexcept {
@@ -40,20 +52,20 @@ std::int64_t RequestDesk::next_id(std::int64_t now_us) noexcept {
 
 std::optional<std::int64_t> RequestDesk::add(OperatorCommand command, const Asker& asker,
                                              std::int64_t now_us) {
-  drop_what_is_void(command.kind);
+  drop_what_is_void(command);
   if (requests_.size() >= kMost && command.kind != OperatorKind::kEstop) return std::nullopt;
   command.request_id = next_id(now_us);
   requests_.push_back({command, asker, false, now_us, now_us + kFirstAnswer_us, ""});
   return command.request_id;
 }
 
-void RequestDesk::drop_what_is_void(OperatorKind by) {
-  const auto is_void = [by](const Request& request) {
+void RequestDesk::drop_what_is_void(const OperatorCommand& by) {
+  const auto is_void = [&by](const Request& request) {
     return !request.answered && is_made_void(request.command.kind, by);
   };
   for (const Request& request : requests_) {
     if (!is_void(request)) continue;
-    const std::string why = std::string("not said any more: ") + name(by) + " came after it";
+    const std::string why = std::string("not said any more: ") + name(by.kind) + " came after it";
     dropped_.push_back({request.asker, request.command.kind, "refused", why, -1, true});
   }
   requests_.erase(std::remove_if(requests_.begin(), requests_.end(), is_void), requests_.end());
@@ -85,7 +97,8 @@ void RequestDesk::step(std::int64_t now_us, std::vector<OperatorCommand>& send,
       news.push_back({request.asker, kind, "no answer", who_is_silent(kind), -1, true});
     else if (now_us >= request.send_us) {
       send.push_back(request.command);
-      request.send_us = now_us + (request.answered ? kAskAgain_us : kSayAgain_us);
+      const std::int64_t again_us = request.answered ? kAskAgain_us : kSayAgain_us;
+      request.send_us = is_said_once(kind) ? request.give_up_us : now_us + again_us;
     }
   }
   requests_.erase(std::remove_if(requests_.begin(), requests_.end(),

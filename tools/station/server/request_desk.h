@@ -49,7 +49,9 @@ class RequestDesk {
 
   /// nullopt: too many are under way. @return its request id; it is handed out by the next step(). What a
   /// command makes void and nobody has answered yet is said no more, lest it comes after it: a stop, sit or
-  /// estop makes void whatever moves the robot, a walk, hold or enable the one before it.
+  /// estop makes void whatever moves the robot, a walk, hold or enable the one before it,
+  /// and a hold that lets go whatever moves too. Holds and enables are said once: the next is as good, and
+  /// one that comes after its time would let the robot move when nobody holds.
   std::optional<std::int64_t> add(OperatorCommand command, const Asker& asker, std::int64_t now_us);
   /// nullopt: nobody asked, or it has been told.
   std::optional<RequestNews> answer(const RobotAnswer& answer, std::int64_t now_us);
@@ -67,7 +69,7 @@ class RequestDesk {
     std::string told;
   };
   std::int64_t next_id(std::int64_t now_us) noexcept;
-  void drop_what_is_void(OperatorKind by);
+  void drop_what_is_void(const OperatorCommand& by);
 
   std::uint64_t salt_;
   std::int64_t last_id_ = 0;

@@ -123,12 +123,14 @@ int WebServer::Impl::answer(lws* wsi, Connection* connection) {
   const std::string type(file->type);
   if (lws_add_http_common_headers(wsi, HTTP_STATUS_OK, type.c_str(), file->bytes.size(), &at, end) != 0)
     return -1;
-  for (const auto& [key, value] : kHeaders) {
+  const auto add = [&](const char* key, const char* value) {
     const auto* name = reinterpret_cast<const unsigned char*>(key);
     const auto* text = reinterpret_cast<const unsigned char*>(value);
-    if (lws_add_http_header_by_name(wsi, name, text, static_cast<int>(std::strlen(value)), &at, end) != 0)
-      return -1;
-  }
+    return lws_add_http_header_by_name(wsi, name, text, static_cast<int>(std::strlen(value)), &at, end) == 0;
+  };
+  for (const auto& [key, value] : kHeaders)
+    if (!add(key, value)) return -1;
+  if (!add("content-security-policy:", content_policy(options.nonce).c_str())) return -1;
   if (lws_finalize_write_http_header(wsi, head.data() + LWS_PRE, &at, end) != 0) return -1;
   connection->download = {file->bytes};
   lws_callback_on_writable(wsi);
@@ -287,7 +289,10 @@ void WebServer::service(int milliseconds) {
 void WebServer::send(int page, std::string text) {
   Impl::Page* const to = impl_->find(page);
   if (to == nullptr) return;
-  if (to->texts.size() >= kMostTexts) return close(page);
+  if (to->texts.size() >= kMostTexts) {
+    to->texts.clear();
+    return close(page);
+  }
   to->texts.emplace_back(LWS_WRITE_TEXT, std::move(text));
   lws_callback_on_writable(to->wsi);
 }
@@ -319,7 +324,6 @@ void WebServer::close(int page) {
   Impl::Page* const to = impl_->find(page);
   if (to == nullptr) return;
   to->close = true;
-  to->texts.clear();
   lws_callback_on_writable(to->wsi);
 }
 

@@ -55,7 +55,7 @@ class WebServer {
   /// The newest alone counts: one that has not gone yet is replaced.
   void send_state(int page, SharedBytes text);
   void send_frame(int page, SharedBytes binary);
-  void close(int page);
+  void close(int page);  ///< once it has taken its texts
   std::vector<int> pages() const;
 
   std::int64_t frames_sent() const noexcept;

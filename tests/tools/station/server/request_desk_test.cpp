@@ -80,6 +80,26 @@ TEST_F(Desk, ALaterSpeedMakesTheOneBeforeVoidAndAHoldDoesNot) {
   EXPECT_EQ(out[0].request_id, *second);
 }
 
+TEST_F(Desk, AHoldThatLetsGoMakesAWalkVoidThatWasNotAnswered) {
+  desk_.add(order(OperatorKind::kWalk), {}, 0);
+  OperatorCommand last = order(OperatorKind::kHold);
+  last.hold_s = 0.001;
+  desk_.add(last, {}, 1);
+  const auto out = sent(2);
+  ASSERT_EQ(out.size(), 1u) << "a walk that comes after the sticks were let go";
+  EXPECT_EQ(out[0].kind, OperatorKind::kHold);
+}
+
+TEST_F(Desk, HoldsAndEnablesAreSaidOnce) {
+  for (const OperatorKind kind : {OperatorKind::kHold, OperatorKind::kEnable}) {
+    desk_.add(order(kind), {}, 0);
+    EXPECT_EQ(sent(0).size(), 1u);
+    EXPECT_TRUE(sent(500'000).empty());
+    sent(RequestDesk::kFirstAnswer_us);
+    EXPECT_EQ(desk_.under_way(), 0u);
+  }
+}
+
 TEST_F(Desk, RequestIdsGrowAlsoWithinAMicrosecond) {
   const auto first = desk_.add(order(OperatorKind::kStand), {}, 9);
   EXPECT_GT(*desk_.add(order(OperatorKind::kClear), {}, 9), *first);

@@ -20,7 +20,8 @@ class LegTransforms : public testing::Test {
     frame_.values[static_cast<std::size_t>(find_field(frames_.fields(), field))] = static_cast<float>(value);
   }
   Eigen::Isometry3d told(const std::string& child) const {
-    for (const Json& each : Json::parse(Transforms(scene_, frames_.fields()).json(frame_, 5))["transforms"]) {
+    const Json all = Json::parse(Transforms(scene_, frames_.fields()).json(frame_, 5));
+    for (const Json& each : all["transforms"]) {
       if (each["child_frame_id"] != child) continue;
       const Json &t = each["translation"], &q = each["rotation"];
       Eigen::Isometry3d here = Eigen::Isometry3d::Identity();

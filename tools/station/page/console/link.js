@@ -8,11 +8,13 @@ const stale_ms = 1500; // states come ten times a second
 
 export class Link extends EventTarget {
   #socket = null;
-  #heard_ms = -Infinity;
+  #heard_ms = performance.now();
   #estop_timer = 0;
   #next_id = 1;
   page = -1;
   open = false;
+  /** The page is drawn, and answers its operator: from now on it says that it is there. */
+  ready = false;
 
   constructor(url) {
     super();
@@ -79,8 +81,8 @@ export class Link extends EventTarget {
 
   #keepAlive() {
     // A socket of a laptop that slept looks open for minutes: the server has closed its end long ago.
-    if (this.open && performance.now() - this.#heard_ms > 4 * stale_ms && this.#heard_ms > 0) this.#socket.close();
-    this.send({ type: "alive" });
+    if (this.open && performance.now() - this.#heard_ms > 4 * stale_ms) this.#socket.close();
+    if (this.ready) this.send({ type: "alive" });
   }
 
   #emit(type, detail) {

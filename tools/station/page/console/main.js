@@ -118,6 +118,6 @@ setInterval(() => {
 }, hold_ms);
 
 new Driving(link, { source: byId("source"), gait: byId("gait"), estop: () => link.estop() });
-view.open().catch((error) => news(`the 3-D view: ${error.message}`, true));
+view.open().catch((error) => news(`the 3-D view: ${error.message}`, true)).finally(() => { link.ready = true; });
 // For tests and the browser's own console.
 window.sprung = { link, view, get state() { return state; } };

@@ -1,6 +1,6 @@
 // What the robot says, in panels. Numbers that nobody has measured are a dash.
 
-const text = (value, digits = 1) => (value === null || value === undefined ? "–" : value.toFixed(digits));
+const text = (value, digits = 1) => (value === null || value === undefined ? "–" : value.toFixed(digits).replace(/^-(0\.?0*)$/, "$1"));
 const byId = (id) => document.getElementById(id);
 const degrees = (value) => (value === null || value === undefined ? "–" : `${((value * 180) / Math.PI).toFixed(1)}°`);
 
@@ -71,6 +71,10 @@ class Table {
   }
 }
 
+/** CiA 402's states without power are one to an operator; faults and stops keep their words. */
+const off = ["switch on disabled", "not ready to switch on", "ready to switch on", "switched on"];
+const power = (state) => (state === "operation enabled" ? "on" : off.includes(state) ? "off" : state);
+
 const safety_class = { operational: "good", disabled: "warn", damping: "warn", lowering: "warn", "quick stop": "bad" };
 
 export class Panels {
@@ -110,7 +114,7 @@ export class Panels {
     const old = safety.stale ? ` (nothing heard for ${text(safety.age_s)} s)` : "";
     show(byId("safety-state"), `${safety.state}${old}`);
     const detail = safety.detail ? `: ${safety.detail}` : "";
-    show(byId("safety-cause"), safety.cause === "none" && !detail ? "" : `${safety.cause}${detail}`);
+    show(byId("safety-cause"), safety.cause === "none" ? safety.detail ?? "" : `${safety.cause}${detail}`);
     show(byId("safety-next"), safety.next ? `What to do: ${safety.next}` : "");
     mark(byId("safety"), `safety ${safety_class[safety.state] ?? "bad"}`);
   }
@@ -137,7 +141,7 @@ export class Panels {
   #tables(state) {
     this.drives.set(state.actuators.map((drive, i) => [
       this.robot.actuators[i].name,
-      { value: drive.fault_code ? `${drive.power}, fault 0x${drive.fault_code.toString(16)}` : drive.power, bad: drive.fault_code !== 0 },
+      { value: drive.fault_code ? `${power(drive.power)}, fault 0x${drive.fault_code.toString(16)}` : power(drive.power), bad: drive.fault_code !== 0 },
       text(drive.current_A, 2), text(drive.supply_V), text(state.joints[i]?.temperature_degC)]));
     this.processes.set(state.processes.map((process) => [
       process.name.replace(/^sprung-/, ""),

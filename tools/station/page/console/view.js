@@ -33,6 +33,7 @@ export class LiveView {
     const theme = () => this.view.set_theme(dark.matches ? "dark" : "light");
     dark.addEventListener("change", theme);
     theme();
+    this.view.draw(); // the first time takes seconds where it is done by software
     requestAnimationFrame(() => this.#draw());
   }
 
