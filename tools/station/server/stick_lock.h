@@ -33,8 +33,8 @@ constexpr auto words_of(StickState) {
 
 class StickLock {
  public:
-  static constexpr double kDeadZone = 0.12;  ///< [design choice] a worn stick rests within it
-  static constexpr std::int64_t kStale_us = 400'000;
+  static constexpr double kDeadZone = 0.12;           ///< [design choice] a worn stick rests within it
+  static constexpr std::int64_t kStale_us = 500'000;  ///< [design choice] as long as the planner's hold
 
   /// Nothing but finite values within -1 to 1 is believed: another one locks.
   void input(const StickInput& input, std::int64_t now_us) noexcept;

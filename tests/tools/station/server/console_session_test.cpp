@@ -208,7 +208,7 @@ TEST_F(Console, SticksThatAreNotHeardAnyMoreEndTheWalk) {
   open(1);
   say(1, sticks(0.0, false));
   say(1, sticks(1.0, true));
-  go_on(0.6, [this] { session_.text(1, R"({"type":"alive"})", now_us_); });
+  go_on(0.8, [this] { session_.text(1, R"({"type":"alive"})", now_us_); });
   EXPECT_EQ(said(OperatorKind::kStop), 1);
   EXPECT_EQ(session_.status_json(now_us_)["sticks"]["state"], "locked");
 }

@@ -43,11 +43,11 @@ TEST(StickLock, StaleInputLocksAndRestMustBeSeenAgain) {
   lock.input(kForward, 10'000);
   EXPECT_EQ(lock.state(10'000 + StickLock::kStale_us), StickState::kDriving);
   EXPECT_EQ(lock.state(10'001 + StickLock::kStale_us), StickState::kLocked);
-  lock.input(kForward, 600'000);
-  EXPECT_EQ(lock.state(600'000), StickState::kLocked);
-  lock.input(kRest, 610'000);
-  lock.input(kForward, 620'000);
-  EXPECT_EQ(lock.state(620'000), StickState::kDriving);
+  lock.input(kForward, 700'000);
+  EXPECT_EQ(lock.state(700'000), StickState::kLocked);
+  lock.input(kRest, 710'000);
+  lock.input(kForward, 720'000);
+  EXPECT_EQ(lock.state(720'000), StickState::kDriving);
 }
 
 TEST(StickLock, StaleInputLocksAlsoWhereNobodyLookedMeanwhile) {

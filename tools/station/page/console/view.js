@@ -2,11 +2,14 @@
 // are left out. A browser without WebGL shows the panels alone, and says so.
 import { RobotView } from "robot_view";
 
+const slow_ms = 40; // a picture that takes longer leaves as much time to keys, sticks and the emergency stop
+
 const json = async (path) => (await fetch(path)).json();
 
 export class LiveView {
   #row = null;
   #drawn = 0;
+  #rest_until_ms = 0;
   fps = 0;
   frames = 0;
 
@@ -46,9 +49,13 @@ export class LiveView {
 
   #draw() {
     requestAnimationFrame(() => this.#draw());
+    const begin_ms = performance.now();
+    if (begin_ms < this.#rest_until_ms) return;
     if (this.#row) this.view.show(this.#row);
     this.#row = null;
     if (this.view.draw()) this.#drawn += 1;
+    const took_ms = performance.now() - begin_ms;
+    if (took_ms > slow_ms) this.#rest_until_ms = begin_ms + 2 * took_ms;
   }
 
   #count() {
