@@ -35,6 +35,13 @@ find_library(MD_LIBRARY md REQUIRED)
 # libsodium: MAC of command channels (runtime/message_key.cpp).
 find_path(SODIUM_INCLUDE_DIR sodium.h REQUIRED)
 find_library(SODIUM_LIBRARY sodium REQUIRED)
+# libwebsockets: HTTP and WebSocket of the live page (tools/station/server/web_server_shell.cpp). Debian's
+# pkg-config file names libraries that it does not need.
+find_path(WEBSOCKETS_INCLUDE_DIR libwebsockets.h REQUIRED)
+find_library(WEBSOCKETS_LIBRARY websockets REQUIRED)
+add_library(sprung_websockets INTERFACE)
+target_include_directories(sprung_websockets SYSTEM INTERFACE ${WEBSOCKETS_INCLUDE_DIR})
+target_link_libraries(sprung_websockets INTERFACE ${WEBSOCKETS_LIBRARY})
 # zstd: chunks of MCAP files (tools/logs/log/chunk_packer.cpp).
 find_path(ZSTD_INCLUDE_DIR zstd.h REQUIRED)
 find_library(ZSTD_LIBRARY zstd REQUIRED)

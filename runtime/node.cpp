@@ -56,6 +56,7 @@ struct Node::Impl {
       : url(options.lcm_url),
         key(options.key),
         lockstep(options.lockstep),
+        gather_ms(options.gather_ms),
         clock(options.epoch_us),
         faults(options.inject),
         sending(open_lcm(options.lcm_url)) {}
@@ -86,14 +87,17 @@ struct Node::Impl {
     std::array<pollfd, 2> waits{pollfd{receiver->fd(), POLLIN, 0}, pollfd{stopping.fd(), POLLIN, 0}};
     while ((waits[1].revents & POLLIN) == 0) {
       if (poll(waits.data(), waits.size(), -1) <= 0 || waits[0].revents == 0) continue;
-      receiver->receive([this](const ReceivedMessage& message) { dispatch(message); });
+      const auto hand_on = [this](const ReceivedMessage& message) { dispatch(message); };
+      const bool more = receiver->receive(hand_on);
       counts.set(receiver->counts());
+      if (gather_ms > 0 && !more) poll(&waits[1], 1, gather_ms);
     }
   }
 
   std::string url;
   std::shared_ptr<const MessageKey> key;
   bool lockstep;
+  int gather_ms;
   SessionClock clock;
   FaultInjection faults;
   LcmPointer sending;

@@ -42,6 +42,9 @@ struct NodeOptions {
   /// out with a MAC of zeros, and every one is believed: for who only looks, and for tests.
   std::shared_ptr<const MessageKey> key = nullptr;
   bool lockstep = false;  ///< times of cycles are not the clock's (freshness.h)
+  /// Rest of the receiving thread after each look, in which messages wait with the kernel: who shows a robot
+  /// need not be woken thousands of times a second. 0: none, for whatever moves one.
+  int gather_ms = 0;
 };
 
 class Node;
@@ -93,6 +96,18 @@ class Node {
   void on_message(const char* channel, const CountLimits& limits, std::function<void(const M&)> handle);
   template <class Signal>
   void on_signal(const char* channel, const CountLimits& limits, std::function<void(const Signal&)> handle);
+
+  /// The bytes of messages of type M, checked, so that decoding them is safe: for who decodes few of many.
+  /// `handle` runs in the receiving thread and must be short.
+  template <class M>
+  void on_bytes(const char* channel, const CountLimits& limits,
+                std::function<void(const std::uint8_t* data, std::size_t size)> handle) {
+    add(channel, layout_of<M>(), limits,
+        [handle = std::move(handle)](ReceiveGuard& guard, const Arrival& in) {
+          if (guard.check(in.data, in.size, in.utime_us) == Refusal::kNone)
+            handle(static_cast<const std::uint8_t*>(in.data), in.size);
+        });
+  }
 
   void start();  ///< receiving begins
   void stop();   ///< receiving ends; the destructor does it too

@@ -49,7 +49,9 @@ int main(int argc, char** argv) {
   add_bench(line);
   add_campaign(line);
   add_can(line);
+  add_console(line);
   add_drive(line);
+  add_drive_by(line);
   add_hold(line);
   add_home(line);
   add_identify(line);

@@ -38,7 +38,8 @@ const std::vector<std::string> kCoreFolders = {"signals",
                                                "tools/logs/fields",
                                                "tools/logs/spy",
                                                "tools/station/frames",
-                                               "tools/station/page"};
+                                               "tools/station/page",
+                                               "tools/station/server"};
 const std::regex kShell(R"((_main|_shell|_lockstep|_realtime)\.(h|cpp)$)");
 const std::regex kMessages(R"(signals/messages|signals/message_fields)");
 
@@ -229,7 +230,8 @@ TEST(Layering, HeavyHeadersStayInOneFile) {
       {R"(#include\s+<msgpack)", "drivers/can/udp_datagram.cpp"},
       {R"(#include\s+<ini\.h)", "drivers/canopen/ini_text.cpp"},
       {R"(#include\s+<regex>)", "signals/text_pattern.cpp"},
-      {R"(#include\s+<curses\.h)", "tools/logs/spy/spy_shell.cpp"}};
+      {R"(#include\s+<curses\.h)", "tools/logs/spy/spy_shell.cpp"},
+      {R"(#include\s+<libwebsockets)", "tools/station/server/web_server_shell.cpp"}};
   for (const auto& [pattern, owner] : owners) {
     for (const std::string& folder : kRooms) {
       for (const auto& entry : fs::recursive_directory_iterator(fs::path(test::source_dir()) / folder)) {

@@ -168,12 +168,56 @@ Json nodes_json(const RobotConfig& robot, const sprung_msgs::bus_state_t& state)
   return out;
 }
 
+namespace {
+
+/// What may be looked at before it is cleared.
+const char* remedy(SafetyCause cause) {
+  switch (cause) {
+    case SafetyCause::kDriveFault:
+    case SafetyCause::kDriveSilent:
+      return "look at the drive's supply, cable and emergency code";
+    case SafetyCause::kDriveRefused:
+      return "mend what the detail names: drive or robot.yaml (sprung drive check)";
+    case SafetyCause::kBusLost:
+      return "look at the bus: cable, termination, interface (sprung can dump)";
+    case SafetyCause::kOverruns:
+      return "find what keeps the processor busy (sprung doctor)";
+    case SafetyCause::kEmergencyStop:
+      return "make sure that the robot may move again, release the button";
+    case SafetyCause::kDuplicateNode:
+    case SafetyCause::kForeignMaster:
+      return "take the other device off the bus";
+    case SafetyCause::kJointLimit:
+      return "bring the joint back within its limits by hand";
+    case SafetyCause::kWinding:
+      return "let the motor cool down";
+    case SafetyCause::kSupply:
+      return "look at battery and supply";
+    default:
+      return "";
+  }
+}
+
+}  // namespace
+
+std::string safety_advice(const sprung_msgs::safety_state_t& safety) {
+  const auto cause = static_cast<SafetyCause>(safety.cause);
+  if (safety.latched) {
+    const std::string first = remedy(cause);
+    return first + (first.empty() ? "" : ", then ") + "clear, then stand";
+  }
+  if (safety.detail.find("sprung home") != std::string::npos) return "home, then stand";
+  if (cause == SafetyCause::kNone && !safety.detail.empty()) return "it is over by itself; clear forgets it";
+  return remedy(cause);
+}
+
 Json safety_json(const std::optional<sprung_msgs::safety_state_t>& safety, double age_s) {
   if (!safety) return {{"state", "unknown"}, {"cause", "the bridge says nothing"}};
   return {{"state", safety->level_name},
           {"cause", safety->cause_name},
           {"detail", safety->detail},
           {"latched", safety->latched},
+          {"next", safety_advice(*safety)},
           {"overruns", safety->overruns},
           {"missed_cycles", safety->missed_cycles},
           {"commands_refused", safety->commands_refused},

@@ -52,7 +52,9 @@ nlohmann::ordered_json auxiliary_json(const RobotConfig& robot,
 std::vector<std::string> auxiliary_lines(const nlohmann::ordered_json& auxiliary);
 nlohmann::ordered_json buses_json(const RobotConfig& robot, const sprung_msgs::bus_state_t& state);
 nlohmann::ordered_json nodes_json(const RobotConfig& robot, const sprung_msgs::bus_state_t& state);
-/// @param age_s since it was heard: keys age_s, stale.
+/// What to do where the bridge says this, in one sentence; "" where nothing is to be done.
+std::string safety_advice(const sprung_msgs::safety_state_t& safety);
+/// @param age_s since it was heard: keys age_s, stale. Key next: safety_advice().
 nlohmann::ordered_json safety_json(const std::optional<sprung_msgs::safety_state_t>& safety,
                                    double age_s = 0.0);
 /// safety_json() for people: state, cause, detail, whether that is old, and what to type next where torque is

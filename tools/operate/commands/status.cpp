@@ -1,9 +1,7 @@
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -15,6 +13,7 @@
 #include "tools/commands.h"
 #include "tools/operate/client/health_report.h"
 #include "tools/operate/client/motion_report.h"
+#include "tools/operate/client/status_report.h"
 #include "tools/operate/launcher/run_file.h"
 
 namespace sprung::commands {
@@ -28,42 +27,6 @@ constexpr std::int64_t kListen_us = 1'200'000;  // PROCESS_STATUS comes twice a 
 constexpr std::int64_t kTimeout_us = 6'000'000;
 constexpr std::int64_t kLook_us = 50'000;
 
-/// The newest of its kind, and when it came in.
-template <class Message>
-struct Newest {
-  std::optional<Message> message;
-  std::int64_t heard_us = 0;
-
-  void take(InputQueue<Message>& queue, std::int64_t now_us) {
-    while (auto next = queue.pop()) {
-      message = std::move(*next);
-      heard_us = now_us;
-    }
-  }
-  double age_s(std::int64_t now_us) const { return 1e-6 * static_cast<double>(now_us - heard_us); }
-};
-
-/// What could be heard of a running robot in about a second; in some, where its clock is slow.
-struct Heard {
-  std::map<std::string, sprung_msgs::process_status_t> processes;
-  Newest<sprung_msgs::motion_state_t> motion;
-  Newest<sprung_msgs::joint_state_t> joints;
-  Newest<sprung_msgs::safety_state_t> safety;
-  Newest<sprung_msgs::bus_state_t> buses;
-  Newest<sprung_msgs::auxiliary_state_t> auxiliary;
-  std::int64_t end_us = 0;
-};
-
-/// As in /proc/PID/stat; X where there is no such process.
-char run_state(std::int64_t pid) {
-  char state = 'X';
-  if (FILE* file = std::fopen(("/proc/" + std::to_string(pid) + "/stat").c_str(), "r")) {
-    if (std::fscanf(file, "%*d %*[^)]) %c", &state) != 1) state = 'X';
-    std::fclose(file);
-  }
-  return state;
-}
-
 bool runs(const RunInfo& info, const char* program) {
   return std::any_of(info.processes.begin(), info.processes.end(), [program](const RunningProcess& process) {
     return process.program == program && std::strchr("XZTt", run_state(process.pid)) == nullptr;
@@ -71,18 +34,23 @@ bool runs(const RunInfo& info, const char* program) {
 }
 
 /// Whether more would be heard of the bridge by waiting.
-bool bridge_is_awaited(const RunInfo& info, const Heard& heard) {
+bool bridge_is_awaited(const RunInfo& info, const HeardRobot& heard) {
   return (!heard.safety.message || !heard.buses.message) && runs(info, "sprung-can-bridge");
 }
 
-Heard listen(const RunInfo& info, const RobotConfig& robot) {
+template <class Message>
+void take(InputQueue<Message>& queue, Newest<Message>& newest, std::int64_t now_us) {
+  while (auto next = queue.pop()) newest.take(std::move(*next), now_us);
+}
+
+HeardRobot listen(const RunInfo& info, const RobotConfig& robot) {
   InputQueue<sprung_msgs::process_status_t> processes(256);
   InputQueue<sprung_msgs::motion_state_t> motions(1 << 16);
   InputQueue<sprung_msgs::joint_state_t> joint_states(64);  // only the newest counts
   InputQueue<sprung_msgs::safety_state_t> safeties(256);
   InputQueue<sprung_msgs::bus_state_t> buses(256);
   InputQueue<sprung_msgs::auxiliary_state_t> auxiliaries(16);
-  Heard heard;
+  HeardRobot heard;
   Node node({info.lcm_url, info.session, info.epoch_us, {}});
   node.subscribe_message(channels::kProcessStatus, CountLimits::none(), processes);
   node.subscribe_message(channels::kMotionState, CountLimits::up_to(64), motions);
@@ -104,76 +72,14 @@ Heard listen(const RunInfo& info, const RobotConfig& robot) {
     node.wait_for_input(now_us + kLook_us);
     now_us = node.utime_us();
     while (auto status = processes.pop()) heard.processes[status->process] = *status;
-    heard.motion.take(motions, now_us);
-    heard.joints.take(joint_states, now_us);
-    heard.safety.take(safeties, now_us);
-    heard.buses.take(buses, now_us);
-    heard.auxiliary.take(auxiliaries, now_us);
+    take(motions, heard.motion, now_us);
+    take(joint_states, heard.joints, now_us);
+    take(safeties, heard.safety, now_us);
+    take(buses, heard.buses, now_us);
+    take(auxiliaries, heard.auxiliary, now_us);
   }
-  heard.end_us = node.utime_us();
+  heard.now_us = node.utime_us();
   return heard;
-}
-
-/// "dead" when the launcher's child is gone, "stopped" when somebody halted it, "silent" when it says
-/// nothing.
-std::string state_of(const RunningProcess& process, const Heard& heard) {
-  const char state = run_state(process.pid);
-  if (state == 'X' || state == 'Z') {
-    return "dead";
-  }
-  if (state == 'T' || state == 't') return "stopped";
-  const auto found = heard.processes.find(process.program);
-  if (found == heard.processes.end()) {
-    return process.program == "lcm-logger" ? "running" : "silent";
-  }
-  return name(static_cast<ProcessState>(found->second.state));
-}
-
-Json process_json(const RunningProcess& process, const Heard& heard) {
-  Json out{{"name", process.program},
-           {"state", state_of(process, heard)},
-           {"pid", process.pid},
-           {"rate_hz", nullptr},
-           {"overruns", nullptr}};
-  const auto found = heard.processes.find(process.program);
-  if (found != heard.processes.end()) {
-    const auto& status = found->second;
-    out["rate_hz"] = status.loop_period_us > 0 ? Json(1e6 / status.loop_period_us) : Json(nullptr);
-    out["overruns"] = status.overruns;
-    out["host"] = status.host;
-    out["cpu_percent"] = 100.0 * status.cpu_share;
-    out["memory_MB"] = static_cast<double>(status.memory_kB) / 1024.0;
-    out["input_age_ms"] = std::isfinite(status.input_age_us) ? Json(status.input_age_us * 1e-3)
-                                                             : Json(nullptr);
-    out["cycles"] = status.cycles;
-    out["refused_messages"] = status.refused_messages;
-    out["real_time"] = status.real_time;
-    out["detail"] = status.detail;
-  }
-  return out;
-}
-
-Json status_json(const RunInfo& info, const RobotConfig& robot, const Heard& heard) {
-  Json out{{"robot", info.robot},
-           {"preset", info.preset},
-           {"clock", info.clock},
-           {"simulation", info.simulation},
-           {"maintenance", info.maintenance},
-           {"instance", info.instance},
-           {"lcm_url", info.lcm_url},
-           {"log", info.log}};
-  out["processes"] = Json::array();
-  for (const RunningProcess& process : info.processes) {
-    out["processes"].push_back(process_json(process, heard));
-  }
-  out["safety"] = safety_json(heard.safety.message, heard.safety.age_s(heard.end_us));
-  const auto& buses = heard.buses.message;
-  out["buses"] = buses ? buses_json(robot, *buses) : Json::array();
-  out["nodes"] = buses ? nodes_json(robot, *buses) : Json::array();
-  out["auxiliary"] = auxiliary_json(robot, heard.auxiliary.message);
-  out["motion"] = motion_json(robot, heard.motion.message, heard.motion.age_s(heard.end_us));
-  out["body"] = body_json(robot, heard.joints.message, heard.joints.age_s(heard.end_us));
-  return out;
 }
 
 std::string text_of(const Json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }

@@ -1,0 +1,140 @@
+// How soon an emergency stop by the space bar acts, and what the live page costs the robot's computer. The rows
+// are those of docs/measured.md.
+// usage: measure.mjs FOLDER BIN [STOPS]   FOLDER has node_modules; exit status 1: beyond a bound
+import assert from "node:assert/strict";
+import { spawn } from "node:child_process";
+import { randomBytes } from "node:crypto";
+import { readFileSync } from "node:fs";
+import http from "node:http";
+import path from "node:path";
+import { launch } from "./browser.mjs";
+import { openLive, press, standUp, state } from "./live_page.mjs";
+import { LiveRobot, eventually, pause } from "./live_robot.mjs";
+
+const [folder, bin, stops = "200"] = process.argv.slice(2);
+const busy_loops = 2;
+const rounds = 6; // of the chain, with and without a page
+const round_ms = 10_000;
+const clock_ticks_s = 100;
+
+const share = (sorted, part) => sorted[Math.min(sorted.length - 1, Math.floor(part * sorted.length))];
+const row = (name, value, unit) => console.log(`${name.padEnd(58)} ${value.toFixed(3)} ${unit}`);
+
+/** Times from the key's event in the page to the page hearing that no drive has power: the way back is in it. */
+async function estopTimes(browser) {
+  const robot = await LiveRobot.up(bin, "single_leg", ["leg"]);
+  const load = Array.from({ length: busy_loops }, () => spawn(process.execPath, ["-e", "for (;;);"]));
+  try {
+    const script = () => {
+      addEventListener("keydown", (event) => { if (event.key === " ") window.pressed_ms = event.timeStamp; }, { capture: true });
+    };
+    const page = await openLive(browser, await robot.console(), { script });
+    await page.evaluate(() => {
+      window.times_ms = [];
+      window.sprung.link.addEventListener("estop", ({ detail }) => {
+        if (detail.state === "confirmed" && window.pressed_ms) window.times_ms.push(performance.now() - window.pressed_ms);
+        if (detail.state === "confirmed") window.pressed_ms = 0;
+      });
+    });
+    await standUp(page);
+    for (let i = 0; i < Number(stops); ++i) {
+      await eventually("the drives have power", async () => (await state(page)).actuators.every(({ power }) => power === "operation enabled"));
+      await page.keyboard.press("Space");
+      await eventually("it is confirmed", () => page.evaluate((count) => window.times_ms.length > count, i));
+      await press(page, "clear");
+      await eventually("it is cleared", async () => ["none", "starting"].includes((await state(page)).safety.cause));
+      await eventually("it is armed", async () => (await state(page)).safety.state === "operational");
+      await eventually("it rises", async () => {
+        if ((await state(page)).motion.state === "idle") await press(page, "stand");
+        await pause(150);
+        return ["rising", "standing"].includes((await state(page)).motion.state);
+      });
+    }
+    return (await page.evaluate(() => window.times_ms)).sort((a, b) => a - b);
+  } finally {
+    for (const loop of load) loop.kill("SIGKILL");
+    await robot.down();
+  }
+}
+
+/** A page without a browser: hears everything, says that it is there. @return ends it. */
+function listen(url) {
+  return new Promise((resolve, reject) => {
+    const asked = http.get(`${url}live`, { headers: { Connection: "Upgrade", Upgrade: "websocket", "Sec-WebSocket-Version": "13",
+      "Sec-WebSocket-Key": randomBytes(16).toString("base64"), "Sec-WebSocket-Protocol": "sprung.v1", Origin: new URL(url).origin } });
+    asked.on("error", reject);
+    asked.on("upgrade", (answer, socket) => {
+      const text = Buffer.from('{"type":"alive"}');
+      let heard = 0;
+      socket.on("data", (part) => { heard += part.length; });
+      // A mask of zeros leaves the text as it is.
+      const alive = setInterval(() => socket.write(Buffer.concat([Buffer.from([0x81, 0x80 | text.length, 0, 0, 0, 0]), text])), 300);
+      resolve({ end: () => { clearInterval(alive); socket.destroy(); return heard; } });
+    });
+  });
+}
+
+function processor_s(pid) {
+  const fields = readFileSync(`/proc/${pid}/stat`, "utf8").split(") ")[1].split(" ");
+  return (Number(fields[11]) + Number(fields[12])) / clock_ticks_s;
+}
+
+/** Median time from DRIVE_STATE to the DRIVE_COMMAND that answers it, us, over a while. */
+async function chain_us(robot, name) {
+  const file = path.join(robot.folder, `${name}.lcm`);
+  const recording = robot.start(`${name}.txt`, ["record", file, "--channels", "DRIVE_STATE|DRIVE_COMMAND"]);
+  await pause(round_ms);
+  recording.kill("SIGINT");
+  await eventually("the recording ends", () => recording.status !== undefined);
+  const csv = path.join(robot.folder, `${name}.csv`);
+  const made = robot.sprung("log", "csv", file, "--fields", "DRIVE_STATE.utime", "--fields", "DRIVE_COMMAND.utime", "-o", csv);
+  assert.equal(made.status, 0, made.text);
+  const [heading, ...rows] = readFileSync(csv, "utf8").trim().split("\n").map((line) => line.split(","));
+  const from = heading.findIndex((title) => title.startsWith("DRIVE_STATE.utime"));
+  const to = heading.findIndex((title) => title.startsWith("DRIVE_COMMAND.utime"));
+  const times = rows.map((cells) => Number(cells[to]) - Number(cells[from])).filter((time) => time > 0).sort((a, b) => a - b);
+  assert.ok(times.length > 100, "no cycles in the recording");
+  return share(times, 0.5);
+}
+
+async function cost() {
+  const robot = await LiveRobot.up(bin, "pegasus", ["fl", "fr", "hl", "hr"]);
+  try {
+    const url = await robot.console();
+    const without = [], with_page = [];
+    let idle_s = 0, used_s = 0, heard = 0;
+    for (let i = 0; i < rounds; ++i) {
+      let before = processor_s(robot.server.pid);
+      without.push(await chain_us(robot, `without-${i}`));
+      idle_s += processor_s(robot.server.pid) - before;
+      const page = await listen(url);
+      before = processor_s(robot.server.pid);
+      with_page.push(await chain_us(robot, `with-${i}`));
+      used_s += processor_s(robot.server.pid) - before;
+      heard += page.end();
+    }
+    const seconds = rounds * round_ms / 1000; // a little less than it was: the shares are on the safe side
+    const median = (values) => share([...values].sort((a, b) => a - b), 0.5);
+    return { idle: idle_s / seconds, used: used_s / seconds, bytes_s: heard / seconds, ratio: median(with_page) / median(without),
+             without: median(without), with_page: median(with_page) };
+  } finally {
+    await robot.down();
+  }
+}
+
+const { idle, used, bytes_s, ratio, without, with_page } = await cost();
+row("console.processor, no page open, pegasus at 500 Hz", 100 * idle, "% of a core");
+row("console.processor, one page open", 100 * used, "% of a core");
+row("console.bytes to one page", bytes_s / 1000, "kB/s");
+row("console.chain, DRIVE_STATE to DRIVE_COMMAND, no page", without, "us");
+row("console.chain, one page", with_page, "us");
+row("console.chain, ratio", ratio, "");
+const browser = await launch(folder);
+const times = await estopTimes(browser);
+await browser.close();
+row(`console.estop, space bar to no power, ${times.length} times, p50`, share(times, 0.5), "ms");
+row("console.estop, p99", share(times, 0.99), "ms");
+row("console.estop, longest", times.at(-1), "ms");
+const good = used <= 0.03 && ratio <= 1.02 && share(times, 0.5) <= 50 && share(times, 0.99) <= 100;
+if (!good) console.log("measure: beyond a bound: 3 % of a core, a ratio of 1.02, 50 ms, 100 ms");
+process.exitCode = good ? 0 : 1;

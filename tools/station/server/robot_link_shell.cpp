@@ -1,0 +1,134 @@
+#include "tools/station/server/robot_link_shell.h"
+
+#include "lcmtypes/channels.h"
+
+namespace sprung::station {
+namespace {
+
+constexpr int
+    kGather_ms = 5;  // [design choice] ten wake-ups a state of ten a second; an answer waits as long
+
+NodeOptions looking(const RunInfo& info) {
+  NodeOptions options = commanding(info);
+  options.gather_ms = kGather_ms;
+  return options;
+}
+
+}  // namespace
+
+void NewestBytes::put(const std::uint8_t* data, std::size_t size) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  bytes_.assign(data, data + size);
+  ++version_;
+}
+
+bool NewestBytes::get(std::int64_t& version, std::vector<std::uint8_t>& out) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (version == version_) return false;
+  version = version_;
+  out = bytes_;
+  return true;
+}
+
+template <class M>
+void RobotLink::listen_to(const char* channel, const CountLimits& limits) {
+  NewestBytes& newest = newest_[channel];
+  node_.on_bytes<M>(channel, limits,
+                    [&newest](const std::uint8_t* data, std::size_t size) { newest.put(data, size); });
+  frame_readers_.push_back({channel, 0});
+}
+
+RobotLink::RobotLink(const RunInfo& info, const RobotConfig& robot)
+    : frames_(robot),
+      drive_reader_{channels::kDriveState, 0},
+      joint_reader_{channels::kJointState, 0},
+      motion_reader_{channels::kMotionState, 0},
+      safety_reader_{channels::kSafetyState, 0},
+      bus_reader_{channels::kBusState, 0},
+      heard_joint_reader_{channels::kJointState, 0},
+      node_(looking(info)),
+      commands_(node_.publisher<OperatorCommand>(channels::kOperatorCommand)) {
+  const std::size_t actuators = robot.actuators.size(), joints = robot.joints.size(),
+                    legs = robot.legs.size();
+  listen_to<sprung_msgs::drive_state_t>(channels::kDriveState, CountLimits::exactly(actuators));
+  listen_to<sprung_msgs::drive_command_t>(channels::kDriveCommand, CountLimits::exactly(actuators));
+  listen_to<sprung_msgs::joint_state_t>(channels::kJointState, CountLimits::exactly(joints, legs));
+  listen_to<sprung_msgs::leg_command_t>(channels::kLegCommand, CountLimits::exactly(legs));
+  listen_to<sprung_msgs::motion_state_t>(channels::kMotionState, CountLimits::exactly(legs));
+  listen_to<sprung_msgs::safety_state_t>(channels::kSafetyState, CountLimits::none());
+  listen_to<sprung_msgs::imu_t>(channels::kImu, CountLimits::none());
+  listen_to<sprung_msgs::sim_truth_t>(channels::kSimTruth, CountLimits::exactly(joints, legs));
+  listen_to<sprung_msgs::bus_state_t>(
+      channels::kBusState, CountLimits::exactly(robot.buses.size(), actuators + robot.encoder_cards.size()));
+  node_.subscribe_message(channels::kProcessStatus, CountLimits::none(), processes_);
+  node_.subscribe_message(channels::kOperatorReply, CountLimits::none(), replies_);
+  node_.start();
+}
+
+const std::vector<std::pair<std::string, std::string>>& RobotLink::channels_heard() {
+  static const std::vector<std::pair<std::string, std::string>> all{
+      {channels::kDriveState, "drive_state_t"},
+      {channels::kDriveCommand, "drive_command_t"},
+      {channels::kJointState, "joint_state_t"},
+      {channels::kLegCommand, "leg_command_t"},
+      {channels::kMotionState, "motion_state_t"},
+      {channels::kSafetyState, "safety_state_t"},
+      {channels::kImu, "imu_t"},
+      {channels::kSimTruth, "sim_truth_t"},
+      {channels::kBusState, "bus_state_t"}};
+  return all;
+}
+
+bool RobotLink::newer(Reader& reader) { return newest_.at(reader.channel).get(reader.version, bytes_); }
+
+template <class M>
+bool RobotLink::newer(Reader& reader, M& out) {
+  const int size = newer(reader) ? static_cast<int>(bytes_.size()) : 0;
+  return size > 0 && out.decode(bytes_.data(), 0, size) == size;
+}
+
+void RobotLink::say(OperatorCommand command) {
+  command.stamp.utime_us = node_.utime_us();
+  commands_.publish(command);
+}
+
+std::vector<RobotAnswer> RobotLink::take_answers() {
+  std::vector<RobotAnswer> out;
+  while (const auto reply = replies_.pop())
+    out.push_back({reply->request_id, static_cast<OperatorOutcome>(reply->outcome), reply->reason,
+                   reply->answered_by, reply->took_effect_at_seq});
+  return out;
+}
+
+bool RobotLink::drives(DriveState& out) {
+  return newer(drive_reader_, drive_message_) && from_message(drive_message_, out).good;
+}
+
+bool RobotLink::joints(JointState& out) {
+  return newer(joint_reader_, joint_message_) && from_message(joint_message_, out).good;
+}
+
+const HeardRobot& RobotLink::hear() {
+  const std::int64_t now_us = node_.utime_us();
+  while (auto status = processes_.pop()) heard_.processes[status->process] = *status;
+  sprung_msgs::motion_state_t motion;
+  if (newer(motion_reader_, motion)) heard_.motion.take(std::move(motion), now_us);
+  sprung_msgs::safety_state_t safety;
+  if (newer(safety_reader_, safety)) heard_.safety.take(std::move(safety), now_us);
+  sprung_msgs::bus_state_t buses;
+  if (newer(bus_reader_, buses)) heard_.buses.take(std::move(buses), now_us);
+  sprung_msgs::joint_state_t joints;
+  if (newer(heard_joint_reader_, joints)) heard_.joints.take(std::move(joints), now_us);
+  heard_.now_us = now_us;
+  return heard_;
+}
+
+/// The channels' newest may be of neighbouring cycles; what is drawn 50 times a second does not show it.
+const Frame* RobotLink::frame() {
+  const double now_s = 1e-6 * static_cast<double>(node_.utime_us());
+  for (Reader& reader : frame_readers_)
+    if (newer(reader)) frames_.add(reader.channel, bytes_.data(), bytes_.size(), now_s);
+  return frames_.finish();
+}
+
+}  // namespace sprung::station
