@@ -1,6 +1,16 @@
 #include "drivers/canopen/sdo_server.h"
 
 namespace sprung::canopen {
+namespace {
+
+/// Offers a checksum to a client that checks one, and to no other: some take the server's word alone.
+CanFrame checked(CanFrame begin, bool with_crc) noexcept {
+  constexpr std::uint8_t kCrcBit = 0x04;
+  if (!with_crc) begin.data[0] = static_cast<std::uint8_t>(begin.data[0] & ~kCrcBit);
+  return begin;
+}
+
+}  // namespace
 
 bool SdoServer::receive(const CanFrame& request, std::int64_t time_us, CanFrame& reply) noexcept {
   if (request.id != sdo_client_id(node_)) return false;
@@ -103,7 +113,7 @@ CanFrame SdoServer::begin_block_read(const SdoMessage& request) noexcept {
   object_ = request.object;
   block_crc_ = request.block.with_crc;
   buffer_.filled(size);
-  return sdo_block_read_begin(node_, object_, size);
+  return checked(sdo_block_read_begin(node_, object_, size), block_crc_);
 }
 
 CanFrame SdoServer::begin_block_write(const SdoMessage& request) noexcept {
@@ -113,7 +123,7 @@ CanFrame SdoServer::begin_block_write(const SdoMessage& request) noexcept {
   object_ = request.object;
   block_crc_ = request.block.with_crc;
   receiver_.begin();
-  return sdo_block_write_reply(node_, object_);
+  return checked(sdo_block_write_reply(node_, object_), block_crc_);
 }
 
 bool SdoServer::serve_block(const SdoMessage& request, CanFrame& reply) noexcept {

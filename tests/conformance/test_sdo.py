@@ -163,7 +163,7 @@ def test_wrong_checksum_of_a_block_is_refused(device, profile):
 @pytest.mark.parametrize("profile", DRIVES)
 def test_lost_segment_of_a_block_is_asked_for_again(device, profile):
     wide = id_text(WIDE[profile])
-    assert ask(device, f"c2 {wide} 08") == frame(f"a4 {wide} 7f")
+    assert ask(device, f"c2 {wide} 08") == frame(f"a0 {wide} 7f")
     assert ask(device, "82 88") == frame("a2 00 7f")
     device.wire.send(0x600 + device.node, bytes.fromhex("01 11 22 33 44 55 66 77"))
     assert ask(device, "82 88") == frame("a2 02 7f")

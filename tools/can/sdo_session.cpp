@@ -79,15 +79,16 @@ bool SdoSession::send_due() {
 }
 
 SdoAnswer SdoSession::run() {
+  constexpr int kBatch = 32;
   constexpr double kTurn_s = 0.001;  // the client looks at its time-out that often
   while (client_.status() == canopen::SdoStatus::kBusy && !stop_requested()) {
     if (!send_due()) break;
     if (client_.status() != canopen::SdoStatus::kBusy) break;
-    listen(bus_, kTurn_s, [&](const CanFrame& frame) {
-      if (frame.error || frame.remote || frame.id != canopen::sdo_server_id(node_)) return true;
-      client_.receive(frame);
-      return false;
-    });
+    CanFrame frames[kBatch];
+    const int count = internal::wait_and_receive(bus_, internal::end_after(kTurn_s), frames, kBatch);
+    for (int i = 0; i < count; ++i) {
+      if (!frames[i].error && !frames[i].remote) client_.receive(frames[i]);  // a block comes in a row
+    }
   }
   SdoAnswer answer;
   answer.status = client_.status() == canopen::SdoStatus::kBusy ? canopen::SdoStatus::kTimeout

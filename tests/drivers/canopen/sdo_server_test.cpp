@@ -226,7 +226,7 @@ TEST_F(SdoServerTest, ValueUpToTheClientsThresholdIsReadPlainly) {
 
 TEST_F(SdoServerTest, ClientThatChecksNothingGetsNoChecksum) {
   value(kSdoServerName) = kSdoServerText;
-  ask(with_command(sdo_block_read_request(4, kSdoServerName, 0), 0xA0));
+  EXPECT_EQ(ask(with_command(sdo_block_read_request(4, kSdoServerName, 0), 0xA0)).data[0], 0xC2);
   CanFrame out;
   EXPECT_FALSE(server_.receive(sdo_block_read_start(4), 0, out));
   while (server_.step(0, out)) continue;

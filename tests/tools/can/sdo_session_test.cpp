@@ -160,7 +160,7 @@ TEST_F(LongObject, TravelsInBlocks) {
 TEST_F(LongObject, TravelsInSegmentsWhereTheServerHasNoBlocks) {
   has_blocks_ = false;
   SdoSession session(*bus_, kNode, 5.0);
-  const std::vector<std::uint8_t> bytes(3000, 0x5A);
+  const std::vector<std::uint8_t> bytes(300, 0x5A);
   session.must_write({0x2100, 0}, bytes);
   EXPECT_EQ(session.must_read({0x2100, 0}, canopen::SdoService::kBlock).bytes, bytes);
   EXPECT_EQ(blocks_, 2) << "asked once each";

@@ -121,7 +121,7 @@ TEST(CandumpText, FdFramesAreWrittenAsCandumpDoes) {
   EXPECT_EQ(parse_candump(line, interface, classic), CandumpLine::kForeign);
   observed.frame.extended = true;
   observed.frame.passive = true;
-  EXPECT_EQ(candump_fd_line(observed, "can0", 0).substr(20, 18), " can0 00000123##3D");
+  EXPECT_EQ(candump_fd_line(observed, "can0", 0).substr(20, 18), "can0 00000123##3DE");
 }
 
 }  // namespace

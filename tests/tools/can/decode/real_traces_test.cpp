@@ -52,7 +52,7 @@ constexpr SeenWord kSeenWords[] = {
     {0x8637, PowerState::kOperationEnabled, "IPOS"},
     {0x0240, PowerState::kSwitchOnDisabled, "facts canopen"},
     {0x0108, PowerState::kFault, "facts canopen 2.2"},
-    {0x010F, PowerState::kFaultReaction, "facts canopen 2.2"},
+    {0x010F, PowerState::kFaultReactionActive, "facts canopen 2.2"},
     {0x4123, PowerState::kSwitchedOn, "facts canopen 2.2, refresh of the power stage"},
 };
 
@@ -96,12 +96,21 @@ class RealTrace : public testing::Test {
     kind_ = decoded.kind;
     return decoded.text;
   }
+  /// An object of node 2, as a master would, acknowledged.
+  void write(canopen::ObjectId object, std::uint32_t value, int size) {
+    text(canopen::sdo_write_request(2, object, value, size));
+    text(canopen::sdo_write_reply(2, object));
+  }
   FrameDecoder decoder_{describe_buses(load_robot("pegasus"))};
   FrameKind kind_ = FrameKind::kUnknown;
 };
 
-TEST_F(RealTrace, EposIsEnabledByPdoWithItsDefaultMaps) {
-  text(seen(0x702, {0}));  // boot-up: the maps are the EDS's defaults
+// Status word and control word alone, as an EPOS has them in its first PDOs when it is delivered.
+TEST_F(RealTrace, EposIsEnabledByPdo) {
+  write({0x1A00, 1}, 0x60410010, 4);
+  write({0x1A00, 0}, 1, 1);
+  write({0x1600, 1}, 0x60400010, 4);
+  write({0x1600, 0}, 1, 1);
   EXPECT_THAT(text(seen(0x182, {0x40, 0x07})), HasSubstr("switch on disabled"));
   EXPECT_EQ(kind_, FrameKind::kTpdo);
   EXPECT_THAT(text(seen(0x202, {0x06, 0x00})), HasSubstr("shutdown"));
