@@ -135,11 +135,8 @@ class Plot {
       hooks: {
         draw: [(chart) => this.plots.draw_now(chart)],
         ready: [(chart) => this.listen(chart)],
-        setSelect: [(chart) => {
-          this.dragged = true;
-          this.plots.zoom_to(chart.posToVal(chart.select.left, "x"),
-                             chart.posToVal(chart.select.left + chart.select.width, "x"));
-        }],
+        setSelect: [(chart) => this.plots.zoom_to(chart.posToVal(chart.select.left, "x"),
+                                                  chart.posToVal(chart.select.left + chart.select.width, "x"))],
       },
     };
   }
@@ -147,8 +144,7 @@ class Plot {
   listen(chart) {
     chart.over.addEventListener("click", (event) => {
       const x = event.clientX - chart.over.getBoundingClientRect().left;
-      if (!this.dragged) this.plots.on_seek(chart.posToVal(x, "x"));
-      this.dragged = false;  // a drag ends with a click, too
+      this.plots.on_seek(chart.posToVal(x, "x"));  // uPlot keeps the click at the end of a drag to itself
     });
     chart.over.addEventListener("dblclick", () => this.plots.zoom_to());
   }
