@@ -27,7 +27,7 @@
 namespace sprung::station {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr std::array<const char*, 3> kProtocols{"sprung.v1", "foxglove.sdk.v1", "foxglove.websocket.v1"};
 constexpr std::int64_t kTick_us = 20'000;
@@ -62,7 +62,7 @@ std::string scene_of(const RobotConfig& robot, const std::string& preset) {
   try {
     return make_scene(robot, preset).dump();
   } catch (const std::exception& error) {
-    return Json({{"missing", error.what()}}).dump();
+    return OrderedJson({{"missing", error.what()}}).dump();
   }
 }
 
@@ -123,7 +123,7 @@ class Console {
       return;
     }
     pages_.insert(page);
-    Json hello = robot_json(robot_);
+    OrderedJson hello = robot_json(robot_);
     hello["type"] = "robot";
     hello["preset"] = info_.preset;
     hello["clock"] = info_.clock;
@@ -218,15 +218,16 @@ class Console {
       processes_ = processes_json(info_, *heard_);
       next_processes_us_ = now_us + kProcesses_us;
     }
-    Json state{{"type", "state"}, {"time_s", 1e-6 * static_cast<double>(drives_.stamp.utime_us)}};
-    state["age_s"] = drives_.stamp.seq < 0 ? Json(nullptr)
-                                           : Json(1e-6 * static_cast<double>(now_us - drives_heard_us_));
+    OrderedJson state{{"type", "state"}, {"time_s", 1e-6 * static_cast<double>(drives_.stamp.utime_us)}};
+    state["age_s"] = drives_.stamp.seq < 0
+                         ? OrderedJson(nullptr)
+                         : OrderedJson(1e-6 * static_cast<double>(now_us - drives_heard_us_));
     state.update(live_json(joints_, drives_));
     state.update(health_json(robot_, *heard_));
     state["processes"] = processes_;
     state["session"] = session_.status_json(now_us);
     const auto text = std::make_shared<const std::string>(
-        state.dump(-1, ' ', false, Json::error_handler_t::replace));
+        state.dump(-1, ' ', false, OrderedJson::error_handler_t::replace));
     for (const int page : pages_) server_.send_state(page, text);
   }
 
@@ -238,7 +239,7 @@ class Console {
 
   std::string farewell() {
     for (const int page : pages_)
-      server_.send(page, Json({{"type", "end"}, {"text", "the robot is down"}}).dump());
+      server_.send(page, OrderedJson({{"type", "end"}, {"text", "the robot is down"}}).dump());
     const std::int64_t until_us = link_.utime_us() + 10 * kTick_us;
     while (link_.utime_us() < until_us) server_.service(20);
     return info_.robot + " is down";
@@ -252,7 +253,7 @@ class Console {
   JointState joints_;
   std::int64_t drives_heard_us_ = 0;
   const HeardRobot* heard_ = nullptr;
-  Json processes_ = Json::array();
+  OrderedJson processes_ = OrderedJson::array();
   std::string nonce_, page_text_, scene_text_, layout_text_;
   WebFile page_{"text/html; charset=utf-8", page_text_};
   WebFile scene_{"application/json", scene_text_};

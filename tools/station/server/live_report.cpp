@@ -6,17 +6,17 @@
 namespace sprung::station {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 /// Five digits are more than a page shows, and a third of the bytes.
-Json short_number(double value) {
+OrderedJson short_number(double value) {
   if (!std::isfinite(value)) return nullptr;
   if (value == 0.0) return 0.0;
   const double scale = std::pow(10.0, 4.0 - std::floor(std::log10(std::abs(value))));
   return std::round(value * scale) / scale;
 }
 
-Json short_numbers(const Vec3& values) {
+OrderedJson short_numbers(const Vec3& values) {
   return {short_number(values[0]), short_number(values[1]), short_number(values[2])};
 }
 
@@ -29,9 +29,9 @@ double torque_limit_Nm(const RobotConfig& robot, int joint) {
 
 }  // namespace
 
-Json robot_json(const RobotConfig& robot) {
-  Json out{{"robot", robot.name}, {"cycle_s", robot.cycle_s}};
-  for (const char* key : {"joints", "legs", "actuators", "gaits"}) out[key] = Json::array();
+OrderedJson robot_json(const RobotConfig& robot) {
+  OrderedJson out{{"robot", robot.name}, {"cycle_s", robot.cycle_s}};
+  for (const char* key : {"joints", "legs", "actuators", "gaits"}) out[key] = OrderedJson::array();
   for (std::size_t i = 0; i < robot.joints.size(); ++i) {
     const JointConfig& joint = robot.joints[i];
     out["joints"].push_back({{"name", joint.name},
@@ -53,8 +53,9 @@ Json robot_json(const RobotConfig& robot) {
   return out;
 }
 
-Json live_json(const JointState& joints, const DriveState& drives) {
-  Json out{{"joints", Json::array()}, {"legs", Json::array()}, {"actuators", Json::array()}};
+OrderedJson live_json(const JointState& joints, const DriveState& drives) {
+  OrderedJson out{
+      {"joints", OrderedJson::array()}, {"legs", OrderedJson::array()}, {"actuators", OrderedJson::array()}};
   for (const EstimatedJoint& joint : joints.joints)
     out["joints"].push_back({{"status", name(joint.status)},
                              {"position_rad", short_number(joint.estimated_position_rad)},
