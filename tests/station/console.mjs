@@ -55,14 +55,13 @@ check("a refused command shows its reason; stand by button", async ({ browser, u
   await press(page, "walk", { forward_m_s: 9 });
   await news(page, "forward must be");
   await standUp(page);
-  await picture(page, "console.png");
   assert.deepEqual(page.complaints, []);
   await page.close();
 });
 
-check("axe-core has nothing to say, light and dark, at 1280 x 720 and on a tablet; nothing is wider than the page", async ({ browser, url }) => {
+check("axe-core has nothing to say, light and dark, at 1280 x 720 and on a tablet; nothing is wider than the page", async ({ drawing, url }) => {
   for (const [width, height, theme] of [[1280, 720, "light"], [1280, 720, "dark"], [820, 1180, "light"]]) {
-    const page = await openLive(browser, url, { width, height, theme });
+    const page = await openLive(drawing, url, { width, height, theme });
     await accessible(page, `${theme} at ${width} x ${height}`);
     const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
     assert.ok(wide <= 0, `${wide} px too wide at ${width}`);
@@ -75,23 +74,44 @@ check("axe-core has nothing to say, light and dark, at 1280 x 720 and on a table
   }
 });
 
-check("walk by keyboard: from the key's press to its release; 20 pictures a second and more", async ({ browser, url }) => {
+check("walk by keyboard: from the key's press to its release; frames come 20 times a second and more", async ({ browser, url }) => {
   const page = await openLive(browser, url);
   await page.locator("#source").selectOption("keyboard");
   await eventually("keys are seen at rest", async () => (await state(page)).session.sticks.state === "ready");
   await page.keyboard.down("w");
   await motionIs(page, "walking");
+  const before = await page.evaluate(() => [performance.now(), window.sprung.view.frames]);
   await pause(2500);
-  const fps = await page.evaluate(() => window.sprung.view.fps);
-  console.log(`console: ${fps} pictures a second while pegasus walks at 500 Hz, drawn by software`);
-  await picture(page, "console-walking.png");
+  const after = await page.evaluate(() => [performance.now(), window.sprung.view.frames]);
   assert.equal((await state(page)).motion.state, "walking", "it goes on while the key is held");
   await page.keyboard.up("w");
   await motionIs(page, "standing");
-  // A load of others' decides this one; the figure stands in docs/measured.md.
-  assert.ok(fps > 5, `${fps} pictures a second`);
+  const rate_Hz = 1000 * (after[1] - before[1]) / (after[0] - before[0]);
+  assert.ok(rate_Hz >= 20, `${rate_Hz} frames a second`);
   assert.deepEqual(page.complaints, []);
   await page.close();
+});
+
+check("the robot is drawn, and its picture changes as it walks", async ({ browser, drawing, url }) => {
+  const page = await openLive(drawing, url);
+  await pause(1000);
+  await picture(page, "console.png");
+  const driver = await openLive(browser, url);
+  const view = async () => (await page.locator("#canvas").screenshot()).toString("base64");
+  const standing = await view();
+  await driver.locator("#take-over").click();
+  await press(driver, "walk", { forward_m_s: 0.1, turning_rad_s: 0.3 });
+  await motionIs(driver, "walking");
+  await pause(3000);
+  assert.notEqual(await view(), standing);
+  const fps = await page.evaluate(() => window.sprung.view.fps);
+  console.log(`console: ${fps} pictures a second while pegasus walks at 500 Hz, drawn by software`);
+  await picture(page, "console-walking.png");
+  await press(driver, "stop");
+  await motionIs(driver, "standing");
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+  await driver.close();
 });
 
 check("a gamepad is locked until its sticks were at rest, and again when it is gone", async ({ browser, url }) => {
@@ -190,13 +210,12 @@ check("foreign Host, foreign Origin and a missing token are refused, for pages a
   assert.match((await request(url, {})).headers["content-security-policy"], /frame-ancestors 'none'/);
 });
 
-check("a browser without WebGL shows everything else, and says so", async ({ url }) => {
-  const browser = await launch(folder, ["--disable-3d-apis"]);
+check("a browser without WebGL shows everything else, and says so", async ({ browser, url }) => {
   const page = await browser.newPage();
   await page.goto(url);
   await page.locator("#view", { hasText: "no WebGL" }).waitFor({ timeout: 60_000 });
   await eventually("it is live", async () => (await state(page))?.motion.state === "standing");
-  await browser.close();
+  await page.close();
 });
 
 check("drive-by gamepad: recorded events are locked at first, walk while the dead-man is held, and end in a stand", async ({ browser, url, robot }) => {
@@ -301,7 +320,10 @@ async function jumps(browser) {
   }
 }
 
-const browser = await launch(folder);
+// Drawing by software takes all of a processor, so most of it is done in a browser that draws nothing: a page
+// that cannot keep up lets the robot stand.
+const drawing = await launch(folder);
+const browser = await launch(folder, ["--disable-3d-apis"]);
 const robot = await LiveRobot.up(bin, "pegasus", ["fl", "fr", "hl", "hr"]);
 let failed = 0;
 async function run(name, work) {
@@ -311,15 +333,16 @@ async function run(name, work) {
   } catch (error) {
     ++failed;
     console.log(`FAIL  ${name}\n${error.stack}`);
-    for (const context of browser.contexts()) for (const page of context.pages()) await page.close();
+    for (const context of [...browser.contexts(), ...drawing.contexts()]) for (const page of context.pages()) await page.close();
   }
 }
 try {
   const url = await robot.console();
-  for (const { name, work } of checks) await run(name, () => work({ browser, url, robot }));
+  for (const { name, work } of checks) await run(name, () => work({ browser, drawing, url, robot }));
 } finally {
   await robot.down();
 }
 await run("single_leg jumps by button", () => jumps(browser));
 await browser.close();
+await drawing.close();
 process.exitCode = failed === 0 ? 0 : 1;

@@ -6,7 +6,8 @@ export async function openLive(browser, url, { width = 1280, height = 720, theme
   const page = await browser.newPage({ viewport: { width, height }, colorScheme: theme });
   page.complaints = [];
   page.on("console", (message) => {
-    const drivers = message.text().includes("GPU stall"); // reading pixels back, by software
+    // Reading pixels back, by software; a browser that was told to draw nothing.
+    const drivers = /GPU stall|WebGL/.test(message.text());
     if (["error", "warning"].includes(message.type()) && !drivers) page.complaints.push(message.text());
   });
   page.on("pageerror", (error) => page.complaints.push(error.message));

@@ -211,7 +211,7 @@ void ConsoleSession::tell(const RequestNews& news) {
     }
     return;
   }
-  if (!news.went_well() && news.asker.number == held_since_number_) held_.forget();
+  if (!news.went_well() && held_.active() && news.asker.number == held_since_number_) held_.forget();
   if (pages_.count(news.asker.page) == 0) return;
   send(news.asker.page, {{"type", "reply"},
                          {"id", news.asker.number},
