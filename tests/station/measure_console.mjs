@@ -40,8 +40,11 @@ async function estopTimes(browser) {
       await eventually("the drives have power", async () => (await state(page)).actuators.every(({ power }) => power === "operation enabled"));
       await page.keyboard.press("Space");
       await eventually("it is confirmed", () => page.evaluate((count) => window.times_ms.length > count, i));
-      await press(page, "clear");
-      await eventually("it is cleared", async () => ["none", "starting"].includes((await state(page)).safety.cause));
+      await eventually("it is cleared", async () => {
+        await press(page, "clear"); // refused as long as a drive has not come to rest
+        await pause(150);
+        return ["none", "starting"].includes((await state(page)).safety.cause);
+      });
       await eventually("it is armed", async () => (await state(page)).safety.state === "operational");
       await eventually("it rises", async () => {
         if ((await state(page)).motion.state === "idle") await press(page, "stand");
