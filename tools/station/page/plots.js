@@ -101,6 +101,7 @@ class Plot {
 
   make() {
     this.chart?.destroy();
+    this.now = null;
     const {layout, source, index} = this.plots;
     const curves = this.plots.choices[this.choice].curves
       .map((curve) => ({...curve, field: index.get(curve.name)}))
@@ -133,7 +134,7 @@ class Plot {
         dash: kDashes[i % kDashes.length], width: 1.4, points: {show: false}, spanGaps: false,
       }))],
       hooks: {
-        draw: [(chart) => this.plots.draw_now(chart)],
+        draw: [() => this.place_now()],
         ready: [(chart) => this.listen(chart)],
         setSelect: [(chart) => this.plots.zoom_to(chart.posToVal(chart.select.left, "x"),
                                                   chart.posToVal(chart.select.left + chart.select.width, "x"))],
@@ -141,7 +142,19 @@ class Plot {
     };
   }
 
+  /** The time shown is a line above the plot: it moves without the curves being drawn again. */
+  place_now() {
+    if (!this.now) return;
+    const x = this.chart.valToPos(this.plots.time_s, "x");
+    const inside = x >= 0 && x <= this.chart.over.clientWidth;
+    this.now.hidden = !inside;
+    if (inside) this.now.style.transform = `translateX(${x}px)`;
+  }
+
   listen(chart) {
+    this.now = document.createElement("div");
+    this.now.className = "now";
+    chart.over.append(this.now);
     chart.over.addEventListener("click", (event) => {
       const x = event.clientX - chart.over.getBoundingClientRect().left;
       this.plots.on_seek(chart.posToVal(x, "x"));  // uPlot keeps the click at the end of a drag to itself
@@ -190,7 +203,7 @@ class Plot {
       const text = field.words ? word_of(field, value) : Number.isNaN(value) ? "-" : number_text(value);
       if (this.values[i].textContent !== text) this.values[i].textContent = text;
     });
-    this.chart.redraw(false, false);
+    this.place_now();
   }
 }
 
@@ -271,19 +284,5 @@ export class Plots {
   /** New data of a live source. */
   refresh() {
     for (const plot of this.plots) plot.refresh();
-  }
-  draw_now(chart) {
-    const x = chart.valToPos(this.time_s, "x", true);
-    const {left, top, width, height} = chart.bbox;
-    if (x < left || x > left + width) return;
-    chart.ctx.save();
-    chart.ctx.strokeStyle = this.theme === "dark" ? "#ffffff" : "#000000";
-    chart.ctx.lineWidth = 1.5 * devicePixelRatio;
-    chart.ctx.setLineDash([]);
-    chart.ctx.beginPath();
-    chart.ctx.moveTo(x, top);
-    chart.ctx.lineTo(x, top + height);
-    chart.ctx.stroke();
-    chart.ctx.restore();
   }
 }
