@@ -113,12 +113,19 @@ TEST(Layering, OnlySimulationReadsThePlant) {
 
 /// From the bottom up; what stands in one row are neighbours, and none includes another. A tool's commands
 /// are the roof: they may use whatever they command, and are used by none but the roof.
-const std::vector<std::vector<std::string>> kFloors = {
-    {"lcmtypes"},      {"signals"},    {"model"},
-    {"robots"},        {"runtime"},    {"drivers", "estimator", "controller"},
-    {"planner"},       {"simulation"}, {"tools/common"},
-    {"tools/operate"}, {"tools/can"},  {"tools/logs"},
-    {"tools/lab", "tools/station"}};
+const std::vector<std::vector<std::string>> kFloors = {{"lcmtypes"},
+                                                       {"signals"},
+                                                       {"model"},
+                                                       {"robots"},
+                                                       {"runtime"},
+                                                       {"drivers", "estimator", "controller"},
+                                                       {"planner"},
+                                                       {"simulation"},
+                                                       {"tools/common"},
+                                                       {"tools/operate"},
+                                                       {"tools/can"},
+                                                       {"tools/logs"},
+                                                       {"tools/lab", "tools/station"}};
 
 bool is_roof(const std::string& path) {
   static const std::regex roof(R"(^tools/(\w+/commands/|\w+\.(h|cpp)$))");
