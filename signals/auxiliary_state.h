@@ -14,6 +14,7 @@ struct AuxiliaryState {
   double battery_voltage_V = kNaN;
   double battery_charge_share = kNaN;
   double battery_temperature_degC = kNaN;
+  AuxiliaryState() = default;
   explicit AuxiliaryState(std::size_t actuators) : measured_temperature_degC(actuators, kNaN) {}
 };
 

@@ -150,7 +150,7 @@ class Stranger {
 };
 
 template <class Signal>
-void append(const Signal& signal, Bytes& bytes) {
+void append_forged(const Signal& signal, Bytes& bytes) {
   MessageOf<Signal> message;
   to_message(signal, 0, message);
   const std::size_t at = bytes.size();
@@ -164,11 +164,11 @@ class ForgeryOnTheWire : public SystemTest {
   static CycleObserver into(std::vector<Bytes>& cycles) {
     return [&cycles](const CycleRecord& cycle) {
       Bytes& bytes = cycles.emplace_back();
-      append(cycle.drive_state, bytes);
-      append(cycle.joint_state, bytes);
-      append(cycle.leg_command, bytes);
-      append(cycle.drive_command, bytes);
-      append(cycle.truth, bytes);
+      append_forged(cycle.drive_state, bytes);
+      append_forged(cycle.joint_state, bytes);
+      append_forged(cycle.leg_command, bytes);
+      append_forged(cycle.drive_command, bytes);
+      append_forged(cycle.truth, bytes);
     };
   }
 };
