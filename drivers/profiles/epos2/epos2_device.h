@@ -1,12 +1,12 @@
 #pragma once
 /// One simulated maxon EPOS2 50/5 with its motor (facts canopen 2): modes -3 (current, mA), -1 (position,
-/// qc), -2, 1 and 3 (epos2_motion.h), i2t, speed cap, following error, the 12 status words. Objects are those
-/// of epos2.eds.
+/// qc), -2, 1 and 3 (epos2_motion_device.h), i2t, speed cap, following error, the 12 status words. Objects
+/// are those of epos2.eds.
 ///
 /// Not simulated: homing (6), interpolated position (7) and modes -4..-6, which an EPOS2 has: 0x6060 refuses
 /// them with 06090030, so that nobody mistakes them for working. Neither are Hall sensors, analog and digital
 /// inputs, auxiliary encoder. Beyond 0x607D a drive with power faults [unverified: in every mode, 0xFF09].
-#include "drivers/profiles/epos2/epos2_motion.h"
+#include "drivers/profiles/epos2/epos2_motion_device.h"
 #include "simulation/node/cia402_drive.h"
 
 namespace sprung::sim {

@@ -1,4 +1,4 @@
-#include "drivers/profiles/epos2/epos2_motion.h"
+#include "drivers/profiles/epos2/epos2_motion_device.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // The simulated EPOS2 in its profile and velocity modes, seen through its objects by SDO.
-#include "drivers/profiles/epos2/epos2_motion.h"
+#include "drivers/profiles/epos2/epos2_motion_device.h"
 
 #include <algorithm>
 #include <cmath>
