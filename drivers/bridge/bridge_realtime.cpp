@@ -110,7 +110,9 @@ class RealTimeBridge {
   void listen() {
     listen_until(now_us() + kListen_us);
     const CanFrame question = canopen::sdo_read_request(canopen::kBridgeNode, {canopen::kDeviceType, 0});
-    for (auto& bus : buses_) bus->send(&question, 1);
+    for (std::size_t bus = 0; bus < buses_.size(); ++bus) {
+      if (buses_[bus]->send(&question, 1)) shell_.trace(static_cast<int>(bus), question, true, now_us());
+    }
     listen_until(now_us() + kAnswer_us);
   }
 
