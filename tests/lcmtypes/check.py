@@ -7,6 +7,7 @@ channel. A row each. Exit status: 0 all that this machine can build has every me
 import dataclasses
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import sysconfig
@@ -58,6 +59,15 @@ def generate(lcm, options, folder):
     assert done.returncode == 0, done.stdout + done.stderr
 
 
+def with_battery(name, folder):
+    """The robot's folder with a battery in robot.yaml: then AUXILIARY_STATE is sent, though none answers."""
+    copy = folder / "robots" / name
+    shutil.copytree(TOP / "robots" / name, copy)
+    file = copy / "robot.yaml"
+    file.write_text(file.read_text() + "battery: {bus: fl, node: 20}\n")
+    return copy
+
+
 def record(programs, lcm, folder):
     """{channel: message}: of test_axis, which has a torque sensor, and of pegasus, which has an IMU, is commanded by the
     Python example and heard by the C++ one."""
@@ -72,7 +82,7 @@ def record(programs, lcm, folder):
     )  # fmt: skip
     with recording.Robot(programs, "test_axis", folder / "test_axis") as axis:
         pass  # up means that cycles have been counted
-    with recording.Robot(programs, "pegasus", folder / "pegasus") as robot:
+    with recording.Robot(programs, with_battery("pegasus", folder), folder / "pegasus") as robot:
         use_examples(robot, python, listener / "listener", folder / "heard.txt")
         sys.path.insert(0, str(python))
         refusals.check(robot, folder / "pegasus")
