@@ -36,8 +36,8 @@ struct BodyConfig {
   std::array<double, 3> inertia_kg_m2{};   ///< about its axes
   bool imu = false;                        ///< somebody publishes IMU
   ImuDriverConfig imu_driver;
-  double fallen_tilt_rad = 0.0;            ///< roll or pitch beyond which the robot counts as fallen
-  double fallen_height_m = 0.0;            ///< height of the hips over the standing feet, below which it does
+  double fallen_tilt_rad = 0.0;  ///< roll or pitch beyond which the robot counts as fallen
+  double fallen_height_m = 0.0;  ///< height of the hips over the standing feet, below which it does
 };
 
 /// A pattern of steps: data, checked when it is read. A leg swings from its offset for (1 - duty) of the

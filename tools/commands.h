@@ -18,7 +18,7 @@ void add_doctor(CommandLine& sprung);
 void add_help(CommandLine& sprung);   ///< completion bash, man
 void add_bench(CommandLine& sprung);  ///< bench can, bench up
 void add_campaign(CommandLine& sprung);
-void add_can(CommandLine& sprung);    ///< can dump, can export, can lss
+void add_can(CommandLine& sprung);  ///< can dump, can export, can lss
 void add_console(CommandLine& sprung);
 void add_drive(CommandLine& sprung);  ///< drive info, read, write, scan, check
 void add_drive_by(CommandLine& sprung);
