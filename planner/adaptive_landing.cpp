@@ -42,15 +42,13 @@ AdaptiveLanding::AdaptiveLanding(const RobotConfig& /*robot*/, const LegConfig& 
                                  const PresetConfig& preset)
     : preset_(preset), config_(preset.adaptive_landing), approach_m_s_(0.0) {}
 
-void AdaptiveLanding::begin(const ExpectedTouchdown& expected, FlightKind kind) noexcept {
+void AdaptiveLanding::begin(const ExpectedTouchdown& expected) noexcept {
   expected_ = expected;
-  kind_ = kind;
   stage_ = Stage::kBefore;
 }
 
 AdaptiveLandingOutput AdaptiveLanding::step(const AdaptiveLandingInput& in) noexcept {
-  const bool spring_alone = kind_ == FlightKind::kJump && config_.jump_switch_s > 0.0;
-  if (spring_alone || config_.extended_length_m <= 0.0) return as_hybrid(in);
+  if (config_.extended_length_m <= 0.0) return as_hybrid(in);
   if (stage_ == Stage::kBefore) start(in);
   const double dt_s = std::clamp(1e-6 * static_cast<double>(in.utime_us - now_us_), 0.0, kLongestStep_s);
   now_us_ = in.utime_us;
@@ -64,21 +62,14 @@ AdaptiveLandingOutput AdaptiveLanding::step(const AdaptiveLandingInput& in) noex
 }
 
 AdaptiveLandingOutput AdaptiveLanding::as_hybrid(const AdaptiveLandingInput& in) const noexcept {
-  const bool own_spring = kind_ == FlightKind::kJump && config_.jump_switch_s > 0.0;
-  JumpProgress progress = in.progress;
-  if (own_spring) progress.hybrid_switch_s = config_.jump_switch_s;
   DesiredLeg leg;
-  set_control(progress, preset_, leg);
+  set_control(in.progress, preset_, leg);
   AdaptiveLandingOutput out;
   out.desired = in.planned;
   out.control_mode = leg.control_mode;
   out.gains = {leg.stiffness_N_m, leg.damping_N_s_m, leg.velocity_feedforward};
-  if (own_spring) {
-    out.gains = stiffness(config_.jump);
-    out.gains.velocity_feedforward = 0.0;
-  }
   out.feedforward_force_N = leg.feedforward_force_N;
-  out.friction_compensation = own_spring ? config_.jump_friction_compensation : leg.friction_compensation;
+  out.friction_compensation = leg.friction_compensation;
   out.inertia_compensation = leg.inertia_compensation;
   return out;
 }

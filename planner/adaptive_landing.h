@@ -10,7 +10,6 @@
 ///             left. First the motors move the rotors as the measured force would move a light foot, and take
 ///             its horizontal part off; then a soft spring and damper are left, and the planned force is fed
 ///             forward.
-/// In a jump, unless the preset says otherwise: the jump's curve in position, then late a spring of its own.
 #include <cstdint>
 
 #include "planner/ballistics.h"
@@ -38,14 +37,12 @@ struct AdaptiveLandingOutput {
   double inertia_compensation = 0.0;
 };
 
-enum class FlightKind { kJump, kFall };
-
 class AdaptiveLanding {
  public:
   AdaptiveLanding(const RobotConfig& robot, const LegConfig& leg, const PresetConfig& preset);
 
   /// Flight begins.
-  void begin(const ExpectedTouchdown& expected, FlightKind kind) noexcept;
+  void begin(const ExpectedTouchdown& expected) noexcept;
   /// Once a cycle, in flight and landing. @param in.progress.phase says which; kLanding from the cycle of the
   /// measured touchdown.
   AdaptiveLandingOutput step(const AdaptiveLandingInput& in) noexcept;
@@ -79,7 +76,6 @@ class AdaptiveLanding {
   PresetConfig preset_;
   AdaptiveLandingConfig config_;
   ExpectedTouchdown expected_;
-  FlightKind kind_ = FlightKind::kFall;
   Stage stage_ = Stage::kBefore;
   std::int64_t begun_us_ = 0;
   std::int64_t now_us_ = 0;

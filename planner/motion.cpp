@@ -163,8 +163,7 @@ void Motion::enter(MotionPhase from, const JointState& in) noexcept {
       break;
     case MotionPhase::kFlight:
       if (from == MotionPhase::kStanding) move_all(jump_.curve().end_length_m(), jump_.fall_move_s());
-      for (AdaptiveLanding& adaptive : adaptive_landing_)
-        adaptive.begin(jump_.expected(), jump_.falling() ? FlightKind::kFall : FlightKind::kJump);
+      for (AdaptiveLanding& adaptive : adaptive_landing_) adaptive.begin(jump_.expected());
       break;
     case MotionPhase::kRecover:
       if (from == MotionPhase::kLanding) jump_.landed();

@@ -15,7 +15,6 @@ struct LandingGains {
 };
 
 struct AdaptiveLandingConfig {
-  // A fall.
   double extended_length_m = 0.0;        ///< to which the leg stretches first; 0: the hybrid law instead
   double extension_s = 0.0;              ///< in which it does so; less of both where the fall is short
   double stretch_acceleration_m_s2 = 0;  ///< of the foot while it does, at most
@@ -36,12 +35,6 @@ struct AdaptiveLandingConfig {
   double mass_s = 0.0;                ///< after contact, in which the masses give way to the rotors' own
   LandingGains air;
   LandingGains ground;
-  // A jump: from `jump_switch_s` after its thrust began on a spring of its own; 0: as in a fall, from
-  // lift-off on.
-  double jump_switch_s = 0.0;
-  LandingGains jump;
-  /// Share; what is not compensated stops the leg without its motors.
-  double jump_friction_compensation = 0.0;
 };
 
 }  // namespace sprung

@@ -12,9 +12,9 @@ void read_mass(const YamlMap& map, LandingGains& gains) {
   map.finish();
 }
 
-LandingGains read_gains(const YamlMap& map, bool with_mass) {
+LandingGains read_gains(const YamlMap& map) {
   LandingGains gains;
-  if (with_mass) read_mass(map.map("mass"), gains);
+  read_mass(map.map("mass"), gains);
   const YamlMap stiffness = map.map("stiffness");
   gains.stiffness_x_N_m = stiffness.quantity("x", "N/m", 0, 1e5);
   gains.stiffness_z_N_m = stiffness.quantity("z", "N/m", 0, 1e5);
@@ -25,13 +25,6 @@ LandingGains read_gains(const YamlMap& map, bool with_mass) {
   damping.finish();
   map.finish();
   return gains;
-}
-
-void read_jump(const YamlMap& map, AdaptiveLandingConfig& out) {
-  out.jump_switch_s = map.quantity("switch", "s", 1e-3, 10);
-  out.jump = read_gains(map.map("gains"), false);
-  out.jump_friction_compensation = map.quantity("friction_compensation", "", 0, 1);
-  map.finish();
 }
 
 JumpCurveConfig read_jump_curve(const YamlMap& map) {
@@ -110,9 +103,8 @@ AdaptiveLandingConfig read_adaptive_landing(const YamlMap& map) {
   out.ground_friction_compensation = map.quantity("ground_friction_compensation", "", 0, 1);
   out.measured_force_share = map.quantity("measured_force_share", "", 0, 1);
   out.mass_s = map.quantity("mass_time", "s", 1e-3, 5);
-  out.air = read_gains(map.map("air"), true);
-  out.ground = read_gains(map.map("ground"), true);
-  if (map.has("jump")) read_jump(map.map("jump"), out);
+  out.air = read_gains(map.map("air"));
+  out.ground = read_gains(map.map("ground"));
   map.finish();
   return out;
 }

@@ -27,9 +27,9 @@ class AdaptiveLandingTest : public testing::Test {
     in_.measured.foot_force_N = in_.measured.foot_force_bound_N = {0.0, 0.0, 0.0};
   }
 
-  void begin(FlightKind kind, double fall_s = kReleased_s) {
+  void begin(double fall_s = kReleased_s) {
     law_ = AdaptiveLanding(robot_, robot_.legs[0], preset_);
-    law_.begin({std::llround(1e6 * fall_s), kGravity_m_s2 * fall_s}, kind);
+    law_.begin({std::llround(1e6 * fall_s), kGravity_m_s2 * fall_s});
   }
   const AdaptiveLandingOutput& step() {
     in_.utime_us += kCycle_us;
@@ -66,7 +66,7 @@ class AdaptiveLandingTest : public testing::Test {
 };
 
 TEST_F(AdaptiveLandingTest, FootMeetsTheExpectedGroundWithTheApproachSpeed) {
-  begin(FlightKind::kFall);
+  begin();
   while (in_.utime_us < 400'000) {
     step();
     if (foot_over_ground_m() <= preset_.adaptive_landing.early_m) break;
@@ -79,7 +79,7 @@ TEST_F(AdaptiveLandingTest, FootMeetsTheExpectedGroundWithTheApproachSpeed) {
 }
 
 TEST_F(AdaptiveLandingTest, DesiredFootNeitherJumpsNorOutrunsItsSpeedLimit) {
-  begin(FlightKind::kFall);
+  begin();
   Vec3 before = in_.planned.position_m;
   double longest_m = 0.0;
   for (int k = 0; k < 300; ++k) {
@@ -94,7 +94,7 @@ TEST_F(AdaptiveLandingTest, DesiredFootNeitherJumpsNorOutrunsItsSpeedLimit) {
 }
 
 TEST_F(AdaptiveLandingTest, OnTheGroundTheBodyIsStoppedWithinTheWayThatIsLeft) {
-  begin(FlightKind::kFall);
+  begin();
   fall(0.2);
   touch();
   EXPECT_NEAR(out_.desired.velocity_m_s[2], kGravity_m_s2 * 0.2, 0.05);  // as fast as the body falls
@@ -106,7 +106,7 @@ TEST_F(AdaptiveLandingTest, OnTheGroundTheBodyIsStoppedWithinTheWayThatIsLeft) {
 }
 
 TEST_F(AdaptiveLandingTest, PushOnABrakingFootIsContactBeforeThePlannerSaysSo) {
-  begin(FlightKind::kFall);
+  begin();
   fall(0.2);
   in_.measured.foot_force_N = {20.0, 0.0, 0.0};  // along x: the planner looks at z alone
   step();
@@ -116,7 +116,7 @@ TEST_F(AdaptiveLandingTest, PushOnABrakingFootIsContactBeforeThePlannerSaysSo) {
 }
 
 TEST_F(AdaptiveLandingTest, ForceWithinItsBoundIsNoContact) {
-  begin(FlightKind::kFall);
+  begin();
   in_.measured.foot_force_N = {20.0, 0.0, 20.0};
   in_.measured.foot_force_bound_N = {15.0, 0.0, 15.0};
   fall(0.24);
@@ -124,7 +124,7 @@ TEST_F(AdaptiveLandingTest, ForceWithinItsBoundIsNoContact) {
 }
 
 TEST_F(AdaptiveLandingTest, FarAboveTheGroundThePlannersContactAndAShortPushAreNotBelieved) {
-  begin(FlightKind::kFall);
+  begin();
   fall(0.1);
   in_.progress.phase = MotionPhase::kLanding;
   in_.measured.foot_force_N[2] = 50.0;
@@ -138,7 +138,7 @@ TEST_F(AdaptiveLandingTest, FarAboveTheGroundThePlannersContactAndAShortPushAreN
 }
 
 TEST_F(AdaptiveLandingTest, StretchOfAShortFallKeepsWithinItsAcceleration) {
-  begin(FlightKind::kFall, 0.12);
+  begin(0.12);
   double most_m_s2 = 0.0, longest_m = 0.0;
   for (int k = 0; k < 60; ++k) {  // before it brakes
     step();
@@ -151,7 +151,7 @@ TEST_F(AdaptiveLandingTest, StretchOfAShortFallKeepsWithinItsAcceleration) {
 
 TEST_F(AdaptiveLandingTest, ForceBeyondThePlanMovesALightFootAndNoMoreOnceTheMassHasFaded) {
   const LandingGains& ground = preset_.adaptive_landing.ground;
-  begin(FlightKind::kFall);
+  begin();
   fall(0.2);
   touch(100.0);
   AdaptiveLanding same = law_;
@@ -172,7 +172,7 @@ TEST_F(AdaptiveLandingTest, ForceBeyondThePlanMovesALightFootAndNoMoreOnceTheMas
 }
 
 TEST_F(AdaptiveLandingTest, LostMeasurementLeavesTheDesiredFootFinite) {
-  begin(FlightKind::kFall);
+  begin();
   fall(0.2);
   in_.measured.foot_force_N[2] = 50.0;
   for (int k = 0; k < 30; ++k) {  // contact is among them
@@ -189,21 +189,9 @@ TEST_F(AdaptiveLandingTest, LostMeasurementLeavesTheDesiredFootFinite) {
   EXPECT_GT(out_.feedforward_force_N[2], 0.0);
 }
 
-TEST_F(AdaptiveLandingTest, InAJumpTheCurveIsFollowedUntilTheLateSwitchAndThenAWeakSpring) {
-  begin(FlightKind::kJump);
-  in_.progress.since_thrust_s = preset_.adaptive_landing.jump_switch_s - 2.5 * kCycle_s;
-  step();
-  EXPECT_EQ(out_.control_mode, ControlMode::kPosition);
-  EXPECT_EQ(out_.desired.position_m, in_.planned.position_m);
-  fall(0.003);
-  EXPECT_EQ(out_.control_mode, ControlMode::kCompliance);
-  EXPECT_EQ(out_.gains.stiffness_N_m[2], preset_.adaptive_landing.jump.stiffness_z_N_m);
-  EXPECT_EQ(out_.friction_compensation, preset_.adaptive_landing.jump_friction_compensation);
-}
-
 TEST_F(AdaptiveLandingTest, PresetWithoutItFallsBackOnTheHybridLaw) {
   preset_.adaptive_landing = {};
-  begin(FlightKind::kFall);
+  begin();
   in_.progress.since_thrust_s = preset_.hybrid_switch_s;
   step();
   EXPECT_EQ(out_.control_mode, ControlMode::kCompliance);
@@ -212,16 +200,16 @@ TEST_F(AdaptiveLandingTest, PresetWithoutItFallsBackOnTheHybridLaw) {
 }
 
 TEST_F(AdaptiveLandingTest, NewFlightKnowsNothingOfTheLast) {
-  begin(FlightKind::kFall);
+  begin();
   fall(0.2);
   touch();
   fall(0.05);
   in_.utime_us = 0;
   in_.measured.foot_force_N = {0.0, 0.0, 0.0};
   in_.progress = {MotionPhase::kFlight, JumpMode::kAdaptive, 0.0, 0.0, preset_.hybrid_switch_s};
-  law_.begin({std::llround(1e6 * kReleased_s), kGravity_m_s2 * kReleased_s}, FlightKind::kFall);
+  law_.begin({std::llround(1e6 * kReleased_s), kGravity_m_s2 * kReleased_s});
   AdaptiveLanding fresh(robot_, robot_.legs[0], preset_);
-  fresh.begin({std::llround(1e6 * kReleased_s), kGravity_m_s2 * kReleased_s}, FlightKind::kFall);
+  fresh.begin({std::llround(1e6 * kReleased_s), kGravity_m_s2 * kReleased_s});
   for (int k = 0; k < 150; ++k) {
     in_.utime_us += kCycle_us;
     const AdaptiveLandingOutput used = law_.step(in_), anew = fresh.step(in_);

@@ -48,9 +48,7 @@ TEST(LandingSection, ShippedPresetBestHasALandingOfItsOwnAndPaperNone) {
   const AdaptiveLandingConfig& best = robot.preset("best").adaptive_landing;
   EXPECT_GT(best.extended_length_m, best.shortest_m);
   EXPECT_GT(best.braking_m_s2, 0.0);
-  EXPECT_GT(best.jump_switch_s, 0.0);
   EXPECT_EQ(robot.preset("paper").adaptive_landing.extended_length_m, 0.0);
-  EXPECT_EQ(robot.preset("paper").adaptive_landing.jump_switch_s, 0.0);
 }
 
 TEST_F(ChangedLanding, LegThatIsToEndLongerThanItStretchesIsRefused) {
