@@ -9,6 +9,7 @@
 #include <mutex>
 
 #include "robots/robot_loader.h"
+#include "simulation/plant/foot_weight.h"
 #include "simulation/plant/mujoco_row.h"
 
 namespace sprung::sim {
@@ -147,6 +148,12 @@ void write_masses(mjModel& model, const PlantConfig& config) {
   }
 }
 
+void hang_weights(mjModel& model, const PlantIndex& index, const PlantConfig& config) {
+  if (config.foot_weight_kg <= 0.0) return;
+  for (const int foot : index.foot_geom)
+    add_point_mass(model, model.geom_bodyid[foot], row(model.geom_pos, foot, 3), config.foot_weight_kg);
+}
+
 void write_joints(mjModel& model, const PlantIndex& index, const PlantConfig& config) {
   for (std::size_t i = 0; i < config.joints.size(); ++i) {
     const PlantJointConfig& joint = config.joints[i];
@@ -241,6 +248,7 @@ PlantModel load_plant_model(const RobotConfig& robot, const PlantConfig& config)
   plant.index = find_parts(model, robot);
   model.opt.timestep = config.step_s;
   write_masses(model, config);
+  hang_weights(model, plant.index, config);
   write_joints(model, plant.index, config);
   plant.index.linkages = link_rotors(model, plant.index.joint_dof, robot, config);
   write_rail(model, config);
