@@ -21,7 +21,10 @@ struct JointDataset {
   Eigen::VectorXd link_position_rad;    ///< second encoder on the link side; may be missing
   Eigen::VectorXd load_Nm;  ///< torque that the gear is known to give to the link (torque sensor, or inverse
                             ///< dynamics plus force sensor); may be missing
-  Eigen::VectorXd temperature_C;  ///< of motor or gear; may be missing
+  /// load_Nm is what a known weight adds; what the joint bears without it is fitted beside.
+  bool load_beside_own = false;
+  Eigen::VectorXd load_inertia_kg_m2;  ///< of that weight about the joint, in load_Nm already; may be missing
+  Eigen::VectorXd temperature_C;       ///< of motor or gear; may be missing
 
   Eigen::Index size() const { return time_s.size(); }
   bool has_link_position() const { return link_position_rad.size() > 0; }

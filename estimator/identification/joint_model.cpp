@@ -65,12 +65,17 @@ JointModel::JointModel(const JointTerms& terms, const JointDataset& data)
     : terms_(terms),
       friction_(friction_of(terms)),
       harmonics_(identification::ripple_harmonics(terms)),
-      load_known_(data.has_load()) {
+      has_load_(data.has_load()),
+      fits_gravity_(!data.has_load() || data.load_beside_own) {
   check(terms, data);
   parameters_ = joint_parameters(terms, data);
-  if (!load_known_) at_.gravity = kInertia + 1;
-  if (has(terms, JointTerm::kLoadGain)) at_.load_gain = kInertia + 1;
-  at_.offset = kInertia + 1 + (load_known_ ? 0 : 2) + (at_.load_gain < 0 ? 0 : 1);
+  Index next = kInertia + 1;
+  if (fits_gravity_) {
+    at_.gravity = next;
+    next += 2;
+  }
+  if (has(terms, JointTerm::kLoadGain)) at_.load_gain = next++;
+  at_.offset = next;
   at_.friction = at_.offset + 1;
   at_.ripple = at_.friction + static_cast<Index>(friction_.size());
 }
@@ -90,7 +95,7 @@ struct JointModel::Regressors {
 
 JointModel::Regressors JointModel::regressors(const JointDataset& data, Index i) const {
   Regressors out;
-  if (!load_known_) {
+  if (fits_gravity_) {
     out.cos_q = std::cos(data.position_rad[i]);
     out.sin_q = std::sin(data.position_rad[i]);
   }
@@ -106,8 +111,10 @@ JointModel::Regressors JointModel::regressors(const JointDataset& data, Index i)
 
 double JointModel::load(const Regressors& at, const JointDataset& data, const Eigen::VectorXd& parameters,
                         Index i) const {
-  if (load_known_) return (at_.load_gain < 0 ? 1.0 : parameters[at_.load_gain]) * data.load_Nm[i];
-  return parameters[at_.gravity] * at.cos_q + parameters[at_.gravity + 1] * at.sin_q;
+  double sum = 0.0;
+  if (has_load_) sum = (at_.load_gain < 0 ? 1.0 : parameters[at_.load_gain]) * data.load_Nm[i];
+  if (fits_gravity_) sum += parameters[at_.gravity] * at.cos_q + parameters[at_.gravity + 1] * at.sin_q;
+  return sum;
 }
 
 double JointModel::beside_load(const Regressors& at, const JointDataset& data,
@@ -124,7 +131,7 @@ void JointModel::fill_row(const Regressors& at, const JointDataset& data, Index 
                           const FrictionValue& friction, Eigen::MatrixXd& jacobian) const {
   const double by_load = 1.0 + friction.by_load;
   jacobian(i, kInertia) = data.acceleration_rad_s2[i];
-  if (!load_known_) {
+  if (fits_gravity_) {
     jacobian(i, at_.gravity) = by_load * at.cos_q;
     jacobian(i, at_.gravity + 1) = by_load * at.sin_q;
   }

@@ -2,12 +2,13 @@
 /// A geared joint's measured torque from its motion. Pure.
 ///
 ///   torque = inertia qdd + L + offset + f(qd, L) + sum over h of ripple_h (c_h cos(h R q) + s_h sin(h R q))
-///   L = gravity_cos cos q + gravity_sin sin q, or load_gain * load where the dataset knows the load
+///   L = gravity_cos cos q + gravity_sin sin q, or load_gain * load where the dataset knows the load, or the
+///   sum of both where it knows what a weight adds (load_beside_own)
 ///
 /// f is the friction law (model/friction/friction_law.h), R q the motor's angle. Where the load is known,
-/// inertia is what lies on the motor's side of it: the armature; else it is all that turns with the joint,
-/// and its share of L is left out, since no motion tells armature from link. All torques are in the unit of
-/// the measured one.
+/// inertia is what lies on the motor's side of it: the armature; else it is all that turns with the joint
+/// (but a known weight), and its share of L is left out, since no motion tells armature from link. All
+/// torques are in the unit of the measured one.
 #include "estimator/identification/fit_model.h"
 #include "estimator/identification/joint_terms.h"
 #include "model/friction/friction_law.h"
@@ -35,7 +36,7 @@ class JointModel : public FitModel {
 
  private:
   struct Layout {
-    Eigen::Index gravity = -1;  ///< cosine; the sine follows. -1: the load is known
+    Eigen::Index gravity = -1;  ///< cosine; the sine follows. -1: the whole load is known
     Eigen::Index load_gain = -1;
     Eigen::Index offset = 0;
     Eigen::Index friction = 0;  ///< first of the friction law's, in order of friction_
@@ -54,7 +55,8 @@ class JointModel : public FitModel {
   JointTerms terms_;
   std::vector<FrictionParameter> friction_;
   std::vector<int> harmonics_;
-  bool load_known_;
+  bool has_load_;
+  bool fits_gravity_;
   Layout at_;
   std::vector<FitParameter> parameters_;
 };

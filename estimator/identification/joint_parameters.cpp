@@ -122,7 +122,7 @@ std::vector<FitParameter> joint_parameters(const JointTerms& terms, const JointD
   const Scales scales = scales_of(data);
   std::vector<FitParameter> out = {positive_parameter("inertia", newton ? "kg m^2" : unit + " s^2/rad",
                                                       0.1 * scales.torque, "fast changes of speed")};
-  if (!data.has_load()) {
+  if (!data.has_load() || data.load_beside_own) {
     for (const char* part : {"gravity_cos", "gravity_sin"})
       out.push_back(free_parameter(part, unit, 0.1 * scales.torque, "positions far from each other"));
   }

@@ -33,6 +33,7 @@ const NamedSignal kSignals[] = {
     {"measured torque", &RawSeries::measured_torque, &JointDataset::measured_torque, true},
     {"link position", &RawSeries::link_position_rad, &JointDataset::link_position_rad, false},
     {"load", &RawSeries::load_Nm, &JointDataset::load_Nm, false},
+    {"load inertia", &RawSeries::load_inertia_kg_m2, &JointDataset::load_inertia_kg_m2, false},
     {"temperature", &RawSeries::temperature_C, &JointDataset::temperature_C, false},
     {"weight", &RawSeries::weight, nullptr, false},
 };
@@ -140,6 +141,11 @@ void differentiate(JointDataset& data, const PrepareOptions& options) {
   data.acceleration_rad_s2 = local_polynomial(data.position_rad, data.period_s, half, degree, 2);
 }
 
+void accelerate_load(JointDataset& data) {
+  if (data.load_inertia_kg_m2.size() == 0 || !data.has_load()) return;
+  data.load_Nm.array() += data.load_inertia_kg_m2.array() * data.acceleration_rad_s2.array();
+}
+
 Eigen::VectorXd counted(const Signal& time_s, const Signal& weight, const Eigen::VectorXd& at_s) {
   if (weight.empty()) return Eigen::VectorXd::Ones(at_s.size());
   return interpolate(time_s, weight, at_s).unaryExpr([](double w) { return w > 1.0 - 1e-9 ? 1.0 : 0.0; });
@@ -153,6 +159,7 @@ FitPiece piece_of(const MergedSeries& merged, std::size_t begin, std::size_t end
   data.period_s = period_s;
   data.gear_ratio = series.gear_ratio;
   data.torque_unit = series.torque_unit;
+  data.load_beside_own = series.load_beside_own;
   if (end - begin < 2) return piece;
   const Grid grid = grid_between(merged.time_s[begin], merged.time_s[end - 1], span, period_s);
   const Index count = grid.last - grid.first + 1;
@@ -192,6 +199,7 @@ std::vector<FitPiece> prepare(const RawSeries& series, const TimeSpan& span, con
     FitPiece piece = piece_of(merged, begin, end, series, span, period_s);
     if (piece.data.size() == 0) continue;
     differentiate(piece.data, options);
+    accelerate_load(piece.data);
     pieces.push_back(std::move(piece));
   }
   if (pieces.empty()) refuse("no stretch without a gap is long enough to be used");

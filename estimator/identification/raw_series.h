@@ -18,6 +18,9 @@ struct RawSeries {
   std::vector<double> measured_torque;
   std::vector<double> link_position_rad;
   std::vector<double> load_Nm;
+  bool load_beside_own = false;  ///< as JointDataset's
+  /// Of what makes the load: what it takes to accelerate it is added to load_Nm.
+  std::vector<double> load_inertia_kg_m2;
   std::vector<double> temperature_C;
   /// 1 = counts, 0 = only drives memory (another joint moves, drive off); empty: all 1.
   std::vector<double> weight;

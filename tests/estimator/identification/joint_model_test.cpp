@@ -67,6 +67,37 @@ void expect_derivatives(const JointModel& model, const JointDataset& data, const
   }
 }
 
+TEST(JointModel, DerivativesWithAWeightBesideItsOwnAreThoseOfThePrediction) {
+  JointDataset data = full_dataset(400);
+  data.load_beside_own = true;
+  const JointModel model({JointTerm::kViscous, JointTerm::kLoad, JointTerm::kLoadGain}, data);
+  Eigen::VectorXd at = initial(model);
+  for (Index i = 0; i < at.size(); ++i) at[i] += 0.01 * (1.0 + noise(4, i)) * std::max(0.1, std::abs(at[i]));
+  at[index_of(model, "coulomb")] = 2.0;
+  expect_derivatives(model, data, at);
+}
+
+TEST(JointModel, KnownWeightTellsLoadFrictionAndTorqueConstantBesideTheJointsOwnWeight) {
+  JointDataset data = full_dataset(3000);
+  data.load_beside_own = true;
+  const JointModel model({JointTerm::kViscous, JointTerm::kLoad, JointTerm::kLoadGain}, data);
+  const Eigen::VectorXd truth = with(model, {{"inertia", 0.8},
+                                             {"gravity_cos", 3.0},
+                                             {"gravity_sin", -1.0},
+                                             {"load_gain", 1.05},
+                                             {"coulomb", 5.0},
+                                             {"viscous", 7.0},
+                                             {"load_share_driving", 0.15},
+                                             {"load_share_driven", 0.15}});
+  data = simulated(model, truth, data, 0.3, 5);
+  const Fit found = fit(FitProblem(model, {whole(data)}), {});
+  EXPECT_NEAR(found.parameters[index_of(model, "load_gain")], 1.05, 0.01);
+  EXPECT_NEAR(found.parameters[index_of(model, "load_share_driving")], 0.15, 0.015);
+  EXPECT_NEAR(found.parameters[index_of(model, "load_share_driven")], 0.15, 0.015);
+  EXPECT_NEAR(found.parameters[index_of(model, "gravity_cos")], 3.0, 0.1);
+  EXPECT_NEAR(found.parameters[index_of(model, "coulomb")], 5.0, 0.15);
+}
+
 TEST(JointModel, DerivativesAreThoseOfThePrediction) {
   const JointDataset data = full_dataset(400);
   JointTerms all = possible_terms(data);

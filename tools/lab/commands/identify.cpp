@@ -10,8 +10,10 @@
 #include "tools/commands.h"
 #include "tools/common/report/report_shell.h"
 #include "tools/lab/commands/identify_record.h"
+#include "tools/lab/identify/drive_series.h"
 #include "tools/lab/identify/footprint_result.h"
 #include "tools/lab/identify/fragment.h"
+#include "tools/lab/identify/identified_robot.h"
 #include "tools/lab/identify/identify_recording.h"
 #include "tools/lab/identify/result_json.h"
 #include "tools/lab/identify/result_report.h"
@@ -27,6 +29,7 @@ struct IdentifyCall {
   identify::RecordingRequest recording;
   GuidedRecording guided;
   std::string fragment;
+  std::string into;  ///< folder of an identified robot
   std::string report;
   bool as_json = false;
 };
@@ -75,6 +78,12 @@ void write_text(const std::string& text, const std::string& path) {
   if (!out) throw std::runtime_error("cannot write " + path + ": does its folder exist?");
 }
 
+std::string in_words(const std::vector<std::string>& files) {
+  std::string out;
+  for (const std::string& file : files) out += (out.empty() ? "" : " + ") + file;
+  return out;
+}
+
 void write_fragment(const identify::Recording& recording, const identify::Provenance& provenance,
                     const std::string& path) {
   std::vector<JointConfig> configs;
@@ -83,15 +92,36 @@ void write_fragment(const identify::Recording& recording, const identify::Proven
   write_text(identify::fragment_text(recording.joints, configs), path);
 }
 
+void write_robot(const identify::RecordingRequest& request, const identify::Recording& found,
+                 const identify::Provenance& provenance, const std::string& folder) {
+  if (request.logs.empty()) throw WrongUse("--into needs --log: a table does not say which robot it is of");
+  const RobotConfig robot = load_robot(request.robot.empty() ? identify::robot_of_log(request.logs.front())
+                                                             : request.robot);
+  std::vector<identify::RobotChange> changes;
+  for (const IdentifiedJoint& joint : found.joints)
+    changes.push_back(identify::change_of(robot, joint, provenance));
+  identify::write_identified_robot(robot, changes, folder);
+}
+
+GuidedRecording with_weight(const IdentifyCall& request) {
+  GuidedRecording out = request.guided;
+  const std::vector<std::string>& weights = request.recording.weights;
+  if (weights.size() > 1) throw WrongUse("--record makes one recording, with one --weight");
+  if (!weights.empty()) out.weight = weights.front();
+  return out;
+}
+
 int run_identify(const IdentifyCall& request) {
-  if (request.guided.wanted) return run_guided_recording(request.guided);
+  if (request.guided.wanted) return run_guided_recording(with_weight(request));
   const identify::Recording recording = [&] {
     Progress progress;
     return identify::identify_recording(request.recording, std::ref(progress));
   }();
-  const std::string& file = request.recording.file();
-  const identify::Provenance provenance{file, identify::short_sha256(file), today(), own_command()};
+  const std::vector<std::string> files = request.recording.files();
+  const identify::Provenance provenance{in_words(files), identify::short_sha256(files), today(),
+                                        own_command()};
   if (!request.fragment.empty()) write_fragment(recording, provenance, request.fragment);
+  if (!request.into.empty()) write_robot(request.recording, recording, provenance, request.into);
   if (!request.report.empty())
     report::write_report(identify::result_report(recording.joints, provenance), request.report);
   if (request.as_json) {
@@ -116,7 +146,14 @@ void add_recording_options(CommandLine& identify, identify::RecordingRequest& r)
   identify.option("--ratio", r.drive.gear_ratio, "motor turns for a turn of the joint");
   identify.option("--torque-constant", r.drive.torque_constant_Nm_A,
                   "Nm/A of the motor; 0: currents stay amperes");
-  identify.option("--log", r.log, "LCM log of a robot, e.g. of sprung identify --record");
+  identify.option(
+      "--log", r.logs,
+      "LCM log of a robot, e.g. of sprung identify --record; several of one joint, with different "
+      "weights, show what friction owes to the load");
+  identify.option(
+      "--weight", r.weights,
+      "at the foot, of each --log in turn: 0kg, 5kg; with --record: so much is clamped to the foot's "
+      "middle (in process: it is)");
   identify.option("--robot", r.robot, "name or folder; default: the one that the log names");
   identify.option("--joint", r.joint, "of the robot; default: every one that moves alone");
   identify.flag("--all", r.all, "every joint must be in the log");
@@ -151,6 +188,7 @@ void add_identify(CommandLine& sprung) {
   identify.flag("--footprint", r->recording.footprint,
                 "kinematic error and torsion too, from encoders on both sides of the gear");
   identify.option("--fragment", r->fragment, "file to write: the keys of robot.yaml that were found");
+  identify.option("--into", r->into, "folder to write: the robot's files with what was found");
   identify.option("--report", r->report, "HTML file to write: tables and plots");
   identify.flag("--json", r->as_json, "one JSON object on standard output");
   identify.example(

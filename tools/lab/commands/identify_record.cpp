@@ -8,6 +8,7 @@
 #include "robots/robot_loader.h"
 #include "runtime/log.h"
 #include "simulation/sim_shell.h"
+#include "tools/lab/identify/identify_recording.h"
 #include "tools/lab/identify/record_in_process.h"
 #include "tools/lab/identify/record_log.h"
 #include "tools/lab/identify/record_session.h"
@@ -48,7 +49,8 @@ identify::AskedRange asked_range(const GuidedRecording& request) {
 identify::RecordOptions options_of(const GuidedRecording& request) {
   if (!(request.longest_pass_s > 0.0)) throw WrongUse("--longest-pass is more than 0 s");
   if (!(request.pause_s >= 0.0)) throw WrongUse("--pause is not negative");
-  return {request.longest_pass_s, request.pause_s, asked_range(request)};
+  const double weight_kg = request.weight.empty() ? 0.0 : identify::parse_weight_kg(request.weight);
+  return {request.longest_pass_s, request.pause_s, weight_kg, asked_range(request)};
 }
 
 /// A joint or a range that the robot does not have, as what the user typed wrong.
@@ -82,9 +84,10 @@ std::string file_of(const GuidedRecording& request) {
 }
 
 int next_step(const GuidedRecording& request, const std::string& file) {
-  std::printf("recorded %s, %lld bytes. Next:\n  sprung identify --log %s --robot %s --joint %s\n",
+  const std::string weight = request.weight.empty() ? "" : " --weight " + request.weight;
+  std::printf("recorded %s, %lld bytes. Next:\n  sprung identify --log %s%s --robot %s --joint %s\n",
               file.c_str(), static_cast<long long>(std::filesystem::file_size(file)), file.c_str(),
-              request.robot.c_str(), request.joint.c_str());
+              weight.c_str(), request.robot.c_str(), request.joint.c_str());
   return kExitDone;
 }
 
@@ -149,7 +152,8 @@ int run_guided_recording(const GuidedRecording& request) {
   JointMover mover(info, robot);
   const identify::RecordPlan plan = understood(
       [&] { return identify::plan_recording(robot, joint, options, mover); });
-  if (!confirmed(identify::describe(robot, plan) + " Is everybody clear of it?", request.yes))
+  const std::string weight = request.weight.empty() ? "" : " " + request.weight + " are clamped to its foot.";
+  if (!confirmed(identify::describe(robot, plan) + weight + " Is everybody clear of it?", request.yes))
     return kExitFailed;
   const std::string file = file_of(request);
   ChildProcess logger(system_program("lcm-logger", "liblcm-bin"),

@@ -18,9 +18,9 @@ namespace {
 
 struct EstimatorRequest {
   std::string preset{};  ///< of each robot; empty = its usual one
-  std::uint64_t seed = 1;
-  std::string data{};  ///< folder of recordings; "" = /work/shared/data or ../shared/data where one is
-  std::string only{};  ///< "" = all; else one section
+  SimOptions on{};       ///< seed and plant; ensembles change both
+  std::string data{};    ///< folder of recordings; "" = /work/shared/data or ../shared/data where one is
+  std::string only{};    ///< "" = all; else one section
 };
 
 void append(ExperimentOutput& part, const std::vector<ReportRow>& rows) {
@@ -30,8 +30,12 @@ void append(ExperimentOutput& part, const std::vector<ReportRow>& rows) {
 void add_contact_rows(const RobotConfig& robot, const EstimatorRequest& request, ExperimentOutput& part) {
   ContactRequest contact;
   contact.preset = request.preset;
-  for (const EnsemblePlant& plant : estimator_ensemble(request.seed))
-    contact.plants.push_back({plant.seed, plant.changes, true});
+  for (const EnsemblePlant& plant : estimator_ensemble(request.on.seed)) {
+    SimOptions changed = request.on;
+    changed.seed = plant.seed;
+    for (const auto& [key, value] : plant.changes) changed.plant[key] = value;
+    contact.plants.push_back(std::move(changed));
+  }
   append(part, contact_rows(run_contacts(robot, contact)));
 }
 
@@ -42,8 +46,10 @@ void add_walking_contact_rows(const RobotConfig& robot, const EstimatorRequest& 
   for (const auto& [gait, forward_m_s] : {std::pair{"trot", 0.35}, std::pair{"crawl", 0.1}}) {
     std::vector<ContactStep> steps;
     for (std::uint64_t i = 0; i < kSeeds; ++i) {
-      const std::vector<ContactStep> more = walking_contacts(
-          robot, {request.preset, gait, forward_m_s, 8.0, SimOptions{request.seed + i, {}, true}});
+      SimOptions on = request.on;
+      on.seed += i;
+      const std::vector<ContactStep> more = walking_contacts(robot,
+                                                             {request.preset, gait, forward_m_s, 8.0, on});
       steps.insert(steps.end(), more.begin(), more.end());
     }
     append(part, walking_contact_rows(gait, steps));
@@ -51,8 +57,7 @@ void add_walking_contact_rows(const RobotConfig& robot, const EstimatorRequest& 
 }
 
 void add_friction_rows(const RobotConfig& robot, const EstimatorRequest& request, ExperimentOutput& part) {
-  append(part,
-         friction_fit_rows(robot, request.preset, SimOptions{request.seed, {}, true}, &part.simulated_s));
+  append(part, friction_fit_rows(robot, request.preset, request.on, &part.simulated_s));
 }
 
 /// Standard output may be JSON, so what is left out is said on the other.
@@ -79,16 +84,16 @@ constexpr const char* kWalkingContact = "walking_contact";
 constexpr Section kSections[] = {
     {"jump", "single_leg",
      [](const RobotConfig& robot, const EstimatorRequest& r, ExperimentOutput& part) {
-       add_jump_rows(robot, r.preset, r.seed, part);
+       add_jump_rows(robot, r.preset, r.on, part);
      }},
     {"bounds", "single_leg",
      [](const RobotConfig& robot, const EstimatorRequest& r, ExperimentOutput& part) {
-       add_bounds_rows(robot, r.preset, r.seed, part);
+       add_bounds_rows(robot, r.preset, r.on, part);
      }},
     {"contact", "single_leg", add_contact_rows},
     {"temperature", "test_axis",
      [](const RobotConfig& robot, const EstimatorRequest& r, ExperimentOutput& part) {
-       add_temperature_rows(robot, r.preset, r.seed, part);
+       add_temperature_rows(robot, r.preset, r.on, part);
      }},
     {"friction_fit", "pegasus", add_friction_rows},
     {kWalkingContact, "pegasus", add_walking_contact_rows},
@@ -124,7 +129,7 @@ std::string estimator_sections() {
 
 ExperimentOutput run_estimator(const ExperimentInput& in, EstimatorRequest request) {
   request.preset = in.asked.preset;
-  request.seed = in.sim.seed;
+  request.on = in.sim;
   const std::vector<const Section*> sections = sections_of(in.robot, request.only);
   ExperimentOutput out;
   for (std::size_t i = 0; i < sections.size(); ++i) {
@@ -151,7 +156,7 @@ Experiment estimator_experiment() {
   out.robot = kWholeTable;
   out.robot_help = "test_axis: the whole table, with the robots that it needs; another robot: its own rows";
   out.preset_note = "; of the jumps";
-  out.takes = {Common::kPreset, Common::kOut};
+  out.takes = {Common::kPreset, Common::kPlant, Common::kOut};
   out.seed_help = "of every noise and of the drawn plants; 0 was used for tuning";
   out.example = "--robot test_axis --seed 1 --json";
   out.own.option("--data", own->data, "folder of recordings; default ../shared/data where it is");

@@ -8,6 +8,7 @@
 
 #include "estimator/drive_sampler.h"
 #include "lcmtypes/channels.h"
+#include "model/leg_kinematics.h"
 #include "runtime/receive_guard.h"
 #include "signals/messages.h"
 #include "tools/can/frame_source.h"
@@ -21,6 +22,7 @@ constexpr double kRestHalfWindow_s = 0.05;  ///< before and after a sample
 constexpr double kRestSpeed_rad_s = 5e-4;   ///< mean over that window, below which the joint is at rest
 constexpr double kLeastMoving_s = 2.0;
 constexpr double kWorthSaying = 0.02;  ///< share of samples left out
+constexpr double kBetween_s = 1.0;     ///< of recordings that are joined: more than any gap that is bridged
 
 /// Of one leg: a row for each time stamp at which every drive of the leg answered with finite numbers.
 struct LegSamples {
@@ -150,7 +152,30 @@ LegPlace place_of(const RobotConfig& robot, int joint) {
   throw std::runtime_error("joint " + std::to_string(joint) + " belongs to no leg");
 }
 
-DriveSeries drive_series(const RobotConfig& robot, int joint, const std::vector<DriveState>& states) {
+namespace {
+
+/// A point mass at the foot, as the joint at `place` bears it while the others hold their pose.
+void add_foot_weight(const LegConfig& leg, int place, double weight_kg, DriveSeries& out) {
+  const auto kinematics = make_leg_kinematics(leg);
+  if (!kinematics)
+    throw std::invalid_argument("leg " + leg.name +
+                                ": robot.yaml knows no links, so that nobody knows what "
+                                "a weight at its foot does: identify without --weight");
+  JointVector pose_rad = Eigen::Map<const Eigen::VectorXd>(out.pose_rad.data(),
+                                                           static_cast<Eigen::Index>(out.pose_rad.size()));
+  out.series.load_beside_own = true;
+  for (const double position_rad : out.series.position_rad) {
+    pose_rad[place] = position_rad;
+    const Eigen::Vector3d lever_m = kinematics->jacobian(pose_rad).col(place);
+    out.series.load_Nm.push_back(weight_kg * kGravity_m_s2 * lever_m.z());
+    out.series.load_inertia_kg_m2.push_back(weight_kg * lever_m.squaredNorm());
+  }
+}
+
+}  // namespace
+
+DriveSeries drive_series(const RobotConfig& robot, int joint, const std::vector<DriveState>& states,
+                         double foot_weight_kg) {
   const std::string& name = robot.joints.at(joint).name;
   const LegPlace at = place_of(robot, joint);
   LegSamples samples = samples_of(robot, at, states);
@@ -181,6 +206,56 @@ DriveSeries drive_series(const RobotConfig& robot, int joint, const std::vector<
   }
   fill_series(robot, at, std::move(samples), out);
   out.series.weight = filter.weight();
+  if (foot_weight_kg > 0.0) add_foot_weight(robot.legs[at.leg], at.place, foot_weight_kg, out);
+  return out;
+}
+
+namespace {
+
+void require_alike(const std::vector<double>& first_rad, const std::vector<double>& next_rad) {
+  // The joint itself moved about another median where its range differed.
+  std::size_t moved = 0;
+  for (std::size_t j = 0; j < first_rad.size(); ++j)
+    moved += std::abs(first_rad[j] - next_rad[j]) > kStill_rad ? 1 : 0;
+  if (moved > 1)
+    throw std::runtime_error(
+        "the recordings held the leg's other joints in different poses: record them from one pose");
+}
+
+void append(std::vector<double>& to, const std::vector<double>& more) {
+  to.insert(to.end(), more.begin(), more.end());
+}
+
+void append(identification::RawSeries& to, identification::RawSeries more) {
+  const double shift_s = to.time_s.back() + kBetween_s - more.time_s.front();
+  for (double& time_s : more.time_s) time_s += shift_s;
+  const std::size_t before = to.time_s.size(), added = more.time_s.size();
+  if (to.load_beside_own != more.load_beside_own) {
+    to.load_beside_own = true;
+    for (auto* load : {&to.load_Nm, &to.load_inertia_kg_m2}) load->resize(before, 0.0);
+    for (auto* load : {&more.load_Nm, &more.load_inertia_kg_m2}) load->resize(added, 0.0);
+  }
+  if (to.link_position_rad.empty() || more.link_position_rad.empty()) {
+    to.link_position_rad.clear();
+    more.link_position_rad.clear();
+  }
+  using Series = identification::RawSeries;
+  for (std::vector<double> Series::*signal :
+       {&Series::time_s, &Series::position_rad, &Series::measured_torque, &Series::link_position_rad,
+        &Series::load_Nm, &Series::load_inertia_kg_m2, &Series::weight})
+    append(to.*signal, more.*signal);
+}
+
+}  // namespace
+
+DriveSeries joined(std::vector<DriveSeries> parts) {
+  DriveSeries out = std::move(parts.front());
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    require_alike(out.pose_rad, parts[i].pose_rad);
+    append(out.series, std::move(parts[i].series));
+    out.notes.insert(out.notes.end(), parts[i].notes.begin(), parts[i].notes.end());
+    out.moving_s += parts[i].moving_s;
+  }
   return out;
 }
 

@@ -24,8 +24,16 @@ struct DriveSeries {
 };
 
 /// @param joint index into RobotConfig::joints. @param states in order; repeated ones are left out.
-/// @throws std::runtime_error where the joint hardly moves (alone) in the recording, saying what to record.
-DriveSeries drive_series(const RobotConfig& robot, int joint, const std::vector<DriveState>& states);
+/// @param foot_weight_kg clamped to the foot while the hip stayed level: the series then knows its load.
+/// @throws std::runtime_error where the joint hardly moves (alone) in the recording, saying what to record;
+/// std::invalid_argument on a weight at a leg whose links are not known.
+DriveSeries drive_series(const RobotConfig& robot, int joint, const std::vector<DriveState>& states,
+                         double foot_weight_kg = 0.0);
+
+/// Recordings of one joint, one after the other with a gap between: with different weights at the foot they
+/// show what friction owes to the load. @param parts not empty. @throws std::runtime_error where the leg's
+/// other joints were not held alike.
+DriveSeries joined(std::vector<DriveSeries> parts);
 
 /// Index of the leg that has this joint, and the joint's place in it.
 struct LegPlace {

@@ -23,7 +23,7 @@ std::vector<FitPiece> loaded(std::vector<FitPiece> pieces, const identification:
           "robot.yaml");
     if (piece.data.torque_unit != "Nm")
       throw std::invalid_argument("--footprint needs torques in Nm: give --torque-constant");
-    if (!piece.data.has_load())
+    if (!piece.data.has_load() || piece.data.load_beside_own)
       piece.data.load_Nm = model.model->gear_output(piece.data, model.fit.parameters);
   }
   return pieces;

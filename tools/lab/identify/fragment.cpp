@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
 #include <stdexcept>
 
 #include "robots/identification_sections.h"
@@ -23,6 +24,8 @@ namespace {
 /// Below this a share of uncertainty is not believed, however small the standard error: Kt, temperature and
 /// lubrication drift more, and a fit is only promised to be within 5 %.
 constexpr double kLeastShare = 0.02;
+/// Of a torque constant that was weighed: scale, lever and the current sensor's own gain.
+constexpr double kLeastConstant = 0.01;
 
 /// The simplest named model that allows these terms.
 FrictionModelKind kind_of(const JointTerms& terms) {
@@ -78,6 +81,13 @@ std::string entry(const IdentifiedJoint& joint, const JointConfig& config) {
     out += comment("armature: as it was; links are not known, so that rotor and link cannot be told apart");
   }
   out += identification_text(config);
+  if (const auto corrected = corrected_torque_constant(joint)) {
+    std::snprintf(text, sizeof text,
+                  "its actuator's torque_constant: %.5g +- %.2g times what it was, by the "
+                  "known weight",
+                  corrected->factor, corrected->standard_error);
+    out += comment(text);
+  }
   out += comment("model " + joint.chosen().model->name() + ", value +- standard error:");
   out += other_parameters(joint.chosen());
   for (const std::string& warning : joint.chosen().statistics.warnings) out += comment("warning: " + warning);
@@ -85,6 +95,22 @@ std::string entry(const IdentifiedJoint& joint, const JointConfig& config) {
 }
 
 }  // namespace
+
+namespace {
+
+/// A model whose torques were read with a wrong torque constant, with the right one.
+void scale_torques(FrictionParameters& friction, double factor) {
+  friction.coulomb_Nm *= factor;
+  friction.stribeck_Nm *= factor;
+  friction.viscous_Nm_s_rad *= factor;
+}
+
+}  // namespace
+
+std::optional<TorqueConstant> corrected_torque_constant(const IdentifiedJoint& joint) {
+  if (joint.torque_constant && joint.torque_constant->by_known_weight) return joint.torque_constant;
+  return std::nullopt;
+}
 
 JointConfig identified_config(const IdentifiedJoint& joint, const JointConfig& known,
                               const Provenance& provenance) {
@@ -96,6 +122,11 @@ JointConfig identified_config(const IdentifiedJoint& joint, const JointConfig& k
   IdentifiedFriction friction;
   friction.model = kind_of(model.model->terms());
   friction.parameters = model.model->friction(model.fit.parameters);
+  const auto corrected = corrected_torque_constant(joint);
+  if (corrected) {
+    scale_torques(friction.parameters, corrected->factor);
+    out.uncertainty.torque_constant = std::max(corrected->standard_error, kLeastConstant);
+  }
   friction.record = {provenance.date,   provenance.file,
                      provenance.sha256, static_cast<std::int64_t>(model.train.samples),
                      model.held_out.r2, model.held_out.rms,
@@ -119,11 +150,19 @@ std::string fragment_text(const std::vector<IdentifiedJoint>& joints,
   return out;
 }
 
-std::string short_sha256(const std::string& path) {
+std::string short_sha256(const std::vector<std::string>& paths) {
+  SHA2_CTX sum;
+  SHA256Init(&sum);
+  for (const std::string& path : paths) {
+    std::ifstream in(path, std::ios::binary);
+    if (!in) throw std::runtime_error("cannot read " + path + ": does it exist?");
+    std::array<char, 1 << 16> part{};
+    while (in.read(part.data(), part.size()) || in.gcount() > 0)
+      SHA256Update(&sum, reinterpret_cast<const std::uint8_t*>(part.data()),
+                   static_cast<std::size_t>(in.gcount()));
+  }
   std::array<char, SHA256_DIGEST_STRING_LENGTH> text{};
-  if (SHA256File(path.c_str(), text.data()) == nullptr)
-    throw std::runtime_error("cannot read " + path + ": does it exist?");
-  return std::string(text.data(), 16);
+  return std::string(SHA256End(&sum, text.data()), 16);
 }
 
 }  // namespace sprung::identify

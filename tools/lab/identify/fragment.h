@@ -1,5 +1,6 @@
 #pragma once
 /// What was identified, as keys of robot.yaml. Pure but for short_sha256().
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,12 +15,16 @@ namespace sprung::identify {
 JointConfig identified_config(const IdentifiedJoint& joint, const JointConfig& known,
                               const Provenance& provenance);
 
+/// The torque constant of the joint's actuator over robot.yaml's, where the recordings have weighed it: the
+/// config above goes with it.
+std::optional<TorqueConstant> corrected_torque_constant(const IdentifiedJoint& joint);
+
 /// A list entry under `joints:` for each, with comments that say what else was found.
 std::string fragment_text(const std::vector<IdentifiedJoint>& joints,
                           const std::vector<JointConfig>& configs);
 
-/// Which file exactly: the first 16 hexadecimal digits of its SHA-256. @throws std::runtime_error when the
-/// file cannot be read.
-std::string short_sha256(const std::string& path);
+/// Which files exactly: the first 16 hexadecimal digits of the SHA-256 of all of them, one after the other.
+/// @throws std::runtime_error when one cannot be read.
+std::string short_sha256(const std::vector<std::string>& paths);
 
 }  // namespace sprung::identify

@@ -24,11 +24,11 @@ struct Armature {
   std::string note;          ///< how it came about, one sentence
 };
 
-/// What the motor's torque constant would have to be, over robot.yaml's: the weight of links that are known
-/// is the scale.
+/// What the motor's torque constant would have to be, over robot.yaml's: a weight is the scale.
 struct TorqueConstant {
   double factor = 1.0;
   double standard_error = 0.0;
+  bool by_known_weight = false;  ///< one at the foot; else that of the links, as robot.yaml has it
 };
 
 /// One model of the difference between the encoders of both sides.

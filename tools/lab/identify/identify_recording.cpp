@@ -1,6 +1,7 @@
 #include "tools/lab/identify/identify_recording.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <stdexcept>
 
 #include "robots/robot_loader.h"
@@ -46,6 +47,7 @@ constexpr double kLogRate_Hz = 200.0;
 /// kg m^2, 0.820 with 45 ms, 0.815 with 35 ms, 0.811 with 25 ms (single_leg's knee, docs/estimation.md).
 constexpr double kLogSmoothing_s = 0.025;
 constexpr int kLogParts = 20;
+constexpr double kMostWeight_kg = 50.0;
 
 /// What the user typed wrong, as such.
 template <class Parse>
@@ -122,17 +124,33 @@ std::vector<int> joints_asked(const RobotConfig& robot, const std::string& joint
   return out;
 }
 
+std::vector<DriveRecording> recordings_of(const RecordingRequest& request, const RobotConfig& robot,
+                                          std::vector<std::string>& notes) {
+  if (!request.weights.empty() && request.weights.size() != request.logs.size())
+    throw WrongUse("--weight: " + std::to_string(request.weights.size()) + " for " +
+                   std::to_string(request.logs.size()) +
+                   " logs; say one for each --log, 0kg where none hung");
+  std::vector<DriveRecording> out;
+  for (std::size_t i = 0; i < request.logs.size(); ++i) {
+    DriveLog log = read_drive_log(request.logs[i], robot);
+    notes.insert(notes.end(), log.notes.begin(), log.notes.end());
+    const double weight_kg = request.weights.empty() ? 0.0 : parse_weight_kg(request.weights[i]);
+    out.push_back({std::move(log.states), weight_kg});
+  }
+  return out;
+}
+
 Recording identify_log(const RecordingRequest& request, const ProgressFunction& progress) {
-  const std::string name = request.robot.empty() ? robot_of_log(request.log) : request.robot;
-  if (name.empty()) throw WrongUse(request.log + " does not say which robot it is of: add --robot");
+  const std::string& first = request.logs.front();
+  const std::string name = request.robot.empty() ? robot_of_log(first) : request.robot;
+  if (name.empty()) throw WrongUse(first + " does not say which robot it is of: add --robot");
   const RobotConfig robot = load_robot(name);
   const std::vector<int> asked = joints_asked(robot, request.joint);
-  const DriveLog log = read_drive_log(request.log, robot);
   Recording out;
-  out.notes = log.notes;
+  const std::vector<DriveRecording> recordings = recordings_of(request, robot, out.notes);
   for (const int joint : asked) {
     try {
-      out.joints.push_back(identify_drives(robot, joint, log.states, request.protocol, progress));
+      out.joints.push_back(identify_drives(robot, joint, recordings, request.protocol, progress));
       out.configs.push_back(robot.joints[joint]);
     } catch (const WrongUse&) {
       throw;
@@ -144,7 +162,7 @@ Recording identify_log(const RecordingRequest& request, const ProgressFunction& 
   if (!out.joints.empty()) return out;
   std::string why;
   for (const std::string& note : out.notes) why += "\n  " + note;
-  throw std::runtime_error(request.log + ": no joint can be identified:" + why);
+  throw std::runtime_error(first + ": no joint can be identified:" + why);
 }
 
 }  // namespace
@@ -179,10 +197,24 @@ Protocol protocol_of(const ProtocolRequest& request) {
   return out;
 }
 
-IdentifiedJoint identify_drives(const RobotConfig& robot, int joint, const std::vector<DriveState>& states,
-                                const ProtocolRequest& request, const ProgressFunction& progress) {
+double parse_weight_kg(const std::string& text) {
+  char* end = nullptr;
+  const double weight_kg = std::strtod(text.c_str(), &end);
+  const std::string unit = end;
+  const bool known = end != text.c_str() && (unit == "kg" || (unit.empty() && weight_kg == 0.0));
+  if (!known || !(weight_kg >= 0.0 && weight_kg <= kMostWeight_kg))
+    throw WrongUse("--weight " + text + ": expected kilograms with their unit, 0kg to 50kg");
+  return weight_kg;
+}
+
+IdentifiedJoint identify_drives(const RobotConfig& robot, int joint,
+                                const std::vector<DriveRecording>& recordings, const ProtocolRequest& request,
+                                const ProgressFunction& progress) {
   const auto protocol = understood([&] { return protocol_of(for_log(request)); });
-  DriveSeries series = drive_series(robot, joint, states);
+  std::vector<DriveSeries> parts;
+  for (const DriveRecording& part : recordings)
+    parts.push_back(drive_series(robot, joint, part.states, part.foot_weight_kg));
+  DriveSeries series = joined(std::move(parts));
   IdentifiedJoint out;
   out.name = robot.joints[joint].name;
   out.notes = std::move(series.notes);
@@ -196,7 +228,7 @@ IdentifiedJoint identify_drives(const RobotConfig& robot, int joint, const std::
 }
 
 Recording identify_recording(const RecordingRequest& request, const ProgressFunction& progress) {
-  if (request.csv.empty() == request.log.empty())
+  if (request.csv.empty() == request.logs.empty())
     throw WrongUse("which recording? --csv FILE --columns ..., or --log FILE");
   Recording out = request.csv.empty() ? identify_log(request, progress) : identify_table(request, progress);
   for (IdentifiedJoint& joint : out.joints) {

@@ -27,6 +27,9 @@ struct ProtocolRequest {
 /// @throws std::invalid_argument naming the option.
 identification::Protocol protocol_of(const ProtocolRequest& request);
 
+/// "5kg". @throws WrongUse on what is none.
+double parse_weight_kg(const std::string& text);
+
 /// "viscous+load" as terms; "coulomb" has none. @throws std::invalid_argument naming the terms there are.
 identification::JointTerms terms_of(const std::string& name);
 
@@ -36,14 +39,15 @@ struct RecordingRequest {
   std::string columns;
   std::string delimiter;  ///< "" = what the first line has; "tab"
   Drive drive;
-  std::string log;
+  std::vector<std::string> logs;     ///< of one joint each, or one of several
+  std::vector<std::string> weights;  ///< kg at the foot, of each log; empty: none
   std::string robot;
   std::string joint;       ///< "" = every joint that moves alone
   bool all = false;        ///< a joint that does not is a failure
   bool footprint = false;  ///< both sides' encoders too
   ProtocolRequest protocol;
 
-  const std::string& file() const { return csv.empty() ? log : csv; }
+  std::vector<std::string> files() const { return csv.empty() ? logs : std::vector<std::string>{csv}; }
 };
 
 struct Recording {
@@ -58,8 +62,15 @@ struct Recording {
 Recording identify_recording(const RecordingRequest& request,
                              const std::function<void(const std::string&)>& progress);
 
-/// One joint of a robot from its DRIVE_STATEs.
-IdentifiedJoint identify_drives(const RobotConfig& robot, int joint, const std::vector<DriveState>& states,
+/// What a robot's drives said while a weight was at its feet.
+struct DriveRecording {
+  std::vector<DriveState> states;
+  double foot_weight_kg = 0.0;
+};
+
+/// One joint of a robot from its recordings, one at least.
+IdentifiedJoint identify_drives(const RobotConfig& robot, int joint,
+                                const std::vector<DriveRecording>& recordings,
                                 const ProtocolRequest& protocol,
                                 const std::function<void(const std::string&)>& progress = {});
 

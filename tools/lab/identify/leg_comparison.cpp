@@ -58,6 +58,12 @@ std::optional<Known> parameter(const identification::ModelResult& model, const s
 
 }  // namespace
 
+std::optional<TorqueConstant> known_weight_factor(const identification::ModelResult& model) {
+  const std::optional<Known> gain = parameter(model, "load_gain");
+  if (!gain || !(gain->value > kClear * gain->standard_error)) return std::nullopt;
+  return TorqueConstant{1.0 / gain->value, gain->standard_error / (gain->value * gain->value), true};
+}
+
 std::optional<Armature> armature_of(const RobotConfig& robot, int joint, const std::vector<double>& pose_rad,
                                     const identification::ModelResult& model) {
   const HeldLeg leg = held_leg(robot, joint, pose_rad);
@@ -65,14 +71,15 @@ std::optional<Armature> armature_of(const RobotConfig& robot, int joint, const s
   if (!leg.kinematics || !inertia) return std::nullopt;
   Armature out;
   out.links_kg_m2 = leg.links_kg_m2();
-  out.value_kg_m2 = inertia->value - out.links_kg_m2;
-  out.standard_error_kg_m2 = inertia->standard_error;
+  const double true_share = known_weight_factor(model).value_or(TorqueConstant{}).factor;
+  out.value_kg_m2 = true_share * inertia->value - out.links_kg_m2;
+  out.standard_error_kg_m2 = true_share * inertia->standard_error;
   char text[200];
   std::snprintf(
       text, sizeof text,
       "fitted inertia %.6g kg m^2 less %.6g kg m^2 of the links about this joint at the recorded pose, by "
       "robot.yaml's masses",
-      inertia->value, out.links_kg_m2);
+      true_share * inertia->value, out.links_kg_m2);
   out.note = text;
   return out;
 }
@@ -80,6 +87,7 @@ std::optional<Armature> armature_of(const RobotConfig& robot, int joint, const s
 std::optional<TorqueConstant> torque_constant_of(const RobotConfig& robot, int joint,
                                                  const std::vector<double>& pose_rad,
                                                  const identification::ModelResult& model) {
+  if (const auto weighed = known_weight_factor(model)) return weighed;
   const HeldLeg leg = held_leg(robot, joint, pose_rad);
   const auto fitted_cos = parameter(model, "gravity_cos"), fitted_sin = parameter(model, "gravity_sin");
   if (!leg.kinematics || !fitted_cos || !fitted_sin) return std::nullopt;

@@ -15,8 +15,11 @@ namespace sprung::identify {
 std::optional<Armature> armature_of(const RobotConfig& robot, int joint, const std::vector<double>& pose_rad,
                                     const identification::ModelResult& model);
 
-/// From the weight alone, as if robot.yaml's masses were right. Nothing without kinematics, or where the
-/// weight is smaller than 1 Nm or than five of its standard errors.
+/// From a weight at the foot that is known and was fitted with a gain. Nothing where it was not.
+std::optional<TorqueConstant> known_weight_factor(const identification::ModelResult& model);
+
+/// The same, or else from the links' weight alone, as if robot.yaml's masses were right. Nothing without
+/// kinematics, or where the weight is smaller than 1 Nm or than five of its standard errors.
 std::optional<TorqueConstant> torque_constant_of(const RobotConfig& robot, int joint,
                                                  const std::vector<double>& pose_rad,
                                                  const identification::ModelResult& model);

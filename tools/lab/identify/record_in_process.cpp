@@ -13,8 +13,9 @@ constexpr double kClear_m = 0.1;
 constexpr double kSettleLinks_s = 0.5;  ///< links swing out, estimator settles
 constexpr double kTimeout_s = 60.0;
 
-SimOptions hung_up(const RobotConfig& robot, SimOptions sim) {
+SimOptions hung_up(const RobotConfig& robot, SimOptions sim, double foot_weight_kg) {
   if (robot.has_feet()) sim.plant.emplace("suspended", hanging_height_m(robot));
+  if (foot_weight_kg > 0.0) sim.plant["foot_weight"] = foot_weight_kg;
   return sim;
 }
 
@@ -26,7 +27,7 @@ std::string any_preset(const RobotConfig& robot) {
 class Recorder {
  public:
   Recorder(const RobotConfig& robot, const SimOptions& sim, const CycleObserver& watch)
-      : config_(robot), robot_(robot, any_preset(robot), hung_up(robot, sim)), watch_(watch) {
+      : config_(robot), robot_(robot, any_preset(robot), sim), watch_(watch) {
     robot_.boot();
     wait(kSettleLinks_s);
     const auto& actuators = robot.actuators;
@@ -100,7 +101,7 @@ double hanging_height_m(const RobotConfig& robot) {
 JointRecording record_in_process(const RobotConfig& robot, const SimOptions& sim, int joint,
                                  const RecordOptions& options, const CycleObserver& watch) {
   const RecordRange range = narrowed(record_range(robot, joint), options.asked);
-  Recorder recorder(robot, sim, watch);
+  Recorder recorder(robot, hung_up(robot, sim, options.foot_weight_kg), watch);
   JointRecording out;
   out.moves = record_protocol(range, recorder.position_rad(joint), options);
   recorder.begin();

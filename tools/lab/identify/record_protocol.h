@@ -61,7 +61,9 @@ struct RecordMove {
 struct RecordOptions {
   double longest_pass_s = 4.0;  ///< of one pass at constant speed: slow ones cover a part of the way
   double pause_s = 0.3;         ///< at each stop
-  AskedRange asked{};           ///< for who takes the range from the robot; record_protocol() is given one
+  double
+      foot_weight_kg = 0.0;  ///< clamped to the foot meanwhile: less of the torque is left for acceleration
+  AskedRange asked{};        ///< for who takes the range from the robot; record_protocol() is given one
 };
 
 /// @param from_rad where the joint is; from beyond the range it returns to the range's nearest end.

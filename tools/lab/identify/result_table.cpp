@@ -55,7 +55,8 @@ std::string robot_table(const IdentifiedJoint& joint) {
   if (joint.torque_constant) {
     text += line("  %-22s ", "torque constant") +
             with_error(joint.torque_constant->factor, joint.torque_constant->standard_error,
-                       "of robot.yaml's, if its masses are right") +
+                       joint.torque_constant->by_known_weight ? "of robot.yaml's, by the known weight"
+                                                              : "of robot.yaml's, if its masses are right") +
             "\n";
   }
   return text;

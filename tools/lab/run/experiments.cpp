@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "tools/lab/bring_up/bring_up.h"
 #include "tools/lab/commission/commission_experiment.h"
 #include "tools/lab/estimation/estimator_experiment.h"
 #include "tools/lab/faults/fault_experiment.h"
@@ -22,10 +23,12 @@
 namespace sprung {
 
 std::vector<Experiment> experiments() {
-  return {jump_experiment(), foot_return_experiment(),   stand_push_experiment(), step_response_experiment(),
-          drop_experiment(), jump_ensemble_experiment(), walk_experiment(),       ground_error_experiment(),
-          push_experiment(), endurance_experiment(),     faults_experiment(),     friction_sweep_experiment(),
-          drag_experiment(), estimator_experiment(),     tune_experiment(),       commission_experiment()};
+  return {jump_experiment(),          foot_return_experiment(),  stand_push_experiment(),
+          step_response_experiment(), drop_experiment(),         jump_ensemble_experiment(),
+          walk_experiment(),          ground_error_experiment(), push_experiment(),
+          endurance_experiment(),     faults_experiment(),       friction_sweep_experiment(),
+          drag_experiment(),          estimator_experiment(),    tune_experiment(),
+          commission_experiment(),    bring_up_experiment()};
 }
 
 std::vector<Experiment> experiments_of(const RobotConfig& robot) {

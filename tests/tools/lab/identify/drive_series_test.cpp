@@ -127,6 +127,53 @@ TEST(DriveSeries, AJointThatHardlyMovesAloneIsRefusedWithAdvice) {
   EXPECT_THAT(refusal({}, 1), HasSubstr("no sample"));
 }
 
+TEST(DriveSeries, WeightAtTheFootLoadsTheKneeByItsLeverAndIsAcceleratedWithIt) {
+  const RobotConfig robot = load_robot("single_leg");
+  const auto states = swing(5.0, kAsItIs);
+  const DriveSeries found = drive_series(robot, 1, states, 5.0);
+  ASSERT_EQ(found.series.load_Nm.size(), found.series.time_s.size());
+  EXPECT_TRUE(found.series.load_beside_own);
+  // The shank hangs at hip - knee from +x; the knee's flexion turns it the other way (docs/control.md).
+  const double shank_m = robot.legs[0].links[1].length_m;
+  const double shank_rad = 1.0 - found.series.position_rad[200];
+  EXPECT_NEAR(found.series.load_Nm[200], 5.0 * 9.81 * shank_m * std::cos(shank_rad), 1e-9);
+  EXPECT_NEAR(found.series.load_inertia_kg_m2[200], 5.0 * shank_m * shank_m, 1e-9);
+  EXPECT_TRUE(drive_series(robot, 1, states).series.load_Nm.empty());
+}
+
+TEST(DriveSeries, JoinedRecordingsLieApartAndOneWithoutAWeightHasNoLoad) {
+  const RobotConfig robot = load_robot("single_leg");
+  const auto states = swing(5.0, kAsItIs);
+  const DriveSeries both = joined({drive_series(robot, 1, states), drive_series(robot, 1, states, 5.0)});
+  ASSERT_EQ(both.series.time_s.size(), 2000u);
+  EXPECT_GT(both.series.time_s[1000] - both.series.time_s[999], 0.5);
+  EXPECT_EQ(both.series.load_Nm[999], 0.0);
+  EXPECT_NE(both.series.load_Nm[1000], 0.0);
+  EXPECT_NEAR(both.moving_s, 2.0 * drive_series(robot, 1, states).moving_s, 1e-9);
+  EXPECT_EQ(both.series.weight.size(), 2000u);
+}
+
+TEST(DriveSeries, RecordingsFromDifferentPosesAreNotJoined) {
+  const RobotConfig robot = load_robot("single_leg");
+  const auto elsewhere = swing(5.0, [](Scene& s, double t) {
+    s.hip_rad = 1.5;
+    s.knee_rad = 1.3 + 0.5 * std::sin(t);
+  });
+  EXPECT_THAT(
+      test::refusal_of<std::runtime_error>([&] {
+        (void)joined({drive_series(robot, 1, swing(5.0, kAsItIs)), drive_series(robot, 1, elsewhere)});
+      }),
+      HasSubstr("different poses"));
+}
+
+TEST(DriveSeries, WeightAtALegWithoutLinksIsRefused) {
+  RobotConfig robot = load_robot("single_leg");
+  robot.legs[0].kinematics = kNoKinematics;
+  EXPECT_THAT(test::refusal_of<std::invalid_argument>(
+                  [&] { (void)drive_series(robot, 1, swing(5.0, kAsItIs), 5.0); }),
+              HasSubstr("without --weight"));
+}
+
 TEST(DriveSeries, EveryJointHasItsPlaceInALeg) {
   const RobotConfig robot = load_robot("pegasus");
   for (std::size_t j = 0; j < robot.joints.size(); ++j) {

@@ -80,7 +80,7 @@ std::string plain_log() {
 
 RecordingRequest request_of(const std::string& log) {
   RecordingRequest out;
-  out.log = log;
+  out.logs = {log};
   out.robot = "single_leg";
   out.protocol.models = "coulomb,viscous";
   out.protocol.blocks = 4;

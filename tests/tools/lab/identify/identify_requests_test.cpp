@@ -94,11 +94,21 @@ TEST(CsvSeries, EverySignalFindsItsPlace) {
   EXPECT_THAT(series.temperature_C, ElementsAre(7));
 }
 
+TEST(FootWeight, IsKilogramsWithTheirUnit) {
+  EXPECT_EQ(parse_weight_kg("5kg"), 5.0);
+  EXPECT_EQ(parse_weight_kg("2.5kg"), 2.5);
+  EXPECT_EQ(parse_weight_kg("0"), 0.0);
+  for (const char* wrong : {"5", "5lb", "kg", "-1kg", "80kg", ""})
+    EXPECT_THAT(test::refusal_of<WrongUse>([&] { (void)parse_weight_kg(wrong); }), HasSubstr("kilograms"))
+        << wrong;
+}
+
 TEST(FileDigest, IsThePublishedOneOfThreeLetters) {
   const std::string path = test::temp_dir() + "identify_digest.txt";
   std::ofstream(path) << "abc";
-  EXPECT_EQ(short_sha256(path), "ba7816bf8f01cfea");  // FIPS 180-2, appendix B.1
-  EXPECT_THROW(short_sha256("/nowhere/x"), std::runtime_error);
+  EXPECT_EQ(short_sha256({path}), "ba7816bf8f01cfea");        // FIPS 180-2, appendix B.1
+  EXPECT_EQ(short_sha256({path, path}), "bbb59da3af939f7a");  // of abcabc
+  EXPECT_THROW(short_sha256({"/nowhere/x"}), std::runtime_error);
 }
 
 }  // namespace

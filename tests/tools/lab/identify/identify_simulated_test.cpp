@@ -28,7 +28,8 @@ IdentifiedJoint identified(const Case& c, const std::string& models = "viscous+s
   const RobotConfig robot = load_robot(c.robot);
   ProtocolRequest protocol;
   protocol.models = models;
-  return identify_drives(robot, c.joint, record_in_process(robot, c.sim, c.joint, options).states, protocol);
+  return identify_drives(robot, c.joint, {{record_in_process(robot, c.sim, c.joint, options).states}},
+                         protocol);
 }
 
 /// A plant whose armature and friction are somewhere within 30 % of the shipped one's.
@@ -99,6 +100,28 @@ TEST(IdentifySimulated, ArmatureIsFoundWithinOnePercentAndWithoutBias) {
     bias += error / kPlants;
   }
   EXPECT_LT(std::abs(bias), 0.005);
+}
+
+/// One pass with and one without a weight at the foot, on a gear whose friction is viscous and of the load.
+TEST(IdentifySimulated, LoadFrictionAndTorqueConstantShowWithAKnownWeight) {
+  Case c{"test_axis", 0, {}};
+  c.sim.plant = {{"kt_scale", 1.05}};
+  const RobotConfig robot = load_robot(c.robot);
+  std::vector<DriveRecording> recordings;
+  for (const double weight_kg : {0.0, 8.0}) {
+    RecordOptions options = kSimulatedShort;
+    options.foot_weight_kg = weight_kg;
+    recordings.push_back({record_in_process(robot, c.sim, 0, options).states, weight_kg});
+  }
+  ProtocolRequest protocol;
+  protocol.models = "viscous+load+load_gain";
+  const IdentifiedJoint found = identify_drives(robot, 0, recordings, protocol);
+  const auto& plant = plant_joint(c).friction;
+  ASSERT_TRUE(found.torque_constant && found.torque_constant->by_known_weight);
+  EXPECT_NEAR(found.torque_constant->factor, 1.05, 0.015);
+  const FrictionParameters friction = found.chosen().model->friction(found.chosen().fit.parameters);
+  const double mean_share = 0.5 * (plant.driving_share + plant.back_driving_share);
+  EXPECT_NEAR(0.5 * (friction.load_share_driving + friction.load_share_driven), mean_share, 0.03);
 }
 
 /// The plant has none. Without a bound samples beside a stop become 25 Nm more at 5 mrad/s.

@@ -1,0 +1,206 @@
+#include "tools/lab/bring_up/bring_up.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+
+#include "robots/robot_loader.h"
+#include "runtime/session_clock.h"
+#include "runtime/utc_text.h"
+#include "tools/lab/identify/drive_series.h"
+#include "tools/lab/identify/fragment.h"
+#include "tools/lab/identify/identify_recording.h"
+#include "tools/lab/identify/record_in_process.h"
+#include "tools/lab/identify/record_log.h"
+#include "tools/lab/run/experiments.h"
+
+namespace sprung {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kCold_degC = 24.0, kWarm_degC = 40.0;
+constexpr double kGravity_m_s2 = 9.81;
+/// Of the actuator's torque: well beyond friction, and leaves enough for the swings.
+constexpr double kLoadShare = 0.2;
+constexpr double kWeightStep_kg = 0.5;  ///< as weights are to be had
+constexpr std::size_t kDateLetters = 10;
+
+double reach_m(const LegConfig& leg) {
+  double sum_m = 0.0;
+  for (const LinkConfig& link : leg.links) sum_m += link.length_m;
+  return sum_m;
+}
+
+struct BringUpRequest {
+  std::string family;  ///< of the plant's friction
+  std::string folder;  ///< where the identified robot is written; empty: a temporary one
+  std::string only;    ///< one experiment of those that score
+};
+
+/// Files of this process alone, gone with it.
+class OwnFolder {
+ public:
+  OwnFolder() : path_(fs::temp_directory_path() / "sprung-bring-up-XXXXXX") {
+    std::string text = path_.string();
+    if (mkdtemp(text.data()) == nullptr) throw std::runtime_error(text + ": cannot be made");
+    path_ = text;
+  }
+  ~OwnFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  OwnFolder(const OwnFolder&) = delete;
+  OwnFolder& operator=(const OwnFolder&) = delete;
+  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+
+ private:
+  fs::path path_;
+};
+
+std::string today() { return utc_text(utc_us()).substr(0, kDateLetters); }
+
+identify::RobotChange bring_up_joint(const RobotConfig& robot, const SimOptions& sim, int joint,
+                                     const BringUpProtocol& protocol) {
+  const OwnFolder folder;
+  std::vector<identify::DriveRecording> recordings;
+  std::vector<std::string> files;
+  for (const BringUpPass& pass : bring_up_passes(robot, joint)) {
+    SimOptions now = sim;
+    now.seed += recordings.size();  // another day: other noise
+    now.plant["temperature"] = pass.temperature_degC;
+    identify::RecordOptions options = protocol.recording;
+    options.foot_weight_kg = pass.foot_weight_kg;
+    recordings.push_back(
+        {identify::record_in_process(robot, now, joint, options).states, pass.foot_weight_kg});
+    files.push_back(folder / (robot.joints[joint].name + std::to_string(files.size()) + ".lcm"));
+    identify::write_drive_log(files.back(), recordings.back().states);
+  }
+  identify::ProtocolRequest request;
+  request.models = protocol.models;
+  const identify::IdentifiedJoint found = identify::identify_drives(robot, joint, recordings, request);
+  const identify::Provenance provenance{std::to_string(files.size()) + " guided recordings",
+                                        identify::short_sha256(files), today(), protocol.command};
+  return identify::change_of(robot, found, provenance);
+}
+
+/// What scores a robot: of a leg its estimate, contact, foot return and landings, of a walker its gaits too.
+std::vector<std::string> scoring_experiments(const RobotConfig& robot) {
+  if (!robot.gaits.empty()) return {"estimator", "foot_return", "walk"};
+  if (robot.has_feet() && robot.why_not_standing() == nullptr) return {"estimator", "foot_return", "drop"};
+  return {"drag"};
+}
+
+/// Rows of one experiment on this robot, by their own names behind `prefix`; what it did not reach is a row
+/// too, so that a robot that falls over does not end the comparison.
+std::vector<ReportRow> scored(const std::string& name, const RobotConfig& robot, const ExperimentInput& in,
+                              const std::string& prefix) {
+  for (const Experiment& experiment : experiments()) {
+    if (experiment.name != name) continue;
+    ExperimentInput own = in;
+    own.robot = robot;
+    own.preset = preset_or(robot, experiment.presets.alone);
+    own.asked.preset = own.preset;
+    std::vector<ReportRow> rows;
+    try {
+      rows = experiment.run(own).rows;
+    } catch (const std::exception& error) {
+      std::fprintf(stderr, "%s%s: %s\n", prefix.c_str(), name.c_str(), error.what());
+      rows.push_back(row(name + ".completed", "", 0.0, at_least(1.0)));
+    }
+    for (ReportRow& one : rows) one.name.insert(0, prefix);
+    return rows;
+  }
+  throw std::invalid_argument("there is no experiment '" + name + "'");
+}
+
+void append(std::vector<ReportRow>& rows, std::vector<ReportRow> more) {
+  rows.insert(rows.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
+/// As shipped it is only there to compare with: nothing is demanded.
+std::vector<ReportRow> without_demands(std::vector<ReportRow> rows) {
+  for (ReportRow& one : rows) one.low = one.high = std::nullopt;
+  return rows;
+}
+
+void add_law_rows(const std::vector<identify::RobotChange>& changes, std::vector<ReportRow>& rows) {
+  for (const identify::RobotChange& change : changes) {
+    const std::string name = "bring_up.joint." + change.joint.name + ".";
+    rows.push_back(row(name + "held_out_r2", "", change.joint.friction->record.held_out_r2));
+    rows.push_back(row(name + "armature", "kg m^2", change.joint.armature_kg_m2));
+    rows.push_back(row(name + "uncertainty_friction", "", change.joint.uncertainty.friction));
+    rows.push_back(row(name + "load_share", "", change.joint.friction->parameters.load_share_driving));
+  }
+}
+
+ExperimentOutput run_bring_up(const ExperimentInput& asked, const BringUpRequest& request) {
+  ExperimentInput in = asked;
+  if (!request.family.empty()) in.sim.family = request.family;
+  in.sim.plant.emplace("draw", static_cast<double>(in.sim.seed));
+  BringUpProtocol protocol;
+  protocol.command = in.command;
+  const std::vector<identify::RobotChange> changes = bring_up_joints(in.robot, in.sim, protocol, in.parallel);
+  const OwnFolder own;
+  const std::string folder = request.folder.empty() ? own / in.robot.name : request.folder;
+  identify::write_identified_robot(in.robot, changes, folder);
+  const RobotConfig identified = load_robot(folder);
+  ExperimentOutput out;
+  add_law_rows(changes, out.rows);
+  for (const std::string& name : scoring_experiments(in.robot)) {
+    if (!request.only.empty() && request.only != name) continue;
+    append(out.rows, scored(name, identified, in, "bring_up.identified."));
+    append(out.rows, without_demands(scored(name, in.robot, in, "bring_up.shipped.")));
+  }
+  return out;
+}
+
+}  // namespace
+
+const char* const BringUpProtocol::kModels =
+    "coulomb+load_gain,viscous+load_gain,viscous+stribeck+load_gain,viscous+load+load_gain,"
+    "viscous+load+asymmetry+load_gain,viscous+stribeck+load+load_gain,"
+    "viscous+stribeck+load+asymmetry+load_gain,viscous+load+presliding+load_gain,"
+    "viscous+stribeck+load+asymmetry+presliding+load_gain";
+
+std::vector<BringUpPass> bring_up_passes(const RobotConfig& robot, int joint) {
+  const identify::LegPlace at = identify::place_of(robot, joint);
+  const LegConfig& leg = robot.legs[at.leg];
+  const double reach = reach_m(leg);
+  if (!(reach > 0.0)) return {{0.0, kCold_degC}, {0.0, kWarm_degC}};
+  const double torque_Nm = kLoadShare * robot.actuators[leg.actuators[at.place]].torque_limit_Nm;
+  const double steps = std::floor(torque_Nm / (kGravity_m_s2 * reach) / kWeightStep_kg);
+  const double weight_kg = std::max(1.0, steps) * kWeightStep_kg;
+  return {{0.0, kCold_degC}, {weight_kg, kCold_degC}, {weight_kg, kWarm_degC}};
+}
+
+std::vector<identify::RobotChange> bring_up_joints(const RobotConfig& robot, const SimOptions& sim,
+                                                   const BringUpProtocol& protocol,
+                                                   const ParallelOptions& parallel) {
+  return parallel_map(
+      robot.joints.size(),
+      [&](std::size_t j) { return bring_up_joint(robot, sim, static_cast<int>(j), protocol); }, parallel);
+}
+
+Experiment bring_up_experiment() {
+  const auto own = std::make_shared<BringUpRequest>();
+  Experiment out;
+  out.name = "bring_up";
+  out.what =
+      "A robot with gears that nobody knows is recorded joint by joint with and without a known weight, "
+      "identified and scored, beside robot.yaml as shipped.";
+  out.question = "Is what a robot team identifies good enough on a gear that is none of ours?";
+  out.takes = {Common::kPlant, Common::kJobs, Common::kOut};
+  out.seed_help = "of the drawn plant and of every noise";
+  out.example = "--robot single_leg --family erob_100 --seed 1";
+  out.many_cases = true;
+  out.own.option("--family", own->family, "of the gears' friction, from the robot's variation.yaml");
+  out.own.option("--into", own->folder, "folder to write the identified robot to; default: none is kept");
+  out.own.option("--only", own->only, "one of the experiments that score");
+  out.run = [own](const ExperimentInput& in) { return run_bring_up(in, *own); };
+  return out;
+}
+
+}  // namespace sprung
