@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "lcmtypes/channels.h"
+#include "simulation/plant/plant_draw.h"
 #include "simulation/plant/torque_sensor.h"
 
 namespace sprung {
@@ -15,6 +16,10 @@ std::map<std::string, double> parse_plant(const std::vector<std::string>& texts)
   for (const std::string& text : texts) {
     const std::size_t equals = text.find('=');
     const std::string number = equals == std::string::npos ? "" : text.substr(equals + 1);
+    if (text.rfind("family=", 0) == 0 && !number.empty()) {
+      plant[sim::kFamilyKey + number] = 1.0;
+      continue;
+    }
     char* end = nullptr;
     const double value = std::strtod(number.c_str(), &end);
     if (equals == 0 || number.empty() || *end != '\0' || !std::isfinite(value)) {

@@ -19,7 +19,8 @@ struct SimProgramOptions {
   SimOptions sim;
 };
 
-/// @throws std::invalid_argument on a text that is no KEY=NUMBER.
+/// `family=NAME` becomes the key "family.NAME" (plant_draw.h).
+/// @throws std::invalid_argument on any other text that is no KEY=NUMBER.
 std::map<std::string, double> parse_plant(const std::vector<std::string>& texts);
 
 /// SIM_TRUTH, IMU and TORQUE_SENSOR out, SIM_CONTROL in; refuses to go on when the plant has failed.

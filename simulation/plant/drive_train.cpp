@@ -49,7 +49,8 @@ std::vector<ActuatorConfig> mounted(const RobotConfig& robot, const SimConfig& c
     actuators[i].direction = truth.direction.value_or(actuators[i].direction);
     LinkEncoderConfig& link = actuators[i].link_encoder;
     link.direction = truth.link_direction.value_or(link.direction);
-    link.offset_rad = truth.link_offset_rad.value_or(link.offset_rad);
+    link.offset_rad = truth.link_offset_rad.value_or(link.offset_rad) - truth.zero_error_rad;
+    actuators[i].offset_rad -= truth.zero_error_rad;
   }
   return actuators;
 }

@@ -14,11 +14,17 @@ void ElasticGear::reset(double link_rad) noexcept {
 }
 
 double ElasticGear::output_torque_Nm(double link_rad, double link_rad_s) const noexcept {
-  const double twist_rad = position_rad_ - link_rad;
+  const double free_rad = position_rad_ - link_rad;
+  const double strain_rad = std::abs(free_rad) - 0.5 * torsion_.backlash_rad;
+  if (torsion_.backlash_rad > 0.0 && strain_rad <= 0.0) return 0.0;
+  const double twist_rad = std::copysign(strain_rad, free_rad);
   const double soft_rad = std::min(std::abs(twist_rad), torsion_.second_from_Nm / torsion_.stiffness_Nm_rad);
   const double spring_Nm = torsion_.stiffness_Nm_rad * soft_rad +
                            torsion_.second_stiffness_Nm_rad * (std::abs(twist_rad) - soft_rad);
-  return std::copysign(spring_Nm, twist_rad) + torsion_.damping_Nm_s_rad * (velocity_rad_s_ - link_rad_s);
+  const double torque_Nm = std::copysign(spring_Nm, twist_rad) +
+                           torsion_.damping_Nm_s_rad * (velocity_rad_s_ - link_rad_s);
+  const bool pulls = torque_Nm * twist_rad < 0.0;  // flanks that part do not hold each other
+  return torsion_.backlash_rad > 0.0 && pulls ? 0.0 : torque_Nm;
 }
 
 void ElasticGear::step(double motor_torque_Nm, double output_torque_Nm, double dry_Nm,

@@ -13,7 +13,8 @@ void GearFriction::reset() noexcept { temperature_degC_ = ambient_degC_; }
 bool GearFriction::varies() const noexcept {
   const bool with_load = friction_.driving_share > 0.0 || friction_.back_driving_share > 0.0;
   return with_load || friction_.breakaway_Nm > friction_.coulomb_Nm || friction_.asymmetry != 0.0 ||
-         friction_.temperature.per_K > 0.0;
+         friction_.temperature.per_K > 0.0 || friction_.motor_ripple.share > 0.0 ||
+         friction_.joint_ripple.share > 0.0 || friction_.presliding_rad > 0.0;
 }
 
 double GearFriction::temperature_factor() const noexcept {
@@ -37,6 +38,14 @@ double GearFriction::dry_Nm(double speed_rad_s, double gear_output_torque_Nm,
 
 double GearFriction::viscous_Nm_s_rad(double direction) const noexcept {
   return (1.0 + friction_.asymmetry * direction) * friction_.viscous_Nm_s_rad * temperature_factor();
+}
+
+double GearFriction::ripple(double motor_rad, double joint_rad) const noexcept {
+  const auto factor = [](const RippleConfig& ripple, double angle_rad) {
+    return ripple.share > 0.0 ? 1.0 + ripple.share * std::sin(ripple.order * angle_rad + ripple.phase_rad)
+                              : 1.0;
+  };
+  return factor(friction_.motor_ripple, motor_rad) * factor(friction_.joint_ripple, joint_rad);
 }
 
 void GearFriction::heat(double loss_W, double dt_s) noexcept {

@@ -10,7 +10,7 @@ class GearFriction {
 
   /// Back to the ambient temperature.
   void reset() noexcept;
-  /// False: dry friction is `coulomb` whatever happens, viscous friction the configured value.
+  /// False: dry friction is `coulomb` whatever happens and holds rigidly, viscous friction is as configured.
   bool varies() const noexcept;
   bool heats() const noexcept { return thermal_.resistance_K_W > 0.0; }
   bool has_temperature() const noexcept { return heats() || friction_.temperature.per_K > 0.0; }
@@ -21,6 +21,8 @@ class GearFriction {
   /// in which it would begin, which the speed cannot tell.
   double dry_Nm(double speed_rad_s, double gear_output_torque_Nm, double direction) const noexcept;
   double viscous_Nm_s_rad(double direction) const noexcept;
+  /// Factor on dry_Nm() where the motor's shaft and the joint stand now; 1 where nothing ripples.
+  double ripple(double motor_rad, double joint_rad) const noexcept;
   /// One step later. @param loss_W power that friction took in it.
   void heat(double loss_W, double dt_s) noexcept;
 

@@ -2,6 +2,7 @@
 /// An IMU at the trunk's centre: rates, specific force and attitude, with noise and errors that a run keeps.
 /// Pure.
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "signals/sensors.h"
@@ -19,6 +20,11 @@ struct ImuConfig {
   double attitude_noise_rad = 0.0;
   double tilt_bias_rad = 0.0;    ///< about the trunk's x and y
   double yaw_drift_rad_s = 0.0;  ///< heading has nothing to hold on to
+  // Optional keys of sim.yaml.
+  double rate_walk_rad_s = 0.0;  ///< rms by which the bias has wandered after 1 s; grows as the root of time
+  double force_walk_m_s2 = 0.0;  ///< the same
+  Vec3 mounting_rad{};     ///< roll, then pitch, then yaw from the trunk's axes to the sensor's: nobody knows
+  double latency_s = 0.0;  ///< age of the motion that a sample shows
 };
 
 /// What the trunk does, truly.
@@ -43,7 +49,15 @@ class ImuSensor {
   const Imu& newest() const noexcept { return newest_; }
 
  private:
+  struct Past {
+    BaseMotion motion;
+    double at_s = 0.0;
+  };
+  static constexpr std::size_t kPast = 128;
   double noise(int signal, std::int64_t cycle) const noexcept;
+  BaseMotion in_sensor_axes(const BaseMotion& motion) const noexcept;
+  BaseMotion delayed(const BaseMotion& motion, double running_s) noexcept;
+  void wander(std::int64_t cycle, double interval_s) noexcept;
   double error(double noise_rms, int noise_signal, double bias_rms, int bias_signal,
                std::int64_t cycle) const noexcept;
   void measure(const BaseMotion& motion, double running_s) noexcept;
@@ -57,6 +71,10 @@ class ImuSensor {
   bool has_last_ = false;
   BaseMotion last_;
   double last_s_ = 0.0;
+  std::array<Past, kPast> past_{};  ///< newest at past_count_ - 1, modulo its size
+  std::size_t past_count_ = 0;
+  Vec3 rate_walked_rad_s_{};
+  Vec3 force_walked_m_s2_{};
   Imu newest_;
 };
 

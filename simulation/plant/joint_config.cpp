@@ -22,6 +22,15 @@ FrictionTemperatureConfig read_temperature(const YamlMap& map) {
   return temperature;
 }
 
+RippleConfig read_ripple(const YamlMap& map) {
+  RippleConfig ripple;
+  ripple.share = map.quantity("share", "", 0, 0.9);
+  ripple.order = map.quantity_or("order", "", 0, 1000, ripple.order);
+  ripple.phase_rad = map.quantity_or("phase", "rad", -10, 10, ripple.phase_rad);
+  map.finish();
+  return ripple;
+}
+
 FrictionConfig read_friction(const YamlMap& map) {
   FrictionConfig friction;
   friction.coulomb_Nm = map.quantity("coulomb", "Nm", 0, 1000);
@@ -31,6 +40,9 @@ FrictionConfig read_friction(const YamlMap& map) {
   read_load_shares(map, friction);
   friction.asymmetry = map.quantity_or("asymmetry", "", -0.9, 0.9, 0.0);
   if (map.has("temperature")) friction.temperature = read_temperature(map.map("temperature"));
+  if (map.has("ripple")) friction.motor_ripple = read_ripple(map.map("ripple"));
+  if (map.has("joint_ripple")) friction.joint_ripple = read_ripple(map.map("joint_ripple"));
+  friction.presliding_rad = map.quantity_or("presliding", "rad", 0, 0.1, 0.0);
   map.finish();
   return friction;
 }
@@ -50,6 +62,7 @@ TorsionConfig read_torsion(const YamlMap& map) {
                                                     torsion.stiffness_Nm_rad);
   torsion.second_from_Nm = map.quantity_or("second_from", "Nm", 0, 1000, 0.0);
   torsion.damping_Nm_s_rad = map.quantity("damping", "Nm s/rad", 0, 1000);
+  torsion.backlash_rad = map.quantity_or("backlash", "rad", 0, 0.1, 0.0);
   map.finish();
   return torsion;
 }

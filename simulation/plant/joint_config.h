@@ -16,10 +16,18 @@ struct FrictionTemperatureConfig {
   double coulomb_share = 0.0;
 };
 
+/// Teeth that are not all alike: a factor 1 + share sin(order angle + phase) on dry friction.
+struct RippleConfig {
+  double share = 0.0;
+  double order = 2.0;  ///< per turn; a wave generator has two lobes
+  double phase_rad = 0.0;
+};
+
 /// Friction of one joint, output side; L is the gear output torque, w the speed of the motor side:
 /// (1 + asymmetry sgn w) (coulomb + (breakaway - coulomb) exp(-(w / stribeck_speed)^2) + share |L| + viscous
 /// |w|) against the motion. `share` is driving_share where the gear drives the link (L w > 0),
-/// back_driving_share where the link drives the gear (facts papers D1).
+/// back_driving_share where the link drives the gear (facts papers D1). Dry friction, all but viscous, has
+/// the ripples as factors (facts papers D10), and holds elastically where there is presliding (presliding.h).
 struct FrictionConfig {
   double coulomb_Nm = 0.0;
   double breakaway_Nm = 0.0;
@@ -29,6 +37,9 @@ struct FrictionConfig {
   double back_driving_share = 0.0;
   double asymmetry = 0.0;
   FrictionTemperatureConfig temperature;
+  RippleConfig motor_ripple;    ///< by the motor's angle
+  RippleConfig joint_ripple;    ///< by the joint's
+  double presliding_rad = 0.0;  ///< from rest until it slides, without load; 0 = it holds rigidly
 };
 
 /// dT/dt = (friction loss * resistance - (T - ambient)) / time_constant (facts papers D2). A resistance of 0
@@ -38,12 +49,14 @@ struct ThermalConfig {
   double time_constant_s = 1.0;
 };
 
-/// Spring between motor side and link: stiffness up to second_from_Nm, second_stiffness beyond.
+/// Spring between motor side and link: stiffness up to second_from_Nm, second_stiffness beyond, both behind
+/// the play of the teeth. In the play the gear transmits nothing, nor does its damper.
 struct TorsionConfig {
   double stiffness_Nm_rad = 0.0;
   double second_stiffness_Nm_rad = 0.0;
   double second_from_Nm = 0.0;
   double damping_Nm_s_rad = 0.0;
+  double backlash_rad = 0.0;  ///< from one flank to the other
 };
 
 struct PlantJointConfig {

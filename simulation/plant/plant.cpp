@@ -49,14 +49,38 @@ Plant::Plant(const RobotConfig& robot, const PlantConfig& config)
   const mjtNum* first = base_armature();
   base_armature_.assign(first, first + model_->body_dofnum[index_.base_body]);
   for (const PlantJointConfig& joint : config.joints) {
-    Gear gear{GearFriction(joint.friction, joint.thermal, config.ambient_degC), std::nullopt};
-    if (config.torsion && joint.torsion) gear.torsion.emplace(*joint.torsion, joint.armature_kg_m2);
+    const Gear gear = make_gear(joint);
     torsion_ = torsion_ || gear.torsion;
+    presliding_ = presliding_ || gear.presliding;
     varying_friction_ = varying_friction_ || gear.torsion || gear.friction.varies();
     heating_ = heating_ || gear.friction.heats();
     gears_.push_back(gear);
   }
+  note_ratios(robot);
   reset();
+}
+
+Plant::Gear Plant::make_gear(const PlantJointConfig& joint) const {
+  Gear gear{GearFriction(joint.friction, joint.thermal, config_.ambient_degC)};
+  if (config_.torsion && joint.torsion) gear.torsion.emplace(*joint.torsion, joint.armature_kg_m2);
+  const FrictionConfig& friction = joint.friction;
+  if (friction.presliding_rad <= 0.0 || friction.breakaway_Nm <= 0.0) return gear;
+  gear.presliding.emplace(friction.breakaway_Nm, friction.presliding_rad, joint.armature_kg_m2);
+  const double stiffest = Presliding::kStiffest * joint.armature_kg_m2 / (step_s() * step_s());
+  if (gear.presliding->stiffness_Nm_rad() > stiffest)
+    throw ConfigError(
+        joint.name + ": friction that slides after " + std::to_string(1e3 * friction.presliding_rad) +
+        " mrad is too stiff for a step of " + std::to_string(1e6 * step_s()) +
+        " us: make `presliding` longer, or 0 for friction that holds rigidly, or the step shorter");
+  return gear;
+}
+
+/// A gear's own motor stands in the same place of its leg's list.
+void Plant::note_ratios(const RobotConfig& robot) noexcept {
+  for (const LegConfig& leg : robot.legs) {
+    for (std::size_t i = 0; i < std::min(leg.joints.size(), leg.actuators.size()); ++i)
+      gears_[leg.joints[i]].ratio = robot.actuators[leg.actuators[i]].gear_ratio;
+  }
 }
 
 void Plant::reset() noexcept {
@@ -83,13 +107,14 @@ void Plant::reset_gear(std::size_t joint) noexcept {
   gear.friction.reset();
   gear.output_torque_Nm = 0.0;
   gear.viscous_Nm_s_rad = config.friction.viscous_Nm_s_rad;
-  gear.viscous_Nm = 0.0;
+  gear.viscous_Nm = gear.elastic_Nm = 0.0;
+  if (gear.presliding) gear.presliding->reset();
   if (gear.torsion) return gear.torsion->reset(config.initial_rad);
   if (const Linkage* linkage = linkage_of(joint)) {
-    model_->tendon_frictionloss[linkage->tendon] = config.friction.breakaway_Nm;
+    model_->tendon_frictionloss[linkage->tendon] = gear.presliding ? 0.0 : config.friction.breakaway_Nm;
     return;
   }
-  model_->dof_frictionloss[index_.joint_dof[joint]] = config.friction.breakaway_Nm;
+  model_->dof_frictionloss[index_.joint_dof[joint]] = gear.presliding ? 0.0 : config.friction.breakaway_Nm;
   model_->dof_damping[index_.joint_dof[joint]] = config.friction.viscous_Nm_s_rad;
 }
 
@@ -164,6 +189,7 @@ void Plant::step(const std::vector<double>& motor_torque_Nm) noexcept {
     place_floors();
   }
   if (torsion_) step_rotors();
+  if (presliding_) strain_friction();
   if (heating_) heat_gears();
   check();
 }
@@ -184,14 +210,38 @@ void Plant::apply_torques() noexcept {
     for (const Linkage::Part& part : linkage.parts)
       data_->qfrc_applied[part.dof] -= part.share * gear.viscous_Nm;
   }
+  for (std::size_t i = 0; presliding_ && i < gears_.size(); ++i) hold_elastically(i);
+}
+
+/// A rotor of its own has it in step_rotors().
+void Plant::hold_elastically(std::size_t gear) noexcept {
+  Gear& held = gears_[gear];
+  if (!held.presliding) return;
+  held.elastic_Nm = held.presliding->torque_Nm(gear_speed_rad_s(gear));
+  if (held.torsion) return;
+  const Linkage* linkage = linkage_of(gear);
+  if (linkage == nullptr) {
+    data_->qfrc_applied[index_.joint_dof[gear]] -= held.elastic_Nm;
+    return;
+  }
+  for (const Linkage::Part& part : linkage->parts)
+    data_->qfrc_applied[part.dof] -= part.share * held.elastic_Nm;
+}
+
+/// By the way of the step that was just made: forces of its begin, then ways with its new speeds, so that
+/// springs of friction and masses gain no energy.
+void Plant::strain_friction() noexcept {
+  for (std::size_t i = 0; i < gears_.size(); ++i) {
+    if (gears_[i].presliding) gears_[i].presliding->move(gear_speed_rad_s(i) * step_s(), gears_[i].dry_Nm);
+  }
 }
 
 void Plant::step_rotors() noexcept {
   for (std::size_t i = 0; i < gears_.size(); ++i) {
     Gear& gear = gears_[i];
     if (gear.torsion)
-      gear.torsion->step(motor_torque_Nm_[i], gear.output_torque_Nm, gear.dry_Nm, gear.viscous_Nm_s_rad,
-                         step_s());
+      gear.torsion->step(motor_torque_Nm_[i] - gear.elastic_Nm, gear.output_torque_Nm,
+                         gear.presliding ? 0.0 : gear.dry_Nm, gear.viscous_Nm_s_rad, step_s());
   }
 }
 
@@ -229,14 +279,15 @@ void Plant::update_friction() noexcept {
     Gear& gear = gears_[i];
     const double dry_Nm = dry_friction_Nm(i);
     const double direction = dry_Nm > 0.0 ? 1.0 : (dry_Nm < 0.0 ? -1.0 : 0.0);
-    gear.dry_Nm = gear.friction.dry_Nm(gear_speed_rad_s(i), gear_load_Nm(i), direction);
+    gear.dry_Nm = gear.friction.dry_Nm(gear_speed_rad_s(i), gear_load_Nm(i), direction) *
+                  gear.friction.ripple(gear.ratio * gear_angle_rad(i), position_rad(i));
     gear.viscous_Nm_s_rad = gear.friction.viscous_Nm_s_rad(direction);
     if (gear.torsion) continue;
     if (const Linkage* linkage = linkage_of(i)) {
-      model_->tendon_frictionloss[linkage->tendon] = gear.dry_Nm;
+      model_->tendon_frictionloss[linkage->tendon] = gear.presliding ? 0.0 : gear.dry_Nm;
       continue;
     }
-    model_->dof_frictionloss[index_.joint_dof[i]] = gear.dry_Nm;
+    model_->dof_frictionloss[index_.joint_dof[i]] = gear.presliding ? 0.0 : gear.dry_Nm;
     model_->dof_damping[index_.joint_dof[i]] = gear.viscous_Nm_s_rad;
   }
 }

@@ -13,6 +13,7 @@
 #include "simulation/plant/ground.h"
 #include "simulation/plant/imu_sensor.h"
 #include "simulation/plant/plant_model.h"
+#include "simulation/plant/presliding.h"
 
 namespace sprung::sim {
 
@@ -67,13 +68,19 @@ class Plant {
  private:
   struct Gear {
     GearFriction friction;
-    std::optional<ElasticGear> torsion;
-    double output_torque_Nm = 0.0;  ///< of `torsion`, in the last step
-    double dry_Nm = 0.0;            ///< friction that may act in this step
+    std::optional<ElasticGear> torsion{};
+    std::optional<Presliding> presliding{};  ///< holds instead of MuJoCo's friction or the rotor's
+    double ratio = 1.0;                      ///< turns of the motor for each of the gear's output
+    double output_torque_Nm = 0.0;           ///< of `torsion`, in the last step
+    double dry_Nm = 0.0;                     ///< friction that may act in this step
     double viscous_Nm_s_rad = 0.0;
     double viscous_Nm = 0.0;       ///< of a linkage's gear, in the last step
+    double elastic_Nm = 0.0;       ///< friction of `presliding`, in the last step
     mutable int friction_row = 0;  ///< among MuJoCo's constraints, when it was last looked for
   };
+  /// @throws ConfigError on friction that is too stiff for the step.
+  Gear make_gear(const PlantJointConfig& joint) const;
+  void note_ratios(const RobotConfig& robot) noexcept;
   void reset_gear(std::size_t joint) noexcept;
   void turn_trunk() noexcept;
   void touch_floor() noexcept;
@@ -81,7 +88,9 @@ class Plant {
   void place_floors() noexcept;
   void place_floor(int geom, const Ground::Place& place) noexcept;
   void apply_torques() noexcept;
+  void hold_elastically(std::size_t gear) noexcept;
   void step_rotors() noexcept;
+  void strain_friction() noexcept;
   void heat_gears() noexcept;
   void refresh_poses() noexcept;
   mjtNum* base_armature() const noexcept;  ///< of the base's degrees of freedom, in the model
@@ -90,6 +99,7 @@ class Plant {
   void check() noexcept;
   /// nullptr where the gear turns with its joint alone.
   const Linkage* linkage_of(std::size_t gear) const noexcept;
+  double gear_angle_rad(std::size_t gear) const noexcept;
   double gear_speed_rad_s(std::size_t gear) const noexcept;
   double gear_loss_Nm(std::size_t gear) const noexcept;
   double gear_load_Nm(std::size_t gear) const noexcept;
@@ -111,6 +121,7 @@ class Plant {
   std::vector<Gear> gears_;
   bool varying_friction_ = false;  ///< of any gear: else what the model has from the start stays
   bool torsion_ = false;           ///< in any gear
+  bool presliding_ = false;        ///< in any gear
   bool heating_ = false;
   const char* failure_ = nullptr;
 };

@@ -169,10 +169,10 @@ constexpr Change kChanges[] = {
 };
 
 const Change& find_change(const std::string& key) {
-  std::string known;
+  std::string known = "draw, family=NAME";
   for (const Change& change : kChanges) {
     if (key == change.key) return change;
-    known += std::string(known.empty() ? "" : ", ") + change.key;
+    known += std::string(", ") + change.key;
   }
   throw ConfigError("--plant " + key + ": unknown key; there are " + known);
 }

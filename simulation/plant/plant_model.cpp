@@ -139,12 +139,37 @@ PlantIndex find_parts(const mjModel& model, const RobotConfig& robot) {
   return index;
 }
 
-void write_masses(mjModel& model, const PlantConfig& config) {
+/// Flags of frames that are the same go, else MuJoCo ignores the places (facts physics 9).
+void shift_mass(mjModel& model, int body, const Vec3& shift_m) {
+  if (shift_m == Vec3{}) return;
+  mju_addTo3(row(model.body_ipos, body, 3), shift_m.data());
+  model.body_sameframe[body] = model.body_simple[body] = 0;
+  for (int i = 0; i < model.body_dofnum[body]; ++i) model.dof_simplenum[model.body_dofadr[body] + i] = 0;
+  for (int i = 0; i < model.body_geomnum[body]; ++i) model.geom_sameframe[model.body_geomadr[body] + i] = 0;
+}
+
+void lengthen(mjModel& model, int body, double factor) {
+  if (factor == 1.0) return;
+  for (int child = body + 1; child < model.nbody; ++child) {
+    if (model.body_parentid[child] == body)
+      mju_scl3(row(model.body_pos, child, 3), row(model.body_pos, child, 3), factor);
+  }
+  for (int i = 0; i < model.body_geomnum[body]; ++i) {
+    const int geom = model.body_geomadr[body] + i;
+    if (model.geom_type[geom] != mjGEOM_SPHERE) continue;
+    mju_scl3(row(model.geom_pos, geom, 3), row(model.geom_pos, geom, 3), factor);
+    model.geom_sameframe[geom] = 0;
+  }
+}
+
+void write_bodies(mjModel& model, const PlantConfig& config) {
   for (const PlantBodyConfig& body : config.bodies) {
     const int id = require(model, mjOBJ_BODY, body.name);
     const double scale = body.mass_kg / model.body_mass[id];
     model.body_mass[id] = body.mass_kg;
     for (int axis = 0; axis < 3; ++axis) row(model.body_inertia, id, 3)[axis] *= scale;
+    shift_mass(model, id, body.shift_m);
+    lengthen(model, id, body.length_factor);
   }
 }
 
@@ -247,7 +272,7 @@ PlantModel load_plant_model(const RobotConfig& robot, const PlantConfig& config)
   mjModel& model = *plant.model;
   plant.index = find_parts(model, robot);
   model.opt.timestep = config.step_s;
-  write_masses(model, config);
+  write_bodies(model, config);
   hang_weights(model, plant.index, config);
   write_joints(model, plant.index, config);
   plant.index.linkages = link_rotors(model, plant.index.joint_dof, robot, config);

@@ -30,12 +30,22 @@ const Linkage* Plant::linkage_of(std::size_t gear) const noexcept {
   return nullptr;
 }
 
+/// Of the motor side, after the ratio.
+double Plant::gear_angle_rad(std::size_t gear) const noexcept {
+  const Linkage* linkage = linkage_of(gear);
+  if (linkage == nullptr) return motor_position_rad(gear);
+  double sum_rad = 0.0;
+  for (const Linkage::Part& part : linkage->parts) sum_rad += part.share * position_rad(part.joint);
+  return sum_rad;
+}
+
 double Plant::gear_speed_rad_s(std::size_t gear) const noexcept {
   const Linkage* linkage = linkage_of(gear);
   return linkage != nullptr ? linkage->of_motor(data_->qvel) : motor_velocity_rad_s(gear);
 }
 
 double Plant::dry_friction_Nm(std::size_t joint) const noexcept {
+  if (gears_[joint].presliding) return gears_[joint].elastic_Nm;
   if (gears_[joint].torsion) return gears_[joint].torsion->dry_friction_Nm();
   const Linkage* linkage = linkage_of(joint);
   const int type = linkage != nullptr ? mjCNSTR_FRICTION_TENDON : mjCNSTR_FRICTION_DOF;
@@ -53,7 +63,7 @@ double Plant::dry_friction_Nm(std::size_t joint) const noexcept {
 }
 
 double Plant::friction_torque_Nm(std::size_t joint) const noexcept {
-  if (gears_[joint].torsion) return gears_[joint].torsion->friction_torque_Nm();
+  if (gears_[joint].torsion) return gears_[joint].torsion->friction_torque_Nm() + gears_[joint].elastic_Nm;
   if (linkage_of(joint) != nullptr) return dry_friction_Nm(joint) + gears_[joint].viscous_Nm;
   return dry_friction_Nm(joint) - data_->qfrc_passive[index_.joint_dof[joint]];
 }

@@ -5,6 +5,7 @@
 #include "drivers/canopen/lss_frames.h"
 #include "robots/robot_loader.h"
 #include "robots/yaml_reader.h"
+#include "simulation/plant/plant_draw.h"
 
 namespace sprung::sim {
 namespace {
@@ -35,6 +36,7 @@ double read_sign(const YamlMap& map) {
 
 MountingConfig read_mounting(const YamlMap& map) {
   MountingConfig mounting;
+  mounting.zero_error_rad = map.quantity_or("zero_error", "rad", -1, 1, 0.0);
   if (map.has("direction")) mounting.direction = read_sign(map);
   if (!map.has("link_encoder")) return mounting;
   const YamlMap link = map.map("link_encoder");
@@ -115,6 +117,21 @@ GroundConfig read_ground(const YamlMap& map) {
   return ground;
 }
 
+PlantBodyConfig read_body(const YamlMap& map) {
+  PlantBodyConfig body;
+  body.name = map.text("name");
+  body.mass_kg = map.quantity("mass", "kg", 1e-4, 1000);
+  body.length_factor = map.quantity_or("length_factor", "", 0.5, 2, 1.0);
+  if (map.has("shift")) {
+    const YamlMap shift = map.map("shift");
+    body.shift_m = {shift.quantity_or("x", "m", -1, 1, 0.0), shift.quantity_or("y", "m", -1, 1, 0.0),
+                    shift.quantity_or("z", "m", -1, 1, 0.0)};
+    shift.finish();
+  }
+  map.finish();
+  return body;
+}
+
 PlantConfig read_plant(const YamlMap& map) {
   PlantConfig plant;
   plant.step_s = map.quantity("step", "s", 50e-6, 1e-3);
@@ -126,8 +143,7 @@ PlantConfig read_plant(const YamlMap& map) {
   if (map.has("ground")) plant.ground = read_ground(map.map("ground"));
   plant.ambient_degC = map.quantity_or("ambient", "degC", -50, 150, plant.ambient_degC);
   for (const YamlMap& body : map.list("bodies")) {
-    plant.bodies.push_back({body.text("name"), body.quantity("mass", "kg", 1e-4, 1000)});
-    body.finish();
+    plant.bodies.push_back(read_body(body));
   }
   for (const YamlMap& joint : map.list("joints")) plant.joints.push_back(read_plant_joint(joint));
   plant.contact = read_contact(map.map("contact"));
@@ -149,21 +165,33 @@ TorqueSensorConfig read_torque_sensor(const YamlMap& map, const RobotConfig& rob
   return sensor;
 }
 
+Vec3 read_turn(const YamlMap& map) {
+  const Vec3 turn = {map.quantity_or("roll", "rad", -3.2, 3.2, 0.0),
+                     map.quantity_or("pitch", "rad", -3.2, 3.2, 0.0),
+                     map.quantity_or("yaw", "rad", -3.2, 3.2, 0.0)};
+  map.finish();
+  return turn;
+}
+
 ImuConfig read_imu(const YamlMap& map) {
   ImuConfig imu;
   const YamlMap rate = map.map("angular_velocity");
   imu.rate_noise_rad_s = rate.quantity("noise", "rad/s", 0, 10);
   imu.rate_bias_rad_s = rate.quantity("bias", "rad/s", 0, 10);
+  imu.rate_walk_rad_s = rate.quantity_or("walk", "rad/s", 0, 1, 0.0);
   rate.finish();
   const YamlMap force = map.map("specific_force");
   imu.force_noise_m_s2 = force.quantity("noise", "m/s^2", 0, 100);
   imu.force_bias_m_s2 = force.quantity("bias", "m/s^2", 0, 100);
+  imu.force_walk_m_s2 = force.quantity_or("walk", "m/s^2", 0, 10, 0.0);
   force.finish();
   const YamlMap attitude = map.map("attitude");
   imu.attitude_noise_rad = attitude.quantity("noise", "rad", 0, 1);
   imu.tilt_bias_rad = attitude.quantity("tilt_bias", "rad", 0, 1);
   imu.yaw_drift_rad_s = attitude.quantity("yaw_drift", "rad/s", 0, 1);
   attitude.finish();
+  if (map.has("mounting")) imu.mounting_rad = read_turn(map.map("mounting"));
+  imu.latency_s = map.quantity_or("latency", "s", 0, 0.1, 0.0);
   map.finish();
   return imu;
 }
@@ -224,7 +252,9 @@ SimConfig read_sim_config(const YamlMap& file, const RobotConfig& robot) {
 
 SimConfig load_sim_config(const RobotConfig& robot, const std::map<std::string, double>& changes) {
   SimConfig config = read_sim_config(YamlMap::load(robot.folder + "/sim.yaml"), robot);
-  apply_plant_changes(changes, config);
+  std::map<std::string, double> others = changes;
+  if (const auto draw = take_draw(others)) draw_plant(robot, load_variation(robot), *draw, config);
+  apply_plant_changes(others, config);
   return config;
 }
 

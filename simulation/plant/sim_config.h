@@ -19,6 +19,8 @@ namespace sprung::sim {
 struct PlantBodyConfig {
   std::string name;
   double mass_kg = 0.0;
+  Vec3 shift_m{};              ///< of the centre of mass from where model.xml has it, the body's axes
+  double length_factor = 1.0;  ///< on the places of the bodies that it carries, and of its spheres: its foot
 };
 
 struct ContactConfig {
@@ -58,6 +60,7 @@ struct MountingConfig {
   std::optional<double> direction;  ///< +1 or -1, as ActuatorConfig::direction
   std::optional<double> link_direction;
   std::optional<double> link_offset_rad;  ///< there where link_direction is
+  double zero_error_rad = 0.0;  ///< by which motor and link encoder show more than the joint's angle
 };
 
 /// True values of one drive and motor; what the stack believes is in robot.yaml.
@@ -103,8 +106,8 @@ struct SimConfig {
   TimingConfig timing;
 };
 
-/// Reads sim.yaml in robot.folder, then applies the `--plant` changes. @throws ConfigError with file, line
-/// and reason.
+/// Reads sim.yaml in robot.folder, then applies the `--plant` changes: draw and family first (plant_draw.h).
+/// @throws ConfigError with file, line and reason.
 SimConfig load_sim_config(const RobotConfig& robot, const std::map<std::string, double>& changes);
 
 /// The same of a sim.yaml that is read already, without changes.

@@ -98,6 +98,16 @@ TEST_F(PegasusTrain, KinematicErrorIsSeenByTheLinkOnly) {
               kTwoPi / (1 << 20));
 }
 
+TEST_F(PegasusTrain, ZeroErrorShowsInTheLinkWithItsSign) {
+  for (SimDriveConfig& drive : config_.drives) drive.kinematic_error = {};
+  config_.drives[4].mounting.zero_error_rad = 0.004;
+  DriveTrain train(robot_, config_, 1);
+  start(train);
+  const std::map<std::size_t, double> seen = links(train, 0);
+  EXPECT_NEAR(std::remainder(seen.at(4) - true_rad(train, 4), kTwoPi), 0.004, kTwoPi / (1 << 20));
+  EXPECT_NEAR(std::remainder(seen.at(5) - true_rad(train, 5), kTwoPi), 0.0, kTwoPi / (1 << 20));
+}
+
 TEST_F(PegasusTrain, LinkNoiseHasItsRmsAndFollowsSeedAndCycle) {
   for (SimCardConfig& card : config_.cards) card.noise_rad = 0.001;
   DriveTrain train(robot_, config_, 1);

@@ -55,6 +55,43 @@ TEST(ElasticGear, SwingsAtItsNaturalFrequencyAndKeepsItsEnergy) {
   EXPECT_NEAR((crossings - 1) / (last_s - first_s), std::sqrt(2.5e4 / kArmature) / (2.0 * M_PI), 0.01);
 }
 
+TEST(ElasticGear, TransmitsNothingInThePlayOfItsTeeth) {
+  const ElasticGear gear = at_rest({2.5e4, 2.5e4, 0.0, 5.0, 4e-4}, 0.3);
+  EXPECT_EQ(gear.output_torque_Nm(0.3, 0.0), 0.0);
+  EXPECT_EQ(gear.output_torque_Nm(0.3 - 1.9e-4, 2.0), 0.0) << "nor does the damper";
+  EXPECT_EQ(gear.output_torque_Nm(0.3 + 1.9e-4, -2.0), 0.0);
+  EXPECT_NEAR(gear.output_torque_Nm(0.3 - 2e-4 - 1e-3, 0.0), 25.0, 1e-8) << "behind it the spring";
+  EXPECT_NEAR(gear.output_torque_Nm(0.3 + 2e-4 + 1e-3, 0.0), -25.0, 1e-8);
+}
+
+TEST(ElasticGear, FlanksThatPartDoNotPull) {
+  const ElasticGear gear = at_rest({2.5e4, 2.5e4, 0.0, 5.0, 4e-4});
+  EXPECT_GT(gear.output_torque_Nm(-3e-4, 0.4), 0.0);
+  EXPECT_EQ(gear.output_torque_Nm(-3e-4, 4.0), 0.0);
+}
+
+/// Without friction a rotor thrown between two flanks is thrown back by each: the play's way there at the
+/// speed that it has, half a swing of mass and spring in each flank.
+TEST(ElasticGear, RotorBouncesBetweenItsFlanks) {
+  ElasticGear gear = at_rest({2.5e4, 2.5e4, 0.0, 0.0, 4e-3});
+  gear.step(kArmature * 0.5 / kStep_s, 0.0, 0.0, 0.0, kStep_s);
+  const double start_rad_s = gear.velocity_rad_s();
+  ASSERT_NEAR(start_rad_s, 0.5, 1e-12);
+  int turns = 0;
+  double first_s = 0.0, last_s = 0.0;
+  for (int i = 0; i < 40000; ++i) {
+    const double before_rad = gear.position_rad();
+    gear.step(0.0, gear.output_torque_Nm(0.0, 0.0), 0.0, 0.0, kStep_s);
+    if (before_rad < 0.0 && gear.position_rad() >= 0.0) {
+      last_s = kStep_s * i;
+      if (turns++ == 0) first_s = last_s;
+      ASSERT_NEAR(gear.velocity_rad_s(), start_rad_s, 0.05 * start_rad_s);
+    }
+  }
+  const double expected_s = 2 * 4e-3 / start_rad_s + 2 * M_PI / std::sqrt(2.5e4 / kArmature);
+  EXPECT_NEAR((last_s - first_s) / (turns - 1), expected_s, 0.02 * expected_s);
+}
+
 TEST(ElasticGear, StaticTwistIsTorqueOverStiffness) {
   ElasticGear gear = at_rest({2.5e4, 3.4e4, 14.0, 50.0});
   for (int i = 0; i < 40000; ++i) gear.step(20.0, gear.output_torque_Nm(0.0, 0.0), 0.0, 0.0, kStep_s);

@@ -45,6 +45,19 @@ TEST(GearFriction, EachTermAloneMakesItVary) {
   EXPECT_TRUE(varies([](FrictionConfig& f) { f.back_driving_share = 0.1; }));
   EXPECT_TRUE(varies([](FrictionConfig& f) { f.asymmetry = -0.1; }));
   EXPECT_TRUE(varies([](FrictionConfig& f) { f.temperature.per_K = 0.03; }));
+  EXPECT_TRUE(varies([](FrictionConfig& f) { f.motor_ripple.share = 0.05; }));
+  EXPECT_TRUE(varies([](FrictionConfig& f) { f.joint_ripple.share = 0.05; }));
+  EXPECT_TRUE(varies([](FrictionConfig& f) { f.presliding_rad = 1e-4; }));
+}
+
+TEST(GearFriction, RipplesByBothAngles) {
+  FrictionConfig friction;
+  EXPECT_EQ(GearFriction(friction, {}, 24.0).ripple(1.0, 2.0), 1.0);
+  friction.motor_ripple = {0.05, 2.0, 0.3};
+  friction.joint_ripple = {0.1, 1.0, 0.0};
+  const GearFriction gear(friction, {}, 24.0);
+  EXPECT_NEAR(gear.ripple(1.0, 2.0), (1 + 0.05 * std::sin(2.3)) * (1 + 0.1 * std::sin(2.0)), 1e-12);
+  EXPECT_NEAR(gear.ripple(1.0 + M_PI, 2.0), gear.ripple(1.0, 2.0), 1e-12) << "twice in each turn";
 }
 
 /// Facts papers D1 by hand, at the reference temperature.

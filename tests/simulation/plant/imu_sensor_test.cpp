@@ -100,6 +100,65 @@ TEST(ImuSensor, HeadingDriftsAndTiltDoesNot) {
   }
 }
 
+TEST(ImuSensor, MountedAskewItShowsMotionInItsOwnAxes) {
+  ImuConfig config;
+  config.mounting_rad = {0.0, 0.0, M_PI / 2};  // its x looks to the trunk's left
+  ImuSensor sensor(config, 1);
+  BaseMotion rolling;
+  rolling.angular_velocity_rad_s = {1.0, 0.0, 0.0};
+  const Imu seen = sampled(sensor, rolling, rolling);
+  expect_near(seen.measured_angular_velocity_rad_s, {0.0, -1.0, 0.0});
+  expect_near(seen.measured_specific_force_m_s2, {0, 0, 9.81});
+  EXPECT_NEAR(seen.measured_quaternion_wxyz[3], std::sqrt(0.5), 1e-12);
+  config.mounting_rad = {0.02, -0.01, 0.0};
+  ImuSensor tilted(config, 1);
+  const Vec3 force = sampled(tilted, {}, {}).measured_specific_force_m_s2;
+  EXPECT_NEAR(force[1], 9.81 * std::sin(0.02), 1e-4);
+  EXPECT_NEAR(force[0], 9.81 * std::sin(0.01), 1e-3);
+}
+
+TEST(ImuSensor, LatencyShowsTheMotionOfBefore) {
+  ImuConfig config;
+  config.latency_s = 2.5 * kCycle_s;
+  ImuSensor sensor(config, 1);
+  for (int k = 0; k < 300; ++k) {  // spins up about z with 10 rad/s^2, falls freely
+    const double now_s = k * kCycle_s;
+    BaseMotion motion = turned(5.0 * now_s * now_s, 2);
+    motion.angular_velocity_rad_s = {0.0, 0.0, 10.0 * now_s};
+    motion.velocity_m_s = {0.0, 0.0, -9.81 * now_s};
+    sensor.sample(motion, at(k), now_s);
+    if (k < 4) continue;
+    const double then_s = now_s - config.latency_s;
+    ASSERT_NEAR(sensor.newest().measured_angular_velocity_rad_s[2], 10.0 * then_s, 1e-9) << k;
+    const std::array<double, 4>& q = sensor.newest().measured_quaternion_wxyz;
+    ASSERT_NEAR(2.0 * std::atan2(q[3], q[0]), 5.0 * then_s * then_s, 1e-4) << k;
+    ASSERT_EQ(sensor.newest().stamp.seq, k) << "and nobody is told";
+  }
+  sensor.forget_motion();
+  sensor.sample({}, at(300), 300 * kCycle_s);
+  sensor.sample({}, at(301), 301 * kCycle_s);
+  expect_near(sensor.newest().measured_angular_velocity_rad_s, {0, 0, 0});
+}
+
+/// Over many seeds the wandering after 4 s is twice that after 1 s.
+TEST(ImuSensor, BiasWandersWithTheRootOfTime) {
+  ImuConfig config;
+  config.rate_walk_rad_s = 0.001;
+  double after_1_s = 0.0, after_4_s = 0.0;
+  constexpr int kSeeds = 400;
+  for (int seed = 1; seed <= kSeeds; ++seed) {
+    ImuSensor sensor(config, static_cast<std::uint64_t>(seed));
+    for (int k = 0; k <= 400; ++k) {
+      sensor.sample({}, at(k), 0.01 * k);
+      const double square = std::pow(sensor.newest().measured_angular_velocity_rad_s[0], 2);
+      if (k == 100) after_1_s += square / kSeeds;
+      if (k == 400) after_4_s += square / kSeeds;
+    }
+  }
+  EXPECT_NEAR(std::sqrt(after_1_s), 0.001, 1e-4);
+  EXPECT_NEAR(std::sqrt(after_4_s), 0.002, 2e-4);
+}
+
 TEST(ImuSensor, FaultsSilenceItOrTakeWhatTheySay) {
   ImuSensor sensor({}, 1);
   sampled(sensor, {}, {});

@@ -49,6 +49,27 @@ TEST(PlantJoint, OptionalPartsAreAbsentWhereNotGiven) {
   EXPECT_EQ(plain.thermal.resistance_K_W, 0.0);
 }
 
+TEST(PlantJoint, RipplePreslidingAndBacklashAreNoneUnlessGiven) {
+  const PlantJointConfig plain = joint("load_share: 0",
+                                       "torsion: {stiffness: 25000 Nm/rad, damping: 5 Nm s/rad}");
+  EXPECT_EQ(plain.friction.motor_ripple.share, 0.0);
+  EXPECT_EQ(plain.friction.presliding_rad, 0.0);
+  EXPECT_EQ(plain.torsion->backlash_rad, 0.0);
+  const PlantJointConfig full = joint(
+      "load_share: 0, presliding: 0.0003 rad, ripple: {share: 0.05, phase: 1 rad}, "
+      "joint_ripple: {share: 0.1, order: 1}",
+      "torsion: {stiffness: 25000 Nm/rad, damping: 5 Nm s/rad, backlash: 0.00029 rad}");
+  EXPECT_EQ(full.friction.presliding_rad, 0.0003);
+  EXPECT_EQ(full.friction.motor_ripple.share, 0.05);
+  EXPECT_EQ(full.friction.motor_ripple.order, 2.0);
+  EXPECT_EQ(full.friction.motor_ripple.phase_rad, 1.0);
+  EXPECT_EQ(full.friction.joint_ripple.share, 0.1);
+  EXPECT_EQ(full.friction.joint_ripple.order, 1.0);
+  EXPECT_EQ(full.torsion->backlash_rad, 0.00029);
+  EXPECT_THAT(refusal("load_share: 0, presliding: 1 rad"), HasSubstr("presliding"));
+  EXPECT_THAT(refusal("load_share: 0, ripple: {share: 2}"), HasSubstr("share"));
+}
+
 TEST(PlantJoint, EveryPartIsRead) {
   const PlantJointConfig full = joint(
       "load_share: 0, asymmetry: 0.05, temperature: {coefficient: 0.03 1/K, reference: 20 degC, "

@@ -9,6 +9,7 @@
 #include <iterator>
 
 #include "robots/robot_loader.h"
+#include "simulation/plant/mujoco_row.h"
 #include "tests/support/paths.h"
 #include "tests/support/refusal.h"
 
@@ -101,6 +102,32 @@ TEST_P(ShippedModel, WhatIsOnlyToBeSeenMeetsNothingAndWeighsNothing) {
 
 INSTANTIATE_TEST_SUITE_P(Robots, ShippedModel,
                          testing::Values("fennec", "pegasus", "single_leg", "test_axis"));
+
+/// Against the same leg with those values typed into model.xml.
+TEST_F(PlantModelTest, ShiftAndLengthAreAsIfModelXmlHadThem) {
+  SimConfig config = load_sim_config(robot_, {});
+  for (PlantBodyConfig& body : config.plant.bodies) {
+    if (body.name == "base") body.shift_m = {0.01, 0.0, 0.02};
+    if (body.name == "thigh") body.shift_m = {0.02, 0.01, 0.0};
+    if (body.name == "thigh") body.length_factor = 1.1;
+    if (body.name == "shank") body.length_factor = 0.9;
+  }
+  const PlantModel plant = load_plant_model(robot_, config.plant);
+  const DataPtr data(mj_makeData(plant.model.get()));
+  const int thigh = mj_name2id(plant.model.get(), mjOBJ_BODY, "thigh");
+  mj_forward(plant.model.get(), data.get());
+  const Vec3 base = vec3(row(data->xpos, plant.index.base_body, 3));
+  const Vec3 base_mass = vec3(row(data->xipos, plant.index.base_body, 3));
+  const Vec3 mass = vec3(row(data->xipos, thigh, 3));
+  const Vec3 foot = vec3(row(data->geom_xpos, plant.index.foot_geom[0], 3));
+  EXPECT_NEAR(base_mass[0] - base[0], 0.01, 1e-12);
+  EXPECT_NEAR(base_mass[2] - base[2], 0.02, 1e-12);
+  EXPECT_NEAR(mass[0] - base[0], 0.13 + 0.02, 1e-12);
+  EXPECT_NEAR(mass[1] - base[1], 0.01, 1e-12);
+  EXPECT_NEAR(foot[0] - base[0], 1.1 * 0.26 + 0.9 * 0.422, 1e-12) << "stretched forward at zero angles";
+  EXPECT_NEAR(data->qfrc_bias[plant.index.joint_dof[0]], -9.81 * (0.8 * 0.15 + 0.3 * (1.1 * 0.26 + 0.211)),
+              1e-9);
+}
 
 TEST_F(PlantModelTest, ASphereThatMeetsNothingIsNoPlaceThatTheGroundPushes) {
   EXPECT_EQ(refusal("<geom name=\"leg_foot\"",

@@ -10,8 +10,9 @@ namespace sprung::sim {
 using test::ValueDump;
 
 inline void dump_value(ValueDump& dump, const std::string& at, const PlantBodyConfig& value) {
-  const auto& [name, mass_kg] = value;
-  dump.fields(at, "name mass_kg", name, mass_kg);
+  const auto& [name, mass_kg, shift, length_factor] = value;
+  dump.fields(at, "name mass_kg shift_x_m shift_y_m shift_z_m length_factor", name, mass_kg, shift[0],
+              shift[1], shift[2], length_factor);
 }
 
 inline void dump_value(ValueDump& dump, const std::string& at, const ContactConfig& value) {
@@ -35,13 +36,20 @@ inline void dump_value(ValueDump& dump, const std::string& at, const FrictionTem
   dump.fields(at, "per_K reference_degC coulomb_share", per_K, reference_degC, coulomb_share);
 }
 
+inline void dump_value(ValueDump& dump, const std::string& at, const RippleConfig& value) {
+  const auto& [share, order, phase_rad] = value;
+  dump.fields(at, "share order phase_rad", share, order, phase_rad);
+}
+
 inline void dump_value(ValueDump& dump, const std::string& at, const FrictionConfig& value) {
-  const auto& [coulomb, breakaway, speed, viscous, driving, back_driving, asymmetry, temperature] = value;
+  const auto& [coulomb, breakaway, speed, viscous, driving, back_driving, asymmetry, temperature,
+               motor_ripple, joint_ripple, presliding] = value;
   dump.fields(
       at,
       "coulomb_Nm breakaway_Nm stribeck_speed_rad_s viscous_Nm_s_rad driving_share back_driving_share "
-      "asymmetry temperature",
-      coulomb, breakaway, speed, viscous, driving, back_driving, asymmetry, temperature);
+      "asymmetry temperature motor_ripple joint_ripple presliding_rad",
+      coulomb, breakaway, speed, viscous, driving, back_driving, asymmetry, temperature, motor_ripple,
+      joint_ripple, presliding);
 }
 
 inline void dump_value(ValueDump& dump, const std::string& at, const ThermalConfig& value) {
@@ -50,9 +58,9 @@ inline void dump_value(ValueDump& dump, const std::string& at, const ThermalConf
 }
 
 inline void dump_value(ValueDump& dump, const std::string& at, const TorsionConfig& value) {
-  const auto& [stiffness, second_stiffness, second_from, damping] = value;
-  dump.fields(at, "stiffness_Nm_rad second_stiffness_Nm_rad second_from_Nm damping_Nm_s_rad", stiffness,
-              second_stiffness, second_from, damping);
+  const auto& [stiffness, second_stiffness, second_from, damping, backlash] = value;
+  dump.fields(at, "stiffness_Nm_rad second_stiffness_Nm_rad second_from_Nm damping_Nm_s_rad backlash_rad",
+              stiffness, second_stiffness, second_from, damping, backlash);
 }
 
 inline void dump_value(ValueDump& dump, const std::string& at, const PlantJointConfig& value) {
@@ -79,8 +87,9 @@ inline void dump_value(ValueDump& dump, const std::string& at, const KinematicEr
 }
 
 inline void dump_value(ValueDump& dump, const std::string& at, const MountingConfig& value) {
-  const auto& [direction, link_direction, link_offset_rad] = value;
-  dump.fields(at, "direction link_direction link_offset_rad", direction, link_direction, link_offset_rad);
+  const auto& [direction, link_direction, link_offset_rad, zero_error_rad] = value;
+  dump.fields(at, "direction link_direction link_offset_rad zero_error_rad", direction, link_direction,
+              link_offset_rad, zero_error_rad);
 }
 
 inline void dump_value(ValueDump& dump, const std::string& at, const SimDriveConfig& value) {
@@ -108,11 +117,14 @@ inline void dump_value(ValueDump& dump, const std::string& at, const TorqueSenso
 }
 
 inline void dump_value(ValueDump& dump, const std::string& at, const ImuConfig& value) {
-  const auto& [rate_noise, rate_bias, force_noise, force_bias, attitude_noise, tilt_bias, yaw_drift] = value;
+  const auto& [rate_noise, rate_bias, force_noise, force_bias, attitude_noise, tilt_bias, yaw_drift,
+               rate_walk, force_walk, mounting, latency] = value;
   dump.fields(at,
               "rate_noise_rad_s rate_bias_rad_s force_noise_m_s2 force_bias_m_s2 attitude_noise_rad "
-              "tilt_bias_rad yaw_drift_rad_s",
-              rate_noise, rate_bias, force_noise, force_bias, attitude_noise, tilt_bias, yaw_drift);
+              "tilt_bias_rad yaw_drift_rad_s rate_walk_rad_s force_walk_m_s2 mounting_x_rad mounting_y_rad "
+              "mounting_z_rad latency_s",
+              rate_noise, rate_bias, force_noise, force_bias, attitude_noise, tilt_bias, yaw_drift, rate_walk,
+              force_walk, mounting[0], mounting[1], mounting[2], latency);
 }
 
 inline void dump_value(ValueDump& dump, const std::string& at, const TimingConfig& value) {
