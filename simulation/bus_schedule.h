@@ -16,17 +16,18 @@ constexpr std::int64_t frame_us(const CanFrame& frame) noexcept { return 55 + 10
 /// on each bus.
 class BusSchedule {
  public:
-  BusSchedule(std::size_t buses, std::int64_t compute_us)
-      : compute_us_(compute_us), answers_us_(buses), free_us_(buses) {}
+  explicit BusSchedule(std::size_t buses) : answers_us_(buses), free_us_(buses) {}
   void start_answers(int bus) noexcept { answers_us_[bus] = 0; }
   void add_answer(const BusFrame& answer) noexcept { answers_us_[answer.bus] += frame_us(answer.frame); }
-  /// A burst begins: when each bus is free for it.
-  void start_burst(std::int64_t last_sync_us) noexcept;
-  /// When this frame of the burst acts, that is at its end on the wire; never later than sync_us.
+  /// A burst begins: when each bus is free for it. @param compute_us from the last answer on.
+  /// @param late its frames may act after the next SYNC, and it waits for the burst before; else they come
+  /// with that SYNC at last.
+  void start_burst(std::int64_t last_sync_us, std::int64_t compute_us, bool late = false) noexcept;
+  /// When this frame of the burst acts, that is at its end on the wire; unless `late` never after sync_us.
   std::int64_t acts_us(const BusFrame& frame, std::int64_t sync_us) noexcept;
 
  private:
-  std::int64_t compute_us_;
+  bool late_ = false;
   std::vector<std::int64_t> answers_us_;  ///< bus time of the answers to the last SYNC
   std::vector<std::int64_t> free_us_;
 };

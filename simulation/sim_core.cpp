@@ -6,6 +6,7 @@
 #include "drivers/canopen/protocol.h"
 #include "simulation/bus_faults.h"
 #include "simulation/bus_schedule.h"
+#include "simulation/computer.h"
 #include "simulation/plant/drive_train.h"
 #include "simulation/plant/experimenter.h"
 #include "simulation/plant/imu_sensor.h"
@@ -19,6 +20,13 @@ std::int64_t microseconds(double seconds) { return std::llround(1e6 * seconds); 
 
 bool is_sync(const CanFrame& frame) noexcept { return !frame.error && frame.id == canopen::kSyncId; }
 
+/// An RPDO of the predefined connection set (facts canopen 1.1).
+bool is_setpoint(const CanFrame& frame) noexcept {
+  constexpr std::uint32_t kFunction = 0x780, kFirst = 0x200, kLast = 0x500;
+  const std::uint32_t function = frame.id & kFunction;
+  return !frame.error && function >= kFirst && function <= kLast && (function & 0x80U) == 0;
+}
+
 }  // namespace
 
 struct SimCore::Impl {
@@ -30,7 +38,8 @@ struct SimCore::Impl {
         imu(config.imu.value_or(sim::ImuConfig{}), options.seed),
         with_imu(config.imu.has_value()),
         experimenter(train, bus_faults, imu),
-        schedule(robot.buses.size(), microseconds(config.timing.compute_s)),
+        computer(config.timing, options.seed),
+        schedule(robot.buses.size()),
         step_us(microseconds(config.plant.step_s)),
         torque_sensor(config.torque_sensor.value_or(sim::TorqueSensorConfig{}), options.seed),
         with_truth(options.truth),
@@ -51,6 +60,7 @@ struct SimCore::Impl {
   sim::ImuSensor imu;
   bool with_imu;
   sim::Experimenter experimenter;
+  sim::Computer computer;
   sim::BusSchedule schedule;
   sim::FrameQueue frames;
   std::int64_t step_us;
@@ -150,8 +160,11 @@ void SimCore::advance_to(std::int64_t time_us, FrameBatch& out) noexcept { impl_
 
 void SimCore::receive_burst(const FrameBatch& burst, std::int64_t last_sync_us,
                             std::int64_t sync_us) noexcept {
-  impl_->schedule.start_burst(last_sync_us);
+  impl_->schedule.start_burst(last_sync_us, impl_->computer.compute_us(impl_->cycle),
+                              impl_->computer.may_be_late(impl_->cycle));
+  const bool missed = impl_->computer.misses(impl_->cycle);
   for (const BusFrame& entry : burst) {
+    if (missed && is_setpoint(entry.frame)) continue;
     const std::int64_t time_us = is_sync(entry.frame) ? sync_us : impl_->schedule.acts_us(entry, sync_us);
     impl_->queue(time_us, entry.bus, entry.frame);
   }
@@ -180,6 +193,15 @@ const Imu& SimCore::imu() const noexcept { return impl_->imu.newest(); }
 double SimCore::true_motor_torque_Nm(int actuator) noexcept {
   const sim::SimDrive* drive = impl_->train.drive(actuator);
   return drive != nullptr ? drive->motor_torque_Nm() : 0.0;
+}
+
+double SimCore::true_winding_V(int actuator) noexcept {
+  const sim::SimDrive* drive = impl_->train.drive(actuator);
+  return drive != nullptr ? drive->winding_state().voltage_V : 0.0;
+}
+
+double SimCore::true_supply_V() const noexcept {
+  return impl_->train.supply() ? impl_->train.supply()->voltage_V() : kNaN;
 }
 
 double SimCore::true_load_Nm(int joint) const noexcept {

@@ -60,6 +60,10 @@ class SimCore {
   const Imu& imu() const noexcept;
   /// Of one actuator's motor at its gear's output, now: not what the bus says. For experiments.
   double true_motor_torque_Nm(int actuator) noexcept;
+  /// At its motor's terminals, R i + Ke w, now; 0 where sim.yaml has no winding. For experiments.
+  double true_winding_V(int actuator) noexcept;
+  /// What all drives have; NaN unless windings are real and sim.yaml has a supply. For experiments.
+  double true_supply_V() const noexcept;
   /// Of a joint, now, as it truly is. For experiments. @param joint of the robot.
   double true_position_rad(int joint) const noexcept;
   /// Torque that holds it where it is, at rest and without friction.

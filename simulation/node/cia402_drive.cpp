@@ -1,6 +1,7 @@
 #include "simulation/node/cia402_drive.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "drivers/canopen/objects.h"
@@ -57,10 +58,11 @@ Cia402Drive::Cia402Drive(const SimDriveSetup& setup, std::unique_ptr<DriveMake> 
       current_loop_(setup.truth.torque_loop_Hz, setup.step_s),
       gained_loop_(setup.truth.torque_loop_Hz, setup.step_s),
       commutation_(setup.wiring),
+      winding_(setup.truth, setup.actuator.gear_ratio, setup.real_winding),
       latches_(setup.truth.latches_communication_faults.value_or(make_->latches_communication_faults())),
       comes_up_in_fault_(setup.truth.starts_in_fault),
       noise_A_(sensor_noise_A(-1)),
-      supply_V_(setup.truth.supply_V) {
+      bus_V_(setup.truth.supply_V) {
   if (setup.wiring.given) store(setup.wiring);
 }
 
@@ -103,6 +105,7 @@ void Cia402Drive::sample(double shaft_rad, std::int64_t cycle) noexcept {
 }
 
 void Cia402Drive::step(double shaft_rad, std::int64_t time_us) noexcept {
+  turn_winding(shaft_rad);
   if (!on_) return outbox().release(time_us);
   const double counts = encoder_.tick(seen_rad(shaft_rad));
   velocity_rad_s_ = has_counts_ ? (counts - counts_) / encoder_.counts_per_rad() / setup_.step_s : 0.0;
@@ -118,16 +121,22 @@ void Cia402Drive::step(double shaft_rad, std::int64_t time_us) noexcept {
   device_.tick(time_us);
 }
 
+void Cia402Drive::turn_winding(double shaft_rad) noexcept {
+  winding_.turn(has_shaft_ ? (shaft_rad - shaft_rad_) / setup_.step_s : 0.0, torque_share_);
+  shaft_rad_ = shaft_rad;
+  has_shaft_ = true;
+}
+
 /// What the drive finds wrong by itself, and goes on finding while its cause is there.
 void Cia402Drive::supervise() noexcept {
   if (stage_.state() == PowerState::kNotReadyToSwitchOn || stage_.in_fault()) return;
   if (std::exchange(comes_up_in_fault_, false)) raise_fault(kErrorPassive);
-  if (supply_is_bad()) raise_fault(supply_V_ < setup_.truth.supply_min_V ? kUnderVoltage : kOverVoltage);
+  if (supply_is_bad()) raise_fault(supply_V() < setup_.truth.supply_min_V ? kUnderVoltage : kOverVoltage);
   if (overheated_) raise_fault(kOverTemperature);
 }
 
 bool Cia402Drive::supply_is_bad() const noexcept {
-  return supply_V_ < setup_.truth.supply_min_V || supply_V_ > setup_.truth.supply_max_V;
+  return supply_V() < setup_.truth.supply_min_V || supply_V() > setup_.truth.supply_max_V;
 }
 
 std::uint32_t Cia402Drive::check_write(canopen::ObjectId id, std::int64_t value) noexcept {
@@ -199,6 +208,13 @@ void Cia402Drive::follow_mode() noexcept {
   if (!position || stage_.braking()) return;
   reference_ = position_loop_.step(setup_.step_s, smoothing_s(), make_->extrapolation_s() > 0.0);
   miss_setpoints();
+  if (lags_too_far() && !stage_.in_fault()) raise_fault(kFollowingError);
+}
+
+bool Cia402Drive::lags_too_far() const noexcept {
+  const double furthest_rad = setup_.truth.position_loop.following_error_rad;
+  if (furthest_rad <= 0.0) return false;
+  return std::abs(reference_.position_counts - counts_) > furthest_rad * encoder_.counts_per_rad();
 }
 
 /// The first period is that of the set-point itself.
@@ -226,8 +242,8 @@ DriveMoment Cia402Drive::moment(double counts) const noexcept {
   now.counts = counts;
   now.counts_at_index = encoder_.counts_at_index();
   now.velocity_rad_s = velocity_rad_s_;
-  now.measured_current_A = current_A() + noise_A_ + current_offset_A_;
-  now.supply_V = supply_V_;
+  now.measured_current_A = setup_.truth.current_sensor.gain * current_A() + noise_A_ + sensor_offset_A();
+  now.supply_V = supply_V();
   now.dt_s = setup_.step_s;
   now.counts_per_rad = encoder_.counts_per_rad();
   now.mode = mode_;
@@ -244,9 +260,17 @@ void Cia402Drive::drive_motor() noexcept {
   if (!demand.on) {
     switch_off_current();
   } else {
-    step_current(demand.current_A - current_offset_A_);  // the loop brings the sensor to the set-point
+    // The loop brings the sensor to the set-point, as far as voltage reaches.
+    const double true_A = (demand.current_A - sensor_offset_A()) / setup_.truth.current_sensor.gain;
+    const double reached_A = winding_.reachable_A(true_A, supply_V());
+    limited_ = limited_ || reached_A != true_A;
+    step_current(reached_A);
   }
   if (demand.fault != 0 && !stage_.in_fault()) raise_fault(demand.fault);
+}
+
+double Cia402Drive::sensor_offset_A() const noexcept {
+  return setup_.truth.current_sensor.offset_A + current_offset_A_;
 }
 
 double Cia402Drive::current_A() const noexcept {
@@ -328,7 +352,8 @@ void Cia402Drive::set_fault(FaultKind kind, double value, bool on) noexcept {
       if (on) raise_fault(kOverCurrent);
       return;
     case FaultKind::kUnderVoltage:
-      supply_V_ = !on ? setup_.truth.supply_V : value > 0.0 ? value : 0.5 * setup_.truth.supply_min_V;
+      forced_supply_V_.reset();
+      if (on) forced_supply_V_ = value > 0.0 ? value : 0.5 * setup_.truth.supply_min_V;
       return;
     case FaultKind::kOverTemperature:
       overheated_ = on;

@@ -3,10 +3,12 @@
 /// position and current loops, encoder, and the faults that can be asked of it.
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "simulation/node/canopen_device.h"
 #include "simulation/node/motor_control.h"
 #include "simulation/node/motor_encoder.h"
+#include "simulation/node/motor_winding.h"
 #include "simulation/node/motor_wiring.h"
 #include "simulation/node/object_dictionary.h"
 #include "simulation/node/power_stage.h"
@@ -94,10 +96,12 @@ class Cia402Drive : public SimDrive, private DeviceApplication {
   void receive(const CanFrame& frame, std::int64_t time_us) noexcept override;
   void sample(double shaft_rad, std::int64_t cycle) noexcept override;
   void step(double shaft_rad, std::int64_t time_us) noexcept override;
-  void forget_motion() noexcept override { has_counts_ = false; }
+  void forget_motion() noexcept override { has_counts_ = has_shaft_ = false; }
   double motor_torque_Nm() const noexcept override;
   bool operational() const noexcept override { return on_ && device_.operational(); }
   PowerState power_state() const noexcept override { return stage_.state(); }
+  WindingState winding_state() const noexcept override { return winding_.state(current_A()); }
+  void set_supply_V(double voltage_V) noexcept override { bus_V_ = voltage_V; }
   void set_fault(FaultKind kind, double value, bool on) noexcept override;
   void raise_fault(std::uint16_t code) noexcept override;
 
@@ -125,6 +129,10 @@ class Cia402Drive : public SimDrive, private DeviceApplication {
   void tell_again() noexcept;
   void forget_communication_fault() noexcept;
   void switch_power(bool on) noexcept;
+  void turn_winding(double shaft_rad) noexcept;
+  bool lags_too_far() const noexcept;
+  double supply_V() const noexcept { return forced_supply_V_.value_or(bus_V_); }
+  double sensor_offset_A() const noexcept;
   double smoothing_s() const noexcept;
   double sensor_noise_A(std::int64_t cycle) const noexcept;
   bool supply_is_bad() const noexcept;
@@ -144,7 +152,10 @@ class Cia402Drive : public SimDrive, private DeviceApplication {
   CurrentLoop current_loop_;
   GainedCurrentLoop gained_loop_;  ///< instead, where the wiring is given
   Commutation commutation_;        ///< the same
-  double torque_share_ = 1.0;      ///< of Kt I that becomes torque
+  MotorWinding winding_;
+  double torque_share_ = 1.0;  ///< of Kt I that becomes torque
+  double shaft_rad_ = 0.0;     ///< true one, at the last tick
+  bool has_shaft_ = false;
   ModeUse mode_ = ModeUse::kNone;  ///< shown in 0x6061
   double mode_wait_s_ = 0.0;       ///< since another one was asked for
   double counts_ = 0.0;
@@ -158,10 +169,11 @@ class Cia402Drive : public SimDrive, private DeviceApplication {
   bool comes_up_in_fault_ = false;    ///< still to be done
   bool communication_fault_ = false;  ///< latched until NMT reset communication
   bool overheated_ = false;
-  double noise_A_ = 0.0;  ///< of the current sensor, in this cycle
-  double supply_V_ = 0.0;
-  bool emergency_stop_ = false;    ///< at its input
-  double current_offset_A_ = 0.0;  ///< of the sensor
+  double noise_A_ = 0.0;                   ///< of the current sensor, in this cycle
+  double bus_V_ = 0.0;                     ///< what the robot's supply gives
+  std::optional<double> forced_supply_V_;  ///< instead, by a fault
+  bool emergency_stop_ = false;            ///< at its input
+  double current_offset_A_ = 0.0;          ///< of the sensor, by a fault
 };
 
 }  // namespace sprung::sim

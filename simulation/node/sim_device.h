@@ -7,6 +7,7 @@
 #include "drivers/can/can_frame.h"
 #include "robots/robot_config.h"
 #include "signals/modes.h"
+#include "simulation/node/motor_winding.h"
 #include "simulation/node/motor_wiring.h"
 #include "simulation/node/outbox.h"
 #include "simulation/plant/sim_config.h"
@@ -49,6 +50,10 @@ class SimDrive : public SimDevice {
   /// True torque of the motor behind its gear, before friction and rotor inertia.
   virtual double motor_torque_Nm() const noexcept = 0;
   virtual PowerState power_state() const noexcept = 0;
+  /// What the motor takes from the supply; 0 where sim.yaml has no winding.
+  virtual WindingState winding_state() const noexcept = 0;
+  /// The robot's supply, from the next tick on.
+  virtual void set_supply_V(double voltage_V) noexcept = 0;
 
  protected:
   using SimDevice::SimDevice;
@@ -70,8 +75,9 @@ struct SimDriveSetup {
   SimDriveConfig truth;
   double step_s = 0.0;  ///< of the drive's loops
   std::uint64_t seed = 0;
-  std::uint64_t signal = 0;  ///< number of this drive's current noise
-  DriveWiring wiring{};      ///< not given: the drive knows its motor
+  std::uint64_t signal = 0;   ///< number of this drive's current noise
+  DriveWiring wiring{};       ///< not given: the drive knows its motor
+  bool real_winding = false;  ///< voltage limits the current; else it is only told
 };
 
 struct SimCardSetup {

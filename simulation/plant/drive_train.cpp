@@ -101,6 +101,7 @@ DriveTrain::DriveTrain(const RobotConfig& robot, const SimConfig& config, std::u
       truths_(config.drives),
       card_truths_(config.cards),
       card_configs_(robot.encoder_cards),
+      step_s_(config.plant.step_s),
       seed_(seed),
       jitter_s_(config.timing.sync_jitter_s),
       joint_rad_(robot.joints.size()),
@@ -112,15 +113,27 @@ DriveTrain::DriveTrain(const RobotConfig& robot, const SimConfig& config, std::u
       link_rad_(actuators_.size()),
       link_rad_s_(actuators_.size()) {
   for (std::size_t i = 0; i < actuators_.size(); ++i) {
-    drives_.push_back(make_sim_drive({actuators_[i], config.drives[i], config.plant.step_s, seed,
-                                      torque_signal(i), i < wiring.size() ? wiring[i] : DriveWiring{}}));
+    drives_.push_back(
+        make_sim_drive({actuators_[i], config.drives[i], config.plant.step_s, seed, torque_signal(i),
+                        i < wiring.size() ? wiring[i] : DriveWiring{}, config.real_windings}));
     drives_[i]->outbox().set_seed(seed, i);
   }
   for (std::size_t i = 0; i < card_configs_.size(); ++i) {
     cards_.push_back(make_sim_card({card_configs_[i], seed, link_counts(actuators_, static_cast<int>(i))}));
     cards_[i]->outbox().set_seed(seed, actuators_.size() + i);
   }
+  if (config.real_windings && config.supply) supply_.emplace(*config.supply);
+  step_supply();
   read_plant();
+}
+
+/// The drives have what their currents of this step leave.
+void DriveTrain::step_supply() noexcept {
+  if (!supply_) return;
+  double drawn_W = 0.0;
+  for (const auto& drive : drives_) drawn_W += drive->winding_state().power_W;
+  supply_->step(drawn_W, step_s_);
+  for (const auto& drive : drives_) drive->set_supply_V(supply_->voltage_V());
 }
 
 void DriveTrain::read_plant() noexcept {
@@ -190,6 +203,7 @@ void DriveTrain::sample_links(int bus, double late_s, std::int64_t cycle) noexce
 void DriveTrain::step_drives(std::int64_t time_us) noexcept {
   for (std::size_t i = 0; i < drives_.size(); ++i) drives_[i]->step(shaft_rad(i, 0.0), time_us);
   for (auto& card : cards_) card->step(time_us);
+  step_supply();
 }
 
 void DriveTrain::step_plant() noexcept {

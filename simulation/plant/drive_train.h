@@ -1,11 +1,13 @@
 #pragma once
 /// All simulated nodes and the plant between them: shaft and link angles one way, motor torques the other.
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "robots/robot_config.h"
 #include "simulation/node/sim_device.h"
 #include "simulation/plant/plant.h"
+#include "simulation/plant/power_supply.h"
 
 namespace sprung::sim {
 
@@ -54,6 +56,8 @@ class DriveTrain {
   void set_bus_fault(int bus, FaultKind kind, double value, bool on) noexcept;
   /// @return nullptr where there is no such actuator.
   SimDrive* drive(int actuator) noexcept;
+  /// What all drives have, of real windings with a supply of the robot.
+  const std::optional<PowerSupply>& supply() const noexcept { return supply_; }
   Plant& plant() noexcept { return plant_; }
   const Plant& plant() const noexcept { return plant_; }
 
@@ -64,6 +68,7 @@ class DriveTrain {
   double link_rad(std::size_t actuator, double late_s) const noexcept;
   void sample_links(int bus, double late_s, std::int64_t cycle) noexcept;
   void read_plant() noexcept;
+  void step_supply() noexcept;
 
   std::vector<ActuatorConfig> actuators_;  ///< as they truly sit
   Plant plant_;
@@ -73,6 +78,8 @@ class DriveTrain {
   std::vector<EncoderCardConfig> card_configs_;
   std::vector<std::unique_ptr<SimDrive>> drives_;
   std::vector<std::unique_ptr<SimCard>> cards_;
+  std::optional<PowerSupply> supply_;
+  double step_s_;
   std::uint64_t seed_;
   double jitter_s_;
   std::vector<double> joint_rad_, joint_rad_s_, joint_Nm_;

@@ -77,6 +77,20 @@ void switch_torsion(SimConfig& config, double on) {
   config.plant.torsion = on != 0.0;
 }
 
+void switch_windings(SimConfig& config, double on) {
+  const bool any = std::any_of(config.drives.begin(), config.drives.end(),
+                               [](const SimDriveConfig& drive) { return drive.winding.has_value(); });
+  if (on != 0.0 && !any)
+    throw ConfigError("--plant winding: no drive of this robot's sim.yaml has a winding");
+  config.real_windings = on != 0.0;
+}
+
+SupplyConfig& supply(SimConfig& config, const char* key) {
+  if (!config.supply)
+    throw ConfigError(std::string("--plant ") + key + ": this robot's sim.yaml has no supply");
+  return *config.supply;
+}
+
 /// sim.yaml's first, or one of no height.
 GroundStep& step(SimConfig& config) {
   if (config.plant.ground.steps.empty()) config.plant.ground.steps.emplace_back();
@@ -105,8 +119,15 @@ void scale_armature(SimConfig& config, double scale) {
 /// What `--plant` may change, in SI units (times in us where the key says so), sorted by key.
 constexpr Change kChanges[] = {
     {"armature_scale", 0.01, 100, scale_armature},
+    {"compute_tail_us", 0, 1e4, [](SimConfig& c, double v) { c.timing.compute_tail_s = 1e-6 * v; }},
     {"compute_time_us", 0, 1e5, [](SimConfig& c, double v) { c.timing.compute_s = 1e-6 * v; }},
     {"coulomb_scale", 0, 100, scale_coulomb},
+    {"current_gain", 0.5, 2,
+     [](SimConfig& c, double v) { each_drive(c, [v](SimDriveConfig& d) { d.current_sensor.gain = v; }); }},
+    {"current_offset", -10, 10,
+     [](SimConfig& c, double v) {
+       each_drive(c, [v](SimDriveConfig& d) { d.current_sensor.offset_A = v; });
+     }},
     {"factory_node", 0, 255,
      [](SimConfig& c, double v) {
        each_drive(c, [v](SimDriveConfig& drive) { drive.factory_node = static_cast<int>(v); });
@@ -139,11 +160,22 @@ constexpr Change kChanges[] = {
        if (v != 0.0) c.plant.suspended_m = 0.0;
      }},
     {"mass_scale", 0.1, 10, scale_mass},
+    {"missed_cycles", 0, 0.5, [](SimConfig& c, double v) { c.timing.missed_cycles = v; }},
     {"mode_delay_us", 0, 1e6,
      [](SimConfig& c, double v) { each_drive(c, [v](SimDriveConfig& d) { d.mode_delay_s = 1e-6 * v; }); }},
     {"noise_scale", 0, 100, scale_noise},
     {"peak_torque", 0.001, 1e4,
      [](SimConfig& c, double v) { each_drive(c, [v](SimDriveConfig& drive) { drive.peak_torque_Nm = v; }); }},
+    {"position_damping_share", 0.1, 10,
+     [](SimConfig& c, double v) {
+       each_drive(c, [v](SimDriveConfig& d) { d.position_loop.damping_share = v; });
+     }},
+    {"position_smoothing_us", 0, 1e6,
+     [](SimConfig& c, double v) { each_drive(c, [v](SimDriveConfig& d) { d.smoothing_s = 1e-6 * v; }); }},
+    {"position_stiffness_share", 0.1, 10,
+     [](SimConfig& c, double v) {
+       each_drive(c, [v](SimDriveConfig& d) { d.position_loop.stiffness_share = v; });
+     }},
     {"rail_x_locked", 0, 1, [](SimConfig& c, double v) { c.plant.rail_x_locked = v != 0.0; }},
     {"roll", -3.15, 3.15, [](SimConfig& c, double v) { c.plant.roll_rad = v; }},
     {"side_slope", -1, 1, [](SimConfig& c, double v) { c.plant.ground.side_slope_rad = v; }},
@@ -156,6 +188,9 @@ constexpr Change kChanges[] = {
     {"step_right", -1000, 1000, [](SimConfig& c, double v) { step(c).right_m = v; }},
     {"step_width", 0, 1000, [](SimConfig& c, double v) { step(c).width_m = v; }},
     {"step_us", 50, 1000, [](SimConfig& c, double v) { c.plant.step_s = 1e-6 * v; }},
+    {"supply_resistance", 1e-4, 100,
+     [](SimConfig& c, double v) { supply(c, "supply_resistance").resistance_ohm = v; }},
+    {"supply_voltage", 1, 1000, [](SimConfig& c, double v) { supply(c, "supply_voltage").voltage_V = v; }},
     {"suspended", 0, 10, [](SimConfig& c, double v) { c.plant.suspended_m = v; }},
     {"sync_jitter_us", 0, 1000, [](SimConfig& c, double v) { c.timing.sync_jitter_s = 1e-6 * v; }},
     {"temperature", -50, 150, [](SimConfig& c, double v) { c.plant.ambient_degC = v; }},
@@ -166,6 +201,7 @@ constexpr Change kChanges[] = {
      [](SimConfig& c, double v) {
        each_joint(c, [v](PlantJointConfig& joint) { joint.friction.viscous_Nm_s_rad *= v; });
      }},
+    {"winding", 0, 1, switch_windings},
 };
 
 const Change& find_change(const std::string& key) {

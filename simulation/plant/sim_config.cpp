@@ -61,6 +61,9 @@ void read_optional(const YamlMap& map, SimDriveConfig& drive) {
     drive.latches_communication_faults = chosen(map, "communication_faults", "latched", "passing", false);
   if (map.has("kinematic_error")) drive.kinematic_error = read_kinematic_error(map.map("kinematic_error"));
   drive.mounting = read_mounting(map);
+  if (map.has("winding")) drive.winding = read_winding(map.map("winding"));
+  if (map.has("current_sensor")) drive.current_sensor = read_current_sensor(map.map("current_sensor"));
+  if (map.has("position_loop")) drive.position_loop = read_position_loop(map.map("position_loop"));
 }
 
 SimDriveConfig read_drive(const YamlMap& map) {
@@ -238,10 +241,9 @@ SimConfig read_sim_config(const YamlMap& file, const RobotConfig& robot) {
   config.cards = read_cards(file, robot);
   if (file.has("torque_sensor")) config.torque_sensor = read_torque_sensor(file.map("torque_sensor"), robot);
   if (file.has("imu")) config.imu = read_imu(file.map("imu"));
-  const YamlMap timing = file.map("timing");
-  config.timing.compute_s = timing.quantity("compute_time", "s", 0, 0.1);
-  config.timing.sync_jitter_s = 1e-6 * timing.quantity("sync_jitter", "us", 0, 1000);
-  timing.finish();
+  config.timing = read_timing(file.map("timing"));
+  config.real_windings = chosen(file, "windings", "real", "ideal", false);
+  if (file.has("supply")) config.supply = read_supply(file.map("supply"));
   file.finish();
   config.plant.joints = in_robot_order(
       config.plant.joints, robot.joints, [](const PlantJointConfig& j) { return j.name; }, plant, "joints");

@@ -8,6 +8,7 @@
 
 #include "robots/robot_config.h"
 #include "robots/yaml_reader.h"
+#include "simulation/plant/drive_truth.h"
 #include "simulation/plant/ground.h"
 #include "simulation/plant/imu_sensor.h"
 #include "simulation/plant/joint_config.h"
@@ -84,17 +85,15 @@ struct SimDriveConfig {
   std::optional<bool> latches_communication_faults;  ///< instead of the make's own way
   KinematicErrorConfig kinematic_error;
   MountingConfig mounting;
+  std::optional<WindingConfig> winding;
+  CurrentSensorConfig current_sensor;
+  PositionLoopConfig position_loop;
 };
 
 /// An encoder card.
 struct SimCardConfig {
   std::string name;
   double noise_rad = 0.0;  ///< rms of a link encoder's reading
-};
-
-struct TimingConfig {
-  double compute_s = 0.0;      ///< from the last answer to the first set-point on the bus
-  double sync_jitter_s = 0.0;  ///< rms of the instant at which an encoder is read
 };
 
 struct SimConfig {
@@ -104,6 +103,8 @@ struct SimConfig {
   std::optional<TorqueSensorConfig> torque_sensor;
   std::optional<ImuConfig> imu;  ///< only where model.xml hangs the base on a free joint
   TimingConfig timing;
+  bool real_windings = false;  ///< false: drives reach every current up to their peak, whatever the voltage
+  std::optional<SupplyConfig> supply;  ///< of real windings; nothing: each drive's own voltage, stiff
 };
 
 /// Reads sim.yaml in robot.folder, then applies the `--plant` changes: draw and family first (plant_draw.h).

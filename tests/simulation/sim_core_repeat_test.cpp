@@ -65,5 +65,15 @@ TEST(SimCoreRepeat, TruthOffChangesNothingElse) {
   EXPECT_TRUE(story({}) == story(blind));
 }
 
+TEST(SimCoreRepeat, LateComputerIsTheSameInEveryRunAndAnotherThanOneInTime) {
+  SimOptions late;
+  late.plant = {{"compute_tail_us", 100.0}, {"missed_cycles", 0.05}, {"winding", 1.0}};
+  const auto once = story(late);
+  EXPECT_TRUE(once == story(late));
+  EXPECT_FALSE(once == story({}));
+  late.seed = 2;
+  EXPECT_FALSE(once == story(late));
+}
+
 }  // namespace
 }  // namespace sprung::sim

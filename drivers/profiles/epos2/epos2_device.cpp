@@ -118,8 +118,12 @@ double Epos2Make::position_current_A(const PositionLoop::Reference& reference,
   const double error_qc_s = reference.velocity_counts_s - now.velocity_rad_s * now.counts_per_rad;
   show(kPositionDemand, clamp_i32(reference.position_counts));
   show(kFollowingError, clamp_i16(error_qc));
-  return 1e-3 * (kProportionalUnit_mA_qc * object(kPositionRegulator, 1) * error_qc +
-                 kDerivativeUnit_mA_s_qc * object(kPositionRegulator, 3) * error_qc_s);
+  const PositionLoopConfig& truth = setup_.truth.position_loop;
+  const double stiffness_mA_qc = truth.stiffness_share * kProportionalUnit_mA_qc *
+                                 object(kPositionRegulator, 1);
+  const double damping_mA_s_qc = truth.damping_share * kDerivativeUnit_mA_s_qc *
+                                 object(kPositionRegulator, 3);
+  return 1e-3 * (stiffness_mA_qc * error_qc + damping_mA_s_qc * error_qc_s);
 }
 
 double Epos2Make::desired_current_A(const DriveMoment& now) noexcept {

@@ -92,13 +92,14 @@ double GoldMake::per_mille_to_Nm(double per_mille) const noexcept {
   return 1e-6 * per_mille * object(canopen::kRatedTorque) * setup_.actuator.gear_ratio;
 }
 
-/// As tuned with the maker's tool, to what robot.yaml says.
+/// As tuned with the maker's tool, to what robot.yaml says or near it.
 double GoldMake::position_torque_Nm(const DriveMoment& now) noexcept {
   const double error_counts = now.reference.position_counts - now.counts;
   show(kFollowingError, clamp_i32(error_counts));
   const ActuatorConfig& tuned = setup_.actuator;
-  return tuned.position_stiffness_Nm_rad * error_counts / now.counts_per_rad +
-         tuned.position_damping_Nm_s_rad *
+  const PositionLoopConfig& truth = setup_.truth.position_loop;
+  return truth.stiffness_share * tuned.position_stiffness_Nm_rad * error_counts / now.counts_per_rad +
+         truth.damping_share * tuned.position_damping_Nm_s_rad *
              (now.reference.velocity_counts_s / now.counts_per_rad - now.velocity_rad_s);
 }
 

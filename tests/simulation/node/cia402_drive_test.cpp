@@ -84,6 +84,31 @@ TEST(Cia402Drive, CurrentSensorOffsetShiftsTheTrueTorque) {
   EXPECT_NEAR(bench.drive->motor_torque_Nm(), 2.0 * kCia402DriveTorque_Nm_A, 1e-3);
 }
 
+TEST(Cia402Drive, GainAndOffsetOfItsCurrentSensorMakeTheTrueTorqueAnother) {
+  SimDriveSetup setup = epos2_setup();
+  setup.truth.current_sensor = {0.05, 1.02};
+  DriveBench bench(setup);
+  bench.start(kModeCurrent);
+  bench.write(kCurrentSetting, 2000, 2);
+  bench.run(0.05);
+  EXPECT_EQ(bench.read_i16(canopen::kCurrentActual), 2000) << "the loop regulates what is shown";
+  EXPECT_NEAR(bench.drive->motor_torque_Nm(), (2.0 - 0.05) / 1.02 * kCia402DriveTorque_Nm_A, 1e-3);
+}
+
+TEST(Cia402Drive, FollowingErrorOfItsOwnIsAFaultInPositionModeAlone) {
+  SimDriveSetup setup = epos2_setup();
+  setup.truth.position_loop.following_error_rad = 0.1;
+  for (const bool position : {false, true}) {
+    DriveBench bench(setup);
+    bench.write(0x6065, 0xFFFFFFFF, 4);
+    bench.start(position ? kModePosition : kModeCurrent);
+    bench.run(0.09, 1.0);
+    EXPECT_TRUE(bench.emergencies.empty());
+    bench.run(0.02, 1.0);
+    EXPECT_EQ(bench.emergencies, position ? std::vector<int>{0x8611} : std::vector<int>{});
+  }
+}
+
 TEST(Cia402Drive, EncoderFaultsReachTheShownPosition) {
   DriveBench bench;
   bench.drive->set_fault(FaultKind::kEncoderJump, 0.1, true);

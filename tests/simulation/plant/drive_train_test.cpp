@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 
+#include "drivers/canopen/objects.h"
 #include "drivers/canopen/protocol.h"
 #include "drivers/profiles/encoder_card/encoder_card_layout.h"
 #include "robots/robot_loader.h"
@@ -139,6 +140,36 @@ TEST_F(PegasusTrain, FaultOfABusHitsItsDrivesAndItsCard) {
   EXPECT_EQ(links(train, 1).size(), robot_.actuators.size());
   train.set_fault(99, FaultKind::kLinkDown, 0.0, true);  // there is no such actuator
   EXPECT_EQ(links(train, 2).size(), robot_.actuators.size());
+}
+
+/// Draws nothing until a motor gets current; then all drives have less.
+TEST_F(PegasusTrain, RealWindingsShareASupplyThatSags) {
+  config_.real_windings = true;
+  DriveTrain train(robot_, config_, 1);
+  start(train);
+  ASSERT_TRUE(train.supply().has_value());
+  EXPECT_NEAR(train.supply()->voltage_V(), config_.supply->voltage_V, 1e-9);
+  const auto to = [&](std::uint16_t index, std::int64_t value, int size) {
+    to_all(train, canopen::sdo_write_request(1, {index, 0}, static_cast<std::uint32_t>(value), size));
+    for (int i = 0; i < 4; ++i) train.step_drives(time_us_ += 250);
+  };
+  for (const int word : {0x00, 0x80}) to(canopen::kControlWord, word, 2);
+  to(canopen::kMode, -3, 1);
+  for (const int word : {0x06, 0x07, 0x0F}) to(canopen::kControlWord, word, 2);
+  for (int i = 0; i < 200; ++i) train.step_drives(time_us_ += 250);
+  to(0x2030, 3000, 2);
+  for (int i = 0; i < 200; ++i) train.step_drives(time_us_ += 250);
+  const double current_A = train.drive(0)->motor_torque_Nm() / (50.0 * 0.217);
+  ASSERT_NEAR(current_A, 3.0, 0.01);
+  const double drawn_W = 4 * 2.3 * current_A * current_A;  // one drive a bus, held
+  const double half_V = 0.5 * config_.supply->voltage_V;
+  const double sagged_V = half_V + std::sqrt(half_V * half_V - config_.supply->resistance_ohm * drawn_W);
+  EXPECT_NEAR(train.supply()->voltage_V(), sagged_V, 1e-3);
+}
+
+TEST_F(PegasusTrain, IdealWindingsNeedNoSupply) {
+  DriveTrain train(robot_, config_, 1);
+  EXPECT_FALSE(train.supply().has_value());
 }
 
 /// operator new alone is counted: MuJoCo has its own.

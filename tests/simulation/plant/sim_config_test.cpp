@@ -223,6 +223,16 @@ TEST_F(SimConfigTest, PlantChangesAct) {
                                                     {"ground_friction", 0.4},
                                                     {"compute_time_us", 500.0},
                                                     {"mode_delay_us", 2000.0},
+                                                    {"winding", 1.0},
+                                                    {"supply_voltage", 44.0},
+                                                    {"supply_resistance", 0.2},
+                                                    {"current_offset", 0.03},
+                                                    {"current_gain", 1.02},
+                                                    {"position_stiffness_share", 1.2},
+                                                    {"position_damping_share", 0.8},
+                                                    {"position_smoothing_us", 4000.0},
+                                                    {"compute_tail_us", 50.0},
+                                                    {"missed_cycles", 0.001},
                                                     {"starts_in_fault", 1.0}});
   EXPECT_NEAR(config.plant.joints[0].friction.coulomb_Nm, 8.76, 1e-12);
   EXPECT_NEAR(config.plant.bodies[0].mass_kg, 3.717, 1e-12);
@@ -240,6 +250,28 @@ TEST_F(SimConfigTest, PlantChangesAct) {
   EXPECT_FALSE(config.plant.rail_x_locked);
   EXPECT_NEAR(config.drives[1].mode_delay_s, 2e-3, 1e-15);
   EXPECT_TRUE(config.drives[1].starts_in_fault);
+  EXPECT_TRUE(config.real_windings);
+  EXPECT_EQ(config.supply->voltage_V, 44.0);
+  EXPECT_EQ(config.supply->resistance_ohm, 0.2);
+  EXPECT_EQ(config.drives[1].current_sensor.offset_A, 0.03);
+  EXPECT_EQ(config.drives[1].current_sensor.gain, 1.02);
+  EXPECT_EQ(config.drives[1].position_loop.stiffness_share, 1.2);
+  EXPECT_EQ(config.drives[1].position_loop.damping_share, 0.8);
+  EXPECT_NEAR(config.drives[1].smoothing_s, 4e-3, 1e-15);
+  EXPECT_NEAR(config.timing.compute_tail_s, 5e-5, 1e-15);
+  EXPECT_EQ(config.timing.missed_cycles, 0.001);
+}
+
+TEST_F(SimConfigTest, WindingsAreIdealOrRealAndWithoutThemNothingCanBeSwitchedOn) {
+  EXPECT_FALSE(load_sim_config(robot_, {}).real_windings);
+  EXPECT_TRUE(load_with("\nwindings: ideal", "\nwindings: real").real_windings);
+  EXPECT_NE(refusal("\nwindings: ideal", "\nwindings: warm").find("real or ideal"), std::string::npos);
+  SimConfig bare = load_sim_config(robot_, {});
+  for (SimDriveConfig& drive : bare.drives) drive.winding.reset();
+  bare.supply.reset();
+  EXPECT_THROW(apply_plant_changes({{"winding", 1.0}}, bare), ConfigError);
+  EXPECT_THROW(apply_plant_changes({{"supply_voltage", 44.0}}, bare), ConfigError);
+  EXPECT_NO_THROW(apply_plant_changes({{"winding", 0.0}}, bare));
 }
 
 TEST_F(SimConfigTest, PlantChangesOutOfRangeAreRefused) {

@@ -71,13 +71,13 @@ inline void dump_value(ValueDump& dump, const std::string& at, const PlantJointC
 }
 
 inline void dump_value(ValueDump& dump, const std::string& at, const PlantConfig& value) {
-  const auto& [step_s, suspended_m, lies, roll_rad, rail_x_locked, floor_height_m, ground, ambient_degC,
+  const auto& [step_s, suspended_m, lies, foot_weight_kg, roll_rad, rail_x_locked, floor_height_m, ground, ambient_degC,
                torsion, bodies, joints, contact] = value;
   dump.fields(
       at,
-      "step_s suspended_m lies roll_rad rail_x_locked floor_height_m ground ambient_degC torsion bodies "
+      "step_s suspended_m lies foot_weight_kg roll_rad rail_x_locked floor_height_m ground ambient_degC torsion bodies "
       "joints contact",
-      step_s, suspended_m, lies, roll_rad, rail_x_locked, floor_height_m, ground, ambient_degC, torsion,
+      step_s, suspended_m, lies, foot_weight_kg, roll_rad, rail_x_locked, floor_height_m, ground, ambient_degC, torsion,
       bodies, joints, contact);
 }
 
@@ -92,18 +92,39 @@ inline void dump_value(ValueDump& dump, const std::string& at, const MountingCon
               link_offset_rad, zero_error_rad);
 }
 
+inline void dump_value(ValueDump& dump, const std::string& at, const WindingConfig& value) {
+  const auto& [resistance, back_emf, voltage_share] = value;
+  dump.fields(at, "resistance_ohm back_emf_V_s_rad voltage_share", resistance, back_emf, voltage_share);
+}
+
+inline void dump_value(ValueDump& dump, const std::string& at, const CurrentSensorConfig& value) {
+  const auto& [offset_A, gain] = value;
+  dump.fields(at, "offset_A gain", offset_A, gain);
+}
+
+inline void dump_value(ValueDump& dump, const std::string& at, const PositionLoopConfig& value) {
+  const auto& [stiffness, damping, following] = value;
+  dump.fields(at, "stiffness_share damping_share following_error_rad", stiffness, damping, following);
+}
+
+inline void dump_value(ValueDump& dump, const std::string& at, const SupplyConfig& value) {
+  const auto& [voltage, resistance, capacity, takes_back, chopper_V, chopper_ohm] = value;
+  dump.fields(at, "voltage_V resistance_ohm capacity_F takes_back chopper_V chopper_ohm", voltage, resistance,
+              capacity, takes_back, chopper_V, chopper_ohm);
+}
+
 inline void dump_value(ValueDump& dump, const std::string& at, const SimDriveConfig& value) {
   const auto& [actuator, torque_constant, torque_loop, peak_torque, torque_noise, supply, quick_stop,
                supply_min, supply_max, absolute, index_angle, smoothing, mode_delay, factory_node,
-               starts_in_fault, latches, error, mounting] = value;
+               starts_in_fault, latches, error, mounting, winding, sensor, position_loop] = value;
   dump.fields(at,
               "actuator torque_constant_Nm_A torque_loop_Hz peak_torque_Nm torque_noise_Nm supply_V "
               "quick_stop_damping_Nm_s_rad supply_min_V supply_max_V absolute_encoder index_angle_rad "
               "smoothing_s mode_delay_s factory_node starts_in_fault latches_communication_faults "
-              "kinematic_error mounting",
+              "kinematic_error mounting winding current_sensor position_loop",
               actuator, torque_constant, torque_loop, peak_torque, torque_noise, supply, quick_stop,
               supply_min, supply_max, absolute, index_angle, smoothing, mode_delay, factory_node,
-              starts_in_fault, latches, error, mounting);
+              starts_in_fault, latches, error, mounting, winding, sensor, position_loop);
 }
 
 inline void dump_value(ValueDump& dump, const std::string& at, const SimCardConfig& value) {
@@ -128,15 +149,16 @@ inline void dump_value(ValueDump& dump, const std::string& at, const ImuConfig& 
 }
 
 inline void dump_value(ValueDump& dump, const std::string& at, const TimingConfig& value) {
-  const auto& [compute_s, sync_jitter_s] = value;
-  dump.fields(at, "compute_s sync_jitter_s", compute_s, sync_jitter_s);
+  const auto& [compute_s, sync_jitter_s, compute_tail_s, missed_cycles] = value;
+  dump.fields(at, "compute_s sync_jitter_s compute_tail_s missed_cycles", compute_s, sync_jitter_s,
+              compute_tail_s, missed_cycles);
 }
 
 inline std::string dump_of(const SimConfig& config) {
-  const auto& [plant, drives, cards, torque_sensor, imu, timing] = config;
+  const auto& [plant, drives, cards, torque_sensor, imu, timing, real_windings, supply] = config;
   ValueDump dump;
-  dump.fields("", "plant drives cards torque_sensor imu timing", plant, drives, cards, torque_sensor, imu,
-              timing);
+  dump.fields("", "plant drives cards torque_sensor imu timing real_windings supply", plant, drives, cards,
+              torque_sensor, imu, timing, real_windings, supply);
   return dump.text();
 }
 

@@ -161,6 +161,25 @@ TEST(Epos2Drive, PositionModeIsTheSpringAndDamperOfItsUnits) {
   EXPECT_NEAR(bench.drive->motor_torque_Nm(), -0.02 * 500 - 0.2 * 30, 0.8);
 }
 
+/// Torque 0.1 rad off its set-point, at rest or turning.
+double held_Nm(const PositionLoopConfig& truth, double speed_rad_s) {
+  SimDriveSetup setup = epos2_setup();
+  setup.truth.position_loop = truth;
+  DriveBench bench(setup);
+  bench.write(kMaxFollowingError, 0xFFFFFFFF, 4);
+  bench.start(kModePosition);
+  bench.shaft_rad -= 0.1 + 0.05 * speed_rad_s;
+  bench.run(0.05, speed_rad_s);
+  return bench.drive->motor_torque_Nm();
+}
+
+TEST(Epos2Drive, PositionLoopMayHaveAnotherStiffnessAndDampingThanItsObjectsSay) {
+  const double still_Nm = held_Nm({}, 0.0), moving_Nm = held_Nm({}, 0.5);
+  EXPECT_NEAR(held_Nm({1.2, 1.0, 0.0}, 0.0), 1.2 * still_Nm, 0.02 * still_Nm);
+  EXPECT_NEAR(held_Nm({1.0, 0.8, 0.0}, 0.0), still_Nm, 1e-9);
+  EXPECT_NEAR(held_Nm({1.0, 0.8, 0.0}, 0.5) - still_Nm, 0.8 * (moving_Nm - still_Nm), 0.5);
+}
+
 TEST(Epos2Drive, ModesThatAreNotSimulatedAreRefusedAndNotShown) {
   DriveBench bench;
   bench.start(kModeCurrent);

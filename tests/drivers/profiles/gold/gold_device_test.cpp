@@ -40,7 +40,9 @@ SimDriveSetup drive_config() {
 /// A drive whose shaft the test moves.
 class GoldDriveTest : public testing::Test {
  protected:
-  GoldDriveTest() { drive_.outbox().open(&out_); }
+  explicit GoldDriveTest(const SimDriveSetup& setup = drive_config()) : drive_(setup) {
+    drive_.outbox().open(&out_);
+  }
   void run(int ticks, double speed_rad_s = 0.0) {
     while (ticks-- > 0) {
       out_.clear();
@@ -71,7 +73,7 @@ class GoldDriveTest : public testing::Test {
     run(1);
   }
 
-  GoldDrive drive_{drive_config()};
+  GoldDrive drive_;
   FrameBatch out_;
   double shaft_rad_ = 1.0;
   std::int64_t time_us_ = 0;
@@ -149,6 +151,29 @@ TEST_F(GoldDriveTest, PositionLoopActsAsSpringAndDamper) {
   const double before_rad = shaft_rad_;
   run(400, 0.5);
   EXPECT_NEAR(drive_.motor_torque_Nm(), 50.3 - 503 * (shaft_rad_ - before_rad) - 29.7 * 0.5, 0.6);
+}
+
+class LooseGold : public GoldDriveTest {
+ protected:
+  static SimDriveSetup loose_config() {
+    SimDriveSetup config = drive_config();
+    config.truth.position_loop = {1.2, 0.5, 0.0};
+    return config;
+  }
+  LooseGold() : GoldDriveTest(loose_config()) {}
+};
+
+TEST_F(LooseGold, PositionLoopMayHaveAnotherStiffnessAndDampingThanRobotYamlSays) {
+  run(1);
+  write(kExtrapolationCycles, 1000, 2);
+  start(8);
+  shaft_rad_ -= 0.1;
+  run(200);
+  EXPECT_NEAR(drive_.motor_torque_Nm(), 1.2 * 50.3, 0.01);
+  const double before_rad = shaft_rad_;
+  run(400, 0.5);
+  const double spring_Nm = 1.2 * (50.3 - 503 * (shaft_rad_ - before_rad));
+  EXPECT_NEAR(drive_.motor_torque_Nm(), spring_Nm - 0.5 * 29.7 * 0.5, 0.6);
 }
 
 TEST_F(GoldDriveTest, GoesOnAsFastAsBeforeWithoutSetPointsAndThenFaults) {
