@@ -18,8 +18,6 @@ struct EstimationConfig {
   /// One standard deviation of the force along the floor on a foot that lands under a trunk that moves:
   /// friction 0.6 of the 170 N that pegasus' feet meet in a trot. Of robots with a `body`.
   double floor_force_N = 100.0;
-  /// Friction follows what motion in the air shows, within bounds (estimator/model_watch.h).
-  bool adaptation = false;
 };
 
 }  // namespace sprung
