@@ -13,21 +13,10 @@
 namespace sprung {
 namespace {
 
-/// Random walk of the gear output torque: 1.8 Nm in 1 ms. Tuned on hybrid jumps (docs/estimation.md): half as
-/// much is 1 Nm worse at a landing on 60 kN/m, twice as much as much noisier in the push-off.
-constexpr double kLoadWalk_Nm_sqrt_s = 57.0;
-/// Of the instant at which a drive reads its encoder; facts physics 11: more than 1 us shows in every
-/// derivative.
-constexpr double kSamplingJitter_s = 2e-6;
-/// Share of the newest current in the mean over a cycle: drives hold each value for one turn of their loop,
-/// four in a cycle (facts A1, 4 kHz), so that the newest counts (4 + 1) / (2 * 4).
-constexpr double kNewestShare = 0.625;
 /// The estimate is good this long after the start.
 constexpr double kSettling_s = 0.013;
 /// An encoder step is spread evenly: 1 / sqrt 12.
 constexpr double kStepStd = 0.2886751345948129;
-/// Of a drive's current, joint side (facts C2).
-constexpr double kCurrentNoise_Nm = 0.5;
 /// At the start the load is known as well as breakaway friction lets it be; what is not identified may be
 /// this much.
 constexpr double kStartStd_Nm = 10.0;
@@ -53,20 +42,29 @@ double inertia(const JointConfig& joint) noexcept {
   return std::max(joint.armature_kg_m2, kLeastArmature_kg_m2);
 }
 
-double walk_density(const JointConfig& joint) noexcept {
-  const double walk_rad_s2 = kLoadWalk_Nm_sqrt_s / inertia(joint);
+double walk_density(const JointConfig& joint, const EstimationConfig& estimation) noexcept {
+  const double walk_rad_s2 = estimation.load_walk_Nm_sqrt_s / inertia(joint);
   return walk_rad_s2 * walk_rad_s2;
+}
+
+/// Drives hold each current for one turn of their loop, n in a cycle, so that the newest of two samples
+/// counts (n + 1) / (2 n) in the mean between them.
+double newest_share(const EstimationConfig& estimation, double cycle_s) noexcept {
+  const double turns = std::max(1.0, 1000.0 * estimation.drive_loop_kHz * cycle_s);
+  return (turns + 1.0) / (2.0 * turns);
 }
 
 }  // namespace
 
-JointEstimator::JointEstimator(const JointConfig& joint, double cycle_s, double encoder_step_rad,
-                               int longest_coast_cycles)
+JointEstimator::JointEstimator(const JointConfig& joint, const EstimationConfig& estimation, double cycle_s,
+                               double encoder_step_rad, int longest_coast_cycles)
     : joint_(joint),
+      estimation_(estimation),
+      newest_share_(newest_share(estimation, cycle_s)),
       encoder_step_rad_(encoder_step_rad),
       longest_coast_cycles_(longest_coast_cycles),
       settling_samples_(static_cast<int>(std::ceil(kSettling_s / cycle_s))),
-      filter_(walk_density(joint)),
+      filter_(walk_density(joint, estimation)),
       friction_(joint),
       temperature_(joint.estimated_friction(), joint.thermal) {
   if (!(cycle_s > 0.0 && cycle_s <= kLongestCycle_s)) throw std::invalid_argument(too_slow(cycle_s));
@@ -130,7 +128,7 @@ void JointEstimator::track(const JointSample& sample, double dt_s) noexcept {
 }
 
 void JointEstimator::use(const JointSample& sample, double dt_s) noexcept {
-  const double mean_Nm = kNewestShare * sample.motor_torque_Nm + (1.0 - kNewestShare) * motor_torque_Nm_;
+  const double mean_Nm = newest_share_ * sample.motor_torque_Nm + (1.0 - newest_share_) * motor_torque_Nm_;
   filter_.predict(dt_s, (mean_Nm - friction_.ahead_Nm(mean_Nm)) / inertia(joint_));
   filter_.correct(sample.measured_position_rad, sampling_std_rad());
   motor_torque_Nm_ = sample.motor_torque_Nm;
@@ -161,7 +159,8 @@ void JointEstimator::follow_temperature(const JointSample& sample, double dt_s) 
 }
 
 double JointEstimator::sampling_std_rad() const noexcept {
-  return root_sum_square(kStepStd * encoder_step_rad_, kSamplingJitter_s * filter_.velocity_rad_s());
+  return root_sum_square(kStepStd * encoder_step_rad_,
+                         1e-6 * estimation_.sampling_jitter_us * filter_.velocity_rad_s());
 }
 
 JointStatus JointEstimator::status(const JointSample& sample) const noexcept {
@@ -185,9 +184,10 @@ void JointEstimator::write_motion(EstimatedJoint& out) const noexcept {
   out.estimated_position_bound_rad = kBoundStds *
                                      root_sum_square(filter_.position_std_rad(), sampling_std_rad());
   out.estimated_velocity_bound_rad_s = kBoundStds * filter_.velocity_std_rad_s();
-  out.estimated_acceleration_bound_rad_s2 = kBoundStds * root_sum_square(filter_.unexplained_std_rad_s2(),
-                                                                         filter_.unexplained_step_rad_s2(),
-                                                                         kCurrentNoise_Nm / inertia(joint_));
+  out.estimated_acceleration_bound_rad_s2 = kBoundStds *
+                                            root_sum_square(filter_.unexplained_std_rad_s2(),
+                                                            filter_.unexplained_step_rad_s2(),
+                                                            estimation_.current_noise_Nm / inertia(joint_));
 }
 
 void JointEstimator::write_torques(EstimatedJoint& out) const noexcept {

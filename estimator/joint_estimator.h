@@ -29,10 +29,11 @@ struct JointSample {
 
 class JointEstimator {
  public:
-  /// @param encoder_step_rad one count of the motor encoder at the joint.
+  /// @param estimation of the robot. @param encoder_step_rad one count of the motor encoder at the joint.
   /// @param longest_coast_cycles samples that may be missing before the joint is stale.
   /// @throws std::invalid_argument where cycles are too long to follow a joint.
-  JointEstimator(const JointConfig& joint, double cycle_s, double encoder_step_rad, int longest_coast_cycles);
+  JointEstimator(const JointConfig& joint, const EstimationConfig& estimation, double cycle_s,
+                 double encoder_step_rad, int longest_coast_cycles);
 
   /// Forgets everything: the next fresh sample initialises the filter at its position and at rest.
   void reset() noexcept;
@@ -54,6 +55,8 @@ class JointEstimator {
   void fuse_torsion(const JointSample& sample, double dt_s, EstimatedJoint& out) noexcept;
 
   JointConfig joint_;
+  EstimationConfig estimation_;
+  double newest_share_;  ///< of the newest current in the mean over a cycle
   double encoder_step_rad_;
   int longest_coast_cycles_;
   int settling_samples_;

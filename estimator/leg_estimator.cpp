@@ -19,9 +19,15 @@ constexpr double kStdsFor95 = 1.96;
 constexpr double kAlike = 0.25;
 /// Noise of an external torque before any swing was seen, as a share of dry friction as large as it may be.
 constexpr double kFirstNoise = 0.1;
-/// Along the floor, on a foot that lands under a trunk that moves: friction 0.6 of the 170 N of a trot's
-/// touchdown.
-constexpr double kTangential_N = 100.0;
+
+/// Slower motion shows little of friction, and its sign may be late.
+constexpr double kWatched_rad_s = 0.1;
+/// A force that pulls, longer than any shock lasts.
+constexpr double kPullStds = 3.0;
+constexpr double kPull_s = 0.02;
+/// Of what a model that does not fit was found to miss, how far it may be off elsewhere, one standard
+/// deviation.
+constexpr double kMissedShare = 0.2;
 
 double dry_friction_Nm(const FrictionParameters& law, double output_torque_Nm) noexcept {
   FrictionInput in;
@@ -43,6 +49,7 @@ LegEstimator::LegEstimator(const RobotConfig& robot, const LegConfig& leg, int l
     : joints_(leg.joints),
       sampler_(robot, leg),
       kinematics_(make_leg_kinematics(leg)),
+      unnoticed_N_(leg.contact_on_N),
       samples_(leg.joints.size()),
       evidence_(leg.joints.size()) {
   const int n = static_cast<int>(joints_.size());
@@ -52,13 +59,16 @@ LegEstimator::LegEstimator(const RobotConfig& robot, const LegConfig& leg, int l
         static_cast<std::size_t>(joints_[static_cast<std::size_t>(j)]));
     configs_.push_back(joint);
     friction_laws_.push_back(joint.estimated_friction());
-    estimators_.emplace_back(joint, robot.cycle_s, sampler_.encoder_step_rad(j), longest_coast_cycles);
+    estimators_.emplace_back(joint, robot.estimation, robot.cycle_s, sampler_.encoder_step_rad(j),
+                             longest_coast_cycles);
+    watches_.emplace_back(joint.uncertainty, joint.estimated_friction());
     residuals.push_back(residual_model(joint, robot.cycle_s));
   }
   if (kinematics_ != nullptr)
-    contact_.emplace(ContactParams{leg.contact_on_N, leg.contact_off_N, leg.contact_rise_s,
-                                   leg.contact_fall_s, robot.body.mass_kg > 0.0 ? kTangential_N : 0.0},
-                     std::move(residuals));
+    contact_.emplace(
+        ContactParams{leg.contact_on_N, leg.contact_off_N, leg.contact_rise_s, leg.contact_fall_s,
+                      robot.body.mass_kg > 0.0 ? robot.estimation.floor_force_N : 0.0},
+        std::move(residuals));
   for (JointVector* v : {&position_rad_, &velocity_rad_s_, &acceleration_rad_s2_, &output_torque_Nm_,
                          &link_torque_Nm_, &weight_Nm_, &external_bound_Nm_})
     v->resize(n);
@@ -67,6 +77,7 @@ LegEstimator::LegEstimator(const RobotConfig& robot, const LegConfig& leg, int l
 
 void LegEstimator::reset() noexcept {
   for (JointEstimator& e : estimators_) e.reset();
+  for (ModelWatch& watch : watches_) watch.freeze();
   if (contact_) contact_->reset();
   external_torque_Nm_.setConstant(kNaN);
 }
@@ -97,6 +108,7 @@ void LegEstimator::step_joints(double dt_s, std::vector<EstimatedJoint>& joints)
     velocity_rad_s_[i] = joint.estimated_velocity_rad_s;
     acceleration_rad_s2_[i] = joint.estimated_acceleration_rad_s2;
     output_torque_Nm_[i] = joint.gear_output_torque_Nm;
+    widen_bounds(j, joint);
   }
 }
 
@@ -104,6 +116,7 @@ void LegEstimator::step_foot(double dt_s, std::vector<EstimatedJoint>& joints, E
   if (!position_rad_.allFinite() || !output_torque_Nm_.allFinite()) {
     if (position_rad_.allFinite()) write_motion(out);
     contact_->reset();
+    for (ModelWatch& watch : watches_) watch.freeze();
     return;
   }
   write_motion(out);
@@ -112,6 +125,50 @@ void LegEstimator::step_foot(double dt_s, std::vector<EstimatedJoint>& joints, E
   const ContactEstimate contact = contact_->step(evidence_, dt_s);
   out.contact = contact.contact;
   out.contact_confidence = contact.confidence;
+  watch_models(dt_s, joints);
+  watch_force(contact, dt_s, joints);
+}
+
+WatchedMotion LegEstimator::watched(std::size_t j, const EstimatedJoint& joint) const noexcept {
+  const int i = static_cast<int>(j);
+  WatchedMotion motion;
+  motion.velocity_rad_s = joint.estimated_velocity_rad_s;
+  motion.sign = joint.at_rest ? 1.0 : std::copysign(1.0, motion.velocity_rad_s);
+  motion.output_torque_Nm = joint.gear_output_torque_Nm;
+  motion.inertia_torque_Nm = configs_[j].armature_kg_m2 * joint.estimated_acceleration_rad_s2;
+  motion.motor_torque_Nm = joint.measured_motor_torque_Nm;
+  motion.weight_Nm = weight_Nm_[i];
+  motion.friction_Nm = joint.friction_torque_Nm;
+  motion.link_torque_Nm = link_torque_Nm_[i];
+  motion.unnoticed_Nm = unnoticed_N_ * jacobian_.col(i).norm();
+  return motion;
+}
+
+void LegEstimator::widen_bounds(std::size_t j, EstimatedJoint& joint) const noexcept {
+  const ModelWatch& watch = watches_[j];
+  joint.model_fits = watch.fits();
+  joint.misfit_reason = watch.reason();
+  joint.misfit_ratio = watch.ratio();
+  if (watch.fits()) return;
+  const double missed_Nm = watch.missed(watched(j, joint)).bound_Nm();
+  joint.gear_output_torque_bound_Nm = root_sum_square(joint.gear_output_torque_bound_Nm, missed_Nm);
+  joint.friction_torque_bound_Nm = root_sum_square(joint.friction_torque_bound_Nm, missed_Nm);
+}
+
+/// The drive moves the joint, and nothing touches the leg: what is not explained is the model's own.
+void LegEstimator::watch_models(double dt_s, std::vector<EstimatedJoint>& joints) noexcept {
+  const bool free = contact_->surely_free();
+  for (std::size_t j = 0; j < joints_.size(); ++j) {
+    const EstimatedJoint& joint = joints[joints_[j]];
+    const bool measured = joint.status == JointStatus::kOk || joint.status == JointStatus::kSaturated;
+    if (!free || !measured || !joint.drive_enabled) {
+      watches_[j].freeze();
+    } else if (!joint.at_rest && std::abs(joint.estimated_velocity_rad_s) > kWatched_rad_s) {
+      const double noise_Nm = configs_[j].armature_kg_m2 * joint.estimated_acceleration_bound_rad_s2 /
+                              kStdsFor95;
+      watches_[j].learn(watched(j, joint), joint.external_torque_Nm, noise_Nm, dt_s);
+    }
+  }
 }
 
 void LegEstimator::write_motion(EstimatedLeg& out) noexcept {
@@ -149,6 +206,18 @@ void LegEstimator::write_force(std::vector<EstimatedJoint>& joints, EstimatedLeg
   }
 }
 
+/// Ground cannot pull: a force of so many standard deviations down is the model's error, be the foot in the
+/// air or on the ground. Of the joints that move.
+void LegEstimator::watch_force(const ContactEstimate& contact, double dt_s,
+                               const std::vector<EstimatedJoint>& joints) noexcept {
+  const bool pulls = contact.force_N < -kPullStds * contact.force_std_N - unnoticed_N_;
+  pulling_s_ = pulls ? pulling_s_ + dt_s : 0.0;
+  if (pulling_s_ < kPull_s) return;
+  for (std::size_t j = 0; j < joints_.size(); ++j) {
+    if (!joints[joints_[j]].at_rest) watches_[j].doubt();
+  }
+}
+
 void LegEstimator::gather_evidence(const std::vector<EstimatedJoint>& joints) noexcept {
   for (std::size_t j = 0; j < joints_.size(); ++j) {
     const int i = static_cast<int>(j);
@@ -157,7 +226,10 @@ void LegEstimator::gather_evidence(const std::vector<EstimatedJoint>& joints) no
     const double motor_Nm = output_torque_Nm_[i] + joint.friction_torque_Nm + inertia_Nm;
     const double slow = velocity_rad_s_[i] / kReversal_rad_s;
     JointResidual& residual = evidence_[j].residual;
-    residual.torque_Nm = joint.external_torque_Nm;
+    const ModelWatch::Missed missed = watches_[j].missed(watched(j, joint));
+    residual.torque_Nm = joint.external_torque_Nm + missed.torque_Nm;
+    residual.misfit_Nm2 = missed.std_Nm * missed.std_Nm +
+                          kMissedShare * kMissedShare * missed.torque_Nm * missed.torque_Nm;
     residual.part_Nm = {joint.at_rest ? 0.0 : joint.friction_torque_Nm, inertia_Nm, motor_Nm, weight_Nm_[i]};
     residual.unknown_friction_Nm = joint.at_rest
                                        ? joint.gear_output_torque_bound_Nm

@@ -7,6 +7,7 @@
 #include "estimator/contact_detector.h"
 #include "estimator/drive_sampler.h"
 #include "estimator/joint_estimator.h"
+#include "estimator/model_watch.h"
 #include "model/leg_kinematics.h"
 #include "signals/drive_state.h"
 #include "signals/joint_state.h"
@@ -37,6 +38,13 @@ class LegEstimator {
   /// own weight in flight, and is in the bounds.
   void write_force(std::vector<EstimatedJoint>& joints, EstimatedLeg& out) noexcept;
   void gather_evidence(const std::vector<EstimatedJoint>& joints) noexcept;
+  /// @param j of this leg. The leg's own torques are those of this cycle once write_force() was there.
+  WatchedMotion watched(std::size_t j, const EstimatedJoint& joint) const noexcept;
+  /// A model that does not fit makes all bounds wider, at once.
+  void widen_bounds(std::size_t j, EstimatedJoint& joint) const noexcept;
+  void watch_models(double dt_s, std::vector<EstimatedJoint>& joints) noexcept;
+  void watch_force(const ContactEstimate& contact, double dt_s,
+                   const std::vector<EstimatedJoint>& joints) noexcept;
 
   std::vector<int> joints_;  ///< indices of this leg's joints in the robot
   std::vector<JointConfig> configs_;
@@ -44,7 +52,10 @@ class LegEstimator {
   DriveSampler sampler_;
   std::unique_ptr<LegKinematics> kinematics_;  ///< nullptr: joints alone
   std::optional<ContactDetector> contact_;     ///< of the foot, where there is one
+  double unnoticed_N_;                         ///< force on a foot that may go unnoticed
+  double pulling_s_ = 0.0;                     ///< how long the ground has seemed to pull
   std::vector<JointEstimator> estimators_;
+  std::vector<ModelWatch> watches_;
   std::vector<JointSample> samples_;
   std::vector<ContactEvidence> evidence_;
   JointVector position_rad_, velocity_rad_s_, acceleration_rad_s2_, output_torque_Nm_;

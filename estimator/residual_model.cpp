@@ -50,7 +50,7 @@ void ResidualModel::step(const JointResidual& in, double dt_s, bool free) noexce
   age();
   rest_Nm_ = std::max(kHalfWidthStd * in.unknown_friction_Nm, rest_Nm_ * decay_.reversal);
   torque_Nm_ = in.torque_Nm - error_Nm(in.part_Nm);
-  model_Nm2_ = error_Nm2(in.part_Nm);
+  model_Nm2_ = error_Nm2(in.part_Nm) + in.misfit_Nm2;
   if (free) {
     wait(in, dt_s);
   } else {
@@ -99,7 +99,7 @@ void ResidualModel::age() noexcept {
 void ResidualModel::learn(const Sample& sample, double dt_s) noexcept {
   if (sample.rest_Nm2 > noise_Nm2_) return;  // a joint at rest may hold any load
   const ErrorShares& part_Nm = sample.residual.part_Nm;
-  const double explained_Nm2 = error_Nm2(part_Nm) + sample.rest_Nm2;
+  const double explained_Nm2 = error_Nm2(part_Nm) + sample.residual.misfit_Nm2 + sample.rest_Nm2;
   const double most_Nm = kClip * std::sqrt(explained_Nm2 + noise_Nm2_);
   const double left_Nm = std::clamp(sample.residual.torque_Nm - error_Nm(part_Nm), -most_Nm, most_Nm);
   const double alike = std::max(1.0, 2.0 * kCorrelation_s / dt_s);

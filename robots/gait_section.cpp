@@ -153,6 +153,8 @@ WalkConfig read_walk(const YamlMap& map) {
                         speed.quantity("sideways", "N s/m", 0, 1e5)};
   speed.finish();
   walk.stance_friction_compensation = map.quantity("stance_friction_compensation", "", 0, 1);
+  walk.standing_friction_share = map.quantity_or("standing_friction_share", "", 0, 1,
+                                                 walk.standing_friction_share);
   const YamlMap compensation = map.map("swing_compensation");
   walk.swing_inertia_compensation = compensation.quantity("inertia", "", 0, 1);
   walk.swing_friction_compensation = compensation.quantity("friction", "", 0, 1);

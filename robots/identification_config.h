@@ -2,6 +2,7 @@
 /// What `sprung identify` found about a joint, as robot.yaml holds it: friction, where it comes from, how
 /// certain the numbers are, and the gear's temperature.
 #include <cstdint>
+#include <limits>
 #include <string>
 
 #include "model/friction/friction_parameters.h"
@@ -24,6 +25,11 @@ struct IdentificationRecord {
   double held_out_r2 = 0.0;      ///< of the motor torque, in the part of the data that was held out
   double held_out_rms_Nm = 0.0;  ///< the same
   std::string command;
+  /// At which it was recorded, as somebody has said; NaN: nobody has.
+  double temperature_C = std::numeric_limits<double>::quiet_NaN();
+  double supply_V = std::numeric_limits<double>::quiet_NaN();
+  /// [design choice] After as many days `sprung up` asks for a new one: grease ages, gears wear in.
+  int max_age_days = 90;
 };
 
 struct IdentifiedFriction {

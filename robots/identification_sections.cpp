@@ -1,5 +1,6 @@
 #include "robots/identification_sections.h"
 
+#include <cmath>
 #include <stdexcept>
 #include <vector>
 
@@ -95,6 +96,10 @@ IdentificationRecord read_record(const YamlMap& map) {
   record.held_out_r2 = map.quantity("held_out_r2", "", -1e6, 1.0);
   record.held_out_rms_Nm = map.quantity("held_out_rms", "Nm", 0.0, 1e6);
   record.command = matching(map, "command", ".+", "the command that wrote this");
+  if (map.has("temperature"))
+    record.temperature_C = map.quantity("temperature", "degC", kColdest_C, kHottest_C);
+  if (map.has("supply")) record.supply_V = map.quantity("supply", "V", 5, 1000);
+  record.max_age_days = static_cast<int>(map.integer_or("max_age_days", 1, 3650, record.max_age_days));
   map.finish();
   return record;
 }
@@ -170,7 +175,14 @@ std::string record_text(const IdentificationRecord& r) {
          "\n      sha256: " + quoted(r.sha256) + "\n      samples: " + std::to_string(r.samples) +
          "\n      held_out_r2: " + quantity_text(r.held_out_r2, "") +
          "\n      held_out_rms: " + quantity_text(r.held_out_rms_Nm, "Nm") +
-         "\n      command: " + quoted(r.command) + "\n";
+         "\n      command: " + quoted(r.command) + "\n" +
+         (std::isnan(r.temperature_C)
+              ? ""
+              : "      temperature: " + quantity_text(r.temperature_C, "degC") + "\n") +
+         (std::isnan(r.supply_V) ? "" : "      supply: " + quantity_text(r.supply_V, "V") + "\n") +
+         (r.max_age_days == IdentificationRecord{}.max_age_days
+              ? ""
+              : "      max_age_days: " + std::to_string(r.max_age_days) + "\n");
 }
 
 std::string thermal_text(const ThermalParameters& t) {
@@ -196,6 +208,17 @@ void robot_sections::read_identification(const YamlMap& joint_map, JointConfig& 
                           ? read_uncertainty(joint_map.map("uncertainty"), uncertainty)
                           : uncertainty;
   if (joint_map.has("thermal")) joint.thermal = read_thermal(joint_map.map("thermal"));
+}
+
+EstimationConfig robot_sections::read_estimation(const YamlMap& map) {
+  EstimationConfig e;
+  e.drive_loop_kHz = map.quantity_or("drive_loop", "kHz", 0.1, 100, e.drive_loop_kHz);
+  e.sampling_jitter_us = map.quantity_or("sampling_jitter", "us", 0, 1000, e.sampling_jitter_us);
+  e.current_noise_Nm = map.quantity_or("current_noise", "Nm", 0, 50, e.current_noise_Nm);
+  e.load_walk_Nm_sqrt_s = map.quantity_or("load_walk", "Nm/sqrt(s)", 0.1, 10000, e.load_walk_Nm_sqrt_s);
+  e.floor_force_N = map.quantity_or("floor_force", "N", 0, 10000, e.floor_force_N);
+  map.finish();
+  return e;
 }
 
 std::string identification_text(const JointConfig& joint) {

@@ -11,6 +11,7 @@
 #include "model/leg_config.h"
 #include "robots/adaptive_landing_config.h"
 #include "robots/commissioning_config.h"
+#include "robots/estimation_config.h"
 #include "robots/gait_config.h"
 #include "robots/identification_config.h"
 #include "robots/torsion_config.h"
@@ -265,6 +266,7 @@ struct RobotConfig {
   BatteryConfig battery;
   std::vector<JointConfig> joints;
   std::vector<LegConfig> legs;
+  EstimationConfig estimation;
   WatchdogConfig watchdogs;             ///< on the robot, and in lock-step
   WatchdogConfig simulation_watchdogs;  ///< real time with --sim on a shared machine
   std::vector<PresetConfig> presets;

@@ -9,6 +9,7 @@
 
 #include "robots/file_version.h"
 #include "robots/gait_section.h"
+#include "robots/identification_sections.h"
 #include "robots/preset_section.h"
 #include "robots/reading_sections.h"
 #include "robots/robot_numbers.h"
@@ -224,6 +225,7 @@ RobotConfig read_robot(const YamlMap& file) {
     robot.legs.push_back(read_leg(map, robot));
   }
   refuse_same_names(file, "legs", robot.legs);
+  if (file.has("estimation")) robot.estimation = read_estimation(file.map("estimation"));
   robot.watchdogs = read_watchdogs(file.map("watchdogs"), false);
   robot.simulation_watchdogs = read_watchdogs(file.map("simulation_watchdogs"), true);
   if (file.has("body")) robot.body = read_body(file.map("body"));

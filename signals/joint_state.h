@@ -28,10 +28,14 @@ struct EstimatedJoint {
   double external_torque_bound_Nm = kNaN;
   double torsion_torque_Nm = kNaN;  ///< from motor and link encoder; NaN where there is no link encoder
   double estimated_temperature_degC = kNaN;
+  double misfit_ratio = 0.0;  ///< how far motion shows the model to be off, in standard deviations of
+                              ///< robot.yaml's `uncertainty`; 0 until there was motion in the air
   JointStatus status = JointStatus::kStarting;
   bool drive_enabled = false;
   bool identified = false;  ///< friction and armature come from `sprung identify`
   bool at_rest = false;  ///< friction's sign is not known: torques are the last possible, bounds the far end
+  bool model_fits = true;  ///< false: friction, inertia or torque constant are not what robot.yaml says
+  MisfitReason misfit_reason = MisfitReason::kNone;  ///< the likely one
 };
 
 struct EstimatedLeg {

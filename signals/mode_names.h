@@ -68,6 +68,17 @@ constexpr auto words_of(JointStatus) {
                    {E::kFault, "fault"}});
 }
 
+constexpr auto words_of(MisfitReason) {
+  using E = MisfitReason;
+  return words<E>({{E::kNone, "none"},
+                   {E::kFriction, "friction"},
+                   {E::kViscousFriction, "viscous friction"},
+                   {E::kLoadFriction, "load friction"},
+                   {E::kInertia, "inertia"},
+                   {E::kTorqueConstant, "torque constant"},
+                   {E::kWeight, "weight"}});
+}
+
 constexpr auto words_of(ControlMode) {
   using E = ControlMode;
   return words<E>({{E::kDisabled, "disabled"},

@@ -76,6 +76,17 @@ enum class JointStatus : std::int8_t {
   kFault = 5,
 };
 
+/// What of a joint's model explains best that its motion does not fit.
+enum class MisfitReason : std::int8_t {
+  kNone = 0,             ///< it fits
+  kFriction = 1,         ///< the same at every speed
+  kViscousFriction = 2,  ///< grows with speed
+  kLoadFriction = 3,     ///< grows with the gear's load
+  kInertia = 4,
+  kTorqueConstant = 5,
+  kWeight = 6,  ///< mass of the links, or something that hangs on them
+};
+
 enum class ControlMode : std::int8_t {
   kDisabled = 0,
   kDamping = 1,

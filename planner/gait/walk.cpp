@@ -9,10 +9,6 @@
 namespace sprung {
 namespace {
 
-/// Of what compliance compensates. Feet of a robot that was lifted and set down stay up to 4.9 mm off with
-/// this (eight seeds), 6.5 mm with 0.9, 7.5 mm with 0.97, and 11 mm with the 0.5 of a gait that steps:
-/// docs/locomotion.md, "Standing, pushed".
-constexpr double kStandingFriction = 0.93;
 /// [design choice] A walk that is to end rests after this: its operator may be gone.
 constexpr double kStop_s = 0.6;
 constexpr double kHeadingGain_1_s = 1.0;
@@ -37,7 +33,8 @@ Walk::Walk(const RobotConfig& robot, const PresetConfig& preset)
       cycle_s_(robot.cycle_s),
       stand_height_m_(preset.stand_length_m),
       stance_friction_(preset.walk.stance_friction_compensation),
-      standing_friction_(std::max(stance_friction_, kStandingFriction * preset.friction_compensation)),
+      standing_friction_(
+          std::max(stance_friction_, preset.walk.standing_friction_share * preset.friction_compensation)),
       shape_(robot),
       weight_(shape_.legs),
       ramp_(preset.walk.acceleration_m_s2, preset.walk.turning_acceleration_rad_s2),

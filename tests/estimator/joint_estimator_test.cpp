@@ -51,7 +51,7 @@ class JointEstimatorTest : public testing::Test {
   }
 
   JointConfig joint_ = not_identified();
-  JointEstimator estimator_{joint_, kJointEstimatorDt_s, kEncoderStep_rad, kCoast};
+  JointEstimator estimator_{joint_, {}, kJointEstimatorDt_s, kEncoderStep_rad, kCoast};
 };
 
 TEST_F(JointEstimatorTest, FirstSampleStartsWithoutAJump) {
@@ -127,14 +127,52 @@ TEST_F(JointEstimatorTest, NothingIsKnownBeforeTheFirstGoodSample) {
 TEST_F(JointEstimatorTest, CycleThatIsTooSlowIsRefusedByKeyAndRemedy) {
   std::string said = "accepted";
   try {
-    JointEstimator slow(joint_, 1.0 / 200.0, kEncoderStep_rad, kCoast);
+    JointEstimator slow(joint_, {}, 1.0 / 200.0, kEncoderStep_rad, kCoast);
   } catch (const std::invalid_argument& error) {
     said = error.what();
   }
   EXPECT_EQ(said,
             "robot.yaml: key 'cycle_rate': found 200 Hz, expected at least 250 Hz, below which the estimator "
             "cannot follow a joint: raise it");
-  EXPECT_NO_THROW(JointEstimator(joint_, 1.0 / 250.0, kEncoderStep_rad, kCoast));
+  EXPECT_NO_THROW(JointEstimator(joint_, {}, 1.0 / 250.0, kEncoderStep_rad, kCoast));
+}
+
+/// Velocity by the motor alone over one cycle in which the torque has come up from nothing to 10 Nm.
+double speed_after_a_step_rad_s(double drive_loop_kHz) {
+  JointConfig joint = not_identified();
+  joint.coulomb_friction_Nm = 0.0;
+  EstimationConfig estimation;
+  estimation.drive_loop_kHz = drive_loop_kHz;
+  JointEstimator estimator(joint, estimation, kJointEstimatorDt_s, kEncoderStep_rad, kCoast);
+  EstimatedJoint out;
+  for (int k = 0; k < 50; ++k) estimator.step(fresh(1.0, 0.0), kJointEstimatorDt_s, out);
+  const double share = 0.5 + 0.5 / drive_loop_kHz;  // of a cycle of 1 ms
+  const double moved_rad = 0.5 * share * 10.0 / joint.armature_kg_m2 * kJointEstimatorDt_s *
+                           kJointEstimatorDt_s;
+  estimator.step(fresh(1.0 + moved_rad, 10.0), kJointEstimatorDt_s, out);
+  return out.estimated_velocity_rad_s;
+}
+
+TEST_F(JointEstimatorTest, NewestCurrentCountsByTheTurnsOfTheDrivesLoopInACycle) {
+  const double whole_rad_s = 10.0 / joint_.armature_kg_m2 * kJointEstimatorDt_s;
+  EXPECT_NEAR(speed_after_a_step_rad_s(1.0), whole_rad_s, 1e-9);
+  EXPECT_NEAR(speed_after_a_step_rad_s(4.0), 0.625 * whole_rad_s, 1e-9);
+  EXPECT_NEAR(speed_after_a_step_rad_s(8.0), 0.5625 * whole_rad_s, 1e-9);
+}
+
+TEST_F(JointEstimatorTest, JitterAndNoiseOfTheRobotAreInTheBounds) {
+  EstimationConfig coarse;
+  coarse.sampling_jitter_us = 50.0;
+  coarse.current_noise_Nm = 20.0;
+  JointEstimator other(joint_, coarse, kJointEstimatorDt_s, kEncoderStep_rad, kCoast);
+  EstimatedJoint fine, rough;
+  for (int k = 0; k < 100; ++k) {
+    const JointSample sample = fresh(1.0 + 3.0 * k * kJointEstimatorDt_s, joint_.coulomb_friction_Nm);
+    fine = step(sample);
+    other.step(sample, kJointEstimatorDt_s, rough);
+  }
+  EXPECT_GT(rough.estimated_position_bound_rad, 5.0 * fine.estimated_position_bound_rad);
+  EXPECT_GT(rough.estimated_acceleration_bound_rad_s2, 1.96 * 20.0 / joint_.armature_kg_m2);
 }
 
 TEST_F(JointEstimatorTest, MotorTorqueIsOutputAndFrictionAndInertiaAlways) {
@@ -158,7 +196,7 @@ TEST_F(JointEstimatorTest, MotorTorqueIsOutputAndFrictionAndInertiaAlways) {
 TEST_F(JointEstimatorTest, SaysWhetherItsFrictionIsIdentified) {
   EXPECT_FALSE(step(fresh(1.0, 0.0)).identified);
   joint_.friction = IdentifiedFriction{};
-  JointEstimator identified(joint_, kJointEstimatorDt_s, kEncoderStep_rad, kCoast);
+  JointEstimator identified(joint_, {}, kJointEstimatorDt_s, kEncoderStep_rad, kCoast);
   EstimatedJoint out;
   identified.step(fresh(1.0, 0.0), kJointEstimatorDt_s, out);
   EXPECT_TRUE(out.identified);
@@ -170,7 +208,7 @@ TEST_F(JointEstimatorTest, StuckJointKeepsItsEstimateWithABoundThatHolds) {
   joint_.friction = IdentifiedFriction{};
   joint_.friction->parameters.coulomb_Nm = 7.0;
   joint_.uncertainty.friction = 0.1;
-  estimator_ = JointEstimator(joint_, kJointEstimatorDt_s, kEncoderStep_rad, kCoast);
+  estimator_ = JointEstimator(joint_, {}, kJointEstimatorDt_s, kEncoderStep_rad, kCoast);
   settle(1.0, 10.0);
   for (double torque_Nm : {10.0, 12.0, 15.0, 8.0, 4.0}) {
     const EstimatedJoint out = settle(1.0, torque_Nm);
@@ -190,7 +228,7 @@ TEST_F(JointEstimatorTest, AtRestTheTorsionOfTheGearDecides) {
   joint_.torsion = GearTorsion{};
   joint_.torsion->stiffness_Nm_rad = joint_.torsion->second_stiffness_Nm_rad = kStiffness_Nm_rad;
   joint_.torsion->angle_std_rad = 1e-5;
-  estimator_ = JointEstimator(joint_, kJointEstimatorDt_s, kEncoderStep_rad, kCoast);
+  estimator_ = JointEstimator(joint_, {}, kJointEstimatorDt_s, kEncoderStep_rad, kCoast);
   std::mt19937 random(1);
   std::normal_distribution<double> noise(0.0, 1e-5);
   const auto cycle = [&](double q, double motor_Nm, double load_Nm) {
@@ -223,7 +261,7 @@ TEST_F(JointEstimatorTest, ALinkEncoderThatFallsSilentLeavesTheMotorsSide) {
   joint_.torsion = GearTorsion{};
   joint_.torsion->stiffness_Nm_rad = joint_.torsion->second_stiffness_Nm_rad = 25000.0;
   joint_.torsion->angle_std_rad = 1e-5;
-  estimator_ = JointEstimator(joint_, kJointEstimatorDt_s, kEncoderStep_rad, kCoast);
+  estimator_ = JointEstimator(joint_, {}, kJointEstimatorDt_s, kEncoderStep_rad, kCoast);
   const EstimatedJoint out = settle(1.0, 5.0);
   EXPECT_TRUE(std::isnan(out.torsion_torque_Nm));
   EXPECT_NEAR(out.gear_output_torque_Nm, 5.0, 1e-9);
@@ -234,7 +272,7 @@ TEST_F(JointEstimatorTest, EncodersThatDisagreeShowNoTwist) {
   joint_.torsion->stiffness_Nm_rad = joint_.torsion->second_stiffness_Nm_rad = 25000.0;
   joint_.torsion->angle_std_rad = 1e-5;
   for (const double apart_rad : {0.002, 0.02, -0.02}) {
-    estimator_ = JointEstimator(joint_, kJointEstimatorDt_s, kEncoderStep_rad, kCoast);
+    estimator_ = JointEstimator(joint_, {}, kJointEstimatorDt_s, kEncoderStep_rad, kCoast);
     settle(1.0, 5.0);
     JointSample sample = fresh(1.0, 5.0);
     sample.measured_link_position_rad = 1.0 + apart_rad;
@@ -306,7 +344,7 @@ struct Quality {
 };
 
 Quality assess(const JointConfig& joint, const PushOff& run) {
-  JointEstimator estimator(joint, kJointEstimatorDt_s, kEncoderStep_rad, kCoast);
+  JointEstimator estimator(joint, {}, kJointEstimatorDt_s, kEncoderStep_rad, kCoast);
   Quality q;
   int count = 0;
   for (std::size_t k = 0; k < run.encoder_rad.size(); ++k) {

@@ -176,6 +176,32 @@ TEST(IdentificationSections, ExampleInTheDocsIsOne) {
   EXPECT_EQ(joint.thermal.time_constant_s, 600.0);
 }
 
+EstimationConfig read_estimation(const std::string& text) {
+  return robot_sections::read_estimation(YamlMap::parse(text, "r.yaml"));
+}
+
+TEST(IdentificationSections, WhatTheEstimatorTakesForGrantedIsReadAndMayBeMissing) {
+  const EstimationConfig all = read_estimation(
+      "drive_loop: 8 kHz\nsampling_jitter: 5 us\ncurrent_noise: 0.2 Nm\nload_walk: 20 Nm/sqrt(s)\n"
+      "floor_force: 50 N\n");
+  EXPECT_EQ(all.drive_loop_kHz, 8.0);
+  EXPECT_EQ(all.sampling_jitter_us, 5.0);
+  EXPECT_EQ(all.current_noise_Nm, 0.2);
+  EXPECT_EQ(all.load_walk_Nm_sqrt_s, 20.0);
+  EXPECT_EQ(all.floor_force_N, 50.0);
+  const EstimationConfig one = read_estimation("sampling_jitter: 5 us\n");
+  EXPECT_EQ(one.sampling_jitter_us, 5.0);
+  EXPECT_EQ(one.load_walk_Nm_sqrt_s, EstimationConfig{}.load_walk_Nm_sqrt_s);
+}
+
+TEST(IdentificationSections, EstimationThatCannotBeIsRefused) {
+  EXPECT_THROW(read_estimation("drive_loop: 0 kHz\n"), ConfigError);
+  EXPECT_THROW(read_estimation("drive_loop: 4000 Hz\n"), ConfigError);
+  EXPECT_THROW(read_estimation("load_walk: 0 Nm/sqrt(s)\n"), ConfigError);
+  EXPECT_THROW(read_estimation("floor_force: -1 N\n"), ConfigError);
+  EXPECT_THROW(read_estimation("jitter: 2 us\n"), ConfigError);
+}
+
 TEST(IdentificationSections, JointThatIsNotIdentifiedCannotBeWritten) {
   EXPECT_THROW((void)identification_text(read(kPlain)), std::invalid_argument);
 }

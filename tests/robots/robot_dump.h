@@ -98,9 +98,12 @@ inline void dump_value(test::ValueDump& dump, const std::string& at, const Frict
 }
 
 inline void dump_value(test::ValueDump& dump, const std::string& at, const IdentificationRecord& value) {
-  const auto& [date, log, sha256, samples, held_out_r2, held_out_rms_Nm, command] = value;
-  dump.fields(at, "date log sha256 samples held_out_r2 held_out_rms_Nm command", date, log, sha256, samples,
-              held_out_r2, held_out_rms_Nm, command);
+  const auto& [date, log, sha256, samples, held_out_r2, held_out_rms_Nm, command, temperature_C, supply_V,
+               max_age_days] = value;
+  dump.fields(
+      at, "date log sha256 samples held_out_r2 held_out_rms_Nm command temperature_C supply_V max_age_days",
+      date, log, sha256, samples, held_out_r2, held_out_rms_Nm, command, temperature_C, supply_V,
+      max_age_days);
 }
 
 inline void dump_value(test::ValueDump& dump, const std::string& at, const IdentifiedFriction& value) {
@@ -154,6 +157,12 @@ inline void dump_value(test::ValueDump& dump, const std::string& at, const LegCo
               fall);
 }
 
+inline void dump_value(test::ValueDump& dump, const std::string& at, const EstimationConfig& value) {
+  const auto& [loop, jitter, noise, walk, floor] = value;
+  dump.fields(at, "drive_loop_kHz sampling_jitter_us current_noise_Nm load_walk_Nm_sqrt_s floor_force_N",
+              loop, jitter, noise, walk, floor);
+}
+
 inline void dump_value(test::ValueDump& dump, const std::string& at, const WatchdogConfig& value) {
   const auto& [hold, stop, leg_command, joint_state, silent, overruns, heartbeat, consumer, drive] = value;
   dump.fields(at,
@@ -200,15 +209,15 @@ inline void dump_value(test::ValueDump& dump, const std::string& at, const Adapt
 inline void dump_value(test::ValueDump& dump, const std::string& at, const WalkConfig& value) {
   const auto& [stance, swing, pre_stance, distribute, floor_friction, width, rise, approach, step_down,
                acceleration, turning, foothold, stiffness, damping, speed_damping, stance_friction,
-               swing_inertia, swing_friction] = value;
+               standing_friction, swing_inertia, swing_friction] = value;
   dump.fields(at,
               "stance swing pre_stance distribute_force floor_friction stance_width_m force_rise_s "
               "approach_m_s step_down_m acceleration_m_s2 turning_acceleration_rad_s2 foothold_gain_s "
               "body_stiffness body_damping speed_damping stance_friction_compensation "
-              "swing_inertia_compensation swing_friction_compensation",
+              "standing_friction_share swing_inertia_compensation swing_friction_compensation",
               stance, swing, pre_stance, distribute, floor_friction, width, rise, approach, step_down,
               acceleration, turning, foothold, stiffness, damping, speed_damping, stance_friction,
-              swing_inertia, swing_friction);
+              standing_friction, swing_inertia, swing_friction);
 }
 
 inline void dump_value(test::ValueDump& dump, const std::string& at, const PresetConfig& value) {
@@ -259,14 +268,15 @@ inline void dump_value(test::ValueDump& dump, const std::string& at, const Proce
 
 inline std::string dump_of(const RobotConfig& robot) {
   const auto& [name, folder, cycle_s, buses, bit_rate_bit_s, actuators, encoder_cards, battery, joints, legs,
-               watchdogs, simulation_watchdogs, presets, body, gaits, processes, hold_to_run, lowering_s,
-               hash] = robot;
+               estimation, watchdogs, simulation_watchdogs, presets, body, gaits, processes, hold_to_run,
+               lowering_s, hash] = robot;
   test::ValueDump dump;
-  dump.fields("",
-              "name cycle_s buses bit_rate_bit_s actuators encoder_cards battery joints legs watchdogs "
-              "simulation_watchdogs presets body gaits processes",
-              name, cycle_s, buses, bit_rate_bit_s, actuators, encoder_cards, battery, joints, legs,
-              watchdogs, simulation_watchdogs, presets, body, gaits, processes);
+  dump.fields(
+      "",
+      "name cycle_s buses bit_rate_bit_s actuators encoder_cards battery joints legs estimation watchdogs "
+      "simulation_watchdogs presets body gaits processes",
+      name, cycle_s, buses, bit_rate_bit_s, actuators, encoder_cards, battery, joints, legs, estimation,
+      watchdogs, simulation_watchdogs, presets, body, gaits, processes);
   static_cast<void>(folder);
   static_cast<void>(hold_to_run);  // no key of the file
   static_cast<void>(lowering_s);

@@ -39,6 +39,8 @@ constexpr const char* kNoLimits[] = {
     R"(joints\[\]\.(armature|coulomb_friction|friction\..*|identified\..*|uncertainty\..*))",
     R"(legs\[\]\.(hip_in_trunk\..|links\[\]\..*|transmission|foot_radius))",
     R"(body\.(mass|com\..|inertia\..))",
+    // what the estimator takes for granted
+    R"(estimation\..*)",
     // gains, and what contact is
     R"(actuators\[\]\.(position_loop\..*|safety_damping))", R"(legs\[\]\.contact\..*)",
     // gaits as data; one that stands goes nowhere already

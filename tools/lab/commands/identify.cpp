@@ -1,12 +1,14 @@
 #include <unistd.h>
 
 #include <cstdio>
-#include <ctime>
 #include <fstream>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 
 #include "robots/robot_loader.h"
+#include "runtime/session_clock.h"
+#include "runtime/utc_text.h"
 #include "tools/commands.h"
 #include "tools/common/report/report_shell.h"
 #include "tools/lab/commands/identify_record.h"
@@ -30,18 +32,12 @@ struct IdentifyCall {
   GuidedRecording guided;
   std::string fragment;
   std::string into;  ///< folder of an identified robot
+  double day_to_day = identify::kDayToDay;
+  double temperature_C = std::numeric_limits<double>::quiet_NaN();
+  double supply_V = std::numeric_limits<double>::quiet_NaN();
   std::string report;
   bool as_json = false;
 };
-
-std::string today() {
-  char text[16];
-  const std::time_t now = std::time(nullptr);
-  std::tm utc{};
-  gmtime_r(&now, &utc);
-  std::strftime(text, sizeof text, "%Y-%m-%d", &utc);
-  return text;
-}
 
 /// The whole command line of this process, words with blanks in quotes.
 std::string own_command() {
@@ -85,22 +81,24 @@ std::string in_words(const std::vector<std::string>& files) {
 }
 
 void write_fragment(const identify::Recording& recording, const identify::Provenance& provenance,
-                    const std::string& path) {
+                    double day_to_day, const std::string& path) {
   std::vector<JointConfig> configs;
   for (std::size_t i = 0; i < recording.joints.size(); ++i)
-    configs.push_back(identify::identified_config(recording.joints[i], recording.configs[i], provenance));
+    configs.push_back(
+        identify::identified_config(recording.joints[i], recording.configs[i], provenance, day_to_day));
   write_text(identify::fragment_text(recording.joints, configs), path);
 }
 
-void write_robot(const identify::RecordingRequest& request, const identify::Recording& found,
-                 const identify::Provenance& provenance, const std::string& folder) {
+void write_robot(const IdentifyCall& call, const identify::Recording& found,
+                 const identify::Provenance& provenance) {
+  const identify::RecordingRequest& request = call.recording;
   if (request.logs.empty()) throw WrongUse("--into needs --log: a table does not say which robot it is of");
   const RobotConfig robot = load_robot(request.robot.empty() ? identify::robot_of_log(request.logs.front())
                                                              : request.robot);
   std::vector<identify::RobotChange> changes;
   for (const IdentifiedJoint& joint : found.joints)
-    changes.push_back(identify::change_of(robot, joint, provenance));
-  identify::write_identified_robot(robot, changes, folder);
+    changes.push_back(identify::change_of(robot, joint, provenance, call.day_to_day));
+  identify::write_identified_robot(robot, changes, call.into);
 }
 
 GuidedRecording with_weight(const IdentifyCall& request) {
@@ -118,10 +116,13 @@ int run_identify(const IdentifyCall& request) {
     return identify::identify_recording(request.recording, std::ref(progress));
   }();
   const std::vector<std::string> files = request.recording.files();
-  const identify::Provenance provenance{in_words(files), identify::short_sha256(files), today(),
-                                        own_command()};
-  if (!request.fragment.empty()) write_fragment(recording, provenance, request.fragment);
-  if (!request.into.empty()) write_robot(request.recording, recording, provenance, request.into);
+  const identify::Provenance provenance{
+      in_words(files), identify::short_sha256(files), utc_text(utc_us()).substr(0, 10),
+      own_command(),   request.temperature_C,         request.supply_V};
+  if (!(request.day_to_day >= 0.0 && request.day_to_day <= 10.0))
+    throw WrongUse("--day-to-day is a share from 0 to 10");
+  if (!request.fragment.empty()) write_fragment(recording, provenance, request.day_to_day, request.fragment);
+  if (!request.into.empty()) write_robot(request, recording, provenance);
   if (!request.report.empty())
     report::write_report(identify::result_report(recording.joints, provenance), request.report);
   if (request.as_json) {
@@ -189,6 +190,11 @@ void add_identify(CommandLine& sprung) {
                 "kinematic error and torsion too, from encoders on both sides of the gear");
   identify.option("--fragment", r->fragment, "file to write: the keys of robot.yaml that were found");
   identify.option("--into", r->into, "folder to write: the robot's files with what was found");
+  identify.option("--day-to-day", r->day_to_day,
+                  "how far friction differs on another day, relative, one standard deviation");
+  identify.option("--temperature", r->temperature_C,
+                  "degC of the gear while it was recorded, for the fragment");
+  identify.option("--supply", r->supply_V, "V while it was recorded, for the fragment");
   identify.option("--report", r->report, "HTML file to write: tables and plots");
   identify.flag("--json", r->as_json, "one JSON object on standard output");
   identify.example(

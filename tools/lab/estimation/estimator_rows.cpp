@@ -27,6 +27,7 @@ struct JumpScores {
   std::vector<TorqueScore> jump;  ///< push-off, flight and landing
   /// Before and after, while the estimate says that friction's sign is unknown.
   std::vector<TorqueScore> rest;
+  bool fits = true;  ///< the estimator has believed its models all the time
 
   explicit JumpScores(std::size_t joints) : push_off(joints), landing(joints), jump(joints), rest(joints) {}
   void add(const JumpScores& other);
@@ -34,6 +35,7 @@ struct JumpScores {
 
 void add_cycle(Part part, const JointState& estimated, const SimTruth& truth, JumpScores& scores) {
   for (std::size_t j = 0; j < truth.joints.size(); ++j) {
+    scores.fits = scores.fits && estimated.joints[j].model_fits;
     const auto add_to = [&](std::vector<TorqueScore>& sums) {
       sums[j].add(estimated.joints[j], truth.joints[j]);
     };
@@ -53,6 +55,7 @@ void JumpScores::add(const JumpScores& other) {
   add_each(landing, other.landing);
   add_each(jump, other.jump);
   add_each(rest, other.rest);
+  fits = fits && other.fits;
 }
 
 /// Stand, one hybrid jump, stand again, in process. @throws std::runtime_error where it did not jump and
@@ -145,13 +148,17 @@ void add_jump_rows(const RobotConfig& robot, const std::string& preset, const Si
 void add_bounds_rows(const RobotConfig& robot, const std::string& preset, const SimOptions& on,
                      ExperimentOutput& report) {
   TorqueScore all, rest;
+  double plants = 0.0, fitting = 0.0;
   for (const EnsemblePlant& plant : estimator_ensemble(on.seed)) {
     const JumpScores scores = score_jump(robot, preset, changed(on, plant.seed, plant.changes));
     const TorqueScore jump = over_joints(scores.jump);
     add_estimator_row(report, "bounds." + plant.name + ".coverage", "", jump.covered(), 0.85);
     all.add(jump);
     rest.add(over_joints(scores.rest));
+    plants += 1.0;
+    fitting += scores.fits ? 1.0 : 0.0;
   }
+  add_estimator_row(report, "bounds.model_fits", "", fitting / plants, 0.99);
   add_estimator_row(report, "bounds.pooled.coverage", "", all.covered(), 0.93, 0.97);
   add_estimator_row(report, "bounds.pooled.rms", "Nm", all.rms_Nm());
   add_estimator_row(report, "bounds.pooled.half_width", "Nm", all.mean_bound_Nm());

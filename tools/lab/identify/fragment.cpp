@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "robots/identification_sections.h"
+#include "tools/lab/identify/law_uncertainty.h"
 #include "tools/lab/identify/result_table.h"
 
 namespace sprung::identify {
@@ -42,18 +43,6 @@ double standard_error_of(const ModelResult& model, const std::string& name) {
     if (all[i].name == name) return model.statistics.standard_error[static_cast<Eigen::Index>(i)];
   }
   return 0.0;
-}
-
-/// RMS of what the model misses on held-out data, over the friction without load at the mean speed of the
-/// joint.
-double friction_share(const ModelResult& model, const FrictionParameters& friction, double mean_speed_rad_s) {
-  const double typical_Nm = friction.coulomb_Nm +
-                            friction.viscous_Nm_s_rad * std::pow(mean_speed_rad_s, friction.viscous_exponent);
-  return typical_Nm > 0.0 ? std::clamp(model.held_out.rms / typical_Nm, kLeastShare, 10.0) : 10.0;
-}
-
-double mean_speed_rad_s(const IdentifiedJoint& joint) {
-  return joint.result.training.front().data.velocity_rad_s.cwiseAbs().mean();
 }
 
 std::string comment(const std::string& text) { return "    # " + text + "\n"; }
@@ -113,7 +102,7 @@ std::optional<TorqueConstant> corrected_torque_constant(const IdentifiedJoint& j
 }
 
 JointConfig identified_config(const IdentifiedJoint& joint, const JointConfig& known,
-                              const Provenance& provenance) {
+                              const Provenance& provenance, double day_to_day) {
   const ModelResult& model = joint.chosen();
   if (joint.result.training.front().data.torque_unit != "Nm")
     throw std::invalid_argument(
@@ -127,11 +116,16 @@ JointConfig identified_config(const IdentifiedJoint& joint, const JointConfig& k
     scale_torques(friction.parameters, corrected->factor);
     out.uncertainty.torque_constant = std::max(corrected->standard_error, kLeastConstant);
   }
-  friction.record = {provenance.date,   provenance.file,
-                     provenance.sha256, static_cast<std::int64_t>(model.train.samples),
-                     model.held_out.r2, model.held_out.rms,
-                     provenance.command};
-  out.uncertainty.friction = friction_share(model, friction.parameters, mean_speed_rad_s(joint));
+  friction.record.date = provenance.date;
+  friction.record.log = provenance.file;
+  friction.record.sha256 = provenance.sha256;
+  friction.record.samples = static_cast<std::int64_t>(model.train.samples);
+  friction.record.held_out_r2 = model.held_out.r2;
+  friction.record.held_out_rms_Nm = model.held_out.rms;
+  friction.record.command = provenance.command;
+  friction.record.temperature_C = provenance.temperature_C;
+  friction.record.supply_V = provenance.supply_V;
+  out.uncertainty.friction = law_uncertainty(model, joint.result.training, day_to_day);
   if (joint.armature && joint.armature->value_kg_m2 > 0.0) {
     out.armature_kg_m2 = joint.armature->value_kg_m2;
     const double share = standard_error_of(model, "inertia") / out.armature_kg_m2;

@@ -6,14 +6,16 @@
 
 #include "robots/robot_config.h"
 #include "tools/lab/identify/identified_joint.h"
+#include "tools/lab/identify/law_uncertainty.h"
 
 namespace sprung::identify {
 
 /// The joint as robot.yaml will hold it: `known` with armature, friction and their uncertainty as found.
-/// @param known of robot.yaml, or a joint with a name alone.
+/// @param known of robot.yaml, or a joint with a name alone. @param day_to_day how far friction differs on
+/// another day, relative, one standard deviation (law_uncertainty.h).
 /// @throws std::invalid_argument where the torque is in amperes: robot.yaml wants Nm.
 JointConfig identified_config(const IdentifiedJoint& joint, const JointConfig& known,
-                              const Provenance& provenance);
+                              const Provenance& provenance, double day_to_day = kDayToDay);
 
 /// The torque constant of the joint's actuator over robot.yaml's, where the recordings have weighed it: the
 /// config above goes with it.

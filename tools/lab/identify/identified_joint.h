@@ -1,5 +1,6 @@
 #pragma once
 /// One joint's identification with all that its output says beside the numbers. Pure values.
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +15,9 @@ struct Provenance {
   std::string sha256;   ///< first 16 hexadecimal digits
   std::string date;     ///< of the identification, 2026-11-21
   std::string command;  ///< the whole line
+  /// Of the recording, as somebody has said; NaN: nobody has.
+  double temperature_C = std::numeric_limits<double>::quiet_NaN();
+  double supply_V = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// Inertia of the rotor as seen from the joint: what was fitted less what robot.yaml says of the links.

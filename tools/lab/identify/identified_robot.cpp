@@ -62,10 +62,11 @@ std::string text_of(const fs::path& path) {
 
 }  // namespace
 
-RobotChange change_of(const RobotConfig& robot, const IdentifiedJoint& joint, const Provenance& provenance) {
+RobotChange change_of(const RobotConfig& robot, const IdentifiedJoint& joint, const Provenance& provenance,
+                      double day_to_day) {
   for (std::size_t j = 0; j < robot.joints.size(); ++j) {
     if (robot.joints[j].name != joint.name) continue;
-    RobotChange out{identified_config(joint, robot.joints[j], provenance), "", 0.0};
+    RobotChange out{identified_config(joint, robot.joints[j], provenance, day_to_day), "", 0.0};
     if (const auto constant = corrected_torque_constant(joint)) {
       const LegPlace at = place_of(robot, static_cast<int>(j));
       const ActuatorConfig& actuator = robot.actuators[robot.legs[at.leg].actuators[at.place]];

@@ -23,6 +23,7 @@ const std::vector<Enumeration>& enumerations() {
       named<SafetyLevel>("safety_level_t"),
       named<SafetyCause>("safety_cause_t"),
       named<JointStatus>("joint_status_t"),
+      named<MisfitReason>("misfit_reason_t"),
       named<ControlMode>("control_mode_t"),
       named<LegPhase>("leg_phase_t"),
       named<MotionPhase>("motion_phase_t"),

@@ -6,6 +6,7 @@
 
 #include "signals/modes.h"
 #include "tools/operate/client/health_report.h"
+#include "tools/operate/client/model_report.h"
 #include "tools/operate/client/motion_report.h"
 
 namespace sprung {
@@ -78,6 +79,7 @@ Json health_json(const RobotConfig& robot, const HeardRobot& heard) {
   out["nodes"] = buses ? nodes_json(robot, *buses) : Json::array();
   out["auxiliary"] = auxiliary_json(robot, heard.auxiliary.message);
   out["motion"] = motion_json(robot, heard.motion.message, heard.motion.age_s(heard.now_us));
+  out["models"] = models_json(robot, heard.joints.message);
   out["body"] = body_json(robot, heard.joints.message, heard.joints.age_s(heard.now_us));
   return out;
 }

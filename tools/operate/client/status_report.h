@@ -42,7 +42,7 @@ char run_state(std::int64_t pid);
 /// A row for each process of the run: name, state ("dead" when the launcher's child is gone, "stopped" when
 /// somebody halted it, "silent" when it says nothing), pid, rate and what else it tells. Reads /proc.
 nlohmann::ordered_json processes_json(const RunInfo& info, const HeardRobot& heard);
-/// Keys safety, buses, nodes, auxiliary, motion, body.
+/// Keys safety, buses, nodes, auxiliary, motion, models, body.
 nlohmann::ordered_json health_json(const RobotConfig& robot, const HeardRobot& heard);
 /// Keys robot, preset, clock, simulation, maintenance, instance, lcm_url, log, processes, and those of
 /// health_json().

@@ -12,6 +12,7 @@
 #include "signals/modes.h"
 #include "tools/commands.h"
 #include "tools/operate/client/health_report.h"
+#include "tools/operate/client/model_report.h"
 #include "tools/operate/client/motion_report.h"
 #include "tools/operate/client/status_report.h"
 #include "tools/operate/launcher/run_file.h"
@@ -137,6 +138,7 @@ void print_table(const Json& status) {
   std::printf("%s\n", safety_text(status["safety"]).c_str());
   for (const std::string& line : motion_lines(status["motion"], status["body"]))
     std::printf("%s\n", line.c_str());
+  for (const std::string& line : model_lines(status["models"])) std::printf("%s\n", line.c_str());
   for (const std::string& line : auxiliary_lines(status["auxiliary"])) std::printf("%s\n", line.c_str());
   print_buses(status);
 }

@@ -13,9 +13,11 @@
 #include "runtime/session_clock.h"
 #include "runtime/stop_request.h"
 #include "runtime/transport/lcm_address.h"
+#include "runtime/utc_text.h"
 #include "simulation/plant/robot_check.h"
 #include "tools/commands.h"
 #include "tools/logs/commands/recording_options.h"
+#include "tools/operate/client/model_report.h"
 #include "tools/operate/launcher/installed_release.h"
 #include "tools/operate/launcher/launch_view.h"
 #include "tools/operate/launcher/launcher.h"
@@ -121,6 +123,8 @@ int run_up(const LaunchRequest& request, bool plain, bool unchecked) {
     LaunchView view(launcher, robot, plain);
     const std::int64_t started_us = monotonic_us();
     warn_of_ttl(request, robot, launcher);
+    for (const std::string& old : old_identifications(robot, utc_text(utc_us()).substr(0, 10)))
+      launcher.say("note: " + old);
     launcher.start_all_but_bridge();
     launcher.start_bridge();
     view.announce(static_cast<double>(monotonic_us() - started_us) * 1e-6);

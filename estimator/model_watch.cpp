@@ -1,0 +1,212 @@
+#include "estimator/model_watch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sprung {
+namespace {
+
+/// Samples are put together for as long: they are alike for longer (residual_model.cpp), and twelve joints
+/// cost a fifth.
+constexpr double kBucket_s = 5e-3;
+constexpr double kAlikeFor_s = 10e-3;
+/// Motion that decides: a swing.
+constexpr double kWindow_s = 0.3;
+constexpr double kLeastMotion_s = 0.1;
+/// Standard deviations of what robot.yaml states. Plants at the corners of the box that the stated numbers
+/// stand for (friction 25 %, torque constant 5 %, mass 10 %, each 1.7 of them) reach up to sqrt 3 times
+/// sqrt 2.
+constexpr double kMisfit = 3.0, kFit = 2.0;
+/// What was found stays believed; how well it is known is forgotten over as much motion. A hip's
+/// acceleration, which looks like weight, changes within a step, and so does what touches the foot: both are
+/// forgotten whole.
+constexpr double kForgets_s = 5.0, kForgetsWeight_s = 0.2;
+/// A force that is not noticed lasts as long as a slow touchdown.
+constexpr double kForgetsOutside_s = 0.1;
+/// Before anything was seen, one standard deviation each: friction as a multiple of the law's at 1 rad/s,
+/// over which viscous friction comes to as much; the load's share by the worst of published gears twice
+/// (facts D1); inertia and torque constant by the widest that a data sheet was off (facts C2, C3).
+constexpr double kFrictionPrior = 1.0, kLoadPrior = 0.15, kSharePrior = 0.3;
+constexpr double kLeastFriction_Nm = 1.0;
+/// Of a leg's weight, one standard deviation: what the hip's own acceleration adds or takes away.
+constexpr double kHipShare = 0.6;
+/// What neither the terms nor the motion filter know of: ripple, hysteresis.
+constexpr double kRest_Nm = 0.7;
+/// A sample that is further off is something that touches the leg.
+constexpr double kMostStds = 4.0;
+constexpr double kWatchStds = 1.96;
+
+double square(double value) noexcept { return value * value; }
+
+double friction_at_1_rad_s(const FrictionParameters& law) noexcept {
+  return std::max(kLeastFriction_Nm, law.coulomb_Nm + law.viscous_Nm_s_rad);
+}
+
+constexpr MisfitReason kMisfitReasons[] = {MisfitReason::kFriction,       MisfitReason::kViscousFriction,
+                                           MisfitReason::kLoadFriction,   MisfitReason::kInertia,
+                                           MisfitReason::kTorqueConstant, MisfitReason::kWeight};
+
+}  // namespace
+
+double ModelWatch::Missed::bound_Nm() const noexcept { return std::abs(torque_Nm) + kWatchStds * std_Nm; }
+
+ModelWatch::ModelWatch(const JointUncertainty& stated, const FrictionParameters& law) noexcept
+    : stated_(stated) {
+  const double friction_Nm = kFrictionPrior * friction_at_1_rad_s(law);
+  prior_ = {friction_Nm, friction_Nm, kLoadPrior, kSharePrior, kSharePrior, kHipShare, 1.0};
+  reset();
+}
+
+void ModelWatch::reset() noexcept {
+  found_ = {};
+  covariance_ = {};
+  moment_ = {};
+  for (std::size_t i = 0; i < kTerms; ++i) covariance_[i][i] = square(prior_[i]);
+  stated_moment_Nm2_ = seen_s_ = ratio_ = 0.0;
+  reason_ = MisfitReason::kNone;
+  doubted_ = false;
+  freeze();
+}
+
+void ModelWatch::freeze() noexcept {
+  filling_ = {};
+  count_ = 0;
+}
+
+void ModelWatch::doubt() noexcept {
+  doubted_ = true;
+  seen_s_ = 0.0;
+}
+
+ModelWatch::Terms ModelWatch::parts(const WatchedMotion& motion) const noexcept {
+  return {motion.sign,
+          motion.velocity_rad_s,
+          std::abs(motion.output_torque_Nm) * motion.sign,
+          motion.inertia_torque_Nm,
+          -motion.motor_torque_Nm,
+          motion.weight_Nm,
+          motion.unnoticed_Nm};
+}
+
+double ModelWatch::stated_Nm2(const WatchedMotion& motion) const noexcept {
+  return square(stated_.friction * motion.friction_Nm) +
+         square(stated_.torque_constant * motion.motor_torque_Nm) +
+         square(stated_.armature * motion.inertia_torque_Nm) + square(stated_.mass * motion.link_torque_Nm);
+}
+
+void ModelWatch::learn(const WatchedMotion& motion, double unexplained_Nm, double noise_std_Nm,
+                       double dt_s) noexcept {
+  const Terms part = parts(motion);
+  for (std::size_t i = 0; i < kTerms; ++i) filling_.part[i] += dt_s * part[i];
+  filling_.unexplained_Nm += dt_s * unexplained_Nm;
+  filling_.noise_Nm2 += dt_s * square(noise_std_Nm);
+  filling_.stated_Nm2 += dt_s * stated_Nm2(motion);
+  filling_.time_s += dt_s;
+  constexpr double kRounding_s = 1e-9;  // message times are whole microseconds
+  if (filling_.time_s + kRounding_s < kBucket_s) return;
+  const double each = 1.0 / filling_.time_s;
+  for (double& value : filling_.part) value *= each;
+  filling_.unexplained_Nm *= each;
+  filling_.noise_Nm2 *= each;
+  filling_.stated_Nm2 *= each;
+  wait(filling_);
+  filling_ = {};
+}
+
+void ModelWatch::wait(const Bucket& bucket) noexcept {
+  if (count_ == kWaiting) {
+    take(waiting_[next_]);
+    judge();
+  } else {
+    ++count_;
+  }
+  waiting_[next_] = bucket;
+  next_ = (next_ + 1) % kWaiting;
+}
+
+void ModelWatch::age(double time_s) noexcept {
+  Terms kept{};
+  for (std::size_t i = 0; i < kTerms; ++i)
+    kept[i] = std::max(0.0, 1.0 - time_s / (i == kWeight    ? kForgetsWeight_s
+                                            : i == kOutside ? kForgetsOutside_s
+                                                            : kForgets_s));
+  found_[kWeight] *= kept[kWeight];
+  found_[kOutside] *= kept[kOutside];
+  for (std::size_t i = 0; i < kTerms; ++i) {
+    for (std::size_t k = 0; k < kTerms; ++k) covariance_[i][k] *= kept[i] * kept[k];
+    covariance_[i][i] += (1.0 - square(kept[i])) * square(prior_[i]);
+  }
+}
+
+void ModelWatch::take(const Bucket& bucket) noexcept {
+  age(bucket.time_s);
+  remember(bucket);
+  const double alike = std::max(1.0, 2.0 * kAlikeFor_s / bucket.time_s);
+  Terms gain{};
+  double total_Nm2 = alike * (bucket.noise_Nm2 + square(kRest_Nm));
+  double left_Nm = -bucket.unexplained_Nm;
+  for (std::size_t i = 0; i < kTerms; ++i) {
+    for (std::size_t k = 0; k < kTerms; ++k) gain[i] += covariance_[i][k] * bucket.part[k];
+    total_Nm2 += gain[i] * bucket.part[i];
+    left_Nm -= found_[i] * bucket.part[i];
+  }
+  const double most_Nm = kMostStds * std::sqrt(total_Nm2);
+  left_Nm = std::clamp(left_Nm, -most_Nm, most_Nm);
+  for (std::size_t i = 0; i < kTerms; ++i) {
+    found_[i] += gain[i] / total_Nm2 * left_Nm;
+    for (std::size_t k = 0; k < kTerms; ++k) covariance_[i][k] -= gain[i] * gain[k] / total_Nm2;
+  }
+}
+
+void ModelWatch::remember(const Bucket& bucket) noexcept {
+  seen_s_ = std::min(kWindow_s, seen_s_ + bucket.time_s);
+  const double share = std::min(1.0, bucket.time_s / seen_s_);
+  for (std::size_t i = 0; i < kTerms; ++i) {
+    for (std::size_t k = 0; k < kTerms; ++k)
+      moment_[i][k] += share * (bucket.part[i] * bucket.part[k] - moment_[i][k]);
+  }
+  stated_moment_Nm2_ += share * (bucket.stated_Nm2 - stated_moment_Nm2_);
+}
+
+/// Weight is the hip's acceleration too, and judged by itself.
+void ModelWatch::judge() noexcept {
+  if (seen_s_ < kLeastMotion_s) return;
+  double missed_Nm2 = 0.0, unsure_Nm2 = 0.0;
+  for (std::size_t i = 0; i < kWeight; ++i) {
+    for (std::size_t k = 0; k < kWeight; ++k) {
+      missed_Nm2 += found_[i] * moment_[i][k] * found_[k];
+      unsure_Nm2 += covariance_[i][k] * moment_[i][k];
+    }
+  }
+  const double sure_Nm = std::sqrt(std::max(0.0, missed_Nm2)) - std::sqrt(std::max(0.0, unsure_Nm2));
+  const double weight = (std::abs(found_[kWeight]) - std::sqrt(covariance_[kWeight][kWeight])) / kHipShare;
+  const double by_model = stated_moment_Nm2_ > 0.0 ? sure_Nm / std::sqrt(stated_moment_Nm2_) : 0.0;
+  ratio_ = std::max({0.0, by_model, weight});
+  if (seen_s_ >= kWindow_s) doubted_ = false;
+  if (ratio_ < kFit) reason_ = MisfitReason::kNone;
+  if (ratio_ > kMisfit) reason_ = weight > by_model ? MisfitReason::kWeight : likely_reason();
+}
+
+MisfitReason ModelWatch::likely_reason() const noexcept {
+  std::size_t most = kDry;
+  const auto size = [this](std::size_t i) { return square(found_[i]) * moment_[i][i]; };
+  for (std::size_t i = kViscous; i < kWeight; ++i) {
+    if (size(i) > size(most)) most = i;
+  }
+  return kMisfitReasons[most];
+}
+
+ModelWatch::Missed ModelWatch::missed(const WatchedMotion& motion) const noexcept {
+  if (fits()) return {};
+  const Terms part = parts(motion);
+  Missed out;
+  double variance_Nm2 = 0.0;
+  for (std::size_t i = 0; i < kWeight; ++i) {
+    out.torque_Nm += found_[i] * part[i];
+    for (std::size_t k = 0; k < kWeight; ++k) variance_Nm2 += part[i] * covariance_[i][k] * part[k];
+  }
+  out.std_Nm = std::sqrt(std::max(0.0, variance_Nm2));
+  return out;
+}
+
+}  // namespace sprung

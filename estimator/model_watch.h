@@ -1,0 +1,108 @@
+#pragma once
+/// Does one joint's model fit the motion that is seen? Pure: no heap after construction, never throws.
+///
+/// While nothing touches the leg, the torque that the model leaves unexplained is the model's own error:
+///
+///   -unexplained = c s + b w + k |L| s + x_J J qdd - x_k R Kt i + x_w G + x_o O + noise,   s = sgn(w)
+///
+/// c, b and k are what friction is more than its law says, x shares of inertia, torque constant and weight; O
+/// is the torque of a force that is too small to be noticed as contact, or is not noticed. A Kalman filter
+/// holds the seven. The joint does not fit when what they come to, over the motion of the last
+/// 0.3 s and less its own uncertainty, is more than kMisfit of the standard deviations that robot.yaml's
+/// `uncertainty` states; it fits again below kFit. What touches the leg does not teach: nothing is learnt
+/// while it may be in contact, nor from what is younger than 25 ms; there the watch is frozen.
+#include <array>
+#include <cstddef>
+
+#include "model/friction/friction_parameters.h"
+#include "robots/identification_config.h"
+#include "signals/modes.h"
+
+namespace sprung {
+
+/// One joint in one cycle. Torques at the joint.
+struct WatchedMotion {
+  double velocity_rad_s = 0.0;
+  double sign = 0.0;               ///< s; where that of the motion is not known, 1 for the worse
+  double output_torque_Nm = 0.0;   ///< L, gear output as estimated
+  double inertia_torque_Nm = 0.0;  ///< armature times acceleration
+  double motor_torque_Nm = 0.0;
+  double weight_Nm = 0.0;       ///< G, of the leg at this joint
+  double friction_Nm = 0.0;     ///< by the law
+  double link_torque_Nm = 0.0;  ///< M qdd + V + G by the model of the leg
+  double unnoticed_Nm = 0.0;    ///< O, one standard deviation
+};
+
+class ModelWatch {
+ public:
+  ModelWatch(const JointUncertainty& stated, const FrictionParameters& law) noexcept;
+
+  /// Forgets all: the joint fits until it is seen not to.
+  void reset() noexcept;
+  /// In a cycle in which nothing touches the leg and the drive moves the joint.
+  /// @param unexplained_Nm external torque as estimated. @param noise_std_Nm of it, by the motion filter.
+  void learn(const WatchedMotion& motion, double unexplained_Nm, double noise_std_Nm, double dt_s) noexcept;
+  /// Something may touch the leg: what waits to be learnt is dropped.
+  void freeze() noexcept;
+  /// What is seen cannot be, as ground that pulls: the joint does not fit until motion has told more.
+  void doubt() noexcept;
+
+  bool fits() const noexcept { return reason() == MisfitReason::kNone; }
+  MisfitReason reason() const noexcept {
+    return reason_ == MisfitReason::kNone && doubted_ ? MisfitReason::kFriction : reason_;
+  }
+  /// By how many of the stated standard deviations the model is off in the motion of late; 0 until enough
+  /// was seen.
+  double ratio() const noexcept { return ratio_; }
+
+  /// What the model is believed to miss in this motion, torque that friction, inertia and torque constant
+  /// take more than it says; and one standard deviation of that. Zero while it fits.
+  struct Missed {
+    double torque_Nm = 0.0;
+    double std_Nm = 0.0;
+    /// Half-width at 95 % of an estimate that leaves it out.
+    double bound_Nm() const noexcept;
+  };
+  Missed missed(const WatchedMotion& motion) const noexcept;
+
+  enum Term : std::size_t { kDry, kViscous, kLoad, kInertia, kTorqueConstant, kWeight, kOutside, kTerms };
+  using Terms = std::array<double, kTerms>;
+  /// Best guess of c, b, k and the x, in the order of Term.
+  const Terms& found() const noexcept { return found_; }
+
+ private:
+  using Matrix = std::array<Terms, kTerms>;
+  /// Means over some samples of one motion.
+  struct Bucket {
+    Terms part{};
+    double unexplained_Nm = 0.0;
+    double noise_Nm2 = 0.0;
+    double stated_Nm2 = 0.0;
+    double time_s = 0.0;
+  };
+  Terms parts(const WatchedMotion& motion) const noexcept;
+  double stated_Nm2(const WatchedMotion& motion) const noexcept;
+  void wait(const Bucket& bucket) noexcept;
+  void age(double time_s) noexcept;
+  void take(const Bucket& bucket) noexcept;
+  void remember(const Bucket& bucket) noexcept;
+  void judge() noexcept;
+  MisfitReason likely_reason() const noexcept;
+
+  JointUncertainty stated_;
+  Terms prior_{};  ///< one standard deviation of each
+  Terms found_{};
+  Matrix covariance_{};
+  Matrix moment_{};  ///< mean of part times part over the motion of late
+  double stated_moment_Nm2_ = 0.0;
+  double seen_s_ = 0.0;  ///< of motion, counted to the length of the window; since a doubt
+  Bucket filling_{};
+  static constexpr std::size_t kWaiting = 5;
+  std::array<Bucket, kWaiting> waiting_{};  ///< ring
+  std::size_t next_ = 0, count_ = 0;
+  double ratio_ = 0.0;
+  MisfitReason reason_ = MisfitReason::kNone;
+  bool doubted_ = false;
+};
+
+}  // namespace sprung

@@ -1,0 +1,87 @@
+#include "tools/operate/client/model_report.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "robots/robot_loader.h"
+#include "signals/modes.h"
+
+namespace sprung {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class ModelReport : public testing::Test {
+ protected:
+  ModelReport() {
+    state_.n_joints = static_cast<int>(robot_.joints.size());
+    state_.joints.resize(robot_.joints.size());
+    for (auto& joint : state_.joints) joint.model_fits = joint.identified = 1;
+  }
+  void doubt_knee() {
+    state_.joints[1].model_fits = 0;
+    state_.joints[1].misfit_ratio = 6.25;
+    state_.joints[1].misfit_reason = static_cast<std::int8_t>(MisfitReason::kViscousFriction);
+  }
+
+  RobotConfig robot_ = load_robot("single_leg");
+  sprung_msgs::joint_state_t state_{};
+};
+
+TEST_F(ModelReport, NothingHeardTellsNothing) {
+  EXPECT_EQ(models_json(robot_, std::nullopt), Json::array());
+  EXPECT_THAT(model_lines(Json::array()), IsEmpty());
+}
+
+TEST_F(ModelReport, ModelsThatFitAreInTheJsonAlone) {
+  const Json models = models_json(robot_, state_);
+  ASSERT_EQ(models.size(), 2u);
+  EXPECT_EQ(models[0]["name"], "hip");
+  EXPECT_EQ(models[0]["fits"], true);
+  EXPECT_EQ(models[0]["likely_reason"], "none");
+  EXPECT_TRUE(models[0]["repeat"].is_null());
+  EXPECT_THAT(model_lines(models), IsEmpty());
+}
+
+TEST_F(ModelReport, MisfitIsToldWithJointLikelyReasonAndRemedy) {
+  doubt_knee();
+  const Json models = models_json(robot_, state_);
+  EXPECT_EQ(models[1]["repeat"], "sprung identify --record single_leg knee --suspended --out knee.lcm");
+  EXPECT_THAT(model_lines(models),
+              ElementsAre(AllOf(HasSubstr("knee"), HasSubstr("viscous friction"), HasSubstr("6.2 times"),
+                                HasSubstr("sprung identify --record single_leg knee"))));
+}
+
+TEST_F(ModelReport, IdentificationsWithinTheirAgeAreNotTold) {
+  EXPECT_THAT(old_identifications(robot_, "2026-11-21"), IsEmpty());
+  EXPECT_THAT(old_identifications(robot_, "2027-02-19"), IsEmpty()) << "90 days";
+}
+
+TEST_F(ModelReport, OldIdentificationsAreToldWithTheirJointsAndRemedy) {
+  EXPECT_THAT(
+      old_identifications(robot_, "2027-02-20"),
+      ElementsAre(AllOf(HasSubstr("91 days ago"), HasSubstr("max_age_days: 90"), HasSubstr("hip, knee"),
+                        HasSubstr("sprung identify --record single_leg hip"))));
+  robot_.joints[0].friction->record.max_age_days = 400;
+  EXPECT_THAT(old_identifications(robot_, "2027-02-20"), ElementsAre(HasSubstr(": knee;")));
+}
+
+TEST_F(ModelReport, LeapDayCounts) {
+  for (JointConfig& joint : robot_.joints) joint.friction->record.date = "2028-02-01";
+  EXPECT_THAT(old_identifications(robot_, "2028-05-01"), IsEmpty()) << "29 + 31 + 30 days";
+  EXPECT_THAT(old_identifications(robot_, "2028-05-02"), ElementsAre(HasSubstr("91 days")));
+}
+
+TEST_F(ModelReport, JointsThatAreNotIdentifiedHaveNoAge) {
+  for (JointConfig& joint : robot_.joints) joint.friction.reset();
+  EXPECT_THAT(old_identifications(robot_, "2099-01-01"), IsEmpty());
+}
+
+}  // namespace
+}  // namespace sprung

@@ -1,0 +1,90 @@
+#include "tools/operate/client/model_report.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "signals/modes.h"
+
+namespace sprung {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json model_json(const RobotConfig& robot, const JointConfig& joint,
+                const sprung_msgs::estimated_joint_t& estimated) {
+  const bool fits = estimated.model_fits != 0;
+  return {{"name", joint.name},
+          {"identified", estimated.identified != 0},
+          {"fits", fits},
+          {"ratio", estimated.misfit_ratio},
+          {"likely_reason", name(static_cast<MisfitReason>(estimated.misfit_reason))},
+          {"repeat", fits ? Json(nullptr) : Json(record_command(robot, joint))}};
+}
+
+/// Days since the first of March of year 0, so that leap days come last. -1: no date.
+long day_number(const std::string& date) {
+  int year = 0, month = 0, day = 0;
+  if (std::sscanf(date.c_str(), "%d-%d-%d", &year, &month, &day) != 3) return -1;
+  const long y = month > 2 ? year : year - 1;
+  const long m = (month + 9) % 12;
+  return 365 * y + y / 4 - y / 100 + y / 400 + (153 * m + 2) / 5 + day - 1;
+}
+
+/// Older than allowed, in days; 0: not.
+long days_of_old_age(const JointConfig& joint, long today) {
+  if (!joint.friction) return 0;
+  const long made = day_number(joint.friction->record.date);
+  const long age = made >= 0 && today >= 0 ? today - made : 0;
+  return age > joint.friction->record.max_age_days ? age : 0;
+}
+
+}  // namespace
+
+std::string record_command(const RobotConfig& robot, const JointConfig& joint) {
+  return "sprung identify --record " + robot.name + " " + joint.name + " --suspended --out " + joint.name +
+         ".lcm";
+}
+
+Json models_json(const RobotConfig& robot, const std::optional<sprung_msgs::joint_state_t>& joints) {
+  Json out = Json::array();
+  if (!joints) return out;
+  const std::size_t count = std::min(robot.joints.size(), joints->joints.size());
+  for (std::size_t i = 0; i < count; ++i)
+    out.push_back(model_json(robot, robot.joints[i], joints->joints[i]));
+  return out;
+}
+
+std::vector<std::string> model_lines(const Json& models) {
+  std::vector<std::string> out;
+  for (const Json& model : models) {
+    if (model["fits"].get<bool>()) continue;
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "model   %-10s does not fit: likely %s; %.1f times what robot.yaml states",
+                  model["name"].get<std::string>().c_str(), model["likely_reason"].get<std::string>().c_str(),
+                  model["ratio"].get<double>());
+    out.push_back(text + std::string("; repeat: ") + model["repeat"].get<std::string>());
+  }
+  return out;
+}
+
+/// Joints of one age in a line: a robot is identified in one go.
+std::vector<std::string> old_identifications(const RobotConfig& robot, const std::string& today) {
+  std::map<long, std::vector<const JointConfig*>> by_age;
+  for (const JointConfig& joint : robot.joints) {
+    if (const long days = days_of_old_age(joint, day_number(today)); days > 0) by_age[days].push_back(&joint);
+  }
+  std::vector<std::string> out;
+  for (const auto& [days, joints] : by_age) {
+    std::string names;
+    for (const JointConfig* joint : joints) names += (names.empty() ? "" : ", ") + joint->name;
+    out.push_back("identified " + std::to_string(days) + " days ago, more than max_age_days: " +
+                  std::to_string(joints.front()->friction->record.max_age_days) + ": " + names +
+                  "; repeat: " + record_command(robot, *joints.front()));
+  }
+  return out;
+}
+
+}  // namespace sprung
