@@ -29,10 +29,43 @@ class LegEstimatorTest : public testing::Test {
       a.referenced = true;
     }
   }
+  /// In the air, to and fro in 0.6 s, by motors that also overcome so much viscous friction that no law
+  /// knows.
+  void swing(double seconds, double unknown_Nm_s_rad) {
+    const auto leg = make_leg_kinematics(robot_.legs[0]);
+    const double rate = 2.0 * M_PI / 0.6;
+    JointVector q(2), w(2), a(2);
+    for (int k = 0; k < std::lround(seconds / robot_.cycle_s); ++k, swung_s_ += robot_.cycle_s) {
+      const double sine = std::sin(rate * swung_s_), cosine = std::cos(rate * swung_s_);
+      q << 2.4 - 0.3 * cosine, 1.6 + 0.3 * cosine;
+      w << 0.3 * rate * sine, -0.3 * rate * sine;
+      a << 0.3 * rate * rate * cosine, -0.3 * rate * rate * cosine;
+      const JointVector links_Nm = leg->inverse_dynamics_Nm(leg->pose(q), w, a);
+      for (int i = 0; i < 2; ++i) {
+        const JointConfig& joint = robot_.joints[static_cast<std::size_t>(i)];
+        FrictionInput at;
+        at.velocity_rad_s = w[i];
+        drive(i, q[i],
+              links_Nm[i] + joint.armature_kg_m2 * a[i] + unknown_Nm_s_rad * w[i] +
+                  friction_torque_Nm(joint.estimated_friction(), at));
+      }
+      run(1);
+    }
+  }
+  void drive(int i, double position_rad, double torque_Nm) {
+    const ActuatorConfig& motor = robot_.actuators[static_cast<std::size_t>(i)];
+    ActuatorState& a = actuators_[static_cast<std::size_t>(i)];
+    a.measured_position_rad = position_rad;
+    a.measured_current_A = torque_Nm / (motor.gear_ratio * motor.torque_constant_Nm_A);
+    a.power_state = PowerState::kOperationEnabled;
+    a.shown_mode = DriveMode::kPosition;
+    a.referenced = true;
+  }
   void run(int cycles) {
     for (int k = 0; k < cycles; ++k) leg_.step(actuators_, robot_.cycle_s, joints_, out_);
   }
 
+  double swung_s_ = 0.0;
   RobotConfig robot_ = load_robot("single_leg");
   LegEstimator leg_{robot_, robot_.legs[0], 2};
   std::vector<ActuatorState> actuators_{2};
@@ -82,6 +115,38 @@ TEST_F(LegEstimatorTest, LoadThatNoStuckGearCouldHoldIsContactAndItsEndIsSeen) {
   balance({0.0, 0.0, -120.0});  // pulled: nothing stands on a ceiling
   run(20);
   EXPECT_FALSE(out_.contact);
+}
+
+TEST_F(LegEstimatorTest, JointsThatMoveAsTheirModelsSayFit) {
+  swing(3.0, 0.0);
+  for (const EstimatedJoint& joint : joints_) {
+    EXPECT_TRUE(joint.model_fits);
+    EXPECT_EQ(joint.misfit_reason, MisfitReason::kNone);
+    EXPECT_LT(joint.misfit_ratio, 1.5);
+  }
+}
+
+TEST_F(LegEstimatorTest, FrictionThatNoLawKnowsIsSaidAndWidensEveryBoundWithinASecond) {
+  swing(1.0, 0.0);
+  const std::vector<EstimatedJoint> fitting = joints_;
+  swing(1.0, 7.4);
+  for (std::size_t j = 0; j < joints_.size(); ++j) {
+    EXPECT_FALSE(joints_[j].model_fits) << j;
+    EXPECT_GT(joints_[j].misfit_ratio, 2.0);
+    EXPECT_GT(joints_[j].gear_output_torque_bound_Nm, fitting[j].gear_output_torque_bound_Nm);
+    EXPECT_GT(joints_[j].friction_torque_bound_Nm, fitting[j].friction_torque_bound_Nm);
+    EXPECT_GT(joints_[j].external_torque_bound_Nm, fitting[j].external_torque_bound_Nm);
+  }
+}
+
+TEST_F(LegEstimatorTest, StandingTeachesNothingOfTheModel) {
+  balance({0.0, 0.0, 120.0});
+  run(2000);
+  ASSERT_TRUE(out_.contact);
+  for (const EstimatedJoint& joint : joints_) {
+    EXPECT_TRUE(joint.model_fits);
+    EXPECT_EQ(joint.misfit_ratio, 0.0);
+  }
 }
 
 TEST_F(LegEstimatorTest, AMissingDriveMeansNoContactAndNoForce) {

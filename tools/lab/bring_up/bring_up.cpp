@@ -9,6 +9,7 @@
 #include "robots/robot_loader.h"
 #include "runtime/session_clock.h"
 #include "runtime/utc_text.h"
+#include "simulation/plant/plant_draw.h"
 #include "tools/lab/identify/drive_series.h"
 #include "tools/lab/identify/fragment.h"
 #include "tools/lab/identify/identify_recording.h"
@@ -138,7 +139,7 @@ void add_law_rows(const std::vector<identify::RobotChange>& changes, std::vector
 
 ExperimentOutput run_bring_up(const ExperimentInput& asked, const BringUpRequest& request) {
   ExperimentInput in = asked;
-  if (!request.family.empty()) in.sim.family = request.family;
+  if (!request.family.empty()) in.sim.plant.emplace(sim::kFamilyKey + request.family, 1.0);
   in.sim.plant.emplace("draw", static_cast<double>(in.sim.seed));
   BringUpProtocol protocol;
   protocol.command = in.command;
