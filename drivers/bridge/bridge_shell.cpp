@@ -123,11 +123,17 @@ void BridgeShell::follow_start() {
   if (waiting && core_.safety().level == SafetyLevel::kOperational) {
     process_.set_state(ProcessState::kRunning);
     process_.status().detail.clear();
-    for (const std::string& line : core_.boot_report()) log_info(line);
+    tell_boot();
   }
 }
 
-void BridgeShell::report_end() const {
+void BridgeShell::tell_boot() {
+  told_boot_ = true;
+  for (const std::string& line : core_.boot_report()) log_info(line);
+}
+
+void BridgeShell::report_end() {
+  if (!told_boot_) tell_boot();
   for (const std::string& line : core_.restore_report()) log_info(line);
 }
 

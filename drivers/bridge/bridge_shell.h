@@ -32,8 +32,9 @@ class BridgeShell {
   void publish_cycle(const DriveState& state);
   /// `running` on PROCESS_STATUS once safety lets the robot move: that is what `sprung up` waits for.
   void follow_start();
-  /// After an orderly end: whose settings are back.
-  void report_end() const;
+  /// After an orderly end: whose settings are back, and what was overwritten by a boot that never got to its
+  /// end.
+  void report_end();
   /// The last DRIVE_STATE again, for whoever lost it or whose answer was lost.
   void repeat_drive_state();
   /// SAFETY_STATE and BUS_STATE while no cycle runs yet: on change and at 10 Hz of wall time.
@@ -56,6 +57,7 @@ class BridgeShell {
   void restore_references();
   void store_references();
   void publish_trace(const Stamp& stamp);
+  void tell_boot();
 
   Process& process_;
   BridgeCore& core_;
@@ -74,6 +76,7 @@ class BridgeShell {
   std::int64_t next_buses_us_ = 0;
   std::int64_t next_auxiliary_us_ = 0;
   bool told_low_battery_ = false;
+  bool told_boot_ = false;
   std::optional<ReferenceStore> references_;  ///< none in lock-step: a run must not depend on what was before
   std::int64_t stored_homings_ = 0;
   std::int64_t last_command_seq_ = -1;

@@ -172,6 +172,7 @@ void NodeBoot::take_answer(SdoClient& sdo) noexcept {
 void NodeBoot::take_abort(std::uint32_t code) noexcept {
   ++sdo_failures_;
   const BootStep& step = script_[at_];
+  if (transfer_ == Transfer::kWrite && listed_now_) overwritten_.pop_back();  // it has kept what it had
   const bool has_other_way = at_ + 1 < script_.size() && script_[at_ + 1].kind == Kind::kAdoptInstead;
   if (step.setting.object.index == canopen::kHeartbeatConsumer && has_other_way) {
     consumer_abort_ = code;
@@ -226,7 +227,7 @@ void NodeBoot::judge_firmware(std::uint32_t revision) noexcept {
         drive_, revision, revision);
 }
 
-/// Only the first boot finds what was there before us.
+/// Only the first boot finds what was there before us. Before the write: an answer to it may get lost.
 void NodeBoot::remember(std::uint32_t value) noexcept {
   const DriveSetting& setting = script_[at_].setting;
   const std::uint32_t written = low_bytes(setting.value, setting.size);
@@ -236,6 +237,7 @@ void NodeBoot::remember(std::uint32_t value) noexcept {
   if (value == written || listed || overwritten_.size() == overwritten_.capacity()) return;
   overwritten_.push_back({setting, written});
   overwritten_.back().setting.value = value;
+  listed_now_ = true;
 }
 
 void NodeBoot::refuse(std::uint32_t found) noexcept {
@@ -244,6 +246,7 @@ void NodeBoot::refuse(std::uint32_t found) noexcept {
 }
 
 void NodeBoot::begin_step() noexcept {
+  listed_now_ = false;
   const Kind kind = script_[at_].kind;
   transfer_ = adopts(kind) ? Transfer::kReadBefore : writes(kind) ? Transfer::kWrite : Transfer::kRead;
 }

@@ -96,6 +96,7 @@ class NodeBoot {
   std::uint32_t firmware_ = 0;
   std::uint32_t consumer_abort_ = 0;      ///< why 0x1016 was refused; 0: it was not
   std::vector<Overwritten> overwritten_;  ///< never more than its capacity
+  bool listed_now_ = false;               ///< the last of them is the object of this step
   DetailText detail_{};
 };
 

@@ -9,6 +9,14 @@ namespace {
 
 constexpr std::uint16_t kHaltBit = 1U << 8;
 
+/// Codes of 0x605A.
+bool stays_after_quick_stop(int option) noexcept { return option >= 5 && option <= 8; }
+
+bool enables(std::uint16_t word) noexcept {
+  constexpr std::uint16_t kMask = cia402::kFaultResetBit | cia402::kEnableOperationWord;
+  return (word & kMask) == cia402::kEnableOperationWord;
+}
+
 }  // namespace
 
 PowerStage::PowerStage(const PowerTimes& times, double step_s) noexcept : times_(times), step_s_(step_s) {
@@ -54,6 +62,8 @@ void PowerStage::control(std::uint16_t word, const PowerOptions& options, double
     next = cia402::apply_control(next, acts, last_word_);
   if (before == PowerState::kReadyToSwitchOn && next == PowerState::kOperationEnabled)
     enter(PowerState::kSwitchedOn);
+  if (before == PowerState::kQuickStopActive && stays_in_quick_stop_ && enables(acts))
+    next = PowerState::kOperationEnabled;
   last_word_ = word;
   halted_ = (word & kHaltBit) != 0;
   const bool operates = before == PowerState::kOperationEnabled;
@@ -86,7 +96,8 @@ void PowerStage::leave_operation(PowerState target, bool brakes, double velocity
 }
 
 void PowerStage::quick_stop(const PowerOptions& options, double velocity_rad_s) noexcept {
-  const bool brakes = options.quick_stop != 0 && velocity_rad_s != 0.0;
+  stays_in_quick_stop_ = stays_after_quick_stop(options.quick_stop);
+  const bool brakes = stays_in_quick_stop_ || (options.quick_stop != 0 && velocity_rad_s != 0.0);
   enter(brakes ? PowerState::kQuickStopActive : PowerState::kSwitchOnDisabled);
 }
 
@@ -117,6 +128,7 @@ void PowerStage::advance(double velocity_rad_s) noexcept {
 }
 
 void PowerStage::advance_braking(double velocity_rad_s) noexcept {
+  if (state_ == PowerState::kQuickStopActive && stays_in_quick_stop_) return;
   if (std::abs(velocity_rad_s) >= kSlow_rad_s && elapsed_s_ <= kBrakeTime_s) return;
   if (state_ == PowerState::kFaultReactionActive) return enter(PowerState::kFault);
   enter(state_ == PowerState::kQuickStopActive ? PowerState::kSwitchOnDisabled : after_braking_);

@@ -4,8 +4,10 @@
 ///
 /// The option codes say whether the drive brakes first (not 0) or lets the motor coast (0): 0x605A quick
 /// stop, 0x605B shutdown, 0x605C disable operation, 0x605E fault reaction. Braking ends without power, when
-/// slow or after kBrakeTime_s; halt (control bit 8) brakes with power for as long as it is asked, whichever
-/// of 0x605D's ways is chosen. How a real drive brakes in a current mode is [unverified].
+/// slow or after kBrakeTime_s; but 0x605A = 5 to 8 stays in quick stop with power until the master says
+/// otherwise, also to go on (CiA 402's transition 16). Halt (control bit 8) brakes with power for as long as
+/// it is asked, whichever of 0x605D's ways is chosen. How a real drive brakes in a current mode is
+/// [unverified].
 #include <cstdint>
 
 #include "signals/modes.h"
@@ -80,6 +82,7 @@ class PowerStage {
   std::uint16_t last_word_ = 0;
   bool halted_ = false;
   bool brakes_in_fault_ = false;
+  bool stays_in_quick_stop_ = false;
   bool measured_ = false;  ///< the first enable is over
   double elapsed_s_ = 0.0;
 };

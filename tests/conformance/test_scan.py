@@ -21,7 +21,7 @@ COMMISSIONED = {
         (0x6076, 0),
         (0x6080, 0),
     },  # ratings, speed limit
-    "epos2": {(0x1018, 4), (0x2210, 1)},  # serial number, encoder pulses
+    "epos2": {(0x1018, 4), (0x2210, 1), (0x6502, 0)},  # serial number, encoder pulses, modes simulated
     "encoder_card": {(0x1018, 4)},
 }
 # ... and what is measured: states, positions, speeds, currents, supply, time.

@@ -69,6 +69,8 @@ void FakeDrive::receive_sdo(const CanFrame& frame, std::vector<CanFrame>& out) {
   objects[{kStatusWord, 0}] = cia402::encode_status(power);
   if (aborts.count(key) != 0) {
     out.push_back(sdo_server_abort(node_, request.object, aborts[key]));
+  } else if (request.kind == SdoKind::kDownload && write_aborts.count(key) != 0) {
+    out.push_back(sdo_server_abort(node_, request.object, write_aborts[key]));
   } else if (request.kind == SdoKind::kDownload) {
     objects[key] = clamped.count(key) != 0 ? clamped[key] : request.value;
     if (request.object.index == kControlWord) apply_control_word(static_cast<std::uint16_t>(request.value));

@@ -28,9 +28,10 @@ class FakeDrive {
 
   using Key = std::pair<std::uint16_t, std::uint8_t>;
   std::map<Key, std::uint32_t> objects;
-  std::map<Key, std::uint32_t> clamped;  ///< objects that keep this value whatever is written
-  std::map<Key, std::uint32_t> aborts;   ///< objects that answer with this abort code
-  std::vector<CanFrame> received;        ///< SDO requests and NMT commands to this node, in order
+  std::map<Key, std::uint32_t> clamped;       ///< objects that keep this value whatever is written
+  std::map<Key, std::uint32_t> aborts;        ///< objects that answer with this abort code
+  std::map<Key, std::uint32_t> write_aborts;  ///< the same, but they can be read
+  std::vector<CanFrame> received;             ///< SDO requests and NMT commands to this node, in order
   canopen::NmtState nmt = canopen::NmtState::kPreOperational;
   PowerState power = PowerState::kSwitchOnDisabled;
   std::uint16_t control_word = 0;

@@ -21,6 +21,10 @@ constexpr std::uint16_t kFollowingErrorFault = 0x8611;
 constexpr std::uint16_t kPositionLimitFault = 0xFF09;
 constexpr std::int64_t kNeverTooFar = 0xFFFFFFFF;  ///< of 0x6065
 
+/// 0x6502: profile position and profile velocity. A real one says more, but homing and interpolated position
+/// are not simulated, and what a drive refuses it should not offer. The maker's own modes have no bit there.
+constexpr std::int64_t kSimulatedModes = 1 << (kModeProfilePosition - 1) | 1 << (kModeProfileVelocity - 1);
+
 // Objects that only this device shows.
 constexpr std::uint16_t kCurrentAveraged = 0x2027;   ///< mA
 constexpr std::uint16_t kVelocityAveraged = 0x2028;  ///< rpm
@@ -40,8 +44,9 @@ ObjectDictionary epos2_dictionary(const SimDriveSetup& setup) {
   const double pulses = std::clamp(setup.actuator.encoder_counts_per_turn / 4.0, 16.0, 2.5e6);
   // No two devices have the same identity, else LSS could not tell them apart.
   const int serial = (setup.actuator.bus + 1) * 1000 + setup.actuator.node;
-  return ObjectDictionary(eds,
-                          {{{kEncoderPulses, 1}, std::llround(pulses)}, {{canopen::kIdentity, 4}, serial}});
+  return ObjectDictionary(eds, {{{kEncoderPulses, 1}, std::llround(pulses)},
+                                {{canopen::kIdentity, 4}, serial},
+                                {{canopen::kSupportedModes, 0}, kSimulatedModes}});
 }
 
 double clamp_i32(double value) { return std::clamp(value, -2147483648.0, 2147483647.0); }

@@ -192,6 +192,21 @@ TEST(Boot, WhatItOverwritesIsListedWithBothValues) {
   EXPECT_EQ(report[0], "hip_motor: boot has overwritten 0x6075:00 rated current (2500, now 7000)");
 }
 
+/// Nothing is half written and not said.
+TEST(Boot, WhatItHasOverwrittenOfARefusedDriveIsListedToo) {
+  BridgeBench bench;
+  test::FakeDrive& drive = bench.drives[0];
+  drive.objects[{kRatedCurrent, 0}] = 2500;
+  drive.objects[{kMaxTorque, 0}] = 100;
+  drive.write_aborts[{kMaxTorque, 0}] = kAbortDeviceState;
+  ASSERT_FALSE(bench.boot(500));
+  ASSERT_EQ((drive.objects[{kRatedCurrent, 0}]), 7000U);
+  EXPECT_THAT(bench.bridge->boot_report(),
+              ::testing::ElementsAre("hip_motor: boot has overwritten 0x6075:00 rated current (2500, now "
+                                     "7000)"))
+      << "and not what it refused";
+}
+
 TEST(Boot, RefusedDriveIsTriedAgainAfterClear) {
   BridgeBench bench;
   bench.drives[1].clamped[{kMaxTorque, 0}] = 5000;

@@ -130,6 +130,32 @@ TEST(PowerStage, QuickStopCoastsOrBrakesByItsOption) {
   EXPECT_EQ(braking.state(), PowerState::kSwitchOnDisabled);  // never slow, but never forever
 }
 
+/// 0x605A = 5 to 8, also of a motor at rest.
+TEST(PowerStage, QuickStopThatStaysKeepsItsPowerUntilItIsTakenAwayOrOperationGoesOn) {
+  PowerOptions options;
+  for (const double velocity_rad_s : {0.0, 3.0}) {
+    for (options.quick_stop = 5; options.quick_stop <= 8; ++options.quick_stop) {
+      PowerStage stage = enabled();
+      give(stage, {0x02}, options, velocity_rad_s);
+      for (int i = 0; i < 1000; ++i) stage.advance(0.0);
+      EXPECT_EQ(stage.state(), PowerState::kQuickStopActive) << options.quick_stop;
+      EXPECT_TRUE(stage.powered() && stage.braking());
+      PowerStage off = stage;
+      give(stage, {0x8F, 0x07}, options);
+      EXPECT_EQ(stage.state(), PowerState::kQuickStopActive) << "neither of them enables";
+      give(stage, {0x0F}, options);
+      EXPECT_EQ(stage.state(), PowerState::kOperationEnabled);
+      EXPECT_FALSE(stage.braking());
+      give(off, {0x00}, options);
+      EXPECT_EQ(off.state(), PowerState::kSwitchOnDisabled);
+    }
+  }
+  PowerStage braking = enabled();
+  options.quick_stop = 2;
+  give(braking, {0x02, 0x0F}, options, 3.0);
+  EXPECT_EQ(braking.state(), PowerState::kQuickStopActive) << "the others are left downwards";
+}
+
 TEST(PowerStage, FaultBrakesWithPowerOrLosesItAtOnce) {
   PowerStage off = enabled();
   off.fault(false, 3.0);

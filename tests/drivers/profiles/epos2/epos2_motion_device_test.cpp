@@ -114,5 +114,15 @@ TEST(Epos2Modes, ThoseThatAreNotSimulatedAndThoseThatNobodyHasAreRefused) {
   for (const int mode : {1, 3, -1, -2, -3}) EXPECT_EQ(bench.try_write(canopen::kMode, mode, 1), 0U) << mode;
 }
 
+/// Bit n - 1 is mode n.
+TEST(Epos2Modes, ThoseThatItOffersAreThoseThatItTakes) {
+  DriveBench bench;
+  const std::uint32_t offered = bench.read(canopen::kSupportedModes);
+  for (int mode = 1; mode <= 32; ++mode) {
+    const bool taken = bench.try_write(canopen::kMode, mode, 1) == 0;
+    EXPECT_EQ(taken, (offered >> (mode - 1) & 1U) != 0) << mode;
+  }
+}
+
 }  // namespace
 }  // namespace sprung::sim
