@@ -97,9 +97,9 @@ TEST_F(EposDeviceTest, RaisesEveryAbortCodeWhereItShould) {
        }},
       {0x05040001,
        [&] {
-         return raw({0x603, 8, {0xC6, 0x00, 0x10, 0}, false});
-       }},  // block download
-      // 05040002, 3, 4 (block size, sequence, CRC): no block transfer, so its beginning is refused already.
+         return raw({0x603, 8, {0xE0, 0x00, 0x10, 0}, false});
+       }},  // no client command
+      // 05040002, 3, 4 (block size, sequence, CRC): tests/drivers/canopen/sdo_server_test.cpp.
       {0x05040005,
        [&] {
          return raw(canopen::sdo_write_begin(kNode, {0x1017, 0}, 100000));
