@@ -19,6 +19,7 @@ namespace {
 struct EstimatorRequest {
   std::string preset{};  ///< of each robot; empty = its usual one
   std::uint64_t seed = 1;
+  SimOptions sim{};    ///< of --seed and --plant, for sections that take changes of the plant
   std::string data{};  ///< folder of recordings; "" = /work/shared/data or ../shared/data where one is
   std::string only{};  ///< "" = all; else one section
 };
@@ -71,6 +72,7 @@ struct Section {
   const char* name;
   const char* robot;
   void (*add)(const RobotConfig& robot, const EstimatorRequest& request, ExperimentOutput& part);
+  bool changed = false;  ///< also on a changed plant
 };
 
 /// A quadruped's own: the table of test_axis is about joints and a single leg.
@@ -79,12 +81,14 @@ constexpr const char* kWalkingContact = "walking_contact";
 constexpr Section kSections[] = {
     {"jump", "single_leg",
      [](const RobotConfig& robot, const EstimatorRequest& r, ExperimentOutput& part) {
-       add_jump_rows(robot, r.preset, r.seed, part);
-     }},
+       add_jump_rows(robot, r.preset, r.sim, part);
+     },
+     true},
     {"bounds", "single_leg",
      [](const RobotConfig& robot, const EstimatorRequest& r, ExperimentOutput& part) {
-       add_bounds_rows(robot, r.preset, r.seed, part);
-     }},
+       add_bounds_rows(robot, r.preset, r.sim, part);
+     },
+     true},
     {"contact", "single_leg", add_contact_rows},
     {"temperature", "test_axis",
      [](const RobotConfig& robot, const EstimatorRequest& r, ExperimentOutput& part) {
@@ -100,12 +104,13 @@ constexpr Section kSections[] = {
 
 constexpr const char* kWholeTable = "test_axis";
 
-/// The robot's own, or the whole table. @param only "" = all.
-std::vector<const Section*> sections_of(const RobotConfig& robot, const std::string& only) {
+/// The robot's own, or the whole table; on a changed plant the robot's own that can be. @param only "" = all.
+std::vector<const Section*> sections_of(const RobotConfig& robot, const std::string& only, bool changed) {
   std::vector<const Section*> out;
   for (const Section& section : kSections) {
     const bool own = robot.name == section.robot;
     const bool in_table = robot.name == kWholeTable && std::string_view(section.name) != kWalkingContact;
+    if (changed && !(own && section.changed)) continue;
     if ((only.empty() || only == section.name) && (own || in_table)) out.push_back(&section);
   }
   return out;
@@ -125,7 +130,9 @@ std::string estimator_sections() {
 ExperimentOutput run_estimator(const ExperimentInput& in, EstimatorRequest request) {
   request.preset = in.asked.preset;
   request.seed = in.sim.seed;
-  const std::vector<const Section*> sections = sections_of(in.robot, request.only);
+  request.sim = in.sim;
+  const bool changed = !in.sim.plant.empty();
+  const std::vector<const Section*> sections = sections_of(in.robot, request.only, changed);
   ExperimentOutput out;
   for (std::size_t i = 0; i < sections.size(); ++i) {
     if (in.parallel.on_progress) in.parallel.on_progress(i, sections.size());
@@ -133,8 +140,9 @@ ExperimentOutput run_estimator(const ExperimentInput& in, EstimatorRequest reque
     sections[i]->add(own ? in.robot : load_robot(sections[i]->robot), request, out);
   }
   if (out.rows.empty() && request.only != "recordings")
-    throw std::invalid_argument("no rows of " + in.robot.name + " in '" + request.only +
-                                "'; sections: " + estimator_sections());
+    throw std::invalid_argument("no rows of " + in.robot.name + " in '" + request.only + "'; " +
+                                (changed ? "with --plant or --plants there are jump and bounds of single_leg"
+                                         : "sections: " + estimator_sections()));
   return out;
 }
 
@@ -151,7 +159,7 @@ Experiment estimator_experiment() {
   out.robot = kWholeTable;
   out.robot_help = "test_axis: the whole table, with the robots that it needs; another robot: its own rows";
   out.preset_note = "; of the jumps";
-  out.takes = {Common::kPreset, Common::kOut};
+  out.takes = {Common::kPreset, Common::kPlant, Common::kOut};
   out.seed_help = "of every noise and of the drawn plants; 0 was used for tuning";
   out.example = "--robot test_axis --seed 1 --json";
   out.own.option("--data", own->data, "folder of recordings; default ../shared/data where it is");

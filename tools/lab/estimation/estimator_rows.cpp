@@ -86,11 +86,14 @@ constexpr double kSoftGround_N_m = 8000.0, kStiffGround_N_m = 60000.0;
 using Sums = std::vector<TorqueScore>;
 using Changes = std::map<std::string, double>;
 
-JumpScores pooled(const RobotConfig& robot, const std::string& preset, std::uint64_t seed, Changes plant) {
+/// @param plant changes that go before those of `base`.
+JumpScores pooled(const RobotConfig& robot, const std::string& preset, const SimOptions& base,
+                  Changes plant) {
   JumpScores all(robot.joints.size());
+  plant.insert(base.plant.begin(), base.plant.end());
   plant["sync_jitter_us"] = kScoredJitter_us;
   for (std::uint64_t run = 1; run <= kRuns; ++run)
-    all.add(score_jump(robot, preset, SimOptions{100 * seed + run, plant, true}));
+    all.add(score_jump(robot, preset, SimOptions{100 * base.seed + run, plant, true}));
   return all;
 }
 
@@ -107,6 +110,15 @@ void add_torque_rows(ExperimentOutput& report, const RobotConfig& robot, const s
   add_estimator_row(report, name + "_hip.rms", "Nm", sums[joint_index(robot, "hip")].rms_Nm());
 }
 
+/// The ensemble about sim.yaml's plant; a plant that is drawn is not varied once more, but runs five times.
+std::vector<EnsemblePlant> bounds_plants(const SimOptions& base) {
+  if (base.plant.empty()) return estimator_ensemble(base.seed);
+  std::vector<EnsemblePlant> plants;
+  for (std::uint64_t run = 1; run <= kRuns; ++run)
+    plants.push_back({"run_" + std::to_string(run), base.plant, 1000 * base.seed + run});
+  return plants;
+}
+
 TorqueScore over_joints(const Sums& sums) {
   TorqueScore all;
   for (const TorqueScore& sum : sums) all.add(sum);
@@ -115,24 +127,24 @@ TorqueScore over_joints(const Sums& sums) {
 
 }  // namespace
 
-void add_jump_rows(const RobotConfig& robot, const std::string& preset, std::uint64_t seed,
+void add_jump_rows(const RobotConfig& robot, const std::string& preset, const SimOptions& base,
                    ExperimentOutput& report) {
-  const JumpScores soft = pooled(robot, preset, seed, {{"ground_stiffness", kSoftGround_N_m}});
+  const JumpScores soft = pooled(robot, preset, base, {{"ground_stiffness", kSoftGround_N_m}});
   add_torque_rows(report, robot, "pushoff", soft.push_off, kPushOff_Nm);
   for (const double off : {1.25, 0.75}) {
-    const JumpScores wrong = pooled(robot, preset, seed, {{"coulomb_scale", off}});
+    const JumpScores wrong = pooled(robot, preset, base, {{"coulomb_scale", off}});
     const std::string name = off > 1.0 ? "pushoff_friction_high" : "pushoff_friction_low";
     add_torque_rows(report, robot, name, wrong.push_off, kPushOffWrong_Nm);
   }
   add_torque_rows(report, robot, "landing", soft.landing, kLanding_Nm);
-  const JumpScores stiff = pooled(robot, preset, seed, {{"ground_stiffness", kStiffGround_N_m}});
+  const JumpScores stiff = pooled(robot, preset, base, {{"ground_stiffness", kStiffGround_N_m}});
   add_torque_rows(report, robot, "landing_stiff", stiff.landing, kLandingStiff_Nm);
 }
 
-void add_bounds_rows(const RobotConfig& robot, const std::string& preset, std::uint64_t seed,
+void add_bounds_rows(const RobotConfig& robot, const std::string& preset, const SimOptions& base,
                      ExperimentOutput& report) {
   TorqueScore all, rest;
-  for (const EnsemblePlant& plant : estimator_ensemble(seed)) {
+  for (const EnsemblePlant& plant : bounds_plants(base)) {
     Changes changes = plant.changes;
     changes["sync_jitter_us"] = kScoredJitter_us;
     const JumpScores scores = score_jump(robot, preset, SimOptions{plant.seed, changes, true});

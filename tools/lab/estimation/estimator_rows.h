@@ -11,14 +11,15 @@ namespace sprung {
 /// estimator.pushoff.*, estimator.landing.*, estimator.landing_stiff.*: error of the gear output torque of
 /// the knee, the hip's as *_hip, and the papers' equation as *_paper; the push-off with the plant's Coulomb
 /// friction 25 % off both ways too.
-/// @param seed five runs each, with noise seeds 100 seed + 1 to 5; 0 was used for tuning.
-void add_jump_rows(const RobotConfig& robot, const std::string& preset, std::uint64_t seed,
+/// @param base the plant, and the seed: five runs each, with noise seeds 100 seed + 1 to 5; 0 was used for
+/// tuning.
+void add_jump_rows(const RobotConfig& robot, const std::string& preset, const SimOptions& base,
                    ExperimentOutput& report);
 
 /// estimator.bounds.*: share of samples of hybrid jumps (push-off, flight, landing; all joints) whose error
 /// is within the stated bound, on each plant of estimator_ensemble(seed) and pooled; mean half-width over RMS
-/// error.
-void add_bounds_rows(const RobotConfig& robot, const std::string& preset, std::uint64_t seed,
+/// error. Of a drawn plant: on that one, five noise seeds pooled.
+void add_bounds_rows(const RobotConfig& robot, const std::string& preset, const SimOptions& base,
                      ExperimentOutput& report);
 
 /// estimator.temperature.rms_24, _37, _50: gear output torque of test_axis's arm while it swings to and fro,
