@@ -54,6 +54,15 @@ TEST_F(RobotCommand, ShowPrintsARobotThatLoadsWithThePlaceOfEachValue) {
               ContainsRegex("actuator: hr_knee_motor +# sim.yaml:"));
 }
 
+TEST_F(RobotCommand, ShowPrintsWhatADrawChanges) {
+  const CommandResult shown = sprung("robot show " + mine_ + " --sim --plant draw=3 --plant family=erob_50");
+  EXPECT_EQ(shown.status, 0) << shown.output;
+  EXPECT_THAT(shown.output, AllOf(ContainsRegex("\nfl_knee.coulomb: [0-9.]+ Nm\n"),
+                                  ContainsRegex("\nfl_thigh.mass_factor: [0-9.]+\n"),
+                                  ContainsRegex("\nlatency: [0-9.]+ s\n")));
+  EXPECT_EQ(sprung("robot show pegasus --sim --plant mass_scale=1.1").status, 2);
+}
+
 TEST_F(RobotCommand, UpStartsNothingWhereTheFilesDisagree) {
   change("robot.yaml", "body: {mass: 12 kg", "body: {mass: 1.2 kg");
   const CommandResult checked = sprung("robot check " + mine_);

@@ -9,6 +9,7 @@
 
 #include "robots/robot_loader.h"
 #include "simulation/plant/plant.h"
+#include "simulation/sim_shell.h"
 #include "tests/simulation/plant/sim_dump.h"
 #include "tests/support/paths.h"
 #include "tests/support/refusal.h"
@@ -107,6 +108,20 @@ TEST(PlantDraw, FamilyAloneIsTheMiddleOfItsSpansAndNothingElseDiffers) {
   EXPECT_EQ(drawn.plant.joints[0].friction.breakaway_Nm, drawn.plant.joints[0].friction.coulomb_Nm);
   EXPECT_EQ(drawn.plant.bodies[0].mass_kg, plain.plant.bodies[0].mass_kg);
   EXPECT_EQ(drawn.drives[0].torque_constant_Nm_A, plain.drives[0].torque_constant_Nm_A);
+}
+
+/// As a key it goes through maps of numbers, and as text again to another process.
+TEST(PlantDraw, FamilyIsTypedByItsName) {
+  const Changes typed = parse_plant({"draw=4", "family=erob_50"});
+  EXPECT_EQ(typed, (Changes{{"draw", 4}, {"family.erob_50", 1}}));
+  EXPECT_EQ(parse_plant({"draw=4", "family.erob_50=1"}), typed);
+  Changes changes = parse_plant({"draw=4", "family=erob_50", "mass_scale=1.1"});
+  const std::optional<PlantDraw> draw = take_draw(changes);
+  ASSERT_TRUE(draw.has_value());
+  EXPECT_EQ(draw->family, "erob_50");
+  EXPECT_EQ(draw->number, 4U);
+  EXPECT_EQ(changes, (Changes{{"mass_scale", 1.1}}));
+  EXPECT_FALSE(take_draw(changes).has_value());
 }
 
 TEST(PlantDraw, FamilyTakesAllOfSimYamlsFriction) {

@@ -71,7 +71,10 @@ void add_common(CommandLine& line, const Experiment& experiment, ExperimentOptio
                     ", else the only one" + experiment.preset_note);
   if (takes(Common::kPlant))
     line.option("--plant", request.plant,
-                "KEY=VALUE changes the plant, e.g. friction_scale=1.2; may be repeated");
+                "KEY=VALUE changes the plant, e.g. friction_scale=1.2 or draw=7; may be repeated");
+  if (takes(Common::kPlant))
+    line.option("--plants", request.plants,
+                "N: on draws 1 to N of variation.yaml, or from --plant draw=K; rows: median and worst");
   if (takes(Common::kPlant))
     line.choice("--position-loop", request.position_loop, {"drive", "host"},
                 "who closes every actuator's; default: as robot.yaml says");

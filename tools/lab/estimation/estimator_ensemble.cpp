@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kFriction = 0.25, kTorqueConstant = 0.05, kMass = 0.10;
 constexpr int kDraws = 12;
+constexpr std::uint64_t kRepetitions = 5;  ///< of a plant that is not varied
 
 /// @param at where in the box, each in [-1, 1].
 std::map<std::string, double> changes(const std::array<double, 3>& at) {
@@ -42,6 +43,14 @@ std::vector<EnsemblePlant> estimator_ensemble(std::uint64_t seed) {
     for (double& part : at) part = even(random);
     add("draw_" + std::to_string(i + 1), at);
   }
+  return plants;
+}
+
+std::vector<EnsemblePlant> estimator_plants(const SimOptions& base) {
+  if (base.plant.empty()) return estimator_ensemble(base.seed);
+  std::vector<EnsemblePlant> plants;
+  for (std::uint64_t run = 1; run <= kRepetitions; ++run)
+    plants.push_back({"run_" + std::to_string(run), base.plant, 1000 * base.seed + run});
   return plants;
 }
 

@@ -18,9 +18,9 @@ namespace {
 
 struct EstimatorRequest {
   std::string preset{};  ///< of each robot; empty = its usual one
-  SimOptions on{};       ///< seed and plant; ensembles change both
-  std::string data{};    ///< folder of recordings; "" = /work/shared/data or ../shared/data where one is
-  std::string only{};    ///< "" = all; else one section
+  SimOptions sim{};    ///< of --seed and --plant
+  std::string data{};  ///< folder of recordings; "" = /work/shared/data or ../shared/data where one is
+  std::string only{};  ///< "" = all; else one section
 };
 
 void append(ExperimentOutput& part, const std::vector<ReportRow>& rows) {
@@ -30,12 +30,8 @@ void append(ExperimentOutput& part, const std::vector<ReportRow>& rows) {
 void add_contact_rows(const RobotConfig& robot, const EstimatorRequest& request, ExperimentOutput& part) {
   ContactRequest contact;
   contact.preset = request.preset;
-  for (const EnsemblePlant& plant : estimator_ensemble(request.on.seed)) {
-    SimOptions changed = request.on;
-    changed.seed = plant.seed;
-    for (const auto& [key, value] : plant.changes) changed.plant[key] = value;
-    contact.plants.push_back(std::move(changed));
-  }
+  for (const EnsemblePlant& plant : estimator_plants(request.sim))
+    contact.plants.push_back({plant.seed, plant.changes, true});
   append(part, contact_rows(run_contacts(robot, contact)));
 }
 
@@ -46,10 +42,10 @@ void add_walking_contact_rows(const RobotConfig& robot, const EstimatorRequest& 
   for (const auto& [gait, forward_m_s] : {std::pair{"trot", 0.35}, std::pair{"crawl", 0.1}}) {
     std::vector<ContactStep> steps;
     for (std::uint64_t i = 0; i < kSeeds; ++i) {
-      SimOptions on = request.on;
-      on.seed += i;
+      SimOptions sim = request.sim;
+      sim.seed += i;
       const std::vector<ContactStep> more = walking_contacts(robot,
-                                                             {request.preset, gait, forward_m_s, 8.0, on});
+                                                             {request.preset, gait, forward_m_s, 8.0, sim});
       steps.insert(steps.end(), more.begin(), more.end());
     }
     append(part, walking_contact_rows(gait, steps));
@@ -57,7 +53,8 @@ void add_walking_contact_rows(const RobotConfig& robot, const EstimatorRequest& 
 }
 
 void add_friction_rows(const RobotConfig& robot, const EstimatorRequest& request, ExperimentOutput& part) {
-  append(part, friction_fit_rows(robot, request.preset, request.on, &part.simulated_s));
+  append(part,
+         friction_fit_rows(robot, request.preset, SimOptions{request.sim.seed, {}, true}, &part.simulated_s));
 }
 
 /// Standard output may be JSON, so what is left out is said on the other.
@@ -76,6 +73,7 @@ struct Section {
   const char* name;
   const char* robot;
   void (*add)(const RobotConfig& robot, const EstimatorRequest& request, ExperimentOutput& part);
+  bool changed = false;  ///< also on a changed plant
 };
 
 /// A quadruped's own: the table of test_axis is about joints and a single leg.
@@ -84,19 +82,21 @@ constexpr const char* kWalkingContact = "walking_contact";
 constexpr Section kSections[] = {
     {"jump", "single_leg",
      [](const RobotConfig& robot, const EstimatorRequest& r, ExperimentOutput& part) {
-       add_jump_rows(robot, r.preset, r.on, part);
-     }},
+       add_jump_rows(robot, r.preset, r.sim, part);
+     },
+     true},
     {"bounds", "single_leg",
      [](const RobotConfig& robot, const EstimatorRequest& r, ExperimentOutput& part) {
-       add_bounds_rows(robot, r.preset, r.on, part);
-     }},
-    {"contact", "single_leg", add_contact_rows},
+       add_bounds_rows(robot, r.preset, r.sim, part);
+     },
+     true},
+    {"contact", "single_leg", add_contact_rows, true},
     {"temperature", "test_axis",
      [](const RobotConfig& robot, const EstimatorRequest& r, ExperimentOutput& part) {
-       add_temperature_rows(robot, r.preset, r.on, part);
+       add_temperature_rows(robot, r.preset, r.sim.seed, part);
      }},
     {"friction_fit", "pegasus", add_friction_rows},
-    {kWalkingContact, "pegasus", add_walking_contact_rows},
+    {kWalkingContact, "pegasus", add_walking_contact_rows, true},
     {"recordings", "test_axis",
      [](const RobotConfig&, const EstimatorRequest& r, ExperimentOutput& part) {
        add_recorded_rows(r, part);
@@ -105,12 +105,13 @@ constexpr Section kSections[] = {
 
 constexpr const char* kWholeTable = "test_axis";
 
-/// The robot's own, or the whole table. @param only "" = all.
-std::vector<const Section*> sections_of(const RobotConfig& robot, const std::string& only) {
+/// The robot's own, or the whole table; on a changed plant the robot's own that can be. @param only "" = all.
+std::vector<const Section*> sections_of(const RobotConfig& robot, const std::string& only, bool changed) {
   std::vector<const Section*> out;
   for (const Section& section : kSections) {
     const bool own = robot.name == section.robot;
     const bool in_table = robot.name == kWholeTable && std::string_view(section.name) != kWalkingContact;
+    if (changed && !(own && section.changed)) continue;
     if ((only.empty() || only == section.name) && (own || in_table)) out.push_back(&section);
   }
   return out;
@@ -129,8 +130,9 @@ std::string estimator_sections() {
 
 ExperimentOutput run_estimator(const ExperimentInput& in, EstimatorRequest request) {
   request.preset = in.asked.preset;
-  request.on = in.sim;
-  const std::vector<const Section*> sections = sections_of(in.robot, request.only);
+  request.sim = in.sim;
+  const bool changed = !in.sim.plant.empty();
+  const std::vector<const Section*> sections = sections_of(in.robot, request.only, changed);
   ExperimentOutput out;
   for (std::size_t i = 0; i < sections.size(); ++i) {
     if (in.parallel.on_progress) in.parallel.on_progress(i, sections.size());
@@ -138,8 +140,9 @@ ExperimentOutput run_estimator(const ExperimentInput& in, EstimatorRequest reque
     sections[i]->add(own ? in.robot : load_robot(sections[i]->robot), request, out);
   }
   if (out.rows.empty() && request.only != "recordings")
-    throw std::invalid_argument("no rows of " + in.robot.name + " in '" + request.only +
-                                "'; sections: " + estimator_sections());
+    throw std::invalid_argument("no rows of " + in.robot.name + " in '" + request.only + "'; " +
+                                (changed ? "with --plant or --plants there are jump, bounds and contact of single_leg, walking_contact of pegasus"
+                                         : "sections: " + estimator_sections()));
   return out;
 }
 

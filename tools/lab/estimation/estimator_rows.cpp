@@ -89,19 +89,19 @@ constexpr double kSoftGround_N_m = 8000.0, kStiffGround_N_m = 60000.0;
 using Sums = std::vector<TorqueScore>;
 using Changes = std::map<std::string, double>;
 
-/// `on` with these changes too.
-SimOptions changed(SimOptions on, std::uint64_t seed, const Changes& changes) {
-  on.seed = seed;
-  for (const auto& [key, value] : changes) on.plant[key] = value;
-  on.plant.emplace("sync_jitter_us", kScoredJitter_us);
-  return on;
+/// `base` with these changes too.
+SimOptions changed(SimOptions base, std::uint64_t seed, const Changes& changes) {
+  base.seed = seed;
+  for (const auto& [key, value] : changes) base.plant[key] = value;
+  base.plant.emplace("sync_jitter_us", kScoredJitter_us);
+  return base;
 }
 
-JumpScores pooled(const RobotConfig& robot, const std::string& preset, const SimOptions& on,
+JumpScores pooled(const RobotConfig& robot, const std::string& preset, const SimOptions& base,
                   const Changes& changes) {
   JumpScores all(robot.joints.size());
   for (std::uint64_t run = 1; run <= kRuns; ++run)
-    all.add(score_jump(robot, preset, changed(on, 100 * on.seed + run, changes)));
+    all.add(score_jump(robot, preset, changed(base, 100 * base.seed + run, changes)));
   return all;
 }
 
@@ -126,31 +126,31 @@ TorqueScore over_joints(const Sums& sums) {
 
 }  // namespace
 
-void add_jump_rows(const RobotConfig& robot, const std::string& preset, const SimOptions& on,
+void add_jump_rows(const RobotConfig& robot, const std::string& preset, const SimOptions& base,
                    ExperimentOutput& report) {
-  const JumpScores soft = pooled(robot, preset, on, {{"ground_stiffness", kSoftGround_N_m}});
+  const JumpScores soft = pooled(robot, preset, base, {{"ground_stiffness", kSoftGround_N_m}});
   TorqueScore whole = over_joints(soft.jump);
   add_torque_rows(report, robot, "pushoff", soft.push_off, kPushOff_Nm);
   for (const double off : {1.25, 0.75}) {
-    const JumpScores wrong = pooled(robot, preset, on, {{"coulomb_scale", off}});
+    const JumpScores wrong = pooled(robot, preset, base, {{"coulomb_scale", off}});
     whole.add(over_joints(wrong.jump));
     const std::string name = off > 1.0 ? "pushoff_friction_high" : "pushoff_friction_low";
     add_torque_rows(report, robot, name, wrong.push_off, kPushOffWrong_Nm);
   }
   add_torque_rows(report, robot, "landing", soft.landing, kLanding_Nm);
-  const JumpScores stiff = pooled(robot, preset, on, {{"ground_stiffness", kStiffGround_N_m}});
+  const JumpScores stiff = pooled(robot, preset, base, {{"ground_stiffness", kStiffGround_N_m}});
   add_torque_rows(report, robot, "landing_stiff", stiff.landing, kLandingStiff_Nm);
   whole.add(over_joints(stiff.jump));
   add_estimator_row(report, "jump.coverage", "", whole.covered());
   add_estimator_row(report, "jump.half_width_over_rms", "", whole.mean_bound_Nm() / whole.rms_Nm());
 }
 
-void add_bounds_rows(const RobotConfig& robot, const std::string& preset, const SimOptions& on,
+void add_bounds_rows(const RobotConfig& robot, const std::string& preset, const SimOptions& base,
                      ExperimentOutput& report) {
   TorqueScore all, rest;
   double plants = 0.0, fitting = 0.0;
-  for (const EnsemblePlant& plant : estimator_ensemble(on.seed)) {
-    const JumpScores scores = score_jump(robot, preset, changed(on, plant.seed, plant.changes));
+  for (const EnsemblePlant& plant : estimator_plants(base)) {
+    const JumpScores scores = score_jump(robot, preset, changed(base, plant.seed, plant.changes));
     const TorqueScore jump = over_joints(scores.jump);
     add_estimator_row(report, "bounds." + plant.name + ".coverage", "", jump.covered(), 0.85);
     all.add(jump);
@@ -213,10 +213,9 @@ void refuse(const OperatorReply& reply) {
     throw std::runtime_error(std::string("the arm did not swing: ") + reply.reason);
 }
 
-TorqueScore score_at(double temperature_C, const RobotConfig& robot, const std::string& preset, SimOptions on,
-                     ExperimentOutput& report) {
-  on.plant["temperature"] = temperature_C;
-  SwingScript swings(robot, preset, on);
+TorqueScore score_at(double temperature_C, const RobotConfig& robot, const std::string& preset,
+                     std::uint64_t seed, ExperimentOutput& report) {
+  SwingScript swings(robot, preset, SimOptions{seed, {{"temperature", temperature_C}}, true});
   for (int i = 0; i < kWarmUpSwings; ++i) swings.swing(kWarmUpSpeed_rad_s);
   const std::int64_t scored_from = swings.now();
   for (const double speed_rad_s : kScoredSpeeds_rad_s) swings.swing(speed_rad_s);
@@ -234,11 +233,11 @@ TorqueScore score_at(double temperature_C, const RobotConfig& robot, const std::
 
 }  // namespace
 
-void add_temperature_rows(const RobotConfig& robot, const std::string& preset, const SimOptions& on,
+void add_temperature_rows(const RobotConfig& robot, const std::string& preset, std::uint64_t seed,
                           ExperimentOutput& report) {
   double best_Nm = std::numeric_limits<double>::infinity(), worst_Nm = 0.0;
   for (const double temperature_C : kTemperatures_C) {
-    const double rms_Nm = score_at(temperature_C, robot, preset, on, report).rms_Nm();
+    const double rms_Nm = score_at(temperature_C, robot, preset, seed, report).rms_Nm();
     best_Nm = std::min(best_Nm, rms_Nm);
     worst_Nm = std::max(worst_Nm, rms_Nm);
     report.rows.push_back(

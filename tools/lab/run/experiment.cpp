@@ -4,6 +4,7 @@
 #include <exception>
 
 #include "simulation/sim_shell.h"
+#include "tools/lab/run/drawn_plants.h"
 #include "tools/lab/run/separate_run.h"
 
 namespace sprung {
@@ -14,6 +15,7 @@ std::string command_of(const Experiment& experiment, const ExperimentRequest& re
   std::string line = "sprung experiment " + experiment.name + " --robot " + request.robot;
   if (experiment.takes.count(Common::kPreset) > 0) line += " --preset " + preset;
   for (const std::string& change : request.plant) line += " --plant " + change;
+  if (request.plants > 0) line += " --plants " + std::to_string(request.plants);
   if (!request.position_loop.empty()) line += " --position-loop " + request.position_loop;
   return line + " --seed " + std::to_string(request.seed) + experiment.own.words() +
          (request.separate ? " --separate" : "");
@@ -120,9 +122,10 @@ void refuse_separate(const ExperimentInput& input) {
 
 FinishedExperiment run_experiment(const Experiment& experiment, const ExperimentInput& input) {
   const auto started = std::chrono::steady_clock::now();
-  FinishedExperiment out{experiment.name,       experiment.question,
-                         input.command,         report_of(experiment, input),
-                         experiment.run(input), ""};
+  ExperimentOutput said = input.asked.plants > 0 ? run_on_drawn_plants(experiment, input)
+                                                 : experiment.run(input);
+  FinishedExperiment out{
+      experiment.name, experiment.question, input.command, report_of(experiment, input), std::move(said), ""};
   out.rows.rows = std::move(out.output.rows);
   out.rows.simulated_s = out.output.simulated_s;
   out.rows.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();

@@ -27,6 +27,7 @@ struct ExperimentRequest {
   std::string preset;                ///< empty: Presets says
   std::uint64_t seed = 1;
   std::vector<std::string> plant;  ///< KEY=VALUE
+  int plants = 0;                  ///< above 0: on so many drawn plants (drawn_plants.h)
   std::string position_loop;       ///< "drive" or "host", of every actuator; empty: robot.yaml's
   int jobs = 0;                    ///< ParallelOptions::jobs
   bool separate = false;           ///< real processes over LCM instead of this one
@@ -150,7 +151,7 @@ struct FinishedExperiment {
   bool ok() const { return failure.empty() && rows.ok(); }
 };
 
-/// @throws what the experiment's run throws.
+/// On drawn plants where they are asked for (drawn_plants.h). @throws what the experiment's run throws.
 FinishedExperiment run_experiment(const Experiment& experiment, const ExperimentInput& input);
 
 /// Experiments of many cases run one after the other, each on all threads; then the rest, each on one thread.

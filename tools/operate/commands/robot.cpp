@@ -9,8 +9,10 @@
 
 #include "robots/robot_loader.h"
 #include "robots/yaml_text.h"
+#include "simulation/plant/plant_draw.h"
 #include "simulation/plant/robot_check.h"
 #include "simulation/plant/sim_config.h"
+#include "simulation/sim_shell.h"
 #include "tools/commands.h"
 
 namespace sprung::commands {
@@ -18,8 +20,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
-int show(const std::string& robot, bool sim) {
+/// Of `--plant draw=K` and family=NAME alone: what other changes do is what they say.
+void print_draw(const RobotConfig& config, const std::vector<std::string>& plant) {
+  std::map<std::string, double> changes = parse_plant(plant);
+  const auto draw = sim::take_draw(changes);
+  if (!draw || !changes.empty())
+    throw WrongUse("robot show --plant: takes draw=K and family=NAME, no other change");
+  sim::SimConfig drawn = sim::load_sim_config(config, {});
+  for (const sim::DrawnValue& value : sim::draw_plant(config, sim::load_variation(config), *draw, drawn))
+    std::printf("%s%s%s: %.6g%s%s\n", value.item.c_str(), value.item.empty() ? "" : ".",
+                value.quantity.c_str(), value.value, value.unit.empty() ? "" : " ", value.unit.c_str());
+}
+
+int show(const std::string& robot, bool sim, const std::vector<std::string>& plant) {
   const RobotConfig config = load_robot(robot);
+  if (!plant.empty()) {
+    print_draw(config, plant);
+    return kExitDone;
+  }
   const std::string path = config.folder + (sim ? "/sim.yaml" : "/robot.yaml");
   const YamlMap file = YamlMap::load(path);
   if (sim)
@@ -61,7 +79,7 @@ int begin(const std::string& folder, const std::string& from) {
   if (fs::exists(target / "robot.yaml"))
     throw WrongUse(folder + " holds a robot.yaml already: name a folder that does not, or remove it");
   fs::create_directories(target);
-  for (const char* file : {"robot.yaml", "sim.yaml", "model.xml"}) {
+  for (const char* file : {"robot.yaml", "sim.yaml", "variation.yaml", "model.xml"}) {
     if (!fs::exists(fs::path(pattern.folder) / file)) continue;
     std::string text = text_of(fs::path(pattern.folder) / file);
     replace_first(text, "robot: " + pattern.name + "\n", "robot: " + name + "\n");
@@ -83,6 +101,7 @@ void add_robot(CommandLine& sprung) {
   const auto from = std::make_shared<std::string>("pegasus");
   const auto sim = std::make_shared<bool>(false);
   const auto real = std::make_shared<bool>(false);
+  const auto plant = std::make_shared<std::vector<std::string>>();
   CommandLine& group = sprung.subcommand("robot",
                                          "Files of a robot: show them, check them, begin one's own.");
   group.example("sprung robot check pegasus");
@@ -90,8 +109,10 @@ void add_robot(CommandLine& sprung) {
       "show", "Print robot.yaml typed out, with where each value came from: file and line, or a default.");
   shown.option("robot", *robot, "name of a folder in robots/, or a folder", Need::kRequired);
   shown.flag("--sim", *sim, "sim.yaml instead");
+  shown.option("--plant", *plant,
+               "draw=K, family=NAME: what that draw of variation.yaml changes in sim.yaml, instead");
   shown.example("sprung robot show pegasus");
-  shown.action([=] { return show(*robot, *sim); });
+  shown.action([=] { return show(*robot, *sim, *plant); });
   CommandLine& checked = group.subcommand(
       "check", "Hold robot.yaml against model.xml and sim.yaml; status 1 where they differ.");
   checked.option("robot", *robot, "name of a folder in robots/, or a folder", Need::kRequired);
