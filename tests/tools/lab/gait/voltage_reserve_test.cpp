@@ -39,5 +39,28 @@ TEST(VoltageReserve, IsWholeWhereNothingMoves) {
   EXPECT_EQ(watch.result().least, 1.0);
 }
 
+/// EC 90 flat, 50:1: 10.85 Nm are 1 A and 2.3 V, 1 rad/s is 10.85 V.
+TEST(VoltageReserve, FollowsFromTorqueAndSpeedOfTheTruth) {
+  const RobotConfig robot = load_robot("pegasus");
+  VoltageReserveWatch watch(robot, {});
+  SimTruth truth(robot.joints.size(), robot.legs.size());
+  for (TrueJoint& joint : truth.joints) joint.true_motor_torque_Nm = joint.true_velocity_rad_s = 0.0;
+  truth.joints[5].true_motor_torque_Nm = 2.0 * 10.85;
+  truth.joints[5].true_velocity_rad_s = 2.0;
+  watch.add(truth);
+  EXPECT_NEAR(watch.result().least, 1.0 - (4.6 + 21.7) / 43.2, 1e-9);
+  EXPECT_EQ(watch.result().actuator, robot.actuators[5].name);
+}
+
+TEST(VoltageReserve, OfTheTruthLeavesOutActuatorsThatTurnSeveralJoints) {
+  RobotConfig robot = load_robot("single_leg");
+  robot.legs[0].transmission = {1.0, 0.0, 0.01, 1.0};
+  VoltageReserveWatch watch(robot, {});
+  SimTruth truth(robot.joints.size(), robot.legs.size());
+  for (TrueJoint& joint : truth.joints) joint.true_motor_torque_Nm = joint.true_velocity_rad_s = 1.0;
+  watch.add(truth);
+  EXPECT_TRUE(std::isnan(watch.result().least));
+}
+
 }  // namespace
 }  // namespace sprung
