@@ -17,6 +17,9 @@ constexpr const char* kCompared = "walk";
 constexpr double kStarting_s = 2.0, kMeasured_s = 9.0;
 constexpr double kTraced_s = 2.0;
 constexpr double kMostOverForce = 0.35;
+constexpr double kLeastReserve = 0.10;
+constexpr const char* kReserveNote =
+    "Voltage reserve: 1 - |R i + Ke w| / (0.9 U), true, least of all joints from the first step on.";
 constexpr double kSpeedShare = 0.10, kMostDrift_deg = 5.0;
 /// Of the gait's fastest, that speed and heading are taken at.
 constexpr double kCrawlShare = 5.0 / 6.0, kWalkShare = 4.0 / 5.0, kTrotShare = 7.0 / 9.0,
@@ -87,6 +90,9 @@ void add_gait(const GaitOutcome& g, double torque_limit_Nm, std::vector<ReportRo
   rows.push_back(row("walk." + name + ".motor_torque_max", "Nm", g.vitals.strongest_Nm,
                      bounds(at_most(torque_limit_Nm))));
   rows.push_back(row("walk." + name + ".saturated", "%", 100.0 * g.vitals.saturated_share));
+  if (std::isfinite(g.reserve.least))
+    rows.push_back(row("walk." + name + ".voltage_reserve", "%", 100.0 * g.reserve.least,
+                       bounds(at_least(100.0 * kLeastReserve))));
   rows.push_back(row("walk." + name + ".trips", "", g.vitals.trips, bounds(at_most(0.0))));
 }
 
@@ -118,12 +124,14 @@ report::Section gaits_section(const WalkExperiment& result) {
   report::Table table{
       "From when the speed is reached",
       {"gait", "asked (m/s)", "speed (m/s)", "over (m)", "turned (deg)", "joint speed, most (rad/s)",
-       "motor torque, most (Nm)", "at a limit (%)", "what befell it"}};
+       "motor torque, most (Nm)", "at a limit (%)", "voltage reserve, least (%)", "of", "what befell it"}};
   for (const GaitOutcome& g : result.gaits)
     table.rows.push_back({g.config.gait, g.config.speed_m_s, g.speed_m_s, g.distance_m,
                           g.drift_rad * kDegrees, g.vitals.fastest_rad_s, g.vitals.strongest_Nm,
-                          100.0 * g.vitals.saturated_share, g.vitals.why.empty() ? "nothing" : g.vitals.why});
-  table.note = "The drives' no-load speed is " + report::number_text(result.limits.speed_rad_s) + " rad/s.";
+                          100.0 * g.vitals.saturated_share, 100.0 * g.reserve.least, g.reserve.actuator,
+                          g.vitals.why.empty() ? "nothing" : g.vitals.why});
+  table.note = "The drives' no-load speed is " + report::number_text(result.limits.speed_rad_s) + " rad/s. " +
+               kReserveNote;
   out.tables = {table};
   return out;
 }
@@ -179,8 +187,8 @@ GaitOutcome go(const RobotConfig& robot, const WalkTask& task, const GaitCase& c
     walker.run(0.1, [&](InProcessRobot& r) { travel.add(r.truth(), robot.cycle_s); });
     if (travel.distance_m() >= task.distance_m) break;
   }
-  return {config,          travel.speed_m_s(),  travel.drift_rad(), travel.distance_m(),
-          walker.vitals(), walker.simulated_s()};
+  return {config,          travel.speed_m_s(),   travel.drift_rad(), travel.distance_m(),
+          walker.vitals(), walker.simulated_s(), walker.reserve()};
 }
 
 WalkExperiment run_walk_experiment(const RobotConfig& robot, const WalkTask& task) {

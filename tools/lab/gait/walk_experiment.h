@@ -8,6 +8,7 @@
 #include "tools/common/parallel.h"
 #include "tools/common/report/report.h"
 #include "tools/lab/gait/step_score.h"
+#include "tools/lab/gait/voltage_reserve.h"
 #include "tools/lab/gait/walk_vitals.h"
 #include "tools/lab/run/experiment.h"
 
@@ -47,6 +48,7 @@ struct GaitOutcome {
   double speed_m_s = kNaN, drift_rad = kNaN, distance_m = 0.0;
   WalkVitals vitals;
   double simulated_s = 0.0;
+  VoltageReserve reserve;  ///< from the first step on
 };
 
 /// What the rows of one robot are held against.

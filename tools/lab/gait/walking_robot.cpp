@@ -6,7 +6,7 @@
 namespace sprung {
 
 WalkingRobot::WalkingRobot(const RobotConfig& robot, const std::string& preset, const SimOptions& sim)
-    : config_(robot), trial_(robot, preset, sim), vitals_(robot) {
+    : config_(robot), trial_(robot, preset, sim), vitals_(robot), reserve_(robot, sim) {
   trial_.stand_up();
 }
 
@@ -41,6 +41,7 @@ void WalkingRobot::run(double duration_s, const OnCycle& on_cycle) {
     }
     if (r.sim().failed()) throw std::runtime_error(std::string("simulation: ") + r.sim().failure());
     vitals_.add({r.drive_state(), r.joint_state(), r.motion_state(), r.bridge().safety(), r.truth()});
+    if (upright()) reserve_.add(r.sim());
     if (on_cycle) on_cycle(r);
   }
 }

@@ -8,6 +8,7 @@
 #include "signals/operator.h"
 #include "signals/vec3.h"
 #include "tools/lab/gait/legged_trial.h"
+#include "tools/lab/gait/voltage_reserve.h"
 #include "tools/lab/gait/walk_vitals.h"
 #include "tools/lab/run/experiment.h"
 
@@ -31,6 +32,8 @@ class WalkingRobot {
   void run(double duration_s, const OnCycle& on_cycle = {});
 
   const WalkVitals& vitals() const noexcept { return vitals_.result(); }
+  /// Since run() was first called, while upright.
+  const VoltageReserve& reserve() const noexcept { return reserve_.result(); }
   bool upright() const noexcept { return !vitals().fell && vitals().trips == 0; }
   InProcessRobot& robot() noexcept { return trial_.robot(); }
   double simulated_s() const noexcept { return trial_.simulated_s(); }
@@ -41,6 +44,7 @@ class WalkingRobot {
   const RobotConfig& config_;
   LeggedTrial trial_;
   VitalsWatch vitals_;
+  VoltageReserveWatch reserve_;
   bool must_walk_ = false;
   int refusals_ = 0;
   std::string last_refusal_;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "tools/lab/gait/voltage_reserve.h"
 #include "tools/lab/jump/jump_report.h"
 
 namespace sprung {
@@ -35,17 +36,19 @@ double floor_m(const SimOptions& sim) {
 void add_jump(const RunScript& script, JumpMode mode, const ScriptRunner& run, JumpExperiment& out) {
   JumpMetrics metrics(script.robot, floor_m(script.sim));
   JumpTrace trace(script.robot);
+  VoltageReserveWatch reserve(script.robot, script.sim);
   run(
       script,
       [&](const CycleRecord& cycle) {
         metrics.add(cycle.motion_state, cycle.joint_state, cycle.truth, &cycle.leg_command);
         trace.add(cycle);
+        reserve.add(cycle.truth);
       },
       throw_unless_obeyed);
   if (metrics.jumps().empty()) {
     throw std::runtime_error("the robot never began to jump");
   }
-  out.jumps.push_back({script.preset, mode, metrics.jumps().front()});
+  out.jumps.push_back({script.preset, mode, metrics.jumps().front(), reserve.result().least});
   out.samples.push_back(trace.samples());
   out.simulated_s += static_cast<double>(script.cycles) * script.robot.cycle_s;
 }

@@ -63,6 +63,9 @@ void add_mode(const MeasuredJump& jump, std::vector<ReportRow>& rows) {
     rows.back().paper = paper_jump_figure(jump.mode, quantity.name);
     demand(rows.back(), jump.preset, jump.mode);
   }
+  if (std::isfinite(jump.voltage_reserve))
+    rows.push_back(
+        row(std::string("jump.") + name(jump.mode) + ".voltage_reserve", "%", 100.0 * jump.voltage_reserve));
 }
 
 /// The landing's knee torque of one jump over another's, by the papers' signal and, beside it, truly at the

@@ -32,6 +32,8 @@ struct MeasuredJump {
   std::string preset;
   JumpMode mode;
   JumpResult result;
+  double
+      voltage_reserve = kNaN;  ///< least, from standing to standing (gait/voltage_reserve.h); NaN: not known
 };
 
 PaperScore score_against_paper(const std::vector<MeasuredJump>& jumps);

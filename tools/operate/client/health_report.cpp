@@ -39,6 +39,20 @@ std::string recovery_text(const sprung_msgs::node_health_t& node) {
   return {text, std::find(text, text + sizeof node.recovery, '\0')};
 }
 
+namespace {
+
+/// Before it limits, and when it does: 1 is as warm as the rated current makes it.
+std::string winding_text(double share, bool first) {
+  constexpr double kTold = 0.8;  // [design choice]
+  if (!(share >= kTold)) return "";
+  char text[80];
+  std::snprintf(text, sizeof text, "%swinding at %.0f %% of its warmth%s", first ? "" : ", ", 100.0 * share,
+                share >= 1.0 ? ": the rated current alone" : "");
+  return text;
+}
+
+}  // namespace
+
 std::string node_trouble(const sprung_msgs::node_health_t& node) {
   std::string text;
   const auto add = [&text](std::int64_t count, const std::string& what) {
@@ -65,6 +79,7 @@ std::string node_trouble(const sprung_msgs::node_health_t& node) {
   add(node.limited_rate, "set-points too fast");
   add(node.limited_power, "held at the power limit");
   add(node.limited_winding, "held for the winding");
+  text += winding_text(node.winding_share, text.empty());
   add(node.limited_by_drive, "limited by the drive");
   if (!node.operational) text = std::string("not operational") + (text.empty() ? "" : ", ") + text;
   return text;

@@ -63,6 +63,15 @@ TEST(WalkRows, SpeedMustBeWithinATenthAndHeadingWithinFiveDegreesToEitherSide) {
   EXPECT_FALSE(walk_experiment_row(walk_rows(result), "walk.trot.drift").ok());
 }
 
+TEST(WalkRows, TenPercentOfTheVoltageMustBeLeftWhereWindingsAreKnown) {
+  WalkExperiment result = walked();
+  result.gaits[0].reserve.least = 0.12;
+  result.gaits[1].reserve.least = 0.08;
+  EXPECT_TRUE(walk_experiment_row(walk_rows(result), "walk.crawl.voltage_reserve").ok());
+  EXPECT_FALSE(walk_experiment_row(walk_rows(result), "walk.walk.voltage_reserve").ok());
+  EXPECT_THROW(walk_experiment_row(walk_rows(result), "walk.trot.voltage_reserve"), std::out_of_range);
+}
+
 TEST(WalkRows, WhoFellOrWasTrippedHasNoSpeed) {
   WalkExperiment result = walked();
   result.gaits[2].vitals.fell = true;

@@ -27,7 +27,7 @@ JumpResult as_in_paper(JumpMode mode) {
 std::vector<MeasuredJump> papers_jumps() {
   std::vector<MeasuredJump> jumps;
   for (const JumpMode mode : {JumpMode::kPosition, JumpMode::kTorque, JumpMode::kHybrid})
-    jumps.push_back({"paper", mode, as_in_paper(mode)});
+    jumps.push_back({"paper", mode, as_in_paper(mode), kNaN});
   return jumps;
 }
 
@@ -46,6 +46,14 @@ TEST(JumpRows, FigureThatIsElevenPercentOffOrMissingIsAMiss) {
   const PaperScore score = score_against_paper(jumps);
   EXPECT_EQ(score.within, 16);
   EXPECT_THAT(score.misses, testing::ElementsAre("position.landing_knee_torque", "torque.y_lag"));
+}
+
+TEST(JumpRows, VoltageReserveIsReportedWhereItIsKnown) {
+  std::vector<MeasuredJump> jumps = papers_jumps();
+  jumps[0].voltage_reserve = -0.25;
+  const std::vector<ReportRow> rows = jump_rows(jumps, "paper");
+  EXPECT_DOUBLE_EQ(jump_rows_find(rows, "jump.position.voltage_reserve")->value, -25.0);
+  EXPECT_EQ(jump_rows_find(rows, "jump.torque.voltage_reserve"), nullptr);
 }
 
 TEST(JumpRows, DemandsOfPresetPaper) {

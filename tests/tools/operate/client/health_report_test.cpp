@@ -32,6 +32,18 @@ TEST(HealthReport, TroubleNamesEveryCounterThatIsNotZero) {
   EXPECT_THAT(node_trouble(node), HasSubstr("not operational, 2 emergencies"));
 }
 
+TEST(HealthReport, WarmWindingIsToldBeforeItLimitsAndWhenItDoes) {
+  sprung_msgs::node_health_t node = healthy_node();
+  node.winding_share = 0.79;
+  EXPECT_EQ(node_trouble(node), "");
+  node.winding_share = 0.87;
+  EXPECT_EQ(node_trouble(node), "winding at 87 % of its warmth");
+  node.limited_winding = 3;
+  node.winding_share = 1.02;
+  EXPECT_EQ(node_trouble(node),
+            "3 held for the winding, winding at 102 % of its warmth: the rated current alone");
+}
+
 TEST(HealthReport, SafetyThatIsLatchedSaysWhatToTypeNext) {
   sprung_msgs::safety_state_t state{};
   state.level_name = "quick stop";
