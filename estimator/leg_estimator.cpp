@@ -1,5 +1,6 @@
 #include "estimator/leg_estimator.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "estimator/root_sum_square.h"
@@ -125,7 +126,7 @@ void LegEstimator::step_foot(double dt_s, std::vector<EstimatedJoint>& joints, E
   const ContactEstimate contact = contact_->step(evidence_, dt_s);
   out.contact = contact.contact;
   out.contact_confidence = contact.confidence;
-  watch_models(dt_s, joints);
+  watch_models(out.foot_force_N[2], dt_s, joints);
   watch_force(contact, dt_s, joints);
 }
 
@@ -140,7 +141,6 @@ WatchedMotion LegEstimator::watched(std::size_t j, const EstimatedJoint& joint) 
   motion.weight_Nm = weight_Nm_[i];
   motion.friction_Nm = joint.friction_torque_Nm;
   motion.link_torque_Nm = link_torque_Nm_[i];
-  motion.unnoticed_Nm = unnoticed_N_ * jacobian_.col(i).norm();
   return motion;
 }
 
@@ -155,9 +155,11 @@ void LegEstimator::widen_bounds(std::size_t j, EstimatedJoint& joint) const noex
   joint.friction_torque_bound_Nm = root_sum_square(joint.friction_torque_bound_Nm, missed_Nm);
 }
 
-/// The drive moves the joint, and nothing touches the leg: what is not explained is the model's own.
-void LegEstimator::watch_models(double dt_s, std::vector<EstimatedJoint>& joints) noexcept {
+/// The drive moves the joint, and nothing touches the leg: what is not explained is the model's own. A force
+/// that looks upward may be one that is not noticed; ground pulls nothing down.
+void LegEstimator::watch_models(double force_N, double dt_s, std::vector<EstimatedJoint>& joints) noexcept {
   const bool free = contact_->surely_free();
+  const double unnoticed_N = force_N > 0.0 ? std::max(unnoticed_N_, force_N) : 0.0;
   for (std::size_t j = 0; j < joints_.size(); ++j) {
     const EstimatedJoint& joint = joints[joints_[j]];
     const bool measured = joint.status == JointStatus::kOk || joint.status == JointStatus::kSaturated;
@@ -166,7 +168,9 @@ void LegEstimator::watch_models(double dt_s, std::vector<EstimatedJoint>& joints
     } else if (!joint.at_rest && std::abs(joint.estimated_velocity_rad_s) > kWatched_rad_s) {
       const double noise_Nm = configs_[j].armature_kg_m2 * joint.estimated_acceleration_bound_rad_s2 /
                               kStdsFor95;
-      watches_[j].learn(watched(j, joint), joint.external_torque_Nm, noise_Nm, dt_s);
+      WatchedMotion motion = watched(j, joint);
+      motion.unnoticed_Nm = unnoticed_N * jacobian_.col(static_cast<int>(j)).norm();
+      watches_[j].learn(motion, joint.external_torque_Nm, noise_Nm, dt_s);
     }
   }
 }

@@ -42,7 +42,8 @@ class LegEstimator {
   WatchedMotion watched(std::size_t j, const EstimatedJoint& joint) const noexcept;
   /// A model that does not fit makes all bounds wider, at once.
   void widen_bounds(std::size_t j, EstimatedJoint& joint) const noexcept;
-  void watch_models(double dt_s, std::vector<EstimatedJoint>& joints) noexcept;
+  /// @param force_N vertical, on the foot, as estimated.
+  void watch_models(double force_N, double dt_s, std::vector<EstimatedJoint>& joints) noexcept;
   void watch_force(const ContactEstimate& contact, double dt_s,
                    const std::vector<EstimatedJoint>& joints) noexcept;
 

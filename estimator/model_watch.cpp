@@ -20,13 +20,13 @@ constexpr double kMisfit = 3.0, kFit = 2.0;
 /// What was found stays believed; how well it is known is forgotten over as much motion. A hip's
 /// acceleration, which looks like weight, changes within a step, and so does what touches the foot: both are
 /// forgotten whole.
-constexpr double kForgets_s = 5.0, kForgetsWeight_s = 0.2;
+constexpr double kForgets_s = 60.0, kForgetsWeight_s = 0.2;
 /// A force that is not noticed lasts as long as a slow touchdown.
 constexpr double kForgetsOutside_s = 0.1;
 /// Before anything was seen, one standard deviation each: friction as a multiple of the law's at 1 rad/s,
-/// over which viscous friction comes to as much; the load's share by the worst of published gears twice
+/// over which viscous friction comes to as much; the load's share by that of published gears
 /// (facts D1); inertia and torque constant by the widest that a data sheet was off (facts C2, C3).
-constexpr double kFrictionPrior = 1.0, kLoadPrior = 0.15, kSharePrior = 0.3;
+constexpr double kFrictionPrior = 1.0, kLoadPrior = 0.1, kSharePrior = 0.3;
 constexpr double kLeastFriction_Nm = 1.0;
 /// Of a leg's weight, one standard deviation: what the hip's own acceleration adds or takes away.
 constexpr double kHipShare = 0.6;
@@ -60,9 +60,9 @@ ModelWatch::ModelWatch(const JointUncertainty& stated, const FrictionParameters&
 void ModelWatch::reset() noexcept {
   found_ = {};
   covariance_ = {};
-  moment_ = {};
+  moment_ = worst_ = {};
   for (std::size_t i = 0; i < kTerms; ++i) covariance_[i][i] = square(prior_[i]);
-  stated_moment_Nm2_ = seen_s_ = ratio_ = 0.0;
+  seen_s_ = ratio_ = 0.0;
   reason_ = MisfitReason::kNone;
   doubted_ = false;
   freeze();
@@ -163,33 +163,41 @@ void ModelWatch::remember(const Bucket& bucket) noexcept {
   const double share = std::min(1.0, bucket.time_s / seen_s_);
   for (std::size_t i = 0; i < kTerms; ++i) {
     for (std::size_t k = 0; k < kTerms; ++k)
-      moment_[i][k] += share * (bucket.part[i] * bucket.part[k] - moment_[i][k]);
+      moment_.parts[i][k] += share * (bucket.part[i] * bucket.part[k] - moment_.parts[i][k]);
   }
-  stated_moment_Nm2_ += share * (bucket.stated_Nm2 - stated_moment_Nm2_);
+  moment_.stated_Nm2 += share * (bucket.stated_Nm2 - moment_.stated_Nm2);
 }
 
-/// Weight is the hip's acceleration too, and judged by itself.
-void ModelWatch::judge() noexcept {
-  if (seen_s_ < kLeastMotion_s) return;
+double ModelWatch::ratio_in(const Moment& motion) const noexcept {
+  if (!(motion.stated_Nm2 > 0.0)) return 0.0;
   double missed_Nm2 = 0.0, unsure_Nm2 = 0.0;
   for (std::size_t i = 0; i < kWeight; ++i) {
     for (std::size_t k = 0; k < kWeight; ++k) {
-      missed_Nm2 += found_[i] * moment_[i][k] * found_[k];
-      unsure_Nm2 += covariance_[i][k] * moment_[i][k];
+      missed_Nm2 += found_[i] * motion.parts[i][k] * found_[k];
+      unsure_Nm2 += covariance_[i][k] * motion.parts[i][k];
     }
   }
   const double sure_Nm = std::sqrt(std::max(0.0, missed_Nm2)) - std::sqrt(std::max(0.0, unsure_Nm2));
+  return sure_Nm / std::sqrt(motion.stated_Nm2);
+}
+
+/// Weight is the hip's acceleration too, and judged by itself. A slow motion after a quick one hides viscous
+/// friction: what did not fit must fit in the motion that showed it.
+void ModelWatch::judge() noexcept {
+  if (seen_s_ < kLeastMotion_s) return;
   const double weight = (std::abs(found_[kWeight]) - std::sqrt(covariance_[kWeight][kWeight])) / kHipShare;
-  const double by_model = stated_moment_Nm2_ > 0.0 ? sure_Nm / std::sqrt(stated_moment_Nm2_) : 0.0;
+  const double now = ratio_in(moment_);
+  const double by_model = reason_ == MisfitReason::kNone ? now : std::max(now, ratio_in(worst_));
   ratio_ = std::max({0.0, by_model, weight});
   if (seen_s_ >= kWindow_s) doubted_ = false;
   if (ratio_ < kFit) reason_ = MisfitReason::kNone;
+  if (now > kMisfit && now >= by_model) worst_ = moment_;
   if (ratio_ > kMisfit) reason_ = weight > by_model ? MisfitReason::kWeight : likely_reason();
 }
 
 MisfitReason ModelWatch::likely_reason() const noexcept {
   std::size_t most = kDry;
-  const auto size = [this](std::size_t i) { return square(found_[i]) * moment_[i][i]; };
+  const auto size = [this](std::size_t i) { return square(found_[i]) * worst_.parts[i][i]; };
   for (std::size_t i = kViscous; i < kWeight; ++i) {
     if (size(i) > size(most)) most = i;
   }
@@ -201,9 +209,13 @@ ModelWatch::Missed ModelWatch::missed(const WatchedMotion& motion) const noexcep
   const Terms part = parts(motion);
   Missed out;
   double variance_Nm2 = 0.0;
-  for (std::size_t i = 0; i < kWeight; ++i) {
-    out.torque_Nm += found_[i] * part[i];
-    for (std::size_t k = 0; k < kWeight; ++k) variance_Nm2 += part[i] * covariance_[i][k] * part[k];
+  for (std::size_t i = 0; i < kWeight; ++i) out.torque_Nm += found_[i] * part[i];
+  // Where friction is what is wrong, inertia and torque constant are as sure as robot.yaml says.
+  const bool friction = reason() == MisfitReason::kFriction || reason() == MisfitReason::kViscousFriction ||
+                        reason() == MisfitReason::kLoadFriction;
+  const std::size_t doubtful = friction ? kInertia : kWeight;
+  for (std::size_t i = 0; i < doubtful; ++i) {
+    for (std::size_t k = 0; k < doubtful; ++k) variance_Nm2 += part[i] * covariance_[i][k] * part[k];
   }
   out.std_Nm = std::sqrt(std::max(0.0, variance_Nm2));
   return out;

@@ -6,11 +6,11 @@
 ///   -unexplained = c s + b w + k |L| s + x_J J qdd - x_k R Kt i + x_w G + x_o O + noise,   s = sgn(w)
 ///
 /// c, b and k are what friction is more than its law says, x shares of inertia, torque constant and weight; O
-/// is the torque of a force that is too small to be noticed as contact, or is not noticed. A Kalman filter
-/// holds the seven. The joint does not fit when what they come to, over the motion of the last
-/// 0.3 s and less its own uncertainty, is more than kMisfit of the standard deviations that robot.yaml's
-/// `uncertainty` states; it fits again below kFit. What touches the leg does not teach: nothing is learnt
-/// while it may be in contact, nor from what is younger than 25 ms; there the watch is frozen.
+/// is the torque of a force that is not noticed as contact. A Kalman filter holds the seven. The joint does
+/// not fit when what c to x_k come to, over the motion of the last 0.3 s and less its own uncertainty, is more
+/// than kMisfit of the standard deviations that robot.yaml's `uncertainty` states; it fits again below kFit.
+/// What touches the leg does not teach: nothing is learnt while it may be in contact, nor from what is
+/// younger than 25 ms; there the watch is frozen.
 #include <array>
 #include <cstddef>
 
@@ -80,6 +80,12 @@ class ModelWatch {
     double stated_Nm2 = 0.0;
     double time_s = 0.0;
   };
+  /// Means over a motion: of part times part, and of what robot.yaml states for it.
+  struct Moment {
+    Matrix parts{};
+    double stated_Nm2 = 0.0;
+  };
+  double ratio_in(const Moment& motion) const noexcept;
   Terms parts(const WatchedMotion& motion) const noexcept;
   double stated_Nm2(const WatchedMotion& motion) const noexcept;
   void wait(const Bucket& bucket) noexcept;
@@ -93,8 +99,8 @@ class ModelWatch {
   Terms prior_{};  ///< one standard deviation of each
   Terms found_{};
   Matrix covariance_{};
-  Matrix moment_{};  ///< mean of part times part over the motion of late
-  double stated_moment_Nm2_ = 0.0;
+  Moment moment_{};      ///< of late
+  Moment worst_{};       ///< in which the misfit showed most
   double seen_s_ = 0.0;  ///< of motion, counted to the length of the window; since a doubt
   Bucket filling_{};
   static constexpr std::size_t kWaiting = 5;
