@@ -37,6 +37,7 @@ int run_gamepad(const DriveByRequest& request) {
 void add_drive_by(CommandLine& sprung) {
   const auto request = std::make_shared<DriveByRequest>();
   CommandLine& drive_by = sprung.subcommand("drive-by", "Steer a robot that walks, without a browser.");
+  drive_by.example("sprung drive-by gamepad --device /dev/input/event7");
   CommandLine& gamepad = drive_by.subcommand(
       "gamepad",
       "By a gamepad of this machine: locked until its sticks are at rest, and only while L1 or R1 is held.");

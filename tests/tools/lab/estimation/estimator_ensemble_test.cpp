@@ -44,5 +44,15 @@ TEST(EstimatorEnsembleTest, SameSeedSamePlantsOtherSeedOtherDrawsAndNoise) {
   }
 }
 
+TEST(EstimatorPlants, ChangedPlantIsRepeatedWithItsOwnNoiseAndNotVariedOnceMore) {
+  EXPECT_EQ(estimator_plants({7, {}, true}).size(), estimator_ensemble(7).size());
+  const auto plants = estimator_plants({7, {{"draw", 3.0}}, true});
+  ASSERT_EQ(plants.size(), 5u);
+  for (std::size_t i = 0; i < plants.size(); ++i) {
+    EXPECT_EQ(plants[i].changes, (std::map<std::string, double>{{"draw", 3.0}}));
+    EXPECT_EQ(plants[i].seed, 7001u + i);
+  }
+}
+
 }  // namespace
 }  // namespace sprung
