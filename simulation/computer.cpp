@@ -22,7 +22,9 @@ Computer::Computer(const TimingConfig& timing, std::uint64_t seed) noexcept
 
 std::int64_t Computer::compute_us(std::int64_t cycle) const noexcept {
   if (tail_us_ <= 0.0 || cycle < 0) return compute_us_;
-  return compute_us_ + std::llround(tail_us_ * (1.0 / std::sqrt(uniform(kTailSignal, cycle)) - 1.0));
+  // Roots that IEEE 754 rounds exactly: the same bits everywhere.
+  const double root = std::sqrt(std::sqrt(uniform(kTailSignal, cycle)));
+  return compute_us_ + std::llround(3.0 * tail_us_ * (1.0 / root - 1.0));
 }
 
 bool Computer::misses(std::int64_t cycle) const noexcept {

@@ -11,8 +11,9 @@ class Computer {
  public:
   Computer(const TimingConfig& timing, std::uint64_t seed) noexcept;
 
-  /// compute_time and what comes on top: tail (1 / sqrt(u) - 1), u uniform in (0, 1): mean `tail`, and longer
-  /// than x in (1 + x / tail)^-2 of the cycles (Pareto's law of the second kind; the shape is [D]).
+  /// compute_time and what comes on top: 3 tail (u^-1/4 - 1), u uniform in (0, 1): mean `tail`, and longer
+  /// than x in (1 + x / (3 tail))^-4 of the cycles (Pareto's law of the second kind; the shape is [D]: with
+  /// 50 us, 1.5 ms come once in 15000 cycles).
   /// @param cycle since which it computes; before cycle 0 the tail is left out.
   std::int64_t compute_us(std::int64_t cycle) const noexcept;
   /// Whether no set-point of this cycle reaches the bus.

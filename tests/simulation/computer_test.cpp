@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace sprung::sim {
 namespace {
@@ -26,21 +27,24 @@ TEST(Computer, IsAlwaysInTimeUnlessToldOtherwise) {
   }
 }
 
-/// P(longer than x) = (1 + x / tail)^-2.
+/// P(longer than x) = (1 + x / (3 tail))^-4.
 TEST(Computer, TailHasItsShapeAndNothingIsFasterThanTheComputeTime) {
   const Computer computer(timing(50e-6, 0.0), 1);
   EXPECT_TRUE(computer.may_be_late(0));
   int over_one = 0, over_nine = 0;
   std::int64_t least = 1000;
+  double sum_us = 0.0;
   for (int cycle = 0; cycle < kCycles; ++cycle) {
     const std::int64_t extra_us = computer.compute_us(cycle) - 300;
     least = std::min(least, extra_us);
+    sum_us += static_cast<double>(extra_us);
     over_one += extra_us > 50 ? 1 : 0;
     over_nine += extra_us > 450 ? 1 : 0;
   }
   EXPECT_EQ(least, 0);
-  EXPECT_NEAR(over_one, 0.25 * kCycles, 0.01 * kCycles);
-  EXPECT_NEAR(over_nine, 0.01 * kCycles, 0.002 * kCycles);
+  EXPECT_NEAR(over_one, std::pow(4.0 / 3.0, -4.0) * kCycles, 0.01 * kCycles);
+  EXPECT_NEAR(over_nine, std::pow(4.0, -4.0) * kCycles, 0.001 * kCycles);
+  EXPECT_NEAR(sum_us / kCycles, 50.0, 1.0);
 }
 
 TEST(Computer, MissesItsShareOfTheCycles) {
