@@ -16,17 +16,17 @@ constexpr double kLeastMotion_s = 0.1;
 /// Standard deviations of what robot.yaml states. Plants at the corners of the box that the stated numbers
 /// stand for (friction 25 %, torque constant 5 %, mass 10 %, each 1.7 of them) reach up to sqrt 3 times
 /// sqrt 2.
-constexpr double kMisfit = 3.0, kFit = 2.0;
+constexpr double kMisfit = 2.5, kFit = 1.7;
 /// What was found stays believed; how well it is known is forgotten over as much motion. A hip's
 /// acceleration, which looks like weight, changes within a step, and so does what touches the foot: both are
 /// forgotten whole.
 constexpr double kForgets_s = 60.0, kForgetsWeight_s = 0.2;
 /// A force that is not noticed lasts as long as a slow touchdown.
 constexpr double kForgetsOutside_s = 0.1;
-/// Before anything was seen, one standard deviation each: friction as a multiple of the law's at 1 rad/s,
-/// over which viscous friction comes to as much; the load's share by that of published gears
-/// (facts D1); inertia and torque constant by the widest that a data sheet was off (facts C2, C3).
-constexpr double kFrictionPrior = 1.0, kLoadPrior = 0.1, kSharePrior = 0.3;
+/// Before anything was seen, one standard deviation each: friction as much again as the law's at 1 rad/s,
+/// over which viscous friction comes to as much; the load's share as that of published gears (facts D1);
+/// inertia and torque constant as multiples of what robot.yaml states.
+constexpr double kFrictionPrior = 1.0, kLoadPrior = 0.15, kStatedPrior = 3.0;
 constexpr double kLeastFriction_Nm = 1.0;
 /// Of a leg's weight, one standard deviation: what the hip's own acceleration adds or takes away.
 constexpr double kHipShare = 0.6;
@@ -35,6 +35,8 @@ constexpr double kRest_Nm = 0.7;
 /// A sample that is further off is something that touches the leg.
 constexpr double kMostStds = 4.0;
 constexpr double kWatchStds = 1.96;
+/// Of what was found, how far it may be off in another motion, one standard deviation.
+constexpr double kElsewhere = 0.2;
 
 double square(double value) noexcept { return value * value; }
 
@@ -48,12 +50,20 @@ constexpr MisfitReason kMisfitReasons[] = {MisfitReason::kFriction,       Misfit
 
 }  // namespace
 
-double ModelWatch::Missed::bound_Nm() const noexcept { return std::abs(torque_Nm) + kWatchStds * std_Nm; }
+double ModelWatch::Missed::bound_Nm() const noexcept {
+  return std::abs(torque_Nm) + kWatchStds * std::hypot(std_Nm, kElsewhere * torque_Nm);
+}
 
 ModelWatch::ModelWatch(const JointUncertainty& stated, const FrictionParameters& law) noexcept
     : stated_(stated) {
   const double friction_Nm = kFrictionPrior * friction_at_1_rad_s(law);
-  prior_ = {friction_Nm, friction_Nm, kLoadPrior, kSharePrior, kSharePrior, kHipShare, 1.0};
+  prior_ = {friction_Nm,
+            friction_Nm,
+            kLoadPrior,
+            kStatedPrior * stated.armature,
+            kStatedPrior * stated.torque_constant,
+            kHipShare,
+            1.0};
   reset();
 }
 
@@ -210,12 +220,8 @@ ModelWatch::Missed ModelWatch::missed(const WatchedMotion& motion) const noexcep
   Missed out;
   double variance_Nm2 = 0.0;
   for (std::size_t i = 0; i < kWeight; ++i) out.torque_Nm += found_[i] * part[i];
-  // Where friction is what is wrong, inertia and torque constant are as sure as robot.yaml says.
-  const bool friction = reason() == MisfitReason::kFriction || reason() == MisfitReason::kViscousFriction ||
-                        reason() == MisfitReason::kLoadFriction;
-  const std::size_t doubtful = friction ? kInertia : kWeight;
-  for (std::size_t i = 0; i < doubtful; ++i) {
-    for (std::size_t k = 0; k < doubtful; ++k) variance_Nm2 += part[i] * covariance_[i][k] * part[k];
+  for (std::size_t i = 0; i < kWeight; ++i) {
+    for (std::size_t k = 0; k < kWeight; ++k) variance_Nm2 += part[i] * covariance_[i][k] * part[k];
   }
   out.std_Nm = std::sqrt(std::max(0.0, variance_Nm2));
   return out;
