@@ -74,6 +74,34 @@ check("axe-core has nothing to say, light and dark, at 1280 x 720 and on a table
   }
 });
 
+/** What the page shows of the robot's state with other values in it; the robot's next state undoes them. */
+const shown = (page, values) => page.evaluate((others) => {
+  const { link, state } = window.sprung;
+  link.dispatchEvent(new CustomEvent("state", { detail: { ...state, ...others } }));
+  const battery = document.getElementById("battery");
+  const table = document.querySelector("#drives table");
+  const texts = (row) => [...row.cells].map((cell) => cell.textContent);
+  return { battery: battery.hidden ? null : battery.textContent, low: battery.classList.contains("low"),
+           heading: texts(table.tHead.rows[0]), first: texts(table.tBodies[0].rows[0]) };
+}, values);
+
+check("battery and temperatures are shown where the robot has them, and are hidden where it has none", async ({ browser, url }) => {
+  const page = await openLive(browser, url);
+  const plain = ["drive", "power", "A", "V"];
+  const none = await shown(page, {});
+  assert.deepEqual([none.battery, none.heading], [null, plain], "pegasus as it is shipped has none");
+  const name = await page.evaluate(() => document.querySelector("#drives tbody td").textContent);
+  const battery = { voltage_V: 47.46, charge_share: 0.12, temperature_degC: null, low: true };
+  const some = await shown(page, { auxiliary: { temperatures_degC: { [name]: 41.25 }, battery } });
+  assert.deepEqual(some.heading, [...plain, "drive °C"]);
+  assert.equal(some.first.at(-1), "41.3");
+  assert.equal(some.battery, "Battery 12 %, 47.5 V, – °C. LOW: let the robot sit, then charge");
+  assert.ok(some.low);
+  const unheard = await shown(page, { auxiliary: { temperatures_degC: { [name]: null }, battery: null } });
+  assert.deepEqual([unheard.first.at(-1), unheard.battery], ["–", null], "a drive that has not answered yet");
+  await page.close();
+});
+
 check("walk by keyboard: from the key's press to its release; frames come 20 times a second and more", async ({ browser, url }) => {
   const page = await openLive(browser, url);
   await page.locator("#source").selectOption("keyboard");

@@ -6,7 +6,8 @@ import { randomBytes } from "node:crypto";
 import { readFileSync } from "node:fs";
 import http from "node:http";
 import path from "node:path";
-import { launch } from "./browser.mjs";
+import os from "node:os";
+import { launch, processorTimes_s } from "./browser.mjs";
 import { openLive, press, standUp, state } from "./live_page.mjs";
 import { LiveRobot, eventually, pause } from "./live_robot.mjs";
 
@@ -14,6 +15,8 @@ const [folder, bin, stops = "200"] = process.argv.slice(2);
 const busy_loops = 2;
 const rounds = 3; // of the chain, with and without a page
 const round_ms = 8_000;
+const settle_ms = 5_000;
+const pictures_ms = 10_000; // of walking
 const clock_ticks_s = 100;
 
 const share = (sorted, part) => sorted[Math.min(sorted.length - 1, Math.floor(part * sorted.length))];
@@ -118,6 +121,40 @@ async function cost() {
     await robot.down();
   }
 }
+
+/** Pictures a second of pegasus, walking, live at 500 Hz, at 1280 x 720 by software; and what one of them costs. */
+async function pictures() {
+  const robot = await LiveRobot.up(bin, "pegasus", ["fl", "fr", "hl", "hr"]);
+  const drawing = await launch(folder);
+  try {
+    const page = await openLive(drawing, await robot.console());
+    await standUp(page);
+    await press(page, "walk", { forward_m_s: 0.1 });
+    await pause(settle_ms); // as many pixels as there is time for
+    const seen = () => page.evaluate(() => ({ ms: performance.now(), pictures: window.sprung.view.pictures, pixels: window.sprung.view.view.ratio }));
+    const before = await seen(), used = await processorTimes_s(drawing);
+    await pause(pictures_ms);
+    const after = await seen(), now = await processorTimes_s(drawing);
+    const count = after.pictures - before.pictures;
+    const each_ms = (type) => (1000 * (now[type] - used[type])) / count;
+    return { rate: (1000 * count) / (after.ms - before.ms), gpu_ms: each_ms("GPU"), page_ms: each_ms("renderer"), ratio: after.pixels,
+             load: os.loadavg()[0], walks: (await state(page)).motion.state };
+  } finally {
+    await drawing.close();
+    await robot.down();
+  }
+}
+
+const only = process.env.SPRUNG_MEASURE ?? "pictures estop cost"; // which of them
+if (only.includes("pictures")) {
+  const { rate, gpu_ms, page_ms, ratio, load, walks } = await pictures();
+  row("console.pictures a second, pegasus at 500 Hz, by software", rate, "/s");
+  row("console.picture, processor of Chromium's drawing process", gpu_ms, "ms");
+  row("console.picture, processor of the page", page_ms, "ms");
+  row("console.picture, pixels for each of the page's, along an axis", ratio, "");
+  row(`load of the machine (pegasus: ${walks})`, load, "");
+}
+if (!only.includes("estop")) process.exit();
 
 const browser = await launch(folder, ["--disable-3d-apis"]); // else it draws with all of the processor
 const times = await estopTimes(browser);

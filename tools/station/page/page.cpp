@@ -10,6 +10,8 @@
 #include "sprung_embedded/station_orbit_controls_js.h"
 #include "sprung_embedded/station_plots_js.h"
 #include "sprung_embedded/station_robot_view_js.h"
+#include "sprung_embedded/station_shapes_js.h"
+#include "sprung_embedded/station_sharpness_js.h"
 #include "sprung_embedded/station_source_js.h"
 #include "sprung_embedded/station_style_css.h"
 #include "sprung_embedded/station_three_js.h"
@@ -30,6 +32,8 @@ constexpr std::array kModules = {Module{"three", station_three_js},
                                  Module{"orbit_controls", station_orbit_controls_js},
                                  Module{"uplot", station_uplot_js},
                                  Module{"source", station_source_js},
+                                 Module{"shapes", station_shapes_js},
+                                 Module{"sharpness", station_sharpness_js},
                                  Module{"robot_view", station_robot_view_js},
                                  Module{"plots", station_plots_js},
                                  Module{"footfalls", station_footfalls_js},

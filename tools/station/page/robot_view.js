@@ -1,6 +1,8 @@
 // The robot in 3-D. World: x forward, y left, z up, metres; the floor is z = 0.
 import * as THREE from "three";
 import {OrbitControls} from "orbit_controls";
+import {merged, place} from "shapes";
+import {PictureClock, Sharpness} from "sharpness";
 import {index_of_fields} from "source";
 
 const kForceScale_m_N = 0.0012;  // 400 N are half a metre
@@ -25,38 +27,35 @@ export function torque_colour(share) {
   return low.map((value, channel) => Math.round(value + part * (high[channel] - value)));
 }
 
-function geometry_of(shape, meshes) {
-  const [a, b, c] = shape.size_m;
-  switch (shape.kind) {
-    case "sphere": return new THREE.SphereGeometry(a, 20, 14);
-    case "ellipsoid": return new THREE.SphereGeometry(1, 20, 14).scale(a, b, c);
-    // three.js has them along y, MuJoCo along z.
-    case "capsule": return new THREE.CapsuleGeometry(a, 2 * b, 6, 16).rotateX(Math.PI / 2);
-    case "cylinder": return new THREE.CylinderGeometry(a, a, 2 * b, 24).rotateX(Math.PI / 2);
-    case "box": return new THREE.BoxGeometry(2 * a, 2 * b, 2 * c);
-    case "mesh": {
-      const geometry = new THREE.BufferGeometry();
-      const mesh = meshes[shape.mesh];
-      geometry.setAttribute("position", new THREE.Float32BufferAttribute(mesh.vertices_m, 3));
-      geometry.setIndex(mesh.triangles);
-      const flat = geometry.toNonIndexed();
-      flat.computeVertexNormals();
-      return flat;
-    }
-    default: return null;
-  }
+// Used over and over: what is made anew for each picture has to be cleared away, which takes time.
+const kUp = new THREE.Vector3(0, 1, 0);
+const kNoForce = new THREE.Vector3(NaN, NaN, NaN);
+const turn_by = new THREE.Quaternion();
+const moved_by = new THREE.Vector3();
+const foot_at = new THREE.Vector3();
+const force_N = new THREE.Vector3();
+const true_force_N = new THREE.Vector3();
+const base_turn = new THREE.Quaternion();
+const base_step = new THREE.Vector3();
+
+/** Most of a picture is floor: its colour as the screen wants it, with nothing to work out for each pixel. */
+function floor_material() {
+  return new THREE.ShaderMaterial({
+    uniforms: {colour: {value: new THREE.Color()}},
+    vertexShader: "void main() { gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }",
+    fragmentShader: "uniform vec3 colour; void main() { gl_FragColor = vec4(colour, 1.0); }",
+  });
 }
 
-function place(object, thing) {
-  const [w, x, y, z] = thing.quaternion_wxyz;
-  object.position.set(...thing.position_m);
-  object.quaternion.set(x, y, z, w);
+function take(into, indices, row) {
+  const [x, y, z] = indices;
+  return into.set(x < 0 ? NaN : row[x], y < 0 ? NaN : row[y], z < 0 ? NaN : row[z]);
 }
 
 /** One copy of the robot's bodies, which can be posed. */
 class Body {
-  /** @param material_of (shape, body index) => material */
-  constructor(scene, material_of) {
+  /** @param parts_of (body, its index) => [{shapes, material}], one mesh each */
+  constructor(scene, parts_of) {
     this.scene = scene;
     this.root = new THREE.Group();
     this.links = scene.bodies.map((body) => {
@@ -67,7 +66,7 @@ class Body {
     });
     scene.bodies.forEach((body, index) => {
       (body.parent < 0 ? this.root : this.links[body.parent]).add(this.links[index]);
-      for (const shape of body.shapes) this.add_shape(this.links[index], shape, material_of(shape, index));
+      for (const part of parts_of(body, index)) this.add_part(this.links[index], part);
     });
     this.turns = scene.joints.map((joint) => {
       const {axis, position_m, zero} = scene.bodies[joint.body].joint;
@@ -76,12 +75,12 @@ class Body {
     this.base = this.links[scene.base];
   }
 
-  add_shape(parent, shape, material) {
-    const geometry = geometry_of(shape, this.scene.meshes);
-    if (geometry === null || material === null) return;
+  add_part(parent, {shapes, material, on_made}) {
+    const geometry = merged(shapes, this.scene.meshes);
+    if (geometry === null) return;
     const mesh = new THREE.Mesh(geometry, material);
-    place(mesh, shape);
     parent.add(mesh);
+    on_made?.(mesh);
   }
 
   pose(trunk, angles_rad) {
@@ -97,10 +96,10 @@ class Body {
   /** About an axis of the body through an anchor in it, from where it rests. */
   turn({link, axis, anchor, zero}, angle_rad) {
     const {position, quaternion} = link.userData.rest;
-    const rotation = new THREE.Quaternion().setFromAxisAngle(axis, angle_rad - zero);
-    link.quaternion.copy(quaternion).multiply(rotation);
-    const moved = anchor.clone().applyQuaternion(rotation).sub(anchor).negate();
-    link.position.copy(position).add(moved.applyQuaternion(quaternion));
+    turn_by.setFromAxisAngle(axis, angle_rad - zero);
+    link.quaternion.copy(quaternion).multiply(turn_by);
+    moved_by.copy(anchor).applyQuaternion(turn_by).sub(anchor).negate();
+    link.position.copy(position).add(moved_by.applyQuaternion(quaternion));
   }
 }
 
@@ -110,18 +109,19 @@ class ForceArrow {
     const material = new THREE.MeshBasicMaterial({color: colour});
     this.material = material;
     this.group = new THREE.Group();
-    this.shaft = new THREE.Mesh(new THREE.CylinderGeometry(radius_m, radius_m, 1, 10).translate(0, 0.5, 0), material);
-    this.head = new THREE.Mesh(new THREE.ConeGeometry(3 * radius_m, 6 * radius_m, 12).translate(0, 3 * radius_m, 0), material);
+    this.shaft = new THREE.Mesh(new THREE.CylinderGeometry(radius_m, radius_m, 1, 8).translate(0, 0.5, 0), material);
+    this.head = new THREE.Mesh(new THREE.ConeGeometry(3 * radius_m, 6 * radius_m, 10).translate(0, 3 * radius_m, 0), material);
     this.group.add(this.shaft, this.head);
     parent.add(this.group);
   }
+  /** @param force N; used up */
   show(origin, force) {
     const size_N = force.length();
     this.group.visible = Number.isFinite(size_N) && size_N > kLeastForce_N;
     if (!this.group.visible) return;
     const length_m = size_N * kForceScale_m_N;
     this.group.position.copy(origin);
-    this.group.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), force.clone().divideScalar(size_N));
+    this.group.quaternion.setFromUnitVectors(kUp, force.divideScalar(size_N));
     this.shaft.scale.y = length_m;
     this.head.position.y = length_m;
   }
@@ -136,7 +136,11 @@ export class RobotView {
     this.canvas = canvas;
     this.scene = scene;
     this.shown = {ghost: true, forces: true, cones: true, torques: true, follow: true};
-    this.renderer = new THREE.WebGLRenderer({canvas, antialias: true, preserveDrawingBuffer: true});
+    // Edges are smoothed by more pixels where there is time for them (sharpness.js).
+    this.renderer = new THREE.WebGLRenderer({canvas, antialias: false});
+    this.sharpness = new Sharpness();
+    this.clock = new PictureClock(this.renderer.getContext());
+    this.picture_ms = 0;
     this.renderer.outputColorSpace = THREE.SRGBColorSpace;
     this.three = new THREE.Scene();
     this.camera = new THREE.PerspectiveCamera(38, 1, 0.02, 80);
@@ -178,43 +182,50 @@ export class RobotView {
     const lines = new THREE.GridHelper(12, 48);
     lines.rotation.x = Math.PI / 2;
     this.lines = lines;
-    this.floor = new THREE.Mesh(new THREE.PlaneGeometry(12, 12), new THREE.MeshBasicMaterial());
+    this.floor = new THREE.Mesh(new THREE.PlaneGeometry(12, 12), floor_material());
     this.floor.position.z = -0.002;
     this.grid.add(this.floor, lines);
     // What lies under each foot: a spot on the floor tells how high the foot is.
     this.three.add(this.grid);
-    for (const shape of this.scene.world_shapes) {
-      const holder = new THREE.Group();
-      const geometry = geometry_of(shape, this.scene.meshes);
-      if (geometry === null) continue;
-      const mesh = new THREE.Mesh(geometry, this.material_of(shape));
-      place(mesh, shape);
-      holder.add(mesh);
-      this.three.add(holder);
+    for (const {shapes, material} of this.parts_of(this.scene.world_shapes)) {
+      const geometry = merged(shapes, this.scene.meshes);
+      if (geometry !== null) this.three.add(new THREE.Mesh(geometry, material));
     }
   }
 
-  material_of(shape) {
-    const [r, g, b, alpha] = shape.rgba;
-    return new THREE.MeshLambertMaterial({
-      color: new THREE.Color().setRGB(r, g, b, THREE.SRGBColorSpace), transparent: alpha < 1, opacity: alpha,
-    });
+  /** Shapes that one material can draw: all that cannot be seen through, then each opacity. */
+  parts_of(shapes) {
+    this.materials ??= new Map();
+    const parts = new Map();
+    for (const shape of shapes) {
+      const alpha = shape.rgba[3];
+      if (!parts.has(alpha)) parts.set(alpha, []);
+      parts.get(alpha).push(shape);
+      if (this.materials.has(alpha)) continue;
+      this.materials.set(alpha, new THREE.MeshLambertMaterial({vertexColors: true, transparent: alpha < 1, opacity: alpha}));
+    }
+    return [...parts].map(([alpha, of_one]) => ({shapes: of_one, material: this.materials.get(alpha)}));
   }
 
   add_robot() {
     const moved = new Map(this.scene.joints.map((joint, index) => [joint.body, index]));
-    this.torque_materials = this.scene.joints.map(() => []);
-    this.body = new Body(this.scene, (shape, index) => {
-      const material = this.material_of(shape);
-      if (shape.foot === undefined && moved.has(index)) {
-        material.userData.own = material.color.clone();
-        this.torque_materials[moved.get(index)].push(material);
-      }
-      return material;
+    this.torque_links = this.scene.joints.map(() => []);
+    this.body = new Body(this.scene, (body, index) => {
+      const is_foot = ({foot}) => foot !== undefined;
+      const rest = this.parts_of(body.shapes.filter((shape) => !is_foot(shape)));
+      const coloured = moved.has(index) ? rest.map((part) => this.coloured(part, moved.get(index))) : rest;
+      return coloured.concat(this.parts_of(body.shapes.filter(is_foot)));
     });
     this.ghost_material = new THREE.MeshLambertMaterial({transparent: true, opacity: 0.3, depthWrite: false});
-    this.ghost = new Body(this.scene, (shape, index) => (index === this.scene.base ? null : this.ghost_material));
+    this.ghost = new Body(this.scene, ({shapes}, index) => (index === this.scene.base ? [] : [{shapes, material: this.ghost_material}]));
     this.three.add(this.body.root, this.ghost.root);
+  }
+
+  /** A part of a link that a joint moves: in its own colours, or all of it in that of the joint's torque. */
+  coloured(part, joint) {
+    const {transparent, opacity} = part.material;
+    const torque = new THREE.MeshLambertMaterial({transparent, opacity});
+    return {...part, on_made: (mesh) => this.torque_links[joint].push({mesh, own: part.material, torque})};
   }
 
   add_feet() {
@@ -224,14 +235,14 @@ export class RobotView {
       const foot = {leg, place: new THREE.Vector3(...leg.foot_in_body_m), link: this.body.links[leg.foot_body]};
       foot.true_arrow = new ForceArrow(this.three, kTrueForceColour, 0.005);
       foot.arrow = new ForceArrow(this.three, kForceColour, 0.008);
-      foot.shadow = new THREE.Mesh(new THREE.CircleGeometry(1.6 * leg.foot_radius_m + 0.012, 24),
+      foot.shadow = new THREE.Mesh(new THREE.CircleGeometry(1.6 * leg.foot_radius_m + 0.012, 16),
                                    new THREE.MeshBasicMaterial({color: 0x000000, transparent: true, opacity: 0.25}));
       this.three.add(foot.shadow);
       if (mu !== null) {
-        const cone = new THREE.ConeGeometry(mu * kConeHeight_m, kConeHeight_m, 24, 1, true);
+        const cone = new THREE.ConeGeometry(mu * kConeHeight_m, kConeHeight_m, 16, 1, true);
         cone.rotateX(-Math.PI / 2).translate(0, 0, kConeHeight_m / 2);  // its tip at the foot, open upward
         foot.cone = new THREE.Mesh(cone, new THREE.MeshBasicMaterial(
-            {transparent: true, opacity: 0.22, side: THREE.DoubleSide, depthWrite: false}));
+            {transparent: true, opacity: 0.22, side: THREE.DoubleSide, forceSinglePass: true, depthWrite: false}));
         this.three.add(foot.cone);
       }
       return foot;
@@ -256,7 +267,7 @@ export class RobotView {
   set_theme(theme) {
     const dark = theme === "dark";
     this.three.background = new THREE.Color(dark ? 0x14181d : 0xeef1f4);
-    this.floor.material.color.set(dark ? 0x1d2329 : 0xdfe4e8);
+    this.floor.material.uniforms.colour.value.set(dark ? 0x1d2329 : 0xdfe4e8).convertLinearToSRGB();
     this.lines.material.vertexColors = false;
     this.lines.material.color.set(dark ? 0x323b44 : 0xc3cad1);
     this.lines.material.needsUpdate = true;
@@ -293,31 +304,27 @@ export class RobotView {
   colour_torques(torques_Nm) {
     torques_Nm.forEach((torque_Nm, i) => {
       const limit_Nm = this.scene.joints[i].torque_limit_Nm;
-      for (const material of this.torque_materials[i]) {
-        if (!this.shown.torques || !Number.isFinite(torque_Nm) || !limit_Nm) {
-          material.color.copy(material.userData.own);
-          continue;
-        }
-        const [r, g, b] = torque_colour(torque_Nm / limit_Nm);
-        material.color.setRGB(r / 255, g / 255, b / 255, THREE.SRGBColorSpace);
+      const known = this.shown.torques && Number.isFinite(torque_Nm) && Boolean(limit_Nm);
+      const [r, g, b] = known ? torque_colour(torque_Nm / limit_Nm) : [0, 0, 0];
+      for (const {mesh, own, torque} of this.torque_links[i]) {
+        mesh.material = known ? torque : own;
+        if (known) torque.color.setRGB(r / 255, g / 255, b / 255, THREE.SRGBColorSpace);
       }
     });
   }
 
   show_foot(foot, fields, row) {
-    const origin = foot.link.localToWorld(foot.place.clone());
-    const take = (indices) => new THREE.Vector3(...indices.map((index) => (index < 0 ? NaN : row[index])));
+    const origin = foot.link.localToWorld(foot_at.copy(foot.place));
     // Estimated in hip axes, which are the trunk's.
-    const force = take(fields.force).applyQuaternion(this.body.base.getWorldQuaternion(new THREE.Quaternion()));
+    const force = take(force_N, fields.force, row).applyQuaternion(this.body.base.getWorldQuaternion(base_turn));
+    const slips = Math.hypot(force.x, force.y) > (this.scene.friction_coefficient ?? Infinity) * force.z;
     const contact = fields.contact >= 0 && row[fields.contact] > 0.5;
-    const none = new THREE.Vector3(NaN, NaN, NaN);
-    foot.arrow.show(origin, this.shown.forces && contact ? force : none);
-    foot.true_arrow.show(origin, this.shown.forces ? take(fields.true_force) : none);
+    foot.arrow.show(origin, this.shown.forces && contact ? force : kNoForce);
+    foot.true_arrow.show(origin, this.shown.forces ? take(true_force_N, fields.true_force, row) : kNoForce);
     const ground_m = fields.ground >= 0 && Number.isFinite(row[fields.ground]) ? row[fields.ground] : 0;
     foot.shadow.position.set(origin.x, origin.y, ground_m + 0.002);
     const height_m = Math.max(0, origin.z - foot.leg.foot_radius_m - ground_m);
     foot.shadow.material.opacity = 0.35 / (1 + 8 * height_m);
-    const slips = Math.hypot(force.x, force.y) > (this.scene.friction_coefficient ?? Infinity) * force.z;
     foot.arrow.material.color.set(slips ? kSlipColour : kForceColour);
     if (foot.cone) {
       foot.cone.visible = this.shown.cones && contact;
@@ -328,7 +335,7 @@ export class RobotView {
   /** Camera, light and grid go with the trunk along the floor. */
   follow() {
     const base = this.body.base.position;
-    const step = new THREE.Vector3(base.x - this.last_base.x, base.y - this.last_base.y, 0);
+    const step = base_step.set(base.x - this.last_base.x, base.y - this.last_base.y, 0);
     this.last_base.copy(base);
     if (step.lengthSq() === 0) return;
     this.camera.position.add(step);
@@ -338,24 +345,38 @@ export class RobotView {
     this.grid.position.set(Math.round(base.x / square_m) * square_m, Math.round(base.y / square_m) * square_m, 0);
   }
 
-  /** Draws where something changed. @return whether it did */
+  /**
+   * Draws where something changed, and the picture before is done: none queue up. A picture that stands still is
+   * drawn once more, sharp.
+   * @return whether it did
+   */
   draw() {
+    const now_ms = performance.now();
+    const took_ms = this.clock.done(now_ms);
+    if (took_ms !== null) this.picture_ms = took_ms;
+    if (took_ms !== null && !this.was_still) this.sharpness.took(took_ms);
+    if (this.clock.busy) return false;
     const {clientWidth: width, clientHeight: height} = this.canvas;
-    if (width !== this.width || height !== this.height) this.resize(width, height);
-    if (!this.dirty || width === 0) return false;
+    if (width === 0 || height === 0) return false;
+    const still = !this.dirty;
+    const ratio = still ? this.sharpness.still_ratio(now_ms - (this.drawn_ms ?? now_ms)) : this.sharpness.ratio;
+    const resized = width !== this.width || height !== this.height || (ratio !== this.ratio && (!still || ratio > this.ratio));
+    if (!this.dirty && !resized) return false;
+    if (resized) this.resize(width, height, ratio);
+    this.was_still = still || resized;  // its time says nothing: a new size is paid for once
     this.dirty = false;
+    if (!still) this.drawn_ms = now_ms;
+    this.clock.begin(now_ms);
     this.renderer.render(this.three, this.camera);
+    this.clock.asked();
     return true;
   }
 
-  resize(width, height) {
-    this.width = width;
-    this.height = height;
-    if (width === 0 || height === 0) return;
-    this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
+  resize(width, height, ratio) {
+    Object.assign(this, {width, height, ratio});
+    this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
-    this.dirty = true;
   }
 }

@@ -12,6 +12,8 @@
 #include "sprung_embedded/console_view_js.h"
 #include "sprung_embedded/station_orbit_controls_js.h"
 #include "sprung_embedded/station_robot_view_js.h"
+#include "sprung_embedded/station_shapes_js.h"
+#include "sprung_embedded/station_sharpness_js.h"
 #include "sprung_embedded/station_source_js.h"
 #include "sprung_embedded/station_three_js.h"
 
@@ -48,6 +50,8 @@ const WebFile* console_file(std::string_view path) {
       NamedFile{"lib/three.js", {kScript, station_three_js()}},
       NamedFile{"lib/orbit_controls.js", {kScript, station_orbit_controls_js()}},
       NamedFile{"lib/robot_view.js", {kScript, station_robot_view_js()}},
+      NamedFile{"lib/shapes.js", {kScript, station_shapes_js()}},
+      NamedFile{"lib/sharpness.js", {kScript, station_sharpness_js()}},
       NamedFile{"lib/source.js", {kScript, station_source_js()}},
   };
   for (const NamedFile& each : files)

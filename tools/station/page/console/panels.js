@@ -86,11 +86,37 @@ export class Panels {
     const weight_N = 400; // full scale of a foot's force; a bar that is full says so by its number
     this.feet = robot.legs.map((leg) => new Bar(`${leg.name} z`, weight_N, "N"));
     byId("feet").replaceChildren(...this.feet.map((bar) => bar.row));
-    this.drives = new Table(byId("drives"), ["drive", "power", "A", "V", "gear °C"]);
+    this.#drive_table([]);
     this.processes = new Table(byId("processes"), ["process", "state", "Hz", "CPU %", "overruns"]);
     this.buses = new Table(byId("buses"), ["bus", "condition", "load %", "errors"]);
     byId("legs").replaceChildren(...robot.legs.map(() => element("li")));
     this.facts = new Map();
+  }
+
+  /** Columns of temperatures, where the robot has any: its own estimate of the gears, what drives measure. */
+  #drive_table(temperatures) {
+    this.temperatures = temperatures;
+    this.drives = new Table(byId("drives"), ["drive", "power", "A", "V", ...temperatures.map(({ heading }) => heading)]);
+  }
+
+  /** Where nothing was heard of a temperature yet, it has no column. */
+  #known_temperatures(state) {
+    const measured = state.auxiliary?.temperatures_degC ?? {};
+    const gear = { heading: "gear °C", of: (_, i) => state.joints[i]?.temperature_degC };
+    const drive = { heading: "drive °C", of: (name) => measured[name] };
+    const all = [];
+    if (state.joints.some((joint) => Number.isFinite(joint.temperature_degC))) all.push(gear);
+    if (Object.keys(measured).length > 0) all.push(drive);
+    return all;
+  }
+
+  #battery(battery) {
+    byId("battery").hidden = !battery;
+    if (!battery) return;
+    const share = battery.charge_share === null ? null : 100 * battery.charge_share;
+    const low = battery.low ? ". LOW: let the robot sit, then charge" : "";
+    show(byId("battery"), `Battery ${text(share, 0)} %, ${text(battery.voltage_V)} V, ${text(battery.temperature_degC)} °C${low}`);
+    mark(byId("battery"), battery.low ? "battery low" : "battery");
   }
 
   #fact(name, value) {
@@ -139,10 +165,15 @@ export class Panels {
   }
 
   #tables(state) {
+    const temperatures = this.#known_temperatures(state);
+    const headings = (columns) => columns.map(({ heading }) => heading).join();
+    if (headings(temperatures) !== headings(this.temperatures)) this.#drive_table(temperatures);
+    this.#battery(state.auxiliary?.battery);
     this.drives.set(state.actuators.map((drive, i) => [
       this.robot.actuators[i].name,
       { value: drive.fault_code ? `${power(drive.power)}, fault 0x${drive.fault_code.toString(16)}` : power(drive.power), bad: drive.fault_code !== 0 },
-      text(drive.current_A, 2), text(drive.supply_V), text(state.joints[i]?.temperature_degC)]));
+      text(drive.current_A, 2), text(drive.supply_V),
+      ...temperatures.map(({ of }) => text(of(this.robot.actuators[i].name, i)))]));
     this.processes.set(state.processes.map((process) => [
       process.name.replace(/^sprung-/, ""),
       { value: process.state, bad: ["dead", "stopped", "silent"].includes(process.state) },

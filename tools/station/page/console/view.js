@@ -8,10 +8,11 @@ const json = async (path) => (await fetch(path)).json();
 
 export class LiveView {
   #row = null;
-  #drawn = 0;
+  #counted = 0;
   #rest_until_ms = 0;
   fps = 0;
-  frames = 0;
+  frames = 0; // heard of the server
+  pictures = 0; // drawn
 
   /** @param holder of the canvas; what cannot be shown is told in it. */
   constructor(holder) {
@@ -44,7 +45,7 @@ export class LiveView {
   take(data) {
     this.frames += 1;
     if (data.byteLength !== 8 + 4 * this.fields) return;
-    this.#row = new Float32Array(data.slice(8));
+    this.#row = new Float32Array(data, 8);
   }
 
   #draw() {
@@ -53,14 +54,14 @@ export class LiveView {
     if (begin_ms < this.#rest_until_ms) return;
     if (this.#row) this.view.show(this.#row);
     this.#row = null;
-    if (this.view.draw()) this.#drawn += 1;
+    if (this.view.draw()) this.pictures += 1;
     const took_ms = performance.now() - begin_ms;
     if (took_ms > slow_ms) this.#rest_until_ms = begin_ms + 2 * took_ms;
   }
 
   #count() {
-    this.fps = this.#drawn;
-    this.#drawn = 0;
+    this.fps = this.pictures - this.#counted;
+    this.#counted = this.pictures;
     if (this.view) this.note.textContent = `${this.fps} pictures a second`;
   }
 
