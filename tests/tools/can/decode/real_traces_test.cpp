@@ -1,5 +1,5 @@
 /// What real drives were seen to say, through decoder and profile. The frames are made here; what they carry
-/// are facts that their owners published:
+/// is what their owners published:
 ///
 ///   [EPOS]  maxon EPOS, enabled by PDO and read by SDO: machinekit/machinekit, "HAL driver for CAN",
 ///           2015-07-06
@@ -50,7 +50,7 @@ constexpr SeenWord kSeenWords[] = {
     {0x1A37, PowerState::kOperationEnabled, "CIA"},
     {0x1637, PowerState::kOperationEnabled, "CIA"},
     {0x8637, PowerState::kOperationEnabled, "IPOS"},
-    {0x0240, PowerState::kSwitchOnDisabled, "facts canopen"},
+    {0x0240, PowerState::kSwitchOnDisabled, "facts canopen 2.2"},
     {0x0108, PowerState::kFault, "facts canopen 2.2"},
     {0x010F, PowerState::kFaultReactionActive, "facts canopen 2.2"},
     {0x4123, PowerState::kSwitchedOn, "facts canopen 2.2, refresh of the power stage"},
