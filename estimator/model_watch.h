@@ -7,9 +7,9 @@
 ///
 /// c, b and k are what friction is more than its law says, x shares of inertia, torque constant and weight; O
 /// is the torque of a force that is not noticed as contact. A Kalman filter holds the seven. The joint does
-/// not fit when what c to x_k come to, over the motion of the last 0.3 s and less its own uncertainty, is more
-/// than kMisfit of the standard deviations that robot.yaml's `uncertainty` states; it fits again below kFit.
-/// What touches the leg does not teach: nothing is learnt while it may be in contact, nor from what is
+/// not fit when what c to x_k come to, over the motion of the last 0.3 s and less its own uncertainty, is
+/// more than kMisfit of the standard deviations that robot.yaml's `uncertainty` states; it fits again below
+/// kFit. What touches the leg does not teach: nothing is learnt while it may be in contact, nor from what is
 /// younger than 25 ms; there the watch is frozen.
 #include <array>
 #include <cstddef>
