@@ -83,8 +83,18 @@ class LockstepBridge {
         drives_.gave_up();
         ++silent_ticks_;
         core_.count_missed_cycle();
-        process_.status().detail = "the drives do not answer on " + links_[bus].bus().describe();
+        tell_silent_drives(links_[bus].bus().describe());
       }
+    }
+  }
+
+  /// Before the first cycle nothing has been made yet that could be made again.
+  void tell_silent_drives(const std::string& bus) {
+    const std::string what = "the drives do not answer on " + bus;
+    if (process_.status().state == ProcessState::kReady) {
+      process_.status().detail = what;
+    } else {
+      tell_not_deterministic(what);
     }
   }
 

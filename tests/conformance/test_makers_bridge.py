@@ -11,10 +11,12 @@ import programs
 from golden import EPOS2_REMAP, REMAP
 from power_states import ENABLED, OFF
 from python_robot import UP_S, Robot, run_sprung
+from slave import Drive
 from test_bridge import check_remap, sent_to
 from wire import until
 
 ABORT = 0x80
+BRIDGE = 127
 
 
 def without_cards(settings):
@@ -114,6 +116,23 @@ def test_gold_with_the_consumer_limit_of_its_makers_file_is_not_run_unwatched(re
         assert leg.settings["actuators"][0]["name"] in found["detail"], found
         assert (0x1016, 1, 0x06090031) in aborts_of(leg)
         assert all(drive.state == OFF for drive in leg.drives.values())
+        leg.up.stop()
+        assert "boot has overwritten 0x1017:00" in leg.up.said(), "what was written before is said"
+    finally:
+        leg.close()
+
+
+def test_drive_with_the_bridges_own_node_id_is_named_before_anything_is_commanded(request, tmp_path):
+    """As a Gold may be delivered, beside a leg that is as it should be."""
+    leg = leg_of("gold", request, tmp_path)
+    try:
+        stranger = Drive(leg.wire, BRIDGE, makers.dictionary("gold", BRIDGE), makers.VALUES["gold"])
+        stranger.power_up()
+        leg.start()
+        assert until(lambda: "127 is the bridge's own id" in leg.up.said(), UP_S), leg.up.said()
+        assert "Gold: its maker's tool" in leg.up.said()
+        assert not any(sent_to(leg, node) for node in leg.drives)
+        assert not leg.wire.record.since(0, 0x000), "no NMT command"
     finally:
         leg.close()
 

@@ -1,6 +1,12 @@
 /// `--separate` of the leg's experiments: real processes, commanded as an operator would, leave the same bits
 /// as one process.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <signal.h>
+
+#include <chrono>
+#include <stdexcept>
+#include <thread>
 
 #include "tests/system/system_fixture.h"
 #include "tools/lab/landing/drop.h"
@@ -67,6 +73,31 @@ TEST_F(SeparateExperiments, DropGivesTheSameBits) {
   EXPECT_EQ(one.touchdown_speed_m_s, many.touchdown_speed_m_s);
   EXPECT_EQ(one.shortest_m, many.shortest_m);
   EXPECT_EQ(one.folded, many.folded);
+}
+
+/// The leg controller waits for 300 ms of wall time.
+TEST_F(SeparateExperiments, RunWhosePlannerStallsFailsSinceItIsNotDeterministic) {
+  const RunScript script = drop_script(robot_, "best", sim(), {JumpMode::kAdaptive, 0.3, 0.004});
+  pid_t planner = 0;
+  SeparateOptions options;
+  options.on_ready = [&planner](const RunInfo& info) {
+    for (const RunningProcess& process : info.processes) {
+      if (process.program == "sprung-motion-planner") planner = static_cast<pid_t>(process.pid);
+    }
+  };
+  const auto stall_once = [&planner](const CycleRecord& cycle) {
+    if (cycle.drive_state.stamp.seq != 100) return;
+    kill(planner, SIGSTOP);
+    std::this_thread::sleep_for(std::chrono::milliseconds(600));
+    kill(planner, SIGCONT);
+  };
+  try {
+    run_separate(
+        script, stall_once, [](const OperatorReply&) {}, options);
+    FAIL() << "nobody noticed";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("this run is not deterministic"));
+  }
 }
 
 }  // namespace

@@ -48,6 +48,15 @@ class Up : public SystemTest {
   void signal_program(const std::string& program, int number) const {
     kill(static_cast<pid_t>(pid_of(program)), number);
   }
+  /// Stops it for so long, again and again, until `status` says that.
+  bool stalled(const std::string& program, int stop_ms, const std::string& says) const {
+    return within(kTimeout_s, [&] {
+      signal_program(program, SIGSTOP);
+      std::this_thread::sleep_for(std::chrono::milliseconds(stop_ms));
+      signal_program(program, SIGCONT);
+      return sprung("status").output.find(says) != std::string::npos;
+    });
+  }
   /// From now on `program` is this shell script; every other one is as built.
   void replace_program(const std::string& program, const std::string& script) const {
     const std::filesystem::path programs = folder_ / "programs";

@@ -98,20 +98,29 @@ TEST_F(Up, LockStepThatIsNoLongerDeterministicSaysSoLiveAndInItsLog) {
   log_folder_ = folder_ / "logs";
   up("lockstep", "--speed 1");
   ASSERT_THAT(sprung("status").output, Not(HasSubstr("not deterministic")));
-  const auto stalled = within(kTimeout_s, [&] {
-    signal_program("sprung-motion-planner", SIGSTOP);
-    std::this_thread::sleep_for(std::chrono::milliseconds(600));  // the leg controller waits for half of that
-    signal_program("sprung-motion-planner", SIGCONT);
-    return sprung("status").output.find("was made from older messages: this run is not deterministic") !=
-           std::string::npos;
-  });
-  EXPECT_TRUE(stalled) << sprung("status").output;
+  // the leg controller waits for half of that
+  EXPECT_TRUE(
+      stalled("sprung-motion-planner", 600, "was made from older messages: this run is not deterministic"))
+      << sprung("status").output;
   EXPECT_TRUE(says("this run is not deterministic"));
   const std::string log = info().log;
   ASSERT_EQ(sprung("down").status, 0);
   EXPECT_THAT(info_of_log(log), HasSubstr("lock-step  not deterministic: "));
   EXPECT_THAT(sprung("replay " + log + " --into estimator,planner,controller").output,
               HasSubstr("not deterministic: "));
+}
+
+TEST_F(Up, LockStepWhoseDrivesAreSilentIsNoLongerDeterministicAndSaysSoLiveAndInItsLog) {
+  log_folder_ = folder_ / "logs";
+  up("lockstep", "--speed 1");
+  // the bridge waits for a second
+  EXPECT_TRUE(stalled("sprung-sim-drives", 1300, "the drives do not answer on")) << sprung("status").output;
+  EXPECT_THAT(sprung("status").output, HasSubstr("this run is not deterministic"));
+  EXPECT_TRUE(says("this run is not deterministic"));
+  const std::string log = info().log;
+  ASSERT_EQ(sprung("down").status, 0);
+  EXPECT_THAT(info_of_log(log),
+              HasSubstr("lock-step  not deterministic: the bridge went on without an answer"));
 }
 
 TEST_F(Up, WhereNoDriveAnswersSimulatedOnesAreNamed) {

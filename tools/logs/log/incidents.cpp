@@ -34,11 +34,12 @@ void IncidentFinder::add(const Event& event, const Timeline::Moment& moment) {
     safety_.clear();
     motion_.clear();
     seen_.clear();
-    command_seq_ = -1;
+    command_seq_ = missed_cycles_ = -1;
     other_inputs_seq_ = kNoCycle;
     note(IncidentKind::kSession, moment, "session " + std::to_string(session_));
   }
   if (command) return add_command(moment);
+  if (safety && lockstep_) add_missed_cycles(moment);
   safety ? add_safety(moment) : add_motion(moment);
 }
 
@@ -68,6 +69,21 @@ void IncidentFinder::note_not_deterministic(const Timeline::Moment& moment) {
   Incident& incident = incidents_[other_inputs_incident_];
   incident.text = "not deterministic: made from older messages" +
                   (seq == incident.seq ? "" : ", up to cycle " + std::to_string(seq));
+}
+
+/// An orderly end waits for nobody: what is missed there is no news.
+void IncidentFinder::add_missed_cycles(const Timeline::Moment& moment) {
+  const fields::Layout& layout = *message_.layout();
+  const int field = layout.find("missed_cycles");
+  if (field == fields::Layout::kNone || text(layout.find("cause_name")) == name(SafetyCause::kShutdown))
+    return;
+  const std::int64_t missed = message_.integer(message_.fields()[static_cast<std::size_t>(field)]);
+  const std::int64_t more = missed_cycles_ < 0 ? 0 : missed - missed_cycles_;
+  missed_cycles_ = missed;
+  if (more <= 0) return;
+  without_answer_ += more;
+  note(IncidentKind::kNotDeterministic, moment,
+       "not deterministic: the bridge went on without an answer, times: " + std::to_string(more));
 }
 
 void IncidentFinder::add_safety(const Timeline::Moment& moment) {

@@ -38,6 +38,9 @@ class IncidentFinder {
   /// Of a lock-step run: cycles made from older messages than their own (signals/own_inputs.h). Such cycles
   /// in a row are one incident, that of the first.
   std::int64_t not_deterministic() const noexcept { return not_deterministic_; }
+  /// Of a lock-step run: how often the bridge went on by wall time, without an answer of drives or
+  /// controller.
+  std::int64_t without_answer() const noexcept { return without_answer_; }
   /// How often each befell any leg, by LegEvent.
   const std::array<std::int64_t, kLegEventCount>& leg_counts() const noexcept { return leg_counts_; }
 
@@ -54,6 +57,7 @@ class IncidentFinder {
   void add_command(const Timeline::Moment& moment);
   void note_not_deterministic(const Timeline::Moment& moment);
   void add_safety(const Timeline::Moment& moment);
+  void add_missed_cycles(const Timeline::Moment& moment);
   void add_motion(const Timeline::Moment& moment);
   void add_legs(const Timeline::Moment& moment);
   void find_motion_fields();
@@ -68,6 +72,8 @@ class IncidentFinder {
   bool lockstep_ = false;
   std::int64_t command_seq_ = -1;  ///< newest, of the session
   std::int64_t not_deterministic_ = 0;
+  std::int64_t without_answer_ = 0;
+  std::int64_t missed_cycles_ = -1;           ///< newest of the session, -1: none yet
   std::int64_t other_inputs_seq_ = kNoCycle;  ///< newest that was made from older messages, of the session
   std::size_t other_inputs_incident_ = 0;     ///< of incidents_, where it is in
   std::string safety_;

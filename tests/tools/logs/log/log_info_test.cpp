@@ -99,6 +99,23 @@ TEST_F(LogInfoTest, LockStepCyclesMadeFromOlderMessagesAreNamed) {
   }
 }
 
+TEST_F(LogInfoTest, LockStepBridgeThatWentOnWithoutAnAnswerIsNamed) {
+  for (const char* clock : {"lockstep", "realtime"}) {
+    const LogInfo found = info(
+        {metadata_event(kSampleYaml, clock), safety_event(5, "operational", "none", "", 2),
+         safety_event(6, "operational", "none", "", 2), safety_event(7, "operational", "none", "", 5),
+         safety_event(8, "disabled", "shutdown", "", 9)});
+    const bool lockstep = clock == std::string("lockstep");
+    EXPECT_EQ(found.without_answer, lockstep ? 3 : 0) << "neither what was before the log nor at its end";
+    EXPECT_EQ(nlohmann::json::parse(info_json(found))["without_answer"], lockstep ? 3 : 0);
+    if (!lockstep) continue;
+    EXPECT_THAT(info_text(found),
+                HasSubstr("not deterministic: the bridge went on without an answer 3 times"));
+    EXPECT_EQ(found.incidents[2].seq, 7);
+    EXPECT_EQ(found.incidents[2].text, "not deterministic: the bridge went on without an answer, times: 3");
+  }
+}
+
 TEST_F(LogInfoTest, WhatLegsMetBeforeTheLogIsNoNews) {
   const LogInfo found = info({motion_event(5, "walking", "", 40), motion_event(6, "walking", "", 42)});
   EXPECT_EQ(found.leg_counts[5], 2);

@@ -76,8 +76,9 @@ inline Kept motion_event(std::int64_t cycle, const std::string& state, const std
 }
 
 inline Kept safety_event(std::int64_t cycle, const std::string& level, const std::string& cause,
-                         const std::string& detail) {
+                         const std::string& detail, std::int64_t missed_cycles = 0) {
   auto message = stamped<sprung_msgs::safety_state_t>(cycle);
+  message.missed_cycles = missed_cycles;
   message.level_name = level;
   message.cause_name = cause;
   message.detail = detail;
