@@ -6,7 +6,7 @@
 namespace sprung::sim {
 namespace {
 
-constexpr int kHip = 1;  ///< node
+constexpr int kLateHip = 1;  ///< node
 
 /// Torque at the SYNC after the one up to which a first set-point of 100 per mille was sent.
 double torque_after_set_point_Nm(const std::map<std::string, double>& plant) {
@@ -15,8 +15,8 @@ double torque_after_set_point_Nm(const std::map<std::string, double>& plant) {
   SimMaster master(options);
   master.boot();
   master.enable();
-  master.drive(20, {{kHip, SetPoint{0, 0, 10}}});
-  master.drive(1, {{kHip, SetPoint{100, 0, 10}}});
+  master.drive(20, {{kLateHip, SetPoint{0, 0, 10}}});
+  master.drive(1, {{kLateHip, SetPoint{100, 0, 10}}});
   master.tick();
   return master.sim.true_motor_torque_Nm(0);
 }
@@ -38,8 +38,9 @@ TEST(LateComputer, MissedCyclesBringNoSetPointsButTheirOtherFrames) {
   int newest = 0;
   constexpr int kCycles = 200;
   for (int i = 1; i <= kCycles; ++i) {
-    master.queue(SimMaster::rpdo1(kHip, SetPoint{i, 0, 10}));
-    if (static_cast<int>(master.read(kHip, canopen::kTargetTorque)) == i) ++newest;  // by SDO, in each cycle
+    master.queue(SimMaster::rpdo1(kLateHip, SetPoint{i, 0, 10}));
+    if (static_cast<int>(master.read(kLateHip, canopen::kTargetTorque)) == i)
+      ++newest;  // by SDO, in each cycle
   }
   EXPECT_NEAR(newest, kCycles / 2, 30);
 }

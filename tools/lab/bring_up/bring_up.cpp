@@ -1,11 +1,14 @@
 #include "tools/lab/bring_up/bring_up.h"
 
+#include <stdlib.h>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
 
+#include "model/leg_kinematics.h"
 #include "robots/robot_loader.h"
 #include "runtime/session_clock.h"
 #include "runtime/utc_text.h"
@@ -23,7 +26,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kCold_degC = 24.0, kWarm_degC = 40.0;
-constexpr double kGravity_m_s2 = 9.81;
 /// Of the actuator's torque: well beyond friction, and leaves enough for the swings.
 constexpr double kLoadShare = 0.2;
 constexpr double kWeightStep_kg = 0.5;  ///< as weights are to be had
@@ -74,6 +76,7 @@ identify::RobotChange bring_up_joint(const RobotConfig& robot, const SimOptions&
     now.plant["temperature"] = pass.temperature_degC;
     identify::RecordOptions options = protocol.recording;
     options.foot_weight_kg = pass.foot_weight_kg;
+    options.loaded = true;
     recordings.push_back(
         {identify::record_in_process(robot, now, joint, options).states, pass.foot_weight_kg});
     files.push_back(folder / (robot.joints[joint].name + std::to_string(files.size()) + ".lcm"));

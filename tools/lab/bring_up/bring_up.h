@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tools/lab/identify/identified_robot.h"
+#include "tools/lab/identify/record_protocol.h"
 #include "tools/lab/run/experiment.h"
 
 namespace sprung {

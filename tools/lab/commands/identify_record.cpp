@@ -50,7 +50,7 @@ identify::RecordOptions options_of(const GuidedRecording& request) {
   if (!(request.longest_pass_s > 0.0)) throw WrongUse("--longest-pass is more than 0 s");
   if (!(request.pause_s >= 0.0)) throw WrongUse("--pause is not negative");
   const double weight_kg = request.weight.empty() ? 0.0 : identify::parse_weight_kg(request.weight);
-  return {request.longest_pass_s, request.pause_s, weight_kg, asked_range(request)};
+  return {request.longest_pass_s, request.pause_s, weight_kg, request.loaded, asked_range(request)};
 }
 
 /// A joint or a range that the robot does not have, as what the user typed wrong.
@@ -127,6 +127,9 @@ void add_guided_recording(CommandLine& identify, GuidedRecording& request) {
   identify.option("--fastest", request.fastest, "with --record: slower than half the limit: 1rad/s");
   identify.option("--longest-pass", request.longest_pass_s,
                   "with --record: s of one pass at constant speed; shorter shows less of slow friction");
+  identify.flag(
+      "--loaded", request.loaded,
+      "with --record: the leg's other joints go where a weight at its foot loads JOINT, before it moves");
   identify.option("--pause", request.pause_s, "with --record: s at each stop");
   identify.flag("--in-process", request.in_process,
                 "with --record: no robot is up; a simulated one moves in this process, fast, the same bytes "

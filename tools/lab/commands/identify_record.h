@@ -18,6 +18,7 @@ struct GuidedRecording {
   std::string fastest;
   double longest_pass_s = 4.0;
   double pause_s = 0.3;
+  bool loaded = false;
   std::string weight;  ///< at the foot, "5kg"; empty: none
   bool suspended = false;
   bool in_process = false;

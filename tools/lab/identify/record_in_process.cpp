@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "simulation/in_process/inprocess_robot.h"
+#include "tools/lab/identify/loading_pose.h"
 
 namespace sprung::identify {
 namespace {
@@ -103,12 +104,14 @@ JointRecording record_in_process(const RobotConfig& robot, const SimOptions& sim
   const RecordRange range = narrowed(record_range(robot, joint), options.asked);
   Recorder recorder(robot, hung_up(robot, sim, options.foot_weight_kg), watch);
   JointRecording out;
-  out.moves = record_protocol(range, recorder.position_rad(joint), options);
+  if (options.loaded) out.moves = loading_moves(robot, joint);
+  for (const RecordMove& move : record_protocol(range, recorder.position_rad(joint), options))
+    out.moves.push_back(move);
   recorder.begin();
   for (const RecordMove& move : out.moves) {
     OperatorCommand command;
     command.kind = OperatorKind::kMoveJoint;
-    command.joint = joint;
+    command.joint = move.joint < 0 ? joint : move.joint;
     command.joint_target_rad = move.target_rad;
     command.joint_speed_rad_s = move.speed_rad_s;
     command.joint_acceleration_rad_s2 = move.acceleration_rad_s2;

@@ -56,6 +56,7 @@ struct RecordMove {
   double speed_rad_s = 0.0;
   double acceleration_rad_s2 = 0.0;
   double pause_s = 0.0;  ///< at rest, after it
+  int joint = -1;        ///< of the robot; -1: the one that is recorded
 };
 
 struct RecordOptions {
@@ -63,6 +64,7 @@ struct RecordOptions {
   double pause_s = 0.3;         ///< at each stop
   double
       foot_weight_kg = 0.0;  ///< clamped to the foot meanwhile: less of the torque is left for acceleration
+  bool loaded = false;       ///< the leg's other joints go to their loading pose first (loading_pose.h)
   AskedRange asked{};        ///< for who takes the range from the robot; record_protocol() is given one
 };
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "runtime/stop_request.h"
+#include "tools/lab/identify/loading_pose.h"
 
 namespace sprung::identify {
 namespace {
@@ -55,7 +56,7 @@ std::optional<std::string> carry_out_moves(const RecordPlan& plan, JointMover& m
     if (begun.insert(move.part).second) tell(name(move.part));
     OperatorCommand command;
     command.kind = OperatorKind::kMoveJoint;
-    command.joint = plan.joint;
+    command.joint = move.joint < 0 ? plan.joint : move.joint;
     command.joint_target_rad = move.target_rad;
     command.joint_speed_rad_s = move.speed_rad_s;
     command.joint_acceleration_rad_s2 = move.acceleration_rad_s2;
@@ -77,7 +78,9 @@ RecordPlan plan_recording(const RobotConfig& robot, int joint, const RecordOptio
   plan.joint = joint;
   plan.range = narrowed(record_range(robot, joint), options.asked);
   plan.from_rad = state->joints[joint].estimated_position_rad;
-  plan.moves = record_protocol(plan.range, plan.from_rad, options);
+  if (options.loaded) plan.moves = loading_moves(robot, joint);
+  for (const RecordMove& move : record_protocol(plan.range, plan.from_rad, options))
+    plan.moves.push_back(move);
   return plan;
 }
 
