@@ -13,6 +13,12 @@ constexpr double kBackIntoLimits_rad_s = 3.0;  // a quarter of what the joints c
 constexpr double kDoubtedShare = 0.5;
 constexpr double kTrustRate_1_s = 2.0;
 
+/// What is compensated too boldly. Weight may be a hand that pulls, and inertia is not compensated by this.
+bool is_of_friction(MisfitReason reason) noexcept {
+  return reason == MisfitReason::kFriction || reason == MisfitReason::kViscousFriction ||
+         reason == MisfitReason::kLoadFriction;
+}
+
 template <class T>
 std::vector<T> pick(const std::vector<T>& all, const std::vector<int>& indices) {
   std::vector<T> out;
@@ -100,7 +106,7 @@ bool LegController::read(const std::vector<EstimatedJoint>& joints, double dt_s)
     motor_torque_Nm_[j] = joint.measured_motor_torque_Nm;
     double& trust = compensation_.trust[static_cast<std::size_t>(j)];
     const double step = kTrustRate_1_s * dt_s;
-    trust += std::clamp((joint.model_fits ? 1.0 : kDoubtedShare) - trust, -step, step);
+    trust += std::clamp((is_of_friction(joint.misfit_reason) ? kDoubtedShare : 1.0) - trust, -step, step);
     all_enabled_ = all_enabled_ && joint.drive_enabled;
   }
   return measured_.position_rad.allFinite() && measured_.velocity_rad_s.allFinite() &&

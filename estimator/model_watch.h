@@ -47,10 +47,9 @@ class ModelWatch {
   /// What is seen cannot be, as ground that pulls: the joint does not fit until motion has told more.
   void doubt() noexcept;
 
-  bool fits() const noexcept { return reason() == MisfitReason::kNone; }
-  MisfitReason reason() const noexcept {
-    return reason_ == MisfitReason::kNone && doubted_ ? MisfitReason::kFriction : reason_;
-  }
+  bool fits() const noexcept { return reason_ == MisfitReason::kNone && !doubted_; }
+  /// kNone while it is only doubted: motion has not told yet.
+  MisfitReason reason() const noexcept { return reason_; }
   /// By how many of the stated standard deviations the model is off in the motion of late; 0 until enough
   /// was seen.
   double ratio() const noexcept { return ratio_; }

@@ -21,9 +21,9 @@ using ErrorShares = std::array<double, kErrorSources>;
 struct JointResidual {
   double torque_Nm = 0.0;            ///< external torque as estimated
   ErrorShares part_Nm{};             ///< friction, armature * acceleration, motor torque, weight: signed
-  double misfit_Nm2 = 0.0;           ///< variance besides: the model is known not to fit (model_watch.h)
   double unknown_friction_Nm = 0.0;  ///< half-width of what friction may be besides: its sign is not known at
                                      ///< rest
+  double misfit_Nm2 = 0.0;           ///< variance besides: the model is known not to fit (model_watch.h)
 };
 
 class ResidualModel {

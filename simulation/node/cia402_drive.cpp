@@ -149,7 +149,7 @@ void Cia402Drive::written(canopen::ObjectId id) noexcept {
   if (id.index != make_->position_object()) return;
   since_setpoint_s_ = 0.0;
   // A drive that extrapolates does so by a clock of its own.
-  const double clock_s = make_->extrapolation_s() > 0.0 ? smoothing_s() : 0.0;
+  const double clock_s = extrapolates() ? smoothing_s() : 0.0;
   position_loop_.set_target(static_cast<double>(dictionary_.get({make_->position_object(), 0})), clock_s);
 }
 
@@ -206,7 +206,7 @@ void Cia402Drive::follow_mode() noexcept {
   }
   position_active_ = position;
   if (!position || stage_.braking()) return;
-  reference_ = position_loop_.step(setup_.step_s, smoothing_s(), make_->extrapolation_s() > 0.0);
+  reference_ = position_loop_.step(setup_.step_s, smoothing_s(), extrapolates());
   miss_setpoints();
   if (lags_too_far() && !stage_.in_fault()) raise_fault(kFollowingError);
 }
@@ -225,6 +225,12 @@ void Cia402Drive::miss_setpoints() noexcept {
   // Half a tick of tolerance: sums of ticks are not exactly the time.
   if (since_setpoint_s_ > bearable_s + make_->interpolation_period_s() + 0.5 * setup_.step_s)
     raise_fault(kSetpointsMissing);
+}
+
+/// Its reference moves by the make's own clock, and so goes on without a set-point. One that is drawn in over
+/// a time of its own (SimDriveConfig::smoothing_s) has no such clock.
+bool Cia402Drive::extrapolates() const noexcept {
+  return setup_.truth.smoothing_s <= 0.0 && make_->extrapolation_s() > 0.0;
 }
 
 double Cia402Drive::smoothing_s() const noexcept {

@@ -133,6 +133,7 @@ class Cia402Drive : public SimDrive, private DeviceApplication {
   bool lags_too_far() const noexcept;
   double supply_V() const noexcept { return forced_supply_V_.value_or(bus_V_); }
   double sensor_offset_A() const noexcept;
+  bool extrapolates() const noexcept;
   double smoothing_s() const noexcept;
   double sensor_noise_A(std::int64_t cycle) const noexcept;
   bool supply_is_bad() const noexcept;

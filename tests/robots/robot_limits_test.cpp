@@ -50,6 +50,7 @@ constexpr const char* kNoLimits[] = {
     R"(presets\.\w+\.(stand_length|sit_length|rise_time|settle_time|recover_time|stiffness_ramp))",
     R"(presets\.\w+\.(friction_compensation|friction_smoothing|rest_friction\..*|compliance\..*))",
     R"(presets\.\w+\.walk\.(stance|swing|pre_stance|body_stiffness|body_damping|speed_damping)\..*)",
+    R"(presets\.\w+\.walk\.standing_friction_share)",
     R"(presets\.\w+\.walk\.(floor_friction|stance_width|force_rise|approach_speed|foothold_gain))",
     R"(presets\.\w+\.walk\.(acceleration|turning_acceleration|stance_friction_compensation|swing_compensation\..*))",
     // how often heartbeats are sent: those who miss them have limits

@@ -14,7 +14,7 @@ namespace sprung::test {
 using EveryEnumeration = std::tuple<DriveMode, PowerState, SafetyLevel, SafetyCause, JointStatus, ControlMode,
                                     LegPhase, MotionPhase, LegEvent, GaitControl, JumpMode, OperatorKind,
                                     OperatorOutcome, ProcessState, ImuStatus, SimControlKind, FaultKind,
-                                    BusCondition, ReferenceSource, LogEndReason>;
+                                    BusCondition, ReferenceSource, LogEndReason, MisfitReason>;
 
 /// Calls @p ask with a value of each.
 template <class Ask>

@@ -17,7 +17,9 @@ namespace sprung::identify {
 
 namespace {
 
-constexpr double kStill_rad = 0.02;         ///< others' distance from their pose
+constexpr double kStill_rad = 0.02;  ///< others' distance from their pose
+/// The same with a weight at the foot: their position loops give way (40 mrad under 20 Nm on single_leg).
+constexpr double kStillLoaded_rad = 0.1;
 constexpr double kRestHalfWindow_s = 0.05;  ///< before and after a sample
 constexpr double kRestSpeed_rad_s = 5e-4;   ///< mean over that window, below which the joint is at rest
 constexpr double kLeastMoving_s = 2.0;
@@ -154,18 +156,19 @@ LegPlace place_of(const RobotConfig& robot, int joint) {
 
 namespace {
 
-/// A point mass at the foot, as the joint at `place` bears it while the others hold their pose.
-void add_foot_weight(const LegConfig& leg, int place, double weight_kg, DriveSeries& out) {
+/// A point mass at the foot, as the joint at `place` bears it. @param position_rad by joint of the leg, by
+/// sample.
+void add_foot_weight(const LegConfig& leg, int place, double weight_kg,
+                     const std::vector<std::vector<double>>& position_rad, DriveSeries& out) {
   const auto kinematics = make_leg_kinematics(leg);
   if (!kinematics)
     throw std::invalid_argument("leg " + leg.name +
                                 ": robot.yaml knows no links, so that nobody knows what "
                                 "a weight at its foot does: identify without --weight");
-  JointVector pose_rad = Eigen::Map<const Eigen::VectorXd>(out.pose_rad.data(),
-                                                           static_cast<Eigen::Index>(out.pose_rad.size()));
+  JointVector pose_rad(static_cast<int>(position_rad.size()));
   out.series.load_beside_own = true;
-  for (const double position_rad : out.series.position_rad) {
-    pose_rad[place] = position_rad;
+  for (std::size_t i = 0; i < out.series.position_rad.size(); ++i) {
+    for (std::size_t j = 0; j < position_rad.size(); ++j) pose_rad[static_cast<int>(j)] = position_rad[j][i];
     const Eigen::Vector3d lever_m = kinematics->jacobian(pose_rad).col(place);
     out.series.load_Nm.push_back(weight_kg * kGravity_m_s2 * lever_m.z());
     out.series.load_inertia_kg_m2.push_back(weight_kg * lever_m.squaredNorm());
@@ -185,6 +188,8 @@ DriveSeries drive_series(const RobotConfig& robot, int joint, const std::vector<
   DriveSeries out;
   for (const auto& position_rad : samples.position_rad)
     out.pose_rad.push_back(median_where(position_rad, moves));
+  const double still_rad = foot_weight_kg > 0.0 ? kStillLoaded_rad : kStill_rad;
+  const std::vector<std::vector<double>> position_rad = samples.position_rad;
   Filter filter(n);
   filter.keep("a drive was not enabled", out.notes, [&](std::size_t i) { return samples.enabled[i]; });
   filter.keep("the joint was at rest, where friction may be anything", out.notes,
@@ -192,7 +197,7 @@ DriveSeries drive_series(const RobotConfig& robot, int joint, const std::vector<
   filter.keep("other joints of the leg moved or held another pose", out.notes, [&](std::size_t i) {
     for (std::size_t j = 0; j < samples.position_rad.size(); ++j) {
       const bool other = j != static_cast<std::size_t>(at.place);
-      if (other && std::abs(samples.position_rad[j][i] - out.pose_rad[j]) > kStill_rad) return false;
+      if (other && std::abs(samples.position_rad[j][i] - out.pose_rad[j]) > still_rad) return false;
     }
     return true;
   });
@@ -206,7 +211,7 @@ DriveSeries drive_series(const RobotConfig& robot, int joint, const std::vector<
   }
   fill_series(robot, at, std::move(samples), out);
   out.series.weight = filter.weight();
-  if (foot_weight_kg > 0.0) add_foot_weight(robot.legs[at.leg], at.place, foot_weight_kg, out);
+  if (foot_weight_kg > 0.0) add_foot_weight(robot.legs[at.leg], at.place, foot_weight_kg, position_rad, out);
   return out;
 }
 
@@ -216,7 +221,7 @@ void require_alike(const std::vector<double>& first_rad, const std::vector<doubl
   // The joint itself moved about another median where its range differed.
   std::size_t moved = 0;
   for (std::size_t j = 0; j < first_rad.size(); ++j)
-    moved += std::abs(first_rad[j] - next_rad[j]) > kStill_rad ? 1 : 0;
+    moved += std::abs(first_rad[j] - next_rad[j]) > kStillLoaded_rad ? 1 : 0;
   if (moved > 1)
     throw std::runtime_error(
         "the recordings held the leg's other joints in different poses: record them from one pose");

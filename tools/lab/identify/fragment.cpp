@@ -11,6 +11,7 @@
 
 #include "robots/identification_sections.h"
 #include "tools/lab/identify/law_uncertainty.h"
+#include "tools/lab/identify/leg_comparison.h"
 #include "tools/lab/identify/result_table.h"
 
 namespace sprung::identify {
@@ -94,6 +95,10 @@ void scale_torques(FrictionParameters& friction, double factor) {
   friction.viscous_Nm_s_rad *= factor;
 }
 
+double load_share_of(const ModelResult& model) {
+  return has(model.model->terms(), JointTerm::kLoad) ? weighed(model).value_or(Weighed{}).load_share : 0.0;
+}
+
 }  // namespace
 
 std::optional<TorqueConstant> corrected_torque_constant(const IdentifiedJoint& joint) {
@@ -114,6 +119,7 @@ JointConfig identified_config(const IdentifiedJoint& joint, const JointConfig& k
   const auto corrected = corrected_torque_constant(joint);
   if (corrected) {
     scale_torques(friction.parameters, corrected->factor);
+    friction.parameters.load_share_driving = friction.parameters.load_share_driven = load_share_of(model);
     out.uncertainty.torque_constant = std::max(corrected->standard_error, kLeastConstant);
   }
   friction.record.date = provenance.date;

@@ -12,7 +12,8 @@ namespace sprung::identify {
 namespace {
 
 constexpr double kLeastWeight_Nm = 1.0;
-constexpr double kClear = 5.0;  ///< standard errors
+constexpr double kClear = 5.0;         ///< standard errors
+constexpr double kAlikeShares = 0.01;  ///< of the torque constant, by shares that are alike to 0.02
 
 /// One joint of a leg whose other joints hold a pose.
 struct HeldLeg {
@@ -58,10 +59,14 @@ std::optional<Known> parameter(const identification::ModelResult& model, const s
 
 }  // namespace
 
-std::optional<TorqueConstant> known_weight_factor(const identification::ModelResult& model) {
+std::optional<Weighed> weighed(const identification::ModelResult& model) {
   const std::optional<Known> gain = parameter(model, "load_gain");
   if (!gain || !(gain->value > kClear * gain->standard_error)) return std::nullopt;
-  return TorqueConstant{1.0 / gain->value, gain->standard_error / (gain->value * gain->value), true};
+  const double driving = gain->value * (1.0 + parameter(model, "load_share_driving").value_or(Known{}).value);
+  const double driven = gain->value * (1.0 - parameter(model, "load_share_driven").value_or(Known{}).value);
+  const double both = 0.5 * (driving + driven);
+  const double error = std::hypot(gain->standard_error, kAlikeShares * gain->value);
+  return Weighed{{1.0 / both, error / (both * both), true}, (driving - driven) / (driving + driven)};
 }
 
 std::optional<Armature> armature_of(const RobotConfig& robot, int joint, const std::vector<double>& pose_rad,
@@ -71,7 +76,7 @@ std::optional<Armature> armature_of(const RobotConfig& robot, int joint, const s
   if (!leg.kinematics || !inertia) return std::nullopt;
   Armature out;
   out.links_kg_m2 = leg.links_kg_m2();
-  const double true_share = known_weight_factor(model).value_or(TorqueConstant{}).factor;
+  const double true_share = weighed(model).value_or(Weighed{}).torque_constant.factor;
   out.value_kg_m2 = true_share * inertia->value - out.links_kg_m2;
   out.standard_error_kg_m2 = true_share * inertia->standard_error;
   char text[200];
@@ -87,7 +92,7 @@ std::optional<Armature> armature_of(const RobotConfig& robot, int joint, const s
 std::optional<TorqueConstant> torque_constant_of(const RobotConfig& robot, int joint,
                                                  const std::vector<double>& pose_rad,
                                                  const identification::ModelResult& model) {
-  if (const auto weighed = known_weight_factor(model)) return weighed;
+  if (const auto found = weighed(model)) return found->torque_constant;
   const HeldLeg leg = held_leg(robot, joint, pose_rad);
   const auto fitted_cos = parameter(model, "gravity_cos"), fitted_sin = parameter(model, "gravity_sin");
   if (!leg.kinematics || !fitted_cos || !fitted_sin) return std::nullopt;

@@ -60,10 +60,12 @@ std::vector<std::string> model_lines(const Json& models) {
   std::vector<std::string> out;
   for (const Json& model : models) {
     if (model["fits"].get<bool>()) continue;
+    const auto reason = model["likely_reason"].get<std::string>();
+    const bool known = reason != name(MisfitReason::kNone);
     char text[160];
-    std::snprintf(text, sizeof text,
-                  "model   %-10s does not fit: likely %s; %.1f times what robot.yaml states",
-                  model["name"].get<std::string>().c_str(), model["likely_reason"].get<std::string>().c_str(),
+    std::snprintf(text, sizeof text, "model   %-10s does not fit: %s; %.1f times what robot.yaml states",
+                  model["name"].get<std::string>().c_str(),
+                  known ? ("likely " + reason).c_str() : "motion has not told why yet",
                   model["ratio"].get<double>());
     out.push_back(text + std::string("; repeat: ") + model["repeat"].get<std::string>());
   }

@@ -33,7 +33,7 @@ TEST(BringUp, FindsTheFrictionOfAPlantThatRobotYamlDoesNotKnow) {
   sim.plant = {{"coulomb_scale", 1.4}, {"load_share_scale", 1.3}, {"kt_scale", 0.96}};
   BringUpProtocol protocol;
   protocol.recording = {1.0, 0.1};
-  protocol.models = "viscous+load_gain,viscous+load+load_gain";
+  protocol.models = "viscous+load+load_gain";
   protocol.command = "a test";
   const auto changes = bring_up_joints(robot, sim, protocol, {1});
   ASSERT_EQ(changes.size(), 1u);

@@ -34,8 +34,8 @@ TEST(IdentifiedRobot, FolderLoadsWithWhatWasFoundAndAllElseAsItWas) {
   const RobotConfig loaded = load_robot(folder);
   const std::size_t at = 2;
   ASSERT_EQ(loaded.joints[at].name, "fl_knee");
-  EXPECT_DOUBLE_EQ(loaded.joints[at].friction->parameters.coulomb_Nm,
-                   change.joint.friction->parameters.coulomb_Nm);
+  EXPECT_NEAR(loaded.joints[at].friction->parameters.coulomb_Nm, change.joint.friction->parameters.coulomb_Nm,
+              1e-12);
   EXPECT_EQ(loaded.joints[at].friction->record.log, sample_provenance().file);
   EXPECT_DOUBLE_EQ(loaded.actuators[at].torque_constant_Nm_A,
                    1.05 * robot.actuators[at].torque_constant_Nm_A);

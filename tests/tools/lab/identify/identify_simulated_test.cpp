@@ -9,6 +9,7 @@
 #include "robots/robot_loader.h"
 #include "simulation/plant/sim_config.h"
 #include "tools/lab/identify/identify_recording.h"
+#include "tools/lab/identify/leg_comparison.h"
 #include "tools/lab/identify/record_in_process.h"
 
 namespace sprung::identify {
@@ -119,9 +120,8 @@ TEST(IdentifySimulated, LoadFrictionAndTorqueConstantShowWithAKnownWeight) {
   const auto& plant = plant_joint(c).friction;
   ASSERT_TRUE(found.torque_constant && found.torque_constant->by_known_weight);
   EXPECT_NEAR(found.torque_constant->factor, 1.05, 0.015);
-  const FrictionParameters friction = found.chosen().model->friction(found.chosen().fit.parameters);
   const double mean_share = 0.5 * (plant.driving_share + plant.back_driving_share);
-  EXPECT_NEAR(0.5 * (friction.load_share_driving + friction.load_share_driven), mean_share, 0.03);
+  EXPECT_NEAR(weighed(found.chosen())->load_share, mean_share, 0.03);
 }
 
 /// The plant has none. Without a bound samples beside a stop become 25 Nm more at 5 mrad/s.

@@ -131,6 +131,7 @@ TEST(EveryType, RealNumbersHaveUnitsOrAreListedAsPlain) {
                                     "velocity_feedforward",
                                     "inertia_compensation",
                                     "jump_height_scale",
+                                    "misfit_ratio",
                                     "gait_phase",
                                     "value"};
   RandomBytes random(5);
