@@ -21,10 +21,6 @@ double sure_share(const JointCompensation& joints, std::size_t j, double wanted)
   return wanted > surely ? surely / wanted : 1.0;
 }
 
-double trusted(const JointCompensation& joints, std::size_t j, double wanted) noexcept {
-  return j < joints.trust.size() ? joints.trust[j] * wanted : wanted;
-}
-
 double friction_compensation_Nm(const JointCompensation& joints, std::size_t j, double wanted,
                                 const Moment& at) noexcept {
   const FrictionParameters& law = joints.friction[j];
@@ -63,8 +59,7 @@ JointVector led_torque_Nm(const LegKinematics& kinematics, const PosedLeg& at, c
     const double w = leg.velocity_rad_s[j];
     const FrictionInput moving{w, torque[j], leg.temperature_C[j], std::tanh(w / joints.smoothing_rad_s)};
     const double armature_kg_m2 = joints.armature_kg_m2.empty() ? 0.0 : joints.armature_kg_m2[place];
-    torque[j] += trusted(joints, place, desired.friction_compensation) *
-                     friction_torque_Nm(joints.friction[place], moving) +
+    torque[j] += desired.friction_compensation * friction_torque_Nm(joints.friction[place], moving) +
                  desired.inertia_compensation * armature_kg_m2 * acceleration[j];
   }
   return torque;
@@ -86,7 +81,7 @@ JointVector compliance_torque_Nm(const LegKinematics& kinematics, const DesiredL
   for (int j = 0; j < torque.size(); ++j) {
     const auto place = static_cast<std::size_t>(j);
     torque[j] += friction_compensation_Nm(
-        joints, place, trusted(joints, place, desired.friction_compensation),
+        joints, place, desired.friction_compensation,
         {leg.velocity_rad_s[j], spring_Nm[j], torque[j], leg.temperature_C[j]});
   }
   if (desired.inertia_compensation == 0.0 || joints.armature_kg_m2.empty()) return torque;

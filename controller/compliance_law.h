@@ -61,7 +61,6 @@ struct JointCompensation {
   RestFrictionConfig rest{};
   std::vector<double> friction_uncertainty{};  ///< u, relative, one standard deviation; empty: 0
   std::vector<double> armature_kg_m2{};        ///< empty: inertia is not compensated
-  std::vector<double> trust{};  ///< share of the compensation that a joint still gets; empty: all
 };
 
 /// A pose, and the way from its foot's motion to that of its joints: made once by who asks more than one

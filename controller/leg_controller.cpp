@@ -8,16 +8,6 @@ namespace {
 
 constexpr double kModeFadeStep = 0.045;        // of the torque limit in a cycle: under 5 %
 constexpr double kBackIntoLimits_rad_s = 3.0;  // a quarter of what the joints can do
-/// [design choice] Of the friction of a joint whose model does not fit: a gear with half of its law's
-/// friction is then not driven on yet. And how fast that share changes.
-constexpr double kDoubtedShare = 0.5;
-constexpr double kTrustRate_1_s = 2.0;
-
-/// What is compensated too boldly. Weight may be a hand that pulls, and inertia is not compensated by this.
-bool is_of_friction(MisfitReason reason) noexcept {
-  return reason == MisfitReason::kFriction || reason == MisfitReason::kViscousFriction ||
-         reason == MisfitReason::kLoadFriction;
-}
 
 template <class T>
 std::vector<T> pick(const std::vector<T>& all, const std::vector<int>& indices) {
@@ -36,7 +26,6 @@ JointCompensation compensation(const std::vector<JointConfig>& joints, const Pre
     out.friction.push_back(paper ? joint.papers_friction() : joint.estimated_friction());
     out.friction_uncertainty.push_back(joint.friction ? joint.uncertainty.friction : 0.0);
     out.armature_kg_m2.push_back(joint.armature_kg_m2);
-    out.trust.push_back(1.0);
   }
   return out;
 }
@@ -79,7 +68,7 @@ LegOutcome LegController::step(const std::vector<EstimatedJoint>& joints, const 
   }
   if (kinematics_ == nullptr && desired.control_mode != ControlMode::kJoint) return LegOutcome::kUnreachable;
   before_ = all_enabled_ ? mode_ : ControlMode::kDisabled;
-  if (!read(joints, dt_s)) return LegOutcome::kNotFinite;
+  if (!read(joints)) return LegOutcome::kNotFinite;
   entering_ = entering_ || !all_enabled_ || desired.control_mode != mode_;
   mode_ = desired.control_mode;
   const LegOutcome outcome = follow(desired, desired_age_s, dt_s, out);
@@ -96,7 +85,7 @@ LegOutcome LegController::follow(const DesiredLeg& desired, double desired_age_s
                                          : compliance(desired, foot, dt_s, out);
 }
 
-bool LegController::read(const std::vector<EstimatedJoint>& joints, double dt_s) noexcept {
+bool LegController::read(const std::vector<EstimatedJoint>& joints) noexcept {
   all_enabled_ = true;
   for (int j = 0; j < transmission_.size(); ++j) {
     const EstimatedJoint& joint = joints[joint_indices_[j]];
@@ -104,9 +93,6 @@ bool LegController::read(const std::vector<EstimatedJoint>& joints, double dt_s)
     measured_.velocity_rad_s[j] = joint.estimated_velocity_rad_s;
     measured_.temperature_C[j] = joint.estimated_temperature_degC;
     motor_torque_Nm_[j] = joint.measured_motor_torque_Nm;
-    double& trust = compensation_.trust[static_cast<std::size_t>(j)];
-    const double step = kTrustRate_1_s * dt_s;
-    trust += std::clamp((is_of_friction(joint.misfit_reason) ? kDoubtedShare : 1.0) - trust, -step, step);
     all_enabled_ = all_enabled_ && joint.drive_enabled;
   }
   return measured_.position_rad.allFinite() && measured_.velocity_rad_s.allFinite() &&

@@ -52,7 +52,7 @@ class LegController {
   const LimitCounts& limits() const noexcept { return counts_; }
 
  private:
-  bool read(const std::vector<EstimatedJoint>& joints, double dt_s) noexcept;
+  bool read(const std::vector<EstimatedJoint>& joints) noexcept;
   LegOutcome follow(const DesiredLeg& desired, double desired_age_s, double dt_s, DriveCommand& out) noexcept;
   LegOutcome position(const DesiredLeg& desired, const FootMotion& foot, double dt_s,
                       DriveCommand& out) noexcept;

@@ -87,20 +87,6 @@ TEST_F(ComplianceLawTest, FrictionIsCompensatedWithTheMeasuredSpeedAndNotAtRest)
   EXPECT_NEAR(moving[1], -0.8 * 1.79, 1e-9);
 }
 
-TEST_F(ComplianceLawTest, JointThatIsNotTrustedGetsItsShareOfTheCompensation) {
-  desired_.friction_compensation = 0.8;
-  desired_.damping_N_s_m = {0.0, 0.0, 0.0};
-  const JointVector at_rest = torque();
-  measured_.velocity_rad_s = pair(5.0, -5.0);
-  const JointVector all = torque();
-  joints_.trust = {1.0, 1.0};
-  EXPECT_EQ(torque(), all) << "to the bit";
-  joints_.trust = {0.5, 1.0};
-  const JointVector moving = torque() - at_rest;
-  EXPECT_NEAR(moving[0], 0.4 * 1.79, 1e-9);
-  EXPECT_NEAR(moving[1], -0.8 * 1.79, 1e-9);
-}
-
 TEST_F(ComplianceLawTest, ThePapersCompensationIsItsFormulaToTheBit) {
   desired_
       .friction_compensation = 1.0;  // preset `paper`: figures of the papers' jumps must stay what they are

@@ -170,27 +170,6 @@ TEST_F(LegControllerTest, StepOfTheSetPointIsNotSlowedOnceInCompliance) {
   EXPECT_EQ(core_.limits().rate, 0);
 }
 
-TEST_F(LegControllerTest, FrictionThatIsNotAsIdentifiedIsCompensatedByHalfAndThatWithoutAJump) {
-  want(ControlMode::kCompliance);
-  command_.legs[0].stiffness_N_m = command_.legs[0].damping_N_s_m = {0.0, 0.0, 0.0};
-  state_.joints[1].estimated_velocity_rad_s = 2.0;
-  cycles(60);
-  const double without_Nm = commanded_torque()[1];
-  command_.legs[0].friction_compensation = 0.8;
-  cycles(60);
-  const double all_Nm = commanded_torque()[1] - without_Nm;
-  ASSERT_GT(all_Nm, 1.0);
-  state_.joints[1].misfit_reason = MisfitReason::kViscousFriction;
-  cycle();
-  EXPECT_NEAR(commanded_torque()[1] - without_Nm, all_Nm, 0.01 * all_Nm);
-  cycles(300);
-  const double half_Nm = commanded_torque()[1] - without_Nm;
-  EXPECT_NEAR(half_Nm, 0.5 * all_Nm, 0.1 * all_Nm);
-  state_.joints[1].misfit_reason = MisfitReason::kWeight;  // or a hand that pulls
-  cycles(300);
-  EXPECT_NEAR(commanded_torque()[1] - without_Nm, all_Nm, 1e-9);
-}
-
 TEST_F(LegControllerTest, DrivesThatAreNotEnabledGetTheMeasuredPositionOrNoTorque) {
   state_.joints[1].drive_enabled = false;
   command_.legs[0].desired_foot_in_hip_m = {0.0, 0.0, -0.40};

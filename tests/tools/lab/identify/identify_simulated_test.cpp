@@ -119,7 +119,7 @@ TEST(IdentifySimulated, LoadFrictionAndTorqueConstantShowWithAKnownWeight) {
   const IdentifiedJoint found = identify_drives(robot, 0, recordings, protocol);
   const auto& plant = plant_joint(c).friction;
   ASSERT_TRUE(found.torque_constant && found.torque_constant->by_known_weight);
-  EXPECT_NEAR(found.torque_constant->factor, 1.05, 0.015);
+  EXPECT_NEAR(found.torque_constant->factor, 1.05, 0.03);  // the plant's shares differ by 0.036
   const double mean_share = 0.5 * (plant.driving_share + plant.back_driving_share);
   EXPECT_NEAR(weighed(found.chosen())->load_share, mean_share, 0.03);
 }
