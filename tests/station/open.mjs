@@ -72,7 +72,7 @@ check("the slider moves the robot, events are jumped to, play goes on and ends",
 });
 
 check("what is drawn can be switched off, a plot chosen, zoomed and taken away", async (browser) => {
-  const page = await open(browser, at("jump.html"), { hash: "#at=4.66" });
+  const page = await open(browser, at("jump.html"), { hash: "#at=4.75" });
   await drawn(page);
   const all = (await stage(page)).toString("base64");
   await page.locator("[data-layer=forces]").uncheck();
@@ -88,7 +88,7 @@ check("what is drawn can be switched off, a plot chosen, zoomed and taken away",
   const [from_s, to_s] = await page.evaluate(() => window.sprung.plots.span());
   const [first_s, last_s] = await page.evaluate(() => window.sprung.source.range());
   assert.ok(to_s - from_s < 0.3 * (last_s - first_s), "a drag zooms");
-  assert.equal(await page.evaluate(() => window.sprung.timeline.time_s), 4.66, "a drag leaves the time alone");
+  assert.equal(await page.evaluate(() => window.sprung.timeline.time_s), 4.75, "a drag leaves the time alone");
   await page.mouse.click(area.x + 0.5 * area.width, area.y + 30);
   const clicked_s = await page.evaluate(() => window.sprung.timeline.time_s);
   assert.ok(Math.abs(clicked_s - (from_s + to_s) / 2) < 0.1 * (to_s - from_s), `a click goes to ${clicked_s} s`);
@@ -121,7 +121,7 @@ check("a picture of a moment is a picture of the page", async (browser) => {
 
 for (const [theme, width, height] of [["light", 1280, 720], ["dark", 1280, 720], ["light", 820, 1180], ["dark", 1180, 820]]) {
   check(`everybody can use it: ${theme}, ${width} x ${height}`, async (browser) => {
-    const page = await open(browser, at("jump.html"), { theme, width, height, hash: "#at=4.66" });
+    const page = await open(browser, at("jump.html"), { theme, width, height, hash: "#at=4.75" });
     assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), theme);
     await accessible(page, theme);
     const [inner, outer] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
@@ -154,7 +154,7 @@ check("without the simulation's truth the trunk stands on its feet, and the page
 });
 
 check("without a model plots and time are there, and why there is no robot", async (browser) => {
-  const page = await open(browser, at("no-model.html"), { hash: "#at=4.66" });
+  const page = await open(browser, at("no-model.html"), { hash: "#at=4.75" });
   assert.match(await page.locator("#stage-note").textContent(), /No model of this robot is here/);
   assert.equal(await page.locator("#phase").textContent(), "landing");
   assert.ok((await page.locator(".plot canvas").count()) > 0);
@@ -165,7 +165,7 @@ check("without a model plots and time are there, and why there is no robot", asy
 
 check("a browser without WebGL shows plots and time, and says what is missing", async () => {
   const browser = await launch(folder, ["--disable-3d-apis"]);
-  const page = await open(browser, at("jump.html"), { hash: "#at=4.66" });
+  const page = await open(browser, at("jump.html"), { hash: "#at=4.75" });
   assert.match(await page.locator("#stage-note").textContent(), /has no WebGL/);
   assert.equal(await page.locator("#phase").textContent(), "landing");
   assert.ok((await page.locator(".plot canvas").count()) > 0);
