@@ -22,6 +22,9 @@ async function accessible(page, what) {
   assert.deepEqual(violations.map(({ id, nodes }) => `${id}: ${nodes[0].html}`), [], `axe-core, ${what}`);
 }
 
+/** A second page that draws takes the processor from the one that is looked at, whose holds then come too late. */
+const drawsNothing = () => { HTMLCanvasElement.prototype.getContext = () => null; };
+
 /** A gamepad that the test holds in its hand. */
 const scriptedGamepad = () => {
   window.pad = { index: 0, id: "scripted", connected: true, axes: [0, -1, 0, 0], buttons: Array.from({ length: 16 }, () => ({ pressed: false })) };
@@ -180,7 +183,7 @@ check("two pages: one drives, the other watches, and taking over is explicit", a
 
 check("a page that is closed while the robot walks: it stands within 3 s", async ({ browser, url }) => {
   const page = await openLive(browser, url);
-  const other = await openLive(browser, url);
+  const other = await openLive(browser, url, { script: drawsNothing });
   await press(page, "walk", { forward_m_s: 0.1 });
   await motionIs(other, "walking");
   await pause(1500);
@@ -193,7 +196,7 @@ check("a page that is closed while the robot walks: it stands within 3 s", async
 
 check("a page that sleeps: the robot stands, nobody drives, and it says so when it wakes", async ({ browser, url }) => {
   const page = await openLive(browser, url);
-  const other = await openLive(browser, url);
+  const other = await openLive(browser, url, { script: drawsNothing });
   await press(page, "walk", { forward_m_s: 0.1 });
   await motionIs(other, "walking");
   await page.evaluate(() => { const end = Date.now() + 7000; while (Date.now() < end); }); // its thread stands still
@@ -213,7 +216,7 @@ check("bad messages: an error, then the door; an oversized one ends the connecti
       socket.onmessage = ({ data }) => typeof data === "string" && data.includes('"error"') && errors.push(data);
       socket.onclose = ({ code }) => resolve({ code, errors: errors.length });
     });
-    return { bad: await send(Array.from({ length: 30 }, () => "{")), big: await send(["x".repeat(1_000_000)]) };
+    return { bad: await send(Array.from({ length: 20 }, () => "{")), big: await send(["x".repeat(5000)]) };
   });
   assert.equal(outcome.bad.code, 1008);
   assert.ok(outcome.bad.errors >= 19, `${outcome.bad.errors} errors`);
