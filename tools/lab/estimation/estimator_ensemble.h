@@ -20,8 +20,8 @@ struct EnsemblePlant {
 /// @param seed of draws and noise: 0 was used to tune the estimator, any other is for reporting.
 std::vector<EnsemblePlant> estimator_ensemble(std::uint64_t seed);
 
-/// The ensemble about sim.yaml's plant. A plant that is changed already, or drawn, is not varied once more: it
-/// is there five times, with noise of its own each time.
+/// The ensemble about sim.yaml's plant. A plant that is changed already, or drawn, is not varied once more:
+/// it is there five times, with noise of its own each time.
 std::vector<EnsemblePlant> estimator_plants(const SimOptions& base);
 
 }  // namespace sprung

@@ -18,9 +18,9 @@ namespace {
 
 struct EstimatorRequest {
   std::string preset{};  ///< of each robot; empty = its usual one
-  SimOptions sim{};    ///< of --seed and --plant
-  std::string data{};  ///< folder of recordings; "" = /work/shared/data or ../shared/data where one is
-  std::string only{};  ///< "" = all; else one section
+  SimOptions sim{};      ///< of --seed and --plant
+  std::string data{};    ///< folder of recordings; "" = /work/shared/data or ../shared/data where one is
+  std::string only{};    ///< "" = all; else one section
 };
 
 void append(ExperimentOutput& part, const std::vector<ReportRow>& rows) {
@@ -141,7 +141,8 @@ ExperimentOutput run_estimator(const ExperimentInput& in, EstimatorRequest reque
   }
   if (out.rows.empty() && request.only != "recordings")
     throw std::invalid_argument("no rows of " + in.robot.name + " in '" + request.only + "'; " +
-                                (changed ? "with --plant or --plants there are jump, bounds and contact of single_leg, walking_contact of pegasus"
+                                (changed ? "with --plant or --plants there are jump, bounds and contact of "
+                                           "single_leg, walking_contact of pegasus"
                                          : "sections: " + estimator_sections()));
   return out;
 }
