@@ -67,13 +67,13 @@ const auto kEstimatedJoint = [](auto& way, auto& m, auto& s) {
   way(m.external_torque_bound_Nm, s.external_torque_bound_Nm);
   way(m.torsion_torque_Nm, s.torsion_torque_Nm);
   way(m.estimated_temperature_degC, s.estimated_temperature_degC);
-  way(m.misfit_ratio, s.misfit_ratio);
+  way(m.model.misfit_ratio, s.misfit_ratio);
   way(m.status, s.status);
   way(m.drive_enabled, s.drive_enabled);
   way(m.identified, s.identified);
   way(m.at_rest, s.at_rest);
-  way(m.model_fits, s.model_fits);
-  way(m.misfit_reason, s.misfit_reason);
+  way(m.model.model_fits, s.model_fits);
+  way(m.model.misfit_reason, s.misfit_reason);
 };
 
 const auto kEstimatedLeg = [](auto& way, auto& m, auto& s) {

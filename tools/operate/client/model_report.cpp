@@ -14,12 +14,12 @@ using Json = nlohmann::ordered_json;
 
 Json model_json(const RobotConfig& robot, const JointConfig& joint,
                 const sprung_msgs::estimated_joint_t& estimated) {
-  const bool fits = estimated.model_fits != 0;
+  const bool fits = estimated.model.model_fits != 0;
   return {{"name", joint.name},
           {"identified", estimated.identified != 0},
           {"fits", fits},
-          {"ratio", estimated.misfit_ratio},
-          {"likely_reason", name(static_cast<MisfitReason>(estimated.misfit_reason))},
+          {"ratio", estimated.model.misfit_ratio},
+          {"likely_reason", name(static_cast<MisfitReason>(estimated.model.misfit_reason))},
           {"repeat", fits ? Json(nullptr) : Json(record_command(robot, joint))}};
 }
 

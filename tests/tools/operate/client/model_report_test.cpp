@@ -22,12 +22,12 @@ class ModelReport : public testing::Test {
   ModelReport() {
     state_.n_joints = static_cast<int>(robot_.joints.size());
     state_.joints.resize(robot_.joints.size());
-    for (auto& joint : state_.joints) joint.model_fits = joint.identified = 1;
+    for (auto& joint : state_.joints) joint.model.model_fits = joint.identified = 1;
   }
   void doubt_knee() {
-    state_.joints[1].model_fits = 0;
-    state_.joints[1].misfit_ratio = 6.25;
-    state_.joints[1].misfit_reason = static_cast<std::int8_t>(MisfitReason::kViscousFriction);
+    state_.joints[1].model.model_fits = 0;
+    state_.joints[1].model.misfit_ratio = 6.25;
+    state_.joints[1].model.misfit_reason = static_cast<std::int8_t>(MisfitReason::kViscousFriction);
   }
 
   RobotConfig robot_ = load_robot("single_leg");
