@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -84,8 +85,10 @@ TEST(ProtoSchema, TellsNumbersTypesUnitsAndComments) {
   EXPECT_EQ(state["joints"].type_name, ".sprung_msgs.estimated_joint_t");
   EXPECT_EQ(state["seq"].type, 16u);
   EXPECT_EQ(state["n_joints"].type, 15u);
-  auto& joint = files.front().fields;
-  EXPECT_EQ(files.front().message, "estimated_joint_t");
+  const auto of_joints = std::find_if(files.begin(), files.end(),
+                                      [](const auto& file) { return file.message == "estimated_joint_t"; });
+  ASSERT_NE(of_joints, files.end());
+  auto& joint = of_joints->fields;
   EXPECT_EQ(joint["gear_output_torque_Nm"].type, 1u);
   EXPECT_EQ(joint["gear_output_torque_Nm"].label, 1u);
   EXPECT_EQ(joint["gear_output_torque_Nm"].comment.substr(0, 16), " Nm; what the li");
