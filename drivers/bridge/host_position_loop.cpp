@@ -18,16 +18,26 @@ double HostPositionLoop::torque_Nm(double commanded_position_rad, double measure
                                    double measured_velocity_rad_s) noexcept {
   const double step_rad = closed() ? commanded_position_rad - set_position_rad_ : 0.0;
   set_position_rad_ = commanded_position_rad;
-  const double error_rad = commanded_position_rad - 0.5 * step_rad - measured_position_rad;
-  const double torque_Nm = stiffness_Nm_rad_ * error_rad +
-                           damping_Nm_s_rad_ * (step_rad / cycle_s_ - measured_velocity_rad_s);
+  const double predicted_rad = measured_position_rad + 1.5 * cycle_s_ * measured_velocity_rad_s;
+  const double predicted_rad_s = predicted_velocity_rad_s(measured_velocity_rad_s);
+  const double torque_Nm = stiffness_Nm_rad_ * (commanded_position_rad - 0.5 * step_rad - predicted_rad) +
+                           damping_Nm_s_rad_ * (step_rad / cycle_s_ - predicted_rad_s);
   if (!std::isfinite(torque_Nm)) return 0.0;
   const bool too_fast = std::abs(measured_velocity_rad_s) > speed_limit_rad_s_;
   if (too_fast && torque_Nm * measured_velocity_rad_s > 0.0) return 0.0;
   return std::clamp(torque_Nm, -torque_limit_Nm_, torque_limit_Nm_);
 }
 
-void HostPositionLoop::forget() noexcept { set_position_rad_ = kNaN; }
+double HostPositionLoop::predicted_velocity_rad_s(double measured_velocity_rad_s) noexcept {
+  const double change_rad_s = measured_velocity_rad_s - last_velocity_rad_s_;
+  last_velocity_rad_s_ = measured_velocity_rad_s;
+  return std::isfinite(change_rad_s) ? measured_velocity_rad_s + change_rad_s : measured_velocity_rad_s;
+}
+
+void HostPositionLoop::forget() noexcept {
+  set_position_rad_ = kNaN;
+  last_velocity_rad_s_ = kNaN;
+}
 
 bool HostPositionLoop::closed() const noexcept { return std::isfinite(set_position_rad_); }
 

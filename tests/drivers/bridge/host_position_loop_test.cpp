@@ -16,14 +16,30 @@ ActuatorConfig actuator() { return test::two_drive_robot().actuators[0]; }
 TEST(HostPositionLoop, IsASpringToTheSetPointAndADamper) {
   HostPositionLoop loop(actuator(), kCycle_s);
   EXPECT_NEAR(loop.torque_Nm(0.1, 0.0, 0.0), 50.3, 1e-9);
-  EXPECT_NEAR(loop.torque_Nm(0.1, 0.1, 2.0), -59.4, 1e-9);
+  loop.forget();
+  EXPECT_NEAR(loop.torque_Nm(0.1, 0.1, 2.0), -59.4 - 503 * 0.003, 1e-9);
 }
 
 TEST(HostPositionLoop, ReferenceMovesInAStraightLineBetweenSetPoints) {
   HostPositionLoop loop(actuator(), kCycle_s);
-  loop.torque_Nm(0.1, 0.1, 0.0);
-  EXPECT_NEAR(loop.torque_Nm(0.102, 0.1, 2.0), 503 * 0.001, 1e-9);  // as fast as its reference
+  loop.torque_Nm(0.1, 0.1, 2.0);
+  EXPECT_NEAR(loop.torque_Nm(0.102, 0.1, 2.0), 503 * (0.001 - 0.003), 1e-9);  // as fast as its reference
+  loop.torque_Nm(0.102, 0.1, 0.0);
   EXPECT_NEAR(loop.torque_Nm(0.102, 0.102, 0.0), 0.0, 1e-9);
+}
+
+TEST(HostPositionLoop, ActsOnWhereTheJointWillBeAndHowFastWhenItsTorqueActs) {
+  HostPositionLoop loop(actuator(), kCycle_s);
+  loop.torque_Nm(0.0, 0.0, 1.0);
+  // At 1 rad/s and 0.2 rad/s more each cycle, after a sample at 0.001 rad.
+  EXPECT_NEAR(loop.torque_Nm(0.0, 0.001, 1.2), -503 * (0.001 + 0.0015 * 1.2) - 29.7 * 1.4, 1e-9);
+}
+
+TEST(HostPositionLoop, FirstVelocityHasNoAcceleration) {
+  HostPositionLoop loop(actuator(), kCycle_s);
+  EXPECT_NEAR(loop.torque_Nm(0.0, -0.0015 * 2.0, 2.0), -59.4, 1e-9);
+  loop.forget();
+  EXPECT_NEAR(loop.torque_Nm(0.0, 0.0015 * 2.0, -2.0), 59.4, 1e-9);
 }
 
 TEST(HostPositionLoop, FirstSetPointHasNoSpeed) {
