@@ -53,7 +53,7 @@ void remap(const PdoSetting& pdo, int node, std::vector<BootStep>& script) {
 }  // namespace
 
 std::vector<BootStep> make_boot_script(const IdentityConfig& identity, const NodeProfile& profile, int node,
-                                       bool has_power) {
+                                       bool has_power, const ReadingConfig& watched) {
   std::vector<BootStep> script;
   verify_identity(identity, profile.known_device(), script);
   // A drive that a former bridge left enabled loses its power before anything is changed.
@@ -61,6 +61,8 @@ std::vector<BootStep> make_boot_script(const IdentityConfig& identity, const Nod
     script.push_back({Kind::kWrite, {{canopen::kControlWord, 0}, 2, cia402::kDisableVoltageWord, false}});
   if (const std::uint32_t modes = profile.required_modes(); modes != 0)
     script.push_back({Kind::kRequireBits, {{canopen::kSupportedModes, 0}, 4, modes, false}});
+  if (watched.index != 0)
+    script.push_back({Kind::kWatched, {{watched.index, watched.sub}, watched.bytes, 0, false}});
   for (const DriveSetting& setting : profile.settings()) {
     script.push_back({Kind::kAdopt, setting});
     if (setting.object.index != canopen::kHeartbeatConsumer) continue;

@@ -20,6 +20,7 @@ struct BootStep {
     kAdoptInstead,    ///< the same, only where the heartbeat consumer before it was refused
     kWriteAndVerify,  ///< write, read back; must equal value
     kShowMode,        ///< read the mode display: its PDO comes on change only
+    kWatched,         ///< read; must be there: robot.yaml stops the robot by it
   };
   Kind kind = Kind::kVerify;
   DriveSetting setting;
@@ -27,7 +28,8 @@ struct BootStep {
 };
 
 /// @param has_power a drive: its power is taken away first, and its mode display is read at the end.
+/// @param watched an object that a limit of robot.yaml is about; index 0: there is none.
 std::vector<BootStep> make_boot_script(const IdentityConfig& identity, const NodeProfile& profile, int node,
-                                       bool has_power);
+                                       bool has_power, const ReadingConfig& watched = {});
 
 }  // namespace sprung

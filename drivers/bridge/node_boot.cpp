@@ -179,6 +179,11 @@ void NodeBoot::take_abort(std::uint32_t code) noexcept {
     return next_step();
   }
   state_ = BootState::kRefused;
+  if (step.kind == Kind::kWatched)
+    return print(
+        detail_,
+        "%s: robot.yaml watches 0x%04X:%02X, which the drive does not give (%s): type another or none",
+        drive_, step.setting.object.index, step.setting.object.sub, canopen::abort_text(code));
   if (step.kind != Kind::kAdoptInstead) return print_abort(detail_, drive_, step.setting.object, code);
   print(detail_, "%s: cannot watch the bridge: 0x1016 refused (%s), guarding 0x%04X refused (%s)", drive_,
         canopen::abort_text(consumer_abort_), step.setting.object.index, canopen::abort_text(code));
@@ -207,6 +212,8 @@ void NodeBoot::judge(std::uint32_t value) noexcept {
       return next_step();
     case Kind::kFirmware:
       return judge_firmware(value);
+    case Kind::kWatched:
+      return next_step();
     case Kind::kRequireBits:
       return (value & wanted) == wanted ? next_step() : refuse(value);
     default:
@@ -252,7 +259,7 @@ void NodeBoot::begin_step() noexcept {
 }
 
 bool NodeBoot::is_left_out(const BootStep& step) const noexcept {
-  return (standard_alone_ && is_makers_own(step.setting.object.index)) ||
+  return (standard_alone_ && step.kind != Kind::kWatched && is_makers_own(step.setting.object.index)) ||
          (step.kind == Kind::kAdoptInstead && consumer_abort_ == 0);
 }
 

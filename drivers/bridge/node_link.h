@@ -25,6 +25,7 @@ struct NodeSetup {
   int actuator = -1;  ///< -1 = an encoder card
   WatchdogConfig watchdogs;
   NodeWatch watch = NodeWatch::kHeartbeat;
+  ReadingConfig watched = {};  ///< without which it is not to run; index 0: none
 };
 
 /// What a frame of a node is, and what it has brought about.

@@ -17,6 +17,9 @@ constexpr std::uint16_t kOverCurrent = 0x2310;
 constexpr std::uint16_t kOverVoltage = 0x3210;
 constexpr std::uint16_t kUnderVoltage = 0x3220;
 constexpr std::uint16_t kOverTemperature = 0x4210;
+// [design choice] a power stage at work, and one beyond what makers let theirs reach (85 of a Gold)
+constexpr double kWarm_degC = 40.0;
+constexpr double kTooHot_degC = 95.0;
 constexpr std::uint16_t kErrorPassive = 0x8120;
 constexpr std::uint16_t kMasterLost = 0x8130;
 constexpr std::uint16_t kBusOff = 0x81FD;
@@ -250,6 +253,7 @@ DriveMoment Cia402Drive::moment(double counts) const noexcept {
   now.velocity_rad_s = velocity_rad_s_;
   now.measured_current_A = setup_.truth.current_sensor.gain * current_A() + noise_A_ + sensor_offset_A();
   now.supply_V = supply_V();
+  now.power_stage_degC = overheated_ ? kTooHot_degC : kWarm_degC;
   now.dt_s = setup_.step_s;
   now.counts_per_rad = encoder_.counts_per_rad();
   now.mode = mode_;

@@ -34,6 +34,7 @@ struct DriveMoment {
   double velocity_rad_s = 0.0;
   double measured_current_A = 0.0;  ///< sensor's noise and offset included
   double supply_V = 0.0;
+  double power_stage_degC = 0.0;
   double dt_s = 0.0;
   double counts_per_rad = 0.0;
   ModeUse mode = ModeUse::kNone;  ///< in force

@@ -1,8 +1,9 @@
-"""`sprung up` in front of nodes made of the makers' figures, limits enforced; and a jump on simulated drives,
-which test_makers.py holds to the same limits."""
+"""`sprung up` in front of nodes made of the makers' figures, limits enforced; and jumps on simulated drives of
+both makes, which test_makers.py holds to the same limits."""
 
 import functools
 import re
+import shutil
 
 import pytest
 
@@ -137,24 +138,64 @@ def test_drive_with_the_bridges_own_node_id_is_named_before_anything_is_commande
         leg.close()
 
 
-def test_simulated_golds_stand_and_jump(request, tmp_path):
+# single_leg on another make: (as it is, as that make has it) in robot.yaml and sim.yaml. 50 x the EPOS2's 10 A
+# must give single_leg's 171.6 Nm, so its motors have a constant four times as high. A Gold shows a temperature.
+TEMPERATURE = "temperature: {object: 0x22A2, type: u16, scale: 1 degC, max: 80 degC}"
+ADAPTED = {
+    "gold": [("speed_limit_object: 0x6080", f"speed_limit_object: 0x6080\n    {TEMPERATURE}")],
+    "epos2": [
+        ("profile: gold", "profile: epos2"),
+        ("vendor: 0x9A, product: 0x00030923", "vendor: 0xFB, product: 0x63220000"),
+        ("torque_constant: 0.044 Nm/A", "torque_constant: 0.176 Nm/A"),
+        ("rated_current: 7.0 A", "rated_current: 1.75 A"),
+        ("encoder_counts: 131072", "encoder_counts: 16384"),
+        ("speed_limit_object: 0x6080", "speed_limit_object: 0x6410"),
+        ("damping: 29.7 Nm s/rad}", "damping: 29.7 Nm s/rad, object: 0x60FB}"),
+    ],
+}
+
+
+def jumper(make, folder):
+    """A copy of single_leg with two drives of this make. @return its folder."""
+    robot = folder / "single_leg"
+    shutil.copytree(programs.TOP / "robots/single_leg", robot)
+    for name in ("robot.yaml", "sim.yaml"):
+        text = (robot / name).read_text()
+        for old, new in ADAPTED[make]:
+            assert name == "sim.yaml" or text.count(old) == 2, f"{old} in {name}"
+            text = text.replace(old, new)
+        (robot / name).write_text(text)
+    return robot
+
+
+@pytest.mark.parametrize("make", makers.MAKES)
+def test_simulated_drives_stand_jump_fail_and_are_brought_back(make, request, tmp_path):
     """Under the maker's limits: test_makers.py compares theirs, object by object. What a drive refuses of its
     settings or maps ends the boot by name, so nothing was refused."""
     folder, bus = request.config.option.programs, programs.random_bus()
     environment = {"SPRUNG_RUN_DIR": str(tmp_path), "SPRUNG_PROGRAMS": folder}
     arguments = [
-        *("sprung", "up", programs.TOP / "robots/single_leg", "--sim", "--clock", "lockstep", "--no-record"),
+        *("sprung", "up", jumper(make, tmp_path), "--sim", "--clock", "lockstep", "--no-record"),
         *("--lcm-url", programs.random_lcm_url(), "--can", f"leg={programs.address(bus)}"),
     ]
     up = programs.Program(folder, arguments, tmp_path / "up.txt", environment)
+
+    def run(*words):
+        status, said = run_sprung(folder, environment, *words)
+        assert status == 0, said
+        return said
+
     try:
         assert until(lambda: "is up" in up.said() or not up.running(), UP_S), up.said()
         assert up.running(), up.said()
-        for command in ("stand", "jump"):
-            status, said = run_sprung(folder, environment, command)
-            assert status == 0, said
-        height_mm = re.search(r"jump 1: (\d+) mm high", said)
-        assert height_mm and int(height_mm.group(1)) > 50, said
+        run("stand")
+        height_mm = re.search(r"jump 1: (\d+) mm high", run("jump"))
+        assert height_mm and int(height_mm.group(1)) > 50
+        assert make != "gold" or "40 degC" in run("status")
         assert "boot has overwritten" in up.said() and "refused" not in up.said(), up.said()
+        run("fault", "knee", "over-current", "--for", "0.2")
+        assert until(lambda: "drive fault" in run_sprung(folder, environment, "status")[1], UP_S)
+        assert "done: cleared" in run("clear")
+        run("stand")
     finally:
         up.stop()

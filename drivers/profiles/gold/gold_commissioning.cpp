@@ -1,6 +1,6 @@
 /// What a Gold must have been told before it may turn a motor. Its motor and encoder are set by commands
-/// (CA[], KP[], KI[]) of its own tool; no CANopen object for them is confirmed, so commissioning finds them
-/// by hand and by a small current.
+/// (CA[], KP[], KI[]) of its own interpreter, which over CAN stands behind 0x1023 and 0x2012. What it answers
+/// is not confirmed, so sprung does not speak it: commissioning finds them by hand and by a small current.
 #include <cmath>
 
 #include "drivers/canopen/objects.h"
@@ -40,8 +40,8 @@ CommissioningPlan GoldProfile::commissioning(double /*bit_rate_bit_s*/) const {
   }
   plan.not_readable =
       "a Gold shows motor type, pole pairs (CA[19]), encoder counts (CA[18]) and current gains (KP[1], "
-      "KI[1]) "
-      "to its own tool alone: compare them there; by hand and by a small current they are found below";
+      "KI[1]) by its interpreter, which sprung does not speak: compare them in the maker's tool; by hand and "
+      "by a small current they are found below";
   plan.torque_mode = cia402::kModeCyclicTorque;
   plan.setpoint = {canopen::kTargetTorque, 0};
   plan.A_per_setpoint = 1e-3 * rated_torque_Nm_ / actuator_.torque_constant_Nm_A;

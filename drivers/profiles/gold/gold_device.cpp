@@ -133,6 +133,7 @@ void GoldMake::show(const DriveMoment& now) noexcept {
   show(canopen::kTorqueActual, shown);
   show(canopen::kCurrentActual, shown);
   show(canopen::kSupplyVoltage, 1e3 * now.supply_V);
+  show(kDriveTemperature, now.power_stage_degC);
   const EmergencyInputConfig& input = setup_.actuator.emergency_input;
   const bool high = input.bit >= 0 && now.emergency_stop == input.stops_high;
   show(canopen::kDigitalInputs, high ? 0xFFFFFFFF : 0);

@@ -23,9 +23,10 @@ struct GoldCommissioning {
 ObjectDictionary gold_dictionary(const GoldCommissioning& commissioning);
 
 /// Objects that canopen/objects.h does not name, since the bridge has no use for them.
-inline constexpr std::uint16_t kTorqueDemand = 0x6074;    ///< per mille of rated torque
-inline constexpr std::uint16_t kVelocityActual = 0x606C;  ///< counts/s
-inline constexpr std::uint16_t kFollowingError = 0x60F4;  ///< counts
+inline constexpr std::uint16_t kDriveTemperature = 0x22A2;  ///< degC
+inline constexpr std::uint16_t kTorqueDemand = 0x6074;      ///< per mille of rated torque
+inline constexpr std::uint16_t kVelocityActual = 0x606C;    ///< counts/s
+inline constexpr std::uint16_t kFollowingError = 0x60F4;    ///< counts
 
 class GoldMake final : public DriveMake {
  public:

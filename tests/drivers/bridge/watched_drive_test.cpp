@@ -86,6 +86,17 @@ TEST(WatchedDrive, DriveThatSaysThatItIsTooHotStopsTheRobotAndIsShown) {
   expect_stop(bench, SafetyCause::kDriveFault, "hip_motor: 91 degC, robot.yaml allows 85 degC: let it cool");
 }
 
+TEST(WatchedDrive, OneThatDoesNotGiveTheTemperatureThatRobotYamlLimitsIsRefused) {
+  RobotConfig robot = test::two_drive_robot();
+  robot.actuators[0].temperature = {{0x22A2, 0, 2, false, 1.0}, 85.0};
+  BridgeBench bench(robot);
+  EXPECT_FALSE(bench.boot());
+  EXPECT_THAT(bench.detail(),
+              HasSubstr("hip_motor: robot.yaml watches 0x22A2:00, which the drive does not give"));
+  EXPECT_THAT(bench.detail(), HasSubstr("type another or none"));
+  EXPECT_EQ(bench.enabled(), 0);
+}
+
 TEST(WatchedDrive, OneWhoseEmergencyInputIsNotKnownKeepsEveryDriveWithoutPower) {
   RobotConfig robot = test::two_drive_robot();
   robot.actuators[0].emergency_input = {0, false};
