@@ -153,7 +153,9 @@ void Walk::put_back(bool off) {
                        : off ? "NOT put back (no answer): gone when its power goes"
                              : "NOT put back, since the drive does not say that its motor is off: its watch "
                                "takes the power, then the supply off and on";
-    protocol_.written.push_back(named(backup.object) + ": set for this walk, " + what);
+    const std::string line = named(backup.object) + ": set for this walk, " + what;
+    std::vector<std::string>& said = protocol_.written;  // each time that it got power
+    if (std::find(said.begin(), said.end(), line) == said.end()) said.push_back(line);
   }
 }
 

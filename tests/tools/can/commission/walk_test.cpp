@@ -78,6 +78,10 @@ TEST(CommissioningWalk, AFactoryDriveIsNamedAndWithWriteItIsSetAndPasses) {
     return line.find(", stored") != std::string::npos;
   });
   EXPECT_GE(stored, 5);
+  for (const std::string& line : after.written) {
+    const bool borrowed = line.find("for this walk") != std::string::npos;
+    EXPECT_TRUE(!borrowed || std::count(after.written.begin(), after.written.end(), line) == 1) << line;
+  }
 }
 
 TEST(CommissioningWalk, NothingIsWrittenWithoutWrite) {
