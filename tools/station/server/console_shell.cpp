@@ -103,8 +103,10 @@ class Console {
     while (!stop_requested()) {
       const std::int64_t now_us = link_.utime_us();
       if (now_us >= next_tick_us_) tick(now_us);
+      if (now_us >= session_.next_step_us()) flush();
       if (now_us >= next_run_check_us_ && !run_goes_on(now_us)) return farewell();
-      server_.service(static_cast<int>(std::max<std::int64_t>(1, (next_tick_us_ - now_us) / 1000)));
+      const std::int64_t next_us = std::min(next_tick_us_, session_.next_step_us());
+      server_.service(static_cast<int>(std::max<std::int64_t>(1, (next_us - now_us) / 1000)));
     }
     return "";
   }
