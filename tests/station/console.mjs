@@ -284,35 +284,51 @@ check("drive-by gamepad: recorded events are locked at first, walk while the dea
   await closeLive(page);
 });
 
-check("a viewer that speaks Foxglove's protocol gets channels, messages and transforms, and commands nothing", async ({ browser, url }) => {
+check("a viewer that speaks Foxglove's protocol gets channels, and the robot as it stands; it commands nothing", async ({ browser, url }) => {
   const page = await openLive(browser, url);
-  const seen = await page.evaluate(() => new Promise((resolve, reject) => {
+  const wanted = ["JOINT_STATE", "/tf", "/robot", "/forces", "/joint_states", "/wrenches", "/imu"];
+  const seen = await page.evaluate((topics) => new Promise((resolve, reject) => {
     const socket = new WebSocket(new URL("live", location.href).href.replace(/^http/, "ws"), ["foxglove.sdk.v1", "foxglove.websocket.v1"]);
-    const out = { protocol: "", topics: [], messages: {}, status: "" };
+    const out = { protocol: "", channels: {}, messages: {}, counts: {}, opcodes: [], status: "" };
+    const names = [];
     socket.binaryType = "arraybuffer";
-    setTimeout(() => reject(new Error(`only ${JSON.stringify(out)}`)), 20_000);
+    setTimeout(() => reject(new Error(`only ${JSON.stringify(Object.keys(out.messages))}`)), 20_000);
     socket.onmessage = ({ data }) => {
       if (typeof data !== "string") {
-        const view = new DataView(data);
-        const topic = out.topics[view.getUint32(1, true)];
-        out.messages[topic] = topic === "/tf" ? new TextDecoder().decode(data.slice(13)) : data.byteLength;
-        if (out.messages["/tf"] && out.messages.JOINT_STATE && out.status) resolve({ ...out, opcode: view.getUint8(0) });
+        const view = new DataView(data), topic = names[view.getUint32(1, true)];
+        out.opcodes.push(view.getUint8(0));
+        out.messages[topic] = new TextDecoder("latin1").decode(data.slice(13));
+        out.counts[topic] = (out.counts[topic] ?? 0) + 1;
+        if (topics.every((each) => each in out.messages) && out.counts["/tf"] > 20 && out.status) resolve(out);
         return;
       }
       const message = JSON.parse(data);
       if (message.op === "status") out.status = message.message;
       if (message.op !== "advertise") return;
       out.protocol = socket.protocol;
-      out.topics = message.channels.map(({ topic }) => topic);
+      for (const channel of message.channels) {
+        names[channel.id] = channel.topic;
+        out.channels[channel.topic] = channel;
+      }
       socket.send(JSON.stringify({ op: "subscribe", subscriptions: message.channels.map(({ id }) => ({ id, channelId: id })) }));
       socket.send(JSON.stringify({ op: "setParameters", parameters: [] }));
     };
-  }));
+  }), wanted);
   assert.equal(seen.protocol, "foxglove.sdk.v1");
-  assert.equal(seen.opcode, 1);
+  assert.ok(seen.opcodes.every((opcode) => opcode === 1));
   assert.match(seen.status, /only shows/);
-  assert.ok(seen.messages.JOINT_STATE > 1000);
-  assert.ok(JSON.parse(seen.messages["/tf"]).transforms.some(({ parent_frame_id }) => parent_frame_id === "world"));
+  const types = { "/tf": "foxglove.FrameTransforms", "/robot": "foxglove.SceneUpdate", "/forces": "foxglove.SceneUpdate",
+    "/joint_states": "foxglove.JointStates", "/wrenches": "sprung.Wrenches", "/imu": "sprung.Imu", JOINT_STATE: "sprung_msgs.joint_state_t" };
+  for (const [topic, type] of Object.entries(types)) {
+    const { schemaName, schemaEncoding, encoding, schema } = seen.channels[topic];
+    assert.deepEqual([schemaName, schemaEncoding, encoding], [type, "protobuf", "protobuf"], topic);
+    assert.ok(atob(schema).includes(type.split(".")[1]), `${topic}'s schema`);
+  }
+  for (const [topic, words] of [["/tf", ["world", "base", "fl_shank"]], ["/robot", ["world", "fl_shank"]], ["/forces", ["force fl", "world"]],
+                                ["/joint_states", ["fl_knee"]], ["/wrenches", ["fl", "world"]], ["/imu", ["base"]]])
+    for (const word of words) assert.ok(seen.messages[topic].includes(word), `${topic} has ${word}`);
+  assert.ok(seen.messages.JOINT_STATE.length > 1000);
+  assert.equal(seen.counts["/robot"], 1, "what it looks like comes once");
   await closeLive(page);
 });
 
