@@ -56,12 +56,10 @@ const char* Walk::validate(const WalkRequest& request, bool walking) const noexc
     return "faster turning than this gait goes";
   if (!(speed_share(wanted, request.speed) <= kMostSpeedShare))
     return "faster forward, sideways and turning together than this gait goes";
-  constexpr double kLowest = 0.6;
-  constexpr double kHighest = 1.05;  // straighter legs have no vertical stiffness left to give
-  const bool high = request.height_m >= kLowest * stand_height_m_ &&
-                    request.height_m <= kHighest * stand_height_m_;
+  const bool high = request.height_m >= kLowestShare * stand_height_m_ &&
+                    request.height_m <= kHighestShare * stand_height_m_;
   if (!high) return "body height beyond 60 to 105 % of the preset's stand_length";
-  if (!(request.stance_width_m >= -0.05 && request.stance_width_m <= 0.15))
+  if (!(request.stance_width_m >= kNarrowest_m && request.stance_width_m <= kWidest_m))
     return "stance width beyond -50 to 150 mm";
   if (walking && failure_ != nullptr) return failure_;
   if (!walking || request.gait == now_.gait) return nullptr;

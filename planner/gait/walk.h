@@ -54,6 +54,11 @@ class Walk {
   /// Where a leg's foot stands, in hip axes, at that height and width: before and after walking too.
   Vec3 stance_foot_in_hip_m(std::size_t leg, double height_m) const noexcept;
 
+  // What validate() lets through: of the preset's stand_length, and how far each foot stands further out.
+  static constexpr double kLowestShare = 0.6;
+  static constexpr double kHighestShare = 1.05;  ///< straighter legs have no vertical stiffness left to give
+  static constexpr double kNarrowest_m = -0.05;
+  static constexpr double kWidest_m = 0.15;
   /// [design choice] With a hold of 0.5 s and Motion's recovery of 0.55 s the robot stands within 2 s.
   static constexpr double kHalt_s = 0.8;
 

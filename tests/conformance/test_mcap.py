@@ -91,8 +91,8 @@ def test_every_message_has_every_value_of_the_log(recording, types, name, reader
         for schema, channel, message, decoded in opened.iter_decoded_messages(log_time_order=False):
             assert (schema.encoding, channel.message_encoding) == ("protobuf", "protobuf")
             package, kind = schema.name.split(".")
-            if package == "foxglove":
-                continue  # for 3-D panels: below
+            if package in ("foxglove", "sprung"):
+                continue  # beside the log's own channels: below
             assert package == "sprung_msgs"
             received_us, data = by_channel[channel.topic][message.sequence]
             assert message.publish_time == received_us * 1000
@@ -237,6 +237,25 @@ def test_forces_are_arrows_from_the_feet(recording):
         assert way == pytest.approx(tuple(0.0012 * newton for newton in truth[time]), abs=1e-6)
         compared += 1
     assert compared > 50
+
+
+def test_wrenches_are_the_forces_that_the_ground_is_estimated_to_give(recording):
+    """In world, at the foot; the leg's trunk does not turn, so that trunk axes are the world's."""
+    legs = {time: message.legs[0] for time, message in messages_of(recording / "packed.mcap", "JOINT_STATE")}
+    pushed = 0
+    for time, message in messages_of(recording / "packed.mcap", "/wrenches"):
+        (one,) = message.wrenches
+        assert (one.leg, one.frame_id) == ("leg", "world")
+        assert (one.torque_Nm.x, one.torque_Nm.y, one.torque_Nm.z) == (0.0, 0.0, 0.0)
+        force = (one.force_N.x, one.force_N.y, one.force_N.z)
+        if time in legs:
+            assert force == pytest.approx(tuple(legs[time].foot_force_N) if legs[time].contact else (0, 0, 0), rel=1e-6)
+            pushed += legs[time].contact
+    assert pushed > 20
+
+
+def test_what_the_robot_does_not_have_has_no_messages(recording):
+    assert list(messages_of(recording / "packed.mcap", "/imu")) == []
 
 
 def test_joint_states_are_those_of_the_log(recording):

@@ -1,5 +1,5 @@
 // Foxglove Studio with one layout: that of the file `layout` which the address names, else a plot of the fields that it asks for, and
-// the number of the message at the time shown.
+// the number of the message at the time shown. What it shows: `file`, or the server that `live` names.
 const asked = new URLSearchParams(location.search);
 const fields = asked.getAll("field");
 const numbers = fields.length > 0 ? fields[0].split(".")[0] + ".seq" : "";
@@ -41,12 +41,14 @@ const appConfiguration = {
 };
 
 const link = new URL(location.origin);
-link.search = new URLSearchParams({ ds: "remote-file", "ds.url": location.origin + "/" + asked.get("file"), layoutId: layout.id });
+const source = asked.has("live") ? { ds: "foxglove-websocket", "ds.url": asked.get("live") }
+  : { ds: "remote-file", "ds.url": location.origin + "/" + asked.get("file") };
+link.search = new URLSearchParams({ ...source, layoutId: layout.id });
 initI18n({ context: "browser" }).then(() =>
   ReactDOM.render(
     React.createElement(App, {
       deepLinks: [link.href], appConfiguration, layoutStorage, extensionLoaders: [], enableGlobalCss: true,
-      dataSources: [new RemoteDataSourceFactory()],
+      dataSources: [new RemoteDataSourceFactory(), new FoxgloveWebSocketDataSourceFactory()],
     }),
     document.getElementById("root"),
   ),

@@ -10,7 +10,9 @@ const software = ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable
 /** @param folder that has node_modules. @param more arguments for Chromium */
 export async function launch(folder, more = []) {
   const { chromium } = createRequire(path.resolve(folder) + "/")("playwright-core");
-  return chromium.launch({ executablePath: "/usr/bin/chromium", args: [...software, ...more] });
+  const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: [...software, ...more] });
+  browser.draws = !more.includes("--disable-3d-apis");
+  return browser;
 }
 
 /** Seconds of processor time that Chromium's processes have used, by what they do: browser, renderer, GPU. */

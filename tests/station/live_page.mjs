@@ -1,20 +1,31 @@
 // The live page in a browser, and what it complains of.
+import assert from "node:assert/strict";
 import { eventually } from "./live_robot.mjs";
 
+/** A second page that draws takes the processor from the one that is looked at, whose holds then come too late. */
+const noCanvas = () => { HTMLCanvasElement.prototype.getContext = () => null; };
+
 /** @return the page, live; `complaints` are errors and warnings of its console. */
-export async function openLive(browser, url, { width = 1280, height = 720, theme = "light", script } = {}) {
+export async function openLive(browser, url, { width = 1280, height = 720, theme = "light", script, drawsNothing = false } = {}) {
   const page = await browser.newPage({ viewport: { width, height }, colorScheme: theme });
   page.complaints = [];
   page.on("console", (message) => {
-    // Reading pixels back, by software; a browser that was told to draw nothing.
-    const drivers = /GPU stall|WebGL/.test(message.text());
+    // Reading pixels back, by software; what a browser that draws nothing says of that.
+    const drivers = message.text().includes("GPU stall") || ((!browser.draws || drawsNothing) && message.text().includes("WebGL"));
     if (["error", "warning"].includes(message.type()) && !drivers) page.complaints.push(message.text());
   });
   page.on("pageerror", (error) => page.complaints.push(error.message));
   if (script) await page.addInitScript(script);
+  if (drawsNothing) await page.addInitScript(noCanvas);
   await page.goto(url);
   await page.waitForFunction(() => window.sprung?.link.ready && window.sprung.state?.session.driver > 0, null, { timeout: 60_000 });
   return page;
+}
+
+/** Closes it; it must have complained of nothing but what is expected. */
+export async function closeLive(page, expected = /^$/) {
+  assert.deepEqual(page.complaints.filter((line) => !expected.test(line)), []);
+  await page.close();
 }
 
 export const state = (page) => page.evaluate(() => window.sprung.state);

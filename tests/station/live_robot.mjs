@@ -30,14 +30,18 @@ export async function eventually(what, condition, timeout_ms = 30_000) {
 }
 
 export class LiveRobot {
-  /** @param bin folder of the programs. */
+  /** @param bin folder of the programs. @param robot name, or folder of one. */
   static async up(bin, robot, buses) {
     const live = new LiveRobot();
     live.bin = bin;
     live.folder = mkdtempSync(path.join(os.tmpdir(), "sprung-console-"));
     live.env = { ...process.env, SPRUNG_PROGRAMS: bin, SPRUNG_RUN_DIR: live.folder, SPRUNG_MIXED_BUILDS: "1", SPRUNG_STATE_DIR: live.folder };
     const can = [];
-    for (const bus of buses) can.push("--can", `${bus}=udp:239.74.163.2:${await freePort()}`);
+    live.ports = {};
+    for (const bus of buses) {
+      live.ports[bus] = await freePort();
+      can.push("--can", `${bus}=udp:239.74.163.2:${live.ports[bus]}`);
+    }
     const url = `udpm://239.255.76.67:${await freePort()}?ttl=0&recv_buf_size=4194304`;
     live.process = live.start("up.txt", ["up", robot, "--sim", "--no-record", "--plain", "--lcm-url", url, ...can]);
     await live.says("up.txt", "is up");

@@ -131,7 +131,7 @@ int ChildProcess::stop(double timeout_s) {
   return *status_;
 }
 
-std::string system_program(const std::string& name, const std::string& package) {
+std::string system_program(const std::string& name, const std::string& package, OfSetup setup) {
   const char* path = std::getenv("PATH");
   std::istringstream folders(path != nullptr ? path : "");
   for (std::string folder; std::getline(folders, folder, ':');) {
@@ -140,7 +140,8 @@ std::string system_program(const std::string& name, const std::string& package) 
       return candidate;
     }
   }
-  throw std::runtime_error(name + " is not installed: run ./setup, or apt-get install " + package);
+  throw std::runtime_error(name + " is not installed: " + (setup == OfSetup::kYes ? "run ./setup, or " : "") +
+                           "apt-get install " + package);
 }
 
 std::string program_folder() {

@@ -44,8 +44,12 @@ class ChildProcess {
   std::optional<int> status_;
 };
 
+/// Whether ./setup installs a package.
+enum class OfSetup : bool { kNo, kYes };
+
 /// A program of the system, from $PATH. @throws std::runtime_error naming it and saying what to install.
-std::string system_program(const std::string& name, const std::string& package);
+std::string system_program(const std::string& name, const std::string& package,
+                           OfSetup setup = OfSetup::kYes);
 
 /// Where the stack's programs are: $SPRUNG_PROGRAMS, else the folder of the running program, whatever PATH
 /// says.

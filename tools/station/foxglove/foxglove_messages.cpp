@@ -16,7 +16,8 @@ namespace {
 using log::append_delimited;
 using log::append_number;
 
-// Numbers of members are those of Foxglove's definitions, 0.4.0; its test reads them back by schemas.json.
+// Numbers of members are those of Foxglove's definitions, 0.4.0, and of make-schemas; the test of
+// conformance reads them back by schemas.json.
 
 void append_double(std::size_t field, double value, std::string& out) {
   std::uint64_t word = 0;
@@ -175,6 +176,31 @@ std::string joint_states(const std::vector<FoxgloveJoint>& joints, std::uint64_t
     if (std::isfinite(joint.effort_Nm)) append_double(5, joint.effort_Nm, one);
     append_delimited(2, one, out);
   }
+  return out;
+}
+
+std::string foot_wrenches(const std::vector<FootWrench>& wrenches, std::uint64_t time_ns) {
+  std::string out;
+  append_delimited(1, timestamp(time_ns), out);
+  for (const FootWrench& wrench : wrenches) {
+    std::string one;
+    append_delimited(1, wrench.leg, one);
+    append_delimited(2, wrench.frame, one);
+    append_delimited(3, vector3(wrench.position_m), one);
+    append_delimited(4, vector3(wrench.force_N), one);
+    append_delimited(5, vector3(Eigen::Vector3d::Zero()), one);
+    append_delimited(2, one, out);
+  }
+  return out;
+}
+
+std::string imu_sample(const std::string& frame, const Eigen::Vector3d& angular_velocity_rad_s,
+                       const Eigen::Vector3d& specific_force_m_s2, std::uint64_t time_ns) {
+  std::string out;
+  append_delimited(1, timestamp(time_ns), out);
+  append_delimited(2, frame, out);
+  append_delimited(3, vector3(angular_velocity_rad_s), out);
+  append_delimited(4, vector3(specific_force_m_s2), out);
   return out;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 /// Foxglove's own messages that its 3-D panel draws, as protocol buffers: foxglove.FrameTransforms,
 /// JointStates and SceneUpdate (schemas.json has their definitions, from PyPI's foxglove-schemas-protobuf
-/// 0.4.0). Pure.
+/// 0.4.0); and two that Foxglove has none for, sprung.Wrenches and sprung.Imu (make-schemas). Pure.
 #include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
@@ -20,6 +20,12 @@ struct FoxgloveTransform {
 struct FoxgloveJoint {
   std::string name;
   double position_rad = 0.0, velocity_rad_s = 0.0, effort_Nm = 0.0;  ///< NaN = left out
+};
+
+/// What the ground does to a point foot: a force and no moment.
+struct FootWrench {
+  std::string leg, frame;
+  Eigen::Vector3d position_m, force_N;  ///< in frame
 };
 
 /// A scene entity that is put together primitive by primitive, placed in its frame.
@@ -45,9 +51,12 @@ class FoxgloveEntity {
 
 std::string scene_update(const std::vector<FoxgloveEntity>& entities);
 std::string frame_transforms(const std::vector<FoxgloveTransform>& transforms, std::uint64_t time_ns);
+std::string foot_wrenches(const std::vector<FootWrench>& wrenches, std::uint64_t time_ns);
+std::string imu_sample(const std::string& frame, const Eigen::Vector3d& angular_velocity_rad_s,
+                       const Eigen::Vector3d& specific_force_m_s2, std::uint64_t time_ns);
 std::string joint_states(const std::vector<FoxgloveJoint>& joints, std::uint64_t time_ns);
 
-/// A FileDescriptorSet, "" where it is none of the three. @param name "foxglove.SceneUpdate"
+/// A FileDescriptorSet, "" where it is none of the five. @param name "foxglove.SceneUpdate"
 std::string foxglove_schema(const std::string& name);
 
 }  // namespace sprung::station

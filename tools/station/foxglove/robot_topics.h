@@ -1,8 +1,8 @@
 #pragma once
-/// What lets a robot stand in the 3-D panels of Foxglove and Lichtblick, beside a log's own channels in an
+/// What lets a robot stand in 3-D panels that know Foxglove's messages, beside a log's own channels in an
 /// MCAP file: `/tf` (transforms of all bodies, world, and the trunk in it), `/robot` (its shapes, once, each
 /// fixed to its body), `/forces` (arrows at the feet: estimated, and the simulation's truth),
-/// `/joint_states`. Pure.
+/// `/joint_states`, `/wrenches` of the feet, `/imu`. Pure.
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <string>

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "planner/comply_request.h"
+#include "planner/gait/walk.h"
 #include "planner/joint_limits.h"
 #include "planner/requests.h"
 #include "signals/angles.h"
@@ -95,9 +96,10 @@ OperatorForm land_form() {
            choice("mode", "control", names_with(JumpMode::kHybrid))}};
 }
 
-OperatorForm walk_form(const RobotConfig& robot) {
+OperatorForm walk_form(const RobotConfig& robot, const PresetConfig& preset) {
   std::vector<std::string> gaits{kFitting};
   Vec3 fastest{};
+  const double stand_m = preset.stand_length_m;
   for (const GaitConfig& gait : robot.gaits) {
     gaits.push_back(gait.name);
     fastest = {std::max(fastest[0], gait.fastest_forward_m_s),
@@ -113,6 +115,9 @@ OperatorForm walk_form(const RobotConfig& robot) {
           {number("forward_m_s", "forward", "m/s", -fastest[0], fastest[0], 0.01, 0.2),
            number("left_m_s", "to the left", "m/s", -fastest[1], fastest[1], 0.01, 0.0),
            number("turning_rad_s", "turning left", "rad/s", -fastest[2], fastest[2], 0.01, 0.0),
+           number("height_mm", "hips over feet", "mm", std::ceil(1e3 * Walk::kLowestShare * stand_m),
+                  std::floor(1e3 * Walk::kHighestShare * stand_m), 5.0),
+           number("width_mm", "feet further out", "mm", 1e3 * Walk::kNarrowest_m, 1e3 * Walk::kWidest_m, 5.0),
            choice("gait", "gait", std::move(gaits)),
            choice("control", "control", names_with(GaitControl::kAdaptive))}};
 }
@@ -131,11 +136,12 @@ OperatorForm home_form(const RobotConfig& robot) {
 }
 
 OperatorForm move_form(const RobotConfig& robot) {
-  double low = 0.0, high = 0.0, fastest = 0.0;
+  double low = 0.0, high = 0.0, fastest = 0.0, quickest = 0.0;
   for (const JointLimits& limits : joint_limits(robot)) {
     low = std::min(low, limits.position_min_rad * kDegrees_per_rad);
     high = std::max(high, limits.position_max_rad * kDegrees_per_rad);
     fastest = std::max(fastest, limits.speed_rad_s * kDegrees_per_rad);
+    quickest = std::max(quickest, limits.acceleration_rad_s2 * kDegrees_per_rad);
   }
   return {"move",
           "Move a joint",
@@ -145,7 +151,8 @@ OperatorForm move_form(const RobotConfig& robot) {
           "",
           {choice("joint", "joint", joint_names(robot)), number("by_deg", "by", "deg", -180.0, 180.0, 1.0),
            number("to_deg", "to", "deg", std::floor(low), std::ceil(high), 1.0),
-           number("speed_deg_s", "speed", "deg/s", 0.1, std::floor(fastest), 1.0)}};
+           number("speed_deg_s", "speed", "deg/s", 0.1, std::floor(fastest), 1.0),
+           number("acceleration_deg_s2", "acceleration", "deg/s²", 0.1, std::floor(quickest), 1.0)}};
 }
 
 /// The parameters of a request, checked against its form.
@@ -223,6 +230,8 @@ void fill_walk(const Filled& filled, const RobotConfig& robot, const RobotNow& n
   const GaitChoice chosen = choose_gait(robot, wish, wish.gait.empty() ? now.walking_in : -1);
   command.gait = chosen.gait;
   command.walk_speed = chosen.speed;
+  command.body_height_m = 1e-3 * filled.number("height_mm");
+  command.stance_width_m = 1e-3 * filled.number("width_mm");
   command.gait_control = value_named<GaitControl>(filled.word("control")).value();
 }
 
@@ -243,7 +252,9 @@ void fill_move(const Filled& filled, const RobotConfig& robot, const RobotNow& n
   const double asked_deg_s = filled.number("speed_deg_s");
   command.joint_speed_rad_s = std::isnan(asked_deg_s) ? kGentleShare * joint_limits(robot)[joint].speed_rad_s
                                                       : asked_deg_s / kDegrees_per_rad;
-  command.joint_acceleration_rad_s2 = command.joint_speed_rad_s / kGentleRise_s;
+  const double rise_deg_s2 = filled.number("acceleration_deg_s2");
+  command.joint_acceleration_rad_s2 = std::isnan(rise_deg_s2) ? command.joint_speed_rad_s / kGentleRise_s
+                                                              : rise_deg_s2 / kDegrees_per_rad;
 }
 
 void fill_home(const Filled& filled, OperatorCommand& command, const OperatorForm& form) {
@@ -258,7 +269,7 @@ std::vector<OperatorForm> operator_forms(const RobotConfig& robot, const std::st
   if (robot.has_feet()) {
     forms.push_back(simple(OperatorKind::kStand, "Stand", "Switches the drives on and rises to the stand."));
     if (robot.preset(preset).jumps()) forms.push_back(jump_form(robot.preset(preset)));
-    if (!robot.gaits.empty()) forms.push_back(walk_form(robot));
+    if (!robot.gaits.empty()) forms.push_back(walk_form(robot, robot.preset(preset)));
     forms.push_back(comply_form());
     if (robot.preset(preset).jumps()) forms.push_back(land_form());
     forms.push_back(simple(OperatorKind::kStop, "Stop", "Finishes the phase that runs, then stands."));

@@ -53,8 +53,10 @@ class ConsoleSession {
   void drives(bool may_have_torque, std::int64_t state_us);
   void robot_is(RobotNow now) { robot_now_ = std::move(now); }
 
-  /// To be called every 20 ms, and after every text.
+  /// To be called every 20 ms, after every text, and at next_step_us().
   Outbox step(std::int64_t now_us);
+  /// When it must be called again at the latest: an emergency stop is said again in time.
+  std::int64_t next_step_us() const noexcept { return estop_.next_us(); }
 
   int driver() const noexcept { return driver_; }  ///< page; -1: nobody
   /// Who drives, emergency stop, sticks: the part of `state` that is ours.

@@ -2,11 +2,13 @@
 
 #include <sys/random.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstring>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 #include <stdexcept>
 
@@ -14,6 +16,7 @@
 #include "robots/robot_loader.h"
 #include "runtime/stop_request.h"
 #include "tools/operate/launcher/torque_watch.h"
+#include "tools/station/foxglove/robot_messages.h"
 #include "tools/station/frames/frame_layout.h"
 #include "tools/station/scene/scene.h"
 #include "tools/station/server/console_session.h"
@@ -22,7 +25,6 @@
 #include "tools/station/server/live_report.h"
 #include "tools/station/server/page_files.h"
 #include "tools/station/server/robot_link_shell.h"
-#include "tools/station/server/transforms.h"
 
 namespace sprung::station {
 namespace {
@@ -66,6 +68,16 @@ std::string scene_of(const RobotConfig& robot, const std::string& preset) {
   }
 }
 
+std::uint64_t utc_ns() { return static_cast<std::uint64_t>(utc_us()) * 1000; }
+
+/// For viewers; nothing of a robot that cannot be drawn.
+std::optional<RobotMessages> drawn_robot(const RobotConfig& robot, const std::string& scene_text,
+                                         const std::vector<FrameField>& fields) {
+  const auto scene = nlohmann::json::parse(scene_text);
+  if (scene.contains("missing")) return std::nullopt;
+  return std::make_optional<RobotMessages>(robot, scene, fields);
+}
+
 class Console {
  public:
   Console(const RunInfo& info, const ConsoleOptions& options)
@@ -79,8 +91,8 @@ class Console {
         page_text_(console_page(nonce_)),
         scene_text_(scene_of(robot_, info.preset)),
         layout_text_(frame_layout(robot_, link_.frame_fields()).dump()),
-        viewers_(robot_.name, RobotLink::channels_heard()),
-        transforms_(nlohmann::json::parse(scene_text_), link_.frame_fields()),
+        drawn_(drawn_robot(robot_, scene_text_, link_.frame_fields())),
+        viewers_(robot_.name, RobotLink::channels_heard(), drawn_ ? drawn_->shapes(utc_ns()) : ""),
         server_({options.port,
                  random_token(),
                  {kProtocols.begin(), kProtocols.end()},
@@ -103,8 +115,10 @@ class Console {
     while (!stop_requested()) {
       const std::int64_t now_us = link_.utime_us();
       if (now_us >= next_tick_us_) tick(now_us);
+      if (now_us >= session_.next_step_us()) flush();
       if (now_us >= next_run_check_us_ && !run_goes_on(now_us)) return farewell();
-      server_.service(static_cast<int>(std::max<std::int64_t>(1, (next_tick_us_ - now_us) / 1000)));
+      const std::int64_t next_us = std::min(next_tick_us_, session_.next_step_us());
+      server_.service(static_cast<int>(std::max<std::int64_t>(1, (next_us - now_us) / 1000)));
     }
     return "";
   }
@@ -146,7 +160,7 @@ class Console {
     if (viewers_.has(page)) {
       std::string told = viewers_.text(page, text);
       if (!told.empty()) server_.send(page, std::move(told));
-      return;
+      return send_binaries(viewers_.take_shapes(utc_us() * 1000));
     }
     session_.text(page, text, link_.utime_us());
     flush();
@@ -164,19 +178,27 @@ class Console {
     for (const RobotAnswer& answer : link_.take_answers()) session_.answer(answer, now_us);
     listen(now_us);
     flush();
-    const bool transforms = viewers_.wanted(kTransformTopic);
-    if (!pages_.empty() || transforms) send_frame(transforms);
+    if (!pages_.empty() || robot_is_viewed()) send_frame();
     send_to_viewers();
     if (!pages_.empty() && now_us >= next_state_us_) send_state(now_us);
   }
 
-  void send_frame(bool transforms) {
+  bool robot_is_viewed() const {
+    return std::any_of(kRobotTopics.begin(), kRobotTopics.end(),
+                       [this](RobotTopic topic) { return viewers_.wanted(name_of(topic)); });
+  }
+
+  void send_frame() {
     const Frame* const frame = link_.frame();
     if (frame == nullptr) return;
     const auto bytes = std::make_shared<const std::string>(frame_bytes(*frame));
     for (const int page : pages_) server_.send_frame(page, bytes);
-    const std::int64_t now_ns = utc_us() * 1000;
-    if (transforms) send_binaries(viewers_.transforms(transforms_.json(*frame, now_ns), now_ns));
+    for (const RobotTopic topic : kRobotTopics) {
+      if (!drawn_ || topic == RobotTopic::kShapes || !viewers_.wanted(name_of(topic))) continue;
+      const std::uint64_t now_ns = utc_ns();
+      const std::string payload = drawn_->message(topic, *frame, now_ns);
+      send_binaries(viewers_.robot_message(topic, payload, static_cast<std::int64_t>(now_ns)));
+    }
   }
 
   void send_binaries(FoxgloveSession::Messages messages) {
@@ -258,10 +280,10 @@ class Console {
   WebFile page_{"text/html; charset=utf-8", page_text_};
   WebFile scene_{"application/json", scene_text_};
   WebFile layout_{"application/json", layout_text_};
-  std::set<int> pages_;  ///< of ours; the others are viewers
+  std::set<int> pages_;                 ///< of ours; the others are viewers
+  std::optional<RobotMessages> drawn_;  ///< what viewers are told of the robot
   FoxgloveSession viewers_;
   std::vector<RobotLink::Reader> viewers_readers_;
-  Transforms transforms_;
   std::int64_t next_tick_us_ = 0, next_state_us_ = 0, next_processes_us_ = 0, next_run_check_us_ = 0;
   WebServer server_;
 };

@@ -1,5 +1,7 @@
 #include "tools/station/server/estop_repeater.h"
 
+#include <limits>
+
 namespace sprung::station {
 
 bool EstopRepeater::press(std::int64_t now_us) noexcept {
@@ -21,6 +23,10 @@ bool EstopRepeater::due(std::int64_t now_us) noexcept {
   if (state_ != EstopState::kPressed || now_us < due_us_) return false;
   due_us_ = now_us + kAgain_us;
   return true;
+}
+
+std::int64_t EstopRepeater::next_us() const noexcept {
+  return state_ == EstopState::kPressed ? due_us_ : std::numeric_limits<std::int64_t>::max();
 }
 
 }  // namespace sprung::station

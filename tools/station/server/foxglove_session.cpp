@@ -1,6 +1,7 @@
 #include "tools/station/server/foxglove_session.h"
 
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "tools/logs/log/proto_schema.h"
 #include "tools/logs/log/proto_types.h"
@@ -9,15 +10,6 @@ namespace sprung::station {
 namespace {
 
 using Json = nlohmann::json;
-
-constexpr const char* kTransformSchema =
-    R"({"title":"foxglove.FrameTransforms","type":"object","properties":{)"
-    R"("transforms":{"type":"array","items":{"title":"foxglove.FrameTransform","type":"object","properties":{)"
-    R"("timestamp":{"type":"object","properties":{"sec":{"type":"integer"},"nsec":{"type":"integer"}}},)"
-    R"("parent_frame_id":{"type":"string"},"child_frame_id":{"type":"string"},)"
-    R"("translation":{"type":"object","properties":{"x":{"type":"number"},"y":{"type":"number"},"z":{"type":"number"}}},)"
-    R"("rotation":{"type":"object","properties":{"x":{"type":"number"},"y":{"type":"number"},"z":{"type":"number"},)"
-    R"("w":{"type":"number"}}}}}}}})";
 
 std::string base64(std::string_view bytes) {
   constexpr const char* kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -42,21 +34,38 @@ std::string status(const std::string& what) {
       .dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-Json transform_channel(std::size_t id) {
-  return {{"id", id},
-          {"topic", kTransformTopic},
-          {"encoding", "json"},
-          {"schemaName", "foxglove.FrameTransforms"},
-          {"schema", kTransformSchema},
-          {"schemaEncoding", "jsonschema"}};
+/// "Message data": opcode 1, subscription, time, payload; little endian.
+std::string message_data(std::uint32_t subscription, std::string_view payload, std::int64_t time_ns) {
+  std::string bytes(1, '\x01');
+  append(subscription, bytes);
+  append(static_cast<std::uint64_t>(time_ns), bytes);
+  return bytes.append(payload);
+}
+
+Json channel_json(std::size_t id, const std::string& topic, const std::string& type,
+                  const std::string& schema) {
+  return {{"id", id},           {"topic", topic},           {"encoding", "protobuf"},
+          {"schemaName", type}, {"schema", base64(schema)}, {"schemaEncoding", "protobuf"}};
 }
 
 }  // namespace
 
 FoxgloveSession::FoxgloveSession(std::string name,
-                                 const std::vector<std::pair<std::string, std::string>>& channels)
-    : name_(std::move(name)), channels_(channels) {
-  channels_.emplace_back(kTransformTopic, "");
+                                 const std::vector<std::pair<std::string, std::string>>& channels,
+                                 const std::string& shapes)
+    : name_(std::move(name)), shapes_(shapes) {
+  for (const auto& [topic, type_name] : channels) {
+    const fields::StructType& type = *fields::TypeTable::sprung().by_name(type_name);
+    advertised_.push_back(
+        channel_json(topics_.size(), topic, log::proto_name(type), log::proto_schema(type)));
+    topics_.push_back(topic);
+  }
+  if (shapes_.empty()) return;
+  for (const RobotTopic topic : kRobotTopics) {
+    const std::string type = type_of(topic);
+    advertised_.push_back(channel_json(topics_.size(), name_of(topic), type, foxglove_schema(type)));
+    topics_.push_back(name_of(topic));
+  }
 }
 
 std::vector<std::string> FoxgloveSession::opened(int viewer) {
@@ -66,18 +75,7 @@ std::vector<std::string> FoxgloveSession::opened(int viewer) {
                   {"capabilities", Json::array()},
                   {"supportedEncodings", Json::array()},
                   {"metadata", Json::object()}};
-  Json advertised = Json::array();
-  for (std::size_t id = 0; id + 1 < channels_.size(); ++id) {
-    const fields::StructType& type = *fields::TypeTable::sprung().by_name(channels_[id].second);
-    advertised.push_back({{"id", id},
-                          {"topic", channels_[id].first},
-                          {"encoding", "protobuf"},
-                          {"schemaName", log::proto_name(type)},
-                          {"schema", base64(log::proto_schema(type))},
-                          {"schemaEncoding", "protobuf"}});
-  }
-  advertised.push_back(transform_channel(channels_.size() - 1));
-  return {info.dump(), Json({{"op", "advertise"}, {"channels", advertised}}).dump()};
+  return {info.dump(), Json({{"op", "advertise"}, {"channels", advertised_}}).dump()};
 }
 
 std::string FoxgloveSession::text(int viewer, std::string_view text) {
@@ -101,10 +99,12 @@ void FoxgloveSession::subscribe(int viewer, const Json& message) {
   auto& subscriptions = viewers_.at(viewer);
   for (const Json& each : message.at("subscriptions")) {
     const auto channel = each.at("channelId").get<std::uint32_t>();
-    if (channel >= channels_.size())
+    if (channel >= topics_.size())
       throw std::invalid_argument("there is no channel " + std::to_string(channel));
     if (subscriptions.size() >= kMostSubscriptions) throw std::invalid_argument("too many subscriptions");
-    subscriptions[each.at("id").get<std::uint32_t>()] = channel;
+    const auto id = each.at("id").get<std::uint32_t>();
+    subscriptions[id] = channel;
+    if (topics_[channel] == name_of(RobotTopic::kShapes)) awaiting_shapes_.emplace_back(viewer, id);
   }
 }
 
@@ -115,7 +115,7 @@ void FoxgloveSession::unsubscribe(int viewer, const Json& message) {
 bool FoxgloveSession::wanted(const std::string& topic) const {
   for (const auto& [viewer, subscriptions] : viewers_)
     for (const auto& [id, channel] : subscriptions)
-      if (channels_[channel].first == topic) return true;
+      if (topics_[channel] == topic) return true;
   return false;
 }
 
@@ -125,20 +125,24 @@ FoxgloveSession::Messages FoxgloveSession::message(const std::string& channel, c
   return to_subscribers(channel, protos_.encode(view_, data, size), time_ns);
 }
 
-/// "Message data": opcode 1, subscription, time, payload; little endian.
+FoxgloveSession::Messages FoxgloveSession::robot_message(RobotTopic topic, const std::string& payload,
+                                                         std::int64_t time_ns) const {
+  return payload.empty() ? Messages() : to_subscribers(name_of(topic), payload, time_ns);
+}
+
+FoxgloveSession::Messages FoxgloveSession::take_shapes(std::int64_t time_ns) {
+  Messages out;
+  for (const auto& [viewer, id] : std::exchange(awaiting_shapes_, {}))
+    if (has(viewer)) out.emplace_back(viewer, message_data(id, shapes_, time_ns));
+  return out;
+}
+
 FoxgloveSession::Messages FoxgloveSession::to_subscribers(const std::string& topic, std::string_view payload,
                                                           std::int64_t time_ns) const {
   Messages out;
-  for (const auto& [viewer, subscriptions] : viewers_) {
-    for (const auto& [id, channel] : subscriptions) {
-      if (channels_[channel].first != topic) continue;
-      std::string bytes(1, '\x01');
-      append(id, bytes);
-      append(static_cast<std::uint64_t>(time_ns), bytes);
-      bytes += payload;
-      out.emplace_back(viewer, std::move(bytes));
-    }
-  }
+  for (const auto& [viewer, subscriptions] : viewers_)
+    for (const auto& [id, channel] : subscriptions)
+      if (topics_[channel] == topic) out.emplace_back(viewer, message_data(id, payload, time_ns));
   return out;
 }
 

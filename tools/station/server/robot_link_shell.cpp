@@ -45,6 +45,7 @@ RobotLink::RobotLink(const RunInfo& info, const RobotConfig& robot)
       motion_reader_{channels::kMotionState, 0},
       safety_reader_{channels::kSafetyState, 0},
       bus_reader_{channels::kBusState, 0},
+      auxiliary_reader_{channels::kAuxiliaryState, 0},
       heard_joint_reader_{channels::kJointState, 0},
       node_(looking(info)),
       commands_(node_.publisher<OperatorCommand>(channels::kOperatorCommand)) {
@@ -60,6 +61,7 @@ RobotLink::RobotLink(const RunInfo& info, const RobotConfig& robot)
   listen_to<sprung_msgs::sim_truth_t>(channels::kSimTruth, CountLimits::exactly(joints, legs));
   listen_to<sprung_msgs::bus_state_t>(
       channels::kBusState, CountLimits::exactly(robot.buses.size(), actuators + robot.encoder_cards.size()));
+  listen_to<sprung_msgs::auxiliary_state_t>(channels::kAuxiliaryState, CountLimits::exactly(actuators));
   node_.subscribe_message(channels::kProcessStatus, CountLimits::none(), processes_);
   node_.subscribe_message(channels::kOperatorReply, CountLimits::none(), replies_);
   node_.start();
@@ -75,7 +77,8 @@ const std::vector<std::pair<std::string, std::string>>& RobotLink::channels_hear
       {channels::kSafetyState, "safety_state_t"},
       {channels::kImu, "imu_t"},
       {channels::kSimTruth, "sim_truth_t"},
-      {channels::kBusState, "bus_state_t"}};
+      {channels::kBusState, "bus_state_t"},
+      {channels::kAuxiliaryState, "auxiliary_state_t"}};
   return all;
 }
 
@@ -117,6 +120,8 @@ const HeardRobot& RobotLink::hear() {
   if (newer(safety_reader_, safety)) heard_.safety.take(std::move(safety), now_us);
   sprung_msgs::bus_state_t buses;
   if (newer(bus_reader_, buses)) heard_.buses.take(std::move(buses), now_us);
+  sprung_msgs::auxiliary_state_t auxiliary;
+  if (newer(auxiliary_reader_, auxiliary)) heard_.auxiliary.take(std::move(auxiliary), now_us);
   sprung_msgs::joint_state_t joints;
   if (newer(heard_joint_reader_, joints)) heard_.joints.take(std::move(joints), now_us);
   heard_.now_us = now_us;

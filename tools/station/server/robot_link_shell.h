@@ -78,7 +78,8 @@ class RobotLink {
   std::vector<std::uint8_t> bytes_;
   Frames frames_;
   std::vector<Reader> frame_readers_;
-  Reader drive_reader_, joint_reader_, motion_reader_, safety_reader_, bus_reader_, heard_joint_reader_;
+  Reader drive_reader_, joint_reader_, motion_reader_, safety_reader_, bus_reader_, auxiliary_reader_,
+      heard_joint_reader_;
   sprung_msgs::drive_state_t drive_message_;
   sprung_msgs::joint_state_t joint_message_;
   InputQueue<sprung_msgs::process_status_t> processes_{256};

@@ -38,7 +38,7 @@ pid_t start(std::vector<std::string> words, int& input) {
 }  // namespace
 
 VideoPipe::VideoPipe(const std::string& path, int width, int height, int frames_a_second) : path_(path) {
-  const std::string program = system_program("ffmpeg", "ffmpeg");
+  const std::string program = system_program("ffmpeg", "ffmpeg", OfSetup::kNo);
   const std::string size = std::to_string(width) + "x" + std::to_string(height);
   std::signal(SIGPIPE, SIG_IGN);  // an ffmpeg that ends is an error of write(), not of this process
   pid_ = start({program, "-loglevel", "error", "-y", "-f", "rawvideo", "-pix_fmt", "rgb24", "-s", size, "-r",

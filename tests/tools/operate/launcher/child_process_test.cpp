@@ -37,7 +37,11 @@ TEST(ChildProcess, MissingProgramIsNamed) {
 TEST(SystemProgram, IsFoundInThePathOrThePackageIsNamed) {
   EXPECT_THAT(system_program("sh", "dash"), testing::EndsWith("/sh"));
   EXPECT_THAT([] { system_program("no-such-program", "its-package"); },
-              testing::ThrowsMessage<std::runtime_error>(testing::HasSubstr("apt-get install its-package")));
+              testing::ThrowsMessage<std::runtime_error>(
+                  testing::HasSubstr("run ./setup, or apt-get install its-package")));
+  EXPECT_THAT([] { system_program("no-such-program", "its-package", OfSetup::kNo); },
+              testing::ThrowsMessage<std::runtime_error>(
+                  testing::EndsWith("is not installed: apt-get install its-package")));
 }
 
 TEST(ChildProcess, WaitEndsWithItOrWithThePatience) {

@@ -32,9 +32,10 @@ class RobotTopicsTest : public testing::Test {
   std::unique_ptr<log::McapAdditions> topics_ = make_robot_topics(robot_, make_scene(robot_), "<mujoco/>");
 };
 
-TEST_F(RobotTopicsTest, AreFourAndTheModelIsAttached) {
+TEST_F(RobotTopicsTest, AreSixAndTheModelIsAttached) {
   writer_.finish();
-  for (const char* topic : {"/tf", "/robot", "/forces", "/joint_states", "model.xml", "<mujoco/>"})
+  for (const char* topic :
+       {"/tf", "/robot", "/forces", "/joint_states", "/wrenches", "/imu", "model.xml", "<mujoco/>"})
     EXPECT_NE(file_.find(topic), std::string::npos) << topic;
 }
 
@@ -42,7 +43,7 @@ TEST_F(RobotTopicsTest, ComeAtMostAHundredTimesASecondAndShapesOnce) {
   std::size_t messages = 0;
   for (int k = 0; k < 1000; ++k) messages += add(log::joint_event(k), 0.001 * k).size();
   messages += topics_->finish().size();
-  EXPECT_GE(messages, 1 + 3 * 90u);
+  EXPECT_GE(messages, 1 + 3 * 90u) << "nobody tells of an IMU or of ground under the foot";
   EXPECT_LE(messages, 1 + 3 * 101u);
 }
 
@@ -54,7 +55,8 @@ TEST_F(RobotTopicsTest, AreStampedWithTheRobotsTime) {
 }
 
 TEST(FoxgloveMessages, HaveDefinitionsOfTheirMakers) {
-  for (const char* name : {"foxglove.FrameTransforms", "foxglove.SceneUpdate", "foxglove.JointStates"})
+  for (const char* name : {"foxglove.FrameTransforms", "foxglove.SceneUpdate", "foxglove.JointStates",
+                           "sprung.Wrenches", "sprung.Imu"})
     EXPECT_NE(foxglove_schema(name).find("foxglove/"), std::string::npos) << name;
   EXPECT_EQ(foxglove_schema("foxglove.Nothing"), "");
 }

@@ -71,6 +71,21 @@ TEST_F(Forms, NumbersComeInTheCommandsUnits) {
   EXPECT_TRUE(std::isnan(command("comply", Json::object()).stiffness_N_m[0])) << "empty: the preset's";
 }
 
+TEST_F(Forms, WalkHasHeightAndWidthAndMoveItsAcceleration) {
+  const auto walk = command("walk", {{"height_mm", 330}, {"width_mm", 20}});
+  EXPECT_DOUBLE_EQ(walk.body_height_m, 0.33);
+  EXPECT_DOUBLE_EQ(walk.stance_width_m, 0.02);
+  const auto plain = command("walk", Json::object());
+  EXPECT_TRUE(std::isnan(plain.body_height_m)) << "the gait's or the preset's";
+  EXPECT_TRUE(std::isnan(plain.stance_width_m));
+  EXPECT_THAT(refused("walk", {{"height_mm", 50}}), HasSubstr("hips over feet must be"));
+  EXPECT_THAT(refused("walk", {{"width_mm", 151}}), HasSubstr("feet further out must be -50 to 150 mm"));
+  const auto move = command("move", {{"to_deg", 5}, {"speed_deg_s", 10}, {"acceleration_deg_s2", 90}});
+  EXPECT_NEAR(move.joint_acceleration_rad_s2, 1.57079633, 1e-8);
+  const auto gentle = command("move", {{"to_deg", 5}, {"speed_deg_s", 10}});
+  EXPECT_NEAR(gentle.joint_speed_rad_s / gentle.joint_acceleration_rad_s2, 0.25, 1e-9);
+}
+
 TEST_F(Forms, WhatIsWrongIsNamedWithItsRange) {
   EXPECT_THAT(refused("walk", {{"forward_m_s", 9}}), HasSubstr("forward must be -0.45 to 0.45 m/s, not 9"));
   EXPECT_THAT(refused("walk", {{"gait", "gallop"}}),

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -131,6 +132,22 @@ TEST_F(Console, EveryPageMayStopAndItIsSaidEvery20MsUntilNoDriveHasPower) {
   answer(OperatorKind::kEstop, OperatorOutcome::kDone);
   go_on(0.5);
   EXPECT_EQ(commands_.size(), said_until_now);
+}
+
+/// As the server calls it: each tick, and when it is asked to; each time a little late.
+TEST_F(Console, AnEmergencyStopIsNeverSaidLaterThan20MsAfterTheLastTime) {
+  open(1);
+  constexpr std::int64_t kLate_us = 1'000;
+  std::int64_t next_tick_us = now_us_ + 11'300;
+  say(1, {{"type", "estop"}});
+  for (std::int64_t said_us = now_us_; now_us_ < 1'500'000;) {
+    now_us_ = std::min(next_tick_us, session_.next_step_us()) + kLate_us;
+    if (now_us_ >= next_tick_us) next_tick_us = now_us_ + kTick_us;
+    const std::size_t before = commands_.size();
+    step();
+    ASSERT_LE(now_us_ - said_us, 20'000);
+    if (commands_.size() > before) said_us = now_us_;
+  }
 }
 
 TEST_F(Console, AnEmergencyStopIsOneRequestHoweverOftenItIsSaid) {

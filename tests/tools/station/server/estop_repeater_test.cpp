@@ -5,19 +5,20 @@
 namespace sprung::station {
 namespace {
 
-TEST(EstopRepeater, IsSaidAtOnceAndEvery20MsUntilNoDriveHasPower) {
+TEST(EstopRepeater, IsSaidAtOnceAndAgainWithin20MsUntilNoDriveHasPower) {
   EstopRepeater estop;
   EXPECT_FALSE(estop.due(0));
   EXPECT_TRUE(estop.press(1000));
   EXPECT_TRUE(estop.due(1000));
-  EXPECT_FALSE(estop.due(20'999));
-  EXPECT_TRUE(estop.due(21'000));
+  EXPECT_FALSE(estop.due(18'999));
+  EXPECT_TRUE(estop.due(19'000));
   EXPECT_FALSE(estop.drives(true, 30'000));
   EXPECT_TRUE(estop.due(41'000));
   EXPECT_TRUE(estop.drives(false, 50'000));
   EXPECT_EQ(estop.state(), EstopState::kConfirmed);
   EXPECT_EQ(estop.confirmed_us(), 50'000);
   EXPECT_FALSE(estop.due(61'000));
+  EXPECT_GT(estop.next_us(), 1'000'000'000'000) << "nothing is to be said any more";
 }
 
 TEST(EstopRepeater, WhatWasMeasuredBeforeThePressConfirmsNothing) {
@@ -35,6 +36,16 @@ TEST(EstopRepeater, PressedAgainWhilePressedChangesNothingAndAfterwardsBeginsAne
   estop.drives(false, 3000);
   EXPECT_TRUE(estop.press(4000)) << "somebody may have said clear and stand meanwhile";
   EXPECT_TRUE(estop.due(4000));
+}
+
+TEST(EstopRepeater, TellsWhenItIsToBeAskedNextAndThatIsWithin20Ms) {
+  EstopRepeater estop;
+  EXPECT_GT(estop.next_us(), 1'000'000'000'000);
+  estop.press(1000);
+  EXPECT_EQ(estop.next_us(), 1000);
+  ASSERT_TRUE(estop.due(1500));
+  EXPECT_GT(estop.next_us(), 1500);
+  EXPECT_LT(estop.next_us(), 1500 + 20'000);
 }
 
 }  // namespace

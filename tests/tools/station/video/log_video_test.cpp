@@ -30,7 +30,7 @@ std::string undrawable() {
 std::string missing() {
   if (const std::string why = undrawable(); !why.empty()) return why;
   try {
-    system_program("ffmpeg", "ffmpeg");
+    system_program("ffmpeg", "ffmpeg", OfSetup::kNo);
     make_offscreen_gl(64, 64);
   } catch (const std::runtime_error& error) {
     return error.what();
@@ -75,6 +75,7 @@ TEST_F(LogVideoTest, WithoutFfmpegSaysWhatToInstall) {
   const std::string said = refusal();
   setenv("PATH", path.c_str(), 1);
   EXPECT_THAT(said, HasSubstr("apt-get install ffmpeg"));
+  EXPECT_THAT(said, Not(HasSubstr("./setup"))) << "which does not install it";
 }
 
 TEST_F(LogVideoTest, AnFfmpegThatFailsIsNoVideo) {

@@ -32,12 +32,19 @@ function banner(text) {
   show("banner", text);
 }
 
+/** Not modal: a modal dialog would lie over the emergency stop. All but the page's head is inert meanwhile. */
 function ask(question) {
-  const dialog = byId("confirm");
+  const dialog = byId("confirm"), main = document.querySelector("main"), before = document.activeElement;
   show("confirm-text", question);
   dialog.returnValue = "no";
-  dialog.showModal();
-  return new Promise((resolve) => dialog.addEventListener("close", () => resolve(dialog.returnValue === "yes"), { once: true }));
+  main.inert = true;
+  dialog.show();
+  dialog.querySelector("button[value=no]").focus();
+  return new Promise((resolve) => dialog.addEventListener("close", () => {
+    main.inert = false;
+    before?.focus();
+    resolve(dialog.returnValue === "yes");
+  }, { once: true }));
 }
 
 function showRole(driver, why) {
@@ -84,6 +91,7 @@ on("reply", ({ command, outcome, reason, cycle }) => {
 on("error", ({ text }) => news(text, true));
 on("end", ({ text }) => banner(`${text}. Start it (sprung up), then sprung console, and open the address that it prints.`));
 on("estop", ({ state: estop, for_ms }) => {
+  byId("confirm").close("no"); // nothing that was about to be said yes to counts any more
   const words = { asked: "asked for", pressed: "said to the robot", confirmed: `no drive has power (after ${for_ms?.toFixed(0)} ms)` };
   show("estop-state", `EMERGENCY STOP ${words[estop]}`);
 });
@@ -97,6 +105,7 @@ addEventListener("keydown", (event) => {
   event.stopImmediatePropagation();
   if (!event.repeat) link.estop();
 }, { capture: true });
+byId("confirm").onkeydown = (event) => event.key === "Escape" && byId("confirm").close("no");
 addEventListener("keyup", (event) => event.key === " " && event.preventDefault(), { capture: true });
 
 let enabling = false;
@@ -107,10 +116,14 @@ const enable = (held) => {
 byId("enable").onpointerdown = () => enable(true);
 for (const type of ["pointerup", "pointercancel", "pointerleave"]) byId("enable").addEventListener(type, () => enabling && enable(false));
 
-setInterval(() => {
+function renew() {
   const here = document.visibilityState === "visible";
   if (drives && state?.session.held) link.send({ type: "hold", held: here });
   if (drives && enabling) enable(here);
+}
+document.addEventListener("visibilitychange", renew); // timers of a hidden page go once a second
+setInterval(() => {
+  renew();
   const stale = link.stale;
   show("link", link.open ? (stale ? "nothing heard" : "live") : "no connection", `badge ${stale ? "bad" : "good"}`);
   if (!byId("banner").textContent.includes("Start it")) banner(stale ? "No connection to the console: what is shown is old. A motion that this page held has ended in a stand." : "");
