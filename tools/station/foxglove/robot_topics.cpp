@@ -7,6 +7,7 @@
 
 #include "tools/station/foxglove/foxglove_messages.h"
 #include "tools/station/frames/frames.h"
+#include "tools/station/frames/version_notes.h"
 
 namespace sprung::station {
 
@@ -99,6 +100,11 @@ class RobotTopics : public log::McapAdditions {
     return messages_of(frames_.add(event.channel, event.data, event.size, time_s));
   }
   std::vector<log::McapAddition> finish() override { return messages_of(frames_.finish()); }
+  std::vector<std::string> notes(const std::string& maker) const override {
+    std::vector<std::string> notes = version_notes(frames_, maker);
+    if (shapes_.sequence == 0) notes.push_back(no_pose(frames_, maker));
+    return notes;
+  }
 
  private:
   struct Topic {
@@ -133,7 +139,7 @@ class RobotTopics : public log::McapAdditions {
   }
 
   std::vector<log::McapAddition> messages_of(const Frame* frame) {
-    if (frame == nullptr || frame->time_s < next_s_) return {};
+    if (frame == nullptr || frame->time_s < next_s_ || !frames_.has_pose(*frame)) return {};
     next_s_ = frame->time_s + 1.0 / kMost_Hz;
     const auto time_ns = static_cast<std::uint64_t>(
                              std::llround(static_cast<double>(begin_us_) + 1e6 * frame->time_s)) *
