@@ -1,6 +1,6 @@
 // A simulated robot in real time with its live page, on ports and in a folder of its own.
 import { spawn, spawnSync } from "node:child_process";
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { createSocket } from "node:dgram";
 import os from "node:os";
 import path from "node:path";
@@ -44,7 +44,12 @@ export class LiveRobot {
     }
     const url = `udpm://239.255.76.67:${await freePort()}?ttl=0&recv_buf_size=4194304`;
     live.process = live.start("up.txt", ["up", robot, "--sim", "--no-record", "--plain", "--lcm-url", url, ...can]);
-    await live.says("up.txt", "is up");
+    try {
+      await live.says("up.txt", "is up");
+    } catch (error) {
+      await live.down();
+      throw error;
+    }
     return live;
   }
 
@@ -85,10 +90,32 @@ export class LiveRobot {
     return JSON.parse(this.sprung("status", "--json").text);
   }
 
+  /** Like sprung(). @throws where it fails, with what it said. */
+  do(...words) {
+    const { status, text } = this.sprung(...words);
+    if (status !== 0) throw new Error(`sprung ${words.join(" ")}: exit status ${status}: ${text}`);
+    return text;
+  }
+
+  /** Writes channels into a log in the robot's folder. @return its end() gives the log's path */
+  async record(file, channels) {
+    const log = path.join(this.folder, file);
+    const recorder = this.start(`${file}.txt`, ["record", log, "--channels", channels]);
+    await eventually(`${file} is begun: ${this.said(`${file}.txt`)}`, () => existsSync(log) || recorder.status !== undefined);
+    return { end: async () => {
+      recorder.kill("SIGINT");
+      await eventually("sprung record ends", () => recorder.status !== undefined);
+      return log;
+    } };
+  }
+
   async down() {
     this.server?.kill("SIGTERM");
     this.process.kill("SIGINT");
-    await eventually("sprung up ends", () => this.process.status !== undefined, up_ms);
-    rmSync(this.folder, { recursive: true, force: true });
+    try {
+      await eventually("sprung up ends", () => this.process.status !== undefined, up_ms);
+    } finally {
+      rmSync(this.folder, { recursive: true, force: true });
+    }
   }
 }

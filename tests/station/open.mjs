@@ -163,6 +163,30 @@ check("without a model plots and time are there, and why there is no robot", asy
   await page.close();
 });
 
+check("of joint states of another version no pose is drawn, and who made the log is named", async (browser) => {
+  const page = await open(browser, at("other.html"), { hash: "#at=4.75" });
+  assert.match(await page.locator("#stage-note").textContent(), /not drawn.*JOINT_STATE is of another version/);
+  assert.match(await page.locator("#notes").textContent(), /its values are missing; use the sprung that made the log: \d/);
+  assert.equal(await page.locator("#view").isVisible(), false);
+  assert.equal(await page.locator("#phase").textContent(), "landing", "times are there all the same");
+  assert.deepEqual(await page.locator("#joints b").allTextContents(), ["-", "-"]);
+  await page.screenshot({ path: path.join(folder, "other-version.png") });
+  await accessible(page, "another version");
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+});
+
+check("what drives and a battery say once a second can be plotted", async (browser) => {
+  const page = await open(browser, at("jump.html"));
+  const titles = await page.evaluate(async () => {
+    const { plot_choices } = await import("plots");
+    const fields = ["actuators.m.measured_temperature_degC", "auxiliary.battery_voltage_V"].map((name) => ({ name, unit: "" }));
+    return plot_choices({ joints: [], legs: [], actuators: ["m"], fields }).map(({ title }) => title);
+  });
+  assert.deepEqual(titles, ["Drive temperature, measured", "Battery voltage"]);
+  await page.close();
+});
+
 check("a browser without WebGL shows plots and time, and says what is missing", async () => {
   const browser = await launch(folder, ["--disable-3d-apis"]);
   const page = await open(browser, at("jump.html"), { hash: "#at=4.75" });

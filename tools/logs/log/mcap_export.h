@@ -31,6 +31,8 @@ class McapAdditions {
   /// @param begin_us UTC, of that begin.
   virtual std::vector<McapAddition> add(const Event& event, double time_s, std::int64_t begin_us) = 0;
   virtual std::vector<McapAddition> finish() = 0;  ///< at the end
+  /// After finish(): what they lack. @param maker who made the log, "" = not known
+  virtual std::vector<std::string> notes(const std::string& maker) const = 0;
 };
 
 /// A channel becomes a topic, a type a schema; messages are protocol buffers, a schema is a FileDescriptorSet

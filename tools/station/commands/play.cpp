@@ -50,9 +50,11 @@ void write_video(const PlayLine& line, log::Reader& reader) {
   options.width = line.width_px / 2 * 2;  // ffmpeg's usual format has a colour for each 2 x 2
   options.height = line.height_px / 2 * 2;
   options.speed = line.speed;
-  const std::size_t pictures = station::write_video(reader, line.video, options);
+  const station::VideoResult result = station::write_video(reader, line.video, options);
   reader.rewind();
-  std::printf("%s: %zu pictures, %d a second\n", line.video.c_str(), pictures, options.frames_a_second);
+  for (const std::string& note : result.notes) std::printf("%s\n", note.c_str());
+  std::printf("%s: %zu pictures, %d a second\n", line.video.c_str(), result.pictures,
+              options.frames_a_second);
 }
 
 int run_play(const PlayLine& line) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "tools/station/foxglove/robot_messages.h"
+#include "tools/station/frames/version_notes.h"
 
 namespace sprung::station {
 
@@ -33,6 +34,11 @@ class RobotTopics : public log::McapAdditions {
     return messages_of(frames_.add(event.channel, event.data, event.size, time_s));
   }
   std::vector<log::McapAddition> finish() override { return messages_of(frames_.finish()); }
+  std::vector<std::string> notes(const std::string& maker) const override {
+    std::vector<std::string> notes = version_notes(frames_, maker);
+    if (!posed_) notes.push_back(no_pose(frames_, maker));
+    return notes;
+  }
 
  private:
   struct Channel {
@@ -42,7 +48,8 @@ class RobotTopics : public log::McapAdditions {
   };
 
   std::vector<log::McapAddition> messages_of(const Frame* frame) {
-    if (frame == nullptr || frame->time_s < next_s_) return {};
+    if (frame == nullptr || frame->time_s < next_s_ || !frames_.has_pose(*frame)) return {};
+    posed_ = true;
     next_s_ = frame->time_s + 1.0 / kMost_Hz;
     const auto time_ns = static_cast<std::uint64_t>(
                              std::llround(static_cast<double>(begin_us_) + 1e6 * frame->time_s)) *
@@ -61,6 +68,7 @@ class RobotTopics : public log::McapAdditions {
   RobotMessages messages_;
   std::vector<Channel> channels_;
   std::int64_t begin_us_ = 0;
+  bool posed_ = false;  ///< a frame has had a pose
   double next_s_ = 0.0;
 };
 

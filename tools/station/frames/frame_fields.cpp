@@ -43,6 +43,15 @@ class ChannelFields {
         add(*element, member, list + "." + items[i].name + ".", list + "[" + std::to_string(i) + "].");
     }
   }
+  /// An element of a list of numbers, for one item: x[index] as LIST.NAME.x.
+  void add_element(const std::string& list, const std::string& name, const std::string& member,
+                   std::size_t index) {
+    out_.push_back({list + "." + name + "." + member,
+                    fields::unit_of(member),
+                    {},
+                    channel_,
+                    member + "[" + std::to_string(index) + "]"});
+  }
   /// Members of the message itself, or of one of its structs. @param prefix of the names, "motion."
   /// @param inside "body" or ""
   void add_members(const std::string& prefix, const std::string& inside,
@@ -76,6 +85,19 @@ class ChannelFields {
   const fields::StructType* type_;
 };
 
+/// Of what robot.yaml says that it can be read.
+void add_auxiliary(const RobotConfig& robot, std::vector<FrameField>& out) {
+  ChannelFields auxiliary(out, channels::kAuxiliaryState, "auxiliary_state_t");
+  for (std::size_t i = 0; i < robot.actuators.size(); ++i) {
+    const ActuatorConfig& actuator = robot.actuators[i];
+    if (actuator.temperature.reading.index != 0)
+      auxiliary.add_element("actuators", actuator.name, "measured_temperature_degC", i);
+  }
+  if (robot.battery.bus < 0) return;
+  auxiliary.add_members("auxiliary.", "",
+                        {"battery_voltage_V", "battery_charge_share", "battery_temperature_degC"});
+}
+
 void add_messages(const RobotConfig& robot, std::vector<FrameField>& out) {
   ChannelFields state(out, channels::kJointState, "joint_state_t");
   state.add_list(
@@ -103,6 +125,7 @@ void add_messages(const RobotConfig& robot, std::vector<FrameField>& out) {
   ChannelFields(out, channels::kSafetyState, "safety_state_t").add_members("safety.", "", {"level", "cause"});
   ChannelFields(out, channels::kImu, "imu_t")
       .add_members("imu.", "", {"measured_angular_velocity_rad_s", "measured_specific_force_m_s2"});
+  add_auxiliary(robot, out);
   ChannelFields truth(out, channels::kSimTruth, "sim_truth_t");
   truth.add_list("joints", robot.joints, {"true_gear_output_torque_Nm"});
   truth.add_list("legs", robot.legs, {"true_contact_force_N", "true_ground_height_m"});

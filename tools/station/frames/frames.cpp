@@ -12,13 +12,18 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
+/// false: it comes when something changes, or once a second.
+bool comes_every_cycle(const std::string& channel) {
+  return channel != channels::kSafetyState && channel != channels::kAuxiliaryState;
+}
+
 }  // namespace
 
 Frames::Frames(const RobotConfig& robot)
     : fields_(frame_fields(robot)), trunk_(robot.legs), working_(fields_.size(), kNone) {
   for (const FrameField& field : fields_) {
     const bool known = field.channel.empty() || source_of(field.channel) != nullptr;
-    if (!known) sources_.push_back({field.channel, field.channel != channels::kSafetyState});
+    if (!known) sources_.push_back({field.channel, comes_every_cycle(field.channel)});
   }
   const auto index = [&](const std::string& name) { return find_field(fields_, name); };
   for (const LegConfig& leg : robot.legs) {
@@ -49,9 +54,10 @@ const Frame* Frames::add(std::string_view channel, const std::uint8_t* data, std
   Source* const source = source_of(channel);
   if (source == nullptr) return nullptr;
   if (decoder_.open(data, size, message_) != fields::Fault::kNone) {
-    ++not_decoded_;
+    ++source->not_decoded;
     return nullptr;
   }
+  ++source->decoded;
   const std::optional<Stamp> stamp = message_.stamp();
   if (!stamp) return nullptr;
   const Frame* done = nullptr;
@@ -117,6 +123,11 @@ const Frame* Frames::finish() {
   std::transform(working_.begin(), working_.end(), done_.values.begin(),
                  [](double value) { return static_cast<float>(value); });
   return &done_;
+}
+
+bool Frames::has_pose(const Frame& frame) const {
+  return std::any_of(position_fields_.begin(), position_fields_.end(),
+                     [&](int field) { return std::isfinite(frame.values[static_cast<std::size_t>(field)]); });
 }
 
 Eigen::Quaterniond Frames::quaternion(int field) const {

@@ -9,6 +9,7 @@
 /// A frame is finished when the first message of a later cycle comes in. A channel's message that is not
 /// newer than its last one (a repeat) is left out, and so is what was sent before cycle 0. What no message of
 /// this session has said is NaN; what comes less often than once a cycle stays as it was last said.
+/// A message of another version of its type is counted (sources()), and is as if it had not come.
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -33,6 +34,15 @@ struct Frame {
 
 class Frames {
  public:
+  /// A channel that fields come from.
+  struct Source {
+    std::string channel;
+    bool every_cycle = true;       ///< false: SAFETY_STATE, AUXILIARY_STATE, whose messages begin no cycle
+    std::int64_t seq = -1;         ///< of its newest message
+    std::int64_t decoded = 0;      ///< messages
+    std::int64_t not_decoded = 0;  ///< whose type is none of this version's nor of one before
+  };
+
   explicit Frames(const RobotConfig& robot);
 
   const std::vector<FrameField>& fields() const noexcept { return fields_; }
@@ -41,8 +51,9 @@ class Frames {
   const Frame* add(std::string_view channel, const std::uint8_t* data, std::size_t size, double time_s);
   /// The frame that is begun, finished as it is; nullptr where there is none.
   const Frame* finish();
-  /// Messages whose type is none of this version's nor of one before.
-  std::int64_t not_decoded() const noexcept { return not_decoded_; }
+  const std::vector<Source>& sources() const noexcept { return sources_; }
+  /// Whether it says where any joint is; without that nothing may be drawn.
+  bool has_pose(const Frame& frame) const;
 
  private:
   /// Where the fields of one shape of one channel's messages go.
@@ -55,13 +66,6 @@ class Frames {
     std::vector<int> joints;
     int foot = -1;  ///< index of estimated_foot_in_hip_m.x; y and z follow
     int desired_foot = -1, desired_joint = -1, control_mode = -1;
-  };
-
-  /// Of a channel that fields come from.
-  struct Source {
-    std::string channel;
-    bool every_cycle = true;  ///< false: SAFETY_STATE, whose messages begin no cycle
-    std::int64_t seq = -1;    ///< of its newest message
   };
 
   Source* source_of(std::string_view channel);
@@ -93,7 +97,6 @@ class Frames {
   std::optional<double> last_time_s_;  ///< of the frame before, of this session
   std::int64_t seq_ = -1;
   std::int64_t session_ = 0;
-  std::int64_t not_decoded_ = 0;
   Frame done_;
 };
 

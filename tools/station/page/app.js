@@ -1,5 +1,6 @@
-// The page of the station: the robot in 3-D, its values beside it, and time. A log and a live robot are shown
-// by the same page; config.mode says which (page.h).
+// The page of a log: the robot in 3-D, its values beside it, and time. The live page (console/main.js) has the
+// robot, its layers, its legend and its plots from the same modules; panels, commands and driving are its own.
+import {add_layers, add_legend} from "layers";
 import {RobotView, torque_colour} from "robot_view";
 import {Footfalls} from "footfalls";
 import {Plots, number_text} from "plots";
@@ -7,10 +8,6 @@ import {Timeline} from "timeline";
 import {LogSource, index_of_fields, word_of} from "source";
 
 const by_id = (id) => document.getElementById(id);
-
-function make_source(config) {
-  return new LogSource(config, by_id("data").textContent);
-}
 
 /** A bar for each joint: torque at the gear's output in its limits, with the bound of its error. */
 class JointBars {
@@ -51,13 +48,10 @@ function span(bar, from, to) {
   bar.style.width = `${to - from}%`;
 }
 
-const kLayers = [["ghost", "commanded pose"], ["forces", "foot forces"], ["cones", "friction cones"],
-                 ["torques", "torque colours"], ["follow", "follow"]];
-
 export class App {
   constructor(config) {
     this.config = config;
-    this.source = make_source(config);
+    this.source = new LogSource(config, by_id("data").textContent);
     this.fields = index_of_fields(config.layout);
   }
 
@@ -102,34 +96,8 @@ export class App {
       return say("This browser has no WebGL, so that the robot cannot be drawn in 3-D; plots and times are here " +
                  `all the same. (${error.message})`);
     }
-    for (const [layer, label] of kLayers) this.add_switch(layer, label);
-    this.make_legend();
-  }
-
-  add_switch(layer, label) {
-    const box = document.createElement("input");
-    box.type = "checkbox";
-    box.checked = true;
-    box.dataset.layer = layer;
-    box.addEventListener("change", () => this.view.set_shown(layer, box.checked));
-    const holder = document.createElement("label");
-    holder.append(box, ` ${label}`);
-    by_id("stage-tools").append(holder);
-  }
-
-  make_legend() {
-    const {friction_coefficient, friction_source} = this.config.scene;
-    const stops = [-1, -0.5, 0, 0.5, 1].map((share) => `rgb(${torque_colour(share).join(",")})`).join(",");
-    const legend = by_id("legend");
-    legend.innerHTML = "<span>−limit <i class='ramp'></i> +limit: torque at the gear</span>" +
-      "<span><i class='dot estimated'></i>foot force, estimated</span>" +
-      "<span class='truth'><i class='dot true'></i>simulation's truth</span>" +
-      "<span><i class='dot slip'></i>outside its cone</span><span class='cone'></span>";
-    legend.querySelector(".ramp").style.background = `linear-gradient(90deg, ${stops})`;
-    legend.querySelector(".truth").hidden = !this.has_truth();
-    const cone = legend.querySelector(".cone");
-    cone.hidden = friction_coefficient === null;
-    cone.textContent = `cone: friction ${friction_coefficient} (${friction_source})`;
+    add_layers(by_id("stage-tools"), this.view);
+    add_legend(by_id("legend"), this.config.scene, this.has_truth());
   }
 
   has_truth() {

@@ -7,7 +7,9 @@
 #include "sprung_embedded/station_app_js.h"
 #include "sprung_embedded/station_footfalls_js.h"
 #include "sprung_embedded/station_html.h"
+#include "sprung_embedded/station_layers_js.h"
 #include "sprung_embedded/station_orbit_controls_js.h"
+#include "sprung_embedded/station_plots_css.h"
 #include "sprung_embedded/station_plots_js.h"
 #include "sprung_embedded/station_robot_view_js.h"
 #include "sprung_embedded/station_shapes_js.h"
@@ -28,17 +30,13 @@ struct Module {
   const char* (*text)() noexcept;
 };
 
-constexpr std::array kModules = {Module{"three", station_three_js},
-                                 Module{"orbit_controls", station_orbit_controls_js},
-                                 Module{"uplot", station_uplot_js},
-                                 Module{"source", station_source_js},
-                                 Module{"shapes", station_shapes_js},
-                                 Module{"sharpness", station_sharpness_js},
-                                 Module{"robot_view", station_robot_view_js},
-                                 Module{"plots", station_plots_js},
-                                 Module{"footfalls", station_footfalls_js},
-                                 Module{"timeline", station_timeline_js},
-                                 Module{"app", station_app_js}};
+constexpr std::array kModules = {
+    Module{"three", station_three_js},           Module{"orbit_controls", station_orbit_controls_js},
+    Module{"uplot", station_uplot_js},           Module{"source", station_source_js},
+    Module{"shapes", station_shapes_js},         Module{"sharpness", station_sharpness_js},
+    Module{"robot_view", station_robot_view_js}, Module{"layers", station_layers_js},
+    Module{"plots", station_plots_js},           Module{"footfalls", station_footfalls_js},
+    Module{"timeline", station_timeline_js},     Module{"app", station_app_js}};
 
 /// Text in a script element of HTML: nothing in it may look like a tag.
 std::string json_text(const nlohmann::json& json) {
@@ -73,7 +71,7 @@ void put(std::string& page, const std::string& mark, const std::string& text) {
 std::string make_page(const nlohmann::json& config, const std::string& data_base64) {
   std::string page = station_html();
   put(page, "{{title}}", html_text(config.value("title", "sprung")));
-  put(page, "{{style}}", std::string(station_uplot_css()) + station_style_css());
+  put(page, "{{style}}", std::string(station_uplot_css()) + station_plots_css() + station_style_css());
   std::string modules;
   for (const Module& module : kModules) {
     modules += "<script type=\"text/plain\" data-module=\"" + std::string(module.name) + "\">" +

@@ -31,6 +31,10 @@ export function plot_choices(layout) {
     {title: "Motor current, measured", curves: of(layout.actuators, "actuators", "measured_current_A")},
     {title: "Supply voltage, measured", curves: of(layout.actuators, "actuators", "measured_supply_V")},
     {title: "Gear temperature, estimated", curves: joints("estimated_temperature_degC")},
+    {title: "Drive temperature, measured", curves: of(layout.actuators, "actuators", "measured_temperature_degC")},
+    {title: "Battery voltage", curves: [{name: "auxiliary.battery_voltage_V", label: "voltage"}]},
+    {title: "Battery charge, share", curves: [{name: "auxiliary.battery_charge_share", label: "charge"}]},
+    {title: "Battery temperature", curves: [{name: "auxiliary.battery_temperature_degC", label: "temperature"}]},
     {title: "Contact, 0 or 1", curves: legs("contact")},
     {title: "Phase of each leg", curves: legs("phase")},
     {title: "Trunk height", curves: [{name: "trunk.z_m", label: "height"}]},
@@ -99,19 +103,26 @@ class Plot {
     this.make();
   }
 
+  /** Curves of which there are values. */
+  known() {
+    const {source, index} = this.plots;
+    return this.plots.choices[this.choice].curves
+      .map((curve) => ({...curve, field: index.get(curve.name)}))
+      .filter(({field}) => source.series(field) !== null);
+  }
+
   make() {
     this.chart?.destroy();
     this.now = null;
-    const {layout, source, index} = this.plots;
-    const curves = this.plots.choices[this.choice].curves
-      .map((curve) => ({...curve, field: index.get(curve.name)}))
-      .filter(({field}) => source.series(field) !== null);
+    const {layout, source} = this.plots;
+    const curves = this.known();
+    this.offered = curves.length;
     this.curves = curves.slice(0, kMostCurves);
     this.area.replaceChildren();
     this.key.replaceChildren();
     this.chart = null;
     if (this.curves.length === 0) {
-      this.area.textContent = "Nothing of this is in the log.";
+      this.area.textContent = source.live ? "Nothing of this has been heard yet." : "Nothing of this is in the log.";
       return;
     }
     const unit = layout.fields[this.curves[0].field].unit;
@@ -173,7 +184,8 @@ class Plot {
   }
 
   refresh() {
-    if (!this.chart) return this.make();
+    if (this.known().length !== this.offered) return this.make();
+    if (!this.chart) return;
     const span = this.plots.span();
     this.chart.setData(this.data(...span), false);
     this.chart.setScale("x", {min: span[0], max: span[1]});
@@ -234,7 +246,7 @@ export class Plots {
     whole.type = "button";
     whole.textContent = "Whole time";
     whole.addEventListener("click", () => this.zoom_to());
-    tools.append(add, whole, "Drag in a plot to zoom, click to go there.");
+    tools.append(add, whole, source.live ? "Drag in a plot to zoom." : "Drag in a plot to zoom, click to go there.");
     for (let i = 0; i < Math.min(3, this.choices.length); ++i) this.add(i);
     new ResizeObserver(() => this.resize()).observe(container);
   }

@@ -1,13 +1,9 @@
-// Where the page's numbers come from: a log inside the page. LiveSource, of a running robot, has the same
-// interface:
-//   await open()            once, before all else
+// Where the page's numbers come from: a log inside the page. What plots ask a source has console/live_source.js,
+// of a running robot, as well:
 //   live                    whether time goes on by itself
 //   layout                  frame_layout.h's
 //   range()                 [first, last] time, s
-//   row(time_s)             Float32Array, one number for each field of the layout, NaN = not measured. The
-//                           same array at each call.
 //   series(field)           {time_s, low, high} for plots, or null; low === high where each is one cycle
-//   on_news(callback)       called when there is more to show
 
 /** Index of each field by its name. */
 export function index_of_fields(layout) {
@@ -91,6 +87,7 @@ export class LogSource {
     return [this.time_s[0], this.time_s[this.time_s.length - 1]];
   }
 
+  /** One number for each field of the layout, NaN = not measured. The same array at each call. */
   row(time_s) {
     const stretch = index_at(this.stretch_time_s, time_s);
     for (const [field, {low}] of this.stretches)
@@ -108,6 +105,4 @@ export class LogSource {
   series(field) {
     return this.stretches.get(field) ?? null;
   }
-
-  on_news() {}
 }

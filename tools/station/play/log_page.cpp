@@ -1,5 +1,6 @@
 #include "tools/station/play/log_page.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -10,6 +11,7 @@
 #include "tools/logs/log/robot_names.h"
 #include "tools/logs/log/timeline.h"
 #include "tools/station/frames/frame_layout.h"
+#include "tools/station/frames/version_notes.h"
 #include "tools/station/page/page.h"
 #include "tools/station/scene/logged_scene.h"
 
@@ -152,6 +154,7 @@ class FramePass {
   const Frames& frames() const { return frames_; }
   const LogColumns& columns() const { return columns_; }
   const Json& phases() const { return phases_.phases(); }
+  bool posed() const { return posed_; }
   std::string trunk_note() const { return station::trunk_note(simulated_, estimated_); }
 
  private:
@@ -160,6 +163,7 @@ class FramePass {
         static_cast<int>(frame.values[static_cast<std::size_t>(source_)]));
     simulated_ = simulated_ || source == TrunkSource::kSimulation;
     estimated_ = estimated_ || source == TrunkSource::kEstimate;
+    posed_ = posed_ || frames_.has_pose(frame);
     columns_.add(frame);
     phases_.add(frame);
   }
@@ -168,7 +172,7 @@ class FramePass {
   LogColumns columns_;
   PhaseList phases_;
   int source_;
-  bool simulated_ = false, estimated_ = false;
+  bool simulated_ = false, estimated_ = false, posed_ = false;
 };
 
 std::int64_t cycles_in(const log::LogInfo& info) {
@@ -187,6 +191,39 @@ RobotConfig robot_or_throw(log::Reader& reader) {
                            ". sprung log info and sprung log csv read it all the same.");
 }
 
+void refuse_no_cycle(const FramePass& pass, const std::string& path) {
+  if (pass.columns().cycles() > 0) return;
+  const std::vector<Frames::Source>& sources = pass.frames().sources();
+  const bool other = std::any_of(sources.begin(), sources.end(),
+                                 [](const Frames::Source& source) { return source.not_decoded > 0; });
+  throw std::runtime_error(path + " has no cycle of the robot to show: " +
+                           (other ? "its messages are of a version that this sprung does not know"
+                                  : "no JOINT_STATE, DRIVE_STATE or SIM_TRUTH is in it") +
+                           ". sprung log info tells what is.");
+}
+
+/// Without a pose there is nothing to draw: a robot at rest would be a false picture.
+LoggedScene scene_of(const RobotConfig& robot, const log::LogInfo& info, const FramePass& pass) {
+  LoggedScene found;
+  if (pass.posed()) return scene_of_log(robot, info.metadata);
+  found.missing = no_pose(pass.frames(), made_by(info.metadata));
+  return found;
+}
+
+std::vector<std::string> notes_of(const log::LogInfo& info, const RobotConfig& robot, const FramePass& pass,
+                                  const LoggedScene& found) {
+  std::vector<std::string> notes = version_notes(pass.frames(), made_by(info.metadata));
+  const auto add = [&](const std::vector<std::string>& more) {
+    notes.insert(notes.end(), more.begin(), more.end());
+  };
+  add(damage_notes(info));
+  if (!found.missing.empty()) add({found.missing});
+  if (!found.note.empty()) add({found.note});
+  if (pass.posed()) add({pass.trunk_note()});
+  add(thinning_notes(pass.columns(), robot.cycle_s));
+  return notes;
+}
+
 }  // namespace
 
 LogPage make_log_page(log::Reader& reader, const log::Progress& progress, const ColumnLimits& limits) {
@@ -195,23 +232,11 @@ LogPage make_log_page(log::Reader& reader, const log::Progress& progress, const 
   reader.rewind();
   FramePass pass(robot, static_cast<std::size_t>(cycles_in(info)), limits);
   pass.read(reader, progress);
-  if (pass.columns().cycles() == 0) {
-    throw std::runtime_error(reader.path() + " has no cycle of the robot to show: " +
-                             (pass.frames().not_decoded() > 0
-                                  ? "its messages are of a version that this sprung does not know"
-                                  : "no JOINT_STATE, DRIVE_STATE or SIM_TRUTH is in it") +
-                             ". sprung log info tells what is.");
-  }
-  const LoggedScene found = scene_of_log(robot, info.metadata);
+  refuse_no_cycle(pass, reader.path());
+  const LoggedScene found = scene_of(robot, info, pass);
   LogPage page;
-  page.notes = damage_notes(info);
-  if (!found.missing.empty()) page.notes.push_back(found.missing);
-  if (!found.note.empty()) page.notes.push_back(found.note);
-  page.notes.push_back(pass.trunk_note());
-  for (std::string& note : thinning_notes(pass.columns(), robot.cycle_s))
-    page.notes.push_back(std::move(note));
-  Json config{{"mode", "log"},
-              {"title", title_of(info, robot)},
+  page.notes = notes_of(info, robot, pass, found);
+  Json config{{"title", title_of(info, robot)},
               {"scene", found.scene ? *found.scene : Json()},
               {"scene_missing", found.missing},
               {"layout", frame_layout(robot, pass.frames().fields())},
@@ -219,7 +244,7 @@ LogPage make_log_page(log::Reader& reader, const log::Progress& progress, const 
               {"events", events_of(info)},
               {"phases", pass.phases()},
               {"data", pass.columns().description()}};
-  if (info.metadata) config["version"] = info.metadata->version + " (" + info.metadata->git_hash + ")";
+  if (info.metadata) config["version"] = made_by(info.metadata);
   page.html = make_page(config, pass.columns().packed());
   return page;
 }

@@ -7,15 +7,22 @@
 #include "sprung_embedded/console_driving_js.h"
 #include "sprung_embedded/console_html.h"
 #include "sprung_embedded/console_link_js.h"
+#include "sprung_embedded/console_live_plots_js.h"
+#include "sprung_embedded/console_live_source_js.h"
 #include "sprung_embedded/console_main_js.h"
 #include "sprung_embedded/console_panels_js.h"
 #include "sprung_embedded/console_view_js.h"
+#include "sprung_embedded/station_layers_js.h"
 #include "sprung_embedded/station_orbit_controls_js.h"
+#include "sprung_embedded/station_plots_css.h"
+#include "sprung_embedded/station_plots_js.h"
 #include "sprung_embedded/station_robot_view_js.h"
 #include "sprung_embedded/station_shapes_js.h"
 #include "sprung_embedded/station_sharpness_js.h"
 #include "sprung_embedded/station_source_js.h"
 #include "sprung_embedded/station_three_js.h"
+#include "sprung_embedded/station_uplot_css.h"
+#include "sprung_embedded/station_uplot_js.h"
 
 namespace sprung::station {
 namespace {
@@ -45,6 +52,8 @@ const WebFile* console_file(std::string_view path) {
       NamedFile{"panels.js", {kScript, console_panels_js()}},
       NamedFile{"commands.js", {kScript, console_commands_js()}},
       NamedFile{"driving.js", {kScript, console_driving_js()}},
+      NamedFile{"live_plots.js", {kScript, console_live_plots_js()}},
+      NamedFile{"live_source.js", {kScript, console_live_source_js()}},
       NamedFile{"view.js", {kScript, console_view_js()}},
       // The log's page has these too; they import each other by the names of index.html's import map.
       NamedFile{"lib/three.js", {kScript, station_three_js()}},
@@ -53,6 +62,11 @@ const WebFile* console_file(std::string_view path) {
       NamedFile{"lib/shapes.js", {kScript, station_shapes_js()}},
       NamedFile{"lib/sharpness.js", {kScript, station_sharpness_js()}},
       NamedFile{"lib/source.js", {kScript, station_source_js()}},
+      NamedFile{"lib/layers.js", {kScript, station_layers_js()}},
+      NamedFile{"lib/plots.js", {kScript, station_plots_js()}},
+      NamedFile{"lib/plots.css", {kStyle, station_plots_css()}},
+      NamedFile{"lib/uplot.js", {kScript, station_uplot_js()}},
+      NamedFile{"lib/uplot.css", {kStyle, station_uplot_css()}},
   };
   for (const NamedFile& each : files)
     if (each.path == path) return &each.file;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 
 #include "robots/robot_loader.h"
@@ -12,6 +13,7 @@
 #include "tools/logs/log/robot_names.h"
 #include "tools/logs/log/timeline.h"
 #include "tools/station/frames/frames.h"
+#include "tools/station/frames/version_notes.h"
 #include "tools/station/video/offscreen_gl.h"
 #include "tools/station/video/video_pipe.h"
 
@@ -205,23 +207,27 @@ class Film {
 
 }  // namespace
 
-std::size_t write_video(log::Reader& reader, const std::string& path, const VideoOptions& options) {
+VideoResult write_video(log::Reader& reader, const std::string& path, const VideoOptions& options) {
   const log::LoggedRobot logged = log::robot_in_log(reader);
   if (!logged.robot) throw std::runtime_error(reader.path() + " cannot be drawn: " + logged.missing);
   const std::string folder = logged.robot->folder.empty() ? robot_folder(logged.robot->name)
                                                           : logged.robot->folder;
+  const std::string maker = made_by(log::find_metadata(reader));
   Frames frames(*logged.robot);
-  Film film(*logged.robot, folder, frames, path, options);
+  std::optional<Film> film;  // from the first pose on: without one nothing is written
+  const auto take = [&](const Frame* frame) {
+    if (frame == nullptr || !frames.has_pose(*frame)) return;
+    if (!film) film.emplace(*logged.robot, folder, frames, path, options);
+    film->add(*frame);
+  };
   log::Timeline timeline;
   for (log::Event event; reader.next(event);) {
     const double time_s = timeline.next(event).time_s;
-    if (const Frame* const frame = frames.add(event.channel, event.data, event.size, time_s))
-      film.add(*frame);
+    take(frames.add(event.channel, event.data, event.size, time_s));
   }
-  if (const Frame* const frame = frames.finish()) film.add(*frame);
-  const std::size_t pictures = film.finish();
-  if (pictures == 0) throw std::runtime_error(reader.path() + " has no cycle of the robot to draw");
-  return pictures;
+  take(frames.finish());
+  if (!film) throw std::runtime_error(reader.path() + ": " + no_pose(frames, maker));
+  return {film->finish(), version_notes(frames, maker)};
 }
 
 }  // namespace sprung::station

@@ -1,6 +1,7 @@
 /// What the messages hold is checked by Foxglove's own reader: tests/conformance/test_mcap.py.
 #include "tools/station/foxglove/robot_topics.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -45,6 +46,18 @@ TEST_F(RobotTopicsTest, ComeAtMostAHundredTimesASecondAndShapesOnce) {
   messages += topics_->finish().size();
   EXPECT_GE(messages, 1 + 3 * 90u) << "nobody tells of an IMU or of ground under the foot";
   EXPECT_LE(messages, 1 + 3 * 101u);
+}
+
+TEST_F(RobotTopicsTest, OfJointStatesOfAnotherVersionAreEmptyAndSayWhy) {
+  for (int k = 0; k < 20; ++k) {
+    Kept other = log::joint_event(k);
+    other.data[0] ^= 0x55;
+    EXPECT_TRUE(add(log::command_event(k, k), 0.01 * k).empty());
+    EXPECT_TRUE(add(other, 0.01 * k).empty());
+  }
+  EXPECT_TRUE(topics_->finish().empty()) << "a robot at rest would be a false picture";
+  EXPECT_THAT(topics_->notes("0.9 (abc)"),
+              testing::Contains(testing::HasSubstr("JOINT_STATE is of another version of its message")));
 }
 
 TEST_F(RobotTopicsTest, AreStampedWithTheRobotsTime) {

@@ -41,6 +41,21 @@ TEST(FrameFields, NoNameIsThereTwice) {
   }
 }
 
+TEST(FrameFields, TemperaturesAndBatteryAreThereWhereRobotYamlHasThem) {
+  RobotConfig robot = load_robot("single_leg");
+  EXPECT_EQ(find_field(frame_fields(robot), "actuators.knee_motor.measured_temperature_degC"), -1);
+  EXPECT_EQ(find_field(frame_fields(robot), "auxiliary.battery_voltage_V"), -1);
+  robot.actuators[1].temperature.reading.index = 0x22A2;
+  robot.battery.bus = 0;
+  const auto fields = frame_fields(robot);
+  const FrameField& temperature = field(fields, "actuators.knee_motor.measured_temperature_degC");
+  EXPECT_EQ(temperature.channel, "AUXILIARY_STATE");
+  EXPECT_EQ(temperature.path, "measured_temperature_degC[1]");
+  EXPECT_EQ(temperature.unit, "degC");
+  EXPECT_EQ(find_field(fields, "actuators.hip_motor.measured_temperature_degC"), -1);
+  EXPECT_EQ(field(fields, "auxiliary.battery_charge_share").path, "battery_charge_share");
+}
+
 TEST(FrameFields, TheComputedOnesStandLast) {
   const RobotConfig robot = load_robot("single_leg");
   const auto fields = frame_fields(robot);

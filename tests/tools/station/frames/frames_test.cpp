@@ -6,6 +6,7 @@
 
 #include "robots/robot_loader.h"
 #include "signals/modes.h"
+#include "sprung_msgs/auxiliary_state_t.hpp"
 #include "sprung_msgs/leg_command_t.hpp"
 #include "sprung_msgs/sim_truth_t.hpp"
 #include "tests/tools/logs/log/robot_sample.h"
@@ -99,6 +100,42 @@ TEST_F(FramesTest, SafetyStateStaysAndBeginsNoCycle) {
   EXPECT_EQ(value(*frame, "safety.level"), 0.0F);
 }
 
+TEST_F(FramesTest, AFrameHasAPoseWhereAJointHasAPosition) {
+  add(truth(1, 0.6));
+  const Frame* frame = add(log::joint_event(2));
+  ASSERT_NE(frame, nullptr);
+  EXPECT_FALSE(frames_.has_pose(*frame)) << "nobody has said where its joints are";
+  frame = frames_.finish();
+  ASSERT_NE(frame, nullptr);
+  EXPECT_TRUE(frames_.has_pose(*frame));
+}
+
+TEST_F(FramesTest, TemperaturesAndBatteryComeOnceASecondAndStay) {
+  robot_.actuators[1].temperature.reading.index = 0x22A2;
+  robot_.battery.bus = 0;
+  Frames frames(robot_);
+  const auto say = [&](const Kept& event) {
+    return frames.add(event.channel, reinterpret_cast<const std::uint8_t*>(event.data.data()),
+                      event.data.size(), 0.0);
+  };
+  auto message = log::stamped<sprung_msgs::auxiliary_state_t>(9);
+  message.n_actuators = 2;
+  message.measured_temperature_degC = {NAN, 41.5};
+  message.battery_voltage_V = 47.5;
+  say(log::joint_event(3));
+  EXPECT_EQ(say(log::kept(channels::kAuxiliaryState, 9, log::encoded(message))), nullptr)
+      << "it begins no cycle";
+  say(log::joint_event(4));
+  const Frame* const frame = frames.finish();
+  ASSERT_NE(frame, nullptr);
+  EXPECT_EQ(frame->seq, 4);
+  const auto said = [&](const char* name) {
+    return frame->values.at(static_cast<std::size_t>(find_field(frames.fields(), name)));
+  };
+  EXPECT_EQ(said("actuators.knee_motor.measured_temperature_degC"), 41.5F);
+  EXPECT_EQ(said("auxiliary.battery_voltage_V"), 47.5F);
+}
+
 TEST_F(FramesTest, AnotherSessionBeginsAnewAndItsCyclesMayBeLower) {
   add(log::safety_event(9, "operational", "none", ""));
   add(log::joint_event(9));
@@ -117,11 +154,15 @@ TEST_F(FramesTest, WhatWasSentBeforeCycleZeroIsNoFrame) {
   EXPECT_EQ(frames_.finish(), nullptr);
 }
 
-TEST_F(FramesTest, BytesOfNoKnownTypeAreCountedAndDoNoHarm) {
+TEST_F(FramesTest, BytesOfNoKnownTypeAreCountedByChannelAndDoNoHarm) {
   add(log::joint_event(0));
   EXPECT_EQ(add({0, 0, channels::kJointState, "no message"}), nullptr);
   EXPECT_EQ(add({0, 0, "SOMEBODY_ELSES", "no message"}), nullptr);
-  EXPECT_EQ(frames_.not_decoded(), 1);
+  for (const Frames::Source& source : frames_.sources()) {
+    const bool joints = source.channel == channels::kJointState;
+    EXPECT_EQ(source.decoded, joints ? 1 : 0) << source.channel;
+    EXPECT_EQ(source.not_decoded, joints ? 1 : 0) << source.channel;
+  }
   EXPECT_NE(frames_.finish(), nullptr);
 }
 

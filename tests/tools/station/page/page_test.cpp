@@ -13,7 +13,7 @@ using testing::HasSubstr;
 using testing::Not;
 
 TEST(Page, HasEverythingInItAndAsksNobody) {
-  const std::string page = make_page({{"mode", "log"}, {"title", "a jump"}}, "QUJD");
+  const std::string page = make_page({{"title", "a jump"}}, "QUJD");
   EXPECT_THAT(page, HasSubstr("<title>a jump</title>"));
   EXPECT_THAT(page, HasSubstr("id=\"data\">QUJD</script>"));
   EXPECT_THAT(page, Not(HasSubstr("{{")));
@@ -26,14 +26,14 @@ TEST(Page, HasEverythingInItAndAsksNobody) {
 
 TEST(Page, NoTextOfALogEndsItsScripts) {
   const nlohmann::json config{{"title", "</title><script>alert(1)</script>"}, {"notes", {"</script><b>"}}};
-  const std::string page = make_page(config);
+  const std::string page = make_page(config, "");
   EXPECT_THAT(page, Not(HasSubstr("<script>alert")));
   EXPECT_THAT(page, Not(HasSubstr("</script><b>")));
   EXPECT_THAT(page, HasSubstr("\\u003c/script>\\u003cb>"));
 }
 
 TEST(Page, TextThatIsNoUtf8IsShownAllTheSame) {
-  EXPECT_THAT(make_page({{"title", "log \xff"}}), HasSubstr("id=\"config\">"));
+  EXPECT_THAT(make_page({{"title", "log \xff"}}, ""), HasSubstr("id=\"config\">"));
 }
 
 }  // namespace

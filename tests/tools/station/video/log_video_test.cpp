@@ -60,9 +60,9 @@ class LogVideoTest : public testing::Test {
 TEST_F(LogVideoTest, HasThirtyPicturesASecondOfTheRobotsTimeAndMoreWhereItIsSlow) {
   if (const std::string what = missing(); !what.empty()) GTEST_SKIP() << what;
   log::Reader reader(log_of(100));  // 0.198 s from the first to the last
-  EXPECT_EQ(write_video(reader, folder_("v.mp4"), {320, 240, 30, 1.0}), 6u);
+  EXPECT_EQ(write_video(reader, folder_("v.mp4"), {320, 240, 30, 1.0}).pictures, 6u);
   reader.rewind();
-  EXPECT_EQ(write_video(reader, folder_("slow.mp4"), {320, 240, 30, 0.5}), 12u);
+  EXPECT_EQ(write_video(reader, folder_("slow.mp4"), {320, 240, 30, 0.5}).pictures, 12u);
   std::ifstream in(folder_("v.mp4"), std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(in), {}};
   EXPECT_EQ(bytes.substr(4, 4), "ftyp");
@@ -89,6 +89,17 @@ TEST_F(LogVideoTest, AnFfmpegThatFailsIsNoVideo) {
   const std::string said = refusal();
   setenv("PATH", path.c_str(), 1);
   EXPECT_THAT(said, testing::AnyOf(HasSubstr("v.mp4"), HasSubstr("OpenGL without a screen")));
+}
+
+TEST_F(LogVideoTest, OfJointStatesOfAnotherVersionIsRefused) {
+  std::vector<log::Kept> events{log::metadata_event(log::robot_yaml("single_leg"))};
+  for (int cycle = 0; cycle < 20; ++cycle) {
+    events.push_back(log::command_event(cycle, cycle));
+    events.push_back(log::joint_event(cycle));
+    events.back().data[0] ^= 0x55;
+  }
+  log::write_all(log_, events);
+  EXPECT_THAT(refusal(), HasSubstr("JOINT_STATE is of another version of its message"));
 }
 
 TEST_F(LogVideoTest, OfALogWithoutARobotIsRefused) {

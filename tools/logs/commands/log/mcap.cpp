@@ -7,6 +7,7 @@
 #include "tools/logs/log/log_info.h"
 #include "tools/logs/log/mcap_export.h"
 #include "tools/station/foxglove/robot_topics.h"
+#include "tools/station/frames/version_notes.h"
 #include "tools/station/scene/logged_scene.h"
 
 namespace sprung::commands {
@@ -59,6 +60,9 @@ int run_mcap(const McapRequest& request) {
   if (result.not_decoded > 0)
     std::fprintf(stderr, "left out: %lld messages of types that are not known here\n",
                  static_cast<long long>(result.not_decoded));
+  if (!additions) return kExitDone;
+  for (const std::string& note : additions->notes(station::made_by(metadata)))
+    std::fprintf(stderr, "%s\n", note.c_str());
   return kExitDone;
 }
 

@@ -2,6 +2,7 @@
 import { showCommands } from "./commands.js";
 import { Driving } from "./driving.js";
 import { Link } from "./link.js";
+import { mountLivePlots } from "./live_plots.js";
 import { Panels } from "./panels.js";
 import { LiveView } from "./view.js";
 
@@ -13,6 +14,7 @@ let panels = null;
 let state = null;
 let drives = false;
 const view = new LiveView(byId("view"));
+const plots = mountLivePlots(link, view);
 
 function show(id, value, name) {
   if (byId(id).textContent !== value) byId(id).textContent = value;
@@ -133,4 +135,4 @@ setInterval(() => {
 new Driving(link, { source: byId("source"), gait: byId("gait"), estop: () => link.estop() });
 view.open().catch((error) => news(`the 3-D view: ${error.message}`, true)).finally(() => { link.ready = true; });
 // For tests and the browser's own console.
-window.sprung = { link, view, get state() { return state; } };
+window.sprung = { link, view, get state() { return state; }, get plots() { return plots(); } };

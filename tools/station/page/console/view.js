@@ -26,8 +26,10 @@ export class LiveView {
 
   async open() {
     const [scene, layout] = await Promise.all([json("scene.json"), json("layout.json")]);
+    this.scene = scene;
+    this.layout = layout;
+    this.frame_bytes = 8 + 4 * layout.fields.length;
     if (scene.missing) return this.#missing(`The robot cannot be drawn: ${scene.missing}`);
-    this.fields = layout.fields.length;
     try {
       this.view = new RobotView(this.canvas, scene, layout);
     } catch {
@@ -44,7 +46,7 @@ export class LiveView {
   /** A binary message of the server: float64 time_s, then a float32 a field, little endian. */
   take(data) {
     this.frames += 1;
-    if (data.byteLength !== 8 + 4 * this.fields) return;
+    if (data.byteLength !== this.frame_bytes) return;
     this.#row = new Float32Array(data, 8);
   }
 
