@@ -70,6 +70,12 @@ void Process::set_state(ProcessState state) {
   publish_status_if_due();
 }
 
+void Process::set_standing_note(const std::string& note) {
+  const bool first = standing_note_.empty();
+  standing_note_ = status_.detail = note;
+  if (first) publish_status();
+}
+
 void Process::publish_status_if_due() {
   if (schedule_.due(status_.state, node_.utime_us())) publish_status();
 }
@@ -84,6 +90,7 @@ void Process::publish_status() {
   const std::int64_t refused = node_.refused_messages();
   if (refused != status_.refused_messages) status_.detail = node_.last_refusal();  // old ones hide nothing
   status_.refused_messages = refused;
+  status_.detail = with_note(status_.detail, standing_note_);
   publisher_.publish(status_);
 }
 

@@ -45,6 +45,8 @@ class Process {
   ProcessStatus& status() noexcept { return status_; }
 
   void set_state(ProcessState state);  ///< and publishes it
+  /// What `status` shall say from now on, whatever else the detail says. The first one is published at once.
+  void set_standing_note(const std::string& note);
   void publish_status_if_due();  ///< call in every turn of the loop; at most twice a second, and on change
 
  private:
@@ -55,6 +57,7 @@ class Process {
   LoopStatistics statistics_;
   CpuMeter cpu_meter_;
   ProcessStatus status_;
+  std::string standing_note_;
   Publisher<ProcessStatus> publisher_;
   StatusSchedule schedule_;
 };

@@ -43,6 +43,11 @@ Reading from_message(const sprung_msgs::process_status_t& in, ProcessStatus& out
   return fields::read(kProcessStatus, in, out);
 }
 
+std::string with_note(const std::string& detail, const std::string& note) {
+  if (note.empty() || detail.find(note) != std::string::npos) return detail;
+  return detail.empty() ? note : detail + "; " + note;
+}
+
 bool StatusSchedule::due(ProcessState state, std::int64_t now_us) noexcept {
   if (any_ && state == last_state_ && now_us < next_us_) return false;
   any_ = true;

@@ -45,6 +45,10 @@ struct MessageOfSignal<ProcessStatus> {
   using Type = sprung_msgs::process_status_t;
 };
 
+/// A standing note is said with every detail: none hides it. @return the detail, and behind it the note where
+/// it is not in it already.
+std::string with_note(const std::string& detail, const std::string& note);
+
 /// When to publish. Pure.
 class StatusSchedule {
  public:

@@ -12,4 +12,8 @@ constexpr bool made_from_own_inputs(std::int64_t seq, std::int64_t used_joint_st
   return used_joint_state_seq == seq && used_leg_command_seq == seq - 1;
 }
 
+/// What the process that went on without the others says in PROCESS_STATUS from then on, at the end of its
+/// detail: launcher, logs and experiments know such a run by it.
+inline constexpr const char* kNotDeterministicNote = "this run is not deterministic";
+
 }  // namespace sprung

@@ -6,6 +6,7 @@
 #include "drivers/can/lockstep_link.h"
 #include "runtime/log.h"
 #include "runtime/stop_request.h"
+#include "signals/own_inputs.h"
 #include "simulation/sim_shell.h"
 
 namespace sprung {
@@ -116,8 +117,7 @@ class LockstepSim {
       for (LockstepLink& link : links_) {
         (void)link.take_outsiders();  // of the time when there was a master
       }
-      process_.status().detail = "no SYNC for a second: time goes on by the wall clock";
-      log_warn(process_.status().detail);
+      tell_not_deterministic();
     }
     free_us_ += kFreeStep_us;
     for (std::size_t bus = 0; bus < links_.size(); ++bus) {
@@ -130,6 +130,13 @@ class LockstepSim {
       links_[frame.bus].send_unstamped(frame.frame);
     }
     shell_.publish();
+  }
+
+  void tell_not_deterministic() {
+    const std::string note = std::string("no SYNC for a second, time goes on by the wall clock: ") +
+                             kNotDeterministicNote;
+    process_.set_standing_note(note);
+    log_warn(note);
   }
 
   Process& process_;

@@ -136,6 +136,7 @@ class LockstepBridge {
       if (chain_.over(wall_us())) {
         chain_.gave_up();
         core_.count_missed_cycle();
+        shell_.publish_safety_if_due(time_us_);  // of this cycle, not the next
         tell_not_deterministic("no DRIVE_COMMAND for cycle " + std::to_string(state_.stamp.seq));
         return;
       }
@@ -148,15 +149,18 @@ class LockstepBridge {
     }
     chain_.answered();
     core_.count_good_cycle();
-    if (!stopping_ && !made_from_own_inputs(command_.stamp.seq, command_.used_joint_state_seq,
-                                            command_.used_leg_command_seq))
+    if (!made_from_own_inputs(command_.stamp.seq, command_.used_joint_state_seq,
+                              command_.used_leg_command_seq))
       tell_not_deterministic("cycle " + std::to_string(command_.stamp.seq) + " was made from older messages");
   }
 
-  /// Whoever runs it twice and compares shall know: `status` and the launcher show it from then on.
+  /// Whoever runs it twice and compares shall know: `status` and the launcher show it from then on. An
+  /// orderly end waits for nobody.
   void tell_not_deterministic(const std::string& what) {
-    process_.status().detail = what + ": this run is not deterministic";
-    if (!told_not_deterministic_ && !stopping_) log_warn(process_.status().detail);
+    if (stopping_) return;
+    const std::string note = what + ": " + kNotDeterministicNote;
+    process_.set_standing_note(note);
+    if (!told_not_deterministic_) log_warn(note);
     told_not_deterministic_ = true;
   }
 

@@ -22,6 +22,11 @@ bool differs(const SafetyState& a, const SafetyState& b) {
   return a.level != b.level || a.cause != b.cause || a.latched != b.latched;
 }
 
+/// So that a log of lock-step has the cycle itself. An orderly end waits for nobody.
+bool missed_more(const SafetyState& a, const SafetyState& b) {
+  return a.missed_cycles != b.missed_cycles && a.cause != SafetyCause::kShutdown;
+}
+
 /// In what somebody waits for; counters alone wait for the next tenth of a second.
 bool differs(const BusState& a, const BusState& b) {
   const auto same_bus = [](const BusHealth& x, const BusHealth& y) { return x.condition == y.condition; };
@@ -151,7 +156,9 @@ void BridgeShell::publish_boot() {
 
 void BridgeShell::publish_safety_if_due(std::int64_t now_us) {
   const SafetyState& safety = core_.safety();
-  if (differs(safety, last_safety_) || now_us >= next_safety_us_ || next_safety_us_ - now_us > kInterval_us) {
+  const bool missed = process_.lockstep() && missed_more(safety, last_safety_);
+  if (missed || differs(safety, last_safety_) || now_us >= next_safety_us_ ||
+      next_safety_us_ - now_us > kInterval_us) {
     safety_states_.publish(safety);
     last_safety_ = safety;
     next_safety_us_ = now_us + kInterval_us;

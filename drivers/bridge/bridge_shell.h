@@ -39,6 +39,8 @@ class BridgeShell {
   void repeat_drive_state();
   /// SAFETY_STATE and BUS_STATE while no cycle runs yet: on change and at 10 Hz of wall time.
   void publish_boot();
+  /// On change and at 10 Hz; in lock-step a cycle that is missed is a change, so that logs have it exactly.
+  void publish_safety_if_due(std::int64_t now_us);
   void trace(const FrameBatch& frames, bool sent, std::int64_t time_us);
   void trace(int bus, const CanFrame& frame, bool sent, std::int64_t time_us);
   void serve_operators(std::int64_t time_us);
@@ -50,7 +52,6 @@ class BridgeShell {
   bool has_command(std::int64_t seq) const { return last_command_seq_ >= seq; }
 
  private:
-  void publish_safety_if_due(std::int64_t now_us);
   void publish_buses_if_due(std::int64_t now_us);
   void publish_auxiliary_if_due(std::int64_t now_us);
   void publish_replies();

@@ -49,6 +49,14 @@ TEST(ProcessStatus, UnknownStateIsRefused) {
   EXPECT_FALSE(from_message(message, status));
 }
 
+TEST(StandingNote, IsSaidOnceWithEveryDetail) {
+  EXPECT_EQ(with_note("refused: wrong hash", "not deterministic"), "refused: wrong hash; not deterministic");
+  EXPECT_EQ(with_note("refused: wrong hash; not deterministic", "not deterministic"),
+            "refused: wrong hash; not deterministic");
+  EXPECT_EQ(with_note("", "not deterministic"), "not deterministic");
+  EXPECT_EQ(with_note("refused: wrong hash", ""), "refused: wrong hash");
+}
+
 TEST(StatusSchedule, IsDueAtFirstOnChangeAndTwiceASecond) {
   StatusSchedule schedule;
   EXPECT_TRUE(schedule.due(ProcessState::kStarting, 1'000));

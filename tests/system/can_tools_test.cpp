@@ -61,6 +61,9 @@ TEST_F(CanTools, LockstepIsHeardOnceAndAnExportReadsAsItsLog) {
   EXPECT_EQ(pcap.status, 0);
   EXPECT_THAT(pcap.output, HasSubstr("wireshark -d can.subdissector,canopen " + file("trace.pcapng")));
   EXPECT_GT(std::filesystem::file_size(file("trace.pcapng")), 10'000u);
+  const CommandResult piped = sprung("can export " + log + " --format pcap 2>&1 >/dev/null");
+  EXPECT_THAT(piped.output, HasSubstr("wireshark -d can.subdissector,canopen FILE"));
+  EXPECT_THAT(sprung("can export --help").output, HasSubstr("-d can.subdissector,canopen"));
   const CommandResult read = sprung("drive read single_leg knee_motor 0x6064");
   EXPECT_EQ(read.status, 1);
   EXPECT_THAT(read.output, HasSubstr("lock-step"));

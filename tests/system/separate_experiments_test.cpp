@@ -75,32 +75,44 @@ TEST_F(SeparateExperiments, DropGivesTheSameBits) {
   EXPECT_EQ(one.folded, many.folded);
 }
 
-/// The leg controller waits for 300 ms of wall time.
-TEST_F(SeparateExperiments, RunWhosePlannerStallsFailsSinceItIsNotDeterministic) {
-  const RunScript script = drop_script(robot_, "best", sim(), {JumpMode::kAdaptive, 0.3, 0.004});
-  pid_t planner = 0;
+/// What a run says whose process holds still for so long in cycle 100; nothing when nobody notices.
+std::string said_when_stalled(const RunScript& script, const std::string& program, int stop_ms) {
+  std::string instance;
   SeparateOptions options;
-  options.on_ready = [&planner](const RunInfo& info) {
-    for (const RunningProcess& process : info.processes) {
-      if (process.program == "sprung-motion-planner") planner = static_cast<pid_t>(process.pid);
-    }
-  };
-  const auto stall_once = [&planner](const CycleRecord& cycle) {
+  options.on_ready = [&](const RunInfo& info) { instance = info.instance; };
+  const auto stall_once = [&](const CycleRecord& cycle) {
     if (cycle.drive_state.stamp.seq != 100) return;
-    kill(planner, SIGSTOP);
-    std::this_thread::sleep_for(std::chrono::milliseconds(600));
-    kill(planner, SIGCONT);
+    for (const RunningProcess& process : read_run_file(instance)->processes) {
+      if (process.program != program) continue;
+      kill(static_cast<pid_t>(process.pid), SIGSTOP);
+      std::this_thread::sleep_for(std::chrono::milliseconds(stop_ms));
+      kill(static_cast<pid_t>(process.pid), SIGCONT);
+    }
   };
   try {
     run_separate(
         script, stall_once, [](const OperatorReply&) {}, options);
-    FAIL() << "nobody noticed";
   } catch (const std::runtime_error& error) {
-    // Whichever is found first: cycles that the planner made from older messages, or those that it never
-    // heard.
-    EXPECT_THAT(error.what(), testing::AnyOf(testing::HasSubstr("this run is not deterministic"),
-                                             testing::HasSubstr("were lost on the way here")));
+    return error.what();
   }
+  return "";
+}
+
+/// The leg controller waits for 300 ms of wall time.
+TEST_F(SeparateExperiments, RunWhosePlannerStallsFailsSinceItIsNotDeterministic) {
+  const RunScript script = drop_script(robot_, "best", sim(), {JumpMode::kAdaptive, 0.3, 0.004});
+  // Whichever is found first: cycles that the planner made from older messages, or those that it never heard.
+  EXPECT_THAT(said_when_stalled(script, "sprung-motion-planner", 600),
+              testing::AnyOf(testing::HasSubstr("this run is not deterministic"),
+                             testing::HasSubstr("were lost on the way here")));
+}
+
+/// The simulated drives wait for a second, and no cycle shows that they went on.
+TEST_F(SeparateExperiments, RunWhoseBridgeStallsFailsSinceItIsNotDeterministic) {
+  const RunScript script = drop_script(robot_, "best", sim(), {JumpMode::kAdaptive, 0.3, 0.004});
+  EXPECT_THAT(said_when_stalled(script, "sprung-can-bridge", 1500),
+              testing::AllOf(testing::HasSubstr("sprung-sim-drives: no SYNC"),
+                             testing::HasSubstr("this run is not deterministic")));
 }
 
 }  // namespace

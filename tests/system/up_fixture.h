@@ -2,6 +2,7 @@
 /// A robot that `sprung up` runs, and what tests do to its processes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <lcm/lcm.h>
 #include <signal.h>
 #include <sys/stat.h>
 
@@ -47,6 +48,13 @@ class Up : public SystemTest {
   }
   void signal_program(const std::string& program, int number) const {
     kill(static_cast<pid_t>(pid_of(program)), number);
+  }
+  /// One well-formed datagram of the robot's network that is no message.
+  void send_no_message(const std::string& channel) const {
+    lcm_t* const lcm = lcm_create(lcm_url().c_str());
+    ASSERT_NE(lcm, nullptr);
+    lcm_publish(lcm, channel.c_str(), "no message", 10);
+    lcm_destroy(lcm);
   }
   /// Stops it for so long, again and again, until `status` says that.
   bool stalled(const std::string& program, int stop_ms, const std::string& says) const {

@@ -8,6 +8,7 @@
 #include <csignal>
 #include <cstring>
 
+#include "lcmtypes/channels.h"
 #include "runtime/own_port.h"
 #include "tests/support/paths.h"
 #include "tests/system/up_fixture.h"
@@ -20,6 +21,7 @@ namespace {
 using testing::AllOf;
 using testing::ContainsRegex;
 using testing::HasSubstr;
+using testing::Not;
 
 TEST_F(Up, ClosedTerminalStopsItInOrder) {
   std::signal(SIGHUP, SIG_DFL);  // inherited: the tests may run under nohup
@@ -103,6 +105,13 @@ TEST_F(Up, LockStepThatIsNoLongerDeterministicSaysSoLiveAndInItsLog) {
       stalled("sprung-motion-planner", 600, "was made from older messages: this run is not deterministic"))
       << sprung("status").output;
   EXPECT_TRUE(says("this run is not deterministic"));
+  send_no_message(channels::kDriveCommand);
+  std::string status;
+  EXPECT_TRUE(within(kTimeout_s, [&] {
+    status = sprung("status").output;
+    return status.find("DRIVE_COMMAND refused: ") != std::string::npos;
+  }));
+  EXPECT_THAT(status, ContainsRegex("DRIVE_COMMAND refused: [^\n]*this run is not deterministic"));
   const std::string log = info().log;
   ASSERT_EQ(sprung("down").status, 0);
   EXPECT_THAT(info_of_log(log), HasSubstr("lock-step  not deterministic: "));
@@ -121,6 +130,40 @@ TEST_F(Up, LockStepWhoseDrivesAreSilentIsNoLongerDeterministicAndSaysSoLiveAndIn
   ASSERT_EQ(sprung("down").status, 0);
   EXPECT_THAT(info_of_log(log),
               HasSubstr("lock-step  not deterministic: the bridge went on without an answer"));
+  const std::string went_on = "not deterministic: the bridge went on without an answer in ";
+  EXPECT_THAT(sprung("log verify " + log).output, AllOf(HasSubstr("note   " + went_on), HasSubstr(": good")));
+  const CommandResult replay = sprung("replay " + log + " --into estimator,planner,controller");
+  EXPECT_THAT(replay.output, AllOf(HasSubstr(went_on), HasSubstr("of a run that was not deterministic")));
+}
+
+/// They wait for a second, and no cycle of the log shows that they went on.
+TEST_F(Up, LockStepWhoseBridgeHoldsStillIsNoLongerDeterministicAndTheDrivesSaySoLiveAndInItsLog) {
+  log_folder_ = folder_ / "logs";
+  up("lockstep", "--speed 1");
+  EXPECT_TRUE(stalled("sprung-can-bridge", 1500, "no SYNC for a second")) << sprung("status").output;
+  EXPECT_THAT(sprung("status").output, HasSubstr("this run is not deterministic"));
+  EXPECT_TRUE(says("this run is not deterministic"));
+  const std::string log = info().log;
+  ASSERT_EQ(sprung("down").status, 0);
+  const std::string said = "not deterministic: sprung-sim-drives: no SYNC for a second";
+  EXPECT_THAT(info_of_log(log), HasSubstr("lock-step  " + said));
+  EXPECT_THAT(sprung("log verify " + log).output, AllOf(HasSubstr("note   " + said), HasSubstr(": good")));
+  EXPECT_THAT(sprung("replay " + log + " --into estimator,planner,controller").output,
+              AllOf(HasSubstr("note: " + said), HasSubstr("of a run that was not deterministic")));
+}
+
+/// So that the tests above show something.
+TEST_F(Up, LockStepThatWasNotDisturbedIsCalledNotDeterministicNowhere) {
+  log_folder_ = folder_ / "logs";
+  up("lockstep", "--speed 1");
+  ASSERT_EQ(sprung("stand").status, 0);
+  const std::string log = info().log;
+  ASSERT_EQ(sprung("down").status, 0);
+  for (const std::string command :
+       {"log info ", "log verify ", "replay --into estimator,planner,controller "})
+    EXPECT_THAT(sprung(command + log).output, Not(HasSubstr("not deterministic"))) << command;
+  EXPECT_EQ(sprung("replay " + log + " --into estimator,planner,controller").status, 0);
+  EXPECT_THAT(said(), Not(HasSubstr("not deterministic")));
 }
 
 TEST_F(Up, WhereNoDriveAnswersSimulatedOnesAreNamed) {

@@ -134,6 +134,8 @@ SeparateResult run_separate(const RunScript& script, const CycleObserver& on_cyc
     collector.wait(0.05);
     silent = collector.collect(until_last, on_reply) > 0 ? 0 : silent;
     refuse_early_end(launcher, collector.last_cycle(), script.cycles);
+    if (!collector.not_deterministic().empty())
+      throw std::runtime_error(collector.not_deterministic() + "; the machine is overloaded, try again");
   }
   if (stop_requested()) {
     throw std::runtime_error("stopped by the operator at cycle " + std::to_string(collector.last_cycle()));

@@ -25,22 +25,35 @@ void IncidentFinder::add(const Event& event, const Timeline::Moment& moment) {
     const auto metadata = read_log_metadata(event.data, event.size);
     lockstep_ = metadata && metadata->clock == "lockstep";
   }
+  if (event.channel == channels::kProcessStatus) return add_status(event, moment);
   const bool safety = event.channel == channels::kSafetyState;
   const bool command = lockstep_ && event.channel == channels::kDriveCommand;
   if (!safety && !command && event.channel != channels::kMotionState) return;
   if (decoder_.open(event.data, event.size, message_) != fields::Fault::kNone) return;
-  if (moment.stamp && moment.stamp->session != session_) {
-    session_ = moment.stamp->session;
-    safety_.clear();
-    motion_.clear();
-    seen_.clear();
-    command_seq_ = missed_cycles_ = -1;
-    other_inputs_seq_ = kNoCycle;
-    note(IncidentKind::kSession, moment, "session " + std::to_string(session_));
-  }
+  if (moment.stamp && moment.stamp->session != session_) begin_session(moment.stamp->session, moment);
   if (command) return add_command(moment);
-  if (safety && lockstep_) add_missed_cycles(moment);
+  if (safety && lockstep_) add_missed_cycles(event, moment);
   safety ? add_safety(moment) : add_motion(moment);
+}
+
+void IncidentFinder::begin_session(std::int64_t session, const Timeline::Moment& moment) {
+  session_ = session;
+  safety_.clear();
+  motion_.clear();
+  seen_.clear();
+  command_seq_ = -1;
+  went_on_.begin_anew();
+  other_inputs_seq_ = alone_seq_ = kNoCycle;
+  note(IncidentKind::kSession, moment, "session " + std::to_string(session_));
+}
+
+/// Of a session that has not begun here it is left to the next status, which says it again.
+void IncidentFinder::add_status(const Event& event, const Timeline::Moment& moment) {
+  if (!lockstep_ || !moment.stamp || moment.stamp->session != session_) return;
+  const std::string what = went_on_.add_status(event.data, event.size);
+  if (what.empty()) return;
+  said_.push_back(what);
+  note(IncidentKind::kNotDeterministic, moment, "not deterministic: " + what);
 }
 
 void IncidentFinder::add_command(const Timeline::Moment& moment) {
@@ -71,19 +84,24 @@ void IncidentFinder::note_not_deterministic(const Timeline::Moment& moment) {
                   (seq == incident.seq ? "" : ", up to cycle " + std::to_string(seq));
 }
 
-/// An orderly end waits for nobody: what is missed there is no news.
-void IncidentFinder::add_missed_cycles(const Timeline::Moment& moment) {
-  const fields::Layout& layout = *message_.layout();
-  const int field = layout.find("missed_cycles");
-  if (field == fields::Layout::kNone || text(layout.find("cause_name")) == name(SafetyCause::kShutdown))
-    return;
-  const std::int64_t missed = message_.integer(message_.fields()[static_cast<std::size_t>(field)]);
-  const std::int64_t more = missed_cycles_ < 0 ? 0 : missed - missed_cycles_;
-  missed_cycles_ = missed;
-  if (more <= 0) return;
+void IncidentFinder::add_missed_cycles(const Event& event, const Timeline::Moment& moment) {
+  const std::int64_t more = went_on_.add_safety(event.data, event.size);
+  if (more == 0 || !moment.stamp) return;
+  const std::int64_t seq = moment.stamp->seq;
+  const bool goes_on = seq == alone_seq_ + 1 && alone_incident_ < incidents_.size();
   without_answer_ += more;
-  note(IncidentKind::kNotDeterministic, moment,
-       "not deterministic: the bridge went on without an answer, times: " + std::to_string(more));
+  alone_seq_ = seq;
+  if (!goes_on) {
+    alone_incident_ = incidents_.size();
+    alone_times_ = 0;
+    note(IncidentKind::kNotDeterministic, moment, "");
+    if (alone_incident_ == incidents_.size()) return;  // one too many
+  }
+  Incident& incident = incidents_[alone_incident_];
+  alone_times_ += more;
+  incident.text = "not deterministic: the bridge went on without an answer, times: " +
+                  std::to_string(alone_times_) +
+                  (seq == incident.seq ? "" : ", up to cycle " + std::to_string(seq));
 }
 
 void IncidentFinder::add_safety(const Timeline::Moment& moment) {

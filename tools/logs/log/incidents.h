@@ -11,6 +11,7 @@
 #include "tools/logs/fields/decoder.h"
 #include "tools/logs/log/event.h"
 #include "tools/logs/log/timeline.h"
+#include "tools/logs/log/went_on.h"
 
 namespace sprung::log {
 
@@ -41,6 +42,8 @@ class IncidentFinder {
   /// Of a lock-step run: how often the bridge went on by wall time, without an answer of drives or
   /// controller.
   std::int64_t without_answer() const noexcept { return without_answer_; }
+  /// Of a lock-step run: what its processes say of that themselves, each once: "sprung-sim-drives: no SYNC".
+  const std::vector<std::string>& said() const noexcept { return said_; }
   /// How often each befell any leg, by LegEvent.
   const std::array<std::int64_t, kLegEventCount>& leg_counts() const noexcept { return leg_counts_; }
 
@@ -56,8 +59,10 @@ class IncidentFinder {
 
   void add_command(const Timeline::Moment& moment);
   void note_not_deterministic(const Timeline::Moment& moment);
+  void add_status(const Event& event, const Timeline::Moment& moment);
+  void begin_session(std::int64_t session, const Timeline::Moment& moment);
   void add_safety(const Timeline::Moment& moment);
-  void add_missed_cycles(const Timeline::Moment& moment);
+  void add_missed_cycles(const Event& event, const Timeline::Moment& moment);
   void add_motion(const Timeline::Moment& moment);
   void add_legs(const Timeline::Moment& moment);
   void find_motion_fields();
@@ -73,7 +78,11 @@ class IncidentFinder {
   std::int64_t command_seq_ = -1;  ///< newest, of the session
   std::int64_t not_deterministic_ = 0;
   std::int64_t without_answer_ = 0;
-  std::int64_t missed_cycles_ = -1;           ///< newest of the session, -1: none yet
+  WentOn went_on_;  ///< of the session
+  std::vector<std::string> said_;
+  std::int64_t alone_seq_ = kNoCycle;         ///< newest without an answer, of the session
+  std::size_t alone_incident_ = 0;            ///< of incidents_, where it is in
+  std::int64_t alone_times_ = 0;              ///< in that incident
   std::int64_t other_inputs_seq_ = kNoCycle;  ///< newest that was made from older messages, of the session
   std::size_t other_inputs_incident_ = 0;     ///< of incidents_, where it is in
   std::string safety_;

@@ -82,6 +82,7 @@ std::string damage_text(const LogInfo& info) {
   if (info.without_answer > 0)
     out += "lock-step  not deterministic: the bridge went on without an answer " +
            std::to_string(info.without_answer) + " times, listed below\n";
+  for (const std::string& what : info.said) out += "lock-step  not deterministic: " + what + "\n";
   if (info.went_back > 0)
     out += "order      " + std::to_string(info.went_back) +
            " events were received before the one in front of them\n";
@@ -196,6 +197,7 @@ std::string info_json(const LogInfo& info) {
   out["went_back"] = info.went_back;
   out["not_deterministic"] = info.not_deterministic;
   out["without_answer"] = info.without_answer;
+  out["said_not_deterministic"] = info.said;
   out["damages"] = info.damages;
   out["skipped_bytes"] = info.skipped_bytes;
   out["metadata"] = info.metadata ? json_of(*info.metadata) : Json(nullptr);

@@ -148,6 +148,7 @@ LogInfo collect_info(Reader& reader, const std::vector<std::string>& leg_names, 
   info.incidents_left_out = incidents.left_out();
   info.not_deterministic = incidents.not_deterministic();
   info.without_answer = incidents.without_answer();
+  info.said = incidents.said();
   info.leg_counts = incidents.leg_counts();
   note_damages(reader, info);
   return info;

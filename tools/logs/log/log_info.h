@@ -45,6 +45,7 @@ struct LogInfo {
   std::int64_t incidents_left_out = 0;
   std::int64_t not_deterministic = 0;  ///< cycles of a lock-step run, see IncidentFinder
   std::int64_t without_answer = 0;     ///< the same
+  std::vector<std::string> said;       ///< the same
   std::array<std::int64_t, kLegEventCount> leg_counts{};
   std::optional<sprung_msgs::log_metadata_t> metadata;  ///< the first one
   std::optional<sprung_msgs::log_end_t> end;            ///< the last one

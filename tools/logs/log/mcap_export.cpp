@@ -25,6 +25,8 @@ std::uint64_t ns(double us) {
 
 /// Brings messages into the order of their log times: an event's robot time may go back a little where the
 /// network or a lock-step run mixed it. One that is older than what has been written stays out of order.
+/// Publish times rise within each topic, too, since readers keep both as time series (Rerun counts rows that
+/// go back as a problem): a message that was received before the one in front of it has that one's.
 class InOrder {
  public:
   explicit InOrder(McapWriter& writer) : writer_(writer) {}
@@ -55,13 +57,15 @@ class InOrder {
   void write_first() {
     std::pop_heap(held_.begin(), held_.end(), LaterFirst{});
     const Held& first = held_.back();
-    writer_.add_message(first.head.channel, first.head.sequence, first.head.log_ns, first.head.publish_ns,
-                        first.data);
+    std::uint64_t& published_ns = newest_published_ns_[first.head.channel];
+    published_ns = std::max(published_ns, first.head.publish_ns);
+    writer_.add_message(first.head.channel, first.head.sequence, first.head.log_ns, published_ns, first.data);
     held_.pop_back();
   }
 
   McapWriter& writer_;
-  std::vector<Held> held_;  ///< a heap
+  std::vector<Held> held_;                                      ///< a heap
+  std::map<std::uint16_t, std::uint64_t> newest_published_ns_;  ///< by topic
   std::uint64_t count_ = 0;
 };
 

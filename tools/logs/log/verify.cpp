@@ -8,6 +8,7 @@
 #include "signals/own_inputs.h"
 #include "tools/logs/log/cycle_stretches.h"
 #include "tools/logs/log/used_inputs.h"
+#include "tools/logs/log/went_on.h"
 #include "tools/logs/log/writer.h"
 #include "tools/logs/recorder/gap_tracker.h"
 
@@ -67,6 +68,13 @@ class SessionClocks {
   std::map<std::int64_t, std::string> sessions_;
 };
 
+/// Where a session's processes went on without the others.
+struct OnTheirOwn {
+  WentOn went_on;
+  CycleStretches bridge;          ///< cycles in which it had no answer
+  std::vector<std::string> said;  ///< by the processes
+};
+
 class Verifier {
  public:
   explicit Verifier(bool being_written) { result_.being_written = being_written; }
@@ -79,6 +87,7 @@ class Verifier {
   void check_message(const Event& event);
   void check_cycle(const Event& event, const Timeline::Moment& moment);
   void check_inputs(const Event& event, const Timeline::Moment& moment);
+  void check_answers(const Event& event, const Timeline::Moment& moment);
   void finish_cycles();
   void finish_inputs();
   void finish_damages(const Reader& reader);
@@ -93,6 +102,7 @@ class Verifier {
   std::map<std::int64_t, MissingCycles> missing_;  ///< by session
   SessionClocks clocks_;
   std::map<std::int64_t, CycleStretches> older_;  ///< DRIVE_COMMANDs made from older messages, by session
+  std::map<std::int64_t, OnTheirOwn> alone_;      ///< by session
   std::int64_t recorder_missed_ = 0;              ///< cycles, as LOG_END says
   std::set<std::string, std::less<>> unknown_;    ///< channels whose type was named already
   bool has_metadata_ = false;
@@ -114,6 +124,7 @@ void Verifier::add(const Event& event) {
   check_message(event);
   check_cycle(event, moment);
   check_inputs(event, moment);
+  check_answers(event, moment);
   clocks_.add(event, moment);
   last_number_ = event.number;
   last_time_us_ = event.time_us;
@@ -172,12 +183,29 @@ void Verifier::check_inputs(const Event& event, const Timeline::Moment& moment) 
     older_[moment.stamp->session].add(used->seq);
 }
 
+void Verifier::check_answers(const Event& event, const Timeline::Moment& moment) {
+  const bool safety = event.channel == channels::kSafetyState;
+  if (!moment.stamp || (!safety && event.channel != channels::kProcessStatus)) return;
+  OnTheirOwn& alone = alone_[moment.stamp->session];
+  if (safety && alone.went_on.add_safety(event.data, event.size) > 0) alone.bridge.add(moment.stamp->seq);
+  if (safety) return;
+  const std::string said = alone.went_on.add_status(event.data, event.size);
+  if (!said.empty()) alone.said.push_back(said);
+}
+
 /// The log may be whole all the same; in real time they are nothing special.
 void Verifier::finish_inputs() {
   for (const auto& [session, older] : older_) {
     if (!clocks_.is(session, ClockMode::kLockstep)) continue;
     find(Kind::kOlder, "not deterministic: " + std::to_string(older.cycles()) +
                            " cycles made from older messages than their own: " + older.text());
+  }
+  for (const auto& [session, alone] : alone_) {
+    if (!clocks_.is(session, ClockMode::kLockstep)) continue;
+    if (!alone.bridge.empty())
+      find(Kind::kOlder, "not deterministic: the bridge went on without an answer in " +
+                             std::to_string(alone.bridge.cycles()) + " cycles: " + alone.bridge.text());
+    for (const std::string& said : alone.said) find(Kind::kOlder, "not deterministic: " + said);
   }
 }
 

@@ -28,7 +28,8 @@ struct Finding {
     kUnfinished,  ///< LOG_METADATA, but no LOG_END
     kOrder,       ///< received before the event in front of it
     kUnknown,     ///< a channel that is not sprung's, of a type that nobody here knows
-    kOlder,       ///< in lock-step: commands made from older messages (signals/own_inputs.h)
+    kOlder,  ///< in lock-step: commands made from older messages (signals/own_inputs.h), or a process that
+             ///< went on without the others
   };
   Kind kind = Kind::kGarbage;
   bool wrong = true;  ///< false: worth knowing, but such a log is as it was meant to be

@@ -71,6 +71,9 @@ std::vector<std::string> lockstep_notes(const LockstepFlaws& flaws) {
   if (!flaws.older.empty())
     out.push_back("not deterministic: " + cycles(flaws.older) +
                   " made from older messages than their own: " + flaws.older.text());
+  if (!flaws.without_answer.empty())
+    out.push_back("not deterministic: the bridge went on without an answer in " +
+                  cycles(flaws.without_answer) + ": " + flaws.without_answer.text());
   for (std::size_t i = 0; i < flaws.absent.size(); ++i) {
     const std::string channel = LockstepFlaws::kChannels[i];
     const auto& [never_made, not_in_log] = flaws.absent[i];
@@ -94,6 +97,7 @@ std::vector<std::string> notes(const ReplayResult& result) {
     out.push_back(std::to_string(result.counts.incomplete) + " inputs are missing, first " +
                   result.counts.first_incomplete);
   for (std::string& note : lockstep_notes(result.lockstep)) out.push_back(std::move(note));
+  for (const std::string& said : result.flaws.said) out.push_back("not deterministic: " + said);
   if (result.counts.other_version > 0) out.push_back(other_version_note(result));
   if (result.flaws.unanswered > 0)
     out.push_back(
@@ -114,7 +118,7 @@ std::string verdict(const ReplayResult& result) {
   if (result.counts.compared == 0)
     return "nothing to compare: the log has no message that these cores make, or none in that time";
   if (result.identical())
-    return result.lockstep.deterministic() ? "identical" : "identical, of a run that was not deterministic";
+    return result.deterministic() ? "identical" : "identical, of a run that was not deterministic";
   if (result.counts.other_version > 0) return "identical, where the log can be compared";
   return result.counts.incomplete > 0 ? "identical, where the log has the inputs"
                                       : "identical, where the log has the messages";
@@ -177,6 +181,7 @@ nlohmann::ordered_json stretches_json(const log::CycleStretches& which) {
 
 void add_lockstep(const LockstepFlaws& flaws, nlohmann::ordered_json& out) {
   out["made_from_older"] = stretches_json(flaws.older);
+  out["without_answer"] = stretches_json(flaws.without_answer);
   for (const char* key : {"never_existed", "not_in_log"}) out[key] = nlohmann::ordered_json::object();
   for (std::size_t i = 0; i < flaws.absent.size(); ++i) {
     const auto& [never_made, not_in_log] = flaws.absent[i];
@@ -213,6 +218,7 @@ std::string replay_json(const ReplayRequest& request, const ReplayResult& result
   json["differing"] = result.counts.differing;
   json["missing_inputs"] = result.counts.incomplete;
   add_lockstep(result.lockstep, json);
+  json["deterministic"] = result.deterministic();
   json["replayed_s"] = result.replayed_s;
   json["wall_s"] = result.wall_s;
   json["times_real_time"] = result.times_real_time();

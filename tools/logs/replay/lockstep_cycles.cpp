@@ -14,8 +14,9 @@ enum Channel : std::size_t { kJoints, kLegs, kMotion, kDrives };
 }  // namespace
 
 bool LockstepFlaws::deterministic() const noexcept {
-  return older.empty() && std::all_of(absent.begin(), absent.end(),
-                                      [](const AbsentCycles& one) { return one.never_made.empty(); });
+  return older.empty() && without_answer.empty() &&
+         std::all_of(absent.begin(), absent.end(),
+                     [](const AbsentCycles& one) { return one.never_made.empty(); });
 }
 
 bool LockstepFlaws::every_message() const noexcept {
@@ -26,6 +27,7 @@ bool LockstepFlaws::every_message() const noexcept {
 
 void LockstepCycles::add(const LoggedCycle& cycle) {
   if (cycle.anew) begin_anew();
+  if (cycle.alone) flaws_.without_answer.add(cycle.seq);
   // First, since it says what became of the others.
   if (!cycle.drive_command.empty()) add_command(cycle.drive_command);
   const std::array<const Bytes*, LockstepFlaws::kChannels.size()> messages{
@@ -37,7 +39,8 @@ void LockstepCycles::add(const LoggedCycle& cycle) {
 
 void LockstepCycles::begin_anew() noexcept {
   newest_.fill(-1);
-  for (log::CycleStretches* one : {&without_joint_state_, &without_leg_command_, &flaws_.older})
+  for (log::CycleStretches* one :
+       {&without_joint_state_, &without_leg_command_, &flaws_.older, &flaws_.without_answer})
     one->begin_anew();
   for (AbsentCycles& one : flaws_.absent) {
     one.never_made.begin_anew();
@@ -64,10 +67,11 @@ void LockstepCycles::add_message(std::size_t channel, std::int64_t seq) {
   newest_[channel] = seq;
 }
 
-/// LEG_COMMAND(k) is for DRIVE_COMMAND(k + 1), JOINT_STATE(k) for that of its own cycle.
+/// LEG_COMMAND(k) is for DRIVE_COMMAND(k + 1), JOINT_STATE(k) for that of its own cycle; the bridge tells
+/// when it had no DRIVE_COMMAND(k).
 bool LockstepCycles::was_never_made(std::size_t channel, std::int64_t first,
                                     std::int64_t last) const noexcept {
-  if (channel == kDrives) return false;
+  if (channel == kDrives) return flaws_.without_answer.newest_has(first, last);
   if (channel == kJoints) return without_joint_state_.newest_has(first, last);
   return without_leg_command_.newest_has(first + 1, last + 1);
 }

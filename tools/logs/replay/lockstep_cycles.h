@@ -20,10 +20,12 @@ struct LockstepFlaws {
   /// LEG_COMMAND and MOTION_STATE are made together.
   static constexpr std::array<const char*, 4> kChannels{"JOINT_STATE", "LEG_COMMAND", "MOTION_STATE",
                                                         "DRIVE_COMMAND"};
-  log::CycleStretches older;  ///< DRIVE_COMMANDs, by signals/own_inputs.h
+  log::CycleStretches older;           ///< DRIVE_COMMANDs, by signals/own_inputs.h
+  log::CycleStretches without_answer;  ///< the bridge went on without one, of drives or leg controller
   std::array<AbsentCycles, kChannels.size()> absent;
 
-  bool deterministic() const noexcept;  ///< nothing was made from older messages, or never
+  /// Nothing was made from older messages, or never, or did without an answer.
+  bool deterministic() const noexcept;
   bool every_message() const noexcept;  ///< no channel misses any
 };
 

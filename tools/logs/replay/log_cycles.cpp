@@ -83,7 +83,7 @@ void LoggedCycle::clear() noexcept {
   seq = -1;
   time_us = 0;
   time_s = 0.0;
-  anew = false;
+  alone = anew = false;
   restarted = {};
   for (Bytes* bytes : {&drive_state, &imu, &joint_state, &leg_command, &motion_state, &drive_command})
     bytes->clear();
@@ -98,17 +98,21 @@ void LogCycles::add(const log::Event& event, double time_s) {
   if (event.channel == channels::kOperatorCommand) return add_command(event);
   if (event.channel == channels::kOperatorReply) return add_reply(event);
   if (event.channel == channels::kProcessStatus) return add_status(event);
+  if (event.channel == channels::kSafetyState) return add_safety(event);
 }
 
 bool LogCycles::uses(std::string_view channel) noexcept {
   using namespace channels;
   return member_of(channel) != nullptr || channel == kOperatorCommand || channel == kOperatorReply ||
-         channel == kProcessStatus;
+         channel == kProcessStatus || channel == kSafetyState;
 }
 
 void LogCycles::take_session(std::int64_t session) {
   if (session == session_) return;
-  if (session_ != 0) restart();
+  if (session_ != 0) {
+    restart();
+    went_on_.begin_anew();
+  }
   session_ = session;
 }
 
@@ -205,12 +209,27 @@ void LogCycles::add_status(const log::Event& event) {
   sprung_msgs::process_status_t status;
   if (!decode(event, status)) return;
   std::int64_t& pid = pids_[{status.session, status.process}];
+  if (status.session == session_) {
+    std::string what = went_on_.add_status(event.data, event.size);
+    if (!what.empty()) flaws_.said.push_back(std::move(what));
+  }
   const bool restarted = pid != 0 && pid != status.pid && status.session == session_;
   pid = status.pid;
   if (!restarted) return;
   const auto* const core = std::find(std::begin(kProgramOfCore), std::end(kProgramOfCore), status.process);
   if (core != std::end(kProgramOfCore))
     restarted_[static_cast<std::size_t>(core - std::begin(kProgramOfCore))] = true;
+}
+
+/// Only of cycles that are here anyway: it begins none and makes none late.
+void LogCycles::add_safety(const log::Event& event) {
+  if (event.size < kCountsOffset) return;
+  const bool of_cycles = session_ == 0 || read_int64(event.data, kSessionOffset) == session_;
+  if (!of_cycles || went_on_.add_safety(event.data, event.size) == 0) return;
+  const std::int64_t seq = read_int64(event.data, kSeqOffset);
+  if (seq <= handed_out_ || seq > newest_) return;
+  LoggedCycle& cycle = slot(seq);
+  if (cycle.seq == seq) cycle.alone = true;
 }
 
 void LogCycles::add_command(const log::Event& event) {

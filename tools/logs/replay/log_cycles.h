@@ -13,6 +13,7 @@
 
 #include "signals/enumeration.h"
 #include "tools/logs/log/event.h"
+#include "tools/logs/log/went_on.h"
 
 namespace sprung {
 
@@ -32,6 +33,7 @@ struct LoggedCycle {
   std::int64_t seq = -1;
   std::int64_t time_us = 0;  ///< UTC, when the first of them was received
   double time_s = 0.0;       ///< robot's time of that, since the begin of the log
+  bool alone = false;        ///< lock-step: the bridge went on without an answer of drives or controller
   bool anew = false;         ///< another session, or the bridge counts from 0 again: every core began fresh
   std::array<bool, kCores> restarted{};  ///< this core's process was started again before it made this cycle
   Bytes drive_state;
@@ -54,6 +56,7 @@ struct LogFlaws {
   std::int64_t foreign = 0;     ///< too short for a message of ours, or of a cycle that cannot be
   std::int64_t unanswered = 0;  ///< operator's commands of whose cycle the log says nothing: they take effect
                                 ///< where they stand in the log
+  std::vector<std::string> said;  ///< by processes of lock-step runs that are not deterministic (went_on.h)
 };
 
 class LogCycles {
@@ -90,6 +93,7 @@ class LogCycles {
   void take_session(std::int64_t session);
   void add_cyclic(Bytes LoggedCycle::*member, const log::Event& event, double time_s);
   void add_status(const log::Event& event);
+  void add_safety(const log::Event& event);
   void add_command(const log::Event& event);
   void add_reply(const log::Event& event);
   void give_commands(LoggedCycle& cycle);
@@ -99,6 +103,7 @@ class LogCycles {
   std::int64_t newest_ = -1;  ///< the window holds newest_ - kWindow + 1 .. newest_
   std::int64_t handed_out_ = -1;
   std::int64_t session_ = 0;  ///< of the cycles
+  log::WentOn went_on_;       ///< in that session
   bool begun_ = false;
   bool anew_ = false;
   std::array<bool, kCores> restarted_{};

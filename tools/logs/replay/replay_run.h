@@ -72,6 +72,8 @@ struct ReplayResult {
   /// All was compared, all of it is the same, and neither input nor message was missing. In real time
   /// messages may be.
   bool identical() const noexcept;
+  /// Nothing in the log says that its run went on by wall time.
+  bool deterministic() const noexcept { return lockstep.deterministic() && flaws.said.empty(); }
   double times_real_time() const noexcept { return wall_s > 0.0 ? replayed_s / wall_s : 0.0; }
 };
 

@@ -1,6 +1,7 @@
 #include "tools/operate/client/cycle_collector.h"
 
 #include "lcmtypes/channels.h"
+#include "signals/own_inputs.h"
 
 namespace sprung {
 
@@ -64,9 +65,14 @@ void CycleCollector::take_all(const ReplyObserver& on_reply) {
     overruns_ = message->overruns;
     if (message->seq <= counted_until_) missed_cycles_ = message->missed_cycles;
   }
-  while (auto message = statuses_.pop()) {
-    if (message->process == "sprung-can-bridge") repeats_ = message->sequence_gaps;
-  }
+  while (auto message = statuses_.pop()) take_status(*message);
+}
+
+void CycleCollector::take_status(const sprung_msgs::process_status_t& status) {
+  if (status.process == "sprung-can-bridge") repeats_ = status.sequence_gaps;
+  const bool says_so = status.detail.find(kNotDeterministicNote) != std::string::npos;
+  if (says_so && status.seq < counted_until_ && not_deterministic_.empty())
+    not_deterministic_ = status.process + ": " + status.detail;
 }
 
 int CycleCollector::collect(const CycleObserver& on_cycle, const ReplyObserver& on_reply) {

@@ -4,6 +4,7 @@
 /// is counted, never made up.
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <utility>
 
 #include "robots/robot_config.h"
@@ -39,6 +40,8 @@ class CycleCollector {
   std::int64_t lost_cycles() const { return assembler_.lost_cycles(); }
   std::int64_t overruns() const { return overruns_; }            ///< as the bridge counts them
   std::int64_t missed_cycles() const { return missed_cycles_; }  ///< without a DRIVE_COMMAND
+  /// What a process says of a run that is not deterministic before that cycle; empty while none does.
+  const std::string& not_deterministic() const { return not_deterministic_; }
   std::int64_t repeats() const { return repeats_; }  ///< lock-step: what the bridge had to ask for again
 
  private:
@@ -47,6 +50,7 @@ class CycleCollector {
     while (auto signal = queue.pop()) assembler_.add(std::move(*signal));
   }
   void take_motions();
+  void take_status(const sprung_msgs::process_status_t& status);
   void take_all(const ReplyObserver& on_reply);
 
   RobotConfig robot_;
@@ -64,6 +68,7 @@ class CycleCollector {
   std::int64_t overruns_ = 0;
   std::int64_t missed_cycles_ = 0;
   std::int64_t repeats_ = 0;
+  std::string not_deterministic_;
   Node node_;
 };
 

@@ -116,6 +116,35 @@ TEST_F(LogInfoTest, LockStepBridgeThatWentOnWithoutAnAnswerIsNamed) {
   }
 }
 
+TEST_F(LogInfoTest, CyclesWithoutAnAnswerInARowAreOneIncident) {
+  std::vector<Kept> events{metadata_event(kSampleYaml, "lockstep")};
+  for (std::int64_t k = 5; k < 20; ++k)
+    events.push_back(safety_event(k, "operational", "none", "", k < 10 ? 0 : k - 9));
+  events.push_back(safety_event(30, "operational", "none", "", 13));
+  const LogInfo found = info(events);
+  EXPECT_EQ(found.without_answer, 13);
+  ASSERT_EQ(found.incidents.size(), 4u);
+  EXPECT_EQ(found.incidents[2].seq, 10);
+  EXPECT_EQ(found.incidents[2].text,
+            "not deterministic: the bridge went on without an answer, times: 10, up to cycle 19");
+  EXPECT_EQ(found.incidents[3].text, "not deterministic: the bridge went on without an answer, times: 3");
+}
+
+TEST_F(LogInfoTest, LockStepProcessThatCallsItsRunNotDeterministicIsNamed) {
+  const std::string says = "no SYNC: this run is not deterministic";
+  const LogInfo found = info(
+      {metadata_event(kSampleYaml, "lockstep"), status_event(4, "sprung-sim-drives", says), joint_event(4),
+       safety_event(5, "operational", "none", ""), status_event(6, "sprung-sim-drives", says),
+       status_event(7, "sprung-sim-drives", says)});
+  EXPECT_THAT(info_text(found), HasSubstr("lock-step  not deterministic: sprung-sim-drives: no SYNC\n"));
+  ASSERT_EQ(found.incidents.size(), 3u);
+  EXPECT_EQ(found.incidents[2].kind, IncidentKind::kNotDeterministic);
+  EXPECT_EQ(found.incidents[2].seq, 6);
+  EXPECT_EQ(found.incidents[2].text, "not deterministic: sprung-sim-drives: no SYNC");
+  EXPECT_EQ(nlohmann::json::parse(info_json(found))["said_not_deterministic"][0],
+            "sprung-sim-drives: no SYNC");
+}
+
 TEST_F(LogInfoTest, WhatLegsMetBeforeTheLogIsNoNews) {
   const LogInfo found = info({motion_event(5, "walking", "", 40), motion_event(6, "walking", "", 42)});
   EXPECT_EQ(found.leg_counts[5], 2);

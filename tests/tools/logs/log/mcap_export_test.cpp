@@ -5,6 +5,7 @@
 #include <zstd.h>
 
 #include <algorithm>
+#include <map>
 
 #include "tests/tools/logs/log/proto_reader.h"
 #include "tests/tools/logs/log/robot_sample.h"
@@ -101,21 +102,32 @@ std::size_t count(const std::vector<Record>& records, McapOp op) {
       std::count_if(records.begin(), records.end(), [op](const Record& record) { return record.op == op; }));
 }
 
-TEST_F(McapTest, MessagesAreInTheOrderOfTheirLogTimes) {
+TEST_F(McapTest, MessagesAreInTheOrderOfTheirLogTimesAndOfPublishTimesWithinEachTopic) {
   std::vector<Kept> events = robot_events(30);
   std::swap(events[20], events[31]);
-  std::vector<std::uint64_t> times_ns;
+  events[11].time_us += 9000;  // the network held it back: its topic's next ones were received earlier
+  const std::int64_t held_back_us = events[11].time_us;
+  std::vector<std::uint64_t> log_ns;
+  std::map<std::uint16_t, std::vector<std::uint64_t>> published_ns;
   for (const Record& record : exported(events, false)) {
     if (record.op != McapOp::kChunk) continue;
     const std::string inner = records_in(record);
     for (const Record& message : records_of(inner, 0, inner.size())) {
       Cursor cursor(message.content);
-      cursor.take(2 + 4);
-      times_ns.push_back(cursor.number<std::uint64_t>());
+      const auto topic = cursor.number<std::uint16_t>();
+      cursor.take(4);
+      log_ns.push_back(cursor.number<std::uint64_t>());
+      published_ns[topic].push_back(cursor.number<std::uint64_t>());
     }
   }
-  EXPECT_EQ(times_ns.size(), 63u);
-  EXPECT_TRUE(std::is_sorted(times_ns.begin(), times_ns.end()));
+  EXPECT_EQ(log_ns.size(), 63u);
+  EXPECT_TRUE(std::is_sorted(log_ns.begin(), log_ns.end()));
+  std::ptrdiff_t held_back = 0;
+  for (const auto& [topic, times] : published_ns) {
+    EXPECT_TRUE(std::is_sorted(times.begin(), times.end())) << topic;
+    held_back += std::count(times.begin(), times.end(), static_cast<std::uint64_t>(held_back_us) * 1000);
+  }
+  EXPECT_GT(held_back, 1) << "who came before it has its time";
 }
 
 TEST_F(McapTest, EveryMessageIsThereInProtocolBuffers) {

@@ -14,6 +14,7 @@
 #include "sprung_msgs/log_end_t.hpp"
 #include "sprung_msgs/log_metadata_t.hpp"
 #include "sprung_msgs/motion_state_t.hpp"
+#include "sprung_msgs/process_status_t.hpp"
 #include "sprung_msgs/safety_state_t.hpp"
 #include "tests/support/paths.h"
 #include "tests/tools/logs/log/log_sample.h"
@@ -83,6 +84,14 @@ inline Kept safety_event(std::int64_t cycle, const std::string& level, const std
   message.cause_name = cause;
   message.detail = detail;
   return kept(channels::kSafetyState, cycle, encoded(message));
+}
+
+inline Kept status_event(std::int64_t cycle, const std::string& process, const std::string& detail) {
+  auto message = stamped<sprung_msgs::process_status_t>(cycle);
+  message.clock = "lockstep";
+  message.process = process;
+  message.detail = detail;
+  return kept(channels::kProcessStatus, cycle, encoded(message));
 }
 
 inline constexpr const char* kSampleYaml = "name: no_such_robot\n";

@@ -109,6 +109,28 @@ TEST_F(LogVerify, LockStepRunThatWasNotDeterministicIsNamedAndItsLogIsWhole) {
                                "3 to 4"));
 }
 
+/// In which the bridge had no answer in cycles 3, 4, 6, and the simulated drives went on without it.
+std::vector<Kept> with_silence(const std::string& clock) {
+  std::vector<Kept> events{metadata_event(kSampleYaml, clock)};
+  std::int64_t missed = 0;
+  for (std::int64_t k = 0; k < 8; ++k) {
+    events.push_back(command_event(k, k - 1));
+    missed += k == 3 || k == 4 || k == 6 ? 2 : 0;
+    events.push_back(safety_event(k, "operational", "none", "", missed));
+  }
+  events.push_back(status_event(7, "sprung-sim-drives", "no SYNC: this run is not deterministic"));
+  events.push_back(end_event(8, static_cast<std::int64_t>(events.size())));
+  for (std::size_t i = 0; i < events.size(); ++i) events[i].number = static_cast<std::int64_t>(i);
+  return events;
+}
+
+TEST_F(LogVerify, LockStepRunWhoseProcessesWentOnWithoutAnAnswerIsNamed) {
+  EXPECT_TRUE(check(with_silence("lockstep")).good()) << text_;
+  EXPECT_THAT(text_, HasSubstr("note   not deterministic: the bridge went on without an answer in 3 cycles: "
+                               "3 to 4, 6\n"));
+  EXPECT_THAT(text_, HasSubstr("note   not deterministic: sprung-sim-drives: no SYNC\n"));
+}
+
 TEST_F(LogVerify, OlderMessagesAreNothingSpecialInRealTime) {
   EXPECT_EQ(check(with_older_inputs("realtime")).counts.count(Kind::kOlder), 0u) << text_;
 }

@@ -139,6 +139,27 @@ TEST(ReplayText, WholeLogOfARunThatWasNotDeterministicIsNotJustIdentical) {
               HasSubstr("\nidentical, of a run that was not deterministic\n"));
 }
 
+/// The log is whole, but the bridge, or the simulated drives, did not wait.
+TEST(ReplayText, NamesTheCyclesInWhichTheBridgeHadNoAnswer) {
+  ReplayResult result = result_of(4000);
+  result.lockstep.without_answer.add(1002, 1326);
+  const std::string text = replay_text(request(), result);
+  EXPECT_THAT(text, HasSubstr("note: not deterministic: the bridge went on without an answer in 325 cycles: "
+                              "1002 to 1326\n"));
+  EXPECT_THAT(text, HasSubstr("\nidentical, of a run that was not deterministic\n"));
+  const auto json = nlohmann::json::parse(replay_json(request(), result));
+  EXPECT_EQ(json["without_answer"]["cycles"], 325);
+  EXPECT_FALSE(json["deterministic"]);
+}
+
+TEST(ReplayText, NamesWhatProcessesSayOfARunThatWasNotDeterministic) {
+  ReplayResult result = result_of(4000);
+  result.flaws.said = {"sprung-sim-drives: no SYNC"};
+  const std::string text = replay_text(request(), result);
+  EXPECT_THAT(text, HasSubstr("note: not deterministic: sprung-sim-drives: no SYNC\n"));
+  EXPECT_THAT(text, HasSubstr("\nidentical, of a run that was not deterministic\n"));
+}
+
 TEST(ReplayJson, HasTheCyclesThatNeverExisted) {
   const auto json = nlohmann::json::parse(replay_json(request(), not_deterministic()));
   EXPECT_FALSE(json["identical"]);

@@ -102,6 +102,20 @@ TEST_F(LockstepCyclesTest, OfADriveCommandThatIsNotThereNothingSaysWhetherItWas)
   EXPECT_FALSE(flaws().every_message());
 }
 
+/// The drives were silent for 10 and 11: nothing else shows it. The leg controller was for 15.
+TEST_F(LockstepCyclesTest, CyclesInWhichTheBridgeHadNoAnswerAreNamed) {
+  for (std::int64_t seq = 0; seq <= 20; ++seq) {
+    LoggedCycle one = cycle(seq);
+    one.alone = seq == 10 || seq == 11 || seq == 15;
+    if (seq == 15) one.drive_command.clear();
+    cycles_.add(one);
+  }
+  EXPECT_FALSE(flaws().deterministic());
+  EXPECT_EQ(flaws().without_answer.text(), "10 to 11, 15");
+  EXPECT_EQ(flaws().absent[kDrives].never_made.text(), "15");
+  EXPECT_TRUE(flaws().absent[kDrives].not_in_log.empty());
+}
+
 TEST_F(LockstepCyclesTest, BeforeItsFirstMessageAndAfterItsLastASenderWasNotThere) {
   for (std::int64_t seq = 3; seq < 9; ++seq) {
     LoggedCycle one = cycle(seq, seq, seq < 6 ? -1 : seq - 1);

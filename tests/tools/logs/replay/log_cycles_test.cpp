@@ -12,6 +12,7 @@
 #include "signals/joint_state.h"
 #include "signals/leg_command.h"
 #include "signals/operator.h"
+#include "signals/safety_state.h"
 #include "tests/tools/logs/replay/logged_message.h"
 
 namespace sprung {
@@ -59,8 +60,15 @@ class LogCyclesTest : public testing::Test {
     reply.answered_by = from;
     add(channels::kOperatorReply, reply);
   }
-  void status(const char* process, std::int64_t pid) {
+  void safety(std::int64_t seq, std::int64_t missed_cycles) {
+    SafetyState safety;
+    safety.stamp.seq = seq;
+    safety.missed_cycles = missed_cycles;
+    add(channels::kSafetyState, safety);
+  }
+  void status(const char* process, std::int64_t pid, const char* detail = "") {
     ProcessStatus status;
+    status.detail = detail;
     status.process = process;
     status.pid = pid;
     add(channels::kProcessStatus, status);
@@ -110,6 +118,28 @@ TEST_F(LogCyclesTest, CyclesComeInOrderHoweverTheLogIsMixed) {
   ASSERT_EQ(seen_.size(), 3000u);
   for (std::int64_t k = 0; k < 3000; ++k) ASSERT_EQ(seen_[k].seq, k);
   EXPECT_EQ(cycles_.flaws().late, 0);
+}
+
+TEST_F(LogCyclesTest, CyclesInWhichTheBridgeHadNoAnswerAreMarked) {
+  safety(-1, 0);
+  for (std::int64_t k = 0; k < 8; ++k) {
+    drive_state(k);
+    if (k == 0 || k == 1) safety(k, 1);
+    if (k == 5) safety(k, 3);
+  }
+  safety(600, 9);
+  cycles_.finish();
+  ASSERT_EQ(seen_.size(), 8u) << "of a cycle that has nothing else none is made";
+  for (std::int64_t k = 0; k < 8; ++k) EXPECT_EQ(seen_[k].alone, k == 0 || k == 5) << k;
+  EXPECT_EQ(cycles_.flaws().late, 0);
+}
+
+TEST_F(LogCyclesTest, WhatProcessesSayOfARunThatIsNotDeterministicIsKept) {
+  drive_state(0);
+  status("sprung-sim-drives", 5, "no SYNC: this run is not deterministic");
+  status("sprung-sim-drives", 5, "no SYNC: this run is not deterministic");
+  status("sprung-can-bridge", 6, "refused: wrong hash");
+  EXPECT_EQ(cycles_.flaws().said, std::vector<std::string>{"sprung-sim-drives: no SYNC"});
 }
 
 TEST_F(LogCyclesTest, FirstOfRepeatedMessagesCounts) {

@@ -6,6 +6,7 @@
 
 #include "lcmtypes/channels.h"
 #include "robots/robot_loader.h"
+#include "runtime/process_status.h"
 #include "signals/safety_state.h"
 #include "tests/runtime/lcm_network.h"
 
@@ -81,6 +82,27 @@ TEST_F(CycleCollectorTest, WhatIsMissedAfterTheLastCycleThatCountsIsNotCounted) 
   }
   EXPECT_TRUE(heard);
   EXPECT_EQ(collector_.missed_cycles(), 2);
+}
+
+/// The simulated drives say so when the bridge holds still for a second, and when it has ended in order.
+TEST_F(CycleCollectorTest, RunThatAProcessCallsNotDeterministicBeforeTheLastCycleIsKnown) {
+  collector_.count_until(kSeq);
+  const auto says = [&](std::int64_t seq, const std::string& detail) {
+    ProcessStatus status;
+    status.stamp.seq = seq;
+    status.process = "sprung-sim-drives";
+    status.detail = detail;
+    sender_.publisher<ProcessStatus>(channels::kProcessStatus).publish(status);
+    collector_.wait(0.02);
+    collector_.collect([](const CycleRecord&) {}, [](const OperatorReply&) {});
+  };
+  says(kSeq - 1, "refused: wrong hash");
+  says(kSeq, "no SYNC: this run is not deterministic");
+  EXPECT_EQ(collector_.not_deterministic(), "");
+  const std::int64_t end_us = sender_.utime_us() + kTimeout_us;
+  while (collector_.not_deterministic().empty() && sender_.utime_us() < end_us)
+    says(kSeq - 1, "no SYNC: this run is not deterministic");
+  EXPECT_EQ(collector_.not_deterministic(), "sprung-sim-drives: no SYNC: this run is not deterministic");
 }
 
 }  // namespace

@@ -87,6 +87,14 @@ std::int64_t write_all(FrameSource& source, int bus, bool pcap, ExportFile& out)
   return frames;
 }
 
+/// On standard error where the capture itself goes to standard output.
+void tell_wireshark(const std::string& out) {
+  const bool piped = out == "-";
+  std::fprintf(piped ? stderr : stdout,
+               "CANopen in words: wireshark -d can.subdissector,canopen %s (tshark takes it too)\n",
+               piped ? "FILE" : out.c_str());
+}
+
 int run_export(const ExportRequest& request) {
   const bool pcap = request.format == "pcap";
   if (pcap && request.out == "-" && isatty(STDOUT_FILENO) != 0)
@@ -104,9 +112,7 @@ int run_export(const ExportRequest& request) {
   }
   if (request.out != "-")
     std::printf("%lld frames to %s\n", static_cast<long long>(frames), request.out.c_str());
-  if (pcap && request.out != "-")
-    std::printf("CANopen in words: wireshark -d can.subdissector,canopen %s (tshark takes it too)\n",
-                request.out.c_str());
+  if (pcap) tell_wireshark(request.out);
   return kExitDone;
 }
 
@@ -115,7 +121,9 @@ int run_export(const ExportRequest& request) {
 void add_can_export(CommandLine& can) {
   const auto request = std::make_shared<ExportRequest>();
   CommandLine& to = can.subcommand(
-      "export", "CAN frames of a log for can-utils (candump -L text) or Wireshark (pcapng).");
+      "export",
+      "CAN frames of a log for can-utils (candump -L text) or Wireshark (pcapng; CANopen in words: wireshark "
+      "-d can.subdissector,canopen FILE).");
   to.option("log", request->log, "LCM log or candump file", Need::kRequired);
   to.choice("--format", request->format, {"candump", "pcap"}, "pcap writes pcapng, one interface a bus");
   to.option("--bus", request->where.bus, "only this bus");
