@@ -82,7 +82,9 @@ std::string said_when_stalled(const RunScript& script, const std::string& progra
   options.on_ready = [&](const RunInfo& info) { instance = info.instance; };
   const auto stall_once = [&](const CycleRecord& cycle) {
     if (cycle.drive_state.stamp.seq != 100) return;
-    for (const RunningProcess& process : read_run_file(instance)->processes) {
+    const auto run = read_run_file(instance);  // has the bridge, too, which begins after the others
+    ASSERT_TRUE(run);
+    for (const RunningProcess& process : run->processes) {
       if (process.program != program) continue;
       kill(static_cast<pid_t>(process.pid), SIGSTOP);
       std::this_thread::sleep_for(std::chrono::milliseconds(stop_ms));
