@@ -143,7 +143,10 @@ void ConsoleSession::press_estop(std::int64_t now_us) {
 void ConsoleSession::tell_estop() {
   const std::int64_t took_us = estop_.confirmed_us() - estop_.pressed_us();
   Ordered message{{"type", "estop"}, {"state", name(estop_.state())}};
-  if (estop_.state() == EstopState::kConfirmed) message["for_ms"] = 1e-3 * static_cast<double>(took_us);
+  if (estop_.state() == EstopState::kConfirmed) {
+    message["for_ms"] = 1e-3 * static_cast<double>(took_us);
+    message["time_s"] = 1e-6 * static_cast<double>(estop_.confirmed_us());
+  }
   for (const auto& [page, unused] : pages_) send(page, message);
 }
 
