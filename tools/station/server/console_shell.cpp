@@ -33,7 +33,10 @@ using OrderedJson = nlohmann::ordered_json;
 
 constexpr std::array<const char*, 3> kProtocols{"sprung.v1", "foxglove.sdk.v1", "foxglove.websocket.v1"};
 constexpr std::int64_t kTick_us = 20'000;
-constexpr std::int64_t kState_us = 100'000;
+// Beside the robot's own processes a page may take 3 % of a core: the state's text costs as much as 15
+// frames.
+constexpr std::int64_t kFrame_us = 2 * kTick_us;
+constexpr std::int64_t kState_us = 250'000;
 constexpr std::int64_t kProcesses_us = 500'000;  // PROCESS_STATUS comes twice a second
 constexpr std::int64_t kRunCheck_us = 1'000'000;
 
@@ -178,7 +181,7 @@ class Console {
     for (const RobotAnswer& answer : link_.take_answers()) session_.answer(answer, now_us);
     listen(now_us);
     flush();
-    if (!pages_.empty() || robot_is_viewed()) send_frame();
+    if (now_us >= next_frame_us_ && (!pages_.empty() || robot_is_viewed())) send_frame(now_us);
     send_to_viewers();
     if (!pages_.empty() && now_us >= next_state_us_) send_state(now_us);
   }
@@ -188,7 +191,8 @@ class Console {
                        [this](RobotTopic topic) { return viewers_.wanted(name_of(topic)); });
   }
 
-  void send_frame() {
+  void send_frame(std::int64_t now_us) {
+    next_frame_us_ = now_us + kFrame_us - kTick_us / 2;  // ticks come late, never early
     const Frame* const frame = link_.frame();
     if (frame == nullptr) return;
     const auto bytes = std::make_shared<const std::string>(frame_bytes(*frame));
@@ -284,7 +288,8 @@ class Console {
   std::optional<RobotMessages> drawn_;  ///< what viewers are told of the robot
   FoxgloveSession viewers_;
   std::vector<RobotLink::Reader> viewers_readers_;
-  std::int64_t next_tick_us_ = 0, next_state_us_ = 0, next_processes_us_ = 0, next_run_check_us_ = 0;
+  std::int64_t next_tick_us_ = 0, next_frame_us_ = 0, next_state_us_ = 0, next_processes_us_ = 0,
+               next_run_check_us_ = 0;
   WebServer server_;
 };
 

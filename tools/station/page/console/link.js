@@ -4,7 +4,7 @@
 const alive_ms = 300;
 const estop_again_ms = 20;
 const reconnect_ms = 500;
-const stale_ms = 1500; // states come ten times a second
+const stale_ms = 1500; // states come four times a second
 
 export class Link extends EventTarget {
   #socket = null;
