@@ -173,4 +173,9 @@ std::optional<sprung_msgs::log_metadata_t> find_metadata(Reader& reader) {
   return found;
 }
 
+std::string made_by(const std::optional<sprung_msgs::log_metadata_t>& metadata) {
+  if (!metadata || metadata->version.empty()) return "";
+  return metadata->version + (metadata->git_hash.empty() ? "" : " (" + metadata->git_hash + ")");
+}
+
 }  // namespace sprung::log

@@ -77,4 +77,7 @@ inline constexpr int kEventsToLookAt = 20'000;
 /// The first LOG_METADATA among the first events. Leaves the reader at its begin.
 std::optional<sprung_msgs::log_metadata_t> find_metadata(Reader& reader);
 
+/// Who made a log, "0.1.0 (abc)"; "" where nobody says so.
+std::string made_by(const std::optional<sprung_msgs::log_metadata_t>& metadata);
+
 }  // namespace sprung::log

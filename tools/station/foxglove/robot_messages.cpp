@@ -104,9 +104,9 @@ RobotMessages::RobotMessages(const RobotConfig& robot, const Json& scene,
       trunk_field_(find_field(fields, "trunk.x_m")),
       turning_field_(find_field(fields, "imu.measured_angular_velocity_rad_s.x")),
       specific_force_field_(find_field(fields, "imu.measured_specific_force_m_s2.x")),
-      scene_(scene) {
-  for (const Json& body : scene_["bodies"]) links_.push_back(link_of(body, links_.size(), fields));
-  for (const Json& leg : scene_["legs"]) {
+      scene_(std::make_shared<const Json>(scene)) {
+  for (const Json& body : (*scene_)["bodies"]) links_.push_back(link_of(body, links_.size(), fields));
+  for (const Json& leg : (*scene_)["legs"]) {
     if (!leg.contains("foot_body")) continue;
     const std::string name = leg["name"], prefix = "legs." + name + ".";
     feet_.push_back({name, leg["foot_body"], vector_of(leg["foot_in_body_m"]),
@@ -158,10 +158,10 @@ std::string RobotMessages::shapes(std::uint64_t time_ns) const {
   std::vector<FoxgloveEntity> entities;
   const auto add = [&](const std::string& frame, const Json& shapes) {
     entities.emplace_back(frame, frame, true, time_ns);
-    for (const Json& shape : shapes) add_shape(shape, scene_["meshes"], entities.back());
+    for (const Json& shape : shapes) add_shape(shape, (*scene_)["meshes"], entities.back());
   };
-  add(kWorld, scene_["world_shapes"]);
-  for (std::size_t i = 0; i < links_.size(); ++i) add(links_[i].name, scene_["bodies"][i]["shapes"]);
+  add(kWorld, (*scene_)["world_shapes"]);
+  for (std::size_t i = 0; i < links_.size(); ++i) add(links_[i].name, (*scene_)["bodies"][i]["shapes"]);
   return scene_update(entities);
 }
 

@@ -3,7 +3,8 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
-#include <nlohmann/json.hpp>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -78,7 +79,7 @@ class RobotMessages {
   std::size_t base_ = 0;
   bool base_fixed_ = false;
   int trunk_field_ = -1, turning_field_ = -1, specific_force_field_ = -1;
-  nlohmann::json scene_;
+  std::shared_ptr<const nlohmann::json> scene_;
 };
 
 }  // namespace sprung::station

@@ -23,11 +23,6 @@ std::string note_of(const Frames::Source& source, const std::string& maker) {
 
 }  // namespace
 
-std::string made_by(const std::optional<sprung_msgs::log_metadata_t>& metadata) {
-  if (!metadata || metadata->version.empty()) return "";
-  return metadata->version + (metadata->git_hash.empty() ? "" : " (" + metadata->git_hash + ")");
-}
-
 std::vector<std::string> version_notes(const Frames& frames, const std::string& maker) {
   std::vector<std::string> notes;
   for (const Frames::Source& source : frames.sources())

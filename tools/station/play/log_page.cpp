@@ -206,13 +206,13 @@ void refuse_no_cycle(const FramePass& pass, const std::string& path) {
 LoggedScene scene_of(const RobotConfig& robot, const log::LogInfo& info, const FramePass& pass) {
   LoggedScene found;
   if (pass.posed()) return scene_of_log(robot, info.metadata);
-  found.missing = no_pose(pass.frames(), made_by(info.metadata));
+  found.missing = no_pose(pass.frames(), log::made_by(info.metadata));
   return found;
 }
 
 std::vector<std::string> notes_of(const log::LogInfo& info, const RobotConfig& robot, const FramePass& pass,
                                   const LoggedScene& found) {
-  std::vector<std::string> notes = version_notes(pass.frames(), made_by(info.metadata));
+  std::vector<std::string> notes = version_notes(pass.frames(), log::made_by(info.metadata));
   const auto add = [&](const std::vector<std::string>& more) {
     notes.insert(notes.end(), more.begin(), more.end());
   };
@@ -244,7 +244,7 @@ LogPage make_log_page(log::Reader& reader, const log::Progress& progress, const 
               {"events", events_of(info)},
               {"phases", pass.phases()},
               {"data", pass.columns().description()}};
-  if (info.metadata) config["version"] = made_by(info.metadata);
+  if (info.metadata) config["version"] = log::made_by(info.metadata);
   page.html = make_page(config, pass.columns().packed());
   return page;
 }

@@ -54,18 +54,19 @@ FoxgloveSession::FoxgloveSession(std::string name,
                                  const std::vector<std::pair<std::string, std::string>>& channels,
                                  const std::string& shapes)
     : name_(std::move(name)), shapes_(shapes) {
+  Json advertised = Json::array();
   for (const auto& [topic, type_name] : channels) {
     const fields::StructType& type = *fields::TypeTable::sprung().by_name(type_name);
-    advertised_.push_back(
-        channel_json(topics_.size(), topic, log::proto_name(type), log::proto_schema(type)));
+    advertised.push_back(channel_json(topics_.size(), topic, log::proto_name(type), log::proto_schema(type)));
     topics_.push_back(topic);
   }
-  if (shapes_.empty()) return;
   for (const RobotTopic topic : kRobotTopics) {
+    if (shapes_.empty()) break;
     const std::string type = type_of(topic);
-    advertised_.push_back(channel_json(topics_.size(), name_of(topic), type, foxglove_schema(type)));
+    advertised.push_back(channel_json(topics_.size(), name_of(topic), type, foxglove_schema(type)));
     topics_.push_back(name_of(topic));
   }
+  advertisement_ = Json({{"op", "advertise"}, {"channels", std::move(advertised)}}).dump();
 }
 
 std::vector<std::string> FoxgloveSession::opened(int viewer) {
@@ -75,7 +76,7 @@ std::vector<std::string> FoxgloveSession::opened(int viewer) {
                   {"capabilities", Json::array()},
                   {"supportedEncodings", Json::array()},
                   {"metadata", Json::object()}};
-  return {info.dump(), Json({{"op", "advertise"}, {"channels", advertised_}}).dump()};
+  return {info.dump(), advertisement_};
 }
 
 std::string FoxgloveSession::text(int viewer, std::string_view text) {

@@ -5,7 +5,7 @@
 /// shows: nothing that a viewer says reaches the robot. Pure.
 #include <cstdint>
 #include <map>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -51,8 +51,8 @@ class FoxgloveSession {
 
   std::string name_;
   std::string shapes_;
-  std::vector<std::string> topics_;  ///< the index is the channel's id
-  nlohmann::json advertised_ = nlohmann::json::array();
+  std::vector<std::string> topics_;                                ///< the index is the channel's id
+  std::string advertisement_;                                      ///< of all channels
   std::map<int, std::map<std::uint32_t, std::uint32_t>> viewers_;  ///< subscription to channel
   std::vector<std::pair<int, std::uint32_t>> awaiting_shapes_;     ///< viewer and subscription
   fields::Decoder decoder_;

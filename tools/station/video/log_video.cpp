@@ -212,7 +212,7 @@ VideoResult write_video(log::Reader& reader, const std::string& path, const Vide
   if (!logged.robot) throw std::runtime_error(reader.path() + " cannot be drawn: " + logged.missing);
   const std::string folder = logged.robot->folder.empty() ? robot_folder(logged.robot->name)
                                                           : logged.robot->folder;
-  const std::string maker = made_by(log::find_metadata(reader));
+  const std::string maker = log::made_by(log::find_metadata(reader));
   Frames frames(*logged.robot);
   std::optional<Film> film;  // from the first pose on: without one nothing is written
   const auto take = [&](const Frame* frame) {

@@ -250,5 +250,15 @@ TEST_F(LogInfoTest, ExtentAndMetadataLeaveTheReaderAtItsBegin) {
   EXPECT_EQ(read_all(reader), robot_events(100));
 }
 
+TEST(MadeBy, IsVersionAndCommit) {
+  EXPECT_EQ(made_by(std::nullopt), "");
+  sprung_msgs::log_metadata_t metadata{};
+  EXPECT_EQ(made_by(metadata), "");
+  metadata.version = "0.9";
+  EXPECT_EQ(made_by(metadata), "0.9");
+  metadata.git_hash = "abc";
+  EXPECT_EQ(made_by(metadata), "0.9 (abc)");
+}
+
 }  // namespace
 }  // namespace sprung::log

@@ -51,15 +51,5 @@ TEST_F(VersionNotesTest, APoseIsMissingForAReason) {
   EXPECT_THAT(no_pose(frames_, ""), HasSubstr("no joint has a position"));
 }
 
-TEST(MadeBy, IsVersionAndCommit) {
-  EXPECT_EQ(made_by(std::nullopt), "");
-  sprung_msgs::log_metadata_t metadata{};
-  EXPECT_EQ(made_by(metadata), "");
-  metadata.version = "0.9";
-  EXPECT_EQ(made_by(metadata), "0.9");
-  metadata.git_hash = "abc";
-  EXPECT_EQ(made_by(metadata), "0.9 (abc)");
-}
-
 }  // namespace
 }  // namespace sprung::station

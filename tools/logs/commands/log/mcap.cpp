@@ -61,7 +61,7 @@ int run_mcap(const McapRequest& request) {
     std::fprintf(stderr, "left out: %lld messages of types that are not known here\n",
                  static_cast<long long>(result.not_decoded));
   if (!additions) return kExitDone;
-  for (const std::string& note : additions->notes(station::made_by(metadata)))
+  for (const std::string& note : additions->notes(log::made_by(metadata)))
     std::fprintf(stderr, "%s\n", note.c_str());
   return kExitDone;
 }
