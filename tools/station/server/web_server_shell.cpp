@@ -50,6 +50,8 @@ struct Connection {
 
 }  // namespace
 
+constexpr std::size_t kMostUnread = 64;  // times the longest text are heard out, then the door is shut
+
 struct WebServer::Impl {
   struct Page {
     lws* wsi = nullptr;
@@ -57,6 +59,7 @@ struct WebServer::Impl {
     SharedBytes state;
     SharedBytes frame;
     std::string incoming;
+    std::size_t incoming_bytes = 0;  ///< of this message, also what was not kept
     bool close = false;
   };
 
@@ -167,12 +170,17 @@ void WebServer::Impl::open(lws* wsi, Connection* connection) {
 int WebServer::Impl::receive(lws* wsi, Connection* connection, std::string_view part) {
   Page* const page = find(connection->page);
   if (page == nullptr) return -1;
-  if (page->incoming.size() + part.size() > options.longest_text) {
+  const bool whole = lws_is_final_fragment(wsi) != 0 && lws_remaining_packet_payload(wsi) == 0;
+  page->incoming_bytes += part.size();
+  if (page->incoming_bytes > options.longest_text) {
+    // With a part of it unread the kernel would reset the connection, and the reason be lost.
+    if (!whole && page->incoming_bytes < kMostUnread * options.longest_text) return 0;
     lws_close_reason(wsi, LWS_CLOSE_STATUS_MESSAGE_TOO_LARGE, nullptr, 0);
     return -1;
   }
   page->incoming += part;
-  if (lws_is_final_fragment(wsi) == 0 || lws_remaining_packet_payload(wsi) != 0) return 0;
+  if (!whole) return 0;
+  page->incoming_bytes = 0;
   const std::string text = std::exchange(page->incoming, {});
   handlers.text(connection->page, text);
   return 0;

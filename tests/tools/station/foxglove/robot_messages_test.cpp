@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "robots/robot_loader.h"
 #include "tools/station/scene/scene.h"
