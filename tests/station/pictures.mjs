@@ -2,12 +2,12 @@
 // usage: pictures.mjs FOLDER BIN OUT   FOLDER has node_modules; pictures go to OUT
 import path from "node:path";
 import { launch } from "./browser.mjs";
-import { motionIs, openLive, press, standUp } from "./live_page.mjs";
+import { motionIs, openLive, press, standUp, state } from "./live_page.mjs";
 import { LiveRobot, eventually, pause } from "./live_robot.mjs";
 
 const [folder, bin, out] = process.argv.slice(2);
 const settle_ms = 6_000; // as sharp as there is time for; a few steps
-const landing_s = 4.66; // of the jump
+const trot_s = 6; // of the log: it trots
 const keep = async (page, name) => {
   await pause(settle_ms);
   await page.screenshot({ path: path.join(out, name) });
@@ -38,6 +38,21 @@ async function byKeyboard(browser, url) {
   await page.close();
 }
 
+/** @return its path */
+async function logOfATrot(browser, url) {
+  const page = await openLive(browser, url);
+  await press(page, "clear"); // the stop
+  await eventually("it may stand", async () => (await state(page)).safety.state === "operational");
+  await standUp(page);
+  const recording = await robot.record("trot.lcm", ".*");
+  await press(page, "walk", { forward_m_s: 0.15 });
+  await motionIs(page, "walking");
+  await pause(1000 * trot_s);
+  const log = await recording.end();
+  await page.close();
+  return log;
+}
+
 async function stopped(browser, url) {
   const page = await openLive(browser, url);
   await page.keyboard.press("Space");
@@ -58,8 +73,7 @@ try {
   await walking(browser, url, { width: 820, height: 1180 }, (page) => keep(page, "console_tablet.png"));
   await byKeyboard(browser, url);
   await stopped(browser, url);
-  robot.do("experiment", "--logs", robot.folder, "jump", "--robot", "single_leg");
-  robot.do("play", path.join(robot.folder, "single_leg-000.lcm"), "--png", path.join(out, "play.png"), "--at", String(landing_s));
+  robot.do("play", await logOfATrot(browser, url), "--png", path.join(out, "play.png"), "--at", String(trot_s));
   console.log("pictures: play.png");
 } finally {
   await browser.close();
