@@ -14,6 +14,7 @@
 ///   }
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -99,13 +100,18 @@ class Node {
 
   /// The bytes of messages of type M, checked, so that decoding them is safe: for who decodes few of many.
   /// `handle` runs in the receiving thread and must be short.
+  /// @param rest_us after one that was good, those of the next rest_us are passed over unseen: checking a MAC
+  /// is a third of what hearing costs.
   template <class M>
-  void on_bytes(const char* channel, const CountLimits& limits,
+  void on_bytes(const char* channel, const CountLimits& limits, std::int64_t rest_us,
                 std::function<void(const std::uint8_t* data, std::size_t size)> handle) {
     add(channel, layout_of<M>(), limits,
-        [handle = std::move(handle)](ReceiveGuard& guard, const Arrival& in) {
-          if (guard.check(in.data, in.size, in.utime_us) == Refusal::kNone)
-            handle(static_cast<const std::uint8_t*>(in.data), in.size);
+        [rest_us, until_us = std::numeric_limits<std::int64_t>::min(), handle = std::move(handle)](
+            ReceiveGuard& guard, const Arrival& in) mutable {
+          if (in.utime_us < until_us) return;
+          if (guard.check(in.data, in.size, in.utime_us) != Refusal::kNone) return;
+          handle(static_cast<const std::uint8_t*>(in.data), in.size);
+          until_us = in.utime_us + rest_us;
         });
   }
 

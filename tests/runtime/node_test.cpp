@@ -5,6 +5,7 @@
 #include <lcm/lcm.h>
 #include <poll.h>
 
+#include <atomic>
 #include <thread>
 
 #include "lcmtypes/channels.h"
@@ -57,6 +58,26 @@ TEST_F(NodeTest, TwoNodesTalk) {
   EXPECT_EQ(out_.stamp.utime_us, 3000);
   EXPECT_EQ(out_.legs.at(0).stiffness_N_m[2], 545.0);
   EXPECT_EQ(receiver.refused_messages(), 0);
+}
+
+TEST_F(NodeTest, ByteHandlersRestAfterAGoodMessageAndNotAfterABadOne) {
+  Node receiver(options());
+  std::atomic<int> resting{0}, waking{0};
+  const auto count_in = [](std::atomic<int>& calls) {
+    return [&calls](const std::uint8_t*, std::size_t) { ++calls; };
+  };
+  receiver.on_bytes<sprung_msgs::leg_command_t>(channels::kLegCommand, CountLimits::exactly(1), kLong_us,
+                                                count_in(resting));
+  receiver.on_bytes<sprung_msgs::leg_command_t>(channels::kLegCommand, CountLimits::exactly(1), 0,
+                                                count_in(waking));
+  const Receiving receiving(receiver);
+  Node sender(options());
+  auto publisher = sender.publisher<LegCommand>(channels::kLegCommand);
+  publisher.publish(LegCommand(2));  // of a robot of two legs
+  for (int seq = 1; seq <= 3; ++seq) publisher.publish(command(seq));
+  ASSERT_TRUE(eventually(receiver, [&] { return waking == 3; }));
+  EXPECT_EQ(resting, 1);
+  EXPECT_EQ(receiver.refused_messages(), 2) << "the bad one, by both";
 }
 
 /// A burst that the kernel's buffer holds (200 kB by default): UDP drops what comes to a full one.
