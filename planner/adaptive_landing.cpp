@@ -6,21 +6,20 @@
 namespace sprung {
 namespace {
 
-constexpr double kStretchPeakToMean = 1.875;      // of FootMove's speed
-constexpr double kStretchAcceleration = 5.7735;   // of FootMove: its peak times duration^2 over way
-constexpr double kStretchSpeed_m_s = 1.8;         // what the joints can do with a long leg
-constexpr double kStretchShare = 0.7;             // at most, of the fall
-constexpr double kLeastWay_m = 0.03;              // to stop in, however short the leg is at contact
 constexpr double kLeastForce_N = 10.0;            // on the foot, beyond its bound
 constexpr double kSurePush_s = 0.002;             // for this long: contact
 constexpr double kLongPush_s = 0.02;              // the same where no ground is expected yet
+constexpr double kAirForce_s = 0.02;              // in which the force felt in the air is learned
+constexpr double kRisenShare = 0.25;              // of the bound, that may change faster than that
 constexpr double kMostForce_N = 300.0;            // that is believed
 constexpr double kMostAcceleration_m_s2 = 100.0;  // added to the planned
-constexpr double kLongestStep_s = 0.02;           // of time that one step accounts for
 
-bool beyond_bound(const EstimatedLeg& leg) noexcept {
-  return leg.foot_force_N[2] > leg.foot_force_bound_N[2] + kLeastForce_N ||
-         std::abs(leg.foot_force_N[0]) > leg.foot_force_bound_N[0] + kLeastForce_N;
+bool pushed(const EstimatedLeg& leg, const Vec3& none_N, double bound_share) noexcept {
+  const auto least_N = [&](std::size_t axis) {
+    return bound_share * leg.foot_force_bound_N[axis] + kLeastForce_N;
+  };
+  return leg.foot_force_N[2] - none_N[2] > least_N(2) ||
+         std::abs(leg.foot_force_N[0] - none_N[0]) > least_N(0);
 }
 
 StiffnessConfig stiffness(const LandingGains& gains) noexcept {
@@ -38,9 +37,11 @@ double believed_N(double force_N, double least_N) noexcept {
 
 }  // namespace
 
-AdaptiveLanding::AdaptiveLanding(const RobotConfig& /*robot*/, const LegConfig& /*leg*/,
-                                 const PresetConfig& preset)
-    : preset_(preset), config_(preset.adaptive_landing), approach_m_s_(0.0) {}
+AdaptiveLanding::AdaptiveLanding(const RobotConfig& robot, const LegConfig& leg, const PresetConfig& preset)
+    : preset_(preset),
+      config_(preset.adaptive_landing),
+      motors_(robot, leg),
+      fall_(config_, preset.landing_length_m) {}
 
 void AdaptiveLanding::begin(const ExpectedTouchdown& expected) noexcept {
   expected_ = expected;
@@ -53,11 +54,16 @@ AdaptiveLandingOutput AdaptiveLanding::step(const AdaptiveLandingInput& in) noex
   const double dt_s = std::clamp(1e-6 * static_cast<double>(in.utime_us - now_us_), 0.0, kLongestStep_s);
   now_us_ = in.utime_us;
   measured_ = in.measured;
-  pushed_s_ = beyond_bound(in.measured) ? pushed_s_ + dt_s : 0.0;
-  if (stage_ != Stage::kGround && touched(in)) touch_down(in);
-  if (stage_ == Stage::kBraking) brake(dt_s);  // before stretch(), whose last cycle has moved the foot
-  if (stage_ == Stage::kStretching) stretch();
-  if (stage_ == Stage::kGround) yield(dt_s);
+  if (stage_ == Stage::kAir) {
+    feel(dt_s);
+    fall_.step(now_us_);
+    if (touched(in)) touch_down(in);
+  }
+  if (stage_ == Stage::kGround) {
+    yield(dt_s);
+  } else {
+    foot_ = fall_.foot();
+  }
   return output();
 }
 
@@ -74,92 +80,44 @@ AdaptiveLandingOutput AdaptiveLanding::as_hybrid(const AdaptiveLandingInput& in)
   return out;
 }
 
-double AdaptiveLanding::hip_height_m() const noexcept {
-  const double left_s = 1e-6 * static_cast<double>(expected_.utime_us - now_us_);
-  return preset_.landing_length_m + left_s * (expected_.approach_speed_m_s - 0.5 * kGravity_m_s2 * left_s);
-}
-
-double AdaptiveLanding::hip_velocity_m_s() const noexcept {
-  const double left_s = 1e-6 * static_cast<double>(expected_.utime_us - now_us_);
-  return -(expected_.approach_speed_m_s - kGravity_m_s2 * left_s);
-}
-
 void AdaptiveLanding::start(const AdaptiveLandingInput& in) noexcept {
-  now_us_ = begun_us_ = in.utime_us;
-  foot_ = in.planned;
-  const double left_s = 1e-6 * static_cast<double>(expected_.utime_us - now_us_);
-  const double duration_s = std::clamp(kStretchShare * left_s, 1e-3, config_.extension_s);
-  const double from_m = -foot_.position_m[2];
-  const double way_m = std::min(
-      kStretchSpeed_m_s * duration_s / kStretchPeakToMean,
-      config_.stretch_acceleration_m_s2 * duration_s * duration_s / kStretchAcceleration);
-  const double to_m = std::clamp(config_.extended_length_m, from_m - way_m, from_m + way_m);
-  move_ = {foot_.position_m, {config_.foot_x_m, 0.0, -to_m}, duration_s};
-  stage_ = Stage::kStretching;
-  pushed_s_ = 0.0;
+  now_us_ = in.utime_us;
+  fall_.begin(now_us_, in.planned, expected_);
+  fall_.set_braking(motors_.most_braking_m_s2(fall_, config_.braking_m_s2));
+  stage_ = Stage::kAir;
+  pushed_s_ = risen_s_ = 0.0;
+  air_force_N_ = {};
 }
 
-FootPoint AdaptiveLanding::stretched() const noexcept {
-  return move_.at(1e-6 * static_cast<double>(now_us_ - begun_us_));
-}
-
-/// Until the foot, braked from now on, would have its approach speed where it is to have it.
-void AdaptiveLanding::stretch() noexcept {
-  foot_ = stretched();
-  approach_m_s_ = -(hip_velocity_m_s() + foot_.velocity_m_s[2]);
-  const double way_m = std::max(0.0, hip_height_m() + foot_.position_m[2] - config_.early_m);
-  if (approach_m_s_ <= config_.approach_m_s || braking_way_m() < way_m) return;
-  stage_ = Stage::kBraking;
-  braking_m_s2_ = 0.0;
-}
-
-void AdaptiveLanding::set_x(const FootPoint& like) noexcept {
-  foot_.position_m[0] = like.position_m[0];
-  foot_.velocity_m_s[0] = like.velocity_m_s[0];
-  foot_.acceleration_m_s2[0] = like.acceleration_m_s2[0];
-}
-
-double AdaptiveLanding::braking_way_m() const noexcept {
-  const double excess_m_s = approach_m_s_ - config_.approach_m_s;
-  const double most_m_s2 = std::min(config_.braking_m_s2, std::sqrt(config_.braking_jerk_m_s3 * excess_m_s));
-  const double takes_s = excess_m_s / most_m_s2 + most_m_s2 / config_.braking_jerk_m_s3;
-  return 0.5 * (approach_m_s_ + config_.approach_m_s) * takes_s;
-}
-
-void AdaptiveLanding::brake(double dt_s) noexcept {
-  set_x(stretched());
-  const double excess_m_s = std::max(0.0, approach_m_s_ - config_.approach_m_s);
-  const double ending_m_s2 = std::sqrt(2.0 * config_.braking_jerk_m_s3 * excess_m_s);
-  const double step_m_s2 = config_.braking_jerk_m_s3 * dt_s;
-  braking_m_s2_ = std::clamp(std::min(config_.braking_m_s2, ending_m_s2), braking_m_s2_ - step_m_s2,
-                             braking_m_s2_ + step_m_s2);
-  approach_m_s_ -= std::min(excess_m_s, braking_m_s2_ * dt_s);
-  const double wanted_m_s = -approach_m_s_ - hip_velocity_m_s();
-  const bool fastest = wanted_m_s > config_.fastest_m_s;
-  const bool shortest = -foot_.position_m[2] <= config_.shortest_m + kLeastWay_m;
-  double& velocity = foot_.velocity_m_s[2];
-  velocity = shortest ? 0.0 : std::min(wanted_m_s, config_.fastest_m_s);
-  foot_.acceleration_m_s2[2] = fastest || shortest ? 0.0 : kGravity_m_s2 + braking_m_s2_;
-  foot_.position_m[2] += velocity * dt_s;
+/// In the air nothing pushes: what is felt there is the error of friction's law, which changes with the
+/// speed, not at once as the ground's force does.
+void AdaptiveLanding::feel(double dt_s) noexcept {
+  pushed_s_ = pushed(measured_, {}, 1.0) ? pushed_s_ + dt_s : 0.0;
+  risen_s_ = pushed(measured_, air_force_N_, kRisenShare) ? risen_s_ + dt_s : 0.0;
+  const double share = dt_s / (dt_s + kAirForce_s);
+  for (const std::size_t axis : {0, 2}) {
+    const double error_N = measured_.foot_force_N[axis] - air_force_N_[axis];
+    if (std::isfinite(error_N)) air_force_N_[axis] += share * error_N;
+  }
 }
 
 /// The planner's contact is not asked: it takes the force as vertical (a foot that sticks while its leg
 /// yields is pushed along the shank, too), and a leg whose rotors reverse can look like a landed one. So the
 /// force itself is looked at, and believed at once where the ground is near.
 bool AdaptiveLanding::touched(const AdaptiveLandingInput& in) const noexcept {
-  const double over_ground_m = hip_height_m() + in.measured.estimated_foot_in_hip_m[2];
-  const bool near = over_ground_m < config_.timing_s * std::max(0.0, -hip_velocity_m_s());
-  return pushed_s_ >= (near ? kSurePush_s : kLongPush_s);
+  const double over_ground_m = fall_.hip_height_m() + in.measured.estimated_foot_in_hip_m[2];
+  const bool near = over_ground_m < config_.timing_s * std::max(0.0, -fall_.hip_velocity_m_s());
+  return pushed_s_ >= (near ? kSurePush_s : kLongPush_s) || (near && risen_s_ >= kSurePush_s);
 }
 
 /// From here on foot and ground are one: the leg gets shorter as fast as the body falls.
 void AdaptiveLanding::touch_down(const AdaptiveLandingInput& in) noexcept {
   stage_ = Stage::kGround;
   ground_s_ = 0.0;
-  set_x({foot_.position_m, {}, {}});
+  foot_ = {foot_.position_m, {}, {}};
   const double measured_m = in.measured.estimated_foot_in_hip_m[2];
   if (measured_m < 0.0) foot_.position_m[2] = measured_m;  // and not NaN
-  const double speed_m_s = std::max(0.0, -hip_velocity_m_s());
+  const double speed_m_s = std::max(0.0, -fall_.hip_velocity_m_s());
   foot_.velocity_m_s[2] = speed_m_s;
   const double lost_m = 0.5 * speed_m_s * config_.force_rise_s;  // while the force rises
   const double way_m = std::max(kLeastWay_m, -foot_.position_m[2] - lost_m - config_.shortest_m);

@@ -2,17 +2,16 @@
 /// sprung's own landing (JumpMode::kAdaptive) of one leg: from lift-off, or from the beginning of a fall, to
 /// the end of the landing. docs/control.md, "Landing", derives it. Pure; time is the message's.
 ///
-/// In a fall the foot meets the ground nearly at rest instead of the ground stopping the rotors:
-///   stretch   the leg gets longer: an earlier and slower touchdown, more way to stop in;
-///   braking   the foot is drawn in so that it slows down over ground, to a small speed a little above where
-///             the ground is expected; with that speed it goes on until there is contact;
-///   ground    from measured contact on the leg yields so that the body stops evenly over the way that is
-///             left. First the motors move the rotors as the measured force would move a light foot, and take
-///             its horizontal part off; then a soft spring and damper are left, and the planned force is fed
-///             forward.
+/// In a fall the foot meets the ground nearly at rest instead of the ground stopping the rotors
+/// (foot_fall.h), braked no harder than the motors can (braking_limit.h). From measured contact on the leg
+/// yields so that the body stops evenly over the way that is left. First the motors move the rotors as the
+/// measured force would move a light foot, and take its horizontal part off; then a soft spring and damper
+/// are left, and the planned force is fed forward.
 #include <cstdint>
 
 #include "planner/ballistics.h"
+#include "planner/braking_limit.h"
+#include "planner/foot_fall.h"
 #include "planner/foot_move.h"
 #include "planner/leg_gains.h"
 #include "robots/robot_config.h"
@@ -48,15 +47,12 @@ class AdaptiveLanding {
   AdaptiveLandingOutput step(const AdaptiveLandingInput& in) noexcept;
 
  private:
-  enum class Stage { kBefore, kStretching, kBraking, kGround };
+  enum class Stage { kBefore, kAir, kGround };
 
   AdaptiveLandingOutput as_hybrid(const AdaptiveLandingInput& in) const noexcept;
   void start(const AdaptiveLandingInput& in) noexcept;
-  void stretch() noexcept;
-  void brake(double dt_s) noexcept;
-  FootPoint stretched() const noexcept;
-  /// Along x the foot goes on while it brakes.
-  void set_x(const FootPoint& like) noexcept;
+  /// How the foot is pushed; what is felt in the air, where nothing pushes, is the model's error.
+  void feel(double dt_s) noexcept;
   bool touched(const AdaptiveLandingInput& in) const noexcept;
   void touch_down(const AdaptiveLandingInput& in) noexcept;
   void yield(double dt_s) noexcept;
@@ -67,26 +63,21 @@ class AdaptiveLanding {
   void move_as_mass(std::size_t axis, double mass_kg, double force_N, double share,
                     AdaptiveLandingOutput& out) const noexcept;
   double force_rise() const noexcept;
-  /// In which the foot slows down to its approach speed.
-  double braking_way_m() const noexcept;
-  /// Of the hip over the expected ground, in free fall.
-  double hip_height_m() const noexcept;
-  double hip_velocity_m_s() const noexcept;
 
   PresetConfig preset_;
   AdaptiveLandingConfig config_;
+  BrakingLimit motors_;
+  FootFall fall_;
   ExpectedTouchdown expected_;
   Stage stage_ = Stage::kBefore;
-  std::int64_t begun_us_ = 0;
   std::int64_t now_us_ = 0;
-  FootMove move_;   ///< of the stretch
   FootPoint foot_;  ///< desired
   EstimatedLeg measured_;
-  double approach_m_s_;         ///< of the foot over ground, downward
-  double braking_m_s2_ = 0.0;   ///< in kBraking, now
   double stopping_m_s2_ = 0.0;  ///< of the body, in kGround
   double ground_s_ = 0.0;       ///< since contact
   double pushed_s_ = 0.0;       ///< for how long the foot's force has been beyond its bound
+  double risen_s_ = 0.0;        ///< for how long it has been well above what it was just before
+  Vec3 air_force_N_{0, 0, 0};   ///< what it was just before
 };
 
 }  // namespace sprung

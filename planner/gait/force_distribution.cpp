@@ -13,14 +13,14 @@ static_assert(ForceDistributionQp::kVariables == 3 * DistributedForce::kMostFeet
 double most_N(const FootLoad& foot) noexcept { return std::max(0.0, foot.most_N); }
 double least_N(const FootLoad& foot) noexcept { return std::clamp(foot.least_N, 0.0, most_N(foot)); }
 
-bool finite(const FootLoad& foot) noexcept {
+bool load_is_finite(const FootLoad& foot) noexcept {
   return !foot.stands ||
          (foot.foot_from_com_m.allFinite() && std::isfinite(foot.most_N) && std::isfinite(foot.least_N));
 }
 
 bool valid(const BodyWrench& wanted, const std::vector<FootLoad>& feet) noexcept {
   return wanted.force_N.allFinite() && wanted.torque_Nm.allFinite() &&
-         feet.size() <= DistributedForce::kMostFeet && std::all_of(feet.begin(), feet.end(), finite);
+         feet.size() <= DistributedForce::kMostFeet && std::all_of(feet.begin(), feet.end(), load_is_finite);
 }
 
 /// r x as a matrix.

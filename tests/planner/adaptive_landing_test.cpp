@@ -123,6 +123,28 @@ TEST_F(AdaptiveLandingTest, ForceWithinItsBoundIsNoContact) {
   EXPECT_EQ(out_.feedforward_force_N[2], 0.0);
 }
 
+TEST_F(AdaptiveLandingTest, ForceThatRisesFromWhatWasFeltInTheAirIsContactWithinTheBound) {
+  begin();
+  in_.measured.foot_force_N = {0.0, 0.0, -20.0};  // friction's law is that much off
+  in_.measured.foot_force_bound_N = {150.0, 0.0, 150.0};
+  fall(0.22);
+  in_.measured.foot_force_N[2] = 60.0;
+  step();
+  EXPECT_EQ(out_.feedforward_force_N[2], 0.0);
+  step();
+  EXPECT_GT(out_.feedforward_force_N[2], 0.0);
+}
+
+TEST_F(AdaptiveLandingTest, ForceThatGrowsWithTheSpeedIsTheLawsErrorAndNoContact) {
+  begin();
+  in_.measured.foot_force_bound_N = {150.0, 0.0, 150.0};
+  for (int k = 0; k < 240; ++k) {
+    in_.measured.foot_force_N = {0.0, 0.0, 0.5 * k};  // 120 N at last
+    step();
+    ASSERT_EQ(out_.feedforward_force_N[2], 0.0) << k;
+  }
+}
+
 TEST_F(AdaptiveLandingTest, FarAboveTheGroundThePlannersContactAndAShortPushAreNotBelieved) {
   begin();
   fall(0.1);
