@@ -11,6 +11,7 @@ constexpr double kSurePush_s = 0.002;             // for this long: contact
 constexpr double kLongPush_s = 0.02;              // the same where no ground is expected yet
 constexpr double kAirForce_s = 0.02;              // in which the force felt in the air is learned
 constexpr double kRisenShare = 0.25;              // of the bound, that may change faster than that
+constexpr double kHardShare = 2.0;                // of the bound, for contact where none is expected yet
 constexpr double kMostForce_N = 300.0;            // that is believed
 constexpr double kMostAcceleration_m_s2 = 100.0;  // added to the planned
 
@@ -85,7 +86,7 @@ void AdaptiveLanding::start(const AdaptiveLandingInput& in) noexcept {
   fall_.begin(now_us_, in.planned, expected_);
   fall_.set_braking(motors_.most_braking_m_s2(fall_, config_.braking_m_s2));
   stage_ = Stage::kAir;
-  pushed_s_ = risen_s_ = 0.0;
+  pushed_s_ = pushed_hard_s_ = risen_s_ = 0.0;
   air_force_N_ = {};
 }
 
@@ -93,6 +94,7 @@ void AdaptiveLanding::start(const AdaptiveLandingInput& in) noexcept {
 /// speed, not at once as the ground's force does.
 void AdaptiveLanding::feel(double dt_s) noexcept {
   pushed_s_ = pushed(measured_, {}, 1.0) ? pushed_s_ + dt_s : 0.0;
+  pushed_hard_s_ = pushed(measured_, {}, kHardShare) ? pushed_hard_s_ + dt_s : 0.0;
   risen_s_ = pushed(measured_, air_force_N_, kRisenShare) ? risen_s_ + dt_s : 0.0;
   const double share = dt_s / (dt_s + kAirForce_s);
   for (const std::size_t axis : {0, 2}) {
@@ -107,7 +109,8 @@ void AdaptiveLanding::feel(double dt_s) noexcept {
 bool AdaptiveLanding::touched(const AdaptiveLandingInput& in) const noexcept {
   const double over_ground_m = fall_.hip_height_m() + in.measured.estimated_foot_in_hip_m[2];
   const bool near = over_ground_m < config_.timing_s * std::max(0.0, -fall_.hip_velocity_m_s());
-  return pushed_s_ >= (near ? kSurePush_s : kLongPush_s) || (near && risen_s_ >= kSurePush_s);
+  if (!near) return pushed_hard_s_ >= kLongPush_s;
+  return pushed_s_ >= kSurePush_s || risen_s_ >= kSurePush_s;
 }
 
 /// From here on foot and ground are one: the leg gets shorter as fast as the body falls.

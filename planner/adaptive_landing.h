@@ -76,6 +76,7 @@ class AdaptiveLanding {
   double stopping_m_s2_ = 0.0;  ///< of the body, in kGround
   double ground_s_ = 0.0;       ///< since contact
   double pushed_s_ = 0.0;       ///< for how long the foot's force has been beyond its bound
+  double pushed_hard_s_ = 0.0;  ///< likewise, far beyond it
   double risen_s_ = 0.0;        ///< for how long it has been well above what it was just before
   Vec3 air_force_N_{0, 0, 0};   ///< what it was just before
 };

@@ -8,7 +8,7 @@ namespace {
 constexpr int kTried = 12;
 constexpr double kLeastShare = 1.0 / 3.0;
 constexpr std::int64_t kStep_us = 4'000;
-constexpr int kMostSteps = 250;      // a second: longer than any fall that a leg survives
+constexpr int kMostSteps = 250;       // a second: longer than any fall that a leg survives
 constexpr double kMotorShare = 0.85;  // of the torque limit; the rest is for what the model does not know
 
 }  // namespace

@@ -145,7 +145,18 @@ TEST_F(AdaptiveLandingTest, ForceThatGrowsWithTheSpeedIsTheLawsErrorAndNoContact
   }
 }
 
-TEST_F(AdaptiveLandingTest, FarAboveTheGroundThePlannersContactAndAShortPushAreNotBelieved) {
+TEST_F(AdaptiveLandingTest, FarAboveTheGroundAForceSomewhatBeyondItsBoundIsATorqueConstantsError) {
+  begin();
+  in_.measured.foot_force_bound_N = {10.0, 0.0, 45.0};
+  in_.measured.foot_force_N = {0.0, 0.0, 65.0};  // seen on a drawn plant, while the rotors speed up
+  fall(0.06);
+  EXPECT_EQ(out_.feedforward_force_N[2], 0.0);
+  in_.measured.foot_force_N[2] = 150.0;
+  fall(0.022);
+  EXPECT_GT(out_.feedforward_force_N[2], 0.0);
+}
+
+TEST_F(AdaptiveLandingTest, FarAboveTheGroundTheThePlannersContactAndAShortPushAreNotBelieved) {
   begin();
   fall(0.1);
   in_.progress.phase = MotionPhase::kLanding;
