@@ -1,6 +1,7 @@
 #include "tools/station/foxglove/robot_messages.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 namespace sprung::station {
 namespace {
