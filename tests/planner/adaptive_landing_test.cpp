@@ -156,7 +156,7 @@ TEST_F(AdaptiveLandingTest, FarAboveTheGroundAForceSomewhatBeyondItsBoundIsATorq
   EXPECT_GT(out_.feedforward_force_N[2], 0.0);
 }
 
-TEST_F(AdaptiveLandingTest, FarAboveTheGroundTheThePlannersContactAndAShortPushAreNotBelieved) {
+TEST_F(AdaptiveLandingTest, FarAboveTheGroundThePlannersContactAndAShortPushAreNotBelieved) {
   begin();
   fall(0.1);
   in_.progress.phase = MotionPhase::kLanding;

@@ -1,7 +1,5 @@
 #include "tools/station/server/robot_link_shell.h"
 
-#include <string_view>
-
 #include "lcmtypes/channels.h"
 
 namespace sprung::station {
@@ -10,8 +8,10 @@ namespace {
 /// [design choice] Half a tick of the console: a wake-up for some 40 messages of pegasus; an answer waits as
 /// long.
 constexpr int kGather_ms = 10;
-/// What is drawn 25 times a second need not be checked 500 times. But DRIVE_STATE is: it confirms a stop.
-constexpr std::int64_t kRest_us = 8'000;
+/// What is drawn 25 times a second need not be checked 500 times.
+constexpr std::int64_t kDrawn_us = 8'000;
+/// DRIVE_STATE confirms a stop, SAFETY_STATE has its cause: the last one that comes must be seen.
+constexpr std::int64_t kEach_us = 0;
 
 NodeOptions looking(const RunInfo& info) {
   NodeOptions options = commanding(info);
@@ -36,9 +36,8 @@ bool NewestBytes::get(std::int64_t& version, std::vector<std::uint8_t>& out) con
 }
 
 template <class M>
-void RobotLink::listen_to(const char* channel, const CountLimits& limits) {
+void RobotLink::listen_to(const char* channel, std::int64_t rest_us, const CountLimits& limits) {
   NewestBytes& newest = newest_[channel];
-  const std::int64_t rest_us = std::string_view(channel) == channels::kDriveState ? 0 : kRest_us;
   node_.on_bytes<M>(channel, limits, rest_us,
                     [&newest](const std::uint8_t* data, std::size_t size) { newest.put(data, size); });
   frame_readers_.push_back({channel, 0});
@@ -57,17 +56,20 @@ RobotLink::RobotLink(const RunInfo& info, const RobotConfig& robot)
       commands_(node_.publisher<OperatorCommand>(channels::kOperatorCommand)) {
   const std::size_t actuators = robot.actuators.size(), joints = robot.joints.size(),
                     legs = robot.legs.size();
-  listen_to<sprung_msgs::drive_state_t>(channels::kDriveState, CountLimits::exactly(actuators));
-  listen_to<sprung_msgs::drive_command_t>(channels::kDriveCommand, CountLimits::exactly(actuators));
-  listen_to<sprung_msgs::joint_state_t>(channels::kJointState, CountLimits::exactly(joints, legs));
-  listen_to<sprung_msgs::leg_command_t>(channels::kLegCommand, CountLimits::exactly(legs));
-  listen_to<sprung_msgs::motion_state_t>(channels::kMotionState, CountLimits::exactly(legs));
-  listen_to<sprung_msgs::safety_state_t>(channels::kSafetyState, CountLimits::none());
-  listen_to<sprung_msgs::imu_t>(channels::kImu, CountLimits::none());
-  listen_to<sprung_msgs::sim_truth_t>(channels::kSimTruth, CountLimits::exactly(joints, legs));
+  listen_to<sprung_msgs::drive_state_t>(channels::kDriveState, kEach_us, CountLimits::exactly(actuators));
+  listen_to<sprung_msgs::drive_command_t>(channels::kDriveCommand, kDrawn_us,
+                                          CountLimits::exactly(actuators));
+  listen_to<sprung_msgs::joint_state_t>(channels::kJointState, kDrawn_us, CountLimits::exactly(joints, legs));
+  listen_to<sprung_msgs::leg_command_t>(channels::kLegCommand, kDrawn_us, CountLimits::exactly(legs));
+  listen_to<sprung_msgs::motion_state_t>(channels::kMotionState, kDrawn_us, CountLimits::exactly(legs));
+  listen_to<sprung_msgs::safety_state_t>(channels::kSafetyState, kEach_us, CountLimits::none());
+  listen_to<sprung_msgs::imu_t>(channels::kImu, kDrawn_us, CountLimits::none());
+  listen_to<sprung_msgs::sim_truth_t>(channels::kSimTruth, kDrawn_us, CountLimits::exactly(joints, legs));
   listen_to<sprung_msgs::bus_state_t>(
-      channels::kBusState, CountLimits::exactly(robot.buses.size(), actuators + robot.encoder_cards.size()));
-  listen_to<sprung_msgs::auxiliary_state_t>(channels::kAuxiliaryState, CountLimits::exactly(actuators));
+      channels::kBusState, kDrawn_us,
+      CountLimits::exactly(robot.buses.size(), actuators + robot.encoder_cards.size()));
+  listen_to<sprung_msgs::auxiliary_state_t>(channels::kAuxiliaryState, kDrawn_us,
+                                            CountLimits::exactly(actuators));
   node_.subscribe_message(channels::kProcessStatus, CountLimits::none(), processes_);
   node_.subscribe_message(channels::kOperatorReply, CountLimits::none(), replies_);
   node_.start();

@@ -1,6 +1,6 @@
 #pragma once
 /// The live page's end of a robot's LCM network: an ordinary operator with the run's key. It keeps the newest
-/// message of each channel, and decodes what is asked for when it is asked for: 50 of some 4000 a second.
+/// message of each channel, and decodes what is asked for when it is asked for: 25 of some 4000 a second.
 #include <cstdint>
 #include <map>
 #include <mutex>
@@ -67,8 +67,9 @@ class RobotLink {
   static const std::vector<std::pair<std::string, std::string>>& channels_heard();
 
  private:
+  /// @param rest_us as Node::on_bytes().
   template <class M>
-  void listen_to(const char* channel, const CountLimits& limits);
+  void listen_to(const char* channel, std::int64_t rest_us, const CountLimits& limits);
   /// What the reader has not had yet. @return whether there is.
   bool newer(Reader& reader);
   template <class M>
