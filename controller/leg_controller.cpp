@@ -6,7 +6,9 @@
 namespace sprung {
 namespace {
 
-constexpr double kModeFadeStep = 0.045;        // of the torque limit in a cycle: under 5 %
+constexpr double kModeFadeStep = 0.045;  // of the torque limit in a cycle: under 5 %
+/// From here on a joint's model does not fit (estimator/model_watch.cpp): at least that much in doubt.
+constexpr double kLeastMisfit = 2.5;
 constexpr double kBackIntoLimits_rad_s = 3.0;  // a quarter of what the joints can do
 
 template <class T>
@@ -44,6 +46,9 @@ LegController::LegController(const RobotConfig& robot, const LegConfig& leg, con
       kinematics_(make_leg_kinematics(leg)),
       transmission_(leg),
       compensation_(compensation(joints_, preset)),
+      friction_laws_(compensation_.friction),
+      known_friction_(compensation_.friction_uncertainty),
+      learns_friction_(preset.compensated_friction == CompensatedFriction::kIdentified),
       blend_(actuators_),
       gains_(preset.stiffness_ramp_s),
       limiters_(actuators_.begin(), actuators_.end()),
@@ -94,9 +99,21 @@ bool LegController::read(const std::vector<EstimatedJoint>& joints) noexcept {
     measured_.temperature_C[j] = joint.estimated_temperature_degC;
     motor_torque_Nm_[j] = joint.measured_motor_torque_Nm;
     all_enabled_ = all_enabled_ && joint.drive_enabled;
+    compensate_friction(static_cast<std::size_t>(j), joint);
   }
   return measured_.position_rad.allFinite() && measured_.velocity_rad_s.allFinite() &&
          motor_torque_Nm_.allFinite();
+}
+
+/// The law with what was learnt beside it. In motion no more is compensated than surely is there: less of a
+/// joint that its model does not fit.
+void LegController::compensate_friction(std::size_t j, const EstimatedJoint& joint) noexcept {
+  if (learns_friction_)
+    compensation_.friction[j] = scaled(friction_laws_[j],
+                                       {joint.dry_friction_factor, joint.viscous_friction_factor});
+  const double stated = joints_[j].uncertainty.friction;
+  const double misfit = joint.model_fits ? 0.0 : std::max(kLeastMisfit, joint.misfit_ratio);
+  compensation_.friction_uncertainty[j] = std::max(known_friction_[j], std::min(1.0, stated * misfit));
 }
 
 LegOutcome LegController::position(const DesiredLeg& desired, const FootMotion& foot, double dt_s,

@@ -53,6 +53,7 @@ class LegController {
 
  private:
   bool read(const std::vector<EstimatedJoint>& joints) noexcept;
+  void compensate_friction(std::size_t j, const EstimatedJoint& joint) noexcept;
   LegOutcome follow(const DesiredLeg& desired, double desired_age_s, double dt_s, DriveCommand& out) noexcept;
   LegOutcome position(const DesiredLeg& desired, const FootMotion& foot, double dt_s,
                       DriveCommand& out) noexcept;
@@ -76,7 +77,10 @@ class LegController {
   std::vector<ActuatorConfig> actuators_;
   std::unique_ptr<LegKinematics> kinematics_;  ///< nullptr: joints alone, no foot to command
   Transmission transmission_;
-  JointCompensation compensation_;
+  JointCompensation compensation_;  ///< friction: of this cycle
+  std::vector<FrictionParameters> friction_laws_;
+  std::vector<double> known_friction_;  ///< relative uncertainty where the model fits
+  bool learns_friction_;  ///< the preset's law is robot.yaml's own, beside which something may be learnt
 
   ControlMode mode_ = ControlMode::kDisabled;  ///< of this step
   /// Of the step before; kDisabled while not all drives were on.

@@ -20,7 +20,7 @@ constexpr double kSmoothing_s = 0.01;
 }  // namespace
 
 GearFrictionEstimator::GearFrictionEstimator(const JointConfig& joint) noexcept
-    : law_(joint.estimated_friction()), presliding_(law_.presliding_rad) {}
+    : stated_(joint.estimated_friction()), law_(stated_), presliding_(law_.presliding_rad) {}
 
 FrictionInput GearFrictionEstimator::input(double velocity_rad_s, double sign,
                                            double output_Nm) const noexcept {
@@ -43,6 +43,16 @@ double GearFrictionEstimator::ahead_Nm(double motor_torque_Nm) const noexcept {
   if (!at_rest_) return friction_.torque_Nm;
   const GearOutput possible = solve_gear_output(law_, motor_torque_Nm, input(0.0, 0.0, output_Nm_));
   return motor_torque_Nm - std::clamp(output_Nm_, possible.low_Nm, possible.high_Nm);
+}
+
+void GearFrictionEstimator::adapt(const FrictionFactors& factors) noexcept {
+  factors_ = factors;
+  law_ = scaled(stated_, factors);
+}
+
+FrictionByLaw GearFrictionEstimator::friction_by_law() const noexcept {
+  return {(friction_.torque_Nm - friction_.viscous_Nm) / factors_.dry,
+          friction_.viscous_Nm / factors_.viscous};
 }
 
 void GearFrictionEstimator::decide_rest(const Motion& motion) noexcept {

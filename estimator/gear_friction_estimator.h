@@ -6,6 +6,7 @@
 /// is only known to lie in an interval around the motor's torque. The estimate is then the last one, moved
 /// only where it has become impossible (set membership): it neither jumps to the middle nor chatters with the
 /// encoder's noise (docs/sources.md, errata E5).
+#include "estimator/friction_adaptation.h"
 #include "model/friction/friction_law.h"
 #include "model/friction/presliding_state.h"
 #include "robots/robot_config.h"
@@ -32,6 +33,8 @@ class GearFrictionEstimator {
     double dt_s = 0.0;
   };
   void update(const Motion& motion) noexcept;
+  /// From now on friction is this much of what robot.yaml's law says.
+  void adapt(const FrictionFactors& factors) noexcept;
   /// From another sensor. At rest it is what the next estimate starts from; moving, the filter knows.
   void learn_output(double output_Nm) noexcept;
 
@@ -41,6 +44,8 @@ class GearFrictionEstimator {
   }  ///< moving: by the law; at rest: its limits
   /// Friction as estimated: by the law, or at rest the motor's torque less the output's.
   double friction_torque_Nm() const noexcept { return friction_Nm_; }
+  /// The same by robot.yaml's law, whatever the factors are.
+  FrictionByLaw friction_by_law() const noexcept;
   bool at_rest() const noexcept { return at_rest_; }
   /// Distance from the estimate to the far end of the interval of possible output torques; 0 while moving.
   double rest_distance_Nm() const noexcept { return rest_distance_Nm_; }
@@ -51,7 +56,9 @@ class GearFrictionEstimator {
   void follow(const Motion& motion) noexcept;
   FrictionInput input(double velocity_rad_s, double sign, double output_Nm) const noexcept;
 
-  FrictionParameters law_;
+  FrictionParameters stated_;  ///< robot.yaml's
+  FrictionParameters law_;     ///< as adapted
+  FrictionFactors factors_;
   PreslidingState presliding_;
   bool at_rest_ = true;
   double motor_Nm_ = 0.0;  ///< smoothed while at rest: the current's noise must not narrow the interval

@@ -66,6 +66,7 @@ JointEstimator::JointEstimator(const JointConfig& joint, const EstimationConfig&
       settling_samples_(static_cast<int>(std::ceil(kSettling_s / cycle_s))),
       filter_(walk_density(joint, estimation)),
       friction_(joint),
+      adaptation_(joint.uncertainty.friction, estimation.adapts_friction),
       temperature_(joint.estimated_friction(), joint.thermal) {
   if (!(cycle_s > 0.0 && cycle_s <= kLongestCycle_s)) throw std::invalid_argument(too_slow(cycle_s));
   temperature_.reset();
@@ -85,6 +86,8 @@ void JointEstimator::step(const JointSample& sample, double dt_s, EstimatedJoint
   const bool referenced = sample.drive_status != JointStatus::kNotReferenced;
   if (sample.fresh && (was_stale || referenced != referenced_)) reset();  // homing moves the zero
   referenced_ = referenced;
+  adaptation_.age(dt_s);
+  friction_.adapt(adaptation_.factors());
   if (fresh_samples_ > 0) {
     follow_temperature(sample, dt_s);
     track(sample, dt_s);
@@ -97,6 +100,8 @@ void JointEstimator::step(const JointSample& sample, double dt_s, EstimatedJoint
   out.status = status(sample);
   out.drive_enabled = sample.drive_enabled;
   out.identified = joint_.friction.has_value();
+  out.dry_friction_factor = adaptation_.factors().dry;
+  out.viscous_friction_factor = adaptation_.factors().viscous;
   if (fresh_samples_ > 0) write_motion(out);
   if (fresh_samples_ > 0 && out.status != JointStatus::kStale) {
     write_torques(out);
@@ -200,7 +205,7 @@ void JointEstimator::write_torques(EstimatedJoint& out) const noexcept {
   out.estimated_temperature_degC = temperature_.temperature_C();
   TorqueBoundInput in;
   in.motor_torque_Nm = motor_torque_Nm_;
-  in.friction_torque_Nm = friction_.friction().torque_Nm;
+  in.friction_std_Nm = adaptation_.std_Nm(friction_.friction_by_law());
   in.by_friction = 1.0 / (1.0 + friction_.friction().by_load);
   in.acceleration_rad_s2 = out.estimated_acceleration_rad_s2;
   in.filter_std_rad_s2 = friction_.at_rest() ? 0.0 : filter_.unexplained_std_rad_s2();

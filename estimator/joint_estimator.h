@@ -1,5 +1,6 @@
 #pragma once
 /// One joint's motion and torques from its motor. Pure: no heap after construction, never throws in step.
+#include "estimator/friction_adaptation.h"
 #include "estimator/gear_friction_estimator.h"
 #include "estimator/temperature_filter.h"
 #include "estimator/torsion_sensor.h"
@@ -41,6 +42,10 @@ class JointEstimator {
   /// and the status stale, and the next fresh sample starts it anew.
   /// @param out written, never read; external_torque_Nm and its bound are the leg's to fill.
   void step(const JointSample& sample, double dt_s, EstimatedJoint& out) noexcept;
+  /// By robot.yaml's law, in the last step's motion.
+  FrictionByLaw friction_by_law() const noexcept { return friction_.friction_by_law(); }
+  /// What a swing of a while ago says about friction; from the next step on.
+  void learn_friction(const SeenFriction& seen) noexcept { adaptation_.learn(seen); }
 
  private:
   void start(const JointSample& sample) noexcept;
@@ -62,6 +67,7 @@ class JointEstimator {
   int settling_samples_;
   TrackingFilter filter_;
   GearFrictionEstimator friction_;
+  FrictionAdaptation adaptation_;
   TemperatureFilter temperature_;
   TorsionZero torsion_zero_;
   double motor_torque_Nm_ = kNaN;

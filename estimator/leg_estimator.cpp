@@ -49,6 +49,7 @@ ResidualModel residual_model(const JointConfig& joint, double cycle_s) {
 LegEstimator::LegEstimator(const RobotConfig& robot, const LegConfig& leg, int longest_coast_cycles)
     : joints_(leg.joints),
       sampler_(robot, leg),
+      windings_(robot, leg),
       kinematics_(make_leg_kinematics(leg)),
       unnoticed_N_(leg.contact_on_N),
       samples_(leg.joints.size()),
@@ -86,6 +87,7 @@ void LegEstimator::reset() noexcept {
 void LegEstimator::step(const std::vector<ActuatorState>& actuators, double dt_s,
                         std::vector<EstimatedJoint>& joints, EstimatedLeg& out) noexcept {
   sample(actuators);
+  windings_.step(actuators, dt_s);
   step_joints(dt_s, joints);
   out = EstimatedLeg{};
   if (kinematics_ != nullptr) step_foot(dt_s, joints, out);
@@ -110,6 +112,7 @@ void LegEstimator::step_joints(double dt_s, std::vector<EstimatedJoint>& joints)
     acceleration_rad_s2_[i] = joint.estimated_acceleration_rad_s2;
     output_torque_Nm_[i] = joint.gear_output_torque_Nm;
     widen_bounds(j, joint);
+    windings_.write(j, joint);
   }
 }
 
@@ -140,6 +143,11 @@ WatchedMotion LegEstimator::watched(std::size_t j, const EstimatedJoint& joint) 
   motion.motor_torque_Nm = joint.measured_motor_torque_Nm;
   motion.weight_Nm = weight_Nm_[i];
   motion.friction_Nm = joint.friction_torque_Nm;
+  motion.friction_by_law = estimators_[j].friction_by_law();
+  if (!joint.at_rest)
+    motion.adapted_Nm = motion.friction_by_law.torque_Nm(
+                            {joint.dry_friction_factor, joint.viscous_friction_factor}) -
+                        motion.friction_by_law.torque_Nm({});
   motion.link_torque_Nm = link_torque_Nm_[i];
   return motion;
 }
@@ -169,10 +177,22 @@ void LegEstimator::watch_models(double force_N, double dt_s, std::vector<Estimat
       const double noise_Nm = configs_[j].armature_kg_m2 * joint.estimated_acceleration_bound_rad_s2 /
                               kStdsFor95;
       WatchedMotion motion = watched(j, joint);
+      motion.moves_itself = moves_itself(j);
       motion.unnoticed_Nm = unnoticed_N * jacobian_.col(static_cast<int>(j)).norm();
-      watches_[j].learn(motion, joint.external_torque_Nm, noise_Nm, dt_s);
+      const SeenFriction* seen = watches_[j].learn(motion, joint.external_torque_Nm, noise_Nm, dt_s);
+      if (seen != nullptr) estimators_[j].learn_friction(*seen);
     }
   }
+}
+
+/// Motors drive this joint and the leg: a hand that moves a leg on its springs is not friction.
+bool LegEstimator::moves_itself(std::size_t j) const noexcept {
+  const auto power_W = [this](std::size_t i) {
+    return samples_[i].motor_torque_Nm * velocity_rad_s_[static_cast<int>(i)];
+  };
+  double leg_W = 0.0;
+  for (std::size_t i = 0; i < samples_.size(); ++i) leg_W += power_W(i);
+  return leg_W > 0.0 && power_W(j) > 0.0;
 }
 
 void LegEstimator::write_motion(EstimatedLeg& out) noexcept {

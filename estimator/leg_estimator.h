@@ -7,6 +7,7 @@
 #include "estimator/contact_detector.h"
 #include "estimator/drive_sampler.h"
 #include "estimator/joint_estimator.h"
+#include "estimator/leg_windings.h"
 #include "estimator/model_watch.h"
 #include "model/leg_kinematics.h"
 #include "signals/drive_state.h"
@@ -44,6 +45,7 @@ class LegEstimator {
   void widen_bounds(std::size_t j, EstimatedJoint& joint) const noexcept;
   /// @param force_N vertical, on the foot, as estimated.
   void watch_models(double force_N, double dt_s, std::vector<EstimatedJoint>& joints) noexcept;
+  bool moves_itself(std::size_t j) const noexcept;
   void watch_force(const ContactEstimate& contact, double dt_s,
                    const std::vector<EstimatedJoint>& joints) noexcept;
 
@@ -51,6 +53,7 @@ class LegEstimator {
   std::vector<JointConfig> configs_;
   std::vector<FrictionParameters> friction_laws_;
   DriveSampler sampler_;
+  LegWindings windings_;
   std::unique_ptr<LegKinematics> kinematics_;  ///< nullptr: joints alone
   std::optional<ContactDetector> contact_;     ///< of the foot, where there is one
   double unnoticed_N_;                         ///< force on a foot that may go unnoticed

@@ -104,34 +104,59 @@ double ModelWatch::stated_Nm2(const WatchedMotion& motion) const noexcept {
          square(stated_.armature * motion.inertia_torque_Nm) + square(stated_.mass * motion.link_torque_Nm);
 }
 
-void ModelWatch::learn(const WatchedMotion& motion, double unexplained_Nm, double noise_std_Nm,
-                       double dt_s) noexcept {
-  const Terms part = parts(motion);
-  for (std::size_t i = 0; i < kTerms; ++i) filling_.part[i] += dt_s * part[i];
-  filling_.unexplained_Nm += dt_s * unexplained_Nm;
-  filling_.noise_Nm2 += dt_s * square(noise_std_Nm);
-  filling_.stated_Nm2 += dt_s * stated_Nm2(motion);
-  filling_.time_s += dt_s;
-  constexpr double kRounding_s = 1e-9;  // message times are whole microseconds
-  if (filling_.time_s + kRounding_s < kBucket_s) return;
-  const double each = 1.0 / filling_.time_s;
-  for (double& value : filling_.part) value *= each;
-  filling_.unexplained_Nm *= each;
-  filling_.noise_Nm2 *= each;
-  filling_.stated_Nm2 *= each;
-  wait(filling_);
-  filling_ = {};
+/// Of friction seen, by all that the model may be off in besides, and by a force that is not noticed.
+double ModelWatch::other_Nm2(const WatchedMotion& motion) const noexcept {
+  return square(kRest_Nm) + square(stated_.torque_constant * motion.motor_torque_Nm) +
+         square(stated_.armature * motion.inertia_torque_Nm) + square(stated_.mass * motion.link_torque_Nm) +
+         square(kHipShare * motion.weight_Nm) + square(motion.unnoticed_Nm);
 }
 
-void ModelWatch::wait(const Bucket& bucket) noexcept {
-  if (count_ == kWaiting) {
-    take(waiting_[next_]);
+void ModelWatch::fill(const WatchedMotion& motion, double unexplained_Nm, double noise_std_Nm,
+                      double dt_s) noexcept {
+  const Terms part = parts(motion);
+  for (std::size_t i = 0; i < kTerms; ++i) filling_.part[i] += dt_s * part[i];
+  filling_.unexplained_Nm += dt_s * (unexplained_Nm - motion.adapted_Nm);
+  filling_.noise_Nm2 += dt_s * square(noise_std_Nm);
+  filling_.stated_Nm2 += dt_s * stated_Nm2(motion);
+  filling_.friction.dry_Nm += dt_s * motion.friction_by_law.dry_Nm;
+  filling_.friction.viscous_Nm += dt_s * motion.friction_by_law.viscous_Nm;
+  filling_.moves_itself = filling_.moves_itself && motion.moves_itself;
+  filling_.excess_Nm -= dt_s * unexplained_Nm;
+  filling_.other_Nm2 += dt_s * (other_Nm2(motion) + square(noise_std_Nm));
+  filling_.time_s += dt_s;
+}
+
+const SeenFriction* ModelWatch::learn(const WatchedMotion& motion, double unexplained_Nm, double noise_std_Nm,
+                                      double dt_s) noexcept {
+  fill(motion, unexplained_Nm, noise_std_Nm, dt_s);
+  constexpr double kRounding_s = 1e-9;  // message times are whole microseconds
+  if (filling_.time_s + kRounding_s < kBucket_s) return nullptr;
+  const double each = 1.0 / filling_.time_s;
+  for (double& value : filling_.part) value *= each;
+  for (double* mean :
+       {&filling_.unexplained_Nm, &filling_.noise_Nm2, &filling_.stated_Nm2, &filling_.friction.dry_Nm,
+        &filling_.friction.viscous_Nm, &filling_.excess_Nm, &filling_.other_Nm2})
+    *mean *= each;
+  const bool taken = wait(filling_);
+  filling_ = {};
+  return taken ? &seen_ : nullptr;
+}
+
+bool ModelWatch::wait(const Bucket& bucket) noexcept {
+  const bool full = count_ == kWaiting;
+  bool moved_itself = false;
+  if (full) {
+    const Bucket& old = waiting_[next_];
+    moved_itself = old.moves_itself;
+    take(old);
     judge();
+    seen_ = {old.friction, old.excess_Nm, std::sqrt(old.other_Nm2), old.time_s};
   } else {
     ++count_;
   }
   waiting_[next_] = bucket;
   next_ = (next_ + 1) % kWaiting;
+  return moved_itself;
 }
 
 void ModelWatch::age(double time_s) noexcept {
@@ -218,6 +243,7 @@ ModelWatch::Missed ModelWatch::missed(const WatchedMotion& motion) const noexcep
   if (fits()) return {};
   const Terms part = parts(motion);
   Missed out;
+  out.torque_Nm = -motion.adapted_Nm;
   double variance_Nm2 = 0.0;
   for (std::size_t i = 0; i < kWeight; ++i) out.torque_Nm += found_[i] * part[i];
   for (std::size_t i = 0; i < kWeight; ++i) {

@@ -6,7 +6,8 @@
 ///   -unexplained = c s + b w + k |L| s + x_J J qdd - x_k R Kt i + x_w G + x_o O + noise,   s = sgn(w)
 ///
 /// c, b and k are what friction is more than its law says, x shares of inertia, torque constant and weight; O
-/// is the torque of a force that is not noticed as contact. A Kalman filter holds the seven. The joint does
+/// is the torque of a force that is not noticed as contact. Its law is robot.yaml's: what is learnt besides
+/// (friction_adaptation.h) is taken out again. A Kalman filter holds the seven. The joint does
 /// not fit when what c to x_k come to, over the motion of the last 0.3 s and less its own uncertainty, is
 /// more than kMisfit of the standard deviations that robot.yaml's `uncertainty` states; it fits again below
 /// kFit. What touches the leg does not teach: nothing is learnt while it may be in contact, nor from what is
@@ -14,6 +15,7 @@
 #include <array>
 #include <cstddef>
 
+#include "estimator/friction_adaptation.h"
 #include "model/friction/friction_parameters.h"
 #include "robots/identification_config.h"
 #include "signals/modes.h"
@@ -27,9 +29,12 @@ struct WatchedMotion {
   double output_torque_Nm = 0.0;   ///< L, gear output as estimated
   double inertia_torque_Nm = 0.0;  ///< armature times acceleration
   double motor_torque_Nm = 0.0;
-  double weight_Nm = 0.0;       ///< G, of the leg at this joint
-  double friction_Nm = 0.0;     ///< by the law
+  double weight_Nm = 0.0;    ///< G, of the leg at this joint
+  double friction_Nm = 0.0;  ///< as estimated
+  FrictionByLaw friction_by_law{};
+  double adapted_Nm = 0.0;      ///< of friction_Nm, what was learnt beside the law
   double link_torque_Nm = 0.0;  ///< M qdd + V + G by the model of the leg
+  bool moves_itself = true;     ///< its motor and those of the leg drive; else no friction is seen
   double unnoticed_Nm = 0.0;    ///< O, one standard deviation
 };
 
@@ -41,7 +46,10 @@ class ModelWatch {
   void reset() noexcept;
   /// In a cycle in which nothing touches the leg and the drive moves the joint.
   /// @param unexplained_Nm external torque as estimated. @param noise_std_Nm of it, by the motion filter.
-  void learn(const WatchedMotion& motion, double unexplained_Nm, double noise_std_Nm, double dt_s) noexcept;
+  /// @return what became old enough in this cycle to be sure that nothing touched the leg: it was learnt from
+  /// just now; valid until the next call. nullptr: nothing, or nothing about friction.
+  const SeenFriction* learn(const WatchedMotion& motion, double unexplained_Nm, double noise_std_Nm,
+                            double dt_s) noexcept;
   /// Something may touch the leg: what waits to be learnt is dropped.
   void freeze() noexcept;
   /// What is seen cannot be, as ground that pulls: the joint does not fit until motion has told more.
@@ -78,6 +86,10 @@ class ModelWatch {
     double noise_Nm2 = 0.0;
     double stated_Nm2 = 0.0;
     double time_s = 0.0;
+    FrictionByLaw friction{};
+    bool moves_itself = true;
+    double excess_Nm = 0.0;  ///< friction beyond what was in force
+    double other_Nm2 = 0.0;  ///< variance of that by all else
   };
   /// Means over a motion: of part times part, and of what robot.yaml states for it.
   struct Moment {
@@ -87,7 +99,9 @@ class ModelWatch {
   double ratio_in(const Moment& motion) const noexcept;
   Terms parts(const WatchedMotion& motion) const noexcept;
   double stated_Nm2(const WatchedMotion& motion) const noexcept;
-  void wait(const Bucket& bucket) noexcept;
+  double other_Nm2(const WatchedMotion& motion) const noexcept;
+  void fill(const WatchedMotion& motion, double unexplained_Nm, double noise_std_Nm, double dt_s) noexcept;
+  bool wait(const Bucket& bucket) noexcept;
   void age(double time_s) noexcept;
   void take(const Bucket& bucket) noexcept;
   void remember(const Bucket& bucket) noexcept;
@@ -105,6 +119,7 @@ class ModelWatch {
   static constexpr std::size_t kWaiting = 5;
   std::array<Bucket, kWaiting> waiting_{};  ///< ring
   std::size_t next_ = 0, count_ = 0;
+  SeenFriction seen_{};  ///< the last that was taken
   double ratio_ = 0.0;
   MisfitReason reason_ = MisfitReason::kNone;
   bool doubted_ = false;

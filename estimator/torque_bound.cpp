@@ -13,9 +13,8 @@ double sum_of_squares(double a, double b = 0.0, double c = 0.0, double d = 0.0) 
 
 TorqueBounds torque_bounds(const JointConfig& joint, const TorqueBoundInput& in) noexcept {
   const JointUncertainty& relative = joint.uncertainty;
-  const double friction_std_Nm = relative.friction * in.friction_torque_Nm;
   const double model_variance = sum_of_squares(
-      friction_std_Nm, relative.torque_constant * in.motor_torque_Nm,
+      in.friction_std_Nm, relative.torque_constant * in.motor_torque_Nm,
       relative.armature * joint.armature_kg_m2 * in.acceleration_rad_s2,
       0.5773502691896258 * in.current_quantisation_Nm);  // evenly spread: 1 / sqrt 3
   const double filter_variance = sum_of_squares(joint.armature_kg_m2 * in.filter_std_rad_s2,
@@ -23,7 +22,7 @@ TorqueBounds torque_bounds(const JointConfig& joint, const TorqueBoundInput& in)
   const double model_Nm = kModelStds * in.by_friction * std::sqrt(model_variance);
   const double filter_Nm = kFilterStds * std::sqrt(filter_variance);
   return {std::sqrt(sum_of_squares(model_Nm, filter_Nm, in.rest_distance_Nm)),
-          std::sqrt(sum_of_squares(kModelStds * friction_std_Nm, in.rest_distance_Nm))};
+          std::sqrt(sum_of_squares(kModelStds * in.friction_std_Nm, in.rest_distance_Nm))};
 }
 
 }  // namespace sprung

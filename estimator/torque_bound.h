@@ -17,10 +17,10 @@ inline constexpr double kModelStds = 2.25;
 inline constexpr double kFilterStds = 0.93;
 
 struct TorqueBoundInput {
-  double motor_torque_Nm = 0.0;     ///< joint side, R Kt i
-  double friction_torque_Nm = 0.0;  ///< by the law: at rest the largest that it allows
-  double by_friction = 1.0;  ///< derivative of the output torque by friction, less than 1 where friction
-                             ///< follows the load
+  double motor_torque_Nm = 0.0;  ///< joint side, R Kt i
+  double friction_std_Nm = 0.0;  ///< of the law's friction, at rest of the largest that it allows
+  double by_friction = 1.0;      ///< derivative of the output torque by friction, less than 1 where friction
+                                 ///< follows the load
   double acceleration_rad_s2 = 0.0;
   double filter_std_rad_s2 = 0.0;        ///< of the acceleration that the motor does not explain
   double filter_step_rad_s2 = 0.0;       ///< by which the last sample changed it

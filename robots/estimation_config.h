@@ -18,6 +18,8 @@ struct EstimationConfig {
   /// One standard deviation of the force along the floor on a foot that lands under a trunk that moves:
   /// friction 0.6 of the 170 N that pegasus' feet meet in a trot. Of robots with a `body`.
   double floor_force_N = 100.0;
+  /// Whether friction is learnt while the robot works (estimator/friction_adaptation.h).
+  bool adapts_friction = true;
 };
 
 }  // namespace sprung

@@ -25,6 +25,15 @@ inline double speed_share(const GaitConfig& gait, const std::array<double, 3>& s
   return std::sqrt(sum);
 }
 
+/// How quickly a body that walks this gait may become faster, so that the foot whose first swing comes last,
+/// within a period, is then no further behind than in every later step, half a stance. Sooner, that swing
+/// takes speeds that the motors do not have. m/s^2, m/s^2, rad/s^2.
+inline std::array<double, 3> starting_acceleration(const GaitConfig& gait) noexcept {
+  const double rate_1_s = gait.duty / gait.period_s;
+  return {rate_1_s * gait.fastest_forward_m_s, rate_1_s * gait.fastest_sideways_m_s,
+          rate_1_s * gait.fastest_turning_rad_s};
+}
+
 inline constexpr double kMostSpeedShare = 1.0 + 1e-9;  ///< of rounding
 
 }  // namespace sprung

@@ -217,6 +217,7 @@ EstimationConfig robot_sections::read_estimation(const YamlMap& map) {
   e.current_noise_Nm = map.quantity_or("current_noise", "Nm", 0, 50, e.current_noise_Nm);
   e.load_walk_Nm_sqrt_s = map.quantity_or("load_walk", "Nm/sqrt(s)", 0.1, 10000, e.load_walk_Nm_sqrt_s);
   e.floor_force_N = map.quantity_or("floor_force", "N", 0, 10000, e.floor_force_N);
+  if (map.has("adapts_friction")) e.adapts_friction = map.flag("adapts_friction");
   map.finish();
   return e;
 }

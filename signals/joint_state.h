@@ -30,6 +30,11 @@ struct EstimatedJoint {
   double estimated_temperature_degC = kNaN;
   double misfit_ratio = 0.0;  ///< how far motion shows the model to be off, in standard deviations of
                               ///< robot.yaml's `uncertainty`; 0 until there was motion in the air
+  double
+      winding_share = kNaN;  ///< of the warmest motor that moves it; 1: as warm as the rated current makes it
+  double derating_in_s = kNaN;           ///< until then, at the current of late; NaN: never
+  double dry_friction_factor = 1.0;      ///< as learnt in motion, of what robot.yaml's law says
+  double viscous_friction_factor = 1.0;  ///< the same
   JointStatus status = JointStatus::kStarting;
   bool drive_enabled = false;
   bool identified = false;  ///< friction and armature come from `sprung identify`

@@ -74,6 +74,10 @@ const auto kEstimatedJoint = [](auto& way, auto& m, auto& s) {
   way(m.at_rest, s.at_rest);
   way(m.model.model_fits, s.model_fits);
   way(m.model.misfit_reason, s.misfit_reason);
+  way(m.model.dry_friction_factor, s.dry_friction_factor);
+  way(m.model.viscous_friction_factor, s.viscous_friction_factor);
+  way(m.heat.winding_share, s.winding_share);
+  way(m.heat.derating_in_s, s.derating_in_s);
 };
 
 const auto kEstimatedLeg = [](auto& way, auto& m, auto& s) {

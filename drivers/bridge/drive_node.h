@@ -18,7 +18,7 @@
 #include "drivers/bridge/settings_restore.h"
 #include "drivers/bridge/stop_watch.h"
 #include "drivers/bridge/stuck_encoder_watch.h"
-#include "drivers/bridge/winding_watch.h"
+#include "model/winding_watch.h"
 #include "signals/drive_command.h"
 #include "signals/drive_state.h"
 #include "signals/vec3.h"

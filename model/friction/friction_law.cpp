@@ -91,7 +91,7 @@ FrictionValue evaluate(const FrictionParameters& p, const FrictionInput& in) noe
 
 LoadedFriction loaded_friction(const FrictionParameters& p, const FrictionInput& in) noexcept {
   const Terms t(p, in);
-  return {t.total(), t.by_load(in.gear_output_torque_Nm)};
+  return {t.total(), t.by_load(in.gear_output_torque_Nm), t.viscous_Nm};
 }
 
 FrictionAtSpeed friction_at_speed(const FrictionParameters& p, const FrictionInput& in) noexcept {

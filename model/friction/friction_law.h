@@ -37,7 +37,8 @@ FrictionValue evaluate(const FrictionParameters& parameters, const FrictionInput
 /// Value and slope by the load, for who follows both in every cycle.
 struct [[nodiscard]] LoadedFriction {
   double torque_Nm = 0.0;
-  double by_load = 0.0;  ///< as in FrictionValue
+  double by_load = 0.0;     ///< as in FrictionValue
+  double viscous_Nm = 0.0;  ///< part of torque_Nm
 };
 LoadedFriction loaded_friction(const FrictionParameters& parameters, const FrictionInput& in) noexcept;
 

@@ -54,6 +54,16 @@ FrictionParameters coulomb_alone(double coulomb_Nm) noexcept {
   return parameters;
 }
 
+FrictionParameters scaled(const FrictionParameters& law, const FrictionFactors& by) noexcept {
+  FrictionParameters out = law;
+  out.coulomb_Nm *= by.dry;
+  out.stribeck_Nm *= by.dry;
+  out.load_share_driving *= by.dry;
+  out.load_share_driven *= by.dry;
+  out.viscous_Nm_s_rad *= by.viscous;
+  return out;
+}
+
 double breakaway_Nm(const FrictionParameters& parameters) noexcept {
   return parameters.coulomb_Nm + parameters.stribeck_Nm;
 }

@@ -32,6 +32,12 @@ struct FrictionParameters {
 /// The simplest law: this torque in either direction.
 FrictionParameters coulomb_alone(double coulomb_Nm) noexcept;
 
+/// Of one joint's friction against what its law says: its dry part (Coulomb, Stribeck, load) and the viscous.
+struct FrictionFactors {
+  double dry = 1.0, viscous = 1.0;
+};
+FrictionParameters scaled(const FrictionParameters& law, const FrictionFactors& by) noexcept;
+
 /// Breakaway torque without load: Coulomb plus Stribeck.
 double breakaway_Nm(const FrictionParameters& parameters) noexcept;
 

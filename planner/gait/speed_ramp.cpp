@@ -18,9 +18,10 @@ double SpeedRamp::left_s() const noexcept {
   return left_s;
 }
 
-void SpeedRamp::advance(double dt_s) noexcept {
+void SpeedRamp::advance(double dt_s, const std::array<double, 3>& most_faster) noexcept {
   for (std::size_t i = 0; i < now_.size(); ++i) {
-    const double most = times_ * most_[i] * dt_s;
+    const bool faster = std::abs(wanted_[i]) > std::abs(now_[i]) && wanted_[i] * now_[i] >= 0.0;
+    const double most = (faster ? std::min(most_[i], most_faster[i]) : times_ * most_[i]) * dt_s;
     now_[i] += std::clamp(wanted_[i] - now_[i], -most, most);
   }
 }

@@ -20,7 +20,8 @@ class SpeedRamp {
   }
   /// To rest within this time, where the acceleration alone would take longer.
   void stop(double within_s) noexcept;
-  void advance(double dt_s) noexcept;
+  /// @param most_faster of the acceleration while a speed grows, besides the ramp's own.
+  void advance(double dt_s, const std::array<double, 3>& most_faster) noexcept;
   const std::array<double, 3>& now() const noexcept { return now_; }
   bool arrived() const noexcept { return now_ == wanted_; }
   /// Until it arrives.

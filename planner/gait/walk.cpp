@@ -83,6 +83,7 @@ void Walk::begin(const JointState& in, const WalkRequest& request) noexcept {
   start_clock();
   ramp_.reset();
   ramp_.want(request.speed);
+  heat_.begin(in);
   weight_.begin(leaning_m());
   waits_ = false;
   pace_.reset();
@@ -159,6 +160,9 @@ void Walk::step(const JointState& in) noexcept {
   last_us_ = in.stamp.utime_us;
   if (ended_ || dt_s <= 0.0) return;
   view_ = BodyView::of(in, shape_);
+  heat_.step(in);
+  if (heat_.too_warm() && gait().duty < 1.0 && failure_ == nullptr)
+    fail("a motor is too warm to walk on: let it cool");
   steer(dt_s);
   lean(dt_s);
   step_legs(in, dt_s);
@@ -169,10 +173,12 @@ void Walk::step(const JointState& in) noexcept {
 }
 
 void Walk::steer(double dt_s) noexcept {
-  ramp_.advance(dt_s);
+  ramp_.advance(dt_s, starting_acceleration(gait()));
   height_m_ = toward(height_m_, request_.height_m, kHeightRate_m_s * dt_s);
   width_m_ = toward(width_m_, request_.stance_width_m, kHeightRate_m_s * dt_s);
-  pace_.advance(waits_, ramp_.now(), gait(), dt_s);
+  Pace::Speed speed = ramp_.now();
+  for (double& part : speed) part *= heat_.speed_share();
+  pace_.advance(waits_, speed, gait(), dt_s);
   follow_lead(dt_s);
   const double wanted_rad_s = pace_.now() * pace_.speed()[2];
   heading_rad_ += wanted_rad_s * dt_s;

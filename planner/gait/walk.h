@@ -9,6 +9,7 @@
 #include "planner/gait/force_distribution.h"
 #include "planner/gait/gait_order.h"
 #include "planner/gait/leg_step.h"
+#include "planner/gait/motor_heat.h"
 #include "planner/gait/pace.h"
 #include "planner/gait/speed_ramp.h"
 #include "planner/gait/weight_shift.h"
@@ -102,6 +103,7 @@ class Walk {
   WeightShift weight_;
   GaitClock clock_;
   SpeedRamp ramp_;
+  MotorHeat heat_;
   ForceDistribution distribution_;
   std::array<LegStep, kMostLegs> steps_;
   std::vector<FootLoad> feet_;

@@ -14,6 +14,7 @@ constexpr std::size_t kLegs = 4;     // three feet and one in the air: all that 
 constexpr double kWanted = 0.6;      // margin that the body goes for, share of the gait's sway,
 constexpr double kNeeded = 0.2;      // and without which no leg leaves
 constexpr double kLeanTime = 0.16;   // share of the period in which nine tenths of the way are done
+constexpr double kFurther = 0.5;     // of the sway, that it leans besides where it waits for that long in s
 constexpr double kFarAhead_s = 1.0;  // further the feet's way is not foreseen
 
 /// A body in motion is as near to tipping as one at rest that is its speed times this further on (Hof 2008).
@@ -60,7 +61,7 @@ void WeightShift::step(const GaitClock& clock, const BodyView& view, const Eigen
   const bool to_come = swings || clock.until_swing_s(leg) <= clock.gait().period_s;
   if (sway_m <= 0.0 || legs_ != kLegs || !to_come) {
     const Eigen::Vector2d rest_m = stays_ ? lean_.at_m() : Eigen::Vector2d::Zero();
-    return follow(clock, rest_m, dt_s);
+    return follow(clock, rest_m, 0.0, dt_s);
   }
   const SupportTriangle support(others_m(view, leg));
   const Eigen::Vector2d com_m = view.com_m.head<2>();
@@ -69,7 +70,8 @@ void WeightShift::step(const GaitClock& clock, const BodyView& view, const Eigen
   const double left_s = swings ? (1.0 - clock.swing_share(leg)) * clock.swing_s() : clock.swing_s();
   const Eigen::Vector2d upright_m = com_m - lean_.at_m();
   const Eigen::Vector2d then_m = (until_s + 0.5 * left_s) * speed_m_s;
-  follow(clock, support.safe_place_m(upright_m + then_m, kWanted * sway_m) - upright_m - then_m, dt_s);
+  follow(clock, support.safe_place_m(upright_m + then_m, kWanted * sway_m) - upright_m - then_m, waited_s,
+         dt_s);
 
   const Eigen::Vector2d beyond_m_s = view.velocity_known
                                          ? Eigen::Vector2d(view.velocity_m_s.head<2>() - speed_m_s)
@@ -80,9 +82,10 @@ void WeightShift::step(const GaitClock& clock, const BodyView& view, const Eigen
   if (holds_) waited_s_ = waited_s + dt_s;
 }
 
-void WeightShift::follow(const GaitClock& clock, const Eigen::Vector2d& wanted_m, double dt_s) noexcept {
+void WeightShift::follow(const GaitClock& clock, const Eigen::Vector2d& wanted_m, double waited_s,
+                         double dt_s) noexcept {
   if (!wanted_m.allFinite()) return;  // a foot that nobody knows for a cycle
-  const double far_m = wanted_m.norm(), most_m = clock.gait().sway_m;
+  const double far_m = wanted_m.norm(), most_m = (1.0 + std::min(kFurther, waited_s)) * clock.gait().sway_m;
   const Eigen::Vector2d within_m = far_m > most_m ? Eigen::Vector2d(wanted_m * (most_m / far_m)) : wanted_m;
   lean_.follow(within_m, kLeanTime * clock.gait().period_s, dt_s);
 }

@@ -39,7 +39,7 @@ class WeightShift {
 
  private:
   std::size_t lifted(const GaitClock& clock) const noexcept;
-  void follow(const GaitClock& clock, const Eigen::Vector2d& wanted_m, double dt_s) noexcept;
+  void follow(const GaitClock& clock, const Eigen::Vector2d& wanted_m, double waited_s, double dt_s) noexcept;
 
   const std::size_t legs_;
   Lean lean_;

@@ -21,7 +21,7 @@ TEST(TorqueBoundTest, NothingUncertainIsNoBound) {
 
 TEST(TorqueBoundTest, EachCauseAloneIsTimesItsStandardDeviations) {
   TorqueBoundInput in;
-  in.friction_torque_Nm = -8.0;
+  in.friction_std_Nm = 0.8;
   EXPECT_NEAR(torque_bounds(joint(), in).gear_output_Nm, kModelStds * 0.8, 1e-12);
   EXPECT_NEAR(torque_bounds(joint(), in).friction_Nm, kModelStds * 0.8, 1e-12);
   in = {};
@@ -41,8 +41,8 @@ TEST(TorqueBoundTest, EachCauseAloneIsTimesItsStandardDeviations) {
 
 TEST(TorqueBoundTest, IndependentCausesAddTheirSquares) {
   TorqueBoundInput in;
-  in.friction_torque_Nm = 30.0;  // 3 Nm
-  in.motor_torque_Nm = 200.0;    // 4 Nm
+  in.friction_std_Nm = 3.0;
+  in.motor_torque_Nm = 200.0;  // 4 Nm
   EXPECT_NEAR(torque_bounds(joint(), in).gear_output_Nm, kModelStds * 5.0, 1e-12);
 }
 
@@ -57,7 +57,7 @@ TEST(TorqueBoundTest, AtRestAllThatTheGearCanHoldIsInIt) {
   TorqueBoundInput in;
   in.rest_distance_Nm = 12.0;
   EXPECT_DOUBLE_EQ(torque_bounds(joint(), in).gear_output_Nm, 12.0);
-  in.friction_torque_Nm = 8.0;
+  in.friction_std_Nm = 0.8;
   EXPECT_NEAR(torque_bounds(joint(), in).gear_output_Nm, std::hypot(12.0, kModelStds * 0.8), 1e-12);
 }
 

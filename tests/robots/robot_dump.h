@@ -158,9 +158,11 @@ inline void dump_value(test::ValueDump& dump, const std::string& at, const LegCo
 }
 
 inline void dump_value(test::ValueDump& dump, const std::string& at, const EstimationConfig& value) {
-  const auto& [loop, jitter, noise, walk, floor] = value;
-  dump.fields(at, "drive_loop_kHz sampling_jitter_us current_noise_Nm load_walk_Nm_sqrt_s floor_force_N",
-              loop, jitter, noise, walk, floor);
+  const auto& [loop, jitter, noise, walk, floor, adapts] = value;
+  dump.fields(at,
+              "drive_loop_kHz sampling_jitter_us current_noise_Nm load_walk_Nm_sqrt_s floor_force_N "
+              "adapts_friction",
+              loop, jitter, noise, walk, floor, adapts);
 }
 
 inline void dump_value(test::ValueDump& dump, const std::string& at, const WatchdogConfig& value) {

@@ -3,12 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace sprung {
 namespace {
 
 constexpr double kSpeedRampStep_s = 0.002;
+constexpr std::array<double, 3> kUnlimited{1e9, 1e9, 1e9};
 
 TEST(SpeedRampTest, GoesToTheWantedSpeedAtItsAcceleration) {
   SpeedRamp ramp(0.2, 0.5);
@@ -16,7 +18,7 @@ TEST(SpeedRampTest, GoesToTheWantedSpeedAtItsAcceleration) {
   int cycles = 0;
   for (; !ramp.arrived() && cycles < 10000; ++cycles) {
     const auto before = ramp.now();
-    ramp.advance(kSpeedRampStep_s);
+    ramp.advance(kSpeedRampStep_s, kUnlimited);
     EXPECT_LE(std::abs(ramp.now()[0] - before[0]), 0.2 * kSpeedRampStep_s + 1e-15);
     EXPECT_LE(std::abs(ramp.now()[1] - before[1]), 0.2 * kSpeedRampStep_s + 1e-15);
     EXPECT_LE(std::abs(ramp.now()[2] - before[2]), 0.5 * kSpeedRampStep_s + 1e-15);
@@ -29,10 +31,10 @@ TEST(SpeedRampTest, StopsInTheGivenTimeAndASlowOneAtItsAcceleration) {
   for (const double speed_m_s : {0.45, 0.3, 0.06}) {
     SpeedRamp ramp(0.2, 0.5);
     ramp.want({speed_m_s, 0.0, 0.1});
-    while (!ramp.arrived()) ramp.advance(kSpeedRampStep_s);
+    while (!ramp.arrived()) ramp.advance(kSpeedRampStep_s, kUnlimited);
     ramp.stop(0.6);
     int cycles = 0;
-    for (; !ramp.arrived() && cycles < 10000; ++cycles) ramp.advance(kSpeedRampStep_s);
+    for (; !ramp.arrived() && cycles < 10000; ++cycles) ramp.advance(kSpeedRampStep_s, kUnlimited);
     EXPECT_NEAR(cycles * kSpeedRampStep_s, std::min(0.6, speed_m_s / 0.2), 2 * kSpeedRampStep_s);
   }
 }
@@ -40,21 +42,21 @@ TEST(SpeedRampTest, StopsInTheGivenTimeAndASlowOneAtItsAcceleration) {
 TEST(SpeedRampTest, AfterAStopItSpeedsUpAsBefore) {
   SpeedRamp ramp(0.2, 0.5);
   ramp.want({0.4, 0.0, 0.0});
-  while (!ramp.arrived()) ramp.advance(kSpeedRampStep_s);
+  while (!ramp.arrived()) ramp.advance(kSpeedRampStep_s, kUnlimited);
   ramp.stop(0.1);
-  while (!ramp.arrived()) ramp.advance(kSpeedRampStep_s);
+  while (!ramp.arrived()) ramp.advance(kSpeedRampStep_s, kUnlimited);
   ramp.want({0.4, 0.0, 0.0});
-  ramp.advance(kSpeedRampStep_s);
+  ramp.advance(kSpeedRampStep_s, kUnlimited);
   EXPECT_NEAR(ramp.now()[0], 0.2 * kSpeedRampStep_s, 1e-12);
 }
 
 TEST(SpeedRampTest, TurnsRoundWithoutAStep) {
   SpeedRamp ramp(1.0, 1.0);
   ramp.want({0.5, 0.0, 0.0});
-  for (int k = 0; k < 100; ++k) ramp.advance(kSpeedRampStep_s);
+  for (int k = 0; k < 100; ++k) ramp.advance(kSpeedRampStep_s, kUnlimited);
   const double before = ramp.now()[0];
   ramp.want({-0.5, 0.0, 0.0});
-  ramp.advance(kSpeedRampStep_s);
+  ramp.advance(kSpeedRampStep_s, kUnlimited);
   EXPECT_NEAR(ramp.now()[0], before - kSpeedRampStep_s, 1e-12);
   EXPECT_FALSE(ramp.arrived());
 }
@@ -62,11 +64,23 @@ TEST(SpeedRampTest, TurnsRoundWithoutAStep) {
 TEST(SpeedRampTest, ResetItStandsAndWantsToStand) {
   SpeedRamp ramp(1.0, 1.0);
   ramp.want({0.5, 0.5, 0.5});
-  ramp.advance(kSpeedRampStep_s);
+  ramp.advance(kSpeedRampStep_s, kUnlimited);
   ramp.reset();
   EXPECT_TRUE(ramp.arrived());
-  ramp.advance(kSpeedRampStep_s);
+  ramp.advance(kSpeedRampStep_s, kUnlimited);
   EXPECT_EQ(ramp.now(), (std::array<double, 3>{0.0, 0.0, 0.0}));
+}
+
+TEST(SpeedRampTest, BecomesFasterNoQuickerThanTheGaitAllowsAndSlowerAtItsOwnRate) {
+  SpeedRamp ramp(0.2, 0.5);
+  const std::array<double, 3> gait{0.05, 0.02, 0.1};
+  ramp.want({0.1, 0.0, 0.0});
+  ramp.advance(kSpeedRampStep_s, gait);
+  EXPECT_NEAR(ramp.now()[0], 0.05 * kSpeedRampStep_s, 1e-15);
+  while (!ramp.arrived()) ramp.advance(kSpeedRampStep_s, gait);
+  ramp.want({-0.1, 0.0, 0.0});
+  ramp.advance(kSpeedRampStep_s, gait);
+  EXPECT_NEAR(ramp.now()[0], 0.1 - 0.2 * kSpeedRampStep_s, 1e-15);
 }
 
 }  // namespace

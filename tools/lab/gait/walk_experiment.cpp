@@ -5,6 +5,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "robots/gait_speed.h"
 #include "simulation/plant/sim_config.h"
 #include "tools/lab/gait/walking_robot.h"
 
@@ -40,7 +41,9 @@ void trace(const InProcessRobot& robot, double time_s, FootTrace& out) {
 }
 
 double ramp_s(const RobotConfig& robot, const WalkTask& task, const GaitCase& config) {
-  return config.speed_m_s / robot.preset(task.preset).walk.acceleration_m_s2 + kStarting_s;
+  const double starting_m_s2 = starting_acceleration(robot.gaits[gait_index(robot, config.gait)])[0];
+  return config.speed_m_s / std::min(robot.preset(task.preset).walk.acceleration_m_s2, starting_m_s2) +
+         kStarting_s;
 }
 
 /// A share of the gait's fastest speed in robot.yaml, as somebody would type it.

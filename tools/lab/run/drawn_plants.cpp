@@ -66,6 +66,10 @@ void add_distribution(std::vector<ReportRow>& rows, const Named& named) {
     const auto worst = std::max_element(
         named.seen.begin(), named.seen.end(),
         [](const Seen& a, const Seen& b) { return excess(a.row) < excess(b.row); });
+    const auto met = std::count_if(named.seen.begin(), named.seen.end(),
+                                   [](const Seen& one) { return excess(one.row) <= 0.0; });
+    rows.push_back(row(named.name + ".met", "%",
+                       100.0 * static_cast<double>(met) / static_cast<double>(named.seen.size())));
     return add_one(rows, "worst", *worst, true);
   }
   if (values.empty()) return;

@@ -20,7 +20,8 @@ struct DrawnRows {
 };
 
 /// For each row of the experiment, over the draws that have it: NAME.median, and where it has bounds
-/// NAME.worst, held against them, with the number of its draw in NAME.worst_draw; where it has none
+/// NAME.met, the share of the draws that are within them in percent, and NAME.worst, held against them, with
+/// the number of its draw in NAME.worst_draw; where it has none
 /// NAME.least and NAME.most, and their draws. A value that was not reached is worse than any other.
 std::vector<ReportRow> distribution_rows(const std::vector<DrawnRows>& draws);
 

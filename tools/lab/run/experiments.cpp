@@ -4,6 +4,7 @@
 
 #include "tools/lab/bring_up/bring_up.h"
 #include "tools/lab/commission/commission_experiment.h"
+#include "tools/lab/estimation/adaptation_experiment.h"
 #include "tools/lab/estimation/estimator_experiment.h"
 #include "tools/lab/faults/fault_experiment.h"
 #include "tools/lab/friction/drag.h"
@@ -28,7 +29,7 @@ std::vector<Experiment> experiments() {
           walk_experiment(),          ground_error_experiment(), push_experiment(),
           endurance_experiment(),     faults_experiment(),       friction_sweep_experiment(),
           drag_experiment(),          estimator_experiment(),    tune_experiment(),
-          commission_experiment(),    bring_up_experiment()};
+          commission_experiment(),    bring_up_experiment(),     adaptation_experiment()};
 }
 
 std::vector<Experiment> experiments_of(const RobotConfig& robot) {

@@ -2,7 +2,8 @@
 
 #include <string>
 
-#include "sprung_embedded/former_lcm_text.h"
+#include "sprung_embedded/november_21_lcm_text.h"
+#include "sprung_embedded/november_26_lcm_text.h"
 #include "tools/logs/fields/lcm_files.h"
 #include "tools/logs/fields/lcm_text.h"
 
@@ -103,20 +104,22 @@ std::size_t size_of(Wire wire) noexcept {
   return 0;
 }
 
-const TypeTable& TypeTable::former() {
-  static const TypeTable& table = []() -> TypeTable& {
-    static TypeTable before;
-    before.add({former_lcm_text()});
+const std::deque<TypeTable>& TypeTable::former() {
+  static const std::deque<TypeTable>& tables = []() -> std::deque<TypeTable>& {
+    static std::deque<TypeTable> before;
+    for (const char* text : {november_21_lcm_text(), november_26_lcm_text()})
+      before.emplace_back().add({text});
     return before;
   }();
-  return table;
+  return tables;
 }
 
 const TypeTable& TypeTable::sprung() {
   static const TypeTable& table = []() -> TypeTable& {
     static TypeTable ours;
     ours.add(lcm_files());
-    for (const StructType& type : former().all()) ours.by_hash_.emplace(type.hash, &type);
+    for (const TypeTable& before : former())
+      for (const StructType& type : before.all()) ours.by_hash_.emplace(type.hash, &type);
     return ours;
   }();
   return table;

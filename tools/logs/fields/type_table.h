@@ -19,8 +19,8 @@ class TypeTable {
 
   /// Every type of lcmtypes/; by their hash also those of logs of before.
   static const TypeTable& sprung();
-  /// Types that lcmtypes/ had before, as they were: former.lcm.
-  static const TypeTable& former();
+  /// Types that lcmtypes/ had before, as they were: former/, the oldest first.
+  static const std::deque<TypeTable>& former();
 
   /// Adds the types of .lcm files that belong together, e.g. a user's own. A type that is known already is
   /// left out.

@@ -40,7 +40,7 @@ Bytes bytes_of(const log::Event& event) { return {event.data, event.data + event
 /// As a planner of today would have written it: one of before has a field of another name, and the same
 /// bytes.
 Bytes reply_bytes(const log::Event& event) {
-  static const std::int64_t former = fields::TypeTable::former().by_name("operator_reply_t")->hash;
+  static const std::int64_t former = fields::TypeTable::former().front().by_name("operator_reply_t")->hash;
   Bytes bytes = bytes_of(event);
   constexpr std::size_t kHashBytes = 8;
   if (bytes.size() < kHashBytes || read_int64(bytes.data(), 0) != former) return bytes;

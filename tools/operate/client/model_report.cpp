@@ -1,6 +1,7 @@
 #include "tools/operate/client/model_report.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -12,6 +13,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
 Json model_json(const RobotConfig& robot, const JointConfig& joint,
                 const sprung_msgs::estimated_joint_t& estimated) {
   const bool fits = estimated.model.model_fits != 0;
@@ -20,7 +23,32 @@ Json model_json(const RobotConfig& robot, const JointConfig& joint,
           {"fits", fits},
           {"ratio", estimated.model.misfit_ratio},
           {"likely_reason", name(static_cast<MisfitReason>(estimated.model.misfit_reason))},
-          {"repeat", fits ? Json(nullptr) : Json(record_command(robot, joint))}};
+          {"repeat", fits ? Json(nullptr) : Json(record_command(robot, joint))},
+          {"dry_friction_factor", estimated.model.dry_friction_factor},
+          {"viscous_friction_factor", estimated.model.viscous_friction_factor},
+          {"winding_share", number_or_null(estimated.heat.winding_share)},
+          {"derating_in_s", number_or_null(estimated.heat.derating_in_s)}};
+}
+
+/// Empty: neither warm nor soon to be.
+std::string heat_line(const Json& model) {
+  constexpr double kWarm = 0.8,
+                   kSoon_s = 30.0;  // [design choice] at 0.8 a walk becomes slower (motor_heat.h)
+  if (model["winding_share"].is_null()) return "";
+  const double share = model["winding_share"].get<double>();
+  const bool told = !model["derating_in_s"].is_null();
+  const double in_s = told ? model["derating_in_s"].get<double>() : 0.0;
+  if (share < kWarm && !(told && in_s < kSoon_s)) return "";
+  char when[60] = "";
+  if (share >= 1.0) {
+    std::snprintf(when, sizeof when, ", it gets its rated current alone");
+  } else if (told) {
+    std::snprintf(when, sizeof when, ", its rated current alone in %.0f s", in_s);
+  }
+  char text[160];
+  std::snprintf(text, sizeof text, "motor   %-10s at %.0f %% of its warmth%s",
+                model["name"].get<std::string>().c_str(), 100.0 * share, when);
+  return text;
 }
 
 /// Days since the first of March of year 0, so that leap days come last. -1: no date.
@@ -59,6 +87,7 @@ Json models_json(const RobotConfig& robot, const std::optional<sprung_msgs::join
 std::vector<std::string> model_lines(const Json& models) {
   std::vector<std::string> out;
   for (const Json& model : models) {
+    if (const std::string warm = heat_line(model); !warm.empty()) out.push_back(warm);
     if (model["fits"].get<bool>()) continue;
     const auto reason = model["likely_reason"].get<std::string>();
     const bool known = reason != name(MisfitReason::kNone);

@@ -85,6 +85,7 @@ TEST(DrawnPlants, BoundedRowsHaveTheirWorstDraw) {
   EXPECT_TRUE(row_of(rows, "a.median").ok());
   EXPECT_EQ(value_of(rows, "b.worst"), 0.7);
   EXPECT_EQ(value_of(rows, "b.median"), 0.9);
+  EXPECT_NEAR(value_of(rows, "b.met"), 200.0 / 3.0, 1e-9);
   EXPECT_EQ(value_of(rows, "c.worst"), -1.0);
 }
 

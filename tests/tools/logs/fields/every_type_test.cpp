@@ -132,6 +132,8 @@ TEST(EveryType, RealNumbersHaveUnitsOrAreListedAsPlain) {
                                     "inertia_compensation",
                                     "jump_height_scale",
                                     "misfit_ratio",
+                                    "dry_friction_factor",
+                                    "viscous_friction_factor",
                                     "gait_phase",
                                     "value"};
   RandomBytes random(5);

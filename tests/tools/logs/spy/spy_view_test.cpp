@@ -68,8 +68,8 @@ TEST_F(SpyViewTest, EnterShowsFieldsWithNamesUnitsAndSmallPlots) {
   screen();
   key(Key::kEnter);
   hear(10);
-  EXPECT_THAT(screen(), HasSubstr("joints[knee].gear_output_torque_Nm"));
-  EXPECT_THAT(screen(), HasSubstr("10 Nm"));
+  EXPECT_THAT(screen(130, 50), HasSubstr("joints[knee].gear_output_torque_Nm"));
+  EXPECT_THAT(screen(130, 50), HasSubstr("10 Nm"));
   EXPECT_THAT(screen(130, 60), HasSubstr("█"));
   EXPECT_THAT(screen(), HasSubstr("JOINT_STATE  joint_state_t"));
 }

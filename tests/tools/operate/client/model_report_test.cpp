@@ -22,7 +22,10 @@ class ModelReport : public testing::Test {
   ModelReport() {
     state_.n_joints = static_cast<int>(robot_.joints.size());
     state_.joints.resize(robot_.joints.size());
-    for (auto& joint : state_.joints) joint.model.model_fits = joint.identified = 1;
+    for (auto& joint : state_.joints) {
+      joint.model.model_fits = joint.identified = 1;
+      joint.heat.derating_in_s = std::nan("");
+    }
   }
   void doubt_knee() {
     state_.joints[1].model.model_fits = 0;
@@ -56,6 +59,19 @@ TEST_F(ModelReport, MisfitIsToldWithJointLikelyReasonAndRemedy) {
   EXPECT_THAT(model_lines(models),
               ElementsAre(AllOf(HasSubstr("knee"), HasSubstr("viscous friction"), HasSubstr("6.2 times"),
                                 HasSubstr("sprung identify --record single_leg knee"))));
+}
+
+TEST_F(ModelReport, WarmMotorsAreToldAndWhenTheyWillBeLimited) {
+  state_.joints[0].heat = {0.85, 12.4};
+  state_.joints[1].heat = {0.3, 500.0};
+  EXPECT_THAT(model_lines(models_json(robot_, state_)),
+              ElementsAre(AllOf(HasSubstr("hip"), HasSubstr("85 %"), HasSubstr("in 12 s"))));
+  state_.joints[0].heat = {1.01, 0.0};
+  EXPECT_THAT(model_lines(models_json(robot_, state_)), ElementsAre(HasSubstr("rated current alone")));
+  state_.joints[0].heat = {std::nan(""), std::nan("")};
+  const Json unknown = models_json(robot_, state_);
+  EXPECT_THAT(model_lines(unknown), IsEmpty());
+  EXPECT_TRUE(unknown[0]["winding_share"].is_null());
 }
 
 TEST_F(ModelReport, IdentificationsWithinTheirAgeAreNotTold) {

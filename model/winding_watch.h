@@ -19,6 +19,9 @@ class WindingWatch {
   bool warm() const noexcept { return warm_; }
   /// Above 1.2: what should have been limited is not.
   bool hot() const noexcept { return warmth_ > kHot; }
+  /// Until it is warm, if the current stays what it was on (quadratic) average of late, some ten seconds; 0:
+  /// it is. NaN: never at that current, or nothing is watched.
+  double warm_in_s() const noexcept;
 
  private:
   static constexpr double kHot = 1.2;  // [design choice]
@@ -26,6 +29,7 @@ class WindingWatch {
   double rated_A_;
   double time_constant_s_;
   double warmth_ = 0.0;
+  double load_ = 0.0, seen_s_ = 0.0;  ///< (current / rated current)^2, mean of late; over how long
   double last_A_ = 0.0;
   std::int64_t last_us_ = -1;
   bool warm_ = false;

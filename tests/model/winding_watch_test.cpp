@@ -1,4 +1,4 @@
-#include "drivers/bridge/winding_watch.h"
+#include "model/winding_watch.h"
 
 #include <gtest/gtest.h>
 
