@@ -38,21 +38,11 @@ double friction_compensation_Nm(const JointCompensation& joints, std::size_t j, 
 
 }  // namespace
 
-PosedLeg posed(const LegKinematics& kinematics, const JointVector& position_rad) noexcept {
-  const LegPose pose = kinematics.pose(position_rad);
-  return {pose, damped_inverse(kinematics.jacobian(pose))};
-}
-
-JointVector desired_acceleration_rad_s2(const LegKinematics& kinematics, const PosedLeg& at,
-                                        const FootMotion& foot, const JointVector& velocity_rad_s) noexcept {
-  return at.to_joints.matrix.transpose() *
-         (foot.acceleration_m_s2 - kinematics.even_motion_acceleration_m_s2(at.pose, velocity_rad_s));
-}
-
 JointVector led_torque_Nm(const LegKinematics& kinematics, const PosedLeg& at, const DesiredLeg& desired,
                           const FootMotion& foot, const LegMotion& leg,
                           const JointCompensation& joints) noexcept {
-  const JointVector acceleration = desired_acceleration_rad_s2(kinematics, at, foot, leg.velocity_rad_s);
+  const JointVector acceleration = joint_acceleration_rad_s2(kinematics, at, foot.acceleration_m_s2,
+                                                             leg.velocity_rad_s);
   JointVector torque = kinematics.inverse_dynamics_Nm(at.pose, leg.velocity_rad_s, acceleration);
   for (int j = 0; j < torque.size(); ++j) {
     const auto place = static_cast<std::size_t>(j);
@@ -85,8 +75,8 @@ JointVector compliance_torque_Nm(const LegKinematics& kinematics, const DesiredL
         {leg.velocity_rad_s[j], spring_Nm[j], torque[j], leg.temperature_C[j]});
   }
   if (desired.inertia_compensation == 0.0 || joints.armature_kg_m2.empty()) return torque;
-  const JointVector acceleration = desired_acceleration_rad_s2(kinematics, {pose, damped_inverse(jacobian)},
-                                                               foot, leg.velocity_rad_s);
+  const JointVector acceleration = joint_acceleration_rad_s2(kinematics, {pose, damped_inverse(jacobian)},
+                                                             foot.acceleration_m_s2, leg.velocity_rad_s);
   for (int j = 0; j < torque.size(); ++j)
     torque[j] += desired.inertia_compensation * joints.armature_kg_m2[j] * acceleration[j];
   return torque;

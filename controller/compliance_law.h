@@ -27,7 +27,7 @@
 #include <vector>
 
 #include "model/friction/friction_law.h"
-#include "model/leg_kinematics.h"
+#include "model/posed_leg.h"
 #include "robots/robot_config.h"
 #include "signals/leg_command.h"
 
@@ -62,18 +62,6 @@ struct JointCompensation {
   std::vector<double> friction_uncertainty{};  ///< u, relative, one standard deviation; empty: 0
   std::vector<double> armature_kg_m2{};        ///< empty: inertia is not compensated
 };
-
-/// A pose, and the way from its foot's motion to that of its joints: made once by who asks more than one
-/// question about it.
-struct PosedLeg {
-  LegPose pose;
-  DampedInverse to_joints;
-};
-PosedLeg posed(const LegKinematics& kinematics, const JointVector& position_rad) noexcept;
-
-/// J^-1 (P_des'' - J' q'), by the damped inverse: bounded in singular poses.
-JointVector desired_acceleration_rad_s2(const LegKinematics& kinematics, const PosedLeg& at,
-                                        const FootMotion& foot, const JointVector& velocity_rad_s) noexcept;
 
 /// What a leg whose foot is led takes that nothing touches: inverse dynamics of its links, and of rotors and
 /// friction the shares that are compensated: of the motion that is wanted, not of the one that is measured.

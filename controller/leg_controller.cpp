@@ -121,7 +121,7 @@ LegOutcome LegController::position(const DesiredLeg& desired, const FootMotion& 
   const InverseResult inverse = kinematics_->inverse(foot.position_m, measured_.position_rad);
   if (!inverse.reachable) return LegOutcome::kUnreachable;
   const PosedLeg at = posed(*kinematics_, inverse.position_rad);
-  const SetPoints to{inverse.position_rad, at.to_joints.matrix.transpose() * foot.velocity_m_s};
+  const SetPoints to{inverse.position_rad, joint_velocity_rad_s(at, foot.velocity_m_s)};
   feed_forward(desired, foot, at, to);
   send_position(to, dt_s, out);
   return LegOutcome::kOk;

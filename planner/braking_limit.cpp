@@ -1,6 +1,7 @@
 #include "planner/braking_limit.h"
 
 #include "model/friction/friction_law.h"
+#include "model/posed_leg.h"
 
 namespace sprung {
 namespace {
@@ -49,14 +50,12 @@ bool BrakingLimit::can_follow(FootFall fall) const noexcept {
 }
 
 JointVector BrakingLimit::torque_Nm(const FootPoint& foot, const JointVector& position_rad) const noexcept {
-  const LegPose pose = kinematics_->pose(position_rad);
-  const DampedInverse inverse = damped_inverse(kinematics_->jacobian(pose));
-  const JointVector velocity_rad_s = inverse.matrix.transpose() * to_eigen(foot.velocity_m_s);
-  const Eigen::Vector3d even_m_s2 = kinematics_->even_motion_acceleration_m_s2(pose, velocity_rad_s);
-  const JointVector acceleration_rad_s2 = inverse.matrix.transpose() *
-                                          (to_eigen(foot.acceleration_m_s2) - even_m_s2);
-  JointVector torque = kinematics_->inverse_dynamics_Nm(pose, velocity_rad_s, acceleration_rad_s2) -
-                       kinematics_->gravity_torque_Nm(pose);
+  const PosedLeg at = posed(*kinematics_, position_rad);
+  const JointVector velocity_rad_s = joint_velocity_rad_s(at, to_eigen(foot.velocity_m_s));
+  const JointVector acceleration_rad_s2 = joint_acceleration_rad_s2(
+      *kinematics_, at, to_eigen(foot.acceleration_m_s2), velocity_rad_s);
+  JointVector torque = kinematics_->inverse_dynamics_Nm(at.pose, velocity_rad_s, acceleration_rad_s2) -
+                       kinematics_->gravity_torque_Nm(at.pose);
   for (Eigen::Index j = 0; j < torque.size(); ++j)
     torque[j] += armature_kg_m2_[j] * acceleration_rad_s2[j] +
                  friction_torque_Nm(friction_[static_cast<std::size_t>(j)], {velocity_rad_s[j], torque[j]});

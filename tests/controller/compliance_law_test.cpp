@@ -237,7 +237,8 @@ TEST_F(ComplianceLawTest, RotorsGetTheirShareOfTheDesiredAcceleration) {
 TEST_F(ComplianceLawTest, DesiredAccelerationMakesTheFootDoWhatIsWanted) {
   measured_.velocity_rad_s = pair(3.0, -5.0);
   foot_.acceleration_m_s2 = {4.0, 0.0, 9.0};
-  const JointVector qdd = desired_acceleration_rad_s2(leg_, at(), foot_, measured_.velocity_rad_s);
+  const JointVector qdd = joint_acceleration_rad_s2(leg_, at(), foot_.acceleration_m_s2,
+                                                    measured_.velocity_rad_s);
   constexpr double kStep_s = 1e-4;  // second difference of the foot along that motion
   const auto foot_at = [&](double t) {
     return leg_.foot_in_hip_m(measured_.position_rad + t * measured_.velocity_rad_s + 0.5 * t * t * qdd);
@@ -249,7 +250,8 @@ TEST_F(ComplianceLawTest, DesiredAccelerationMakesTheFootDoWhatIsWanted) {
 TEST_F(ComplianceLawTest, InertiaIsNoBiggerThanTheDampedInverseAllowsInASingularPose) {
   measured_.position_rad = pair(1.5, 1e-4);
   foot_.acceleration_m_s2 = {0.0, 0.0, 50.0};
-  const JointVector qdd = desired_acceleration_rad_s2(leg_, at(), foot_, measured_.velocity_rad_s);
+  const JointVector qdd = joint_acceleration_rad_s2(leg_, at(), foot_.acceleration_m_s2,
+                                                    measured_.velocity_rad_s);
   EXPECT_TRUE(qdd.allFinite());
   EXPECT_LT(qdd.norm(), 50.0 / 0.02);
 }
@@ -261,7 +263,8 @@ TEST_F(ComplianceLawTest, LegThatIsLedTakesItsLinksAndTheSharesOfRotorsAndFricti
   foot_.acceleration_m_s2 = {1.0, 0.0, 4.0};
   desired_.friction_compensation = 0.8;
   desired_.inertia_compensation = 0.9;
-  const JointVector acceleration = desired_acceleration_rad_s2(leg_, at(), foot_, measured_.velocity_rad_s);
+  const JointVector acceleration = joint_acceleration_rad_s2(leg_, at(), foot_.acceleration_m_s2,
+                                                             measured_.velocity_rad_s);
   const JointVector links_Nm = leg_.inverse_dynamics_Nm(measured_.position_rad, measured_.velocity_rad_s,
                                                         acceleration);
   const JointVector led_Nm = led_torque_Nm(leg_, at(), desired_, foot_, measured_, joints_);
@@ -274,7 +277,8 @@ TEST_F(ComplianceLawTest, LegThatIsLedWithoutKnownRotorsTakesItsLinksAlone) {
   joints_.armature_kg_m2.clear();
   foot_.acceleration_m_s2 = {0.0, 0.0, 4.0};
   desired_.inertia_compensation = 1.0;
-  const JointVector acceleration = desired_acceleration_rad_s2(leg_, at(), foot_, measured_.velocity_rad_s);
+  const JointVector acceleration = joint_acceleration_rad_s2(leg_, at(), foot_.acceleration_m_s2,
+                                                             measured_.velocity_rad_s);
   const JointVector links_Nm = leg_.inverse_dynamics_Nm(measured_.position_rad, measured_.velocity_rad_s,
                                                         acceleration);
   EXPECT_EQ(led_torque_Nm(leg_, at(), desired_, foot_, measured_, joints_), links_Nm);

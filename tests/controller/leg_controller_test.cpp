@@ -43,8 +43,9 @@ TEST_F(LegControllerTest, PositionModeAsksTheLoopForWhatTheMotionTakes) {
   const double armature_kg_m2 = robot_.joints[1].armature_kg_m2;
   const FootMotion foot{leg_->foot_in_hip_m(measured()), Eigen::Vector3d::Zero(),
                         Eigen::Vector3d(0.0, 0.0, 3.0)};
-  const double rotor_Nm = armature_kg_m2 * desired_acceleration_rad_s2(*leg_, posed(*leg_, measured()), foot,
-                                                                       pair(0.0, 0.0))[1];
+  const double rotor_Nm = armature_kg_m2 * joint_acceleration_rad_s2(*leg_, posed(*leg_, measured()),
+                                                                     foot.acceleration_m_s2,
+                                                                     pair(0.0, 0.0))[1];
   EXPECT_NEAR(loop_torque_Nm(1) - held_Nm, rotor_Nm, 0.25 * std::abs(rotor_Nm));  // and the links
   EXPECT_GT(std::abs(rotor_Nm), 2.0);
 }

@@ -41,11 +41,12 @@ TEST(Experiments, OptionsOfOneTableAreNotThoseOfAnother) {
 }
 
 TEST(Experiments, ALegJumpsAndARobotThatWalksHasExperimentsOfItsOwn) {
-  EXPECT_EQ(names_of(experiments_of(load_robot("single_leg"))),
-            (std::set<std::string>{"jump", "foot_return", "step_response", "drop", "jump_ensemble"}));
   EXPECT_EQ(
-      names_of(experiments_of(load_robot("pegasus"))),
-      (std::set<std::string>{"foot_return", "stand_push", "walk", "ground_error", "push", "endurance"}));
+      names_of(experiments_of(load_robot("single_leg"))),
+      (std::set<std::string>{"jump", "foot_return", "step_response", "drop", "jump_ensemble", "adaptation"}));
+  EXPECT_EQ(names_of(experiments_of(load_robot("pegasus"))),
+            (std::set<std::string>{"foot_return", "stand_push", "walk", "ground_error", "push", "endurance",
+                                   "adaptation"}));
 }
 
 TEST(Experiments, PresetsThatTheRobotHasNotAreItsUsualOne) {
