@@ -16,7 +16,7 @@ constexpr double kSwing_s = 0.3;
 constexpr double kForgetsFriction_s = 600.0;
 constexpr double kMostOfUncertainty = 2.0;
 constexpr double kLeastFactor = 0.1;
-/// Friction that differs by more is something that touches the leg.
+/// Friction that differs by more is something that touches the leg. A hand is there for a swing and more.
 constexpr double kMostFrictionStds = 3.0;
 
 }  // namespace
@@ -50,12 +50,20 @@ void FrictionAdaptation::move(double& factor, double by) const noexcept {
   factor = std::clamp(factor + by, std::max(kLeastFactor, 1.0 - most), 1.0 + most);
 }
 
+bool FrictionAdaptation::touched(const SeenFriction& seen) noexcept {
+  const double once_Nm2 = variance_Nm2(seen.law) + seen.other_std_Nm * seen.other_std_Nm;
+  if (!(once_Nm2 > 0.0)) return true;
+  if (seen.excess_Nm * seen.excess_Nm > kMostFrictionStds * kMostFrictionStds * once_Nm2)
+    touched_s_ = kSwing_s;
+  else
+    touched_s_ = std::max(0.0, touched_s_ - seen.time_s);
+  return touched_s_ > 0.0;
+}
+
 void FrictionAdaptation::learn(const SeenFriction& seen) noexcept {
   if (!learns_ || !std::isfinite(seen.excess_Nm) || !(seen.time_s > 0.0)) return;
+  if (touched(seen) || !seen.moves_itself) return;
   const double known_Nm2 = variance_Nm2(seen.law);
-  const double once_Nm2 = known_Nm2 + seen.other_std_Nm * seen.other_std_Nm;
-  if (!(once_Nm2 > 0.0) || seen.excess_Nm * seen.excess_Nm > kMostFrictionStds * kMostFrictionStds * once_Nm2)
-    return;
   const double total_Nm2 = known_Nm2 +
                            std::max(1.0, kSwing_s / seen.time_s) * seen.other_std_Nm * seen.other_std_Nm;
   const double dry = dry_ * seen.law.dry_Nm + both_ * seen.law.viscous_Nm;

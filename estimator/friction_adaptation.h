@@ -7,8 +7,8 @@
 /// d and v are 1 at first and known as well as robot.yaml's `uncertainty` says; a Kalman filter holds both.
 /// Slow: a whole swing counts as one observation, for what else may be wrong in it (inertia, torque constant,
 /// weight, the hip's own acceleration) is wrong all through it. Bounded: by twice the stated uncertainty;
-/// friction that differs by more is model_watch.h's to tell. Learns nothing while the leg may be touched, and
-/// forgets as a gear cools.
+/// friction that differs by more is model_watch.h's to tell. Learns nothing while the leg may be touched, nor
+/// for a swing after something has moved it that no friction can be; forgets as a gear cools.
 #include "model/friction/friction_parameters.h"
 
 namespace sprung {
@@ -27,6 +27,7 @@ struct SeenFriction {
   double excess_Nm = 0.0;  ///< what moved the joint less than the model says, factors in force: more friction
   double other_std_Nm = 0.0;  ///< of the excess, by all that is not friction
   double time_s = 0.0;        ///< that it lasted
+  bool moves_itself = true;   ///< its motor drives; else no friction is seen, only what else moves it
 };
 
 class FrictionAdaptation {
@@ -46,6 +47,8 @@ class FrictionAdaptation {
 
  private:
   double variance_Nm2(const FrictionByLaw& law) const noexcept;
+  /// Something moves the joint, or did within a swing.
+  bool touched(const SeenFriction& seen) noexcept;
   void move(double& factor, double by) const noexcept;
 
   double uncertainty_;
@@ -53,6 +56,7 @@ class FrictionAdaptation {
   double prior_ = 0.0, prior_both_ = 0.0;  ///< variance of each factor; covariance of the two
   FrictionFactors factors_;
   double dry_ = 0.0, viscous_ = 0.0, both_ = 0.0;  ///< the same now
+  double touched_s_ = 0.0;                         ///< of motion, until it learns again
 };
 
 }  // namespace sprung

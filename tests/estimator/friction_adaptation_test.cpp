@@ -71,6 +71,22 @@ TEST(FrictionAdaptationTest, WhatIsFarBeyondWhatFrictionMayBeTeachesNothing) {
   EXPECT_EQ(adaptation.factors().viscous, 1.0);
 }
 
+TEST(FrictionAdaptationTest, ASwingInWhichSomethingMovedTheJointTeachesNothingToItsEnd) {
+  FrictionAdaptation adaptation(kAdaptationUncertainty, true);
+  SeenFriction moved{{8.0, 5.0}, -60.0, 1.0, 0.005, false};
+  adaptation.learn(moved);
+  for (int k = 0; k < 50; ++k) adaptation.learn({{8.0, 5.0}, -2.0, 1.0, 0.005});
+  EXPECT_EQ(adaptation.factors().dry, 1.0);
+  for (int k = 0; k < 50; ++k) adaptation.learn({{8.0, 5.0}, -2.0, 1.0, 0.005});
+  EXPECT_LT(adaptation.factors().dry, 1.0);
+}
+
+TEST(FrictionAdaptationTest, FrictionIsNotSeenWhereTheMotorBrakes) {
+  FrictionAdaptation adaptation(kAdaptationUncertainty, true);
+  for (int k = 0; k < 50; ++k) adaptation.learn({{8.0, 5.0}, -2.0, 1.0, 0.005, false});
+  EXPECT_EQ(adaptation.factors().dry, 1.0);
+}
+
 TEST(FrictionAdaptationTest, ForgetsAsAGearCools) {
   FrictionAdaptation adaptation(kAdaptationUncertainty, true);
   adaptation_swings(adaptation, {1.0, 0.6}, 60.0);
