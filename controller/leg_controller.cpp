@@ -6,9 +6,7 @@
 namespace sprung {
 namespace {
 
-constexpr double kModeFadeStep = 0.045;  // of the torque limit in a cycle: under 5 %
-/// From here on a joint's model does not fit (estimator/model_watch.cpp): at least that much in doubt.
-constexpr double kLeastMisfit = 2.5;
+constexpr double kModeFadeStep = 0.045;        // of the torque limit in a cycle: under 5 %
 constexpr double kBackIntoLimits_rad_s = 3.0;  // a quarter of what the joints can do
 
 template <class T>
@@ -112,7 +110,7 @@ void LegController::compensate_friction(std::size_t j, const EstimatedJoint& joi
     compensation_.friction[j] = scaled(friction_laws_[j],
                                        {joint.dry_friction_factor, joint.viscous_friction_factor});
   const double stated = joints_[j].uncertainty.friction;
-  const double misfit = joint.model_fits ? 0.0 : std::max(kLeastMisfit, joint.misfit_ratio);
+  const double misfit = joint.model_fits ? 0.0 : std::max(kMisfitRatio, joint.misfit_ratio);
   compensation_.friction_uncertainty[j] = std::max(known_friction_[j], std::min(1.0, stated * misfit));
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "signals/joint_state.h"
+
 namespace sprung {
 namespace {
 
@@ -13,10 +15,10 @@ constexpr double kAlikeFor_s = 10e-3;
 /// Motion that decides: a swing.
 constexpr double kWindow_s = 0.3;
 constexpr double kLeastMotion_s = 0.1;
-/// Standard deviations of what robot.yaml states. Plants at the corners of the box that the stated numbers
-/// stand for (friction 25 %, torque constant 5 %, mass 10 %, each 1.7 of them) reach up to sqrt 3 times
-/// sqrt 2.
-constexpr double kMisfit = 2.5, kFit = 1.7;
+/// It fits again below. Both are standard deviations of what robot.yaml states. Plants at the corners of the
+/// box that the stated numbers stand for (friction 25 %, torque constant 5 %, mass 10 %, each 1.7 of them)
+/// reach up to sqrt 3 times sqrt 2.
+constexpr double kFit = 1.7;
 /// What was found stays believed; how well it is known is forgotten over as much motion. A hip's
 /// acceleration, which looks like weight, changes within a step, and so does what touches the foot: both are
 /// forgotten whole.
@@ -144,19 +146,17 @@ const SeenFriction* ModelWatch::learn(const WatchedMotion& motion, double unexpl
 
 bool ModelWatch::wait(const Bucket& bucket) noexcept {
   const bool full = count_ == kWaiting;
-  bool moved_itself = false;
   if (full) {
     const Bucket& old = waiting_[next_];
-    moved_itself = old.moves_itself;
     take(old);
     judge();
-    seen_ = {old.friction, old.excess_Nm, std::sqrt(old.other_Nm2), old.time_s};
+    seen_ = {old.friction, old.excess_Nm, std::sqrt(old.other_Nm2), old.time_s, old.moves_itself};
   } else {
     ++count_;
   }
   waiting_[next_] = bucket;
   next_ = (next_ + 1) % kWaiting;
-  return moved_itself;
+  return full;
 }
 
 void ModelWatch::age(double time_s) noexcept {
@@ -226,8 +226,8 @@ void ModelWatch::judge() noexcept {
   ratio_ = std::max({0.0, by_model, weight});
   if (seen_s_ >= kWindow_s) doubted_ = false;
   if (ratio_ < kFit) reason_ = MisfitReason::kNone;
-  if (now > kMisfit && now >= by_model) worst_ = moment_;
-  if (ratio_ > kMisfit) reason_ = weight > by_model ? MisfitReason::kWeight : likely_reason();
+  if (now > kMisfitRatio && now >= by_model) worst_ = moment_;
+  if (ratio_ > kMisfitRatio) reason_ = weight > by_model ? MisfitReason::kWeight : likely_reason();
 }
 
 MisfitReason ModelWatch::likely_reason() const noexcept {

@@ -9,9 +9,9 @@
 /// is the torque of a force that is not noticed as contact. Its law is robot.yaml's: what is learnt besides
 /// (friction_adaptation.h) is taken out again. A Kalman filter holds the seven. The joint does
 /// not fit when what c to x_k come to, over the motion of the last 0.3 s and less its own uncertainty, is
-/// more than kMisfit of the standard deviations that robot.yaml's `uncertainty` states; it fits again below
-/// kFit. What touches the leg does not teach: nothing is learnt while it may be in contact, nor from what is
-/// younger than 25 ms; there the watch is frozen.
+/// more than kMisfitRatio of the standard deviations that robot.yaml's `uncertainty` states; it fits again
+/// below kFit. What touches the leg does not teach: nothing is learnt while it may be in contact, nor from
+/// what is younger than 25 ms; there the watch is frozen.
 #include <array>
 #include <cstddef>
 
@@ -47,7 +47,7 @@ class ModelWatch {
   /// In a cycle in which nothing touches the leg and the drive moves the joint.
   /// @param unexplained_Nm external torque as estimated. @param noise_std_Nm of it, by the motion filter.
   /// @return what became old enough in this cycle to be sure that nothing touched the leg: it was learnt from
-  /// just now; valid until the next call. nullptr: nothing, or nothing about friction.
+  /// just now; valid until the next call. nullptr: nothing.
   const SeenFriction* learn(const WatchedMotion& motion, double unexplained_Nm, double noise_std_Nm,
                             double dt_s) noexcept;
   /// Something may touch the leg: what waits to be learnt is dropped.

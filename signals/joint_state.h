@@ -11,6 +11,9 @@
 
 namespace sprung {
 
+/// misfit_ratio from which on a joint's model does not fit (estimator/model_watch.h).
+inline constexpr double kMisfitRatio = 2.5;
+
 struct EstimatedJoint {
   double estimated_position_rad = kNaN;
   double estimated_velocity_rad_s = kNaN;

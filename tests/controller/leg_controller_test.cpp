@@ -337,5 +337,39 @@ TEST_F(LegControllerTest, BeltLegGetsActuatorSetPoints) {
   EXPECT_NEAR(out_.actuators[1].commanded_position_rad, measured()[1] - 0.01 * measured()[0], 1e-9);
 }
 
+TEST_F(LegControllerTest, WhatWasLearntIsCompensatedAndInMotionLessOfAJointThatItsModelDoesNotFit) {
+  want(ControlMode::kCompliance);
+  command_.legs[0].friction_compensation = 0.8;
+  state_.joints[1].estimated_velocity_rad_s = 1.5;
+  PresetConfig preset = robot_.preset("best");
+  preset.rest_friction = {0.02, 0.1};
+  const auto knee_Nm = [&](double dry_factor, bool fits, double ratio) {
+    ControllerCore core(robot_, preset, robot_.watchdogs);
+    state_.joints[1].dry_friction_factor = dry_factor;
+    state_.joints[1].model_fits = fits;
+    state_.joints[1].misfit_ratio = ratio;
+    for (int k = 0; k < 300; ++k) {
+      command_.stamp = state_.stamp;
+      state_.stamp.utime_us += 1000;
+      ++state_.stamp.seq;
+      core.step(state_, &command_, out_);
+    }
+    return commanded_torque()[1];
+  };
+  const double none_Nm = [&] {
+    command_.legs[0].friction_compensation = 0.0;
+    const double out = knee_Nm(1.0, true, 0.0);
+    command_.legs[0].friction_compensation = 0.8;
+    return out;
+  }();
+  const double all_Nm = knee_Nm(1.0, true, 0.0) - none_Nm;
+  ASSERT_GT(all_Nm, 3.0);
+  EXPECT_NEAR(knee_Nm(0.7, true, 0.0) - none_Nm, 0.7 * all_Nm, 1e-9);
+  const double stated = robot_.joints[1].uncertainty.friction;
+  EXPECT_NEAR(knee_Nm(1.0, false, 4.0) - none_Nm, (1.0 - 4.0 * stated) / 0.8 * all_Nm, 1e-9);
+  EXPECT_NEAR(knee_Nm(1.0, false, 0.0) - none_Nm, (1.0 - kMisfitRatio * stated) / 0.8 * all_Nm, 1e-9);
+  EXPECT_NEAR(knee_Nm(1.0, false, 100.0) - none_Nm, 0.0, 1e-9);
+}
+
 }  // namespace
 }  // namespace sprung

@@ -248,5 +248,29 @@ TEST(LegEstimatorOfAnArm, WhatAnOutputHeldIsNoState) {
   EXPECT_EQ(dirty.gear_output_torque_Nm, clean.gear_output_torque_Nm);
 }
 
+TEST_F(LegEstimatorTest, FrictionThatIsALittleMoreIsLearntAndSwitchedOffItIsNot) {
+  swing(20.0, 0.5);
+  for (const EstimatedJoint& joint : joints_) {
+    EXPECT_TRUE(joint.model_fits);
+    EXPECT_GT(joint.dry_friction_factor, 1.02);
+  }
+  robot_.estimation.adapts_friction = false;
+  leg_ = LegEstimator(robot_, robot_.legs[0], 2);
+  swing(20.0, 0.5);
+  for (const EstimatedJoint& joint : joints_) EXPECT_EQ(joint.dry_friction_factor, 1.0);
+}
+
+TEST_F(LegEstimatorTest, AHandThatMovesTheLegAgainstItsMotorsTeachesNoFriction) {
+  swing(0.6, 0.0);
+  const double before[] = {joints_[0].dry_friction_factor, joints_[1].dry_friction_factor};
+  swing(20.0, -40.0);  // the motors brake, and it moves all the same
+  for (int j = 0; j < 2; ++j) EXPECT_NEAR(joints_[j].dry_friction_factor, before[j], 0.04) << j;
+}
+
+TEST_F(LegEstimatorTest, AHandThatHelpsTheMotorsIsTakenForLittleLessFriction) {
+  swing(20.0, -12.0);  // where a swing is slow it cannot be told from less friction
+  for (const EstimatedJoint& joint : joints_) EXPECT_GT(joint.dry_friction_factor, 0.8);
+}
+
 }  // namespace
 }  // namespace sprung
