@@ -30,24 +30,16 @@ Json model_json(const RobotConfig& robot, const JointConfig& joint,
           {"derating_in_s", number_or_null(estimated.heat.derating_in_s)}};
 }
 
-/// Empty: neither warm nor soon to be.
-std::string heat_line(const Json& model) {
-  constexpr double kWarm = 0.8,
-                   kSoon_s = 30.0;  // [design choice] at 0.8 a walk becomes slower (motor_heat.h)
-  if (model["winding_share"].is_null()) return "";
-  const double share = model["winding_share"].get<double>();
-  const bool told = !model["derating_in_s"].is_null();
-  const double in_s = told ? model["derating_in_s"].get<double>() : 0.0;
-  if (share < kWarm && !(told && in_s < kSoon_s)) return "";
-  char when[60] = "";
-  if (share >= 1.0) {
-    std::snprintf(when, sizeof when, ", it gets its rated current alone");
-  } else if (told) {
-    std::snprintf(when, sizeof when, ", its rated current alone in %.0f s", in_s);
-  }
+/// Empty: it is far off, or there already, which its drive's own line tells (health_report.h).
+std::string derating_line(const Json& model) {
+  constexpr double kSoon_s = 30.0;  // [design choice]
+  if (model["derating_in_s"].is_null()) return "";
+  const double in_s = model["derating_in_s"].get<double>();
+  if (!(in_s > 0.0 && in_s < kSoon_s)) return "";
   char text[160];
-  std::snprintf(text, sizeof text, "motor   %-10s at %.0f %% of its warmth%s",
-                model["name"].get<std::string>().c_str(), 100.0 * share, when);
+  std::snprintf(text, sizeof text,
+                "motor   %-10s at %.0f %% of its warmth, its rated current alone in %.0f s",
+                model["name"].get<std::string>().c_str(), 100.0 * model["winding_share"].get<double>(), in_s);
   return text;
 }
 
@@ -87,7 +79,7 @@ Json models_json(const RobotConfig& robot, const std::optional<sprung_msgs::join
 std::vector<std::string> model_lines(const Json& models) {
   std::vector<std::string> out;
   for (const Json& model : models) {
-    if (const std::string warm = heat_line(model); !warm.empty()) out.push_back(warm);
+    if (const std::string soon = derating_line(model); !soon.empty()) out.push_back(soon);
     if (model["fits"].get<bool>()) continue;
     const auto reason = model["likely_reason"].get<std::string>();
     const bool known = reason != name(MisfitReason::kNone);
