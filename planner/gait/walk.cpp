@@ -172,13 +172,18 @@ void Walk::step(const JointState& in) noexcept {
   next_gait();
 }
 
+/// As ramped, and slower with warm motors.
+Pace::Speed Walk::desired_speed() const noexcept {
+  Pace::Speed out = ramp_.now();
+  for (double& part : out) part *= heat_.speed_share();
+  return out;
+}
+
 void Walk::steer(double dt_s) noexcept {
   ramp_.advance(dt_s, starting_acceleration(gait()));
   height_m_ = toward(height_m_, request_.height_m, kHeightRate_m_s * dt_s);
   width_m_ = toward(width_m_, request_.stance_width_m, kHeightRate_m_s * dt_s);
-  Pace::Speed speed = ramp_.now();
-  for (double& part : speed) part *= heat_.speed_share();
-  pace_.advance(waits_, speed, gait(), dt_s);
+  pace_.advance(waits_, desired_speed(), gait(), dt_s);
   follow_lead(dt_s);
   const double wanted_rad_s = pace_.now() * pace_.speed()[2];
   heading_rad_ += wanted_rad_s * dt_s;

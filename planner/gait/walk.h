@@ -64,6 +64,7 @@ class Walk {
   static constexpr double kHalt_s = 0.8;
 
  private:
+  Pace::Speed desired_speed() const noexcept;
   void steer(double dt_s) noexcept;
   void lean(double dt_s) noexcept;
   void step_legs(const JointState& in, double dt_s) noexcept;

@@ -43,7 +43,7 @@ void Walk::write(std::size_t leg, DesiredLeg& out) const noexcept {
 void Walk::write(MotionState& out) const noexcept {
   out.gait = ended_ ? -1 : now_.gait;
   out.gait_phase = ended_ ? 0.0 : clock_.phase();
-  out.desired_speed = ramp_.now();
+  out.desired_speed = desired_speed();
   for (std::size_t i = 0; i < out.legs.size() && i < shape_.legs; ++i) {
     out.legs[i] = {steps_[i].phase(), steps_[i].in_phase_s(), steps_[i].last_event(), steps_[i].counts()};
   }

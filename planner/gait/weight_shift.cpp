@@ -10,11 +10,12 @@
 namespace sprung {
 namespace {
 
-constexpr std::size_t kLegs = 4;     // three feet and one in the air: all that is known of leaning
-constexpr double kWanted = 0.6;      // margin that the body goes for, share of the gait's sway,
-constexpr double kNeeded = 0.2;      // and without which no leg leaves
-constexpr double kLeanTime = 0.16;   // share of the period in which nine tenths of the way are done
-constexpr double kFurther = 0.5;     // of the sway, that it leans besides where it waits for that long in s
+constexpr std::size_t kLegs = 4;    // three feet and one in the air: all that is known of leaning
+constexpr double kWanted = 0.6;     // margin that the body goes for, share of the gait's sway,
+constexpr double kNeeded = 0.2;     // and without which no leg leaves
+constexpr double kLeanTime = 0.16;  // share of the period in which nine tenths of the way are done
+constexpr double kFurther = 0.5;    // of the sway, that it leans besides where it has waited for
+constexpr double kFurtherIn_s = 0.5;
 constexpr double kFarAhead_s = 1.0;  // further the feet's way is not foreseen
 
 /// A body in motion is as near to tipping as one at rest that is its speed times this further on (Hof 2008).
@@ -85,7 +86,8 @@ void WeightShift::step(const GaitClock& clock, const BodyView& view, const Eigen
 void WeightShift::follow(const GaitClock& clock, const Eigen::Vector2d& wanted_m, double waited_s,
                          double dt_s) noexcept {
   if (!wanted_m.allFinite()) return;  // a foot that nobody knows for a cycle
-  const double far_m = wanted_m.norm(), most_m = (1.0 + std::min(kFurther, waited_s)) * clock.gait().sway_m;
+  const double far_m = wanted_m.norm(),
+               most_m = (1.0 + kFurther * std::min(1.0, waited_s / kFurtherIn_s)) * clock.gait().sway_m;
   const Eigen::Vector2d within_m = far_m > most_m ? Eigen::Vector2d(wanted_m * (most_m / far_m)) : wanted_m;
   lean_.follow(within_m, kLeanTime * clock.gait().period_s, dt_s);
 }

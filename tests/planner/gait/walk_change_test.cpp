@@ -256,5 +256,26 @@ TEST_F(WalkChangeTest, RobotWithoutGaitsSaysSo) {
   EXPECT_STREQ(Walk(robot, preset_).validate(request("trot"), false), "this robot has no gaits");
 }
 
+TEST_F(WalkChangeTest, WarmMotorsSlowItAndThenItSetsItsFeetAndSaysWhy) {
+  for (const char* name : {"crawl", "walk", "trot"}) {
+    const auto warm = [this](double share) { in_.joints[7].winding_share = share; };
+    const double speed = name == std::string("crawl") ? 0.1 : 0.2;
+    warm(0.5);
+    begin(request(name, {speed, 0.0, 0.0}));
+    run(6.0);
+    EXPECT_EQ(motion_.desired_speed[0], speed);
+    warm(0.5 * (MotorHeat::kSlowFrom + MotorHeat::kStands));
+    run(2.0);
+    EXPECT_FALSE(walk_.ended());
+    EXPECT_LT(motion_.desired_speed[0], 0.7 * speed);
+    warm(MotorHeat::kStands + 0.01);
+    run(10.0);
+    EXPECT_TRUE(walk_.ended()) << name;
+    EXPECT_EQ(standing(), 4);
+    ASSERT_NE(walk_.failure(), nullptr);
+    EXPECT_NE(std::string(walk_.failure()).find("too warm"), std::string::npos);
+  }
+}
+
 }  // namespace
 }  // namespace sprung
