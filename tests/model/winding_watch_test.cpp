@@ -67,5 +67,18 @@ TEST(WindingWatchTest, SampleAfterALongSilenceIsBounded) {
   EXPECT_LE(watch.warmth(), 1.0);
 }
 
+TEST(WindingWatchTest, SaysWhenItWillBeWarmAndThatTheRatedCurrentNeverMakesItSo) {
+  WindingWatch watch(2.0, 50.0);
+  std::int64_t time_us = 0;
+  EXPECT_TRUE(std::isnan(watch.warm_in_s()));
+  after(watch, 4.0, 1.0, time_us);  // warm after 50 s * ln(4 / 3) = 14.4 s
+  EXPECT_NEAR(watch.warm_in_s(), 13.4, 0.1);
+  after(watch, 4.0, 13.6, time_us);
+  EXPECT_EQ(watch.warm_in_s(), 0.0);
+  WindingWatch rated(2.0, 50.0);
+  after(rated, 1.99, 100.0, time_us);
+  EXPECT_TRUE(std::isnan(rated.warm_in_s()));
+}
+
 }  // namespace
 }  // namespace sprung

@@ -183,14 +183,16 @@ EstimationConfig read_estimation(const std::string& text) {
 TEST(IdentificationSections, WhatTheEstimatorTakesForGrantedIsReadAndMayBeMissing) {
   const EstimationConfig all = read_estimation(
       "drive_loop: 8 kHz\nsampling_jitter: 5 us\ncurrent_noise: 0.2 Nm\nload_walk: 20 Nm/sqrt(s)\n"
-      "floor_force: 50 N\n");
+      "floor_force: 50 N\nadapts_friction: false\n");
   EXPECT_EQ(all.drive_loop_kHz, 8.0);
   EXPECT_EQ(all.sampling_jitter_us, 5.0);
   EXPECT_EQ(all.current_noise_Nm, 0.2);
   EXPECT_EQ(all.load_walk_Nm_sqrt_s, 20.0);
   EXPECT_EQ(all.floor_force_N, 50.0);
+  EXPECT_FALSE(all.adapts_friction);
   const EstimationConfig one = read_estimation("sampling_jitter: 5 us\n");
   EXPECT_EQ(one.sampling_jitter_us, 5.0);
+  EXPECT_TRUE(one.adapts_friction);
   EXPECT_EQ(one.load_walk_Nm_sqrt_s, EstimationConfig{}.load_walk_Nm_sqrt_s);
 }
 
@@ -200,6 +202,7 @@ TEST(IdentificationSections, EstimationThatCannotBeIsRefused) {
   EXPECT_THROW(read_estimation("load_walk: 0 Nm/sqrt(s)\n"), ConfigError);
   EXPECT_THROW(read_estimation("floor_force: -1 N\n"), ConfigError);
   EXPECT_THROW(read_estimation("jitter: 2 us\n"), ConfigError);
+  EXPECT_THROW(read_estimation("adapts_friction: no\n"), ConfigError);
 }
 
 TEST(IdentificationSections, JointThatIsNotIdentifiedCannotBeWritten) {
