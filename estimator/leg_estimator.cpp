@@ -28,7 +28,7 @@ constexpr double kPullStds = 3.0;
 constexpr double kPull_s = 0.02;
 /// Of what a model that does not fit was found to miss, how far it may be off elsewhere, one standard
 /// deviation.
-constexpr double kMissedShare = 0.2;
+constexpr double kMissedShare = 0.1;
 
 double dry_friction_Nm(const FrictionParameters& law, double output_torque_Nm) noexcept {
   FrictionInput in;
@@ -42,6 +42,14 @@ ResidualModel residual_model(const JointConfig& joint, double cycle_s) {
   return {{known.friction, known.armature, known.torque_constant, kHipAcceleration},
           kFirstNoise * (1.0 + known.friction) * dry_friction_Nm(joint.estimated_friction(), 0.0),
           cycle_s};
+}
+
+/// What the actuator can give, where the joint's law is another robot's; else 0.
+double foreign_Nm(const RobotConfig& robot, const LegConfig& leg, int joint) {
+  const auto j = static_cast<std::size_t>(joint);
+  const JointConfig& config = robot.joints.at(static_cast<std::size_t>(leg.joints[j]));
+  if (!config.friction || !identified_on_another(config.friction->record, robot.name)) return 0.0;
+  return robot.actuators.at(static_cast<std::size_t>(leg.actuators[j])).torque_limit_Nm;
 }
 
 }  // namespace
@@ -63,7 +71,7 @@ LegEstimator::LegEstimator(const RobotConfig& robot, const LegConfig& leg, int l
     friction_laws_.push_back(joint.estimated_friction());
     estimators_.emplace_back(joint, robot.estimation, robot.cycle_s, sampler_.encoder_step_rad(j),
                              longest_coast_cycles);
-    watches_.emplace_back(joint.uncertainty, joint.estimated_friction());
+    watches_.emplace_back(joint.uncertainty, joint.estimated_friction(), foreign_Nm(robot, leg, j));
     residuals.push_back(residual_model(joint, robot.cycle_s));
   }
   if (kinematics_ != nullptr)
@@ -157,8 +165,8 @@ void LegEstimator::widen_bounds(std::size_t j, EstimatedJoint& joint) const noex
   joint.model_fits = watch.fits();
   joint.misfit_reason = watch.reason();
   joint.misfit_ratio = watch.ratio();
-  if (watch.fits()) return;
   const double missed_Nm = watch.missed(watched(j, joint)).bound_Nm();
+  if (!(missed_Nm > 0.0)) return;
   joint.gear_output_torque_bound_Nm = root_sum_square(joint.gear_output_torque_bound_Nm, missed_Nm);
   joint.friction_torque_bound_Nm = root_sum_square(joint.friction_torque_bound_Nm, missed_Nm);
 }
@@ -250,7 +258,9 @@ void LegEstimator::gather_evidence(const std::vector<EstimatedJoint>& joints) no
     const double motor_Nm = output_torque_Nm_[i] + joint.friction_torque_Nm + inertia_Nm;
     const double slow = velocity_rad_s_[i] / kReversal_rad_s;
     JointResidual& residual = evidence_[j].residual;
-    const ModelWatch::Missed missed = watches_[j].missed(watched(j, joint));
+    // At rest what is missed has no sign, and the bound below has it.
+    const ModelWatch::Missed missed = joint.at_rest ? ModelWatch::Missed{}
+                                                    : watches_[j].missed_if_free(watched(j, joint));
     residual.torque_Nm = joint.external_torque_Nm + missed.torque_Nm;
     residual.misfit_Nm2 = missed.std_Nm * missed.std_Nm +
                           kMissedShare * kMissedShare * missed.torque_Nm * missed.torque_Nm;

@@ -26,23 +26,25 @@ namespace sprung {
 struct WatchedMotion {
   double velocity_rad_s = 0.0;
   double sign = 0.0;               ///< s; where that of the motion is not known, 1 for the worse
-  double output_torque_Nm = 0.0;   ///< L, gear output as estimated
+  double output_torque_Nm = 0.0;   ///< gear output as estimated
   double inertia_torque_Nm = 0.0;  ///< armature times acceleration
   double motor_torque_Nm = 0.0;
   double weight_Nm = 0.0;    ///< G, of the leg at this joint
   double friction_Nm = 0.0;  ///< as estimated
   FrictionByLaw friction_by_law{};
   double adapted_Nm = 0.0;      ///< of friction_Nm, what was learnt beside the law
-  double link_torque_Nm = 0.0;  ///< M qdd + V + G by the model of the leg
+  double link_torque_Nm = 0.0;  ///< L where nothing touches the leg: M qdd + V + G by its model
   bool moves_itself = true;     ///< its motor and those of the leg drive; else no friction is seen
   double unnoticed_Nm = 0.0;    ///< O, one standard deviation
 };
 
 class ModelWatch {
  public:
-  ModelWatch(const JointUncertainty& stated, const FrictionParameters& law) noexcept;
+  /// @param foreign_Nm 0; what the joint's actuator can give, where the law is another robot's: then its
+  /// friction may be any gear's of that size, and it does not fit until motion has told.
+  ModelWatch(const JointUncertainty& stated, const FrictionParameters& law, double foreign_Nm) noexcept;
 
-  /// Forgets all: the joint fits until it is seen not to.
+  /// Forgets all: the joint fits until it is seen not to, and a foreign one does not until it is seen to.
   void reset() noexcept;
   /// In a cycle in which nothing touches the leg and the drive moves the joint.
   /// @param unexplained_Nm external torque as estimated. @param noise_std_Nm of it, by the motion filter.
@@ -63,7 +65,8 @@ class ModelWatch {
   double ratio() const noexcept { return ratio_; }
 
   /// What the model is believed to miss in this motion, torque that friction, inertia and torque constant
-  /// take more than it says; and one standard deviation of that. Zero while it fits.
+  /// take more than it says; and one standard deviation of that. Zero while it fits; of a foreign one never,
+  /// for what was seen slow says little of quick motion.
   struct Missed {
     double torque_Nm = 0.0;
     double std_Nm = 0.0;
@@ -71,6 +74,8 @@ class ModelWatch {
     double bound_Nm() const noexcept;
   };
   Missed missed(const WatchedMotion& motion) const noexcept;
+  /// The same where nothing touches the leg: what a contact is told from.
+  Missed missed_if_free(const WatchedMotion& motion) const noexcept;
 
   enum Term : std::size_t { kDry, kViscous, kLoad, kInertia, kTorqueConstant, kWeight, kOutside, kTerms };
   using Terms = std::array<double, kTerms>;
@@ -96,6 +101,7 @@ class ModelWatch {
     Matrix parts{};
     double stated_Nm2 = 0.0;
   };
+  Missed missed_of(const Terms& part, double adapted_Nm) const noexcept;
   double ratio_in(const Moment& motion) const noexcept;
   Terms parts(const WatchedMotion& motion) const noexcept;
   double stated_Nm2(const WatchedMotion& motion) const noexcept;
@@ -109,6 +115,7 @@ class ModelWatch {
   MisfitReason likely_reason() const noexcept;
 
   JointUncertainty stated_;
+  bool foreign_;
   Terms prior_{};  ///< one standard deviation of each
   Terms found_{};
   Matrix covariance_{};

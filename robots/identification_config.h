@@ -18,6 +18,7 @@ enum class CompensatedFriction : std::int8_t {
 
 /// Where the numbers come from, and how well they explain data that did not select them.
 struct IdentificationRecord {
+  std::string robot;   ///< whose joint was recorded; empty: nobody says, so this one's
   std::string date;    ///< YYYY-MM-DD
   std::string log;     ///< name of the recording
   std::string sha256;  ///< of the recording, at least the first 16 digits
@@ -31,6 +32,11 @@ struct IdentificationRecord {
   /// [design choice] After as many days `sprung up` asks for a new one: grease ages, gears wear in.
   int max_age_days = 90;
 };
+
+/// A robot begun as a copy of another has the other's numbers until its own joints are recorded.
+inline bool identified_on_another(const IdentificationRecord& record, const std::string& robot) {
+  return !record.robot.empty() && record.robot != robot;
+}
 
 struct IdentifiedFriction {
   FrictionModelKind model = FrictionModelKind::kCoulomb;

@@ -89,6 +89,8 @@ std::string matching(const YamlMap& map, const std::string& key, const char* pat
 
 IdentificationRecord read_record(const YamlMap& map) {
   IdentificationRecord record;
+  if (map.has("robot"))
+    record.robot = matching(map, "robot", ".+", "the name of the robot that was recorded");
   record.date = matching(map, "date", "[0-9]{4}-(0[1-9]|1[0-2])-(0[1-9]|[12][0-9]|3[01])", "YYYY-MM-DD");
   record.log = matching(map, "log", ".+", "the recording's name");
   record.sha256 = matching(map, "sha256", "[0-9a-f]{16,64}", "16 to 64 hexadecimal digits, in quotes");
@@ -171,8 +173,9 @@ std::string quoted(const std::string& text) {
 }
 
 std::string record_text(const IdentificationRecord& r) {
-  return "    identified:\n      date: " + r.date + "\n      log: " + quoted(r.log) +
-         "\n      sha256: " + quoted(r.sha256) + "\n      samples: " + std::to_string(r.samples) +
+  return "    identified:\n" + (r.robot.empty() ? "" : "      robot: " + quoted(r.robot) + "\n") +
+         "      date: " + r.date + "\n      log: " + quoted(r.log) + "\n      sha256: " + quoted(r.sha256) +
+         "\n      samples: " + std::to_string(r.samples) +
          "\n      held_out_r2: " + quantity_text(r.held_out_r2, "") +
          "\n      held_out_rms: " + quantity_text(r.held_out_rms_Nm, "Nm") +
          "\n      command: " + quoted(r.command) + "\n" +

@@ -69,13 +69,44 @@ class SwingingJoint {
 class ModelWatchTest : public testing::Test {
  protected:
   SwingingJoint joint_;
-  ModelWatch watch_{watch_stated(), coulomb_alone(7.3)};
+  ModelWatch watch_{watch_stated(), coulomb_alone(7.3), 0.0};
 };
 
 TEST_F(ModelWatchTest, NothingSeenFits) {
   EXPECT_TRUE(watch_.fits());
   EXPECT_EQ(watch_.ratio(), 0.0);
   EXPECT_EQ(watch_.missed(joint_.at(3.0, 0.0)).bound_Nm(), 0.0);
+}
+
+TEST_F(ModelWatchTest, ALawOfAnotherRobotFitsOnceMotionHasShownThatItDoes) {
+  ModelWatch watch(watch_stated(), coulomb_alone(7.3), 171.6);
+  EXPECT_FALSE(watch.fits());
+  EXPECT_EQ(watch.reason(), MisfitReason::kNone);
+  EXPECT_GT(watch.missed(joint_.at(8.0, 0.0)).bound_Nm(), 7.4 * 8.0) << "a published gear";
+  joint_.swing(watch, 0.6);
+  EXPECT_TRUE(watch.fits());
+  EXPECT_LT(watch.missed(joint_.at(2.0, 0.0)).bound_Nm(), 4.0) << "as it was seen";
+  EXPECT_GT(watch.missed(joint_.at(8.0, 0.0)).bound_Nm(), 6.0) << "quicker than it was seen";
+  watch.reset();
+  EXPECT_FALSE(watch.fits());
+}
+
+TEST_F(ModelWatchTest, ALawOfAnotherRobotThatIsWrongIsToldWithItsReason) {
+  ModelWatch watch(watch_stated(), coulomb_alone(7.3), 171.6);
+  joint_.truth[ModelWatch::kViscous] = 7.4;
+  joint_.swing(watch, 0.6);
+  EXPECT_FALSE(watch.fits());
+  EXPECT_EQ(watch.reason(), MisfitReason::kViscousFriction);
+}
+
+TEST_F(ModelWatchTest, AFootsForceIsNotExcusedByTheFrictionThatItMakes) {
+  ModelWatch watch(watch_stated(), coulomb_alone(7.3), 171.6);
+  joint_.swing(watch, 3.0);
+  WatchedMotion loaded = joint_.at(0.3, 0.0);
+  loaded.output_torque_Nm += 60.0;
+  const double free_Nm = watch.missed_if_free(joint_.at(0.3, 0.0)).bound_Nm();
+  EXPECT_NEAR(watch.missed_if_free(loaded).bound_Nm(), free_Nm, 1e-9);
+  EXPECT_GT(watch.missed(loaded).bound_Nm(), free_Nm + 5.0) << "no swing shows the load's share";
 }
 
 TEST_F(ModelWatchTest, RightModelFits) {
@@ -209,7 +240,7 @@ TEST_F(ModelWatchTest, SlowCyclesAreWatchedAsWell) {
 TEST_F(ModelWatchTest, JointWithoutFrictionAndUncertaintyIsJudgedByNothing) {
   JointUncertainty none;
   none.friction = none.torque_constant = none.armature = none.mass = 0.0;
-  ModelWatch watch(none, FrictionParameters{});
+  ModelWatch watch(none, FrictionParameters{}, 0.0);
   joint_.swing(watch, 1.0);
   EXPECT_TRUE(watch.fits());
   EXPECT_TRUE(std::isfinite(watch.ratio()));

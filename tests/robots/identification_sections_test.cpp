@@ -119,6 +119,15 @@ TEST(IdentificationSections, EveryParameterOfTheRichestModelIsRead) {
   EXPECT_EQ(joint.estimated_friction().reference_temperature_C, 30.0);
 }
 
+TEST(IdentificationSections, ARecordOfNobodyOrOfThisRobotIsNotAnothers) {
+  IdentificationRecord record;
+  EXPECT_FALSE(identified_on_another(record, "mine"));
+  record.robot = "mine";
+  EXPECT_FALSE(identified_on_another(record, "mine"));
+  record.robot = "yours";
+  EXPECT_TRUE(identified_on_another(record, "mine"));
+}
+
 TEST(IdentificationSections, WhatIsWrittenIsReadBack) {
   JointConfig joint = read(std::string(kPlain) + kFriction + kIdentified);
   joint.friction->model = FrictionModelKind::kLoad;
@@ -126,6 +135,7 @@ TEST(IdentificationSections, WhatIsWrittenIsReadBack) {
   joint.friction->parameters.viscous_exponent = 0.7;
   joint.friction->parameters.viscous_temperature_1_K = 0.035;
   joint.friction->record.command = "sprung identify \"a b\\c\"";
+  joint.friction->record.robot = "another one";
   joint.uncertainty.mass = 0.07;
   joint.thermal = {0.8, 600.0, 22.0};
   const JointConfig again = read(kPlain + identification_text(joint));
@@ -134,6 +144,7 @@ TEST(IdentificationSections, WhatIsWrittenIsReadBack) {
     EXPECT_NEAR(again.friction->parameters.*(row.member), joint.friction->parameters.*(row.member), 1e-13)
         << row.name;
   }
+  EXPECT_EQ(again.friction->record.robot, "another one");
   EXPECT_EQ(again.friction->record.command, joint.friction->record.command);
   EXPECT_EQ(again.friction->record.sha256, joint.friction->record.sha256);
   EXPECT_EQ(again.uncertainty.mass, 0.07);

@@ -98,11 +98,12 @@ inline void dump_value(test::ValueDump& dump, const std::string& at, const Frict
 }
 
 inline void dump_value(test::ValueDump& dump, const std::string& at, const IdentificationRecord& value) {
-  const auto& [date, log, sha256, samples, held_out_r2, held_out_rms_Nm, command, temperature_C, supply_V,
-               max_age_days] = value;
+  const auto& [robot, date, log, sha256, samples, held_out_r2, held_out_rms_Nm, command, temperature_C,
+               supply_V, max_age_days] = value;
   dump.fields(
-      at, "date log sha256 samples held_out_r2 held_out_rms_Nm command temperature_C supply_V max_age_days",
-      date, log, sha256, samples, held_out_r2, held_out_rms_Nm, command, temperature_C, supply_V,
+      at,
+      "robot date log sha256 samples held_out_r2 held_out_rms_Nm command temperature_C supply_V max_age_days",
+      robot, date, log, sha256, samples, held_out_r2, held_out_rms_Nm, command, temperature_C, supply_V,
       max_age_days);
 }
 

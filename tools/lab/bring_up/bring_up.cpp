@@ -124,6 +124,13 @@ void append(std::vector<ReportRow>& rows, std::vector<ReportRow> more) {
   rows.insert(rows.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
 
+/// The robot as `sprung robot new` gives it: what was identified is of the one that it was copied from.
+RobotConfig as_shipped(RobotConfig robot) {
+  for (JointConfig& joint : robot.joints)
+    if (joint.friction) joint.friction->record.robot = "the shipped " + robot.name;
+  return robot;
+}
+
 /// As shipped it is only there to compare with: nothing is demanded.
 std::vector<ReportRow> without_demands(std::vector<ReportRow> rows) {
   for (ReportRow& one : rows) one.low = one.high = std::nullopt;
@@ -156,7 +163,7 @@ ExperimentOutput run_bring_up(const ExperimentInput& asked, const BringUpRequest
   for (const std::string& name : scoring_experiments(in.robot)) {
     if (!request.only.empty() && request.only != name) continue;
     append(out.rows, scored(name, identified, in, "bring_up.identified."));
-    append(out.rows, without_demands(scored(name, in.robot, in, "bring_up.shipped.")));
+    append(out.rows, without_demands(scored(name, as_shipped(in.robot), in, "bring_up.shipped.")));
   }
   return out;
 }

@@ -67,6 +67,7 @@ RobotChange change_of(const RobotConfig& robot, const IdentifiedJoint& joint, co
   for (std::size_t j = 0; j < robot.joints.size(); ++j) {
     if (robot.joints[j].name != joint.name) continue;
     RobotChange out{identified_config(joint, robot.joints[j], provenance, day_to_day), "", 0.0};
+    out.joint.friction->record.robot = robot.name;
     if (const auto constant = corrected_torque_constant(joint)) {
       const LegPlace at = place_of(robot, static_cast<int>(j));
       const ActuatorConfig& actuator = robot.actuators[robot.legs[at.leg].actuators[at.place]];

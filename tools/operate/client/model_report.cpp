@@ -52,12 +52,17 @@ long day_number(const std::string& date) {
   return 365 * y + y / 4 - y / 100 + y / 400 + (153 * m + 2) / 5 + day - 1;
 }
 
-/// Older than allowed, in days; 0: not.
-long days_of_old_age(const JointConfig& joint, long today) {
-  if (!joint.friction) return 0;
-  const long made = day_number(joint.friction->record.date);
-  const long age = made >= 0 && today >= 0 ? today - made : 0;
-  return age > joint.friction->record.max_age_days ? age : 0;
+/// Empty: it is not.
+std::string why_doubtful(const RobotConfig& robot, const JointConfig& joint, long today) {
+  if (!joint.friction) return "";
+  const IdentificationRecord& record = joint.friction->record;
+  if (identified_on_another(record, robot.name))
+    return "identified on " + record.robot + ", bounds are wide until motion has shown that it fits";
+  const long made = day_number(record.date);
+  const long days = made >= 0 && today >= 0 ? today - made : 0;
+  if (days <= record.max_age_days) return "";
+  return "identified " + std::to_string(days) +
+         " days ago, more than max_age_days: " + std::to_string(record.max_age_days);
 }
 
 }  // namespace
@@ -93,19 +98,18 @@ std::vector<std::string> model_lines(const Json& models) {
   return out;
 }
 
-/// Joints of one age in a line: a robot is identified in one go.
-std::vector<std::string> old_identifications(const RobotConfig& robot, const std::string& today) {
-  std::map<long, std::vector<const JointConfig*>> by_age;
+/// Joints of one reason in a line: a robot is identified in one go.
+std::vector<std::string> doubtful_identifications(const RobotConfig& robot, const std::string& today) {
+  std::map<std::string, std::vector<const JointConfig*>> by_reason;
   for (const JointConfig& joint : robot.joints) {
-    if (const long days = days_of_old_age(joint, day_number(today)); days > 0) by_age[days].push_back(&joint);
+    if (const std::string why = why_doubtful(robot, joint, day_number(today)); !why.empty())
+      by_reason[why].push_back(&joint);
   }
   std::vector<std::string> out;
-  for (const auto& [days, joints] : by_age) {
+  for (const auto& [why, joints] : by_reason) {
     std::string names;
     for (const JointConfig* joint : joints) names += (names.empty() ? "" : ", ") + joint->name;
-    out.push_back("identified " + std::to_string(days) + " days ago, more than max_age_days: " +
-                  std::to_string(joints.front()->friction->record.max_age_days) + ": " + names +
-                  "; repeat: " + record_command(robot, *joints.front()));
+    out.push_back(why + ": " + names + "; repeat: " + record_command(robot, *joints.front()));
   }
   return out;
 }

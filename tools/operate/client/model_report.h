@@ -19,8 +19,8 @@ std::vector<std::string> model_lines(const nlohmann::ordered_json& models);
 
 /// The command that records a joint again; the robot hangs.
 std::string record_command(const RobotConfig& robot, const JointConfig& joint);
-/// A line for each joint whose identification is older than its robot.yaml allows.
+/// Lines for joints whose identification is older than its robot.yaml allows, or of another robot.
 /// @param today YYYY-MM-DD.
-std::vector<std::string> old_identifications(const RobotConfig& robot, const std::string& today);
+std::vector<std::string> doubtful_identifications(const RobotConfig& robot, const std::string& today);
 
 }  // namespace sprung

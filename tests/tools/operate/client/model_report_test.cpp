@@ -75,28 +75,35 @@ TEST_F(ModelReport, MotorsThatWillBeLimitedSoonAreTold) {
 }
 
 TEST_F(ModelReport, IdentificationsWithinTheirAgeAreNotTold) {
-  EXPECT_THAT(old_identifications(robot_, "2026-11-21"), IsEmpty());
-  EXPECT_THAT(old_identifications(robot_, "2027-02-19"), IsEmpty()) << "90 days";
+  EXPECT_THAT(doubtful_identifications(robot_, "2026-11-21"), IsEmpty());
+  EXPECT_THAT(doubtful_identifications(robot_, "2027-02-19"), IsEmpty()) << "90 days";
 }
 
 TEST_F(ModelReport, OldIdentificationsAreToldWithTheirJointsAndRemedy) {
   EXPECT_THAT(
-      old_identifications(robot_, "2027-02-20"),
+      doubtful_identifications(robot_, "2027-02-20"),
       ElementsAre(AllOf(HasSubstr("91 days ago"), HasSubstr("max_age_days: 90"), HasSubstr("hip, knee"),
                         HasSubstr("sprung identify --record single_leg hip"))));
   robot_.joints[0].friction->record.max_age_days = 400;
-  EXPECT_THAT(old_identifications(robot_, "2027-02-20"), ElementsAre(HasSubstr(": knee;")));
+  EXPECT_THAT(doubtful_identifications(robot_, "2027-02-20"), ElementsAre(HasSubstr(": knee;")));
+}
+
+TEST_F(ModelReport, WhatWasIdentifiedOnAnotherRobotIsToldWithTheRemedy) {
+  robot_.name = "my_leg";
+  EXPECT_THAT(doubtful_identifications(robot_, "2026-11-21"),
+              ElementsAre(AllOf(HasSubstr("identified on single_leg"), HasSubstr(": hip, knee;"),
+                                HasSubstr("sprung identify --record my_leg hip"))));
 }
 
 TEST_F(ModelReport, LeapDayCounts) {
   for (JointConfig& joint : robot_.joints) joint.friction->record.date = "2028-02-01";
-  EXPECT_THAT(old_identifications(robot_, "2028-05-01"), IsEmpty()) << "29 + 31 + 30 days";
-  EXPECT_THAT(old_identifications(robot_, "2028-05-02"), ElementsAre(HasSubstr("91 days")));
+  EXPECT_THAT(doubtful_identifications(robot_, "2028-05-01"), IsEmpty()) << "29 + 31 + 30 days";
+  EXPECT_THAT(doubtful_identifications(robot_, "2028-05-02"), ElementsAre(HasSubstr("91 days")));
 }
 
 TEST_F(ModelReport, JointsThatAreNotIdentifiedHaveNoAge) {
   for (JointConfig& joint : robot_.joints) joint.friction.reset();
-  EXPECT_THAT(old_identifications(robot_, "2099-01-01"), IsEmpty());
+  EXPECT_THAT(doubtful_identifications(robot_, "2099-01-01"), IsEmpty());
 }
 
 }  // namespace
