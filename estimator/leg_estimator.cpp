@@ -16,6 +16,9 @@ constexpr double kHipAcceleration = 0.6;
 /// by, 0.5 ms, at 100 rad/s^2.
 constexpr double kReversal_rad_s = 0.05;
 constexpr double kStdsFor95 = 1.96;
+/// What the motion filter is late by where torque jumps, and what of a change is the current's noise.
+constexpr double kLate_s = 0.3e-3;
+constexpr double kChangeNoise_Nm = 8.0;
 /// Correlation of two joints' errors: gears of one make, drives of one calibration, one hip that accelerates.
 constexpr double kAlike = 0.25;
 /// Noise of an external torque before any swing was seen, as a share of dry friction as large as it may be.
@@ -61,7 +64,8 @@ LegEstimator::LegEstimator(const RobotConfig& robot, const LegConfig& leg, int l
       kinematics_(make_leg_kinematics(leg)),
       unnoticed_N_(leg.contact_on_N),
       samples_(leg.joints.size()),
-      evidence_(leg.joints.size()) {
+      evidence_(leg.joints.size()),
+      last_motor_torque_Nm_(leg.joints.size(), kNaN) {
   const int n = static_cast<int>(joints_.size());
   std::vector<ResidualModel> residuals;
   for (int j = 0; j < n; ++j) {
@@ -90,6 +94,7 @@ void LegEstimator::reset() noexcept {
   for (ModelWatch& watch : watches_) watch.freeze();
   if (contact_) contact_->reset();
   external_torque_Nm_.setConstant(kNaN);
+  std::fill(last_motor_torque_Nm_.begin(), last_motor_torque_Nm_.end(), kNaN);
 }
 
 void LegEstimator::step(const std::vector<ActuatorState>& actuators, double dt_s,
@@ -133,7 +138,7 @@ void LegEstimator::step_foot(double dt_s, std::vector<EstimatedJoint>& joints, E
   }
   write_motion(out);
   write_force(joints, out);
-  gather_evidence(joints);
+  gather_evidence(dt_s, joints);
   const ContactEstimate contact = contact_->step(evidence_, dt_s);
   out.contact = contact.contact;
   out.contact_confidence = contact.confidence;
@@ -250,7 +255,15 @@ void LegEstimator::watch_force(const ContactEstimate& contact, double dt_s,
   }
 }
 
-void LegEstimator::gather_evidence(const std::vector<EstimatedJoint>& joints) noexcept {
+/// Half-width of what the motion filter, late, makes of a motor torque that changes: a drive that changes its
+/// mode jumps by 100 Nm.
+double LegEstimator::late_torque_Nm(std::size_t j, double motor_torque_Nm, double dt_s) noexcept {
+  const double change_Nm = std::abs(motor_torque_Nm - last_motor_torque_Nm_[j]) - kChangeNoise_Nm;
+  last_motor_torque_Nm_[j] = motor_torque_Nm;
+  return change_Nm > 0.0 && dt_s > 0.0 ? kLate_s / dt_s * change_Nm : 0.0;
+}
+
+void LegEstimator::gather_evidence(double dt_s, const std::vector<EstimatedJoint>& joints) noexcept {
   for (std::size_t j = 0; j < joints_.size(); ++j) {
     const int i = static_cast<int>(j);
     const EstimatedJoint& joint = joints[joints_[j]];
@@ -269,6 +282,7 @@ void LegEstimator::gather_evidence(const std::vector<EstimatedJoint>& joints) no
                                        ? joint.gear_output_torque_bound_Nm
                                        : std::exp(-slow * slow) *
                                              dry_friction_Nm(friction_laws_[j], output_torque_Nm_[i]);
+    residual.unknown_friction_Nm += late_torque_Nm(j, joint.measured_motor_torque_Nm, dt_s);
     evidence_[j].lever_m = jacobian_(2, i);
     evidence_[j].tangential_lever_m = {jacobian_(0, i), jacobian_(1, i)};
   }

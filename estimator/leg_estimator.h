@@ -38,7 +38,8 @@ class LegEstimator {
   /// own acceleration is not known and left out (docs/sources.md, errata E16): the error is at most the leg's
   /// own weight in flight, and is in the bounds.
   void write_force(std::vector<EstimatedJoint>& joints, EstimatedLeg& out) noexcept;
-  void gather_evidence(const std::vector<EstimatedJoint>& joints) noexcept;
+  double late_torque_Nm(std::size_t j, double motor_torque_Nm, double dt_s) noexcept;
+  void gather_evidence(double dt_s, const std::vector<EstimatedJoint>& joints) noexcept;
   /// @param j of this leg. The leg's own torques are those of this cycle once write_force() was there.
   WatchedMotion watched(std::size_t j, const EstimatedJoint& joint) const noexcept;
   /// A model that does not fit makes all bounds wider, at once.
@@ -62,6 +63,7 @@ class LegEstimator {
   std::vector<ModelWatch> watches_;
   std::vector<JointSample> samples_;
   std::vector<ContactEvidence> evidence_;
+  std::vector<double> last_motor_torque_Nm_;
   JointVector position_rad_, velocity_rad_s_, acceleration_rad_s2_, output_torque_Nm_;
   JointVector link_torque_Nm_, weight_Nm_, external_bound_Nm_;
   JointVector external_torque_Nm_;  ///< until the next cycle, which begins with it; NaN: not known

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 
 #include "model/friction/friction_law.h"
 #include "robots/robot_loader.h"
@@ -51,6 +52,31 @@ class LegEstimatorTest : public testing::Test {
       }
       run(1);
     }
+  }
+  /// Both joints swing by these accelerations, as the model says that they do.
+  bool touches_when_it_moves_by(const std::function<double(double)>& acceleration_rad_s2, double seconds) {
+    const auto leg = make_leg_kinematics(robot_.legs[0]);
+    JointVector q(2), w(2), a(2);
+    q << 2.4, 1.4;
+    w << 0.5, 0.5;
+    constexpr double kSettles_s = 0.1;
+    bool touched = false;
+    for (double t = 0.0; t < seconds; t += robot_.cycle_s) {
+      a.setConstant(acceleration_rad_s2(t));
+      const JointVector links_Nm = leg->inverse_dynamics_Nm(leg->pose(q), w, a);
+      for (int i = 0; i < 2; ++i) {
+        const JointConfig& joint = robot_.joints[static_cast<std::size_t>(i)];
+        FrictionInput at;
+        at.velocity_rad_s = w[i];
+        drive(i, q[i],
+              links_Nm[i] + joint.armature_kg_m2 * a[i] + friction_torque_Nm(joint.estimated_friction(), at));
+      }
+      run(1);
+      touched = touched || (t > kSettles_s && out_.contact);
+      q += robot_.cycle_s * w + 0.5 * robot_.cycle_s * robot_.cycle_s * a;
+      w += robot_.cycle_s * a;
+    }
+    return touched;
   }
   void drive(int i, double position_rad, double torque_Nm) {
     const ActuatorConfig& motor = robot_.actuators[static_cast<std::size_t>(i)];
@@ -137,6 +163,13 @@ TEST_F(LegEstimatorTest, FrictionThatNoLawKnowsIsSaidAndWidensEveryBoundWithinAS
     EXPECT_GT(joints_[j].friction_torque_bound_Nm, fitting[j].friction_torque_bound_Nm);
     EXPECT_GT(joints_[j].external_torque_bound_Nm, fitting[j].external_torque_bound_Nm);
   }
+}
+
+TEST_F(LegEstimatorTest, ADriveThatJoltsItsLegIsNoContact) {
+  const auto jolt = [](double t) {  // as one that changes its mode in flight
+    return t > 0.15 && t < 0.158 ? -150.0 * std::sin(M_PI * (t - 0.15) / 0.008) : t < 0.15 ? 20.0 : 0.0;
+  };
+  EXPECT_FALSE(touches_when_it_moves_by(jolt, 0.2));
 }
 
 TEST_F(LegEstimatorTest, StandingTeachesNothingOfTheModel) {
