@@ -65,6 +65,13 @@ class OwnFolder {
 
 std::string today() { return utc_text(utc_us()).substr(0, kDateLetters); }
 
+/// A drive whose own loop follows set-points quicker than they come has a torque that ripples with the cycle,
+/// and its current at SYNC is not the mean: on an erob_50's knee that took all viscous friction away.
+RobotConfig with_loops_of_host(RobotConfig robot) {
+  for (ActuatorConfig& actuator : robot.actuators) actuator.position_loop = PositionLoopSide::kHost;
+  return robot;
+}
+
 identify::RobotChange bring_up_joint(const RobotConfig& robot, const SimOptions& sim, int joint,
                                      const BringUpProtocol& protocol) {
   const OwnFolder folder;
@@ -77,8 +84,8 @@ identify::RobotChange bring_up_joint(const RobotConfig& robot, const SimOptions&
     identify::RecordOptions options = protocol.recording;
     options.foot_weight_kg = pass.foot_weight_kg;
     options.loaded = true;
-    recordings.push_back(
-        {identify::record_in_process(robot, now, joint, options).states, pass.foot_weight_kg});
+    recordings.push_back({identify::record_in_process(with_loops_of_host(robot), now, joint, options).states,
+                          pass.foot_weight_kg});
     files.push_back(folder / (robot.joints[joint].name + std::to_string(files.size()) + ".lcm"));
     identify::write_drive_log(files.back(), recordings.back().states);
   }
