@@ -30,9 +30,9 @@ constexpr double kForgetsOutside_s = 0.1;
 /// inertia and torque constant as multiples of what robot.yaml states.
 constexpr double kFrictionPrior = 1.0, kLoadPrior = 0.15, kStatedPrior = 3.0;
 constexpr double kLeastFriction_Nm = 1.0;
-/// The same of a gear that nobody has recorded, over what its actuator can give: somewhat more than published
-/// ones (facts D1: 7.4 Nm s/rad where 172 Nm can be had).
-constexpr double kForeignFriction = 0.05;
+/// The same of a gear that nobody has recorded, over what its actuator can give: 1.4 times what published
+/// ones have (facts D1: 7.4 Nm s/rad where 172 Nm can be had).
+constexpr double kForeignFriction = 0.06;
 /// Of a leg's weight, one standard deviation: what the hip's own acceleration adds or takes away.
 constexpr double kHipShare = 0.6;
 /// What neither the terms nor the motion filter know of: ripple, hysteresis.
