@@ -16,9 +16,10 @@ constexpr double kHipAcceleration = 0.6;
 /// by, 0.5 ms, at 100 rad/s^2.
 constexpr double kReversal_rad_s = 0.05;
 constexpr double kStdsFor95 = 1.96;
-/// What the motion filter is late by where torque jumps, and what of a change is the current's noise.
+/// What the motion filter is late by where torque jumps; and what is no jump yet, a share of what the actuator
+/// can give in a cycle: as much a position loop changes at any touchdown.
 constexpr double kLate_s = 0.3e-3;
-constexpr double kChangeNoise_Nm = 8.0;
+constexpr double kNoJump = 0.075;
 /// Correlation of two joints' errors: gears of one make, drives of one calibration, one hip that accelerates.
 constexpr double kAlike = 0.25;
 /// Noise of an external torque before any swing was seen, as a share of dry friction as large as it may be.
@@ -47,12 +48,9 @@ ResidualModel residual_model(const JointConfig& joint, double cycle_s) {
           cycle_s};
 }
 
-/// What the actuator can give, where the joint's law is another robot's; else 0.
-double foreign_Nm(const RobotConfig& robot, const LegConfig& leg, int joint) {
-  const auto j = static_cast<std::size_t>(joint);
-  const JointConfig& config = robot.joints.at(static_cast<std::size_t>(leg.joints[j]));
-  if (!config.friction || !identified_on_another(config.friction->record, robot.name)) return 0.0;
-  return robot.actuators.at(static_cast<std::size_t>(leg.actuators[j])).torque_limit_Nm;
+/// The joint's law is another robot's.
+bool is_foreign(const RobotConfig& robot, const JointConfig& joint) {
+  return joint.friction && identified_on_another(joint.friction->record, robot.name);
 }
 
 }  // namespace
@@ -69,13 +67,17 @@ LegEstimator::LegEstimator(const RobotConfig& robot, const LegConfig& leg, int l
   const int n = static_cast<int>(joints_.size());
   std::vector<ResidualModel> residuals;
   for (int j = 0; j < n; ++j) {
-    const JointConfig& joint = robot.joints.at(
-        static_cast<std::size_t>(joints_[static_cast<std::size_t>(j)]));
+    const auto place = static_cast<std::size_t>(j);
+    const JointConfig& joint = robot.joints.at(static_cast<std::size_t>(joints_[place]));
     configs_.push_back(joint);
     friction_laws_.push_back(joint.estimated_friction());
     estimators_.emplace_back(joint, robot.estimation, robot.cycle_s, sampler_.encoder_step_rad(j),
                              longest_coast_cycles);
-    watches_.emplace_back(joint.uncertainty, joint.estimated_friction(), foreign_Nm(robot, leg, j));
+    const double limit_Nm = robot.actuators.at(static_cast<std::size_t>(leg.actuators[place]))
+                                .torque_limit_Nm;
+    no_jump_Nm_.push_back(kNoJump * limit_Nm);
+    watches_.emplace_back(joint.uncertainty, joint.estimated_friction(),
+                          is_foreign(robot, joint) ? limit_Nm : 0.0);
     residuals.push_back(residual_model(joint, robot.cycle_s));
   }
   if (kinematics_ != nullptr)
@@ -258,7 +260,7 @@ void LegEstimator::watch_force(const ContactEstimate& contact, double dt_s,
 /// Half-width of what the motion filter, late, makes of a motor torque that changes: a drive that changes its
 /// mode jumps by 100 Nm.
 double LegEstimator::late_torque_Nm(std::size_t j, double motor_torque_Nm, double dt_s) noexcept {
-  const double change_Nm = std::abs(motor_torque_Nm - last_motor_torque_Nm_[j]) - kChangeNoise_Nm;
+  const double change_Nm = std::abs(motor_torque_Nm - last_motor_torque_Nm_[j]) - no_jump_Nm_[j];
   last_motor_torque_Nm_[j] = motor_torque_Nm;
   return change_Nm > 0.0 && dt_s > 0.0 ? kLate_s / dt_s * change_Nm : 0.0;
 }

@@ -64,6 +64,7 @@ class LegEstimator {
   std::vector<JointSample> samples_;
   std::vector<ContactEvidence> evidence_;
   std::vector<double> last_motor_torque_Nm_;
+  std::vector<double> no_jump_Nm_;  ///< change of a motor torque in a cycle that is none
   JointVector position_rad_, velocity_rad_s_, acceleration_rad_s2_, output_torque_Nm_;
   JointVector link_torque_Nm_, weight_Nm_, external_bound_Nm_;
   JointVector external_torque_Nm_;  ///< until the next cycle, which begins with it; NaN: not known

@@ -41,16 +41,7 @@ class LegEstimatorTest : public testing::Test {
       q << 2.4 - 0.3 * cosine, 1.6 + 0.3 * cosine;
       w << 0.3 * rate * sine, -0.3 * rate * sine;
       a << 0.3 * rate * rate * cosine, -0.3 * rate * rate * cosine;
-      const JointVector links_Nm = leg->inverse_dynamics_Nm(leg->pose(q), w, a);
-      for (int i = 0; i < 2; ++i) {
-        const JointConfig& joint = robot_.joints[static_cast<std::size_t>(i)];
-        FrictionInput at;
-        at.velocity_rad_s = w[i];
-        drive(i, q[i],
-              links_Nm[i] + joint.armature_kg_m2 * a[i] + unknown_Nm_s_rad * w[i] +
-                  friction_torque_Nm(joint.estimated_friction(), at));
-      }
-      run(1);
+      move(*leg, q, w, a, unknown_Nm_s_rad);
     }
   }
   /// Both joints swing by these accelerations, as the model says that they do.
@@ -63,20 +54,26 @@ class LegEstimatorTest : public testing::Test {
     bool touched = false;
     for (double t = 0.0; t < seconds; t += robot_.cycle_s) {
       a.setConstant(acceleration_rad_s2(t));
-      const JointVector links_Nm = leg->inverse_dynamics_Nm(leg->pose(q), w, a);
-      for (int i = 0; i < 2; ++i) {
-        const JointConfig& joint = robot_.joints[static_cast<std::size_t>(i)];
-        FrictionInput at;
-        at.velocity_rad_s = w[i];
-        drive(i, q[i],
-              links_Nm[i] + joint.armature_kg_m2 * a[i] + friction_torque_Nm(joint.estimated_friction(), at));
-      }
-      run(1);
+      move(*leg, q, w, a, 0.0);
       touched = touched || (t > kSettles_s && out_.contact);
       q += robot_.cycle_s * w + 0.5 * robot_.cycle_s * robot_.cycle_s * a;
       w += robot_.cycle_s * a;
     }
     return touched;
+  }
+  /// One cycle in the air, as the model says that it moves, and friction that no law knows.
+  void move(const LegKinematics& leg, const JointVector& q, const JointVector& w, const JointVector& a,
+            double unknown_Nm_s_rad) {
+    const JointVector links_Nm = leg.inverse_dynamics_Nm(leg.pose(q), w, a);
+    for (int i = 0; i < 2; ++i) {
+      const JointConfig& joint = robot_.joints[static_cast<std::size_t>(i)];
+      FrictionInput at;
+      at.velocity_rad_s = w[i];
+      drive(i, q[i],
+            links_Nm[i] + joint.armature_kg_m2 * a[i] + unknown_Nm_s_rad * w[i] +
+                friction_torque_Nm(joint.estimated_friction(), at));
+    }
+    run(1);
   }
   void drive(int i, double position_rad, double torque_Nm) {
     const ActuatorConfig& motor = robot_.actuators[static_cast<std::size_t>(i)];
