@@ -16,8 +16,8 @@ constexpr double kHipAcceleration = 0.6;
 /// by, 0.5 ms, at 100 rad/s^2.
 constexpr double kReversal_rad_s = 0.05;
 constexpr double kStdsFor95 = 1.96;
-/// What the motion filter is late by where torque jumps; and what is no jump yet, a share of what the actuator
-/// can give in a cycle: as much a position loop changes at any touchdown.
+/// What the motion filter is late by where torque jumps; and what is no jump yet, a share of what the
+/// actuator can give in a cycle: as much a position loop changes at any touchdown.
 constexpr double kLate_s = 0.3e-3;
 constexpr double kNoJump = 0.075;
 /// Correlation of two joints' errors: gears of one make, drives of one calibration, one hip that accelerates.
