@@ -18,7 +18,13 @@ class ModeDelay : public testing::Test {
     sim.plant = {{"mode_delay_us", 1e6 * kDelay_s}};
     return sim;
   }
-  RobotConfig config_ = load_robot("single_leg");
+  /// Where the host closes position loops, its drives stay in torque control.
+  static RobotConfig leg_with_loops_of_drives() {
+    RobotConfig robot = load_robot("single_leg");
+    for (ActuatorConfig& actuator : robot.actuators) actuator.position_loop = PositionLoopSide::kDrive;
+    return robot;
+  }
+  RobotConfig config_ = leg_with_loops_of_drives();
   InProcessRobot robot_{config_, "best", slow_drives()};
 };
 

@@ -159,11 +159,11 @@ void add_bounds_rows(const RobotConfig& robot, const std::string& preset, const 
     fitting += scores.fits ? 1.0 : 0.0;
   }
   add_estimator_row(report, "bounds.model_fits", "", fitting / plants, 0.99);
-  add_estimator_row(report, "bounds.pooled.coverage", "", all.covered(), 0.93, 0.97);
+  add_estimator_row(report, "bounds.pooled.coverage", "", all.covered(), 0.93, 0.985);
   add_estimator_row(report, "bounds.pooled.rms", "Nm", all.rms_Nm());
   add_estimator_row(report, "bounds.pooled.half_width", "Nm", all.mean_bound_Nm());
   add_estimator_row(report, "bounds.pooled.half_width_over_rms", "", all.mean_bound_Nm() / all.rms_Nm(),
-                    std::nullopt, 3.0);
+                    std::nullopt, 2.6);
   add_estimator_row(report, "bounds.rest.coverage", "", rest.covered());
   add_estimator_row(report, "bounds.rest.half_width", "Nm", rest.mean_bound_Nm());
 }
