@@ -14,6 +14,9 @@ constexpr double kRest_rad_s = 0.005;
 constexpr double kResume = 2.0;
 /// The encoder of a joint at rest may flicker: this many standard deviations are no motion.
 constexpr double kVelocityNoiseStds = 4.0;
+/// Beyond what friction at rest can hold, in standard deviations of the tracked torque: the joint
+/// accelerates.
+constexpr double kSureAccelerationStds = 4.0;
 /// Of the motor's torque at rest: ten times a cycle of 1 kHz, short beside all that people and gravity do.
 constexpr double kSmoothing_s = 0.01;
 
@@ -55,10 +58,18 @@ FrictionByLaw GearFrictionEstimator::friction_by_law() const noexcept {
           friction_.viscous_Nm / factors_.viscous};
 }
 
+bool GearFrictionEstimator::accelerates(const Motion& motion) const noexcept {
+  const GearOutput held = solve_gear_output(law_, motion.motor_torque_Nm, input(0.0, 0.0, output_Nm_));
+  const double beyond_Nm = std::max(held.low_Nm - motion.tracked_output_Nm,
+                                    motion.tracked_output_Nm - held.high_Nm);
+  return beyond_Nm > kSureAccelerationStds * motion.tracked_output_std_Nm;
+}
+
 void GearFrictionEstimator::decide_rest(const Motion& motion) noexcept {
   const double least_rad_s = std::max(kRest_rad_s, kVelocityNoiseStds * motion.velocity_std_rad_s);
   const bool was_at_rest = at_rest_;
-  at_rest_ = std::abs(motion.velocity_rad_s) < (was_at_rest ? kResume : 1.0) * least_rad_s;
+  at_rest_ = std::abs(motion.velocity_rad_s) < (was_at_rest ? kResume : 1.0) * least_rad_s &&
+             !accelerates(motion);
   if (at_rest_ && !was_at_rest) motor_Nm_ = motion.motor_torque_Nm;
 }
 

@@ -6,6 +6,8 @@
 /// is only known to lie in an interval around the motor's torque. The estimate is then the last one, moved
 /// only where it has become impossible (set membership): it neither jumps to the middle nor chatters with the
 /// encoder's noise (docs/sources.md, errata E5).
+#include <limits>
+
 #include "estimator/friction_adaptation.h"
 #include "model/friction/friction_law.h"
 #include "model/friction/presliding_state.h"
@@ -29,7 +31,9 @@ class GearFrictionEstimator {
     double velocity_std_rad_s = 0.0;
     double motor_torque_Nm = 0.0;
     double tracked_output_Nm = 0.0;  ///< of the tracking filter: good while the joint moves
-    double temperature_C = kNaN;     ///< NaN: that at which the law holds
+    /// Its standard deviation; infinite: not known.
+    double tracked_output_std_Nm = std::numeric_limits<double>::infinity();
+    double temperature_C = kNaN;  ///< NaN: that at which the law holds
     double dt_s = 0.0;
   };
   void update(const Motion& motion) noexcept;
@@ -52,6 +56,8 @@ class GearFrictionEstimator {
 
  private:
   void decide_rest(const Motion& motion) noexcept;
+  /// More than any friction could hold: it only passes through zero speed.
+  bool accelerates(const Motion& motion) const noexcept;
   void hold(const Motion& motion) noexcept;
   void follow(const Motion& motion) noexcept;
   FrictionInput input(double velocity_rad_s, double sign, double output_Nm) const noexcept;

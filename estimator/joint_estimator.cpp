@@ -144,6 +144,7 @@ void JointEstimator::use(const JointSample& sample, double dt_s) noexcept {
   motion.velocity_std_rad_s = filter_.velocity_std_rad_s();
   motion.motor_torque_Nm = motor_torque_Nm_;
   motion.tracked_output_Nm = -inertia(joint_) * filter_.unexplained_rad_s2();
+  motion.tracked_output_std_Nm = inertia(joint_) * filter_.unexplained_std_rad_s2();
   motion.temperature_C = temperature_.temperature_C();
   motion.dt_s = dt_s;
   friction_.update(motion);

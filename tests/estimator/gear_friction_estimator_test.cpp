@@ -60,6 +60,21 @@ TEST(GearFrictionEstimatorTest, AtRestTheLastEstimateStaysWhileItIsPossible) {
   EXPECT_NEAR(gear.rest_distance_Nm(), 9.0, 1e-3);  // of [5, 19]
 }
 
+/// A knee that a motor of 171 Nm turns round in flight: for a cycle it is as slow as one at rest.
+TEST(GearFrictionEstimatorTest, JointThatReversesIsNotAtRest) {
+  GearFrictionEstimator gear(joint());
+  gear.start(0.0, 0.0);
+  gear.update(motion(-0.5, 171.0, 0.1));
+  GearFrictionEstimator::Motion reversal = motion(0.0, 171.0, 0.1);
+  reversal.tracked_output_std_Nm = 5.0;
+  gear.update(reversal);
+  EXPECT_FALSE(gear.at_rest());
+  EXPECT_EQ(gear.output_torque_Nm(), 0.1);
+  reversal.motor_torque_Nm = 0.1 + kCoulomb_Nm + 4.0 * 5.0 - 0.1;  // may be noise
+  gear.update(reversal);
+  EXPECT_TRUE(gear.at_rest());
+}
+
 TEST(GearFrictionEstimatorTest, AtRestTheEstimateMovesOnlyAsFarAsItMust) {
   GearFrictionEstimator gear(joint());
   gear.start(0.0, 10.0);

@@ -85,7 +85,7 @@ identify::RobotChange bring_up_joint(const RobotConfig& robot, const SimOptions&
     options.foot_weight_kg = pass.foot_weight_kg;
     options.loaded = true;
     recordings.push_back({identify::record_in_process(with_loops_of_host(robot), now, joint, options).states,
-                          pass.foot_weight_kg});
+                          pass.foot_weight_kg, pass.temperature_degC});
     files.push_back(folder / (robot.joints[joint].name + std::to_string(files.size()) + ".lcm"));
     identify::write_drive_log(files.back(), recordings.back().states);
   }
@@ -178,11 +178,13 @@ ExperimentOutput run_bring_up(const ExperimentInput& asked, const BringUpRequest
 }  // namespace
 
 /// Each has the load's share. The one-standard-error rule would do without it on an erob_100's knee, and
-/// push-offs were 5.2 instead of 3.5 Nm off; on gears that have none it costs 0.4 Nm.
+/// push-offs were 5.2 instead of 3.5 Nm off; on gears that have none it costs 0.4 Nm. And nearly each has
+/// what warmth does: a law of both temperatures at once holds at neither.
 const char* const BringUpProtocol::kModels =
-    "viscous+load+load_gain,viscous+load+asymmetry+load_gain,viscous+stribeck+load+load_gain,"
-    "viscous+stribeck+load+asymmetry+load_gain,viscous+load+presliding+load_gain,"
-    "viscous+stribeck+load+asymmetry+presliding+load_gain";
+    "viscous+load+load_gain,viscous+stribeck+load+asymmetry+load_gain,viscous+load+temperature+load_gain,"
+    "viscous+load+asymmetry+temperature+load_gain,viscous+stribeck+load+temperature+load_gain,"
+    "viscous+stribeck+load+asymmetry+temperature+load_gain,viscous+load+presliding+temperature+load_gain,"
+    "viscous+stribeck+load+asymmetry+presliding+temperature+load_gain";
 
 std::vector<BringUpPass> bring_up_passes(const RobotConfig& robot, int joint) {
   const identify::LegPlace at = identify::place_of(robot, joint);

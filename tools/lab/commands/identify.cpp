@@ -1,5 +1,6 @@
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <limits>
@@ -33,7 +34,6 @@ struct IdentifyCall {
   std::string fragment;
   std::string into;  ///< folder of an identified robot
   double day_to_day = identify::kDayToDay;
-  double temperature_C = std::numeric_limits<double>::quiet_NaN();
   double supply_V = std::numeric_limits<double>::quiet_NaN();
   std::string report;
   bool as_json = false;
@@ -109,6 +109,15 @@ GuidedRecording with_weight(const IdentifyCall& request) {
   return out;
 }
 
+/// One that all recordings have; else none: the law then says itself at which it holds.
+double temperature_of(const IdentifyCall& request) {
+  const std::vector<std::string>& known = request.recording.temperatures;
+  const bool one = !known.empty() && std::all_of(known.begin(), known.end(), [&](const std::string& text) {
+    return identify::parse_temperature_C(text) == identify::parse_temperature_C(known.front());
+  });
+  return one ? identify::parse_temperature_C(known.front()) : std::numeric_limits<double>::quiet_NaN();
+}
+
 int run_identify(const IdentifyCall& request) {
   if (request.guided.wanted) return run_guided_recording(with_weight(request));
   const identify::Recording recording = [&] {
@@ -118,7 +127,7 @@ int run_identify(const IdentifyCall& request) {
   const std::vector<std::string> files = request.recording.files();
   const identify::Provenance provenance{
       in_words(files), identify::short_sha256(files), utc_text(utc_us()).substr(0, 10),
-      own_command(),   request.temperature_C,         request.supply_V};
+      own_command(),   temperature_of(request),       request.supply_V};
   if (!(request.day_to_day >= 0.0 && request.day_to_day <= 10.0))
     throw WrongUse("--day-to-day is a share from 0 to 10");
   if (!request.fragment.empty()) write_fragment(recording, provenance, request.day_to_day, request.fragment);
@@ -155,6 +164,10 @@ void add_recording_options(CommandLine& identify, identify::RecordingRequest& r)
       "--weight", r.weights,
       "at the foot, of each --log in turn: 0kg, 5kg; with --record: so much is clamped to the foot's "
       "middle (in process: it is)");
+  identify.option(
+      "--temperature", r.temperatures,
+      "of the gear, of each --log in turn or of all: 24degC, 40degC; where they differ by 5 K or more the "
+      "law may have a factor for warmth");
   identify.option("--robot", r.robot, "name or folder; default: the one that the log names");
   identify.option("--joint", r.joint, "of the robot; default: every one that moves alone");
   identify.flag("--all", r.all, "every joint must be in the log");
@@ -192,8 +205,6 @@ void add_identify(CommandLine& sprung) {
   identify.option("--into", r->into, "folder to write: the robot's files with what was found");
   identify.option("--day-to-day", r->day_to_day,
                   "how far friction differs on another day, relative, one standard deviation");
-  identify.option("--temperature", r->temperature_C,
-                  "degC of the gear while it was recorded, for the fragment");
   identify.option("--supply", r->supply_V, "V while it was recorded, for the fragment");
   identify.option("--report", r->report, "HTML file to write: tables and plots");
   identify.flag("--json", r->as_json, "one JSON object on standard output");

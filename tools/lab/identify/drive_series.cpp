@@ -247,7 +247,7 @@ void append(identification::RawSeries& to, identification::RawSeries more) {
   using Series = identification::RawSeries;
   for (std::vector<double> Series::*signal :
        {&Series::time_s, &Series::position_rad, &Series::measured_torque, &Series::link_position_rad,
-        &Series::load_Nm, &Series::load_inertia_kg_m2, &Series::weight})
+        &Series::load_Nm, &Series::load_inertia_kg_m2, &Series::temperature_C, &Series::weight})
     append(to.*signal, more.*signal);
 }
 

@@ -116,6 +116,7 @@ JointConfig identified_config(const IdentifiedJoint& joint, const JointConfig& k
   IdentifiedFriction friction;
   friction.model = kind_of(model.model->terms());
   friction.parameters = model.model->friction(model.fit.parameters);
+  if (!(friction.parameters.viscous_Nm_s_rad > 0.0)) friction.parameters.viscous_temperature_1_K = 0.0;
   const auto corrected = corrected_torque_constant(joint);
   if (corrected) {
     scale_torques(friction.parameters, corrected->factor);

@@ -1,6 +1,7 @@
 #include "tools/lab/identify/identify_recording.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <stdexcept>
 
@@ -48,6 +49,7 @@ constexpr double kLogRate_Hz = 200.0;
 constexpr double kLogSmoothing_s = 0.025;
 constexpr int kLogParts = 20;
 constexpr double kMostWeight_kg = 50.0;
+constexpr double kColdest_C = -50.0, kHottest_C = 150.0;  ///< of a gear
 
 /// What the user typed wrong, as such.
 template <class Parse>
@@ -124,8 +126,17 @@ std::vector<int> joints_asked(const RobotConfig& robot, const std::string& joint
   return out;
 }
 
+double temperature_of(const RecordingRequest& request, std::size_t log) {
+  const std::vector<std::string>& known = request.temperatures;
+  if (known.empty()) return std::numeric_limits<double>::quiet_NaN();
+  return parse_temperature_C(known.size() == 1 ? known.front() : known[log]);
+}
+
 std::vector<DriveRecording> recordings_of(const RecordingRequest& request, const RobotConfig& robot,
                                           std::vector<std::string>& notes) {
+  if (request.temperatures.size() > 1 && request.temperatures.size() != request.logs.size())
+    throw WrongUse("--temperature: " + std::to_string(request.temperatures.size()) + " for " +
+                   std::to_string(request.logs.size()) + " logs; say one for all, or one for each --log");
   if (!request.weights.empty() && request.weights.size() != request.logs.size())
     throw WrongUse("--weight: " + std::to_string(request.weights.size()) + " for " +
                    std::to_string(request.logs.size()) +
@@ -135,7 +146,7 @@ std::vector<DriveRecording> recordings_of(const RecordingRequest& request, const
     DriveLog log = read_drive_log(request.logs[i], robot);
     notes.insert(notes.end(), log.notes.begin(), log.notes.end());
     const double weight_kg = request.weights.empty() ? 0.0 : parse_weight_kg(request.weights[i]);
-    out.push_back({std::move(log.states), weight_kg});
+    out.push_back({std::move(log.states), weight_kg, temperature_of(request, i)});
   }
   return out;
 }
@@ -207,13 +218,40 @@ double parse_weight_kg(const std::string& text) {
   return weight_kg;
 }
 
+double parse_temperature_C(const std::string& text) {
+  char* end = nullptr;
+  const double value_C = std::strtod(text.c_str(), &end);
+  const std::string unit = end;
+  const bool known = end != text.c_str() && (unit == "degC" || unit.empty());
+  if (!known || !(value_C >= kColdest_C && value_C <= kHottest_C))
+    throw WrongUse("--temperature " + text + ": expected the gear's, -50degC to 150degC");
+  return value_C;
+}
+
+namespace {
+
+bool shows_warmth(const std::vector<DriveRecording>& recordings) {
+  const auto known = [](const DriveRecording& part) { return std::isfinite(part.temperature_C); };
+  if (!std::all_of(recordings.begin(), recordings.end(), known)) return false;
+  const auto [coldest, warmest] = std::minmax_element(
+      recordings.begin(), recordings.end(),
+      [](const DriveRecording& a, const DriveRecording& b) { return a.temperature_C < b.temperature_C; });
+  return warmest->temperature_C - coldest->temperature_C >= kLeastTemperatureSpan_K;
+}
+
+}  // namespace
+
 IdentifiedJoint identify_drives(const RobotConfig& robot, int joint,
                                 const std::vector<DriveRecording>& recordings, const ProtocolRequest& request,
                                 const ProgressFunction& progress) {
   const auto protocol = understood([&] { return protocol_of(for_log(request)); });
   std::vector<DriveSeries> parts;
-  for (const DriveRecording& part : recordings)
+  const bool warmth = shows_warmth(recordings);
+  for (const DriveRecording& part : recordings) {
     parts.push_back(drive_series(robot, joint, part.states, part.foot_weight_kg));
+    identification::RawSeries& own = parts.back().series;
+    if (warmth) own.temperature_C.assign(own.time_s.size(), part.temperature_C);
+  }
   DriveSeries series = joined(std::move(parts));
   IdentifiedJoint out;
   out.name = robot.joints[joint].name;

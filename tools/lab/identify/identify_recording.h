@@ -1,6 +1,7 @@
 #pragma once
 /// From a file to identified joints. Reads files.
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,9 @@ identification::Protocol protocol_of(const ProtocolRequest& request);
 /// "5kg". @throws WrongUse on what is none.
 double parse_weight_kg(const std::string& text);
 
+/// "24degC", or a bare number. @throws WrongUse on what is none.
+double parse_temperature_C(const std::string& text);
+
 /// "viscous+load" as terms; "coulomb" has none. @throws std::invalid_argument naming the terms there are.
 identification::JointTerms terms_of(const std::string& name);
 
@@ -39,8 +43,9 @@ struct RecordingRequest {
   std::string columns;
   std::string delimiter;  ///< "" = what the first line has; "tab"
   Drive drive;
-  std::vector<std::string> logs;     ///< of one joint each, or one of several
-  std::vector<std::string> weights;  ///< kg at the foot, of each log; empty: none
+  std::vector<std::string> logs;          ///< of one joint each, or one of several
+  std::vector<std::string> weights;       ///< kg at the foot, of each log; empty: none
+  std::vector<std::string> temperatures;  ///< degC of the gear, of each log; one is of all; empty: not known
   std::string robot;
   std::string joint;       ///< "" = every joint that moves alone
   bool all = false;        ///< a joint that does not is a failure
@@ -66,9 +71,14 @@ Recording identify_recording(const RecordingRequest& request,
 struct DriveRecording {
   std::vector<DriveState> states;
   double foot_weight_kg = 0.0;
+  double temperature_C = std::numeric_limits<double>::quiet_NaN();  ///< of the gear; NaN: not known
 };
 
-/// One joint of a robot from its recordings, one at least.
+/// Recordings that far apart show what warmth does to friction.
+inline constexpr double kLeastTemperatureSpan_K = 5.0;
+
+/// One joint of a robot from its recordings, one at least. Where the temperature of each is known and they
+/// differ, models may have the term `temperature`.
 IdentifiedJoint identify_drives(const RobotConfig& robot, int joint,
                                 const std::vector<DriveRecording>& recordings,
                                 const ProtocolRequest& protocol,

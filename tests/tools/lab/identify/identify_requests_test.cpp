@@ -103,6 +103,15 @@ TEST(FootWeight, IsKilogramsWithTheirUnit) {
         << wrong;
 }
 
+TEST(GearTemperature, IsDegreesWithOrWithoutTheirUnit) {
+  EXPECT_EQ(parse_temperature_C("24degC"), 24.0);
+  EXPECT_EQ(parse_temperature_C("-10"), -10.0);
+  for (const char* wrong : {"24K", "degC", "200degC", "-60", "nan", ""})
+    EXPECT_THAT(test::refusal_of<WrongUse>([&] { (void)parse_temperature_C(wrong); }),
+                HasSubstr("the gear's"))
+        << wrong;
+}
+
 TEST(FileDigest, IsThePublishedOneOfThreeLetters) {
   const std::string path = test::temp_dir() + "identify_digest.txt";
   std::ofstream(path) << "abc";

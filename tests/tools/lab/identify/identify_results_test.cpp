@@ -133,6 +133,31 @@ RobotConfig loaded_with(const std::string& fragment) {
   return load_robot(folder);
 }
 
+/// robot.yaml refuses a factor on viscous friction that is not there.
+TEST(Fragment, WarmthShapesNoViscousFrictionThatIsNone) {
+  identification::RawSeries series = sample_series({}, 0.05);
+  for (std::size_t i = 0; i < series.time_s.size(); ++i)
+    series.temperature_C.push_back(i < series.time_s.size() / 2 ? 24.0 : 40.0);
+  IdentifiedJoint joint = sample_joint(
+      series, {{identification::JointTerm::kViscous, identification::JointTerm::kTemperature}});
+  joint.armature = knee().armature;
+  const RobotConfig robot = load_robot("single_leg");
+  const JointConfig& known = robot.joints[1];
+  Eigen::VectorXd& found = joint.result.models[joint.result.chosen].fit.parameters;
+  const auto& parameters = joint.chosen().model->parameters();
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    if (parameters[i].name == "viscous_temperature") found[static_cast<Eigen::Index>(i)] = 0.03;
+  }
+  EXPECT_EQ(identified_config(joint, known, sample_provenance()).friction->parameters.viscous_temperature_1_K,
+            0.03);
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    if (parameters[i].name == "viscous") found[static_cast<Eigen::Index>(i)] = 0.0;
+  }
+  const JointConfig out = identified_config(joint, known, sample_provenance());
+  EXPECT_EQ(out.friction->parameters.viscous_temperature_1_K, 0.0);
+  EXPECT_EQ(loaded_with(fragment_text({joint}, {out})).joints[1].friction->parameters.viscous_Nm_s_rad, 0.0);
+}
+
 TEST(Fragment, LoadsBackAsPartOfARobot) {
   const RobotConfig robot = load_robot("single_leg");
   const JointConfig found = identified_config(knee(), robot.joints[1], sample_provenance());

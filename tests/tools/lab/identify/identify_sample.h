@@ -33,11 +33,12 @@ inline identification::RawSeries sample_series(const SampleTruth& truth, double 
   return out;
 }
 
-inline IdentifiedJoint sample_joint(const identification::RawSeries& series) {
-  using identification::JointTerm;
+inline IdentifiedJoint sample_joint(const identification::RawSeries& series,
+                                    const std::vector<identification::JointTerms>& models = {
+                                        {}, {identification::JointTerm::kViscous}}) {
   identification::Protocol protocol;
   protocol.search.validation.blocks = 4;
-  protocol.search.only = {{}, {JointTerm::kViscous}};
+  protocol.search.only = models;
   IdentifiedJoint out;
   out.name = "knee";
   out.result = identification::identify_joint(series, protocol);

@@ -48,15 +48,20 @@ sim::PlantJointConfig plant_joint(const Case& c) {
 }
 
 /// Friction over the speeds that were driven, against the plant's without load.
-void expect_friction(const FrictionParameters& found, const sim::PlantJointConfig& plant, double tolerance) {
+void expect_friction(const FrictionParameters& found, const sim::PlantJointConfig& plant, double tolerance,
+                     double temperature_C = 24.0) {
   const auto& friction = plant.friction;
+  const auto& warmth = friction.temperature;
+  const double viscous = std::exp(-warmth.per_K * (temperature_C - warmth.reference_degC));
+  const double dry = 1.0 + warmth.coulomb_share * (viscous - 1.0);
   for (const double speed_rad_s : {0.05, 0.3, 1.0, 2.0}) {
     const double ratio = speed_rad_s / friction.stribeck_speed_rad_s;
-    const double true_Nm = friction.coulomb_Nm +
-                           (friction.breakaway_Nm - friction.coulomb_Nm) * std::exp(-ratio * ratio) +
-                           friction.viscous_Nm_s_rad * speed_rad_s;
+    const double breakaway_Nm = (friction.breakaway_Nm - friction.coulomb_Nm) * std::exp(-ratio * ratio);
+    const double true_Nm = dry * (friction.coulomb_Nm + breakaway_Nm) +
+                           viscous * friction.viscous_Nm_s_rad * speed_rad_s;
     FrictionInput in;
     in.velocity_rad_s = speed_rad_s;
+    in.temperature_C = temperature_C;
     in.sign = 1.0;
     EXPECT_NEAR(friction_torque_Nm(found, in), true_Nm, tolerance * true_Nm) << speed_rad_s << " rad/s";
   }
@@ -125,6 +130,25 @@ TEST(IdentifySimulated, LoadFrictionAndTorqueConstantShowWithAKnownWeight) {
   EXPECT_NEAR(found.torque_constant->factor, 1.05, 0.03);  // the plant's shares differ by 0.036
   const double mean_share = 0.5 * (plant.driving_share + plant.back_driving_share);
   EXPECT_NEAR(weighed(found.chosen())->load_share, mean_share, 0.03);
+}
+
+/// Warmth takes two fifths of this gear's viscous friction: one law for both recordings holds at neither.
+TEST(IdentifySimulated, TwoTemperaturesShowWhatWarmthDoesToFriction) {
+  Case c{"single_leg", 0, {}};
+  c.sim.plant = {{"family.erob_50", 1.0}, {"draw", 1.0}};
+  const RobotConfig robot = load_robot(c.robot);
+  std::vector<DriveRecording> recordings;
+  for (const double temperature_C : {24.0, 40.0}) {
+    c.sim.plant["temperature"] = temperature_C;
+    recordings.push_back({record_in_process(robot, c.sim, 0, kSimulatedShort).states, 0.0, temperature_C});
+  }
+  ProtocolRequest protocol;
+  protocol.models = "viscous+temperature";
+  const FrictionParameters law = law_of(identify_drives(robot, 0, recordings, protocol).chosen());
+  EXPECT_GT(law.viscous_temperature_1_K, 0.02);
+  for (const double temperature_C : {24.0, 40.0}) expect_friction(law, plant_joint(c), 0.08, temperature_C);
+  recordings.back().temperature_C = 26.0;  // too near to tell
+  EXPECT_THROW(identify_drives(robot, 0, recordings, protocol), std::invalid_argument);
 }
 
 /// The plant has none. Without a bound samples beside a stop become 25 Nm more at 5 mrad/s; what is left of
