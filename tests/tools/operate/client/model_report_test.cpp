@@ -80,6 +80,7 @@ TEST_F(ModelReport, IdentificationsWithinTheirAgeAreNotTold) {
 }
 
 TEST_F(ModelReport, OldIdentificationsAreToldWithTheirJointsAndRemedy) {
+  for (JointConfig& joint : robot_.joints) joint.friction->record.date = "2026-11-21";
   EXPECT_THAT(
       doubtful_identifications(robot_, "2027-02-20"),
       ElementsAre(AllOf(HasSubstr("91 days ago"), HasSubstr("max_age_days: 90"), HasSubstr("hip, knee"),
