@@ -1,6 +1,5 @@
 #include <unistd.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <limits>
@@ -110,24 +109,28 @@ GuidedRecording with_weight(const IdentifyCall& request) {
 }
 
 /// One that all recordings have; else none: the law then says itself at which it holds.
-double temperature_of(const IdentifyCall& request) {
-  const std::vector<std::string>& known = request.recording.temperatures;
-  const bool one = !known.empty() && std::all_of(known.begin(), known.end(), [&](const std::string& text) {
-    return identify::parse_temperature_C(text) == identify::parse_temperature_C(known.front());
-  });
-  return one ? identify::parse_temperature_C(known.front()) : std::numeric_limits<double>::quiet_NaN();
+double common_temperature_C(const identify::RecordingRequest& request) {
+  const double first_C = identify::temperature_C(request, 0);
+  for (std::size_t file = 1; file < request.files().size(); ++file) {
+    if (identify::temperature_C(request, file) != first_C) return std::numeric_limits<double>::quiet_NaN();
+  }
+  return first_C;
 }
 
 int run_identify(const IdentifyCall& request) {
   if (request.guided.wanted) return run_guided_recording(with_weight(request));
+  const double temperature_C = common_temperature_C(request.recording);  // a wrong word before the long fit
   const identify::Recording recording = [&] {
     Progress progress;
     return identify::identify_recording(request.recording, std::ref(progress));
   }();
   const std::vector<std::string> files = request.recording.files();
-  const identify::Provenance provenance{
-      in_words(files), identify::short_sha256(files), utc_text(utc_us()).substr(0, 10),
-      own_command(),   temperature_of(request),       request.supply_V};
+  const identify::Provenance provenance{in_words(files),
+                                        identify::short_sha256(files),
+                                        utc_text(utc_us()).substr(0, 10),
+                                        own_command(),
+                                        temperature_C,
+                                        request.supply_V};
   if (!(request.day_to_day >= 0.0 && request.day_to_day <= 10.0))
     throw WrongUse("--day-to-day is a share from 0 to 10");
   if (!request.fragment.empty()) write_fragment(recording, provenance, request.day_to_day, request.fragment);

@@ -126,17 +126,8 @@ std::vector<int> joints_asked(const RobotConfig& robot, const std::string& joint
   return out;
 }
 
-double temperature_of(const RecordingRequest& request, std::size_t log) {
-  const std::vector<std::string>& known = request.temperatures;
-  if (known.empty()) return std::numeric_limits<double>::quiet_NaN();
-  return parse_temperature_C(known.size() == 1 ? known.front() : known[log]);
-}
-
 std::vector<DriveRecording> recordings_of(const RecordingRequest& request, const RobotConfig& robot,
                                           std::vector<std::string>& notes) {
-  if (request.temperatures.size() > 1 && request.temperatures.size() != request.logs.size())
-    throw WrongUse("--temperature: " + std::to_string(request.temperatures.size()) + " for " +
-                   std::to_string(request.logs.size()) + " logs; say one for all, or one for each --log");
   if (!request.weights.empty() && request.weights.size() != request.logs.size())
     throw WrongUse("--weight: " + std::to_string(request.weights.size()) + " for " +
                    std::to_string(request.logs.size()) +
@@ -146,7 +137,7 @@ std::vector<DriveRecording> recordings_of(const RecordingRequest& request, const
     DriveLog log = read_drive_log(request.logs[i], robot);
     notes.insert(notes.end(), log.notes.begin(), log.notes.end());
     const double weight_kg = request.weights.empty() ? 0.0 : parse_weight_kg(request.weights[i]);
-    out.push_back({std::move(log.states), weight_kg, temperature_of(request, i)});
+    out.push_back({std::move(log.states), weight_kg, temperature_C(request, i)});
   }
   return out;
 }
@@ -226,6 +217,17 @@ double parse_temperature_C(const std::string& text) {
   if (!known || !(value_C >= kColdest_C && value_C <= kHottest_C))
     throw WrongUse("--temperature " + text + ": expected the gear's, -50degC to 150degC");
   return value_C;
+}
+
+double temperature_C(const RecordingRequest& request, std::size_t file) {
+  const std::vector<std::string>& known = request.temperatures;
+  if (known.empty()) return std::numeric_limits<double>::quiet_NaN();
+  if (known.size() == 1) return parse_temperature_C(known.front());
+  const std::size_t files = request.files().size();
+  if (known.size() != files)
+    throw WrongUse("--temperature: " + std::to_string(known.size()) + " for " + std::to_string(files) +
+                   " recordings; say one for all, or one for each --log");
+  return parse_temperature_C(known.at(file));
 }
 
 namespace {

@@ -55,6 +55,10 @@ struct RecordingRequest {
   std::vector<std::string> files() const { return csv.empty() ? logs : std::vector<std::string>{csv}; }
 };
 
+/// Of the gear in this one of files(); NaN where nobody has said. @throws WrongUse on what is no temperature,
+/// and where there are several but not one for each file.
+double temperature_C(const RecordingRequest& request, std::size_t file);
+
 struct Recording {
   std::vector<IdentifiedJoint> joints;  ///< at least one
   std::vector<JointConfig> configs;     ///< of robot.yaml; of a table one with nothing but a name

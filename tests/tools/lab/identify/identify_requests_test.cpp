@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <stdexcept>
 
@@ -110,6 +111,19 @@ TEST(GearTemperature, IsDegreesWithOrWithoutTheirUnit) {
     EXPECT_THAT(test::refusal_of<WrongUse>([&] { (void)parse_temperature_C(wrong); }),
                 HasSubstr("the gear's"))
         << wrong;
+}
+
+TEST(GearTemperature, IsOneOfAllRecordingsOrOneOfEach) {
+  RecordingRequest request;
+  request.logs = {"cold.lcm", "warm.lcm"};
+  EXPECT_TRUE(std::isnan(temperature_C(request, 1)));
+  request.temperatures = {"24degC"};
+  EXPECT_EQ(temperature_C(request, 1), 24.0);
+  request.temperatures.push_back("40degC");
+  EXPECT_EQ(temperature_C(request, 1), 40.0);
+  request.temperatures.push_back("50degC");
+  EXPECT_THAT(test::refusal_of<WrongUse>([&] { (void)temperature_C(request, 0); }),
+              HasSubstr("3 for 2 recordings"));
 }
 
 TEST(FileDigest, IsThePublishedOneOfThreeLetters) {

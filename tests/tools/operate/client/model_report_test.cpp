@@ -20,6 +20,7 @@ using testing::IsEmpty;
 class ModelReport : public testing::Test {
  protected:
   ModelReport() {
+    for (JointConfig& joint : robot_.joints) joint.friction->record.date = "2026-11-21";
     state_.n_joints = static_cast<int>(robot_.joints.size());
     state_.joints.resize(robot_.joints.size());
     for (auto& joint : state_.joints) {
@@ -80,7 +81,6 @@ TEST_F(ModelReport, IdentificationsWithinTheirAgeAreNotTold) {
 }
 
 TEST_F(ModelReport, OldIdentificationsAreToldWithTheirJointsAndRemedy) {
-  for (JointConfig& joint : robot_.joints) joint.friction->record.date = "2026-11-21";
   EXPECT_THAT(
       doubtful_identifications(robot_, "2027-02-20"),
       ElementsAre(AllOf(HasSubstr("91 days ago"), HasSubstr("max_age_days: 90"), HasSubstr("hip, knee"),
