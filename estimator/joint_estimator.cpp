@@ -158,10 +158,14 @@ void JointEstimator::follow_temperature(const JointSample& sample, double dt_s) 
   temperature_.predict(friction_.friction_torque_Nm(), filter_.velocity_rad_s(), dt_s);
   const bool settled = fresh_samples_ >= settling_samples_ && coasted_cycles_ == 0;
   if (!settled || friction_.at_rest() || !sample.untouched || !sample.drive_enabled) return;
+  temperature_.observe(motion_now(), -sample.last_external_torque_Nm, dt_s);
+}
+
+FrictionInput JointEstimator::motion_now() const noexcept {
   FrictionInput at;
   at.velocity_rad_s = filter_.velocity_rad_s();
   at.gear_output_torque_Nm = friction_.output_torque_Nm();
-  temperature_.observe(at, -sample.last_external_torque_Nm, dt_s);
+  return at;
 }
 
 double JointEstimator::sampling_std_rad() const noexcept {
@@ -206,7 +210,8 @@ void JointEstimator::write_torques(EstimatedJoint& out) const noexcept {
   out.estimated_temperature_degC = temperature_.temperature_C();
   TorqueBoundInput in;
   in.motor_torque_Nm = motor_torque_Nm_;
-  in.friction_std_Nm = adaptation_.std_Nm(friction_.friction_by_law());
+  in.friction_std_Nm = root_sum_square(adaptation_.std_Nm(friction_.friction_by_law()),
+                                       temperature_.std_Nm(motion_now()));
   in.by_friction = 1.0 / (1.0 + friction_.friction().by_load);
   in.acceleration_rad_s2 = out.estimated_acceleration_rad_s2;
   in.filter_std_rad_s2 = friction_.at_rest() ? 0.0 : filter_.unexplained_std_rad_s2();

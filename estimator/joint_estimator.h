@@ -54,6 +54,7 @@ class JointEstimator {
   void follow_temperature(const JointSample& sample, double dt_s) noexcept;
   JointStatus status(const JointSample& sample) const noexcept;
   double acceleration_rad_s2() const noexcept;
+  FrictionInput motion_now() const noexcept;
   double sampling_std_rad() const noexcept;
   void write_motion(EstimatedJoint& out) const noexcept;
   void write_torques(EstimatedJoint& out) const noexcept;

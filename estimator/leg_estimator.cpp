@@ -188,6 +188,8 @@ void LegEstimator::watch_models(double force_N, double dt_s, std::vector<Estimat
     const bool measured = joint.status == JointStatus::kOk || joint.status == JointStatus::kSaturated;
     if (!free || !measured || !joint.drive_enabled) {
       watches_[j].freeze();
+    } else if (moved_from_outside(j)) {
+      continue;
     } else if (!joint.at_rest && std::abs(joint.estimated_velocity_rad_s) > kWatched_rad_s) {
       const double noise_Nm = configs_[j].armature_kg_m2 * joint.estimated_acceleration_bound_rad_s2 /
                               kStdsFor95;
@@ -200,14 +202,25 @@ void LegEstimator::watch_models(double force_N, double dt_s, std::vector<Estimat
   }
 }
 
+double LegEstimator::motor_power_W(std::size_t j) const noexcept {
+  return samples_[j].motor_torque_Nm * velocity_rad_s_[static_cast<int>(j)];
+}
+
+double LegEstimator::motor_power_W() const noexcept {
+  double sum_W = 0.0;
+  for (std::size_t j = 0; j < samples_.size(); ++j) sum_W += motor_power_W(j);
+  return sum_W;
+}
+
 /// Motors drive this joint and the leg: a hand that moves a leg on its springs is not friction.
 bool LegEstimator::moves_itself(std::size_t j) const noexcept {
-  const auto power_W = [this](std::size_t i) {
-    return samples_[i].motor_torque_Nm * velocity_rad_s_[static_cast<int>(i)];
-  };
-  double leg_W = 0.0;
-  for (std::size_t i = 0; i < samples_.size(); ++i) leg_W += power_W(i);
-  return leg_W > 0.0 && power_W(j) > 0.0;
+  return motor_power_W() > 0.0 && motor_power_W(j) > 0.0;
+}
+
+/// Motors brake this joint and the leg: perhaps a hand moves it, and what a hand does looks like a gear that
+/// has less friction than its law. A swing's own braking is left out too; its other half shows as much.
+bool LegEstimator::moved_from_outside(std::size_t j) const noexcept {
+  return motor_power_W() < 0.0 && motor_power_W(j) < 0.0;
 }
 
 void LegEstimator::write_motion(EstimatedLeg& out) noexcept {

@@ -46,7 +46,10 @@ class LegEstimator {
   void widen_bounds(std::size_t j, EstimatedJoint& joint) const noexcept;
   /// @param force_N vertical, on the foot, as estimated.
   void watch_models(double force_N, double dt_s, std::vector<EstimatedJoint>& joints) noexcept;
+  double motor_power_W(std::size_t j) const noexcept;  ///< mechanical, positive: drives
+  double motor_power_W() const noexcept;               ///< of the leg
   bool moves_itself(std::size_t j) const noexcept;
+  bool moved_from_outside(std::size_t j) const noexcept;
   void watch_force(const ContactEstimate& contact, double dt_s,
                    const std::vector<EstimatedJoint>& joints) noexcept;
 

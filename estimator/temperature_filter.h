@@ -17,7 +17,7 @@ class TemperatureFilter {
 
   /// False: robot.yaml has no thermal parameters, and the temperature is not known.
   bool configured() const noexcept { return thermal_.time_constant_s > 0.0; }
-  /// At the ambient temperature, which is not known well.
+  /// At the ambient temperature, known as well as the parameters say.
   void reset() noexcept;
   /// @param friction_Nm, velocity_rad_s whose product heats the gear.
   void predict(double friction_Nm, double velocity_rad_s, double dt_s) noexcept;
@@ -26,8 +26,12 @@ class TemperatureFilter {
 
   double temperature_C() const noexcept { return configured() ? state_.temperature_C() : kUnknown; }
   double std_K() const noexcept;
+  /// Of the law's friction in this motion, by how well the temperature is known; 0 while not configured.
+  double std_Nm(const FrictionInput& at) const noexcept;
 
  private:
+  double by_kelvin_Nm(const FrictionInput& at) const noexcept;
+
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   FrictionParameters law_;
   ThermalParameters thermal_;

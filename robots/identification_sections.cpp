@@ -121,6 +121,7 @@ ThermalParameters read_thermal(const YamlMap& map) {
   thermal.resistance_K_W = map.quantity("resistance", "K/W", 0, 1000);
   thermal.time_constant_s = map.quantity("time_constant", "s", 1, 1e6);
   thermal.ambient_C = map.quantity("ambient", "degC", kColdest_C, kHottest_C);
+  thermal.ambient_std_K = map.quantity_or("ambient_uncertainty", "K", 0.1, 100, thermal.ambient_std_K);
   map.finish();
   return thermal;
 }
@@ -191,7 +192,8 @@ std::string record_text(const IdentificationRecord& r) {
 std::string thermal_text(const ThermalParameters& t) {
   return "    thermal: {resistance: " + quantity_text(t.resistance_K_W, "K/W") +
          ", time_constant: " + quantity_text(t.time_constant_s, "s") +
-         ", ambient: " + quantity_text(t.ambient_C, "degC") + "}\n";
+         ", ambient: " + quantity_text(t.ambient_C, "degC") +
+         ", ambient_uncertainty: " + quantity_text(t.ambient_std_K, "K") + "}\n";
 }
 
 }  // namespace

@@ -9,6 +9,9 @@ struct ThermalParameters {
   double resistance_K_W = 0.0;
   double time_constant_s = 0.0;
   double ambient_C = 24.0;
+  /// How well it is known what a gear starts from, one standard deviation. A hall in winter, a machine that
+  /// has worked: 24 to 50 degC (docs/sources.md, facts D2) are within twice this.
+  double ambient_std_K = 13.0;
 };
 
 class ThermalState {

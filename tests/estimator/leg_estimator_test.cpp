@@ -31,8 +31,8 @@ class LegEstimatorTest : public testing::Test {
     }
   }
   /// In the air, to and fro in 0.6 s, by motors that also overcome so much viscous friction that no law
-  /// knows.
-  void swing(double seconds, double unknown_Nm_s_rad) {
+  /// knows. @param hand_Nm along the motion of each joint: the motors hold it back.
+  void swing(double seconds, double unknown_Nm_s_rad, double hand_Nm = 0.0) {
     const auto leg = make_leg_kinematics(robot_.legs[0]);
     const double rate = 2.0 * M_PI / 0.6;
     JointVector q(2), w(2), a(2);
@@ -41,7 +41,8 @@ class LegEstimatorTest : public testing::Test {
       q << 2.4 - 0.3 * cosine, 1.6 + 0.3 * cosine;
       w << 0.3 * rate * sine, -0.3 * rate * sine;
       a << 0.3 * rate * rate * cosine, -0.3 * rate * rate * cosine;
-      move(*leg, q, w, a, unknown_Nm_s_rad);
+      const double speed_rad_s = std::max(1e-3, std::abs(w[0]));
+      move(*leg, q, w, a, unknown_Nm_s_rad - hand_Nm / speed_rad_s);
     }
   }
   /// Both joints swing by these accelerations, as the model says that they do.
@@ -295,6 +296,15 @@ TEST_F(LegEstimatorTest, AHandThatMovesTheLegAgainstItsMotorsTeachesNoFriction) 
   const double before[] = {joints_[0].dry_friction_factor, joints_[1].dry_friction_factor};
   swing(20.0, -40.0);  // the motors brake, and it moves all the same
   for (int j = 0; j < 2; ++j) EXPECT_NEAR(joints_[j].dry_friction_factor, before[j], 0.04) << j;
+}
+
+TEST_F(LegEstimatorTest, AHandThatMovesTheLegAgainstItsMotorsIsNoMisfitOfTheModel) {
+  swing(0.6, 0.0);
+  swing(6.0, 0.0, 60.0);
+  for (const EstimatedJoint& joint : joints_) {
+    EXPECT_EQ(joint.misfit_reason, MisfitReason::kNone);
+    EXPECT_LT(joint.misfit_ratio, kMisfitRatio);
+  }
 }
 
 TEST_F(LegEstimatorTest, AHandThatHelpsTheMotorsIsTakenForLittleLessFriction) {

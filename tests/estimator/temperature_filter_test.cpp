@@ -63,6 +63,21 @@ TEST(TemperatureFilterTest, FindsTheTemperatureFromFrictionInSomeSwings) {
   }
 }
 
+TEST(TemperatureFilterTest, StartsAsSureAsTheRoomIsKnownAndFrictionIsAsSureAsThat) {
+  ThermalParameters read_off = kThermal;
+  read_off.ambient_std_K = 1.5;
+  TemperatureFilter sure(law(), read_off), unsure(law(), kThermal);
+  for (TemperatureFilter* filter : {&sure, &unsure}) filter->reset();
+  EXPECT_EQ(sure.std_K(), 1.5);
+  EXPECT_EQ(unsure.std_K(), 13.0);
+  const double by_kelvin_Nm = 0.03 * 7.4 * 2.0;  // at the law's reference, the viscous part alone
+  EXPECT_NEAR(sure.std_Nm(moving(2.0)), 1.5 * by_kelvin_Nm, 1e-3 * by_kelvin_Nm);
+  EXPECT_EQ(sure.std_Nm(moving(0.0)), 0.0);
+  TemperatureFilter none(law(), {});
+  none.reset();
+  EXPECT_EQ(none.std_Nm(moving(2.0)), 0.0);
+}
+
 TEST(TemperatureFilterTest, AWrongWeightCancelsOverBothDirections) {
   const TemperatureFilter filter = swing(40.0, 8.0, 1.2, 4);
   EXPECT_NEAR(filter.temperature_C(), 40.0, 2.0);

@@ -104,6 +104,7 @@ TEST(IdentificationSections, UncertaintyAndThermalAreReadAndMayBeIncomplete) {
   EXPECT_EQ(joint.thermal.resistance_K_W, 0.8);
   EXPECT_EQ(joint.thermal.time_constant_s, 600.0);
   EXPECT_EQ(joint.thermal.ambient_C, 22.0);
+  EXPECT_EQ(joint.thermal.ambient_std_K, ThermalParameters{}.ambient_std_K);
 }
 
 TEST(IdentificationSections, EveryParameterOfTheRichestModelIsRead) {
@@ -137,7 +138,7 @@ TEST(IdentificationSections, WhatIsWrittenIsReadBack) {
   joint.friction->record.command = "sprung identify \"a b\\c\"";
   joint.friction->record.robot = "another one";
   joint.uncertainty.mass = 0.07;
-  joint.thermal = {0.8, 600.0, 22.0};
+  joint.thermal = {0.8, 600.0, 22.0, 1.5};
   const JointConfig again = read(kPlain + identification_text(joint));
   EXPECT_EQ(again.friction->model, joint.friction->model);
   for (const FrictionParameterInfo& row : friction_parameter_table()) {
@@ -149,6 +150,7 @@ TEST(IdentificationSections, WhatIsWrittenIsReadBack) {
   EXPECT_EQ(again.friction->record.sha256, joint.friction->record.sha256);
   EXPECT_EQ(again.uncertainty.mass, 0.07);
   EXPECT_EQ(again.thermal.time_constant_s, 600.0);
+  EXPECT_EQ(again.thermal.ambient_std_K, 1.5);
 }
 
 TEST(IdentificationSections, EverySubsetOfTermsIsReadBackUnderItsSmallestModel) {

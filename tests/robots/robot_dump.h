@@ -118,8 +118,9 @@ inline void dump_value(test::ValueDump& dump, const std::string& at, const Joint
 }
 
 inline void dump_value(test::ValueDump& dump, const std::string& at, const ThermalParameters& value) {
-  const auto& [resistance, time_constant, ambient] = value;
-  dump.fields(at, "resistance_K_W time_constant_s ambient_C", resistance, time_constant, ambient);
+  const auto& [resistance, time_constant, ambient, ambient_std] = value;
+  dump.fields(at, "resistance_K_W time_constant_s ambient_C ambient_std_K", resistance, time_constant,
+              ambient, ambient_std);
 }
 
 inline void dump_value(test::ValueDump& dump, const std::string& at, const KinematicErrorTerm& value) {

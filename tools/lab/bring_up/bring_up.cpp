@@ -13,6 +13,7 @@
 #include "runtime/session_clock.h"
 #include "runtime/utc_text.h"
 #include "simulation/plant/plant_draw.h"
+#include "simulation/plant/sim_config.h"
 #include "tools/lab/identify/drive_series.h"
 #include "tools/lab/identify/fragment.h"
 #include "tools/lab/identify/identify_recording.h"
@@ -72,6 +73,11 @@ RobotConfig with_loops_of_host(RobotConfig robot) {
   return robot;
 }
 
+/// In the room where the robot is to work, read to a kelvin.
+double thermometer_C(const RobotConfig& robot, const SimOptions& sim) {
+  return std::round(sim::load_sim_config(robot, sim.plant).plant.ambient_degC);
+}
+
 identify::RobotChange bring_up_joint(const RobotConfig& robot, const SimOptions& sim, int joint,
                                      const BringUpProtocol& protocol) {
   const OwnFolder folder;
@@ -94,7 +100,9 @@ identify::RobotChange bring_up_joint(const RobotConfig& robot, const SimOptions&
   const identify::IdentifiedJoint found = identify::identify_drives(robot, joint, recordings, request);
   const identify::Provenance provenance{std::to_string(files.size()) + " guided recordings",
                                         identify::short_sha256(files), today(), protocol.command};
-  return identify::change_of(robot, found, provenance);
+  identify::OtherDays days;
+  days.ambient_C = thermometer_C(robot, sim);
+  return identify::change_of(robot, found, provenance, days);
 }
 
 /// What scores a robot: of a leg its estimate, contact, foot return and landings, of a walker its gaits too.

@@ -107,7 +107,7 @@ std::optional<TorqueConstant> corrected_torque_constant(const IdentifiedJoint& j
 }
 
 JointConfig identified_config(const IdentifiedJoint& joint, const JointConfig& known,
-                              const Provenance& provenance, double day_to_day) {
+                              const Provenance& provenance, const OtherDays& days) {
   const ModelResult& model = joint.chosen();
   if (joint.result.training.front().data.torque_unit != "Nm")
     throw std::invalid_argument(
@@ -132,7 +132,13 @@ JointConfig identified_config(const IdentifiedJoint& joint, const JointConfig& k
   friction.record.command = provenance.command;
   friction.record.temperature_C = provenance.temperature_C;
   friction.record.supply_V = provenance.supply_V;
-  out.uncertainty.friction = law_uncertainty(model, joint.result.training, day_to_day);
+  const bool tells_warmth = friction.parameters.viscous_temperature_1_K > 0.0;
+  if (tells_warmth && std::isfinite(days.ambient_C))
+    out.thermal = thermal_in_room(known.thermal, days.ambient_C);
+  const bool known_warmth = tells_warmth && out.thermal.time_constant_s > 0.0;
+  const double usual = known_warmth ? kDayToDayOfKnownWarmth : kDayToDay;
+  out.uncertainty.friction = law_uncertainty(model, joint.result.training,
+                                             std::isnan(days.friction) ? usual : days.friction);
   if (joint.armature && joint.armature->value_kg_m2 > 0.0) {
     out.armature_kg_m2 = joint.armature->value_kg_m2;
     const double share = standard_error_of(model, "inertia") / out.armature_kg_m2;

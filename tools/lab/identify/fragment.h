@@ -11,11 +11,11 @@
 namespace sprung::identify {
 
 /// The joint as robot.yaml will hold it: `known` with armature, friction and their uncertainty as found.
-/// @param known of robot.yaml, or a joint with a name alone. @param day_to_day how far friction differs on
-/// another day, relative, one standard deviation (law_uncertainty.h).
+/// @param known of robot.yaml, or a joint with a name alone. @param days on which the law is to hold. Where
+/// the room's temperature is known and the law tells warmth, the joint's `thermal` is set too.
 /// @throws std::invalid_argument where the torque is in amperes: robot.yaml wants Nm.
 JointConfig identified_config(const IdentifiedJoint& joint, const JointConfig& known,
-                              const Provenance& provenance, double day_to_day = kDayToDay);
+                              const Provenance& provenance, const OtherDays& days = {});
 
 /// The torque constant of the joint's actuator over robot.yaml's, where the recordings have weighed it: the
 /// config above goes with it.

@@ -63,10 +63,10 @@ std::string text_of(const fs::path& path) {
 }  // namespace
 
 RobotChange change_of(const RobotConfig& robot, const IdentifiedJoint& joint, const Provenance& provenance,
-                      double day_to_day) {
+                      const OtherDays& days) {
   for (std::size_t j = 0; j < robot.joints.size(); ++j) {
     if (robot.joints[j].name != joint.name) continue;
-    RobotChange out{identified_config(joint, robot.joints[j], provenance, day_to_day), "", 0.0};
+    RobotChange out{identified_config(joint, robot.joints[j], provenance, days), "", 0.0};
     out.joint.friction->record.robot = robot.name;
     if (const auto constant = corrected_torque_constant(joint)) {
       const LegPlace at = place_of(robot, static_cast<int>(j));

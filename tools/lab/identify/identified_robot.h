@@ -16,9 +16,9 @@ struct RobotChange {
   double torque_constant_Nm_A = 0.0;
 };
 
-/// Of one identified joint. @param day_to_day as identified_config(). @throws std::invalid_argument as that.
+/// Of one identified joint. @param days as identified_config(). @throws std::invalid_argument as that.
 RobotChange change_of(const RobotConfig& robot, const IdentifiedJoint& joint, const Provenance& provenance,
-                      double day_to_day = kDayToDay);
+                      const OtherDays& days = {});
 
 /// The text of robot.yaml, typed out, with these changes. @param yaml as it stands. @param name stands for
 /// its path in messages. @throws ConfigError where the file is none, or lacks a joint or actuator.

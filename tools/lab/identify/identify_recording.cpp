@@ -209,13 +209,13 @@ double parse_weight_kg(const std::string& text) {
   return weight_kg;
 }
 
-double parse_temperature_C(const std::string& text) {
+double parse_temperature_C(const std::string& text, const char* option) {
   char* end = nullptr;
   const double value_C = std::strtod(text.c_str(), &end);
   const std::string unit = end;
   const bool known = end != text.c_str() && (unit == "degC" || unit.empty());
   if (!known || !(value_C >= kColdest_C && value_C <= kHottest_C))
-    throw WrongUse("--temperature " + text + ": expected the gear's, -50degC to 150degC");
+    throw WrongUse(std::string(option) + " " + text + ": expected a temperature, -50degC to 150degC");
   return value_C;
 }
 

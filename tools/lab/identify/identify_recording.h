@@ -32,7 +32,7 @@ identification::Protocol protocol_of(const ProtocolRequest& request);
 double parse_weight_kg(const std::string& text);
 
 /// "24degC", or a bare number. @throws WrongUse on what is none.
-double parse_temperature_C(const std::string& text);
+double parse_temperature_C(const std::string& text, const char* option = "--temperature");
 
 /// "viscous+load" as terms; "coulomb" has none. @throws std::invalid_argument naming the terms there are.
 identification::JointTerms terms_of(const std::string& name);

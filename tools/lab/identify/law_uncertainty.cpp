@@ -12,6 +12,12 @@ using identification::ModelResult;
 namespace {
 
 constexpr double kMost = 10.0;
+/// Of a gear of 3 kg, most of it steel, whose housing warms by half a kelvin for each watt (docs/sources.md,
+/// facts D2: one thermal state). Heat of minutes alone: what it is wrong by, the friction that is seen
+/// corrects.
+constexpr double kResistance_K_W = 0.5, kTimeConstant_s = 1000.0;
+/// Of a thermometer in the room, and of a gear that has rested in it.
+constexpr double kThermometer_K = 1.5;
 
 struct LawColumns {
   std::vector<Eigen::Index> at;  ///< of the model's parameters
@@ -72,6 +78,17 @@ double fitted_law_share(const ModelResult& model, const std::vector<FitPiece>& r
     }
   }
   return law_Nm2 > 0.0 ? std::sqrt(std::max(0.0, spread_Nm2) / law_Nm2) : kMost;
+}
+
+ThermalParameters thermal_in_room(const ThermalParameters& known, double ambient_C) {
+  ThermalParameters out = known;
+  if (!(out.time_constant_s > 0.0)) {
+    out.resistance_K_W = kResistance_K_W;
+    out.time_constant_s = kTimeConstant_s;
+  }
+  out.ambient_C = ambient_C;
+  out.ambient_std_K = kThermometer_K;
+  return out;
 }
 
 double law_uncertainty(const ModelResult& model, const std::vector<FitPiece>& recorded, double day_to_day) {

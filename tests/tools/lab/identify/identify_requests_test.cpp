@@ -109,8 +109,14 @@ TEST(GearTemperature, IsDegreesWithOrWithoutTheirUnit) {
   EXPECT_EQ(parse_temperature_C("-10"), -10.0);
   for (const char* wrong : {"24K", "degC", "200degC", "-60", "nan", ""})
     EXPECT_THAT(test::refusal_of<WrongUse>([&] { (void)parse_temperature_C(wrong); }),
-                HasSubstr("the gear's"))
+                HasSubstr("--temperature"))
         << wrong;
+}
+
+TEST(GearTemperature, OfARoomIsRefusedByItsOwnName) {
+  EXPECT_EQ(parse_temperature_C("21degC", "--ambient"), 21.0);
+  EXPECT_THAT(test::refusal_of<WrongUse>([] { (void)parse_temperature_C("21F", "--ambient"); }),
+              HasSubstr("--ambient 21F"));
 }
 
 TEST(GearTemperature, IsOneOfAllRecordingsOrOneOfEach) {

@@ -158,6 +158,33 @@ TEST(Fragment, WarmthShapesNoViscousFrictionThatIsNone) {
   EXPECT_EQ(loaded_with(fragment_text({joint}, {out})).joints[1].friction->parameters.viscous_Nm_s_rad, 0.0);
 }
 
+/// In a room whose temperature is known a law that tells warmth needs no room for warmth.
+TEST(Fragment, ARoomsTemperatureIsWrittenForALawThatTellsWarmthAndForNoOther) {
+  identification::RawSeries series = sample_series({}, 0.05);
+  for (std::size_t i = 0; i < series.time_s.size(); ++i)
+    series.temperature_C.push_back(i < series.time_s.size() / 2 ? 24.0 : 40.0);
+  IdentifiedJoint joint = sample_joint(
+      series, {{identification::JointTerm::kViscous, identification::JointTerm::kTemperature}});
+  joint.armature = knee().armature;
+  const auto& parameters = joint.chosen().model->parameters();
+  Eigen::VectorXd& found = joint.result.models[joint.result.chosen].fit.parameters;
+  const auto with_warmth = [&](double share_1_K) {
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+      if (parameters[i].name == "viscous_temperature") found[static_cast<Eigen::Index>(i)] = share_1_K;
+    }
+    OtherDays days;
+    days.ambient_C = 18.0;
+    return identified_config(joint, load_robot("single_leg").joints[1], sample_provenance(), days);
+  };
+  const JointConfig warm = with_warmth(0.03), none = with_warmth(0.0);
+  const JointConfig loaded = loaded_with(fragment_text({joint}, {warm})).joints[1];
+  EXPECT_EQ(loaded.thermal.ambient_C, 18.0);
+  EXPECT_EQ(loaded.thermal.ambient_std_K, 1.5);
+  EXPECT_GT(loaded.thermal.time_constant_s, 0.0);
+  EXPECT_EQ(none.thermal.time_constant_s, 0.0);
+  EXPECT_LT(warm.uncertainty.friction, 0.5 * none.uncertainty.friction);
+}
+
 TEST(Fragment, LoadsBackAsPartOfARobot) {
   const RobotConfig robot = load_robot("single_leg");
   const JointConfig found = identified_config(knee(), robot.joints[1], sample_provenance());

@@ -70,8 +70,17 @@ TEST_F(LawUncertainty, IsNotTheResidual) {
   const JointConfig known = {};
   model_.held_out.rms = 100.0;
   joint_.result.models[joint_.result.chosen] = model_;
-  const JointConfig found = identified_config(joint_, known, sample_provenance(), 0.2);
+  const JointConfig found = identified_config(joint_, known, sample_provenance(), {0.2});
   EXPECT_NEAR(found.uncertainty.friction, 0.2, 0.01);
+}
+
+TEST(ThermalInRoom, KeepsWhatIsKnownOfTheGearAndTakesTheRoomsTemperature) {
+  const ThermalParameters known = thermal_in_room({0.8, 600.0, 24.0}, 30.0);
+  EXPECT_EQ(known.resistance_K_W, 0.8);
+  EXPECT_EQ(known.time_constant_s, 600.0);
+  EXPECT_EQ(known.ambient_C, 30.0);
+  EXPECT_LT(known.ambient_std_K, ThermalParameters{}.ambient_std_K);
+  EXPECT_GT(thermal_in_room({}, 30.0).time_constant_s, 0.0);
 }
 
 TEST_F(LawUncertainty, WithoutFrictionNothingIsKnown) {
