@@ -2,6 +2,10 @@
 /// The subcommands of `sprung`, one file or folder each; every function adds its own to the command line.
 #include "runtime/command_line.h"
 
+namespace sprung::gateway {
+class RemoteRobot;
+}
+
 namespace sprung::commands {
 
 void add_up(CommandLine& sprung);
@@ -29,6 +33,9 @@ void add_incident(CommandLine& sprung);
 void add_identify(CommandLine& sprung);
 void add_log(CommandLine& sprung);  ///< log info, cut, filter, merge, verify, repair, csv, mcap, plot
 void add_move(CommandLine& sprung);
+void add_operator(CommandLine& sprung);  ///< operator key new, list, revoke
+/// @param remote of --via; nullptr: the command is for this computer.
+void add_hand_over(CommandLine& sprung, gateway::RemoteRobot* remote);
 void add_robot(CommandLine& sprung);  ///< robot show, check, new
 void add_run(CommandLine& sprung);
 void add_spy(CommandLine& sprung);

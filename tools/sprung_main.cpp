@@ -3,11 +3,15 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <exception>
+#include <memory>
 
 #include "runtime/stop_request.h"
 #include "tools/commands.h"
 #include "tools/operate/commands/installed_robots.h"
 #include "tools/operate/launcher/child_process.h"
+#include "tools/station/gateway/remote_robot_shell.h"
+#include "tools/station/gateway/via.h"
 
 namespace {
 
@@ -25,15 +29,12 @@ int or_unsaid(int status) {
   return sprung::kExitFailed;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run_command(const sprung::gateway::Via& via, sprung::gateway::RemoteRobot* remote) {
   using namespace sprung::commands;
-  sprung::install_stop_signals();
-  use_installed_robots(sprung::program_folder());
   sprung::CommandLine line("sprung", "Virtual springs for geared, torque-sensorless legged robots.");
   line.example(
-      "sprung up single_leg --sim      then, in a second terminal: sprung stand; sprung jump; sprung down");
+      "sprung up single_leg --sim      then, in a second terminal: sprung stand; sprung jump; sprung down\n"
+      "  sprung --via HOST stand         a robot on another computer: docs/remote.md");
   add_up(line);
   add_down(line);
   add_motion(line);
@@ -58,10 +59,36 @@ int main(int argc, char** argv) {
   add_incident(line);
   add_log(line);
   add_move(line);
+  add_operator(line);
+  add_hand_over(line, remote);
   add_robot(line);
   add_run(line);
   add_fault(line);
   add_doctor(line);
   add_help(line);
-  return or_unsaid(line.run(argc, argv));
+  return or_unsaid(line.run(static_cast<int>(via.words.size()), via.words.data()));
+}
+
+int failed(const std::exception& error, int status) {
+  std::fprintf(stderr, "sprung: %s\n", error.what());
+  return status;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  sprung::install_stop_signals();
+  sprung::commands::use_installed_robots(sprung::program_folder());
+  try {
+    const sprung::gateway::Via via = sprung::gateway::take_via(argc, argv);
+    std::unique_ptr<sprung::gateway::RemoteRobot> remote;
+    if (!via.host.empty())
+      remote = std::make_unique<sprung::gateway::RemoteRobot>(
+          sprung::gateway::RemoteOptions{via.host, via.key, via.hidden});
+    return run_command(via, remote.get());
+  } catch (const sprung::WrongUse& error) {
+    return failed(error, sprung::kExitWrongUse);
+  } catch (const std::exception& error) {
+    return failed(error, sprung::kExitFailed);
+  }
 }

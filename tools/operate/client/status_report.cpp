@@ -17,8 +17,8 @@ namespace {
 
 /// "dead" when the launcher's child is gone, "stopped" when somebody halted it, "silent" when it says
 /// nothing.
-std::string state_of(const RunningProcess& process, const HeardRobot& heard) {
-  const char state = run_state(process.pid);
+std::string state_of(const RunInfo& info, const RunningProcess& process, const HeardRobot& heard) {
+  const char state = run_state(info, process);
   if (state == 'X' || state == 'Z') {
     return "dead";
   }
@@ -30,9 +30,9 @@ std::string state_of(const RunningProcess& process, const HeardRobot& heard) {
   return name(static_cast<ProcessState>(found->second.state));
 }
 
-Json process_json(const RunningProcess& process, const HeardRobot& heard) {
+Json process_json(const RunInfo& info, const RunningProcess& process, const HeardRobot& heard) {
   Json out{{"name", process.program},
-           {"state", state_of(process, heard)},
+           {"state", state_of(info, process, heard)},
            {"pid", process.pid},
            {"rate_hz", nullptr},
            {"overruns", nullptr}};
@@ -56,9 +56,10 @@ Json process_json(const RunningProcess& process, const HeardRobot& heard) {
 
 }  // namespace
 
-char run_state(std::int64_t pid) {
+char run_state(const RunInfo& info, const RunningProcess& process) {
+  if (!info.via.empty()) return 'S';
   char state = 'X';
-  if (FILE* file = std::fopen(("/proc/" + std::to_string(pid) + "/stat").c_str(), "r")) {
+  if (FILE* file = std::fopen(("/proc/" + std::to_string(process.pid) + "/stat").c_str(), "r")) {
     if (std::fscanf(file, "%*d %*[^)]) %c", &state) != 1) state = 'X';
     std::fclose(file);
   }
@@ -67,7 +68,7 @@ char run_state(std::int64_t pid) {
 
 Json processes_json(const RunInfo& info, const HeardRobot& heard) {
   Json out = Json::array();
-  for (const RunningProcess& process : info.processes) out.push_back(process_json(process, heard));
+  for (const RunningProcess& process : info.processes) out.push_back(process_json(info, process, heard));
   return out;
 }
 

@@ -36,8 +36,9 @@ struct HeardRobot {
   std::int64_t now_us = 0;  ///< to which ages count
 };
 
-/// As in /proc/PID/stat; X where there is no such process.
-char run_state(std::int64_t pid);
+/// As in /proc/PID/stat; X where there is no such process. S, asleep, for those of another computer: only
+/// what they say is known.
+char run_state(const RunInfo& info, const RunningProcess& process);
 
 /// A row for each process of the run: name, state ("dead" when the launcher's child is gone, "stopped" when
 /// somebody halted it, "silent" when it says nothing), pid, rate and what else it tells. Reads /proc.

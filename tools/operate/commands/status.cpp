@@ -29,8 +29,8 @@ constexpr std::int64_t kTimeout_us = 6'000'000;
 constexpr std::int64_t kLook_us = 50'000;
 
 bool runs(const RunInfo& info, const char* program) {
-  return std::any_of(info.processes.begin(), info.processes.end(), [program](const RunningProcess& process) {
-    return process.program == program && std::strchr("XZTt", run_state(process.pid)) == nullptr;
+  return std::any_of(info.processes.begin(), info.processes.end(), [&](const RunningProcess& process) {
+    return process.program == program && std::strchr("XZTt", run_state(info, process)) == nullptr;
   });
 }
 

@@ -35,6 +35,7 @@ Json to_json(const RunInfo& info) {
            {"log", info.log},           {"can", info.can},           {"launcher_pid", info.launcher_pid}};
   out["maintenance"] = info.maintenance;
   out["buses"] = info.buses;
+  out["via"] = info.via;
   out["processes"] = Json::array();
   for (const RunningProcess& process : info.processes) {
     out["processes"].push_back({{"program", process.program}, {"pid", process.pid}});
@@ -61,6 +62,7 @@ RunInfo from_json(const Json& in) {
   for (const Json& process : in.at("processes")) {
     info.processes.push_back({process.at("program"), process.at("pid")});
   }
+  info.via = in.at("via");
   return info;
 }
 
@@ -109,6 +111,10 @@ bool still_runs(const RunningProcess& process) {
 }
 
 }  // namespace
+
+std::string run_text(const RunInfo& info) { return to_json(info).dump(1); }
+
+RunInfo parse_run(const std::string& text) { return from_json(Json::parse(text)); }
 
 std::string run_file_path(const std::string& instance) {
   return (run_folder() / (instance + ".json")).string();
@@ -160,7 +166,7 @@ void RunFile::write(const RunInfo& info) {
   const fs::path path = run_file_path(instance_);
   const fs::path draft = path.string() + "." + std::to_string(getpid());
   std::ofstream out(draft);
-  out << to_json(info).dump(1) << "\n";
+  out << run_text(info) << "\n";
   out.close();
   if (!out) {
     throw std::runtime_error("cannot write " + draft.string() + ": is the disk full?");

@@ -33,7 +33,12 @@ struct RunInfo {
   std::vector<std::string> buses;  ///< addresses of all that this launcher's bridge uses
   std::int64_t launcher_pid = 0;
   std::vector<RunningProcess> processes;
+  std::string via;  ///< the computer that it runs on, where that is another one (tools/station/gateway)
 };
+
+/// As the file holds it. @throws nlohmann::json::exception on what is none.
+std::string run_text(const RunInfo& info);
+RunInfo parse_run(const std::string& text);
 
 /// Nothing runs, or something that the command does not fit; what() says what to do next.
 struct NotRunning : std::runtime_error {

@@ -1,0 +1,72 @@
+#include "tools/station/gateway/file_parts.h"
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace sprung::gateway {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+}  // namespace
+
+std::string request_text(const PartRequest& request) {
+  return Json({{"file", request.file}, {"offset", request.offset}}).dump();
+}
+
+std::optional<PartRequest> parse_request(std::string_view text) {
+  const Json in = Json::parse(text, nullptr, false);
+  if (!in.is_object() || !in.contains("file") || !in["file"].is_string() || !in.contains("offset") ||
+      !in["offset"].is_number_unsigned())
+    return std::nullopt;
+  return PartRequest{in["file"], in["offset"]};
+}
+
+std::string part_text(const FilePart& part) {
+  return Json({{"file", part.file}, {"offset", part.offset}, {"total", part.total}, {"error", part.error}})
+             .dump(-1, ' ', false, Json::error_handler_t::replace) +
+         "\n" + part.bytes;
+}
+
+std::optional<FilePart> parse_part(std::string_view text) {
+  const std::size_t end = text.find('\n');
+  if (end == std::string_view::npos) return std::nullopt;
+  const Json in = Json::parse(text.substr(0, end), nullptr, false);
+  if (!in.is_object()) return std::nullopt;
+  try {
+    return FilePart{in.at("file"), in.at("offset"), in.at("total"), in.at("error"),
+                    std::string(text.substr(end + 1))};
+  } catch (const Json::exception&) {
+    return std::nullopt;
+  }
+}
+
+FilePart part_of(const PartRequest& request, std::string_view whole) {
+  FilePart out{request.file, request.offset, whole.size(), "", ""};
+  if (request.offset <= whole.size()) out.bytes = whole.substr(request.offset, kPartBytes);
+  return out;
+}
+
+FilePart read_part(const PartRequest& request, const std::string& path) {
+  FilePart out{request.file, request.offset, 0, "", ""};
+  std::ifstream in(path, std::ios::binary | std::ios::ate);
+  if (!in) {
+    out.error = "is not there";
+    return out;
+  }
+  out.total = static_cast<std::uint64_t>(in.tellg());
+  if (request.offset >= out.total) return out;
+  out.bytes.resize(std::min<std::uint64_t>(kPartBytes, out.total - request.offset));
+  in.seekg(static_cast<std::streamoff>(request.offset));
+  in.read(out.bytes.data(), static_cast<std::streamsize>(out.bytes.size()));
+  out.bytes.resize(static_cast<std::size_t>(in.gcount()));
+  return out;
+}
+
+bool is_plain_name(std::string_view name) noexcept {
+  return !name.empty() && name[0] != '.' && name.find('/') == std::string_view::npos &&
+         name.find('\0') == std::string_view::npos;
+}
+
+}  // namespace sprung::gateway

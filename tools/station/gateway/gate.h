@@ -1,0 +1,149 @@
+#pragma once
+/// What of an operator's datagrams may reach a robot: the gateway without its sockets. Pure; times are the
+/// robot's computer's, us.
+///
+/// A datagram is let in when its conversation is open, its number is new, its time is of now, its sender's
+/// rate is kept and its signature is right, looked at in this order; a command when its sender's role may say
+/// it, and it is his to drive. Who moves the robot first while nobody drives, drives; from then on he may
+/// hand it over. Everybody may stop it in an emergency, and whoever may drive may say `stop`.
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "signals/operator.h"
+#include "tools/station/gateway/operator_register.h"
+#include "tools/station/gateway/packets.h"
+#include "tools/station/gateway/replay_window.h"
+#include "tools/station/gateway/token_bucket.h"
+
+namespace sprung::gateway {
+
+/// Why a datagram, or the command in it, went no further.
+enum class Turned : std::uint8_t {
+  kNone = 0,
+  kMalformed,
+  kUnknown,  ///< no such operator, or no such conversation
+  kRevoked,
+  kTooMany,
+  kReplayed,
+  kLate,  ///< or too early
+  kForged,
+  kRole,       ///< it may not be said in this role
+  kNotDriver,  ///< somebody else drives
+};
+constexpr auto words_of(Turned) {
+  using E = Turned;
+  return words<E>({{E::kNone, "let in"},
+                   {E::kMalformed, "malformed"},
+                   {E::kUnknown, "unknown"},
+                   {E::kRevoked, "revoked"},
+                   {E::kTooMany, "too many"},
+                   {E::kReplayed, "replayed"},
+                   {E::kLate, "late"},
+                   {E::kForged, "forged"},
+                   {E::kRole, "not in this role"},
+                   {E::kNotDriver, "not the driver"}});
+}
+
+/// Lowest role that may say it.
+Role role_for(OperatorKind kind) noexcept;
+
+/// Where a datagram came from and an answer goes: the socket's address, as bytes.
+using Address = std::string;
+
+/// What is to be done.
+struct Verdict {
+  Turned turned = Turned::kNone;
+  std::string who;  ///< operator's name; of a stranger his key or nothing
+  std::vector<std::pair<Address, std::string>> packets;  ///< to be sent
+  std::optional<OperatorCommand> command;                ///< to be said to the robot
+  std::string event;       ///< for the audit log, of what was let in; empty: nothing worth saying
+  std::string part_asked;  ///< of a file, by this session
+  std::uint64_t session = 0;
+};
+
+class Gate {
+ public:
+  /// [design choice] of a command's time against ours: 100 ms of delay, as much of jitter, a gap's length
+  /// less than what would be old.
+  static constexpr std::int64_t kOldest_us = 1'000'000, kMostAhead_us = 250'000;
+  /// Nothing heard for as long while the robot moves: the link is lost. With the gait's last steps the robot
+  /// stands within 2 s.
+  static constexpr std::int64_t kLost_us = 700'000;
+  /// Nothing heard for as long: the conversation is over, and so is driving, once the robot does not move.
+  static constexpr std::int64_t kOver_us = 10'000'000;
+  static constexpr std::size_t kMostSessions = 32;
+  /// Of one conversation: an emergency stop said 50 times a second, and parts of files.
+  static constexpr double kMostEachSecond = 500.0;
+
+  Gate(const SigningKey& own, std::vector<KnownOperator> operators);
+
+  /// The register has changed. Conversations of who is revoked are over.
+  void know(std::vector<KnownOperator> operators);
+
+  /// @param session, random: of a conversation that may begin now.
+  Verdict take(const Address& from, std::string_view packet, std::int64_t now_us, std::uint64_t session);
+
+  /// Who the robot moves for has not been heard: `stop` is to be said. To be asked every 50 ms.
+  /// @param moves the robot walks, complies or jumps.
+  bool link_is_lost(bool moves, std::int64_t now_us);
+  /// Ends what is long silent. @return names of those who drive no more.
+  std::vector<std::string> tidy(bool moves, std::int64_t now_us);
+
+  const std::string& driver() const noexcept { return driver_; }  ///< empty: nobody
+  std::vector<std::uint64_t> sessions() const;
+  /// A packet of an open conversation. @return address and bytes; nothing where it is over.
+  std::optional<std::pair<Address, std::string>> tell(std::uint64_t session, ToldKind kind, std::string text,
+                                                      std::int64_t now_us);
+  /// Who drives, and what this operator may: JSON.
+  std::string news(std::uint64_t session) const;
+  const std::map<Turned, std::int64_t>& counts() const noexcept { return counts_; }
+
+ private:
+  struct Session {
+    explicit Session(Seal closed) : seal(std::move(closed)) {}
+    PublicKey key{};
+    std::string name;
+    Role role = Role::kWatch;
+    Address address;
+    Seal seal;
+    bool hidden = false;
+    Nonce16 nonce{};
+    std::string welcome;  ///< said again where it was lost
+    ReplayWindow seen;
+    TokenBucket rate{kMostEachSecond, kMostEachSecond};
+    std::uint64_t told = 0;
+    std::int64_t heard_us = 0;
+    std::int64_t request = 0;  ///< the last one that was let in; it is said again and again
+    bool spoke = false;        ///< said something signed: its address is genuine
+  };
+  Verdict hello(const Address& from, std::string_view packet, std::int64_t now_us, std::uint64_t session);
+  Verdict said(const Address& from, std::string_view packet, std::int64_t now_us);
+  Verdict command(Session& session, std::uint64_t id, const Said& said, std::int64_t now_us);
+  Turned may_say(const Session& session, const OperatorCommand& command) const;
+  Verdict hand_over(Session& session, const std::string& to, std::int64_t now_us);
+  Verdict refused_command(std::uint64_t id, const OperatorCommand& command, Turned why, std::int64_t now_us);
+  Verdict turned(Turned why, std::string who);
+  const KnownOperator* known(const PublicKey& key) const;
+  bool heard_of(const std::string& name, std::int64_t since_us) const;
+  void make_room();
+  void note_motion(const Session& session, const OperatorCommand& command, std::int64_t now_us);
+
+  SigningKey own_;
+  std::vector<KnownOperator> operators_;
+  std::map<std::uint64_t, Session> sessions_;
+  TokenBucket hellos_;
+  std::string driver_;
+  std::int64_t driver_heard_us_ = 0;
+  std::string mover_;            ///< whose command moves the robot
+  std::int64_t moved_us_ = 0;    ///< when he said it
+  bool ends_by_itself_ = false;  ///< what he asked for
+  bool left_ = false;            ///< he said goodbye since
+  std::map<Turned, std::int64_t> counts_;
+};
+
+}  // namespace sprung::gateway

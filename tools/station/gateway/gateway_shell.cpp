@@ -1,0 +1,300 @@
+#include "tools/station/gateway/gateway_shell.h"
+
+#include <sodium.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "lcmtypes/channels.h"
+#include "robots/maintenance.h"
+#include "robots/robot_loader.h"
+#include "runtime/log.h"
+#include "runtime/session_clock.h"
+#include "runtime/stop_request.h"
+#include "tools/operate/launcher/run_file.h"
+#include "tools/station/gateway/audit_log.h"
+#include "tools/station/gateway/file_parts.h"
+#include "tools/station/gateway/gate.h"
+#include "tools/station/server/robot_link_shell.h"
+
+namespace sprung::gateway {
+namespace {
+
+namespace fs = std::filesystem;
+using station::RobotLink;
+
+constexpr int kTick_ms = 10;
+constexpr std::int64_t kWatch_us = 50'000, kProcesses_us = 500'000, kLook_us = 1'000'000;
+constexpr int kMostAtOnce = 500;  // datagrams; then the robot is served again
+constexpr std::uintmax_t kLargestRobotFile = 1'000'000;
+
+/// How often a channel's newest goes out. [design choice] what a page draws twenty times a second; the rest
+/// people read.
+struct Decimated {
+  RobotLink::Reader reader;
+  std::int64_t each_us;
+  std::int64_t next_us = 0;
+};
+
+std::vector<Decimated> decimated_channels() {
+  std::vector<Decimated> out;
+  for (const char* drawn : {channels::kDriveState, channels::kJointState, channels::kMotionState,
+                            channels::kSafetyState, channels::kLegCommand, channels::kDriveCommand})
+    out.push_back({{drawn, 0}, 50'000});
+  for (const char* read : {channels::kBusState, channels::kAuxiliaryState, channels::kImu})
+    out.push_back({{read, 0}, 200'000});
+  return out;
+}
+
+std::string message_text(const std::string& channel, const void* data, std::size_t size) {
+  return channel + '\0' + std::string(static_cast<const char*>(data), size);
+}
+
+template <class M>
+std::string message_text(const std::string& channel, const M& message) {
+  std::string bytes(static_cast<std::size_t>(message.getEncodedSize()), '\0');
+  message.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
+  return message_text(channel, bytes.data(), bytes.size());
+}
+
+RobotConfig robot_of(const RunInfo& info) {
+  const RobotConfig robot = as_in_preset(load_robot(info.robot_folder), info.preset);
+  return info.maintenance ? for_maintenance(robot) : robot;
+}
+
+bool is_moving(MotionPhase phase) noexcept {
+  switch (phase) {
+    case MotionPhase::kCrouch:
+    case MotionPhase::kThrust:
+    case MotionPhase::kFlight:
+    case MotionPhase::kLanding:
+    case MotionPhase::kRecover:
+    case MotionPhase::kMovingJoint:
+    case MotionPhase::kComplying:
+    case MotionPhase::kWalking:
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// A robot that is up, and what goes out of it.
+class ServedRobot {
+ public:
+  explicit ServedRobot(const RunInfo& info) : info_(info), link_(info, robot_of(info)) {
+    nlohmann::ordered_json run{{"run", nlohmann::ordered_json::parse(run_text(info))}};
+    run["files"] = nlohmann::ordered_json::array();
+    std::error_code none;
+    for (const auto& entry : fs::directory_iterator(info.robot_folder, none))
+      if (entry.is_regular_file() && entry.file_size() <= kLargestRobotFile)
+        run["files"].push_back(entry.path().filename().string());
+    description_ = run.dump();
+  }
+
+  const RunInfo& info() const noexcept { return info_; }
+  RobotLink& link() noexcept { return link_; }
+  bool moves() {
+    const auto& motion = link_.hear().motion.message;
+    return motion && is_moving(static_cast<MotionPhase>(motion->state));
+  }
+
+  FilePart part(const PartRequest& request) const {
+    if (request.file == "run") return part_of(request, description_);
+    constexpr std::string_view kRobot = "robot/";
+    const std::string_view name = std::string_view(request.file)
+                                      .substr(std::min(request.file.size(), kRobot.size()));
+    if (request.file.compare(0, kRobot.size(), kRobot) != 0 || !is_plain_name(name))
+      return {request.file, request.offset, 0, "is no file that operators may have", ""};
+    return read_part(request, info_.robot_folder + "/" + std::string(name));
+  }
+
+  /// What is due: channel, a zero, message.
+  std::vector<std::string> due(std::int64_t now_us) {
+    std::vector<std::string> out;
+    for (const station::RobotAnswer& answer : link_.take_answers()) out.push_back(reply_text(answer));
+    for (Decimated& one : decimated_) {
+      if (now_us < one.next_us) continue;
+      const std::vector<std::uint8_t>* const bytes = link_.newest(one.reader);
+      if (bytes == nullptr) continue;
+      one.next_us = now_us + one.each_us;
+      out.push_back(message_text(one.reader.channel, bytes->data(), bytes->size()));
+    }
+    if (now_us < next_processes_us_) return out;
+    next_processes_us_ = now_us + kProcesses_us;
+    for (const auto& [name, status] : link_.hear().processes)
+      out.push_back(message_text(channels::kProcessStatus, status));
+    return out;
+  }
+
+ private:
+  std::string reply_text(const station::RobotAnswer& answer) const {
+    sprung_msgs::operator_reply_t reply;
+    reply.session = info_.session;
+    reply.utime = link_.utime_us();
+    reply.seq = 0;
+    reply.request_id = answer.request_id;
+    reply.took_effect_at_seq = answer.cycle;
+    reply.outcome = static_cast<std::int8_t>(answer.outcome);
+    reply.answered_by = answer.from;
+    reply.reason = answer.reason;
+    return message_text(channels::kOperatorReply, reply);
+  }
+
+  RunInfo info_;
+  RobotLink link_;
+  std::string description_;
+  std::vector<Decimated> decimated_ = decimated_channels();
+  std::int64_t next_processes_us_ = 0;
+};
+
+class Gateway {
+ public:
+  explicit Gateway(const GatewayOptions& options)
+      : options_(options),
+        socket_(UdpSocket::bound_to(options.listen)),
+        gate_(robot_key(options.state_folder), read_register(register_file())),
+        audit_(options.state_folder + "/operator-audit.jsonl") {
+    remember_register();
+  }
+
+  int port() const { return socket_.port(); }
+
+  void run() {
+    while (!stop_requested()) {
+      socket_.wait(kTick_ms);
+      const std::int64_t now_us = monotonic_us();
+      if (now_us >= next_look_us_) look(now_us);
+      hear(now_us);
+      serve(now_us);
+      audit_.step(now_us);
+    }
+    audit_.step(monotonic_us(), true);
+  }
+
+ private:
+  std::string register_file() const { return options_.state_folder + "/operators.json"; }
+
+  void remember_register() {
+    std::error_code none;
+    register_written_ = fs::last_write_time(register_file(), none);
+  }
+
+  /// Once a second: which robot is up, and who may command it.
+  void look(std::int64_t now_us) {
+    next_look_us_ = now_us + kLook_us;
+    std::error_code none;
+    if (fs::last_write_time(register_file(), none) != register_written_) read_operators();
+    const std::optional<RunInfo> run = read_run_file(options_.instance);
+    if (robot_ && (!run || run->session != robot_->info().session)) robot_.reset();
+    if (run && !robot_) meet(*run);
+  }
+
+  void read_operators() {
+    remember_register();
+    try {
+      gate_.know(read_register(register_file()));
+    } catch (const std::exception& error) {
+      log_error(std::string("operators stay as they were: ") + error.what());
+    }
+  }
+
+  void meet(const RunInfo& run) {
+    try {
+      robot_ = std::make_unique<ServedRobot>(run);
+      log_info("robot " + run.robot + " is up");
+    } catch (const std::exception& error) {
+      log_error(error.what());  // its files may be there in a second
+    }
+  }
+
+  void hear(std::int64_t now_us) {
+    std::string from;
+    for (int count = 0; count < kMostAtOnce; ++count) {
+      const auto packet = socket_.receive(from);
+      if (!packet) return;
+      std::uint64_t session = 0;
+      randombytes_buf(&session, sizeof session);
+      obey(gate_.take(from, *packet, now_us, std::max<std::uint64_t>(1, session)), from, now_us);
+    }
+  }
+
+  void obey(const Verdict& verdict, const std::string& from, std::int64_t now_us) {
+    for (const auto& [to, packet] : verdict.packets) socket_.send(packet, to);
+    if (verdict.turned != Turned::kNone)
+      return audit_.turned(name(verdict.turned), verdict.who, address_text(from), now_us);
+    if (!verdict.event.empty()) audit_.event(verdict.who, address_text(from), verdict.event);
+    if (verdict.command && robot_) robot_->link().say(*verdict.command);
+    if (verdict.part_asked.empty()) return;
+    if (const auto request = parse_request(verdict.part_asked))
+      tell(verdict.session, ToldKind::kPart, part_text(part(*request)), now_us);
+  }
+
+  FilePart part(const PartRequest& request) const {
+    if (!robot_) return {request.file, request.offset, 0, "no robot is up", ""};
+    return robot_->part(request);
+  }
+
+  void tell(std::uint64_t session, ToldKind kind, std::string text, std::int64_t now_us) {
+    if (const auto packet = gate_.tell(session, kind, std::move(text), now_us))
+      socket_.send(packet->second, packet->first);
+  }
+
+  void serve(std::int64_t now_us) {
+    const std::vector<std::uint64_t> sessions = gate_.sessions();
+    if (robot_)
+      for (const std::string& text : robot_->due(now_us))
+        for (const std::uint64_t session : sessions) tell(session, ToldKind::kMessage, text, now_us);
+    if (now_us < next_watch_us_) return;
+    next_watch_us_ = now_us + kWatch_us;
+    watch_link(now_us);
+    for (const std::uint64_t session : sessions) tell(session, ToldKind::kNews, news(session), now_us);
+  }
+
+  std::string news(std::uint64_t session) const {
+    auto out = nlohmann::ordered_json::parse(gate_.news(session));
+    out["session"] = robot_ ? robot_->info().session : 0;
+    return out.dump();
+  }
+
+  void watch_link(std::int64_t now_us) {
+    const bool moves = robot_ && robot_->moves();
+    if (gate_.link_is_lost(moves, now_us)) {
+      if (!lost_) audit_.event("gateway", "", "stop: the link to who moves the robot is lost");
+      lost_ = true;
+      OperatorCommand stop;
+      stop.kind = OperatorKind::kStop;
+      stop.request_id = now_us;
+      robot_->link().say(stop);
+    } else {
+      lost_ = false;
+    }
+    for (const std::string& name : gate_.tidy(moves, now_us))
+      audit_.event(name, "", "drives no more: not heard for 10 s");
+  }
+
+  GatewayOptions options_;
+  UdpSocket socket_;
+  Gate gate_;
+  AuditLog audit_;
+  std::unique_ptr<ServedRobot> robot_;
+  fs::file_time_type register_written_{};
+  std::int64_t next_look_us_ = 0, next_watch_us_ = 0;
+  bool lost_ = false;
+};
+
+}  // namespace
+
+void serve_operators(const GatewayOptions& options, const std::function<void(int port)>& ready) {
+  start_crypto();
+  Gateway gateway(options);
+  ready(gateway.port());
+  gateway.run();
+}
+
+}  // namespace sprung::gateway

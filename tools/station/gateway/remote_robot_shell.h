@@ -1,0 +1,43 @@
+#pragma once
+/// A robot on another computer, as if it were up on this one: what its gateway tells is said again on an LCM
+/// network of this process's own, with a run file and a key of its own, and commands that are heard there go
+/// to the gateway, signed. So `sprung --via HOST stand`, `status` and `console` are what they always are.
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "tools/station/gateway/operator_register.h"
+#include "tools/station/gateway/packets.h"
+#include "tools/station/gateway/udp_socket_shell.h"
+
+namespace sprung::gateway {
+
+struct RemoteOptions {
+  std::string host;  ///< HOST or HOST:PORT
+  std::string key;   ///< file of the operator's key
+  bool hidden = false;
+};
+
+class RemoteRobot {
+ public:
+  /// The link is there, and SPRUNG_RUN_DIR leads to the robot. @throws std::runtime_error saying what to do
+  /// where nobody answers, or does not want this operator; NotRunning where no robot is up.
+  explicit RemoteRobot(const RemoteOptions& options);
+  ~RemoteRobot();
+  RemoteRobot(const RemoteRobot&) = delete;
+  RemoteRobot& operator=(const RemoteRobot&) = delete;
+
+  /// Another operator drives from now on. @throws std::runtime_error where that is not so within 3 s.
+  void hand_over(const std::string& name);
+
+ private:
+  class Link;
+  class Mirror;
+  std::unique_ptr<Link> link_;
+  std::unique_ptr<Mirror> mirror_;
+};
+
+}  // namespace sprung::gateway
