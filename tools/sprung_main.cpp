@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <exception>
 #include <memory>
+#include <string>
 
 #include "runtime/stop_request.h"
 #include "tools/commands.h"
@@ -69,6 +70,12 @@ int run_command(const sprung::gateway::Via& via, sprung::gateway::RemoteRobot* r
   return or_unsaid(line.run(static_cast<int>(via.words.size()), via.words.data()));
 }
 
+int stop_elsewhere(const sprung::gateway::RemoteOptions& options) {
+  const std::string answer = sprung::gateway::stop_in_emergency(options);
+  std::printf("estop: %s\n", answer.empty() ? "nobody answered" : answer.c_str());
+  return answer == "accepted" || answer == "done" ? sprung::kExitDone : sprung::kExitFailed;
+}
+
 int failed(const std::exception& error, int status) {
   std::fprintf(stderr, "sprung: %s\n", error.what());
   return status;
@@ -81,10 +88,10 @@ int main(int argc, char** argv) {
   sprung::commands::use_installed_robots(sprung::program_folder());
   try {
     const sprung::gateway::Via via = sprung::gateway::take_via(argc, argv);
+    const sprung::gateway::RemoteOptions there{via.host, via.key, via.hidden};
+    if (!via.host.empty() && via.emergency) return stop_elsewhere(there);
     std::unique_ptr<sprung::gateway::RemoteRobot> remote;
-    if (!via.host.empty())
-      remote = std::make_unique<sprung::gateway::RemoteRobot>(
-          sprung::gateway::RemoteOptions{via.host, via.key, via.hidden});
+    if (!via.host.empty()) remote = std::make_unique<sprung::gateway::RemoteRobot>(there);
     return run_command(via, remote.get());
   } catch (const sprung::WrongUse& error) {
     return failed(error, sprung::kExitWrongUse);

@@ -13,6 +13,7 @@ namespace {
 constexpr double kClear_m = 0.1;
 constexpr double kSettleLinks_s = 0.5;  ///< links swing out, estimator settles
 constexpr double kTimeout_s = 60.0;
+constexpr double kStill_rad_s = 0.01;
 
 SimOptions hung_up(const RobotConfig& robot, SimOptions sim, double foot_weight_kg) {
   if (robot.has_feet()) sim.plant.emplace("suspended", hanging_height_m(robot));
@@ -36,10 +37,18 @@ class Recorder {
                                         [](const ActuatorConfig& actuator) { return actuator.referenced; });
     OperatorCommand home;
     home.kind = OperatorKind::kHome;
-    if (!referenced) order(home);
+    if (!referenced) {
+      wait_until_still();
+      order(home);
+    }
     wait(kSettleLinks_s);
   }
 
+  /// A leg that hangs swings out, the longer the less friction its gears have; homing wants it still.
+  void wait_until_still() {
+    for (double waited_s = 0.0; moves() && waited_s < kTimeout_s; waited_s += kSettleLinks_s)
+      wait(kSettleLinks_s);
+  }
   double position_rad(int joint) const { return robot_.joint_state().joints[joint].estimated_position_rad; }
   void begin() { recording_ = true; }
   /// @return the cycle in which it took effect.
@@ -51,6 +60,12 @@ class Recorder {
 
  private:
   void tick();
+  bool moves() const {
+    const auto& joints = robot_.joint_state().joints;
+    return std::any_of(joints.begin(), joints.end(), [](const EstimatedJoint& joint) {
+      return !(std::abs(joint.estimated_velocity_rad_s) < kStill_rad_s);
+    });
+  }
 
   const RobotConfig& config_;
   InProcessRobot robot_;

@@ -236,6 +236,7 @@ Verdict Gate::refused_command(std::uint64_t id, const OperatorCommand& command, 
 Verdict Gate::command(Session& session, std::uint64_t id, const Said& said, std::int64_t now_us) {
   const auto command = decoded(said.text);
   if (!command) return turned(Turned::kMalformed, session.name);
+  if (is_over(*command)) return turned(Turned::kReplayed, session.name);
   const bool emergency = command->kind == OperatorKind::kEstop;
   if (!emergency && !session.rate.take(now_us))
     return refused_command(id, *command, Turned::kTooMany, now_us);
@@ -254,7 +255,26 @@ Verdict Gate::command(Session& session, std::uint64_t id, const Said& said, std:
     driver_heard_us_ = now_us;
   }
   note_motion(session, *command, now_us);
+  note_stop(*command);
   return out;
+}
+
+bool Gate::is_over(const OperatorCommand& command) const {
+  return command.kind == OperatorKind::kEstop &&
+         std::find(stops_over_.begin(), stops_over_.end(), command.request_id) != stops_over_.end();
+}
+
+void Gate::note_stop(const OperatorCommand& command) {
+  if (command.kind == OperatorKind::kClear) {
+    stops_over_.insert(stops_over_.end(), stops_.begin(), stops_.end());
+    stops_.clear();
+    if (stops_over_.size() > kRemembered)
+      stops_over_.erase(stops_over_.begin(), stops_over_.end() - kRemembered);
+  }
+  if (command.kind != OperatorKind::kEstop) return;
+  if (std::find(stops_.begin(), stops_.end(), command.request_id) != stops_.end()) return;
+  stops_.push_back(command.request_id);
+  if (stops_.size() > kRemembered) stops_.erase(stops_.begin());
 }
 
 void Gate::note_motion(const Session& session, const OperatorCommand& command, std::int64_t now_us) {

@@ -71,9 +71,10 @@ class Gate {
   /// [design choice] of a command's time against ours: 100 ms of delay, as much of jitter, a gap's length
   /// less than what would be old.
   static constexpr std::int64_t kOldest_us = 1'000'000, kMostAhead_us = 250'000;
-  /// Nothing heard for as long while the robot moves: the link is lost. With the gait's last steps the robot
-  /// stands within 2 s.
-  static constexpr std::int64_t kLost_us = 700'000;
+  /// Nothing heard for as long while the robot moves: the link is lost. With the gait's last steps, and
+  /// rising to the stand, the robot stands within 2 s. An operator says something every 20 ms: with 100 ms of
+  /// jitter seven in a row must be lost.
+  static constexpr std::int64_t kLost_us = 250'000;
   /// Nothing heard for as long: the conversation is over, and so is driving, once the robot does not move.
   static constexpr std::int64_t kOver_us = 10'000'000;
   static constexpr std::size_t kMostSessions = 32;
@@ -131,6 +132,8 @@ class Gate {
   const KnownOperator* known(const PublicKey& key) const;
   bool heard_of(const std::string& name, std::int64_t since_us) const;
   void make_room();
+  bool is_over(const OperatorCommand& command) const;
+  void note_stop(const OperatorCommand& command);
   void note_motion(const Session& session, const OperatorCommand& command, std::int64_t now_us);
 
   SigningKey own_;
@@ -143,6 +146,10 @@ class Gate {
   std::int64_t moved_us_ = 0;    ///< when he said it
   bool ends_by_itself_ = false;  ///< what he asked for
   bool left_ = false;            ///< he said goodbye since
+  /// Emergency stops that were let in, said again and again: those before a `clear` are over, and a copy that
+  /// comes late would stop the robot once more.
+  static constexpr std::size_t kRemembered = 16;
+  std::vector<std::int64_t> stops_, stops_over_;
   std::map<Turned, std::int64_t> counts_;
 };
 

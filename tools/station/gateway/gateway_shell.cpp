@@ -265,17 +265,22 @@ class Gateway {
   void watch_link(std::int64_t now_us) {
     const bool moves = robot_ && robot_->moves();
     if (gate_.link_is_lost(moves, now_us)) {
-      if (!lost_) audit_.event("gateway", "", "stop: the link to who moves the robot is lost");
-      lost_ = true;
-      OperatorCommand stop;
-      stop.kind = OperatorKind::kStop;
-      stop.request_id = now_us;
-      robot_->link().say(stop);
+      say_stop(now_us);
     } else {
-      lost_ = false;
+      stop_.request_id = 0;
     }
     for (const std::string& name : gate_.tidy(moves, now_us))
       audit_.event(name, "", "drives no more: not heard for 10 s");
+  }
+
+  /// The same one until the robot stands: another would begin the gait's stopping anew.
+  void say_stop(std::int64_t now_us) {
+    if (stop_.request_id == 0) {
+      audit_.event("gateway", "", "stop: the link to who moves the robot is lost");
+      stop_.kind = OperatorKind::kStop;
+      stop_.request_id = now_us;
+    }
+    robot_->link().say(stop_);
   }
 
   GatewayOptions options_;
@@ -285,7 +290,7 @@ class Gateway {
   std::unique_ptr<ServedRobot> robot_;
   fs::file_time_type register_written_{};
   std::int64_t next_look_us_ = 0, next_watch_us_ = 0;
-  bool lost_ = false;
+  OperatorCommand stop_;  ///< request 0: the link is there
 };
 
 }  // namespace

@@ -33,10 +33,10 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr std::int64_t kHelloAgain_us = 300'000, kAlive_us = 100'000, kEstopAgain_us = 20'000;
+constexpr std::int64_t kHelloAgain_us = 300'000, kAlive_us = 20'000, kEstopAgain_us = 20'000;
 constexpr std::int64_t kGiveUp_us = 10'000'000;
 /// Nothing heard: the link is lost. After the second one it is begun anew.
-constexpr std::int64_t kLost_us = 700'000, kAnew_us = 2'000'000;
+constexpr std::int64_t kLost_us = 500'000, kAnew_us = 2'000'000;
 /// Of a message that was quicker than all before: it must not seem to come from the future (freshness.h).
 constexpr std::int64_t kMargin_us = 50'000;
 constexpr std::int64_t kStatus_us = 500'000;
@@ -207,6 +207,19 @@ std::string private_folder() {
   return path;
 }
 
+std::optional<sprung_msgs::operator_reply_t> reply_in(const Told& told) {
+  const std::string channel = std::string(channels::kOperatorReply) + '\0';
+  if (told.kind != ToldKind::kMessage || told.text.compare(0, channel.size(), channel) != 0)
+    return std::nullopt;
+  ReceiveGuard guard(channels::kOperatorReply, layout_of<sprung_msgs::operator_reply_t>(),
+                     CountLimits::none(), 0);
+  sprung_msgs::operator_reply_t out;
+  if (guard.decode(told.text.data() + channel.size(), told.text.size() - channel.size(), out) !=
+      Refusal::kNone)
+    return std::nullopt;
+  return out;
+}
+
 std::string encoded(const sprung_msgs::operator_command_t& command) {
   std::string out(static_cast<std::size_t>(command.getEncodedSize()), '\0');
   command.encode(out.data(), 0, static_cast<int>(out.size()));
@@ -324,7 +337,7 @@ class RemoteRobot::Mirror {
     if (end == std::string::npos) return;
     const std::string channel = told.text.substr(0, end);
     const std::string_view bytes = std::string_view(told.text).substr(end + 1);
-    if (channel == channels::kOperatorReply) note_reply(bytes);
+    if (const auto reply = reply_in(told); reply && reply->request_id == estop_id_) estop_.clear();
     const auto found = channels_.find(channel);
     if (found != channels_.end()) found->second(bytes);
   }
@@ -337,12 +350,6 @@ class RemoteRobot::Mirror {
     you_ = news.value("you", "");
     role_ = news.value("role", "");
     gone_ = news.value("session", std::int64_t{0}) != info_.session;
-  }
-
-  void note_reply(std::string_view bytes) {
-    sprung_msgs::operator_reply_t reply;
-    const int size = static_cast<int>(bytes.size());
-    if (reply.decode(bytes.data(), 0, size) == size && reply.request_id == estop_id_) estop_.clear();
   }
 
   /// An emergency stop is said until somebody answers.
@@ -405,6 +412,35 @@ class RemoteRobot::Mirror {
   std::atomic<bool> over_{false};
   std::thread thread_;
 };
+
+std::string RemoteRobot::emergency(const RemoteOptions& options) {
+  start_crypto();
+  Link link(options, read_operator_key(options.key));
+  link.open();
+  sprung_msgs::operator_command_t message;
+  OperatorCommand stop;
+  stop.kind = OperatorKind::kEstop;
+  stop.request_id = utc_us();
+  to_message(stop, 0, message);
+  const std::string text = encoded(message);
+  const std::int64_t end_us = monotonic_us() + kGiveUp_us;
+  for (std::int64_t next_us = 0; monotonic_us() < end_us && !stop_requested();) {
+    if (monotonic_us() >= next_us) {
+      link.say(SaidKind::kCommand, text, monotonic_us());
+      next_us = monotonic_us() + kEstopAgain_us;
+    }
+    link.wait_and_hear(5);
+    for (const Told& told : link.take_told()) {
+      const auto reply = reply_in(told);
+      if (reply && reply->request_id == stop.request_id)
+        return name(static_cast<OperatorOutcome>(reply->outcome)) +
+               (reply->reason.empty() ? "" : ": " + reply->reason);
+    }
+  }
+  return "";
+}
+
+std::string stop_in_emergency(const RemoteOptions& options) { return RemoteRobot::emergency(options); }
 
 RemoteRobot::RemoteRobot(const RemoteOptions& options) {
   start_crypto();

@@ -21,6 +21,11 @@ struct RemoteOptions {
   bool hidden = false;
 };
 
+/// Stops the robot at once, before anything else is asked of it: `estop` every 20 ms from the first datagram
+/// that a conversation allows. @return what the robot answered; empty: nobody did in 10 s. @throws as
+/// RemoteRobot.
+std::string stop_in_emergency(const RemoteOptions& options);
+
 class RemoteRobot {
  public:
   /// The link is there, and SPRUNG_RUN_DIR leads to the robot. @throws std::runtime_error saying what to do
@@ -34,6 +39,8 @@ class RemoteRobot {
   void hand_over(const std::string& name);
 
  private:
+  friend std::string stop_in_emergency(const RemoteOptions& options);
+  static std::string emergency(const RemoteOptions& options);
   class Link;
   class Mirror;
   std::unique_ptr<Link> link_;

@@ -44,6 +44,7 @@ Via take_via(int argc, const char* const* argv) {
     return std::string_view(word) == "--help" || std::string_view(word) == "-h";
   });
   if (help) out.host.clear();
+  out.emergency = !help && command == "estop";
   if (!help && command != kHandOver &&
       std::find(kFromElsewhere.begin(), kFromElsewhere.end(), command) == kFromElsewhere.end())
     throw WrongUse("sprung " + std::string(command) + " is of the robot's own computer, not --via another");

@@ -10,6 +10,7 @@ struct Via {
   std::string key;
   bool hidden = false;
   std::vector<const char*> words;  ///< the command line without them
+  bool emergency = false;          ///< the command is estop
 };
 
 /// Takes `--via HOST`, `--key FILE` and `--encrypt` from before the command. @throws WrongUse on a value that

@@ -31,6 +31,8 @@ TEST(ViaTest, StandsBeforeTheCommandAndIsTakenOffIt) {
   EXPECT_EQ(there.key, "k");
   EXPECT_TRUE(there.hidden);
   EXPECT_THAT(texts(there), testing::ElementsAre("sprung", "walk", "--via-point", "3"));
+  EXPECT_FALSE(there.emergency);
+  EXPECT_TRUE(via({"--via", "robot", "estop"}).emergency);
   const Via here = via({"stand"});
   EXPECT_EQ(here.host, "");
   EXPECT_THAT(texts(here), testing::ElementsAre("sprung", "stand"));

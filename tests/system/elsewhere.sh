@@ -1,0 +1,72 @@
+#!/usr/bin/env bash
+# A robot in one network, operators in another, a cable between: what they may and may not, who drives, a
+# revoked key, a bad wireless network, a link that is cut while the robot walks.
+# usage: elsewhere.sh SOURCE_DIR BIN_DIR      77: not as root, or no network namespaces
+set -euo pipefail
+source_dir=$1 bin=$2
+if [ -z "${ELSEWHERE_INSIDE:-}" ]; then
+  [ "$(id -u)" = 0 ] || { echo "this makes networks of its own, which takes root"; exit 77; }
+  unshare --net ip link add probe type veth 2>/dev/null || { echo "no network namespaces here"; exit 77; }
+  work=$(mktemp -d)
+  trap 'rm -rf "$work"' EXIT
+  ELSEWHERE_INSIDE=$work unshare --net --pid --fork --kill-child --mount-proc "$0" "$@"
+  exit
+fi
+work=$ELSEWHERE_INSIDE
+. "$source_dir/tests/system/elsewhere_setup.sh"
+
+robot_up pegasus
+for who in alice:drive bob:maintain wendy:watch; do
+  robot operator key new "${who%:*}" --role "${who#*:}" --out "$work/${who%:*}.key" >/dev/null
+done
+gateway_up
+robot home >"$work/said" || { cat "$work/said"; fail "home"; }
+said() { "$@" >"$work/said" 2>&1 || { cat "$work/said"; fail "$*"; }; }
+refused() { local what=$1; shift; ! "$@" >"$work/said" 2>&1 || fail "was not refused: $*"; grep -q "$what" "$work/said" || { cat "$work/said"; fail "said nothing of '$what': $*"; }; }
+
+# Nothing of the robot's own network comes out.
+elsewhere python3 "$source_dir/tests/system/hear_nothing.py" 239.255.76.69 7700 10.9.0.2
+
+said via alice status
+grep -q 'as alice (drive); nobody drives' "$work/said" || { cat "$work/said"; fail "who drives"; }
+refused 'key is to watch' via wendy stand
+said via alice stand
+refused 'alice drives' via bob sit
+said via bob status
+grep -q 'alice drives' "$work/said" || { cat "$work/said"; fail "bob does not see who drives"; }
+refused 'only who drives hands over' via bob hand-over bob
+said via alice hand-over bob
+refused 'bob drives' via alice sit
+said via bob hand-over alice
+refused 'key is to drive' via alice home
+refused "of the robot's own computer" via alice down
+said via wendy estop
+said via alice --encrypt clear
+said via alice stand
+
+# A bad network: it walks, and stops when told.
+wifi --loss 0.05 --delay-ms 100 --jitter-ms 50 --cut "$work/cut"
+over() { local who=$1; shift; elsewhere "$bin/sprung" --via 127.0.0.1:7500 --key "$work/$who.key" "$@"; }
+over alice walk --speed 0.2 >"$work/walk" 2>&1 & walk=$!
+until_phase walking || { cat "$work/walk"; fail "it does not walk over a bad network"; }
+sleep 4
+[ "$(phase)" = walking ] || { cat "$work/walk"; fail "it does not go on walking: $(phase)"; }
+# Cut: it stands within 2 s, and the other end says so.
+touch "$work/cut"
+began=$(date +%s%N)
+until_phase standing || fail "the link is cut, and the robot does not stand: $(phase)"
+took_ms=$((($(date +%s%N) - began) / 1000000))
+echo "link cut while it walks: stands after $took_ms ms"
+kill -INT $walk 2>/dev/null || true
+wait $walk || true
+rm "$work/cut"
+grep -q 'link to who moves the robot is lost' "$audit" || { cat "$audit"; fail "the audit log does not say so"; }
+said over alice estop
+said over alice clear
+
+# A key that is lost: at once.
+robot operator key revoke alice >/dev/null
+sleep 1.2
+refused 'was revoked' via alice stand
+robot down >/dev/null
+echo "operators elsewhere: roles, driver, keys, bad network, lost link"
