@@ -12,6 +12,8 @@ void add_recording_options(CommandLine& command, std::string& recorder, Recordin
                  "begin another log file after this time, minutes; 0 = never");
   command.option("--min-free-mb", recording.least_free_MB,
                  "end the log before the disk has less than this left, MB; 0 = never");
+  command.option("--keep-mb", recording.keep_MB,
+                 "logs of the folder that are kept, MB: beyond it the oldest are removed; 0 = all stay");
 }
 
 }  // namespace sprung::commands

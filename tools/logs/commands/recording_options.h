@@ -7,7 +7,7 @@
 
 namespace sprung::commands {
 
-/// --with, --channels, --split-mb, --split-min, --min-free-mb.
+/// --with, --channels, --split-mb, --split-min, --min-free-mb, --keep-mb.
 void add_recording_options(CommandLine& command, std::string& recorder, RecordingRequest& recording);
 
 }  // namespace sprung::commands

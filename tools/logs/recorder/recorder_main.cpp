@@ -5,11 +5,13 @@
 
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 
 #include "runtime/log.h"
 #include "runtime/process.h"
 #include "runtime/stop_request.h"
 #include "tools/logs/recorder/log_metadata.h"
+#include "tools/logs/recorder/log_quota.h"
 #include "tools/logs/recorder/network_tap.h"
 #include "tools/logs/recorder/news_pace.h"
 #include "tools/logs/recorder/recording_report.h"
@@ -22,6 +24,8 @@ namespace {
 constexpr int kTurn_ms = 20;
 /// What was written is handed to the kernel, and the disk looked at, this often.
 constexpr std::int64_t kTick_us = 100'000;
+/// Older logs are looked through this often.
+constexpr std::int64_t kRoom_us = 5'000'000;
 /// Ahead of all that is not in real time: the kernel holds what is not taken for about a second, then it is
 /// lost.
 constexpr int kNice = -15;
@@ -38,11 +42,12 @@ struct RecorderOptions {
   double split_MB = 0.0;
   double split_min = 0.0;
   double least_free_MB = 500.0;
+  double keep_MB = 0.0;
 
   RecordingOptions recording() const {
     const auto bytes = [](double megabytes) { return static_cast<std::uint64_t>(megabytes * 1e6); };
-    if (!(split_MB >= 0.0 && split_min >= 0.0 && least_free_MB >= 0.0))
-      throw WrongUse("--split-mb, --split-min and --min-free-mb are 0 or more");
+    if (!(split_MB >= 0.0 && split_min >= 0.0 && least_free_MB >= 0.0 && keep_MB >= 0.0))
+      throw WrongUse("--split-mb, --split-min, --min-free-mb and --keep-mb are 0 or more");
     return {file, bytes(split_MB), std::llround(split_min * 60e6), bytes(least_free_MB), true};
   }
 };
@@ -67,6 +72,7 @@ class Recorder {
         recording_(
             options.recording(),
             make_log_metadata(process.robot(), recorded_run(process, options, process.node().utime_us()))),
+        keep_bytes_(static_cast<std::uint64_t>(options.keep_MB * 1e6)),
         tap_(process.options().node.lcm_url, options.channels, queue_) {}
 
   int run() {
@@ -102,10 +108,20 @@ class Recorder {
     if (now_us < next_tick_us_) return;
     next_tick_us_ = now_us + kTick_us;
     recording_.tick(utc_us());
+    make_room(now_us);
     if (!news_pace_.due(now_us)) return;
     const std::string news = recording_.take_news();
     news_pace_.asked(now_us, !news.empty());
     if (!news.empty()) log_warn(news);
+  }
+
+  void make_room(std::int64_t now_us) {
+    if (keep_bytes_ == 0 || now_us < next_room_us_) return;
+    next_room_us_ = now_us + kRoom_us;
+    const std::string& own = recording_.files().back();
+    const std::string folder = std::filesystem::path(own).parent_path();
+    for (const std::string& gone : remove_oldest_logs(folder, keep_bytes_, own))
+      log_info("removed the oldest log for --keep-mb: " + gone);
   }
 
   /// The signal of its death comes when its first thread ends; as long as another is left, it still counts as
@@ -150,6 +166,8 @@ class Recorder {
   MessageQueue queue_;
   MessageQueue::Batch batch_;
   std::int64_t next_tick_us_ = 0;
+  std::uint64_t keep_bytes_;  ///< 0: all logs stay
+  std::int64_t next_room_us_ = 0;
   NewsPace news_pace_;
   NetworkTap tap_;  ///< last: its thread ends before the queue does
 };
@@ -176,6 +194,8 @@ int main(int argc, char** argv) {
                     "begin another file after this time, minutes; 0 = never");
         line.option("--min-free-mb", options.least_free_MB,
                     "end before the disk has less than this left, MB; 0 = never");
+        line.option("--keep-mb", options.keep_MB,
+                    "logs of the file's folder that are kept, MB: beyond it the oldest are removed; 0 = all");
         line.option("--command-line", options.command_line, "for LOG_METADATA: what started the recording");
       });
 }

@@ -15,6 +15,7 @@ struct RecordingRequest {
   double split_MB = 0.0;         ///< 0 = never
   double split_min = 0.0;        ///< 0 = never
   double least_free_MB = 500.0;  ///< of the disk; 0 = never ends for it
+  double keep_MB = 0.0;          ///< of the folder's logs, the oldest go first; 0 = all stay
 
   bool splits() const noexcept { return split_MB > 0.0 || split_min > 0.0; }
 };

@@ -9,10 +9,10 @@ void check_recording(const std::string& recorder, const RecordingRequest& record
   if (recorder != kLcmLogger) return;
   const RecordingRequest usual;
   if (recording.channels != usual.channels || recording.splits() ||
-      recording.least_free_MB != usual.least_free_MB)
+      recording.least_free_MB != usual.least_free_MB || recording.keep_MB != usual.keep_MB)
     throw std::invalid_argument(
-        "--channels, --split-mb, --split-min and --min-free-mb are sprung-recorder's: leave out --with "
-        "lcm-logger");
+        "--channels, --split-mb, --split-min, --min-free-mb and --keep-mb are sprung-recorder's: leave out "
+        "--with lcm-logger");
 }
 
 namespace {
@@ -21,7 +21,8 @@ void add_recording(std::vector<std::string>& arguments, const RecordingRequest& 
   arguments.insert(arguments.end(), {"--channels", recording.channels,                    //
                                      "--split-mb", std::to_string(recording.split_MB),    //
                                      "--split-min", std::to_string(recording.split_min),  //
-                                     "--min-free-mb", std::to_string(recording.least_free_MB)});
+                                     "--min-free-mb", std::to_string(recording.least_free_MB), "--keep-mb",
+                                     std::to_string(recording.keep_MB)});
 }
 
 }  // namespace

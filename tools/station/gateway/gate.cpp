@@ -133,6 +133,7 @@ Verdict Gate::hello(const Address& from, std::string_view packet, std::int64_t n
   Welcome welcome;
   welcome.nonce = hello->nonce;
   welcome.time_us = now_us;
+  welcome.epoch_us = epoch_us_;
   if (!one->revoked.empty()) {
     welcome.refusal = "the key of " + one->name + " was revoked on " + one->revoked;
     Verdict out = turned(Turned::kRevoked, one->name);
@@ -236,6 +237,7 @@ Verdict Gate::refused_command(std::uint64_t id, const OperatorCommand& command, 
 Verdict Gate::command(Session& session, std::uint64_t id, const Said& said, std::int64_t now_us) {
   const auto command = decoded(said.text);
   if (!command) return turned(Turned::kMalformed, session.name);
+  if (is_ahead(*command, now_us)) return turned(Turned::kMalformed, session.name);
   if (is_over(*command)) return turned(Turned::kReplayed, session.name);
   const bool emergency = command->kind == OperatorKind::kEstop;
   if (!emergency && !session.rate.take(now_us))
@@ -257,6 +259,12 @@ Verdict Gate::command(Session& session, std::uint64_t id, const Said& said, std:
   note_motion(session, *command, now_us);
   note_stop(*command);
   return out;
+}
+
+/// The robot executes none that is not newer than what it has forgotten: one of next week would be the last.
+bool Gate::is_ahead(const OperatorCommand& command, std::int64_t now_us) const noexcept {
+  constexpr std::int64_t kClocks_us = 10'000'000;
+  return command.request_id > request_id_at(now_us - epoch_us_ + kClocks_us);
 }
 
 bool Gate::is_over(const OperatorCommand& command) const {

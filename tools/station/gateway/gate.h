@@ -55,6 +55,9 @@ Role role_for(OperatorKind kind) noexcept;
 /// Where a datagram came from and an answer goes: the socket's address, as bytes.
 using Address = std::string;
 
+/// Of a request at this time of the robot's session: later ones are greater (lcmtypes/operator.lcm).
+constexpr std::int64_t request_id_at(std::int64_t session_us) noexcept { return 1024 * session_us; }
+
 /// What is to be done.
 struct Verdict {
   Turned turned = Turned::kNone;
@@ -88,6 +91,9 @@ class Gate {
 
   /// @param session, random: of a conversation that may begin now.
   Verdict take(const Address& from, std::string_view packet, std::int64_t now_us, std::uint64_t session);
+
+  /// When the session of the robot that is up began, us; 0: none is up.
+  void robot_began(std::int64_t epoch_us) noexcept { epoch_us_ = epoch_us; }
 
   /// Who the robot moves for has not been heard: `stop` is to be said. To be asked every 50 ms.
   /// @param moves the robot walks, complies or jumps.
@@ -132,6 +138,7 @@ class Gate {
   const KnownOperator* known(const PublicKey& key) const;
   bool heard_of(const std::string& name, std::int64_t since_us) const;
   void make_room();
+  bool is_ahead(const OperatorCommand& command, std::int64_t now_us) const noexcept;
   bool is_over(const OperatorCommand& command) const;
   void note_stop(const OperatorCommand& command);
   void note_motion(const Session& session, const OperatorCommand& command, std::int64_t now_us);
@@ -150,6 +157,7 @@ class Gate {
   /// comes late would stop the robot once more.
   static constexpr std::size_t kRemembered = 16;
   std::vector<std::int64_t> stops_, stops_over_;
+  std::int64_t epoch_us_ = 0;
   std::map<Turned, std::int64_t> counts_;
 };
 

@@ -191,7 +191,7 @@ class Gateway {
     std::error_code none;
     if (fs::last_write_time(register_file(), none) != register_written_) read_operators();
     const std::optional<RunInfo> run = read_run_file(options_.instance);
-    if (robot_ && (!run || run->session != robot_->info().session)) robot_.reset();
+    if (robot_ && (!run || run->session != robot_->info().session)) part_from_robot();
     if (run && !robot_) meet(*run);
   }
 
@@ -204,9 +204,15 @@ class Gateway {
     }
   }
 
+  void part_from_robot() {
+    robot_.reset();
+    gate_.robot_began(0);
+  }
+
   void meet(const RunInfo& run) {
     try {
       robot_ = std::make_unique<ServedRobot>(run);
+      gate_.robot_began(run.epoch_us);
       log_info("robot " + run.robot + " is up");
     } catch (const std::exception& error) {
       log_error(error.what());  // its files may be there in a second
@@ -265,7 +271,7 @@ class Gateway {
   void watch_link(std::int64_t now_us) {
     const bool moves = robot_ && robot_->moves();
     if (gate_.link_is_lost(moves, now_us)) {
-      say_stop(now_us);
+      say_stop();
     } else {
       stop_.request_id = 0;
     }
@@ -274,11 +280,11 @@ class Gateway {
   }
 
   /// The same one until the robot stands: another would begin the gait's stopping anew.
-  void say_stop(std::int64_t now_us) {
+  void say_stop() {
     if (stop_.request_id == 0) {
       audit_.event("gateway", "", "stop: the link to who moves the robot is lost");
       stop_.kind = OperatorKind::kStop;
-      stop_.request_id = now_us;
+      stop_.request_id = request_id_at(robot_->link().utime_us());
     }
     robot_->link().say(stop_);
   }

@@ -142,6 +142,7 @@ std::string welcome_packet(const Welcome& welcome, const SigningKey& by, const P
       .number(welcome.session)
       .bytes(welcome.exchange)
       .number(static_cast<std::uint64_t>(welcome.time_us))
+      .number(static_cast<std::uint64_t>(welcome.epoch_us))
       .text(welcome.refusal);
   return signed_by(out.out(), by, kWelcomePurpose, operator_key);
 }
@@ -157,6 +158,7 @@ std::optional<Welcome> read_welcome(std::string_view packet, const PublicKey& ro
   out.session = in.number();
   in.bytes(out.exchange);
   out.time_us = static_cast<std::int64_t>(in.number());
+  out.epoch_us = static_cast<std::int64_t>(in.number());
   if (!in.good()) return std::nullopt;
   out.refusal = in.rest();
   return out;

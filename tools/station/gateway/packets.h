@@ -35,7 +35,8 @@ struct Welcome {
   std::uint64_t session = 0;  ///< 0: refused
   PublicKey exchange{};
   std::int64_t time_us = 0;
-  std::string refusal;  ///< empty: welcome
+  std::int64_t epoch_us = 0;  ///< when the robot's session began, by the same clock; 0: no robot is up
+  std::string refusal;        ///< empty: welcome
 };
 
 /// What an operator says.

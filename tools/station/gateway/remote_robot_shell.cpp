@@ -26,6 +26,7 @@
 #include "runtime/stop_request.h"
 #include "tools/operate/launcher/run_file.h"
 #include "tools/station/gateway/file_parts.h"
+#include "tools/station/gateway/gate.h"
 
 namespace sprung::gateway {
 namespace {
@@ -129,6 +130,8 @@ class RemoteRobot::Link {
   std::int64_t offset_us() const noexcept { return offset_us_; }
   std::int64_t silent_us(std::int64_t now_us) const noexcept { return now_us - heard_us_; }
   const std::string& host() const noexcept { return host_; }
+  /// The robot's session's time.
+  std::int64_t session_us(std::int64_t now_us) const noexcept { return now_us - offset_us_ - epoch_us_; }
 
  private:
   void begin_if_due(std::int64_t now_us) {
@@ -163,6 +166,7 @@ class RemoteRobot::Link {
     seal_ = Seal::of_operator(*exchange_, welcome->exchange);
     exchange_.reset();
     session_ = welcome->session;
+    epoch_us_ = welcome->epoch_us;
     seen_ = ReplayWindow();
     said_ = 0;
     offset_us_ = std::numeric_limits<std::int64_t>::max();
@@ -185,7 +189,7 @@ class RemoteRobot::Link {
   std::optional<Seal> seal_;
   std::uint64_t session_ = 0, said_ = 0;
   ReplayWindow seen_;
-  std::int64_t offset_us_ = 0, heard_us_ = 0, next_hello_us_ = 0, next_alive_us_ = 0;
+  std::int64_t offset_us_ = 0, epoch_us_ = 0, heard_us_ = 0, next_hello_us_ = 0, next_alive_us_ = 0;
   std::string refusal_;
   std::deque<Told> told_;
 };
@@ -420,7 +424,7 @@ std::string RemoteRobot::emergency(const RemoteOptions& options) {
   sprung_msgs::operator_command_t message;
   OperatorCommand stop;
   stop.kind = OperatorKind::kEstop;
-  stop.request_id = utc_us();
+  stop.request_id = request_id_at(link.session_us(monotonic_us()));
   to_message(stop, 0, message);
   const std::string text = encoded(message);
   const std::int64_t end_us = monotonic_us() + kGiveUp_us;

@@ -147,6 +147,19 @@ TEST_F(GateTest, ACopyOfAnEmergencyStopThatComesAfterTheClearStopsNothing) {
   EXPECT_FALSE(said(encoded_command(command_of(OperatorKind::kEstop, 99))));
 }
 
+/// Of those that it has forgotten, a robot executes none that is not newer: one with a huge id would lock all
+/// others out.
+TEST_F(GateTest, ARequestOfNextWeekIsMalformed) {
+  gate_.robot_began(now_us_ - 5'000'000);
+  const auto let_in = [&](std::int64_t id) {
+    const std::string text = encoded_command(command_of(OperatorKind::kEstop, id));
+    return take(alice_.says(SaidKind::kCommand, text, now_us_)).turned;
+  };
+  EXPECT_EQ(let_in(request_id_at(5'100'000)), Turned::kNone);
+  EXPECT_EQ(let_in(request_id_at(5'000'000 + 604'800'000'000)), Turned::kMalformed);
+  EXPECT_EQ(let_in(std::numeric_limits<std::int64_t>::max()), Turned::kMalformed);
+}
+
 TEST_F(GateTest, EveryKindOfCommandHasARole) {
   for (const auto& word : kWords<OperatorKind>) {
     const bool harmless = word.value == OperatorKind::kEstop || word.value == OperatorKind::kNone;

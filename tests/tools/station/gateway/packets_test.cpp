@@ -37,12 +37,14 @@ TEST_F(PacketsTest, AWelcomeIsOfItsRobotForItsOperator) {
   Welcome welcome;
   welcome.session = 42;
   welcome.time_us = -3;
+  welcome.epoch_us = 77;
   welcome.refusal = "no";
   const std::string packet = welcome_packet(welcome, robot_, alice_.public_key());
   const auto read = read_welcome(packet, robot_.public_key(), alice_.public_key());
   ASSERT_TRUE(read);
   EXPECT_EQ(read->session, 42u);
   EXPECT_EQ(read->time_us, -3);
+  EXPECT_EQ(read->epoch_us, 77);
   EXPECT_EQ(read->refusal, "no");
   EXPECT_FALSE(read_welcome(packet, other_.public_key(), alice_.public_key()));
   EXPECT_FALSE(read_welcome(packet, robot_.public_key(), other_.public_key()));
