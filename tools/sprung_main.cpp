@@ -36,6 +36,12 @@ int run_command(const sprung::gateway::Via& via, sprung::gateway::RemoteRobot* r
   line.example(
       "sprung up single_leg --sim      then, in a second terminal: sprung stand; sprung jump; sprung down\n"
       "  sprung --via HOST stand         a robot on another computer: docs/remote.md");
+  // Taken off before the others are read (via.h); here so that --help tells of them.
+  std::string host = via.host, key = via.key;
+  bool hidden = via.hidden;
+  line.option("--via", host, "HOST or HOST:PORT of a robot's gateway: the command is for the robot there");
+  line.option("--key", key, "with --via: file of the operator's key");
+  line.flag("--encrypt", hidden, "with --via: nobody on the way reads what the robot says");
   add_up(line);
   add_down(line);
   add_motion(line);

@@ -88,7 +88,9 @@ void add_operator(CommandLine& sprung) {
   const auto made = std::make_shared<NewKey>();
   const auto revoked = std::make_shared<std::string>();
   CommandLine& who = sprung.subcommand("operator", "Who may command this robot from other computers.");
+  who.example("sprung operator key new alice");
   CommandLine& key = who.subcommand("key", "Keys of operators: on the robot's computer.");
+  key.example("sprung operator key list");
   CommandLine& make = key.subcommand("new", "Makes a key for an operator, as a file to be carried to him.");
   make.option("name", made->name, "of the operator", Need::kRequired);
   make.choice("--role", made->role, names_of<Role>(),

@@ -110,5 +110,18 @@ TEST(RecordInProcess, HangsSoThatStraightLegsEndAboveTheFloor) {
   EXPECT_NEAR(hanging_height_m(load_robot("single_leg")), 0.26 + 0.422 + 0.1, 1e-12);
 }
 
+/// Homing wants joints that are still, and a plant with little friction swings for longer than half a second.
+TEST(RecordInProcess, ALegThatSwingsOutForLongIsHomedOnceItIsStill) {
+  const RobotConfig robot = load_robot("pegasus");
+  for (const double weight_kg : {0.0, 5.0}) {
+    SimOptions sim;
+    sim.plant = {{"family.stribeck", 1.0}, {"draw", 1.0}};
+    RecordOptions options{0.3, 0.05};
+    options.foot_weight_kg = weight_kg;
+    options.loaded = true;
+    EXPECT_FALSE(record_in_process(robot, sim, 1, options).states.empty()) << weight_kg;
+  }
+}
+
 }  // namespace
 }  // namespace sprung::identify
