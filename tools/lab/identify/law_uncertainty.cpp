@@ -6,7 +6,6 @@
 namespace sprung::identify {
 
 using identification::FitPiece;
-using identification::JointDataset;
 using identification::ModelResult;
 
 namespace {

@@ -112,7 +112,7 @@ class Gate {
 
  private:
   struct Session {
-    explicit Session(Seal closed) : seal(std::move(closed)) {}
+    explicit Session(const Seal& closed) : seal(closed) {}
     PublicKey key{};
     std::string name;
     Role role = Role::kWatch;
