@@ -25,18 +25,20 @@ AuditLog::AuditLog(std::string path) : path_(std::move(path)) {
   std::error_code ignored;
   fs::create_directories(fs::path(path_).parent_path(), ignored);
   open();
+  if (!out_) throw std::runtime_error(path_ + ": cannot be written: whose folder is it?");
 }
 
 void AuditLog::open() {
   const mode_t before = umask(077);
   out_.open(path_, std::ios::app);
   umask(before);
-  if (!out_) throw std::runtime_error(path_ + ": cannot be written: whose folder is it?");
 }
 
 void AuditLog::write(const std::string& line) {
+  // A disk that is full now may not be later, nor a folder gone; the gateway goes on.
+  if (!out_.is_open()) open();
   out_ << line << "\n" << std::flush;
-  out_.clear();  // a disk that is full now may not be later; the gateway goes on
+  out_.clear();
   std::error_code error;
   if (fs::file_size(path_, error) < kLongest || error) return;
   out_.close();

@@ -39,16 +39,6 @@ bool everybody_may_stop(OperatorKind kind) noexcept {
   return kind == OperatorKind::kEstop || kind == OperatorKind::kStop;
 }
 
-std::optional<OperatorCommand> decoded(const std::string& text) {
-  sprung_msgs::operator_command_t message;
-  const int size = static_cast<int>(text.size());
-  OperatorCommand out;
-  if (message.getEncodedSize() != size || message.decode(text.data(), 0, size) != size ||
-      !from_message(message, out).good)
-    return std::nullopt;
-  return out;
-}
-
 std::string refusal_message(const OperatorCommand& command, const std::string& why, std::int64_t now_us) {
   sprung_msgs::operator_reply_t reply;
   reply.session = 0;  // the operator's own network has the robot's
@@ -95,6 +85,22 @@ void Gate::know(std::vector<KnownOperator> operators) {
   if (driver == nullptr || driver->role < Role::kDrive) driver_.clear();
 }
 
+void Gate::robot_is_up(std::int64_t run, std::int64_t epoch_us) noexcept {
+  run_ = run;
+  epoch_us_ = epoch_us;
+}
+
+std::optional<Gate::Asked> Gate::decoded(const std::string& text) {
+  sprung_msgs::operator_command_t message;
+  const int size = static_cast<int>(text.size());
+  Asked out;
+  if (message.getEncodedSize() != size || message.decode(text.data(), 0, size) != size ||
+      !from_message(message, out.command).good || out.command.kind == OperatorKind::kNone)
+    return std::nullopt;
+  out.run = message.session;
+  return out;
+}
+
 const KnownOperator* Gate::known(const PublicKey& key) const {
   const auto found = std::find_if(operators_.begin(), operators_.end(),
                                   [&](const KnownOperator& one) { return one.key == key; });
@@ -126,7 +132,7 @@ Verdict Gate::hello(const Address& from, std::string_view packet, std::int64_t n
   const auto hello = read_hello(packet);
   if (!hello) return turned(Turned::kMalformed, "");
   const KnownOperator* const one = known(hello->operator_key);
-  if (one == nullptr) return turned(Turned::kUnknown, short_name(hello->operator_key));
+  if (one == nullptr) return turned(Turned::kUnknown, "");
   if (!hellos_.take(now_us)) return turned(Turned::kTooMany, one->name);
   if (!hello_is_genuine(packet, hello->operator_key, own_.public_key()))
     return turned(Turned::kForged, one->name);
@@ -212,9 +218,11 @@ Verdict Gate::said(const Address& from, std::string_view packet, std::int64_t no
   return out;
 }
 
-Turned Gate::may_say(const Session& session, const OperatorCommand& command) const {
-  if (session.role < role_for(command.kind)) return Turned::kRole;
-  if (everybody_may_stop(command.kind)) return Turned::kNone;
+Turned Gate::may_say(const Session& session, const Asked& asked) const {
+  const OperatorKind kind = asked.command.kind;
+  if (run_ == 0 || (asked.run != run_ && kind != OperatorKind::kEstop)) return Turned::kOtherRun;
+  if (session.role < role_for(kind)) return Turned::kRole;
+  if (everybody_may_stop(kind)) return Turned::kNone;
   return driver_.empty() || driver_ == session.name ? Turned::kNone : Turned::kNotDriver;
 }
 
@@ -227,6 +235,8 @@ Verdict Gate::refused_command(std::uint64_t id, const OperatorCommand& command, 
              name(role_for(command.kind));
   if (why == Turned::kNotDriver)
     reason = driver_ + " drives; he hands over by: sprung --via ROBOT hand-over " + session.name;
+  if (why == Turned::kOtherRun)
+    reason = run_ == 0 ? "no robot is up" : "the robot was started anew: begin this command or page anew too";
   Verdict out = turned(why, session.name);
   out.session = id;
   if (auto packet = tell(id, ToldKind::kMessage, refusal_message(command, reason, now_us), now_us))
@@ -235,14 +245,15 @@ Verdict Gate::refused_command(std::uint64_t id, const OperatorCommand& command, 
 }
 
 Verdict Gate::command(Session& session, std::uint64_t id, const Said& said, std::int64_t now_us) {
-  const auto command = decoded(said.text);
-  if (!command) return turned(Turned::kMalformed, session.name);
+  const auto asked = decoded(said.text);
+  if (!asked) return turned(Turned::kMalformed, session.name);
+  const OperatorCommand* const command = &asked->command;
   if (is_ahead(*command, now_us)) return turned(Turned::kMalformed, session.name);
   if (is_over(*command)) return turned(Turned::kReplayed, session.name);
   const bool emergency = command->kind == OperatorKind::kEstop;
   if (!emergency && !session.rate.take(now_us))
     return refused_command(id, *command, Turned::kTooMany, now_us);
-  const Turned why = may_say(session, *command);
+  const Turned why = may_say(session, *asked);
   if (why != Turned::kNone) return refused_command(id, *command, why, now_us);
   Verdict out;
   out.who = session.name;
@@ -301,6 +312,7 @@ Verdict Gate::hand_over(Session& session, const std::string& to, std::int64_t no
   if (!driver_.empty() && driver_ != session.name) return turned(Turned::kNotDriver, session.name);
   driver_ = to;
   driver_heard_us_ = now_us;
+  if (mover_ == session.name) mover_ = to;  // what moves is his now: while he is heard, it goes on
   Verdict out;
   out.who = session.name;
   out.event = "hands over to " + to;

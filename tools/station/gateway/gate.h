@@ -2,10 +2,11 @@
 /// What of an operator's datagrams may reach a robot: the gateway without its sockets. Pure; times are the
 /// robot's computer's, us.
 ///
-/// A datagram is let in when its conversation is open, its number is new, its time is of now, its sender's
-/// rate is kept and its signature is right, looked at in this order; a command when its sender's role may say
-/// it, and it is his to drive. Who moves the robot first while nobody drives, drives; from then on he may
-/// hand it over. Everybody may stop it in an emergency, and whoever may drive may say `stop`.
+/// A datagram is let in when its conversation is open, its number is new, its time is of now, its signature
+/// is right and its sender's rate is kept, looked at in this order; a command when it is for the run that is
+/// up, its sender's role may say it, and it is his to drive. Who moves the robot first while nobody drives,
+/// drives; from then on he may hand it over. Everybody may stop it in an emergency, and whoever may drive may
+/// say `stop`.
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -34,6 +35,7 @@ enum class Turned : std::uint8_t {
   kForged,
   kRole,       ///< it may not be said in this role
   kNotDriver,  ///< somebody else drives
+  kOtherRun,   ///< no robot is up, or it was started anew since the operator's end has begun
 };
 constexpr auto words_of(Turned) {
   using E = Turned;
@@ -46,7 +48,8 @@ constexpr auto words_of(Turned) {
                    {E::kLate, "late"},
                    {E::kForged, "forged"},
                    {E::kRole, "not in this role"},
-                   {E::kNotDriver, "not the driver"}});
+                   {E::kNotDriver, "not the driver"},
+                   {E::kOtherRun, "for another run"}});
 }
 
 /// Lowest role that may say it.
@@ -61,7 +64,7 @@ constexpr std::int64_t request_id_at(std::int64_t session_us) noexcept { return 
 /// What is to be done.
 struct Verdict {
   Turned turned = Turned::kNone;
-  std::string who;  ///< operator's name; of a stranger his key or nothing
+  std::string who;                                       ///< operator's name; empty: a stranger
   std::vector<std::pair<Address, std::string>> packets;  ///< to be sent
   std::optional<OperatorCommand> command;                ///< to be said to the robot
   std::string event;       ///< for the audit log, of what was let in; empty: nothing worth saying
@@ -92,8 +95,10 @@ class Gate {
   /// @param session, random: of a conversation that may begin now.
   Verdict take(const Address& from, std::string_view packet, std::int64_t now_us, std::uint64_t session);
 
-  /// When the session of the robot that is up began, us; 0: none is up.
-  void robot_began(std::int64_t epoch_us) noexcept { epoch_us_ = epoch_us; }
+  /// The run that is up: its random session, and when it began, us. Commands of another session are refused,
+  /// but for an emergency stop.
+  void robot_is_up(std::int64_t run, std::int64_t epoch_us) noexcept;
+  void robot_is_down() noexcept { robot_is_up(0, 0); }
 
   /// Who the robot moves for has not been heard: `stop` is to be said. To be asked every 50 ms.
   /// @param moves the robot walks, complies or jumps.
@@ -131,7 +136,13 @@ class Gate {
   Verdict hello(const Address& from, std::string_view packet, std::int64_t now_us, std::uint64_t session);
   Verdict said(const Address& from, std::string_view packet, std::int64_t now_us);
   Verdict command(Session& session, std::uint64_t id, const Said& said, std::int64_t now_us);
-  Turned may_say(const Session& session, const OperatorCommand& command) const;
+  /// What an operator's command says, and for which run.
+  struct Asked {
+    OperatorCommand command;
+    std::int64_t run = 0;
+  };
+  static std::optional<Asked> decoded(const std::string& text);
+  Turned may_say(const Session& session, const Asked& asked) const;
   Verdict hand_over(Session& session, const std::string& to, std::int64_t now_us);
   Verdict refused_command(std::uint64_t id, const OperatorCommand& command, Turned why, std::int64_t now_us);
   Verdict turned(Turned why, std::string who);
@@ -157,6 +168,7 @@ class Gate {
   /// comes late would stop the robot once more.
   static constexpr std::size_t kRemembered = 16;
   std::vector<std::int64_t> stops_, stops_over_;
+  std::int64_t run_ = 0;  ///< session of the robot that is up; 0: none
   std::int64_t epoch_us_ = 0;
   std::map<Turned, std::int64_t> counts_;
 };

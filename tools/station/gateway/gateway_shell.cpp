@@ -190,6 +190,15 @@ class Gateway {
     next_look_us_ = now_us + kLook_us;
     std::error_code none;
     if (fs::last_write_time(register_file(), none) != register_written_) read_operators();
+    try {
+      follow_run();
+      trouble_.clear();
+    } catch (const std::exception& error) {  // what is missing may be there in a second
+      if (std::exchange(trouble_, error.what()) != error.what()) log_error(error.what());
+    }
+  }
+
+  void follow_run() {
     const std::optional<RunInfo> run = read_run_file(options_.instance);
     if (robot_ && (!run || run->session != robot_->info().session)) part_from_robot();
     if (run && !robot_) meet(*run);
@@ -206,17 +215,13 @@ class Gateway {
 
   void part_from_robot() {
     robot_.reset();
-    gate_.robot_began(0);
+    gate_.robot_is_down();
   }
 
   void meet(const RunInfo& run) {
-    try {
-      robot_ = std::make_unique<ServedRobot>(run);
-      gate_.robot_began(run.epoch_us);
-      log_info("robot " + run.robot + " is up");
-    } catch (const std::exception& error) {
-      log_error(error.what());  // its files may be there in a second
-    }
+    robot_ = std::make_unique<ServedRobot>(run);
+    gate_.robot_is_up(run.session, run.epoch_us);
+    log_info("robot " + run.robot + " is up");
   }
 
   void hear(std::int64_t now_us) {
@@ -295,6 +300,7 @@ class Gateway {
   AuditLog audit_;
   std::unique_ptr<ServedRobot> robot_;
   fs::file_time_type register_written_{};
+  std::string trouble_;  ///< said last, so that it is said once
   std::int64_t next_look_us_ = 0, next_watch_us_ = 0;
   OperatorCommand stop_;  ///< request 0: the link is there
 };

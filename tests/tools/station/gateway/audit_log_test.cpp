@@ -62,5 +62,14 @@ TEST_F(AuditLogTest, ALongOneMakesRoomForANewOne) {
   EXPECT_TRUE(std::filesystem::exists(path_ + ".1"));
 }
 
+TEST_F(AuditLogTest, AFolderThatIsGoneEndsNothingAndOneThatCannotBeRefusesAtOnce) {
+  AuditLog log(path_);
+  const std::string long_text(AuditLog::kLongest, 'x');
+  log.event("alice", "", long_text);
+  std::filesystem::remove_all(std::filesystem::path(path_).parent_path());
+  for (int k = 0; k < 3; ++k) log.event("alice", "", long_text);
+  EXPECT_THROW(AuditLog{"/proc/none/audit.jsonl"}, std::runtime_error);
+}
+
 }  // namespace
 }  // namespace sprung::gateway

@@ -18,6 +18,7 @@ constexpr std::int64_t kNow_us = 1'000'000'000;
 class GateTest : public testing::Test {
  protected:
   GateTest() {
+    gate_.robot_is_up(kSampleRun, kNow_us - 5'000'000);
     for (auto* one : {&alice_, &bob_, &watcher_}) EXPECT_TRUE(one->welcomed(take(one->hello())));
     for (auto* one : {&alice_, &bob_, &watcher_}) take(one->says(SaidKind::kAlive, "", now_us_));
   }
@@ -59,6 +60,7 @@ TEST_F(GateTest, AStrangersHelloIsNotAnswered) {
   const Verdict out = take(stranger_.hello());
   EXPECT_EQ(out.turned, Turned::kUnknown);
   EXPECT_TRUE(out.packets.empty());
+  EXPECT_EQ(out.who, "") << "whoever floods with keys that he makes up fills no log with them";
 }
 
 TEST_F(GateTest, AHelloForAnotherRobotIsForged) {
@@ -150,7 +152,6 @@ TEST_F(GateTest, ACopyOfAnEmergencyStopThatComesAfterTheClearStopsNothing) {
 /// Of those that it has forgotten, a robot executes none that is not newer: one with a huge id would lock all
 /// others out.
 TEST_F(GateTest, ARequestOfNextWeekIsMalformed) {
-  gate_.robot_began(now_us_ - 5'000'000);
   const auto let_in = [&](std::int64_t id) {
     const std::string text = encoded_command(command_of(OperatorKind::kEstop, id));
     return take(alice_.says(SaidKind::kCommand, text, now_us_)).turned;
@@ -158,6 +159,33 @@ TEST_F(GateTest, ARequestOfNextWeekIsMalformed) {
   EXPECT_EQ(let_in(request_id_at(5'100'000)), Turned::kNone);
   EXPECT_EQ(let_in(request_id_at(5'000'000 + 604'800'000'000)), Turned::kMalformed);
   EXPECT_EQ(let_in(std::numeric_limits<std::int64_t>::max()), Turned::kMalformed);
+}
+
+TEST_F(GateTest, ACommandForAnotherRunIsRefusedAndAnEmergencyStopIsNot) {
+  gate_.robot_is_up(kSampleRun + 1, now_us_ - 5'000'000);
+  const Verdict out = says(alice_, OperatorKind::kStand);
+  EXPECT_EQ(out.turned, Turned::kOtherRun);
+  EXPECT_THAT(alice_.hears(out.packets.at(0).second)->text, HasSubstr("started anew"));
+  EXPECT_TRUE(says(alice_, OperatorKind::kEstop).command);
+  gate_.robot_is_down();
+  const Verdict down = says(alice_, OperatorKind::kEstop);
+  EXPECT_EQ(down.turned, Turned::kOtherRun);
+  EXPECT_THAT(alice_.hears(down.packets.at(0).second)->text, HasSubstr("no robot is up"));
+  EXPECT_EQ(gate_.driver(), "");
+}
+
+TEST_F(GateTest, ACommandThatAsksForNothingMakesNobodyDrive) {
+  EXPECT_EQ(says(watcher_, OperatorKind::kNone).turned, Turned::kMalformed);
+  EXPECT_EQ(gate_.driver(), "");
+}
+
+TEST_F(GateTest, WhatMovesGoesWithTheWheel) {
+  says(alice_, OperatorKind::kWalk);
+  take(alice_.says(SaidKind::kHandOver, "bob", now_us_));
+  pass(1.0, {&bob_});
+  EXPECT_FALSE(gate_.link_is_lost(true, now_us_)) << "bob is there";
+  pass(1.0, {&alice_});
+  EXPECT_TRUE(gate_.link_is_lost(true, now_us_)) << "alice does not drive any more";
 }
 
 TEST_F(GateTest, EveryKindOfCommandHasARole) {

@@ -17,9 +17,11 @@ inline SigningKey key_of_number(std::uint8_t number) {
   return SigningKey(seed);
 }
 
+inline constexpr std::int64_t kSampleRun = 5;  ///< session of the robot that is up
+
 inline std::string encoded_command(const OperatorCommand& command) {
   sprung_msgs::operator_command_t message;
-  to_message(command, 5, message);
+  to_message(command, kSampleRun, message);
   std::string out(static_cast<std::size_t>(message.getEncodedSize()), '\0');
   message.encode(out.data(), 0, static_cast<int>(out.size()));
   return out;
