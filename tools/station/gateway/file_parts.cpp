@@ -9,6 +9,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// A round trip of 0.2 s carries 35 kB; a part that has not come in twice that is asked for again.
+constexpr std::size_t kPartsAtOnce = 32;
+constexpr std::int64_t kPartAgain_us = 400'000;
+
 }  // namespace
 
 std::string request_text(const PartRequest& request) {
@@ -62,6 +66,35 @@ FilePart read_part(const PartRequest& request, const std::string& path) {
   in.read(out.bytes.data(), static_cast<std::streamsize>(out.bytes.size()));
   out.bytes.resize(static_cast<std::size_t>(in.gcount()));
   return out;
+}
+
+std::vector<PartRequest> FileAssembly::due(std::int64_t now_us) {
+  std::vector<PartRequest> out;
+  const std::uint64_t end = total_ ? *total_ : bytes_.size() + 1;
+  for (std::size_t k = 0; k < kPartsAtOnce; ++k) {
+    const std::uint64_t at = bytes_.size() + k * kPartBytes;
+    if (at >= end) break;
+    const auto asked = asked_us_.find(at);
+    if (ahead_.count(at) != 0 || (asked != asked_us_.end() && now_us - asked->second < kPartAgain_us))
+      continue;
+    asked_us_[at] = now_us;
+    out.push_back({file_, at});
+  }
+  return out;
+}
+
+bool FileAssembly::take(const FilePart& part) {
+  if (part.file != file_) return true;
+  error_ = part.error;
+  if (!error_.empty()) return false;
+  total_ = part.total;
+  ahead_[part.offset] = part.bytes;
+  for (auto next = ahead_.find(bytes_.size()); next != ahead_.end() && !next->second.empty();
+       next = ahead_.find(bytes_.size())) {
+    bytes_ += next->second;
+    ahead_.erase(next);
+  }
+  return true;
 }
 
 bool is_plain_name(std::string_view name) noexcept {

@@ -2,13 +2,18 @@
 /// Files over the operator's link, a part at a time: who wants one asks for what he lacks, so that a part
 /// that is lost, or a computer that was off for a day, costs that part alone. Pure, but for read_part().
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace sprung::gateway {
 
 inline constexpr std::size_t kPartBytes = 1100;  ///< with all around it a network's frame
+
+inline constexpr const char* kNoRobot = "no robot is up";  ///< an error of a part
 
 struct PartRequest {
   std::string file;
@@ -32,6 +37,26 @@ std::optional<FilePart> parse_part(std::string_view text);
 FilePart part_of(const PartRequest& request, std::string_view whole);
 /// Of a file.
 FilePart read_part(const PartRequest& request, const std::string& path);
+/// A file as its parts come in, in any order, some of them never. Pure; times are us.
+class FileAssembly {
+ public:
+  explicit FileAssembly(std::string file) : file_(std::move(file)) {}
+
+  /// Parts that are to be asked for now: until the first one has told how long the file is, that one alone.
+  std::vector<PartRequest> due(std::int64_t now_us);
+  /// One that came, of this file or another. @return false where the robot cannot give it: error() says why.
+  bool take(const FilePart& part);
+  bool whole() const noexcept { return total_ && bytes_.size() >= *total_; }
+  const std::string& bytes() const noexcept { return bytes_; }  ///< from the begin, without a gap
+  const std::string& error() const noexcept { return error_; }
+
+ private:
+  std::string file_, bytes_, error_;
+  std::optional<std::uint64_t> total_;
+  std::map<std::uint64_t, std::string> ahead_;      ///< parts behind a gap
+  std::map<std::uint64_t, std::int64_t> asked_us_;  ///< by offset
+};
+
 /// A file's name, not a way to one.
 bool is_plain_name(std::string_view name) noexcept;
 

@@ -8,6 +8,8 @@
 #include "lcmtypes/channels.h"
 #include "signals/messages.h"
 #include "signals/mode_names.h"
+#include "tools/station/gateway/file_parts.h"
+#include "tools/station/gateway/message_bytes.h"
 
 namespace sprung::gateway {
 namespace {
@@ -49,10 +51,7 @@ std::string refusal_message(const OperatorCommand& command, const std::string& w
   reply.outcome = static_cast<std::int8_t>(OperatorOutcome::kRefused);
   reply.answered_by = "operator-gateway";
   reply.reason = why;
-  const int size = reply.getEncodedSize();
-  std::string bytes(static_cast<std::size_t>(size), '\0');
-  reply.encode(bytes.data(), 0, size);
-  return std::string(channels::kOperatorReply) + '\0' + bytes;
+  return message_text(channels::kOperatorReply, encoded(reply));
 }
 
 }  // namespace
@@ -236,7 +235,7 @@ Verdict Gate::refused_command(std::uint64_t id, const OperatorCommand& command, 
   if (why == Turned::kNotDriver)
     reason = driver_ + " drives; he hands over by: sprung --via ROBOT hand-over " + session.name;
   if (why == Turned::kOtherRun)
-    reason = run_ == 0 ? "no robot is up" : "the robot was started anew: begin this command or page anew too";
+    reason = run_ == 0 ? kNoRobot : "the robot was started anew: begin this command or page anew too";
   Verdict out = turned(why, session.name);
   out.session = id;
   if (auto packet = tell(id, ToldKind::kMessage, refusal_message(command, reason, now_us), now_us))

@@ -1,6 +1,7 @@
 #include "tools/station/gateway/gateway_shell.h"
 
 #include <sodium.h>
+#include <sprung_version.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -12,15 +13,15 @@
 #include <vector>
 
 #include "lcmtypes/channels.h"
-#include "robots/maintenance.h"
-#include "robots/robot_loader.h"
 #include "runtime/log.h"
 #include "runtime/session_clock.h"
 #include "runtime/stop_request.h"
+#include "runtime/types_hash.h"
 #include "tools/operate/launcher/run_file.h"
 #include "tools/station/gateway/audit_log.h"
 #include "tools/station/gateway/file_parts.h"
 #include "tools/station/gateway/gate.h"
+#include "tools/station/gateway/message_bytes.h"
 #include "tools/station/server/robot_link_shell.h"
 
 namespace sprung::gateway {
@@ -52,22 +53,6 @@ std::vector<Decimated> decimated_channels() {
   return out;
 }
 
-std::string message_text(const std::string& channel, const void* data, std::size_t size) {
-  return channel + '\0' + std::string(static_cast<const char*>(data), size);
-}
-
-template <class M>
-std::string message_text(const std::string& channel, const M& message) {
-  std::string bytes(static_cast<std::size_t>(message.getEncodedSize()), '\0');
-  message.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
-  return message_text(channel, bytes.data(), bytes.size());
-}
-
-RobotConfig robot_of(const RunInfo& info) {
-  const RobotConfig robot = as_in_preset(load_robot(info.robot_folder), info.preset);
-  return info.maintenance ? for_maintenance(robot) : robot;
-}
-
 bool is_moving(MotionPhase phase) noexcept {
   switch (phase) {
     case MotionPhase::kCrouch:
@@ -87,8 +72,10 @@ bool is_moving(MotionPhase phase) noexcept {
 /// A robot that is up, and what goes out of it.
 class ServedRobot {
  public:
-  explicit ServedRobot(const RunInfo& info) : info_(info), link_(info, robot_of(info)) {
-    nlohmann::ordered_json run{{"run", nlohmann::ordered_json::parse(run_text(info))}};
+  explicit ServedRobot(const RunInfo& info) : info_(info), link_(info, station::robot_of(info)) {
+    nlohmann::ordered_json run{{"run", nlohmann::ordered_json::parse(run_text(info))},
+                               {"types", types_hash()},
+                               {"version", SPRUNG_GIT_HASH}};
     run["files"] = nlohmann::ordered_json::array();
     std::error_code none;
     for (const auto& entry : fs::directory_iterator(info.robot_folder, none))
@@ -123,12 +110,13 @@ class ServedRobot {
       const std::vector<std::uint8_t>* const bytes = link_.newest(one.reader);
       if (bytes == nullptr) continue;
       one.next_us = now_us + one.each_us;
-      out.push_back(message_text(one.reader.channel, bytes->data(), bytes->size()));
+      out.push_back(
+          message_text(one.reader.channel, {reinterpret_cast<const char*>(bytes->data()), bytes->size()}));
     }
     if (now_us < next_processes_us_) return out;
     next_processes_us_ = now_us + kProcesses_us;
     for (const auto& [name, status] : link_.hear().processes)
-      out.push_back(message_text(channels::kProcessStatus, status));
+      out.push_back(message_text(channels::kProcessStatus, encoded(status)));
     return out;
   }
 
@@ -143,7 +131,7 @@ class ServedRobot {
     reply.outcome = static_cast<std::int8_t>(answer.outcome);
     reply.answered_by = answer.from;
     reply.reason = answer.reason;
-    return message_text(channels::kOperatorReply, reply);
+    return message_text(channels::kOperatorReply, encoded(reply));
   }
 
   RunInfo info_;
@@ -247,7 +235,7 @@ class Gateway {
   }
 
   FilePart part(const PartRequest& request) const {
-    if (!robot_) return {request.file, request.offset, 0, "no robot is up", ""};
+    if (!robot_) return {request.file, request.offset, 0, kNoRobot, ""};
     return robot_->part(request);
   }
 
@@ -269,7 +257,7 @@ class Gateway {
 
   std::string news(std::uint64_t session) const {
     auto out = nlohmann::ordered_json::parse(gate_.news(session));
-    out["session"] = robot_ ? robot_->info().session : 0;
+    out["run"] = robot_ ? robot_->info().session : 0;
     return out.dump();
   }
 

@@ -12,8 +12,6 @@
 #include <set>
 #include <stdexcept>
 
-#include "robots/maintenance.h"
-#include "robots/robot_loader.h"
 #include "runtime/stop_request.h"
 #include "tools/operate/launcher/torque_watch.h"
 #include "tools/station/foxglove/robot_messages.h"
@@ -55,11 +53,6 @@ std::string random_token() {
     text += hex;
   }
   return text;
-}
-
-RobotConfig robot_of(const RunInfo& info) {
-  const RobotConfig robot = as_in_preset(load_robot(info.robot_folder), info.preset);
-  return info.maintenance ? for_maintenance(robot) : robot;
 }
 
 /// A robot that cannot be drawn is shown by its panels: the page says why.

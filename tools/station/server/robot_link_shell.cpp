@@ -1,6 +1,11 @@
 #include "tools/station/server/robot_link_shell.h"
 
+#include <type_traits>
+
 #include "lcmtypes/channels.h"
+#include "robots/maintenance.h"
+#include "robots/robot_loader.h"
+#include "tools/station/server/robot_channels.h"
 
 namespace sprung::station {
 namespace {
@@ -20,6 +25,11 @@ NodeOptions looking(const RunInfo& info) {
 }
 
 }  // namespace
+
+RobotConfig robot_of(const RunInfo& info) {
+  const RobotConfig robot = as_in_preset(load_robot(info.robot_folder), info.preset);
+  return info.maintenance ? for_maintenance(robot) : robot;
+}
 
 void NewestBytes::put(const std::uint8_t* data, std::size_t size) {
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -54,39 +64,25 @@ RobotLink::RobotLink(const RunInfo& info, const RobotConfig& robot)
       heard_joint_reader_{channels::kJointState, 0},
       node_(looking(info)),
       commands_(node_.publisher<OperatorCommand>(channels::kOperatorCommand)) {
-  const std::size_t actuators = robot.actuators.size(), joints = robot.joints.size(),
-                    legs = robot.legs.size();
-  listen_to<sprung_msgs::drive_state_t>(channels::kDriveState, kEach_us, CountLimits::exactly(actuators));
-  listen_to<sprung_msgs::drive_command_t>(channels::kDriveCommand, kDrawn_us,
-                                          CountLimits::exactly(actuators));
-  listen_to<sprung_msgs::joint_state_t>(channels::kJointState, kDrawn_us, CountLimits::exactly(joints, legs));
-  listen_to<sprung_msgs::leg_command_t>(channels::kLegCommand, kDrawn_us, CountLimits::exactly(legs));
-  listen_to<sprung_msgs::motion_state_t>(channels::kMotionState, kDrawn_us, CountLimits::exactly(legs));
-  listen_to<sprung_msgs::safety_state_t>(channels::kSafetyState, kEach_us, CountLimits::none());
-  listen_to<sprung_msgs::imu_t>(channels::kImu, kDrawn_us, CountLimits::none());
-  listen_to<sprung_msgs::sim_truth_t>(channels::kSimTruth, kDrawn_us, CountLimits::exactly(joints, legs));
-  listen_to<sprung_msgs::bus_state_t>(
-      channels::kBusState, kDrawn_us,
-      CountLimits::exactly(robot.buses.size(), actuators + robot.encoder_cards.size()));
-  listen_to<sprung_msgs::auxiliary_state_t>(channels::kAuxiliaryState, kDrawn_us,
-                                            CountLimits::exactly(actuators));
+  visit_robot_channels(robot, [this](const auto& channel) {
+    using M = typename std::decay_t<decltype(channel)>::Message;
+    const bool each = std::is_same_v<M, sprung_msgs::drive_state_t> ||
+                      std::is_same_v<M, sprung_msgs::safety_state_t>;
+    listen_to<M>(channel.name, each ? kEach_us : kDrawn_us, channel.limits);
+  });
   node_.subscribe_message(channels::kProcessStatus, CountLimits::none(), processes_);
   node_.subscribe_message(channels::kOperatorReply, CountLimits::none(), replies_);
   node_.start();
 }
 
 const std::vector<std::pair<std::string, std::string>>& RobotLink::channels_heard() {
-  static const std::vector<std::pair<std::string, std::string>> all{
-      {channels::kDriveState, "drive_state_t"},
-      {channels::kDriveCommand, "drive_command_t"},
-      {channels::kJointState, "joint_state_t"},
-      {channels::kLegCommand, "leg_command_t"},
-      {channels::kMotionState, "motion_state_t"},
-      {channels::kSafetyState, "safety_state_t"},
-      {channels::kImu, "imu_t"},
-      {channels::kSimTruth, "sim_truth_t"},
-      {channels::kBusState, "bus_state_t"},
-      {channels::kAuxiliaryState, "auxiliary_state_t"}};
+  static const std::vector<std::pair<std::string, std::string>> all = [] {
+    std::vector<std::pair<std::string, std::string>> out;
+    visit_robot_channels({}, [&out](const auto& channel) {
+      out.emplace_back(channel.name, std::decay_t<decltype(channel)>::Message::getTypeName());
+    });
+    return out;
+  }();
   return all;
 }
 

@@ -20,6 +20,9 @@
 
 namespace sprung::station {
 
+/// As this run has it: its preset, and what maintenance allows. @throws ConfigError as load_robot().
+RobotConfig robot_of(const RunInfo& info);
+
 /// The newest message of a channel, as it came.
 class NewestBytes {
  public:

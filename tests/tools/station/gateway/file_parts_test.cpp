@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
+#include <random>
 
 #include "tests/support/own_folder.h"
 
@@ -44,6 +46,37 @@ TEST(FileParts, PartsOfATextAndOfAFileMakeItWhole) {
   EXPECT_EQ(read_part({"f", whole.size() + 5}, path).bytes, "");
   EXPECT_EQ(part_of({"f", whole.size() + 5}, whole).bytes, "");
   EXPECT_NE(read_part({"f", 0}, path + ".none").error, "");
+}
+
+TEST(FileParts, AreAssembledInWhateverOrderTheyComeAndAskedForAgainWhereTheyDoNot) {
+  std::string whole;
+  for (int k = 0; k < 40000; ++k) whole += std::to_string(k);
+  std::mt19937 random(1);
+  FileAssembly assembly("f");
+  std::vector<FilePart> on_the_way;
+  int asked = 0;
+  for (std::int64_t now_us = 0; !assembly.whole(); now_us += 50'000) {
+    ASSERT_LT(now_us, 100'000'000);
+    for (const PartRequest& request : assembly.due(now_us)) {
+      ++asked;
+      if (random() % 5 != 0) on_the_way.push_back(part_of(request, whole));
+    }
+    std::shuffle(on_the_way.begin(), on_the_way.end(), random);
+    for (std::size_t k = 0; k < 3 && !on_the_way.empty(); ++k, on_the_way.pop_back())
+      EXPECT_TRUE(assembly.take(on_the_way.back()));
+    EXPECT_TRUE(assembly.take({"another", 0, 1, "no", "x"})) << "of another file";
+  }
+  EXPECT_EQ(assembly.bytes(), whole);
+  EXPECT_LT(asked, 2 * static_cast<int>(whole.size() / kPartBytes));
+}
+
+TEST(FileParts, AFileThatCannotBeHadOrIsEmptyIsSoon) {
+  FileAssembly none("f"), empty("f");
+  EXPECT_FALSE(none.take({"f", 0, 0, "is not there", ""}));
+  EXPECT_EQ(none.error(), "is not there");
+  EXPECT_FALSE(empty.whole());
+  EXPECT_TRUE(empty.take({"f", 0, 0, "", ""}));
+  EXPECT_TRUE(empty.whole());
 }
 
 TEST(FileParts, ANameIsNoWayOutOfAFolder) {
