@@ -188,9 +188,8 @@ void LegEstimator::watch_models(double force_N, double dt_s, std::vector<Estimat
     const bool measured = joint.status == JointStatus::kOk || joint.status == JointStatus::kSaturated;
     if (!free || !measured || !joint.drive_enabled) {
       watches_[j].freeze();
-    } else if (moved_from_outside(j)) {
-      continue;
-    } else if (!joint.at_rest && std::abs(joint.estimated_velocity_rad_s) > kWatched_rad_s) {
+    } else if (!moved_from_outside(j) && !joint.at_rest &&
+               std::abs(joint.estimated_velocity_rad_s) > kWatched_rad_s) {
       const double noise_Nm = configs_[j].armature_kg_m2 * joint.estimated_acceleration_bound_rad_s2 /
                               kStdsFor95;
       WatchedMotion motion = watched(j, joint);

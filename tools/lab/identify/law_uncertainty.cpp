@@ -11,9 +11,9 @@ using identification::ModelResult;
 namespace {
 
 constexpr double kMost = 10.0;
-/// Of a gear of 3 kg, most of it steel, whose housing warms by half a kelvin for each watt (docs/sources.md,
-/// facts D2: one thermal state). Heat of minutes alone: what it is wrong by, the friction that is seen
-/// corrects.
+/// [design choice] Of a gear of 4 kg of steel, 2 kJ/K, whose housing warms by half a kelvin for each watt, as
+/// test_axis has it; one thermal state (docs/sources.md, facts D2). What it is wrong by, the friction that is
+/// seen corrects.
 constexpr double kResistance_K_W = 0.5, kTimeConstant_s = 1000.0;
 /// Of a thermometer in the room, and of a gear that has rested in it.
 constexpr double kThermometer_K = 1.5;

@@ -26,7 +26,7 @@ struct OtherDays {
 };
 
 /// `known` with what a law that tells warmth needs: the room's temperature, within a kelvin and a half, and
-/// where robot.yaml has no thermal parameters those of a gear of 3 kg.
+/// where robot.yaml has no thermal parameters those of a gear of 4 kg.
 ThermalParameters thermal_in_room(const ThermalParameters& known, double ambient_C);
 
 /// One standard deviation of the fitted law at the speeds and loads of the recording, over the law, RMS over

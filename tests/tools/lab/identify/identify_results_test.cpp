@@ -133,14 +133,20 @@ RobotConfig loaded_with(const std::string& fragment) {
   return load_robot(folder);
 }
 
-/// robot.yaml refuses a factor on viscous friction that is not there.
-TEST(Fragment, WarmthShapesNoViscousFrictionThatIsNone) {
+/// Recorded at 24 and at 40 degC, so that its law may tell warmth.
+IdentifiedJoint warmed_joint() {
   identification::RawSeries series = sample_series({}, 0.05);
   for (std::size_t i = 0; i < series.time_s.size(); ++i)
     series.temperature_C.push_back(i < series.time_s.size() / 2 ? 24.0 : 40.0);
   IdentifiedJoint joint = sample_joint(
       series, {{identification::JointTerm::kViscous, identification::JointTerm::kTemperature}});
   joint.armature = knee().armature;
+  return joint;
+}
+
+/// robot.yaml refuses a factor on viscous friction that is not there.
+TEST(Fragment, WarmthShapesNoViscousFrictionThatIsNone) {
+  IdentifiedJoint joint = warmed_joint();
   const RobotConfig robot = load_robot("single_leg");
   const JointConfig& known = robot.joints[1];
   Eigen::VectorXd& found = joint.result.models[joint.result.chosen].fit.parameters;
@@ -160,12 +166,7 @@ TEST(Fragment, WarmthShapesNoViscousFrictionThatIsNone) {
 
 /// In a room whose temperature is known a law that tells warmth needs no room for warmth.
 TEST(Fragment, ARoomsTemperatureIsWrittenForALawThatTellsWarmthAndForNoOther) {
-  identification::RawSeries series = sample_series({}, 0.05);
-  for (std::size_t i = 0; i < series.time_s.size(); ++i)
-    series.temperature_C.push_back(i < series.time_s.size() / 2 ? 24.0 : 40.0);
-  IdentifiedJoint joint = sample_joint(
-      series, {{identification::JointTerm::kViscous, identification::JointTerm::kTemperature}});
-  joint.armature = knee().armature;
+  IdentifiedJoint joint = warmed_joint();
   const auto& parameters = joint.chosen().model->parameters();
   Eigen::VectorXd& found = joint.result.models[joint.result.chosen].fit.parameters;
   const auto with_warmth = [&](double share_1_K) {
