@@ -46,6 +46,8 @@ class Relay:
         self.waiting = []
         self.count = 0
         self.passed = self.lost = 0
+        self.began = time.monotonic()
+        self.told_bytes = self.told_longest = 0  # of the robot
         self.gap = None
         self.next_gap = self.after_pause(time.monotonic())
 
@@ -94,6 +96,8 @@ class Relay:
                 self.take(data, self.back_of(address).send, time.monotonic())
             else:
                 operator = key.data
+                self.told_bytes += len(data)
+                self.told_longest = max(self.told_longest, len(data))
                 self.take(data, lambda packet, to=operator: self.front.sendto(packet, to), time.monotonic())
         now = time.monotonic()
         while self.waiting and self.waiting[0][0] <= now:
@@ -117,7 +121,9 @@ def main():
     print("ready", flush=True)
     while going:
         relay.step()
-    print(f"passed {relay.passed} lost {relay.lost}", flush=True)
+    kB_s = 1e-3 * relay.told_bytes / (time.monotonic() - relay.began)
+    print(f"passed {relay.passed} lost {relay.lost}; the robot said {kB_s:.0f} kB/s, at most "
+          f"{relay.told_longest} bytes at once", flush=True)
 
 
 if __name__ == "__main__":

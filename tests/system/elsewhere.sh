@@ -4,15 +4,8 @@
 # usage: elsewhere.sh SOURCE_DIR BIN_DIR      77: not as root, or no network namespaces
 set -euo pipefail
 source_dir=$1 bin=$2
-if [ -z "${ELSEWHERE_INSIDE:-}" ]; then
-  [ "$(id -u)" = 0 ] || { echo "this makes networks of its own, which takes root"; exit 77; }
-  unshare --net ip link add probe type veth 2>/dev/null || { echo "no network namespaces here"; exit 77; }
-  work=$(mktemp -d)
-  trap 'rm -rf "$work"' EXIT
-  ELSEWHERE_INSIDE=$work unshare --net --pid --fork --kill-child --mount-proc "$0" "$@"
-  exit
-fi
-work=$ELSEWHERE_INSIDE
+. "$source_dir/tests/system/two_networks.sh"
+own_networks "$0" "$@"
 . "$source_dir/tests/system/elsewhere_setup.sh"
 
 robot_up pegasus
@@ -24,8 +17,15 @@ robot home >"$work/said" || { cat "$work/said"; fail "home"; }
 said() { "$@" >"$work/said" 2>&1 || { cat "$work/said"; fail "$*"; }; }
 refused() { local what=$1; shift; ! "$@" >"$work/said" 2>&1 || fail "was not refused: $*"; grep -q "$what" "$work/said" || { cat "$work/said"; fail "said nothing of '$what': $*"; }; }
 
-# Nothing of the robot's own network comes out.
+# Nothing of the robot's own network comes out; what is sent to go out does, so the listener would hear it.
 elsewhere python3 "$source_dir/tests/system/hear_nothing.py" 239.255.76.69 7700 10.9.0.2
+elsewhere python3 "$source_dir/tests/system/hear_nothing.py" 239.255.76.69 7701 10.9.0.2 >"$work/heard" 2>&1 & listener=$!
+for _ in 1 2 3 4 5 6 7 8; do
+  python3 -c 'import socket; s = socket.socket(socket.AF_INET, socket.SOCK_DGRAM); s.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_TTL, 1); s.sendto(b"out", ("239.255.76.69", 7701))'
+  sleep 0.1
+done
+! wait $listener || fail "the listener would hear nothing"
+grep -q 'heard 3 bytes' "$work/heard" || { cat "$work/heard"; fail "the listener"; }
 
 said via alice status
 grep -q 'as alice (drive); nobody drives' "$work/said" || { cat "$work/said"; fail "who drives"; }

@@ -1,23 +1,12 @@
-# Two networks with a cable between them, a robot in this one, operators in the other. Sourced with $work, $bin,
-# $source_dir; inside network and process namespaces of its own.
+# A robot in this network, operators in the other. To be sourced after own_networks (two_networks.sh), with $bin
+# and $source_dir.
 export SPRUNG_RUN_DIR=$work/run SPRUNG_STATE_DIR=$work/state SPRUNG_PROGRAMS=$bin SPRUNG_MIXED_BUILDS=1
 audit=$work/state/operator-audit.jsonl
 fail() { echo "FAILED: $*"; [ ! -e "$work/up.txt" ] || tail -5 "$work/up.txt"; [ ! -e "$work/gateway.txt" ] || cat "$work/gateway.txt"; exit 1; }
 robot() { "$bin/sprung" "$@"; }
 
-ip link set lo up multicast on
-ip link add robot0 type veth peer name operator0
-unshare --net sleep 100000 & other=$!
-until [ "$(readlink /proc/$other/ns/net)" != "$(readlink /proc/$$/ns/net)" ]; do sleep 0.01; done
-ip link set operator0 netns $other
-ip address add 10.9.0.1/24 dev robot0
-ip link set robot0 up multicast on
-ip route add 239.0.0.0/8 dev robot0
+cable
 elsewhere() { env -u SPRUNG_RUN_DIR -u SPRUNG_STATE_DIR nsenter --target $other --net "$@"; }
-elsewhere ip link set lo up multicast on
-elsewhere ip address add 10.9.0.2/24 dev operator0
-elsewhere ip link set operator0 up multicast on
-elsewhere ip route add 239.0.0.0/8 dev operator0
 via() { local who=$1; shift; elsewhere "$bin/sprung" --via 10.9.0.1 --key "$work/$who.key" "$@"; }
 
 robot_up() {

@@ -5,7 +5,6 @@ import csv
 import sys
 
 STANDING, WALKING, FALLEN = "2", "11", "12"
-ESTOP_SAYS = ("estop",)
 
 
 def rows(folder):
@@ -97,18 +96,17 @@ def estops(folder, epoch_us):
 def walk(folder, epoch_us):
     motion = states(folder, "MOTION_STATE.state")
     gone = gaps(folder, epoch_us)
-    end = motion[-1][0]
+    end = probe_times(folder, "end", epoch_us)[0]
     falls = sum(1 for _, value in motion if value == FALLEN)
     walked, unexplained, last = 0.0, 0, None
     for (at, value), (until, _) in zip(motion, motion[1:] + [(end, None)]):
+        if at >= end:
+            break
         if value == WALKING:
             walked += until - at
         elif last == WALKING and not any(begin <= at <= finish + 2.0 for begin, finish in gone):
             unexplained += 1
         last = value
-    # The walk's own end is none.
-    if motion[-1][1] != WALKING and unexplained:
-        unexplained -= 1
     print(f"walked {walked:.0f} s over it with {len(gone)} gaps of 2 s: falls {falls}, "
           f"stops that no gap explains {unexplained}")
     return falls == 0 and unexplained == 0

@@ -77,6 +77,7 @@ int walk_on(OperatorClient& client, const RobotConfig& robot, double seconds) {
       sleep_s(0.1);
     }
   }
+  std::printf("end %lld\n", static_cast<long long>(monotonic_us()));
   return 0;
 }
 
