@@ -13,6 +13,9 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "runtime/open_file.h"
+#include "runtime/private_file.h"
+
 namespace sprung {
 namespace {
 
@@ -40,27 +43,6 @@ bool read_key(int fd, KeyBytes& key) noexcept {
   explicit_bzero(bytes.data(), bytes.size());
   return count == kKeyBytes;
 }
-
-/// Why a file is no key for this user; empty where it is.
-std::string mistrust(int fd, const std::string& path) {
-  struct stat found {};
-  if (fstat(fd, &found) != 0) return std::strerror(errno);
-  if (!S_ISREG(found.st_mode)) return "it is no file";
-  if (found.st_uid != geteuid() && geteuid() != 0)
-    return "it belongs to user " + std::to_string(found.st_uid);
-  if ((found.st_mode & (S_IRWXG | S_IRWXO)) != 0) return "others may read it: chmod 600 " + path;
-  return "";
-}
-
-struct OpenFile {
-  explicit OpenFile(int number) : fd(number) {}
-  ~OpenFile() {
-    if (fd >= 0) close(fd);
-  }
-  OpenFile(const OpenFile&) = delete;
-  OpenFile& operator=(const OpenFile&) = delete;
-  int fd;
-};
 
 std::shared_ptr<const MessageKey> made_of(KeyBytes& bytes) {
   auto key = std::make_shared<const MessageKey>(bytes);
@@ -93,7 +75,7 @@ std::shared_ptr<const MessageKey> read_key_file(const std::string& path) {
   if (file.fd < 0)
     throw std::runtime_error("key " + path + " cannot be read: " + std::strerror(errno) +
                              ". Who started the robot may command it");
-  const std::string reason = mistrust(file.fd, path);
+  const std::string reason = why_not_private(file.fd, path, Others::kMayNothing);
   if (!reason.empty()) throw std::runtime_error("key " + path + " is not used: " + reason);
   KeyBytes bytes{};
   if (!read_key(file.fd, bytes))

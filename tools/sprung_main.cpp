@@ -12,7 +12,7 @@
 #include "tools/operate/commands/installed_robots.h"
 #include "tools/operate/launcher/child_process.h"
 #include "tools/station/gateway/remote_robot_shell.h"
-#include "tools/station/gateway/via.h"
+#include "tools/station/gateway/via_shell.h"
 
 namespace {
 

@@ -16,6 +16,7 @@
 #include "robots/robot_loader.h"
 #include "robots/yaml_reader.h"
 #include "runtime/log.h"
+#include "runtime/private_file.h"
 
 namespace sprung {
 
@@ -102,9 +103,8 @@ ReferenceSource read_source(const YamlMap& map) {
 
 std::string reference_file(const std::string& robot, bool simulation) {
   const std::string file = robot + (simulation ? ".simulated" : "") + ".reference.yaml";
-  if (const char* folder = std::getenv("SPRUNG_STATE_DIR")) return std::string(folder) + "/" + file;
-  if (const char* home = std::getenv("HOME")) return std::string(home) + "/.local/state/sprung/" + file;
-  return "";
+  const std::string folder = state_folder();
+  return folder.empty() ? "" : folder + "/" + file;
 }
 
 ReferenceStore::ReferenceStore(std::string path, const RobotConfig& robot)

@@ -38,15 +38,16 @@ const std::vector<std::string> kCoreFolders = {"signals",
                                                "tools/logs/fields",
                                                "tools/logs/spy",
                                                "tools/station/frames",
+                                               "tools/station/gateway",
                                                "tools/station/page",
                                                "tools/station/server"};
 const std::regex kShell(R"((_main|_shell|_lockstep|_realtime)\.(h|cpp)$)");
 const std::regex kMessages(R"(signals/messages|signals/message_fields)");
 
 /// What would bring a clock, a socket, a log, a thread or LCM into a core. An address is but a text taken
-/// apart.
+/// apart, a message's layout but numbers.
 const std::regex kForbidden(
-    R"(#include\s+[<"](lcm/|spdlog/|CLI/|runtime/(?!transport/lcm_address)|chrono|thread|mutex|condition_variable|sys/socket|sys/time|time\.h|ctime|poll\.h|unistd\.h|iostream|fstream|random|drivers/can/(can_bus|udp_bus|socketcan_bus|lockstep_link)))");
+    R"(#include\s+[<"](lcm/|spdlog/|CLI/|runtime/(?!transport/lcm_address|message_layout)|chrono|thread|mutex|condition_variable|sys/socket|sys/time|time\.h|ctime|poll\.h|unistd\.h|iostream|fstream|random|drivers/can/(can_bus|udp_bus|socketcan_bus|lockstep_link)))");
 const std::regex kMessageHeader(R"(#include\s+[<"]sprung_msgs/)");
 /// The plant's and the robot's files are read once, when a core is built.
 const std::regex kReadsFiles(R"((sim_config|plant_model|model_places|plant|foot_contact)\.(h|cpp)$)");

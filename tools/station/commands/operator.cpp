@@ -8,7 +8,7 @@
 #include "runtime/session_clock.h"
 #include "runtime/utc_text.h"
 #include "tools/commands.h"
-#include "tools/station/gateway/operator_register.h"
+#include "tools/station/gateway/operator_register_shell.h"
 #include "tools/station/gateway/remote_robot_shell.h"
 
 namespace sprung::commands {

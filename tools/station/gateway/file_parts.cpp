@@ -1,7 +1,6 @@
 #include "tools/station/gateway/file_parts.h"
 
 #include <algorithm>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 namespace sprung::gateway {
@@ -49,22 +48,6 @@ std::optional<FilePart> parse_part(std::string_view text) {
 FilePart part_of(const PartRequest& request, std::string_view whole) {
   FilePart out{request.file, request.offset, whole.size(), "", ""};
   if (request.offset <= whole.size()) out.bytes = whole.substr(request.offset, kPartBytes);
-  return out;
-}
-
-FilePart read_part(const PartRequest& request, const std::string& path) {
-  FilePart out{request.file, request.offset, 0, "", ""};
-  std::ifstream in(path, std::ios::binary | std::ios::ate);
-  if (!in) {
-    out.error = "is not there";
-    return out;
-  }
-  out.total = static_cast<std::uint64_t>(in.tellg());
-  if (request.offset >= out.total) return out;
-  out.bytes.resize(std::min<std::uint64_t>(kPartBytes, out.total - request.offset));
-  in.seekg(static_cast<std::streamoff>(request.offset));
-  in.read(out.bytes.data(), static_cast<std::streamsize>(out.bytes.size()));
-  out.bytes.resize(static_cast<std::size_t>(in.gcount()));
   return out;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 /// Files over the operator's link, a part at a time: who wants one asks for what he lacks, so that a part
-/// that is lost, or a computer that was off for a day, costs that part alone. Pure, but for read_part().
+/// that is lost, or a computer that was off for a day, costs that part alone. Pure.
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -35,9 +35,8 @@ std::optional<FilePart> parse_part(std::string_view text);
 
 /// Of a text that is there.
 FilePart part_of(const PartRequest& request, std::string_view whole);
-/// Of a file.
-FilePart read_part(const PartRequest& request, const std::string& path);
-/// A file as its parts come in, in any order, some of them never. Pure; times are us.
+
+/// A file as its parts come in, in any order, some of them never. Times are us.
 class FileAssembly {
  public:
   explicit FileAssembly(std::string file) : file_(std::move(file)) {}

@@ -6,7 +6,7 @@
 #include "runtime/log.h"
 #include "runtime/stop_request.h"
 #include "tools/station/gateway/gateway_shell.h"
-#include "tools/station/gateway/operator_register.h"
+#include "tools/station/gateway/operator_register_shell.h"
 #include "tools/station/gateway/packets.h"
 
 int main(int argc, char** argv) {

@@ -18,10 +18,11 @@
 #include "runtime/stop_request.h"
 #include "runtime/types_hash.h"
 #include "tools/operate/launcher/run_file.h"
-#include "tools/station/gateway/audit_log.h"
+#include "tools/station/gateway/audit_log_shell.h"
 #include "tools/station/gateway/file_parts.h"
 #include "tools/station/gateway/gate.h"
 #include "tools/station/gateway/message_bytes.h"
+#include "tools/station/gateway/served_files_shell.h"
 #include "tools/station/server/robot_link_shell.h"
 
 namespace sprung::gateway {

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "tools/station/gateway/operator_register.h"
+#include "tools/station/gateway/operator_register_shell.h"
 #include "tools/station/gateway/packets.h"
 #include "tools/station/gateway/replay_window.h"
 #include "tools/station/gateway/udp_socket_shell.h"

@@ -30,7 +30,8 @@ struct KnownOperator {
   std::string revoked;  ///< UTC; empty: it holds
 };
 
-/// The register's file: $SPRUNG_STATE_DIR, else ~/.local/state/sprung, /operators.json.
+/// operators.json in the state folder (runtime/private_file.h). @throws std::runtime_error where there is
+/// none.
 std::string register_path();
 /// @throws std::runtime_error naming file and remedy where it is malformed, or others may write it.
 std::vector<KnownOperator> read_register(const std::string& path);
@@ -41,7 +42,8 @@ void write_register(const std::string& path, const std::vector<KnownOperator>& o
 std::vector<KnownOperator> parse_register(std::string_view text, const std::string& path);
 std::string register_text(const std::vector<KnownOperator>& operators);
 
-/// The robot's own key, made when there is none: gateway.key beside the register.
+/// The robot's own key, made when there is none: gateway.key beside the register. @throws std::runtime_error
+/// as read_key_file.
 SigningKey robot_key(const std::string& folder);
 
 /// What an operator carries away: his secret, and the robot's public key by which he knows it.

@@ -1,11 +1,11 @@
-#include "tools/station/gateway/via.h"
+#include "tools/station/gateway/via_shell.h"
 
 #include <algorithm>
 #include <array>
 #include <string_view>
 
 #include "runtime/command_line.h"
-#include "tools/station/gateway/operator_register.h"
+#include "tools/station/gateway/operator_register_shell.h"
 
 namespace sprung::gateway {
 namespace {

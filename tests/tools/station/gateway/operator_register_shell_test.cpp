@@ -1,4 +1,4 @@
-#include "tools/station/gateway/operator_register.h"
+#include "tools/station/gateway/operator_register_shell.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -73,7 +73,7 @@ TEST_F(OperatorRegister, TheRobotsKeyStaysTheSameAndIsItsOwnersAlone) {
   EXPECT_THAT(refusal([&] { (void)robot_key(folder_.path()); }), HasSubstr("chmod 600"));
   chmod(path("gateway.key").c_str(), 0600);
   std::ofstream(path("gateway.key")) << "x\n";
-  EXPECT_THAT(refusal([&] { (void)robot_key(folder_.path()); }), HasSubstr("is no key"));
+  EXPECT_THAT(refusal([&] { (void)robot_key(folder_.path()); }), HasSubstr("does not hold 32 bytes"));
 }
 
 TEST_F(OperatorRegister, AnOperatorsKeyIsReadBackAndNotWrittenOver) {
@@ -83,8 +83,7 @@ TEST_F(OperatorRegister, AnOperatorsKeyIsReadBackAndNotWrittenOver) {
   EXPECT_EQ(read.name, "alice");
   EXPECT_EQ(read.seed, key.seed);
   EXPECT_EQ(read.robot_key, key.robot_key);
-  EXPECT_THAT(refusal([&] { write_operator_key(path("alice.key"), key); }),
-              HasSubstr("there is one already"));
+  EXPECT_THAT(refusal([&] { write_operator_key(path("alice.key"), key); }), HasSubstr("is there already"));
   EXPECT_THAT(refusal([&] { (void)read_operator_key(path("none.key")); }), HasSubstr("operator key new"));
   chmod(path("alice.key").c_str(), 0640);
   EXPECT_THAT(refusal([&] { (void)read_operator_key(path("alice.key")); }), HasSubstr("chmod 600"));

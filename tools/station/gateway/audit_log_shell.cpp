@@ -1,4 +1,4 @@
-#include "tools/station/gateway/audit_log.h"
+#include "tools/station/gateway/audit_log_shell.h"
 
 #include <sys/stat.h>
 

@@ -1,4 +1,4 @@
-#include "tools/station/gateway/via.h"
+#include "tools/station/gateway/via_shell.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
