@@ -45,6 +45,8 @@ class AdaptiveLanding {
   /// Once a cycle, in flight and landing. @param in.progress.phase says which; kLanding from the cycle of the
   /// measured touchdown.
   AdaptiveLandingOutput step(const AdaptiveLandingInput& in) noexcept;
+  /// The preset's gains are others now; the landing's own law stays.
+  void adjust(const PresetConfig& preset) noexcept { preset_ = preset; }
 
  private:
   enum class Stage { kBefore, kAir, kGround };

@@ -16,6 +16,7 @@ bool is_loss(MotionEvent event) noexcept {
 /// [design choice] less than half of what legs in a gait do in that time.
 constexpr double kInPlace_m = 0.03;
 constexpr double kShortRecover_s = 0.25;
+constexpr double kHeightRate_m_s = 0.05;  // mean, of a robot that stands and shall stand higher or lower
 
 bool on_curve(MotionPhase phase) noexcept {
   return phase == MotionPhase::kThrust || phase == MotionPhase::kFlight || phase == MotionPhase::kLanding;
@@ -73,6 +74,25 @@ bool Motion::walk(const JointState& in, const WalkRequest& request) noexcept {
   stop_ = false;
   walking ? walk_.change(request) : walk_.begin(in, request);
   return true;
+}
+
+void Motion::change_walk(const WalkRequest& request) noexcept {
+  const WalkRequest& now = walk_.request();
+  const WalkRequest wanted = walk_.within_limits(request);
+  const bool same = wanted.speed == now.speed && wanted.height_m == now.height_m &&
+                    wanted.stance_width_m == now.stance_width_m;
+  if (!same && !stop_ && walk_.failure() == nullptr) walk_.change(wanted);
+}
+
+void Motion::adjust(const JointState& in, const AdjustableConfig& config) noexcept {
+  const double higher_m = config.preset.stand_length_m - preset_.stand_length_m;
+  preset_ = config.preset;  // of the same sizes: no heap
+  falls_ = FallDetector(config.body);
+  for (AdaptiveLanding& landing : adaptive_landing_) landing.adjust(config.preset);
+  walk_.adjust(config);
+  if (state() != MotionPhase::kStanding || higher_m == 0.0) return;
+  note_departure(in);
+  move_all(preset_.stand_length_m, std::max(kShortRecover_s, std::abs(higher_m) / kHeightRate_m_s));
 }
 
 bool Motion::sit(const JointState& in) noexcept { return process(MotionEvent::kSitRequested, in); }

@@ -53,6 +53,12 @@ class Motion {
   const char* validate_walk(const WalkRequest& request) const noexcept {
     return walk_.validate(request, state() == MotionPhase::kWalking);
   }
+  /// Of the walk that is under way, as far as its gait goes now; the rest of it stays.
+  void change_walk(const WalkRequest& request) noexcept;
+  /// Of the compliance that is under way.
+  void change_compliance(const ComplyRequest& request) noexcept { compliance_ = request; }
+  /// Parameters are others now. A robot that stands goes to its new height.
+  void adjust(const JointState& in, const AdjustableConfig& config) noexcept;
   bool sit(const JointState& in) noexcept;
   /// Nobody holds (robots/maintenance.h): a rise is damped, then off. @return false: it does not rise.
   bool let_go(const JointState& in) noexcept;

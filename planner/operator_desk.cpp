@@ -46,8 +46,10 @@ void OperatorDesk::take(int index, OperatorCommand& out) noexcept {
 }
 
 void OperatorDesk::reply(std::int64_t request_id, OperatorOutcome outcome, const char* reason,
-                         const Stamp& now) noexcept {
+                         const Stamp& now, const ParameterNews& news) noexcept {
   OperatorReply out;
+  out.parameter = news.parameter;
+  out.parameter_value = news.value;
   out.stamp = now;
   out.request_id = request_id;
   out.outcome = outcome;

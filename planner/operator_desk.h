@@ -10,6 +10,12 @@
 
 namespace sprung {
 
+/// Of a reply about a parameter: which, and its value from now on.
+struct ParameterNews {
+  std::int32_t parameter = -1;
+  double value = kNaN;
+};
+
 class OperatorDesk {
  public:
   static constexpr int kMostWaiting = 16;
@@ -24,7 +30,8 @@ class OperatorDesk {
   bool take_due(std::int64_t seq, OperatorCommand& out) noexcept;
   /// Any command that waits, due or not. @return false when there is none.
   bool take_any(OperatorCommand& out) noexcept;
-  void reply(std::int64_t request_id, OperatorOutcome outcome, const char* reason, const Stamp& now) noexcept;
+  void reply(std::int64_t request_id, OperatorOutcome outcome, const char* reason, const Stamp& now,
+             const ParameterNews& news = {}) noexcept;
   bool next_reply(OperatorReply& out) noexcept;
 
  private:

@@ -4,6 +4,7 @@
 #include "planner/motion.h"
 #include "planner/motion_hold.h"
 #include "planner/operator_desk.h"
+#include "planner/parameter_settings.h"
 #include "planner/requests.h"
 #include "planner/walk_request.h"
 #include "robots/maintenance.h"
@@ -15,6 +16,7 @@ namespace {
 constexpr const char* kLapsed = "the operator's hold was not renewed: stopped";
 constexpr const char* kNothingToEnable = "only in maintenance mode, for more than 0 s and at most 1 s";
 constexpr const char* kNotHeld = "maintenance mode: nobody holds; sprung hold, in another terminal";
+constexpr const char* kOnlyOff = "maintenance mode: only while the robot is off";
 constexpr const char* kNotMaintained = "maintenance mode: the robot neither jumps nor walks";
 
 bool leaves_the_floor(OperatorKind kind) noexcept {
@@ -34,8 +36,7 @@ struct Active {
 
 struct PlannerCore::Impl {
   Impl(const RobotConfig& robot, const PresetConfig& preset_in)
-      : preset(preset_in),
-        gaits(robot.gaits),
+      : settings(robot, preset_in),
         why_not_standing(robot.why_not_standing()),
         hold_to_run(robot.hold_to_run),
         motion(robot, preset_in) {}
@@ -55,6 +56,9 @@ struct PlannerCore::Impl {
   void watch_hold() noexcept;
   void enable(const OperatorCommand& command) noexcept;
   void watch_enabling(const JointState& in) noexcept;
+  void set_parameter(const OperatorCommand& command) noexcept;
+  void read_parameter(const OperatorCommand& command) noexcept;
+  void follow_parameters(const JointState& in) noexcept;
   const char* why_not_maintained(OperatorKind kind) const noexcept;
 
   void accept(const OperatorCommand& command, Active& as) noexcept {
@@ -77,8 +81,12 @@ struct PlannerCore::Impl {
     request = {};
   }
 
-  const PresetConfig preset;
-  const std::vector<GaitConfig> gaits;
+  const PresetConfig& preset() const noexcept { return settings.acting().preset; }
+  WalkRequest walk_asked(const OperatorCommand& command) const noexcept {
+    return walk_request(command, preset(), settings.acting().gaits);
+  }
+
+  ParameterSettings settings;
   const char* const why_not_standing;  ///< nullptr: it can
   const bool hold_to_run;
   Motion motion;
@@ -87,6 +95,7 @@ struct PlannerCore::Impl {
   std::int64_t enabled_until_us = -1;  ///< hold_to_run: by the operator's last word
   bool released = false;               ///< and what moved was stopped for it
   bool lapsed = false;                 ///< until the next request
+  OperatorCommand going_on;            ///< the last walk or comply that was accepted
   Active moving;                       ///< stand, jump, sit or a joint move
   Active stopping;                     ///< stop
   Stamp now;
@@ -113,6 +122,7 @@ void PlannerCore::Impl::step(const JointState& in) noexcept {
   watch_hold();
   watch_enabling(in);
   while (desk.take_due(now.seq, command)) execute(command, in);
+  follow_parameters(in);
   if (motion.state() != state_before || motion.last_transition() != before) note = "";
   if (lapsed) note = kLapsed;
 }
@@ -144,6 +154,10 @@ void PlannerCore::Impl::execute(const OperatorCommand& command, const JointState
       return renew_hold(command);
     case OperatorKind::kEnable:
       return enable(command);
+    case OperatorKind::kSetParameter:
+      return set_parameter(command);
+    case OperatorKind::kReadParameter:
+      return read_parameter(command);
     case OperatorKind::kNone:
       break;
   }
@@ -172,7 +186,7 @@ void PlannerCore::Impl::jump(const OperatorCommand& command, const JointState& i
 void PlannerCore::Impl::land(const OperatorCommand& command, const JointState& in) noexcept {
   if (why_not_standing != nullptr) return refuse(command, why_not_standing);
   if (motion.state() != MotionPhase::kStanding) return refuse(command, busy(motion.state()));
-  if (!preset.jumps()) return refuse(command, "this preset has no landing: the robot does not jump");
+  if (!preset().jumps()) return refuse(command, "this preset has no landing: the robot does not jump");
   if (const char* refusal = validate_land(command)) return refuse(command, refusal);
   if (motion.land(in, {command.jump_mode, command.touchdown_in_s})) accept(command, moving);
 }
@@ -183,12 +197,13 @@ void PlannerCore::Impl::comply(const OperatorCommand& command, const JointState&
   const bool possible = motion.state() == MotionPhase::kStanding || motion.state() == MotionPhase::kComplying;
   if (!possible) return refuse(command, busy(motion.state()));
   if (stopping.kind != OperatorKind::kNone) return refuse(command, "already stopping");
-  if (const char* refusal = validate_comply(command, preset)) return refuse(command, refusal);
+  if (const char* refusal = validate_comply(command, preset())) return refuse(command, refusal);
   if (const char* refusal = MotionHold::validate(command.hold_s)) return refuse(command, refusal);
-  if (motion.comply(in, comply_request(command, preset))) {
+  if (motion.comply(in, comply_request(command, preset()))) {
     note = "";
     lapsed = released = false;
     hold.begin(command.hold_s, now.utime_us);
+    going_on = command;
     accept_as_done(command, motion.last_transition());
   }
 }
@@ -200,13 +215,14 @@ void PlannerCore::Impl::walk(const OperatorCommand& command, const JointState& i
   const bool possible = motion.state() == MotionPhase::kStanding || motion.state() == MotionPhase::kWalking;
   if (!possible) return refuse(command, busy(motion.state()));
   if (stopping.kind != OperatorKind::kNone) return refuse(command, "already stopping");
-  const WalkRequest request = walk_request(command, preset, gaits);
+  const WalkRequest request = walk_asked(command);
   if (const char* refusal = motion.validate_walk(request)) return refuse(command, refusal);
   if (const char* refusal = MotionHold::validate(command.hold_s)) return refuse(command, refusal);
   if (motion.walk(in, request)) {
     note = "";
     lapsed = released = false;
     hold.begin(command.hold_s, now.utime_us);
+    going_on = command;
     accept_as_done(command, motion.last_transition());
   }
 }
@@ -260,6 +276,33 @@ void PlannerCore::Impl::watch_hold() noexcept {
   if (!hold.take_lapse(now.utime_us) || stopping.kind != OperatorKind::kNone) return;
   motion.halt();
   lapsed = true;
+}
+
+/// It begins to act in this cycle. A refusal is no word on the motion.
+void PlannerCore::Impl::set_parameter(const OperatorCommand& command) noexcept {
+  const ParameterNews asked{command.parameter, command.parameter_value};
+  const bool held_up = hold_to_run && motion.state() != MotionPhase::kIdle;
+  const char* why = held_up ? kOnlyOff
+                            : settings.why_not(command.parameter, command.parameter_value, motion.state());
+  if (why != nullptr) return desk.reply(command.request_id, OperatorOutcome::kRefused, why, now, asked);
+  settings.set(command.parameter, command.parameter_value, now.utime_us);
+  desk.reply(command.request_id, OperatorOutcome::kAccepted, "", now, asked);
+  desk.reply(command.request_id, OperatorOutcome::kDone, "set", now, asked);
+}
+
+void PlannerCore::Impl::read_parameter(const OperatorCommand& command) noexcept {
+  ParameterNews found{settings.next_changed(command.parameter), kNaN};
+  if (found.parameter >= 0) found.value = settings.wanted(found.parameter);
+  desk.reply(command.request_id, OperatorOutcome::kAccepted, "", now, found);
+  desk.reply(command.request_id, OperatorOutcome::kDone, "read", now, found);
+}
+
+/// What is under way has gains, heights and limits of its own, where it was asked for without.
+void PlannerCore::Impl::follow_parameters(const JointState& in) noexcept {
+  if (!settings.advance(now.utime_us)) return;
+  motion.adjust(in, settings.acting());
+  if (motion.state() == MotionPhase::kComplying) motion.change_compliance(comply_request(going_on, preset()));
+  if (motion.state() == MotionPhase::kWalking) motion.change_walk(walk_asked(going_on));
 }
 
 /// As renew_hold(); each is no word for the other.

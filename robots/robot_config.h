@@ -255,6 +255,14 @@ struct ProcessConfig {
   std::string host;  ///< `sprung up --host` of that name starts it; empty = the host that has the bridge
 };
 
+/// A number that overlay.yaml replaced.
+struct OverlaidNumber {
+  std::string path;  ///< from the top of robot.yaml: "presets.best.stand_length"
+  std::string unit;
+  double file = 0.0;  ///< robot.yaml's own
+  double value = 0.0;
+};
+
 struct RobotConfig {
   std::string name;
   std::string folder;  ///< where robot.yaml is
@@ -277,7 +285,9 @@ struct RobotConfig {
   /// In which a robot that nobody plans for is let down; no key either. [design choice] design section 8,
   /// about 1.5 s until the drives are off: the bridge's margin and the time of rest come after it.
   double lowering_s = 1.2;
-  std::int64_t hash = 0;  ///< of the file's bytes and the preset's name
+  std::int64_t hash = 0;                ///< of the file's bytes
+  std::vector<OverlaidNumber> overlay;  ///< robots/overlay.h
+  std::int64_t overlay_hash = 0;        ///< of those; 0: there are none
 
   /// Something is read for AUXILIARY_STATE.
   bool has_auxiliary_readings() const noexcept;

@@ -10,6 +10,7 @@
 #include "robots/file_version.h"
 #include "robots/gait_section.h"
 #include "robots/identification_sections.h"
+#include "robots/overlay.h"
 #include "robots/preset_section.h"
 #include "robots/reading_sections.h"
 #include "robots/robot_numbers.h"
@@ -21,15 +22,6 @@ namespace fs = std::filesystem;
 using namespace robot_sections;
 
 namespace {
-
-/// FNV-1a: a name for a configuration, no protection against anyone.
-std::int64_t hash_text(const std::string& text) {
-  std::uint64_t hash = 14695981039346656037ULL;
-  for (const char c : text) {
-    hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
-  }
-  return static_cast<std::int64_t>(hash >> 1);
-}
 
 std::string read_file(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
@@ -234,8 +226,10 @@ RobotConfig read_robot(const YamlMap& file) {
   for (const YamlMap& map : file.list("processes")) {
     robot.processes.push_back(read_process(map));
   }
+  const bool overlaid = file.has("overlay");  // a log's robot; files have it beside them
   file.finish();
   refuse_contradictions(file, robot);
+  if (overlaid) apply_overlay(file.map("overlay"), robot);
   return robot;
 }
 
@@ -245,12 +239,14 @@ RobotConfig load_robot(const std::string& robot) {
   RobotConfig config = read_kept_robot(path);
   config.folder = folder;
   config.hash = hash_text(read_file(path));
+  const fs::path overlay = fs::path(folder) / kOverlayFile;
+  if (fs::exists(overlay)) apply_overlay(YamlMap::load(overlay.string()), config);
   return config;
 }
 
 RobotConfig read_robot_text(const std::string& yaml, const std::string& name) {
   RobotConfig config = read_robot(YamlMap::parse(yaml, name));
-  config.hash = hash_text(yaml);
+  config.hash = hash_text(without_overlay(yaml));
   return config;
 }
 

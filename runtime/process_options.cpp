@@ -78,10 +78,11 @@ const WatchdogConfig& watchdogs_for(const RobotConfig& robot, const ProcessOptio
   return longer ? robot.simulation_watchdogs : robot.watchdogs;
 }
 
-// FNV-1a, continued from the file's hash over the preset's name; another one in maintenance mode.
+// FNV-1a, continued from the files' hashes over the preset's name; another one in maintenance mode.
 std::int64_t configuration_hash(const RobotConfig& robot, const std::string& preset) noexcept {
   auto hash = static_cast<std::uint64_t>(robot.hash) ^ 0xcbf29ce484222325U;
   if (robot.hold_to_run) hash ^= 1U;
+  hash ^= static_cast<std::uint64_t>(robot.overlay_hash);
   for (const char c : preset) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
   return static_cast<std::int64_t>(hash);
 }

@@ -77,6 +77,8 @@ const auto kOperatorCommand = [](auto& way, auto& m, auto& s) {
   way(m.stance_width_m, s.stance_width_m);
   way(m.gait_control, s.gait_control);
   way(m.hold_s, s.hold_s);
+  way(m.parameter, s.parameter);
+  way(m.parameter_value, s.parameter_value);
 };
 
 const auto kOperatorReply = [](auto& way, auto& m, auto& s) {
@@ -84,6 +86,8 @@ const auto kOperatorReply = [](auto& way, auto& m, auto& s) {
   way(m.request_id, s.request_id);
   way(m.took_effect_at_seq, s.took_effect_at_seq);
   way(m.outcome, s.outcome);
+  way(m.parameter, s.parameter);
+  way(m.parameter_value, s.parameter_value);
 };
 
 const auto kSimControl = [](auto& way, auto& m, auto& s) {

@@ -160,7 +160,9 @@ constexpr auto words_of(OperatorKind) {
                    {E::kLand, "land"},
                    {E::kWalk, "walk"},
                    {E::kHold, "hold"},
-                   {E::kEnable, "enable"}});
+                   {E::kEnable, "enable"},
+                   {E::kSetParameter, "set parameter"},
+                   {E::kReadParameter, "read parameter"}});
 }
 
 constexpr auto words_of(OperatorOutcome) {

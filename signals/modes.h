@@ -166,6 +166,8 @@ enum class OperatorKind : std::int8_t {
   kWalk = 11,    ///< planner: from standing or walking, a gait with speed and turning
   kHold = 12,    ///< planner: the operator is still there; renews a walk or comply that has begun with a hold
   kEnable = 13,  ///< planner, maintenance mode: the robot may move for hold_s (robots/maintenance.h)
+  kSetParameter = 14,   ///< planner: another value, ramped (robots/parameters.h)
+  kReadParameter = 15,  ///< planner: the next one that is not robot.yaml's
 };
 
 enum class OperatorOutcome : std::int8_t { kAccepted = 0, kRefused = 1, kDone = 2, kFailed = 3, kQueued = 4 };

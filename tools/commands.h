@@ -4,7 +4,8 @@
 
 namespace sprung::gateway {
 class RemoteRobot;
-}
+struct RemoteOptions;
+}  // namespace sprung::gateway
 
 namespace sprung::commands {
 
@@ -36,6 +37,10 @@ void add_move(CommandLine& sprung);
 void add_operator(CommandLine& sprung);  ///< operator key new, list, revoke
 /// @param remote of --via; nullptr: the command is for this computer.
 void add_hand_over(CommandLine& sprung, gateway::RemoteRobot* remote);
+/// @param elsewhere the robot is another computer's (--via).
+void add_param(CommandLine& sprung, bool elsewhere);  ///< param list, get, set, diff, save
+/// @param there of --via; its host is empty where the command is for this computer.
+void add_fetch(CommandLine& sprung, const gateway::RemoteOptions& there);
 void add_robot(CommandLine& sprung);  ///< robot show, check, new
 void add_run(CommandLine& sprung);
 void add_spy(CommandLine& sprung);

@@ -66,8 +66,10 @@ int run_command(const sprung::gateway::Via& via, sprung::gateway::RemoteRobot* r
   add_incident(line);
   add_log(line);
   add_move(line);
+  add_param(line, remote != nullptr);
   add_operator(line);
   add_hand_over(line, remote);
+  add_fetch(line, {via.host, via.key, via.hidden});
   add_robot(line);
   add_run(line);
   add_fault(line);
@@ -97,7 +99,7 @@ int main(int argc, char** argv) {
     const sprung::gateway::RemoteOptions there{via.host, via.key, via.hidden};
     if (!via.host.empty() && via.emergency) return stop_elsewhere(there);
     std::unique_ptr<sprung::gateway::RemoteRobot> remote;
-    if (!via.host.empty()) remote = std::make_unique<sprung::gateway::RemoteRobot>(there);
+    if (!via.host.empty() && !via.files_alone) remote = std::make_unique<sprung::gateway::RemoteRobot>(there);
     return run_command(via, remote.get());
   } catch (const sprung::WrongUse& error) {
     return failed(error, sprung::kExitWrongUse);

@@ -10,6 +10,9 @@ class SpeedRamp {
   SpeedRamp(double acceleration_m_s2, double turning_acceleration_rad_s2) noexcept
       : most_{acceleration_m_s2, acceleration_m_s2, turning_acceleration_rad_s2} {}
 
+  void limit(double acceleration_m_s2, double turning_acceleration_rad_s2) noexcept {
+    most_ = {acceleration_m_s2, acceleration_m_s2, turning_acceleration_rad_s2};
+  }
   void reset() noexcept {
     now_.fill(0.0);
     wanted_.fill(0.0);

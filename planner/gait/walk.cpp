@@ -32,16 +32,38 @@ Walk::Walk(const RobotConfig& robot, const PresetConfig& preset)
       gaits_(robot.gaits),
       cycle_s_(robot.cycle_s),
       stand_height_m_(preset.stand_length_m),
-      stance_friction_(preset.walk.stance_friction_compensation),
-      standing_friction_(
-          std::max(stance_friction_, preset.walk.standing_friction_share * preset.friction_compensation)),
       shape_(robot),
       weight_(shape_.legs),
-      ramp_(preset.walk.acceleration_m_s2, preset.walk.turning_acceleration_rad_s2),
       distribution_(preset.walk.floor_friction),
       feet_(robot.legs.size()) {
   width_m_ = law_.stance_width_m;
   for (const GaitConfig& gait : gaits_) backward_gaits_.push_back(backward_order(gait, shape_));
+  adjust(adjustable_of(robot, preset));
+}
+
+void Walk::adjust(const AdjustableConfig& config) noexcept {
+  law_ = config.preset.walk;
+  stance_friction_ = law_.stance_friction_compensation;
+  standing_friction_ = std::max(stance_friction_,
+                                law_.standing_friction_share * config.preset.friction_compensation);
+  ramp_.limit(law_.acceleration_m_s2, law_.turning_acceleration_rad_s2);
+  for (std::size_t i = 0; i < gaits_.size(); ++i) {
+    for (GaitConfig* gait : {&gaits_[i], &backward_gaits_[i]}) {
+      gait->lift_m = config.gaits[i].lift_m;
+      gait->height_m = config.gaits[i].height_m;
+      gait->fastest_forward_m_s = config.gaits[i].fastest_forward_m_s;
+      gait->fastest_sideways_m_s = config.gaits[i].fastest_sideways_m_s;
+      gait->fastest_turning_rad_s = config.gaits[i].fastest_turning_rad_s;
+    }
+  }
+}
+
+WalkRequest Walk::within_limits(WalkRequest request) const noexcept {
+  const GaitConfig& gait = gaits_[static_cast<std::size_t>(request.gait)];
+  const double share = speed_share(gait, request.speed);
+  if (share > 1.0)
+    for (double& speed : request.speed) speed /= share;
+  return request;
 }
 
 const char* Walk::validate(const WalkRequest& request, bool walking) const noexcept {

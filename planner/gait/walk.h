@@ -13,6 +13,7 @@
 #include "planner/gait/pace.h"
 #include "planner/gait/speed_ramp.h"
 #include "planner/gait/weight_shift.h"
+#include "robots/parameters.h"
 #include "signals/joint_state.h"
 #include "signals/leg_command.h"
 #include "signals/motion_state.h"
@@ -39,6 +40,11 @@ class Walk {
   /// Speed, height and width are ramped; another gait begins when all feet stand, one that never swings once
   /// it stands still as after stop().
   void change(const WalkRequest& request) noexcept;
+  const WalkRequest& request() const noexcept { return request_; }
+  /// Gains and gaits are others now: of the same gaits, in the same order.
+  void adjust(const AdjustableConfig& config) noexcept;
+  /// As far as that gait goes now.
+  WalkRequest within_limits(WalkRequest request) const noexcept;
   /// Slows down and sets every foot in its place once, then stands.
   void stop() noexcept;
   /// As stop(), within kHalt_s, of whom nobody watches any more: no step begins that would last longer, and a
@@ -92,14 +98,14 @@ class Walk {
   bool on_spring(std::size_t leg) const noexcept;
   const GaitConfig& gait() const noexcept { return clock_.gait(); }
 
-  const WalkConfig law_;
-  const std::vector<GaitConfig> gaits_;
+  WalkConfig law_;
+  std::vector<GaitConfig> gaits_;
   /// Of the same indices; a gait that is its own mirror image is itself.
   std::vector<GaitConfig> backward_gaits_;
   const double cycle_s_;
-  const double stand_height_m_;
-  const double stance_friction_;    ///< compensated of a standing foot's joints while others swing
-  const double standing_friction_;  ///< and in a gait that never swings
+  const double stand_height_m_;     ///< robot.yaml's: heights are allowed by it
+  double stance_friction_ = 0.0;    ///< compensated of a standing foot's joints while others swing
+  double standing_friction_ = 0.0;  ///< and in a gait that never swings
   BodyShape shape_;
   WeightShift weight_;
   GaitClock clock_;

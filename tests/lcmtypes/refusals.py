@@ -79,7 +79,7 @@ def check_operators(robot, run, key):
 
     named = waits_for(robot, "OPERATOR_COMMAND")
     _, unknown = send(kind=99)
-    named("bad value, found 99, expected 0 to 13")
+    named("bad value, found 99, expected 0 to 15")
     _, foreign = send(session=run["session"] + 1)
     named("wrong session")
     _, old = send(age_us=3_000_000)

@@ -273,7 +273,7 @@ inline void dump_value(test::ValueDump& dump, const std::string& at, const Proce
 inline std::string dump_of(const RobotConfig& robot) {
   const auto& [name, folder, cycle_s, buses, bit_rate_bit_s, actuators, encoder_cards, battery, joints, legs,
                estimation, watchdogs, simulation_watchdogs, presets, body, gaits, processes, hold_to_run,
-               lowering_s, hash] = robot;
+               lowering_s, hash, overlay, overlay_hash] = robot;
   test::ValueDump dump;
   dump.fields(
       "",
@@ -285,6 +285,8 @@ inline std::string dump_of(const RobotConfig& robot) {
   static_cast<void>(hold_to_run);  // no key of the file
   static_cast<void>(lowering_s);
   static_cast<void>(hash);
+  static_cast<void>(overlay);  // a file of its own
+  static_cast<void>(overlay_hash);
   return dump.text();
 }
 

@@ -211,7 +211,7 @@ TEST(EventMessages, UnknownOperatorKindIsRefused) {
   const Reading reading = from_message(message, signal);
   EXPECT_FALSE(reading);
   EXPECT_EQ(reading.found, 100);
-  EXPECT_EQ(reading.largest, static_cast<int>(OperatorKind::kEnable));
+  EXPECT_EQ(reading.largest, static_cast<int>(OperatorKind::kReadParameter));
 }
 
 TEST(EventMessages, TheFirstNumberThatIsUnknownIsTold) {

@@ -64,6 +64,29 @@ grep -q 'link to who moves the robot is lost' "$audit" || { cat "$audit"; fail "
 said over alice estop
 said over alice clear
 
+# Parameters: everybody may look, who maintains sets, while he drives or nobody does.
+said via wendy param get stand_length
+grep -q '^0.525 m$' "$work/said" || { cat "$work/said"; fail "param get"; }
+refused 'key is to drive' via alice param set stand_length 0.5
+said via alice hand-over bob
+said via bob param set stand_length 0.5
+refused 'a limit may only be tightened' via bob param set gaits.trot.fastest.forward 2
+refused 'on the robot' via bob param save
+said via wendy param diff
+grep -q 'stand_length .*0.5 m' "$work/said" || { cat "$work/said"; fail "param diff"; }
+said via bob hand-over alice
+
+# Logs come over the bad network, and go on where they were interrupted.
+log=$(basename "$(ls "$work"/pegasus*.txt)")
+said over wendy fetch
+grep -q "$log" "$work/said" || { cat "$work/said"; fail "fetch lists no $log"; }
+size=$(stat -c %s "$work/$log") && mkdir -p "$work/here"
+head -c $((size / 3)) "$work/$log" >"$work/here/$log.part"
+said over wendy fetch "$log" --into "$work/here"
+grep -q 'gone on' "$work/said" || { cat "$work/said"; fail "fetch began anew"; }
+cmp -n "$size" "$work/$log" "$work/here/$log" || fail "what was fetched is not the robot's"
+refused 'no log' over wendy fetch operators.json
+
 # A key that is lost: at once.
 robot operator key revoke alice >/dev/null
 sleep 1.2

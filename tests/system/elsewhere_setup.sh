@@ -18,7 +18,8 @@ gateway_up() {
   until grep -q 'is up' "$work/gateway.txt"; do kill -0 $gateway || fail "the gateway ended"; sleep 0.05; done
 }
 wifi() {
-  elsewhere python3 "$source_dir/tests/system/bad_wifi.py" 7500 10.9.0.1:7447 "$@" >"$work/wifi.txt" & wifi=$!
+  # exec, so that what is killed is the relay, which then says what it has passed
+  (exec nsenter --target $other --net python3 "$source_dir/tests/system/bad_wifi.py" 7500 10.9.0.1:7447 "$@") >"$work/wifi.txt" & wifi=$!
   until grep -q ready "$work/wifi.txt"; do kill -0 $wifi || fail "the relay ended"; sleep 0.05; done
 }
 phase() { robot status --json | python3 -c 'import json,sys; print(json.load(sys.stdin)["motion"]["state"])'; }

@@ -11,6 +11,7 @@
 #include "tools/lab/friction/friction_sweep.h"
 #include "tools/lab/gait/endurance.h"
 #include "tools/lab/gait/ground_error.h"
+#include "tools/lab/gait/parameter_experiment.h"
 #include "tools/lab/gait/push_experiment.h"
 #include "tools/lab/gait/stand_push.h"
 #include "tools/lab/gait/walk_experiment.h"
@@ -24,12 +25,12 @@
 namespace sprung {
 
 std::vector<Experiment> experiments() {
-  return {jump_experiment(),          foot_return_experiment(),  stand_push_experiment(),
-          step_response_experiment(), drop_experiment(),         jump_ensemble_experiment(),
-          walk_experiment(),          ground_error_experiment(), push_experiment(),
-          endurance_experiment(),     faults_experiment(),       friction_sweep_experiment(),
-          drag_experiment(),          estimator_experiment(),    tune_experiment(),
-          commission_experiment(),    bring_up_experiment(),     adaptation_experiment()};
+  return {
+      jump_experiment(),     foot_return_experiment(),   stand_push_experiment(), step_response_experiment(),
+      drop_experiment(),     jump_ensemble_experiment(), walk_experiment(),       ground_error_experiment(),
+      push_experiment(),     endurance_experiment(),     faults_experiment(),     friction_sweep_experiment(),
+      drag_experiment(),     estimator_experiment(),     tune_experiment(),       commission_experiment(),
+      bring_up_experiment(), adaptation_experiment(),    parameter_experiment()};
 }
 
 std::vector<Experiment> experiments_of(const RobotConfig& robot) {

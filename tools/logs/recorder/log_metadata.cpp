@@ -3,21 +3,12 @@
 #include <sprung_version.h>
 #include <unistd.h>
 
-#include <fstream>
-#include <iterator>
-#include <stdexcept>
-
+#include "robots/overlay.h"
 #include "runtime/process_options.h"
 
 namespace sprung {
 
 namespace {
-
-std::string text_of(const std::string& path) {
-  std::ifstream in(path);
-  if (!in) throw std::runtime_error("cannot read " + path + ", which the log shall hold");
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
 
 std::string host_name() {
   char name[256] = {};
@@ -27,7 +18,7 @@ std::string host_name() {
 }  // namespace
 
 sprung_msgs::log_metadata_t make_log_metadata(const RobotConfig& robot, const RecordedRun& run) {
-  return make_log_metadata(robot, text_of(robot.folder + "/robot.yaml"), run);
+  return make_log_metadata(robot, robot_text(robot.folder), run);
 }
 
 sprung_msgs::log_metadata_t make_log_metadata(const RobotConfig& robot, const std::string& robot_yaml,

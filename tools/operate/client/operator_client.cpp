@@ -34,8 +34,12 @@ OperatorClient::OperatorClient(const RunInfo& info)
 std::optional<OperatorAnswer> OperatorClient::next_answer(std::int64_t request_id) {
   while (const auto reply = replies_.pop()) {
     if (reply->request_id == request_id) {
-      return OperatorAnswer{static_cast<OperatorOutcome>(reply->outcome), reply->took_effect_at_seq,
-                            reply->answered_by, reply->reason};
+      return OperatorAnswer{static_cast<OperatorOutcome>(reply->outcome),
+                            reply->took_effect_at_seq,
+                            reply->answered_by,
+                            reply->reason,
+                            reply->parameter,
+                            reply->parameter_value};
     }
   }
   return std::nullopt;

@@ -16,6 +16,8 @@ struct OperatorAnswer {
   std::int64_t took_effect_at_seq = -1;
   std::string from;
   std::string reason;
+  int parameter = -1;  ///< that was set or read; -1: none
+  double parameter_value = kNaN;
 };
 
 class OperatorClient {

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "robots/overlay.h"
 #include "runtime/session_clock.h"
 
 namespace sprung {
@@ -70,7 +71,9 @@ void LaunchView::announce(double ready_s) {
   if (terminal_ != nullptr) {
     char text[64];
     std::snprintf(text, sizeof text, "ready in %.1f s", ready_s);
-    return launcher_.say(text);
+    launcher_.say(text);
+    for (const OverlaidNumber& one : robot_.overlay) launcher_.say(overlaid_text(one));
+    return;
   }
   std::printf("%s is up: %zu processes, clock %s, preset %s, ready in %.1f s\n", info.robot.c_str(),
               launcher_.running(), info.clock.c_str(), info.preset.c_str(), ready_s);
@@ -81,6 +84,7 @@ void LaunchView::announce(double ready_s) {
         "  note simulated drives in real time: the longer simulation_watchdogs of robot.yaml apply\n");
   if (info.maintenance)
     std::printf("  note maintenance mode: a quarter of the speed, half of the torque, and hold to run\n");
+  for (const OverlaidNumber& one : robot_.overlay) std::printf("  note %s\n", overlaid_text(one).c_str());
   std::printf("In a second terminal: %s. Ctrl-C here ends it.\n",
               first_commands(robot_, info.maintenance).c_str());
   std::fflush(stdout);

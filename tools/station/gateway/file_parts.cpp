@@ -15,15 +15,17 @@ constexpr std::int64_t kPartAgain_us = 400'000;
 }  // namespace
 
 std::string request_text(const PartRequest& request) {
-  return Json({{"file", request.file}, {"offset", request.offset}}).dump();
+  return Json({{"file", request.file}, {"offset", request.offset}, {"parts", request.parts}}).dump();
 }
 
 std::optional<PartRequest> parse_request(std::string_view text) {
   const Json in = Json::parse(text, nullptr, false);
   if (!in.is_object() || !in.contains("file") || !in["file"].is_string() || !in.contains("offset") ||
-      !in["offset"].is_number_unsigned())
+      !in["offset"].is_number_unsigned() || !in.contains("parts") || !in["parts"].is_number_unsigned())
     return std::nullopt;
-  return PartRequest{in["file"], in["offset"]};
+  const std::uint64_t parts = in["parts"];
+  if (parts < 1 || parts > kMostParts) return std::nullopt;
+  return PartRequest{in["file"], in["offset"], parts};
 }
 
 std::string part_text(const FilePart& part) {
@@ -53,15 +55,18 @@ FilePart part_of(const PartRequest& request, std::string_view whole) {
 
 std::vector<PartRequest> FileAssembly::due(std::int64_t now_us) {
   std::vector<PartRequest> out;
-  const std::uint64_t end = total_ ? *total_ : bytes_.size() + 1;
+  const std::uint64_t end = total_ ? *total_ : there() + 1;
+  asked_us_.erase(asked_us_.begin(), asked_us_.lower_bound(there()));
   for (std::size_t k = 0; k < kPartsAtOnce; ++k) {
-    const std::uint64_t at = bytes_.size() + k * kPartBytes;
+    const std::uint64_t at = there() + k * kPartBytes;
     if (at >= end) break;
     const auto asked = asked_us_.find(at);
     if (ahead_.count(at) != 0 || (asked != asked_us_.end() && now_us - asked->second < kPartAgain_us))
       continue;
     asked_us_[at] = now_us;
-    out.push_back({file_, at});
+    const bool goes_on = !out.empty() && out.back().parts < kMostParts &&
+                         out.back().offset + out.back().parts * kPartBytes == at;
+    goes_on ? void(++out.back().parts) : out.push_back({file_, at});
   }
   return out;
 }
@@ -70,14 +75,20 @@ bool FileAssembly::take(const FilePart& part) {
   if (part.file != file_) return true;
   error_ = part.error;
   if (!error_.empty()) return false;
-  total_ = part.total;
-  ahead_[part.offset] = part.bytes;
-  for (auto next = ahead_.find(bytes_.size()); next != ahead_.end() && !next->second.empty();
-       next = ahead_.find(bytes_.size())) {
-    bytes_ += next->second;
+  if (!total_) total_ = part.total;
+  if (part.offset >= there()) ahead_[part.offset] = part.bytes;
+  for (auto next = ahead_.find(there()); next != ahead_.end() && !next->second.empty();
+       next = ahead_.find(there())) {
+    const std::string bytes = std::move(next->second);
     ahead_.erase(next);
+    bytes_ += bytes;
   }
   return true;
+}
+
+std::string FileAssembly::take_bytes() {
+  begin_ += bytes_.size();
+  return std::exchange(bytes_, {});
 }
 
 bool is_plain_name(std::string_view name) noexcept {

@@ -37,8 +37,14 @@ bool ends_by_itself(const OperatorCommand& command) noexcept {
   return !goes_on || std::isfinite(command.hold_s);
 }
 
-bool everybody_may_stop(OperatorKind kind) noexcept {
-  return kind == OperatorKind::kEstop || kind == OperatorKind::kStop;
+/// Who drives or not: a stop, or a question.
+bool moves_nothing(OperatorKind kind) noexcept {
+  return kind == OperatorKind::kEstop || kind == OperatorKind::kStop || kind == OperatorKind::kReadParameter;
+}
+
+/// Said so often that it is no news for the audit log.
+bool is_small_talk(OperatorKind kind) noexcept {
+  return kind == OperatorKind::kHold || kind == OperatorKind::kEnable || kind == OperatorKind::kReadParameter;
 }
 
 std::string refusal_message(const OperatorCommand& command, const std::string& why, std::int64_t now_us) {
@@ -49,6 +55,8 @@ std::string refusal_message(const OperatorCommand& command, const std::string& w
   reply.request_id = command.request_id;
   reply.took_effect_at_seq = -1;
   reply.outcome = static_cast<std::int8_t>(OperatorOutcome::kRefused);
+  reply.parameter = -1;
+  reply.parameter_value = kNaN;
   reply.answered_by = "operator-gateway";
   reply.reason = why;
   return message_text(channels::kOperatorReply, encoded(reply));
@@ -59,8 +67,10 @@ std::string refusal_message(const OperatorCommand& command, const std::string& w
 Role role_for(OperatorKind kind) noexcept {
   switch (kind) {
     case OperatorKind::kEstop:
+    case OperatorKind::kReadParameter:
     case OperatorKind::kNone:
       return Role::kWatch;
+    case OperatorKind::kSetParameter:
     case OperatorKind::kHome:
     case OperatorKind::kMoveJoint:
     case OperatorKind::kEnable:
@@ -221,7 +231,7 @@ Turned Gate::may_say(const Session& session, const Asked& asked) const {
   const OperatorKind kind = asked.command.kind;
   if (run_ == 0 || (asked.run != run_ && kind != OperatorKind::kEstop)) return Turned::kOtherRun;
   if (session.role < role_for(kind)) return Turned::kRole;
-  if (everybody_may_stop(kind)) return Turned::kNone;
+  if (moves_nothing(kind)) return Turned::kNone;
   return driver_.empty() || driver_ == session.name ? Turned::kNone : Turned::kNotDriver;
 }
 
@@ -259,9 +269,8 @@ Verdict Gate::command(Session& session, std::uint64_t id, const Said& said, std:
   out.session = id;
   out.command = *command;
   const bool again = std::exchange(session.request, command->request_id) == command->request_id;
-  if (!again && command->kind != OperatorKind::kHold && command->kind != OperatorKind::kEnable)
-    out.event = name(command->kind);
-  if (!everybody_may_stop(command->kind)) {
+  if (!again && !is_small_talk(command->kind)) out.event = name(command->kind);
+  if (!moves_nothing(command->kind)) {
     if (driver_.empty()) out.event += "; drives from now on";
     driver_ = session.name;
     driver_heard_us_ = now_us;

@@ -23,6 +23,7 @@
 #include "tools/station/gateway/gate.h"
 #include "tools/station/gateway/message_bytes.h"
 #include "tools/station/gateway/served_files_shell.h"
+#include "tools/station/gateway/token_bucket.h"
 #include "tools/station/server/robot_link_shell.h"
 
 namespace sprung::gateway {
@@ -34,6 +35,9 @@ using station::RobotLink;
 constexpr int kTick_ms = 10;
 constexpr std::int64_t kWatch_us = 50'000, kProcesses_us = 500'000, kLook_us = 1'000'000;
 constexpr int kMostAtOnce = 500;  // datagrams; then the robot is served again
+/// [design choice] for parts of files, of all operators: 2.2 MB/s, so that fetching logs costs a robot that
+/// walks no cycle.
+constexpr double kRequestsEachSecond = 125.0, kRequestsAtOnce = 8.0;
 constexpr std::uintmax_t kLargestRobotFile = 1'000'000;
 
 /// How often a channel's newest goes out. [design choice] what a page draws twenty times a second; the rest
@@ -92,15 +96,7 @@ class ServedRobot {
     return motion && is_moving(static_cast<MotionPhase>(motion->state));
   }
 
-  FilePart part(const PartRequest& request) const {
-    if (request.file == "run") return part_of(request, description_);
-    constexpr std::string_view kRobot = "robot/";
-    const std::string_view name = std::string_view(request.file)
-                                      .substr(std::min(request.file.size(), kRobot.size()));
-    if (request.file.compare(0, kRobot.size(), kRobot) != 0 || !is_plain_name(name))
-      return {request.file, request.offset, 0, "is no file that operators may have", ""};
-    return read_part(request, info_.robot_folder + "/" + std::string(name));
-  }
+  const std::string& description() const noexcept { return description_; }
 
   /// What is due: channel, a zero, message.
   std::vector<std::string> due(std::int64_t now_us) {
@@ -130,6 +126,8 @@ class ServedRobot {
     reply.request_id = answer.request_id;
     reply.took_effect_at_seq = answer.cycle;
     reply.outcome = static_cast<std::int8_t>(answer.outcome);
+    reply.parameter = answer.parameter;
+    reply.parameter_value = answer.parameter_value;
     reply.answered_by = answer.from;
     reply.reason = answer.reason;
     return message_text(channels::kOperatorReply, encoded(reply));
@@ -148,7 +146,8 @@ class Gateway {
       : options_(options),
         socket_(UdpSocket::bound_to(options.listen)),
         gate_(robot_key(options.state_folder), read_register(register_file())),
-        audit_(options.state_folder + "/operator-audit.jsonl") {
+        audit_(options.state_folder + "/operator-audit.jsonl"),
+        files_(options.log_folder) {
     remember_register();
   }
 
@@ -205,11 +204,13 @@ class Gateway {
   void part_from_robot() {
     robot_.reset();
     gate_.robot_is_down();
+    files_.robot_is_down();
   }
 
   void meet(const RunInfo& run) {
     robot_ = std::make_unique<ServedRobot>(run);
     gate_.robot_is_up(run.session, run.epoch_us);
+    files_.robot_is_up(robot_->description(), run.robot_folder, run.log);
     log_info("robot " + run.robot + " is up");
   }
 
@@ -231,13 +232,10 @@ class Gateway {
     if (!verdict.event.empty()) audit_.event(verdict.who, address_text(from), verdict.event);
     if (verdict.command && robot_) robot_->link().say(*verdict.command);
     if (verdict.part_asked.empty()) return;
-    if (const auto request = parse_request(verdict.part_asked))
-      tell(verdict.session, ToldKind::kPart, part_text(part(*request)), now_us);
-  }
-
-  FilePart part(const PartRequest& request) const {
-    if (!robot_) return {request.file, request.offset, 0, kNoRobot, ""};
-    return robot_->part(request);
+    const auto request = parse_request(verdict.part_asked);
+    if (!request || !parts_.take(now_us)) return;  // who lacks one asks again
+    for (const FilePart& part : files_.parts(*request, now_us))
+      tell(verdict.session, ToldKind::kPart, part_text(part), now_us);
   }
 
   void tell(std::uint64_t session, ToldKind kind, std::string text, std::int64_t now_us) {
@@ -287,6 +285,8 @@ class Gateway {
   UdpSocket socket_;
   Gate gate_;
   AuditLog audit_;
+  ServedFiles files_;
+  TokenBucket parts_{kRequestsEachSecond, kRequestsAtOnce};
   std::unique_ptr<ServedRobot> robot_;
   fs::file_time_type register_written_{};
   std::string trouble_;  ///< said last, so that it is said once

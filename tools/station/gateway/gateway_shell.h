@@ -12,6 +12,7 @@ struct GatewayOptions {
   std::string instance = "default";
   HostPort listen;
   std::string state_folder;  ///< register, own key, audit log
+  std::string log_folder;    ///< that operators may fetch of; empty: the one that the run logs to
 };
 
 /// Until a stop is asked for. @param ready is told once it hears. @throws std::runtime_error as its parts do.

@@ -45,24 +45,38 @@ void OperatorLink::open() {
 }
 
 std::string OperatorLink::fetch(const std::string& file) {
+  std::string out;
   FileAssembly assembly(file);
-  const std::int64_t end_us = monotonic_us() + kGiveUp_us;
+  fetch_into(assembly, file, [&](const std::string& piece) { out += piece; });
+  return out;
+}
+
+void OperatorLink::fetch_into(FileAssembly& assembly, const std::string& file,
+                              const std::function<void(const std::string& piece)>& take) {
+  std::int64_t end_us = monotonic_us() + kGiveUp_us;
   while (!assembly.whole()) {
     const std::int64_t now_us = monotonic_us();
     if (now_us > end_us || stop_requested())
-      throw std::runtime_error("'" + file + "' of the robot did not arrive in 10 s");
+      throw std::runtime_error("'" + file + "' of the robot: nothing came for 10 s");
     for (const PartRequest& request : assembly.due(now_us))
       say(SaidKind::kFile, request_text(request), now_us);
     wait_and_hear(10);
-    for (const Told& told : take_told()) {
-      const auto part = told.kind == ToldKind::kPart ? parse_part(told.text) : std::nullopt;
-      if (!part || assembly.take(*part)) continue;
-      if (assembly.error() == kNoRobot)
-        throw NotRunning("no robot is up on " + host_ + ". Start one there: sprung up ROBOT");
-      throw std::runtime_error(file + ": " + assembly.error());
-    }
+    hear_parts(assembly, file);
+    const std::string piece = assembly.take_bytes();
+    if (piece.empty()) continue;
+    take(piece);
+    end_us = now_us + kGiveUp_us;
   }
-  return assembly.bytes();
+}
+
+void OperatorLink::hear_parts(FileAssembly& assembly, const std::string& file) {
+  for (const Told& told : take_told()) {
+    const auto part = told.kind == ToldKind::kPart ? parse_part(told.text) : std::nullopt;
+    if (!part || assembly.take(*part)) continue;
+    if (assembly.error() == kNoRobot)
+      throw NotRunning("no robot is up on " + host_ + ". Start one there: sprung up ROBOT");
+    throw std::runtime_error(file + ": " + assembly.error());
+  }
 }
 
 void OperatorLink::wait_and_hear(int timeout_ms) {

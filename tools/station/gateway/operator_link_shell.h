@@ -3,10 +3,12 @@
 /// is said signed and counted, what is told checked. One thread at a time.
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
 
+#include "tools/station/gateway/file_parts.h"
 #include "tools/station/gateway/operator_register_shell.h"
 #include "tools/station/gateway/packets.h"
 #include "tools/station/gateway/replay_window.h"
@@ -35,8 +37,13 @@ class OperatorLink {
 
   /// @throws std::runtime_error where the gateway does not answer in 10 s, or refuses.
   void open();
-  /// A whole file of the robot's. @throws std::runtime_error; NotRunning where no robot is up.
+  /// A whole file of the robot's, a short one. @throws as fetch_into().
   std::string fetch(const std::string& file);
+  /// A file of any length, as it comes. @param assembly of that file. @param take called with each piece, in
+  /// order. @throws std::runtime_error where nothing comes for 10 s, or what take() throws; NotRunning where
+  /// no robot is up.
+  void fetch_into(FileAssembly& assembly, const std::string& file,
+                  const std::function<void(const std::string& piece)>& take);
 
   /// Waits for what is told, at most so long, and says that it is there when that is due.
   void wait_and_hear(int timeout_ms);
@@ -54,6 +61,7 @@ class OperatorLink {
   OperatorLink(const RemoteOptions& options, const OperatorKeyFile& key);
   void begin_if_due(std::int64_t now_us);
   void hear(std::int64_t now_us);
+  void hear_parts(FileAssembly& assembly, const std::string& file);
   void welcome(std::string_view packet, std::int64_t now_us);
   void note_time(std::int64_t time_us, std::int64_t now_us);
 

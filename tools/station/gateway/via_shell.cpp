@@ -11,10 +11,10 @@ namespace sprung::gateway {
 namespace {
 
 /// What an operator says or looks at; all else belongs to files, buses and processes of the robot's computer.
-constexpr std::array<std::string_view, 19> kFromElsewhere{
-    "stand", "sit", "jump",   "comply", "land", "walk", "stop", "estop",    "clear",  "status",
-    "watch", "spy", "topics", "record", "hold", "home", "move", "drive-by", "console"};
-constexpr std::string_view kHandOver = "hand-over";
+constexpr std::array<std::string_view, 20> kFromElsewhere{
+    "stand", "sit", "jump",   "comply", "land", "walk", "stop", "estop", "clear",    "status",
+    "watch", "spy", "topics", "record", "hold", "home", "move", "param", "drive-by", "console"};
+constexpr std::string_view kHandOver = "hand-over", kFetch = "fetch";
 
 }  // namespace
 
@@ -45,7 +45,8 @@ Via take_via(int argc, const char* const* argv) {
   });
   if (help) out.host.clear();
   out.emergency = !help && command == "estop";
-  if (!help && command != kHandOver &&
+  out.files_alone = !help && command == kFetch;
+  if (!help && command != kHandOver && command != kFetch &&
       std::find(kFromElsewhere.begin(), kFromElsewhere.end(), command) == kFromElsewhere.end())
     throw WrongUse("sprung " + std::string(command) + " is of the robot's own computer, not --via another");
   return out;

@@ -11,6 +11,7 @@ struct Via {
   bool hidden = false;
   std::vector<const char*> words;  ///< the command line without them
   bool emergency = false;          ///< the command is estop
+  bool files_alone = false;        ///< fetch: of a robot that need not be up
 };
 
 /// Takes `--via HOST`, `--key FILE` and `--encrypt` from before the command. @throws WrongUse on a value that

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "robots/overlay.h"
 #include "robots/robot_loader.h"
 #include "tools/station/scene/scene.h"
 
@@ -23,7 +24,7 @@ LoggedScene scene_of_log(RobotConfig robot, const std::optional<sprung_msgs::log
   try {
     if (robot.folder.empty()) {
       robot.folder = robot_folder(robot.name);
-      if (metadata && file_text(robot.folder + "/robot.yaml") != metadata->robot_yaml) {
+      if (metadata && robot_text(robot.folder) != metadata->robot_yaml) {
         found.note = "The shapes are those of " + robot.folder +
                      "/model.xml, whose robot.yaml is another than this log's: lengths may differ.";
       }

@@ -10,6 +10,7 @@
 #include "planner/gait/walk.h"
 #include "planner/joint_limits.h"
 #include "planner/requests.h"
+#include "robots/parameters.h"
 #include "signals/angles.h"
 #include "tools/operate/client/gait_choice.h"
 
@@ -155,6 +156,20 @@ OperatorForm move_form(const RobotConfig& robot) {
            number("acceleration_deg_s2", "acceleration", "deg/s²", 0.1, std::floor(quickest), 1.0)}};
 }
 
+OperatorForm parameter_form(const std::vector<Parameter>& parameters) {
+  constexpr double kAny = 1e9;  // each has a range of its own
+  std::vector<std::string> names;
+  for (const Parameter& one : parameters) names.push_back(one.name);
+  return {
+      "set_parameter",
+      "Set parameter",
+      "Another value for a number of robot.yaml, reached in a second.",
+      OperatorKind::kSetParameter,
+      false,
+      "",
+      {choice("parameter", "parameter", std::move(names)), number("value", "value", "", -kAny, kAny, 0.0)}};
+}
+
 /// The parameters of a request, checked against its form.
 class Filled {
  public:
@@ -262,6 +277,12 @@ void fill_home(const Filled& filled, OperatorCommand& command, const OperatorFor
   command.reference_source = value_named<ReferenceSource>(filled.word("from")).value();
 }
 
+void fill_parameter(const Filled& filled, const OperatorForm& form, OperatorCommand& command) {
+  command.parameter = index_of(form.parameters.front().choices, filled.word("parameter"));
+  command.parameter_value = filled.number("value");
+  if (std::isnan(command.parameter_value)) throw std::invalid_argument("value is missing");
+}
+
 }  // namespace
 
 std::vector<OperatorForm> operator_forms(const RobotConfig& robot, const std::string& preset) {
@@ -274,6 +295,8 @@ std::vector<OperatorForm> operator_forms(const RobotConfig& robot, const std::st
     if (robot.preset(preset).jumps()) forms.push_back(land_form());
     forms.push_back(simple(OperatorKind::kStop, "Stop", "Finishes the phase that runs, then stands."));
   }
+  const std::vector<Parameter> parameters = parameters_of(robot, robot.preset(preset));
+  if (!parameters.empty()) forms.push_back(parameter_form(parameters));
   forms.push_back(simple(OperatorKind::kSit, "Sit", "Lowers the body, then switches the drives off."));
   forms.push_back(move_form(robot));
   forms.push_back(home_form(robot));
@@ -326,6 +349,7 @@ OperatorCommand command_of(const OperatorForm& form, const RobotConfig& robot, c
   if (form.kind == OperatorKind::kComply) fill_comply(filled, command);
   if (form.kind == OperatorKind::kWalk) fill_walk(filled, robot, now, command);
   if (form.kind == OperatorKind::kMoveJoint) fill_move(filled, robot, now, command);
+  if (form.kind == OperatorKind::kSetParameter) fill_parameter(filled, form, command);
   if (form.kind == OperatorKind::kHome) fill_home(filled, command, form);
   if (form.kind == OperatorKind::kLand) {
     command.touchdown_in_s = filled.number("touchdown_in_s");

@@ -50,6 +50,7 @@ ConsoleSession::ConsoleSession(const RobotConfig& robot, const SessionOptions& o
     : robot_(robot),
       options_(options),
       forms_(operator_forms(robot_, options.preset)),
+      board_(robot_, options.preset),
       desk_(options.salt),
       steered_(robot_.gaits) {}
 
@@ -73,8 +74,13 @@ bool ConsoleSession::demand_driver(int page) const { return page == driver_; }
 
 void ConsoleSession::page_opened(int page, std::int64_t now_us) {
   pages_[page] = {now_us, 0, false, driver_ < 0};
-  send(page, {{"type", "hello"}, {"page", page}, {"commands", forms_json(forms_)}});
+  send(page, {{"type", "hello"},
+              {"page", page},
+              {"commands", forms_json(forms_)},
+              {"parameters", board_.table_json()}});
   send(page, {{"type", "role"}, {"driver", driver_}, {"why", driver_why_}});
+  tell_parameters(page);
+  board_.ask_anew();
 }
 
 void ConsoleSession::page_closed(int page, std::int64_t now_us) {
@@ -150,6 +156,17 @@ void ConsoleSession::tell_estop() {
   for (const auto& [page, unused] : pages_) send(page, message);
 }
 
+void ConsoleSession::tell_parameters(int page) {
+  send(page, {{"type", "parameters"}, {"values", board_.values_json()}});
+}
+
+/// One at a time: each answer says where to go on.
+void ConsoleSession::ask_parameter(std::int64_t now_us) {
+  const auto question = board_.question();
+  if (!question) return;
+  if (const auto id = desk_.add(*question, {}, now_us)) board_.asked(*id);
+}
+
 void ConsoleSession::request(int page, const Json& message, std::int64_t now_us) {
   const std::int64_t number = id_of(message);
   const std::string command_name = text_of(message, "command").substr(0, 40);
@@ -199,11 +216,14 @@ void ConsoleSession::enable(int page, bool held, std::int64_t now_us) {
 }
 
 void ConsoleSession::answer(const RobotAnswer& answer, std::int64_t now_us) {
+  if (board_.take(answer))
+    for (const auto& [page, unused] : pages_) tell_parameters(page);
   const auto news = desk_.answer(answer, now_us);
   if (news) tell(*news);
 }
 
 void ConsoleSession::tell(const RequestNews& news) {
+  if (news.kind == OperatorKind::kReadParameter && !news.went_well()) board_.give_up();
   const bool walk_or_hold = news.kind == OperatorKind::kWalk || news.kind == OperatorKind::kHold;
   if (news.asker.page < 0) {
     if (!news.went_well() && walk_or_hold && news.reason.rfind("not said any more", 0) != 0) {
@@ -251,6 +271,7 @@ Outbox ConsoleSession::step(std::int64_t now_us) {
     enable_us_ = now_us + kEnableRenew_us;
   }
   say_for_driver(say, now_us);
+  ask_parameter(now_us);
   std::vector<RequestNews> news;
   desk_.step(now_us, say = {}, news);
   // The emergency stop goes first, and as often as it likes.

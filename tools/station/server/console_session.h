@@ -15,6 +15,7 @@
 #include "tools/station/server/command_table.h"
 #include "tools/station/server/estop_repeater.h"
 #include "tools/station/server/held_motion.h"
+#include "tools/station/server/parameter_board.h"
 #include "tools/station/server/request_desk.h"
 #include "tools/station/server/steered_walk.h"
 #include "tools/station/server/stick_lock.h"
@@ -83,6 +84,8 @@ class ConsoleSession {
   void tell(const RequestNews& news);
   void send(int page, const nlohmann::ordered_json& message);
   void tell_estop();
+  void tell_parameters(int page);
+  void ask_parameter(std::int64_t now_us);
   void refuse(int page, std::int64_t number, const std::string& command, const std::string& why);
   bool demand_driver(int page) const;
 
@@ -93,6 +96,7 @@ class ConsoleSession {
   std::map<int, Page> pages_;
   int driver_ = -1;
   std::string driver_why_;
+  ParameterBoard board_;
   RequestDesk desk_;
   EstopRepeater estop_;
   OperatorCommand estop_command_;

@@ -11,6 +11,7 @@
 #include "sprung_embedded/console_live_source_js.h"
 #include "sprung_embedded/console_main_js.h"
 #include "sprung_embedded/console_panels_js.h"
+#include "sprung_embedded/console_parameters_js.h"
 #include "sprung_embedded/console_view_js.h"
 #include "sprung_embedded/station_layers_js.h"
 #include "sprung_embedded/station_orbit_controls_js.h"
@@ -50,6 +51,7 @@ const WebFile* console_file(std::string_view path) {
       NamedFile{"main.js", {kScript, console_main_js()}},
       NamedFile{"link.js", {kScript, console_link_js()}},
       NamedFile{"panels.js", {kScript, console_panels_js()}},
+      NamedFile{"parameters.js", {kScript, console_parameters_js()}},
       NamedFile{"commands.js", {kScript, console_commands_js()}},
       NamedFile{"driving.js", {kScript, console_driving_js()}},
       NamedFile{"live_plots.js", {kScript, console_live_plots_js()}},

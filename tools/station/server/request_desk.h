@@ -24,6 +24,8 @@ struct RobotAnswer {
   std::string reason;
   std::string from;
   std::int64_t cycle = -1;
+  int parameter = -1;  ///< that was set or read; -1: none
+  double parameter_value = kNaN;
 };
 
 struct RequestNews {

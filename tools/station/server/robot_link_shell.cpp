@@ -103,7 +103,7 @@ std::vector<RobotAnswer> RobotLink::take_answers() {
   std::vector<RobotAnswer> out;
   while (const auto reply = replies_.pop())
     out.push_back({reply->request_id, static_cast<OperatorOutcome>(reply->outcome), reply->reason,
-                   reply->answered_by, reply->took_effect_at_seq});
+                   reply->answered_by, reply->took_effect_at_seq, reply->parameter, reply->parameter_value});
   return out;
 }
 

@@ -135,6 +135,7 @@ TEST(EveryType, RealNumbersHaveUnitsOrAreListedAsPlain) {
                                     "dry_friction_factor",
                                     "viscous_friction_factor",
                                     "gait_phase",
+                                    "parameter_value",
                                     "value"};
   RandomBytes random(5);
   Decoder decoder;

@@ -190,9 +190,16 @@ TEST_F(GateTest, WhatMovesGoesWithTheWheel) {
 
 TEST_F(GateTest, EveryKindOfCommandHasARole) {
   for (const auto& word : kWords<OperatorKind>) {
-    const bool harmless = word.value == OperatorKind::kEstop || word.value == OperatorKind::kNone;
+    const bool harmless = word.value == OperatorKind::kEstop || word.value == OperatorKind::kNone ||
+                          word.value == OperatorKind::kReadParameter;
     EXPECT_EQ(role_for(word.value) == Role::kWatch, harmless) << word.name;
   }
+}
+
+TEST_F(GateTest, WhoAsksForAParameterDoesNotDriveAndWhoSetsOneMaintains) {
+  EXPECT_TRUE(says(alice_, OperatorKind::kReadParameter).command);
+  EXPECT_EQ(gate_.driver(), "");
+  EXPECT_EQ(says(alice_, OperatorKind::kSetParameter).turned, Turned::kRole);
 }
 
 TEST_F(GateTest, WhoDrivesKeepsTheRobotUntilHeHandsItOver) {

@@ -33,6 +33,8 @@ TEST(ViaTest, StandsBeforeTheCommandAndIsTakenOffIt) {
   EXPECT_THAT(texts(there), testing::ElementsAre("sprung", "walk", "--via-point", "3"));
   EXPECT_FALSE(there.emergency);
   EXPECT_TRUE(via({"--via", "robot", "estop"}).emergency);
+  EXPECT_TRUE(via({"--via", "robot", "fetch", "--newest", "1"}).files_alone);
+  EXPECT_FALSE(there.files_alone);
   const Via here = via({"stand"});
   EXPECT_EQ(here.host, "");
   EXPECT_THAT(texts(here), testing::ElementsAre("sprung", "stand"));

@@ -39,9 +39,11 @@ class Forms : public testing::Test {
 };
 
 TEST_F(Forms, ARobotHasThoseThatItCanDo) {
-  EXPECT_THAT(names(forms_), ElementsAre("stand", "walk", "comply", "stop", "sit", "move", "home", "clear"));
+  EXPECT_THAT(names(forms_), ElementsAre("stand", "walk", "comply", "stop", "set_parameter", "sit", "move",
+                                         "home", "clear"));
   EXPECT_THAT(names(operator_forms(load_robot("single_leg"), "best")),
-              ElementsAre("stand", "jump", "comply", "land", "stop", "sit", "move", "home", "clear"));
+              ElementsAre("stand", "jump", "comply", "land", "stop", "set_parameter", "sit", "move", "home",
+                          "clear"));
   EXPECT_THAT(names(operator_forms(load_robot("test_axis"), "")),
               ElementsAre("sit", "move", "home", "clear"));
 }
@@ -49,7 +51,9 @@ TEST_F(Forms, ARobotHasThoseThatItCanDo) {
 TEST_F(Forms, EveryFormMakesACommandAsItStands) {
   const RobotConfig leg = load_robot("single_leg");
   for (const OperatorForm& form : operator_forms(leg, "best")) {
-    const Json parameters = form.name == "move" ? Json{{"by_deg", 5}} : Json::object();
+    const Json parameters = form.name == "move"            ? Json{{"by_deg", 5}}
+                            : form.name == "set_parameter" ? Json{{"value", 0.5}}
+                                                           : Json::object();
     const OperatorCommand command = command_of(form, leg, {{0.0, 0.0}, -1}, parameters);
     EXPECT_EQ(command.kind, form.kind) << form.name;
   }

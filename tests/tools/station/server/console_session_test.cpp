@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "robots/parameters.h"
 #include "robots/robot_loader.h"
 
 namespace sprung::station {
@@ -27,7 +28,8 @@ class Console : public testing::Test {
   }
   void step() {
     const Outbox out = session_.step(now_us_);
-    commands_.insert(commands_.end(), out.commands.begin(), out.commands.end());
+    for (const OperatorCommand& command : out.commands)
+      (command.kind == OperatorKind::kReadParameter ? reads_ : commands_).push_back(command);
     for (const auto& [page, text] : out.texts) told_[page].push_back(Json::parse(text));
     closed_.insert(closed_.end(), out.close.begin(), out.close.end());
   }
@@ -65,10 +67,39 @@ class Console : public testing::Test {
 
   std::int64_t now_us_ = 1'000'000;
   ConsoleSession session_{load_robot("pegasus"), {"best", false, 1}};
-  std::vector<OperatorCommand> commands_;
+  std::vector<OperatorCommand> commands_, reads_;  ///< reads_: what the session asks by itself
   std::map<int, std::vector<Json>> told_;
   std::vector<int> closed_;
 };
+
+TEST_F(Console, ParametersAreReadFromTheRobotShownAndSetByTheDrivingPage) {
+  open(1);
+  open(2);
+  EXPECT_GT(told_[1].front()["parameters"].size(), 40u);
+  ASSERT_EQ(reads_.size(), 1u);
+  RobotAnswer found{reads_.back().request_id, OperatorOutcome::kDone, "read", "planner", 7, 3, 4000.0};
+  session_.answer(found, now_us_);
+  step();
+  EXPECT_EQ(told_[2].back()["type"], "parameters");
+  EXPECT_EQ(told_[2].back()["values"][3], 4000.0);
+  const auto set = [&](int page, const Json& parameters) {
+    say(page, {{"type", "request"}, {"id", 9}, {"command", "set_parameter"}, {"parameters", parameters}});
+  };
+  set(2, {{"parameter", "stand_length"}, {"value", 0.5}});
+  EXPECT_EQ(said(OperatorKind::kSetParameter), 0) << "it watches";
+  set(1, {{"parameter", "stand_length"}});
+  set(1, {{"parameter", "no_such"}, {"value", 0.5}});
+  EXPECT_EQ(said(OperatorKind::kSetParameter), 0);
+  set(1, {{"parameter", "stand_length"}, {"value", 0.5}});
+  ASSERT_EQ(said(OperatorKind::kSetParameter), 1);
+  const RobotConfig robot = load_robot("pegasus");
+  const auto all = parameters_of(robot, robot.preset("best"));
+  const auto order = std::find_if(commands_.begin(), commands_.end(), [](const OperatorCommand& c) {
+    return c.kind == OperatorKind::kSetParameter;
+  });
+  EXPECT_EQ(order->parameter, parameter_named(all, "stand_length"));
+  EXPECT_EQ(order->parameter_value, 0.5);
+}
 
 TEST_F(Console, TheFirstPageDrivesAndTheSecondWatches) {
   open(1);

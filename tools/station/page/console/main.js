@@ -4,6 +4,7 @@ import { Driving } from "./driving.js";
 import { Link } from "./link.js";
 import { mountLivePlots } from "./live_plots.js";
 import { Panels } from "./panels.js";
+import { Parameters } from "./parameters.js";
 import { LiveView } from "./view.js";
 
 const hold_ms = 100;
@@ -11,6 +12,7 @@ const most_news = 40;
 const byId = (id) => document.getElementById(id);
 const link = new Link(new URL("live", location.href).href.replace(/^http/, "ws"));
 let panels = null;
+let parameters = null;
 let state = null;
 let drives = false;
 const view = new LiveView(byId("view"));
@@ -54,7 +56,7 @@ function showRole(driver, why) {
   show("role", drives ? "you drive" : driver < 0 ? "nobody drives" : "another page drives", drives ? "badge good" : "badge");
   byId("role").title = why;
   byId("take-over").hidden = drives;
-  for (const button of document.querySelectorAll("#commands button, #driving select, #enable")) button.disabled = !drives;
+  for (const button of document.querySelectorAll("#commands button, #parameters button, #driving select, #enable")) button.disabled = !drives;
 }
 
 function showSession(session) {
@@ -75,7 +77,12 @@ on("robot", (robot) => {
   byId("driving").hidden = robot.gaits.length === 0;
   byId("enable").hidden = !robot.maintenance;
 });
-on("hello", ({ commands }) => showCommands(byId("commands"), commands, link, ask));
+on("hello", (hello) => {
+  const own = (command) => command.name !== "set_parameter"; // that one has a table of its own
+  showCommands(byId("commands"), hello.commands.filter(own), link, ask);
+  parameters = new Parameters(byId("parameters"), hello.parameters, link);
+});
+on("parameters", ({ values }) => parameters?.show(values));
 on("role", ({ driver, why }) => {
   showRole(driver, why);
   news(`${drives ? "this page drives" : driver < 0 ? "nobody drives" : "another page drives"}: ${why}`, false);
