@@ -157,6 +157,25 @@ check("a gamepad is locked until its sticks were at rest, and again when it is g
   await closeLive(page);
 });
 
+check("parameters: a page shows them, sets one, and sees what a terminal set", async ({ browser, url, robot }) => {
+  const page = await openLive(browser, url);
+  await page.locator("summary", { hasText: "Parameters" }).click();
+  const field = page.locator('input[name="compliance.stiffness.z"]');
+  await eventually("robot.yaml's value", async () => (await field.inputValue()) === "3000");
+  await field.fill("3500");
+  await field.press("Enter");
+  await news(page, "set parameter: accepted");
+  assert.equal(robot.do("param", "get", "compliance.stiffness.z").trim(), "3500 N/m");
+  await page.locator(".parameter.changed").first().waitFor();
+  await field.fill("99999");
+  await field.press("Enter");
+  await news(page, "set parameter: refused: beyond its range");
+  robot.do("param", "set", "compliance.stiffness.z", "file");
+  await eventually("what the terminal set", async () => (await field.inputValue()) === "3000");
+  await picture(page, "console-parameters.png");
+  await closeLive(page);
+});
+
 check("two pages: one drives, the other watches, and taking over is explicit", async ({ browser, url }) => {
   const first = await openLive(browser, url);
   const second = await openLive(browser, url);

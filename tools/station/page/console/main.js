@@ -125,6 +125,12 @@ const enable = (held) => {
 byId("enable").onpointerdown = () => enable(true);
 for (const type of ["pointerup", "pointercancel", "pointerleave"]) byId("enable").addEventListener(type, () => enabling && enable(false));
 
+/** What the link to a robot on another computer says of itself; "" while it is there, or the robot is here. */
+function lost() {
+  const link = state?.processes.find(({ name }) => name === "operator-link");
+  return link?.detail?.includes("LOST") ? link.detail : "";
+}
+
 function renew() {
   const here = document.visibilityState === "visible";
   if (drives && state?.session.held) link.send({ type: "hold", held: here });
@@ -133,9 +139,11 @@ function renew() {
 document.addEventListener("visibilitychange", renew); // timers of a hidden page go once a second
 setInterval(() => {
   renew();
-  const stale = link.stale;
-  show("link", link.open ? (stale ? "nothing heard" : "live") : "no connection", `badge ${stale ? "bad" : "good"}`);
-  if (!byId("banner").textContent.includes("Start it")) banner(stale ? "No connection to the console: what is shown is old. A motion that this page held has ended in a stand." : "");
+  const cut = lost(), stale = link.stale || cut !== "";
+  show("link", !link.open ? "no connection" : cut ? "link lost" : stale ? "nothing heard" : "live", `badge ${stale ? "bad" : "good"}`);
+  const why = link.stale ? "No connection to the console: what is shown is old. A motion that this page held has ended in a stand." :
+    cut && `${cut[0].toUpperCase()}${cut.slice(1)}. What is shown is old.`;
+  if (!byId("banner").textContent.includes("Start it")) banner(why);
   document.body.classList.toggle("stale", stale);
 }, hold_ms);
 
