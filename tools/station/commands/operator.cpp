@@ -36,6 +36,7 @@ std::string now_text() { return utc_text(utc_us()); }
 int make_key(const NewKey& request) {
   demand_name(request.name);
   const std::string path = gateway::register_path();
+  const gateway::RegisterLock lock(path);
   std::vector<KnownOperator> all = gateway::read_register(path);
   for (const KnownOperator& one : all)
     if (one.name == request.name && one.revoked.empty())
@@ -69,6 +70,7 @@ int list_keys() {
 
 int revoke_key(const std::string& name) {
   const std::string path = gateway::register_path();
+  const gateway::RegisterLock lock(path);
   std::vector<KnownOperator> all = gateway::read_register(path);
   bool found = false;
   for (KnownOperator& one : all) {

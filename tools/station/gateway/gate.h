@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "signals/operator.h"
-#include "tools/station/gateway/operator_register_shell.h"
+#include "tools/station/gateway/known_operators.h"
 #include "tools/station/gateway/packets.h"
 #include "tools/station/gateway/replay_window.h"
 #include "tools/station/gateway/token_bucket.h"

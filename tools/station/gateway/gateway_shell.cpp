@@ -22,6 +22,7 @@
 #include "tools/station/gateway/file_parts.h"
 #include "tools/station/gateway/gate.h"
 #include "tools/station/gateway/message_bytes.h"
+#include "tools/station/gateway/operator_register_shell.h"
 #include "tools/station/gateway/served_files_shell.h"
 #include "tools/station/gateway/token_bucket.h"
 #include "tools/station/server/robot_link_shell.h"

@@ -1,6 +1,11 @@
 #include "tools/station/gateway/operator_register_shell.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
+
+#include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -33,37 +38,11 @@ std::string register_path() {
   return folder + "/operators.json";
 }
 
-std::vector<KnownOperator> parse_register(std::string_view text, const std::string& path) {
-  std::vector<KnownOperator> out;
-  try {
-    const Json whole = Json::parse(text);
-    for (const Json& row : whole.at("operators")) {
-      KnownOperator one;
-      one.name = row.at("name");
-      one.key = key_of(row, "key", path);
-      one.made = row.at("made");
-      one.revoked = row.at("revoked");
-      const auto role = value_named<Role>(row.at("role").get<std::string>());
-      if (!role) fail(path, "role of " + one.name + " is none of watch, drive, maintain");
-      one.role = *role;
-      out.push_back(one);
-    }
-  } catch (const Json::exception& error) {
-    fail(path, std::string("is no register of operators: ") + error.what() +
-                   ". Move it away and make the keys anew: sprung operator key new NAME");
-  }
-  return out;
-}
-
-std::string register_text(const std::vector<KnownOperator>& operators) {
-  Json rows = Json::array();
-  for (const KnownOperator& one : operators)
-    rows.push_back({{"name", one.name},
-                    {"key", to_hex(one.key)},
-                    {"role", name(one.role)},
-                    {"made", one.made},
-                    {"revoked", one.revoked}});
-  return Json({{"operators", rows}}).dump(1) + "\n";
+RegisterLock::RegisterLock(const std::string& path)
+    : file_((fs::create_directories(fs::path(path).parent_path()),
+             open((path + ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600))) {
+  if (file_.fd < 0 || flock(file_.fd, LOCK_EX) != 0)
+    fail(path + ".lock", std::string("cannot be held: ") + std::strerror(errno));
 }
 
 std::vector<KnownOperator> read_register(const std::string& path) {

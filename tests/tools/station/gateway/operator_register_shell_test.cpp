@@ -1,7 +1,9 @@
 #include "tools/station/gateway/operator_register_shell.h"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 
 #include <cstdlib>
@@ -42,6 +44,19 @@ TEST_F(OperatorRegister, IsReadAsItWasWrittenAndNobodyElseCanWriteIt) {
   EXPECT_EQ(read[1].role, Role::kMaintain);
   EXPECT_EQ(read[1].revoked, written[1].revoked);
   EXPECT_EQ(register_text(read), register_text(written));
+}
+
+TEST_F(OperatorRegister, WhoWritesItKeepsOthersFromIt) {
+  const std::string file = path("sub/operators.json");
+  const auto is_free = [&] {
+    const OpenFile other(open((file + ".lock").c_str(), O_RDWR));
+    return flock(other.fd, LOCK_EX | LOCK_NB) == 0;
+  };
+  {
+    const RegisterLock lock(file);
+    EXPECT_FALSE(is_free());
+  }
+  EXPECT_TRUE(is_free());
 }
 
 TEST_F(OperatorRegister, NoneIsEmptyAndOneThatOthersMayWriteIsRefused) {
