@@ -111,6 +111,7 @@ std::string indented(const std::string& text) {
 
 void apply_overlay(const YamlMap& overlay, RobotConfig& robot) {
   Overlaying(robot).apply(overlay, "");
+  if (robot.overlay.empty()) return;
   std::string all;
   for (const OverlaidNumber& one : robot.overlay) all += overlaid_text(one);
   robot.overlay_hash = hash_text(all);
@@ -133,9 +134,14 @@ std::string overlay_text(const std::vector<OverlaidNumber>& numbers) {
          (numbers.empty() ? std::string("{}\n") : yaml_text(top));
 }
 
+std::string overlay_path(const std::string& folder) {
+  const char* const of_run = std::getenv(kOverlayVariable);
+  return of_run != nullptr ? std::string(of_run) : (fs::path(folder) / kOverlayFile).string();
+}
+
 std::string robot_text(const std::string& folder) {
   const std::string robot = file_text(fs::path(folder) / "robot.yaml");
-  const fs::path overlay = fs::path(folder) / kOverlayFile;
+  const fs::path overlay = overlay_path(folder);
   if (!fs::exists(overlay)) return robot;
   return robot + kKey + indented(file_text(overlay));
 }

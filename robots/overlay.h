@@ -15,6 +15,12 @@
 namespace sprung {
 
 inline constexpr const char* kOverlayFile = "overlay.yaml";
+/// Environment variable with another file in its place: the overlay with which a run began (`sprung up`), for
+/// all of its processes, also for one that is started again after the file was changed.
+inline constexpr const char* kOverlayVariable = "SPRUNG_OVERLAY";
+
+/// Of the robot in that folder; need not be there.
+std::string overlay_path(const std::string& folder);
 
 /// Replaces the robot's numbers, and notes them in its `overlay`.
 /// @throws ConfigError naming file, line, key and what was expected; what is no parameter is refused.

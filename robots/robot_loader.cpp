@@ -239,7 +239,7 @@ RobotConfig load_robot(const std::string& robot) {
   RobotConfig config = read_kept_robot(path);
   config.folder = folder;
   config.hash = hash_text(read_file(path));
-  const fs::path overlay = fs::path(folder) / kOverlayFile;
+  const fs::path overlay = overlay_path(folder);
   if (fs::exists(overlay)) apply_overlay(YamlMap::load(overlay.string()), config);
   return config;
 }

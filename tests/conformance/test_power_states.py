@@ -155,7 +155,13 @@ def test_quick_stop_of_a_moving_motor_is_shown_and_ends_without_power(own_bench,
     mark = device.wire.record.mark()
     power.command(2)
     assert power.reaches(OFF)
-    words = [int.from_bytes(f.data, "little") for f in device.wire.record.since(mark, 0x180 + device.node)]
+
+    def words_since():
+        return [int.from_bytes(f.data, "little") for f in device.wire.record.since(mark, 0x180 + device.node)]
+
+    # Frames are recorded by a thread of their own, which may be later than the answer by SDO.
+    until(lambda: 0x07 in [word & 0x6F for word in words_since()])
+    words = words_since()
     assert 0x07 in [word & 0x6F for word in words], [f"{word:#06x}" for word in words]
     if profile == "epos2":
         assert EPOS2_WORDS[QUICK_STOP] in [word & 0x417F for word in words]

@@ -239,8 +239,14 @@ check("bad messages: an error, then the door; an oversized one ends the connecti
     const live = new URL("live", location.href).href.replace(/^http/, "ws");
     const send = (texts) => new Promise((resolve) => {
       const socket = new WebSocket(live, "sprung.v1"), errors = [];
-      socket.onopen = () => texts.forEach((text) => socket.send(text));
-      socket.onmessage = ({ data }) => typeof data === "string" && data.includes('"error"') && errors.push(data);
+      let greeted = false; // what a server still had to say when it closes takes its reason with it
+      socket.onmessage = ({ data }) => {
+        if (!greeted && data.includes?.('"parameters","values"')) {
+          greeted = true;
+          for (const text of texts) socket.send(text);
+        }
+        if (typeof data === "string" && data.includes('"error"')) errors.push(data);
+      };
       socket.onclose = ({ code }) => resolve({ code, errors: errors.length });
     });
     return { bad: await send(Array.from({ length: 20 }, () => "{")), big: await send(["x".repeat(5000)]) };

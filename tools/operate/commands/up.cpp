@@ -19,6 +19,7 @@
 #include "tools/logs/commands/recording_options.h"
 #include "tools/operate/client/model_report.h"
 #include "tools/operate/launcher/installed_release.h"
+#include "tools/operate/launcher/kept_overlay.h"
 #include "tools/operate/launcher/launch_view.h"
 #include "tools/operate/launcher/launcher.h"
 #include "tools/operate/launcher/recorder_plan.h"
@@ -118,6 +119,7 @@ int run_up(const LaunchRequest& request, bool plain, bool unchecked) {
   if (request.maintenance) robot = for_maintenance(std::move(robot));
   ServiceNotify service;
   Launcher launcher(request, robot);
+  const KeptOverlay overlay(request.instance, robot);
   int status = kExitFailed;
   {
     LaunchView view(launcher, robot, plain);

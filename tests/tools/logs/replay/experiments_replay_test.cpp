@@ -3,8 +3,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <fstream>
+#include <utility>
 #include <vector>
 
+#include "robots/parameters.h"
+#include "tests/support/paths.h"
 #include "tests/tools/logs/replay/logged_run_fixture.h"
 #include "tools/lab/gait/legged_trial.h"
 #include "tools/lab/jump/jump_experiment.h"
@@ -68,6 +72,38 @@ TEST_F(ExperimentsReplay, StepResponse) {
   }
   ASSERT_GT(count, 0u);
   expect_identical(count);
+}
+
+/// Of parameters too: the ones that an overlay has, and the ones that are set on the way.
+TEST_F(ExperimentsReplay, PegasusWhoseParametersChangeWhileItTrots) {
+  std::filesystem::copy(test::source_dir() + "/robots/pegasus", folder_.path() / "pegasus",
+                        std::filesystem::copy_options::recursive);
+  std::ofstream(folder_.path() / "pegasus/overlay.yaml") << "presets: {best: {walk: {force_rise: 50 ms}}}\n";
+  const RobotConfig robot = load_robot(folder_.path() / "pegasus");
+  ASSERT_EQ(robot.overlay.size(), 1u);
+  {
+    const test::LogsOf logs(folder_.path().string());
+    LeggedTrial trial(robot, "best", lying(SimOptions{1, {}, true}));
+    trial.stand_up();
+    OperatorCommand walk;
+    walk.kind = OperatorKind::kWalk;
+    walk.gait = gait_index(robot, "trot");
+    walk.walk_speed = {0.3, 0.0, 0.0};
+    trial.say(walk);
+    trial.run(1.5);
+    OperatorCommand set;
+    set.kind = OperatorKind::kSetParameter;
+    const auto all = parameters_of(robot, robot.preset("best"));
+    for (const auto& [name, value] :
+         {std::pair{"walk.stance.stiffness.z", 3000.0}, std::pair{"gaits.trot.fastest.forward", 0.15}}) {
+      set.parameter = parameter_named(all, name);
+      set.parameter_value = value;
+      trial.say(set);
+      trial.run(0.7);
+    }
+    EXPECT_LT(trial.robot().motion_state().desired_speed[0], 0.3);
+  }
+  expect_identical(1);
 }
 
 /// From the floor to its feet, a trot that turns, another speed, stop.
