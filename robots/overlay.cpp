@@ -35,6 +35,7 @@ std::map<std::string, OverlaidPlace> places_of(const RobotConfig& robot) {
 
 std::vector<std::string> names_of_places(const std::map<std::string, OverlaidPlace>& places) {
   std::vector<std::string> out;
+  out.reserve(places.size());
   for (const auto& [path, place] : places) out.push_back(path);
   return out;
 }
@@ -140,7 +141,7 @@ std::string overlay_path(const std::string& folder) {
 }
 
 std::string robot_text(const std::string& folder) {
-  const std::string robot = file_text(fs::path(folder) / "robot.yaml");
+  std::string robot = file_text(fs::path(folder) / "robot.yaml");
   const fs::path overlay = overlay_path(folder);
   if (!fs::exists(overlay)) return robot;
   return robot + kKey + indented(file_text(overlay));

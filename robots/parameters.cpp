@@ -264,6 +264,7 @@ std::vector<Parameter> parameters_of(const RobotConfig& robot, const PresetConfi
 
 int parameter_named(const std::vector<Parameter>& parameters, const std::string& name) {
   std::vector<std::string> names;
+  names.reserve(parameters.size());
   for (const Parameter& one : parameters) names.push_back(one.name);
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end())

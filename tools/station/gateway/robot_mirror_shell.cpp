@@ -18,6 +18,7 @@
 #include "runtime/key_source.h"
 #include "runtime/session_clock.h"
 #include "runtime/types_hash.h"
+#include "signals/modes.h"
 #include "tools/station/gateway/file_parts.h"
 #include "tools/station/gateway/message_bytes.h"
 #include "tools/station/server/robot_channels.h"

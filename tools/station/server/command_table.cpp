@@ -159,6 +159,7 @@ OperatorForm move_form(const RobotConfig& robot) {
 OperatorForm parameter_form(const std::vector<Parameter>& parameters) {
   constexpr double kAny = 1e9;  // each has a range of its own
   std::vector<std::string> names;
+  names.reserve(parameters.size());
   for (const Parameter& one : parameters) names.push_back(one.name);
   return {
       "set_parameter",

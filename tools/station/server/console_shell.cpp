@@ -198,7 +198,7 @@ class Console {
     }
   }
 
-  void send_binaries(FoxgloveSession::Messages messages) {
+  void send_binaries(FoxgloveSession::Messages&& messages) {
     for (auto& [page, bytes] : messages) server_.send_binary(page, std::move(bytes));
   }
 
