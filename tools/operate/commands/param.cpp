@@ -109,7 +109,8 @@ int save(const ParameterCall& call, bool elsewhere) {
   }
   report::write_text(overlay_text(numbers), path);
   for (const OverlaidNumber& one : numbers) std::printf("%s\n", overlaid_text(one).c_str());
-  std::printf("%s: the next sprung up reads it\n", path.c_str());
+  std::printf("%s%s: the next sprung up reads it\n", path.c_str(),
+              call.out.empty() ? "" : ", once it is overlay.yaml beside robot.yaml");
   return kExitDone;
 }
 
