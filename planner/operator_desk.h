@@ -12,7 +12,7 @@ namespace sprung {
 
 /// Of a reply about a parameter: which, and its value from now on.
 struct ParameterNews {
-  std::int32_t parameter = -1;
+  std::int64_t parameter = 0;  ///< id; 0: none
   double value = kNaN;
 };
 

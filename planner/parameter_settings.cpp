@@ -1,6 +1,5 @@
 #include "planner/parameter_settings.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace sprung {
@@ -10,13 +9,10 @@ ParameterSettings::ParameterSettings(const RobotConfig& robot, const PresetConfi
   for (const Parameter& one : parameters_) ramps_.push_back({one.at(acting_), one.at(acting_), 0, false});
 }
 
-bool ParameterSettings::is_one(int parameter) const noexcept {
-  return parameter >= 0 && parameter < static_cast<int>(parameters_.size());
-}
-
-const char* ParameterSettings::why_not(int parameter, double value, MotionPhase state) const noexcept {
-  if (!is_one(parameter)) return "no such parameter of this robot under this preset";
-  const Parameter& one = parameters_[static_cast<std::size_t>(parameter)];
+const char* ParameterSettings::why_not(std::int64_t id, double value, MotionPhase state) const noexcept {
+  const auto place = place_of(parameters_, id);
+  if (!place) return kNoSuchParameter;
+  const Parameter& one = parameters_[*place];
   if (!std::isfinite(value)) return "the value is no number";
   if (!one.allows(value))
     return one.tightens_only ? "beyond its range: a limit may only be tightened" : "beyond its range";
@@ -25,9 +21,9 @@ const char* ParameterSettings::why_not(int parameter, double value, MotionPhase 
   return one.moves_body && !rests ? "only while the robot stands, walks or is off" : nullptr;
 }
 
-void ParameterSettings::set(int parameter, double value, std::int64_t now_us) noexcept {
-  Ramp& ramp = ramps_[static_cast<std::size_t>(parameter)];
-  ramp = {parameters_[static_cast<std::size_t>(parameter)].at(acting_), value, now_us, true};
+void ParameterSettings::set(std::int64_t id, double value, std::int64_t now_us) noexcept {
+  const auto place = place_of(parameters_, id);
+  if (place) ramps_[*place] = {parameters_[*place].at(acting_), value, now_us, true};
 }
 
 bool ParameterSettings::advance(std::int64_t now_us) noexcept {
@@ -44,10 +40,12 @@ bool ParameterSettings::advance(std::int64_t now_us) noexcept {
   return moved;
 }
 
-int ParameterSettings::next_changed(int from) const noexcept {
-  for (int i = std::max(0, from); i < static_cast<int>(parameters_.size()); ++i)
-    if (wanted(i) != parameters_[static_cast<std::size_t>(i)].file) return i;
-  return -1;
+std::optional<ParameterSettings::Wanted> ParameterSettings::next_changed(std::int64_t behind) const noexcept {
+  const auto place = place_of(parameters_, behind);
+  if (behind != 0 && !place) return std::nullopt;
+  for (std::size_t i = place ? *place + 1 : 0; i < parameters_.size(); ++i)
+    if (ramps_[i].to != parameters_[i].file) return Wanted{parameters_[i].id, ramps_[i].to};
+  return Wanted{};
 }
 
 }  // namespace sprung

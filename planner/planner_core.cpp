@@ -291,10 +291,11 @@ void PlannerCore::Impl::set_parameter(const OperatorCommand& command) noexcept {
 }
 
 void PlannerCore::Impl::read_parameter(const OperatorCommand& command) noexcept {
-  ParameterNews found{settings.next_changed(command.parameter), kNaN};
-  if (found.parameter >= 0) found.value = settings.wanted(found.parameter);
-  desk.reply(command.request_id, OperatorOutcome::kAccepted, "", now, found);
-  desk.reply(command.request_id, OperatorOutcome::kDone, "read", now, found);
+  const auto found = settings.next_changed(command.parameter);
+  if (!found) return desk.reply(command.request_id, OperatorOutcome::kRefused, kNoSuchParameter, now);
+  const ParameterNews news{found->id, found->id != 0 ? found->value : kNaN};
+  desk.reply(command.request_id, OperatorOutcome::kAccepted, "", now, news);
+  desk.reply(command.request_id, OperatorOutcome::kDone, "read", now, news);
 }
 
 /// What is under way has gains, heights and limits of its own, where it was asked for without.

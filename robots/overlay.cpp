@@ -1,13 +1,12 @@
 #include "robots/overlay.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
 
-#include "robots/config_error.h"
 #include "robots/parameters.h"
+#include "robots/text_hash.h"
 #include "robots/yaml_text.h"
 #include "signals/number_text.h"
 #include "signals/spelling.h"
@@ -92,12 +91,6 @@ std::string exact_quantity(double value, const std::string& unit) {
   return exact_text(value) + (unit.empty() ? "" : " ") + unit;
 }
 
-std::string file_text(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw ConfigError(path.string() + ": cannot be read");
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
-
 std::string indented(const std::string& text) {
   std::string out;
   for (std::size_t at = 0; at < text.size();) {
@@ -141,21 +134,14 @@ std::string overlay_path(const std::string& folder) {
 }
 
 std::string robot_text(const std::string& folder) {
-  std::string robot = file_text(fs::path(folder) / "robot.yaml");
+  std::string robot = text_of_file(fs::path(folder) / "robot.yaml");
   const fs::path overlay = overlay_path(folder);
   if (!fs::exists(overlay)) return robot;
-  return robot + kKey + indented(file_text(overlay));
+  return robot + kKey + indented(text_of_file(overlay));
 }
 
 std::string without_overlay(const std::string& robot_text) {
   return robot_text.substr(0, robot_text.rfind(kKey));
-}
-
-/// FNV-1a: a name for a configuration, no protection against anyone.
-std::int64_t hash_text(const std::string& text) {
-  std::uint64_t hash = 14695981039346656037ULL;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
-  return static_cast<std::int64_t>(hash >> 1);
 }
 
 std::string overlaid_text(const OverlaidNumber& number) {

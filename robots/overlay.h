@@ -34,7 +34,6 @@ std::string overlay_text(const std::vector<OverlaidNumber>& numbers);
 std::string robot_text(const std::string& folder);
 /// robot.yaml alone, of such a text.
 std::string without_overlay(const std::string& robot_text);
-std::int64_t hash_text(const std::string& text);
 
 /// "overlay.yaml: presets.best.stand_length is 0.5 m, robot.yaml: 0.525 m".
 std::string overlaid_text(const OverlaidNumber& number);

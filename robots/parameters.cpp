@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "robots/text_hash.h"
 #include "signals/spelling.h"
 
 namespace sprung {
@@ -43,6 +44,7 @@ class Lister {
            const std::string& meaning, int index = 0) {
     Parameter one;
     one.name = name;
+    one.id = parameter_id(name);
     one.unit = unit;
     one.meaning = meaning;
     one.place = place;
@@ -262,7 +264,18 @@ std::vector<Parameter> parameters_of(const RobotConfig& robot, const PresetConfi
   return to.take();
 }
 
-int parameter_named(const std::vector<Parameter>& parameters, const std::string& name) {
+std::int64_t parameter_id(const std::string& name) noexcept {
+  constexpr int kBitsBeyondExact = 10;  // of 63
+  return std::max<std::int64_t>(1, hash_text(name) >> kBitsBeyondExact);
+}
+
+std::optional<std::size_t> place_of(const std::vector<Parameter>& parameters, std::int64_t id) noexcept {
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    if (parameters[i].id == id) return i;
+  return std::nullopt;
+}
+
+std::size_t parameter_named(const std::vector<Parameter>& parameters, const std::string& name) {
   std::vector<std::string> names;
   names.reserve(parameters.size());
   for (const Parameter& one : parameters) names.push_back(one.name);
@@ -270,7 +283,7 @@ int parameter_named(const std::vector<Parameter>& parameters, const std::string&
   if (found == names.end())
     throw std::invalid_argument("no parameter '" + name + "'" + did_you_mean(name, names) +
                                 "; all of them: sprung param list");
-  return static_cast<int>(found - names.begin());
+  return static_cast<std::size_t>(found - names.begin());
 }
 
 std::string path_of(const Parameter& parameter, const std::string& preset) {

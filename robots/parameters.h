@@ -20,6 +20,9 @@ struct AdjustableConfig {
 AdjustableConfig adjustable_of(const RobotConfig& robot, const PresetConfig& preset);
 
 struct Parameter {
+  /// Of its name, the same in every build and for every robot: what messages say. Above 0, and exact as a
+  /// double.
+  std::int64_t id = 0;
   /// Way to it in robot.yaml: from the preset on, "compliance.stiffness.z", or of the robot,
   /// "gaits.trot.lift".
   std::string name;
@@ -45,8 +48,13 @@ struct Parameter {
 /// multiplied is none of them.
 std::vector<Parameter> parameters_of(const RobotConfig& robot, const PresetConfig& preset);
 
-/// Index of the one of that name. @throws std::invalid_argument naming the nearest.
-int parameter_named(const std::vector<Parameter>& parameters, const std::string& name);
+/// Id of the one of that name, whether there is one or not.
+std::int64_t parameter_id(const std::string& name) noexcept;
+/// Place of the one of that id; nothing: there is none.
+std::optional<std::size_t> place_of(const std::vector<Parameter>& parameters, std::int64_t id) noexcept;
+
+/// Place of the one of that name. @throws std::invalid_argument naming the nearest.
+std::size_t parameter_named(const std::vector<Parameter>& parameters, const std::string& name);
 
 /// Its way from the top of robot.yaml: "presets.best.compliance.stiffness.z".
 std::string path_of(const Parameter& parameter, const std::string& preset);

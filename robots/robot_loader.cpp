@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <set>
 
 #include "robots/file_version.h"
@@ -15,6 +13,7 @@
 #include "robots/reading_sections.h"
 #include "robots/robot_numbers.h"
 #include "robots/robot_sections.h"
+#include "robots/text_hash.h"
 
 namespace sprung {
 
@@ -22,11 +21,6 @@ namespace fs = std::filesystem;
 using namespace robot_sections;
 
 namespace {
-
-std::string read_file(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
 
 struct NodeName {
   std::string name;
@@ -238,7 +232,7 @@ RobotConfig load_robot(const std::string& robot) {
   const std::string path = (fs::path(folder) / "robot.yaml").string();
   RobotConfig config = read_kept_robot(path);
   config.folder = folder;
-  config.hash = hash_text(read_file(path));
+  config.hash = hash_text(without_overlay(text_of_file(path)));
   const fs::path overlay = overlay_path(folder);
   if (fs::exists(overlay)) apply_overlay(YamlMap::load(overlay.string()), config);
   return config;

@@ -133,13 +133,13 @@ const YamlTree* node_at(const YamlTree& root, std::string path) {
   return node;
 }
 
+}  // namespace
+
 std::string text_of_file(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in) throw ConfigError(path + ": cannot be read: check that the file is there");
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
-
-}  // namespace
 
 YamlMap::YamlMap(std::shared_ptr<State> state) : state_(std::move(state)) {}
 

@@ -30,6 +30,9 @@ struct YamlQuestions {
   std::map<std::string, std::map<std::string, std::string>> defaults;
 };
 
+/// @throws ConfigError where it cannot be read.
+std::string text_of_file(const std::string& path);
+
 class YamlMap {
  public:
   /// @throws ConfigError when the file cannot be read, is no YAML, or is no map.

@@ -34,7 +34,7 @@ struct OperatorCommand {
   GaitControl gait_control = GaitControl::kAdaptive;  ///< kWalk
   double hold_s = kNaN;  ///< kWalk, kComply: stop so long after it took effect; kHold: so long from now; NaN:
                          ///< never
-  std::int32_t parameter = -1;    ///< kSetParameter, kReadParameter: index (robots/parameters.h)
+  std::int64_t parameter = 0;     ///< kSetParameter: id of which; kReadParameter: of the one before; 0: none
   double parameter_value = kNaN;  ///< kSetParameter
 };
 
@@ -43,7 +43,7 @@ struct OperatorReply {
   std::int64_t request_id = 0;
   std::int64_t took_effect_at_seq = -1;
   OperatorOutcome outcome = OperatorOutcome::kRefused;
-  std::int32_t parameter = -1;    ///< kSetParameter, kReadParameter: which one it is about; -1: none
+  std::int64_t parameter = 0;     ///< kSetParameter, kReadParameter: id of which; 0: none
   double parameter_value = kNaN;  ///< what it is set to now
   const char* answered_by = "";   ///< process; static text
   const char* reason = "";        ///< static text

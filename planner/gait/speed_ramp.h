@@ -6,10 +6,7 @@ namespace sprung {
 
 class SpeedRamp {
  public:
-  SpeedRamp() = default;
-  SpeedRamp(double acceleration_m_s2, double turning_acceleration_rad_s2) noexcept
-      : most_{acceleration_m_s2, acceleration_m_s2, turning_acceleration_rad_s2} {}
-
+  /// Before all else, and whenever they are others.
   void limit(double acceleration_m_s2, double turning_acceleration_rad_s2) noexcept {
     most_ = {acceleration_m_s2, acceleration_m_s2, turning_acceleration_rad_s2};
   }

@@ -1,5 +1,6 @@
 /// Maintenance mode: nothing moves unless somebody holds.
 #include "robots/maintenance.h"
+#include "robots/parameters.h"
 #include "tests/planner/planner_fixture.h"
 
 namespace sprung {
@@ -148,6 +149,20 @@ TEST_F(HoldToRunTest, WordLastsASecondAtMost) {
     cycle();
     EXPECT_EQ(outcomes(id), "refused") << hold_s;
   }
+}
+
+TEST_F(HoldToRunTest, ParametersChangeOnlyWhileTheRobotIsOff) {
+  OperatorCommand set;
+  set.kind = OperatorKind::kSetParameter;
+  set.parameter = parameter_id("stand_length");
+  set.parameter_value = 0.95 * preset_.stand_length_m;
+  std::int64_t id = send(set);
+  cycle();
+  EXPECT_EQ(outcomes(id), "accepted done");
+  stand_held();
+  id = send(set);
+  cycle();
+  EXPECT_EQ(outcomes(id), "refused");
 }
 
 }  // namespace

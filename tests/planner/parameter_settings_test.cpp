@@ -11,9 +11,7 @@ namespace {
 
 class ParameterSettingsTest : public testing::Test {
  protected:
-  int named(const std::string& name) const {
-    return parameter_named(parameters_of(robot_, robot_.preset("best")), name);
-  }
+  static std::int64_t named(const std::string& name) { return parameter_id(name); }
   double stiffness() const { return settings_.acting().preset.compliance.stiffness_N_m[2]; }
   bool after(double seconds) { return settings_.advance(static_cast<std::int64_t>(seconds * 1e6)); }
   const RobotConfig robot_ = load_robot("pegasus");
@@ -47,20 +45,19 @@ TEST_F(ParameterSettingsTest, ClockThatBeginsAnewEndsTheRamp) {
 }
 
 TEST_F(ParameterSettingsTest, TellsWhichAreNotRobotYamls) {
-  EXPECT_EQ(settings_.next_changed(0), -1);
-  const int one = named("compliance.stiffness.z"), other = named("walk.force_rise");
+  EXPECT_EQ(settings_.next_changed(0)->id, 0);
+  const std::int64_t one = named("compliance.stiffness.z"), other = named("walk.force_rise");
   settings_.set(other, 0.05, 0);
   settings_.set(one, 2000.0, 0);
-  EXPECT_EQ(settings_.next_changed(0), one);
-  EXPECT_EQ(settings_.wanted(one), 2000.0);
-  EXPECT_EQ(settings_.next_changed(one + 1), other);
-  EXPECT_EQ(settings_.next_changed(other + 1), -1);
-  EXPECT_EQ(settings_.next_changed(-5), one);
-  EXPECT_EQ(settings_.next_changed(1'000'000), -1);
+  EXPECT_EQ(settings_.next_changed(0)->id, one);
+  EXPECT_EQ(settings_.next_changed(0)->value, 2000.0);
+  EXPECT_EQ(settings_.next_changed(one)->id, other);
+  EXPECT_EQ(settings_.next_changed(other)->id, 0);
+  EXPECT_FALSE(settings_.next_changed(12345)) << "there is none of that id";
 }
 
 TEST_F(ParameterSettingsTest, WhatMayNotBeIsRefusedWithTheReason) {
-  const auto why = [&](int parameter, double value, MotionPhase state = MotionPhase::kStanding) {
+  const auto why = [&](std::int64_t parameter, double value, MotionPhase state = MotionPhase::kStanding) {
     const char* text = settings_.why_not(parameter, value, state);
     return std::string(text == nullptr ? "" : text);
   };

@@ -1,6 +1,5 @@
 /// Parameters from an operator's word to LEG_COMMAND.
 #include "planner/parameter_settings.h"
-#include "robots/maintenance.h"
 #include "robots/parameters.h"
 #include "tests/planner/walking_planner.h"
 #include "tests/support/allocation_count.h"
@@ -10,18 +9,18 @@ namespace {
 
 class PlannerParameters : public WalkingPlanner {
  protected:
-  OperatorCommand order(const std::string& name, double value) const {
+  static OperatorCommand order(const std::string& name, double value) {
     OperatorCommand out;
     out.kind = OperatorKind::kSetParameter;
-    out.parameter = parameter_named(parameters_of(robot_, robot_.preset("best")), name);
+    out.parameter = parameter_id(name);
     out.parameter_value = value;
     return out;
   }
   OperatorReply set(const std::string& name, double value) { return send(order(name, value)); }
-  OperatorReply read(int from) {
+  OperatorReply read(std::int64_t behind) {
     OperatorCommand question;
     question.kind = OperatorKind::kReadParameter;
-    question.parameter = from;
+    question.parameter = behind;
     return send(question);
   }
   double height_m() const { return -legs_.legs[0].desired_foot_in_hip_m[2]; }
@@ -35,7 +34,8 @@ TEST_F(PlannerParameters, AnswerNamesTheCycleAndTheValue) {
   const OperatorReply found = read(0);
   EXPECT_EQ(found.parameter, reply.parameter);
   EXPECT_EQ(found.parameter_value, 4000.0);
-  EXPECT_EQ(read(found.parameter + 1).parameter, -1);
+  EXPECT_EQ(read(found.parameter).parameter, 0);
+  EXPECT_EQ(read(12345).outcome, OperatorOutcome::kRefused);
 }
 
 TEST_F(PlannerParameters, WhatIsBeyondItsRangeIsRefusedAndNothingChanges) {
@@ -43,7 +43,7 @@ TEST_F(PlannerParameters, WhatIsBeyondItsRangeIsRefusedAndNothingChanges) {
   const std::string before = motion_.last_transition;
   EXPECT_EQ(set("stand_length", 0.9).outcome, OperatorOutcome::kRefused);
   EXPECT_EQ(motion_.last_transition, before);
-  EXPECT_EQ(read(0).parameter, -1);
+  EXPECT_EQ(read(0).parameter, 0);
 }
 
 TEST_F(PlannerParameters, ComplianceThatIsUnderWayGetsItWithoutAStep) {
@@ -138,25 +138,6 @@ TEST_F(PlannerParameters, NothingIsAllocatedWhileTheyChange) {
     for (OperatorReply reply; planner_.next_reply(reply);) continue;
     ASSERT_EQ(test::allocation_count(), before) << k;
   }
-}
-
-TEST(PlannerParametersInMaintenance, AreSetOnlyWhileTheRobotIsOff) {
-  const RobotConfig robot = for_maintenance(load_robot("pegasus"));
-  PlannerCore planner(robot, robot.preset("best"));
-  JointState state(12, 4);
-  state.safety = SafetyLevel::kOperational;
-  LegCommand legs(4);
-  MotionState motion(4);
-  OperatorCommand order;
-  order.kind = OperatorKind::kSetParameter;
-  order.parameter = 0;
-  order.parameter_value = 0.5;
-  order.request_id = 1;
-  planner.submit(order);
-  planner.step(state, legs, motion);
-  OperatorReply reply;
-  ASSERT_TRUE(planner.next_reply(reply));
-  EXPECT_EQ(reply.outcome, OperatorOutcome::kAccepted);
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ TEST_F(Overlay, ReplacesNumbersOfOnePresetEvenWhereTheyCameByLike) {
 TEST_F(Overlay, RangesStayThoseOfRobotYaml) {
   const RobotConfig robot = load("presets: {best: {compliance: {stiffness: {z: 6000 N/m}}}}\n");
   const auto all = parameters_of(robot, robot.preset("best"));
-  const Parameter& one = all[static_cast<std::size_t>(parameter_named(all, "compliance.stiffness.z"))];
+  const Parameter& one = all[parameter_named(all, "compliance.stiffness.z")];
   EXPECT_EQ(one.file, 3000.0);
   EXPECT_EQ(one.most, 6000.0);
 }

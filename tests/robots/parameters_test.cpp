@@ -16,9 +16,7 @@ using testing::HasSubstr;
 
 class Parameters : public testing::Test {
  protected:
-  const Parameter& named(const std::string& name) const {
-    return all_[static_cast<std::size_t>(parameter_named(all_, name))];
-  }
+  const Parameter& named(const std::string& name) const { return all_[parameter_named(all_, name)]; }
   RobotConfig robot_ = load_robot("pegasus");
   std::vector<Parameter> all_ = parameters_of(robot_, robot_.preset("best"));
 };
@@ -28,9 +26,13 @@ TEST_F(Parameters, OfEveryRobotAndPresetAreDeclaredOnceWithUnitRangeAndMeaning) 
     const RobotConfig robot = load_robot(name);
     for (const PresetConfig& preset : robot.presets) {
       std::set<std::string> names;
+      std::set<std::int64_t> ids;
       for (const Parameter& one : parameters_of(robot, preset)) {
         SCOPED_TRACE(one.name);
         EXPECT_TRUE(names.insert(one.name).second);
+        EXPECT_TRUE(ids.insert(one.id).second);
+        EXPECT_EQ(one.id, parameter_id(one.name));
+        EXPECT_EQ(static_cast<std::int64_t>(static_cast<double>(one.id)), one.id) << "exact in scripts";
         EXPECT_FALSE(one.meaning.empty());
         EXPECT_LT(one.least, one.most);
         EXPECT_TRUE(one.allows(one.file)) << "robot.yaml's own is always allowed";

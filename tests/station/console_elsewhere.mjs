@@ -37,10 +37,10 @@ try {
   programs.console = server.child;
   const page = await openLive(browser, server.found[0]);
   await standUp(page);
-  const link = page.locator("#processes tr", { hasText: "operator-link" });
-  await eventually("the page says who drives", async () => (await link.textContent()).includes("running"));
+  await page.locator("#via", { hasText: /as alice \(maintain\); alice drives/ }).waitFor({ timeout: 10_000 });
   await press(page, "walk", { forward_m_s: 0.2 });
   await eventually("it walks", async () => (await state(page)).motion.state === "walking");
+  await page.screenshot({ path: path.join(folder, "console-elsewhere.png") });
   gateway.child.kill("SIGKILL");
   await page.locator("#banner", { hasText: /LOST for .* stops and stands/ }).waitFor({ timeout: 10_000 });
   assert.equal(await page.locator("#link").textContent(), "link lost");

@@ -13,7 +13,8 @@ constexpr double kSpeedRampStep_s = 0.002;
 constexpr std::array<double, 3> kUnlimited{1e9, 1e9, 1e9};
 
 TEST(SpeedRampTest, GoesToTheWantedSpeedAtItsAcceleration) {
-  SpeedRamp ramp(0.2, 0.5);
+  SpeedRamp ramp;
+  ramp.limit(0.2, 0.5);
   ramp.want({0.3, -0.1, 0.25});
   int cycles = 0;
   for (; !ramp.arrived() && cycles < 10000; ++cycles) {
@@ -29,7 +30,8 @@ TEST(SpeedRampTest, GoesToTheWantedSpeedAtItsAcceleration) {
 
 TEST(SpeedRampTest, StopsInTheGivenTimeAndASlowOneAtItsAcceleration) {
   for (const double speed_m_s : {0.45, 0.3, 0.06}) {
-    SpeedRamp ramp(0.2, 0.5);
+    SpeedRamp ramp;
+    ramp.limit(0.2, 0.5);
     ramp.want({speed_m_s, 0.0, 0.1});
     while (!ramp.arrived()) ramp.advance(kSpeedRampStep_s, kUnlimited);
     ramp.stop(0.6);
@@ -40,7 +42,8 @@ TEST(SpeedRampTest, StopsInTheGivenTimeAndASlowOneAtItsAcceleration) {
 }
 
 TEST(SpeedRampTest, AfterAStopItSpeedsUpAsBefore) {
-  SpeedRamp ramp(0.2, 0.5);
+  SpeedRamp ramp;
+  ramp.limit(0.2, 0.5);
   ramp.want({0.4, 0.0, 0.0});
   while (!ramp.arrived()) ramp.advance(kSpeedRampStep_s, kUnlimited);
   ramp.stop(0.1);
@@ -51,7 +54,8 @@ TEST(SpeedRampTest, AfterAStopItSpeedsUpAsBefore) {
 }
 
 TEST(SpeedRampTest, TurnsRoundWithoutAStep) {
-  SpeedRamp ramp(1.0, 1.0);
+  SpeedRamp ramp;
+  ramp.limit(1.0, 1.0);
   ramp.want({0.5, 0.0, 0.0});
   for (int k = 0; k < 100; ++k) ramp.advance(kSpeedRampStep_s, kUnlimited);
   const double before = ramp.now()[0];
@@ -62,7 +66,8 @@ TEST(SpeedRampTest, TurnsRoundWithoutAStep) {
 }
 
 TEST(SpeedRampTest, ResetItStandsAndWantsToStand) {
-  SpeedRamp ramp(1.0, 1.0);
+  SpeedRamp ramp;
+  ramp.limit(1.0, 1.0);
   ramp.want({0.5, 0.5, 0.5});
   ramp.advance(kSpeedRampStep_s, kUnlimited);
   ramp.reset();
@@ -72,7 +77,8 @@ TEST(SpeedRampTest, ResetItStandsAndWantsToStand) {
 }
 
 TEST(SpeedRampTest, BecomesFasterNoQuickerThanTheGaitAllowsAndSlowerAtItsOwnRate) {
-  SpeedRamp ramp(0.2, 0.5);
+  SpeedRamp ramp;
+  ramp.limit(0.2, 0.5);
   const std::array<double, 3> gait{0.05, 0.02, 0.1};
   ramp.want({0.1, 0.0, 0.0});
   ramp.advance(kSpeedRampStep_s, gait);

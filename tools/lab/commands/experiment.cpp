@@ -4,6 +4,7 @@
 #include <memory>
 #include <mutex>
 
+#include "robots/overlay.h"
 #include "robots/robot_loader.h"
 #include "runtime/log.h"
 #include "tools/commands.h"
@@ -25,8 +26,16 @@ struct ExperimentOptions {
   bool as_json = false;
 };
 
+/// Figures with it are not robot.yaml's.
+RobotConfig loaded(const std::string& name) {
+  RobotConfig robot = load_robot(name);
+  for (const OverlaidNumber& one : robot.overlay)
+    std::fprintf(stderr, "note: %s\n", overlaid_text(one).c_str());
+  return robot;
+}
+
 IndexHeading heading_of(const RobotConfig& robot, const ExperimentRequest& request) {
-  return {robot.name, static_cast<std::uint64_t>(robot.hash), request.seed,
+  return {robot.name, static_cast<std::uint64_t>(robot.hash ^ robot.overlay_hash), request.seed,
           "sprung experiment all --robot " + request.robot + " --seed " + std::to_string(request.seed)};
 }
 
@@ -48,7 +57,7 @@ int run_one(const Experiment& experiment, const ExperimentOptions& options) {
   start_log("sprung");
   ExperimentRequest request = options.request;
   request.pages = !options.out.empty() || !options.report.empty();
-  const RobotConfig robot = load_robot(request.robot);
+  const RobotConfig robot = loaded(request.robot);
   ExperimentInput input = experiment_input(experiment, request, robot);
   const FinishedExperiment finished = with_progress(experiment.name, [&](ProgressBar& bar) {
     input.parallel.on_progress = [&bar](std::size_t done, std::size_t count) { bar.show(done, count); };
@@ -113,7 +122,7 @@ std::vector<Experiment> experiments_or_refusal(const RobotConfig& robot) {
 int run_all(const ExperimentOptions& options) {
   start_log("sprung");
   const auto started = std::chrono::steady_clock::now();
-  const RobotConfig robot = load_robot(options.request.robot);
+  const RobotConfig robot = loaded(options.request.robot);
   const std::vector<Experiment> all = experiments_or_refusal(robot);
   ProgressBar bar("experiments");
   bar.show(0, all.size());

@@ -42,14 +42,14 @@ struct WatchedChange {
   JointTorques torque_Nm;
 };
 
-/// @param set nothing where its parameter is -1.
+/// @param set nothing where its parameter is 0.
 WatchedChange watch_motion(const RobotConfig& robot, const std::string& preset, const SimOptions& sim,
                            ParameterMotion motion, const OperatorCommand& set) {
   WalkingRobot walker(robot, preset, sim);
   walker.say(begin_of(robot, motion));
   walker.run(kUnchanged_s);
   if (walker.refusals() > 0) throw std::runtime_error("the robot does not begin: " + walker.last_refusal());
-  if (set.parameter >= 0) walker.say(set);
+  if (set.parameter != 0) walker.say(set);
   WatchedChange out;
   const auto cycles = static_cast<std::size_t>(window_s(motion) / robot.cycle_s);
   walker.run(kChanged_s, [&](InProcessRobot& process) {
@@ -88,7 +88,7 @@ std::vector<ParameterTrial> wanted_trials(const std::vector<Parameter>& all,
         if (value == all[i].file) continue;
         ParameterTrial& trial = out.emplace_back();
         trial.motion = motion;
-        trial.parameter = static_cast<int>(i);
+        trial.parameter = all[i].id;
         trial.name = all[i].name;
         trial.value = value;
       }

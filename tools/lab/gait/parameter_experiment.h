@@ -21,7 +21,7 @@ constexpr auto words_of(ParameterMotion) {
 
 struct ParameterTrial {
   ParameterMotion motion = ParameterMotion::kStand;
-  int parameter = 0;
+  std::int64_t parameter = 0;  ///< its id
   std::string name;
   double value = 0.0;
   bool refused = false;  ///< by the planner

@@ -16,7 +16,7 @@ struct OperatorAnswer {
   std::int64_t took_effect_at_seq = -1;
   std::string from;
   std::string reason;
-  int parameter = -1;  ///< that was set or read; -1: none
+  std::int64_t parameter = 0;  ///< id of the one that was set or read; 0: none
   double parameter_value = kNaN;
 };
 

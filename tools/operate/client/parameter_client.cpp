@@ -25,27 +25,34 @@ ParameterClient::ParameterClient(const RunInfo& info)
       parameters_(parameters_of(robot_, robot_.preset(info.preset))),
       client_(info) {}
 
+OperatorAnswer ParameterClient::next_changed(std::int64_t behind) {
+  OperatorCommand question;
+  question.kind = OperatorKind::kReadParameter;
+  question.parameter = behind;
+  const auto answer = client_.send(question, kParameterAnswer_s);
+  if (!answer) throw std::runtime_error("the motion planner does not answer; see: sprung status");
+  if (answer->outcome == OperatorOutcome::kRefused) throw std::runtime_error(answer->reason);
+  return *answer;
+}
+
 std::vector<double> ParameterClient::read() {
   std::vector<double> values;
   for (const Parameter& one : parameters_) values.push_back(one.file);
-  for (int from = 0; from < static_cast<int>(values.size());) {
-    OperatorCommand question;
-    question.kind = OperatorKind::kReadParameter;
-    question.parameter = from;
-    const auto answer = client_.send(question, kParameterAnswer_s);
-    if (!answer) throw std::runtime_error("the motion planner does not answer; see: sprung status");
-    if (answer->outcome == OperatorOutcome::kRefused) throw std::runtime_error(answer->reason);
-    if (answer->parameter < from || answer->parameter >= static_cast<int>(values.size())) break;
-    values[static_cast<std::size_t>(answer->parameter)] = answer->parameter_value;
-    from = answer->parameter + 1;
+  std::size_t asked = 0;
+  for (OperatorAnswer found = next_changed(0); found.parameter != 0; found = next_changed(found.parameter)) {
+    const auto place = place_of(parameters_, found.parameter);
+    if (!place || ++asked > values.size())
+      throw std::runtime_error("the robot that is up has other parameters than " + robot_.folder +
+                               "/robot.yaml: was that changed since?");
+    values[*place] = found.parameter_value;
   }
   return values;
 }
 
-std::optional<OperatorAnswer> ParameterClient::set(int parameter, double value) {
+std::optional<OperatorAnswer> ParameterClient::set(const Parameter& parameter, double value) {
   OperatorCommand order;
   order.kind = OperatorKind::kSetParameter;
-  order.parameter = parameter;
+  order.parameter = parameter.id;
   order.parameter_value = value;
   return client_.send(order, kParameterAnswer_s);
 }

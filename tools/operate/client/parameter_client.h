@@ -16,14 +16,17 @@ class ParameterClient {
   const std::vector<Parameter>& parameters() const noexcept { return parameters_; }
   const RobotConfig& robot() const noexcept { return robot_; }
   const std::string& preset() const noexcept { return preset_; }
-  /// As they are wanted now, one for each. @throws std::runtime_error where the planner does not answer.
+  /// As they are wanted now, one for each. @throws std::runtime_error where the planner does not answer, or
+  /// has other parameters.
   std::vector<double> read();
   /// @return the first answer; nullopt: there was none.
-  std::optional<OperatorAnswer> set(int parameter, double value);
+  std::optional<OperatorAnswer> set(const Parameter& parameter, double value);
   /// What differs from robot.yaml, and what the overlay has for other presets.
   std::vector<OverlaidNumber> overlay(const std::vector<double>& values) const;
 
  private:
+  OperatorAnswer next_changed(std::int64_t behind);
+
   RobotConfig robot_;
   std::string preset_;
   std::vector<Parameter> parameters_;

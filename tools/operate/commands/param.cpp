@@ -26,7 +26,7 @@ ParameterClient client_of(const ParameterCall& call) {
   return ParameterClient(require_running(call.instance, call.robot));
 }
 
-int index_of(const ParameterClient& client, const std::string& name) {
+std::size_t place_named(const ParameterClient& client, const std::string& name) {
   try {
     return parameter_named(client.parameters(), name);
   } catch (const std::invalid_argument& error) {
@@ -61,8 +61,7 @@ int list(const ParameterCall& call, bool changed_only) {
 
 int get(const ParameterCall& call) {
   ParameterClient client = client_of(call);
-  const int index = index_of(client, call.name);
-  const auto place = static_cast<std::size_t>(index);
+  const std::size_t place = place_named(client, call.name);
   const double value = client.read()[place];
   const Parameter& one = client.parameters()[place];
   if (call.json)
@@ -82,15 +81,14 @@ double value_of(const Parameter& one, const std::string& text) {
 
 int set(const ParameterCall& call) {
   ParameterClient client = client_of(call);
-  const int index = index_of(client, call.name);
-  const Parameter& one = client.parameters()[static_cast<std::size_t>(index)];
+  const Parameter& one = client.parameters()[place_named(client, call.name)];
   double value = 0.0;
   try {
     value = value_of(one, call.value);
   } catch (const std::exception& error) {
     throw WrongUse(std::string(error.what()) + (one.tightens_only ? "; a limit may only be tightened" : ""));
   }
-  return report_motion("param set", client.set(index, value)) ? kExitDone : kExitFailed;
+  return report_motion("param set", client.set(one, value)) ? kExitDone : kExitFailed;
 }
 
 int save(const ParameterCall& call, bool elsewhere) {

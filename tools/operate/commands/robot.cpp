@@ -7,6 +7,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "robots/overlay.h"
 #include "robots/robot_loader.h"
 #include "robots/yaml_text.h"
 #include "simulation/plant/plant_draw.h"
@@ -46,6 +47,8 @@ int show(const std::string& robot, bool sim, const std::vector<std::string>& pla
     read_robot(file);
   std::printf("# %s, typed out; behind each value where it was typed.\n%s", path.c_str(),
               explained_yaml_text(file).c_str());
+  if (!sim)
+    for (const OverlaidNumber& one : config.overlay) std::printf("# %s\n", overlaid_text(one).c_str());
   return kExitDone;
 }
 

@@ -66,6 +66,9 @@ void fetch_one(OperatorLink& link, const std::string& name, const fs::path& fold
     bar.show(assembly.there() / 1000, assembly.total() / 1000);
   });
   out.close();
+  if (there > assembly.total())
+    throw std::runtime_error(part.string() + " is longer than the robot's " + name +
+                             ": of another file? Move it away, then again");
   fs::rename(part, whole);
   std::printf("%s%s\n", whole.c_str(), there == 0 ? "" : ", gone on where it was interrupted");
 }

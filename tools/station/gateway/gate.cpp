@@ -55,7 +55,7 @@ std::string refusal_message(const OperatorCommand& command, const std::string& w
   reply.request_id = command.request_id;
   reply.took_effect_at_seq = -1;
   reply.outcome = static_cast<std::int8_t>(OperatorOutcome::kRefused);
-  reply.parameter = -1;
+  reply.parameter = 0;
   reply.parameter_value = kNaN;
   reply.answered_by = "operator-gateway";
   reply.reason = why;

@@ -1,145 +1,38 @@
 #include "tools/station/gateway/gateway_shell.h"
 
 #include <sodium.h>
-#include <sprung_version.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include "lcmtypes/channels.h"
 #include "runtime/log.h"
 #include "runtime/session_clock.h"
 #include "runtime/stop_request.h"
-#include "runtime/types_hash.h"
 #include "tools/operate/launcher/run_file.h"
 #include "tools/station/gateway/audit_log_shell.h"
 #include "tools/station/gateway/file_parts.h"
 #include "tools/station/gateway/gate.h"
-#include "tools/station/gateway/message_bytes.h"
 #include "tools/station/gateway/operator_register_shell.h"
 #include "tools/station/gateway/served_files_shell.h"
+#include "tools/station/gateway/served_robot_shell.h"
 #include "tools/station/gateway/token_bucket.h"
-#include "tools/station/server/robot_link_shell.h"
 
 namespace sprung::gateway {
 namespace {
 
 namespace fs = std::filesystem;
-using station::RobotLink;
 
 constexpr int kTick_ms = 10;
-constexpr std::int64_t kWatch_us = 50'000, kProcesses_us = 500'000, kLook_us = 1'000'000;
+constexpr std::int64_t kWatch_us = 50'000, kLook_us = 1'000'000;
 constexpr int kMostAtOnce = 500;  // datagrams; then the robot is served again
 /// [design choice] for parts of files, of all operators: 2.2 MB/s, so that fetching logs costs a robot that
 /// walks no cycle.
 constexpr double kRequestsEachSecond = 125.0, kRequestsAtOnce = 8.0;
-constexpr std::uintmax_t kLargestRobotFile = 1'000'000;
-
-/// How often a channel's newest goes out. [design choice] what a page draws twenty times a second; the rest
-/// people read.
-struct Decimated {
-  RobotLink::Reader reader;
-  std::int64_t each_us;
-  std::int64_t next_us = 0;
-};
-
-std::vector<Decimated> decimated_channels() {
-  std::vector<Decimated> out;
-  for (const char* drawn : {channels::kDriveState, channels::kJointState, channels::kMotionState,
-                            channels::kSafetyState, channels::kLegCommand, channels::kDriveCommand})
-    out.push_back({{drawn, 0}, 50'000});
-  for (const char* read : {channels::kBusState, channels::kAuxiliaryState, channels::kImu})
-    out.push_back({{read, 0}, 200'000});
-  return out;
-}
-
-bool is_moving(MotionPhase phase) noexcept {
-  switch (phase) {
-    case MotionPhase::kCrouch:
-    case MotionPhase::kThrust:
-    case MotionPhase::kFlight:
-    case MotionPhase::kLanding:
-    case MotionPhase::kRecover:
-    case MotionPhase::kMovingJoint:
-    case MotionPhase::kComplying:
-    case MotionPhase::kWalking:
-      return true;
-    default:
-      return false;
-  }
-}
-
-/// A robot that is up, and what goes out of it.
-class ServedRobot {
- public:
-  explicit ServedRobot(const RunInfo& info) : info_(info), link_(info, station::robot_of(info)) {
-    nlohmann::ordered_json run{{"run", nlohmann::ordered_json::parse(run_text(info))},
-                               {"types", types_hash()},
-                               {"version", SPRUNG_GIT_HASH}};
-    run["files"] = nlohmann::ordered_json::array();
-    std::error_code none;
-    for (const auto& entry : fs::directory_iterator(info.robot_folder, none))
-      if (entry.is_regular_file() && entry.file_size() <= kLargestRobotFile)
-        run["files"].push_back(entry.path().filename().string());
-    description_ = run.dump();
-  }
-
-  const RunInfo& info() const noexcept { return info_; }
-  RobotLink& link() noexcept { return link_; }
-  bool moves() {
-    const auto& motion = link_.hear().motion.message;
-    return motion && is_moving(static_cast<MotionPhase>(motion->state));
-  }
-
-  const std::string& description() const noexcept { return description_; }
-
-  /// What is due: channel, a zero, message.
-  std::vector<std::string> due(std::int64_t now_us) {
-    std::vector<std::string> out;
-    for (const station::RobotAnswer& answer : link_.take_answers()) out.push_back(reply_text(answer));
-    for (Decimated& one : decimated_) {
-      if (now_us < one.next_us) continue;
-      const std::vector<std::uint8_t>* const bytes = link_.newest(one.reader);
-      if (bytes == nullptr) continue;
-      one.next_us = now_us + one.each_us;
-      out.push_back(
-          message_text(one.reader.channel, {reinterpret_cast<const char*>(bytes->data()), bytes->size()}));
-    }
-    if (now_us < next_processes_us_) return out;
-    next_processes_us_ = now_us + kProcesses_us;
-    for (const auto& [name, status] : link_.hear().processes)
-      out.push_back(message_text(channels::kProcessStatus, encoded(status)));
-    return out;
-  }
-
- private:
-  std::string reply_text(const station::RobotAnswer& answer) const {
-    sprung_msgs::operator_reply_t reply;
-    reply.session = info_.session;
-    reply.utime = link_.utime_us();
-    reply.seq = 0;
-    reply.request_id = answer.request_id;
-    reply.took_effect_at_seq = answer.cycle;
-    reply.outcome = static_cast<std::int8_t>(answer.outcome);
-    reply.parameter = answer.parameter;
-    reply.parameter_value = answer.parameter_value;
-    reply.answered_by = answer.from;
-    reply.reason = answer.reason;
-    return message_text(channels::kOperatorReply, encoded(reply));
-  }
-
-  RunInfo info_;
-  RobotLink link_;
-  std::string description_;
-  std::vector<Decimated> decimated_ = decimated_channels();
-  std::int64_t next_processes_us_ = 0;
-};
 
 class Gateway {
  public:

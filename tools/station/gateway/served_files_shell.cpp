@@ -66,8 +66,9 @@ std::string name_in(const std::string& file, const std::string& folder) {
 
 FilePart read_part(const PartRequest& request, const std::string& path) {
   FilePart out{request.file, request.offset, 0, "", ""};
+  std::error_code none;
   std::ifstream in(path, std::ios::binary | std::ios::ate);
-  if (!in) {
+  if (!in || fs::is_symlink(path, none)) {
     out.error = "is not there";
     return out;
   }

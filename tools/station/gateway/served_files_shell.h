@@ -13,7 +13,8 @@
 
 namespace sprung::gateway {
 
-/// What is asked for first, of the file that lies there; its error says where there is none.
+/// What is asked for first, of the file that lies there; its error says where there is none, or
+/// only a link to one.
 FilePart read_part(const PartRequest& request, const std::string& path);
 
 class ServedFiles {

@@ -278,8 +278,8 @@ void fill_home(const Filled& filled, OperatorCommand& command, const OperatorFor
   command.reference_source = value_named<ReferenceSource>(filled.word("from")).value();
 }
 
-void fill_parameter(const Filled& filled, const OperatorForm& form, OperatorCommand& command) {
-  command.parameter = index_of(form.parameters.front().choices, filled.word("parameter"));
+void fill_parameter(const Filled& filled, OperatorCommand& command) {
+  command.parameter = parameter_id(filled.word("parameter"));
   command.parameter_value = filled.number("value");
   if (std::isnan(command.parameter_value)) throw std::invalid_argument("value is missing");
 }
@@ -350,7 +350,7 @@ OperatorCommand command_of(const OperatorForm& form, const RobotConfig& robot, c
   if (form.kind == OperatorKind::kComply) fill_comply(filled, command);
   if (form.kind == OperatorKind::kWalk) fill_walk(filled, robot, now, command);
   if (form.kind == OperatorKind::kMoveJoint) fill_move(filled, robot, now, command);
-  if (form.kind == OperatorKind::kSetParameter) fill_parameter(filled, form, command);
+  if (form.kind == OperatorKind::kSetParameter) fill_parameter(filled, command);
   if (form.kind == OperatorKind::kHome) fill_home(filled, command, form);
   if (form.kind == OperatorKind::kLand) {
     command.touchdown_in_s = filled.number("touchdown_in_s");

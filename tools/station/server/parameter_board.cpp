@@ -1,6 +1,7 @@
 #include "tools/station/server/parameter_board.h"
 
 #include <nlohmann/json.hpp>
+#include <utility>
 
 namespace sprung::station {
 
@@ -10,36 +11,32 @@ ParameterBoard::ParameterBoard(const RobotConfig& robot, const std::string& pres
 }
 
 void ParameterBoard::ask_anew() noexcept {
-  if (parameters_.empty() || next_ >= 0) return;
-  next_ = 0;
+  if (!parameters_.empty() && !behind_) behind_ = 0;
 }
 
 void ParameterBoard::give_up() noexcept {
-  next_ = -1;
+  behind_.reset();
   asked_ = 0;
 }
 
 std::optional<OperatorCommand> ParameterBoard::question() const {
-  if (next_ < 0 || asked_ != 0) return std::nullopt;
+  if (!behind_ || asked_ != 0) return std::nullopt;
   OperatorCommand out;
   out.kind = OperatorKind::kReadParameter;
-  out.parameter = next_;
+  out.parameter = *behind_;
   return out;
 }
 
 bool ParameterBoard::take(const RobotAnswer& answer) {
-  const bool known = answer.parameter >= 0 && answer.parameter < static_cast<int>(values_.size());
+  const auto place = place_of(parameters_, answer.parameter);
   if (asked_ != 0 && answer.request_id == asked_ && answer.outcome != OperatorOutcome::kQueued) {
     asked_ = 0;
-    next_ = known && answer.parameter + 1 < static_cast<int>(values_.size()) ? answer.parameter + 1 : -1;
+    behind_ = place ? std::optional(answer.parameter) : std::nullopt;
   }
   const bool in_force = answer.outcome == OperatorOutcome::kAccepted ||
                         answer.outcome == OperatorOutcome::kDone;
-  if (!known || !in_force) return false;
-  double& value = values_[static_cast<std::size_t>(answer.parameter)];
-  const bool changed = value != answer.parameter_value;
-  value = answer.parameter_value;
-  return changed;
+  if (!place || !in_force) return false;
+  return std::exchange(values_[*place], answer.parameter_value) != answer.parameter_value;
 }
 
 nlohmann::ordered_json ParameterBoard::table_json() const {

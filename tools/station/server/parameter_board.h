@@ -31,8 +31,8 @@ class ParameterBoard {
  private:
   std::vector<Parameter> parameters_;
   std::vector<double> values_;
-  int next_ = -1;           ///< from which on is to be asked; -1: all is known
-  std::int64_t asked_ = 0;  ///< request id of the question that is under way; 0: none
+  std::optional<std::int64_t> behind_;  ///< which one is to be asked; nothing: all is known
+  std::int64_t asked_ = 0;              ///< request id of the question that is under way; 0: none
 };
 
 }  // namespace sprung::station

@@ -24,7 +24,7 @@ struct RobotAnswer {
   std::string reason;
   std::string from;
   std::int64_t cycle = -1;
-  int parameter = -1;  ///< that was set or read; -1: none
+  std::int64_t parameter = 0;  ///< id of the one that was set or read; 0: none
   double parameter_value = kNaN;
 };
 

@@ -20,6 +20,14 @@ namespace {
 
 using test::Folder;
 
+OperatorCommand trot(const RobotConfig& robot, const Vec3& speed) {
+  OperatorCommand walk;
+  walk.kind = OperatorKind::kWalk;
+  walk.gait = gait_index(robot, "trot");
+  walk.walk_speed = speed;
+  return walk;
+}
+
 class ExperimentsReplay : public testing::Test {
  protected:
   std::vector<std::string> logs() const {
@@ -85,18 +93,13 @@ TEST_F(ExperimentsReplay, PegasusWhoseParametersChangeWhileItTrots) {
     const test::LogsOf logs(folder_.path().string());
     LeggedTrial trial(robot, "best", lying(SimOptions{1, {}, true}));
     trial.stand_up();
-    OperatorCommand walk;
-    walk.kind = OperatorKind::kWalk;
-    walk.gait = gait_index(robot, "trot");
-    walk.walk_speed = {0.3, 0.0, 0.0};
-    trial.say(walk);
+    trial.say(trot(robot, {0.3, 0.0, 0.0}));
     trial.run(1.5);
     OperatorCommand set;
     set.kind = OperatorKind::kSetParameter;
-    const auto all = parameters_of(robot, robot.preset("best"));
     for (const auto& [name, value] :
          {std::pair{"walk.stance.stiffness.z", 3000.0}, std::pair{"gaits.trot.fastest.forward", 0.15}}) {
-      set.parameter = parameter_named(all, name);
+      set.parameter = parameter_id(name);
       set.parameter_value = value;
       trial.say(set);
       trial.run(0.7);
@@ -113,14 +116,9 @@ TEST_F(ExperimentsReplay, PegasusGetsUpWalksAndStops) {
     const test::LogsOf logs(folder_.path().string());
     LeggedTrial trial(robot, "best", lying(SimOptions{1, {}, true}));
     trial.stand_up();
-    OperatorCommand walk;
-    walk.kind = OperatorKind::kWalk;
-    walk.gait = gait_index(robot, "trot");
-    walk.walk_speed = {0.2, 0.0, 0.1};
-    trial.say(walk);
+    trial.say(trot(robot, {0.2, 0.0, 0.1}));
     trial.run(2.0);
-    walk.walk_speed = {0.1, 0.0, 0.0};
-    trial.say(walk);
+    trial.say(trot(robot, {0.1, 0.0, 0.0}));
     trial.run(1.0);
     OperatorCommand stop;
     stop.kind = OperatorKind::kStop;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -63,8 +64,9 @@ TEST_F(ServedFilesTest, LogsStayToBeHadWhenTheRobotIsDown) {
 
 TEST_F(ServedFilesTest, NothingElseOfTheComputerIsToBeHad) {
   files_.robot_is_up("what runs", folder_.path(), folder_ / "a.lcm");
-  for (const char* wrong : {"log/key", "log/.hidden.lcm", "log/../a.lcm", "log//etc/passwd", "key", "",
-                            "robot/../a.lcm", "robot/", "/etc/passwd", "log/robot.yaml"})
+  std::filesystem::create_symlink("/etc/passwd", folder_ / "link.lcm");
+  for (const char* wrong : {"log/link.lcm", "log/key", "log/.hidden.lcm", "log/../a.lcm", "log//etc/passwd",
+                            "key", "", "robot/../a.lcm", "robot/", "/etc/passwd", "log/robot.yaml"})
     EXPECT_NE(first(wrong).error, "") << wrong;
 }
 

@@ -125,11 +125,8 @@ const enable = (held) => {
 byId("enable").onpointerdown = () => enable(true);
 for (const type of ["pointerup", "pointercancel", "pointerleave"]) byId("enable").addEventListener(type, () => enabling && enable(false));
 
-/** What the link to a robot on another computer says of itself; "" while it is there, or the robot is here. */
-function lost() {
-  const link = state?.processes.find(({ name }) => name === "operator-link");
-  return link?.detail?.includes("LOST") ? link.detail : "";
-}
+/** What the link to a robot on another computer says of itself: who we are there, who drives, or that it is lost. "": the robot is here. */
+const linkSays = () => state?.processes.find(({ name }) => name === "operator-link")?.detail ?? "";
 
 function renew() {
   const here = document.visibilityState === "visible";
@@ -139,7 +136,9 @@ function renew() {
 document.addEventListener("visibilitychange", renew); // timers of a hidden page go once a second
 setInterval(() => {
   renew();
-  const cut = lost(), stale = link.stale || cut !== "";
+  const says = linkSays(), cut = says.includes("LOST") ? says : "", stale = link.stale || cut !== "";
+  byId("via").hidden = says === "" || cut !== "";
+  show("via", says);
   show("link", !link.open ? "no connection" : cut ? "link lost" : stale ? "nothing heard" : "live", `badge ${stale ? "bad" : "good"}`);
   const why = link.stale ? "No connection to the console: what is shown is old. A motion that this page held has ended in a stand." :
     cut && `${cut[0].toUpperCase()}${cut.slice(1)}. What is shown is old.`;
