@@ -134,9 +134,11 @@ void read_presets(const YamlMap& file, RobotConfig& robot) {
 
 /// Where an upgrade has kept a changed file, dpkg puts the package's own beside it: that one shows what is
 /// called otherwise now.
-RobotConfig read_kept_robot(const std::string& path) {
+RobotConfig read_kept_robot(const std::string& path, const std::map<std::string, double>& numbers) {
   try {
-    return read_robot(YamlMap::load(path));
+    YamlMap file = YamlMap::load(path);
+    for (const auto& [way, value] : numbers) file = file.with_number_at(way, value);
+    return read_robot(file);
   } catch (const ConfigError& error) {
     const std::string shipped = path + ".dpkg-dist";
     std::error_code none;
@@ -144,6 +146,13 @@ RobotConfig read_kept_robot(const std::string& path) {
     throw ConfigError(std::string(error.what()) + "; an upgrade has kept your file, see what is new: diff " +
                       path + " " + shipped);
   }
+}
+
+/// "" without any, so that they change no hash.
+std::string numbers_text(const std::map<std::string, double>& numbers) {
+  std::string text;
+  for (const auto& [way, value] : numbers) text += way + "=" + exact_text(value) + "\n";
+  return text;
 }
 
 constexpr const char* kUsualPreset = "best";
@@ -227,14 +236,21 @@ RobotConfig read_robot(const YamlMap& file) {
   return robot;
 }
 
-RobotConfig load_robot(const std::string& robot) {
+RobotConfig load_robot(const std::string& robot) { return load_robot(robot, {}); }
+
+RobotConfig load_robot(const std::string& robot, const std::map<std::string, double>& numbers) {
   const std::string folder = robot_folder(robot);
   const std::string path = (fs::path(folder) / "robot.yaml").string();
-  RobotConfig config = read_kept_robot(path);
+  RobotConfig config = read_kept_robot(path, numbers);
   config.folder = folder;
-  config.hash = hash_text(without_overlay(text_of_file(path)));
+  config.hash = hash_text(without_overlay(text_of_file(path)) + numbers_text(numbers));
   const fs::path overlay = overlay_path(folder);
   if (fs::exists(overlay)) apply_overlay(YamlMap::load(overlay.string()), config);
+  for (const OverlaidNumber& one : config.overlay) {
+    if (numbers.count(one.path) > 0)
+      throw ConfigError(overlaid_text(one) + ", and another value of it is asked for: take it out of " +
+                        overlay.string());
+  }
   return config;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 /// Reads and validates robots/<name>/robot.yaml. Start-up only: throws, allocates, reads files.
+#include <map>
 #include <string>
 
 #include "robots/config_error.h"
@@ -12,6 +13,12 @@ namespace sprung {
 /// @throws ConfigError on unknown or missing keys, missing or wrong units, values out of range, two drives on
 /// one node id.
 RobotConfig load_robot(const std::string& robot);
+
+/// The same with other numbers, each by its way in robot.yaml and in the unit that the file gives it:
+/// {"presets.best.compliance.stiffness.z", 3500}. The files stay as they are. Its hash is another one, the
+/// same for the same numbers. @throws ConfigError also where the file has no such number, or where it is the
+/// overlay's that would hide it.
+RobotConfig load_robot(const std::string& robot, const std::map<std::string, double>& numbers);
 
 /// The same of a robot.yaml that is read already: its folder is "", its hash 0.
 RobotConfig read_robot(const YamlMap& file);

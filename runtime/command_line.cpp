@@ -224,4 +224,13 @@ int CommandLine::run(int argc, const char* const* argv) {
   return impl_->run_action();
 }
 
+void CommandLine::parse(const std::vector<std::string>& words) {
+  std::vector<std::string> from_the_end(words.rbegin(), words.rend());  // as CLI11 takes them
+  try {
+    impl_->app->parse(std::move(from_the_end));
+  } catch (const CLI::ParseError& error) {
+    throw WrongUse(impl_->message(error));
+  }
+}
+
 }  // namespace sprung

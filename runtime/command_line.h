@@ -77,6 +77,10 @@ class CommandLine {
   /// 1, with its text on standard error. Prints help or version and returns 0 where asked.
   int run(int argc, const char* const* argv);
 
+  /// Fills the variables alone: nothing is printed and no action is run. @param words without the program's
+  /// own name. @throws WrongUse saying what is wrong; also for --help and --version.
+  void parse(const std::vector<std::string>& words);
+
  private:
   struct Impl;
   explicit CommandLine(std::unique_ptr<Impl> impl);

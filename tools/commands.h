@@ -44,6 +44,7 @@ void add_fetch(CommandLine& sprung, const gateway::RemoteOptions& there);
 void add_robot(CommandLine& sprung);  ///< robot show, check, new
 void add_run(CommandLine& sprung);
 void add_spy(CommandLine& sprung);
+void add_study(CommandLine& sprung);  ///< study expand, run, worker, keep, collect
 void add_topics(CommandLine& sprung);
 void add_watch(CommandLine& sprung);
 

@@ -72,6 +72,7 @@ int run_command(const sprung::gateway::Via& via, sprung::gateway::RemoteRobot* r
   add_fetch(line, {via.host, via.key, via.hidden});
   add_robot(line);
   add_run(line);
+  add_study(line);
   add_fault(line);
   add_doctor(line);
   add_help(line);

@@ -240,5 +240,32 @@ TEST(RobotFolder, AnEmptyVariableIsAsGoodAsNone) {
   unsetenv("SPRUNG_ROBOTS");
 }
 
+TEST(RobotLoaderNumbers, ReplaceTheFilesAndGiveAnotherHash) {
+  const RobotConfig file = load_robot("single_leg");
+  const RobotConfig robot = load_robot("single_leg", {{"presets.best.stand_length", 0.44}});
+  EXPECT_EQ(robot.preset("best").stand_length_m, 0.44);
+  EXPECT_EQ(robot.preset("paper").stand_length_m, file.preset("paper").stand_length_m);
+  EXPECT_NE(robot.hash, file.hash);
+  EXPECT_EQ(robot.hash, load_robot("single_leg", {{"presets.best.stand_length", 0.44}}).hash);
+  EXPECT_EQ(load_robot("single_leg", {}).hash, file.hash);
+}
+
+TEST(RobotLoaderNumbers, ThatTheFileHasNotOrMayNotHoldAreRefused) {
+  EXPECT_THROW(load_robot("single_leg", {{"presets.best.nothing", 1.0}}), ConfigError);
+  EXPECT_THROW(load_robot("single_leg", {{"presets.best.stand_length", -1.0}}), ConfigError);
+}
+
+TEST(RobotLoaderNumbers, ThatAnOverlayWouldHideAreRefused) {
+  const test::OwnFolder folder("numbers");
+  fs::copy(test::source_dir() + "/robots/single_leg/robot.yaml", folder.path());
+  std::ofstream(folder / "overlay.yaml") << "presets: {best: {compliance: {stiffness: {z: 2500 N/m}}}}\n";
+  try {
+    load_robot(folder.path().string(), {{"presets.best.compliance.stiffness.z", 3000.0}});
+    ADD_FAILURE() << "not refused";
+  } catch (const ConfigError& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("overlay.yaml"), HasSubstr("compliance.stiffness.z")));
+  }
+}
+
 }  // namespace
 }  // namespace sprung

@@ -267,5 +267,31 @@ TEST_F(SubcommandTest, HelpOfASubcommandIsItsOwn) {
   EXPECT_EQ(jumped_, 0);
 }
 
+TEST(CommandLineParse, FillsTheVariablesAndRunsNothing) {
+  CommandLine line("program", "what");
+  int count = 1;
+  line.option("--count", count, "how many");
+  line.action([]() -> int { throw std::runtime_error("was run"); });
+  line.parse({"--count", "3"});
+  EXPECT_EQ(count, 3);
+}
+
+TEST(CommandLineParse, SaysWhatIsWrong) {
+  CommandLine line("program", "what");
+  int count = 1;
+  line.option("--count", count, "how many");
+  const auto said = [&](const std::vector<std::string>& words) -> std::string {
+    try {
+      line.parse(words);
+    } catch (const WrongUse& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_THAT(said({"--count", "many"}), testing::HasSubstr("--count"));
+  EXPECT_THAT(said({"--cuont", "3"}), testing::HasSubstr("did you mean"));
+  EXPECT_THAT(said({"--help"}), testing::Not(testing::IsEmpty()));
+}
+
 }  // namespace
 }  // namespace sprung

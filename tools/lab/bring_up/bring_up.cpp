@@ -224,7 +224,7 @@ Experiment bring_up_experiment() {
   out.takes = {Common::kPlant, Common::kJobs, Common::kOut};
   out.seed_help = "of the drawn plant and of every noise";
   out.example = "--robot single_leg --family erob_100 --seed 1";
-  out.many_cases = true;
+  out.many_cases = out.reads_files = true;
   out.own.option("--family", own->family, "of the gears' friction, from the robot's variation.yaml");
   out.own.option("--into", own->folder, "folder to write the identified robot to; default: none is kept");
   out.own.option("--only", own->only, "one of the experiments that score");

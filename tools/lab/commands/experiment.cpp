@@ -5,12 +5,12 @@
 #include <mutex>
 
 #include "robots/overlay.h"
-#include "robots/robot_loader.h"
 #include "runtime/log.h"
 #include "tools/commands.h"
 #include "tools/common/progress_bar.h"
 #include "tools/common/report/report_shell.h"
 #include "tools/lab/run/experiment_index.h"
+#include "tools/lab/run/experiment_line.h"
 #include "tools/lab/run/experiments.h"
 #include "tools/logs/recorder/inprocess_log.h"
 
@@ -27,8 +27,8 @@ struct ExperimentOptions {
 };
 
 /// Figures with it are not robot.yaml's.
-RobotConfig loaded(const std::string& name) {
-  RobotConfig robot = load_robot(name);
+RobotConfig loaded(const ExperimentRequest& request) {
+  RobotConfig robot = robot_of(request);
   for (const OverlaidNumber& one : robot.overlay)
     std::fprintf(stderr, "note: %s\n", overlaid_text(one).c_str());
   return robot;
@@ -53,11 +53,13 @@ std::string text_of(const FinishedExperiment& finished) {
          (output.remark.empty() ? "" : "\n" + output.remark);
 }
 
-int run_one(const Experiment& experiment, const ExperimentOptions& options) {
+int run_one(const Experiment& experiment, const ExperimentOptions& options, const std::string& logs) {
   start_log("sprung");
+  if (!logs.empty() && !options.request.set.empty())
+    throw WrongUse("--set with --logs: a log holds robot.yaml as it is, so that it could not be replayed");
   ExperimentRequest request = options.request;
   request.pages = !options.out.empty() || !options.report.empty();
-  const RobotConfig robot = loaded(request.robot);
+  const RobotConfig robot = loaded(request);
   ExperimentInput input = experiment_input(experiment, request, robot);
   const FinishedExperiment finished = with_progress(experiment.name, [&](ProgressBar& bar) {
     input.parallel.on_progress = [&bar](std::size_t done, std::size_t count) { bar.show(done, count); };
@@ -70,27 +72,9 @@ int run_one(const Experiment& experiment, const ExperimentOptions& options) {
   return finished.ok() ? kExitDone : kExitFailed;
 }
 
-/// Options that only some experiments have.
 void add_common(CommandLine& line, const Experiment& experiment, ExperimentOptions& options) {
   const auto takes = [&](Common option) { return experiment.takes.count(option) > 0; };
-  ExperimentRequest& request = options.request;
-  if (takes(Common::kPreset))
-    line.option("--preset", request.preset,
-                "set of parameters in robot.yaml; default: " + experiment.presets.alone +
-                    ", else the only one" + experiment.preset_note);
-  if (takes(Common::kPlant))
-    line.option("--plant", request.plant,
-                "KEY=VALUE changes the plant, e.g. friction_scale=1.2 or draw=7; may be repeated");
-  if (takes(Common::kPlant))
-    line.option("--plants", request.plants,
-                "N: on draws 1 to N of variation.yaml, or from --plant draw=K; rows: median and worst");
-  if (takes(Common::kPlant))
-    line.choice("--position-loop", request.position_loop, {"drive", "host"},
-                "who closes every actuator's; default: as robot.yaml says");
-  if (takes(Common::kJobs)) line.option("--jobs", request.jobs, "threads; 0: one for each core");
-  if (takes(Common::kSeparate))
-    line.flag("--separate", request.separate,
-              "real processes over LCM instead of one process; the same bits");
+  add_request_options(line, experiment, options.request);
   if (takes(Common::kOut))
     line.option(
         "--out", options.out,
@@ -98,17 +82,13 @@ void add_common(CommandLine& line, const Experiment& experiment, ExperimentOptio
   if (takes(Common::kReport)) line.option("--report", options.report, "HTML file with tables and plots");
 }
 
-void add(CommandLine& parent, const Experiment& experiment) {
+void add(CommandLine& parent, const Experiment& experiment, const std::shared_ptr<std::string>& logs) {
   const auto options = std::make_shared<ExperimentOptions>();
-  options->request.robot = experiment.robot;
   CommandLine& line = parent.subcommand(experiment.name, experiment.what);
-  line.option("--robot", options->request.robot, experiment.robot_help);
-  line.option("--seed", options->request.seed, experiment.seed_help);
-  experiment.own.add_to(line);
   add_common(line, experiment, *options);
   line.flag("--json", options->as_json, "one JSON object on standard output");
   line.example("sprung experiment " + experiment.name + " " + experiment.example);
-  line.action([=] { return run_one(experiment, *options); });
+  line.action([=] { return run_one(experiment, *options, *logs); });
 }
 
 std::vector<Experiment> experiments_or_refusal(const RobotConfig& robot) {
@@ -122,7 +102,7 @@ std::vector<Experiment> experiments_or_refusal(const RobotConfig& robot) {
 int run_all(const ExperimentOptions& options) {
   start_log("sprung");
   const auto started = std::chrono::steady_clock::now();
-  const RobotConfig robot = loaded(options.request.robot);
+  const RobotConfig robot = loaded(options.request);
   const std::vector<Experiment> all = experiments_or_refusal(robot);
   ProgressBar bar("experiments");
   bar.show(0, all.size());
@@ -164,7 +144,7 @@ void add_all(CommandLine& experiment) {
 }
 
 /// Taken when the first robot is made: by then the command line is read.
-void add_log_folder(CommandLine& experiment) {
+std::shared_ptr<std::string> add_log_folder(CommandLine& experiment) {
   const auto folder = std::make_shared<std::string>();
   experiment.option(
       "--logs", *folder,
@@ -179,6 +159,7 @@ void add_log_folder(CommandLine& experiment) {
         });
         return *logs ? (*logs)(robot, preset, sim) : nullptr;
       });
+  return folder;
 }
 
 }  // namespace
@@ -187,8 +168,8 @@ void add_experiment(CommandLine& sprung) {
   CommandLine& experiment = sprung.subcommand("experiment",
                                               "Run an experiment on the simulated robot and print its rows.");
   experiment.example("sprung experiment jump --robot single_leg --preset paper --seed 1");
-  add_log_folder(experiment);
-  for (const Experiment& one : experiments()) add(experiment, one);
+  const std::shared_ptr<std::string> logs = add_log_folder(experiment);
+  for (const Experiment& one : experiments()) add(experiment, one, logs);
   add_all(experiment);
 }
 

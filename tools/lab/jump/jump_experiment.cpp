@@ -1,6 +1,7 @@
 #include "tools/lab/jump/jump_experiment.h"
 
 #include <cmath>
+#include <memory>
 #include <stdexcept>
 
 #include "tools/lab/gait/voltage_reserve.h"
@@ -18,9 +19,12 @@ struct JumpCase {
   JumpMode mode;
 };
 
+constexpr const char* kEveryMode = "all";
+
 /// The papers' three under the preset that was asked for; own, and position to compare it with, under `best`
-/// where there is one.
-std::vector<JumpCase> cases(const std::string& preset, const std::string& best) {
+/// where there is one. Or one alone.
+std::vector<JumpCase> cases(const std::string& preset, const std::string& best, const std::string& mode) {
+  if (mode != kEveryMode) return {{preset, named(kJumpModes, mode)}};
   std::vector<JumpCase> out = {
       {preset, JumpMode::kPosition}, {preset, JumpMode::kTorque}, {preset, JumpMode::kHybrid}};
   if (preset != best) out.push_back({best, JumpMode::kPosition});
@@ -72,10 +76,10 @@ RunScript jump_script(const RobotConfig& robot, const std::string& preset, const
 }
 
 JumpExperiment run_jump_experiment(const RobotConfig& robot, const std::string& preset, const SimOptions& sim,
-                                   const ScriptRunner& run) {
+                                   const ScriptRunner& run, const std::string& mode) {
   JumpExperiment out;
   out.preset = preset;
-  for (const JumpCase& jump : cases(preset, preset_or(robot, "best", preset)))
+  for (const JumpCase& jump : cases(preset, preset_or(robot, "best", preset), mode))
     add_jump(jump_script(robot, jump.preset, sim, jump.mode, 1), jump.mode, run, out);
   out.rows = jump_rows(out.jumps, preset);
   return out;
@@ -95,8 +99,12 @@ Experiment jump_experiment() {
   out.takes = {Common::kPreset, Common::kPlant, Common::kSeparate, Common::kOut};
   out.example = "--robot single_leg --preset paper --seed 3 --out logs/jump";
   out.in_all = InAll::kOfALeg;
-  out.run = [](const ExperimentInput& in) {
-    const JumpExperiment result = run_jump_experiment(in.robot, in.preset, in.sim, in.run);
+  const auto mode = std::make_shared<std::string>(kEveryMode);
+  std::vector<std::string> modes = names(kJumpModes);
+  modes.emplace_back(kEveryMode);
+  out.own.choice("--mode", *mode, modes, "one alone, under the preset");
+  out.run = [mode](const ExperimentInput& in) {
+    const JumpExperiment result = run_jump_experiment(in.robot, in.preset, in.sim, in.run, *mode);
     return ExperimentOutput{result.rows, result.simulated_s, jump_sections(in.robot, in.sim, result)};
   };
   return out;

@@ -27,10 +27,10 @@ struct JumpExperiment {
   double simulated_s = 0.0;
 };
 
-/// @param run run_in_process or the separate-process runner. @throws std::runtime_error where a command was
-/// refused.
+/// @param run run_in_process or the separate-process runner. @param mode one of kJumpModes, or "all".
+/// @throws std::runtime_error where a command was refused.
 JumpExperiment run_jump_experiment(const RobotConfig& robot, const std::string& preset, const SimOptions& sim,
-                                   const ScriptRunner& run);
+                                   const ScriptRunner& run, const std::string& mode = "all");
 
 Experiment jump_experiment();
 

@@ -63,6 +63,7 @@ void add_mode(const MeasuredJump& jump, std::vector<ReportRow>& rows) {
     rows.back().paper = paper_jump_figure(jump.mode, quantity.name);
     demand(rows.back(), jump.preset, jump.mode);
   }
+  rows.push_back(row(std::string("jump.") + name(jump.mode) + ".upright", "", jump.result.upright ? 1 : 0));
   if (std::isfinite(jump.voltage_reserve))
     rows.push_back(
         row(std::string("jump.") + name(jump.mode) + ".voltage_reserve", "%", 100.0 * jump.voltage_reserve));

@@ -1,8 +1,12 @@
 #include "tools/lab/run/experiment.h"
 
 #include <chrono>
+#include <cmath>
+#include <cstdlib>
 #include <exception>
+#include <map>
 
+#include "robots/robot_loader.h"
 #include "simulation/sim_shell.h"
 #include "tools/lab/run/drawn_plants.h"
 #include "tools/lab/run/separate_run.h"
@@ -14,6 +18,7 @@ std::string command_of(const Experiment& experiment, const ExperimentRequest& re
                        const std::string& preset) {
   std::string line = "sprung experiment " + experiment.name + " --robot " + request.robot;
   if (experiment.takes.count(Common::kPreset) > 0) line += " --preset " + preset;
+  for (const std::string& number : request.set) line += " --set " + number;
   for (const std::string& change : request.plant) line += " --plant " + change;
   if (request.plants > 0) line += " --plants " + std::to_string(request.plants);
   if (!request.position_loop.empty()) line += " --position-loop " + request.position_loop;
@@ -27,8 +32,29 @@ std::string preset_of(const Experiment& experiment, const ExperimentRequest& req
   return preset_or(robot, request.in_all ? experiment.presets.in_all : experiment.presets.alone);
 }
 
+std::pair<std::string, double> number_of(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  const std::string number = equals == std::string::npos ? "" : text.substr(equals + 1);
+  char* end = nullptr;
+  const double value = std::strtod(number.c_str(), &end);
+  if (equals == 0 || number.empty() || *end != '\0' || !std::isfinite(value))
+    throw WrongUse("--set " + text +
+                   ": expected KEY=NUMBER, a number's way in robot.yaml, '=' and the number alone, in " +
+                   "the unit of the file: presets.best.compliance.stiffness.z=3500");
+  return {text.substr(0, equals), value};
+}
+
+/// The other processes, and some experiments, read robot.yaml themselves.
+void refuse_what_nobody_reads(const Experiment& experiment, const ExperimentRequest& request) {
+  if (request.set.empty()) return;
+  if (request.separate) throw WrongUse("--set runs in one process: without --separate, or change robot.yaml");
+  if (experiment.reads_files)
+    throw WrongUse("experiment " + experiment.name + " reads robot.yaml itself, --set has no say there: " +
+                   "copy the robot's folder and change it");
+}
+
 /// The other processes read robot.yaml themselves.
-RobotConfig robot_of(const ExperimentRequest& request, RobotConfig robot) {
+RobotConfig with_position_loop(const ExperimentRequest& request, RobotConfig robot) {
   if (request.position_loop.empty()) return robot;
   if (request.separate)
     throw WrongUse("--position-loop runs in one process: without --separate, or change robot.yaml");
@@ -98,11 +124,21 @@ std::string OwnOptions::words_of(const std::string& name, std::uint64_t value) {
   return words_of(name, std::to_string(value));
 }
 
+RobotConfig robot_of(const ExperimentRequest& request) {
+  std::map<std::string, double> numbers;
+  for (const std::string& text : request.set) {
+    if (!numbers.insert(number_of(text)).second)
+      throw WrongUse("--set " + text + ": this number is set twice");
+  }
+  return load_robot(request.robot, numbers);
+}
+
 ExperimentInput experiment_input(const Experiment& experiment, const ExperimentRequest& request,
                                  const RobotConfig& robot) {
   ExperimentInput input;
   input.asked = request;
-  input.robot = robot_of(request, robot);
+  input.robot = with_position_loop(request, robot);
+  refuse_what_nobody_reads(experiment, request);
   input.preset = preset_of(experiment, request, robot);
   if (experiment.needs_gaits && robot.gaits.empty())
     throw WrongUse("experiment " + experiment.name + " needs a robot that walks; " + request.robot +

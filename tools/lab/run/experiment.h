@@ -26,6 +26,7 @@ struct ExperimentRequest {
   std::string robot = "single_leg";  ///< name or folder
   std::string preset;                ///< empty: Presets says
   std::uint64_t seed = 1;
+  std::vector<std::string> set;  ///< KEY=VALUE: numbers of robot.yaml that are others (robots/robot_loader.h)
   std::vector<std::string> plant;  ///< KEY=VALUE
   int plants = 0;                  ///< above 0: on so many drawn plants (drawn_plants.h)
   std::string position_loop;       ///< "drive" or "host", of every actuator; empty: robot.yaml's
@@ -129,12 +130,17 @@ struct Experiment {
   std::string out_note{};
   std::string example{};  ///< options that follow the name
   InAll in_all = InAll::kNever;
-  bool many_cases = false;  ///< uses all the threads by itself
+  bool many_cases = false;   ///< uses all the threads by itself
+  bool reads_files = false;  ///< robot.yaml itself too, where nothing can be set
   bool needs_gaits = false;
   OwnOptions own{};                 ///< and their defaults
   std::function<void()> shorten{};  ///< before it runs in `all`: changes own options; may be empty
   std::function<ExperimentOutput(const ExperimentInput&)> run{};
 };
+
+/// The robot that is asked for, with the numbers that are set.
+/// @throws WrongUse for a text that is no KEY=NUMBER, ConfigError as load_robot().
+RobotConfig robot_of(const ExperimentRequest& request);
 
 /// @throws WrongUse where the robot has no gaits and needs them, std::invalid_argument for a preset or plant
 /// that there is not.

@@ -20,17 +20,16 @@
 #include "tools/lab/landing/drop_experiment.h"
 #include "tools/lab/leg/foot_return.h"
 #include "tools/lab/leg/step_response.h"
-#include "tools/lab/tune/tune.h"
 
 namespace sprung {
 
 std::vector<Experiment> experiments() {
-  return {
-      jump_experiment(),     foot_return_experiment(),   stand_push_experiment(), step_response_experiment(),
-      drop_experiment(),     jump_ensemble_experiment(), walk_experiment(),       ground_error_experiment(),
-      push_experiment(),     endurance_experiment(),     faults_experiment(),     friction_sweep_experiment(),
-      drag_experiment(),     estimator_experiment(),     tune_experiment(),       commission_experiment(),
-      bring_up_experiment(), adaptation_experiment(),    parameter_experiment()};
+  return {jump_experiment(),          foot_return_experiment(),  stand_push_experiment(),
+          step_response_experiment(), drop_experiment(),         jump_ensemble_experiment(),
+          walk_experiment(),          ground_error_experiment(), push_experiment(),
+          endurance_experiment(),     faults_experiment(),       friction_sweep_experiment(),
+          drag_experiment(),          estimator_experiment(),    commission_experiment(),
+          bring_up_experiment(),      adaptation_experiment(),   parameter_experiment()};
 }
 
 std::vector<Experiment> experiments_of(const RobotConfig& robot) {

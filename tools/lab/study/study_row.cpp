@@ -1,0 +1,129 @@
+#include "tools/lab/study/study_row.h"
+
+#include <sprung_version.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <new>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "robots/robot_loader.h"
+#include "robots/text_hash.h"
+#include "robots/yaml_reader.h"
+#include "tools/lab/run/experiment_line.h"
+#include "tools/lab/study/study_json.h"
+
+namespace sprung {
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+std::string hex(std::int64_t hash) {
+  char text[20];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
+  return text;
+}
+
+Json bound_json(const std::optional<double>& value) {
+  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
+}
+
+std::optional<double> bound_of(const Json& value) {
+  return value.is_null() ? std::nullopt : std::optional<double>(value.get<double>());
+}
+
+Json rows_json(const std::vector<ReportRow>& rows) {
+  Json out = Json::array();
+  for (const ReportRow& row : rows)
+    out.push_back({{"name", row.name},
+                   {"unit", row.unit},
+                   {"value", bound_json(row.value)},
+                   {"low", bound_json(row.low)},
+                   {"high", bound_json(row.high)}});
+  return out;
+}
+
+ReportRow row_of(const Json& json) {
+  const double value = bound_of(json.at("value")).value_or(std::nan(""));
+  return {json.at("name"), json.at("unit"), value, {}, bound_of(json.at("low")), bound_of(json.at("high"))};
+}
+
+/// One thread: an engine has its own, and no bit depends on their number.
+FinishedExperiment finished(const StudyRun& run) {
+  const std::unique_ptr<AskedExperiment> asked = asked_experiment(words_of(run));
+  asked->request.jobs = 1;
+  return run_experiment(asked->experiment,
+                        experiment_input(asked->experiment, asked->request, robot_of(asked->request)));
+}
+
+std::string command_of(const StudyRun& run) {
+  std::string text = "sprung experiment";
+  for (const std::string& word : words_of(run)) text += " " + word;
+  return text + " --json";
+}
+
+void run_into(const StudyRun& run, Json& out) {
+  try {
+    const FinishedExperiment done = finished(run);
+    out["failure"] = "";
+    out["simulated_s"] = done.rows.simulated_s;
+    out["rows"] = rows_json(done.rows.rows);
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    out["failure"] = error.what();
+    out["rows"] = Json::array();
+  }
+}
+
+}  // namespace
+
+StudyOrigin origin_of(const std::string& robot) {
+  std::vector<std::string> files;
+  for (const fs::directory_entry& file : fs::directory_iterator(robot_folder(robot))) {
+    const std::string kind = file.path().extension().string();
+    if (kind == ".yaml" || kind == ".xml") files.push_back(file.path().string());
+  }
+  std::sort(files.begin(), files.end());
+  std::string text;
+  for (const std::string& file : files)
+    text += fs::path(file).filename().string() + "\n" + text_of_file(file);
+  return {SPRUNG_VERSION "-" SPRUNG_GIT_HASH, hex(hash_text(text))};
+}
+
+std::string study_row(const StudyRun& run) {
+  Json out = Json::parse(run_json(run));
+  StudyRun numberless = run;
+  numberless.number = 0;
+  numberless.study.clear();
+  out["hash"] = hex(hash_text(run_json(numberless)));
+  const StudyOrigin origin = origin_of(run.robot);
+  out["version"] = origin.version;
+  out["files"] = origin.files;
+  out["command"] = command_of(run);
+  run_into(run, out);
+  return out.dump();
+}
+
+StudyResult result_of(const std::string& row) {
+  try {
+    const Json json = Json::parse(row);
+    StudyResult out;
+    out.run = run_of_json(row);
+    out.number = out.run.number;
+    out.study = out.run.study;
+    out.origin = {json.at("version"), json.at("files")};
+    out.command = json.at("command");
+    out.failure = json.at("failure");
+    for (const Json& one : json.at("rows")) out.rows.push_back(row_of(one));
+    return out;
+  } catch (const nlohmann::json::exception& error) {
+    throw std::invalid_argument(std::string("no row of a study: ") + error.what());
+  }
+}
+
+}  // namespace sprung
