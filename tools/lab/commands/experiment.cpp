@@ -145,7 +145,7 @@ void add_all(CommandLine& experiment) {
 
 /// Taken when the first robot is made: by then the command line is read.
 std::shared_ptr<std::string> add_log_folder(CommandLine& experiment) {
-  const auto folder = std::make_shared<std::string>();
+  auto folder = std::make_shared<std::string>();
   experiment.option(
       "--logs", *folder,
       "folder for an LCM log of each robot that runs in this process; stands before the experiment's "

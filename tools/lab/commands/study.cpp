@@ -149,6 +149,7 @@ int collect_rows(const StudyOptions& options) {
   const StudyFolder folder(options.out);
   const std::vector<std::int64_t> done = folder.done();
   std::vector<StudyResult> results;
+  results.reserve(done.size());
   for (const std::int64_t number : done) results.push_back(result_of(folder.row(number)));
   const StudyTable table = study_table(std::move(results));
   const StudyState state = state_of(folder, done);

@@ -10,8 +10,6 @@
 #include <cstring>
 #include <stdexcept>
 
-extern char** environ;
-
 namespace sprung {
 namespace {
 
@@ -33,6 +31,7 @@ PipedChild::PipedChild(std::vector<std::string> words) {
     not_started(words[0], why);
   }
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   posix_spawn_file_actions_t actions;

@@ -38,7 +38,7 @@ void write_all(int file, const std::string& text, const std::string& path) {
 std::string written_beside(const std::string& text, const std::string& path) {
   char host[64] = "";
   gethostname(host, sizeof host - 1);
-  const std::string beside = path + "." + host + "." + std::to_string(getpid());
+  std::string beside = path + "." + host + "." + std::to_string(getpid());
   const int file = ::open(beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (file < 0) not_written(path);
   try {
