@@ -3,6 +3,7 @@ import os
 import subprocess
 import sys
 from pathlib import Path
+from shlex import quote
 
 from sprung_study.contract import missing, number_of, program, show
 
@@ -34,7 +35,7 @@ def script(study: str, out: str, chunk: int, runs: int) -> str:
 first=$((SLURM_ARRAY_TASK_ID * {chunk} + 1))
 last=$((first + {chunk} - 1))
 [ $last -le {runs} ] || last={runs}
-exec '{program()}' study run '{study}' --runs $first..$last --jobs ${{SLURM_CPUS_PER_TASK:-1}} --out '{out}'
+exec {quote(program())} study run {quote(study)} --runs $first..$last --jobs ${{SLURM_CPUS_PER_TASK:-1}} --out {quote(out)}
 """
 
 

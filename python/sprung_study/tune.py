@@ -13,7 +13,7 @@ from queue import SimpleQueue
 from sprung_study import contract, tune_page
 
 BATCH = 4
-STARTUP = 24  # trials by chance, before the search believes what it has seen
+EVEN_SHARE = 0.6  # of the trials fill the ranges evenly, before the search believes what it has seen
 JUDGED_AFTER = 3  # plants
 VALIDATED = 800_000_000  # numbers of runs from here on are of finalists, on the plants of `validate`
 HELD_OUT = 900_000_000  # and these of the best and of robot.yaml's own numbers, on plants that are held out
@@ -200,15 +200,39 @@ def open_search(study: dict, storage: str | None, out: str):
     directions = ["minimize" if goal["want"] == "least" else "maximize" for goal in tuning["goals"]]
     known = name in optuna.study.get_all_study_names(kept)
     count = len(optuna.load_study(study_name=name, storage=kept).trials) if known else 0
-    sampler = optuna.samplers.TPESampler(seed=tuning["seed"] + count, n_startup_trials=STARTUP, multivariate=True,
+    even = round(EVEN_SHARE * tuning["trials"])
+    sampler = optuna.samplers.TPESampler(seed=tuning["seed"] + count, n_startup_trials=even, multivariate=True,
                                          constant_liar=True)
     search = optuna.create_study(study_name=name, storage=kept, sampler=sampler, directions=directions,
                                  pruner=optuna.pruners.MedianPruner(8, n_warmup_steps=JUDGED_AFTER - 1), load_if_exists=True)
     if not known:
-        search.enqueue_trial({one["path"]: one["present"] for one in study["parameters"]
-                              if one["from"] <= one["present"] <= one["to"]})
+        for values in first_sets(study, even):
+            search.enqueue_trial(values)
     take_up_interrupted(search, optuna)
     return search
+
+
+def first_sets(study: dict, count: int) -> list[dict]:
+    """robot.yaml's own numbers, then points of Roberts' sequence (tools/lab/study/even_points.h), shifted by the
+    seed."""
+    parameters = study["parameters"]
+    own = {one["path"]: one["present"] for one in parameters if one["from"] <= one["present"] <= one["to"]}
+    first = study["tuning"]["seed"] * count
+    return [own] + [{one["path"]: at_share(one, share) for one, share in zip(parameters, even_point(len(parameters), n))}
+                    for n in range(first, first + count - 1)]
+
+
+def even_point(dimensions: int, n: int) -> list[float]:
+    ratio = 2.0
+    for _ in range(64):
+        ratio = (1.0 + ratio) ** (1.0 / (dimensions + 1.0))
+    return [(0.5 + n * ratio ** -(i + 1)) % 1.0 for i in range(dimensions)]
+
+
+def at_share(one: dict, share: float) -> float:
+    low, high = one["from"], one["to"]
+    value = low * (high / low) ** share if one["logarithmic"] else low + share * (high - low)
+    return min(max(four_digits(value), low), high)
 
 
 def take_up_interrupted(search, optuna):

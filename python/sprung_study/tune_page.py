@@ -5,7 +5,8 @@ import html
 def page(study: dict, search, summary: dict, line: str) -> str:
     names = summary["goals"]
     parts = [f"<h1>Tuning {html.escape(study['study'])}</h1>",
-             f"<p>{html.escape(str(summary['trials']))}; made by <code>{html.escape(line)}</code></p>",
+             f"<p>{summary['trials']['COMPLETE']} sets of numbers on every plant, {summary['trials']['PRUNED']} given up "
+             f"on the way, {summary['runs']} runs; made by <code>{html.escape(line)}</code></p>",
              "<h2>The best</h2>", best_table(study, summary), held_out_table(summary)]
     for title, figure in figures(search, names):
         parts += [f"<h2>{html.escape(title)}</h2>", figure.to_html(full_html=False, include_plotlyjs=len(parts) == 5)]

@@ -11,6 +11,7 @@ import threading
 import time
 
 PYTHON, SPRUNG = sys.executable, os.environ["SPRUNG"]
+KILLS = 20
 EXPERIMENT = "experiment: jump\nrobot: single_leg\n"
 SHORT = EXPERIMENT + "options: {mode: hybrid}\n"  # a sixth of a second
 PARAMETERS = """parameters:
@@ -99,13 +100,12 @@ def same_bytes(bench, runs):
     return study
 
 
-def killed(bench, study, runs):
-    count = 20 if runs >= 60 else 3
-    kills = while_killing(lambda: bench.local(study, "killed", 2), count)
+def killed(bench, study, few):
+    kills = while_killing(lambda: bench.local(study, "killed", 2), KILLS)
     same(bench.out("one"), bench.out("killed"))
     say(f"workers killed {kills} times under `study run`: complete, same bytes")
-    kills = while_killing(lambda: bench.engine("ray", study, "killed_ray", "--cpus", 2), count)
-    same(bench.out("one"), bench.out("killed_ray"))
+    kills = while_killing(lambda: bench.engine("ray", few, "killed_ray", "--cpus", 2), KILLS)
+    same(bench.out("few"), bench.out("killed_ray"))
     say(f"workers killed {kills} times under Ray: complete, same bytes")
 
 
@@ -119,7 +119,7 @@ def joins_late(bench, study):
     cluster.add_node(num_cpus=1)
     assert engine.wait() == 0
     cluster.shutdown()
-    same(bench.out("one"), bench.out("late"))
+    same(bench.out("few"), bench.out("late"))
     say("a machine that joins Ray late: same bytes")
 
 
@@ -150,7 +150,7 @@ def full_disk(bench, study):
     kept = len(rows(small / "out"))
     done("mount", "-o", "remount,size=64m", small)
     bench.local(study, "small/out", 2)
-    same(bench.out("one"), small / "out")
+    same(bench.out("few"), small / "out")
     done("umount", small)
     say(f"a full disk after {kept} rows is said; with room the same bytes")
 
@@ -202,6 +202,7 @@ def overhead(bench, runs):
     slurm = bench.timed(bench.engine, "slurm", study, "second_slurm", "--chunk", runs // 4, "--wait")
     lines = (bench.out("second_local") / "times.jsonl").read_text().splitlines()
     service = sum(json.loads(line)["wall_s"] for line in lines)
+    print(done(PYTHON, "-m", "sprung_study", "growth", bench.out("second_local"), "--dispatch", "0.004"))
     say(f"{runs} runs of {service / runs:.2f} s on two workers: `study run` {local:.1f} s, {2 * local / service - 1:+.1%} "
         f"over the runs themselves; Ray {ray:.1f} s, {ray / local - 1:+.1%}; Slurm {slurm:.1f} s, {slurm / local - 1:+.1%}")
 
@@ -215,10 +216,12 @@ def main():
     bench = Bench(arguments.folder)
     study = same_bytes(bench, arguments.runs)
     parquet(bench)
-    killed(bench, study, arguments.runs)
-    joins_late(bench, study)
+    few = bench.study("few", SHORT + PARAMETERS + "samples: 60\n")
+    bench.local(few, "few", 2)
+    killed(bench, study, few)
+    joins_late(bench, few)
     hangs_and_fails(bench)
-    full_disk(bench, study)
+    full_disk(bench, few)
     tunes(bench)
     if arguments.overhead_runs:
         overhead(bench, arguments.overhead_runs)
