@@ -2,9 +2,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "tests/support/paths.h"
 #include "tests/system/system_fixture.h"
 #include "tests/tools/lab/study/sample_study.h"
 
@@ -91,6 +93,16 @@ TEST_F(StudyCommand, ShowIsOneObjectForEngines) {
   EXPECT_EQ(shown["study"], "sample");
   EXPECT_EQ(shown["runs"], 8);
   EXPECT_EQ(shown["parameters"][0]["unit"], "N/m");
+}
+
+TEST_F(StudyCommand, ExamplesAreStudies) {
+  int count = 0;
+  for (const auto& example : std::filesystem::directory_iterator(test::source_dir() + "/examples/studies")) {
+    const CommandResult shown = study("show " + example.path().string());
+    EXPECT_EQ(shown.status, 0) << shown.output;
+    ++count;
+  }
+  EXPECT_GE(count, 3);
 }
 
 }  // namespace

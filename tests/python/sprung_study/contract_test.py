@@ -122,6 +122,24 @@ class TuneTest(unittest.TestCase):
         self.assertEqual(tune.goal_value({**GOAL, "want": "most"}, rows), 2.0)
         self.assertEqual(tune.goal_value({**GOAL, "over": "mean"}, rows), 5.0)
 
+    def test_a_search_begins_with_the_robots_own_numbers_then_evenly(self):
+        study = {"parameters": [{"path": "a", "from": 1.0, "to": 100.0, "present": 7.0, "logarithmic": True},
+                                {"path": "b", "from": 0.0, "to": 1.0, "present": 0.25, "logarithmic": False}],
+                 "tuning": {"seed": 0}}
+        sets = tune.first_sets(study, 50)
+        self.assertEqual(len(sets), 50)
+        self.assertEqual(sets[0], {"a": 7.0, "b": 0.25})
+        self.assertEqual(sets[1], {"a": 10.0, "b": 0.5})
+        for low in (0.0, 0.25, 0.5, 0.75):
+            self.assertGreaterEqual(sum(low <= one["b"] < low + 0.25 for one in sets[1:]), 10)
+        study["tuning"]["seed"] = 1
+        self.assertNotIn(tune.first_sets(study, 50)[1], sets)
+
+    def test_own_numbers_beyond_the_range_are_asked_for_within_it_alone(self):
+        study = {"parameters": [{"path": "a", "from": 1.0, "to": 2.0, "present": 7.0, "logarithmic": False}],
+                 "tuning": {"seed": 0}}
+        self.assertEqual(tune.first_sets(study, 3)[0], {})
+
     def test_numbers_have_four_digits_and_the_fragment_nests_them_with_units(self):
         self.assertEqual(tune.four_digits(1234.5678), 1235.0)
         study = {"parameters": [{"path": "presets.best.a.z", "unit": "N/m"}, {"path": "presets.best.b", "unit": ""}]}

@@ -52,12 +52,23 @@ ReportRow row_of(const Json& json) {
   return {json.at("name"), json.at("unit"), value, {}, bound_of(json.at("low")), bound_of(json.at("high"))};
 }
 
+const RobotConfig& robot_for(const ExperimentRequest& request, const std::string& files,
+                             LoadedRobot& loaded) {
+  std::string what = request.robot + "\n" + files;
+  for (const std::string& number : request.set) what += "\n" + number;
+  if (what == loaded.what) return loaded.robot;
+  loaded.what.clear();  // should it throw
+  loaded.robot = robot_of(request);
+  loaded.what = what;
+  return loaded.robot;
+}
+
 /// One thread: an engine has its own, and no bit depends on their number.
-FinishedExperiment finished(const StudyRun& run) {
+FinishedExperiment finished(const StudyRun& run, const std::string& files, LoadedRobot& loaded) {
   const std::unique_ptr<AskedExperiment> asked = asked_experiment(words_of(run));
   asked->request.jobs = 1;
-  return run_experiment(asked->experiment,
-                        experiment_input(asked->experiment, asked->request, robot_of(asked->request)));
+  const RobotConfig& robot = robot_for(asked->request, files, loaded);
+  return run_experiment(asked->experiment, experiment_input(asked->experiment, asked->request, robot));
 }
 
 std::string command_of(const StudyRun& run) {
@@ -66,9 +77,9 @@ std::string command_of(const StudyRun& run) {
   return text + " --json";
 }
 
-void run_into(const StudyRun& run, Json& out) {
+void run_into(const StudyRun& run, const std::string& files, LoadedRobot& loaded, Json& out) {
   try {
-    const FinishedExperiment done = finished(run);
+    const FinishedExperiment done = finished(run, files, loaded);
     out["failure"] = "";
     out["simulated_s"] = done.rows.simulated_s;
     out["rows"] = rows_json(done.rows.rows);
@@ -95,7 +106,7 @@ StudyOrigin origin_of(const std::string& robot) {
   return {SPRUNG_VERSION "-" SPRUNG_GIT_HASH, hex(hash_text(text))};
 }
 
-std::string study_row(const StudyRun& run) {
+std::string study_row(const StudyRun& run, LoadedRobot& loaded) {
   Json out = Json::parse(run_json(run));
   StudyRun numberless = run;
   numberless.number = 0;
@@ -105,7 +116,7 @@ std::string study_row(const StudyRun& run) {
   out["version"] = origin.version;
   out["files"] = origin.files;
   out["command"] = command_of(run);
-  run_into(run, out);
+  run_into(run, origin.files, loaded, out);
   return out.dump();
 }
 

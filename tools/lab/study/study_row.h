@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "robots/robot_config.h"
 #include "tools/lab/run/experiment_report.h"
 #include "tools/lab/study/study.h"
 
@@ -19,9 +20,16 @@ struct StudyOrigin {
 /// This build, and that robot's folder as it is. @throws ConfigError where there is none.
 StudyOrigin origin_of(const std::string& robot);
 
+/// A robot that was read, for the next run of the same one: runs of a set of numbers stand together.
+struct LoadedRobot {
+  std::string what;  ///< robot, numbers and hash of its files
+  RobotConfig robot;
+};
+
+/// @param loaded what the last run has left, and the next may find.
 /// @throws std::bad_alloc where the machine and not the run is at fault; whatever else goes wrong is the
 /// row's `failure`.
-std::string study_row(const StudyRun& run);
+std::string study_row(const StudyRun& run, LoadedRobot& loaded);
 
 /// A row read again.
 struct StudyResult {

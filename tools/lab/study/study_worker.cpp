@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "tools/lab/study/study_json.h"
-#include "tools/lab/study/study_row.h"
 
 namespace sprung {
 namespace {
@@ -17,13 +16,13 @@ Json error_json(std::int64_t number, const std::string& why) { return {{"run", n
 
 }  // namespace
 
-std::string worker_answer(const std::string& line) {
+std::string worker_answer(const std::string& line, LoadedRobot& loaded) {
   std::int64_t number = 0;
   try {
     const StudyRun run = run_of_json(line);
     number = run.number;
     const auto started = std::chrono::steady_clock::now();
-    const std::string row = study_row(run);
+    const std::string row = study_row(run, loaded);
     const double wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
     // Not parsed again: a row goes through as the bytes that it is.
     return "{\"run\":" + std::to_string(number) + ",\"row\":" + row + ",\"wall_s\":" + Json(wall_s).dump() +
@@ -50,8 +49,9 @@ WorkerAnswer answer_of(const std::string& line) {
 }
 
 int run_worker() {
+  LoadedRobot loaded;
   for (std::string line; std::getline(std::cin, line);) {
-    if (!line.empty()) std::cout << worker_answer(line) << "\n" << std::flush;
+    if (!line.empty()) std::cout << worker_answer(line, loaded) << "\n" << std::flush;
   }
   return std::cout ? 0 : 1;
 }

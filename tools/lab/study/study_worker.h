@@ -9,10 +9,12 @@
 #include <optional>
 #include <string>
 
+#include "tools/lab/study/study_row.h"
+
 namespace sprung {
 
-/// Never throws for what is in the line.
-std::string worker_answer(const std::string& line);
+/// Never throws for what is in the line. @param loaded the worker's, kept from line to line.
+std::string worker_answer(const std::string& line, LoadedRobot& loaded);
 
 struct WorkerAnswer {
   std::int64_t number = 0;

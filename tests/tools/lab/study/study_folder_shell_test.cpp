@@ -27,11 +27,12 @@ class StudyFolderTest : public testing::Test {
   test::OwnFolder folder_{"study_folder"};
   const Study study_ = test::study_of(test::kSampleStudy, folder_.path());
   const std::vector<StudyRun> runs_ = study_runs(study_);
+  LoadedRobot loaded_;
 };
 
 TEST_F(StudyFolderTest, KeepsRowsAndSaysWhichAreThere) {
   const StudyFolder folder(out(), study_);
-  const std::string row = study_row(runs_[2]);
+  const std::string row = study_row(runs_[2], loaded_);
   folder.keep(row);
   folder.keep(row);
   EXPECT_TRUE(folder.has(3));
@@ -44,20 +45,20 @@ TEST_F(StudyFolderTest, KeepsRowsAndSaysWhichAreThere) {
 }
 
 TEST_F(StudyFolderTest, AnotherStudyIsRefusedAndWhatIsThereStays) {
-  StudyFolder(out(), study_).keep(study_row(runs_[0]));
+  StudyFolder(out(), study_).keep(study_row(runs_[0], loaded_));
   std::string text = test::kSampleStudy;
   text.replace(text.find("1..2"), 4, "1..3");
   const Study other = test::study_of(text, folder_.path());
   EXPECT_THAT(refusal([&] { StudyFolder(out(), other); }),
               AllOf(HasSubstr(out()), HasSubstr("take another folder")));
   EXPECT_THAT(StudyFolder(out()).done(), ElementsAre(1));
-  EXPECT_THAT(refusal([&] { StudyFolder(out()).keep(study_row(study_runs(other)[0])); }),
+  EXPECT_THAT(refusal([&] { StudyFolder(out()).keep(study_row(study_runs(other)[0], loaded_)); }),
               HasSubstr("another study"));
 }
 
 TEST_F(StudyFolderTest, RowsOfAnotherBuildAreRefused) {
   const StudyFolder folder(out(), study_);
-  std::string row = study_row(runs_[0]);
+  std::string row = study_row(runs_[0], loaded_);
   const std::size_t at = row.find("\"version\":\"") + 11;
   row.replace(at, 1, "9");
   EXPECT_THAT(refusal([&] { folder.keep(row); }), AllOf(HasSubstr("made with sprung 9"), HasSubstr("run 1")));
@@ -67,14 +68,14 @@ TEST_F(StudyFolderTest, FailuresAreForgottenWhenTheirRowComes) {
   const StudyFolder folder(out(), study_);
   folder.note_failure(1, "too late");
   folder.note_failure(2, "its worker ended");
-  folder.keep(study_row(runs_[0]));
+  folder.keep(study_row(runs_[0], loaded_));
   EXPECT_EQ(folder.failures(), (std::map<std::int64_t, std::string>{{2, "its worker ended"}}));
 }
 
 TEST_F(StudyFolderTest, ADiskThatIsFullIsSaidAndLeavesNoHalfRow) {
   const StudyFolder folder(out(), study_);
-  folder.keep(study_row(runs_[0]));
-  const std::string row = study_row(runs_[1]);
+  folder.keep(study_row(runs_[0], loaded_));
+  const std::string row = study_row(runs_[1], loaded_);
   std::signal(SIGXFSZ, SIG_IGN);
   rlimit before{};
   getrlimit(RLIMIT_FSIZE, &before);

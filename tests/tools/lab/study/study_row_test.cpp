@@ -17,11 +17,16 @@ namespace {
 
 using testing::HasSubstr;
 
+std::string row_of(const StudyRun& run) {
+  LoadedRobot loaded;
+  return study_row(run, loaded);
+}
+
 TEST(StudyRow, IsTheSameBytesEachTimeAndReadsBack) {
   const test::OwnFolder folder("row");
   const StudyRun run = study_runs(test::study_of(test::kSampleStudy, folder.path()))[3];
-  const std::string row = study_row(run);
-  EXPECT_EQ(study_row(run), row);
+  const std::string row = row_of(run);
+  EXPECT_EQ(row_of(run), row);
   EXPECT_EQ(row.find('\n'), std::string::npos);
   const StudyResult result = result_of(row);
   EXPECT_EQ(result.number, 4);
@@ -34,12 +39,33 @@ TEST(StudyRow, IsTheSameBytesEachTimeAndReadsBack) {
 TEST(StudyRow, NumbersThatAreSetReachTheRobot) {
   const test::OwnFolder folder("row");
   const std::vector<StudyRun> runs = study_runs(test::study_of(test::kSampleStudy, folder.path()));
-  const StudyResult soft = result_of(study_row(runs[0])), firm = result_of(study_row(runs[4]));
+  const StudyResult soft = result_of(row_of(runs[0])), firm = result_of(row_of(runs[4]));
   ASSERT_EQ(soft.rows.size(), firm.rows.size());
   bool differs = false;
   for (std::size_t i = 0; i < soft.rows.size(); ++i)
     differs = differs || soft.rows[i].value != firm.rows[i].value;
   EXPECT_TRUE(differs);
+}
+
+TEST(StudyRow, ARobotThatWasReadIsUsedAgainForTheSameBytes) {
+  const test::OwnFolder folder("row");
+  const std::vector<StudyRun> runs = study_runs(test::study_of(test::kSampleStudy, folder.path()));
+  LoadedRobot loaded;
+  for (const std::size_t i : {0, 1, 4, 5, 0}) EXPECT_EQ(study_row(runs[i], loaded), row_of(runs[i])) << i;
+}
+
+TEST(StudyRow, ARobotWhoseFilesChangedIsReadAnew) {
+  const test::OwnFolder folder("row");
+  const std::string robot = folder.path() / "leg";
+  std::filesystem::copy(test::source_dir() + "/robots/single_leg", robot,
+                        std::filesystem::copy_options::recursive);
+  StudyRun run;
+  run.experiment = "step_response";
+  run.robot = robot;
+  LoadedRobot loaded;
+  EXPECT_EQ(result_of(study_row(run, loaded)).failure, "");
+  std::ofstream(robot + "/robot.yaml", std::ios::app) << "\nno_such_key: 1\n";
+  EXPECT_THAT(result_of(study_row(run, loaded)).failure, HasSubstr("no_such_key"));
 }
 
 TEST(StudyRow, ARunThatFailsIsARowWithTheReason) {
@@ -48,7 +74,7 @@ TEST(StudyRow, ARunThatFailsIsARowWithTheReason) {
   run.experiment = "step_response";
   run.robot = "single_leg";
   run.plant = {"no_such_key=1"};
-  const StudyResult result = result_of(study_row(run));
+  const StudyResult result = result_of(row_of(run));
   EXPECT_THAT(result.failure, HasSubstr("no_such_key"));
   EXPECT_TRUE(result.rows.empty());
 }
