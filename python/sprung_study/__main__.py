@@ -22,7 +22,7 @@ def main() -> int:
     module = importlib.import_module(f"sprung_study.{COMMANDS[arguments.command][0]}")
     try:
         return module.run(arguments)
-    except (RuntimeError, OSError, ImportError) as error:
+    except (RuntimeError, OSError, ImportError, ValueError) as error:
         remedy = " (pip install -r python/requirements.txt)" if isinstance(error, ImportError) else ""
         # `sprung study collect` says what it hears on standard output.
         print(f"{error}{remedy}", file=sys.stdout if arguments.command == "parquet" else sys.stderr)

@@ -3,6 +3,7 @@ import json
 import os
 import shutil
 import subprocess
+import sys
 import threading
 from pathlib import Path
 
@@ -28,6 +29,11 @@ def show(study: str) -> dict:
     return json.loads(_said("show", study))
 
 
+def claim(study: str, out: str):
+    """The folder is this study's from now on, or an error."""
+    _said("expand", study, "--runs", "1", "--missing", out)
+
+
 def missing(study: str, out: str) -> list[str]:
     """Lines of the runs that have no row in the folder; claims the folder for the study."""
     return _said("expand", study, "--missing", out).splitlines()
@@ -39,6 +45,9 @@ def number_of(line: str) -> int:
 
 def error_answer(line: str, why: str) -> str:
     return json.dumps({"run": number_of(line), "error": why})
+
+
+TRIES = 3  # of a run whose worker ends: as `sprung study run`
 
 
 class Worker:
@@ -76,6 +85,15 @@ class Worker:
             return error_answer(line, f"took longer than {self.timeout_s:g} s and was stopped (timeout of the study)")
         raise RuntimeError(f"the worker ended in the middle of run {number_of(line)}")
 
+    def answer(self, line: str) -> str:
+        """The answer's line: an error where every worker ended in the middle of the run."""
+        for _ in range(TRIES):
+            try:
+                return self.ask(line)
+            except RuntimeError as error:
+                why = str(error)
+        return error_answer(line, f"{why}, {TRIES} times")
+
     def close(self):
         if self._process is not None:
             self._process.kill()
@@ -99,9 +117,11 @@ class Keeper:
 
     def finish(self) -> int:
         """0: every answer was a row; 1: some were none, noted in the folder. Raises what keep said."""
-        self._process.stdin.close()
+        try:
+            self._process.stdin.close()
+        except BrokenPipeError:
+            pass  # it has ended: its last words follow
         said = self._process.stderr.read().strip()
-        status = self._process.wait()
         if said:
-            raise RuntimeError(said)
-        return status
+            print(said, file=sys.stderr)
+        return self._process.wait()

@@ -18,9 +18,16 @@ def add_arguments(parser):
     parser.add_argument("--chunk", type=int, default=1, help="runs that are handed out at once")
 
 
+def time_of(line: str):
+    try:
+        return json.loads(line)["wall_s"]
+    except (ValueError, KeyError, TypeError):
+        return None  # a line that was cut short: a full disk, many writers
+
+
 def service_times(folder: str) -> list[float]:
     lines = (Path(folder) / "times.jsonl").read_text().splitlines()
-    times = [json.loads(line)["wall_s"] for line in lines]
+    times = [time for line in lines if (time := time_of(line)) is not None]
     if not times:
         raise RuntimeError(f"{folder}/times.jsonl has no times: run the study first")
     return times

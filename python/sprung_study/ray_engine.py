@@ -6,19 +6,25 @@ from sprung_study.contract import Keeper, Worker, error_answer, missing, show
 _worker = None  # of this process of Ray, with its robots loaded
 
 
+def positive(text: str) -> int:
+    if int(text) < 1:
+        raise ValueError(text)
+    return int(text)
+
+
 def add_arguments(parser):
     parser.add_argument("study")
     parser.add_argument("--out", required=True, help="folder of the study, on this machine")
     parser.add_argument("--address", help="of a cluster, as in ray.init; default: one of this machine")
     parser.add_argument("--cpus", type=int, help="of a cluster of this machine; default: all")
-    parser.add_argument("--chunk", type=int, default=4, help="runs in a task; some seconds are enough")
+    parser.add_argument("--chunk", type=positive, default=4, help="runs in a task; some seconds are enough")
 
 
 def do_chunk(lines: list[str], timeout_s: float) -> list[str]:
     global _worker
-    if _worker is None:
+    if _worker is None or _worker.timeout_s != timeout_s:
         _worker = Worker(timeout_s)
-    return [_worker.ask(line) for line in lines]
+    return [_worker.answer(line) for line in lines]
 
 
 def run(arguments) -> int:
@@ -26,7 +32,7 @@ def run(arguments) -> int:
 
     lines = missing(arguments.study, arguments.out)
     timeout_s = show(arguments.study)["timeout_s"]
-    ray.init(address=arguments.address, num_cpus=None if arguments.address else arguments.cpus,
+    ray.init(address=arguments.address or "local", num_cpus=None if arguments.address else arguments.cpus,
              include_dashboard=False, log_to_driver=False, logging_level="error")
     task = ray.remote(max_retries=10, retry_exceptions=True)(do_chunk)
     chunks = [lines[i:i + arguments.chunk] for i in range(0, len(lines), arguments.chunk)]
@@ -49,4 +55,4 @@ def answers_of(ray, reference, chunk: list[str]) -> list[str]:
     try:
         return ray.get(reference)
     except ray.exceptions.RayError as error:
-        return [error_answer(line, f"Ray gave up: {str(error).splitlines()[0]}") for line in chunk]
+        return [error_answer(line, f"Ray gave up: {str(error).splitlines()[-1]}") for line in chunk]

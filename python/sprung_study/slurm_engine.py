@@ -6,6 +6,7 @@ from pathlib import Path
 from shlex import quote
 
 from sprung_study.contract import missing, number_of, program, show
+from sprung_study.ray_engine import positive
 
 LARGEST_ARRAY = 1000  # Slurm's usual MaxArraySize is 1001
 
@@ -13,7 +14,7 @@ LARGEST_ARRAY = 1000  # Slurm's usual MaxArraySize is 1001
 def add_arguments(parser):
     parser.add_argument("study", help="file, seen by every node under this path")
     parser.add_argument("--out", required=True, help="folder of the study, seen by every node")
-    parser.add_argument("--chunk", type=int, default=50, help="runs in a task: minutes, not seconds")
+    parser.add_argument("--chunk", type=positive, default=50, help="runs in a task: minutes, not seconds")
     parser.add_argument("--cpus", type=int, default=1, help="of a task")
     parser.add_argument("--sbatch", action="append", default=[], metavar="OPTION",
                         help="handed on, e.g. --sbatch=--partition=short; may be repeated")

@@ -3,8 +3,10 @@
 Trials are asked for in batches of a fixed size, and a batch is told in the order of its trials: the same search
 whatever the number of workers. What a trial needs stands in the study's folder as rows, so that a search that was
 interrupted goes on with what it has."""
+import difflib
 import json
 import math
+import os
 import sys
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -22,7 +24,7 @@ HELD_OUT = 900_000_000  # and these of the best and of robot.yaml's own numbers,
 def add_arguments(parser):
     parser.add_argument("study", help="with a section `tune`")
     parser.add_argument("--out", required=True, help="folder of the study")
-    parser.add_argument("--jobs", type=int, default=1, help="workers on this machine")
+    parser.add_argument("--jobs", type=int, default=1, help="workers on this machine; 0: one for each core")
     parser.add_argument("--storage", help="database of Optuna, e.g. sqlite:///tune.db; default: a journal in the folder")
     parser.add_argument("--trials", type=int, help="in all, those that are there included; default: the study's")
 
@@ -58,7 +60,7 @@ class Runs:
 
     def __init__(self, study_file: str, out: str, study: dict, jobs: int):
         self._study, self._rows = study, Path(out) / "rows"
-        contract.missing(study_file, out)  # claims the folder
+        contract.claim(study_file, out)
         self._keeper = contract.Keeper(study_file, out)
         self._idle = SimpleQueue()
         for _ in range(jobs):
@@ -72,14 +74,17 @@ class Runs:
                            "seed": seed})
 
     def rows(self, lines: list[str]) -> list[dict]:
-        """In the order of the lines; a run that gives no row is one that failed."""
+        """In the order of the lines. Raises RuntimeError where the machine gave no row: that is no cost of numbers."""
         futures = [self._threads.submit(self._answer, line) for line in lines]
         rows = []
         for future, line in zip(futures, lines):
             answer = future.result()
             if "kept" not in answer:
                 self._keeper.keep(json.dumps(answer))
-            rows.append(answer.get("row") or {"run": contract.number_of(line), "rows": []})
+            if "row" not in answer:
+                raise RuntimeError(f"run {contract.number_of(line)} has no row: {answer['error']}; "
+                                   "the same command goes on")
+            rows.append(answer["row"])
         return rows
 
     def _answer(self, line: str) -> dict:
@@ -90,9 +95,7 @@ class Runs:
                 return {"row": row, "kept": True}
         worker = self._idle.get()
         try:
-            return json.loads(worker.ask(line))
-        except RuntimeError as error:
-            return json.loads(contract.error_answer(line, str(error)))
+            return json.loads(worker.answer(line))
         finally:
             self._idle.put(worker)
 
@@ -127,7 +130,10 @@ class Search:
             for i, one in enumerate(alive):
                 one["rows"] += rows[i * seeds:(i + 1) * seeds]
                 one["trial"].set_user_attr("runs", len(one["rows"]))
+            self.refuse_unknown_rows(alive[0])
             alive = [one for one in alive if not self.is_pruned(one, place)]
+            if not alive:
+                break
         for one in tried:
             self.tell(one, one in alive)
 
@@ -141,6 +147,16 @@ class Search:
             return False
         one["trial"].report(goal_value(self.goals[0], one["rows"]), place)
         return one["trial"].should_prune()
+
+    def refuse_unknown_rows(self, one: dict):
+        """A name that no run has would be `unreached` for ever."""
+        known = {row["name"] for rows in one["rows"] for row in rows["rows"]}
+        for goal in self.goals:
+            for term in goal["of"]:
+                if known and term["row"] not in known:
+                    near = difflib.get_close_matches(term["row"], known, 1)
+                    raise RuntimeError(f"goal {goal['name']}: no run has a row {term['row']}" +
+                                       (f"; {near[0]}?" if near else ""))
 
     def tell(self, one: dict, is_whole: bool):
         import optuna
@@ -195,7 +211,8 @@ def open_search(study: dict, storage: str | None, out: str):
 
     optuna.logging.set_verbosity(optuna.logging.WARNING)
     kept = storage or JournalStorage(JournalFileBackend(str(Path(out) / "optuna.journal")))
-    name = f"{study['study']} {study['hash']}"
+    origin = json.loads((Path(out) / "study.json").read_text())
+    name = f"{study['study']} {study['hash']} {origin['version']} {origin['files']}"
     tuning = study["tuning"]
     directions = ["minimize" if goal["want"] == "least" else "maximize" for goal in tuning["goals"]]
     known = name in optuna.study.get_all_study_names(kept)
@@ -259,11 +276,15 @@ def best_values(search, goals: list) -> dict:
 
 
 def fragment(study: dict, values: dict) -> str:
-    """The keys as robot.yaml would hold them, nested."""
+    """The keys as robot.yaml would hold them, nested; an item of a list is to be changed in its place."""
     units = {one["path"]: one["unit"] for one in study["parameters"]}
     tree: dict = {}
+    items = ""
     for path, value in values.items():
         *way, last = path.split(".")
+        if any(part.isdigit() for part in path.split(".")):
+            items += f"# {path}: {value:g} {units[path]}".strip() + "\n"
+            continue
         place = tree
         for key in way:
             place = place.setdefault(key, {})
@@ -277,14 +298,14 @@ def fragment(study: dict, values: dict) -> str:
             else:
                 yield "  " * depth + f"{key}: {value}"
 
-    return "\n".join(lines(tree, 0)) + "\n"
+    return items + "".join(line + "\n" for line in lines(tree, 0))
 
 
 def run(arguments) -> int:
     study = contract.show(arguments.study)
     if "tuning" not in study:
         raise RuntimeError(f"{arguments.study} has no section `tune` (docs/studies.md)")
-    runs = Runs(arguments.study, arguments.out, study, arguments.jobs)
+    runs = Runs(arguments.study, arguments.out, study, arguments.jobs or os.cpu_count())
     optuna_study = open_search(study, arguments.storage, arguments.out)
     search = Search(study, runs, optuna_study)
     wanted = arguments.trials or study["tuning"]["trials"]
@@ -303,6 +324,10 @@ def run(arguments) -> int:
     return 0
 
 
+def set_words(values: dict) -> str:
+    return " ".join(f"--set {path}={value:g}" for path, value in values.items())
+
+
 def trials_left(study: dict, optuna_study, wanted: int) -> int:
     trials = optuna_study.trials
     budget = study["tuning"]["runs"]
@@ -314,12 +339,13 @@ def trials_left(study: dict, optuna_study, wanted: int) -> int:
 def write_results(arguments, study, optuna_study, best: dict, held_out: dict):
     out = Path(arguments.out)
     line = f"python3 -m sprung_study tune {arguments.study} --out {arguments.out}"
-    (out / "best.yaml").write_text(f"# {line}\n" + fragment(study, best))
+    (out / "best.yaml").write_text(f"# {line}\n# sprung experiment {study['experiment']} {set_words(best)}\n" +
+                                   fragment(study, best))
     names = [goal["name"] for goal in study["tuning"]["goals"]]
     made = sum(t.user_attrs.get("runs", 0) for t in optuna_study.trials)
     counts = {state: sum(t.state.name == state for t in optuna_study.trials) for state in ("COMPLETE", "PRUNED", "FAIL")}
     summary = {"study": study["study"], "hash": study["hash"], "goals": names, "trials": counts, "runs": made, "best": best,
-               "best_trials": [{"number": t.number, "values": t.values, "numbers": t.params}
+               "best_trials": [{"number": t.number, "values": t.values, "numbers": rounded(t.params)}
                                for t in optuna_study.best_trials],
                "plants_held_out": study["tuning"]["held_out"], "held_out": held_out}
     (out / "tune.json").write_text(json.dumps(summary, indent=1) + "\n")

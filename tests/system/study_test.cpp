@@ -88,6 +88,24 @@ TEST_F(StudyCommand, WhatMakesNoSenseIsRefusedAndWhatIsDoneStays) {
   EXPECT_THAT(study("show " + file("none.yaml")).output, HasSubstr("none.yaml"));
 }
 
+TEST_F(StudyCommand, ABadAnswerIsSaidAndThoseAfterItAreKept) {
+  const std::string program = program_folder() + "/sprung study ";
+  const CommandResult kept = study("expand " + study_ + " --runs 1..2 | " + program +
+                                   "worker | (echo '{\"run\":9,\"row\":{\"run'; cat) | " + program + "keep " +
+                                   study_ + " --out " + file("out"));
+  EXPECT_THAT(kept.output, HasSubstr("no answer of a worker"));
+  EXPECT_EQ(kept.status, 1);
+  EXPECT_FALSE(text("out/rows/1.json").empty());
+  EXPECT_FALSE(text("out/rows/2.json").empty());
+}
+
+TEST_F(StudyCommand, AStudyThatIsTunedIsNotRunAsAGrid) {
+  const std::string tuned = test::source_dir() + "/examples/studies/jump_height.yaml";
+  const CommandResult refused = study("run " + tuned + " --out " + file("out"));
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.output, HasSubstr("python3 -m sprung_study tune"));
+}
+
 TEST_F(StudyCommand, ShowIsOneObjectForEngines) {
   const nlohmann::json shown = nlohmann::json::parse(study("show " + study_).output);
   EXPECT_EQ(shown["study"], "sample");

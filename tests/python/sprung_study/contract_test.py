@@ -62,6 +62,15 @@ class WorkerTest(unittest.TestCase):
             self.assertEqual(worker.ask('{"run":1}'), '{"run":1,"row":{}}')
             worker.close()
 
+    def test_a_run_that_ends_every_worker_is_an_error_after_three_tries(self):
+        with FakeProgram():
+            worker = contract.Worker(60.0)
+            answer = json.loads(worker.answer('{"run":3}'))
+            self.assertEqual(answer["run"], 3)
+            self.assertIn("3 times", answer["error"])
+            self.assertEqual(worker.answer('{"run":1}'), '{"run":1,"row":{}}')
+            worker.close()
+
     def test_a_program_that_there_is_not_is_said(self):
         with mock.patch.dict(os.environ, {"SPRUNG": "", "PATH": ""}), mock.patch("pathlib.Path.exists", lambda _: False):
             with self.assertRaisesRegex(RuntimeError, "SPRUNG="):
@@ -145,6 +154,10 @@ class TuneTest(unittest.TestCase):
         study = {"parameters": [{"path": "presets.best.a.z", "unit": "N/m"}, {"path": "presets.best.b", "unit": ""}]}
         self.assertEqual(tune.fragment(study, {"presets.best.a.z": 3500.0, "presets.best.b": 0.5}),
                          "presets:\n  best:\n    a:\n      z: 3500 N/m\n    b: 0.5\n")
+
+    def test_an_item_of_a_list_is_no_key_of_the_fragment(self):
+        study = {"parameters": [{"path": "presets.best.lengths.4", "unit": "m"}]}
+        self.assertEqual(tune.fragment(study, {"presets.best.lengths.4": 0.5}), "# presets.best.lengths.4: 0.5 m\n")
 
 
 if __name__ == "__main__":

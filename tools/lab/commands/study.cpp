@@ -69,8 +69,20 @@ std::vector<StudyRun> without_done(const std::vector<StudyRun>& runs, const Stud
   return out;
 }
 
+/// Its runs are made as the search asks for them.
+void refuse_tuned(const Study& study) {
+  if (study.tuning)
+    throw WrongUse(study.file + " has a section `tune`: python3 -m sprung_study tune " + study.file +
+                   " --out FOLDER");
+}
+
 int expand_study(const StudyOptions& options) {
   const Study study = read_study(options.study);
+  if (study.tuning && !options.missing.empty()) {
+    const StudyFolder claimed(options.missing, study);
+    return kExitDone;
+  }
+  refuse_tuned(study);
   std::vector<StudyRun> runs = asked_of(study, options);
   if (!options.missing.empty()) runs = without_done(runs, StudyFolder(options.missing, study));
   for (const StudyRun& run : runs) std::printf("%s\n", run_json(run).c_str());
@@ -80,7 +92,8 @@ int expand_study(const StudyOptions& options) {
 int show_study(const StudyOptions& options) {
   const Study study = read_study(options.study);
   std::printf("{\"hash\":\"%s\",\"runs\":%lld,%s\n", study_hash(study).c_str(),
-              static_cast<long long>(run_count(study)), study_json(study).substr(1).c_str());
+              static_cast<long long>(study.tuning ? 0 : run_count(study)),
+              study_json(study).substr(1).c_str());
   return kExitDone;
 }
 
@@ -99,6 +112,7 @@ void say_left(const StudyFolder& folder, const PoolResult& result, std::size_t m
 int run_study(const StudyOptions& options) {
   start_log("sprung");
   const Study study = read_study(options.study);
+  refuse_tuned(study);
   const std::vector<StudyRun> asked = asked_of(study, options);
   const StudyFolder folder(options.out, study);
   const std::vector<StudyRun> missing = without_done(asked, folder);
@@ -119,19 +133,35 @@ int serve() {
   return run_worker();
 }
 
+/// One that is none, or of another build, says so and is not kept; those after it are.
+bool keep_answer(const std::string& line, const StudyFolder& folder) {
+  WorkerAnswer answer;
+  try {
+    answer = answer_of(line);
+    if (answer.row.empty()) {
+      folder.note_failure(answer.number, answer.error);
+      return false;
+    }
+    (void)result_of(answer.row);
+  } catch (const std::invalid_argument& error) {
+    std::fprintf(stderr, "sprung: %s\n", error.what());
+    return false;
+  }
+  if (const std::string why = folder.why_not(answer.row); !why.empty()) {
+    std::fprintf(stderr, "sprung: %s\n", why.c_str());
+    return false;
+  }
+  folder.keep(answer.row);
+  folder.note_time(answer.number, answer.wall_s);
+  return true;
+}
+
 int keep_answers(const StudyOptions& options) {
   const StudyFolder folder(options.out, read_study(options.study));
   int failed = 0;
   for (std::string line; std::getline(std::cin, line);) {
     if (line.empty()) continue;
-    const WorkerAnswer answer = answer_of(line);
-    if (answer.row.empty()) {
-      folder.note_failure(answer.number, answer.error);
-      ++failed;
-      continue;
-    }
-    folder.keep(answer.row);
-    folder.note_time(answer.number, answer.wall_s);
+    if (!keep_answer(line, folder)) ++failed;
   }
   return failed > 0 ? kExitFailed : kExitDone;
 }
@@ -141,8 +171,18 @@ StudyState state_of(const StudyFolder& folder, const std::vector<std::int64_t>& 
   for (std::int64_t n = 1; n <= folder.runs(); ++n) {
     if (!std::binary_search(done.begin(), done.end(), n)) state.missing.push_back(n);
   }
-  state.command = "sprung study run " + folder.path() + "/study.yaml --out " + folder.path();
+  const std::string how = folder.runs() > 0 ? "sprung study run " : "python3 -m sprung_study tune ";
+  state.command = how + shell_word(folder.path() + "/study.yaml") + " --out " + shell_word(folder.path());
   return state;
+}
+
+StudyResult read_row(const StudyFolder& folder, std::int64_t number) {
+  try {
+    return result_of(folder.row(number));
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(folder.path() + "/rows/" + std::to_string(number) + ".json: " + error.what() +
+                             "; delete it, and run the study again");
+  }
 }
 
 int collect_rows(const StudyOptions& options) {
@@ -150,7 +190,7 @@ int collect_rows(const StudyOptions& options) {
   const std::vector<std::int64_t> done = folder.done();
   std::vector<StudyResult> results;
   results.reserve(done.size());
-  for (const std::int64_t number : done) results.push_back(result_of(folder.row(number)));
+  for (const std::int64_t number : done) results.push_back(read_row(folder, number));
   const StudyTable table = study_table(std::move(results));
   const StudyState state = state_of(folder, done);
   const YamlMap file = YamlMap::load(folder.path() + "/study.yaml");

@@ -88,8 +88,12 @@ std::optional<std::string> PipedChild::line() {
 }
 
 std::string PipedChild::end() {
+  if (pid_ > 0) kill(pid_, SIGKILL);
+  return wait();
+}
+
+std::string PipedChild::wait() {
   if (pid_ <= 0) return "";
-  kill(pid_, SIGKILL);
   int status = 0;
   while (waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
   }

@@ -26,6 +26,7 @@ class PipedChild {
 
   /// Kills it where it runs. @return "killed by signal 9", "exit status 1".
   std::string end();
+  std::string wait();  ///< the same of one that ends by itself
 
  private:
   pid_t pid_ = -1;

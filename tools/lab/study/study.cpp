@@ -18,10 +18,16 @@ double four_digits(double value) {
   return std::strtod(text, nullptr);
 }
 
+constexpr std::size_t kMost = std::size_t{1} << 32;  // sets; the reader refuses long before
+
 std::size_t set_count(const Study& study) {
   if (study.samples > 0) return static_cast<std::size_t>(study.samples);
   std::size_t count = 1;
-  for (const StudyParameter& parameter : study.parameters) count *= parameter.values.size();
+  for (const StudyParameter& parameter : study.parameters) {
+    if (__builtin_mul_overflow(count, std::max<std::size_t>(1, parameter.values.size()), &count) ||
+        count > kMost)
+      return kMost;
+  }
   return count;
 }
 

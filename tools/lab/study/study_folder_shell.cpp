@@ -1,10 +1,12 @@
 #include "tools/lab/study/study_folder_shell.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -21,8 +23,9 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 [[noreturn]] void not_written(const std::string& path) {
-  throw std::runtime_error(path + " cannot be written: " + std::strerror(errno) +
-                           "; what is there is whole: make room and run the same command again");
+  const bool is_full = errno == ENOSPC || errno == EDQUOT || errno == EFBIG;
+  throw std::runtime_error(path + " cannot be written: " + std::strerror(errno) + "; what is there is whole" +
+                           (is_full ? ": make room and run the same command again" : ""));
 }
 
 void write_all(int file, const std::string& text, const std::string& path) {
@@ -36,11 +39,9 @@ void write_all(int file, const std::string& text, const std::string& path) {
 
 /// A new file under a name that nobody else takes, on the disk before it is named as it shall be.
 std::string written_beside(const std::string& text, const std::string& path) {
-  char host[64] = "";
-  gethostname(host, sizeof host - 1);
-  std::string beside = path + "." + host + "." + std::to_string(getpid());
-  const int file = ::open(beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-  if (file < 0) not_written(path);
+  std::string beside = path + ".XXXXXX";
+  const int file = ::mkostemp(beside.data(), O_CLOEXEC);
+  if (file < 0 || ::fchmod(file, 0644) != 0) not_written(path);
   try {
     write_all(file, text, path);
     if (::fsync(file) != 0) not_written(path);
@@ -77,8 +78,8 @@ std::string numbered(const std::string& folder, const char* kind, std::int64_t n
 
 std::vector<std::int64_t> numbers_in(const std::string& folder) {
   std::vector<std::int64_t> out;
-  std::error_code none;
-  for (const fs::directory_entry& file : fs::directory_iterator(folder, none)) {
+  if (!fs::exists(folder)) return out;
+  for (const fs::directory_entry& file : fs::directory_iterator(folder)) {
     const std::string name = file.path().filename().string();
     const std::size_t digits = name.find_first_not_of("0123456789");
     if (digits > 0 && digits != std::string::npos && name.substr(digits) == ".json")
@@ -126,8 +127,7 @@ StudyFolder::StudyFolder(const std::string& folder) : folder_(folder) {
 }
 
 StudyFolder::StudyFolder(const std::string& folder, const Study& study) {
-  std::error_code none;
-  for (const char* part : {"/rows", "/failed"}) fs::create_directories(folder + part, none);
+  for (const char* part : {"/rows", "/failed"}) fs::create_directories(folder + part);
   const StudyOrigin origin = origin_of(study.robot);
   const Json json = {{"study", study.name},
                      {"hash", study_hash(study)},
@@ -153,13 +153,18 @@ std::string StudyFolder::row(std::int64_t number) const {
   return text;
 }
 
+std::string StudyFolder::why_not(const std::string& row) const {
+  const StudyResult result = result_of(row);
+  const std::string what = "run " + std::to_string(result.number), here = folder_ + " holds ";
+  if (result.study != hash_) return here + name_ + ", and " + what + " is of another study";
+  if (result.origin.version == origin_.version && result.origin.files == origin_.files) return "";
+  return here + "rows of " + origin_words(origin_) + ", and " + what + " was made with " +
+         origin_words(result.origin);
+}
+
 void StudyFolder::keep(const std::string& row) const {
   const StudyResult result = result_of(row);
-  const std::string what = "run " + std::to_string(result.number);
-  refuse_other(result.study == hash_, folder_, name_ + ", and " + what + " is of another study");
-  refuse_other(
-      result.origin.version == origin_.version && result.origin.files == origin_.files, folder_,
-      "rows of " + origin_words(origin_) + ", and " + what + " was made with " + origin_words(result.origin));
+  if (const std::string why = why_not(row); !why.empty()) throw std::runtime_error(why);
   replace(row + "\n", numbered(folder_, "rows", result.number));
   ::unlink(numbered(folder_, "failed", result.number).c_str());
 }

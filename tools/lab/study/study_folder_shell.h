@@ -33,6 +33,8 @@ class StudyFolder {
   /// Written beside, then moved: a reader sees all of it or nothing. Twice is as good as once.
   /// @throws std::runtime_error where it is of another study, build or robot, or the disk is full.
   void keep(const std::string& row) const;
+  /// Why a row does not belong here; empty: it does. @throws std::invalid_argument where it is no row.
+  std::string why_not(const std::string& row) const;
   void note_failure(std::int64_t number, const std::string& why) const;
   void note_time(std::int64_t number, double wall_s) const;
   std::map<std::int64_t, std::string> failures() const;  ///< of runs that still have no row

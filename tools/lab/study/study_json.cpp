@@ -1,5 +1,8 @@
 #include "tools/lab/study/study_json.h"
 
+#include <algorithm>
+#include <cctype>
+#include <cstring>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -84,6 +87,16 @@ StudyRun run_of_json(const std::string& line) {
   } catch (const nlohmann::json::exception& error) {
     throw std::invalid_argument(std::string("no run, as `sprung study expand` prints one: ") + error.what());
   }
+}
+
+std::string shell_word(const std::string& word) {
+  const auto is_plain = [](unsigned char c) {
+    return std::isalnum(c) != 0 || std::strchr("_./=,:+-@%", c) != nullptr;
+  };
+  if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain)) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
 }
 
 std::vector<std::string> words_of(const StudyRun& run) {

@@ -15,6 +15,9 @@ std::string run_json(const StudyRun& run);
 /// @throws std::invalid_argument saying what is wrong with the line.
 StudyRun run_of_json(const std::string& line);
 
+/// As it is typed in a shell.
+std::string shell_word(const std::string& word);
+
 /// The words that follow `sprung experiment`; numbers with all their digits, so that they make the same run.
 std::vector<std::string> words_of(const StudyRun& run);
 

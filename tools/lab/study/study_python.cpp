@@ -39,7 +39,7 @@ std::string run_study_python(const std::vector<std::string>& words) {
     }
     std::string said, last;
     while (const auto line = child.line()) last = *line;
-    const std::string ended = child.end();
+    const std::string ended = child.wait();
     return last == "done" ? "" : last.empty() ? interpreter() + ": " + ended : last;
   } catch (const std::exception& error) {
     return error.what();

@@ -29,7 +29,8 @@ std::vector<std::uint64_t> range_of(const YamlMap& map, const std::string& key) 
   const std::string text = map.text(key);
   char* end = nullptr;
   const auto whole = [&](const char* from) { return std::strtoull(from, &end, 10); };
-  const bool begins = !text.empty() && text.find_first_not_of("0123456789.") == std::string::npos;
+  const bool begins = !text.empty() && text.front() != '.' && text.back() != '.' &&
+                      text.find_first_not_of("0123456789.") == std::string::npos;
   const std::uint64_t first = begins ? whole(text.c_str()) : 0;
   std::uint64_t last = first;
   const bool is_range = begins && std::string(end).rfind("..", 0) == 0;
@@ -104,12 +105,12 @@ class StudyReader {
     file_.finish();
     check_experiment();
     for (const StudyParameter& one : study_.parameters) check_ends(one);
-    check_plants(study_.plants);
+    check_plants(study_.plants, file_, plants_key());
     if (study_.tuning) {
-      check_plants(study_.tuning->validate);
-      check_plants(study_.tuning->held_out);
+      check_plants(study_.tuning->validate, file_.map("tune"), "validate");
+      check_plants(study_.tuning->held_out, file_.map("tune"), "held_out");
     }
-    if (run_count(study_) > kMostRuns)
+    if (!study_.tuning && run_count(study_) > kMostRuns)
       file_.fail("study", std::to_string(run_count(study_)) + " runs are too many: at most " +
                               std::to_string(kMostRuns) + "; split it");
     return study_;
@@ -126,6 +127,12 @@ class StudyReader {
     const YamlMap options = file_.map("options");
     for (const YamlKey& key : options.tree().keys) {
       const std::string value = options.text(key.name);
+      for (const char* elsewhere : {"robot", "preset", "set", "plant", "seed", "separate", "jobs"}) {
+        if (key.name == elsewhere)
+          options.fail(key.name,
+                       "is no option of a study: robot, preset, parameters, plants and seeds have keys of "
+                       "their own, and a run is one thread of one process");
+      }
       if (value == "false") continue;
       study_.options.push_back("--" + key.name);
       if (value != "true") study_.options.push_back(value);
@@ -134,6 +141,8 @@ class StudyReader {
 
   void read_parameters() {
     study_.samples = static_cast<int>(file_.integer_or("samples", 1, kMostRuns, 0));
+    if (study_.samples > 0 && !file_.has("parameters"))
+      file_.fail("samples", "there are no parameters: they would all be the same");
     if (!file_.has("parameters")) return;
     const YamlMap robot_file = YamlMap::load(robot_.folder + "/robot.yaml");
     const YamlMap parameters = file_.map("parameters");
@@ -154,7 +163,8 @@ class StudyReader {
 
   void read_values(const YamlMap& map, StudyParameter& one) {
     if (map.has("values")) {
-      if (study_.samples > 0) map.fail("values", "samples fill a range evenly: from and to, please");
+      if (study_.samples > 0 || file_.has("tune"))
+        map.fail("values", "samples and a search need a range: from and to, please");
       one.values = map.quantities("values", one.unit, -kAny, kAny);
       if (one.values.empty()) map.fail("values", "there is none");
       const auto [least, most] = std::minmax_element(one.values.begin(), one.values.end());
@@ -251,18 +261,22 @@ class StudyReader {
   }
 
   /// First and last say of a thousand draws what all say: they differ by their number alone.
-  void check_plants(const std::vector<std::vector<std::string>>& plants) const {
+  void check_plants(const std::vector<std::vector<std::string>>& plants, const YamlMap& map,
+                    const std::string& key) const {
     std::set<std::string> seen;
     for (const std::vector<std::string>& plant : plants) {
       std::string keys;
       for (const std::string& change : plant) keys += change.rfind("draw=", 0) == 0 ? "draw " : change + " ";
-      if (seen.insert(keys).second) check_plant(plant);
+      if (seen.insert(keys).second) check_plant(plant, map, key);
     }
   }
 
-  void check_plant(const std::vector<std::string>& plant) const {
-    const std::string key = file_.has("plants") ? "plants" : file_.has("families") ? "families" : "draws";
-    or_fail(file_, file_.has(key) ? key : "tune", [&] {
+  std::string plants_key() const {
+    return file_.has("plants") ? "plants" : file_.has("families") ? "families" : "draws";
+  }
+
+  void check_plant(const std::vector<std::string>& plant, const YamlMap& map, const std::string& key) const {
+    or_fail(map, key, [&] {
       SimOptions options;
       options.plant = parse_plant(plant);
       return SimCore(robot_, options).cycle();

@@ -9,6 +9,7 @@
 #include <new>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <system_error>
 
 #include "robots/robot_loader.h"
 #include "robots/text_hash.h"
@@ -71,9 +72,16 @@ FinishedExperiment finished(const StudyRun& run, const std::string& files, Loade
   return run_experiment(asked->experiment, experiment_input(asked->experiment, asked->request, robot));
 }
 
+/// The same text wherever the robot is installed.
+std::string without_place(std::string text, const std::string& folder) {
+  for (std::size_t at = 0; (at = text.find(folder, at)) != std::string::npos;)
+    text.replace(at, folder.size(), fs::path(folder).filename().string());
+  return text;
+}
+
 std::string command_of(const StudyRun& run) {
   std::string text = "sprung experiment";
-  for (const std::string& word : words_of(run)) text += " " + word;
+  for (const std::string& word : words_of(run)) text += " " + shell_word(word);
   return text + " --json";
 }
 
@@ -85,8 +93,10 @@ void run_into(const StudyRun& run, const std::string& files, LoadedRobot& loaded
     out["rows"] = rows_json(done.rows.rows);
   } catch (const std::bad_alloc&) {
     throw;
+  } catch (const std::system_error&) {  // of files, threads, processes: another machine may have them
+    throw;
   } catch (const std::exception& error) {
-    out["failure"] = error.what();
+    out["failure"] = without_place(error.what(), robot_folder(run.robot));
     out["rows"] = Json::array();
   }
 }

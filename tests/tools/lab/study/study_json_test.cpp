@@ -33,6 +33,13 @@ TEST(RunJson, WordsAreTheCommandWithAllDigits) {
                           "hybrid", "--set", "presets.best.x=0.30000000000000004", "--plant", "draw=3"));
 }
 
+TEST(ShellWord, IsQuotedWhereAShellWouldReadItOtherwise) {
+  EXPECT_EQ(shell_word("presets.best.x=0.5"), "presets.best.x=0.5");
+  EXPECT_EQ(shell_word("ro bot"), "'ro bot'");
+  EXPECT_EQ(shell_word("it's"), "'it'\\''s'");
+  EXPECT_EQ(shell_word(""), "''");
+}
+
 TEST(RunJson, WhatIsNoRunIsRefused) {
   for (const char* line :
        {"", "{", "[1]", "17", R"({"run":1})", R"({"run":"x","experiment":"jump","robot":"r"})",

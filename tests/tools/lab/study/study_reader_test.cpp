@@ -92,7 +92,8 @@ constexpr const char* kTuning =
     "99}]}\n";
 
 TEST_F(StudyReader, TuningHasGoalsAndHeldOutPlants) {
-  const Study study = read(test::kSampleStudy + std::string(kTuning));
+  const Study study = read(with("{values: [3000 N/m, 6280 N/m]}", "{from: 3000 N/m, to: 6280 N/m}") +
+                           kTuning);
   ASSERT_TRUE(study.tuning);
   EXPECT_EQ(study.tuning->trials, 5);
   EXPECT_EQ(study.tuning->held_out.size(), 2u);
@@ -101,6 +102,21 @@ TEST_F(StudyReader, TuningHasGoalsAndHeldOutPlants) {
   EXPECT_FALSE(study.tuning->goals[0].is_worst);
   EXPECT_TRUE(study.tuning->goals[0].terms[0].has_about);
   EXPECT_EQ(study.tuning->goals[0].terms[0].unreached, 99.0);
+}
+
+TEST_F(StudyReader, PlantsThatAreHeldOutAreCheckedAtTheirKey) {
+  std::string text = with("{values: [3000 N/m, 6280 N/m]}", "{from: 3000 N/m, to: 6280 N/m}") + kTuning;
+  text.replace(text.find("{draws: 8..9}"), 13, "{families: [nope]}");
+  EXPECT_THAT(refusal(text), AllOf(HasSubstr("study.yaml:10"), HasSubstr("nope")));
+}
+
+TEST_F(StudyReader, WhatMeansNothingIsRefused) {
+  EXPECT_THAT(refusal(with("seeds: 1..2", "options: {seed: 3}")), HasSubstr("keys of their own"));
+  EXPECT_THAT(refusal(with("1..2", "..")), HasSubstr("whole numbers"));
+  EXPECT_THAT(refusal(test::kSampleStudy + std::string(kTuning)), HasSubstr("need a range"));
+  std::string text = with("seeds: 1..2", "samples: 3");
+  text.erase(text.find("parameters:"), text.find("plants:") - text.find("parameters:"));
+  EXPECT_THAT(refusal(text), HasSubstr("all be the same"));
 }
 
 TEST_F(StudyReader, TuningOfNothingIsRefused) {
