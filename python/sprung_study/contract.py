@@ -47,7 +47,7 @@ def error_answer(line: str, why: str) -> str:
     return json.dumps({"run": number_of(line), "error": why})
 
 
-TRIES = 3  # of a run whose worker ends: as `sprung study run`
+TRIES = 10  # of a run whose worker ends: as `sprung study run`
 
 
 class Worker:

@@ -62,12 +62,12 @@ class WorkerTest(unittest.TestCase):
             self.assertEqual(worker.ask('{"run":1}'), '{"run":1,"row":{}}')
             worker.close()
 
-    def test_a_run_that_ends_every_worker_is_an_error_after_three_tries(self):
+    def test_a_run_that_ends_every_worker_is_an_error_after_ten_tries(self):
         with FakeProgram():
             worker = contract.Worker(60.0)
             answer = json.loads(worker.answer('{"run":3}'))
             self.assertEqual(answer["run"], 3)
-            self.assertIn("3 times", answer["error"])
+            self.assertIn("10 times", answer["error"])
             self.assertEqual(worker.answer('{"run":1}'), '{"run":1,"row":{}}')
             worker.close()
 

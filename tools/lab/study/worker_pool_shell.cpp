@@ -17,7 +17,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kTries = 3;        // a run that ends its worker so often would end every worker
+constexpr int kTries = 10;       // a run that ends its worker so often would end every worker
 constexpr int kLookAt_ms = 200;  // for Ctrl-C
 
 struct Slot {

@@ -26,7 +26,7 @@ struct PoolResult {
   int workers_lost = 0;     ///< that ended in the middle of a run, and were replaced
 };
 
-/// A run whose worker ends is given to another, three times in all; one that takes too long once.
+/// A run whose worker ends is given to another, ten times in all; one that takes too long once.
 /// @throws std::runtime_error where no worker starts, or the folder cannot be written; what is kept is kept.
 PoolResult run_pool(const std::vector<StudyRun>& missing, const StudyFolder& folder,
                     const PoolOptions& options);

@@ -52,7 +52,7 @@ TEST_F(WorkerPool, ARunThatEndsEveryWorkerIsGivenUpAndSaid) {
   const PoolResult result = run(folder, {2, 60.0, {"/bin/sh", "-c", "read -r line; exit 3"}});
   EXPECT_EQ(result.kept, 0);
   EXPECT_EQ(result.failed, 8);
-  EXPECT_THAT(folder.failures().at(1), HasSubstr("ended 3 times, the last one: exit status 3"));
+  EXPECT_THAT(folder.failures().at(1), HasSubstr("ended 10 times, the last one: exit status 3"));
 }
 
 TEST_F(WorkerPool, ARunThatHangsIsStoppedAndSaid) {
