@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "robots/text_hash.h"
+
 namespace sprung {
 
 namespace {
@@ -29,15 +31,9 @@ RowCounts count_rows(const FinishedExperiment& experiment) {
   return counts;
 }
 
-std::string hex(std::uint64_t value) {
-  char text[24];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(value));
-  return text;
-}
-
 std::string version_text(const IndexHeading& heading) {
-  return heading.robot + " (robot.yaml " + hex(heading.robot_hash) + "), seed " +
-         std::to_string(heading.seed) + ", sprung " SPRUNG_VERSION "-" SPRUNG_GIT_HASH;
+  return heading.robot + " (robot.yaml " + hash_digits(static_cast<std::int64_t>(heading.robot_hash)) +
+         "), seed " + std::to_string(heading.seed) + ", sprung " SPRUNG_VERSION "-" SPRUNG_GIT_HASH;
 }
 
 std::string bounds_text(const ReportRow& row) {
@@ -140,7 +136,7 @@ std::string experiment_index_json(const IndexHeading& heading,
                                   const std::vector<FinishedExperiment>& experiments) {
   Json json;
   json["robot"] = heading.robot;
-  json["robot_hash"] = hex(heading.robot_hash);
+  json["robot_hash"] = hash_digits(static_cast<std::int64_t>(heading.robot_hash));
   json["seed"] = heading.seed;
   json["version"] = SPRUNG_VERSION "-" SPRUNG_GIT_HASH;
   json["command"] = heading.command;

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "tools/common/csv_cell.h"
 #include "tools/logs/fields/decoder.h"
 #include "tools/logs/fields/value_text.h"
 #include "tools/logs/log/event.h"
@@ -18,20 +19,6 @@ namespace {
 
 /// Cycles that wait for the rest of their messages. Answers to one DRIVE_STATE come within a few cycles.
 constexpr std::size_t kRowsWaiting = 64;
-
-/// A text as a cell: in quotes, where it needs them.
-void append_quoted(std::string_view text, std::string& out) {
-  if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
-    out += text;
-    return;
-  }
-  out += '"';
-  for (const char c : text) {
-    if (c == '"') out += '"';
-    out += c;
-  }
-  out += '"';
-}
 
 template <class Number>
 void append_decimal(Number value, std::string& out) {
@@ -131,7 +118,7 @@ std::string CsvTable::header() {
       const std::string path = options_.joint_names ? fields::with_names(column.path, selection_.names())
                                                     : column.path;
       out += ',';
-      append_quoted(name + "." + path + (column.unit.empty() ? "" : " (" + column.unit + ")"), out);
+      append_cell(name + "." + path + (column.unit.empty() ? "" : " (" + column.unit + ")"), out);
     }
     column_count_ += channel.fields.columns().size();
     empty_cells_.emplace_back(channel.fields.columns().size(), ',');
@@ -184,7 +171,7 @@ void CsvTable::write_cells(Channel& channel, std::string_view name, std::string&
     cells += ',';
     if (field == nullptr) continue;
     if (field->kind == fields::Kind::kText) {
-      append_quoted(message_.text(*field), cells);
+      append_cell(message_.text(*field), cells);
     } else {
       fields::append_exact(message_, *field, cells);
     }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "robots/text_hash.h"
+
 namespace sprung::doctor {
 namespace {
 
@@ -72,13 +74,11 @@ Check programs_check(const SoftwareFacts& software) {
 }
 
 Check types_check(const SoftwareFacts& software) {
-  char hash[32];
-  std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(software.types_hash));
+  const std::string hash = hash_digits(software.types_hash);
   const std::string name = "message types";
   if (!software.strangers.empty())
     return fail(name, software.strangers.front(), std::string("sprung down; ") + kRebuild + "; sprung up");
-  return pass(name,
-              std::string(hash) + (software.robot_is_up ? ", as every process of the robot that is up" : ""));
+  return pass(name, hash + (software.robot_is_up ? ", as every process of the robot that is up" : ""));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "robots/text_hash.h"
 #include "runtime/types_hash.h"
 
 namespace sprung {
@@ -25,10 +26,8 @@ std::string value_of(const std::string& text, const std::string& key) {
 }  // namespace
 
 std::string release_text() {
-  char types[24];
-  std::snprintf(types, sizeof types, "%016llx", static_cast<unsigned long long>(types_hash()));
   return std::string("version: ") + SPRUNG_VERSION + "\nbuild: " + SPRUNG_GIT_HASH +
-         "\nmessage_types: " + types + "\n";
+         "\nmessage_types: " + hash_digits(types_hash()) + "\n";
 }
 
 std::string why_not_of_release(const std::string& installed, const std::string& own,
