@@ -3,7 +3,6 @@ import json
 import os
 import shutil
 import subprocess
-import sys
 import threading
 from pathlib import Path
 
@@ -17,8 +16,15 @@ def program() -> str:
     return found
 
 
+def positive(text: str) -> int:
+    """A type of argparse."""
+    if int(text) < 1:
+        raise ValueError(text)
+    return int(text)
+
+
 def _said(*words: str) -> str:
-    done = subprocess.run([program(), "study", *words], capture_output=True, text=True)
+    done = subprocess.run([program(), "study", *words], stdin=subprocess.DEVNULL, capture_output=True, text=True)
     if done.returncode != 0:
         raise RuntimeError(done.stderr.strip() or f"sprung study {' '.join(words)}: status {done.returncode}")
     return done.stdout
@@ -31,7 +37,7 @@ def show(study: str) -> dict:
 
 def claim(study: str, out: str):
     """The folder is this study's from now on, or an error."""
-    _said("expand", study, "--runs", "1", "--missing", out)
+    _said("keep", study, "--out", out)
 
 
 def missing(study: str, out: str) -> list[str]:
@@ -106,22 +112,19 @@ class Keeper:
 
     def __init__(self, study: str, out: str):
         self._process = subprocess.Popen([program(), "study", "keep", study, "--out", out], stdin=subprocess.PIPE,
-                                         stderr=subprocess.PIPE, text=True)
+                                         text=True)
 
     def keep(self, answer: str):
         try:
             self._process.stdin.write(answer + "\n")
             self._process.stdin.flush()
         except BrokenPipeError:
-            raise RuntimeError(self._process.stderr.read().strip()) from None
+            raise RuntimeError("nothing more can be kept, for the reason above") from None
 
     def finish(self) -> int:
-        """0: every answer was a row; 1: some were none, noted in the folder. Raises what keep said."""
+        """0: every answer was a row; 1: some were none, as it has said."""
         try:
             self._process.stdin.close()
         except BrokenPipeError:
             pass  # it has ended: its last words follow
-        said = self._process.stderr.read().strip()
-        if said:
-            print(said, file=sys.stderr)
         return self._process.wait()

@@ -1,15 +1,9 @@
 """Runs on a cluster of Ray: a chunk a task. Scheduling, retries and machines that come and go are Ray's."""
 import sys
 
-from sprung_study.contract import Keeper, Worker, error_answer, missing, show
+from sprung_study.contract import Keeper, Worker, error_answer, missing, positive, show
 
 _worker = None  # of this process of Ray, with its robots loaded
-
-
-def positive(text: str) -> int:
-    if int(text) < 1:
-        raise ValueError(text)
-    return int(text)
 
 
 def add_arguments(parser):
@@ -34,7 +28,7 @@ def run(arguments) -> int:
     timeout_s = show(arguments.study)["timeout_s"]
     ray.init(address=arguments.address or "local", num_cpus=None if arguments.address else arguments.cpus,
              include_dashboard=False, log_to_driver=False, logging_level="error")
-    task = ray.remote(max_retries=10, retry_exceptions=True)(do_chunk)
+    task = ray.remote(max_retries=10)(do_chunk)  # of machines that are lost: a worker's end is an answer
     chunks = [lines[i:i + arguments.chunk] for i in range(0, len(lines), arguments.chunk)]
     waiting = {task.remote(chunk, timeout_s): chunk for chunk in chunks}
     keeper = Keeper(arguments.study, arguments.out)

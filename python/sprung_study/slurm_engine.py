@@ -5,8 +5,7 @@ import sys
 from pathlib import Path
 from shlex import quote
 
-from sprung_study.contract import missing, number_of, program, show
-from sprung_study.ray_engine import positive
+from sprung_study.contract import missing, number_of, positive, program, show
 
 LARGEST_ARRAY = 1000  # Slurm's usual MaxArraySize is 1001
 

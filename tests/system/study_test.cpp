@@ -104,6 +104,10 @@ TEST_F(StudyCommand, AStudyThatIsTunedIsNotRunAsAGrid) {
   const CommandResult refused = study("run " + tuned + " --out " + file("out"));
   EXPECT_EQ(refused.status, 2);
   EXPECT_THAT(refused.output, HasSubstr("python3 -m sprung_study tune"));
+  EXPECT_EQ(study("expand " + tuned).status, 2);
+  const CommandResult claimed = study("keep " + tuned + " --out " + file("tuned") + " < /dev/null");
+  EXPECT_EQ(claimed.status, 0) << claimed.output;
+  EXPECT_FALSE(text("tuned/study.json").empty());
 }
 
 TEST_F(StudyCommand, ShowIsOneObjectForEngines) {

@@ -1,13 +1,9 @@
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <iostream>
 #include <memory>
-#include <set>
+#include <stdexcept>
 
 #include "robots/yaml_reader.h"
 #include "runtime/log.h"
@@ -34,7 +30,6 @@ struct StudyOptions {
   std::string runs;
   std::string missing;
   int jobs = 1;
-  bool as_json = false;
 };
 
 /// "A..B", or "A" alone; all of them where it is empty.
@@ -78,10 +73,6 @@ void refuse_tuned(const Study& study) {
 
 int expand_study(const StudyOptions& options) {
   const Study study = read_study(options.study);
-  if (study.tuning && !options.missing.empty()) {
-    const StudyFolder claimed(options.missing, study);
-    return kExitDone;
-  }
   refuse_tuned(study);
   std::vector<StudyRun> runs = asked_of(study, options);
   if (!options.missing.empty()) runs = without_done(runs, StudyFolder(options.missing, study));
@@ -133,27 +124,27 @@ int serve() {
   return run_worker();
 }
 
+bool not_kept(const std::exception& why) {
+  std::fprintf(stderr, "sprung: %s\n", why.what());
+  return false;
+}
+
 /// One that is none, or of another build, says so and is not kept; those after it are.
 bool keep_answer(const std::string& line, const StudyFolder& folder) {
-  WorkerAnswer answer;
   try {
-    answer = answer_of(line);
+    const WorkerAnswer answer = answer_of(line);
     if (answer.row.empty()) {
       folder.note_failure(answer.number, answer.error);
       return false;
     }
-    (void)result_of(answer.row);
+    folder.keep(answer.row);
+    folder.note_time(answer.number, answer.wall_s);
+    return true;
   } catch (const std::invalid_argument& error) {
-    std::fprintf(stderr, "sprung: %s\n", error.what());
-    return false;
+    return not_kept(error);
+  } catch (const NotOfThisStudy& error) {
+    return not_kept(error);
   }
-  if (const std::string why = folder.why_not(answer.row); !why.empty()) {
-    std::fprintf(stderr, "sprung: %s\n", why.c_str());
-    return false;
-  }
-  folder.keep(answer.row);
-  folder.note_time(answer.number, answer.wall_s);
-  return true;
 }
 
 int keep_answers(const StudyOptions& options) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
-#include <limits>
 
 #include "simulation/plant/plant_draw.h"
 #include "tools/common/parallel.h"
@@ -36,15 +35,6 @@ std::vector<Named> by_name(const std::vector<DrawnRows>& draws) {
   return all;
 }
 
-/// How far a value lies on the bad side of its row's bounds, above 0 when beyond them.
-double excess(const ReportRow& row) {
-  double most = -std::numeric_limits<double>::infinity();
-  if (std::isnan(row.value)) return std::numeric_limits<double>::infinity();
-  if (row.low) most = std::max(most, *row.low - row.value);
-  if (row.high) most = std::max(most, row.value - *row.high);
-  return most;
-}
-
 void add_one(std::vector<ReportRow>& rows, const std::string& name, const Seen& one, bool with_bounds) {
   ReportRow value = one.row;
   value.name = one.row.name + "." + name;
@@ -65,9 +55,9 @@ void add_distribution(std::vector<ReportRow>& rows, const Named& named) {
   if (first.low || first.high) {
     const auto worst = std::max_element(
         named.seen.begin(), named.seen.end(),
-        [](const Seen& a, const Seen& b) { return excess(a.row) < excess(b.row); });
+        [](const Seen& a, const Seen& b) { return a.row.excess() < b.row.excess(); });
     const auto met = std::count_if(named.seen.begin(), named.seen.end(),
-                                   [](const Seen& one) { return excess(one.row) <= 0.0; });
+                                   [](const Seen& one) { return one.row.excess() <= 0.0; });
     rows.push_back(row(named.name + ".met", "%",
                        100.0 * static_cast<double>(met) / static_cast<double>(named.seen.size())));
     return add_one(rows, "worst", *worst, true);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 namespace sprung {
@@ -15,6 +16,10 @@ using Json = nlohmann::ordered_json;
 
 Json number(const std::optional<double>& value) {
   return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
+}
+
+std::optional<double> number_of(const Json& json) {
+  return json.is_null() ? std::nullopt : std::optional<double>(json.get<double>());
 }
 
 /// Shares and ratios, which have no unit, say more in four digits.
@@ -45,12 +50,45 @@ bool ReportRow::ok() const {
   return std::isfinite(value) && (!low || value >= *low) && (!high || value <= *high);
 }
 
+double ReportRow::excess() const {
+  if (!std::isfinite(value)) return std::numeric_limits<double>::infinity();
+  double most = -std::numeric_limits<double>::infinity();
+  if (low) most = std::max(most, *low - value);
+  if (high) most = std::max(most, value - *high);
+  return most;
+}
+
 ReportRow row(const std::string& name, const std::string& unit, double value, const Bounds& bounds) {
   return {name, unit, value, bounds.paper, bounds.low, bounds.high};
 }
 
 bool all_ok(const std::vector<ReportRow>& rows) {
   return std::all_of(rows.begin(), rows.end(), [](const ReportRow& row) { return row.ok(); });
+}
+
+Json rows_json(const std::vector<ReportRow>& rows) {
+  Json out = Json::array();
+  for (const ReportRow& row : rows) {
+    out.push_back({{"name", row.name},
+                   {"unit", row.unit},
+                   {"value", number(row.value)},
+                   {"paper", number(row.paper)},
+                   {"low", number(row.low)},
+                   {"high", number(row.high)},
+                   {"ok", row.ok()}});
+  }
+  return out;
+}
+
+std::vector<ReportRow> rows_of_json(const Json& json) {
+  std::vector<ReportRow> out;
+  out.reserve(json.size());
+  for (const Json& row : json) {
+    const double value = number_of(row.at("value")).value_or(std::nan(""));
+    out.push_back({row.at("name"), row.at("unit"), value, number_of(row.at("paper")),
+                   number_of(row.at("low")), number_of(row.at("high"))});
+  }
+  return out;
 }
 
 std::string ExperimentReport::json() const {
@@ -63,16 +101,7 @@ std::string ExperimentReport::json() const {
   out["separate"] = separate_processes;
   out["wall_s"] = wall_s;
   out["simulated_s"] = simulated_s;
-  out["rows"] = Json::array();
-  for (const ReportRow& row : rows) {
-    out["rows"].push_back({{"name", row.name},
-                           {"unit", row.unit},
-                           {"value", number(row.value)},
-                           {"paper", number(row.paper)},
-                           {"low", number(row.low)},
-                           {"high", number(row.high)},
-                           {"ok", row.ok()}});
-  }
+  out["rows"] = rows_json(rows);
   return out.dump(1);
 }
 

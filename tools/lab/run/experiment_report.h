@@ -1,6 +1,7 @@
 #pragma once
 /// The result of an experiment: rows of design section 9, as JSON for scripts and as a table for people.
 #include <cstdint>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,6 +17,9 @@ struct ReportRow {
   std::optional<double> high;
 
   bool ok() const;
+  /// How far beyond its bounds, below 0 within them; -infinity where it has none. A value that was not
+  /// reached is worse than any: infinity.
+  double excess() const;
 };
 
 /// What a row is held against; empty: nothing is demanded.
@@ -32,6 +36,11 @@ inline Bounds demanded(bool really, const Bounds& bounds) { return really ? boun
 bool all_ok(const std::vector<ReportRow>& rows);
 
 ReportRow row(const std::string& name, const std::string& unit, double value, const Bounds& bounds = {});
+
+/// As they stand in an experiment's JSON and in the rows of a study.
+nlohmann::ordered_json rows_json(const std::vector<ReportRow>& rows);
+/// The reverse. @throws nlohmann::json::exception where they are none.
+std::vector<ReportRow> rows_of_json(const nlohmann::ordered_json& json);
 
 struct ExperimentReport {
   std::string experiment;

@@ -35,10 +35,9 @@ struct StudyParameter {
 struct StudyTerm {
   std::string row;
   double weight = 1.0;
-  double about = 0.0;  ///< the distance from it counts, where there is one
-  bool has_about = false;
-  double above = 0.0;      ///< only what is above it counts
-  double unreached = 0.0;  ///< for a row that has no value, and for a run that failed
+  std::optional<double> about{};  ///< its distance from here counts
+  std::optional<double> above{};  ///< and only what of it is beyond here
+  double unreached = 0.0;         ///< for a row that has no value, and for a run that failed
 };
 
 struct StudyGoal {
@@ -96,6 +95,10 @@ std::string study_hash(const Study& study);
 /// Sets of numbers, one for each of the parameters: every combination, the last parameter first through, or
 /// `samples` even ones. One empty set where nothing is varied.
 std::vector<std::vector<double>> study_sets(const Study& study);
+
+/// Those that a search begins with: robot.yaml's own where they lie in their ranges, else their nearest ends,
+/// then even ones, for six tenths of its trials; others for another seed.
+std::vector<std::vector<double>> first_sets(const Study& study);
 
 std::int64_t run_count(const Study& study);
 /// Sets, in each set the plants, on each plant the seeds: what belongs together stands together.

@@ -153,18 +153,13 @@ std::string StudyFolder::row(std::int64_t number) const {
   return text;
 }
 
-std::string StudyFolder::why_not(const std::string& row) const {
-  const StudyResult result = result_of(row);
-  const std::string what = "run " + std::to_string(result.number), here = folder_ + " holds ";
-  if (result.study != hash_) return here + name_ + ", and " + what + " is of another study";
-  if (result.origin.version == origin_.version && result.origin.files == origin_.files) return "";
-  return here + "rows of " + origin_words(origin_) + ", and " + what + " was made with " +
-         origin_words(result.origin);
-}
-
 void StudyFolder::keep(const std::string& row) const {
   const StudyResult result = result_of(row);
-  if (const std::string why = why_not(row); !why.empty()) throw std::runtime_error(why);
+  const std::string what = "run " + std::to_string(result.number), here = folder_ + " holds ";
+  if (result.study != hash_) throw NotOfThisStudy(here + name_ + ", and " + what + " is of another study");
+  if (result.origin.version != origin_.version || result.origin.files != origin_.files)
+    throw NotOfThisStudy(here + "rows of " + origin_words(origin_) + ", and " + what + " was made with " +
+                         origin_words(result.origin));
   replace(row + "\n", numbered(folder_, "rows", result.number));
   ::unlink(numbered(folder_, "failed", result.number).c_str());
 }
@@ -183,16 +178,6 @@ std::map<std::int64_t, std::string> StudyFolder::failures() const {
     if (has(number)) continue;
     const Json json = Json::parse(text_of_file(numbered(folder_, "failed", number)), nullptr, false);
     out[number] = json.is_object() ? json.value("why", "") : "its note cannot be read";
-  }
-  return out;
-}
-
-std::vector<double> StudyFolder::times_s() const {
-  std::vector<double> out;
-  std::ifstream file(folder_ + "/times.jsonl");
-  for (std::string line; std::getline(file, line);) {
-    const Json json = Json::parse(line, nullptr, false);
-    if (json.is_object() && json.contains("wall_s")) out.push_back(json["wall_s"]);
   }
   return out;
 }

@@ -4,6 +4,7 @@
 /// `growth`; of no row). Many processes on many machines may write to it at once.
 #include <cstdint>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,11 @@
 #include "tools/lab/study/study_row.h"
 
 namespace sprung {
+
+/// A row of another study, build or robot.
+struct NotOfThisStudy : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 class StudyFolder {
  public:
@@ -31,14 +37,12 @@ class StudyFolder {
   std::string row(std::int64_t number) const;
 
   /// Written beside, then moved: a reader sees all of it or nothing. Twice is as good as once.
-  /// @throws std::runtime_error where it is of another study, build or robot, or the disk is full.
+  /// @throws std::invalid_argument where it is no row, NotOfThisStudy, std::runtime_error where it cannot be
+  /// written.
   void keep(const std::string& row) const;
-  /// Why a row does not belong here; empty: it does. @throws std::invalid_argument where it is no row.
-  std::string why_not(const std::string& row) const;
   void note_failure(std::int64_t number, const std::string& why) const;
   void note_time(std::int64_t number, double wall_s) const;
   std::map<std::int64_t, std::string> failures() const;  ///< of runs that still have no row
-  std::vector<double> times_s() const;
 
  private:
   std::string folder_, name_, hash_;

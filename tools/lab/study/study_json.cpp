@@ -20,8 +20,9 @@ Json parameter_json(const StudyParameter& one) {
 }
 
 Json term_json(const StudyTerm& one) {
-  Json term = {{"row", one.row}, {"weight", one.weight}, {"above", one.above}, {"unreached", one.unreached}};
-  if (one.has_about) term["about"] = one.about;
+  Json term = {{"row", one.row}, {"weight", one.weight}, {"unreached", one.unreached}};
+  if (one.about) term["about"] = *one.about;
+  if (one.above) term["above"] = *one.above;
   return term;
 }
 
@@ -34,13 +35,19 @@ Json goal_json(const StudyGoal& goal) {
           {"of", terms}};
 }
 
-Json tuning_json(const StudyTuning& tuning) {
+Json tuning_json(const Study& study) {
+  const StudyTuning& tuning = *study.tuning;
   Json goals = Json::array();
   for (const StudyGoal& goal : tuning.goals) goals.push_back(goal_json(goal));
-  return {{"trials", tuning.trials},       {"runs", tuning.runs},
-          {"seed", tuning.seed},           {"prunes", tuning.prunes},
-          {"finalists", tuning.finalists}, {"validate", tuning.validate},
-          {"held_out", tuning.held_out},   {"goals", goals}};
+  return {{"trials", tuning.trials},
+          {"runs", tuning.runs},
+          {"seed", tuning.seed},
+          {"prunes", tuning.prunes},
+          {"finalists", tuning.finalists},
+          {"validate", tuning.validate},
+          {"held_out", tuning.held_out},
+          {"first_sets", first_sets(study)},
+          {"goals", goals}};
 }
 
 Json json_of(const StudyRun& run) {
@@ -75,7 +82,7 @@ std::string study_json(const Study& study) {
               {"preset", study.preset},      {"options", study.options},       {"parameters", parameters},
               {"samples", study.samples},    {"plants", study.plants},         {"seeds", study.seeds},
               {"timeout_s", study.timeout_s}};
-  if (study.tuning) out["tuning"] = tuning_json(*study.tuning);
+  if (study.tuning) out["tuning"] = tuning_json(study);
   return out.dump();
 }
 

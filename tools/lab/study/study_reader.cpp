@@ -220,9 +220,8 @@ class StudyReader {
       StudyTerm term;
       term.row = one.text("row");
       term.weight = one.quantity_or("weight", "", -kAny, kAny, 1.0);
-      term.above = one.quantity_or("above", "", -kAny, kAny, -kAny);
-      term.has_about = one.has("about");
-      term.about = one.quantity_or("about", "", -kAny, kAny, 0.0);
+      if (one.has("above")) term.above = one.quantity("above", "", -kAny, kAny);
+      if (one.has("about")) term.about = one.quantity("about", "", -kAny, kAny);
       term.unreached = one.quantity("unreached", "", -kAny, kAny);
       goal.terms.push_back(term);
     }
@@ -247,7 +246,9 @@ class StudyReader {
     if (!study_.parameters.empty() && asked->experiment.reads_files)
       file_.fail("parameters", "experiment " + study_.experiment +
                                    " reads robot.yaml itself: no number of it can be varied");
-    const bool has_plants = study_.plants.size() > 1 || !study_.plants.front().empty();
+    const bool has_plants = study_.plants.size() > 1 || !study_.plants.front().empty() ||
+                            (study_.tuning &&
+                             study_.tuning->validate.size() + study_.tuning->held_out.size() > 0);
     if (has_plants && asked->experiment.takes.count(Common::kPlant) == 0)
       file_.fail("experiment", study_.experiment + " takes no --plant: it has plants of its own");
   }

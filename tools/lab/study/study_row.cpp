@@ -3,8 +3,6 @@
 #include <sprung_version.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <new>
 #include <nlohmann/json.hpp>
@@ -22,36 +20,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
-
-std::string hex(std::int64_t hash) {
-  char text[20];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
-  return text;
-}
-
-Json bound_json(const std::optional<double>& value) {
-  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
-}
-
-std::optional<double> bound_of(const Json& value) {
-  return value.is_null() ? std::nullopt : std::optional<double>(value.get<double>());
-}
-
-Json rows_json(const std::vector<ReportRow>& rows) {
-  Json out = Json::array();
-  for (const ReportRow& row : rows)
-    out.push_back({{"name", row.name},
-                   {"unit", row.unit},
-                   {"value", bound_json(row.value)},
-                   {"low", bound_json(row.low)},
-                   {"high", bound_json(row.high)}});
-  return out;
-}
-
-ReportRow row_of(const Json& json) {
-  const double value = bound_of(json.at("value")).value_or(std::nan(""));
-  return {json.at("name"), json.at("unit"), value, {}, bound_of(json.at("low")), bound_of(json.at("high"))};
-}
 
 const RobotConfig& robot_for(const ExperimentRequest& request, const std::string& files,
                              LoadedRobot& loaded) {
@@ -113,7 +81,7 @@ StudyOrigin origin_of(const std::string& robot) {
   std::string text;
   for (const std::string& file : files)
     text += fs::path(file).filename().string() + "\n" + text_of_file(file);
-  return {SPRUNG_VERSION "-" SPRUNG_GIT_HASH, hex(hash_text(text))};
+  return {SPRUNG_VERSION "-" SPRUNG_GIT_HASH, hash_digits(hash_text(text))};
 }
 
 std::string study_row(const StudyRun& run, LoadedRobot& loaded) {
@@ -121,7 +89,7 @@ std::string study_row(const StudyRun& run, LoadedRobot& loaded) {
   StudyRun numberless = run;
   numberless.number = 0;
   numberless.study.clear();
-  out["hash"] = hex(hash_text(run_json(numberless)));
+  out["hash"] = hash_digits(hash_text(run_json(numberless)));
   const StudyOrigin origin = origin_of(run.robot);
   out["version"] = origin.version;
   out["files"] = origin.files;
@@ -140,7 +108,7 @@ StudyResult result_of(const std::string& row) {
     out.origin = {json.at("version"), json.at("files")};
     out.command = json.at("command");
     out.failure = json.at("failure");
-    for (const Json& one : json.at("rows")) out.rows.push_back(row_of(one));
+    out.rows = rows_of_json(json.at("rows"));
     return out;
   } catch (const nlohmann::json::exception& error) {
     throw std::invalid_argument(std::string("no row of a study: ") + error.what());

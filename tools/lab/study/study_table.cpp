@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "robots/overlay.h"
+#include "tools/common/csv_cell.h"
 #include "tools/lab/run/quantile.h"
 
 namespace sprung {
@@ -20,13 +21,6 @@ const ReportRow* find_row(const StudyResult& result, const std::string& name) {
   return nullptr;
 }
 
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string out = "\"";
-  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return out + "\"";
-}
-
 std::string joined(const std::vector<std::string>& words) {
   std::string out;
   for (const std::string& word : words) out += (out.empty() ? "" : " ") + word;
@@ -39,15 +33,6 @@ std::string value_text(const ReportRow* row) {
 
 std::string heading(const StudyColumn& column) {
   return column.name + (column.unit.empty() ? "" : " (" + column.unit + ")");
-}
-
-/// How far beyond its bounds; a value that was not reached is worse than any.
-double excess(const ReportRow& row) {
-  if (!std::isfinite(row.value)) return std::numeric_limits<double>::infinity();
-  double most = -std::numeric_limits<double>::infinity();
-  if (row.low) most = std::max(most, *row.low - row.value);
-  if (row.high) most = std::max(most, row.value - *row.high);
-  return most;
 }
 
 struct Distribution {
@@ -66,7 +51,7 @@ Distribution distribution_of(const StudyTable& table, const std::string& name) {
     if (row == nullptr) continue;
     std::isfinite(row->value) ? out.values.push_back(row->value) : static_cast<void>(++out.without);
     out.is_bound = out.is_bound || row->low || row->high;
-    const double beyond = excess(*row);
+    const double beyond = row->excess();
     if (beyond <= 0.0) ++out.met;
     if (out.worst == nullptr || beyond > out.worst_excess) {
       out.worst = &result;
@@ -177,21 +162,22 @@ StudyTable study_table(std::vector<StudyResult> results) {
 
 std::string csv_of(const StudyTable& table) {
   std::string out = "run,seed,plant";
-  for (const std::string& parameter : table.parameters) out += "," + quoted(parameter);
-  out += ",failure";
-  for (const StudyColumn& column : table.columns) out += "," + quoted(heading(column));
+  const auto add = [&](const std::string& text) { append_cell(text, out += ","); };
+  for (const std::string& parameter : table.parameters) add(parameter);
+  add("failure");
+  for (const StudyColumn& column : table.columns) add(heading(column));
   out += "\n";
   for (const StudyResult& one : table.results) {
-    out += std::to_string(one.number) + "," + std::to_string(one.run.seed) + "," +
-           quoted(joined(one.run.plant));
-    for (const std::string& parameter : table.parameters)
-      out += "," + exact_text(one.run.parameters.at(parameter));
-    out += "," + quoted(one.failure);
+    out += std::to_string(one.number);
+    add(std::to_string(one.run.seed));
+    add(joined(one.run.plant));
+    for (const std::string& parameter : table.parameters) add(exact_text(one.run.parameters.at(parameter)));
+    add(one.failure);
     std::map<std::string, const ReportRow*> rows;
     for (const ReportRow& row : one.rows) rows.emplace(row.name, &row);
     for (const StudyColumn& column : table.columns) {
       const auto found = rows.find(column.name);
-      out += "," + value_text(found == rows.end() ? nullptr : found->second);
+      add(value_text(found == rows.end() ? nullptr : found->second));
     }
     out += "\n";
   }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <deque>
 #include <memory>
+#include <stdexcept>
 
 #include "tools/lab/study/piped_child_shell.h"
 #include "tools/lab/study/study_json.h"
@@ -91,8 +92,13 @@ class Pool {
   }
 
   void take_answer(Slot& slot, const std::string& line) {
-    const WorkerAnswer answer = answer_of(line);
     const std::int64_t number = missing_[slot.run].number;
+    WorkerAnswer answer;
+    try {
+      answer = answer_of(line);
+    } catch (const std::invalid_argument&) {
+      return lose(slot);  // a worker that says anything else is no worker
+    }
     slot.is_busy = false;
     if (answer.row.empty()) return fail(number, answer.error);
     folder_.keep(answer.row);

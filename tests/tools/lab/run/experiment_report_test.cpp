@@ -76,5 +76,24 @@ TEST(ExperimentReport, HeadlineOfABenchmarkNamesNoRobotThatItDoesNotHave) {
   EXPECT_THAT(report.table(), testing::StartsWith("mac on pegasus, preset nominal, seed 0: 0.0 s simulated"));
 }
 
+TEST(ReportRow, ExcessIsHowFarItLiesBeyondItsBounds) {
+  EXPECT_DOUBLE_EQ(row("a", "", 3.0, at_most(2.0)).excess(), 1.0);
+  EXPECT_DOUBLE_EQ(row("a", "", 3.0, between(0.0, 4.0)).excess(), -1.0);
+  EXPECT_EQ(row("a", "", std::nan(""), at_most(2.0)).excess(), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(row("a", "", 3.0).excess(), -std::numeric_limits<double>::infinity());
+}
+
+TEST(ReportRows, ReadBackToTheBit) {
+  const std::vector<ReportRow> rows = {row("a", "mm", 0.1 + 0.2, {1.0, {}, 184.0}),
+                                       row("b", "", std::nan(""))};
+  const auto read = rows_of_json(rows_json(rows));
+  ASSERT_EQ(read.size(), 2u);
+  EXPECT_EQ(read[0].value, 0.1 + 0.2);
+  EXPECT_EQ(read[0].paper, 184.0);
+  EXPECT_EQ(read[0].low, 1.0);
+  EXPECT_FALSE(read[0].high);
+  EXPECT_TRUE(std::isnan(read[1].value));
+}
+
 }  // namespace
 }  // namespace sprung

@@ -6,6 +6,7 @@
 
 #include <csignal>
 #include <filesystem>
+#include <fstream>
 
 #include "tests/support/own_folder.h"
 #include "tests/support/refusal.h"
@@ -99,7 +100,9 @@ TEST_F(StudyFolderTest, TimesAreKeptBesideTheRows) {
   const StudyFolder folder(out(), study_);
   folder.note_time(1, 0.5);
   folder.note_time(2, 0.25);
-  EXPECT_THAT(folder.times_s(), ElementsAre(0.5, 0.25));
+  std::ifstream times(out() + "/times.jsonl");
+  const std::string text{std::istreambuf_iterator<char>(times), {}};
+  EXPECT_EQ(text, "{\"run\":1,\"wall_s\":0.5}\n{\"run\":2,\"wall_s\":0.25}\n");
 }
 
 }  // namespace

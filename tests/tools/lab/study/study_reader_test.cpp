@@ -100,7 +100,8 @@ TEST_F(StudyReader, TuningHasGoalsAndHeldOutPlants) {
   ASSERT_EQ(study.tuning->goals.size(), 1u);
   EXPECT_TRUE(study.tuning->goals[0].is_least);
   EXPECT_FALSE(study.tuning->goals[0].is_worst);
-  EXPECT_TRUE(study.tuning->goals[0].terms[0].has_about);
+  EXPECT_EQ(study.tuning->goals[0].terms[0].about, 4.0);
+  EXPECT_FALSE(study.tuning->goals[0].terms[0].above);
   EXPECT_EQ(study.tuning->goals[0].terms[0].unreached, 99.0);
 }
 

@@ -45,6 +45,22 @@ TEST(StudySets, OneWithoutNumbersWhereNothingIsVaried) {
   EXPECT_EQ(run_count(study), 4);
 }
 
+TEST(FirstSets, BeginWithTheRobotsOwnNumbersThenFillTheRangesEvenly) {
+  Study study = two_by_three();
+  study.parameters[0].present = 9.0;  // beyond its range
+  study.tuning = StudyTuning{};
+  study.tuning->trials = 50;
+  const auto sets = first_sets(study);
+  ASSERT_EQ(sets.size(), 30u);
+  EXPECT_EQ(sets[0], (std::vector<double>{4.0, 0.5}));
+  EXPECT_EQ(sets[1], (std::vector<double>{2.5, 0.5}));
+  int low = 0;
+  for (std::size_t i = 1; i < sets.size(); ++i) low += sets[i][1] < 0.5 ? 1 : 0;
+  EXPECT_NEAR(low, 14.5, 2.0);
+  study.tuning->seed = 1;
+  EXPECT_NE(first_sets(study)[1], sets[1]);
+}
+
 TEST(StudyRuns, StandSetByPlantBySeedAndAreNumberedFromOne) {
   const std::vector<StudyRun> runs = study_runs(two_by_three());
   ASSERT_EQ(runs.size(), 24u);
