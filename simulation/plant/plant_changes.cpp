@@ -133,6 +133,7 @@ constexpr Change kChanges[] = {
        each_drive(c, [v](SimDriveConfig& drive) { drive.factory_node = static_cast<int>(v); });
      }},
     {"floor_height", -10, 10, [](SimConfig& c, double v) { c.plant.floor_height_m = v; }},
+    {"foot_radius_scale", 0.1, 10, [](SimConfig& c, double v) { c.plant.foot_radius_factor *= v; }},
     {"foot_weight", 0, 50, [](SimConfig& c, double v) { c.plant.foot_weight_kg = v; }},
     {"friction_scale", 0, 100, scale_friction},
     {"ground_damping", 0, 1e6, [](SimConfig& c, double v) { c.plant.contact.damping_N_s_m = v; }},

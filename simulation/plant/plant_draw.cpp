@@ -122,6 +122,7 @@ std::vector<DrawnValue> draw_plant(const RobotConfig& robot, const Variation& va
   }
   if (draw.number > 0) {
     if (variation.elastic_gears) make_elastic(config);
+    if (variation.real_windings) config.real_windings = true;
     for (const VariedSpan& span : variation.spans) {
       const bool of_sim_yamls_class = span.quantity->section == Section::kFriction;
       if (!of_sim_yamls_class || draw.family.empty()) drawer.draw(span);

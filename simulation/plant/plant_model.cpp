@@ -173,6 +173,14 @@ void write_bodies(mjModel& model, const PlantConfig& config) {
   }
 }
 
+void size_feet(mjModel& model, const PlantIndex& index, double factor) {
+  if (factor == 1.0) return;
+  for (const int foot : index.foot_geom) {
+    row(model.geom_size, foot, 3)[0] *= factor;
+    model.geom_rbound[foot] *= factor;
+  }
+}
+
 void hang_weights(mjModel& model, const PlantIndex& index, const PlantConfig& config) {
   if (config.foot_weight_kg <= 0.0) return;
   for (const int foot : index.foot_geom)
@@ -273,6 +281,7 @@ PlantModel load_plant_model(const RobotConfig& robot, const PlantConfig& config)
   plant.index = find_parts(model, robot);
   model.opt.timestep = config.step_s;
   write_bodies(model, config);
+  size_feet(model, plant.index, config.foot_radius_factor);
   hang_weights(model, plant.index, config);
   write_joints(model, plant.index, config);
   plant.index.linkages = link_rotors(model, plant.index.joint_dof, robot, config);

@@ -32,9 +32,10 @@ struct ContactConfig {
 
 struct PlantConfig {
   double step_s = 0.0;
-  double suspended_m = 0.0;     ///< the base hangs fixed at this height; 0 = it is free
-  bool lies = false;            ///< it starts on the floor, joints at `lying`; else at `initial`
-  double foot_weight_kg = 0.0;  ///< clamped to every foot's centre
+  double suspended_m = 0.0;         ///< the base hangs fixed at this height; 0 = it is free
+  bool lies = false;                ///< it starts on the floor, joints at `lying`; else at `initial`
+  double foot_weight_kg = 0.0;      ///< clamped to every foot's centre
+  double foot_radius_factor = 1.0;  ///< on the radius that model.xml gives the feet
   double roll_rad = 0.0;  ///< of a free trunk at the start, against the floor below it: it may lie on its
                           ///< side or back
   bool rail_x_locked = false;  ///< only where model.xml has a joint `rail_x`

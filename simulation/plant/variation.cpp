@@ -41,6 +41,17 @@ void set_backlash(SimConfig& config, Item item, double value) {
   if (auto& torsion = joint(config, item).torsion) torsion->backlash_rad = value;
 }
 
+SupplyConfig& supply(SimConfig& config) {
+  if (!config.supply)
+    throw ConfigError(
+        "variation.yaml: plant: sim.yaml has no `supply` that could differ; add it, or remove the key");
+  return *config.supply;
+}
+
+void scale_winding(SimConfig& config, Item item, double factor) {
+  if (auto& winding = drive(config, item).winding) winding->resistance_ohm *= factor;
+}
+
 /// To add one: a row here, and a span in the variation.yaml that want it. A row makes no other draw differ.
 /// Within a section values are applied in this order.
 const VariedQuantity kQuantities[] = {
@@ -54,6 +65,16 @@ const VariedQuantity kQuantities[] = {
      [](SimConfig& c, Item, double v) { c.timing.compute_s = v; }},
     {Section::kPlant, "sync_jitter", "us", 0, 1000,
      [](SimConfig& c, Item, double v) { c.timing.sync_jitter_s = 1e-6 * v; }},
+    {Section::kPlant, "compute_tail", "s", 0, 0.01,
+     [](SimConfig& c, Item, double v) { c.timing.compute_tail_s = v; }},
+    {Section::kPlant, "missed_cycles", "", 0, 0.5,
+     [](SimConfig& c, Item, double v) { c.timing.missed_cycles = v; }},
+    {Section::kPlant, "foot_radius_factor", "", 0.1, 10,
+     [](SimConfig& c, Item, double v) { c.plant.foot_radius_factor = v; }},
+    {Section::kPlant, "supply_voltage_factor", "", 0.5, 2,
+     [](SimConfig& c, Item, double v) { supply(c).voltage_V *= v; }},
+    {Section::kPlant, "supply_resistance", "ohm", 1e-4, 100,
+     [](SimConfig& c, Item, double v) { supply(c).resistance_ohm = v; }},
 
     {Section::kBody, "mass_factor", "", 0.1, 10,
      [](SimConfig& c, Item i, double v) { body(c, i).mass_kg *= v; }},
@@ -114,6 +135,15 @@ const VariedQuantity kQuantities[] = {
      [](SimConfig& c, Item i, double v) { drive(c, i).torque_loop_Hz *= v; }},
     {Section::kDrive, "position_smoothing", "s", 0, 1,
      [](SimConfig& c, Item i, double v) { drive(c, i).smoothing_s = v; }},
+    {Section::kDrive, "position_stiffness_share", "", 0.1, 10,
+     [](SimConfig& c, Item i, double v) { drive(c, i).position_loop.stiffness_share = v; }},
+    {Section::kDrive, "position_damping_share", "", 0.1, 10,
+     [](SimConfig& c, Item i, double v) { drive(c, i).position_loop.damping_share = v; }},
+    {Section::kDrive, "current_offset", "A", -10, 10,
+     [](SimConfig& c, Item i, double v) { drive(c, i).current_sensor.offset_A = v; }},
+    {Section::kDrive, "current_gain", "", 0.5, 2,
+     [](SimConfig& c, Item i, double v) { drive(c, i).current_sensor.gain = v; }},
+    {Section::kDrive, "winding_resistance_factor", "", 0.1, 10, scale_winding},
     {Section::kDrive, "mode_delay", "s", 0, 1,
      [](SimConfig& c, Item i, double v) { drive(c, i).mode_delay_s = v; }},
     {Section::kDrive, "kinematic_error", "rad", 0, 0.1,
@@ -158,6 +188,7 @@ Variation read_variation(const YamlMap& file, const RobotConfig& robot) {
   if (name != robot.name) file.fail("robot", "found '" + name + "', expected '" + robot.name + "'");
   Variation variation;
   if (file.has("elastic_gears")) variation.elastic_gears = file.flag("elastic_gears");
+  if (file.has("real_windings")) variation.real_windings = file.flag("real_windings");
   for (const auto& [section, key] : kSections) {
     if (!file.has(key)) continue;
     const std::vector<VariedSpan> spans = read_spans(file.map(key), section);

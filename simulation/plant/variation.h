@@ -24,8 +24,8 @@ struct VariedQuantity {
   Section section;
   const char* key;
   const char* unit;
-  double low, high;  ///< what a file may say
-  void (*apply)(SimConfig& config, std::size_t item, double value);
+  double low, high;                                                  ///< what a file may say
+  void (*apply)(SimConfig& config, std::size_t item, double value);  ///< may throw ConfigError
 };
 
 /// Any value from `from` to `to` is as likely as any other.
@@ -37,6 +37,7 @@ struct VariedSpan {
 
 struct Variation {
   bool elastic_gears = false;     ///< drawn plants' gears twist where sim.yaml gives them torsion
+  bool real_windings = false;     ///< voltage and back-EMF limit their currents where sim.yaml gives windings
   std::vector<VariedSpan> spans;  ///< in the table's order; of no family
   std::map<std::string, std::vector<VariedSpan>> families;
 };

@@ -51,6 +51,21 @@ TEST_P(PlantDrawTest, EveryValueStaysInItsSpan) {
   }
 }
 
+/// One that changed nothing would be a promise that no plant keeps.
+TEST_P(PlantDrawTest, EveryQuantityMakesAnotherPlant) {
+  const Variation variation = load_variation(robot_);
+  SimConfig plain = draw({});
+  PlantJointConfig& joint = plain.plant.joints[0];
+  joint.torsion = TorsionConfig{2e4, 2e4, 0.0, 5.0, 0.0};
+  joint.friction.viscous_Nm_s_rad = joint.friction.driving_share = 0.1;  // not 0, so that factors act
+  for (const VariedSpan& span : variation.spans) {
+    SimConfig config = plain;
+    span.quantity->apply(config, 0, 0.7 * span.to + 0.3 * span.from);
+    EXPECT_TRUE(dump_of(config) != dump_of(plain)) << span.quantity->key;
+  }
+  EXPECT_TRUE(draw({{"draw", 1}}).real_windings) << "voltage limits the torque of every drawn plant";
+}
+
 /// A second of each, from its own start.
 TEST_P(PlantDrawTest, DrawnPlantsOfEveryFamilyRun) {
   for (const char* family : {"coulomb", "erob_100", "erob_50", "presliding", "stribeck"}) {

@@ -38,6 +38,11 @@ TEST_F(PlantTest, StartsWithTheFootUnderTheHipOnTheFloor) {
   EXPECT_NEAR(start.base_in_world_m[2] - start.legs[0].true_foot_in_world_m[2], 0.300, 1e-3);
 }
 
+TEST_F(PlantTest, AWornFootIsSmaller) {
+  Plant plant = make({{"foot_radius_scale", 0.75}});
+  EXPECT_NEAR(truth(plant).legs[0].true_foot_in_world_m[2], 0.015, 1e-9);
+}
+
 TEST_F(PlantTest, FootFollowsThePapersKinematics) {
   Plant plant = make();
   const SimTruth pose = truth(plant);

@@ -17,7 +17,8 @@ constexpr double kWeight_Nm = 3.5 * 9.81 * 0.371429;
 /// The bench, its gear made to twist.
 class TwistingAxis : public testing::Test {
  protected:
-  Plant make(const TorsionConfig& torsion, const std::map<std::string, double>& changes = {}) {
+  Plant make(const TorsionConfig& torsion, std::map<std::string, double> changes = {}) {
+    changes["torsion"] = 1.0;
     SimConfig config = load_sim_config(robot_, changes);
     config.plant.joints[0].torsion = torsion;
     return Plant(robot_, config.plant);
@@ -146,7 +147,7 @@ TEST(TwistingPegasus, GearsAreRigidUnlessTorsionIsAskedFor) {
     for (int i = 0; i < 100; ++i) plant.step(std::vector<double>(robot.joints.size(), 30.0));
     EXPECT_EQ(plant.motor_position_rad(2) != plant.position_rad(2), asked);
   }
-  EXPECT_THROW(load_sim_config(load_robot("single_leg"), {{"torsion", 1.0}}), ConfigError);
+  EXPECT_THROW(load_sim_config(load_robot("fennec"), {{"torsion", 1.0}}), ConfigError);
 }
 
 }  // namespace

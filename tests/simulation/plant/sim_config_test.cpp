@@ -198,13 +198,11 @@ TEST_F(SimConfigTest, TorqueSensorIsOptionalAndSitsAtAJointThatThereIs) {
 }
 
 TEST_F(SimConfigTest, GearsAreElasticOrRigidAndTheAirHasATemperature) {
-  EXPECT_TRUE(load_with("  floor_height:", "  gears: elastic\n  floor_height:").plant.torsion);
-  const PlantConfig
-      plant = load_with("  floor_height:", "  gears: rigid\n  ambient: 30 degC\n  floor_height:").plant;
+  EXPECT_TRUE(load_with("  gears: rigid", "  gears: elastic").plant.torsion);
+  const PlantConfig plant = load_with("  floor_height:", "  ambient: 30 degC\n  floor_height:").plant;
   EXPECT_FALSE(plant.torsion);
   EXPECT_EQ(plant.ambient_degC, 30.0);
-  EXPECT_NE(refusal("  floor_height:", "  gears: soft\n  floor_height:").find("elastic or rigid"),
-            std::string::npos);
+  EXPECT_NE(refusal("  gears: rigid", "  gears: soft").find("elastic or rigid"), std::string::npos);
 }
 
 TEST_F(SimConfigTest, PlantChangesAct) {

@@ -71,14 +71,15 @@ inline void dump_value(ValueDump& dump, const std::string& at, const PlantJointC
 }
 
 inline void dump_value(ValueDump& dump, const std::string& at, const PlantConfig& value) {
-  const auto& [step_s, suspended_m, lies, foot_weight_kg, roll_rad, rail_x_locked, floor_height_m, ground,
-               ambient_degC, torsion, bodies, joints, contact] = value;
+  const auto& [step_s, suspended_m, lies, foot_weight_kg, foot_radius_factor, roll_rad, rail_x_locked,
+               floor_height_m, ground, ambient_degC, torsion, bodies, joints, contact] = value;
   dump.fields(at,
-              "step_s suspended_m lies foot_weight_kg roll_rad rail_x_locked floor_height_m ground "
+              "step_s suspended_m lies foot_weight_kg foot_radius_factor roll_rad rail_x_locked "
+              "floor_height_m ground "
               "ambient_degC torsion bodies "
               "joints contact",
-              step_s, suspended_m, lies, foot_weight_kg, roll_rad, rail_x_locked, floor_height_m, ground,
-              ambient_degC, torsion, bodies, joints, contact);
+              step_s, suspended_m, lies, foot_weight_kg, foot_radius_factor, roll_rad, rail_x_locked,
+              floor_height_m, ground, ambient_degC, torsion, bodies, joints, contact);
 }
 
 inline void dump_value(ValueDump& dump, const std::string& at, const KinematicErrorConfig& value) {

@@ -46,6 +46,15 @@ TEST(Variation, WhatItDoesNotKnowIsRefusedWithItsLine) {
   EXPECT_THAT(refusal("bodies: {}\n"), HasSubstr("families"));
 }
 
+TEST(Variation, ASupplyThatThereIsNotCannotDiffer) {
+  const Variation found = read("plant: {supply_resistance: {from: 0.1 ohm, to: 0.2 ohm}}\nfamilies: {}\n");
+  SimConfig config;
+  EXPECT_THROW(found.spans[0].quantity->apply(config, 0, 0.1), ConfigError);
+  config.supply = SupplyConfig{};
+  found.spans[0].quantity->apply(config, 0, 0.15);
+  EXPECT_EQ(config.supply->resistance_ohm, 0.15);
+}
+
 TEST(Variation, OfAnotherRobotIsRefused) {
   RobotConfig robot;
   robot.name = "other";

@@ -101,11 +101,5 @@ TEST_F(StepResponseTest, PresetThatRampsItsSpringsIsRefused) {
   }
 }
 
-TEST_F(StepResponseTest, TorsionIsRefusedWhereGearsAreRigid) {
-  SimOptions sim;
-  sim.plant["torsion"] = 1.0;
-  EXPECT_THROW(run_step_response(load_robot("single_leg"), "paper", sim, run_in_process), std::exception);
-}
-
 }  // namespace
 }  // namespace sprung
