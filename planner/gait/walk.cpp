@@ -18,8 +18,17 @@ constexpr double kLeans_m = 0.03;         // [design choice] of a body that is n
 constexpr double kSlip_m = 0.03;          // more than feet that hold move against each other
 constexpr double kMostStretch_m = 0.04;  // of a standing foot's spring along the ground, in a gait that steps
 constexpr double kFootholdRate_m_s = 0.2;  // [design choice] on top of what a swinging foot does
-constexpr double kFarFoot_m = 0.4;         // of the trunk's middle
-constexpr double kHeightGain_1_s = 3.0;    // in which the feet's places follow the wanted height
+/// [design choice] Of a body's speed from the wanted one, what its springs lag and sway by: feet set by that
+/// would be behind in every step, and the walk slower.
+constexpr double kPushed_m_s = 0.06;
+constexpr double kFarFoot_m = 0.4;       // of the trunk's middle
+constexpr double kHeightGain_1_s = 3.0;  // in which the feet's places follow the wanted height
+
+/// What of a vector is longer than that.
+Eigen::Vector2d beyond(const Eigen::Vector2d& v, double least) noexcept {
+  const double length = v.norm();
+  return length > least ? Eigen::Vector2d(v * (1.0 - least / length)) : Eigen::Vector2d::Zero();
+}
 
 double toward(double from, double to, double most) noexcept {
   return from + std::clamp(to - from, -most, most);
@@ -211,7 +220,8 @@ Eigen::Vector3d Walk::foothold_m(std::size_t leg) const noexcept {
   Eigen::Vector3d out = place + lead_s_ * (speed + turning.cross(place));
   if (view_.velocity_known) {
     constexpr double kFarthest_m = 0.1;
-    Eigen::Vector2d beyond_m = law_.foothold_gain_s * (view_.velocity_m_s - body_m_s_).head<2>();
+    Eigen::Vector2d beyond_m = law_.foothold_gain_s *
+                               beyond((view_.velocity_m_s - body_m_s_).head<2>(), kPushed_m_s);
     if (beyond_m.norm() > kFarthest_m) beyond_m *= kFarthest_m / beyond_m.norm();
     out.head<2>() += beyond_m;
   }

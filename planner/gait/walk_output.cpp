@@ -37,7 +37,10 @@ void Walk::write(std::size_t leg, DesiredLeg& out) const noexcept {
   out.feedforward_force_N = to_vec3(trunk_from_level * force_N_[leg]);
   out.friction_compensation = step.stands() ? (gait().duty < 1.0 ? stance_friction_ : standing_friction_)
                                             : law_.swing_friction_compensation;
-  out.inertia_compensation = 0.0;  // S1's virtual springs have none, in swing neither
+  // S1's virtual springs have none. In a swing on one, which is there to compare with, it is what a position
+  // loop gets.
+  const bool swings = !step.stands() && step.control() == GaitControl::kForce;
+  out.inertia_compensation = swings ? law_.swing_inertia_compensation : 0.0;
 }
 
 void Walk::write(MotionState& out) const noexcept {

@@ -98,8 +98,9 @@ identify::RobotChange bring_up_joint(const RobotConfig& robot, const SimOptions&
   identify::ProtocolRequest request;
   request.models = protocol.models;
   const identify::IdentifiedJoint found = identify::identify_drives(robot, joint, recordings, request);
-  const identify::Provenance provenance{std::to_string(files.size()) + " guided recordings",
-                                        identify::short_sha256(files), today(), protocol.command};
+  identify::Provenance provenance{std::to_string(files.size()) + " guided recordings",
+                                  identify::short_sha256(files), today(), protocol.command};
+  provenance.temperature_C = recordings.front().temperature_C;
   identify::OtherDays days;
   days.ambient_C = thermometer_C(robot, sim);
   return identify::change_of(robot, found, provenance, days);
@@ -107,9 +108,10 @@ identify::RobotChange bring_up_joint(const RobotConfig& robot, const SimOptions&
 
 /// What scores a robot: of a leg its estimate, contact, foot return and landings, of a walker its gaits too.
 std::vector<std::string> scoring_experiments(const RobotConfig& robot) {
-  if (!robot.gaits.empty()) return {"estimator", "foot_return", "walk"};
-  if (robot.has_feet() && robot.why_not_standing() == nullptr) return {"estimator", "foot_return", "drop"};
-  return {"drag"};
+  if (!robot.gaits.empty()) return {"model_watch", "estimator", "foot_return", "walk"};
+  if (robot.has_feet() && robot.why_not_standing() == nullptr)
+    return {"model_watch", "estimator", "foot_return", "drop"};
+  return {"model_watch", "drag"};
 }
 
 /// Rows of one experiment on this robot, by their own names behind `prefix`; what it did not reach is a row
@@ -139,7 +141,8 @@ void append(std::vector<ReportRow>& rows, std::vector<ReportRow> more) {
   rows.insert(rows.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
 
-/// The robot as `sprung robot new` gives it: what was identified is of the one that it was copied from.
+/// The robot as `sprung robot new` gives it: what was identified is of the one that it was copied from. The
+/// same without that is mistaken for one whose own gears were recorded: motion alone can tell.
 RobotConfig as_shipped(RobotConfig robot) {
   for (JointConfig& joint : robot.joints)
     if (joint.friction) joint.friction->record.robot = "the shipped " + robot.name;
@@ -179,6 +182,8 @@ ExperimentOutput run_bring_up(const ExperimentInput& asked, const BringUpRequest
     if (!request.only.empty() && request.only != name) continue;
     append(out.rows, scored(name, identified, in, "bring_up.identified."));
     append(out.rows, without_demands(scored(name, as_shipped(in.robot), in, "bring_up.shipped.")));
+    if (name == "model_watch")
+      append(out.rows, without_demands(scored(name, in.robot, in, "bring_up.mistaken.")));
   }
   return out;
 }

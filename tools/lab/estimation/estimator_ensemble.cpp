@@ -21,7 +21,7 @@ std::map<std::string, double> changes(const std::array<double, 3>& at) {
 
 }  // namespace
 
-std::vector<EnsemblePlant> estimator_ensemble(std::uint64_t seed) {
+std::vector<EnsemblePlant> estimator_ensemble(std::uint64_t ensemble, std::uint64_t seed) {
   std::vector<EnsemblePlant> plants;
   const auto add = [&](const std::string& name, const std::array<double, 3>& at) {
     plants.push_back({name, changes(at), 1000 * seed + plants.size() + 1});
@@ -37,7 +37,7 @@ std::vector<EnsemblePlant> estimator_ensemble(std::uint64_t seed) {
     }
     add(name, at);
   }
-  std::mt19937_64 random(seed);
+  std::mt19937_64 random(ensemble);
   for (int i = 0; i < kDraws; ++i) {
     std::array<double, 3> at{};
     for (double& part : at) part = even(random);
@@ -46,8 +46,8 @@ std::vector<EnsemblePlant> estimator_ensemble(std::uint64_t seed) {
   return plants;
 }
 
-std::vector<EnsemblePlant> estimator_plants(const SimOptions& base) {
-  if (base.plant.empty()) return estimator_ensemble(base.seed);
+std::vector<EnsemblePlant> estimator_plants(const SimOptions& base, std::uint64_t ensemble) {
+  if (base.plant.empty()) return estimator_ensemble(ensemble, base.seed);
   std::vector<EnsemblePlant> plants;
   for (std::uint64_t run = 1; run <= kRepetitions; ++run)
     plants.push_back({"run_" + std::to_string(run), base.plant, 1000 * base.seed + run});

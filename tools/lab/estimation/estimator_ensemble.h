@@ -17,11 +17,12 @@ struct EnsemblePlant {
 };
 
 /// sim.yaml's own plant, the eight corners, and twelve plants drawn evenly from the box.
-/// @param seed of draws and noise: 0 was used to tune the estimator, any other is for reporting.
-std::vector<EnsemblePlant> estimator_ensemble(std::uint64_t seed);
+/// @param ensemble which twelve are drawn: 0 was used to tune the estimator, any other is for reporting.
+/// @param seed of the noise.
+std::vector<EnsemblePlant> estimator_ensemble(std::uint64_t ensemble, std::uint64_t seed);
 
 /// The ensemble about sim.yaml's plant. A plant that is changed already, or drawn, is not varied once more:
 /// it is there five times, with noise of its own each time.
-std::vector<EnsemblePlant> estimator_plants(const SimOptions& base);
+std::vector<EnsemblePlant> estimator_plants(const SimOptions& base, std::uint64_t ensemble);
 
 }  // namespace sprung

@@ -11,6 +11,7 @@
 #include "tools/lab/estimation/estimator_ensemble.h"
 #include "tools/lab/estimation/estimator_rows.h"
 #include "tools/lab/friction/friction_sweep.h"
+#include "tools/lab/gait/legged_trial.h"
 #include "tools/lab/recordings/recording_rows.h"
 
 namespace sprung {
@@ -19,8 +20,9 @@ namespace {
 struct EstimatorRequest {
   std::string preset{};  ///< of each robot; empty = its usual one
   SimOptions sim{};      ///< of --seed and --plant
-  std::string data{};    ///< folder of recordings; "" = /work/shared/data or ../shared/data where one is
-  std::string only{};    ///< "" = all; else one section
+  std::uint64_t ensemble = 1;
+  std::string data{};  ///< folder of recordings; "" = /work/shared/data or ../shared/data where one is
+  std::string only{};  ///< "" = all; else one section
 };
 
 void append(ExperimentOutput& part, const std::vector<ReportRow>& rows) {
@@ -30,16 +32,20 @@ void append(ExperimentOutput& part, const std::vector<ReportRow>& rows) {
 void add_contact_rows(const RobotConfig& robot, const EstimatorRequest& request, ExperimentOutput& part) {
   ContactRequest contact;
   contact.preset = request.preset;
-  for (const EnsemblePlant& plant : estimator_plants(request.sim))
+  for (const EnsemblePlant& plant : estimator_plants(request.sim, request.ensemble))
     contact.plants.push_back({plant.seed, plant.changes, true});
   append(part, contact_rows(run_contacts(robot, contact)));
 }
+
+/// Of a gait's fastest, as in `walk`: pegasus trots at 0.35 and crawls at 0.1 m/s.
+constexpr double kScoredTrot = 7.0 / 9.0, kScoredCrawl = 5.0 / 6.0;
 
 /// Three plants that differ in their noise, at walking speed.
 void add_walking_contact_rows(const RobotConfig& robot, const EstimatorRequest& request,
                               ExperimentOutput& part) {
   constexpr std::uint64_t kSeeds = 3;
-  for (const auto& [gait, forward_m_s] : {std::pair{"trot", 0.35}, std::pair{"crawl", 0.1}}) {
+  for (const auto& [gait, share] : {std::pair{"trot", kScoredTrot}, std::pair{"crawl", kScoredCrawl}}) {
+    const double forward_m_s = share * robot.gaits[gait_index(robot, gait)].fastest_forward_m_s;
     std::vector<ContactStep> steps;
     for (std::uint64_t i = 0; i < kSeeds; ++i) {
       SimOptions sim = request.sim;
@@ -68,10 +74,19 @@ void add_recorded_rows(const EstimatorRequest& request, ExperimentOutput& part) 
     append(part, recordings::rows_of(result));
 }
 
+/// Whose own a part is, besides the robot's that it names.
+enum class Kind { kThatRobot, kLeg, kWalker };
+
+bool is_a(Kind kind, const RobotConfig& robot) {
+  if (kind == Kind::kWalker) return !robot.gaits.empty();
+  return kind == Kind::kLeg && robot.gaits.empty() && robot.why_not_standing() == nullptr;
+}
+
 /// One part of the table, and the robot that it runs on.
 struct Section {
   const char* name;
   const char* robot;
+  Kind kind;
   void (*add)(const RobotConfig& robot, const EstimatorRequest& request, ExperimentOutput& part);
   bool changed = false;  ///< also on a changed plant
 };
@@ -80,24 +95,24 @@ struct Section {
 constexpr const char* kWalkingContact = "walking_contact";
 
 constexpr Section kSections[] = {
-    {"jump", "single_leg",
+    {"jump", "single_leg", Kind::kLeg,
      [](const RobotConfig& robot, const EstimatorRequest& r, ExperimentOutput& part) {
        add_jump_rows(robot, r.preset, r.sim, part);
      },
      true},
-    {"bounds", "single_leg",
+    {"bounds", "single_leg", Kind::kLeg,
      [](const RobotConfig& robot, const EstimatorRequest& r, ExperimentOutput& part) {
-       add_bounds_rows(robot, r.preset, r.sim, part);
+       add_bounds_rows(robot, r.preset, r.sim, r.ensemble, part);
      },
      true},
-    {"contact", "single_leg", add_contact_rows, true},
-    {"temperature", "test_axis",
+    {"contact", "single_leg", Kind::kLeg, add_contact_rows, true},
+    {"temperature", "test_axis", Kind::kThatRobot,
      [](const RobotConfig& robot, const EstimatorRequest& r, ExperimentOutput& part) {
        add_temperature_rows(robot, r.preset, r.sim.seed, part);
      }},
-    {"friction_fit", "pegasus", add_friction_rows},
-    {kWalkingContact, "pegasus", add_walking_contact_rows, true},
-    {"recordings", "test_axis",
+    {"friction_fit", "pegasus", Kind::kThatRobot, add_friction_rows},
+    {kWalkingContact, "pegasus", Kind::kWalker, add_walking_contact_rows, true},
+    {"recordings", "test_axis", Kind::kThatRobot,
      [](const RobotConfig&, const EstimatorRequest& r, ExperimentOutput& part) {
        add_recorded_rows(r, part);
      }},
@@ -105,11 +120,15 @@ constexpr Section kSections[] = {
 
 constexpr const char* kWholeTable = "test_axis";
 
+bool owns(const RobotConfig& robot, const Section& section) {
+  return robot.name == section.robot || is_a(section.kind, robot);
+}
+
 /// The robot's own, or the whole table; on a changed plant the robot's own that can be. @param only "" = all.
 std::vector<const Section*> sections_of(const RobotConfig& robot, const std::string& only, bool changed) {
   std::vector<const Section*> out;
   for (const Section& section : kSections) {
-    const bool own = robot.name == section.robot;
+    const bool own = owns(robot, section);
     const bool in_table = robot.name == kWholeTable && std::string_view(section.name) != kWalkingContact;
     if (changed && !(own && section.changed)) continue;
     if ((only.empty() || only == section.name) && (own || in_table)) out.push_back(&section);
@@ -136,7 +155,7 @@ ExperimentOutput run_estimator(const ExperimentInput& in, EstimatorRequest reque
   ExperimentOutput out;
   for (std::size_t i = 0; i < sections.size(); ++i) {
     if (in.parallel.on_progress) in.parallel.on_progress(i, sections.size());
-    const bool own = in.robot.name == sections[i]->robot;
+    const bool own = owns(in.robot, *sections[i]);
     sections[i]->add(own ? in.robot : load_robot(sections[i]->robot), request, out);
   }
   if (out.rows.empty() && request.only != "recordings")
@@ -161,10 +180,13 @@ Experiment estimator_experiment() {
   out.robot_help = "test_axis: the whole table, with the robots that it needs; another robot: its own rows";
   out.preset_note = "; of the jumps";
   out.takes = {Common::kPreset, Common::kPlant, Common::kOut};
-  out.seed_help = "of every noise and of the drawn plants; 0 was used for tuning";
+  out.seed_help = "of every noise; 0 was used for tuning";
   out.example = "--robot test_axis --seed 1 --json";
+  out.in_all = InAll::kOfBoth;
   out.own.option("--data", own->data, "folder of recordings; default ../shared/data where it is");
   out.own.option("--only", own->only, "one part of the table: " + estimator_sections());
+  out.own.option("--ensemble", own->ensemble,
+                 "which plants are drawn about sim.yaml's; 0 was used for tuning");
   out.run = [own](const ExperimentInput& in) { return run_estimator(in, *own); };
   return out;
 }

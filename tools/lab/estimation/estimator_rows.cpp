@@ -146,10 +146,10 @@ void add_jump_rows(const RobotConfig& robot, const std::string& preset, const Si
 }
 
 void add_bounds_rows(const RobotConfig& robot, const std::string& preset, const SimOptions& base,
-                     ExperimentOutput& report) {
+                     std::uint64_t ensemble, ExperimentOutput& report) {
   TorqueScore all, rest;
   double plants = 0.0, fitting = 0.0;
-  for (const EnsemblePlant& plant : estimator_plants(base)) {
+  for (const EnsemblePlant& plant : estimator_plants(base, ensemble)) {
     const JumpScores scores = score_jump(robot, preset, changed(base, plant.seed, plant.changes));
     const TorqueScore jump = over_joints(scores.jump);
     add_estimator_row(report, "bounds." + plant.name + ".coverage", "", jump.covered(), 0.85);

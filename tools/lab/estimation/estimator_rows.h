@@ -16,10 +16,10 @@ void add_jump_rows(const RobotConfig& robot, const std::string& preset, const Si
                    ExperimentOutput& report);
 
 /// estimator.bounds.*: share of samples of hybrid jumps (push-off, flight, landing; all joints) whose error
-/// is within the stated bound, on each plant of estimator_plants(base) and pooled; mean half-width over RMS
-/// error.
+/// is within the stated bound, on each plant of estimator_plants(base, ensemble) and pooled; mean half-width
+/// over RMS error.
 void add_bounds_rows(const RobotConfig& robot, const std::string& preset, const SimOptions& base,
-                     ExperimentOutput& report);
+                     std::uint64_t ensemble, ExperimentOutput& report);
 
 /// estimator.temperature.rms_24, _37, _50: gear output torque of test_axis's arm while it swings to and fro,
 /// after some swings in which the estimator may learn the temperature; .ratio: the worst of them over the

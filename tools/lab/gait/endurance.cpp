@@ -86,20 +86,20 @@ std::vector<EnduranceStep> endurance_script(const RobotConfig& robot, const std:
   return out;
 }
 
-SimOptions endurance_plant(std::uint64_t seed) {
-  Dice dice(~seed);  // not the script's
-  SimOptions sim;
-  sim.seed = seed;
-  sim.plant["friction_scale"] = dice.between(1.0 - kFrictionSpread, 1.0 + kFrictionSpread);
-  sim.plant["mass_scale"] = dice.between(1.0 - kMassSpread, 1.0 + kMassSpread);
-  sim.plant["ground_friction"] = dice.between(kSlippery, kGrippy);
-  return sim;
+std::map<std::string, double> endurance_plant(std::uint64_t number) {
+  Dice dice(~number);  // not the script's
+  std::map<std::string, double> plant;
+  plant["friction_scale"] = dice.between(1.0 - kFrictionSpread, 1.0 + kFrictionSpread);
+  plant["mass_scale"] = dice.between(1.0 - kMassSpread, 1.0 + kMassSpread);
+  plant["ground_friction"] = dice.between(kSlippery, kGrippy);
+  return plant;
 }
 
 namespace {
 
 constexpr double kSecond_s = 1.0;  // commands take effect within a cycle: a fall is seen in time
 constexpr double kAfterwards_s = 1.0;
+constexpr std::uint64_t kMostSeeds = 1000;  // so that ensembles have no plant in common
 
 std::string words(const RobotConfig& robot, const OperatorCommand& command) {
   if (command.kind == OperatorKind::kStop) return "stop";
@@ -124,9 +124,10 @@ bool obey(WalkingRobot& walker, const EnduranceStep& step) {
 
 }  // namespace
 
-EnduranceOutcome endure(const RobotConfig& robot, const EnduranceRequest& request, std::uint64_t seed) {
+EnduranceOutcome endure(const RobotConfig& robot, const EnduranceRequest& request, std::size_t place) {
   const double began_s = processor_s();
-  SimOptions sim = endurance_plant(seed);
+  const std::uint64_t seed = request.seed + place;
+  SimOptions sim{seed, endurance_plant(kMostSeeds * (request.ensemble - 1) + place + 1)};
   for (const auto& [key, value] : request.plant) sim.plant[key] = value;
   EnduranceOutcome out;
   out.seed = seed;
@@ -147,11 +148,13 @@ EnduranceOutcome endure(const RobotConfig& robot, const EnduranceRequest& reques
 }
 
 std::vector<EnduranceOutcome> run_endurance(const RobotConfig& robot, const EnduranceRequest& request) {
-  if (request.seeds < 1) throw std::invalid_argument("--seeds must be 1 or more");
+  if (request.seeds < 1 || request.seeds > static_cast<int>(kMostSeeds))
+    throw std::invalid_argument("--seeds must be 1 to " + std::to_string(kMostSeeds));
+  if (request.ensemble < 1) throw std::invalid_argument("--ensemble must be 1 or more");
   if (!(request.minutes > 0.0)) throw std::invalid_argument("--minutes must be more than 0");
   return parallel_map(
-      static_cast<std::size_t>(request.seeds),
-      [&](std::size_t i) { return endure(robot, request, request.seed + i); }, request.parallel);
+      static_cast<std::size_t>(request.seeds), [&](std::size_t i) { return endure(robot, request, i); },
+      request.parallel);
 }
 
 std::vector<ReportRow> endurance_rows(const std::vector<EnduranceOutcome>& outcomes) {
@@ -211,17 +214,21 @@ Experiment endurance_experiment() {
   struct Own {
     int seeds = 20;
     double minutes = 10.0;
+    std::uint64_t ensemble = 1;
   };
   const auto own = std::make_shared<Own>();
   Experiment out = gait_experiment(
-      "endurance", "Minutes of an operator's commands at random on plants drawn from seeds, flat floor.",
+      "endurance", "Minutes of an operator's commands at random on drawn plants, flat floor.",
       "Does the robot stay up, and do its limits hold, whatever an operator asks of it?");
-  out.own.option("--seeds", own->seeds, "how many, from --seed on");
+  out.seed_help = "of every noise and of the operator; 0 was used for tuning";
+  out.own.option("--seeds", own->seeds, "how many, from --seed on, each on another plant");
+  out.own.option("--ensemble", own->ensemble, "which plants are drawn about sim.yaml's");
   out.own.option("--minutes", own->minutes, "of commands for each");
   out.shorten = [own] { own->minutes = 1.0; };
   out.run = [own](const ExperimentInput& in) {
     const std::vector<EnduranceOutcome> outcomes = run_endurance(
-        in.robot, {in.preset, in.sim.seed, own->seeds, own->minutes, in.sim.plant, in.parallel});
+        in.robot,
+        {in.preset, in.sim.seed, own->seeds, own->minutes, in.sim.plant, in.parallel, own->ensemble});
     ExperimentOutput output{endurance_rows(outcomes), 0.0, {endurance_section(outcomes)}};
     for (const EnduranceOutcome& o : outcomes) output.simulated_s += o.simulated_s;
     char text[80];

@@ -29,8 +29,9 @@ struct EnduranceStep {
 std::vector<EnduranceStep> endurance_script(const RobotConfig& robot, const std::string& preset,
                                             std::uint64_t seed, double duration_s);
 
-/// Noise of this seed; friction within 20 %, mass within 10 %, floor friction of 0.4 to 1.0, drawn evenly.
-SimOptions endurance_plant(std::uint64_t seed);
+/// The changes of one plant: friction within 20 %, mass within 10 %, floor friction of 0.4 to 1.0, drawn
+/// evenly.
+std::map<std::string, double> endurance_plant(std::uint64_t number);
 
 struct EnduranceRequest {
   std::string preset;      ///< empty = the robot's usual one
@@ -39,6 +40,8 @@ struct EnduranceRequest {
   double minutes = 10.0;                ///< of each
   std::map<std::string, double> plant;  ///< changes over what is drawn
   ParallelOptions parallel;
+  std::uint64_t
+      ensemble = 1;  ///< of plants: those of another seed are the same, with other noise and requests
 };
 
 struct EnduranceOutcome {
@@ -52,8 +55,8 @@ struct EnduranceOutcome {
   double processor_s = 0.0;  ///< of one core
 };
 
-/// One seed, in this process; ends a second after a fall or trip.
-EnduranceOutcome endure(const RobotConfig& robot, const EnduranceRequest& request, std::uint64_t seed);
+/// One of the seeds, in this process; ends a second after a fall or trip.
+EnduranceOutcome endure(const RobotConfig& robot, const EnduranceRequest& request, std::size_t place);
 
 /// @throws CaseError where a simulation fails, std::invalid_argument for what cannot be asked.
 std::vector<EnduranceOutcome> run_endurance(const RobotConfig& robot, const EnduranceRequest& request);

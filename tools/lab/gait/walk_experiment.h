@@ -26,8 +26,14 @@ struct FootTrace {
   std::vector<double> time_s, wanted_x_m, wanted_z_m, foot_x_m, foot_z_m, force_N;
 };
 
-struct ControlOutcome {
+struct WalkControl {
   GaitControl control = GaitControl::kForce;
+  bool feeds_inertia = true;  ///< as the preset's swing_compensation says; false: S1's springs, which have
+                              ///< none
+};
+
+struct ControlOutcome {
+  WalkControl control{};
   double swing_rms_m = kNaN;
   TouchdownPeaks peaks;
   int touchdowns = 0;
@@ -40,7 +46,7 @@ struct GaitCase {
   std::string name;  ///< of rows
   std::string gait;
   double speed_m_s = 0.0;
-  bool demanded = true;  ///< false: a stretch, whose rows have no bounds
+  bool demanded = true;  ///< false: a stretch, of whose rows the voltage reserve alone has a bound
 };
 
 struct GaitOutcome {
@@ -55,10 +61,10 @@ struct GaitOutcome {
 struct WalkLimits {
   double compared_m_s = kNaN;  ///< speed of the controls' gait
   double speed_rad_s = 0.0;    ///< of the joints: robot.yaml's speed cap, the highest
-  double torque_Nm = 0.0;  ///< of the motors, true: what the plant's drives can give (sim.yaml), the highest
+  double torque_Nm = 0.0;      ///< of the motors: a share of robot.yaml's limit, the lowest
 };
-/// @throws as gait_cases(), ConfigError as SimCore.
-WalkLimits walk_limits(const RobotConfig& robot, const SimOptions& sim);
+/// @throws as gait_cases().
+WalkLimits walk_limits(const RobotConfig& robot);
 
 struct WalkExperiment {
   WalkLimits limits;
@@ -73,7 +79,7 @@ struct WalkExperiment {
 std::vector<GaitCase> gait_cases(const RobotConfig& robot);
 
 /// In gait `walk` at the speed of its case: nine seconds after two of starting.
-ControlOutcome walk_under(const RobotConfig& robot, const WalkTask& request, GaitControl control);
+ControlOutcome walk_under(RobotConfig robot, const WalkTask& request, const WalkControl& control);
 /// Measured from when the speed is reached. Given up after a fall, or in twice the time that it should take.
 GaitOutcome go(const RobotConfig& robot, const WalkTask& request, const GaitCase& config);
 

@@ -50,9 +50,9 @@ std::string short_text(double value) {
 
 }  // namespace
 
-std::vector<JumpPlant> jump_plants(std::uint64_t seed, int count) {
+std::vector<JumpPlant> jump_plants(std::uint64_t ensemble, std::uint64_t seed, int count) {
   std::vector<JumpPlant> plants;
-  std::mt19937_64 random(seed);
+  std::mt19937_64 random(ensemble);
   for (int i = 0; i < count; ++i) {
     JumpPlant plant{"plant_" + std::to_string(i + 1), {}, 1000 * seed + static_cast<std::uint64_t>(i) + 1};
     plant.changes["friction_scale"] = 1.0 + kJumpFriction * even(random);
@@ -104,7 +104,7 @@ JumpOutcome jump_on(const RobotConfig& robot, const JumpEnsembleRequest& request
 
 JumpEnsemble run_jump_ensemble(const RobotConfig& robot, const JumpEnsembleRequest& request,
                                const ParallelOptions& options) {
-  std::vector<JumpPlant> all = jump_plants(request.seed, request.plants);
+  std::vector<JumpPlant> all = jump_plants(request.ensemble, request.seed, request.plants);
   const std::size_t drawn = all.size();
   for (const JumpPlant& ground : ground_sweep(request.seed)) all.push_back(ground);
   const std::vector<JumpOutcome> outcomes = parallel_map(
@@ -142,6 +142,7 @@ Experiment jump_ensemble_experiment() {
     std::string mode = "hybrid";
     double height_mm = 0.0;
     int plants = JumpEnsembleRequest{}.plants;
+    std::uint64_t ensemble = JumpEnsembleRequest{}.ensemble;
   };
   const auto own = std::make_shared<Own>();
   Experiment out;
@@ -152,17 +153,19 @@ Experiment jump_ensemble_experiment() {
   out.question =
       "Does the leg stay up, and jump as high as asked, on plants and grounds that it does not know?";
   out.takes = {Common::kPreset, Common::kJobs, Common::kOut};
-  out.seed_help = "of drawn plants and every noise; 0 was used for tuning";
+  out.seed_help = "of every noise; 0 was used for tuning";
   out.example = "--seed 1";
   out.in_all = InAll::kOfALeg;
   out.many_cases = true;
   out.own.choice("--mode", own->mode, names(kJumpModes), "control in the jump");
   out.own.option("--height", own->height_mm, "mm that are asked; 0 = the preset's own jump");
   out.own.option("--plants", own->plants, "how many are drawn");
+  out.own.option("--ensemble", own->ensemble, "which are drawn; 0 was used for tuning");
   out.run = [own](const ExperimentInput& in) {
-    const JumpEnsemble result = run_jump_ensemble(
-        in.robot, {in.preset, named(kJumpModes, own->mode), in.sim.seed, own->plants, 1e-3 * own->height_mm},
-        in.parallel);
+    const JumpEnsemble result = run_jump_ensemble(in.robot,
+                                                  {in.preset, named(kJumpModes, own->mode), in.sim.seed,
+                                                   own->plants, 1e-3 * own->height_mm, own->ensemble},
+                                                  in.parallel);
     return ExperimentOutput{jump_ensemble_rows(result), result.simulated_s};
   };
   return out;

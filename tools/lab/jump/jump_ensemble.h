@@ -23,8 +23,8 @@ struct JumpPlant {
 
 /// Drawn evenly: friction within 20 %, mass within 10 %, torque constant within 5 % of sim.yaml's, ground 6
 /// to 12 kN/m.
-/// @param seed of draws and noise: 0 is for tuning, any other for reporting.
-std::vector<JumpPlant> jump_plants(std::uint64_t seed, int count);
+/// @param ensemble which are drawn: 0 is for tuning, any other for reporting. @param seed of the noise.
+std::vector<JumpPlant> jump_plants(std::uint64_t ensemble, std::uint64_t seed, int count);
 
 /// sim.yaml's plant on ground of 5, 8.2, 15, 30 and 60 kN/m.
 std::vector<JumpPlant> ground_sweep(std::uint64_t seed);
@@ -44,6 +44,7 @@ struct JumpEnsembleRequest {
   std::uint64_t seed = 1;
   int plants = 50;
   double height_m = 0.0;  ///< asked; 0: the height of the preset's own curve
+  std::uint64_t ensemble = 1;
 };
 
 struct JumpEnsemble {

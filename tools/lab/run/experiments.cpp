@@ -6,6 +6,7 @@
 #include "tools/lab/commission/commission_experiment.h"
 #include "tools/lab/estimation/adaptation_experiment.h"
 #include "tools/lab/estimation/estimator_experiment.h"
+#include "tools/lab/estimation/model_watch_experiment.h"
 #include "tools/lab/faults/fault_experiment.h"
 #include "tools/lab/friction/drag.h"
 #include "tools/lab/friction/friction_sweep.h"
@@ -29,7 +30,8 @@ std::vector<Experiment> experiments() {
           walk_experiment(),          ground_error_experiment(), push_experiment(),
           endurance_experiment(),     faults_experiment(),       friction_sweep_experiment(),
           drag_experiment(),          estimator_experiment(),    commission_experiment(),
-          bring_up_experiment(),      adaptation_experiment(),   parameter_experiment()};
+          bring_up_experiment(),      adaptation_experiment(),   parameter_experiment(),
+          model_watch_experiment()};
 }
 
 std::vector<Experiment> experiments_of(const RobotConfig& robot) {

@@ -8,7 +8,7 @@ namespace sprung {
 namespace {
 
 TEST(EstimatorEnsembleTest, HoldsTheNominalPlantEveryCornerAndDrawsWithinTheBox) {
-  const std::vector<EnsemblePlant> plants = estimator_ensemble(1);
+  const std::vector<EnsemblePlant> plants = estimator_ensemble(1, 1);
   ASSERT_EQ(plants.size(), 21u);
   EXPECT_EQ(plants[0].changes.at("friction_scale"), 1.0);
   std::set<std::string> names;
@@ -34,19 +34,19 @@ TEST(EstimatorEnsembleTest, HoldsTheNominalPlantEveryCornerAndDrawsWithinTheBox)
   EXPECT_EQ(seeds.size(), plants.size());
 }
 
-TEST(EstimatorEnsembleTest, SameSeedSamePlantsOtherSeedOtherDrawsAndNoise) {
-  const std::vector<EnsemblePlant> tuned = estimator_ensemble(0), again = estimator_ensemble(0),
-                                   reported = estimator_ensemble(1);
+TEST(EstimatorEnsembleTest, ASeedChangesTheNoiseAndAnEnsembleTheDraws) {
+  const std::vector<EnsemblePlant> tuned = estimator_ensemble(0, 1), again = estimator_ensemble(0, 2),
+                                   reported = estimator_ensemble(1, 1);
   for (std::size_t i = 0; i < tuned.size(); ++i) {
     EXPECT_EQ(tuned[i].changes, again[i].changes);
-    EXPECT_NE(tuned[i].seed, reported[i].seed);
+    EXPECT_NE(tuned[i].seed, again[i].seed);
     EXPECT_EQ(tuned[i].changes != reported[i].changes, tuned[i].name.rfind("draw", 0) == 0) << tuned[i].name;
   }
 }
 
 TEST(EstimatorPlants, ChangedPlantIsRepeatedWithItsOwnNoiseAndNotVariedOnceMore) {
-  EXPECT_EQ(estimator_plants({7, {}, true}).size(), estimator_ensemble(7).size());
-  const auto plants = estimator_plants({7, {{"draw", 3.0}}, true});
+  EXPECT_EQ(estimator_plants({7, {}, true}, 1).size(), estimator_ensemble(1, 7).size());
+  const auto plants = estimator_plants({7, {{"draw", 3.0}}, true}, 1);
   ASSERT_EQ(plants.size(), 5u);
   for (std::size_t i = 0; i < plants.size(); ++i) {
     EXPECT_EQ(plants[i].changes, (std::map<std::string, double>{{"draw", 3.0}}));

@@ -70,16 +70,26 @@ TEST(EnduranceScript, EverythingIsAskedForAndOnlyWhatIsAllowed) {
 
 TEST(EndurancePlants, AreDrawnWithinWhatTheIssueAsksFor) {
   double least = 1.0, most = 0.4;
-  for (std::uint64_t seed = 0; seed < 50; ++seed) {
-    const SimOptions sim = endurance_plant(seed);
-    EXPECT_EQ(sim.seed, seed);
-    EXPECT_NEAR(sim.plant.at("friction_scale"), 1.0, 0.2);
-    EXPECT_NEAR(sim.plant.at("mass_scale"), 1.0, 0.1);
-    least = std::min(least, sim.plant.at("ground_friction"));
-    most = std::max(most, sim.plant.at("ground_friction"));
+  for (std::uint64_t number = 0; number < 50; ++number) {
+    const auto plant = endurance_plant(number);
+    EXPECT_NEAR(plant.at("friction_scale"), 1.0, 0.2);
+    EXPECT_NEAR(plant.at("mass_scale"), 1.0, 0.1);
+    least = std::min(least, plant.at("ground_friction"));
+    most = std::max(most, plant.at("ground_friction"));
   }
   EXPECT_NEAR(least, 0.4, 0.05);
   EXPECT_NEAR(most, 1.0, 0.05);
+}
+
+TEST(EndurancePlants, ASeedChangesNoiseAndRequestsAndAnEnsembleThePlants) {
+  EnduranceRequest request;
+  request.minutes = 0.02;
+  const EnduranceOutcome one = endure(pegasus(), request, 0);
+  request.seed = 5;
+  EXPECT_EQ(endure(pegasus(), request, 0).plant, one.plant);
+  EXPECT_NE(endure(pegasus(), request, 1).plant, one.plant);
+  request.ensemble = 2;
+  EXPECT_NE(endure(pegasus(), request, 0).plant, one.plant);
 }
 
 TEST(EnduranceRows, FallsAndTripsAreNotAllowed) {
@@ -137,7 +147,7 @@ TEST(Endurance, WhatCannotBeAskedIsRefused) {
 
 TEST(EnduranceSection, NamesWhatBefellARobotAndWhatItWasAskedThen) {
   EnduranceOutcome out;
-  out.plant = endurance_plant(1).plant;
+  out.plant = endurance_plant(1);
   EXPECT_EQ(endurance_section({out}).tables.at(0).rows.at(0).back().text, "nothing");
   out.vitals.fell = true;
   out.vitals.why = "fell: tilted";

@@ -36,17 +36,17 @@ TEST(Experiments, OptionsOfOneTableAreNotThoseOfAnother) {
   };
   const Experiment changed = endurance(experiments());
   changed.shorten();
-  EXPECT_EQ(changed.own.words(), " --seeds 20 --minutes 1");
-  EXPECT_EQ(endurance(experiments()).own.words(), " --seeds 20 --minutes 10");
+  EXPECT_EQ(changed.own.words(), " --seeds 20 --ensemble 1 --minutes 1");
+  EXPECT_EQ(endurance(experiments()).own.words(), " --seeds 20 --ensemble 1 --minutes 10");
 }
 
 TEST(Experiments, ALegJumpsAndARobotThatWalksHasExperimentsOfItsOwn) {
-  EXPECT_EQ(
-      names_of(experiments_of(load_robot("single_leg"))),
-      (std::set<std::string>{"jump", "foot_return", "step_response", "drop", "jump_ensemble", "adaptation"}));
+  EXPECT_EQ(names_of(experiments_of(load_robot("single_leg"))),
+            (std::set<std::string>{"jump", "foot_return", "step_response", "drop", "jump_ensemble",
+                                   "adaptation", "estimator", "model_watch"}));
   EXPECT_EQ(names_of(experiments_of(load_robot("pegasus"))),
             (std::set<std::string>{"foot_return", "stand_push", "walk", "ground_error", "push", "endurance",
-                                   "adaptation"}));
+                                   "adaptation", "estimator", "model_watch"}));
 }
 
 TEST(Experiments, PresetsThatTheRobotHasNotAreItsUsualOne) {
