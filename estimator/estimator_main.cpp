@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "estimator/estimator_core.h"
+#include "estimator/misfit_note.h"
 #include "lcmtypes/channels.h"
 #include "runtime/answer_store.h"
 #include "runtime/process.h"
@@ -13,7 +14,8 @@ namespace {
 class EstimatorShell final : public ResponderShell {
  public:
   explicit EstimatorShell(Process& process)
-      : robot_(process.robot()),
+      : process_(process),
+        robot_(process.robot()),
         watchdogs_(process.watchdogs()),
         drive_states_(in_),
         answers_(out_),
@@ -34,6 +36,7 @@ class EstimatorShell final : public ResponderShell {
     core_->step(in_, out_, measured ? &imu_ : nullptr);
     answers_.keep(out_);
     joint_states_.publish(out_);
+    if (const std::string* note = misfit_note_.update(out_)) process_.set_standing_note(*note);
     return in_.stamp;
   }
 
@@ -49,6 +52,7 @@ class EstimatorShell final : public ResponderShell {
   }
 
  private:
+  Process& process_;
   const RobotConfig& robot_;
   const WatchdogConfig& watchdogs_;
   DriveState in_{robot_.actuators.size()};
@@ -59,6 +63,7 @@ class EstimatorShell final : public ResponderShell {
   AnswerStore<JointState> answers_;
   Publisher<JointState> joint_states_;
   std::optional<EstimatorCore> core_;
+  MisfitNote misfit_note_{robot_};
 };
 
 int estimate(Process& process) {

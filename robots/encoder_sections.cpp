@@ -145,6 +145,7 @@ ReferenceConfig read_reference(const YamlMap& map) {
   if (index) {
     reference.index_position_rad = map.quantity("index", "rad", -kFarthest_rad, kFarthest_rad);
   }
+  reference.max_age_days = static_cast<int>(map.integer_or("max_age_days", 1, 3650, reference.max_age_days));
   if (reference.method == ReferenceMethod::kNone && !reference.absolute_encoder) {
     map.fail("method", "an incremental encoder needs one: link, index or jig, for `sprung home`");
   }

@@ -91,7 +91,7 @@ IdentificationRecord read_record(const YamlMap& map) {
   IdentificationRecord record;
   if (map.has("robot"))
     record.robot = matching(map, "robot", ".+", "the name of the robot that was recorded");
-  record.date = matching(map, "date", "[0-9]{4}-(0[1-9]|1[0-2])-(0[1-9]|[12][0-9]|3[01])", "YYYY-MM-DD");
+  record.date = robot_sections::read_date(map, "date");
   record.log = matching(map, "log", ".+", "the recording's name");
   record.sha256 = matching(map, "sha256", "[0-9a-f]{16,64}", "16 to 64 hexadecimal digits, in quotes");
   record.samples = map.integer("samples", 1, INT64_MAX);
@@ -197,6 +197,10 @@ std::string thermal_text(const ThermalParameters& t) {
 }
 
 }  // namespace
+
+std::string robot_sections::read_date(const YamlMap& map, const std::string& key) {
+  return matching(map, key, "[0-9]{4}-(0[1-9]|1[0-2])-(0[1-9]|[12][0-9]|3[01])", "YYYY-MM-DD");
+}
 
 void robot_sections::read_identification(const YamlMap& joint_map, JointConfig& joint) {
   if (joint_map.has("friction") != joint_map.has("identified"))

@@ -12,6 +12,8 @@ namespace robot_sections {
 
 /// Keys `friction` with `identified`, `uncertainty` and `thermal` of a joint; each may be missing.
 void read_identification(const YamlMap& joint_map, JointConfig& joint);
+/// YYYY-MM-DD.
+std::string read_date(const YamlMap& map, const std::string& key);
 /// The key `estimation` of the robot.
 EstimationConfig read_estimation(const YamlMap& map);
 

@@ -71,6 +71,9 @@ struct ReferenceConfig {
   bool absolute_encoder = true;     ///< motor encoder keeps its count without power: a stored zero stays good
   double jig_position_rad = 0.0;    ///< actuator position in the jig
   double index_position_rad = 0.0;  ///< actuator position at one of the index pulses
+  /// [design choice] After as many days a zero is doubtful, found by `sprung home` or not: screws creep, jigs
+  /// wear.
+  int max_age_days = 365;
 };
 
 /// Supply voltage that an actuator's drive may see; 0, 0 = not watched. Beyond it the robot is damped.
@@ -138,6 +141,7 @@ struct ActuatorConfig {
   double encoder_counts_per_turn = 0;  ///< of the motor shaft
   double offset_rad = 0.0;             ///< actuator position at encoder count zero
   bool referenced = false;             ///< torque is refused until true
+  std::string referenced_on;           ///< when its zero was found, YYYY-MM-DD; empty: nobody has said
   double torque_limit_Nm = 0.0;        ///< gear output side
   double speed_limit_rad_s = 0.0;
   double power_limit_W = 0.0;            ///< mechanical, that it may give; 0 = not limited

@@ -203,6 +203,7 @@ ActuatorConfig read_actuator(const YamlMap& map, const RobotConfig& robot) {
   a.encoder_counts_per_turn = static_cast<double>(map.integer("encoder_counts", 16, 1 << 24));
   a.offset_rad = map.quantity("offset", "rad", -100, 100);
   a.referenced = map.flag("referenced");
+  if (map.has("referenced_on")) a.referenced_on = read_date(map, "referenced_on");
   a.torque_limit_Nm = map.quantity("torque_limit", "Nm", 0.01, 2000);
   a.speed_limit_rad_s = map.quantity("speed_limit", "rad/s", 0.01, 200);
   a.power_limit_W = map.quantity_or("power_limit", "W", 1, 1e5, 0.0);

@@ -10,4 +10,7 @@ namespace sprung {
 /// @param utc_us since 1970, as utc_us() of runtime/session_clock.h gives it; may be negative.
 std::string utc_text(std::int64_t utc_us, char between = 'T', int decimals = 0);
 
+/// Whole days from one date to another, both beginning with YYYY-MM-DD; 0 where either is none.
+long days_between(const std::string& from, const std::string& to);
+
 }  // namespace sprung

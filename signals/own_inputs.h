@@ -15,5 +15,7 @@ constexpr bool made_from_own_inputs(std::int64_t seq, std::int64_t used_joint_st
 /// What the process that went on without the others says in PROCESS_STATUS from then on, at the end of its
 /// detail: launcher, logs and experiments know such a run by it.
 inline constexpr const char* kNotDeterministicNote = "this run is not deterministic";
+/// Begins what the estimator says of joints that its model does not fit, on PROCESS_STATUS.
+inline constexpr const char* kMisfitNote = "the model does not fit what moves: ";
 
 }  // namespace sprung

@@ -75,6 +75,9 @@ void BridgeShell::restore_references() {
     if (const std::optional<Reference> reference = references_->good_for(i)) {
       core_.restore_reference(static_cast<int>(i), *reference);
       log_info(robot.actuators[i].name + ": reference restored from " + path);
+      if (const long days = references_->doubtful_days(i, utc_text(utc_us())); days > 0)
+        log_warn(robot.actuators[i].name + ": its zero was found " + std::to_string(days) +
+                 " days ago, more than reference's max_age_days; sprung home");
     }
   }
 }

@@ -17,6 +17,7 @@
 #include "robots/yaml_reader.h"
 #include "runtime/log.h"
 #include "runtime/private_file.h"
+#include "runtime/utc_text.h"
 
 namespace sprung {
 
@@ -163,6 +164,12 @@ std::string ReferenceStore::why_not_used(std::size_t actuator) const {
                               ? difference(entry->device, device_of(robot_, config))
                               : "an incremental encoder forgets it without power";
   return config.name + ": the zero of " + entry->date_utc + " is not used: " + why + "; sprung home";
+}
+
+long ReferenceStore::doubtful_days(std::size_t actuator, const std::string& today) const {
+  if (!good_for(actuator)) return 0;
+  const long days = days_between(entries_[actuator]->date_utc, today);
+  return days > robot_.actuators[actuator].reference.max_age_days ? days : 0;
 }
 
 void ReferenceStore::record(std::size_t actuator, const Reference& reference, std::int64_t counts,

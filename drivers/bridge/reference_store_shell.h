@@ -37,6 +37,9 @@ class ReferenceStore {
   std::optional<Reference> good_for(std::size_t actuator) const;
   /// "" when the stored zero is used, or there is none.
   std::string why_not_used(std::size_t actuator) const;
+  /// How many days ago a zero that is used was found, where that is more than its `max_age_days`; else 0.
+  /// @param today beginning with YYYY-MM-DD.
+  long doubtful_days(std::size_t actuator, const std::string& today) const;
   void record(std::size_t actuator, const Reference& reference, std::int64_t counts,
               const std::string& date_utc);
   /// Writes a new file and puts it in the old one's place, so that a power cut leaves one of the two.

@@ -30,9 +30,9 @@ inline void dump_value(test::ValueDump& dump, const std::string& at, const LinkE
 }
 
 inline void dump_value(test::ValueDump& dump, const std::string& at, const ReferenceConfig& value) {
-  const auto& [method, absolute_encoder, jig_position_rad, index_position_rad] = value;
-  dump.fields(at, "method absolute_encoder jig_position_rad index_position_rad", method, absolute_encoder,
-              jig_position_rad, index_position_rad);
+  const auto& [method, absolute_encoder, jig_position_rad, index_position_rad, max_age_days] = value;
+  dump.fields(at, "method absolute_encoder jig_position_rad index_position_rad max_age_days", method,
+              absolute_encoder, jig_position_rad, index_position_rad, max_age_days);
 }
 
 inline void dump_value(test::ValueDump& dump, const std::string& at, const SupplyConfig& value) {
@@ -65,24 +65,25 @@ inline void dump_value(test::ValueDump& dump, const std::string& at, const Batte
 
 inline void dump_value(test::ValueDump& dump, const std::string& at, const ActuatorConfig& value) {
   const auto& [name, bus, node, profile, identity, watch, ratio, direction, torque_constant, rated_current,
-               counts, offset, referenced, torque_limit, speed_limit, power_limit, speed_object,
-               limits_object, loop, stiffness, damping, gains_object, safety_damping, pole_pairs, winding,
-               supply, emergency_input, commissioning, temperature, restore_settings, link_encoder,
-               reference] = value;
+               counts, offset, referenced, referenced_on, torque_limit, speed_limit, power_limit,
+               speed_object, limits_object, loop, stiffness, damping, gains_object, safety_damping,
+               pole_pairs, winding, supply, emergency_input, commissioning, temperature, restore_settings,
+               link_encoder, reference] = value;
   dump.fields(
       at,
       "name bus node profile identity watch gear_ratio direction torque_constant_Nm_A rated_current_A "
-      "encoder_counts_per_turn offset_rad referenced torque_limit_Nm speed_limit_rad_s power_limit_W "
+      "encoder_counts_per_turn offset_rad referenced referenced_on torque_limit_Nm speed_limit_rad_s "
+      "power_limit_W "
       "speed_limit_object position_limits_object position_loop position_stiffness_Nm_rad "
       "position_damping_Nm_s_rad "
       "position_gains_object "
       "safety_damping_Nm_s_rad pole_pairs winding_time_constant_s supply emergency_input "
       "commissioning temperature restore_settings link_encoder reference",
       name, bus, node, profile, identity, static_cast<int>(watch), ratio, direction, torque_constant,
-      rated_current, counts, offset, referenced, torque_limit, speed_limit, power_limit, speed_object,
-      limits_object, static_cast<int>(loop), stiffness, damping, gains_object, safety_damping, pole_pairs,
-      winding, supply, emergency_input, commissioning, temperature, restore_settings, link_encoder,
-      reference);
+      rated_current, counts, offset, referenced, referenced_on, torque_limit, speed_limit, power_limit,
+      speed_object, limits_object, static_cast<int>(loop), stiffness, damping, gains_object, safety_damping,
+      pole_pairs, winding, supply, emergency_input, commissioning, temperature, restore_settings,
+      link_encoder, reference);
 }
 
 inline void dump_value(test::ValueDump& dump, const std::string& at, const FrictionParameters& value) {

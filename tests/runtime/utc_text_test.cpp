@@ -27,5 +27,13 @@ TEST(UtcText, AnyNumberIsAText) {
   EXPECT_EQ(utc_text(kLeast, 'T', 6), "-290308-12-21T19:59:05.224192");
 }
 
+TEST(DaysBetween, CountsLeapDaysAndTakesWhatBeginsWithADate) {
+  EXPECT_EQ(days_between("2028-02-01", "2028-05-02"), 91);
+  EXPECT_EQ(days_between("2026-11-21T06:00:00Z", "2026-11-22"), 1);
+  EXPECT_EQ(days_between("2026-12-31", "2027-01-01"), 1);
+  EXPECT_EQ(days_between("", "2027-01-01"), 0);
+  EXPECT_EQ(days_between("2026-12-31", "soon"), 0);
+}
+
 }  // namespace
 }  // namespace sprung

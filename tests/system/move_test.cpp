@@ -2,13 +2,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "tests/system/system_fixture.h"
 
 namespace sprung {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 
 class Move : public SystemTest {
@@ -50,6 +53,19 @@ TEST_F(Move, WhatCannotBeIsRefusedWithTheLimits) {
   EXPECT_EQ(ankle.status, 2);
   EXPECT_THAT(ankle.output, HasSubstr("there are: hip, knee"));
   EXPECT_EQ(motion(), "idle");
+}
+
+TEST_F(Move, UpAndStatusSayThatMotionDisagreesWithTheModel) {
+  up("lockstep", "--plant friction_scale=2.5 --plant suspended=0.8");
+  for (const char* angle : {"1.2rad", "0.5rad", "1.5rad", "0.6rad", "1.8rad"})
+    ASSERT_EQ(sprung(std::string("move knee --to ") + angle + " --speed 2rad/s").status, 0);
+  const std::string note = "the model does not fit what moves: knee";
+  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(kTimeout_s);
+  while (said().find(note) == std::string::npos && std::chrono::steady_clock::now() < end)
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  EXPECT_THAT(said(), HasSubstr("note: " + note));
+  EXPECT_THAT(sprung("status").output, AllOf(HasSubstr("says    sprung-torque-estimator: " + note),
+                                             HasSubstr("repeat: sprung identify --record single_leg knee")));
 }
 
 }  // namespace

@@ -68,6 +68,15 @@ TEST_F(ReferenceStoreTest, KeepsOffsetsToTheBitWithDateMethodCountsAndHash) {
   EXPECT_FALSE(std::filesystem::exists(path_ + ".new"));
 }
 
+TEST_F(ReferenceStoreTest, AZeroIsDoubtfulAfterItsMaxAge) {
+  store_knee();
+  robot_.actuators[1].reference.max_age_days = 30;
+  const ReferenceStore again(path_, robot_);
+  EXPECT_EQ(again.doubtful_days(1, "2026-12-21T08:00:00"), 0);
+  EXPECT_EQ(again.doubtful_days(1, "2026-12-22"), 31);
+  EXPECT_EQ(again.doubtful_days(0, "2030-01-01"), 0) << "there is none";
+}
+
 TEST_F(ReferenceStoreTest, ActuatorsThatAreNotHomedAgainKeepTheirEntry) {
   store_knee();
   ReferenceStore store(path_, robot_);

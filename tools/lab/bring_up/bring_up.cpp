@@ -8,7 +8,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "model/leg_kinematics.h"
+#include "robots/known_weight.h"
 #include "robots/robot_loader.h"
 #include "runtime/session_clock.h"
 #include "runtime/utc_text.h"
@@ -27,16 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kCold_degC = 24.0, kWarm_degC = 40.0;
-/// Of the actuator's torque: well beyond friction, and leaves enough for the swings.
-constexpr double kLoadShare = 0.2;
-constexpr double kWeightStep_kg = 0.5;  ///< as weights are to be had
 constexpr std::size_t kDateLetters = 10;
-
-double reach_m(const LegConfig& leg) {
-  double sum_m = 0.0;
-  for (const LinkConfig& link : leg.links) sum_m += link.length_m;
-  return sum_m;
-}
 
 struct BringUpRequest {
   std::string family;  ///< of the plant's friction
@@ -200,13 +191,8 @@ const char* const BringUpProtocol::kModels =
     "viscous+stribeck+load+asymmetry+presliding+temperature+load_gain";
 
 std::vector<BringUpPass> bring_up_passes(const RobotConfig& robot, int joint) {
-  const identify::LegPlace at = identify::place_of(robot, joint);
-  const LegConfig& leg = robot.legs[at.leg];
-  const double reach = reach_m(leg);
-  if (!(reach > 0.0)) return {{0.0, kCold_degC}, {0.0, kWarm_degC}};
-  const double torque_Nm = kLoadShare * robot.actuators[leg.actuators[at.place]].torque_limit_Nm;
-  const double steps = std::floor(torque_Nm / (kGravity_m_s2 * reach) / kWeightStep_kg);
-  const double weight_kg = std::max(1.0, steps) * kWeightStep_kg;
+  const double weight_kg = known_weight_kg(robot, joint);
+  if (!(weight_kg > 0.0)) return {{0.0, kCold_degC}, {0.0, kWarm_degC}};
   return {{0.0, kCold_degC}, {weight_kg, kCold_degC}, {weight_kg, kWarm_degC}};
 }
 

@@ -6,6 +6,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "robots/known_weight.h"
+#include "runtime/utc_text.h"
 #include "signals/modes.h"
 
 namespace sprung {
@@ -43,23 +45,13 @@ std::string derating_line(const Json& model) {
   return text;
 }
 
-/// Days since the first of March of year 0, so that leap days come last. -1: no date.
-long day_number(const std::string& date) {
-  int year = 0, month = 0, day = 0;
-  if (std::sscanf(date.c_str(), "%d-%d-%d", &year, &month, &day) != 3) return -1;
-  const long y = month > 2 ? year : year - 1;
-  const long m = (month + 9) % 12;
-  return 365 * y + y / 4 - y / 100 + y / 400 + (153 * m + 2) / 5 + day - 1;
-}
-
 /// Empty: it is not.
-std::string why_doubtful(const RobotConfig& robot, const JointConfig& joint, long today) {
+std::string why_doubtful(const RobotConfig& robot, const JointConfig& joint, const std::string& today) {
   if (!joint.friction) return "";
   const IdentificationRecord& record = joint.friction->record;
   if (identified_on_another(record, robot.name))
     return "identified on " + record.robot + ", bounds are wide until motion has shown that it fits";
-  const long made = day_number(record.date);
-  const long days = made >= 0 && today >= 0 ? today - made : 0;
+  const long days = days_between(record.date, today);
   if (days <= record.max_age_days) return "";
   return "identified " + std::to_string(days) +
          " days ago, more than max_age_days: " + std::to_string(record.max_age_days);
@@ -68,8 +60,15 @@ std::string why_doubtful(const RobotConfig& robot, const JointConfig& joint, lon
 }  // namespace
 
 std::string record_command(const RobotConfig& robot, const JointConfig& joint) {
-  return "sprung identify --record " + robot.name + " " + joint.name + " --suspended --out " + joint.name +
-         ".lcm";
+  const auto place = std::find_if(robot.joints.begin(), robot.joints.end(),
+                                  [&](const JointConfig& one) { return one.name == joint.name; });
+  const double weight_kg = known_weight_kg(robot, static_cast<int>(place - robot.joints.begin()));
+  const std::string record = "sprung identify --record " + robot.name + " " + joint.name + " --suspended",
+                    out = " --out " + joint.name + ".lcm";
+  if (!(weight_kg > 0.0)) return record + out;
+  char weight[80];
+  std::snprintf(weight, sizeof weight, ", and once more with --weight %gkg, clamped to its foot", weight_kg);
+  return record + " --loaded" + out + weight;
 }
 
 Json models_json(const RobotConfig& robot, const std::optional<sprung_msgs::joint_state_t>& joints) {
@@ -102,7 +101,7 @@ std::vector<std::string> model_lines(const Json& models) {
 std::vector<std::string> doubtful_identifications(const RobotConfig& robot, const std::string& today) {
   std::map<std::string, std::vector<const JointConfig*>> by_reason;
   for (const JointConfig& joint : robot.joints) {
-    if (const std::string why = why_doubtful(robot, joint, day_number(today)); !why.empty())
+    if (const std::string why = why_doubtful(robot, joint, today); !why.empty())
       by_reason[why].push_back(&joint);
   }
   std::vector<std::string> out;
@@ -111,6 +110,22 @@ std::vector<std::string> doubtful_identifications(const RobotConfig& robot, cons
     for (const JointConfig* joint : joints) names += (names.empty() ? "" : ", ") + joint->name;
     out.push_back(why + ": " + names + "; repeat: " + record_command(robot, *joints.front()));
   }
+  return out;
+}
+
+std::vector<std::string> doubtful_zeros(const RobotConfig& robot, const std::string& today) {
+  std::map<std::string, std::string> by_reason;
+  for (const ActuatorConfig& actuator : robot.actuators) {
+    const long days = days_between(actuator.referenced_on, today);
+    if (actuator.referenced_on.empty() || days <= actuator.reference.max_age_days) continue;
+    std::string& names = by_reason["zeros of robot.yaml found " + std::to_string(days) +
+                                   " days ago, more than max_age_days: " +
+                                   std::to_string(actuator.reference.max_age_days)];
+    names += (names.empty() ? "" : ", ") + actuator.name;
+  }
+  std::vector<std::string> out;
+  for (const auto& [why, names] : by_reason)
+    out.push_back(why + ": " + names + "; look at the robot in its jig, then renew offset and referenced_on");
   return out;
 }
 

@@ -22,5 +22,7 @@ std::string record_command(const RobotConfig& robot, const JointConfig& joint);
 /// Lines for joints whose identification is older than its robot.yaml allows, or of another robot.
 /// @param today YYYY-MM-DD.
 std::vector<std::string> doubtful_identifications(const RobotConfig& robot, const std::string& today);
+/// The same for actuators whose zero stands in robot.yaml with a date.
+std::vector<std::string> doubtful_zeros(const RobotConfig& robot, const std::string& today);
 
 }  // namespace sprung

@@ -125,8 +125,9 @@ int run_up(const LaunchRequest& request, bool plain, bool unchecked) {
     LaunchView view(launcher, robot, plain);
     const std::int64_t started_us = monotonic_us();
     warn_of_ttl(request, robot, launcher);
-    for (const std::string& old : doubtful_identifications(robot, utc_text(utc_us()).substr(0, 10)))
-      launcher.say("note: " + old);
+    const std::string today = utc_text(utc_us()).substr(0, 10);
+    for (const std::string& old : doubtful_identifications(robot, today)) launcher.say("note: " + old);
+    for (const std::string& old : doubtful_zeros(robot, today)) launcher.say("note: " + old);
     launcher.start_all_but_bridge();
     launcher.start_bridge();
     view.announce(static_cast<double>(monotonic_us() - started_us) * 1e-6);

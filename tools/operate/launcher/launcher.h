@@ -101,6 +101,7 @@ class Launcher {
   void read_statuses();
   void refuse_stranger(const sprung_msgs::process_status_t& status, Child* child);
   void name_twice(const sprung_msgs::process_status_t& status);
+  void name_misfit(const sprung_msgs::process_status_t& status);
   Child* child_named(const std::string& program);
   void name_the_silent();
   void read_lines(Child& child);

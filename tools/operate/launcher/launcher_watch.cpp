@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "runtime/resource_use.h"
+#include "signals/own_inputs.h"
 #include "tools/operate/launcher/launcher.h"
 #include "tools/operate/launcher/lead_finder.h"
 #include "tools/operate/launcher/recorder_plan.h"
@@ -42,6 +43,12 @@ void Launcher::name_twice(const sprung_msgs::process_status_t& status) {
                      ": one host too many was started with the same --host");
 }
 
+/// Each once: what is identified is of another day than this one, and no fault of the run.
+void Launcher::name_misfit(const sprung_msgs::process_status_t& status) {
+  if (status.detail.find(kMisfitNote) == std::string::npos || !named_.insert(status.detail).second) return;
+  say("note: " + status.detail + "; sprung status names the recordings to repeat");
+}
+
 void Launcher::read_statuses() {
   while (auto status = statuses_.pop()) {
     if (status->process == kLauncherProgram && leads_) continue;  // its own
@@ -52,6 +59,7 @@ void Launcher::read_statuses() {
     const bool second = child != nullptr && !own && !child->end.harmless && status->host != host_name_;
     if (child != nullptr && !own && !second) continue;
     if (second || board_.hear(*status, node_.utime_us())) name_twice(*status);
+    name_misfit(*status);
   }
   while (auto safety = safeties_.pop()) safety_ = std::move(*safety);
 }

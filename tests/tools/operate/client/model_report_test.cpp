@@ -56,7 +56,10 @@ TEST_F(ModelReport, ModelsThatFitAreInTheJsonAlone) {
 TEST_F(ModelReport, MisfitIsToldWithJointLikelyReasonAndRemedy) {
   doubt_knee();
   const Json models = models_json(robot_, state_);
-  EXPECT_EQ(models[1]["repeat"], "sprung identify --record single_leg knee --suspended --out knee.lcm");
+  EXPECT_EQ(
+      models[1]["repeat"],
+      "sprung identify --record single_leg knee --suspended --loaded --out knee.lcm, and once more with "
+      "--weight 5kg, clamped to its foot");
   EXPECT_THAT(model_lines(models),
               ElementsAre(AllOf(HasSubstr("knee"), HasSubstr("viscous friction"), HasSubstr("6.2 times"),
                                 HasSubstr("sprung identify --record single_leg knee"))));
@@ -94,6 +97,15 @@ TEST_F(ModelReport, WhatWasIdentifiedOnAnotherRobotIsToldWithTheRemedy) {
   EXPECT_THAT(doubtful_identifications(robot_, "2026-11-21"),
               ElementsAre(AllOf(HasSubstr("identified on single_leg"), HasSubstr(": hip, knee;"),
                                 HasSubstr("sprung identify --record my_leg hip"))));
+}
+
+TEST_F(ModelReport, OldZerosAreToldWithTheirActuators) {
+  EXPECT_EQ(robot_.actuators[0].referenced_on, "2026-11-21");
+  EXPECT_THAT(doubtful_zeros(robot_, "2027-11-21"), IsEmpty());
+  EXPECT_THAT(doubtful_zeros(robot_, "2027-11-22"),
+              ElementsAre(AllOf(HasSubstr("366 days ago"), HasSubstr("hip_motor, knee_motor"))));
+  robot_.actuators[0].referenced_on.clear();
+  EXPECT_THAT(doubtful_zeros(robot_, "2027-11-22"), ElementsAre(HasSubstr(": knee_motor;")));
 }
 
 TEST_F(ModelReport, LeapDayCounts) {
