@@ -6,6 +6,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "tools/common/parallel.h"
 #include "tools/lab/landing/drop_ablation.h"
@@ -14,7 +15,8 @@ namespace sprung {
 
 namespace {
 
-constexpr double kPlotted_m = 0.3;
+constexpr double kCompared_m = 0.3;
+constexpr double kPlotted_m = kCompared_m;
 constexpr double kPlotted_s = 0.7;
 
 struct DropSeries {
@@ -63,6 +65,7 @@ report::Section comparison(const DropExperiment& experiment) {
   report::Plot plot{"Each seed", {"touchdown later than expected", "ms"}, {"true gear output peak", "Nm"}};
   std::vector<double> x, adaptive, paper;
   for (const DropPair& pair : experiment.pairs) {
+    if (pair.height_m != kCompared_m) continue;
     x.push_back(1e3 * pair.surprise_s);
     adaptive.push_back(pair.adaptive.peak_output_torque_Nm);
     paper.push_back(pair.paper.peak_output_torque_Nm);
@@ -76,9 +79,10 @@ report::Section comparison(const DropExperiment& experiment) {
 constexpr JumpMode kModes[] = {JumpMode::kPosition, JumpMode::kTorque, JumpMode::kHybrid,
                                JumpMode::kAdaptive};
 constexpr double kHeights_m[] = {0.1, 0.2, 0.3, 0.4, 0.5};
-constexpr double kCompared_m = 0.3;
 constexpr double kSurprise_s = 0.010;
 constexpr double kMostOverPaper = 0.5;
+/// From the other heights the comparison has a tenth of the seeds.
+constexpr int kFewerSeeds = 10;
 
 DropRow landing(const RobotConfig& robot, const DropRequest& request, std::size_t i,
                 const ScriptRunner& run) {
@@ -86,12 +90,25 @@ DropRow landing(const RobotConfig& robot, const DropRequest& request, std::size_
   return {drop.mode, drop.height_m, run_drop(drop_script(robot, request.preset, request.sim, drop), run)};
 }
 
-DropPair pair(const RobotConfig& robot, const DropRequest& request, std::size_t i, const ScriptRunner& run) {
+/// Height and place among its seeds of each comparison: all of kCompared_m, then a few of each height.
+std::vector<std::pair<double, std::size_t>> compared(int seeds) {
+  std::vector<std::pair<double, std::size_t>> out;
+  for (int i = 0; i < seeds; ++i) out.emplace_back(kCompared_m, i);
+  for (const double height_m : kHeights_m) {
+    if (height_m == kCompared_m) continue;
+    for (int i = 0; i < std::max(1, seeds / kFewerSeeds); ++i) out.emplace_back(height_m, i);
+  }
+  return out;
+}
+
+DropPair pair(const RobotConfig& robot, const DropRequest& request, double height_m, std::size_t i,
+              const ScriptRunner& run) {
   DropPair out;
+  out.height_m = height_m;
   SimOptions sim = request.sim;
   sim.seed = out.seed = request.sim.seed + i;
   out.surprise_s = drawn_surprise_s(out.seed, kSurprise_s);
-  DropCase drop{JumpMode::kAdaptive, kCompared_m, out.surprise_s};
+  DropCase drop{JumpMode::kAdaptive, height_m, out.surprise_s};
   out.adaptive = run_drop(drop_script(robot, request.preset, sim, drop), run);
   drop.mode = JumpMode::kHybrid;
   out.paper = run_drop(drop_script(robot, kPaperPreset, sim, drop), run);
@@ -140,6 +157,21 @@ void add_comparison(const std::vector<DropPair>& pairs, std::vector<ReportRow>& 
   rows.push_back(row("drop.adaptive_over_paper.folded", "", folded, at_most(0.0)));
 }
 
+/// The same from each height, mean over mean.
+void add_comparison_by_height(const std::vector<DropPair>& pairs, std::vector<ReportRow>& rows) {
+  for (const double height_m : kHeights_m) {
+    double adaptive_Nm = 0.0, paper_Nm = 0.0;
+    for (const DropPair& p : pairs) {
+      if (p.height_m != height_m) continue;
+      adaptive_Nm += p.adaptive.peak_output_torque_Nm;
+      paper_Nm += p.paper.peak_output_torque_Nm;
+    }
+    const std::string height = std::to_string(std::lround(1e3 * height_m));
+    rows.push_back(row("drop.adaptive_over_paper_" + height + ".ratio", "", adaptive_Nm / paper_Nm,
+                       at_most(kMostOverPaper)));
+  }
+}
+
 ExperimentOutput drop_ablation(const ExperimentInput& in, const DropRequest& request) {
   if (in.asked.separate)
     throw std::invalid_argument(
@@ -183,7 +215,8 @@ DropExperiment run_drop_experiment(const RobotConfig& robot, const DropRequest& 
     cycles += script.cycles;
   };
   const std::size_t landings = std::size(kModes) * std::size(kHeights_m);
-  const auto pairs = static_cast<std::size_t>(request.seeds);
+  const auto cases = compared(request.seeds);
+  const std::size_t pairs = cases.size();
   const auto from = [&](std::size_t before) {
     ParallelOptions parallel;
     parallel.jobs = request.jobs;
@@ -197,10 +230,12 @@ DropExperiment run_drop_experiment(const RobotConfig& robot, const DropRequest& 
   out.landings = parallel_map(
       landings, [&](std::size_t i) { return landing(robot, request, i, counted); }, from(0));
   out.pairs = parallel_map(
-      pairs, [&](std::size_t i) { return pair(robot, request, i, counted); }, from(landings));
+      pairs, [&](std::size_t i) { return pair(robot, request, cases[i].first, cases[i].second, counted); },
+      from(landings));
   add_landings(out.landings, out.rows);
   add_adaptive_over_hybrid(out.landings, out.rows);
-  add_comparison(out.pairs, out.rows);
+  add_comparison({out.pairs.begin(), out.pairs.begin() + request.seeds}, out.rows);
+  add_comparison_by_height(out.pairs, out.rows);
   out.simulated_s = static_cast<double>(cycles) * robot.cycle_s;
   return out;
 }

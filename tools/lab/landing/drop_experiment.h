@@ -1,7 +1,7 @@
 #pragma once
 /// `sprung experiment drop`: landings from 0.1 to 0.5 m in each mode, and adaptive landing against the
-/// papers' hybrid law (preset `paper`) on the same plant, 50 times with a floor that is not where it is
-/// expected.
+/// papers' hybrid law (preset `paper`) on the same plant, with a floor that is not where it is expected: 50
+/// times from 0.3 m, five times from each other height.
 #include <functional>
 #include <vector>
 
@@ -21,6 +21,7 @@ struct DropRow {
 
 /// One seed: both laws, the same surprise.
 struct DropPair {
+  double height_m = 0.0;
   std::uint64_t seed = 0;
   double surprise_s = 0.0;
   DropResult adaptive;
@@ -29,7 +30,7 @@ struct DropPair {
 
 struct DropExperiment {
   std::vector<DropRow> landings;
-  std::vector<DropPair> pairs;
+  std::vector<DropPair> pairs;  ///< those from 0.3 m first
   std::vector<ReportRow> rows;
   double simulated_s = 0.0;
 };

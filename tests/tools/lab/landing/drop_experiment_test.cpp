@@ -74,8 +74,8 @@ TEST_F(DropExperimentTest, ProgressCountsLandingsAndSeedsTogether) {
   std::vector<std::pair<std::size_t, std::size_t>> told;
   request_.on_progress = [&](std::size_t done, std::size_t count) { told.emplace_back(done, count); };
   run();
-  ASSERT_THAT(told, SizeIs(22));
-  for (std::size_t i = 0; i < told.size(); ++i) EXPECT_EQ(told[i], std::pair(i + 1, std::size_t{22}));
+  ASSERT_THAT(told, SizeIs(26));
+  for (std::size_t i = 0; i < told.size(); ++i) EXPECT_EQ(told[i], std::pair(i + 1, std::size_t{26}));
 }
 
 TEST_F(DropExperimentTest, BothLawsOfASeedMeetTheSameSurprise) {
@@ -88,7 +88,7 @@ TEST_F(DropExperimentTest, BothLawsOfASeedMeetTheSameSurprise) {
     return 1.0;
   };
   const DropExperiment experiment = run();
-  ASSERT_THAT(experiment.pairs, SizeIs(2));
+  ASSERT_THAT(experiment.pairs, SizeIs(6)) << "two seeds from 0.3 m, one from each other height";
   ASSERT_THAT(floor_m, SizeIs(4));
   for (const DropPair& pair : experiment.pairs) {
     EXPECT_EQ(pair.surprise_s, drawn_surprise_s(pair.seed, 0.010));
@@ -97,6 +97,16 @@ TEST_F(DropExperimentTest, BothLawsOfASeedMeetTheSameSurprise) {
   }
   EXPECT_EQ(experiment.pairs[0].seed, 7u);
   EXPECT_EQ(experiment.pairs[1].seed, 8u);
+}
+
+TEST_F(DropExperimentTest, HalfThePapersPeakIsDemandedFromEveryHeight) {
+  peak_Nm_ = [&](const RunScript& script) { return script.preset == "paper" ? 50.0 : 26.0; };
+  const DropExperiment experiment = run();
+  for (const int height_mm : {100, 200, 300, 400, 500}) {
+    const ReportRow& over = row(experiment, "adaptive_over_paper_" + std::to_string(height_mm) + ".ratio");
+    EXPECT_NEAR(over.value, 0.52, 1e-9);
+    EXPECT_FALSE(over.ok());
+  }
 }
 
 TEST_F(DropExperimentTest, ComparisonIsOfTheMeansAndNamesTheWorst) {

@@ -28,11 +28,13 @@ class DropReportTest : public testing::Test {
     experiment_.landings = {{JumpMode::kAdaptive, 0.3, stood}, {JumpMode::kTorque, 0.5, fell}};
     for (int i = 0; i < 3; ++i) {
       DropPair pair;
+      pair.height_m = 0.3;
       pair.surprise_s = 0.005 * (i - 1);
       pair.adaptive.peak_output_torque_Nm = 20.0 + i;
       pair.paper.peak_output_torque_Nm = 50.0 + i;
       experiment_.pairs.push_back(pair);
     }
+    experiment_.pairs.push_back({0.5, 1, 0.004, {}, {}});  // of the rows alone
     sections_ = drop_sections(load_robot("single_leg"), {}, experiment_, play);
   }
   DropExperiment experiment_;
