@@ -41,11 +41,21 @@ Fold fold(const std::vector<FitPiece>& training, Index from, Index to) {
   return out;
 }
 
-double mean_square(const FitModel& model, const Fold& fold, const Eigen::VectorXd& start,
-                   const FitOptions& options) {
+Eigen::VectorXd left_out_residual(const FitModel& model, const Fold& fold, const Eigen::VectorXd& start,
+                                  const FitOptions& options) {
   const Fit found = fit_from(FitProblem(model, fold.fitted), start, options);
-  const FitScore scored = score(FitProblem(model, fold.left_out), found.parameters);
-  return scored.rms * scored.rms;
+  Eigen::VectorXd residual;
+  FitProblem(model, fold.left_out).evaluate(found.parameters, residual, nullptr);
+  return residual;
+}
+
+/// @param sizes not empty.
+double quantile_95(std::vector<double> sizes) {
+  const auto place = std::min(sizes.size() - 1,
+                              static_cast<std::size_t>(0.95 * static_cast<double>(sizes.size())));
+  const auto nth = sizes.begin() + static_cast<std::ptrdiff_t>(place);
+  std::nth_element(sizes.begin(), nth, sizes.end());
+  return *nth;
 }
 
 double mean(const std::vector<double>& values) {
@@ -108,10 +118,14 @@ CrossValidation cross_validate(const FitModel& model, const std::vector<FitPiece
   const Fit whole = fit(FitProblem(model, training), options.fit);
   CrossValidation out;
   out.out_of_bounds = out_of_bounds(model, whole);
+  std::vector<double> sizes;
   for (Index b = 0; b < blocks; ++b) {
     const Fold one = fold(training, samples * b / blocks, samples * (b + 1) / blocks);
-    out.mean_square.push_back(mean_square(model, one, whole.parameters, options.fit) / variance);
+    const Eigen::VectorXd residual = left_out_residual(model, one, whole.parameters, options.fit);
+    out.mean_square.push_back(residual.squaredNorm() / static_cast<double>(residual.size()) / variance);
+    for (const double one_residual : residual) sizes.push_back(std::abs(one_residual));
   }
+  out.prediction_bound = quantile_95(std::move(sizes));
   return out;
 }
 

@@ -19,6 +19,9 @@ struct CrossValidation {
   /// can mean (half of the friction from one direction, a load share beyond self-locking), so it stands for
   /// something else.
   bool out_of_bounds = false;
+  /// What 95 % of the samples were off by at most while their block was left out, in the data's unit: how far
+  /// a prediction of another recording alike may be off.
+  double prediction_bound = 0.0;
   double r2() const;  ///< 1 - mean of mean_square
 };
 

@@ -39,6 +39,12 @@ TEST(CrossValidation, EachBlockIsScoredByTheMeanOfTheOthers) {
   EXPECT_NEAR(found.r2(), 1.0 - (found.mean_square[0] + found.mean_square[1]) / 2.0, 1e-9);
 }
 
+TEST(CrossValidation, PredictionsAreBoundByWhatBlocksWereOffByWhileLeftOut) {
+  // The mean of the others, 125.5, is off by 124.5 at most for the first block, and for the last one.
+  EXPECT_NEAR(cross_validate(kOffset, ramp(), plain(4)).prediction_bound, 120.5, 1e-6)
+      << "tenth largest of 200";
+}
+
 TEST(CrossValidation, DifferenceIsTakenBlockByBlock) {
   const CrossValidation a{{1.0, 5.0, 9.0}}, b{{0.5, 4.0, 7.5}};
   const Difference found = difference(a, b);

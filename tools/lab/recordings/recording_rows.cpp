@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "estimator/identification/fit_problem.h"
 #include "estimator/identification/footprint.h"
 
 namespace sprung::recordings {
@@ -42,6 +43,14 @@ double link_rms_Nm(const ModelResult& model, const std::vector<FitPiece>& test) 
       rms.add(model.model->gear_output(piece.data, model.fit.parameters) - piece.data.load_Nm, piece.weight);
   }
   return rms.value();
+}
+
+/// Share of the scored samples within the bound that the training part has shown.
+double covered(const ModelResult& model, const std::vector<FitPiece>& test) {
+  Eigen::VectorXd residual;
+  FitProblem(*model.model, test).evaluate(model.fit.parameters, residual, nullptr);
+  return static_cast<double>((residual.array().abs() <= model.validation.prediction_bound).count()) /
+         static_cast<double>(residual.size());
 }
 
 /// The better of two: link torque counts where it is known.
@@ -113,6 +122,7 @@ constexpr KnownJoint kKnown[] = {
     {"ur10e joint 1", 0.9940}, {"ur10e joint 2", 0.9986}, {"ur10e joint 5", 0.9860}};
 
 constexpr double kMostLinkRms_Nm = 3.6;
+constexpr double kLeastCovered = 93.0, kMostCovered = 97.0;  // %
 constexpr double kMostParameters = 14.0, kMostWithLoad = 8.0;
 /// The tool's choice may not be further than this behind the plain Stribeck fit.
 constexpr double kBehindStribeck = 0.0005;
@@ -165,7 +175,8 @@ RecordingResult result_of(const Recording& recording) {
   for (std::size_t i = 0; i < joint.models.size(); ++i) {
     const ModelResult& model = joint.models[i];
     out.models.push_back({model.model->name(), model.free_parameters, model.held_out.r2, model.held_out.rms,
-                          link_rms_Nm(model, joint.test), i == joint.chosen});
+                          link_rms_Nm(model, joint.test), i == joint.chosen,
+                          model.validation.prediction_bound, covered(model, joint.test)});
   }
   return out;
 }
@@ -209,6 +220,8 @@ std::vector<ReportRow> rows_of(const RecordingResult& result) {
   const auto add = [&](const std::string& name, const char* unit, double value, const Bounds& bounds = {}) {
     out.push_back(row(prefix + name, unit, value, bounds));
   };
+  add("prediction_bound", result.unit.c_str(), result.chosen().prediction_bound);
+  add("prediction_covered", "%", 100.0 * result.chosen().covered, between(kLeastCovered, kMostCovered));
   add("parameters", "", static_cast<double>(result.chosen().parameters),
       at_most(link ? kMostWithLoad : kMostParameters));
   for (const ModelScore& model : result.models) {

@@ -17,6 +17,9 @@ struct ModelScore {
   double link_rms_Nm = 0.0;  ///< gear output torque from current and motion against the known load; NaN where
                              ///< none is known
   bool chosen = false;       ///< by the tool, on the training part alone
+  double prediction_bound = 0.0;  ///< half-width at 95 %, of the training part's blocks when left out; unit
+                                  ///< of rms
+  double covered = 0.0;           ///< share of the scored samples within
 };
 
 struct RecordingResult {
@@ -51,8 +54,9 @@ std::vector<RecordingResult> results_of(const std::string& folder);
 
 /// For each recording: estimator.<name>.r2 of the measured current, or estimator.<name>.rms of the link's
 /// torque where that is known; <name>.parameters; <name>.coulomb and <name>.stribeck, the same of Coulomb's
-/// and of the plain Stribeck model, and how far ahead of that the tool's choice is. Bounds are those of the
-/// joints that are known; at most 14 parameters, 8 for LARA8.
+/// and of the plain Stribeck model, and how far ahead of that the tool's choice is; <name>.prediction_bound
+/// and the share of the scored samples within it. Bounds are those of the joints that are known; at most 14
+/// parameters, 8 for LARA8.
 std::vector<ReportRow> rows_of(const RecordingResult& result);
 
 /// estimator.lara8_footprint.without and .with: RMS of torsion as a torque sensor, blocks of half a second by

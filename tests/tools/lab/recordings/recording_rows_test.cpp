@@ -56,6 +56,20 @@ TEST(RecordingRows, WhereTheLoadIsKnownTheLinksTorqueIsScored) {
   EXPECT_EQ(recording_rows_row(rows, "estimator.lara8_joint_3.stribeck").value, 7.1);
 }
 
+TEST(RecordingRows, PredictionBoundsShallHoldWhatTheyPromise) {
+  RecordingResult result = joint("ur10e joint 1", 0.9965);
+  result.models.back().prediction_bound = 0.3;
+  result.models.back().covered = 0.95;
+  const auto covered = [&] {
+    return recording_rows_row(rows_of(result), "estimator.ur10e_joint_1.prediction_covered");
+  };
+  EXPECT_EQ(covered().value, 95.0);
+  EXPECT_TRUE(covered().ok());
+  result.models.back().covered = 0.98;
+  EXPECT_FALSE(covered().ok()) << "wider than they need be";
+  EXPECT_EQ(recording_rows_row(rows_of(result), "estimator.ur10e_joint_1.prediction_bound").unit, "A");
+}
+
 TEST(RecordingRows, FootprintWithAndWithout) {
   const auto rows = rows_of(FootprintScore{42.0, 6.0});
   EXPECT_EQ(recording_rows_row(rows, "estimator.lara8_footprint.without").value, 42.0);
