@@ -248,6 +248,8 @@ class SwingingArm {
     q << position_rad;
     FrictionInput motion;
     motion.velocity_rad_s = kSpeed_rad_s;
+    motion.sign = 1.0;
+    motion.gear_output_torque_Nm = arm_->gravity_torque_Nm(q)[0];
     const ActuatorConfig& motor = robot_.actuators[0];
     const double torque_Nm = arm_->gravity_torque_Nm(q)[0] + 1.0 +
                              friction_torque_Nm(robot_.joints[0].estimated_friction(), motion);

@@ -131,11 +131,16 @@ class DragRun {
   std::int64_t readings_ = 0;
 };
 
-void add_rows(const DragScore& score, const std::string& prefix, std::vector<ReportRow>& rows) {
-  const auto add = [&](const char* quantity, const char* unit, double value) {
-    rows.push_back(row(prefix + quantity, unit, value));
+/// Moved by its motor against a hand: what friction owes to the load shows there most.
+constexpr const char* kAgainstHand = "moved_against_hand";
+constexpr double kMostAgainstHand_Nm = 2.5;
+
+void add_rows(const DragScore& score, const std::string& prefix, const Bounds& rms_Nm,
+              std::vector<ReportRow>& rows) {
+  const auto add = [&](const char* quantity, const char* unit, double value, const Bounds& bounds = {}) {
+    rows.push_back(row(prefix + quantity, unit, value, bounds));
   };
-  add("rms", "Nm", score.rms_Nm);
+  add("rms", "Nm", score.rms_Nm, rms_Nm);
   add("max", "Nm", score.max_Nm);
   add("coverage", "", score.coverage);
   add("half_width", "Nm", score.half_width_Nm);
@@ -182,8 +187,9 @@ RobotConfig with_swept_friction(const RobotConfig& robot, const std::string& pre
 std::vector<ReportRow> drag_rows(const DragResult& result, const std::string& prefix) {
   std::vector<ReportRow> out;
   for (const DragPhaseResult& phase : result.phases)
-    add_rows(phase.score, prefix + "." + phase.name + ".", out);
-  add_rows(result.all, prefix + ".all.", out);
+    add_rows(phase.score, prefix + "." + phase.name + ".",
+             demanded(phase.name == kAgainstHand, at_most(kMostAgainstHand_Nm)), out);
+  add_rows(result.all, prefix + ".all.", {}, out);
   return out;
 }
 
