@@ -72,6 +72,7 @@ PushOutcome push_once(const RobotConfig& robot, const PushTask& task, const Push
     if (walker.upright()) ++out.survived;
   }
   out.vitals = walker.vitals();
+  out.reserve = walker.reserve().least;
   out.simulated_s = walker.simulated_s();
   return out;
 }
@@ -115,13 +116,17 @@ std::vector<ReportRow> push_rows(const std::vector<PushCase>& cases,
     rows.push_back(
         row("push." + c.name + ".survived_foreaft", "N s", survived_impulse_Ns(c, outcomes, false)));
     int uncaught = 0, trips = 0;
+    double reserve = kNaN;
     for (const PushOutcome& o : outcomes) {
       if (o.name != c.name) continue;
+      if (o.stayed_up()) reserve = std::fmin(reserve, o.reserve);
       uncaught += o.vitals.fell && !o.vitals.caught ? 1 : 0;
       trips += o.vitals.trips;
     }
     rows.push_back(row("push." + c.name + ".uncaught_falls", "", uncaught, at_most(0.0)));
     rows.push_back(row("push." + c.name + ".trips", "", trips, at_most(0.0)));
+    if (std::isfinite(reserve))
+      rows.push_back(row("push." + c.name + ".voltage_reserve", "%", 100.0 * reserve));
   }
   return rows;
 }

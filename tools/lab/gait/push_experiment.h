@@ -40,6 +40,7 @@ struct PushOutcome {
   int survived = 0;  ///< pushes, of the case's phases, one after the other on the same robot
   double tilt_most_rad = 0.0;
   WalkVitals vitals;
+  double reserve = kNaN;  ///< VoltageReserve, least
   double simulated_s = 0.0;
 
   bool stayed_up() const noexcept { return !vitals.fell && vitals.trips == 0; }

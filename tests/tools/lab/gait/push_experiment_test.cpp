@@ -51,6 +51,16 @@ TEST(PushRows, ATripIsNoSurvival) {
   EXPECT_FALSE(push_experiment_row(push_rows({kCase}, outcomes), "stand.trips").ok());
 }
 
+TEST(PushRows, TheVoltageReserveIsThatOfWhoStayedUp) {
+  std::vector<PushOutcome> outcomes{outcome(10, PushDirection::kLeft, false),
+                                    outcome(20, PushDirection::kLeft, true)};
+  outcomes[0].reserve = 0.05;
+  outcomes[1].reserve = -0.4;
+  EXPECT_NEAR(push_experiment_row(push_rows({kCase}, outcomes), "stand.voltage_reserve").value, 5.0, 1e-9);
+  EXPECT_FALSE(push_experiment_row(push_rows({kCase}, outcomes), "stand.voltage_reserve").low)
+      << "reported alone";
+}
+
 TEST(PushRows, AFallMustBeCaught) {
   std::vector<PushOutcome> outcomes{outcome(30, PushDirection::kLeft, true)};
   EXPECT_TRUE(push_experiment_row(push_rows({kCase}, outcomes), "stand.uncaught_falls").ok());
