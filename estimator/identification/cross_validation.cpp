@@ -4,8 +4,10 @@
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 #include "estimator/identification/fit_statistics.h"
+#include "signals/quantile.h"
 
 namespace sprung::identification {
 
@@ -47,15 +49,6 @@ Eigen::VectorXd left_out_residual(const FitModel& model, const Fold& fold, const
   Eigen::VectorXd residual;
   FitProblem(model, fold.left_out).evaluate(found.parameters, residual, nullptr);
   return residual;
-}
-
-/// @param sizes not empty.
-double quantile_95(std::vector<double> sizes) {
-  const auto place = std::min(sizes.size() - 1,
-                              static_cast<std::size_t>(0.95 * static_cast<double>(sizes.size())));
-  const auto nth = sizes.begin() + static_cast<std::ptrdiff_t>(place);
-  std::nth_element(sizes.begin(), nth, sizes.end());
-  return *nth;
 }
 
 double mean(const std::vector<double>& values) {
@@ -125,7 +118,7 @@ CrossValidation cross_validate(const FitModel& model, const std::vector<FitPiece
     out.mean_square.push_back(residual.squaredNorm() / static_cast<double>(residual.size()) / variance);
     for (const double one_residual : residual) sizes.push_back(std::abs(one_residual));
   }
-  out.prediction_bound = quantile_95(std::move(sizes));
+  out.prediction_bound = quantile(std::move(sizes), 0.95);
   return out;
 }
 

@@ -10,8 +10,8 @@
 #include "lcmtypes/channels.h"
 #include "runtime/message_key.h"
 #include "runtime/receive_guard.h"
+#include "signals/quantile.h"
 #include "tools/lab/bench/stopwatch.h"
-#include "tools/lab/run/quantile.h"
 #include "tools/logs/log/reader.h"
 
 namespace sprung {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "tools/lab/run/quantile.h"
+#include "signals/quantile.h"
 
 namespace sprung::campaign {
 namespace {

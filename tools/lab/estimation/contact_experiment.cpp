@@ -5,11 +5,11 @@
 #include <stdexcept>
 #include <utility>
 
+#include "signals/quantile.h"
 #include "simulation/in_process/inprocess_robot.h"
 #include "tools/lab/estimation/stepping_leg.h"
 #include "tools/lab/gait/legged_trial.h"
 #include "tools/lab/jump/jump_experiment.h"
-#include "tools/lab/run/quantile.h"
 #include "tools/lab/run/scripted_run.h"
 
 namespace sprung {

@@ -11,7 +11,7 @@
 #include "tools/lab/estimation/estimator_ensemble.h"
 #include "tools/lab/estimation/estimator_rows.h"
 #include "tools/lab/friction/friction_sweep.h"
-#include "tools/lab/gait/legged_trial.h"
+#include "tools/lab/gait/walk_experiment.h"
 #include "tools/lab/recordings/recording_rows.h"
 
 namespace sprung {
@@ -37,15 +37,18 @@ void add_contact_rows(const RobotConfig& robot, const EstimatorRequest& request,
   append(part, contact_rows(run_contacts(robot, contact)));
 }
 
-/// Of a gait's fastest, as in `walk`: pegasus trots at 0.35 and crawls at 0.1 m/s.
-constexpr double kScoredTrot = 7.0 / 9.0, kScoredCrawl = 5.0 / 6.0;
+double speed_in_walk(const RobotConfig& robot, const std::string& gait) {
+  for (const GaitCase& one : gait_cases(robot))
+    if (one.name == gait) return one.speed_m_s;
+  throw std::invalid_argument("'" + gait + "' is no case of walk");
+}
 
-/// Three plants that differ in their noise, at walking speed.
+/// Three plants that differ in their noise, at the speeds of `walk`.
 void add_walking_contact_rows(const RobotConfig& robot, const EstimatorRequest& request,
                               ExperimentOutput& part) {
   constexpr std::uint64_t kSeeds = 3;
-  for (const auto& [gait, share] : {std::pair{"trot", kScoredTrot}, std::pair{"crawl", kScoredCrawl}}) {
-    const double forward_m_s = share * robot.gaits[gait_index(robot, gait)].fastest_forward_m_s;
+  for (const std::string gait : {"trot", "crawl"}) {
+    const double forward_m_s = speed_in_walk(robot, gait);
     std::vector<ContactStep> steps;
     for (std::uint64_t i = 0; i < kSeeds; ++i) {
       SimOptions sim = request.sim;

@@ -73,7 +73,7 @@ const char* row_name(const WalkControl& control) {
   return "adaptive";
 }
 
-/// RMS in swing of one control over another's; NaN where either did not arrive.
+/// RMS in swing of one control over another's; NaN where it did not arrive, or the other one never swung.
 double swing_ratio(const ControlOutcome& of, const ControlOutcome& over) {
   const bool arrived = !of.vitals.fell && of.vitals.trips == 0;
   return arrived ? of.swing_rms_m / over.swing_rms_m : kNaN;

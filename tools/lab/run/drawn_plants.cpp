@@ -4,9 +4,9 @@
 #include <cmath>
 #include <exception>
 
+#include "signals/quantile.h"
 #include "simulation/plant/plant_draw.h"
 #include "tools/common/parallel.h"
-#include "tools/lab/run/quantile.h"
 
 namespace sprung {
 namespace {

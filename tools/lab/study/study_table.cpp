@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "robots/overlay.h"
+#include "signals/quantile.h"
 #include "tools/common/csv_cell.h"
-#include "tools/lab/run/quantile.h"
 
 namespace sprung {
 namespace {

@@ -1,4 +1,4 @@
-#include "tools/lab/run/quantile.h"
+#include "signals/quantile.h"
 
 #include <gtest/gtest.h>
 
