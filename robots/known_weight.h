@@ -6,8 +6,8 @@
 namespace sprung {
 
 /// One that loads the joint with a fifth of what its actuator gives at most: well beyond friction, and it
-/// leaves enough for the swings. In half kilograms, as weights are to be had, and one at least. 0: the joint
-/// turns no link that could bear it.
+/// leaves enough for the swings. In half kilograms, as weights are to be had; half a kilogram at least,
+/// whatever the actuator. 0: the joint turns no link that could bear it.
 double known_weight_kg(const RobotConfig& robot, int joint);
 
 }  // namespace sprung

@@ -204,6 +204,9 @@ ActuatorConfig read_actuator(const YamlMap& map, const RobotConfig& robot) {
   a.offset_rad = map.quantity("offset", "rad", -100, 100);
   a.referenced = map.flag("referenced");
   if (map.has("referenced_on")) a.referenced_on = read_date(map, "referenced_on");
+  if (!a.referenced && !a.referenced_on.empty())
+    map.fail("referenced_on",
+             "is of a zero that stands here, and `referenced` is false; remove one of the two");
   a.torque_limit_Nm = map.quantity("torque_limit", "Nm", 0.01, 2000);
   a.speed_limit_rad_s = map.quantity("speed_limit", "rad/s", 0.01, 200);
   a.power_limit_W = map.quantity_or("power_limit", "W", 1, 1e5, 0.0);

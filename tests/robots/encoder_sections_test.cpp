@@ -215,6 +215,11 @@ TEST_F(ChangedPegasus, AnIncrementalEncoderCannotBeReferencedByFile) {
       AllOf(HasSubstr("actuators[0].referenced'"), HasSubstr("say false here"), HasSubstr("sprung home")));
 }
 
+TEST_F(ChangedPegasus, ADateWithoutAZeroOfTheFileIsRefused) {
+  EXPECT_THAT(complaint("referenced: false", "referenced_on: 2026-11-21, referenced: false"),
+              AllOf(HasSubstr("referenced_on"), HasSubstr("`referenced` is false")));
+}
+
 TEST_F(ChangedPegasus, MethodLinkNeedsALinkEncoder) {
   EXPECT_THAT(
       typed_out_complaint("    link_encoder: {counts: 1048576, direction: -1, card: fl_card, channel: 0, "

@@ -45,8 +45,10 @@ void Launcher::name_twice(const sprung_msgs::process_status_t& status) {
 
 /// Each once: what is identified is of another day than this one, and no fault of the run.
 void Launcher::name_misfit(const sprung_msgs::process_status_t& status) {
-  if (status.detail.find(kMisfitNote) == std::string::npos || !named_.insert(status.detail).second) return;
-  say("note: " + status.detail + "; sprung status names the recordings to repeat");
+  const std::size_t begin = status.detail.find(kMisfitNote);  // behind what else the detail says
+  if (begin == std::string::npos) return;
+  const std::string note = status.detail.substr(begin);
+  if (named_.insert(note).second) say("note: " + note + "; sprung status names the recordings to repeat");
 }
 
 void Launcher::read_statuses() {
