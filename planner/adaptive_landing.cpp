@@ -13,6 +13,7 @@ constexpr double kAirForce_s = 0.02;              // in which the force felt in 
 constexpr double kRisenShare = 0.25;              // of the bound, that may change faster than that
 constexpr double kHardShare = 2.0;                // of the bound, for contact where none is expected yet
 constexpr double kMostForce_N = 300.0;            // that is believed
+constexpr double kVagueForce_N = 100.0;           // of a bound with which a landing's force tells nothing
 constexpr double kMostAcceleration_m_s2 = 100.0;  // added to the planned
 
 bool pushed(const EstimatedLeg& leg, const Vec3& none_N, double bound_share) noexcept {
@@ -31,9 +32,13 @@ StiffnessConfig stiffness(const LandingGains& gains) noexcept {
   return out;
 }
 
-/// 0 where it is not known.
-double believed_N(double force_N, double least_N) noexcept {
-  return std::isfinite(force_N) ? std::clamp(force_N, least_N, kMostForce_N) : 0.0;
+/// Between what is planned and what is measured, as far as its bound lets that be told from the plan. A law
+/// of friction that is another gear's is 300 N off: whoever believed that would let the leg fold.
+double believed_N(double planned_N, double measured_N, double bound_N, double least_N) noexcept {
+  if (!std::isfinite(measured_N) || !std::isfinite(bound_N)) return planned_N;
+  const double ratio = bound_N / kVagueForce_N;
+  const double share = 1.0 / (1.0 + ratio * ratio);
+  return planned_N + share * (std::clamp(measured_N, least_N, kMostForce_N) - planned_N);
 }
 
 }  // namespace
@@ -110,6 +115,7 @@ bool AdaptiveLanding::touched(const AdaptiveLandingInput& in) const noexcept {
   const double over_ground_m = fall_.hip_height_m() + in.measured.estimated_foot_in_hip_m[2];
   const bool near = over_ground_m < config_.timing_s * std::max(0.0, -fall_.hip_velocity_m_s());
   if (!near) return pushed_hard_s_ >= kLongPush_s;
+  if (measured_.foot_force_bound_N[2] > kVagueForce_N && over_ground_m <= 0.0) return true;
   return pushed_s_ >= kSurePush_s || risen_s_ >= kSurePush_s;
 }
 
@@ -164,8 +170,10 @@ void AdaptiveLanding::ground(AdaptiveLandingOutput& out) const noexcept {
   out.friction_compensation = config_.ground_friction_compensation;
   const double planned_N = force_rise() * config_.body_mass_kg * (kGravity_m_s2 - foot_.acceleration_m_s2[2]);
   const double share = std::max(0.0, 1.0 - ground_s_ / std::max(config_.mass_s, 1e-6));
-  const double x_N = believed_N(measured_.foot_force_N[0], -kMostForce_N);
-  const double z_N = believed_N(measured_.foot_force_N[2], 0.0);
+  const Vec3& felt_N = measured_.foot_force_N;
+  const Vec3& bound_N = measured_.foot_force_bound_N;
+  const double x_N = believed_N(0.0, felt_N[0], bound_N[0], -kMostForce_N);
+  const double z_N = believed_N(planned_N, felt_N[2], bound_N[2], 0.0);
   move_as_mass(0, config_.ground.mass_x_kg, x_N, share, out);
   move_as_mass(2, config_.ground.mass_z_kg, z_N - planned_N, share, out);
   const double measured_share = config_.ground.mass_z_kg > 0.0 ? share : 0.0;

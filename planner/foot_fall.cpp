@@ -18,6 +18,7 @@ void FootFall::begin(std::int64_t utime_us, const FootPoint& from,
   expected_ = expected;
   now_us_ = begun_us_ = utime_us;
   foot_ = from;
+  slow_m_s_ = std::min(config_.approach_m_s, config_.approach_share * expected.approach_speed_m_s);
   const double left_s = 1e-6 * static_cast<double>(expected_.utime_us - now_us_);
   const double duration_s = std::clamp(kStretchShare * left_s, 1e-3, config_.extension_s);
   const double from_m = -foot_.position_m[2];
@@ -55,7 +56,7 @@ void FootFall::stretch() noexcept {
   foot_ = stretched();
   approach_m_s_ = -(hip_velocity_m_s() + foot_.velocity_m_s[2]);
   const double way_m = std::max(0.0, hip_height_m() + foot_.position_m[2] - config_.early_m);
-  if (approach_m_s_ <= config_.approach_m_s || braking_way_m() < way_m) return;
+  if (approach_m_s_ <= slow_m_s_ || braking_way_m() < way_m) return;
   braking_ = true;
   braking_m_s2_ = 0.0;
 }
@@ -67,15 +68,15 @@ void FootFall::set_x(const FootPoint& like) noexcept {
 }
 
 double FootFall::braking_way_m() const noexcept {
-  const double excess_m_s = approach_m_s_ - config_.approach_m_s;
+  const double excess_m_s = approach_m_s_ - slow_m_s_;
   const double most_m_s2 = std::min(config_.braking_m_s2, std::sqrt(config_.braking_jerk_m_s3 * excess_m_s));
   const double takes_s = excess_m_s / most_m_s2 + most_m_s2 / config_.braking_jerk_m_s3;
-  return 0.5 * (approach_m_s_ + config_.approach_m_s) * takes_s;
+  return 0.5 * (approach_m_s_ + slow_m_s_) * takes_s;
 }
 
 void FootFall::brake(double dt_s) noexcept {
   set_x(stretched());
-  const double excess_m_s = std::max(0.0, approach_m_s_ - config_.approach_m_s);
+  const double excess_m_s = std::max(0.0, approach_m_s_ - slow_m_s_);
   const double ending_m_s2 = std::sqrt(2.0 * config_.braking_jerk_m_s3 * excess_m_s);
   const double step_m_s2 = config_.braking_jerk_m_s3 * dt_s;
   braking_m_s2_ = std::clamp(std::min(config_.braking_m_s2, ending_m_s2), braking_m_s2_ - step_m_s2,

@@ -30,7 +30,9 @@ class FootFall {
   const FootPoint& foot() const noexcept { return foot_; }  ///< hip axes
   bool braking() const noexcept { return braking_; }
   /// Whether it has its approach speed.
-  bool braked() const noexcept { return braking_ && approach_m_s_ <= config_.approach_m_s; }
+  bool braked() const noexcept { return braking_ && approach_m_s_ <= slow_m_s_; }
+  /// Over ground, once it has braked.
+  double slow_m_s() const noexcept { return slow_m_s_; }
   std::int64_t utime_us() const noexcept { return now_us_; }
   /// Of the hip over the expected ground, in free fall.
   double hip_height_m() const noexcept;
@@ -53,6 +55,7 @@ class FootFall {
   FootMove move_;  ///< of the stretch
   FootPoint foot_;
   bool braking_ = false;
+  double slow_m_s_ = 0.0;      ///< of the foot over ground, once it has braked
   double approach_m_s_ = 0.0;  ///< of the foot over ground, downward
   double braking_m_s2_ = 0.0;  ///< now
 };

@@ -21,7 +21,8 @@ struct AdaptiveLandingConfig {
   double foot_x_m = 0.0;                 ///< of the foot ahead of the hip at touchdown
   double braking_m_s2 = 0.0;             ///< of the foot over ground, before contact
   double braking_jerk_m_s3 = 0.0;        ///< with which braking begins and ends
-  double approach_m_s = 0.0;             ///< of the foot over ground once it has braked
+  double approach_share = 1.0;           ///< of the hip's speed at touchdown: the foot's once it has braked
+  double approach_m_s = 0.0;             ///< the same at most
   double early_m = 0.0;                  ///< above the expected ground where it has braked
   double fastest_m_s = 0.0;              ///< that the leg is drawn in before contact: its joints' speed limit
   double timing_s = 0.0;      ///< touchdown may come this much early; a push before must last longer to count

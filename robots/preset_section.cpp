@@ -92,6 +92,7 @@ AdaptiveLandingConfig read_adaptive_landing(const YamlMap& map) {
   out.braking_m_s2 = map.quantity("braking", "m/s^2", 0.1, 200);
   out.braking_jerk_m_s3 = map.quantity("braking_jerk", "m/s^3", 1, 1e6);
   out.approach_m_s = map.quantity("approach_speed", "m/s", 0, 5);
+  if (map.has("approach_share")) out.approach_share = map.quantity("approach_share", "", 0, 1);
   out.early_m = map.quantity("early", "m", -0.2, 0.2);
   out.fastest_m_s = map.quantity("fastest", "m/s", 0.1, 10);
   out.timing_s = map.quantity("timing", "s", 0, 1);

@@ -36,7 +36,20 @@ TEST_F(FootFallTest, HipFallsFreelyToItsLandingLength) {
 TEST_F(FootFallTest, BrakedFootGoesOnWithItsApproachSpeed) {
   until(kTouchdown_us);
   ASSERT_TRUE(fall_.braked());
-  EXPECT_NEAR(approach_m_s(), preset_.adaptive_landing.approach_m_s, 0.02);
+  EXPECT_NEAR(approach_m_s(), fall_.slow_m_s(), 0.02);
+}
+
+TEST_F(FootFallTest, ApproachSpeedIsAShareOfTheHipsSpeedAtTouchdownUpToItsLimit) {
+  AdaptiveLandingConfig config = preset_.adaptive_landing;
+  config.approach_share = 0.3;
+  const auto slow_m_s = [&](double limit_m_s) {
+    config.approach_m_s = limit_m_s;
+    FootFall fall(config, preset_.landing_length_m);
+    fall.begin(0, {}, {200'000, 2.0});
+    return fall.slow_m_s();
+  };
+  EXPECT_NEAR(slow_m_s(1.0), 0.6, 1e-12);
+  EXPECT_NEAR(slow_m_s(0.5), 0.5, 1e-12);
 }
 
 TEST_F(FootFallTest, SofterBrakingBeginsEarlierAndArrivesJustSo) {
@@ -55,8 +68,7 @@ TEST_F(FootFallTest, SofterBrakingBeginsEarlierAndArrivesJustSo) {
   }
   EXPECT_TRUE(soft.braked());
   EXPECT_NEAR(hardest_m_s2, 0.6 * preset_.adaptive_landing.braking_m_s2, 0.5);
-  EXPECT_NEAR(-(soft.hip_velocity_m_s() + soft.foot().velocity_m_s[2]), preset_.adaptive_landing.approach_m_s,
-              0.02);
+  EXPECT_NEAR(-(soft.hip_velocity_m_s() + soft.foot().velocity_m_s[2]), soft.slow_m_s(), 0.02);
 }
 
 TEST_F(FootFallTest, CopyTellsWhatIsToComeAndLeavesTheOriginal) {

@@ -57,7 +57,7 @@ TEST_F(ChangedLanding, LegThatIsToEndLongerThanItStretchesIsRefused) {
 }
 
 TEST_F(ChangedLanding, WrongUnitIsRefused) {
-  EXPECT_THAT(complaint("approach_speed: 0.74 m/s", "approach_speed: 0.74 m"), HasSubstr("approach_speed"));
+  EXPECT_THAT(complaint("approach_speed: 1.0 m/s", "approach_speed: 1.0 m"), HasSubstr("approach_speed"));
 }
 
 TEST_F(ChangedLanding, MissingKeyIsNamed) {
@@ -65,7 +65,7 @@ TEST_F(ChangedLanding, MissingKeyIsNamed) {
 }
 
 TEST_F(ChangedLanding, MassMustBeSaidInTheAirAndOnTheGround) {
-  EXPECT_THAT(complaint("        mass: {x: 12 kg, z: 10 kg}\n", ""),
+  EXPECT_THAT(complaint("        mass: {x: 12 kg, z: 7 kg}\n", ""),
               HasSubstr("adaptive_landing.ground.mass"));
   EXPECT_THAT(complaint("mass: {x: 0 kg, z: 12 kg}", "mass: {x: 0 kg, z: -1 kg}"), HasSubstr("air.mass.z"));
 }

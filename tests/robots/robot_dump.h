@@ -198,16 +198,16 @@ inline void dump_value(test::ValueDump& dump, const std::string& at, const Landi
 }
 
 inline void dump_value(test::ValueDump& dump, const std::string& at, const AdaptiveLandingConfig& value) {
-  const auto& [extended, extension, stretch, foot_x, braking, jerk, approach, early, fastest, timing,
+  const auto& [extended, extension, stretch, foot_x, braking, jerk, share, approach, early, fastest, timing,
                shortest, body_mass, rise, inertia, friction, ground_friction, measured, mass_s, air,
                ground] = value;
   dump.fields(
       at,
       "extended_length_m extension_s stretch_acceleration_m_s2 foot_x_m braking_m_s2 braking_jerk_m_s3 "
-      "approach_m_s early_m fastest_m_s timing_s shortest_m body_mass_kg force_rise_s "
+      "approach_share approach_m_s early_m fastest_m_s timing_s shortest_m body_mass_kg force_rise_s "
       "inertia_compensation friction_compensation ground_friction_compensation measured_force_share "
       "mass_s air ground",
-      extended, extension, stretch, foot_x, braking, jerk, approach, early, fastest, timing, shortest,
+      extended, extension, stretch, foot_x, braking, jerk, share, approach, early, fastest, timing, shortest,
       body_mass, rise, inertia, friction, ground_friction, measured, mass_s, air, ground);
 }
 

@@ -18,7 +18,10 @@ void nothing(const PresetConfig&, AdaptiveLandingConfig&) {}
 void stretching(const PresetConfig& preset, AdaptiveLandingConfig& landing) {
   landing.extended_length_m = preset.landing_length_m;
 }
-void braking(const PresetConfig&, AdaptiveLandingConfig& landing) { landing.approach_m_s = kNeverBraked_m_s; }
+void braking(const PresetConfig&, AdaptiveLandingConfig& landing) {
+  landing.approach_m_s = kNeverBraked_m_s;
+  landing.approach_share = 1.0;
+}
 void timing(const PresetConfig&, AdaptiveLandingConfig& landing) { landing.timing_s = kBelievedAnywhere_s; }
 void foot_place(const PresetConfig&, AdaptiveLandingConfig& landing) { landing.foot_x_m = 0.0; }
 void mass_in_air(const PresetConfig&, AdaptiveLandingConfig& landing) {
