@@ -42,6 +42,9 @@ constexpr double kMostStds = 4.0;
 constexpr double kWatchStds = 1.96;
 /// Of what was found, how far it may be off in another motion, one standard deviation.
 constexpr double kElsewhere = 0.2;
+/// Of viscous friction before anything was seen, how much there may be besides at each rad/s beyond the
+/// quickest motion that was seen: what is found at 0.4 rad/s says little of a push-off's 7.
+constexpr double kQuicker = 0.8;
 
 double square(double value) noexcept { return value * value; }
 
@@ -79,7 +82,7 @@ void ModelWatch::reset() noexcept {
   covariance_ = {};
   moment_ = worst_ = {};
   for (std::size_t i = 0; i < kTerms; ++i) covariance_[i][i] = square(prior_[i]);
-  seen_s_ = ratio_ = 0.0;
+  seen_s_ = ratio_ = quickest_rad_s_ = 0.0;
   reason_ = MisfitReason::kNone;
   doubted_ = foreign_;
   freeze();
@@ -181,6 +184,7 @@ void ModelWatch::age(double time_s) noexcept {
 void ModelWatch::take(const Bucket& bucket) noexcept {
   age(bucket.time_s);
   remember(bucket);
+  quickest_rad_s_ = std::max(quickest_rad_s_, std::abs(bucket.part[kViscous]));
   const double alike = std::max(1.0, 2.0 * kAlikeFor_s / bucket.time_s);
   Terms gain{};
   double total_Nm2 = alike * (bucket.noise_Nm2 + square(kRest_Nm));
@@ -250,7 +254,10 @@ ModelWatch::Missed ModelWatch::missed(const WatchedMotion& motion) const noexcep
   Terms part = parts(motion);
   const double without_load_Nm = missed_of(part, motion.adapted_Nm).torque_Nm - found_[kLoad] * part[kLoad];
   part[kLoad] = std::abs(motion.output_torque_Nm - without_load_Nm) * motion.sign;
-  return missed_of(part, motion.adapted_Nm);
+  Missed out = missed_of(part, motion.adapted_Nm);
+  const double quicker_rad_s = std::max(0.0, std::abs(motion.velocity_rad_s) - quickest_rad_s_);
+  out.std_Nm = std::hypot(out.std_Nm, kQuicker * prior_[kViscous] * quicker_rad_s);
+  return out;
 }
 
 ModelWatch::Missed ModelWatch::missed_if_free(const WatchedMotion& motion) const noexcept {

@@ -119,9 +119,10 @@ class ModelWatch {
   Terms prior_{};  ///< one standard deviation of each
   Terms found_{};
   Matrix covariance_{};
-  Moment moment_{};      ///< of late
-  Moment worst_{};       ///< in which the misfit showed most
-  double seen_s_ = 0.0;  ///< of motion, counted to the length of the window; since a doubt
+  Moment moment_{};              ///< of late
+  Moment worst_{};               ///< in which the misfit showed most
+  double quickest_rad_s_ = 0.0;  ///< that was seen
+  double seen_s_ = 0.0;          ///< of motion, counted to the length of the window; since a doubt
   Bucket filling_{};
   static constexpr std::size_t kWaiting = 5;
   std::array<Bucket, kWaiting> waiting_{};  ///< ring

@@ -50,7 +50,7 @@ double TorqueScore::covered() const { return mean(covered_); }
 double TorqueScore::mean_bound_Nm() const { return mean(bounds_Nm_); }
 
 JumpWindow::Part JumpWindow::add(const MotionState& motion, const SimTruth& truth) {
-  const std::int64_t now_us = truth.stamp.utime_us;
+  const std::int64_t now_us = now_us_ = truth.stamp.utime_us;
   const bool thrust_begins = motion.state == MotionPhase::kThrust && last_phase_ != MotionPhase::kThrust;
   const bool on_ground = ground_force_N(truth) > kOnGround_N;
   last_phase_ = motion.state;

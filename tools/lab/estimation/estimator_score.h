@@ -41,6 +41,8 @@ class JumpWindow {
 
   /// Of this cycle; cycles in order.
   Part add(const MotionState& motion, const SimTruth& truth);
+  /// In flight or landing, for how long.
+  double since_s() const { return 1e-6 * static_cast<double>(now_us_ - since_us_); }
   /// A jump has begun and was followed to the end of its landing.
   bool complete() const { return complete_; }
 
@@ -48,6 +50,7 @@ class JumpWindow {
   Part part_ = Part::kOther;
   MotionPhase last_phase_ = MotionPhase::kIdle;
   std::int64_t since_us_ = 0;
+  std::int64_t now_us_ = 0;
   bool complete_ = false;
 };
 

@@ -78,7 +78,9 @@ TEST_F(JumpWindowTest, GoesFromThrustToTheEndOfTheLanding) {
   EXPECT_EQ(at(90, MotionPhase::kThrust, 300.0), Part::kPushOff);
   EXPECT_EQ(at(100, MotionPhase::kThrust, 0.0), Part::kFlight);
   EXPECT_EQ(at(500, MotionPhase::kFlight, 20.0), Part::kLanding);
+  EXPECT_EQ(window_.since_s(), 0.0);
   EXPECT_EQ(at(650, MotionPhase::kLanding, 60.0), Part::kLanding);
+  EXPECT_NEAR(window_.since_s(), 0.15, 1e-12);
   EXPECT_FALSE(window_.complete());
   EXPECT_EQ(at(651, MotionPhase::kLanding, 60.0), Part::kOther);
   EXPECT_TRUE(window_.complete());
