@@ -1,10 +1,10 @@
 #include "tools/station/scene/logged_scene.h"
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "robots/overlay.h"
 #include "robots/robot_loader.h"
 #include "tools/station/scene/scene.h"
 
@@ -17,6 +17,16 @@ std::string file_text(const std::string& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+/// As they are drawn. A robot.yaml may differ in much besides: an overlay's numbers, another bus.
+bool same_lengths(const RobotConfig& a, const RobotConfig& b) {
+  const auto same_link = [](const LinkConfig& x, const LinkConfig& y) { return x.length_m == y.length_m; };
+  const auto same_leg = [&](const LegConfig& x, const LegConfig& y) {
+    return x.hip_in_trunk_m == y.hip_in_trunk_m && x.foot_radius_m == y.foot_radius_m &&
+           std::equal(x.links.begin(), x.links.end(), y.links.begin(), y.links.end(), same_link);
+  };
+  return std::equal(a.legs.begin(), a.legs.end(), b.legs.begin(), b.legs.end(), same_leg);
+}
+
 }  // namespace
 
 LoggedScene scene_of_log(RobotConfig robot, const std::optional<sprung_msgs::log_metadata_t>& metadata) {
@@ -24,10 +34,9 @@ LoggedScene scene_of_log(RobotConfig robot, const std::optional<sprung_msgs::log
   try {
     if (robot.folder.empty()) {
       robot.folder = robot_folder(robot.name);
-      if (metadata && robot_text(robot.folder) != metadata->robot_yaml) {
+      if (metadata && !same_lengths(robot, load_robot(robot.folder)))
         found.note = "The shapes are those of " + robot.folder +
-                     "/model.xml, whose robot.yaml is another than this log's: lengths may differ.";
-      }
+                     "/model.xml, whose robot.yaml has other lengths than this log's.";
     }
     found.scene = std::make_shared<nlohmann::json>(make_scene(robot, metadata ? metadata->preset : ""));
     found.model_xml = file_text(robot.folder + "/model.xml");

@@ -28,11 +28,16 @@ TEST(LoggedScene, IsThatOfTheInstalledModel) {
   EXPECT_THAT(found.model_xml, HasSubstr("<mujoco model=\"single_leg\">"));
 }
 
-TEST(LoggedScene, OfAChangedFileComesWithANote) {
+TEST(LoggedScene, OfAFileWithOtherNumbersThanLengthsComesWithoutANote) {
+  const std::string yaml = log::robot_yaml("single_leg", "landing_hold: 0.3 s", "landing_hold: 0.4 s");
+  EXPECT_EQ(scene_of_log(read_robot_text(yaml, "log"), metadata_of(yaml)).note, "");
+}
+
+TEST(LoggedScene, OfAFileWithOtherLengthsComesWithANote) {
   const std::string yaml = log::robot_yaml("single_leg", "0.260 m", "0.261 m");
   const LoggedScene found = scene_of_log(read_robot_text(yaml, "log"), metadata_of(yaml));
   EXPECT_TRUE(found.scene);
-  EXPECT_THAT(found.note, HasSubstr("lengths may differ"));
+  EXPECT_THAT(found.note, HasSubstr("other lengths than this log's"));
 }
 
 TEST(LoggedScene, OfARobotWhoseJointsTheModelDoesNotHaveIsNone) {
