@@ -18,6 +18,7 @@
 /// that hangs where it should.
 ///     k f = h k f_rest + (1 - h) min(k, 1 - u) f_motion,  h = exp(-(w / w_rest)^2)
 ///     w_rest = 0: k f_motion, the papers' law
+/// What a joint that stays stuck adds to k at rest: stuck_friction.h.
 /// u is friction's relative uncertainty. What is compensated beyond the true friction drives a motion on (at
 /// 0.8 of the friction a foot with k = 0.97 never came to rest), so in motion no more is than there surely
 /// is. At rest the spring's sign drives toward the target alone.
@@ -61,6 +62,14 @@ struct JointCompensation {
   RestFrictionConfig rest{};
   std::vector<double> friction_uncertainty{};  ///< u, relative, one standard deviation; empty: 0
   std::vector<double> armature_kg_m2{};        ///< empty: inertia is not compensated
+  std::vector<double> stuck_share{};           ///< beside k, at rest (stuck_friction.h); empty: none
+};
+
+/// Of the joints of one leg.
+struct ComplianceTorque {
+  JointVector torque_Nm;         ///< that the gears are to put out, and their friction
+  JointVector spring_torque_Nm;  ///< tau_k
+  JointVector rest_friction_Nm;  ///< that the law says a joint at rest has, >= 0
 };
 
 /// What a leg whose foot is led takes that nothing touches: inverse dynamics of its links, and of rotors and
@@ -70,8 +79,8 @@ JointVector led_torque_Nm(const LegKinematics& kinematics, const PosedLeg& at, c
                           const FootMotion& foot, const LegMotion& leg,
                           const JointCompensation& joints) noexcept;
 
-JointVector compliance_torque_Nm(const LegKinematics& kinematics, const DesiredLeg& desired,
-                                 const FootMotion& foot, const LegMotion& leg,
-                                 const JointCompensation& joints) noexcept;
+ComplianceTorque compliance_torque(const LegKinematics& kinematics, const DesiredLeg& desired,
+                                   const FootMotion& foot, const LegMotion& leg,
+                                   const JointCompensation& joints) noexcept;
 
 }  // namespace sprung

@@ -26,6 +26,7 @@ JointCompensation compensation(const std::vector<JointConfig>& joints, const Pre
     out.friction.push_back(paper ? joint.papers_friction() : joint.estimated_friction());
     out.friction_uncertainty.push_back(joint.friction ? joint.uncertainty.friction : 0.0);
     out.armature_kg_m2.push_back(joint.armature_kg_m2);
+    out.stuck_share.push_back(0.0);
   }
   return out;
 }
@@ -49,6 +50,7 @@ LegController::LegController(const RobotConfig& robot, const LegConfig& leg, con
       learns_friction_(preset.compensated_friction == CompensatedFriction::kIdentified),
       blend_(actuators_),
       gains_(preset.stiffness_ramp_s),
+      stuck_(joints_.size(), StuckFriction(preset.rest_friction)),
       limiters_(actuators_.begin(), actuators_.end()),
       windows_(actuators_.begin(), actuators_.end()) {
   const int n = transmission_.size();
@@ -221,9 +223,12 @@ LegOutcome LegController::compliance(const DesiredLeg& desired, const FootMotion
   fade_.advance(dt_s);
   DesiredLeg acting = desired;
   if (entering_) gains_.start(desired);
+  if (entering_ || !all_enabled_) forget_stuck();
   gains_.advance(dt_s, acting);
-  JointVector torque = compliance_torque_Nm(*kinematics_, acting, foot, measured_, compensation_);
+  const ComplianceTorque law = compliance_torque(*kinematics_, acting, foot, measured_, compensation_);
+  JointVector torque = law.torque_Nm;
   if (!torque.allFinite()) return LegOutcome::kNotFinite;
+  learn_stuck(acting, law, dt_s);
   add_soft_stops(torque);
   if (entering_) enter_compliance(torque, dt_s);
   torque += fade_.share() * offset_Nm_;
@@ -236,6 +241,23 @@ LegOutcome LegController::compliance(const DesiredLeg& desired, const FootMotion
     command(out, i).commanded_torque_Nm = limiter.limit(actuator_Nm[i], actuator_rad_s[i], dt_s, counts_);
   }
   return LegOutcome::kOk;
+}
+
+void LegController::forget_stuck() noexcept {
+  for (std::size_t j = 0; j < stuck_.size(); ++j) {
+    stuck_[j].reset();
+    compensation_.stuck_share[j] = 0.0;
+  }
+}
+
+void LegController::learn_stuck(const DesiredLeg& acting, const ComplianceTorque& law, double dt_s) noexcept {
+  for (std::size_t j = 0; j < stuck_.size(); ++j) {
+    const auto i = static_cast<Eigen::Index>(j);
+    stuck_[j].step({measured_.velocity_rad_s[i], law.spring_torque_Nm[i], law.rest_friction_Nm[i],
+                    acting.friction_compensation},
+                   dt_s);
+    compensation_.stuck_share[j] = stuck_[j].share();
+  }
 }
 
 void LegController::add_soft_stops(JointVector& torque_Nm) noexcept {

@@ -23,6 +23,7 @@
 #include "controller/gain_ramp.h"
 #include "controller/position_window.h"
 #include "controller/set_point_blend.h"
+#include "controller/stuck_friction.h"
 #include "controller/torque_limits.h"
 #include "model/transmission.h"
 #include "signals/drive_command.h"
@@ -64,6 +65,8 @@ class LegController {
   LegOutcome compliance(const DesiredLeg& desired, const FootMotion& foot, double dt_s,
                         DriveCommand& out) noexcept;
   void send(const SetPoints& actuators, double dt_s, DriveCommand& out) noexcept;
+  void forget_stuck() noexcept;
+  void learn_stuck(const DesiredLeg& acting, const ComplianceTorque& law, double dt_s) noexcept;
   void enter_position(const SetPoints& desired, double dt_s) noexcept;
   void enter_compliance(const JointVector& law_Nm, double dt_s) noexcept;
   void add_soft_stops(JointVector& torque_Nm) noexcept;
@@ -92,6 +95,7 @@ class LegController {
   Fade fade_;              ///< compliance
   JointVector offset_Nm_;  ///< what fades in compliance
   GainRamp gains_;
+  std::vector<StuckFriction> stuck_;      ///< compliance
   JointVector lowest_rad_, highest_rad_;  ///< position mode: between them each joint's set-point may be
   LegMotion measured_;
   JointVector motor_torque_Nm_;          ///< of this step, as measured

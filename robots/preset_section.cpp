@@ -56,6 +56,7 @@ void read_compliance(const YamlMap& map, PresetConfig& p) {
     const YamlMap rest = map.map("rest_friction");
     p.rest_friction.speed_rad_s = rest.quantity("speed", "rad/s", 1e-4, 10);
     p.rest_friction.torque_Nm = rest.quantity("torque", "Nm", 1e-3, 100);
+    if (rest.has("most")) p.rest_friction.most = rest.quantity("most", "", 0, 1);
     rest.finish();
   }
   if (map.has("compliance")) p.compliance = read_stiffness(map.map("compliance"));

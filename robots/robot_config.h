@@ -210,6 +210,8 @@ struct JumpCurveConfig {
 struct RestFrictionConfig {
   double speed_rad_s = 0.0;  ///< share of the rest law: exp(-(w / this)^2)
   double torque_Nm = 0.1;    ///< its smooth sign: tanh(spring's torque / this)
+  double
+      most = 0.0;  ///< share of friction that a joint which stays stuck may add (controller/stuck_friction.h)
 };
 
 /// Everything that differs between `paper` and `best`.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -31,7 +32,9 @@ class ComplianceLawTest : public testing::Test {
     p.coulomb_Nm = torque_Nm;
     return p;
   }
-  JointVector torque() const { return compliance_torque_Nm(leg_, desired_, foot_, measured_, joints_); }
+  JointVector torque() const {
+    return compliance_torque(leg_, desired_, foot_, measured_, joints_).torque_Nm;
+  }
   PosedLeg at() const { return posed(leg_, measured_.position_rad); }
   /// Force that the leg puts on the world at its foot.
   Eigen::Vector3d force() const {
@@ -144,13 +147,20 @@ TEST_F(ComplianceLawTest, AtRestFrictionHelpsWhereTheSpringPullsAndNothingElseDo
   JointCompensation none = joints_;
   none.friction = {FrictionParameters{}, FrictionParameters{}};
   const auto helped = [&] {
-    return (torque() - compliance_torque_Nm(leg_, desired_, foot_, measured_, none)).eval();
+    return (torque() - compliance_torque(leg_, desired_, foot_, measured_, none).torque_Nm).eval();
   };
   EXPECT_EQ(helped().norm(), 0.0);
   foot_.position_m += Eigen::Vector3d(0.004, 0.0, -0.02);
   const Eigen::Vector3d spring_N(2000.0 * 0.004, 0.0, 1500.0 * -0.02);
   const JointVector spring_Nm = leg_.jacobian(measured_.position_rad).transpose() * spring_N;
   for (int j = 0; j < 2; ++j) EXPECT_NEAR(helped()[j], 0.9 * 7.3 * std::tanh(spring_Nm[j] / 0.1), 1e-9) << j;
+  joints_.stuck_share = {0.2, 0.0};
+  const std::array<double, 2> share{1.1, 0.9};
+  for (int j = 0; j < 2; ++j)
+    EXPECT_NEAR(helped()[j], share[j] * 7.3 * std::tanh(spring_Nm[j] / 0.1), 1e-9) << j;
+  const ComplianceTorque all = compliance_torque(leg_, desired_, foot_, measured_, joints_);
+  EXPECT_LT((all.spring_torque_Nm - spring_Nm).norm(), 1e-9);
+  for (int j = 0; j < 2; ++j) EXPECT_NEAR(all.rest_friction_Nm[j], 7.3, 1e-9);
 }
 
 TEST_F(ComplianceLawTest, RestLawGivesWayToTheLawOfMotionWithSpeed) {
@@ -185,7 +195,7 @@ TEST_F(ComplianceLawTest, InMotionNoMoreFrictionIsCompensatedThanThereSurelyIsAn
   const auto helped = [&] {
     JointCompensation none = joints_;
     none.friction = {FrictionParameters{}, FrictionParameters{}};
-    return (torque() - compliance_torque_Nm(leg_, desired_, foot_, measured_, none)).eval();
+    return (torque() - compliance_torque(leg_, desired_, foot_, measured_, none).torque_Nm).eval();
   };
   const JointVector at_rest = helped();
   EXPECT_NEAR(std::abs(at_rest[0]), 1.79, 1e-3);
@@ -216,7 +226,7 @@ TEST_F(ComplianceLawTest, FrictionThatIsLessThanIdentifiedByItsUncertaintyDoesNo
   none.friction = {FrictionParameters{}, FrictionParameters{}};
   for (const double w : {0.02, 0.05, 0.1, 0.2, 1.0, 5.0}) {  // in the target: no spring pulls
     measured_.velocity_rad_s = pair(w, -w);
-    const JointVector helped = torque() - compliance_torque_Nm(leg_, desired_, foot_, measured_, none);
+    const JointVector helped = torque() - compliance_torque(leg_, desired_, foot_, measured_, none).torque_Nm;
     const double true_friction_Nm = 0.8 * 1.79 + 1e-9;
     EXPECT_LE(helped[0], true_friction_Nm) << w;
     EXPECT_GE(helped[1], -true_friction_Nm) << w;

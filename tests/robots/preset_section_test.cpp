@@ -58,7 +58,7 @@ TEST_F(ChangedPreset, WhatMayBeMissingIsOff) {
 TEST_F(ChangedPreset, ComplianceIsRead) {
   const PresetConfig paper = paper_with(
       "    inertia_compensation: 0.9\n    stiffness_ramp: 30 ms\n"
-      "    rest_friction: {speed: 0.02 rad/s, torque: 0.1 Nm}\n"
+      "    rest_friction: {speed: 0.02 rad/s, torque: 0.1 Nm, most: 0.3}\n"
       "    compliance: {stiffness: {x: 2000 N/m, y: 0 N/m, z: 1500 N/m}, damping: {x: 4 N s/m, y: 0 N s/m, "
       "z: 5 "
       "N s/m}, velocity_feedforward: 0}\n");
@@ -66,6 +66,7 @@ TEST_F(ChangedPreset, ComplianceIsRead) {
   EXPECT_EQ(paper.stiffness_ramp_s, 0.03);
   EXPECT_EQ(paper.rest_friction.speed_rad_s, 0.02);
   EXPECT_EQ(paper.rest_friction.torque_Nm, 0.1);
+  EXPECT_EQ(paper.rest_friction.most, 0.3);
   EXPECT_EQ(paper.compliance.stiffness_N_m[2], 1500.0);
   EXPECT_EQ(paper.compliance.damping_N_s_m[0], 4.0);
 }

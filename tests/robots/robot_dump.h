@@ -187,8 +187,8 @@ inline void dump_value(test::ValueDump& dump, const std::string& at, const Stiff
 }
 
 inline void dump_value(test::ValueDump& dump, const std::string& at, const RestFrictionConfig& value) {
-  const auto& [speed_rad_s, torque_Nm] = value;
-  dump.fields(at, "speed_rad_s torque_Nm", speed_rad_s, torque_Nm);
+  const auto& [speed_rad_s, torque_Nm, most] = value;
+  dump.fields(at, "speed_rad_s torque_Nm most", speed_rad_s, torque_Nm, most);
 }
 
 inline void dump_value(test::ValueDump& dump, const std::string& at, const LandingGains& value) {
