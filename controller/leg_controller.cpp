@@ -223,12 +223,13 @@ LegOutcome LegController::compliance(const DesiredLeg& desired, const FootMotion
   fade_.advance(dt_s);
   DesiredLeg acting = desired;
   if (entering_) gains_.start(desired);
-  if (entering_ || !all_enabled_) forget_stuck();
+  const bool free = all_enabled_ && desired.phase != LegPhase::kStance;
+  if (entering_ || !free) forget_stuck();
   gains_.advance(dt_s, acting);
   const ComplianceTorque law = compliance_torque(*kinematics_, acting, foot, measured_, compensation_);
   JointVector torque = law.torque_Nm;
   if (!torque.allFinite()) return LegOutcome::kNotFinite;
-  learn_stuck(acting, law, dt_s);
+  if (free) learn_stuck(acting, law, dt_s);
   add_soft_stops(torque);
   if (entering_) enter_compliance(torque, dt_s);
   torque += fade_.share() * offset_Nm_;

@@ -9,6 +9,7 @@
 ///   s = 0               where no friction is to be compensated, k = 0
 ///   0 <= s <= most      RestFrictionConfig::most; 0: nothing is learnt
 ///
+/// Not of a foot in stance: four on one floor pull against each other, and what holds them is not the gears.
 /// s is kept while the spring moves the joint, and acts as all of the rest law does: by the spring's sign, so
 /// that it cannot drive a joint away from where it is to be (compliance_law.h).
 #include "robots/robot_config.h"

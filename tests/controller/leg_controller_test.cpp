@@ -337,6 +337,28 @@ TEST_F(LegControllerTest, BeltLegGetsActuatorSetPoints) {
   EXPECT_NEAR(out_.actuators[1].commanded_position_rad, measured()[1] - 0.01 * measured()[0], 1e-9);
 }
 
+TEST_F(LegControllerTest, AFreeFootThatStaysStuckIsHelpedAndOneInStanceIsNot) {
+  want(ControlMode::kCompliance);
+  command_.legs[0].friction_compensation = 0.9;
+  command_.legs[0].stiffness_N_m = {2000.0, 0.0, 2000.0};
+  command_.legs[0].desired_foot_in_hip_m[2] += 0.004;  // 8 N, which friction holds
+  const auto grown_Nm = [&](LegPhase phase) {
+    command_.legs[0].phase = phase;
+    ControllerCore core(robot_, robot_.preset("best"), robot_.watchdogs);
+    JointVector first_Nm;
+    for (int k = 0; k < 500; ++k) {
+      command_.stamp = state_.stamp;
+      state_.stamp.utime_us += 1000;
+      ++state_.stamp.seq;
+      core.step(state_, &command_, out_);
+      if (k == 99) first_Nm = commanded_torque();  // what it began with has faded
+    }
+    return (commanded_torque() - first_Nm).norm();
+  };
+  EXPECT_GT(grown_Nm(LegPhase::kStand), 1.0);
+  EXPECT_LT(grown_Nm(LegPhase::kStance), 0.01);
+}
+
 TEST_F(LegControllerTest, WhatWasLearntIsCompensatedAndInMotionLessOfAJointThatItsModelDoesNotFit) {
   want(ControlMode::kCompliance);
   command_.legs[0].friction_compensation = 0.8;
