@@ -21,7 +21,7 @@ report::Table summary_table(const FootReturnResult& result) {
     const FootReturnSummary& s = done.summary;
     const FootReturnScript& script = done.config.script;
     out.rows.push_back({done.config.name, script.stiffness_N_m, script.friction_compensation,
-                        done.config.friction_scale, hundredths(s.mean_mm), hundredths(s.max_mm),
+                        done.config.plant.friction_scale, hundredths(s.mean_mm), hundredths(s.max_mm),
                         hundredths(s.min_mm), hundredths(s.moved_least_mm), hundredths(s.settled_worst_s),
                         s.limit_cycles,
                         report::number_text(std::round(s.stiffness_least_N_m)) + " to " +
@@ -63,7 +63,7 @@ report::Section foot_return_section(const FootReturnResult& result) {
   const std::vector<ReleasedFoot> feet = released(result);
   out.plots = {release_error_plot(feet, "pull, eight directions of five forces")};
   for (std::size_t i = 0; i < feet.size(); ++i) {
-    if (result.cases[i].config.friction_scale != 1.0) continue;
+    if (!result.cases[i].config.plant.as_identified()) continue;
     out.plots.push_back(release_path_plot(feet[i]));
     out.plots.push_back(distance_plot(feet[i]));
   }
@@ -99,11 +99,9 @@ struct ReturnRunResult {
 };
 
 ReturnRun run_of(const RobotConfig& robot, const std::string& preset, const SimOptions& sim,
-                 double friction_scale, const FootReturnScript& part) {
-  ReturnRun out{part, {robot, preset, sim, orders(part, robot.cycle_s), 0}};
+                 const ReturnPlant& plant, const FootReturnScript& part) {
+  ReturnRun out{part, {robot, preset, on_plant(sim, plant), orders(part, robot.cycle_s), 0}};
   out.script.sim.plant["suspended"] = part.hip_height_m;
-  const auto scale = out.script.sim.plant.emplace("friction_scale", 1.0).first;
-  scale->second *= friction_scale;
   out.script.controls = hand(part, robot.cycle_s);
   const double end_s = foot_return::kFirst_s +
                        foot_return::kPeriod_s * static_cast<double>(part.pulls.size());
@@ -144,15 +142,15 @@ CaseBounds bounds_of(const FootReturnCase& config) {
     return out;
   }
   out.cycles = {std::nullopt, 0.0};
-  const double off = std::abs(config.friction_scale - 1.0);
-  if (off < 0.01) {
+  if (config.plant.as_identified()) {
     out.mean.high = 1.8;
     out.max.high = 3.5;
     out.moved.low = 30.0;
     out.settled.high = PullResult::kSettle_s;
     out.stiffness = {0.8 * config.script.stiffness_N_m, 1.2 * config.script.stiffness_N_m};
-  } else if (off < 0.11) {
-    out.mean.high = 5.0;
+  } else {
+    out.mean.high = kOtherMean_mm;
+    out.max.high = kOtherMax_mm;
   }
   return out;
 }
@@ -174,12 +172,11 @@ ExperimentOutput run_hanging_return(const ExperimentInput& in) {
 
 std::vector<FootReturnCase> foot_return_cases(const PresetConfig& preset) {
   const double share = preset.friction_compensation;
-  std::vector<FootReturnCase> out{{"with", 1.0, script_of(preset, kStiff_N_m, share)},
-                                  {"without", 1.0, script_of(preset, kStiff_N_m, 0.0)},
-                                  {"soft_without", 1.0, script_of(preset, kSoft_N_m, 0.0)}};
-  for (const auto& [name, scale] : {std::pair{"with_friction_80", 0.8}, std::pair{"with_friction_90", 0.9},
-                                    std::pair{"with_friction_110", 1.1}, std::pair{"with_friction_120", 1.2}})
-    out.push_back({name, scale, script_of(preset, kStiff_N_m, share)});
+  std::vector<FootReturnCase> out{{"with", {}, script_of(preset, kStiff_N_m, share)},
+                                  {"without", {}, script_of(preset, kStiff_N_m, 0.0)},
+                                  {"soft_without", {}, script_of(preset, kSoft_N_m, 0.0)}};
+  for (const auto& [name, plant] : other_return_plants())
+    out.push_back({name, plant, script_of(preset, kStiff_N_m, share)});
   return out;
 }
 
@@ -195,7 +192,7 @@ FootReturnResult run_foot_return(const RobotConfig& robot, const std::string& pr
   for (std::size_t i = 0; i < cases.size(); ++i) {
     out.cases.push_back({cases[i], {}, {}, {}});
     for (const FootReturnScript& part : runs_of(cases[i].script)) {
-      runs.push_back(run_of(robot, preset, sim, cases[i].friction_scale, part));
+      runs.push_back(run_of(robot, preset, sim, cases[i].plant, part));
       case_of.push_back(i);
       out.simulated_s += static_cast<double>(runs.back().script.cycles) * robot.cycle_s;
     }
@@ -232,7 +229,7 @@ Experiment foot_return_experiment() {
   out.name = "foot_return";
   out.what =
       "A hanging leg's foot is pulled away and released in eight directions with five forces, with and "
-      "without friction compensation, on plants with more and less friction; of a robot that walks, the left "
+      "without friction compensation, on plants that are not as identified; of a robot that walks, the left "
       "hind foot.";
   out.question =
       "Does a foot on a virtual spring come back to where it was pulled from, and how far off without "

@@ -1,7 +1,7 @@
 #pragma once
 /// `sprung experiment foot_return`: a foot on a virtual spring is pulled away and released, with and without
 /// friction compensation, in eight directions with five forces (S0 Figs. 8, 9), on the plant as identified
-/// and on plants with more and less friction.
+/// and on others (return_plant.h).
 #include <string>
 #include <vector>
 
@@ -9,13 +9,14 @@
 #include "simulation/sim_core.h"
 #include "tools/common/parallel.h"
 #include "tools/lab/leg/foot_return_score.h"
+#include "tools/lab/leg/return_plant.h"
 #include "tools/lab/run/experiment.h"
 
 namespace sprung {
 
 struct FootReturnCase {
-  std::string name;             ///< of rows: no spaces
-  double friction_scale = 1.0;  ///< of the plant, times what SimOptions ask for
+  std::string name;  ///< of rows: no spaces
+  ReturnPlant plant;
   FootReturnScript script;
 };
 
@@ -31,7 +32,7 @@ struct FootReturnResult {
   double simulated_s = 0.0;
 };
 
-/// with and without at 2000 N/m, without at 500 N/m, with on plants of 0.8 to 1.2 of the friction.
+/// with and without at 2000 N/m, without at 500 N/m, with on other plants.
 std::vector<FootReturnCase> foot_return_cases(const PresetConfig& preset);
 
 /// Each case in runs of five pulls. @param parallel of the runs; separate processes want one job.

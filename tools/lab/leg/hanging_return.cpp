@@ -124,8 +124,7 @@ class Puller {
 
 HangingRunResult result_of(const RobotConfig& robot, SimOptions sim, const HangingRun& run) {
   sim.plant["suspended"] = kHeight_m;
-  const auto scale = sim.plant.emplace("friction_scale", 1.0).first;
-  scale->second *= run.config->friction_scale;
+  sim = on_plant(std::move(sim), run.config->plant);
   LeggedTrial trial(robot, run.config->preset, sim);
   trial.stand_up();
   HangingRunResult out;
@@ -170,11 +169,11 @@ HangingBounds hanging_bounds(const HangingCase& config) {
     out.min.paper = 1.8;
   }
   if (config.name == "paper") return out;
-  const bool as_identified = config.friction_scale == 1.0;
-  out.max.high = as_identified ? 3.5 : 4.5;
+  const bool as_identified = config.plant.as_identified();
+  out.max.high = as_identified ? 3.5 : kOtherMax_mm;
+  out.mean.high = as_identified ? 1.8 : kOtherMean_mm;
   out.cycles.high = 0.0;
   if (!as_identified) return out;
-  out.mean.high = 1.8;
   out.settled.high = PullResult::kSettle_s;
   return out;
 }
@@ -185,13 +184,13 @@ std::vector<HangingCase> hanging_cases(const RobotConfig& robot, const std::stri
   const PresetConfig& own = robot.preset(preset);
   const PresetConfig& paper = robot.preset("paper");
   std::vector<HangingCase> out{
-      {"with", preset, 1.0, own.compliance, own.friction_compensation},
-      {"without", preset, kPapersFriction, paper.compliance, 0.0},
-      {"paper", "paper", kPapersFriction, paper.compliance, paper.friction_compensation},
-      {"without_as_is", preset, 1.0, paper.compliance, 0.0},
+      {"with", preset, {}, own.compliance, own.friction_compensation},
+      {"without", preset, {kPapersFriction}, paper.compliance, 0.0},
+      {"paper", "paper", {kPapersFriction}, paper.compliance, paper.friction_compensation},
+      {"without_as_is", preset, {}, paper.compliance, 0.0},
   };
-  for (const auto& [name, scale] : {std::pair{"with_friction_80", 0.8}, std::pair{"with_friction_120", 1.2}})
-    out.push_back({name, preset, scale, own.compliance, own.friction_compensation});
+  for (const auto& [name, plant] : other_return_plants())
+    out.push_back({name, preset, plant, own.compliance, own.friction_compensation});
   return out;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 /// `sprung experiment foot_return` of a walking robot: its trunk hangs, a hand pulls the left hind foot away
-/// and lets go slowly (S1 Fig. 10), with and without friction compensation, on plants with more and less
-/// friction.
+/// and lets go slowly (S1 Fig. 10), with and without friction compensation, on other plants
+/// (return_plant.h).
 #include <string>
 #include <vector>
 
@@ -11,6 +11,7 @@
 #include "tools/common/report/report.h"
 #include "tools/lab/leg/foot_disturbance.h"
 #include "tools/lab/leg/foot_return_score.h"
+#include "tools/lab/leg/return_plant.h"
 #include "tools/lab/run/experiment_report.h"
 
 namespace sprung {
@@ -18,7 +19,7 @@ namespace sprung {
 struct HangingCase {
   std::string name;  ///< of rows: no spaces
   std::string preset;
-  double friction_scale = 1.0;  ///< of the plant, times what SimOptions ask for
+  ReturnPlant plant;
   StiffnessConfig gains;
   double friction_compensation = 0.0;
 };
@@ -44,8 +45,8 @@ struct HangingReturnResult {
 };
 
 /// `with` the preset's own compensation; `without` and `paper` (preset paper, its compensation) on a plant of
-/// the friction that S1's errors imply; `without_as_is` on the plant of `with`; `with` on plants of 0.8
-/// and 1.2 of the friction.
+/// the friction that S1's errors imply; `without_as_is` on the plant of `with`; `with` on other
+/// plants.
 /// @param preset of all but `paper`.
 std::vector<HangingCase> hanging_cases(const RobotConfig& robot, const std::string& preset);
 

@@ -85,7 +85,23 @@ TEST_F(FootReturnTest, CompensationBringsTheFootHomeAndTheSpringIsFelt) {
 TEST_F(FootReturnTest, LessFrictionThanIdentifiedMakesNoLimitCycle) {
   const FootReturnSummary s = run("with_friction_80").cases.front().summary;
   EXPECT_EQ(s.limit_cycles, 0);
-  EXPECT_LT(s.mean_mm, 5.0);
+  EXPECT_LT(s.mean_mm, 2.0);
+}
+
+TEST_F(FootReturnTest, MoreFrictionThanIdentifiedIsFoundByTheFootThatIsStuck) {
+  const FootReturnSummary s = run("with_most").cases.front().summary;
+  EXPECT_LT(s.mean_mm, 2.0);
+  EXPECT_LT(s.max_mm, 4.0);
+  EXPECT_EQ(s.limit_cycles, 0);
+}
+
+TEST_F(FootReturnTest, OtherPlantsAreTimesWhatIsAskedFor) {
+  SimOptions asked;
+  asked.plant["friction_scale"] = 0.5;
+  const SimOptions on = on_plant(asked, {1.2, 0.9, 1.0});
+  EXPECT_DOUBLE_EQ(on.plant.at("friction_scale"), 0.6);
+  EXPECT_DOUBLE_EQ(on.plant.at("mass_scale"), 0.9);
+  EXPECT_EQ(on.plant.count("kt_scale"), 0U);
 }
 
 TEST_F(FootReturnTest, RunsAreTheSameBitsAndRowsAreNamedByCase) {
