@@ -11,7 +11,8 @@
 namespace sprung::commands {
 namespace {
 
-// [design choice] Four renewals may be lost. Slowing down and setting the feet come on top.
+// [design choice] Four renewals may be lost, over a network with 100 ms of jitter three. Slowing down and
+// setting the feet come on top.
 constexpr double kHold_s = 0.5;
 constexpr double kRenew_s = 0.1;
 constexpr double kLetGo_s = 0.001;  // of a last renewal: the hold is over in the next cycle
@@ -27,16 +28,15 @@ void refuse_time(const HeldCall& call) {
     throw WrongUse("--for is more than 0 s and at most 3600 s");
 }
 
-void pause(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
-
 /// As where the operator is gone: a walk ends sooner than by a stop, for no foot is set that need not be.
 int let_go(OperatorClient& client) {
+  client.renew_no_more();
   clear_stop_request();  // who asked for it waits for the end; the next signal ends the command at once
   OperatorCommand last;
   last.kind = OperatorKind::kHold;
   last.hold_s = kLetGo_s;
   client.send(last, kSilence_s);
-  pause(kLapse_s);
+  std::this_thread::sleep_for(std::chrono::duration<double>(kLapse_s));
   OperatorCommand order;
   order.kind = OperatorKind::kStop;
   const int status = motion_exit("stop", client.send(order, kAnswer_s));
@@ -44,11 +44,18 @@ int let_go(OperatorClient& client) {
   return motion_exit("stop", client.wait_done(order, kSilence_s));
 }
 
-/// @return exit status, once nothing is held any more.
+void renew(OperatorKind kind, OperatorClient& client) {
+  OperatorCommand renewal;
+  renewal.kind = kind;
+  renewal.hold_s = kHold_s;
+  client.renew(renewal, kRenew_s);
+}
+
+/// What is renewed already. @return exit status, once nothing is held any more.
 int hold(const char* what, OperatorClient& client) {
   std::printf("%s: goes on while this command runs; Ctrl-C stops it\n", what);
   std::fflush(stdout);
-  const std::optional<OperatorAnswer> last = keep_saying(OperatorKind::kHold, client);
+  const std::optional<OperatorAnswer> last = client.wait_refused(kSilence_s);
   if (!stop_requested() && !last) return motion_exit(what, last);
   if (!stop_requested()) {
     std::printf("%s: has ended\n", what);
@@ -60,16 +67,8 @@ int hold(const char* what, OperatorClient& client) {
 }  // namespace
 
 std::optional<OperatorAnswer> keep_saying(OperatorKind kind, OperatorClient& client) {
-  std::optional<OperatorAnswer> answer;
-  while (!stop_requested()) {
-    OperatorCommand renewal;
-    renewal.kind = kind;
-    renewal.hold_s = kHold_s;
-    answer = client.send(renewal, kSilence_s);
-    if (!answer || answer->outcome == OperatorOutcome::kRefused) return answer;
-    pause(kRenew_s);
-  }
-  return answer;
+  renew(kind, client);
+  return client.wait_refused(kSilence_s);
 }
 
 void add_held_call(CommandLine& command, HeldCall& call) {
@@ -88,10 +87,14 @@ int run_held(const char* what, OperatorCommand command, const HeldCall& call) {
   const std::optional<OperatorAnswer> answer = client.send(command, kAnswer_s);
   const int status = motion_exit(what, answer);
   if (status != kExitDone) return status;
+  // What waits for its cycle cannot be held yet; what has begun must not wait for a `done` that may be lost.
+  const bool queued = answer->outcome == OperatorOutcome::kQueued;
+  if (stays && !queued) renew(OperatorKind::kHold, client);
   if (answer->outcome != OperatorOutcome::kDone) {  // which follows in the same cycle
     const int done = motion_exit(what, client.wait_done(command, kSilence_s));
     if (done != kExitDone) return done;
   }
+  if (stays && queued) renew(OperatorKind::kHold, client);
   return stays ? hold(what, client) : status;
 }
 

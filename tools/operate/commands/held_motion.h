@@ -9,9 +9,9 @@
 
 namespace sprung::commands {
 
-/// Says it ten times a second, each time for half a second, until a signal comes, it is refused, or nobody
-/// answers. @param kind kHold or kEnable. @return the last answer; what stop_requested() says is why it
-/// ended.
+/// Says it ten times a second, answered or not, each time for half a second, until a signal comes, it is
+/// refused, or nobody answers. @param kind kHold or kEnable. @return the last answer; what stop_requested()
+/// says is why it ended.
 std::optional<OperatorAnswer> keep_saying(OperatorKind kind, OperatorClient& client);
 
 struct HeldCall : MotionCall {
