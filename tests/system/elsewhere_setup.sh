@@ -2,7 +2,9 @@
 # and $source_dir.
 export SPRUNG_RUN_DIR=$work/run SPRUNG_STATE_DIR=$work/state SPRUNG_PROGRAMS=$bin SPRUNG_MIXED_BUILDS=1
 audit=$work/state/operator-audit.jsonl
-fail() { echo "FAILED: $*"; [ ! -e "$work/up.txt" ] || tail -5 "$work/up.txt"; [ ! -e "$work/gateway.txt" ] || cat "$work/gateway.txt"; exit 1; }
+# What the link bears: 250 ms of silence, less what a bad network takes of them.
+python3 "$source_dir/tests/system/stall_watch.py" 100 >"$work/stall" & stall_watch=$!
+fail() { echo "FAILED: $*"; kill $stall_watch; wait $stall_watch; cat "$work/stall"; [ ! -e "$work/up.txt" ] || tail -5 "$work/up.txt"; [ ! -e "$work/gateway.txt" ] || cat "$work/gateway.txt"; exit 1; }
 robot() { "$bin/sprung" "$@"; }
 
 cable
