@@ -27,6 +27,15 @@ bool same_lengths(const RobotConfig& a, const RobotConfig& b) {
   return std::equal(a.legs.begin(), a.legs.end(), b.legs.begin(), b.legs.end(), same_leg);
 }
 
+/// A file that cannot be read has none.
+bool has_lengths_of(const std::string& folder, const RobotConfig& robot) {
+  try {
+    return same_lengths(robot, load_robot(folder));
+  } catch (const ConfigError&) {
+    return false;
+  }
+}
+
 }  // namespace
 
 LoggedScene scene_of_log(RobotConfig robot, const std::optional<sprung_msgs::log_metadata_t>& metadata) {
@@ -34,7 +43,7 @@ LoggedScene scene_of_log(RobotConfig robot, const std::optional<sprung_msgs::log
   try {
     if (robot.folder.empty()) {
       robot.folder = robot_folder(robot.name);
-      if (metadata && !same_lengths(robot, load_robot(robot.folder)))
+      if (metadata && !has_lengths_of(robot.folder, robot))
         found.note = "The shapes are those of " + robot.folder +
                      "/model.xml, whose robot.yaml has other lengths than this log's.";
     }

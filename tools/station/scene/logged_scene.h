@@ -18,7 +18,8 @@ struct LoggedScene {
 };
 
 /// @param robot of the log; its folder is "" where it came from the log's own robot.yaml: then model.xml is
-/// looked for in the robots folder by the robot's name, and that folder's robot.yaml is compared.
+/// looked for in the robots folder by the robot's name, and the lengths in that folder's robot.yaml are
+/// compared.
 LoggedScene scene_of_log(RobotConfig robot, const std::optional<sprung_msgs::log_metadata_t>& metadata);
 
 }  // namespace sprung::station

@@ -3,9 +3,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "robots/robot_loader.h"
+#include "tests/support/own_folder.h"
 #include "tests/tools/logs/log/robot_sample.h"
 
 namespace sprung::station {
@@ -37,6 +42,31 @@ TEST(LoggedScene, OfAFileWithOtherLengthsComesWithANote) {
   const std::string yaml = log::robot_yaml("single_leg", "0.260 m", "0.261 m");
   const LoggedScene found = scene_of_log(read_robot_text(yaml, "log"), metadata_of(yaml));
   EXPECT_TRUE(found.scene);
+  EXPECT_THAT(found.note, HasSubstr("other lengths than this log's"));
+}
+
+/// The installed robots are a copy in which this one's robot.yaml cannot be read.
+class BrokenRobot {
+ public:
+  explicit BrokenRobot(const std::string& name) : folder_("robots") {
+    const char* const before = std::getenv("SPRUNG_ROBOTS");
+    if (before != nullptr) before_ = before;
+    std::filesystem::copy(robot_folder(name), folder_ / name, std::filesystem::copy_options::recursive);
+    std::ofstream(folder_ / (name + "/robot.yaml")) << "robot: " << name << "\nnonsense: 1\n";
+    setenv("SPRUNG_ROBOTS", folder_.path().c_str(), 1);
+  }
+  ~BrokenRobot() { before_ ? setenv("SPRUNG_ROBOTS", before_->c_str(), 1) : unsetenv("SPRUNG_ROBOTS"); }
+
+ private:
+  test::OwnFolder folder_;
+  std::optional<std::string> before_;
+};
+
+TEST(LoggedScene, IsThereWhereTheInstalledFileCannotBeRead) {
+  const std::string yaml = log::robot_yaml("single_leg");
+  const BrokenRobot installed("single_leg");
+  const LoggedScene found = scene_of_log(read_robot_text(yaml, "log"), metadata_of(yaml));
+  EXPECT_TRUE(found.scene) << found.missing;
   EXPECT_THAT(found.note, HasSubstr("other lengths than this log's"));
 }
 
