@@ -14,14 +14,15 @@ using report::hundredths;
 using report::Plot;
 
 report::Table summary_table(const FootReturnResult& result) {
-  report::Table out{"Where the foot stops after a release",
-                    {"case", "K (N/m)", "compensated", "plant's friction", "mean (mm)", "max (mm)",
-                     "min (mm)", "moved at least (mm)", "settled (s)", "limit cycles", "measured K (N/m)"}};
+  report::Table out{
+      "Where the foot stops after a release",
+      {"case", "K (N/m)", "compensated", "plant's friction, masses, torque constants", "mean (mm)",
+       "max (mm)", "min (mm)", "moved at least (mm)", "settled (s)", "limit cycles", "measured K (N/m)"}};
   for (const FootReturnCaseResult& done : result.cases) {
     const FootReturnSummary& s = done.summary;
     const FootReturnScript& script = done.config.script;
     out.rows.push_back({done.config.name, script.stiffness_N_m, script.friction_compensation,
-                        done.config.plant.friction_scale, hundredths(s.mean_mm), hundredths(s.max_mm),
+                        plant_text(done.config.plant), hundredths(s.mean_mm), hundredths(s.max_mm),
                         hundredths(s.min_mm), hundredths(s.moved_least_mm), hundredths(s.settled_worst_s),
                         s.limit_cycles,
                         report::number_text(std::round(s.stiffness_least_N_m)) + " to " +

@@ -9,7 +9,8 @@ using report::hundredths;
 report::Table summary_table(const HangingReturnResult& result) {
   report::Table out{"Where the foot stops after the hand has let go",
                     {"case", "preset", "K forward, up (N/m)", "D forward, up (N s/m)", "compensated",
-                     "plant's friction", "mean (mm)", "max (mm)", "min (mm)", "settled (s)", "limit cycles"}};
+                     "plant's friction, masses, torque constants", "mean (mm)", "max (mm)", "min (mm)",
+                     "settled (s)", "limit cycles"}};
   for (const HangingCaseResult& done : result.cases) {
     const FootReturnSummary& s = done.summary;
     const StiffnessConfig& gains = done.config.gains;
@@ -18,9 +19,8 @@ report::Table summary_table(const HangingReturnResult& result) {
     };
     out.rows.push_back({done.config.name, done.config.preset, pair(gains.stiffness_N_m),
                         pair(gains.damping_N_s_m), done.config.friction_compensation,
-                        hundredths(done.config.plant.friction_scale), hundredths(s.mean_mm),
-                        hundredths(s.max_mm), hundredths(s.min_mm), hundredths(s.settled_worst_s),
-                        s.limit_cycles});
+                        plant_text(done.config.plant), hundredths(s.mean_mm), hundredths(s.max_mm),
+                        hundredths(s.min_mm), hundredths(s.settled_worst_s), s.limit_cycles});
   }
   out.note =
       "S1, Fig. 10: mean 8.91, max 12.4, min 5.2 mm without, 3.88, 7.1, 1.8 mm with its compensation. Its "

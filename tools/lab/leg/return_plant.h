@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "simulation/sim_core.h"
+#include "tools/common/report/report.h"
 
 namespace sprung {
 
@@ -16,13 +17,20 @@ struct ReturnPlant {
   bool as_identified() const { return friction_scale == 1.0 && mass_scale == 1.0 && kt_scale == 1.0; }
 };
 
-/// Of a case `with` compensation, by name: friction 20 % off, masses 10 %, torque constants 5 %, and all of
-/// them at once so that they add up to the most and the least that is compensated too little.
+/// Of a case `with` compensation, by name: friction 10 and 20 % off, masses 10 %, torque constants 5 %, and
+/// all of them at once so that they add up to the most and the least that is compensated too little.
 inline std::vector<std::pair<std::string, ReturnPlant>> other_return_plants() {
-  return {{"with_friction_80", {0.8, 1.0, 1.0}}, {"with_friction_120", {1.2, 1.0, 1.0}},
-          {"with_mass_90", {1.0, 0.9, 1.0}},     {"with_mass_110", {1.0, 1.1, 1.0}},
-          {"with_kt_95", {1.0, 1.0, 0.95}},      {"with_kt_105", {1.0, 1.0, 1.05}},
-          {"with_least", {0.8, 0.9, 1.05}},      {"with_most", {1.2, 1.1, 0.95}}};
+  return {{"with_friction_80", {0.8, 1.0, 1.0}},  {"with_friction_90", {0.9, 1.0, 1.0}},
+          {"with_friction_110", {1.1, 1.0, 1.0}}, {"with_friction_120", {1.2, 1.0, 1.0}},
+          {"with_mass_90", {1.0, 0.9, 1.0}},      {"with_mass_110", {1.0, 1.1, 1.0}},
+          {"with_kt_95", {1.0, 1.0, 0.95}},       {"with_kt_105", {1.0, 1.0, 1.05}},
+          {"with_least", {0.8, 0.9, 1.05}},       {"with_most", {1.2, 1.1, 0.95}}};
+}
+
+/// As tables show it.
+inline std::string plant_text(const ReturnPlant& plant) {
+  return report::number_text(plant.friction_scale) + ", " + report::number_text(plant.mass_scale) + ", " +
+         report::number_text(plant.kt_scale);
 }
 
 /// Demanded on these.
