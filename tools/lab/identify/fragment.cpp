@@ -77,6 +77,8 @@ std::string entry(const IdentifiedJoint& joint, const JointConfig& config) {
                   "known weight",
                   corrected->factor, corrected->standard_error);
     out += comment(text);
+    if (corrected->factor < 1.0)
+      out += comment("its torque_limit as much lower: the motor's peak current stays what it was");
   }
   out += comment("model " + joint.chosen().model->name() + ", value +- standard error:");
   out += other_parameters(joint.chosen());

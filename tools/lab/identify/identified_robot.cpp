@@ -1,5 +1,6 @@
 #include "tools/lab/identify/identified_robot.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -66,13 +67,15 @@ RobotChange change_of(const RobotConfig& robot, const IdentifiedJoint& joint, co
                       const OtherDays& days) {
   for (std::size_t j = 0; j < robot.joints.size(); ++j) {
     if (robot.joints[j].name != joint.name) continue;
-    RobotChange out{identified_config(joint, robot.joints[j], provenance, days), "", 0.0};
+    RobotChange out;
+    out.joint = identified_config(joint, robot.joints[j], provenance, days);
     out.joint.friction->record.robot = robot.name;
     if (const auto constant = corrected_torque_constant(joint)) {
       const LegPlace at = place_of(robot, static_cast<int>(j));
       const ActuatorConfig& actuator = robot.actuators[robot.legs[at.leg].actuators[at.place]];
       out.actuator = actuator.name;
       out.torque_constant_Nm_A = constant->factor * actuator.torque_constant_Nm_A;
+      out.torque_limit_Nm = std::min(1.0, constant->factor) * actuator.torque_limit_Nm;
     }
     return out;
   }
@@ -85,9 +88,10 @@ std::string with_identified(const std::string& yaml, const std::string& name,
   expand(file, name);
   for (const RobotChange& change : changes) {
     put_joint(file, change.joint, name);
-    if (!change.actuator.empty())
-      replace(entry(file, "actuators", change.actuator, name), "torque_constant",
-              quantity_tree(change.torque_constant_Nm_A, "Nm/A"));
+    if (change.actuator.empty()) continue;
+    YamlTree& actuator = entry(file, "actuators", change.actuator, name);
+    replace(actuator, "torque_constant", quantity_tree(change.torque_constant_Nm_A, "Nm/A"));
+    replace(actuator, "torque_limit", quantity_tree(change.torque_limit_Nm, "Nm"));
   }
   return "# Written by sprung identify from " + name + ", typed out.\n" + yaml_text(file);
 }

@@ -12,8 +12,9 @@ namespace sprung::identify {
 /// What goes into robot.yaml: one joint, and its actuator's torque constant where that was weighed.
 struct RobotChange {
   JointConfig joint;
-  std::string actuator;  ///< empty: its torque constant stays
+  std::string actuator;  ///< empty: what follows stays
   double torque_constant_Nm_A = 0.0;
+  double torque_limit_Nm = 0.0;  ///< as it was, or less: the motor's peak current does not grow
 };
 
 /// Of one identified joint. @param days as identified_config(). @throws std::invalid_argument as that.

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "drivers/profiles/drive_profile.h"
 #include "robots/config_error.h"
 #include "robots/robot_loader.h"
 #include "tests/support/own_folder.h"
@@ -47,6 +48,21 @@ TEST(IdentifiedRobot, FolderLoadsWithWhatWasFoundAndAllElseAsItWas) {
   }
   EXPECT_EQ(loaded.gaits.size(), robot.gaits.size());
   EXPECT_TRUE(std::filesystem::exists(folder + "/sim.yaml"));
+}
+
+/// pegasus' 108 Nm take all that its drives give: with a weaker motor they would refuse to start.
+TEST(IdentifiedRobot, NeitherTheMotorsCurrentNorTheGearsTorqueGrows) {
+  const RobotConfig robot = load_robot("pegasus");
+  const std::string folder = test::temp_dir() + "identified_weak_and_strong";
+  const RobotChange weak = change_of(robot, weighed_joint("fl_knee", 0.9), sample_provenance());
+  const RobotChange strong = change_of(robot, weighed_joint("fr_knee", 1.1), sample_provenance());
+  write_identified_robot(robot, {weak, strong}, folder);
+  const RobotConfig loaded = load_robot(folder);
+  EXPECT_DOUBLE_EQ(loaded.actuators[2].torque_limit_Nm, 0.9 * robot.actuators[2].torque_limit_Nm);
+  EXPECT_EQ(loaded.actuators[5].torque_limit_Nm, robot.actuators[5].torque_limit_Nm);
+  for (const ActuatorConfig& actuator : loaded.actuators)
+    EXPECT_NO_THROW((void)make_profile(actuator, timing_of(loaded.cycle_s, loaded.watchdogs)))
+        << actuator.name;
 }
 
 TEST(IdentifiedRobot, TorqueConstantThatWasNotWeighedStays) {
