@@ -106,8 +106,12 @@ void LeggedTrial::run(double duration_s, const OnCycle& on_cycle) {
 
 void LeggedTrial::check() const {
   const MotionState& motion = robot_.motion_state();
-  if (up_ && (motion.state == MotionPhase::kIdle || motion.state == MotionPhase::kFallen))
-    throw std::runtime_error(std::string("the robot has left its feet: ") + motion.last_transition);
+  if (!up_ || (motion.state != MotionPhase::kIdle && motion.state != MotionPhase::kFallen)) return;
+  const SafetyState& safety = robot_.bridge().safety();
+  std::string why = motion.last_transition;
+  if (safety.cause != SafetyCause::kNone)
+    why += std::string(" (") + name(safety.cause) + ": " + safety.detail.data() + ")";
+  throw std::runtime_error("the robot has left its feet: " + why);
 }
 
 SimOptions lying(SimOptions sim) {

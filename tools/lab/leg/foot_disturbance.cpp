@@ -26,11 +26,14 @@ PlanePoint FootDisturbance::lead_N(double time_s, const PlanePoint& foot_m) noex
   const double way_m = pull_.distance_m * x * x * (3.0 - 2.0 * x);
   if (first_) last_m_ = foot_m;
   first_ = false;
-  const auto axis_N = [&](double lead_m, double at_m, double before_m) {
-    return kStiffness_N_m * (lead_m - at_m) - kDamping_N_s_m * (at_m - before_m) / step_s_;
+  const auto axis_N = [&](double lead_m, double at_m, double before_m, double& grown_N) {
+    grown_N += grip_.growth_N_m_s * step_s_ * (lead_m - at_m);
+    return grown_N + grip_.stiffness_N_m * (lead_m - at_m) -
+           grip_.damping_N_s_m * (at_m - before_m) / step_s_;
   };
-  const PlanePoint force_N{axis_N(way_m * std::cos(pull_.direction_rad), foot_m.x_m, last_m_.x_m),
-                           axis_N(way_m * std::sin(pull_.direction_rad), foot_m.z_m, last_m_.z_m)};
+  const double c = std::cos(pull_.direction_rad), s = std::sin(pull_.direction_rad);
+  const PlanePoint force_N{axis_N(way_m * c, foot_m.x_m, last_m_.x_m, grown_N_.x_m),
+                           axis_N(way_m * s, foot_m.z_m, last_m_.z_m, grown_N_.z_m)};
   last_m_ = foot_m;
   return force_N;
 }

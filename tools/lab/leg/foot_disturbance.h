@@ -16,15 +16,25 @@ struct PullAndRelease {
 /// with every distance.
 std::vector<PullAndRelease> pulls_and_releases();
 
-/// One pull. It leads by a stiff spring from behind, so that the foot never goes back before the release:
-/// friction then stays on the side that resists the pull.
+/// How a hand holds a foot that it feels once a cycle: by a spring and a damper, and a force that grows for
+/// as long as the foot is behind.
+struct HandGrip {
+  double stiffness_N_m = 0.0, growth_N_m_s = 0.0, damping_N_s_m = 0.0;
+};
+/// [design choice] Leads from behind, so that the foot never goes back before the release: friction then
+/// stays on the side that resists the pull.
+inline constexpr HandGrip kFirmGrip{5e4, 0.0, 500.0};
+/// [design choice] A foot behind an elastic gear is light, and would swing in a firm hand.
+inline constexpr HandGrip kSoftGrip{3000.0, 1.5e4, 20.0};
+
+/// One pull.
 class FootDisturbance {
  public:
   static constexpr double kReach_s = 1.0, kHold_s = 0.5;
   static constexpr double kGone_s = kReach_s + kHold_s;  ///< from then on the force fades
-  static constexpr double kStiffness_N_m = 5e4, kDamping_N_s_m = 500.0;
 
-  FootDisturbance(const PullAndRelease& pull, double step_s) noexcept : pull_(pull), step_s_(step_s) {}
+  FootDisturbance(const PullAndRelease& pull, const HandGrip& grip, double step_s) noexcept
+      : pull_(pull), grip_(grip), step_s_(step_s) {}
   /// Once a cycle. @param time_s since the hand took the foot. @param foot_m, from where it was then. @return
   /// force on the foot, N, forward and up in the members x_m and z_m of a point.
   PlanePoint step_N(double time_s, const PlanePoint& foot_m) noexcept;
@@ -37,9 +47,10 @@ class FootDisturbance {
   PlanePoint lead_N(double time_s, const PlanePoint& foot_m) noexcept;
 
   PullAndRelease pull_;
+  HandGrip grip_;
   double step_s_;
   bool first_ = true;
-  PlanePoint last_m_, held_N_;
+  PlanePoint last_m_, grown_N_, held_N_;
 };
 
 }  // namespace sprung

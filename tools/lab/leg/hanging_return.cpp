@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simulation/plant/sim_config.h"
 #include "tools/lab/gait/legged_trial.h"
 
 namespace sprung {
@@ -42,6 +43,17 @@ Vec3 away_m(const RobotConfig& robot, const PresetConfig& preset, const SimTruth
   return out;
 }
 
+/// How far the foot is from where the robot believes it: lengths and zeros that robot.yaml does not know put
+/// home elsewhere, and no spring tells.
+Vec3 misplaced_m(const RobotConfig& robot, const InProcessRobot& process) {
+  const SimTruth& truth = process.truth();
+  Vec3 out;
+  for (std::size_t i = 0; i < 3; ++i)
+    out[i] = truth.legs[kLeg].true_foot_in_world_m[i] - truth.base_in_world_m[i] -
+             robot.legs[kLeg].hip_in_trunk_m[i] - process.joint_state().legs[kLeg].estimated_foot_in_hip_m[i];
+  return out;
+}
+
 OperatorCommand comply(const HangingCase& config) {
   OperatorCommand out;
   out.kind = OperatorKind::kComply;
@@ -64,14 +76,19 @@ void push_foot(InProcessRobot& robot, const PlanePoint& force_N, double cycle_s)
 /// One pull of a robot that stands in the air, from `comply` until the foot has been watched.
 class Puller {
  public:
-  Puller(LeggedTrial& trial, const RobotConfig& robot, const HangingCase& config)
-      : trial_(trial), robot_(robot), config_(config), preset_(robot.preset(config.preset)) {}
+  Puller(LeggedTrial& trial, const RobotConfig& robot, const HangingCase& config, const HandGrip& grip)
+      : trial_(trial),
+        robot_(robot),
+        config_(config),
+        preset_(robot.preset(config.preset)),
+        grip_(grip),
+        home_m_(misplaced_m(robot, trial.robot())) {}
 
   void pull(const PullAndRelease& pull, HangingRunResult& out) {
     trial_.say(comply(config_));
     trial_.run(kCalm_s);
     const Vec3 start_m = away_m(robot_, preset_, trial_.robot().truth());
-    FootDisturbance hand(pull, robot_.cycle_s);
+    FootDisturbance hand(pull, grip_, robot_.cycle_s);
     PullTrace trace;
     PlanePoint held_m;
     double time_s = 0.0;
@@ -93,7 +110,7 @@ class Puller {
     const auto& at = robot_.legs[kLeg].actuators;
     const auto& commands = robot.drive_command().actuators;
     trace.time_s.push_back(time_s);
-    trace.foot_m.push_back({away[0], away[2]});
+    trace.foot_m.push_back({away[0] - home_m_[0], away[2] - home_m_[2]});
     trace.commanded_Nm.push_back({commands[at[1]].commanded_torque_Nm, commands[at[2]].commanded_torque_Nm});
   }
 
@@ -120,7 +137,13 @@ class Puller {
   const RobotConfig& robot_;
   const HangingCase& config_;
   const PresetConfig& preset_;
+  HandGrip grip_;
+  Vec3 home_m_;  ///< beside where robot.yaml's numbers put it
 };
+
+HandGrip grip_for(const RobotConfig& robot, const SimOptions& sim) {
+  return sim::load_sim_config(robot, sim.plant).plant.torsion ? kSoftGrip : kFirmGrip;
+}
 
 HangingRunResult result_of(const RobotConfig& robot, SimOptions sim, const HangingRun& run) {
   sim.plant["suspended"] = kHeight_m;
@@ -128,7 +151,7 @@ HangingRunResult result_of(const RobotConfig& robot, SimOptions sim, const Hangi
   LeggedTrial trial(robot, run.config->preset, sim);
   trial.stand_up();
   HangingRunResult out;
-  Puller puller(trial, robot, *run.config);
+  Puller puller(trial, robot, *run.config, grip_for(robot, sim));
   for (const PullAndRelease& pull : run.pulls) puller.pull(pull, out);
   out.simulated_s = trial.simulated_s();
   return out;

@@ -47,8 +47,10 @@ report::Section hanging_return_section(const HangingReturnResult& result) {
       "The trunk hangs, every foot on a virtual spring (comply). A hand leads the left hind foot away by 8 "
       "to 40 mm within 1 s, holds it "
       "for 0.5 s, and lets go: its force fades in a straight line within 1 to 3 s. 2.5 s after it is gone "
-      "the foot's distance from home, "
-      "in the leg's plane, is the error. Settled: from then on within 0.5 mm of where it stops. A limit "
+      "the foot's distance from home as the robot knows it (lengths and zeros that robot.yaml does not know "
+      "put "
+      "it elsewhere), in the leg's plane, is the error. Settled: from then on within 0.5 mm of where it "
+      "stops. A limit "
       "cycle is a foot that "
       "moves by more than 0.2 mm, or a commanded torque that changes by more than 1 Nm, later than 1.5 s "
       "after the hand has gone."};

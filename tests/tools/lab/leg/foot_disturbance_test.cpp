@@ -31,27 +31,42 @@ TEST(FootDisturbanceTest, EightDirectionsOfFiveWaysWithEveryReleaseAsOftenAsEver
 /// A foot on a damped spring without mass: what a hand can lead.
 class SpringFoot {
  public:
-  static constexpr double kSpring_N_m = 3000.0, kDamper_N_s_m = 2000.0;
+  static constexpr double kSpring_N_m = 3000.0;
+  explicit SpringFoot(double damper_N_s_m) : damper_N_s_m_(damper_N_s_m) {}
   void push(const PlanePoint& force_N) {
-    at_m.x_m += kCycle_s * (force_N.x_m - kSpring_N_m * at_m.x_m) / kDamper_N_s_m;
-    at_m.z_m += kCycle_s * (force_N.z_m - kSpring_N_m * at_m.z_m) / kDamper_N_s_m;
+    at_m.x_m += kCycle_s * (force_N.x_m - kSpring_N_m * at_m.x_m) / damper_N_s_m_;
+    at_m.z_m += kCycle_s * (force_N.z_m - kSpring_N_m * at_m.z_m) / damper_N_s_m_;
   }
   PlanePoint at_m;
+
+ private:
+  double damper_N_s_m_;
 };
 
-TEST(FootDisturbanceTest, LeadsTheFootNearlyAsFarAsAskedAlongItsDirectionAndHoldsItWithTheSpringsForce) {
-  const PullAndRelease pull{2.0, 0.024, 2.0};
-  FootDisturbance hand(pull, kCycle_s);
-  SpringFoot foot;
+/// @return how far along, once the foot was held. Expects that nothing pulls beside, and that the hand's
+/// force is what holds the foot.
+double led_m(const HandGrip& grip, double damper_N_s_m, double direction_rad, double way_m) {
+  FootDisturbance hand({direction_rad, way_m, 2.0}, grip, kCycle_s);
+  SpringFoot foot(damper_N_s_m);
   for (double t = 0.0; t < FootDisturbance::kGone_s; t += kCycle_s) foot.push(hand.step_N(t, foot.at_m));
-  const double way_m = foot.at_m.x_m * std::cos(2.0) + foot.at_m.z_m * std::sin(2.0);
-  EXPECT_NEAR(way_m, 0.024 / (1.0 + SpringFoot::kSpring_N_m / FootDisturbance::kStiffness_N_m), 5e-4);
-  EXPECT_NEAR(std::hypot(hand.held_N().x_m, hand.held_N().z_m), SpringFoot::kSpring_N_m * way_m, 3.0);
-  EXPECT_NEAR(foot.at_m.x_m * std::sin(2.0), foot.at_m.z_m * std::cos(2.0), 1e-6);
+  const double c = std::cos(direction_rad), s = std::sin(direction_rad);
+  const double led_m = foot.at_m.x_m * c + foot.at_m.z_m * s;
+  EXPECT_NEAR(std::hypot(hand.held_N().x_m, hand.held_N().z_m), SpringFoot::kSpring_N_m * led_m, 3.0);
+  EXPECT_NEAR(foot.at_m.x_m * s, foot.at_m.z_m * c, 1e-6);
+  return led_m;
+}
+
+TEST(FootDisturbanceTest, FirmHandLeadsTheFootNearlyAsFarAsAskedAlongItsDirection) {
+  EXPECT_NEAR(led_m(kFirmGrip, 2000.0, 2.0, 0.024),
+              0.024 / (1.0 + SpringFoot::kSpring_N_m / kFirmGrip.stiffness_N_m), 5e-4);
+}
+
+TEST(FootDisturbanceTest, SoftHandLeadsItAsFarAndNotBeyond) {
+  EXPECT_NEAR(led_m(kSoftGrip, 400.0, 2.0, 0.024), 0.024, 1.5e-3);
 }
 
 TEST(FootDisturbanceTest, ForceFadesInAStraightLineFromWhatHeldTheFootAndIsGoneAtTheEnd) {
-  FootDisturbance hand({0.0, 0.016, 2.0}, kCycle_s);
+  FootDisturbance hand({0.0, 0.016, 2.0}, kFirmGrip, kCycle_s);
   const double held_N = hand.step_N(FootDisturbance::kGone_s - 1e-9, {}).x_m;
   EXPECT_GT(held_N, 100.0);
   EXPECT_NEAR(hand.step_N(FootDisturbance::kGone_s + 0.5, {}).x_m, 0.75 * held_N, 1e-9);
