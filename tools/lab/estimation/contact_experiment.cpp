@@ -8,7 +8,6 @@
 #include "signals/quantile.h"
 #include "simulation/in_process/inprocess_robot.h"
 #include "tools/lab/estimation/stepping_leg.h"
-#include "tools/lab/gait/legged_trial.h"
 #include "tools/lab/jump/jump_experiment.h"
 #include "tools/lab/run/scripted_run.h"
 
@@ -21,9 +20,6 @@ constexpr double kGrounds_N_m[] = {8000.0, 15000.0, 30000.0, 60000.0};
 constexpr double kJitter_us = 2.0;
 constexpr double kLongestStep_s = 9.0;  // at 0.08 m/s, with its waits
 
-constexpr double kLeastFound_percent = 99.0;
-constexpr double kMostFalseAlarms_percent = 0.5;
-constexpr double kWalkingDelay_ms = 10.0;
 constexpr struct {
   ApproachClass approach;
   double most_ms;
@@ -40,51 +36,7 @@ void move_floor(InProcessRobot& robot, double height_m) {
   robot.sim().control(floor);
 }
 
-double percent(std::size_t part, std::size_t whole) {
-  return whole > 0 ? 100.0 * static_cast<double>(part) / static_cast<double>(whole) : kNaN;
-}
-
 double median_of(std::vector<double> values) { return quantile(std::move(values), 0.5); }
-
-struct Counts {
-  std::size_t touchdowns = 0, found = 0, false_alarms = 0;
-};
-
-Counts count(const std::vector<ContactStep>& steps) {
-  Counts out;
-  for (const ContactStep& step : steps) {
-    out.touchdowns += step.approach_speed_m_s ? 1 : 0;
-    out.found += step.delay_ms ? 1 : 0;
-    out.false_alarms += step.false_alarm ? 1 : 0;
-  }
-  return out;
-}
-
-/// All legs of a walking robot: a step begins where the planner lifts the foot.
-class WalkScorer {
- public:
-  explicit WalkScorer(std::size_t legs) : last_(legs, LegPhase::kIdle) {
-    for (std::size_t leg = 0; leg < legs; ++leg) scorers_.emplace_back(leg);
-  }
-
-  void add(const InProcessRobot& robot) {
-    for (std::size_t leg = 0; leg < scorers_.size(); ++leg) {
-      const LegPhase phase = robot.motion_state().legs[leg].phase;
-      if (phase == LegPhase::kSwing && last_[leg] != LegPhase::kSwing) scorers_[leg].begin_step();
-      last_[leg] = phase;
-      scorers_[leg].add(robot.joint_state(), robot.truth());
-    }
-  }
-  std::vector<ContactStep> finish() {
-    std::vector<ContactStep> steps;
-    for (ContactScorer& scorer : scorers_) append(steps, scorer.finish());
-    return steps;
-  }
-
- private:
-  std::vector<ContactScorer> scorers_;
-  std::vector<LegPhase> last_;
-};
 
 }  // namespace
 
@@ -152,9 +104,9 @@ std::vector<ContactStep> run_contacts(const RobotConfig& robot, const ContactReq
 }
 
 std::vector<ReportRow> contact_rows(const std::vector<ContactStep>& steps) {
-  const Counts counts = count(steps);
-  std::vector<ReportRow> rows{row("estimator.contact.found", "%", percent(counts.found, counts.touchdowns),
-                                  at_least(kLeastFound_percent))};
+  const ContactCounts counts(steps);
+  std::vector<ReportRow> rows{
+      row("estimator.contact.found", "%", counts.found_percent(), at_least(kLeastContactFound_percent))};
   for (const auto& [approach, most_ms] : kDelays) {
     std::vector<double> delays_ms;
     for (const ContactStep& step : steps) {
@@ -164,39 +116,9 @@ std::vector<ReportRow> contact_rows(const std::vector<ContactStep>& steps) {
     rows.push_back(row(std::string("estimator.contact.delay_median_") + name(approach), "ms",
                        median_of(delays_ms), at_most(most_ms)));
   }
-  rows.push_back(row("estimator.contact.false_alarms", "%", percent(counts.false_alarms, steps.size()),
-                     at_most(kMostFalseAlarms_percent)));
+  rows.push_back(row("estimator.contact.false_alarms", "%", counts.false_alarms_percent(),
+                     at_most(kMostContactFalseAlarms_percent)));
   return rows;
-}
-
-std::vector<ContactStep> walking_contacts(const RobotConfig& robot, const WalkingContactRequest& request) {
-  OperatorCommand walk;
-  walk.kind = OperatorKind::kWalk;
-  walk.gait = gait_index(robot, request.gait);
-  walk.walk_speed = {request.forward_m_s, 0.0, 0.0};
-  LeggedTrial trial(robot, request.preset, lying(request.sim));
-  trial.stand_up();
-  trial.say(walk);
-  WalkScorer scorer(robot.legs.size());
-  trial.run(request.walking_s, [&](InProcessRobot& process) { scorer.add(process); });
-  if (trial.robot().motion_state().state != MotionPhase::kWalking)
-    throw std::runtime_error("the robot does not walk to the end");
-  return scorer.finish();
-}
-
-std::vector<ReportRow> walking_contact_rows(const std::string& gait, const std::vector<ContactStep>& steps) {
-  const Counts counts = count(steps);
-  std::vector<double> delays_ms;
-  for (const ContactStep& step : steps) {
-    if (step.delay_ms) delays_ms.push_back(*step.delay_ms);
-  }
-  const std::string prefix = "estimator.contact." + gait;
-  return {
-      row(prefix + ".found", "%", percent(counts.found, counts.touchdowns), at_least(kLeastFound_percent)),
-      row(prefix + ".delay_median", "ms", median_of(delays_ms), at_most(kWalkingDelay_ms)),
-      row(prefix + ".delay_p95", "ms", quantile(delays_ms, 0.95), at_most(kWalkingDelay_ms)),
-      row(prefix + ".false_alarms", "%", percent(counts.false_alarms, steps.size()),
-          at_most(kMostFalseAlarms_percent))};
 }
 
 }  // namespace sprung

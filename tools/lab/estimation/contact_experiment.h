@@ -1,7 +1,7 @@
 #pragma once
 /// Rows `estimator.contact.*`: is contact found, how late, and is it reported where there is none? Jumps of a
 /// leg in every mode, and the same leg suspended and stepping onto a floor whose height moves at random, or
-/// onto none; and the steps of a robot that walks.
+/// onto none. Of a robot that walks: walking_estimate.h.
 #include <functional>
 #include <string>
 #include <vector>
@@ -40,20 +40,5 @@ std::vector<ContactStep> stepping_contacts(const RobotConfig& robot, const std::
 std::vector<ContactStep> run_contacts(const RobotConfig& robot, const ContactRequest& request);
 /// found, delay_median_fast, _medium, _slow and false_alarms, with the bounds demanded of them.
 std::vector<ReportRow> contact_rows(const std::vector<ContactStep>& steps);
-
-/// A robot that stands up from lying flat and walks straight ahead.
-struct WalkingContactRequest {
-  std::string preset;  ///< empty = the robot's usual one
-  std::string gait;    ///< of robot.yaml
-  double forward_m_s = 0.0;
-  double walking_s = 8.0;
-  SimOptions sim;
-};
-
-/// Every step of every leg. @throws std::runtime_error where it does not stand up or does not walk to the
-/// end; std::invalid_argument on a gait that the robot does not have.
-std::vector<ContactStep> walking_contacts(const RobotConfig& robot, const WalkingContactRequest& request);
-/// <gait>.found, .delay_median, .delay_p95 and .false_alarms, with the bounds demanded of them.
-std::vector<ReportRow> walking_contact_rows(const std::string& gait, const std::vector<ContactStep>& steps);
 
 }  // namespace sprung

@@ -4,6 +4,10 @@ namespace sprung {
 
 namespace {
 
+double percent(std::size_t part, std::size_t whole) noexcept {
+  return whole > 0 ? 100.0 * static_cast<double>(part) / static_cast<double>(whole) : kNaN;
+}
+
 double milliseconds(std::int64_t us) { return 1e-3 * static_cast<double>(us); }
 
 }  // namespace
@@ -82,5 +86,16 @@ void ContactScorer::follow_landing(bool reported, std::int64_t now_us) {
   if (step_.delay_ms || !reported || reported_ || now_us - touchdown_us_ > kLatest_us) return;
   step_.delay_ms = milliseconds(now_us - touchdown_us_);
 }
+
+ContactCounts::ContactCounts(const std::vector<ContactStep>& all) noexcept : steps(all.size()) {
+  for (const ContactStep& step : all) {
+    touchdowns += step.approach_speed_m_s ? 1 : 0;
+    found += step.delay_ms ? 1 : 0;
+    false_alarms += step.false_alarm ? 1 : 0;
+  }
+}
+
+double ContactCounts::found_percent() const noexcept { return percent(found, touchdowns); }
+double ContactCounts::false_alarms_percent() const noexcept { return percent(false_alarms, steps); }
 
 }  // namespace sprung

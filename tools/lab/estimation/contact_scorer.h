@@ -6,6 +6,7 @@
 /// meet the floor. Touchdown is the first true contact force after the foot was free for kFree_us; the
 /// approach speed is the foot's downward speed in the cycle before. Bounces shorter than that belong to the
 /// same contact.
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -32,6 +33,17 @@ struct ContactStep {
   std::optional<double> delay_ms;  ///< first true force to the utime that reports it; nothing: not found
   std::optional<double> lift_off_delay_ms;  ///< of the contact before the swing, where there was one
   bool false_alarm = false;                 ///< contact reported in the swing
+};
+
+/// What is demanded of a robot that is identified.
+constexpr double kLeastContactFound_percent = 99.0, kMostContactFalseAlarms_percent = 0.5;
+
+struct ContactCounts {
+  explicit ContactCounts(const std::vector<ContactStep>& steps) noexcept;
+  double found_percent() const noexcept;         ///< of the touchdowns; NaN: there was none
+  double false_alarms_percent() const noexcept;  ///< of the steps
+
+  std::size_t steps = 0, touchdowns = 0, found = 0, false_alarms = 0;
 };
 
 class ContactScorer {

@@ -10,6 +10,7 @@
 #include "tools/lab/estimation/contact_experiment.h"
 #include "tools/lab/estimation/estimator_ensemble.h"
 #include "tools/lab/estimation/estimator_rows.h"
+#include "tools/lab/estimation/walking_estimate.h"
 #include "tools/lab/friction/friction_sweep.h"
 #include "tools/lab/gait/walk_experiment.h"
 #include "tools/lab/recordings/recording_rows.h"
@@ -44,20 +45,17 @@ double speed_in_walk(const RobotConfig& robot, const std::string& gait) {
 }
 
 /// Three plants that differ in their noise, at the speeds of `walk`.
-void add_walking_contact_rows(const RobotConfig& robot, const EstimatorRequest& request,
-                              ExperimentOutput& part) {
+void add_walking_rows(const RobotConfig& robot, const EstimatorRequest& request, ExperimentOutput& part) {
   constexpr std::uint64_t kSeeds = 3;
   for (const std::string gait : {"trot", "crawl"}) {
     const double forward_m_s = speed_in_walk(robot, gait);
-    std::vector<ContactStep> steps;
+    WalkingEstimate found;
     for (std::uint64_t i = 0; i < kSeeds; ++i) {
       SimOptions sim = request.sim;
       sim.seed += i;
-      const std::vector<ContactStep> more = walking_contacts(robot,
-                                                             {request.preset, gait, forward_m_s, 8.0, sim});
-      steps.insert(steps.end(), more.begin(), more.end());
+      found.add(walking_estimate(robot, {request.preset, gait, forward_m_s, 8.0, sim}));
     }
-    append(part, walking_contact_rows(gait, steps));
+    append(part, walking_estimate_rows(gait, found));
   }
 }
 
@@ -114,7 +112,7 @@ constexpr Section kSections[] = {
        add_temperature_rows(robot, r.preset, r.sim.seed, part);
      }},
     {"friction_fit", "pegasus", Kind::kThatRobot, add_friction_rows},
-    {kWalkingContact, "pegasus", Kind::kWalker, add_walking_contact_rows, true},
+    {kWalkingContact, "pegasus", Kind::kWalker, add_walking_rows, true},
     {"recordings", "test_axis", Kind::kThatRobot,
      [](const RobotConfig&, const EstimatorRequest& r, ExperimentOutput& part) {
        add_recorded_rows(r, part);

@@ -51,25 +51,6 @@ TEST(ContactRowsTest, FalseAlarmsCountAgainstAllSteps) {
   EXPECT_FALSE(row(contact_rows(steps), "false_alarms").ok());
 }
 
-TEST(ContactRowsTest, OfAGaitAreByItsName) {
-  std::vector<ContactStep> steps(19, step(0.3, 6.0));
-  steps.push_back(step(0.3, 40.0, true));
-  steps.push_back(step(0.3, std::nullopt));
-  const std::vector<ReportRow> rows = walking_contact_rows("trot", steps);
-  EXPECT_NEAR(row(rows, "trot.found").value, 100.0 * 20.0 / 21.0, 1e-9);
-  EXPECT_FALSE(row(rows, "trot.found").ok());
-  EXPECT_DOUBLE_EQ(row(rows, "trot.delay_median").value, 6.0);
-  EXPECT_TRUE(row(rows, "trot.delay_median").ok());
-  EXPECT_DOUBLE_EQ(row(rows, "trot.delay_p95").value, 40.0);
-  EXPECT_FALSE(row(rows, "trot.delay_p95").ok());
-  EXPECT_NEAR(row(rows, "trot.false_alarms").value, 100.0 / 21.0, 1e-9);
-}
-
-TEST(WalkingContactTest, GaitThatThereIsNotIsRefused) {
-  const WalkingContactRequest request{"best", "gallop", 0.3, 1.0, {}};
-  EXPECT_THROW((void)walking_contacts(load_robot("pegasus"), request), std::invalid_argument);
-}
-
 /// As `sprung identify` would have found sim.yaml's joints, an armature 1 % off included: what these tests
 /// ask of contact and bounds is asked of a robot that is identified.
 RobotConfig identified_leg() {
