@@ -143,25 +143,33 @@ def test_quick_stop_of_a_moving_motor_is_shown_and_ends_without_power(own_bench,
     event = {"gold": 1}.get(profile)  # a Gold's does not come on change
     configure(device.remote.tpdo[1], [0x6041], 255, 0, device.node, True, event=event)
     own_bench.start_cycles()
-    power.go(ENABLED)
-    device.sdo[0x6060].raw = mode
-    device.sdo[set_point].raw = value
 
     def moves():
         device.wire.sync()
         return abs(device.sdo[0x606C].raw) > fast
 
-    assert until(moves), "a torque moves nothing"
-    mark = device.wire.record.mark()
-    power.command(2)
-    assert power.reaches(OFF)
+    def words_of_a_stop(torque):
+        power.go(ENABLED)
+        device.sdo[0x6060].raw = mode
+        device.sdo[set_point].raw = torque
+        assert until(moves), "a torque moves nothing"
+        mark = device.wire.record.mark()
+        power.command(2)
+        assert power.reaches(OFF)
 
-    def words_since():
-        return [int.from_bytes(f.data, "little") for f in device.wire.record.since(mark, 0x180 + device.node)]
+        def words():
+            return [int.from_bytes(f.data, "little") for f in device.wire.record.since(mark, 0x180 + device.node)]
 
-    # Frames are recorded by a thread of their own, which may be later than the answer by SDO.
-    until(lambda: 0x07 in [word & 0x6F for word in words_since()])
-    words = words_since()
+        # Frames are recorded by a thread of their own, which may be later than the answer by SDO.
+        until(lambda: 0x07 in [word & 0x6F for word in words()], 1.0)
+        return words()
+
+    # The plant goes on by the wall clock: on a busy machine the joint may have come to rest at its end before
+    # the stop is said, which then is none. Back it moves again, by more torque.
+    for torque in [value, -3 * value, 3 * value, -3 * value]:
+        words = words_of_a_stop(torque)
+        if 0x07 in [word & 0x6F for word in words]:
+            break
     assert 0x07 in [word & 0x6F for word in words], [f"{word:#06x}" for word in words]
     if profile == "epos2":
         assert EPOS2_WORDS[QUICK_STOP] in [word & 0x417F for word in words]
