@@ -50,10 +50,10 @@ double led_m(const HandGrip& grip, double damper_N_s_m, double direction_rad, do
   SpringFoot foot(damper_N_s_m);
   for (double t = 0.0; t < FootDisturbance::kGone_s; t += kCycle_s) foot.push(hand.step_N(t, foot.at_m));
   const double c = std::cos(direction_rad), s = std::sin(direction_rad);
-  const double led_m = foot.at_m.x_m * c + foot.at_m.z_m * s;
-  EXPECT_NEAR(std::hypot(hand.held_N().x_m, hand.held_N().z_m), SpringFoot::kSpring_N_m * led_m, 3.0);
+  const double along_m = foot.at_m.x_m * c + foot.at_m.z_m * s;
+  EXPECT_NEAR(std::hypot(hand.held_N().x_m, hand.held_N().z_m), SpringFoot::kSpring_N_m * along_m, 3.0);
   EXPECT_NEAR(foot.at_m.x_m * s, foot.at_m.z_m * c, 1e-6);
-  return led_m;
+  return along_m;
 }
 
 TEST(FootDisturbanceTest, FirmHandLeadsTheFootNearlyAsFarAsAskedAlongItsDirection) {

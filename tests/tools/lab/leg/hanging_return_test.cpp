@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <stdexcept>
+#include <string>
 
 #include "robots/robot_loader.h"
 
@@ -11,12 +13,13 @@ namespace {
 
 class HangingReturnTest : public testing::Test {
  protected:
-  HangingReturnResult run(const std::string& name) const {
+  HangingReturnResult run(const std::string& name, const std::map<std::string, double>& plant = {}) const {
     std::vector<HangingCase> cases;
     for (const HangingCase& config : hanging_cases(robot_, "best"))
       if (config.name == name) cases.push_back(config);
     SimOptions sim;
     sim.seed = 1;
+    sim.plant = plant;
     return run_hanging_return(robot_, sim, cases, {pulls_and_releases()[4]});
   }
   RobotConfig robot_ = load_robot("pegasus");
@@ -30,6 +33,14 @@ TEST_F(HangingReturnTest, CompensationBringsTheFootHomeAndWithoutItSticks) {
   EXPECT_EQ(with.cases[0].summary.limit_cycles, 0);
   EXPECT_GT(with.cases[0].summary.moved_least_mm, 36.0);
   EXPECT_GT(without.cases.at(0).summary.max_mm, 3.0 * with.cases[0].summary.max_mm);
+}
+
+/// A firm hand swings with so light a foot until the bridge stops the robot.
+TEST_F(HangingReturnTest, FootBehindAnElasticGearIsLedAwayAndComesBack) {
+  const HangingReturnResult soft = run("with", {{"torsion", 1.0}, {"draw", 24.0}});
+  ASSERT_EQ(soft.cases.at(0).pulls.size(), 1u);
+  EXPECT_GT(soft.cases[0].summary.moved_least_mm, 20.0);
+  EXPECT_LT(soft.cases[0].summary.max_mm, 0.5 * soft.cases[0].summary.moved_least_mm);
 }
 
 TEST_F(HangingReturnTest, SameSeedGivesTheSameBits) {

@@ -30,9 +30,11 @@ class ToldRobot {
     node_.start();
     thread_ = std::thread([this] { run(); });
   }
-  ~ToldRobot() {
+  ~ToldRobot() { end(); }
+  /// What it has counted may be read from now on.
+  void end() {
     ended_ = true;
-    thread_.join();
+    if (thread_.joinable()) thread_.join();
   }
 
  private:
@@ -80,6 +82,7 @@ TEST_F(OperatorClientTest, SaysTheSameAgainUntilItIsAnswered) {
   OperatorClient client(robot());
   OperatorCommand command = hold();
   const auto answer = client.send(command, kLong_s);
+  told.end();
   ASSERT_TRUE(answer);
   EXPECT_EQ(answer->outcome, OperatorOutcome::kAccepted);
   EXPECT_GE(heard.count(command.request_id), 3u);
@@ -95,6 +98,7 @@ TEST_F(OperatorClientTest, RenewsThoughNobodyAnswers) {
   OperatorClient client(robot());
   client.renew(hold(), 0.02);
   const auto answer = client.wait_refused(kLong_s);
+  told.end();
   ASSERT_TRUE(answer);
   EXPECT_EQ(answer->outcome, OperatorOutcome::kRefused);
   EXPECT_GE(heard.size(), 6u) << "each with an id of its own";
@@ -120,6 +124,7 @@ TEST_F(OperatorClientTest, RenewsWhileItWaitsForADoneThatIsLost) {
   ASSERT_TRUE(client.send(walk, kLong_s));
   client.renew(hold(), 0.02);
   const auto done = client.wait_done(walk, kLong_s);
+  told.end();
   ASSERT_TRUE(done);
   EXPECT_EQ(done->outcome, OperatorOutcome::kDone);
   EXPECT_GE(renewals, 5);
