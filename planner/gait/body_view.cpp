@@ -20,6 +20,7 @@ BodyShape::BodyShape(const RobotConfig& robot)
   if (legs > kMostLegs) throw std::invalid_argument("a walk knows at most 4 legs");
   for (std::size_t i = 0; i < legs; ++i) {
     const LegConfig& leg = robot.legs[i];
+    joints[i] = leg.joints;
     hip_in_trunk_m[i] = to_eigen(leg.hip_in_trunk_m);
     foot_radius_m[i] = leg.foot_radius_m;
     side[i] = leg.hip_in_trunk_m[1] >= 0.0 ? 1.0 : -1.0;

@@ -1,6 +1,7 @@
 #pragma once
 /// What JOINT_STATE says about the body and its feet, in level axes (body_frame.h). Pure.
 #include <array>
+#include <vector>
 
 #include "planner/gait/body_frame.h"
 #include "planner/gait/gait_clock.h"
@@ -19,7 +20,8 @@ struct BodyShape {
   /// Foot of a leg that stands straight under its hip, from the hip: sideways by the leg's own offset.
   std::array<Eigen::Vector3d, kMostLegs> foot_beside_hip_m{};
   std::array<double, kMostLegs> foot_radius_m{};
-  std::array<double, kMostLegs> side{};  ///< +1 left, -1 right
+  std::array<double, kMostLegs> side{};              ///< +1 left, -1 right
+  std::array<std::vector<int>, kMostLegs> joints{};  ///< indices into JOINT_STATE's
 
   Eigen::Vector3d com_in_trunk_m(const JointState& in) const noexcept;
 

@@ -66,6 +66,7 @@ void Walk::begin(const JointState& in, const WalkRequest& request) noexcept {
   ramp_.reset();
   ramp_.want(request.speed);
   heat_.begin(in);
+  heat_lean_.reset();
   weight_.begin(leaning_m());
   waits_ = false;
   pace_.reset();
@@ -145,6 +146,7 @@ void Walk::step(const JointState& in) noexcept {
   heat_.step(in);
   if (heat_.too_warm() && gait().duty < 1.0 && failure_ == nullptr)
     fail("a motor is too warm to walk on: let it cool");
+  heat_lean_.step(in, shape_, gait().sway_m <= 0.0 && !placing_, dt_s);
   steer(dt_s);
   lean(dt_s);
   step_legs(in, dt_s);
@@ -196,7 +198,7 @@ Eigen::Vector2d Walk::leaning_m() const noexcept {
 Eigen::Vector3d Walk::place_m(std::size_t leg) const noexcept {
   Eigen::Vector3d place = shape_.hip_in_trunk_m[leg] + shape_.foot_beside_hip_m[leg];
   place.y() += shape_.side[leg] * width_m_;
-  place.head<2>() -= weight_.at_m();
+  place.head<2>() -= weight_.at_m() + heat_lean_.at_m();
   place.z() = ground_.z_m();
   return place;
 }

@@ -8,6 +8,7 @@
 #include "planner/gait/expected_ground.h"
 #include "planner/gait/force_distribution.h"
 #include "planner/gait/gait_order.h"
+#include "planner/gait/heat_lean.h"
 #include "planner/gait/leg_step.h"
 #include "planner/gait/motor_heat.h"
 #include "planner/gait/pace.h"
@@ -111,6 +112,7 @@ class Walk {
   GaitClock clock_;
   SpeedRamp ramp_;
   MotorHeat heat_;
+  HeatLean heat_lean_;
   ForceDistribution distribution_;
   std::array<LegStep, kMostLegs> steps_;
   std::vector<FootLoad> feet_;
