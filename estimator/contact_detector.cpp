@@ -135,7 +135,9 @@ void ContactDetector::decide(const Force& force, double dt_s) noexcept {
     contact_ = !contact_;
     beyond_s_ = 0.0;
   } else {
-    beyond_s_ = beyond ? beyond_s_ + dt_s : 0.0;
+    // Contact is lost through noise, which crosses the threshold now and then, and found by an even force.
+    const double back_s = contact_ ? std::max(0.0, beyond_s_ - dt_s) : 0.0;
+    beyond_s_ = beyond ? beyond_s_ + dt_s : back_s;
   }
 }
 

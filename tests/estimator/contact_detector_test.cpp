@@ -70,6 +70,19 @@ TEST_F(ContactDetectorTest, LiftOffDoesNotWaitForCertainty) {
   EXPECT_EQ(samples_until(false, 25.0, accelerating), 6);
 }
 
+TEST_F(ContactDetectorTest, LiftOffIsSeenThroughNoiseThatCrossesTheThresholdNowAndThen) {
+  samples_until(true, 60.0);
+  int samples = 0;
+  for (bool contact = true; contact && samples < 100; ++samples)
+    contact = step(samples % 4 == 3 ? 15.0 : 0.0).contact;
+  EXPECT_LE(samples, 13);
+}
+
+TEST_F(ContactDetectorTest, AFootWhoseForceIsBelowTheThresholdHalfOfTheTimeStands) {
+  samples_until(true, 60.0);
+  for (int k = 0; k < 200; ++k) EXPECT_TRUE(step(k % 2 == 0 ? 0.0 : 15.0).contact) << k;
+}
+
 TEST_F(ContactDetectorTest, JointAtRestCouldHoldTheLoad) {
   EXPECT_EQ(samples_until(true, 30.0, {}, 7.0), -1);  // 7 Nm hold 35 N
   EXPECT_EQ(samples_until(true, 60.0, {}, 7.0), 3);
