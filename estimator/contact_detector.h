@@ -51,6 +51,7 @@ class ContactDetector {
   void reset() noexcept;
   /// Nothing has touched the foot for some time: what moves its joints then is the drives and errors.
   bool surely_free() const noexcept;
+  double free_s() const noexcept { return free_s_; }  ///< since contact was lost; 0 in contact
   /// @param evidence one for each joint; numbers that are not finite mean no contact, at once.
   /// @param dt_s since the last step.
   ContactEstimate step(const std::vector<ContactEvidence>& evidence, double dt_s) noexcept;

@@ -27,6 +27,8 @@ constexpr double kFirstNoise = 0.1;
 
 /// Slower motion shows little of friction, and its sign may be late.
 constexpr double kWatched_rad_s = 0.1;
+/// A leg that has just left the ground: its gears untwist, and its foot may still be dragged.
+constexpr double kSwings_s = 0.06;
 /// A force that pulls, longer than any shock lasts.
 constexpr double kPullStds = 3.0;
 constexpr double kPull_s = 0.02;
@@ -181,7 +183,7 @@ void LegEstimator::widen_bounds(std::size_t j, EstimatedJoint& joint) const noex
 /// The drive moves the joint, and nothing touches the leg: what is not explained is the model's own. A force
 /// that looks upward may be one that is not noticed; ground pulls nothing down.
 void LegEstimator::watch_models(double force_N, double dt_s, std::vector<EstimatedJoint>& joints) noexcept {
-  const bool free = contact_->surely_free();
+  const bool free = contact_->free_s() > kSwings_s;
   const double unnoticed_N = force_N > 0.0 ? std::max(unnoticed_N_, force_N) : 0.0;
   for (std::size_t j = 0; j < joints_.size(); ++j) {
     const EstimatedJoint& joint = joints[joints_[j]];

@@ -19,6 +19,9 @@ constexpr double kLeastMotion_s = 0.1;
 /// box that the stated numbers stand for (friction 25 %, torque constant 5 %, mass 10 %, each 1.7 of them)
 /// reach up to sqrt 3 times sqrt 2.
 constexpr double kFit = 1.7;
+/// So many standard deviations of what was found are taken off it. With one, identified joints of a leg that
+/// crawls, whose slow swings say little, were doubted once in some ten steps.
+constexpr double kSure = 1.5;
 /// What was found stays believed; how well it is known is forgotten over as much motion. A hip's
 /// acceleration, which looks like weight, changes within a step, and so does what touches the foot: both are
 /// forgotten whole.
@@ -221,7 +224,7 @@ double ModelWatch::ratio_in(const Moment& motion) const noexcept {
       unsure_Nm2 += covariance_[i][k] * motion.parts[i][k];
     }
   }
-  const double sure_Nm = std::sqrt(std::max(0.0, missed_Nm2)) - std::sqrt(std::max(0.0, unsure_Nm2));
+  const double sure_Nm = std::sqrt(std::max(0.0, missed_Nm2)) - kSure * std::sqrt(std::max(0.0, unsure_Nm2));
   return sure_Nm / std::sqrt(motion.stated_Nm2);
 }
 

@@ -8,10 +8,10 @@
 /// c, b and k are what friction is more than its law says, x shares of inertia, torque constant and weight; O
 /// is the torque of a force that is not noticed as contact. Its law is robot.yaml's: what is learnt besides
 /// (friction_adaptation.h) is taken out again. A Kalman filter holds the seven. The joint does
-/// not fit when what c to x_k come to, over the motion of the last 0.3 s and less its own uncertainty, is
-/// more than kMisfitRatio of the standard deviations that robot.yaml's `uncertainty` states; it fits again
-/// below kFit. What touches the leg does not teach: nothing is learnt while it may be in contact, nor from
-/// what is younger than 25 ms; there the watch is frozen.
+/// not fit when what c to x_k come to, over the motion of the last 0.3 s and less kSure of its own standard
+/// deviations, is more than kMisfitRatio of the standard deviations that robot.yaml's `uncertainty` states;
+/// it fits again below kFit. What touches the leg does not teach: nothing is learnt while it may be in
+/// contact, nor from what is younger than 40 ms; there the watch is frozen.
 #include <array>
 #include <cstddef>
 
@@ -124,7 +124,7 @@ class ModelWatch {
   double quickest_rad_s_ = 0.0;  ///< that was seen
   double seen_s_ = 0.0;          ///< of motion, counted to the length of the window; since a doubt
   Bucket filling_{};
-  static constexpr std::size_t kWaiting = 5;
+  static constexpr std::size_t kWaiting = 8;
   std::array<Bucket, kWaiting> waiting_{};  ///< ring
   std::size_t next_ = 0, count_ = 0;
   SeenFriction seen_{};  ///< the last that was taken

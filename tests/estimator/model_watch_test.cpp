@@ -217,8 +217,8 @@ TEST_F(ModelWatchTest, WhatTouchesTheLegTeachesNothing) {
   watch_.freeze();
   const double before = watch_.found()[ModelWatch::kDry];
   const double ratio = watch_.ratio();
-  for (int k = 0; k < 1000; ++k) {  // a push that comes and is found within 20 ms, again and again
-    for (int i = 0; i < 20; ++i) watch_.learn(joint_.at(1.0, 0.0), 80.0, kWatchNoise_Nm, kWatchDt_s);
+  for (int k = 0; k < 1000; ++k) {  // a push that comes and is found within 35 ms, again and again
+    for (int i = 0; i < 35; ++i) watch_.learn(joint_.at(1.0, 0.0), 80.0, kWatchNoise_Nm, kWatchDt_s);
     watch_.freeze();
   }
   EXPECT_EQ(watch_.found()[ModelWatch::kDry], before);
