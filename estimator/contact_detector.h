@@ -72,7 +72,8 @@ class ContactDetector {
   std::vector<ResidualModel> joints_;
   bool contact_ = false;
   double free_s_ = 0.0;    ///< since contact was lost
-  double beyond_s_ = 0.0;  ///< how long the force has been beyond the threshold that would change the answer
+  double beyond_s_ = 0.0;  ///< how long the force has been beyond the threshold that would change the answer;
+                           ///< for a loss, less how long it has not
 };
 
 }  // namespace sprung

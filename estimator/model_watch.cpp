@@ -19,8 +19,8 @@ constexpr double kLeastMotion_s = 0.1;
 /// box that the stated numbers stand for (friction 25 %, torque constant 5 %, mass 10 %, each 1.7 of them)
 /// reach up to sqrt 3 times sqrt 2.
 constexpr double kFit = 1.7;
-/// So many standard deviations of what was found are taken off it. With one, identified joints of a leg that
-/// crawls, whose slow swings say little, were doubted once in some ten steps.
+/// So many standard deviations of what was found are taken off it. With one, identified joints of legs that
+/// crawl, whose slow swings say little, were doubted in one step of seven (erob_100, draw 24).
 constexpr double kSure = 1.5;
 /// What was found stays believed; how well it is known is forgotten over as much motion. A hip's
 /// acceleration, which looks like weight, changes within a step, and so does what touches the foot: both are

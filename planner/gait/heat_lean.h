@@ -3,7 +3,6 @@
 /// are not as warm where friction, lengths or a load on the back differ, and the warmest one slows the whole
 /// walk (motor_heat.h). Pure.
 #include <Eigen/Core>
-#include <array>
 
 #include "planner/gait/body_view.h"
 #include "signals/joint_state.h"

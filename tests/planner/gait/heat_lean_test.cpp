@@ -2,17 +2,19 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 namespace sprung {
 namespace {
 
 constexpr double kHeatCycle_s = 0.002;
 
-/// Four legs in the order fl, fr, hl, hr, three joints each.
-BodyShape shape() {
+/// Four legs in the order fl, fr, hl, hr, three joints each. @param ahead_m of the trunk's origin.
+BodyShape shape(double ahead_m = 0.0) {
   RobotConfig robot;
   for (std::size_t i = 0; i < 4; ++i) {
     LegConfig leg;
-    leg.hip_in_trunk_m = {i < 2 ? 0.33 : -0.33, i % 2 == 0 ? 0.2 : -0.2, 0.0};
+    leg.hip_in_trunk_m = {ahead_m + (i < 2 ? 0.33 : -0.33), i % 2 == 0 ? 0.2 : -0.2, 0.0};
     leg.joints = {static_cast<int>(3 * i), static_cast<int>(3 * i) + 1, static_cast<int>(3 * i) + 2};
     leg.links.resize(3);
     robot.legs.push_back(leg);
@@ -59,6 +61,12 @@ TEST_F(HeatLeanTest, TwoWarmHindLegsSendItForwardAndNoFurther) {
 
 TEST_F(HeatLeanTest, LegsThatAreAllWarmLeaveItInTheMiddle) {
   EXPECT_NEAR(after(60.0, {0.9, 0.9, 0.9, 0.9}).norm(), 0.0, 1e-12);
+}
+
+TEST_F(HeatLeanTest, TheMiddleIsThatOfTheFeetWhereverTheTrunksOriginIs) {
+  const BodyShape behind = shape(-0.5);
+  for (int k = 0; k < 30000; ++k) lean_.step(knees_at({0.9, 0.9, 0.9, 0.9}), behind, true, kHeatCycle_s);
+  EXPECT_NEAR(lean_.at_m().norm(), 0.0, 1e-12);
 }
 
 TEST_F(HeatLeanTest, GoesFurtherTheWarmerTheLegIs) {
