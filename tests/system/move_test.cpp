@@ -64,6 +64,7 @@ TEST_F(Move, UpAndStatusSayThatMotionDisagreesWithTheModel) {
   while (said().find(note) == std::string::npos && std::chrono::steady_clock::now() < end)
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   EXPECT_THAT(said(), HasSubstr("note: " + note));
+  EXPECT_THAT(said(), HasSubstr("repeat: sprung identify --record single_leg knee"));
   EXPECT_THAT(sprung("status").output, AllOf(HasSubstr("says    sprung-torque-estimator: " + note),
                                              HasSubstr("repeat: sprung identify --record single_leg knee")));
 }

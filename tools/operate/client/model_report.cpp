@@ -6,9 +6,9 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "robots/known_weight.h"
 #include "runtime/utc_text.h"
 #include "signals/modes.h"
+#include "tools/operate/launcher/record_command.h"
 
 namespace sprung {
 namespace {
@@ -58,18 +58,6 @@ std::string why_doubtful(const RobotConfig& robot, const JointConfig& joint, con
 }
 
 }  // namespace
-
-std::string record_command(const RobotConfig& robot, const JointConfig& joint) {
-  const auto place = std::find_if(robot.joints.begin(), robot.joints.end(),
-                                  [&](const JointConfig& one) { return one.name == joint.name; });
-  const double weight_kg = known_weight_kg(robot, static_cast<int>(place - robot.joints.begin()));
-  const std::string record = "sprung identify --record " + robot.name + " " + joint.name + " --suspended",
-                    out = " --out " + joint.name + ".lcm";
-  if (!(weight_kg > 0.0)) return record + out;
-  char weight[80];
-  std::snprintf(weight, sizeof weight, ", and once more with --weight %gkg, clamped to its foot", weight_kg);
-  return record + " --loaded" + out + weight;
-}
 
 Json models_json(const RobotConfig& robot, const std::optional<sprung_msgs::joint_state_t>& joints) {
   Json out = Json::array();

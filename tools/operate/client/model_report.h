@@ -17,8 +17,6 @@ nlohmann::ordered_json models_json(const RobotConfig& robot,
 /// A line for each joint whose model does not fit.
 std::vector<std::string> model_lines(const nlohmann::ordered_json& models);
 
-/// The command that records a joint again; the robot hangs.
-std::string record_command(const RobotConfig& robot, const JointConfig& joint);
 /// Lines for joints whose identification is older than its robot.yaml allows, or of another robot.
 /// @param today YYYY-MM-DD.
 std::vector<std::string> doubtful_identifications(const RobotConfig& robot, const std::string& today);

@@ -9,6 +9,7 @@
 #include "signals/own_inputs.h"
 #include "tools/operate/launcher/launcher.h"
 #include "tools/operate/launcher/lead_finder.h"
+#include "tools/operate/launcher/record_command.h"
 #include "tools/operate/launcher/recorder_plan.h"
 
 namespace sprung {
@@ -48,7 +49,7 @@ void Launcher::name_misfit(const sprung_msgs::process_status_t& status) {
   const std::size_t begin = status.detail.find(kMisfitNote);  // behind what else the detail says
   if (begin == std::string::npos) return;
   const std::string note = status.detail.substr(begin);
-  if (named_.insert(note).second) say("note: " + note + "; sprung status names the recordings to repeat");
+  if (named_.insert(note).second) say("note: " + note + "; repeat: " + recordings_to_repeat(robot_, note));
 }
 
 void Launcher::read_statuses() {

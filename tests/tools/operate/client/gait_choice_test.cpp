@@ -15,7 +15,7 @@ GaitConfig gait(const char* name, double duty, double forward, double sideways, 
   GaitConfig out;
   out.name = name;
   out.duty = duty;
-  out.fastest_forward_m_s = forward;
+  out.fastest_forward_m_s = out.fastest_backward_m_s = forward;
   out.fastest_sideways_m_s = sideways;
   out.fastest_turning_rad_s = turning;
   return out;
