@@ -53,7 +53,9 @@ JointVector led_torque_Nm(const LegKinematics& kinematics, const PosedLeg& at, c
     const double w = leg.velocity_rad_s[j];
     const FrictionInput moving{w, torque[j], leg.temperature_C[j], std::tanh(w / joints.smoothing_rad_s)};
     const double armature_kg_m2 = joints.armature_kg_m2.empty() ? 0.0 : joints.armature_kg_m2[place];
-    torque[j] += desired.friction_compensation * friction_torque_Nm(joints.friction[place], moving) +
+    const double share = desired.friction_compensation *
+                         sure_share(joints, place, desired.friction_compensation);
+    torque[j] += share * friction_torque_Nm(joints.friction[place], moving) +
                  desired.inertia_compensation * armature_kg_m2 * acceleration[j];
   }
   return torque;

@@ -158,6 +158,7 @@ void JointEstimator::follow_temperature(const JointSample& sample, double dt_s) 
   temperature_.predict(friction_.friction_torque_Nm(), filter_.velocity_rad_s(), dt_s);
   const bool settled = fresh_samples_ >= settling_samples_ && coasted_cycles_ == 0;
   if (!settled || friction_.at_rest() || !sample.untouched || !sample.drive_enabled) return;
+  if (!estimation_.adapts_friction) return;  // warmth by what the motors lose alone
   temperature_.observe(motion_now(), -sample.last_external_torque_Nm, dt_s);
 }
 

@@ -280,6 +280,10 @@ TEST_F(ComplianceLawTest, LegThatIsLedTakesItsLinksAndTheSharesOfRotorsAndFricti
   const JointVector led_Nm = led_torque_Nm(leg_, at(), desired_, foot_, measured_, joints_);
   EXPECT_NEAR(led_Nm[0] - links_Nm[0], 0.8 * 5.0 + 0.9 * 0.5 * acceleration[0], 1e-6);
   EXPECT_NEAR(led_Nm[1] - links_Nm[1], -0.8 * 7.0 + 0.9 * 0.8 * acceleration[1], 1e-6);
+  joints_.friction_uncertainty = {0.1, 0.6};  // of the second there is surely 0.4
+  const JointVector doubted_Nm = led_torque_Nm(leg_, at(), desired_, foot_, measured_, joints_);
+  EXPECT_NEAR(doubted_Nm[0], led_Nm[0], 1e-9);
+  EXPECT_NEAR(doubted_Nm[1] - led_Nm[1], (0.8 - 0.4) * 7.0, 1e-6);
 }
 
 TEST_F(ComplianceLawTest, LegThatIsLedWithoutKnownRotorsTakesItsLinksAlone) {

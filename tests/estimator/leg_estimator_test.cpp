@@ -226,7 +226,11 @@ TEST(LegEstimatorOfAnArm, ContactAtTheEndOfOneLinkIsFound) {
 /// An arm that swings through the air with 1 Nm more friction than its law says: its gear must be cold.
 class SwingingArm {
  public:
-  SwingingArm() { robot_.legs[0].contact_on_N = 1e4; }  // touches nothing, whatever friction does
+  /// @param learns friction and warmth on the way.
+  explicit SwingingArm(bool learns = true) {
+    robot_.legs[0].contact_on_N = 1e4;  // touches nothing, whatever friction does
+    robot_.estimation.adapts_friction = learns;
+  }
 
   /// @param held what the caller's joint holds before each step.
   EstimatedJoint swing(const EstimatedJoint& held) {
@@ -269,6 +273,11 @@ class SwingingArm {
 TEST(LegEstimatorOfAnArm, FrictionOfASwingTellsTheGearsTemperature) {
   const double ambient_C = load_robot("test_axis").joints[0].thermal.ambient_C;
   EXPECT_LT(SwingingArm().swing({}).estimated_temperature_degC, ambient_C - 0.1);
+}
+
+TEST(LegEstimatorOfAnArm, SwitchedOffTheGearsWarmthIsNotLearntEither) {
+  const double ambient_C = load_robot("test_axis").joints[0].thermal.ambient_C;
+  EXPECT_NEAR(SwingingArm(false).swing({}).estimated_temperature_degC, ambient_C, 0.05);
 }
 
 TEST(LegEstimatorOfAnArm, WhatAnOutputHeldIsNoState) {
