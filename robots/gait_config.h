@@ -53,6 +53,7 @@ struct GaitConfig {
   double height_m = 0.0;      ///< of the hips over the feet where nobody asks for another; 0: the preset's
   double approach_m_s = 0.0;  ///< at which a foot comes down where the ground is expected; 0: the preset's
   double fastest_forward_m_s = 0.0;
+  double fastest_backward_m_s = 0.0;  ///< legs swing differently: motors may have less speed for that way
   double fastest_sideways_m_s = 0.0;
   double fastest_turning_rad_s = 0.0;
   std::vector<std::string> to;  ///< gaits that may follow it without standing still in between

@@ -60,6 +60,7 @@ GaitConfig read_gait(const std::string& name, const YamlMap& map, std::size_t le
   if (map.has("approach_speed")) gait.approach_m_s = map.quantity("approach_speed", "m/s", 0.01, 2);
   const YamlMap fastest = map.map("fastest");
   gait.fastest_forward_m_s = fastest.quantity("forward", "m/s", 0, 5);
+  gait.fastest_backward_m_s = fastest.quantity("backward", "m/s", 0, 5);
   gait.fastest_sideways_m_s = fastest.quantity("sideways", "m/s", 0, 5);
   gait.fastest_turning_rad_s = fastest.quantity("turning", "rad/s", 0, 5);
   fastest.finish();

@@ -226,6 +226,10 @@ void add_gait(Lister& to, int gait) {
       [](AdjustableConfig& c, int i) noexcept -> double& { return c.gaits[i].fastest_forward_m_s; },
       [](AdjustableConfig& c, int i) noexcept -> double& { return c.gaits[i].fastest_sideways_m_s; },
       [](AdjustableConfig& c, int i) noexcept -> double& { return c.gaits[i].fastest_turning_rad_s; }};
+  to.add(
+      name + "fastest.backward", "m/s", lower(0.2),
+      [](AdjustableConfig& c, int i) noexcept -> double& { return c.gaits[i].fastest_backward_m_s; },
+      "limit of the wanted speed backward", gait);
   for (int way = 0; way < 3; ++way)
     to.add(name + "fastest." + kWays[way], way < 2 ? "m/s" : "rad/s", lower(0.2), fastest[way],
            std::string("limit of the wanted speed ") + kWays[way], gait);

@@ -18,10 +18,28 @@ double SpeedRamp::left_s() const noexcept {
   return left_s;
 }
 
-void SpeedRamp::advance(double dt_s, const std::array<double, 3>& most_faster) noexcept {
+bool SpeedRamp::grows(std::size_t axis) const noexcept {
+  return std::abs(wanted_[axis]) > std::abs(now_[axis]) && wanted_[axis] * now_[axis] >= 0.0;
+}
+
+/// Share of its most that each of the growing speeds may take: a foot is left behind by all of them at once.
+std::array<double, 3> SpeedRamp::shares(const std::array<double, 3>& most_faster) const noexcept {
+  std::array<double, 3> out{1.0, 1.0, 1.0};
+  double sum = 0.0;
   for (std::size_t i = 0; i < now_.size(); ++i) {
-    const bool faster = std::abs(wanted_[i]) > std::abs(now_[i]) && wanted_[i] * now_[i] >= 0.0;
-    const double most = (faster ? std::min(most_[i], most_faster[i]) : times_ * most_[i]) * dt_s;
+    if (!grows(i) || !(most_faster[i] > 0.0)) continue;
+    out[i] = std::abs(wanted_[i] - now_[i]) / most_faster[i];
+    sum += out[i] * out[i];
+  }
+  for (std::size_t i = 0; i < now_.size(); ++i)
+    if (grows(i) && most_faster[i] > 0.0) out[i] /= std::sqrt(sum);
+  return out;
+}
+
+void SpeedRamp::advance(double dt_s, const std::array<double, 3>& most_faster) noexcept {
+  const std::array<double, 3> share = shares(most_faster);
+  for (std::size_t i = 0; i < now_.size(); ++i) {
+    const double most = (grows(i) ? std::min(most_[i], share[i] * most_faster[i]) : times_ * most_[i]) * dt_s;
     now_[i] += std::clamp(wanted_[i] - now_[i], -most, most);
   }
 }

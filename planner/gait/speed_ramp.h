@@ -20,7 +20,8 @@ class SpeedRamp {
   }
   /// To rest within this time, where the acceleration alone would take longer.
   void stop(double within_s) noexcept;
-  /// @param most_faster of the acceleration while a speed grows, besides the ramp's own.
+  /// @param most_faster of the acceleration while a speed grows, besides the ramp's own; of several at once
+  /// the root of their squared shares' sum is at most 1.
   void advance(double dt_s, const std::array<double, 3>& most_faster) noexcept;
   const std::array<double, 3>& now() const noexcept { return now_; }
   bool arrived() const noexcept { return now_ == wanted_; }
@@ -28,6 +29,9 @@ class SpeedRamp {
   double left_s() const noexcept;
 
  private:
+  bool grows(std::size_t axis) const noexcept;
+  std::array<double, 3> shares(const std::array<double, 3>& most_faster) const noexcept;
+
   std::array<double, 3> most_{};
   std::array<double, 3> now_{};
   std::array<double, 3> wanted_{};

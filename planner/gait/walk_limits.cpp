@@ -18,6 +18,7 @@ void Walk::adjust(const AdjustableConfig& config) noexcept {
       gait->lift_m = config.gaits[i].lift_m;
       gait->height_m = config.gaits[i].height_m;
       gait->fastest_forward_m_s = config.gaits[i].fastest_forward_m_s;
+      gait->fastest_backward_m_s = config.gaits[i].fastest_backward_m_s;
       gait->fastest_sideways_m_s = config.gaits[i].fastest_sideways_m_s;
       gait->fastest_turning_rad_s = config.gaits[i].fastest_turning_rad_s;
     }
@@ -36,8 +37,8 @@ const char* Walk::validate(const WalkRequest& request, bool walking) const noexc
   if (gaits_.empty()) return "this robot has no gaits";
   if (request.gait < 0 || request.gait >= static_cast<int>(gaits_.size())) return "unknown gait";
   const GaitConfig& wanted = gaits_[request.gait];
-  if (!(std::abs(request.speed[0]) <= wanted.fastest_forward_m_s))
-    return "faster forward than this gait goes";
+  if (!(request.speed[0] <= wanted.fastest_forward_m_s)) return "faster forward than this gait goes";
+  if (!(request.speed[0] >= -wanted.fastest_backward_m_s)) return "faster backward than this gait goes";
   if (!(std::abs(request.speed[1]) <= wanted.fastest_sideways_m_s))
     return "faster sideways than this gait goes";
   if (!(std::abs(request.speed[2]) <= wanted.fastest_turning_rad_s))

@@ -63,7 +63,7 @@ TEST_F(ParameterSettingsTest, WhatMayNotBeIsRefusedWithTheReason) {
   };
   EXPECT_EQ(why(named("compliance.stiffness.z"), 6000.0), "");
   EXPECT_EQ(why(named("compliance.stiffness.z"), 6000.1), "beyond its range");
-  EXPECT_EQ(why(named("gaits.trot.fastest.forward"), 0.46),
+  EXPECT_EQ(why(named("gaits.trot.fastest.forward"), 0.41),
             "beyond its range: a limit may only be tightened");
   EXPECT_EQ(why(-1, 1.0), "no such parameter of this robot under this preset");
   EXPECT_EQ(why(10'000, 1.0), "no such parameter of this robot under this preset");

@@ -94,7 +94,7 @@ TEST_F(PlannerParameters, WalkThatIsTooFastForANewLimitSlowsDown) {
   run(3.0);
   EXPECT_NEAR(motion_.desired_speed[0], 0.2, 1e-9);
   EXPECT_EQ(walk(kTrot, {0.3, 0.0, 0.0}).outcome, OperatorOutcome::kRefused);
-  set("gaits.trot.fastest.forward", 0.45);
+  set("gaits.trot.fastest.forward", 0.4);
   run(3.0);
   EXPECT_NEAR(motion_.desired_speed[0], 0.4, 1e-9) << "as it was asked for";
 }

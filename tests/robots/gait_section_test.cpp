@@ -35,7 +35,7 @@ class WalkingPegasus : public testing::Test {
 std::string gait(const std::string& duty, const std::string& offsets, const std::string& to = "[]") {
   return "period: 0.5 s, duty: " + duty + ", offsets: " + offsets +
          ", lift: 0.04 m, pre_stance: 0.2, sway: 0.01 m, "
-         "fastest: {forward: 0.3 m/s, sideways: 0.2 m/s, turning: 0.1 rad/s}, to: " +
+         "fastest: {forward: 0.3 m/s, backward: 0.25 m/s, sideways: 0.2 m/s, turning: 0.1 rad/s}, to: " +
          to;
 }
 
@@ -49,6 +49,7 @@ TEST_F(WalkingPegasus, GaitsAreData) {
   EXPECT_DOUBLE_EQ(odd.pre_stance, 0.2);
   EXPECT_DOUBLE_EQ(odd.sway_m, 0.01);
   EXPECT_DOUBLE_EQ(odd.fastest_forward_m_s, 0.3);
+  EXPECT_DOUBLE_EQ(odd.fastest_backward_m_s, 0.25);
   EXPECT_DOUBLE_EQ(odd.fastest_sideways_m_s, 0.2);
   EXPECT_DOUBLE_EQ(odd.fastest_turning_rad_s, 0.1);
   EXPECT_EQ(odd.to, (std::vector<std::string>{"trot", "crawl"}));

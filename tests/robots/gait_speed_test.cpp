@@ -8,13 +8,15 @@ namespace {
 GaitConfig gait() {
   GaitConfig out;
   out.fastest_forward_m_s = 0.4;
+  out.fastest_backward_m_s = 0.3;
   out.fastest_sideways_m_s = 0.1;
   out.fastest_turning_rad_s = 0.5;
   return out;
 }
 
 TEST(GaitSpeedTest, EachOfTheFastestAloneIsTheWholeOfIt) {
-  EXPECT_DOUBLE_EQ(speed_share(gait(), {-0.4, 0.0, 0.0}), 1.0);
+  EXPECT_DOUBLE_EQ(speed_share(gait(), {0.4, 0.0, 0.0}), 1.0);
+  EXPECT_DOUBLE_EQ(speed_share(gait(), {-0.3, 0.0, 0.0}), 1.0);
   EXPECT_DOUBLE_EQ(speed_share(gait(), {0.0, 0.1, 0.0}), 1.0);
   EXPECT_DOUBLE_EQ(speed_share(gait(), {0.0, 0.0, -0.5}), 1.0);
   EXPECT_EQ(speed_share(gait(), {0.0, 0.0, 0.0}), 0.0);

@@ -69,7 +69,8 @@ TEST_F(Parameters, EachIsANumberOfItsOwn) {
 }
 
 TEST_F(Parameters, LimitsMayOnlyBeTightened) {
-  EXPECT_EQ(named("gaits.trot.fastest.forward").most, 0.45);
+  EXPECT_EQ(named("gaits.trot.fastest.forward").most, 0.4);
+  EXPECT_EQ(named("gaits.trot.fastest.backward").most, 0.28);
   EXPECT_EQ(named("body.fallen.tilt").most, 0.7);
   EXPECT_EQ(named("body.fallen.height").least, 0.25);
   EXPECT_TRUE(named("walk.acceleration").tightens_only);

@@ -257,13 +257,13 @@ inline void dump_value(test::ValueDump& dump, const std::string& at, const BodyC
 }
 
 inline void dump_value(test::ValueDump& dump, const std::string& at, const GaitConfig& value) {
-  const auto& [name, period, duty, offsets, lift, pre_stance, sway, height, approach, forward, sideways,
-               turning, to] = value;
+  const auto& [name, period, duty, offsets, lift, pre_stance, sway, height, approach, forward, backward,
+               sideways, turning, to] = value;
   dump.fields(at,
               "name period_s duty offsets lift_m pre_stance sway_m height_m approach_m_s fastest_forward_m_s "
-              "fastest_sideways_m_s fastest_turning_rad_s to",
-              name, period, duty, offsets, lift, pre_stance, sway, height, approach, forward, sideways,
-              turning, to);
+              "fastest_backward_m_s fastest_sideways_m_s fastest_turning_rad_s to",
+              name, period, duty, offsets, lift, pre_stance, sway, height, approach, forward, backward,
+              sideways, turning, to);
 }
 
 inline void dump_value(test::ValueDump& dump, const std::string& at, const ProcessConfig& value) {

@@ -162,6 +162,10 @@ void add_gaits(std::vector<Limit>& limits) {
                         {std::string("faster ") + axes[axis] + " than this gait goes"},
                         walking(gait, speed, 0.1)});
     }
+    limits.push_back({"gaits." + gait + ".fastest.backward",
+                      "0.01 m/s",
+                      {"faster backward than this gait goes"},
+                      walking(gait, {-0.02, 0.0, 0.0}, 0.1)});
   }
 }
 

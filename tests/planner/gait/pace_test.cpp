@@ -12,7 +12,7 @@ namespace {
 constexpr double kPaceStep_s = 0.002;
 GaitConfig crawling_gait() {
   GaitConfig gait;
-  gait.fastest_forward_m_s = 0.12;
+  gait.fastest_forward_m_s = gait.fastest_backward_m_s = 0.12;
   gait.fastest_sideways_m_s = 0.06;
   gait.fastest_turning_rad_s = 0.15;
   return gait;

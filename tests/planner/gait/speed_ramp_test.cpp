@@ -76,6 +76,21 @@ TEST(SpeedRampTest, ResetItStandsAndWantsToStand) {
   EXPECT_EQ(ramp.now(), (std::array<double, 3>{0.0, 0.0, 0.0}));
 }
 
+TEST(SpeedRampTest, SpeedsThatGrowTogetherShareWhatTheGaitAllows) {
+  SpeedRamp ramp;
+  ramp.limit(1.0, 1.0);
+  ramp.want({0.3, -0.04, 0.0});
+  ramp.advance(kSpeedRampStep_s, {0.2, 0.02, 0.1});
+  const double forward = ramp.now()[0] / (0.2 * kSpeedRampStep_s),
+               left = ramp.now()[1] / (0.02 * kSpeedRampStep_s);
+  EXPECT_NEAR(forward * forward + left * left, 1.0, 1e-9);
+  EXPECT_NEAR(left / forward, -2.0 / 1.5, 1e-9);  // all arrive at once
+  ramp.reset();
+  ramp.want({0.3, 0.0, 0.0});
+  ramp.advance(kSpeedRampStep_s, {0.2, 0.02, 0.1});
+  EXPECT_NEAR(ramp.now()[0], 0.2 * kSpeedRampStep_s, 1e-12);  // alone it has it all
+}
+
 TEST(SpeedRampTest, BecomesFasterNoQuickerThanTheGaitAllowsAndSlowerAtItsOwnRate) {
   SpeedRamp ramp;
   ramp.limit(0.2, 0.5);

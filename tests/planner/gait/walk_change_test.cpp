@@ -24,7 +24,7 @@ class WalkChangeTest : public WalkFixture {
 
 TEST_F(WalkChangeTest, StopSlowsDownSetsTheFeetInTheirPlacesAndEnds) {
   for (const char* name : {"crawl", "walk", "trot"}) {
-    const double speed = name == std::string("crawl") ? 0.1 : 0.25;
+    const double speed = name == std::string("crawl") ? 0.1 : 0.2;
     begin(request(name, {speed, 0.0, 0.0}));
     run(6.0);
     walk_.stop();
@@ -107,7 +107,7 @@ TEST_F(WalkChangeTest, OtherGaitBeginsWhenAllFeetStand) {
 /// A robot whose feet stop swinging at speed would fall over them.
 TEST_F(WalkChangeTest, GaitThatNeverSwingsBeginsOnlyWhenTheRobotStandsStillOverItsFeet) {
   for (const char* name : {"crawl", "walk", "trot"}) {
-    const double speed = name == std::string("crawl") ? 0.1 : 0.25;
+    const double speed = name == std::string("crawl") ? 0.1 : 0.2;
     begin(request(name, {speed, 0.0, 0.0}));
     run(6.0);
     change(request("stand"));
@@ -229,8 +229,9 @@ TEST_F(WalkChangeTest, RequestsThatCannotBeAreRefusedWithTheirReason) {
   };
   for (const int unknown : {-1, 4, 1000})
     EXPECT_EQ(why([&](WalkRequest& r) { r.gait = unknown; }), "unknown gait");
-  for (const double wrong : {0.46, -0.46, kNaN})
+  for (const double wrong : {0.41, kNaN})
     EXPECT_EQ(why([&](WalkRequest& r) { r.speed[0] = wrong; }), "faster forward than this gait goes");
+  EXPECT_EQ(why([&](WalkRequest& r) { r.speed[0] = -0.29; }), "faster backward than this gait goes");
   for (const double wrong : {0.13, -0.13, kNaN})
     EXPECT_EQ(why([&](WalkRequest& r) { r.speed[1] = wrong; }), "faster sideways than this gait goes");
   for (const double wrong : {0.41, -0.41, kNaN})
@@ -240,8 +241,8 @@ TEST_F(WalkChangeTest, RequestsThatCannotBeAreRefusedWithTheirReason) {
               "body height beyond 60 to 105 % of the preset's stand_length");
   for (const double wrong : {-0.06, 0.16, kNaN})
     EXPECT_EQ(why([&](WalkRequest& r) { r.stance_width_m = wrong; }), "stance width beyond -50 to 150 mm");
-  EXPECT_EQ(why([](WalkRequest& r) { r.speed = {-0.25, 0.06, -0.2}; }), "");
-  for (const double forward : {-0.45, 0.45}) {
+  EXPECT_EQ(why([](WalkRequest& r) { r.speed = {-0.17, 0.06, -0.2}; }), "");
+  for (const double forward : {-0.28, 0.4}) {
     EXPECT_EQ(why([&](WalkRequest& r) { r.speed = {forward, 0.0, 0.0}; }), "");
     EXPECT_EQ(why([&](WalkRequest& r) {
                 r.speed = {forward, 0.05, 0.0};

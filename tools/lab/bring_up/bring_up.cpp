@@ -14,6 +14,7 @@
 #include "runtime/utc_text.h"
 #include "simulation/plant/plant_draw.h"
 #include "simulation/plant/sim_config.h"
+#include "tools/lab/bring_up/never_identified.h"
 #include "tools/lab/identify/drive_series.h"
 #include "tools/lab/identify/fragment.h"
 #include "tools/lab/identify/identify_recording.h"
@@ -105,10 +106,9 @@ std::vector<std::string> scoring_experiments(const RobotConfig& robot) {
   return {"model_watch", "drag"};
 }
 
-/// Rows of one experiment on this robot, by their own names behind `prefix`; what it did not reach is a row
-/// too, so that a robot that falls over does not end the comparison.
-std::vector<ReportRow> scored(const std::string& name, const RobotConfig& robot, const ExperimentInput& in,
-                              const std::string& prefix) {
+/// Rows of one experiment on this robot; what it did not reach is a row too, so that a robot that falls over
+/// does not end the comparison.
+std::vector<ReportRow> scored(const std::string& name, const RobotConfig& robot, const ExperimentInput& in) {
   for (const Experiment& experiment : experiments()) {
     if (experiment.name != name) continue;
     ExperimentInput own = in;
@@ -119,17 +119,19 @@ std::vector<ReportRow> scored(const std::string& name, const RobotConfig& robot,
     try {
       rows = experiment.run(own).rows;
     } catch (const std::exception& error) {
-      std::fprintf(stderr, "%s%s: %s\n", prefix.c_str(), name.c_str(), error.what());
+      std::fprintf(stderr, "%s: %s\n", name.c_str(), error.what());
       rows.push_back(row(name + ".completed", "", 0.0, at_least(1.0)));
     }
-    for (ReportRow& one : rows) one.name.insert(0, prefix);
     return rows;
   }
   throw std::invalid_argument("there is no experiment '" + name + "'");
 }
 
-void append(std::vector<ReportRow>& rows, std::vector<ReportRow> more) {
-  rows.insert(rows.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+void append(std::vector<ReportRow>& rows, const std::string& prefix, std::vector<ReportRow> more) {
+  for (ReportRow& one : more) {
+    one.name.insert(0, prefix);
+    rows.push_back(std::move(one));
+  }
 }
 
 /// The robot as `sprung robot new` gives it: what was identified is of the one that it was copied from. The
@@ -140,7 +142,7 @@ RobotConfig as_shipped(RobotConfig robot) {
   return robot;
 }
 
-/// As shipped it is only there to compare with: nothing is demanded.
+/// Of who takes the shipped law for its own gears' nothing is demanded: motion alone can tell, in its time.
 std::vector<ReportRow> without_demands(std::vector<ReportRow> rows) {
   for (ReportRow& one : rows) one.low = one.high = std::nullopt;
   return rows;
@@ -171,10 +173,10 @@ ExperimentOutput run_bring_up(const ExperimentInput& asked, const BringUpRequest
   add_law_rows(changes, out.rows);
   for (const std::string& name : scoring_experiments(in.robot)) {
     if (!request.only.empty() && request.only != name) continue;
-    append(out.rows, scored(name, identified, in, "bring_up.identified."));
-    append(out.rows, without_demands(scored(name, as_shipped(in.robot), in, "bring_up.shipped.")));
+    append(out.rows, "bring_up.identified.", scored(name, identified, in));
+    append(out.rows, "bring_up.shipped.", never_identified(scored(name, as_shipped(in.robot), in)));
     if (name == "model_watch")
-      append(out.rows, without_demands(scored(name, in.robot, in, "bring_up.mistaken.")));
+      append(out.rows, "bring_up.mistaken.", without_demands(scored(name, in.robot, in)));
   }
   return out;
 }

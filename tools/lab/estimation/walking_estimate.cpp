@@ -11,6 +11,8 @@ namespace sprung {
 namespace {
 
 constexpr double kWalkingDelay_ms = 10.0;
+constexpr double kLeastCovered = 0.93, kMostCovered = 0.985;  // as of a leg's bounds
+constexpr double kMostHalfWidthOverRms = 2.6;
 
 /// A step begins where the planner lifts the foot.
 class WalkScorer {
@@ -91,9 +93,10 @@ std::vector<ReportRow> walking_estimate_rows(const std::string& gait, const Walk
               at_most(kMostContactFalseAlarms_percent)),
           row(walk + ".stance_rms", "Nm", found.stance.rms_Nm()),
           row(walk + ".swing_rms", "Nm", found.swing.rms_Nm()),
-          row(walk + ".coverage", "", all.covered()),
-          row(walk + ".half_width_over_rms", "", all.mean_bound_Nm() / all.rms_Nm()),
-          row(walk + ".model_fits", "", found.fits ? 1.0 : 0.0)};
+          row(walk + ".coverage", "", all.covered(), between(kLeastCovered, kMostCovered)),
+          row(walk + ".half_width_over_rms", "", all.mean_bound_Nm() / all.rms_Nm(),
+              at_most(kMostHalfWidthOverRms)),
+          row(walk + ".model_fits", "", found.fits ? 1.0 : 0.0, at_least(1.0))};
 }
 
 }  // namespace sprung

@@ -3,6 +3,7 @@
 #include <time.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <stdexcept>
@@ -44,7 +45,7 @@ EnduranceStep walk(const RobotConfig& robot, const std::string& preset, int gait
   EnduranceStep out;
   out.command.kind = OperatorKind::kWalk;
   out.command.gait = gait;
-  out.command.walk_speed = {dice.between(-g.fastest_forward_m_s, g.fastest_forward_m_s),
+  out.command.walk_speed = {dice.between(-g.fastest_backward_m_s, g.fastest_forward_m_s),
                             dice.between(-g.fastest_sideways_m_s, g.fastest_sideways_m_s),
                             dice.between(-g.fastest_turning_rad_s, g.fastest_turning_rad_s)};
   // Together they are at most what the gait goes: what is beyond is drawn in to the edge.
@@ -141,6 +142,7 @@ EnduranceOutcome endure(const RobotConfig& robot, const EnduranceRequest& reques
     break;
   }
   out.vitals = walker.vitals();
+  out.reserve = walker.reserve();
   out.refusals = walker.refusals();
   out.simulated_s = walker.simulated_s();
   out.processor_s = processor_s() - began_s;
@@ -159,7 +161,7 @@ std::vector<EnduranceOutcome> run_endurance(const RobotConfig& robot, const Endu
 
 std::vector<ReportRow> endurance_rows(const std::vector<EnduranceOutcome>& outcomes) {
   int falls = 0, uncaught = 0, trips = 0, refusals = 0, requests = 0;
-  double watched_s = 0.0, saturated = 0.0, fastest_rad_s = 0.0, strongest_Nm = 0.0;
+  double watched_s = 0.0, saturated = 0.0, fastest_rad_s = 0.0, strongest_Nm = 0.0, reserve = HUGE_VAL;
   for (const EnduranceOutcome& o : outcomes) {
     falls += o.vitals.fell ? 1 : 0;
     uncaught += o.vitals.fell && !o.vitals.caught ? 1 : 0;
@@ -170,6 +172,7 @@ std::vector<ReportRow> endurance_rows(const std::vector<EnduranceOutcome>& outco
     saturated = std::max(saturated, o.vitals.saturated_share);
     fastest_rad_s = std::max(fastest_rad_s, o.vitals.fastest_rad_s);
     strongest_Nm = std::max(strongest_Nm, o.vitals.strongest_Nm);
+    reserve = std::fmin(reserve, o.reserve.least);
   }
   return {row("endurance.all.falls", "", falls, at_most(0.0)),
           row("endurance.all.limit_trips", "", trips, at_most(0.0)),
@@ -179,19 +182,22 @@ std::vector<ReportRow> endurance_rows(const std::vector<EnduranceOutcome>& outco
           row("endurance.all.refusals", "", refusals),
           row("endurance.all.saturated_worst", "%", 100.0 * saturated),
           row("endurance.all.joint_speed_max", "rad/s", fastest_rad_s),
-          row("endurance.all.motor_torque_max", "Nm", strongest_Nm)};
+          row("endurance.all.motor_torque_max", "Nm", strongest_Nm),
+          row("endurance.all.voltage_reserve", "%", 100.0 * reserve)};
 }
 
 report::Section endurance_section(const std::vector<EnduranceOutcome>& outcomes) {
   report::Section out{"Each seed"};
-  report::Table table{"",
-                      {"seed", "friction", "mass", "floor friction", "watched (s)", "requests",
-                       "saturated (%)", "joint speed (rad/s)", "motor torque (Nm)", "what befell it"}};
+  report::Table table{
+      "",
+      {"seed", "friction", "mass", "floor friction", "watched (s)", "requests", "saturated (%)",
+       "joint speed (rad/s)", "motor torque (Nm)", "voltage reserve (%)", "what befell it"}};
   for (const EnduranceOutcome& o : outcomes) {
     const bool well = !o.vitals.fell && o.vitals.trips == 0;
     table.rows.push_back({o.seed, o.plant.at("friction_scale"), o.plant.at("mass_scale"),
                           o.plant.at("ground_friction"), o.vitals.watched_s, o.requests,
                           100.0 * o.vitals.saturated_share, o.vitals.fastest_rad_s, o.vitals.strongest_Nm,
+                          100.0 * o.reserve.least,
                           well ? report::Cell{"nothing", report::Mark::kGood}
                                : report::Cell{o.vitals.why + " (" + o.doing + ")", report::Mark::kBad}});
   }

@@ -11,6 +11,7 @@
 #include "simulation/sim_core.h"
 #include "tools/common/parallel.h"
 #include "tools/common/report/report.h"
+#include "tools/lab/gait/voltage_reserve.h"
 #include "tools/lab/gait/walk_vitals.h"
 #include "tools/lab/run/experiment.h"
 
@@ -48,7 +49,8 @@ struct EnduranceOutcome {
   std::uint64_t seed = 0;
   std::map<std::string, double> plant;
   WalkVitals vitals;
-  std::string doing;  ///< when it fell or tripped first: the request; empty: it never did
+  VoltageReserve reserve{};  ///< from the first request on
+  std::string doing;         ///< when it fell or tripped first: the request; empty: it never did
   int requests = 0;
   int refusals = 0;
   double simulated_s = 0.0;

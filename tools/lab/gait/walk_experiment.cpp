@@ -29,8 +29,8 @@ constexpr const char* kReserveNote =
     "Voltage reserve: 1 - |R i + Ke w| / (0.9 U), true, least of all joints from the first step on.";
 constexpr double kSpeedShare = 0.10, kMostDrift_deg = 5.0;
 /// Of the gait's fastest, that speed and heading are taken at.
-constexpr double kCrawlShare = 5.0 / 6.0, kWalkShare = 4.0 / 5.0, kTrotShare = 7.0 / 9.0,
-                 kStretchShare = 8.0 / 9.0;
+constexpr double kCrawlShare = 20.0 / 21.0, kWalkShare = 20.0 / 21.0, kTrotShare = 7.0 / 8.0,
+                 kStretchShare = 1.0;
 constexpr double kSpeedStep_m_s = 0.005;
 constexpr double kTimeout = 2.0;
 constexpr double kDegrees = 180.0 / 3.14159265358979323846;
@@ -219,17 +219,23 @@ WalkExperiment run_walk_experiment(const RobotConfig& robot, const WalkTask& tas
   out.limits = walk_limits(robot);
   out.gaits.resize(cases.size());
   out.controls.resize(std::size(kWalkControls));
+  const std::vector<Manoeuvre> directions = manoeuvres(robot);
+  out.manoeuvres.resize(directions.size());
+  const std::size_t before = out.gaits.size() + out.controls.size();
   run_parallel(
-      out.gaits.size() + out.controls.size(),
+      before + directions.size(),
       [&](std::size_t i) {
         if (i < out.gaits.size())
           out.gaits[i] = go(robot, task, cases[i]);
-        else
+        else if (i < before)
           out.controls[i - out.gaits.size()] = walk_under(robot, task, kWalkControls[i - out.gaits.size()]);
+        else
+          out.manoeuvres[i - before] = manoeuvre(robot, task.preset, task.sim, directions[i - before]);
       },
       task.parallel);
   for (const GaitOutcome& g : out.gaits) out.simulated_s += g.simulated_s;
   for (const ControlOutcome& c : out.controls) out.simulated_s += c.simulated_s;
+  for (const ManoeuvreOutcome& m : out.manoeuvres) out.simulated_s += m.simulated_s;
   return out;
 }
 
@@ -237,11 +243,12 @@ std::vector<ReportRow> walk_rows(const WalkExperiment& result) {
   std::vector<ReportRow> rows;
   for (const ControlOutcome& c : result.controls) add_control(c, result, rows);
   for (const GaitOutcome& g : result.gaits) add_gait(g, result.limits.torque_Nm, rows);
+  for (ReportRow& one : manoeuvre_rows(result.manoeuvres)) rows.push_back(std::move(one));
   return rows;
 }
 
 std::vector<report::Section> walk_sections(const WalkExperiment& result) {
-  return {controls_section(result), gaits_section(result)};
+  return {controls_section(result), gaits_section(result), manoeuvre_section(result.manoeuvres)};
 }
 
 Experiment walk_experiment() {

@@ -7,6 +7,7 @@
 #include "simulation/sim_core.h"
 #include "tools/common/parallel.h"
 #include "tools/common/report/report.h"
+#include "tools/lab/gait/manoeuvres.h"
 #include "tools/lab/gait/step_score.h"
 #include "tools/lab/gait/voltage_reserve.h"
 #include "tools/lab/gait/walk_vitals.h"
@@ -70,6 +71,7 @@ struct WalkExperiment {
   WalkLimits limits;
   std::vector<ControlOutcome> controls;
   std::vector<GaitOutcome> gaits;
+  std::vector<ManoeuvreOutcome> manoeuvres;
   double simulated_s = 0.0;
 };
 

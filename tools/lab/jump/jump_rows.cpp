@@ -11,6 +11,8 @@ constexpr double kNear = 0.10;                   // issue 5: "within 10 %"
 constexpr int kLeastWithin = 15;                 // of the 18
 constexpr double kLeastHybridHeight_mm = 150.0;  // what this stack promises on its own plant
 constexpr double kMostLandingOutput = 0.6;       // adaptive over position
+/// [design choice] The papers' hybrid law spares the motors; the gears it may cost a twentieth at most.
+constexpr double kMostPapersOutput = 1.05;
 constexpr JumpMode kPapersModes[] = {JumpMode::kPosition, JumpMode::kTorque, JumpMode::kHybrid};
 
 struct PaperFigure {
@@ -73,11 +75,12 @@ void add_mode(const MeasuredJump& jump, std::vector<ReportRow>& rows) {
 /// gear output.
 void add_landing_ratio(const std::string& of, const JumpResult& ours, const JumpResult& other,
                        std::optional<double> paper, std::optional<double> high,
-                       std::vector<ReportRow>& rows) {
+                       std::optional<double> high_output, std::vector<ReportRow>& rows) {
   rows.push_back(row("jump.ratio." + of, "", ours.landing_knee_torque_Nm / other.landing_knee_torque_Nm,
                      {{}, high, paper}));
   rows.push_back(row("jump.ratio." + of + "_output", "",
-                     ours.landing_knee_output_torque_Nm / other.landing_knee_output_torque_Nm));
+                     ours.landing_knee_output_torque_Nm / other.landing_knee_output_torque_Nm,
+                     {{}, high_output, {}}));
 }
 
 double worst_landing_output_Nm(const JumpResult& jump) {
@@ -86,8 +89,8 @@ double worst_landing_output_Nm(const JumpResult& jump) {
 
 /// What breaks a gear is at its output; the motors pay for it, as their side of the ratio shows.
 void add_spared_gears(const JumpResult& adaptive, const JumpResult& position, std::vector<ReportRow>& rows) {
-  add_landing_ratio("adaptive_over_position", adaptive, position, std::nullopt, std::nullopt, rows);
-  rows.back().high = kMostLandingOutput;
+  add_landing_ratio("adaptive_over_position", adaptive, position, std::nullopt, std::nullopt,
+                    kMostLandingOutput, rows);
   rows.push_back(row("jump.ratio.adaptive_over_position_worst_output", "",
                      worst_landing_output_Nm(adaptive) / worst_landing_output_Nm(position),
                      at_most(kMostLandingOutput)));
@@ -96,8 +99,9 @@ void add_spared_gears(const JumpResult& adaptive, const JumpResult& position, st
 void add_hybrid_ratios(const JumpResult& hybrid, const JumpResult& position, const JumpResult& torque,
                        bool are_demanded, std::vector<ReportRow>& rows) {
   const auto bound = [&](double value) { return are_demanded ? std::optional<double>(value) : std::nullopt; };
-  add_landing_ratio("hybrid_over_torque", hybrid, torque, 9.46 / 24.21, bound(1.0 / 2.0), rows);
-  add_landing_ratio("hybrid_over_position", hybrid, position, 9.46 / 61.58, bound(1.0 / 3.5), rows);
+  add_landing_ratio("hybrid_over_torque", hybrid, torque, 9.46 / 24.21, bound(1.0 / 2.0), std::nullopt, rows);
+  add_landing_ratio("hybrid_over_position", hybrid, position, 9.46 / 61.58, bound(1.0 / 3.5),
+                    bound(kMostPapersOutput), rows);
   rows.push_back(row("jump.ratio.height_hybrid_over_position", "", hybrid.height_mm / position.height_mm,
                      {bound(0.97), {}, 188.0 / 184.0}));
   rows.push_back(row("jump.ratio.work_hybrid_over_position", "",

@@ -45,8 +45,8 @@ struct HangingReturnResult {
 };
 
 /// `with` the preset's own compensation; `without` and `paper` (preset paper, its compensation) on a plant of
-/// the friction that S1's errors imply; `without_as_is` on the plant of `with`; `with` on other
-/// plants.
+/// the friction that S1's errors imply; `without_as_is` what `with` is, but for the compensation;
+/// `with` on other plants.
 /// @param preset of all but `paper`.
 std::vector<HangingCase> hanging_cases(const RobotConfig& robot, const std::string& preset);
 

@@ -26,7 +26,7 @@ report::Table summary_table(const HangingReturnResult& result) {
       "S1, Fig. 10: mean 8.91, max 12.4, min 5.2 mm without, 3.88, 7.1, 1.8 mm with its compensation. Its "
       "errors imply 3.2 Nm of stick "
       "friction, where this plant has 4.3: `without` and `paper` are on a plant of that friction, "
-      "`without_as_is` is not.";
+      "`without_as_is` has plant and springs of `with`.";
   return out;
 }
 

@@ -100,9 +100,11 @@ OperatorForm land_form() {
 OperatorForm walk_form(const RobotConfig& robot, const PresetConfig& preset) {
   std::vector<std::string> gaits{kFitting};
   Vec3 fastest{};
+  double backward_m_s = 0.0;
   const double stand_m = preset.stand_length_m;
   for (const GaitConfig& gait : robot.gaits) {
     gaits.push_back(gait.name);
+    backward_m_s = std::max(backward_m_s, gait.fastest_backward_m_s);
     fastest = {std::max(fastest[0], gait.fastest_forward_m_s),
                std::max(fastest[1], gait.fastest_sideways_m_s),
                std::max(fastest[2], gait.fastest_turning_rad_s)};
@@ -113,7 +115,7 @@ OperatorForm walk_form(const RobotConfig& robot, const PresetConfig& preset) {
           OperatorKind::kWalk,
           true,
           "",
-          {number("forward_m_s", "forward", "m/s", -fastest[0], fastest[0], 0.01, 0.2),
+          {number("forward_m_s", "forward", "m/s", -backward_m_s, fastest[0], 0.01, 0.2),
            number("left_m_s", "to the left", "m/s", -fastest[1], fastest[1], 0.01, 0.0),
            number("turning_rad_s", "turning left", "rad/s", -fastest[2], fastest[2], 0.01, 0.0),
            number("height_mm", "hips over feet", "mm", std::ceil(1e3 * Walk::kLowestShare * stand_m),

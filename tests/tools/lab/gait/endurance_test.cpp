@@ -54,7 +54,8 @@ TEST(EnduranceScript, EverythingIsAskedForAndOnlyWhatIsAllowed) {
       continue;
     }
     const GaitConfig& gait = pegasus().gaits[step.command.gait];
-    EXPECT_LE(std::abs(step.command.walk_speed[0]), gait.fastest_forward_m_s);
+    EXPECT_LE(step.command.walk_speed[0], gait.fastest_forward_m_s);
+    EXPECT_GE(step.command.walk_speed[0], -gait.fastest_backward_m_s);
     EXPECT_LE(std::abs(step.command.walk_speed[1]), gait.fastest_sideways_m_s);
     EXPECT_LE(std::abs(step.command.walk_speed[2]), gait.fastest_turning_rad_s);
     EXPECT_LE(speed_share(gait, step.command.walk_speed), kMostSpeedShare);

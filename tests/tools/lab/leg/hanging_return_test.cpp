@@ -33,6 +33,22 @@ TEST_F(HangingReturnTest, CompensationBringsTheFootHomeAndWithoutItSticks) {
   EXPECT_EQ(with.cases[0].summary.limit_cycles, 0);
   EXPECT_GT(with.cases[0].summary.moved_least_mm, 36.0);
   EXPECT_GT(without.cases.at(0).summary.max_mm, 3.0 * with.cases[0].summary.max_mm);
+  EXPECT_EQ(with.cases[0].config.gains.stiffness_N_m, without.cases[0].config.gains.stiffness_N_m);
+}
+
+TEST_F(HangingReturnTest, CompensationIsHeldAgainstTheSameSpringsWithoutIt) {
+  HangingReturnResult result;
+  for (const HangingCase& config : hanging_cases(robot_, "best"))
+    if (config.name == "with" || config.name == "without_as_is") result.cases.push_back({config, {}, {}, {}});
+  ASSERT_EQ(result.cases.size(), 2u);
+  result.cases[0].summary.mean_mm = 4.0;
+  result.cases[1].summary.mean_mm = 10.0;
+  const ReportRow ratio = hanging_return_rows(result).back();
+  EXPECT_EQ(ratio.name, "foot_return.with_over_without_as_is");
+  EXPECT_DOUBLE_EQ(ratio.value, 0.4);
+  EXPECT_FALSE(ratio.ok());
+  result.cases[0].summary.mean_mm = 2.0;
+  EXPECT_TRUE(hanging_return_rows(result).back().ok());
 }
 
 /// A firm hand swings with so light a foot until the bridge stops the robot.

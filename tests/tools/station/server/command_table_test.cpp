@@ -91,7 +91,7 @@ TEST_F(Forms, WalkHasHeightAndWidthAndMoveItsAcceleration) {
 }
 
 TEST_F(Forms, WhatIsWrongIsNamedWithItsRange) {
-  EXPECT_THAT(refused("walk", {{"forward_m_s", 9}}), HasSubstr("forward must be -0.45 to 0.45 m/s, not 9"));
+  EXPECT_THAT(refused("walk", {{"forward_m_s", 9}}), HasSubstr("forward must be -0.28 to 0.4 m/s, not 9"));
   EXPECT_THAT(refused("walk", {{"gait", "gallop"}}),
               HasSubstr("gait must be one of fitting stand crawl walk trot"));
   EXPECT_THAT(refused("walk", {{"gait", "crawl"}, {"forward_m_s", 0.4}}), HasSubstr("crawl does not go"));
