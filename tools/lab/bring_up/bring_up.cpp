@@ -218,6 +218,11 @@ Experiment bring_up_experiment() {
   out.seed_help = "of the drawn plant and of every noise";
   out.example = "--robot single_leg --family erob_100 --seed 1";
   out.many_cases = out.reads_files = true;
+  out.in_all = InAll::kOfBoth;
+  out.shorten = [own] {
+    own->family = "erob_100";
+    own->only = "estimator";
+  };
   out.own.option("--family", own->family, "of the gears' friction, from the robot's variation.yaml");
   out.own.option("--into", own->folder, "folder to write the identified robot to; default: none is kept");
   out.own.option("--only", own->only, "one of the experiments that score");

@@ -34,9 +34,16 @@ RobotConfig loaded(const ExperimentRequest& request) {
   return robot;
 }
 
+std::string plant_words(const ExperimentRequest& request) {
+  std::string out;
+  for (const std::string& change : request.plant) out += " --plant " + change;
+  return out + (request.plants > 0 ? " --plants " + std::to_string(request.plants) : "");
+}
+
 IndexHeading heading_of(const RobotConfig& robot, const ExperimentRequest& request) {
   return {robot.name, static_cast<std::uint64_t>(robot.hash ^ robot.overlay_hash), request.seed,
-          "sprung experiment all --robot " + request.robot + " --seed " + std::to_string(request.seed)};
+          "sprung experiment all --robot " + request.robot + plant_words(request) + " --seed " +
+              std::to_string(request.seed)};
 }
 
 void write_files(const fs::path& folder, const IndexHeading& heading, const FinishedExperiment& finished) {
@@ -91,19 +98,11 @@ void add(CommandLine& parent, const Experiment& experiment, const std::shared_pt
   line.action([=] { return run_one(experiment, *options, *logs); });
 }
 
-std::vector<Experiment> experiments_or_refusal(const RobotConfig& robot) {
-  try {
-    return experiments_of(robot);
-  } catch (const std::invalid_argument& reason) {
-    throw WrongUse(reason.what());
-  }
-}
-
 int run_all(const ExperimentOptions& options) {
   start_log("sprung");
   const auto started = std::chrono::steady_clock::now();
   const RobotConfig robot = loaded(options.request);
-  const std::vector<Experiment> all = experiments_or_refusal(robot);
+  const std::vector<Experiment> all = experiments_of(robot);
   ProgressBar bar("experiments");
   bar.show(0, all.size());
   const std::vector<FinishedExperiment> finished = run_experiments(
@@ -135,7 +134,11 @@ void add_all(CommandLine& experiment) {
   CommandLine& all = experiment.subcommand(
       "all", "Every experiment of a robot: one page with all tables and figures, a page and JSON for each.");
   all.option("--robot", options->request.robot, "name or folder");
-  all.option("--seed", options->request.seed, "of every noise and of drawn plants; 0 was used for tuning");
+  all.option("--seed", options->request.seed, "of every noise; 0 was used for tuning");
+  all.option("--plant", options->request.plant,
+             "KEY=VALUE changes the plant, e.g. draw=7, of all that take it; may be repeated");
+  all.option("--plants", options->request.plants,
+             "N: on draws 1 to N of variation.yaml, or from --plant draw=K");
   all.option("--jobs", options->request.jobs, "threads; 0 = every core");
   all.option("--out", options->out, "folder for index.html, index.json and the experiments' own");
   all.flag("--json", options->as_json, "one JSON object on standard output");

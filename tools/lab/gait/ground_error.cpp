@@ -170,7 +170,7 @@ GroundOutcome step_on_errors(const RobotConfig& given, const GroundErrorTask& ta
   const RobotConfig robot = robot_for(given, config);
   WalkingRobot walker(robot, task.preset, plant_of(robot, task, config));
   walker.walk(config.gait, {config.speed_m_s, 0.0, 0.0}, control);
-  MovingGround ground(task.sim.seed, robot.legs);
+  MovingGround ground(task.ground, robot.legs);
   StepScore score(robot);
   GroundOutcome out;
   out.name = config.name;
@@ -218,7 +218,7 @@ GroundErrorResult run_ground_error(const RobotConfig& robot, const GroundErrorTa
         }
         const std::size_t k = i - out.touchdowns.size();
         uneven[k] = walk_uneven(robot, task, uneven_cases()[k / grounds],
-                                1000 * (task.sim.seed + 1) + k % grounds, kUneven_s);
+                                1000 * (task.ground + 1) + k % grounds, kUneven_s);
       },
       task.parallel);
   for (const GroundOutcome& o : out.touchdowns) out.simulated_s += o.simulated_s;
@@ -249,12 +249,16 @@ std::vector<report::Section> ground_error_sections(const GroundErrorResult& resu
 }
 
 Experiment ground_error_experiment() {
+  const auto ground = std::make_shared<std::uint64_t>(GroundErrorTask{}.ground);
   Experiment out = gait_experiment(
       "ground_error",
       "Ground that lies 20 mm higher or lower than feet expect, trunk fixed and free; uneven floors.",
       "What does sprung's own pre-stance save where the ground is not where it is expected?");
-  out.run = [](const ExperimentInput& in) {
+  out.seed_help = "of every noise; 0 was used for tuning";
+  out.own.option("--ground", *ground, "which grounds are drawn");
+  out.run = [ground](const ExperimentInput& in) {
     GroundErrorTask task;
+    task.ground = *ground;
     task.preset = in.preset;
     task.sim = in.sim;
     task.parallel = in.parallel;

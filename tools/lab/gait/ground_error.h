@@ -46,7 +46,8 @@ struct UnevenOutcome {
 struct GroundErrorTask {
   std::string preset;  ///< empty = the robot's usual one
   SimOptions sim;
-  int grounds = 3;  ///< draws of uneven floor for each case
+  std::uint64_t ground = 1;  ///< which grounds are drawn: the seed changes noise alone
+  int grounds = 3;           ///< draws of uneven floor for each case
   ParallelOptions parallel;
 };
 
@@ -59,7 +60,7 @@ struct GroundErrorResult {
 const std::vector<GroundCase>& ground_cases();
 const std::vector<UnevenCase>& uneven_cases();
 
-/// Under every footfall the ground is exactly 20 mm higher or lower, as the seed says. Ends when the robot
+/// Under every footfall the ground is exactly 20 mm higher or lower, as `ground` says. Ends when the robot
 /// falls.
 GroundOutcome step_on_errors(const RobotConfig& robot, const GroundErrorTask& task, const GroundCase& config,
                              GaitControl control);

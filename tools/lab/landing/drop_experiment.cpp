@@ -107,7 +107,7 @@ DropPair pair(const RobotConfig& robot, const DropRequest& request, double heigh
   out.height_m = height_m;
   SimOptions sim = request.sim;
   sim.seed = out.seed = request.sim.seed + i;
-  out.surprise_s = drawn_surprise_s(out.seed, kSurprise_s);
+  out.surprise_s = drawn_surprise_s(request.floor + i, kSurprise_s);
   DropCase drop{JumpMode::kAdaptive, height_m, out.surprise_s};
   out.adaptive = run_drop(drop_script(robot, request.preset, sim, drop), run);
   drop.mode = JumpMode::kHybrid;
@@ -243,6 +243,7 @@ DropExperiment run_drop_experiment(const RobotConfig& robot, const DropRequest& 
 Experiment drop_experiment() {
   struct Own {
     int seeds = DropRequest{}.seeds;
+    std::uint64_t floor = DropRequest{}.floor;
     bool ablation = false;
   };
   const auto own = std::make_shared<Own>();
@@ -255,15 +256,17 @@ Experiment drop_experiment() {
       "How hard is a landing from 0.1 to 0.5 m in each mode, and what does sprung's own save where the floor "
       "is not where it is expected?";
   out.takes = {Common::kPreset, Common::kPlant, Common::kJobs, Common::kSeparate, Common::kOut};
-  out.seed_help = "of every noise; the comparison's first";
+  out.seed_help = "of every noise: the comparison's first, one more each time";
   out.example = "--robot single_leg --seed 1 --out /tmp/drop";
   out.in_all = InAll::kOfALeg;
   out.many_cases = true;
   out.own.option("--seeds", own->seeds, "of the comparison");
+  out.own.option("--floor", own->floor, "which floor the comparison's first fall meets, one more each time");
   out.own.flag("--ablation", own->ablation,
                "instead: adaptive landing with one part taken out at a time, as a table");
   out.run = [own](const ExperimentInput& in) {
-    const DropRequest request{in.preset, in.sim, own->seeds, in.parallel.jobs, in.parallel.on_progress};
+    const DropRequest request{in.preset,  in.sim,           own->seeds,
+                              own->floor, in.parallel.jobs, in.parallel.on_progress};
     if (own->ablation) return drop_ablation(in, request);
     const DropExperiment result = run_drop_experiment(in.robot, request, in.run);
     ExperimentOutput output{result.rows, result.simulated_s};

@@ -37,9 +37,10 @@ struct DropExperiment {
 
 struct DropRequest {
   std::string preset;  ///< empty = the robot's usual one
-  SimOptions sim;      ///< its seed is the first of the comparison's
+  SimOptions sim;      ///< its seed is the noise's in the comparison's first
   int seeds = 50;
-  int jobs = 0;  ///< of parallel.h
+  std::uint64_t floor = 1;  ///< which floors are drawn: that of the comparison's first
+  int jobs = 0;             ///< of parallel.h
   std::function<void(std::size_t done, std::size_t count)> on_progress =
       {};  ///< of parallel.h, over all drops
 };

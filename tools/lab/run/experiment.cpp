@@ -176,6 +176,10 @@ std::vector<FinishedExperiment> run_experiments(
     if (experiments[i].shorten) experiments[i].shorten();
     ExperimentRequest asked = request;
     asked.jobs = jobs;
+    if (experiments[i].takes.count(Common::kPlant) == 0) {  // it has plants of its own
+      asked.plant.clear();
+      asked.plants = 0;
+    }
     finished[i] = run_or_failure(experiments[i], experiment_input(experiments[i], asked, robot));
   };
   std::vector<std::size_t> small;

@@ -130,8 +130,9 @@ struct Experiment {
   std::string out_note{};
   std::string example{};  ///< options that follow the name
   InAll in_all = InAll::kNever;
-  bool many_cases = false;   ///< uses all the threads by itself
-  bool reads_files = false;  ///< robot.yaml itself too, where nothing can be set
+  bool in_all_of_a_joint = false;  ///< of a robot that has no leg to stand on
+  bool many_cases = false;         ///< uses all the threads by itself
+  bool reads_files = false;        ///< robot.yaml itself too, where nothing can be set
   bool needs_gaits = false;
   OwnOptions own{};                 ///< and their defaults
   std::function<void()> shorten{};  ///< before it runs in `all`: changes own options; may be empty

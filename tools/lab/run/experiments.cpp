@@ -1,7 +1,5 @@
 #include "tools/lab/run/experiments.h"
 
-#include <stdexcept>
-
 #include "tools/lab/bring_up/bring_up.h"
 #include "tools/lab/commission/commission_experiment.h"
 #include "tools/lab/estimation/adaptation_experiment.h"
@@ -35,14 +33,12 @@ std::vector<Experiment> experiments() {
 }
 
 std::vector<Experiment> experiments_of(const RobotConfig& robot) {
-  if (const char* why = robot.why_not_standing())
-    throw std::invalid_argument("the experiments of `all` need a leg that stands, and " + robot.name +
-                                " has none (" + why +
-                                "); for a joint alone there are friction_sweep, drag and estimator");
+  const bool joint_alone = robot.why_not_standing() != nullptr;
   const InAll mine = robot.gaits.empty() ? InAll::kOfALeg : InAll::kOfAWalker;
   std::vector<Experiment> out;
   for (const Experiment& experiment : experiments()) {
-    if (experiment.in_all == mine || experiment.in_all == InAll::kOfBoth) out.push_back(experiment);
+    const bool of_a_leg = experiment.in_all == mine || experiment.in_all == InAll::kOfBoth;
+    if (joint_alone ? experiment.in_all_of_a_joint : of_a_leg) out.push_back(experiment);
   }
   return out;
 }

@@ -9,8 +9,7 @@ namespace sprung {
 /// All, in the order of `sprung experiment --help`, each with its own options at their defaults.
 std::vector<Experiment> experiments();
 
-/// Those that `sprung experiment all` runs. @throws std::invalid_argument with the reason where the robot's
-/// legs cannot stand: all of these need one that does.
+/// Those that `sprung experiment all` runs: of a walker, of a leg that stands, or of a joint alone.
 std::vector<Experiment> experiments_of(const RobotConfig& robot);
 
 }  // namespace sprung

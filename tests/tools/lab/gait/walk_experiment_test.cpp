@@ -189,6 +189,22 @@ TEST(GroundErrorRows, NobodyMayFallInACrawlOnAnUnevenFloor) {
   EXPECT_TRUE(walk_experiment_row(rows, "ground_error.trot_uneven_20.falls").ok());
 }
 
+TEST(GroundError, TheGroundIsOfItsOwnNumberAndNotOfTheSeed) {
+  const RobotConfig robot = load_robot("pegasus");
+  const GroundCase rig{"rig", "crawl", 0.0, true, 5.0};
+  const auto errors = [&](std::uint64_t seed, std::uint64_t ground) {
+    GroundErrorTask task;
+    task.sim.seed = seed;
+    task.ground = ground;
+    std::vector<int> out;
+    for (const Touchdown& t : step_on_errors(robot, task, rig, GaitControl::kAdaptive).touchdowns)
+      out.push_back(t.ground_error_m > 0.0 ? 1 : -1);
+    return out;
+  };
+  EXPECT_EQ(errors(1, 3), errors(2, 3));
+  EXPECT_NE(errors(1, 3), errors(1, 4));
+}
+
 TEST(GroundError, EveryTouchdownThatCountsIsOnGroundThatLiesWrong) {
   const GroundCase rig{"rig", "crawl", 0.0, true, 8.0};
   const GroundOutcome out = step_on_errors(load_robot("pegasus"), {}, rig, GaitControl::kAdaptive);

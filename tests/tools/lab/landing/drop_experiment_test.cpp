@@ -91,12 +91,24 @@ TEST_F(DropExperimentTest, BothLawsOfASeedMeetTheSameSurprise) {
   ASSERT_THAT(experiment.pairs, SizeIs(6)) << "two seeds from 0.3 m, one from each other height";
   ASSERT_THAT(floor_m, SizeIs(4));
   for (const DropPair& pair : experiment.pairs) {
-    EXPECT_EQ(pair.surprise_s, drawn_surprise_s(pair.seed, 0.010));
+    EXPECT_EQ(pair.surprise_s, drawn_surprise_s(pair.seed - 7 + request_.floor, 0.010));
     for (const char* preset : {"best", "paper"})
       EXPECT_EQ((floor_m.at({preset, pair.seed}) < 0.0), pair.surprise_s > 0.0) << preset << pair.seed;
   }
   EXPECT_EQ(experiment.pairs[0].seed, 7u);
   EXPECT_EQ(experiment.pairs[1].seed, 8u);
+}
+
+TEST_F(DropExperimentTest, FloorsAreOfTheirOwnNumberAndTheSeedIsOfTheNoiseAlone) {
+  const auto surprises = [this](std::uint64_t seed, std::uint64_t floor) {
+    request_.sim.seed = seed;
+    request_.floor = floor;
+    std::vector<double> out;
+    for (const DropPair& pair : run().pairs) out.push_back(pair.surprise_s);
+    return out;
+  };
+  EXPECT_EQ(surprises(7, 1), surprises(8, 1));
+  EXPECT_NE(surprises(7, 1), surprises(7, 2));
 }
 
 TEST_F(DropExperimentTest, HalfThePapersPeakIsDemandedFromEveryHeight) {

@@ -43,10 +43,31 @@ TEST(Experiments, OptionsOfOneTableAreNotThoseOfAnother) {
 TEST(Experiments, ALegJumpsAndARobotThatWalksHasExperimentsOfItsOwn) {
   EXPECT_EQ(names_of(experiments_of(load_robot("single_leg"))),
             (std::set<std::string>{"jump", "foot_return", "step_response", "drop", "jump_ensemble",
-                                   "adaptation", "estimator", "model_watch"}));
+                                   "adaptation", "estimator", "model_watch", "bring_up"}));
   EXPECT_EQ(names_of(experiments_of(load_robot("pegasus"))),
             (std::set<std::string>{"foot_return", "stand_push", "walk", "ground_error", "push", "endurance",
-                                   "adaptation", "estimator", "model_watch"}));
+                                   "adaptation", "estimator", "model_watch", "bring_up"}));
+}
+
+TEST(Experiments, AJointAloneHasThoseThatNeedNoLeg) {
+  EXPECT_EQ(names_of(experiments_of(load_robot("test_axis"))),
+            (std::set<std::string>{"friction_sweep", "drag", "estimator", "model_watch"}));
+}
+
+/// Its plants are another ensemble than variation.yaml's draws.
+TEST(Experiments, APlantIsOfThoseInAllThatTakeOne) {
+  Experiment takes, other;
+  takes.name = "takes";
+  takes.takes = {Common::kPlant};
+  other.name = "other";
+  takes.run = other.run = [](const ExperimentInput& in) {
+    return ExperimentOutput{{row("plant", "", static_cast<double>(in.sim.plant.size()))}};
+  };
+  ExperimentRequest request;
+  request.plant = {"draw=7"};
+  const auto finished = run_experiments({takes, other}, request, load_robot("single_leg"), {});
+  EXPECT_EQ(finished.at(0).rows.rows.at(0).value, 1.0);
+  EXPECT_EQ(finished.at(1).rows.rows.at(0).value, 0.0);
 }
 
 TEST(Experiments, PresetsThatTheRobotHasNotAreItsUsualOne) {
@@ -62,18 +83,6 @@ TEST(Experiments, PresetsThatTheRobotHasNotAreItsUsualOne) {
     robot.presets.front().name = "soft";
     for (const Experiment& experiment : experiments_of(robot))
       EXPECT_EQ(experiment_input(experiment, {}, robot).preset, "soft") << experiment.name;
-  }
-}
-
-TEST(Experiments, ARobotThatCannotStandIsRefusedWithTheReason) {
-  for (const char* name : {"test_axis"}) {
-    try {
-      experiments_of(load_robot(name));
-      FAIL() << name;
-    } catch (const std::invalid_argument& error) {
-      EXPECT_THAT(error.what(), HasSubstr(name));
-      EXPECT_THAT(error.what(), HasSubstr("friction_sweep"));
-    }
   }
 }
 
