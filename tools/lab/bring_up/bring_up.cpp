@@ -65,6 +65,11 @@ RobotConfig with_loops_of_host(RobotConfig robot) {
   return robot;
 }
 
+/// Of the joint's drive, read to a volt.
+double voltmeter_V(const RobotConfig& robot, const SimOptions& sim, int joint) {
+  return std::round(sim::load_sim_config(robot, sim.plant).drives[static_cast<std::size_t>(joint)].supply_V);
+}
+
 /// In the room where the robot is to work, read to a kelvin.
 double thermometer_C(const RobotConfig& robot, const SimOptions& sim) {
   return std::round(sim::load_sim_config(robot, sim.plant).plant.ambient_degC);
@@ -93,6 +98,7 @@ identify::RobotChange bring_up_joint(const RobotConfig& robot, const SimOptions&
   identify::Provenance provenance{std::to_string(files.size()) + " guided recordings",
                                   identify::short_sha256(files), today(), protocol.command};
   provenance.temperature_C = recordings.front().temperature_C;
+  provenance.supply_V = voltmeter_V(robot, sim, joint);
   identify::OtherDays days;
   days.ambient_C = thermometer_C(robot, sim);
   return identify::change_of(robot, found, provenance, days);

@@ -164,8 +164,9 @@ ExperimentOutput run_foot_return(const ExperimentInput& in) {
 
 ExperimentOutput run_hanging_return(const ExperimentInput& in) {
   refuse_separate(in);
-  const HangingReturnResult result = run_hanging_return(in.robot, in.sim, hanging_cases(in.robot, in.preset),
-                                                        pulls_and_releases(), in.parallel);
+  const HangingReturnResult result = run_hanging_return(
+      in.robot, in.sim, hanging_cases(in.robot, in.preset, in.sim.plant.count("draw") > 0),
+      pulls_and_releases(), in.parallel);
   return {hanging_return_rows(result), result.simulated_s, {hanging_return_section(result)}};
 }
 

@@ -216,8 +216,14 @@ double over_without(const HangingReturnResult& result) {
 
 }  // namespace
 
-std::vector<HangingCase> hanging_cases(const RobotConfig& robot, const std::string& preset) {
+std::vector<HangingCase> hanging_cases(const RobotConfig& robot, const std::string& preset, bool drawn) {
   const PresetConfig& own = robot.preset(preset);
+  if (drawn) {
+    ReturnPlant plant;
+    plant.drawn = true;
+    return {{"with", preset, plant, own.compliance, own.friction_compensation},
+            {"without_as_is", preset, plant, own.compliance, 0.0}};
+  }
   const PresetConfig& paper = robot.preset("paper");
   std::vector<HangingCase> out{
       {"with", preset, {}, own.compliance, own.friction_compensation},

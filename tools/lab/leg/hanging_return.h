@@ -47,8 +47,9 @@ struct HangingReturnResult {
 /// `with` the preset's own compensation; `without` and `paper` (preset paper, its compensation) on a plant of
 /// the friction that S1's errors imply; `without_as_is` what `with` is, but for the compensation;
 /// `with` on other plants.
+/// On a drawn plant, which is another one already, `with` and `without_as_is` alone.
 /// @param preset of all but `paper`.
-std::vector<HangingCase> hanging_cases(const RobotConfig& robot, const std::string& preset);
+std::vector<HangingCase> hanging_cases(const RobotConfig& robot, const std::string& preset, bool drawn);
 
 /// @param pulls of each case, five of them to a run. @throws std::runtime_error, std::invalid_argument as
 /// LeggedTrial.

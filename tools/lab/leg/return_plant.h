@@ -14,7 +14,10 @@ struct ReturnPlant {
   double friction_scale = 1.0;
   double mass_scale = 1.0;
   double kt_scale = 1.0;  ///< torque constant
-  bool as_identified() const { return friction_scale == 1.0 && mass_scale == 1.0 && kt_scale == 1.0; }
+  bool drawn = false;     ///< of variation.yaml besides, whatever that changes
+  bool as_identified() const {
+    return !drawn && friction_scale == 1.0 && mass_scale == 1.0 && kt_scale == 1.0;
+  }
 };
 
 /// Of a case `with` compensation, by name: friction 10 and 20 % off, masses 10 %, torque constants 5 %, and

@@ -15,7 +15,7 @@ class HangingReturnTest : public testing::Test {
  protected:
   HangingReturnResult run(const std::string& name, const std::map<std::string, double>& plant = {}) const {
     std::vector<HangingCase> cases;
-    for (const HangingCase& config : hanging_cases(robot_, "best"))
+    for (const HangingCase& config : hanging_cases(robot_, "best", false))
       if (config.name == name) cases.push_back(config);
     SimOptions sim;
     sim.seed = 1;
@@ -38,7 +38,7 @@ TEST_F(HangingReturnTest, CompensationBringsTheFootHomeAndWithoutItSticks) {
 
 TEST_F(HangingReturnTest, CompensationIsHeldAgainstTheSameSpringsWithoutIt) {
   HangingReturnResult result;
-  for (const HangingCase& config : hanging_cases(robot_, "best"))
+  for (const HangingCase& config : hanging_cases(robot_, "best", false))
     if (config.name == "with" || config.name == "without_as_is") result.cases.push_back({config, {}, {}, {}});
   ASSERT_EQ(result.cases.size(), 2u);
   result.cases[0].summary.mean_mm = 4.0;
@@ -59,13 +59,28 @@ TEST_F(HangingReturnTest, FootBehindAnElasticGearIsLedAwayAndComesBack) {
   EXPECT_LT(soft.cases[0].summary.max_mm, 0.5 * soft.cases[0].summary.moved_least_mm);
 }
 
+TEST_F(HangingReturnTest, ADrawnPlantIsAnotherOneAlready) {
+  HangingReturnResult result;
+  for (const HangingCase& config : hanging_cases(robot_, "best", true))
+    result.cases.push_back({config, {}, {}, {}});
+  ASSERT_EQ(result.cases.size(), 2u);
+  for (const ReportRow& row : hanging_return_rows(result)) {
+    if (row.name == "foot_return.with.mean") {
+      EXPECT_EQ(*row.high, 2.0);
+    }
+    if (row.name == "foot_return.with.max") {
+      EXPECT_EQ(*row.high, 4.0);
+    }
+  }
+}
+
 TEST_F(HangingReturnTest, SameSeedGivesTheSameBits) {
   EXPECT_EQ(run("with").cases.at(0).summary.mean_mm, run("with").cases.at(0).summary.mean_mm);
 }
 
 TEST_F(HangingReturnTest, RowsHaveTheNamesAndBoundsOfTheIssue) {
   HangingReturnResult result;
-  for (const HangingCase& config : hanging_cases(robot_, "best"))
+  for (const HangingCase& config : hanging_cases(robot_, "best", false))
     result.cases.push_back({config, {}, {}, {}});
   int found = 0;
   for (const ReportRow& row : hanging_return_rows(result)) {
@@ -79,7 +94,7 @@ TEST_F(HangingReturnTest, RowsHaveTheNamesAndBoundsOfTheIssue) {
 
 TEST_F(HangingReturnTest, RobotThatDoesNotWalkIsRefused) {
   const RobotConfig leg = load_robot("single_leg");
-  EXPECT_THROW(run_hanging_return(leg, {}, hanging_cases(leg, "best"), pulls_and_releases()),
+  EXPECT_THROW(run_hanging_return(leg, {}, hanging_cases(leg, "best", false), pulls_and_releases()),
                std::runtime_error);
 }
 
