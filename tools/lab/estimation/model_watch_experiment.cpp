@@ -54,6 +54,7 @@ std::vector<WatchedJoint> watch_models(const RobotConfig& robot, const SimOption
 
 std::vector<ReportRow> model_watch_rows(const std::vector<WatchedJoint>& joints) {
   std::vector<ReportRow> rows;
+  rows.reserve(joints.size() + 2);
   for (const WatchedJoint& joint : joints)
     rows.push_back(
         row("model_watch." + joint.name + ".misfit_after", "s", joint.misfit_after_s.value_or(kNaN)));

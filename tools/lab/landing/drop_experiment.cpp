@@ -93,6 +93,7 @@ DropRow landing(const RobotConfig& robot, const DropRequest& request, std::size_
 /// Height and place among its seeds of each comparison: all of kCompared_m, then a few of each height.
 std::vector<std::pair<double, std::size_t>> compared(int seeds) {
   std::vector<std::pair<double, std::size_t>> out;
+  out.reserve(static_cast<std::size_t>(std::max(0, seeds)));
   for (int i = 0; i < seeds; ++i) out.emplace_back(kCompared_m, i);
   for (const double height_m : kHeights_m) {
     if (height_m == kCompared_m) continue;

@@ -112,6 +112,7 @@ std::vector<std::string> doubtful_zeros(const RobotConfig& robot, const std::str
     names += (names.empty() ? "" : ", ") + actuator.name;
   }
   std::vector<std::string> out;
+  out.reserve(by_reason.size());
   for (const auto& [why, names] : by_reason)
     out.push_back(why + ": " + names + "; look at the robot in its jig, then renew offset and referenced_on");
   return out;
