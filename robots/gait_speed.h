@@ -8,13 +8,18 @@
 
 namespace sprung {
 
+/// The way that the sign of `forward` says: backward the legs swing differently.
+inline double fastest_along_m_s(const GaitConfig& gait, double forward) noexcept {
+  return forward < 0.0 ? gait.fastest_backward_m_s : gait.fastest_forward_m_s;
+}
+
 /// Root of the sum of the squared shares of the fastest forward or backward, sideways and turning: a gait's
 /// steps serve all three, so that it goes each of its fastest only alone. Beyond 1 the gait does not go so.
 /// NaN where a speed is.
 /// @param speed forward, left m/s; turning rad/s.
 inline double speed_share(const GaitConfig& gait, const std::array<double, 3>& speed) noexcept {
-  const double fastest_m_s = speed[0] < 0.0 ? gait.fastest_backward_m_s : gait.fastest_forward_m_s;
-  const std::array<double, 3> fastest{fastest_m_s, gait.fastest_sideways_m_s, gait.fastest_turning_rad_s};
+  const std::array<double, 3> fastest{fastest_along_m_s(gait, speed[0]), gait.fastest_sideways_m_s,
+                                      gait.fastest_turning_rad_s};
   double sum = 0.0;
   for (std::size_t i = 0; i < 3; ++i) {
     if (speed[i] == 0.0) continue;

@@ -32,7 +32,7 @@ constexpr Range higher(double share) { return {Span::kHigher, 1.0, share}; }
 
 constexpr const char* kAxes[] = {"x", "y", "z"};
 constexpr const char* kTurns[] = {"roll", "pitch", "height"};
-constexpr const char* kWays[] = {"forward", "sideways", "turning"};
+constexpr const char* kWays[] = {"forward", "sideways"};
 
 /// Lists them; what it is called under which the value of robot.yaml is looked for.
 class Lister {
@@ -222,17 +222,23 @@ void add_gait(Lister& to, int gait) {
       name + "height", "m", times(0.9, 1.03),
       [](AdjustableConfig& c, int i) noexcept -> double& { return c.gaits[i].height_m; },
       "of the hips over the feet where nobody asks for another", gait);
-  const Place fastest[] = {
-      [](AdjustableConfig& c, int i) noexcept -> double& { return c.gaits[i].fastest_forward_m_s; },
-      [](AdjustableConfig& c, int i) noexcept -> double& { return c.gaits[i].fastest_sideways_m_s; },
-      [](AdjustableConfig& c, int i) noexcept -> double& { return c.gaits[i].fastest_turning_rad_s; }};
-  to.add(
-      name + "fastest.backward", "m/s", lower(0.2),
-      [](AdjustableConfig& c, int i) noexcept -> double& { return c.gaits[i].fastest_backward_m_s; },
-      "limit of the wanted speed backward", gait);
-  for (int way = 0; way < 3; ++way)
-    to.add(name + "fastest." + kWays[way], way < 2 ? "m/s" : "rad/s", lower(0.2), fastest[way],
-           std::string("limit of the wanted speed ") + kWays[way], gait);
+  struct Fastest {
+    const char* way;
+    const char* unit;
+    Place place;
+  };
+  const Fastest fastest[] = {
+      {"forward", "m/s",
+       [](AdjustableConfig& c, int i) noexcept -> double& { return c.gaits[i].fastest_forward_m_s; }},
+      {"backward", "m/s",
+       [](AdjustableConfig& c, int i) noexcept -> double& { return c.gaits[i].fastest_backward_m_s; }},
+      {"sideways", "m/s",
+       [](AdjustableConfig& c, int i) noexcept -> double& { return c.gaits[i].fastest_sideways_m_s; }},
+      {"turning", "rad/s",
+       [](AdjustableConfig& c, int i) noexcept -> double& { return c.gaits[i].fastest_turning_rad_s; }}};
+  for (const Fastest& limit : fastest)
+    to.add(name + "fastest." + limit.way, limit.unit, lower(0.2), limit.place,
+           std::string("limit of the wanted speed ") + limit.way, gait);
 }
 
 }  // namespace

@@ -113,8 +113,9 @@ std::vector<std::string> scoring_experiments(const RobotConfig& robot) {
 }
 
 /// Rows of one experiment on this robot; what it did not reach is a row too, so that a robot that falls over
-/// does not end the comparison.
-std::vector<ReportRow> scored(const std::string& name, const RobotConfig& robot, const ExperimentInput& in) {
+/// does not end the comparison. @param who it is, should it fail.
+std::vector<ReportRow> scored(const std::string& name, const RobotConfig& robot, const ExperimentInput& in,
+                              const std::string& who) {
   for (const Experiment& experiment : experiments()) {
     if (experiment.name != name) continue;
     ExperimentInput own = in;
@@ -125,7 +126,7 @@ std::vector<ReportRow> scored(const std::string& name, const RobotConfig& robot,
     try {
       rows = experiment.run(own).rows;
     } catch (const std::exception& error) {
-      std::fprintf(stderr, "%s: %s\n", name.c_str(), error.what());
+      std::fprintf(stderr, "%s%s: %s\n", who.c_str(), name.c_str(), error.what());
       rows.push_back(row(name + ".completed", "", 0.0, at_least(1.0)));
     }
     return rows;
@@ -179,10 +180,12 @@ ExperimentOutput run_bring_up(const ExperimentInput& asked, const BringUpRequest
   add_law_rows(changes, out.rows);
   for (const std::string& name : scoring_experiments(in.robot)) {
     if (!request.only.empty() && request.only != name) continue;
-    append(out.rows, "bring_up.identified.", scored(name, identified, in));
-    append(out.rows, "bring_up.shipped.", never_identified(scored(name, as_shipped(in.robot), in)));
+    const std::string ours = "bring_up.identified.", shipped = "bring_up.shipped.",
+                      mistaken = "bring_up.mistaken.";
+    append(out.rows, ours, scored(name, identified, in, ours));
+    append(out.rows, shipped, never_identified(scored(name, as_shipped(in.robot), in, shipped)));
     if (name == "model_watch")
-      append(out.rows, "bring_up.mistaken.", without_demands(scored(name, in.robot, in)));
+      append(out.rows, mistaken, without_demands(scored(name, in.robot, in, mistaken)));
   }
   return out;
 }
@@ -224,7 +227,7 @@ Experiment bring_up_experiment() {
   out.seed_help = "of the drawn plant and of every noise";
   out.example = "--robot single_leg --family erob_100 --seed 1";
   out.many_cases = out.reads_files = true;
-  out.in_all = InAll::kOfBoth;
+  out.in_all = {RobotKind::kLeg, RobotKind::kWalker};
   out.shorten = [own] {
     own->family = "erob_100";
     own->only = "estimator";

@@ -34,12 +34,6 @@ RobotConfig loaded(const ExperimentRequest& request) {
   return robot;
 }
 
-std::string plant_words(const ExperimentRequest& request) {
-  std::string out;
-  for (const std::string& change : request.plant) out += " --plant " + change;
-  return out + (request.plants > 0 ? " --plants " + std::to_string(request.plants) : "");
-}
-
 IndexHeading heading_of(const RobotConfig& robot, const ExperimentRequest& request) {
   return {robot.name, static_cast<std::uint64_t>(robot.hash ^ robot.overlay_hash), request.seed,
           "sprung experiment all --robot " + request.robot + plant_words(request) + " --seed " +
@@ -134,7 +128,8 @@ void add_all(CommandLine& experiment) {
   CommandLine& all = experiment.subcommand(
       "all", "Every experiment of a robot: one page with all tables and figures, a page and JSON for each.");
   all.option("--robot", options->request.robot, "name or folder");
-  all.option("--seed", options->request.seed, "of every noise; 0 was used for tuning");
+  all.option("--seed", options->request.seed,
+             "of every noise, and which plant bring_up draws; 0 was used for tuning");
   all.option("--plant", options->request.plant,
              "KEY=VALUE changes the plant, e.g. draw=7, of all that take it; may be repeated");
   all.option("--plants", options->request.plants,

@@ -114,7 +114,7 @@ Experiment adaptation_experiment() {
   out.question = "What does it buy to learn friction while the robot works?";
   out.takes = {Common::kPreset, Common::kPlant, Common::kJobs, Common::kOut};
   out.robot = "pegasus";
-  out.in_all = InAll::kOfBoth;
+  out.in_all = {RobotKind::kLeg, RobotKind::kWalker};
   out.shorten = [motion_s] { *motion_s = kInAll_s; };
   out.example = "--plant draw=7";
   out.own.option("--seconds", *motion_s, "s of motion; the last third is scored");

@@ -183,8 +183,7 @@ Experiment estimator_experiment() {
   out.takes = {Common::kPreset, Common::kPlant, Common::kOut};
   out.seed_help = "of every noise; 0 was used for tuning";
   out.example = "--robot test_axis --seed 1 --json";
-  out.in_all = InAll::kOfBoth;
-  out.in_all_of_a_joint = true;
+  out.in_all = {RobotKind::kJoint, RobotKind::kLeg, RobotKind::kWalker};
   out.own.option("--data", own->data, "folder of recordings; default ../shared/data where it is");
   out.own.option("--only", own->only, "one part of the table: " + estimator_sections());
   out.own.option("--ensemble", own->ensemble,

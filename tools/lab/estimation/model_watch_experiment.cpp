@@ -75,8 +75,7 @@ Experiment model_watch_experiment() {
   out.question = "Does the robot notice when its gears are not those of robot.yaml?";
   out.takes = {Common::kPreset, Common::kPlant, Common::kJobs, Common::kOut};
   out.robot = "single_leg";
-  out.in_all = InAll::kOfBoth;
-  out.in_all_of_a_joint = true;
+  out.in_all = {RobotKind::kJoint, RobotKind::kLeg, RobotKind::kWalker};
   out.example = "--plant family=erob_100 --plant draw=3";
   out.run = run_model_watch;
   return out;

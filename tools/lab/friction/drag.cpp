@@ -218,7 +218,7 @@ Experiment drag_experiment() {
   out.robot = "test_axis";
   out.robot_help = "test_axis, pegasus, or a folder";
   out.takes = {Common::kPlant, Common::kReport};
-  out.in_all_of_a_joint = true;
+  out.in_all = {RobotKind::kJoint};
   out.example = "--robot test_axis --friction both --report drag.html";
   out.own.option("--joint", own->joint, "by name; default: the bench's arm, or the first knee");
   out.own.choice(

@@ -152,7 +152,7 @@ Experiment friction_sweep_experiment() {
   out.robot = "test_axis";
   out.robot_help = "test_axis, pegasus, or a folder";
   out.takes = {Common::kPlant, Common::kReport};
-  out.in_all_of_a_joint = true;
+  out.in_all = {RobotKind::kJoint};
   out.example = "--robot pegasus --protocol s1 --report sweep.html";
   out.own.option("--joint", own->joint, "by name; default: the bench's arm, or the first knee");
   out.own.choice("--protocol", own->protocol, {"all", "s0", "s1", "loaded"}, "which sweep");

@@ -161,7 +161,7 @@ std::vector<EnduranceOutcome> run_endurance(const RobotConfig& robot, const Endu
 
 std::vector<ReportRow> endurance_rows(const std::vector<EnduranceOutcome>& outcomes) {
   int falls = 0, uncaught = 0, trips = 0, refusals = 0, requests = 0;
-  double watched_s = 0.0, saturated = 0.0, fastest_rad_s = 0.0, strongest_Nm = 0.0, reserve = HUGE_VAL;
+  double watched_s = 0.0, saturated = 0.0, fastest_rad_s = 0.0, strongest_Nm = 0.0, reserve = kNaN;
   for (const EnduranceOutcome& o : outcomes) {
     falls += o.vitals.fell ? 1 : 0;
     uncaught += o.vitals.fell && !o.vitals.caught ? 1 : 0;
@@ -174,16 +174,17 @@ std::vector<ReportRow> endurance_rows(const std::vector<EnduranceOutcome>& outco
     strongest_Nm = std::max(strongest_Nm, o.vitals.strongest_Nm);
     reserve = std::fmin(reserve, o.reserve.least);
   }
-  return {row("endurance.all.falls", "", falls, at_most(0.0)),
-          row("endurance.all.limit_trips", "", trips, at_most(0.0)),
-          row("endurance.all.uncaught_falls", "", uncaught, at_most(0.0)),
-          row("endurance.all.watched", "min", watched_s / 60.0),
-          row("endurance.all.requests", "", requests),
-          row("endurance.all.refusals", "", refusals),
-          row("endurance.all.saturated_worst", "%", 100.0 * saturated),
-          row("endurance.all.joint_speed_max", "rad/s", fastest_rad_s),
-          row("endurance.all.motor_torque_max", "Nm", strongest_Nm),
-          row("endurance.all.voltage_reserve", "%", 100.0 * reserve)};
+  std::vector<ReportRow> rows = {row("endurance.all.falls", "", falls, at_most(0.0)),
+                                 row("endurance.all.limit_trips", "", trips, at_most(0.0)),
+                                 row("endurance.all.uncaught_falls", "", uncaught, at_most(0.0)),
+                                 row("endurance.all.watched", "min", watched_s / 60.0),
+                                 row("endurance.all.requests", "", requests),
+                                 row("endurance.all.refusals", "", refusals),
+                                 row("endurance.all.saturated_worst", "%", 100.0 * saturated),
+                                 row("endurance.all.joint_speed_max", "rad/s", fastest_rad_s),
+                                 row("endurance.all.motor_torque_max", "Nm", strongest_Nm)};
+  if (std::isfinite(reserve)) rows.push_back(row("endurance.all.voltage_reserve", "%", 100.0 * reserve));
+  return rows;
 }
 
 report::Section endurance_section(const std::vector<EnduranceOutcome>& outcomes) {

@@ -1,16 +1,13 @@
 #include "tools/lab/gait/manoeuvres.h"
 
-#include <algorithm>
 #include <cmath>
 
-#include "robots/gait_speed.h"
 #include "tools/lab/gait/walking_robot.h"
 
 namespace sprung {
 namespace {
 
-constexpr double kGettingThere_s = 2.0, kPeriods = 3.0;
-constexpr double kLeastManoeuvreReserve = 0.10;
+constexpr double kPeriods = 3.0;
 constexpr const char* kDirections[] = {"forward", "backward", "sideways", "turning", "curve"};
 
 Vec3 fastest(const GaitConfig& gait, std::size_t direction) {
@@ -30,17 +27,6 @@ Vec3 fastest(const GaitConfig& gait, std::size_t direction) {
   }
 }
 
-double getting_there_s(const GaitConfig& gait, const WalkConfig& walk, const Vec3& speed) {
-  const std::array<double, 3> most = starting_acceleration(gait);
-  const std::array<double, 3> preset{walk.acceleration_m_s2, walk.acceleration_m_s2,
-                                     walk.turning_acceleration_rad_s2};
-  double longest_s = 0.0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (speed[i] != 0.0) longest_s = std::max(longest_s, std::abs(speed[i]) / std::min(most[i], preset[i]));
-  }
-  return longest_s + kGettingThere_s;
-}
-
 }  // namespace
 
 std::vector<Manoeuvre> manoeuvres(const RobotConfig& robot) {
@@ -55,10 +41,10 @@ std::vector<Manoeuvre> manoeuvres(const RobotConfig& robot) {
 
 ManoeuvreOutcome manoeuvre(const RobotConfig& robot, const std::string& preset, const SimOptions& sim,
                            const Manoeuvre& what) {
-  const GaitConfig& gait = robot.gaits[gait_index(robot, what.gait)];
   WalkingRobot walker(robot, preset, lying(sim));
   walker.walk(what.gait, what.speed);
-  walker.run(getting_there_s(gait, robot.preset(preset).walk, what.speed) + kPeriods * gait.period_s);
+  walker.run(speed_reached_s(robot, preset, what.gait, what.speed) +
+             kPeriods * robot.gaits[gait_index(robot, what.gait)].period_s);
   return {what, walker.vitals(), walker.reserve(), walker.simulated_s()};
 }
 
@@ -70,7 +56,7 @@ std::vector<ReportRow> manoeuvre_rows(const std::vector<ManoeuvreOutcome>& outco
     rows.push_back(row(name + ".stays_up", "", stays_up ? 1.0 : 0.0, at_least(1.0)));
     if (std::isfinite(o.reserve.least))
       rows.push_back(row(name + ".voltage_reserve", "%", 100.0 * o.reserve.least,
-                         at_least(100.0 * kLeastManoeuvreReserve)));
+                         at_least(100.0 * VoltageReserve::kWanted)));
   }
   return rows;
 }

@@ -167,7 +167,7 @@ Experiment parameter_experiment() {
                                    "Each parameter set to each end of its range while the robot complies, "
                                    "stands on its springs and trots.",
                                    "Can a number that is changed while the robot runs throw it, or kick it?");
-  out.in_all = InAll::kNever;
+  out.in_all = {};
   out.own.option("--only", *only, "names of parameters; default: all");
   out.run = [only](const ExperimentInput& in) {
     const auto trials = run_parameter_trials(in.robot, in.preset, in.sim, *only, in.parallel);

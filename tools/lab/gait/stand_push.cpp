@@ -235,7 +235,7 @@ Experiment stand_push_experiment() {
   out.robot = "pegasus";
   out.takes = {Common::kPreset, Common::kPlant, Common::kSeparate, Common::kOut};
   out.example = "--seed 1 --out report";
-  out.in_all = InAll::kOfAWalker;
+  out.in_all = {RobotKind::kWalker};
   out.many_cases = true;
   out.run = [](const ExperimentInput& in) {
     refuse_separate(in);

@@ -11,6 +11,7 @@
 namespace sprung {
 
 struct VoltageReserve {
+  static constexpr double kWanted = 0.10;  ///< of a robot that walks, at every moment
   /// Least over joints and cycles of 1 - |R i + Ke w| / (0.9 U); negative: more than there is. NaN where no
   /// drive of sim.yaml has a winding.
   double least = kNaN;

@@ -6,7 +6,6 @@
 #include <memory>
 #include <stdexcept>
 
-#include "robots/gait_speed.h"
 #include "tools/lab/gait/walking_robot.h"
 
 namespace sprung {
@@ -24,7 +23,6 @@ constexpr double kTraced_s = 2.0;
 constexpr double kMostOverPlainForce = 0.35, kMostOverForce = 1.0;
 /// [design choice] Of robot.yaml's torque limit: a fifth is left for who pushes the robot.
 constexpr double kTorqueShare = 0.8;
-constexpr double kLeastReserve = 0.10;
 constexpr const char* kReserveNote =
     "Voltage reserve: 1 - |R i + Ke w| / (0.9 U), true, least of all joints from the first step on.";
 constexpr double kSpeedShare = 0.10, kMostDrift_deg = 5.0;
@@ -44,12 +42,6 @@ void trace(const InProcessRobot& robot, double time_s, FootTrace& out) {
   out.foot_x_m.push_back(foot[0]);
   out.foot_z_m.push_back(foot[2]);
   out.force_N.push_back(robot.truth().legs.front().true_contact_force_N[2]);
-}
-
-double ramp_s(const RobotConfig& robot, const WalkTask& task, const GaitCase& config) {
-  const double starting_m_s2 = starting_acceleration(robot.gaits[gait_index(robot, config.gait)])[0];
-  return config.speed_m_s / std::min(robot.preset(task.preset).walk.acceleration_m_s2, starting_m_s2) +
-         kStarting_s;
 }
 
 /// A share of the gait's fastest speed in robot.yaml, as somebody would type it.
@@ -110,7 +102,7 @@ void add_gait(const GaitOutcome& g, double torque_limit_Nm, std::vector<ReportRo
   rows.push_back(row("walk." + name + ".saturated", "%", 100.0 * g.vitals.saturated_share));
   if (std::isfinite(g.reserve.least))
     rows.push_back(row("walk." + name + ".voltage_reserve", "%", 100.0 * g.reserve.least,
-                       at_least(100.0 * kLeastReserve)));
+                       at_least(100.0 * VoltageReserve::kWanted)));
   rows.push_back(row("walk." + name + ".trips", "", g.vitals.trips, bounds(at_most(0.0))));
 }
 
@@ -201,7 +193,7 @@ ControlOutcome walk_under(RobotConfig robot, const WalkTask& task, const WalkCon
 GaitOutcome go(const RobotConfig& robot, const WalkTask& task, const GaitCase& config) {
   WalkingRobot walker(robot, task.preset, lying(task.sim));
   walker.walk(config.gait, {config.speed_m_s, 0.0, 0.0});
-  walker.run(ramp_s(robot, task, config));
+  walker.run(speed_reached_s(robot, task.preset, config.gait, {config.speed_m_s, 0.0, 0.0}));
   TravelScore travel;
   const double longest_s = kTimeout * task.distance_m / config.speed_m_s;
   for (double time_s = 0.0; time_s < longest_s && walker.upright(); time_s += 0.1) {

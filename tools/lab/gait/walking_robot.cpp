@@ -1,7 +1,11 @@
 #include "tools/lab/gait/walking_robot.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
+
+#include "robots/gait_speed.h"
 
 namespace sprung {
 
@@ -46,6 +50,20 @@ void WalkingRobot::run(double duration_s, const OnCycle& on_cycle) {
   }
 }
 
+double speed_reached_s(const RobotConfig& robot, const std::string& preset, const std::string& gait,
+                       const Vec3& speed) {
+  constexpr double kSettling_s = 2.0;
+  const WalkConfig& walk = robot.preset(preset).walk;
+  const std::array<double, 3> of_preset{walk.acceleration_m_s2, walk.acceleration_m_s2,
+                                        walk.turning_acceleration_rad_s2};
+  const std::array<double, 3> of_gait = starting_acceleration(robot.gaits[gait_index(robot, gait)]);
+  double longest_s = 0.0;
+  for (std::size_t i = 0; i < speed.size(); ++i)
+    if (speed[i] != 0.0)
+      longest_s = std::max(longest_s, std::abs(speed[i]) / std::min(of_preset[i], of_gait[i]));
+  return longest_s + kSettling_s;
+}
+
 Experiment gait_experiment(const std::string& name, const std::string& what, const std::string& question) {
   Experiment out;
   out.name = name;
@@ -55,7 +73,7 @@ Experiment gait_experiment(const std::string& name, const std::string& what, con
   out.takes = {Common::kPreset, Common::kJobs, Common::kPlant, Common::kOut};
   out.seed_help = "of every noise and draw; 0 was used for tuning";
   out.example = "--robot pegasus --seed 1 --out report";
-  out.in_all = InAll::kOfAWalker;
+  out.in_all = {RobotKind::kWalker};
   out.many_cases = true;
   out.needs_gaits = true;
   return out;

@@ -50,6 +50,11 @@ class WalkingRobot {
   std::string last_refusal_;
 };
 
+/// From standing until the body goes that fast in that gait, and two seconds more.
+/// @param speed forward, left (m/s), turning (rad/s). @throws as gait_index().
+double speed_reached_s(const RobotConfig& robot, const std::string& preset, const std::string& gait,
+                       const Vec3& speed);
+
 /// One of a robot in a gait, but its own options and its run.
 Experiment gait_experiment(const std::string& name, const std::string& what, const std::string& question);
 

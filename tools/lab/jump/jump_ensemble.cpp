@@ -155,7 +155,7 @@ Experiment jump_ensemble_experiment() {
   out.takes = {Common::kPreset, Common::kJobs, Common::kOut};
   out.seed_help = "of every noise; 0 was used for tuning";
   out.example = "--seed 1";
-  out.in_all = InAll::kOfALeg;
+  out.in_all = {RobotKind::kLeg};
   out.many_cases = true;
   out.own.choice("--mode", own->mode, names(kJumpModes), "control in the jump");
   out.own.option("--height", own->height_mm, "mm that are asked; 0 = the preset's own jump");

@@ -98,7 +98,7 @@ Experiment jump_experiment() {
   out.preset_note = "; paper reproduces the paper";
   out.takes = {Common::kPreset, Common::kPlant, Common::kSeparate, Common::kOut};
   out.example = "--robot single_leg --preset paper --seed 3 --out logs/jump";
-  out.in_all = InAll::kOfALeg;
+  out.in_all = {RobotKind::kLeg};
   const auto mode = std::make_shared<std::string>(kEveryMode);
   std::vector<std::string> modes = names(kJumpModes);
   modes.emplace_back(kEveryMode);

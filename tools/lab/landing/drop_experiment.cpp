@@ -259,7 +259,7 @@ Experiment drop_experiment() {
   out.takes = {Common::kPreset, Common::kPlant, Common::kJobs, Common::kSeparate, Common::kOut};
   out.seed_help = "of every noise: the comparison's first, one more each time";
   out.example = "--robot single_leg --seed 1 --out /tmp/drop";
-  out.in_all = InAll::kOfALeg;
+  out.in_all = {RobotKind::kLeg};
   out.many_cases = true;
   out.own.option("--seeds", own->seeds, "of the comparison");
   out.own.option("--floor", own->floor, "which floor the comparison's first fall meets, one more each time");

@@ -239,7 +239,7 @@ Experiment foot_return_experiment() {
       "compensation?";
   out.takes = {Common::kPreset, Common::kPlant, Common::kSeparate, Common::kOut};
   out.example = "--seed 1 --out report";
-  out.in_all = InAll::kOfBoth;
+  out.in_all = {RobotKind::kLeg, RobotKind::kWalker};
   out.many_cases = true;
   out.run = [](const ExperimentInput& in) {
     return in.robot.gaits.empty() ? run_foot_return(in) : run_hanging_return(in);

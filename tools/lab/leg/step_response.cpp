@@ -237,7 +237,7 @@ Experiment step_response_experiment() {
   out.presets = {"paper", "paper"};
   out.takes = {Common::kPreset, Common::kPlant, Common::kSeparate, Common::kOut};
   out.example = "--seed 1 --out report";
-  out.in_all = InAll::kOfALeg;
+  out.in_all = {RobotKind::kLeg};
   out.run = [](const ExperimentInput& in) {
     const StepResponseResult result = run_step_response(in.robot, in.preset, in.sim, in.run, in.parallel);
     return ExperimentOutput{step_response_rows(result), result.simulated_s, {step_response_section(result)}};

@@ -19,8 +19,7 @@ std::string command_of(const Experiment& experiment, const ExperimentRequest& re
   std::string line = "sprung experiment " + experiment.name + " --robot " + request.robot;
   if (experiment.takes.count(Common::kPreset) > 0) line += " --preset " + preset;
   for (const std::string& number : request.set) line += " --set " + number;
-  for (const std::string& change : request.plant) line += " --plant " + change;
-  if (request.plants > 0) line += " --plants " + std::to_string(request.plants);
+  line += plant_words(request);
   if (!request.position_loop.empty()) line += " --position-loop " + request.position_loop;
   return line + " --seed " + std::to_string(request.seed) + experiment.own.words() +
          (request.separate ? " --separate" : "");
@@ -122,6 +121,12 @@ std::string OwnOptions::words_of(const std::string& name, int value) {
 }
 std::string OwnOptions::words_of(const std::string& name, std::uint64_t value) {
   return words_of(name, std::to_string(value));
+}
+
+std::string plant_words(const ExperimentRequest& request) {
+  std::string out;
+  for (const std::string& change : request.plant) out += " --plant " + change;
+  return out + (request.plants > 0 ? " --plants " + std::to_string(request.plants) : "");
 }
 
 RobotConfig robot_of(const ExperimentRequest& request) {

@@ -114,8 +114,8 @@ struct Presets {
   std::string in_all = "best";
 };
 
-/// Which robots' `sprung experiment all` runs it.
-enum class InAll { kNever, kOfALeg, kOfAWalker, kOfBoth };
+/// Of what `sprung experiment all` can be: a joint alone, a leg that stands, a robot that walks.
+enum class RobotKind { kJoint, kLeg, kWalker };
 
 struct Experiment {
   std::string name;      ///< as in `sprung experiment <name>`; its rows' names begin with it
@@ -128,11 +128,10 @@ struct Experiment {
   std::string preset_note{};  ///< follows the help of --preset, as out_note that of --out
   std::string seed_help = "of every noise";
   std::string out_note{};
-  std::string example{};  ///< options that follow the name
-  InAll in_all = InAll::kNever;
-  bool in_all_of_a_joint = false;  ///< of a robot that has no leg to stand on
-  bool many_cases = false;         ///< uses all the threads by itself
-  bool reads_files = false;        ///< robot.yaml itself too, where nothing can be set
+  std::string example{};         ///< options that follow the name
+  std::set<RobotKind> in_all{};  ///< whose `sprung experiment all` runs it
+  bool many_cases = false;       ///< uses all the threads by itself
+  bool reads_files = false;      ///< robot.yaml itself too, where nothing can be set
   bool needs_gaits = false;
   OwnOptions own{};                 ///< and their defaults
   std::function<void()> shorten{};  ///< before it runs in `all`: changes own options; may be empty
@@ -142,6 +141,9 @@ struct Experiment {
 /// The robot that is asked for, with the numbers that are set.
 /// @throws WrongUse for a text that is no KEY=NUMBER, ConfigError as load_robot().
 RobotConfig robot_of(const ExperimentRequest& request);
+
+/// The plant that is asked for, as it was typed: each word after a space.
+std::string plant_words(const ExperimentRequest& request);
 
 /// @throws WrongUse where the robot has no gaits and needs them, std::invalid_argument for a preset or plant
 /// that there is not.

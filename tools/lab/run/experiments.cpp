@@ -32,13 +32,20 @@ std::vector<Experiment> experiments() {
           model_watch_experiment()};
 }
 
+namespace {
+
+RobotKind kind_of(const RobotConfig& robot) {
+  if (robot.why_not_standing() != nullptr) return RobotKind::kJoint;
+  return robot.gaits.empty() ? RobotKind::kLeg : RobotKind::kWalker;
+}
+
+}  // namespace
+
 std::vector<Experiment> experiments_of(const RobotConfig& robot) {
-  const bool joint_alone = robot.why_not_standing() != nullptr;
-  const InAll mine = robot.gaits.empty() ? InAll::kOfALeg : InAll::kOfAWalker;
+  const RobotKind kind = kind_of(robot);
   std::vector<Experiment> out;
   for (const Experiment& experiment : experiments()) {
-    const bool of_a_leg = experiment.in_all == mine || experiment.in_all == InAll::kOfBoth;
-    if (joint_alone ? experiment.in_all_of_a_joint : of_a_leg) out.push_back(experiment);
+    if (experiment.in_all.count(kind) > 0) out.push_back(experiment);
   }
   return out;
 }

@@ -38,9 +38,8 @@ void SteeredWalk::use_gait(int gait) noexcept {
 Vec3 SteeredWalk::speed(const StickValues& sticks) const noexcept {
   if (gait_ < 0) return {};
   const GaitConfig& gait = gaits_[gait_];
-  const double fastest_m_s = sticks.forward < 0.0 ? gait.fastest_backward_m_s : gait.fastest_forward_m_s;
-  Vec3 wished{sticks.forward * fastest_m_s, sticks.left * gait.fastest_sideways_m_s,
-              sticks.turning * gait.fastest_turning_rad_s};
+  Vec3 wished{sticks.forward * fastest_along_m_s(gait, sticks.forward),
+              sticks.left * gait.fastest_sideways_m_s, sticks.turning * gait.fastest_turning_rad_s};
   const double share = speed_share(gait, wished);
   for (double& each : wished) each /= std::max(1.0, share);
   return wished;

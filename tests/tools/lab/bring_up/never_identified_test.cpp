@@ -36,6 +36,13 @@ TEST(NeverIdentified, TheAdaptiveLandingIsNoHarderThanThePapers) {
   }
 }
 
+/// It is the one row of an experiment that failed.
+TEST(NeverIdentified, ExperimentsThatHaveDemandsMustComeToTheirEnd) {
+  for (const char* name : {"model_watch.completed", "estimator.completed", "drop.completed"})
+    EXPECT_FALSE(judged(name, 0.0).ok()) << name;
+  EXPECT_TRUE(judged("walk.completed", 0.0).ok());
+}
+
 TEST(NeverIdentified, OfTheRestNothingIsDemanded) {
   for (const char* name : {"estimator.push_off.rms", "walk.trot.speed", "model_watch.fits"}) {
     EXPECT_FALSE(judged(name, 5.0).low) << name;

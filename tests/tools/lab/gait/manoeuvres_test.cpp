@@ -49,6 +49,7 @@ TEST(Manoeuvres, ACurveIsWalkedAndItsVoltageWatched) {
   SimOptions sim;
   sim.seed = 1;
   sim.plant["winding"] = 1.0;
+  int walked = 0;
   for (const Manoeuvre& one : manoeuvres(robot)) {
     if (one.gait != "trot" || one.direction != "curve") continue;
     const ManoeuvreOutcome outcome = manoeuvre(robot, "best", sim, one);
@@ -56,7 +57,9 @@ TEST(Manoeuvres, ACurveIsWalkedAndItsVoltageWatched) {
     EXPECT_GT(outcome.reserve.least, 0.1);
     EXPECT_LT(outcome.reserve.least, 0.8);
     EXPECT_FALSE(outcome.reserve.actuator.empty());
+    ++walked;
   }
+  EXPECT_EQ(walked, 1);
 }
 
 }  // namespace

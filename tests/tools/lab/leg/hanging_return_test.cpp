@@ -64,14 +64,18 @@ TEST_F(HangingReturnTest, ADrawnPlantIsAnotherOneAlready) {
   for (const HangingCase& config : hanging_cases(robot_, "best", true))
     result.cases.push_back({config, {}, {}, {}});
   ASSERT_EQ(result.cases.size(), 2u);
+  int bounds = 0;
   for (const ReportRow& row : hanging_return_rows(result)) {
     if (row.name == "foot_return.with.mean") {
       EXPECT_EQ(*row.high, 2.0);
+      ++bounds;
     }
     if (row.name == "foot_return.with.max") {
       EXPECT_EQ(*row.high, 4.0);
+      ++bounds;
     }
   }
+  EXPECT_EQ(bounds, 2);
 }
 
 TEST_F(HangingReturnTest, SameSeedGivesTheSameBits) {
