@@ -31,6 +31,14 @@ inline Eigen::Matrix3d level_from_trunk(const Attitude& a) noexcept {
   return turned;
 }
 
+/// Of a trunk that lies along a plane, its heading kept. @param slope rise over way along x and y.
+inline Attitude along(const Eigen::Vector2d& slope) noexcept {
+  Attitude out;
+  out.pitch_rad = -std::atan(slope.x());
+  out.roll_rad = std::atan(slope.y() * std::cos(out.pitch_rad));
+  return out;
+}
+
 inline double wrapped_rad(double angle_rad) noexcept { return std::remainder(angle_rad, 6.283185307179586); }
 
 }  // namespace sprung

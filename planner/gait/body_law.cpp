@@ -14,8 +14,10 @@ BodyWrench wanted_wrench(const WalkConfig& law, const BodyShape& shape, const Bo
                  shape.mass_kg * kGravity_m_s2 + law.body_stiffness[2] * (wish.height_m - wish.height_now_m) +
                      law.body_damping[2] * error_m_s.z()};
   const Eigen::Vector3d& turning = view.angular_velocity_rad_s;
-  out.torque_Nm = {-law.body_stiffness[0] * view.attitude.roll_rad - law.body_damping[0] * turning.x(),
-                   -law.body_stiffness[1] * view.attitude.pitch_rad - law.body_damping[1] * turning.y(), 0.0};
+  const double roll_rad = wish.attitude.roll_rad - view.attitude.roll_rad;
+  const double pitch_rad = wish.attitude.pitch_rad - view.attitude.pitch_rad;
+  out.torque_Nm = {law.body_stiffness[0] * roll_rad - law.body_damping[0] * turning.x(),
+                   law.body_stiffness[1] * pitch_rad - law.body_damping[1] * turning.y(), 0.0};
   return out;
 }
 

@@ -9,6 +9,7 @@ namespace sprung {
 struct BodyWish {
   Eigen::Vector3d velocity_m_s = Eigen::Vector3d::Zero();
   double turning_rad_s = 0.0;
+  Attitude attitude;      ///< heading is not read
   double height_m = 0.0;  ///< of the hips over the feet
   double height_now_m = 0.0;
 };

@@ -70,7 +70,7 @@ bool LegStep::step(const StepPlan& plan, const Eigen::Vector3d& foot_m, const Ei
   }
   if (in_swing_s_ == 0.0) {
     control_ = plan.control;
-    ground_z_m_ = plan.ground_z_m;
+    ground_z_m_ = foothold_m.z();
   } else {
     ground_z_m_ += plan.sunk_m;
     from_m_.z() += plan.sunk_m;
@@ -90,7 +90,7 @@ void LegStep::swing(const StepPlan& plan, const Eigen::Vector3d& foothold_m) noe
   SwingPath path;
   path.from_m = from_m_;
   path.to_m = {foothold_m.x(), foothold_m.y(), ground_z_m_};
-  path.ground_m_s = {-plan.body_m_s.x(), -plan.body_m_s.y(), 0.0};
+  path.ground_m_s = -plan.body_m_s;
   path.duration_s = plan.swing_s;
   path.lift_m = plan.gait->lift_m + extra_lift_m_;
   // Whoever waits for contact comes down slowly; plain hybrid trusts its clock.

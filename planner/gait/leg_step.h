@@ -21,10 +21,9 @@ struct StepPlan {
   GaitControl control = GaitControl::kAdaptive;
   double dt_s = 0.0;
   double swing_s = 0.0;
-  Eigen::Vector3d body_m_s;  ///< wanted, over the ground; z: of the height
+  Eigen::Vector3d body_m_s;  ///< wanted, over the ground; z: as it climbs
   double turning_rad_s = 0.0;
-  double ground_z_m = 0.0;  ///< expected, of a foot that leaves now
-  double sunk_m = 0.0;      ///< of the trunk against the standing feet, in this cycle
+  double sunk_m = 0.0;  ///< of the trunk toward the ground, as the standing feet show it, in this cycle
   /// Of a foot's ball: while it stands it rolls after the body.
   double foot_radius_m = 0.0;
 
@@ -40,7 +39,8 @@ class LegStep {
   /// This swing is controlled as the plan says in its first cycle, whatever is asked for until it ends.
   void lift(const Eigen::Vector3d& foot_m) noexcept;
 
-  /// One cycle. @param foot_m measured. @param foothold_m where a swing shall end; z is not used.
+  /// One cycle. @param foot_m measured. @param foothold_m where a swing shall end; its height
+  /// is that of a swing's first cycle, but for the trunk's sinking.
   /// @return true when the foot landed, or gave up, in this cycle.
   bool step(const StepPlan& plan, const Eigen::Vector3d& foot_m, const Eigen::Vector3d& foothold_m,
             bool contact) noexcept;

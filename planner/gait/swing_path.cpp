@@ -40,14 +40,15 @@ Point arc(double from, double over, double to, double to_rate, double duration, 
   return Cubic{over, over_rate, to, to_rate, half}.at(t - half);
 }
 
+/// Against ground that sinks under a body that climbs.
 Point height(const SwingPath& path, double time_s) noexcept {
   const double high_s = path.duration_s - path.approach_s;
   const double over_m = path.approach_m_s *
                         path.approach_s;  // above the ground where the straight way down begins
-  const double to_m = path.to_m.z() + over_m;
+  const double to_m = path.to_m.z() - path.ground_m_s.z() * path.duration_s + over_m;
   const double approach_m_s = path.approach_s > 0.0 ? path.approach_m_s : 0.0;
   if (time_s >= high_s) return {to_m - approach_m_s * (time_s - high_s), -approach_m_s, 0.0};
-  const double top_m = 0.5 * (path.from_m.z() + path.to_m.z()) + path.lift_m;
+  const double top_m = 0.5 * (path.from_m.z() + to_m - over_m) + path.lift_m;
   return arc(path.from_m.z(), top_m, to_m, -approach_m_s, high_s, std::max(0.0, time_s));
 }
 
@@ -65,11 +66,11 @@ SwingPoint SwingPath::at(double time_s) const noexcept {
   out.acceleration_m_s2 = over_ground_m * (way.rate2 / (way_s * way_s));
 
   const Point z = height(*this, time_s);
-  out.position_m.z() = z.value;
-  out.velocity_m_s.z() = z.rate;
+  out.position_m.z() = z.value + ground_m_s.z() * t;
+  out.velocity_m_s.z() = z.rate + ground_m_s.z();
   out.acceleration_m_s2.z() = z.rate2;
   if (time_s > duration_s) {
-    out.position_m += Eigen::Vector3d(ground_m_s.x(), ground_m_s.y(), 0.0) * (time_s - duration_s);
+    out.position_m += ground_m_s * (time_s - duration_s);
     out.acceleration_m_s2.setZero();
   }
   return out;

@@ -14,7 +14,7 @@ struct SwingPoint {
 struct SwingPath {
   Eigen::Vector3d from_m;
   Eigen::Vector3d to_m;        ///< expected ground; may move a little from cycle to cycle
-  Eigen::Vector3d ground_m_s;  ///< of the ground as the body sees it: minus the body's speed; z is 0
+  Eigen::Vector3d ground_m_s;  ///< of the ground as the body sees it: minus the body's speed
   double duration_s = 0.0;
   double lift_m = 0.0;
   double approach_s = 0.0;  ///< at the end: straight down at approach_m_s; 0: none

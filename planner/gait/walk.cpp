@@ -30,6 +30,10 @@ Eigen::Vector2d beyond(const Eigen::Vector2d& v, double least) noexcept {
   return length > least ? Eigen::Vector2d(v * (1.0 - least / length)) : Eigen::Vector2d::Zero();
 }
 
+BodyWrench turned(const Eigen::Matrix3d& by, const BodyWrench& wrench) noexcept {
+  return {by * wrench.force_N, by * wrench.torque_Nm};
+}
+
 double toward(double from, double to, double most) noexcept {
   return from + std::clamp(to - from, -most, most);
 }
@@ -67,16 +71,15 @@ void Walk::begin(const JointState& in, const WalkRequest& request) noexcept {
   ramp_.want(request.speed);
   heat_.begin(in);
   heat_lean_.reset();
-  weight_.begin(leaning_m());
   waits_ = false;
   pace_.reset();
-  double sum_m = 0.0;
   for (std::size_t i = 0; i < shape_.legs; ++i) {
     steps_[i].stand(view_.foot_m[i], law_.force_rise_s);  // it carries its share already
     steps_[i].forget_event();
-    sum_m += view_.foot_m[i].z();
   }
-  ground_.begin(sum_m / static_cast<double>(shape_.legs));
+  ground_.begin(ground_feet(), view_.attitude.yaw_rad);
+  lie_along_ground();
+  weight_.begin(leaning_m());
   height_m_ = -ground_.z_m();
   heading_rad_ = view_.attitude.yaw_rad;
   body_m_s_.setZero();
@@ -180,26 +183,31 @@ void Walk::lean(double dt_s) noexcept {
   const Eigen::Vector2d speed_m_s = pace_.now() * Eigen::Vector2d(pace_.speed()[0], pace_.speed()[1]);
   weight_.step(clock_, view_, speed_m_s, dt_s);
   if (weight_.gave_up()) fail("the body cannot be brought over three feet");
-  body_m_s_ << speed_m_s + weight_.speed_m_s(), 0.0;
+  const Eigen::Vector2d over_ground_m_s = speed_m_s + weight_.speed_m_s();
+  body_m_s_ << over_ground_m_s, ground_.slope().dot(over_ground_m_s);
 }
 
 /// Of the body from the middle of its feet's places, before it walks; a gait that does not lean begins as it
 /// is.
 Eigen::Vector2d Walk::leaning_m() const noexcept {
   Eigen::Vector2d sum_m = Eigen::Vector2d::Zero();
-  for (std::size_t i = 0; i < shape_.legs; ++i)
-    sum_m += (shape_.hip_in_trunk_m[i] + shape_.foot_beside_hip_m[i] - view_.foot_m[i]).head<2>();
+  for (std::size_t i = 0; i < shape_.legs; ++i) sum_m += (under_hip_m(i) - view_.foot_m[i]).head<2>();
   const Eigen::Vector2d lean_m = sum_m / static_cast<double>(shape_.legs);
   const double far_m = lean_m.norm(), most_m = gait().sway_m;
   if (!(far_m > kLeans_m)) return Eigen::Vector2d::Zero();
   return far_m > most_m ? Eigen::Vector2d(lean_m * (most_m / far_m)) : lean_m;
 }
 
+/// Where a leg hangs plumb from its hip, whatever the trunk's attitude.
+Eigen::Vector3d Walk::under_hip_m(std::size_t leg) const noexcept {
+  return level_from_ground_ * shape_.hip_in_trunk_m[leg] + shape_.foot_beside_hip_m[leg];
+}
+
 Eigen::Vector3d Walk::place_m(std::size_t leg) const noexcept {
-  Eigen::Vector3d place = shape_.hip_in_trunk_m[leg] + shape_.foot_beside_hip_m[leg];
+  Eigen::Vector3d place = under_hip_m(leg);
   place.y() += shape_.side[leg] * width_m_;
   place.head<2>() -= weight_.at_m() + heat_lean_.at_m();
-  place.z() = ground_.z_m();
+  place.z() = ground_.z_m(place);
   return place;
 }
 
@@ -227,6 +235,7 @@ Eigen::Vector3d Walk::foothold_m(std::size_t leg) const noexcept {
     if (beyond_m.norm() > kFarthest_m) beyond_m *= kFarthest_m / beyond_m.norm();
     out.head<2>() += beyond_m;
   }
+  out.z() = ground_.z_m(out);
   return out;
 }
 
@@ -253,8 +262,8 @@ void Walk::step_legs(const JointState& in, double dt_s) noexcept {
   for (std::size_t i = 0; i < shape_.legs; ++i)
     waits_ = waits_ || (clock_.swings(i) && clock_.swing_share(i) >= 1.0 && !steps_[i].stands());
   clock_.advance(waits_ ? 0.0 : dt_s);
-  StepPlan plan{&gait(),        &law_,         request_.control, dt_s, clock_.swing_s(), body_m_s_,
-                turning_rad_s_, ground_.z_m(), ground_.sunk_m()};
+  StepPlan plan{&gait(),          &law_,     request_.control, dt_s,
+                clock_.swing_s(), body_m_s_, turning_rad_s_,   ground_.sunk_m()};
   for (std::size_t i = 0; i < shape_.legs; ++i) {
     plan.foot_radius_m = shape_.foot_radius_m[i];
     if (clock_.swings(i) && steps_[i].stands()) steps_[i].lift(view_.foot_m[i]);
@@ -314,10 +323,20 @@ void Walk::yield(std::size_t leg) noexcept {
   if (length_m > kMostStretch_m) step.shift((kMostStretch_m / length_m - 1.0) * stretch_m);
 }
 
+GroundPlane::Feet Walk::ground_feet() const noexcept {
+  GroundPlane::Feet feet{};
+  for (std::size_t i = 0; i < shape_.legs; ++i) feet[i] = {view_.foot_m[i], steps_[i].stands()};
+  return feet;
+}
+
 void Walk::follow_ground(double dt_s) noexcept {
-  std::array<GroundFoot, kMostLegs> feet{};
-  for (std::size_t i = 0; i < shape_.legs; ++i) feet[i] = {view_.foot_m[i].z(), steps_[i].stands()};
-  ground_.follow(feet, dt_s);
+  ground_.follow(ground_feet(), view_.attitude.yaw_rad, gait().period_s, dt_s);
+  lie_along_ground();
+}
+
+void Walk::lie_along_ground() noexcept {
+  trunk_ = along(ground_.slope());
+  level_from_ground_ = sprung::level_from_trunk(trunk_);
 }
 
 /// The feet that stand follow the wanted height together; how they differ is the ground's doing.
@@ -326,7 +345,7 @@ void Walk::hold_height(double dt_s) noexcept {
   int feet = 0;
   for (std::size_t i = 0; i < shape_.legs; ++i) {
     if (!steps_[i].stands()) continue;
-    wanted_m += steps_[i].wanted_m().z();
+    wanted_m += steps_[i].wanted_m().z() - ground_.slope().dot(steps_[i].wanted_m().head<2>());
     ++feet;
   }
   if (feet == 0) return;
@@ -347,12 +366,14 @@ double Walk::load(std::size_t leg) const noexcept {
 void Walk::share_weight() noexcept {
   for (Eigen::Vector3d& force : force_N_) force.setZero();
   if (!law_.distribute_force) return;
-  const BodyWish wish{body_m_s_, turning_rad_s_, height_m_, -ground_.z_m()};
+  const BodyWish wish{body_m_s_, turning_rad_s_, trunk_, height_m_, -ground_.z_m()};
+  const Eigen::Matrix3d ground_from_level = level_from_ground_.transpose();
   for (std::size_t i = 0; i < shape_.legs; ++i)
-    feet_[i] = {view_.foot_m[i] - view_.com_m, load(i) * shape_.mass_kg * kGravity_m_s2, 0.0,
-                steps_[i].stands()};
-  const DistributedForce& shared = distribution_.solve(wanted_wrench(law_, shape_, view_, wish), feet_);
-  std::copy_n(shared.ground_on_foot_N.begin(), shape_.legs, force_N_.begin());
+    feet_[i] = {ground_from_level * (view_.foot_m[i] - view_.com_m), load(i) * shape_.mass_kg * kGravity_m_s2,
+                0.0, steps_[i].stands()};
+  const BodyWrench wanted = turned(ground_from_level, wanted_wrench(law_, shape_, view_, wish));
+  const DistributedForce& shared = distribution_.solve(wanted, feet_);
+  for (std::size_t i = 0; i < shape_.legs; ++i) force_N_[i] = level_from_ground_ * shared.ground_on_foot_N[i];
 }
 
 /// To a gait that never swings: the one that does slows down first, and sets each foot in its place once

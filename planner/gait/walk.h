@@ -5,9 +5,9 @@
 #include <array>
 
 #include "planner/gait/body_law.h"
-#include "planner/gait/expected_ground.h"
 #include "planner/gait/force_distribution.h"
 #include "planner/gait/gait_order.h"
+#include "planner/gait/ground_plane.h"
 #include "planner/gait/heat_lean.h"
 #include "planner/gait/leg_step.h"
 #include "planner/gait/motor_heat.h"
@@ -59,6 +59,9 @@ class Walk {
   void write(std::size_t leg, DesiredLeg& out) const noexcept;
   void write(MotionState& out) const noexcept;
 
+  /// Along the ground; heading is not used.
+  const Attitude& wanted_trunk() const noexcept { return trunk_; }
+
   /// Where a leg's foot stands, in hip axes, at that height and width: before and after walking too.
   Vec3 stance_foot_in_hip_m(std::size_t leg, double height_m) const noexcept;
 
@@ -78,7 +81,9 @@ class Walk {
   bool touches(std::size_t i, const EstimatedLeg& leg) const noexcept;
   void look_for_slip(std::size_t leg) noexcept;
   void yield(std::size_t leg) noexcept;
+  GroundPlane::Feet ground_feet() const noexcept;
   void follow_ground(double dt_s) noexcept;
+  void lie_along_ground() noexcept;
   void hold_height(double dt_s) noexcept;
   void share_weight() noexcept;
   GaitOrder order_of(const WalkRequest& request) const noexcept;
@@ -91,6 +96,7 @@ class Walk {
   bool rests() const noexcept;
   void fail(const char* why) noexcept;
   Eigen::Vector2d leaning_m() const noexcept;
+  Eigen::Vector3d under_hip_m(std::size_t leg) const noexcept;
   Eigen::Vector3d place_m(std::size_t leg) const noexcept;
   Eigen::Vector3d foothold_m(std::size_t leg) const noexcept;
   double load(std::size_t leg) const noexcept;
@@ -123,7 +129,9 @@ class Walk {
   GaitOrder wanted_;       ///< as soon as it can be
   double height_m_ = 0.0;  ///< as ramped
   double width_m_ = 0.0;
-  ExpectedGround ground_;
+  GroundPlane ground_;
+  Attitude trunk_;                                                   ///< as wanted: along the ground
+  Eigen::Matrix3d level_from_ground_ = Eigen::Matrix3d::Identity();  ///< of a trunk so
   double heading_rad_ = 0.0;
   double turning_rad_s_ = 0.0;  ///< as steered
   Eigen::Vector3d body_m_s_ = Eigen::Vector3d::Zero();

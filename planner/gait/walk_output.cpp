@@ -12,9 +12,10 @@ bool Walk::on_spring(std::size_t leg) const noexcept {
 void Walk::write(std::size_t leg, DesiredLeg& out) const noexcept {
   const LegStep& step = steps_[leg];
   const Eigen::Matrix3d trunk_from_level = view_.level_from_trunk.transpose();
-  // A standing foot is wanted where it would be under a level trunk: its spring then levels the trunk. A
-  // swinging one is led over the ground as it lies.
-  const Eigen::Matrix3d as_wanted = step.stands() ? Eigen::Matrix3d::Identity() : trunk_from_level;
+  // A standing foot is wanted where it would be under a trunk that lies along the ground: its spring then
+  // turns the trunk so. A swinging one is led over the ground as it lies.
+  const Eigen::Matrix3d as_wanted = step.stands() ? Eigen::Matrix3d(level_from_ground_.transpose())
+                                                  : trunk_from_level;
   out.phase = step.phase();
   out.desired_foot_in_hip_m = to_vec3(as_wanted * step.wanted_m() - shape_.hip_in_trunk_m[leg]);
   out.desired_foot_velocity_m_s = to_vec3(as_wanted * step.wanted_m_s());

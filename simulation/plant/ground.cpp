@@ -8,7 +8,8 @@
 namespace sprung::sim {
 namespace {
 
-constexpr double kEdge_m = 0.02;        // [design choice] width of a step's ramp
+constexpr double kEdge_m = 0.02;  // [design choice] width of a step's ramp
+constexpr double kTurn_rad = 6.28318530717958648;
 constexpr double kClearance_m = 0.005;  // above the highest stone, before the next is drawn
 
 /// How far inside [from, from + length] x is, from 0 at the edge to 1 behind its ramp, and how that grows
@@ -63,8 +64,8 @@ void Ground::set_height(int leg, double height_m) noexcept {
 }
 
 bool Ground::uneven() const noexcept {
-  return config_.slope_rad != 0.0 || config_.side_slope_rad != 0.0 || config_.error_m > 0.0 ||
-         !config_.steps.empty();
+  return config_.slope_rad != 0.0 || config_.wave_m > 0.0 || config_.side_slope_rad != 0.0 ||
+         config_.error_m > 0.0 || !config_.steps.empty();
 }
 
 double Ground::Place::distance_m(const Vec3& point) const noexcept {
@@ -83,10 +84,28 @@ void Ground::notice(std::size_t leg, const Vec3& foot_in_world_m) noexcept {
   foothold.left = left;
 }
 
+/// Slopes and waves.
+Ground::Rise Ground::rolling(double x_m, double y_m) const noexcept {
+  const bool everywhere = !std::isfinite(config_.begins_m);
+  const double in_m = everywhere ? x_m : std::max(0.0, x_m - config_.begins_m);
+  const bool grows = !everywhere && in_m > 0.0 && in_m < GroundConfig::kGrows_m;
+  const double grown = everywhere ? 1.0 : std::min(1.0, in_m / GroundConfig::kGrows_m);
+  const double growth_1_m = grows ? 1.0 / GroundConfig::kGrows_m : 0.0;
+  const double slope = everywhere || in_m > 0.0 ? std::tan(config_.slope_rad) : 0.0;
+  const double side = std::tan(config_.side_slope_rad);
+  const double k_1_m = kTurn_rad / config_.wave_length_m, wave_m = config_.wave_m;
+  const double across = side * y_m + wave_m * std::sin(k_1_m * in_m) * std::cos(k_1_m * y_m);
+  Rise out;
+  out.height_m = slope * in_m + grown * across;
+  out.gradient_x = slope + growth_1_m * across +
+                   grown * wave_m * k_1_m * std::cos(k_1_m * in_m) * std::cos(k_1_m * y_m);
+  out.gradient_y = grown * (side - wave_m * k_1_m * std::sin(k_1_m * in_m) * std::sin(k_1_m * y_m));
+  return out;
+}
+
 Ground::Place Ground::raised(double height_m, double x_m, double y_m) const noexcept {
-  double gradient_x = std::tan(config_.slope_rad);
-  double gradient_y = std::tan(config_.side_slope_rad);
-  double height = height_m + gradient_x * x_m + gradient_y * y_m;
+  const Rise rise = rolling(x_m, y_m);
+  double height = height_m + rise.height_m, gradient_x = rise.gradient_x, gradient_y = rise.gradient_y;
   for (const GroundStep& step : config_.steps) {
     const Share x = within(x_m, step.from_m, step.length_m);
     const Share y = step.width_m > 0.0 ? within(y_m, step.right_m, step.width_m) : Share{};
@@ -101,8 +120,9 @@ Ground::Place Ground::under(std::size_t leg, double x_m, double y_m) const noexc
   return raised(footholds_[leg].height_m + footholds_[leg].error_m, x_m, y_m);
 }
 
-Ground::Place Ground::below_trunk() const noexcept {
-  return {{0, 0, height_m_}, upward(std::tan(config_.slope_rad), std::tan(config_.side_slope_rad))};
+Ground::Place Ground::below_trunk(double x_m, double y_m) const noexcept {
+  const Rise rise = rolling(x_m, y_m);
+  return {{x_m, y_m, height_m_ + rise.height_m}, upward(rise.gradient_x, rise.gradient_y)};
 }
 
 }  // namespace sprung::sim

@@ -21,8 +21,14 @@ struct GroundStep {
 };
 
 struct GroundConfig {
+  static constexpr double kGrows_m = 1.0;
   double slope_rad = 0.0;       ///< uphill toward +x
   double side_slope_rad = 0.0;  ///< uphill toward +y, the left
+  /// World x where slopes and waves begin: level before; a side slope and waves grow to what they are within
+  /// kGrows_m. NaN: they are everywhere.
+  double begins_m = kNaN;
+  double wave_m = 0.0;         ///< amplitude of hills and hollows, in x and y; their height is twice that
+  double wave_length_m = 1.0;  ///< from hill to hill
   /// Every place where a foot comes down lies at most this much higher or lower than the floor, as stones do:
   /// drawn anew, uniform, for each leg whenever its foot is above all of them. The ground at the start has no
   /// error.
@@ -48,8 +54,8 @@ class Ground {
   /// The next stone, once the foot is above all of them.
   void notice(std::size_t leg, const Vec3& foot_in_world_m) noexcept;
   Place under(std::size_t leg, double x_m, double y_m) const noexcept;
-  /// Of trunk and knees: the slope without steps and errors.
-  Place below_trunk() const noexcept;
+  /// Of trunk and knees: slopes and waves without steps and errors.
+  Place below_trunk(double x_m, double y_m) const noexcept;
   /// False: every plane stays where it is until set_height().
   bool uneven() const noexcept;
 
@@ -60,6 +66,12 @@ class Ground {
     std::int64_t stones = 0;
     bool left = false;  ///< the foot is above all stones
   };
+  struct Rise {
+    double height_m = 0.0;
+    double gradient_x = 0.0;
+    double gradient_y = 0.0;
+  };
+  Rise rolling(double x_m, double y_m) const noexcept;
   Place raised(double height_m, double x_m, double y_m) const noexcept;
 
   GroundConfig config_;

@@ -128,8 +128,14 @@ void Plant::place_floor(int geom, const Ground::Place& place) noexcept {
   mju_quatZ2Vec(row(model_->geom_quat, geom, 4), place.normal.data());
 }
 
+/// At where the trunk is: its skids and knees are not far. After mj_kinematics.
+Ground::Place Plant::below_trunk() const noexcept {
+  const Vec3 trunk_m = vec3(row(data_->xpos, index_.base_body, 3));
+  return ground_.below_trunk(trunk_m[0], trunk_m[1]);
+}
+
 void Plant::place_floors() noexcept {
-  place_floor(index_.floor_geom, ground_.below_trunk());
+  place_floor(index_.floor_geom, below_trunk());
   for (std::size_t leg = 0; leg < foot_m_.size(); ++leg)
     place_floor(index_.leg_floor_geom[leg], ground_.under(leg, foot_m_[leg][0], foot_m_[leg][1]));
 }
@@ -145,7 +151,7 @@ void Plant::note_feet() noexcept {
 /// Parallel to the floor, rolled as the configuration says.
 void Plant::turn_trunk() noexcept {
   mjtNum* attitude = data_->qpos + index_.free_qpos + 3;
-  mju_quatZ2Vec(attitude, ground_.below_trunk().normal.data());
+  mju_quatZ2Vec(attitude, below_trunk().normal.data());
   if (config_.roll_rad == 0.0) return;
   mjtNum parallel[4];
   mju_copy4(parallel, attitude);
@@ -165,7 +171,7 @@ void Plant::touch_floor() noexcept {
     const Vec3 centre_m = vec3(row(data_->geom_xpos, geom, 3));
     const auto foot = std::find(index_.foot_geom.begin(), index_.foot_geom.end(), geom);
     const auto leg = static_cast<std::size_t>(foot - index_.foot_geom.begin());
-    const Ground::Place place = foot == index_.foot_geom.end() ? ground_.below_trunk()
+    const Ground::Place place = foot == index_.foot_geom.end() ? below_trunk()
                                                                : ground_.under(leg, centre_m[0], centre_m[1]);
     const double over_m = place.distance_m(centre_m) - row(model_->geom_size, geom, 3)[0];
     lowest_m = std::min(lowest_m, over_m / place.normal[2]);

@@ -85,6 +85,7 @@ class Plant {
   void turn_trunk() noexcept;
   void touch_floor() noexcept;
   void note_feet() noexcept;
+  Ground::Place below_trunk() const noexcept;
   void place_floors() noexcept;
   void place_floor(int geom, const Ground::Place& place) noexcept;
   void apply_torques() noexcept;

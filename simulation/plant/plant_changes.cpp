@@ -136,6 +136,7 @@ constexpr Change kChanges[] = {
     {"foot_radius_scale", 0.1, 10, [](SimConfig& c, double v) { c.plant.foot_radius_factor *= v; }},
     {"foot_weight", 0, 50, [](SimConfig& c, double v) { c.plant.foot_weight_kg = v; }},
     {"friction_scale", 0, 100, scale_friction},
+    {"ground_begins", -1000, 1000, [](SimConfig& c, double v) { c.plant.ground.begins_m = v; }},
     {"ground_damping", 0, 1e6, [](SimConfig& c, double v) { c.plant.contact.damping_N_s_m = v; }},
     {"ground_error", 0, 1, [](SimConfig& c, double v) { c.plant.ground.error_m = v; }},
     {"ground_friction", 0, 10, [](SimConfig& c, double v) { c.plant.contact.friction = v; }},
@@ -202,6 +203,8 @@ constexpr Change kChanges[] = {
      [](SimConfig& c, double v) {
        each_joint(c, [v](PlantJointConfig& joint) { joint.friction.viscous_Nm_s_rad *= v; });
      }},
+    {"wave", 0, 1, [](SimConfig& c, double v) { c.plant.ground.wave_m = v; }},
+    {"wave_length", 0.05, 1000, [](SimConfig& c, double v) { c.plant.ground.wave_length_m = v; }},
     {"winding", 0, 1, switch_windings},
 };
 

@@ -112,6 +112,9 @@ GroundConfig read_ground(const YamlMap& map) {
   GroundConfig ground;
   ground.slope_rad = map.quantity_or("slope", "rad", -1, 1, 0.0);
   ground.side_slope_rad = map.quantity_or("side_slope", "rad", -1, 1, 0.0);
+  ground.begins_m = map.quantity_or("begins", "m", -1000, 1000, kNaN);
+  ground.wave_m = map.quantity_or("wave", "m", 0, 1, 0.0);
+  ground.wave_length_m = map.quantity_or("wave_length", "m", 0.05, 1000, ground.wave_length_m);
   ground.error_m = map.quantity_or("error", "m", 0, 1, 0.0);
   if (map.has("steps")) {
     for (const YamlMap& step : map.list("steps")) ground.steps.push_back(read_step(step));

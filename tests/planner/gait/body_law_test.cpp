@@ -45,6 +45,15 @@ TEST_F(BodyLawTest, HeightAndSpeedArePulledToWhatIsWished) {
   EXPECT_NEAR(force_N.z() - shape_.mass_kg * kGravity_m_s2, 500.0 * 0.02 + 50.0 * 0.1, 1e-9);
 }
 
+TEST_F(BodyLawTest, TrunkThatLiesAsItIsWishedIsNotTurned) {
+  wish_.attitude = along({0.2, 0.1});
+  view_.attitude = wish_.attitude;
+  EXPECT_TRUE(wrench().torque_Nm.isZero());
+  view_.attitude = {};
+  EXPECT_NEAR(wrench().torque_Nm.x(), 300.0 * wish_.attitude.roll_rad, 1e-9);
+  EXPECT_NEAR(wrench().torque_Nm.y(), 400.0 * wish_.attitude.pitch_rad, 1e-9);
+}
+
 TEST_F(BodyLawTest, SpeedThatIsNotKnownIsNotDamped) {
   wish_.velocity_m_s = {0.3, 0.1, 0.0};
   view_.velocity_m_s = {5.0, 5.0, 5.0};

@@ -25,7 +25,6 @@ class LegStepTest : public testing::Test {
     plan_.dt_s = 0.002;
     plan_.swing_s = 0.24;
     plan_.body_m_s = {0.3, 0.0, 0.0};
-    plan_.ground_z_m = kGround_m;
     leg_.stand(kPlace_m);
   }
   void lift(GaitControl control = GaitControl::kAdaptive) {
@@ -63,7 +62,7 @@ class LegStepTest : public testing::Test {
   StepPlan plan_;
   LegStep leg_;
   Eigen::Vector3d foot_m_ = kPlace_m;
-  Eigen::Vector3d foothold_m_ = kPlace_m + Eigen::Vector3d(0.05, 0.0, 9.0);  // z is not used
+  Eigen::Vector3d foothold_m_ = kPlace_m + Eigen::Vector3d(0.05, 0.0, 0.0);
   double floor_m_ = kGround_m;
   double swing_s_ = 0.0;
   bool contact_ = false;
@@ -293,7 +292,7 @@ TEST_F(LegStepTest, WhatOtherFeetLearnOfTheGroundDoesNotJerkASwing) {
   swing_to(0.5);
   LegStep undisturbed = leg_;
   undisturbed.step(plan_, foot_m_, foothold_m_, false);
-  plan_.ground_z_m += 0.01;
+  foothold_m_.z() += 0.01;
   cycle();
   EXPECT_EQ(leg_.wanted_m(), undisturbed.wanted_m());
 }

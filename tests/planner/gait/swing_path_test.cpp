@@ -14,7 +14,7 @@ SwingPath path(double approach_s = 0.0) {
   SwingPath out;
   out.from_m = {-0.05, 0.12, -0.50};
   out.to_m = {0.07, 0.13, -0.49};
-  out.ground_m_s = {-0.3, 0.05, 0.0};
+  out.ground_m_s = {-0.3, 0.05, -0.04};  // of a body that climbs
   out.duration_s = 0.24;
   out.lift_m = 0.05;
   out.approach_s = approach_s;
@@ -53,10 +53,10 @@ TEST(SwingPathTest, ApproachGoesStraightDownToTheGroundAndBeyondItAtItsSpeed) {
   const SwingPath swing = path(0.08);
   const double end_s = swing.duration_s;
   EXPECT_NEAR(swing.at(end_s).position_m.z(), swing.to_m.z(), 1e-12);
-  EXPECT_NEAR(swing.at(end_s - 0.03).position_m.z(), swing.to_m.z() + 0.2 * 0.03, 1e-12);
-  EXPECT_NEAR(swing.at(end_s + 0.1).position_m.z(), swing.to_m.z() - 0.2 * 0.1, 1e-12);
+  EXPECT_NEAR(swing.at(end_s - 0.03).position_m.z(), swing.to_m.z() + (0.2 + 0.04) * 0.03, 1e-12);
+  EXPECT_NEAR(swing.at(end_s + 0.1).position_m.z(), swing.to_m.z() - (0.2 + 0.04) * 0.1, 1e-12);
   for (const double time_s : {end_s - 0.07, end_s, end_s + 0.1})
-    EXPECT_NEAR(swing.at(time_s).velocity_m_s.z(), -0.2, 1e-12);
+    EXPECT_NEAR(swing.at(time_s).velocity_m_s.z(), -0.2 - 0.04, 1e-12);
 }
 
 TEST(SwingPathTest, AtTheEndThePlaceIsTheWantedOneWhateverTheApproach) {
@@ -115,10 +115,10 @@ TEST(SwingPathTest, LiftsWithLessSquaredAccelerationThanAQuarticBump) {
 
 TEST(SwingPathTest, RisesByItsLiftAndNeverBelowItsLine) {
   SwingPath swing = path();
-  swing.to_m.z() = swing.from_m.z();
+  swing.to_m.z() = swing.from_m.z() + swing.ground_m_s.z() * swing.duration_s;
   double highest_m = -1.0;
   for (double time_s = 0.0; time_s < swing.duration_s; time_s += kSwingPathStep_s) {
-    const double z_m = swing.at(time_s).position_m.z();
+    const double z_m = swing.at(time_s).position_m.z() - swing.ground_m_s.z() * time_s;
     EXPECT_GE(z_m, swing.from_m.z() - 1e-12);
     highest_m = std::max(highest_m, z_m);
   }

@@ -1,6 +1,7 @@
 #pragma once
 /// pegasus walking without physics: every foot is where it is wanted, unless the floor is in its way; the
-/// trunk stays level, goes as fast as it should, and hangs over the feet that stand as their springs have it.
+/// trunk lies as it is wanted, goes as fast as it should, and hangs over the feet that stand as their springs
+/// have it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "model/leg_kinematics.h"
+#include "planner/gait/body_frame.h"
 #include "planner/gait/walk.h"
 #include "robots/robot_loader.h"
 #include "signals/joint_state.h"
@@ -58,15 +60,16 @@ class WalkFixture : public testing::Test {
     ++in_.stamp.seq;
     walk_.step(in_);
     look();
+    lie();
     height_m_ = height_m();
     for (std::size_t i = 0; i < 4; ++i) {
-      Vec3 foot = wanted_[i].desired_foot_in_hip_m;
+      Eigen::Vector3d foot_m = level_foot_m(i);
       const double floor_m = floor_m_[i] - height_m_;
       const bool stands = wanted_[i].phase == LegPhase::kStance;
-      in_.legs[i].contact = stands || foot[2] <= floor_m + 1e-9;
-      foot[2] = stands ? floor_m : std::max(foot[2], floor_m);
-      foot[0] += slipped_m_[i];
-      place(i, foot);
+      in_.legs[i].contact = stands || foot_m.z() <= floor_m + 1e-9;
+      foot_m.z() = stands ? floor_m : std::max(foot_m.z(), floor_m);
+      foot_m.x() += slipped_m_[i];
+      place(i, to_vec3(level_from_trunk_.transpose() * foot_m - hip_m(i)));
     }
     in_.body.estimated_velocity_m_s = {motion_.desired_speed[0], motion_.desired_speed[1], 0.0};
   }
@@ -81,6 +84,20 @@ class WalkFixture : public testing::Test {
   void place(std::size_t leg, const Vec3& foot_in_hip_m) {
     in_.legs[leg].estimated_foot_in_hip_m = foot_in_hip_m;
   }
+  /// As wanted at once: what has no mass has no lag.
+  void lie() {
+    const Attitude& trunk = walk_.wanted_trunk();
+    level_from_trunk_ = level_from_trunk(trunk);
+    const Eigen::Quaterniond q(
+        Eigen::AngleAxisd(attitude(in_.body.estimated_quaternion_wxyz).yaw_rad, Eigen::Vector3d::UnitZ()) *
+        level_from_trunk_);
+    in_.body.estimated_quaternion_wxyz = {q.w(), q.x(), q.y(), q.z()};
+  }
+  Eigen::Vector3d hip_m(std::size_t leg) const { return to_eigen(robot_.legs[leg].hip_in_trunk_m); }
+  /// As wanted, level axes.
+  Eigen::Vector3d level_foot_m(std::size_t leg) const {
+    return level_from_trunk_ * (hip_m(leg) + to_eigen(wanted_[leg].desired_foot_in_hip_m));
+  }
   void look() {
     walk_.write(motion_);
     for (std::size_t i = 0; i < 4; ++i) {
@@ -94,7 +111,7 @@ class WalkFixture : public testing::Test {
     int feet = 0;
     for (std::size_t i = 0; i < 4; ++i) {
       if (wanted_[i].phase != LegPhase::kStance) continue;
-      sum_m += floor_m_[i] - wanted_[i].desired_foot_in_hip_m[2];
+      sum_m += floor_m_[i] - level_foot_m(i).z();
       ++feet;
     }
     return feet == 0 ? height_m_ : sum_m / feet;
@@ -128,6 +145,7 @@ class WalkFixture : public testing::Test {
   std::array<double, 4> floor_m_{};    ///< under each foot, over where the robot began
   std::array<double, 4> slipped_m_{};  ///< ahead of where each foot is wanted
   double height_m_ = preset_.stand_length_m;
+  Eigen::Matrix3d level_from_trunk_ = Eigen::Matrix3d::Identity();
 };
 
 }  // namespace sprung

@@ -45,6 +45,35 @@ TEST_F(WalkTest, SpeedIsRampedAndTheFeetKeepTheirPlacesOnAverage) {
   EXPECT_NEAR(sum_m / cycles, 0.0, 0.01);
 }
 
+/// Level ground, and a ramp ahead.
+TEST_F(WalkTest, OnARampTheTrunkLiesAlongItAndFeetFindItUnderTheirHips) {
+  constexpr double kRamp = 0.15, kFrom_m = 0.7;
+  double way_m = 0.0, ahead_m = 0.0;
+  int cycles = 0;
+  const auto lay_floor = [&] {
+    way_m += kStep_s * motion_.desired_speed[0];
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Eigen::Vector3d foot_m = level_foot_m(i);
+      if (wanted_[i].phase != LegPhase::kStance)
+        floor_m_[i] = kRamp * std::max(0.0, foot_m.x() + way_m - kFrom_m);
+      ahead_m += (foot_m - level_from_trunk_ * hip_m(i)).x();
+      ++cycles;
+    }
+  };
+  begin(request("trot", {0.3, 0.0, 0.0}));
+  run(15.0, lay_floor);
+  const std::int32_t late = count(LegEvent::kLateContact), early = count(LegEvent::kEarlyContact);
+  ahead_m = cycles = 0;
+  run(2.4, lay_floor);
+  const Attitude wanted = along({kRamp, 0.0});
+  EXPECT_NEAR(walk_.wanted_trunk().pitch_rad, wanted.pitch_rad, 0.01);
+  EXPECT_NEAR(walk_.wanted_trunk().roll_rad, 0.0, 0.01);
+  EXPECT_EQ(count(LegEvent::kLateContact), late);
+  EXPECT_EQ(count(LegEvent::kEarlyContact), early);
+  EXPECT_NEAR(ahead_m / cycles, 0.0, 0.015);
+  EXPECT_EQ(walk_.failure(), nullptr);
+}
+
 TEST_F(WalkTest, TurningFeetGoRoundTheMiddle) {
   begin(request("trot", {0.0, 0.0, 0.4}));
   run(4.0);

@@ -29,7 +29,44 @@ TEST(Ground, RisesForwardAndToTheLeftByItsSlopes) {
   EXPECT_NEAR(place.normal[0] / place.normal[2], -std::tan(0.2), 1e-12);
   EXPECT_NEAR(place.normal[1] / place.normal[2], std::tan(0.1), 1e-12);
   // The trunk's plane is the same one.
-  EXPECT_NEAR(ground.below_trunk().distance_m(place.point_m), 0.0, 1e-12);
+  EXPECT_NEAR(ground.below_trunk(0.5, 0.7).distance_m(place.point_m), 0.0, 1e-12);
+}
+
+/// Level ground before, and everywhere a gradient that is its own height's.
+TEST(Ground, SlopesAndWavesBeginWhereTheyAreSaidTo) {
+  GroundConfig config;
+  config.slope_rad = 0.2;
+  config.side_slope_rad = 0.1;
+  config.begins_m = 1.0;
+  config.wave_m = 0.03;
+  config.wave_length_m = 0.8;
+  const Ground ground(config, 0.0, 1);
+  EXPECT_TRUE(ground.uneven());
+  EXPECT_EQ(ground.under(0, 0.9, 0.5).point_m[2], 0.0);
+  EXPECT_EQ(ground.under(0, 0.9, 0.5).normal, (Vec3{0, 0, 1}));
+  EXPECT_NEAR(ground.under(0, 1.0 + 2.0, 0.2).point_m[2],
+              2.0 * std::tan(0.2) + 0.2 * std::tan(0.1) +
+                  0.03 * std::sin(2.0 / 0.8 * 6.28318530717959) * std::cos(0.2 / 0.8 * 6.28318530717959),
+              1e-9);
+  constexpr double kNear_m = 1e-6;
+  for (const double x : {1.3, 1.9, 2.5, 4.4})
+    for (const double y : {-0.3, 0.0, 0.25}) {
+      const auto height_m = [&](double dx, double dy) { return ground.under(0, x + dx, y + dy).point_m[2]; };
+      const Vec3 normal = ground.under(0, x, y).normal;
+      EXPECT_NEAR(-normal[0] / normal[2], (height_m(kNear_m, 0) - height_m(-kNear_m, 0)) / (2 * kNear_m),
+                  1e-6);
+      EXPECT_NEAR(-normal[1] / normal[2], (height_m(0, kNear_m) - height_m(0, -kNear_m)) / (2 * kNear_m),
+                  1e-6);
+      EXPECT_NEAR(ground.below_trunk(x, y).point_m[2], height_m(0, 0), 1e-12);
+    }
+}
+
+TEST(Ground, WavesEverywhereAreAsHighAsTheyAreSaidTo) {
+  GroundConfig config;
+  config.wave_m = 0.03;
+  const Ground ground(config, 0.1, 1);
+  EXPECT_NEAR(ground.under(0, 0.25, 0.0).point_m[2], 0.13, 1e-12);
+  EXPECT_NEAR(ground.under(0, -0.25, 0.0).point_m[2], 0.07, 1e-12);
 }
 
 TEST(Ground, StepIsItsHeightInsideAndRampsAtItsEdges) {
@@ -59,7 +96,7 @@ TEST(Ground, HeightIsOfOneLegOrOfAll) {
   ground.set_height(1, 0.02);
   EXPECT_EQ(ground.under(0, 0, 0).point_m[2], 0.0);
   EXPECT_EQ(ground.under(1, 0, 0).point_m[2], 0.02);
-  EXPECT_EQ(ground.below_trunk().point_m[2], 0.0);
+  EXPECT_EQ(ground.below_trunk(0, 0).point_m[2], 0.0);
   ground.set_height(-1, -0.1);
   for (std::size_t leg = 0; leg < 3; ++leg) EXPECT_EQ(ground.under(leg, 0, 0).point_m[2], -0.1);
   ground.set_height(3, 9.0);  // no such leg

@@ -119,12 +119,18 @@ TEST_P(PlantChanges, TemperatureAndHeatingReachThePlant) {
 TEST_P(PlantChanges, GroundKeysReachTheGround) {
   const GroundConfig ground = config({{"slope", 0.1},
                                       {"side_slope", -0.2},
+                                      {"ground_begins", 1.0},
+                                      {"wave", 0.03},
+                                      {"wave_length", 0.8},
                                       {"ground_error", 0.02},
                                       {"ground_seed", 5}})
                                   .plant.ground;
   EXPECT_EQ(ground.slope_rad, 0.1);
   EXPECT_EQ(config({{"roll", -1.57}}).plant.roll_rad, -1.57);
   EXPECT_EQ(ground.side_slope_rad, -0.2);
+  EXPECT_EQ(ground.begins_m, 1.0);
+  EXPECT_EQ(ground.wave_m, 0.03);
+  EXPECT_EQ(ground.wave_length_m, 0.8);
   EXPECT_EQ(ground.error_m, 0.02);
   EXPECT_EQ(ground.error_seed, 5U);
   EXPECT_TRUE(ground.steps.empty());

@@ -74,13 +74,17 @@ TEST_F(SimConfigTest, UnknownKeyIsRefusedWithFileAndLineWhereverItStands) {
 }
 
 TEST_F(SimConfigTest, GroundHasSlopesErrorAndSteps) {
-  const GroundConfig ground =
-      load_with("  floor_height:",
-                "  ground: {slope: 0.1 rad, error: 0.02 m, steps: [{from: 1 m, height: 0.02 m}, {from: 2 m, "
-                "length: 0.3 m, right: -0.2 m, width: 0.4 m, height: -0.02 m}]}\n  floor_height:")
-          .plant.ground;
+  const GroundConfig
+      ground = load_with("  floor_height:",
+                         "  ground: {slope: 0.1 rad, begins: 1 m, wave: 0.03 m, wave_length: 0.8 m, error: "
+                         "0.02 m, steps: [{from: 1 m, height: 0.02 m}, {from: 2 m, "
+                         "length: 0.3 m, right: -0.2 m, width: 0.4 m, height: -0.02 m}]}\n  floor_height:")
+                   .plant.ground;
   EXPECT_EQ(ground.slope_rad, 0.1);
   EXPECT_EQ(ground.side_slope_rad, 0.0);
+  EXPECT_EQ(ground.begins_m, 1.0);
+  EXPECT_EQ(ground.wave_m, 0.03);
+  EXPECT_EQ(ground.wave_length_m, 0.8);
   EXPECT_EQ(ground.error_m, 0.02);
   ASSERT_EQ(ground.steps.size(), 2U);
   EXPECT_EQ(ground.steps[0].length_m, 0.0);

@@ -26,9 +26,10 @@ inline void dump_value(ValueDump& dump, const std::string& at, const GroundStep&
 }
 
 inline void dump_value(ValueDump& dump, const std::string& at, const GroundConfig& value) {
-  const auto& [slope_rad, side_slope_rad, error_m, error_seed, steps] = value;
-  dump.fields(at, "slope_rad side_slope_rad error_m error_seed steps", slope_rad, side_slope_rad, error_m,
-              error_seed, steps);
+  const auto& [slope_rad, side_slope_rad, begins_m, wave_m, wave_length_m, error_m, error_seed,
+               steps] = value;
+  dump.fields(at, "slope_rad side_slope_rad begins_m wave_m wave_length_m error_m error_seed steps",
+              slope_rad, side_slope_rad, begins_m, wave_m, wave_length_m, error_m, error_seed, steps);
 }
 
 inline void dump_value(ValueDump& dump, const std::string& at, const FrictionTemperatureConfig& value) {

@@ -8,7 +8,7 @@ namespace sprung {
 namespace {
 
 constexpr double kPeriods = 3.0;
-constexpr const char* kDirections[] = {"forward", "backward", "sideways", "turning", "curve"};
+constexpr const char* kManoeuvreDirections[] = {"forward", "backward", "sideways", "turning", "curve"};
 
 Vec3 fastest(const GaitConfig& gait, std::size_t direction) {
   const double each = 1.0 / std::sqrt(3.0);
@@ -33,8 +33,8 @@ std::vector<Manoeuvre> manoeuvres(const RobotConfig& robot) {
   std::vector<Manoeuvre> out;
   for (const GaitConfig& gait : robot.gaits) {
     if (!(gait.fastest_forward_m_s > 0.0)) continue;
-    for (std::size_t i = 0; i < std::size(kDirections); ++i)
-      out.push_back({gait.name, kDirections[i], fastest(gait, i)});
+    for (std::size_t i = 0; i < std::size(kManoeuvreDirections); ++i)
+      out.push_back({gait.name, kManoeuvreDirections[i], fastest(gait, i)});
   }
   return out;
 }

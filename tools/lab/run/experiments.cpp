@@ -19,6 +19,7 @@
 #include "tools/lab/landing/drop_experiment.h"
 #include "tools/lab/leg/foot_return.h"
 #include "tools/lab/leg/step_response.h"
+#include "tools/lab/terrain/terrain_experiment.h"
 
 namespace sprung {
 
@@ -29,7 +30,7 @@ std::vector<Experiment> experiments() {
           endurance_experiment(),     faults_experiment(),       friction_sweep_experiment(),
           drag_experiment(),          estimator_experiment(),    commission_experiment(),
           bring_up_experiment(),      adaptation_experiment(),   parameter_experiment(),
-          model_watch_experiment()};
+          model_watch_experiment(),   terrain_experiment()};
 }
 
 namespace {

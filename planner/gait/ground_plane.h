@@ -1,0 +1,72 @@
+#pragma once
+/// Where the ground is: a plane through the places where feet stood last. Level axes of the trunk
+/// (body_frame.h), which go along with it. Pure, no heap.
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+
+#include "planner/gait/gait_clock.h"
+
+namespace sprung {
+
+struct GroundFoot {
+  Eigen::Vector3d at_m = Eigen::Vector3d::Zero();  ///< measured
+  bool stands = false;
+};
+
+/// The trunk moves over the ground, and another foot that stands is other ground. Whatever is in the air
+/// follows the former at once; the latter is learned slowly, since a drive's position loop passes on every
+/// jerk of its set-point, and what jerks feigns contact.
+///
+/// Height: of the feet that stand. Slope: least squares through the last footprint of every foot, which the
+/// feet that stand show going by under the trunk; followed within some of their steps, since one stone is no
+/// slope.
+class GroundPlane {
+ public:
+  using Feet = std::array<GroundFoot, kMostLegs>;
+
+  /// Takes those that stand for the ground.
+  void begin(const Feet& feet, double yaw_rad) noexcept;
+  /// @param yaw_rad the trunk's heading. @param period_s in which every foot steps once.
+  void follow(const Feet& feet, double yaw_rad, double period_s, double dt_s) noexcept;
+
+  /// Under the trunk's origin: minus its height, along the vertical.
+  double z_m() const noexcept { return z_m_; }
+  double z_m(const Eigen::Vector3d& place_m) const noexcept { return z_m_ + slope_.dot(place_m.head<2>()); }
+  /// Rise over way, along x (heading) and y (left).
+  const Eigen::Vector2d& slope() const noexcept { return slope_; }
+  /// By which the trunk came down toward the plane in the last cycle, as the feet show that stood before and
+  /// after it.
+  double sunk_m() const noexcept { return sunk_m_; }
+
+  /// How far the ground lies from the plane, rms of what was seen of late: uncertainty of the height under a
+  /// foot that comes down.
+  double rough_m() const noexcept { return std::sqrt(rough_m2_); }
+  /// Of the slope, each axis, one standard deviation: of footprints so rough that lie so far apart.
+  double slope_std() const noexcept { return rough_m() / spread_m_; }
+
+  /// Steeper is not learned: [design choice] 22 degrees, more than legs of any robot here hold on rubber.
+  static constexpr double kSteepest = 0.4;
+
+ private:
+  struct Fit {
+    Eigen::Vector2d slope;
+    double rough_m2 = 0.0;  ///< of one footprint, as the one degree of freedom that is left shows it
+    double spread_m = 1.0;  ///< root of the sum of squares along the narrower axis
+  };
+  Fit fit() const noexcept;
+  void learn(double period_s, double dt_s) noexcept;
+  void carry_prints(const Feet& feet, double turned_rad) noexcept;
+
+  double z_m_ = 0.0;
+  Eigen::Vector2d slope_ = Eigen::Vector2d::Zero();
+  double sunk_m_ = 0.0;
+  double rough_m2_ = 0.0;
+  double spread_m_ = 1.0;
+  double yaw_rad_ = 0.0;
+  Feet before_{};
+  std::array<Eigen::Vector3d, kMostLegs> print_m_{};  ///< written where has_print_
+  std::array<bool, kMostLegs> has_print_{};
+};
+
+}  // namespace sprung

@@ -1,0 +1,71 @@
+#include "tools/lab/terrain/terrain_task.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "robots/robot_loader.h"
+
+namespace sprung {
+namespace {
+
+const TerrainTask& task(const std::string& name) {
+  for (const TerrainTask& one : terrain_tasks())
+    if (one.name == name) return one;
+  throw std::out_of_range(name);
+}
+
+TerrainRun trot(const std::string& name, double level) {
+  TerrainRun asked;
+  asked.gait = "trot";
+  asked.speed_m_s = 0.35;
+  asked.distance_m = 2.0;
+  return walk_terrain(load_robot("pegasus"), "best", {}, task(name), level, asked);
+}
+
+TEST(TerrainTask, EveryOneHasLevelsOfGrowingDifficultyOnAPlantThatThereIs) {
+  std::set<std::string> names;
+  for (const TerrainTask& one : terrain_tasks()) {
+    EXPECT_TRUE(names.insert(one.name).second) << one.name;
+    const bool grows = one.levels.back() > one.levels.front();
+    EXPECT_TRUE(grows ? std::is_sorted(one.levels.begin(), one.levels.end())
+                      : std::is_sorted(one.levels.rbegin(), one.levels.rend()))
+        << one.name;
+    SimOptions sim;
+    sim.plant = one.plant(one.levels.front());
+    EXPECT_FALSE(sim.plant.empty());
+    EXPECT_NO_THROW(SimCore(load_robot("pegasus"), sim)) << one.name;
+    for (const auto& [gait, level] : one.wanted)
+      EXPECT_NE(std::find(one.levels.begin(), one.levels.end(), level), one.levels.end()) << one.name;
+  }
+}
+
+TEST(TerrainTask, TheHardestLevelIsFoundWithoutTryingAll) {
+  for (int hardest = -1; hardest < 9; ++hardest) {
+    int tried = 0;
+    EXPECT_EQ(hardest_level(9,
+                            [&](int level) {
+                              ++tried;
+                              return level <= hardest;
+                            }),
+              hardest);
+    EXPECT_LE(tried, 4);
+  }
+}
+
+TEST(TerrainTask, ARampIsTrottedUpFromLevelGround) {
+  const TerrainRun run = trot("slope_up", 5.7);
+  EXPECT_TRUE(run.passed()) << run.why;
+  EXPECT_GT(run.went_m_s, 0.25);
+  EXPECT_LT(run.went_m_s, 0.4);
+}
+
+TEST(TerrainTask, WhoFallsOrComesToNothingHasNotPassedAndSaysWhy) {
+  const TerrainRun run = trot("slope_up", 30.0);
+  EXPECT_FALSE(run.passed());
+  EXPECT_FALSE(run.why.empty());
+}
+
+}  // namespace
+}  // namespace sprung

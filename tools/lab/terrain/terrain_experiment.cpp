@@ -1,0 +1,121 @@
+#include "tools/lab/terrain/terrain_experiment.h"
+
+#include <algorithm>
+#include <memory>
+
+#include "tools/lab/gait/walking_robot.h"
+
+namespace sprung {
+namespace {
+
+constexpr int kTriedDraws = 10, kMustPass = 8;
+constexpr std::uint64_t kFirstDraw = 1001;  // beyond those that gaits are tuned and judged on
+constexpr double kAskedShare = 7.0 / 8.0;   // of the gait's fastest
+
+struct Options {
+  std::string only;  ///< task; empty: all
+  std::string gait;  ///< empty: all that go forward
+  double distance_m = 3.0;
+};
+
+std::vector<std::string> task_names() {
+  std::vector<std::string> out{""};
+  for (const TerrainTask& task : terrain_tasks()) out.push_back(task.name);
+  return out;
+}
+
+TerrainOutcome::Tried try_level(const ExperimentInput& in, const TerrainTask& task, const GaitConfig& gait,
+                                int level, double distance_m) {
+  TerrainOutcome::Tried out;
+  out.level = level;
+  out.runs = parallel_map(
+      kTriedDraws,
+      [&](std::size_t i) {
+        TerrainRun asked;
+        asked.draw = kFirstDraw + in.asked.seed * kTriedDraws + i;
+        asked.gait = gait.name;
+        asked.speed_m_s = kAskedShare * gait.fastest_forward_m_s;
+        asked.distance_m = distance_m;
+        SimOptions sim = in.sim;
+        sim.plant["draw"] = static_cast<double>(asked.draw);
+        return walk_terrain(in.robot, in.preset, sim, task, task.levels[static_cast<std::size_t>(level)],
+                            asked);
+      },
+      in.parallel);
+  return out;
+}
+
+TerrainOutcome climb(const ExperimentInput& in, const TerrainTask& task, const GaitConfig& gait,
+                     double distance_m) {
+  TerrainOutcome out;
+  out.task = &task;
+  out.gait = gait.name;
+  out.level = hardest_level(static_cast<int>(task.levels.size()), [&](int level) {
+    out.tried.push_back(try_level(in, task, gait, level, distance_m));
+    return out.tried.back().passed() >= kMustPass;
+  });
+  return out;
+}
+
+ExperimentOutput run_terrain(const ExperimentInput& in, const Options& options) {
+  ExperimentOutput out;
+  for (const TerrainTask& task : terrain_tasks()) {
+    if (!options.only.empty() && options.only != task.name) continue;
+    for (const GaitConfig& gait : in.robot.gaits) {
+      if (!(gait.fastest_forward_m_s > 0.0) || (!options.gait.empty() && options.gait != gait.name)) continue;
+      const TerrainOutcome outcome = climb(in, task, gait, options.distance_m);
+      out.rows.push_back(terrain_row(outcome));
+      out.sections.push_back(terrain_section(outcome));
+      for (const TerrainOutcome::Tried& tried : outcome.tried)
+        for (const TerrainRun& run : tried.runs) out.simulated_s += run.simulated_s;
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+int TerrainOutcome::Tried::passed() const {
+  return static_cast<int>(
+      std::count_if(runs.begin(), runs.end(), [](const TerrainRun& run) { return run.passed(); }));
+}
+
+ReportRow terrain_row(const TerrainOutcome& outcome) {
+  const TerrainTask& task = *outcome.task;
+  const double level = outcome.level < 0 ? kNaN : task.levels[static_cast<std::size_t>(outcome.level)];
+  const std::string name = "terrain." + task.name + "." + outcome.gait + ".level";
+  const auto wanted = task.wanted.find(outcome.gait);
+  if (wanted == task.wanted.end()) return row(name, task.unit, level);
+  const bool grows = task.levels.back() > task.levels.front();
+  return row(name, task.unit, level, grows ? at_least(wanted->second) : at_most(wanted->second));
+}
+
+report::Section terrain_section(const TerrainOutcome& outcome) {
+  report::Section out{outcome.task->what + ", " + outcome.gait};
+  report::Table table{"Levels tried",
+                      {"level (" + outcome.task->unit + ")", "passed", "of", "who did not (draw), and why"}};
+  for (const TerrainOutcome::Tried& tried : outcome.tried) {
+    std::string why;
+    for (const TerrainRun& run : tried.runs)
+      if (!run.passed()) why += (why.empty() ? "" : "; ") + std::to_string(run.draw) + ": " + run.why;
+    table.rows.push_back({outcome.task->levels[static_cast<std::size_t>(tried.level)], tried.passed(),
+                          tried.runs.size(), why});
+  }
+  out.tables = {table};
+  return out;
+}
+
+Experiment terrain_experiment() {
+  const auto options = std::make_shared<Options>();
+  Experiment out = gait_experiment("terrain", "Slopes and floors of little friction, harder and harder.",
+                                   "Where does the robot walk?");
+  out.seed_help = "which ten drawn plants it is tried on, and their noise; 0 was used for tuning";
+  out.in_all = {};
+  out.own.choice("--only", options->only, task_names(), "one task");
+  out.own.option("--gait", options->gait, "one gait");
+  out.own.option("--distance", options->distance_m, "m, of each run");
+  out.run = [options](const ExperimentInput& in) { return run_terrain(in, *options); };
+  return out;
+}
+
+}  // namespace sprung

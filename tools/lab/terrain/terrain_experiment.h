@@ -1,0 +1,29 @@
+#pragma once
+/// `sprung experiment terrain`: the hardest level of each task that a robot passes in each gait.
+#include "tools/lab/run/experiment.h"
+#include "tools/lab/terrain/terrain_task.h"
+
+namespace sprung {
+
+/// Of one task in one gait.
+struct TerrainOutcome {
+  const TerrainTask* task = nullptr;
+  std::string gait;
+  int level = -1;  ///< index of the hardest that was passed; -1: none
+  struct Tried {
+    int level = 0;
+    std::vector<TerrainRun> runs;
+
+    int passed() const;
+  };
+  std::vector<Tried> tried;  ///< in the order of the search
+};
+
+/// terrain.TASK.GAIT.level: pure. NaN where not even the easiest was passed.
+ReportRow terrain_row(const TerrainOutcome& outcome);
+/// Levels tried, and of each run that did not pass its draw and why. Pure.
+report::Section terrain_section(const TerrainOutcome& outcome);
+
+Experiment terrain_experiment();
+
+}  // namespace sprung

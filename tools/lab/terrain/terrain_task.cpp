@@ -1,0 +1,98 @@
+#include "tools/lab/terrain/terrain_task.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "tools/lab/gait/walking_robot.h"
+
+namespace sprung {
+namespace {
+
+constexpr double kRadian = 3.14159265358979323846 / 180.0;
+constexpr double kBegins_m = 0.8;  // ahead of where the trunk begins
+using Plant = std::map<std::string, double>;
+
+/// RoboGauge's levels (docs/sources.md) and half of its first.
+const std::vector<double>& slopes() {
+  static const std::vector<double> levels{2.9, 5.7, 8.4, 11.0, 13.5, 16.1, 18.7, 21.3};
+  return levels;
+}
+
+/// Level where the robot stands up.
+Plant sloping(const char* key, double angle_deg) {
+  return {{key, angle_deg * kRadian}, {"ground_begins", kBegins_m}};
+}
+
+double heading_way_m(const SimTruth& truth) { return truth.com_in_world_m[0]; }
+
+std::string failure_of(const TerrainRun& run, const MotionState& motion) {
+  if (run.vitals.fell) return "fell: " + run.vitals.why;
+  if (run.vitals.trips > 0) return "tripped: " + run.vitals.why;
+  if (motion.state != MotionPhase::kWalking) return std::string("stopped: ") + motion.last_transition;
+  if (!(run.went_m_s >= kLeastSpeedShare * run.speed_m_s))
+    return "slow: " + std::to_string(std::lround(1e3 * run.went_m_s)) + " mm/s";
+  return {};
+}
+
+}  // namespace
+
+const std::vector<TerrainTask>& terrain_tasks() {
+  static const std::map<std::string, double> kSlopes{{"trot", 8.4}, {"crawl", 13.5}};
+  static const std::vector<TerrainTask> tasks{
+      {"slope_up", "a ramp, up", "deg", slopes(), [](double v) { return sloping("slope", v); }, kSlopes},
+      {"slope_down", "a ramp, down", "deg", slopes(), [](double v) { return sloping("slope", -v); }, kSlopes},
+      {"slope_across", "a slope that falls to the right", "deg", slopes(),
+       [](double v) { return sloping("side_slope", v); }, kSlopes},
+      {"wave",
+       "hills and hollows, 1 m from hill to hill; amplitude",
+       "mm",
+       {10, 20, 30, 40, 50, 60, 80},
+       [](double v) {
+         return Plant{{"wave", 1e-3 * v}, {"ground_begins", kBegins_m}};
+       },
+       {{"trot", 30.0}, {"crawl", 50.0}}},
+      {"friction",
+       "a level floor of little friction",
+       "",
+       {0.8, 0.6, 0.5, 0.4, 0.35, 0.3, 0.25, 0.2, 0.15},
+       [](double v) {
+         return Plant{{"ground_friction", v}};
+       },
+       {{"trot", 0.3}, {"crawl", 0.25}}},
+  };
+  return tasks;
+}
+
+TerrainRun walk_terrain(const RobotConfig& robot, const std::string& preset, const SimOptions& plant,
+                        const TerrainTask& task, double level, TerrainRun run) {
+  SimOptions sim = lying(plant);
+  for (const auto& [key, value] : task.plant(level)) sim.plant[key] = value;
+  try {
+    WalkingRobot walker(robot, preset, sim);
+    const Vec3 speed{run.speed_m_s, 0.0, 0.0};
+    walker.walk(run.gait, speed);
+    walker.run(speed_reached_s(robot, preset, run.gait, speed));
+    const double from_m = heading_way_m(walker.robot().truth());
+    const double lasts_s = run.distance_m / run.speed_m_s;
+    double time_s = 0.0;
+    for (; time_s < lasts_s && walker.upright(); time_s += 0.5) walker.run(0.5);
+    run.went_m_s = (heading_way_m(walker.robot().truth()) - from_m) / time_s;
+    run.vitals = walker.vitals();
+    run.simulated_s = walker.simulated_s();
+    run.why = failure_of(run, walker.robot().motion_state());
+  } catch (const std::runtime_error& error) {
+    run.why = error.what();
+  }
+  return run;
+}
+
+int hardest_level(int levels, const std::function<bool(int level)>& passes) {
+  int passed = -1, failed = levels;
+  while (failed - passed > 1) {
+    const int middle = (passed + failed) / 2;
+    (passes(middle) ? passed : failed) = middle;
+  }
+  return passed;
+}
+
+}  // namespace sprung

@@ -1,0 +1,52 @@
+#pragma once
+/// What robots are tried on, each in levels of growing difficulty; one run of one; and the hardest that is
+/// passed. Pure but for the simulation.
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "simulation/sim_core.h"
+#include "tools/lab/gait/walk_vitals.h"
+
+namespace sprung {
+
+struct TerrainTask {
+  std::string name;            ///< of rows and of --only
+  std::string what;            ///< for people
+  std::string unit;            ///< of its levels
+  std::vector<double> levels;  ///< ascending in difficulty
+  /// Keys of `--plant` that make this level.
+  std::function<std::map<std::string, double>(double level)> plant;
+  std::map<std::string, double> wanted;  ///< level that a gait is to pass, by its name
+};
+
+const std::vector<TerrainTask>& terrain_tasks();
+
+struct TerrainRun {
+  std::uint64_t draw = 0;  ///< of variation.yaml
+  std::string gait;
+  double speed_m_s = 0.0;   ///< asked for
+  double distance_m = 0.0;  ///< asked for
+  double went_m_s = 0.0;    ///< true mean, over the ground as seen from above
+  WalkVitals vitals;
+  std::string why;  ///< it did not pass; empty: it did
+  double simulated_s = 0.0;
+
+  bool passed() const noexcept { return why.empty(); }
+};
+
+/// Stands up on it, walks that way, and must not fall, trip, stop, or go slower than kLeastSpeedShare.
+/// Nobody pushes. A plant that fails, and a robot that does not stand up, are failures of the run.
+/// @param run what is asked for; what became of it is returned in it.
+TerrainRun walk_terrain(const RobotConfig& robot, const std::string& preset, const SimOptions& plant,
+                        const TerrainTask& task, double level, TerrainRun run);
+
+/// [design choice] Of the speed asked for: less is not walking there.
+constexpr double kLeastSpeedShare = 0.7;
+
+/// Index of the hardest level that `passes`, by binary search; -1: not even the first.
+int hardest_level(int levels, const std::function<bool(int level)>& passes);
+
+}  // namespace sprung
