@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kLearned_m_s = 0.1;  // 20 mm in half a swing of a trot
 /// Of a foot's place as encoders and lengths give it, and of an ordinary floor.
-constexpr double kSmooth_m = 0.005;
+constexpr double kSmooth_m = 0.01;
 constexpr double kSlopePeriods = 0.75;  // in which two thirds of a smooth slope are learned
 constexpr double kRoughPeriods = 6.0;   // in which roughness that was seen fades
 /// Spread of the footprints below which they show no slope; pegasus' lie 0.7 x 0.35 m apart.
@@ -40,7 +40,7 @@ void GroundPlane::begin(const Feet& feet, double yaw_rad) noexcept {
   }
   if (standing == 0) return;
   const Fit found = fit();
-  slope_ = found.slope;
+  slope_ = newest_slope_ = found.slope;
   rough_m2_ = found.rough_m2;
   spread_m_ = found.spread_m;
   for (const GroundFoot& foot : feet)
@@ -75,8 +75,9 @@ void GroundPlane::learn(double period_s, double dt_s) noexcept {
   const double fades = std::min(1.0, dt_s / (kRoughPeriods * period_s));
   rough_m2_ = std::max(found.rough_m2, rough_m2_ + fades * (found.rough_m2 - rough_m2_));
   spread_m_ = found.spread_m;
-  const double settle_s = kSlopePeriods * period_s * (1.0 + rough_m2_ / (kSmooth_m * kSmooth_m));
-  slope_ += std::min(1.0, dt_s / settle_s) * (found.slope - slope_);
+  const double doubt = 1.0 + rough_m2_ / (kSmooth_m * kSmooth_m);
+  slope_ += std::min(1.0, dt_s / (doubt * kSlopePeriods * period_s)) * (found.slope - slope_);
+  newest_slope_ = slope_ + (found.slope - slope_) / doubt;
 }
 
 void GroundPlane::follow(const Feet& feet, double yaw_rad, double period_s, double dt_s) noexcept {

@@ -33,6 +33,11 @@ class GroundPlane {
   /// Under the trunk's origin: minus its height, along the vertical.
   double z_m() const noexcept { return z_m_; }
   double z_m(const Eigen::Vector3d& place_m) const noexcept { return z_m_ + slope_.dot(place_m.head<2>()); }
+  /// Expected under a foot that is to come down there: on smooth ground by the newest footprints alone, so
+  /// that a ramp is met by the second foot on it; on stones by the plane.
+  double expected_z_m(const Eigen::Vector3d& place_m) const noexcept {
+    return z_m_ + newest_slope_.dot(place_m.head<2>());
+  }
   /// Rise over way, along x (heading) and y (left).
   const Eigen::Vector2d& slope() const noexcept { return slope_; }
   /// By which the trunk came down toward the plane in the last cycle, as the feet show that stood before and
@@ -60,6 +65,7 @@ class GroundPlane {
 
   double z_m_ = 0.0;
   Eigen::Vector2d slope_ = Eigen::Vector2d::Zero();
+  Eigen::Vector2d newest_slope_ = Eigen::Vector2d::Zero();
   double sunk_m_ = 0.0;
   double rough_m2_ = 0.0;
   double spread_m_ = 1.0;

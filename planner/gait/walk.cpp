@@ -235,7 +235,7 @@ Eigen::Vector3d Walk::foothold_m(std::size_t leg) const noexcept {
     if (beyond_m.norm() > kFarthest_m) beyond_m *= kFarthest_m / beyond_m.norm();
     out.head<2>() += beyond_m;
   }
-  out.z() = ground_.z_m(out);
+  out.z() = ground_.expected_z_m(out);
   return out;
 }
 
