@@ -13,13 +13,15 @@ namespace sprung {
 
 /// Velocity and height of the trunk over the feet that stand.
 ///
-/// A Kalman filter whose noise has no direction, so that its variance is one number: specific force moves the
-/// velocity (without an IMU it is taken to go on as it is), each standing foot says -(its velocity) - w x
-/// (its place), and what its ball has rolled. A foot that disagrees by much, as one that slides, counts less.
-/// The height follows the vertical velocity and is held by the standing feet. In flight both go on for a
-/// while, and are then unknown.
+/// A Kalman filter of velocity and of the specific force's bias, whose noise has no direction, so that each
+/// covariance is one number: specific force less its bias moves the velocity (without an IMU it is taken to
+/// go on as it is), each standing foot says -(its velocity) - w x (its place), and what its ball has rolled.
+/// A foot that disagrees by much, as one that slides, counts less. The bias is the sensor's, and gravity's
+/// part along a trunk whose attitude is a little off. The height follows the vertical velocity and is held by
+/// the standing feet. In flight both go on for a while, and are then unknown.
 class BodyMotion {
  public:
+  BodyMotion() noexcept { reset(); }
   void reset() noexcept;
   struct Attitude {
     Eigen::Quaterniond trunk_to_world;
@@ -32,6 +34,8 @@ class BodyMotion {
   bool known() const noexcept { return known_; }
   /// Of the trunk's origin, trunk axes.
   const Eigen::Vector3d& velocity_m_s() const noexcept { return velocity_m_s_; }
+  /// Of the IMU's specific force, trunk axes; goes on through a flight.
+  const Eigen::Vector3d& force_bias_m_s2() const noexcept { return bias_m_s2_; }
   double height_m() const noexcept { return height_m_; }
 
  private:
@@ -42,8 +46,11 @@ class BodyMotion {
 
   bool known_ = false;
   double in_flight_s_ = 0.0;
-  double variance_m2_s2_ = 0.0;  ///< of each axis
+  double variance_m2_s2_ = 0.0;       ///< of the velocity, each axis
+  double covariance_m2_s3_ = 0.0;     ///< with the bias
+  double bias_variance_m2_s4_ = 0.0;  ///< of the bias
   Eigen::Vector3d velocity_m_s_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d bias_m_s2_ = Eigen::Vector3d::Zero();
   double height_m_ = 0.0;
 };
 

@@ -20,7 +20,8 @@ class BodyMotionTest : public testing::Test {
     time_s_ += 0.002;
     ++seq_;
     feet_.update(trunk_.legs(time_s_), trunk_.link_rates_rad_s(time_s_), 0.002);
-    const Imu sample = trunk_.imu(time_s_, seq_);
+    Imu sample = trunk_.imu(time_s_, seq_);
+    for (std::size_t i = 0; i < 3; ++i) sample.measured_specific_force_m_s2[i] += force_bias_m_s2_[i];
     motion_.step(imu ? imu_.update(&sample, seq_, 0.002) : nullptr,
                  {trunk_.pose(time_s_).to_world, trunk_.angular_velocity_rad_s(time_s_)}, feet_, 0.002);
   }
@@ -44,6 +45,7 @@ class BodyMotionTest : public testing::Test {
   BodyMotion motion_;
   double time_s_ = 0.0;
   std::int64_t seq_ = 0;
+  Vec3 force_bias_m_s2_{};
 };
 
 TEST_F(BodyMotionTest, NothingIsKnownBeforeAFootStands) {
@@ -69,6 +71,25 @@ TEST_F(BodyMotionTest, NoiseOfTheFeetIsSmoothed) {
   run(true, 0.5);
   EXPECT_LT(rms_m_s(true, 2.0), 0.015);
   EXPECT_LT(rms_m_s(false, 2.0), 0.05);
+}
+
+TEST_F(BodyMotionTest, BiasOfTheSpecificForceIsLearnedFromFeetThatStandAndKeptThroughAFlight) {
+  force_bias_m_s2_ = {0.05, -0.04, 0.03};
+  run(true, 30.0);
+  EXPECT_NEAR((motion_.force_bias_m_s2() - to_eigen(force_bias_m_s2_)).norm(), 0.0, 0.01);
+  EXPECT_LT(rms_m_s(true, 2.0), 0.005);  // 0.008 without
+  trunk_.stands = {false, false, false, false};
+  run(true, 0.4);
+  ASSERT_TRUE(motion_.known());
+  EXPECT_LT(error_m_s().norm(), 0.01);
+  motion_.reset();
+  EXPECT_EQ(motion_.force_bias_m_s2().norm(), 0.0);
+}
+
+TEST_F(BodyMotionTest, BiasIsBoundedWhateverFeetAndImuSay) {
+  force_bias_m_s2_ = {5.0, 0.0, 0.0};
+  run(true, 30.0);
+  EXPECT_LE(motion_.force_bias_m_s2().cwiseAbs().maxCoeff(), 0.3);
 }
 
 TEST_F(BodyMotionTest, AShortFlightIsBridgedByTheImuAndALongOneIsNotKnown) {
@@ -122,7 +143,8 @@ TEST_F(BodyMotionTest, AFootThatSlidesCountsLess) {
     std::vector<EstimatedLeg> legs = trunk_.legs(time_s_);
     legs[2].estimated_foot_velocity_m_s[1] += 1.0;
     feet_.update(legs, trunk_.link_rates_rad_s(time_s_), 0.002);
-    const Imu sample = trunk_.imu(time_s_, seq_);
+    Imu sample = trunk_.imu(time_s_, seq_);
+    for (std::size_t i = 0; i < 3; ++i) sample.measured_specific_force_m_s2[i] += force_bias_m_s2_[i];
     motion_.step(imu_.update(&sample, seq_, 0.002),
                  {trunk_.pose(time_s_).to_world, trunk_.angular_velocity_rad_s(time_s_)}, feet_, 0.002);
   }

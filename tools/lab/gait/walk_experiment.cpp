@@ -1,11 +1,13 @@
 #include "tools/lab/gait/walk_experiment.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <stdexcept>
 
+#include "model/leg_kinematics.h"
 #include "tools/lab/gait/walking_robot.h"
 
 namespace sprung {
@@ -25,6 +27,8 @@ constexpr double kMostOverPlainForce = 0.35, kMostOverForce = 1.0;
 constexpr double kTorqueShare = 0.8;
 constexpr const char* kReserveNote =
     "Voltage reserve: 1 - |R i + Ke w| / (0.9 U), true, least of all joints from the first step on.";
+/// Of the estimated velocity; what a push adds is in no gait's way.
+constexpr double kMostVelocityRms_mm_s = 50.0;
 constexpr double kSpeedShare = 0.10, kMostDrift_deg = 5.0;
 /// Of the gait's fastest, that speed and heading are taken at.
 constexpr double kCrawlShare = 20.0 / 21.0, kWalkShare = 20.0 / 21.0, kTrotShare = 7.0 / 8.0,
@@ -32,6 +36,27 @@ constexpr double kCrawlShare = 20.0 / 21.0, kWalkShare = 20.0 / 21.0, kTrotShare
 constexpr double kSpeedStep_m_s = 0.005;
 constexpr double kTimeout = 2.0;
 constexpr double kDegrees = 180.0 / 3.14159265358979323846;
+
+/// Of the trunk.
+class VelocityScore {
+ public:
+  void add(const JointState& state, const SimTruth& truth) {
+    const auto& q = truth.base_quaternion_wxyz;
+    const Eigen::Vector3d true_m_s = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).conjugate() *
+                                     to_eigen(truth.base_velocity_m_s);
+    const Eigen::Vector3d estimated_m_s = to_eigen(state.body.estimated_velocity_m_s);
+    squares_m2_s2_ += (estimated_m_s - true_m_s).squaredNorm();
+    true_m_s_ += true_m_s.x();
+    estimated_m_s_ += estimated_m_s.x();
+    ++cycles_;
+  }
+  double rms_m_s() const { return std::sqrt(squares_m2_s2_ / cycles_); }
+  double off() const { return estimated_m_s_ / true_m_s_ - 1.0; }
+
+ private:
+  double squares_m2_s2_ = 0.0, true_m_s_ = 0.0, estimated_m_s_ = 0.0;
+  int cycles_ = 0;
+};
 
 void trace(const InProcessRobot& robot, double time_s, FootTrace& out) {
   const Vec3& wanted = robot.leg_command().legs.front().desired_foot_in_hip_m;
@@ -103,6 +128,9 @@ void add_gait(const GaitOutcome& g, double torque_limit_Nm, std::vector<ReportRo
   if (std::isfinite(g.reserve.least))
     rows.push_back(row("walk." + name + ".voltage_reserve", "%", 100.0 * g.reserve.least,
                        at_least(100.0 * VoltageReserve::kWanted)));
+  rows.push_back(row("walk." + name + ".velocity_rms", "mm/s", arrived ? 1e3 * g.velocity_rms_m_s : kNaN,
+                     bounds(at_most(kMostVelocityRms_mm_s))));
+  rows.push_back(row("walk." + name + ".velocity_off", "%", 100.0 * g.velocity_off));
   rows.push_back(row("walk." + name + ".trips", "", g.vitals.trips, bounds(at_most(0.0))));
 }
 
@@ -195,13 +223,18 @@ GaitOutcome go(const RobotConfig& robot, const WalkTask& task, const GaitCase& c
   walker.walk(config.gait, {config.speed_m_s, 0.0, 0.0});
   walker.run(speed_reached_s(robot, task.preset, config.gait, {config.speed_m_s, 0.0, 0.0}));
   TravelScore travel;
+  VelocityScore velocity;
   const double longest_s = kTimeout * task.distance_m / config.speed_m_s;
   for (double time_s = 0.0; time_s < longest_s && walker.upright(); time_s += 0.1) {
-    walker.run(0.1, [&](InProcessRobot& r) { travel.add(r.truth(), robot.cycle_s); });
+    walker.run(0.1, [&](InProcessRobot& r) {
+      travel.add(r.truth(), robot.cycle_s);
+      velocity.add(r.joint_state(), r.truth());
+    });
     if (travel.distance_m() >= task.distance_m) break;
   }
   return {config,          travel.speed_m_s(),   travel.drift_rad(), travel.distance_m(),
-          walker.vitals(), walker.simulated_s(), walker.reserve()};
+          walker.vitals(), walker.simulated_s(), walker.reserve(),   velocity.rms_m_s(),
+          velocity.off()};
 }
 
 WalkExperiment run_walk_experiment(const RobotConfig& robot, const WalkTask& task) {

@@ -56,6 +56,9 @@ struct GaitOutcome {
   WalkVitals vitals;
   double simulated_s = 0.0;
   VoltageReserve reserve;  ///< from the first step on
+  /// Of the estimated from the true trunk's velocity, trunk axes: rms, and how much it is faster ahead on the
+  /// mean, share of the true.
+  double velocity_rms_m_s = kNaN, velocity_off = kNaN;
 };
 
 /// What the rows of one robot are held against.

@@ -12,7 +12,7 @@ constexpr double kRadian = 3.14159265358979323846 / 180.0;
 constexpr double kBegins_m = 0.8;  // ahead of where the trunk begins
 using Plant = std::map<std::string, double>;
 
-/// RoboGauge's levels (docs/sources.md) and half of its first.
+/// [D13] and two easier ones.
 const std::vector<double>& slopes() {
   static const std::vector<double> levels{2.9, 5.7, 8.4, 11.0, 13.5, 16.1, 18.7, 21.3};
   return levels;

@@ -87,6 +87,16 @@ TEST(WalkRows, WhoFellOrWasTrippedHasNoSpeed) {
   EXPECT_FALSE(walk_experiment_row(walk_rows(result), "walk.trot.speed").ok());
 }
 
+TEST(WalkRows, EstimatedVelocityMustBeWithinFiveCentimetresASecond) {
+  WalkExperiment result = walked();
+  result.gaits[0].velocity_rms_m_s = 0.004;
+  result.gaits[0].velocity_off = -0.02;
+  result.gaits[2].velocity_rms_m_s = 0.051;
+  EXPECT_TRUE(walk_experiment_row(walk_rows(result), "walk.crawl.velocity_rms").ok());
+  EXPECT_NEAR(walk_experiment_row(walk_rows(result), "walk.crawl.velocity_off").value, -2.0, 1e-9);
+  EXPECT_FALSE(walk_experiment_row(walk_rows(result), "walk.trot.velocity_rms").ok());
+}
+
 TEST(WalkCases, AreAtSharesOfTheRobotsOwnFastestSpeeds) {
   const auto speeds = [](const char* robot) {
     std::vector<double> out;
@@ -135,6 +145,9 @@ TEST(Walk, AStretchIsMeasuredFromWhenTheSpeedIsReached) {
   EXPECT_FALSE(out.vitals.fell) << out.vitals.why;
   EXPECT_GE(out.distance_m, 0.3);
   EXPECT_NEAR(out.speed_m_s, 0.3, 0.06);
+  EXPECT_LT(out.velocity_rms_m_s, 0.02);
+  EXPECT_GT(out.velocity_rms_m_s, 0.0005);  // it is an estimate
+  EXPECT_LT(std::abs(out.velocity_off), 0.04);
 }
 
 TEST(Walk, ARefusedWalkIsNoResult) {
