@@ -32,7 +32,7 @@ inline Eigen::Matrix3d level_from_trunk(const Attitude& a) noexcept {
 }
 
 /// Of a trunk that lies along a plane, its heading kept. @param slope rise over way along x and y.
-inline Attitude along(const Eigen::Vector2d& slope) noexcept {
+inline Attitude attitude_along(const Eigen::Vector2d& slope) noexcept {
   Attitude out;
   out.pitch_rad = -std::atan(slope.x());
   out.roll_rad = std::atan(slope.y() * std::cos(out.pitch_rad));

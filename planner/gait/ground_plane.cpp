@@ -9,7 +9,8 @@ namespace sprung {
 namespace {
 
 constexpr double kLearned_m_s = 0.1;  // 20 mm in half a swing of a trot
-/// Of a foot's place as encoders and lengths give it, and of an ordinary floor.
+/// [design choice] Roughness that halves the trust in a slope: below it a trot is late at the foot of a ramp,
+/// above it the crawl's touchdowns on stones grow harder.
 constexpr double kSmooth_m = 0.01;
 constexpr double kSlopePeriods = 0.75;  // in which two thirds of a smooth slope are learned
 constexpr double kRoughPeriods = 6.0;   // in which roughness that was seen fades
@@ -24,11 +25,7 @@ Eigen::Vector3d turned(const Eigen::Vector3d& v, double by_rad) noexcept {
 }  // namespace
 
 void GroundPlane::begin(const Feet& feet, double yaw_rad) noexcept {
-  before_ = {};
-  has_print_ = {};
-  sunk_m_ = 0.0;
-  z_m_ = 0.0;
-  slope_.setZero();
+  *this = GroundPlane{};
   yaw_rad_ = yaw_rad;
   double sum_m = 0.0;
   int standing = 0;
@@ -42,7 +39,6 @@ void GroundPlane::begin(const Feet& feet, double yaw_rad) noexcept {
   const Fit found = fit();
   slope_ = newest_slope_ = found.slope;
   rough_m2_ = found.rough_m2;
-  spread_m_ = found.spread_m;
   for (const GroundFoot& foot : feet)
     if (foot.stands) sum_m += foot.at_m.z() - slope_.dot(foot.at_m.head<2>());
   z_m_ = sum_m / standing;
@@ -74,7 +70,6 @@ void GroundPlane::learn(double period_s, double dt_s) noexcept {
   const Fit found = fit();
   const double fades = std::min(1.0, dt_s / (kRoughPeriods * period_s));
   rough_m2_ = std::max(found.rough_m2, rough_m2_ + fades * (found.rough_m2 - rough_m2_));
-  spread_m_ = found.spread_m;
   const double doubt = 1.0 + rough_m2_ / (kSmooth_m * kSmooth_m);
   slope_ += std::min(1.0, dt_s / (doubt * kSlopePeriods * period_s)) * (found.slope - slope_);
   newest_slope_ = slope_ + (found.slope - slope_) / doubt;
@@ -108,7 +103,7 @@ GroundPlane::Fit GroundPlane::fit() const noexcept {
     middle_m += print_m_[i];
     ++prints;
   }
-  if (prints < 3) return {slope_, rough_m2_, spread_m_};
+  if (prints < 3) return {slope_, rough_m2_};
   middle_m /= prints;
   Eigen::Matrix2d spread = Eigen::Matrix2d::Identity() * (kLeastSpread_m * kLeastSpread_m);
   Eigen::Vector2d rise = Eigen::Vector2d::Zero();
@@ -120,7 +115,6 @@ GroundPlane::Fit GroundPlane::fit() const noexcept {
   }
   Fit out;
   out.slope = spread.inverse() * rise;
-  out.spread_m = std::sqrt(spread.diagonal().minCoeff());
   for (std::size_t i = 0; i < print_m_.size(); ++i) {
     if (!has_print_[i]) continue;
     const Eigen::Vector3d from_m = print_m_[i] - middle_m;

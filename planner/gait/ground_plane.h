@@ -3,7 +3,6 @@
 /// (body_frame.h), which go along with it. Pure, no heap.
 #include <Eigen/Geometry>
 #include <array>
-#include <cmath>
 
 #include "planner/gait/gait_clock.h"
 
@@ -19,13 +18,13 @@ struct GroundFoot {
 /// jerk of its set-point, and what jerks feigns contact.
 ///
 /// Height: of the feet that stand. Slope: least squares through the last footprint of every foot, which the
-/// feet that stand show going by under the trunk; followed within some of their steps, since one stone is no
-/// slope.
+/// feet that stand show going by under the trunk. Footprints that lie in no plane are stones: the rougher the
+/// ground, the slower its slope is learned.
 class GroundPlane {
  public:
   using Feet = std::array<GroundFoot, kMostLegs>;
 
-  /// Takes those that stand for the ground.
+  /// Takes those that stand for the ground; nothing of before is left.
   void begin(const Feet& feet, double yaw_rad) noexcept;
   /// @param yaw_rad the trunk's heading. @param period_s in which every foot steps once.
   void follow(const Feet& feet, double yaw_rad, double period_s, double dt_s) noexcept;
@@ -44,20 +43,13 @@ class GroundPlane {
   /// after it.
   double sunk_m() const noexcept { return sunk_m_; }
 
-  /// How far the ground lies from the plane, rms of what was seen of late: uncertainty of the height under a
-  /// foot that comes down.
-  double rough_m() const noexcept { return std::sqrt(rough_m2_); }
-  /// Of the slope, each axis, one standard deviation: of footprints so rough that lie so far apart.
-  double slope_std() const noexcept { return rough_m() / spread_m_; }
-
   /// Steeper is not learned: [design choice] 22 degrees, more than legs of any robot here hold on rubber.
   static constexpr double kSteepest = 0.4;
 
  private:
   struct Fit {
     Eigen::Vector2d slope;
-    double rough_m2 = 0.0;  ///< of one footprint, as the one degree of freedom that is left shows it
-    double spread_m = 1.0;  ///< root of the sum of squares along the narrower axis
+    double rough_m2 = 0.0;  ///< variance of a footprint's height: four of them leave one degree of freedom
   };
   Fit fit() const noexcept;
   void learn(double period_s, double dt_s) noexcept;
@@ -67,8 +59,7 @@ class GroundPlane {
   Eigen::Vector2d slope_ = Eigen::Vector2d::Zero();
   Eigen::Vector2d newest_slope_ = Eigen::Vector2d::Zero();
   double sunk_m_ = 0.0;
-  double rough_m2_ = 0.0;
-  double spread_m_ = 1.0;
+  double rough_m2_ = 0.0;  ///< of late
   double yaw_rad_ = 0.0;
   Feet before_{};
   std::array<Eigen::Vector3d, kMostLegs> print_m_{};  ///< written where has_print_

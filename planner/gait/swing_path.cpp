@@ -45,10 +45,11 @@ Point height(const SwingPath& path, double time_s) noexcept {
   const double high_s = path.duration_s - path.approach_s;
   const double over_m = path.approach_m_s *
                         path.approach_s;  // above the ground where the straight way down begins
-  const double to_m = path.to_m.z() - path.ground_m_s.z() * path.duration_s + over_m;
+  const double ends_m = path.to_m.z() - path.ground_m_s.z() * path.duration_s;
+  const double to_m = ends_m + over_m;
   const double approach_m_s = path.approach_s > 0.0 ? path.approach_m_s : 0.0;
   if (time_s >= high_s) return {to_m - approach_m_s * (time_s - high_s), -approach_m_s, 0.0};
-  const double top_m = 0.5 * (path.from_m.z() + to_m - over_m) + path.lift_m;
+  const double top_m = 0.5 * (path.from_m.z() + ends_m) + path.lift_m;
   return arc(path.from_m.z(), top_m, to_m, -approach_m_s, high_s, std::max(0.0, time_s));
 }
 

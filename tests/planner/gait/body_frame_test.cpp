@@ -27,11 +27,11 @@ TEST(BodyFrame, LevelIsTheTrunkWithoutPitchAndRoll) {
 
 TEST(BodyFrame, TrunkAlongAPlaneHasBothItsAxesInIt) {
   const Eigen::Vector2d slope(0.3, -0.2);
-  const Eigen::Matrix3d level = level_from_trunk(along(slope));
+  const Eigen::Matrix3d level = level_from_trunk(attitude_along(slope));
   for (const int axis : {0, 1}) EXPECT_NEAR(level(2, axis), slope.dot(level.col(axis).head<2>()), 1e-12);
-  EXPECT_NEAR(level(1, 0), 0.0, 1e-12);         // its heading stays
-  EXPECT_LT(along({0.1, 0.0}).pitch_rad, 0.0);  // uphill ahead: nose up
-  EXPECT_GT(along({0.0, 0.1}).roll_rad, 0.0);   // uphill to the left: left side up
+  EXPECT_NEAR(level(1, 0), 0.0, 1e-12);                  // its heading stays
+  EXPECT_LT(attitude_along({0.1, 0.0}).pitch_rad, 0.0);  // uphill ahead: nose up
+  EXPECT_GT(attitude_along({0.0, 0.1}).roll_rad, 0.0);   // uphill to the left: left side up
 }
 
 TEST(BodyFrame, AnglesAreWrappedToHalfATurn) {

@@ -46,7 +46,7 @@ TEST_F(BodyLawTest, HeightAndSpeedArePulledToWhatIsWished) {
 }
 
 TEST_F(BodyLawTest, TrunkThatLiesAsItIsWishedIsNotTurned) {
-  wish_.attitude = along({0.2, 0.1});
+  wish_.attitude = attitude_along({0.2, 0.1});
   view_.attitude = wish_.attitude;
   EXPECT_TRUE(wrench().torque_Nm.isZero());
   view_.attitude = {};

@@ -65,7 +65,7 @@ TEST_F(WalkTest, OnARampTheTrunkLiesAlongItAndFeetFindItUnderTheirHips) {
   const std::int32_t late = count(LegEvent::kLateContact), early = count(LegEvent::kEarlyContact);
   ahead_m = cycles = 0;
   run(2.4, lay_floor);
-  const Attitude wanted = along({kRamp, 0.0});
+  const Attitude wanted = attitude_along({kRamp, 0.0});
   EXPECT_NEAR(walk_.wanted_trunk().pitch_rad, wanted.pitch_rad, 0.01);
   EXPECT_NEAR(walk_.wanted_trunk().roll_rad, 0.0, 0.01);
   EXPECT_EQ(count(LegEvent::kLateContact), late);
