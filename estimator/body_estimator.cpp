@@ -15,8 +15,8 @@ constexpr double kLongestFlight_s = 0.5;
 constexpr double kStartStd_m_s = 1.0;
 /// Error of a standing foot's velocity, 0.03 m/s for 10 ms: it rolls, slides and twists its gears.
 constexpr double kFootDensity_m2_s = 0.03 * 0.03 * 0.01;
-/// With an IMU two feet are smoothed over 0.15 s, in which a bias and tilt of 0.05 m/s^2 would add 8 mm/s: 8
-/// % of a crawl. Without, over 10 ms.
+/// With an IMU two feet are smoothed over 0.15 s, in which a bias and tilt of 0.05 m/s^2 that nobody knows
+/// add 8 mm/s, a twelfth of a crawl. Without, over 10 ms.
 constexpr double kImuDensity_m2_s3 = 2e-4;
 constexpr double kBiasStd_m_s2 = 0.06;  // of a good MEMS unit, and 0.3 degrees of tilt
 /// So that it is learned in some 10 s of standing feet: what one step's sliding feigns is no bias.

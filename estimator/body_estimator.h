@@ -34,8 +34,6 @@ class BodyMotion {
   bool known() const noexcept { return known_; }
   /// Of the trunk's origin, trunk axes.
   const Eigen::Vector3d& velocity_m_s() const noexcept { return velocity_m_s_; }
-  /// Of the IMU's specific force, trunk axes; goes on through a flight.
-  const Eigen::Vector3d& force_bias_m_s2() const noexcept { return bias_m_s2_; }
   double height_m() const noexcept { return height_m_; }
 
  private:
@@ -50,7 +48,7 @@ class BodyMotion {
   double covariance_m2_s3_ = 0.0;     ///< with the bias
   double bias_variance_m2_s4_ = 0.0;  ///< of the bias
   Eigen::Vector3d velocity_m_s_ = Eigen::Vector3d::Zero();
-  Eigen::Vector3d bias_m_s2_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d bias_m_s2_ = Eigen::Vector3d::Zero();  ///< of the IMU's specific force, trunk axes
   double height_m_ = 0.0;
 };
 
