@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "signals/angles.h"
 #include "simulation/hash_noise.h"
 
 namespace sprung::sim {
 namespace {
 
-constexpr double kEdge_m = 0.02;  // [design choice] width of a step's ramp
-constexpr double kTurn_rad = 6.28318530717958648;
+constexpr double kEdge_m = 0.02;        // [design choice] width of a step's ramp
 constexpr double kClearance_m = 0.005;  // above the highest stone, before the next is drawn
 
 /// How far inside [from, from + length] x is, from 0 at the edge to 1 behind its ramp, and how that grows

@@ -1,5 +1,6 @@
 #pragma once
-/// What a foot finds under itself: a floor that may slope, have steps, and lie higher or lower than expected.
+/// What a foot finds under itself: a floor that may slope, have hills and steps, and lie higher or lower than
+/// expected.
 /// Pure.
 ///
 /// Each foot has a floor of its own, so that experiments can move the ground under one leg alone.
@@ -21,9 +22,9 @@ struct GroundStep {
 };
 
 struct GroundConfig {
-  static constexpr double kGrows_m = 1.0;
-  double slope_rad = 0.0;       ///< uphill toward +x
-  double side_slope_rad = 0.0;  ///< uphill toward +y, the left
+  static constexpr double kGrows_m = 1.0;  ///< [design choice] a ground that twists at once is a step
+  double slope_rad = 0.0;                  ///< uphill toward +x
+  double side_slope_rad = 0.0;             ///< uphill toward +y, the left
   /// World x where slopes and waves begin: level before; a side slope and waves grow to what they are within
   /// kGrows_m. NaN: they are everywhere.
   double begins_m = kNaN;

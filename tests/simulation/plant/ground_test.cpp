@@ -5,6 +5,8 @@
 #include <cmath>
 #include <set>
 
+#include "signals/angles.h"
+
 namespace sprung::sim {
 namespace {
 
@@ -46,7 +48,7 @@ TEST(Ground, SlopesAndWavesBeginWhereTheyAreSaidTo) {
   EXPECT_EQ(ground.under(0, 0.9, 0.5).normal, (Vec3{0, 0, 1}));
   EXPECT_NEAR(ground.under(0, 1.0 + 2.0, 0.2).point_m[2],
               2.0 * std::tan(0.2) + 0.2 * std::tan(0.1) +
-                  0.03 * std::sin(2.0 / 0.8 * 6.28318530717959) * std::cos(0.2 / 0.8 * 6.28318530717959),
+                  0.03 * std::sin(2.0 / 0.8 * kTurn_rad) * std::cos(0.2 / 0.8 * kTurn_rad),
               1e-9);
   constexpr double kNear_m = 1e-6;
   for (const double x : {1.3, 1.9, 2.5, 4.4})
