@@ -148,6 +148,9 @@ ExperimentInput experiment_input(const Experiment& experiment, const ExperimentR
   if (experiment.needs_gaits && robot.gaits.empty())
     throw WrongUse("experiment " + experiment.name + " needs a robot that walks; " + request.robot +
                    " has no gaits");
+  if (experiment.draws_plants && request.plants > 0)
+    throw WrongUse("experiment " + experiment.name +
+                   " draws its plants itself: without --plants; --plant draw=K says the first");
   input.sim.seed = request.seed;
   input.sim.plant = parse_plant(request.plant);
   input.run = script_runner(request.separate);

@@ -133,6 +133,7 @@ struct Experiment {
   bool many_cases = false;       ///< uses all the threads by itself
   bool reads_files = false;      ///< robot.yaml itself too, where nothing can be set
   bool needs_gaits = false;
+  bool draws_plants = false;        ///< by itself, from `--plant draw=K` upward: `--plants` is refused
   OwnOptions own{};                 ///< and their defaults
   std::function<void()> shorten{};  ///< before it runs in `all`: changes own options; may be empty
   std::function<ExperimentOutput(const ExperimentInput&)> run{};

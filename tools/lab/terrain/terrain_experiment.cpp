@@ -4,42 +4,50 @@
 #include <memory>
 
 #include "tools/lab/gait/walking_robot.h"
+#include "tools/lab/run/drawn_plants.h"
 
 namespace sprung {
 namespace {
 
 constexpr int kTriedDraws = 10, kMustPass = 8;
-constexpr std::uint64_t kFirstDraw = 1001;  // beyond those that gaits are tuned and judged on
-constexpr double kAskedShare = 7.0 / 8.0;   // of the gait's fastest
+constexpr std::uint64_t kFirstDraw = 1001;  // of seed 0: beyond those that gaits are tuned and judged on
+constexpr double kLeastDistance_m = 1.0, kMostDistance_m = 100.0;  // shorter ends before the ramp begins
+constexpr double kAskedShare = 7.0 / 8.0;                          // of the gait's fastest
+
+constexpr const char* kAll = "all";
 
 struct Options {
-  std::string only;  ///< task; empty: all
-  std::string gait;  ///< empty: all that go forward
+  std::string only = kAll;  ///< task
+  std::string gait;         ///< empty: all that go forward
   double distance_m = 3.0;
 };
 
 std::vector<std::string> task_names() {
-  std::vector<std::string> out{""};
+  std::vector<std::string> out{kAll};
   for (const TerrainTask& task : terrain_tasks()) out.push_back(task.name);
   return out;
 }
 
+std::vector<SimOptions> plants_of(const ExperimentInput& in) {
+  SimOptions first = in.sim;
+  first.plant.emplace("draw", static_cast<double>(kFirstDraw + in.sim.seed * kTriedDraws));
+  return drawn_plants(first, kTriedDraws);
+}
+
 TerrainOutcome::Tried try_level(const ExperimentInput& in, const TerrainTask& task, const GaitConfig& gait,
                                 int level, double distance_m) {
+  const std::vector<SimOptions> plants = plants_of(in);
   TerrainOutcome::Tried out;
   out.level = level;
   out.runs = parallel_map(
-      kTriedDraws,
+      plants.size(),
       [&](std::size_t i) {
         TerrainRun asked;
-        asked.draw = kFirstDraw + in.asked.seed * kTriedDraws + i;
         asked.gait = gait.name;
         asked.speed_m_s = kAskedShare * gait.fastest_forward_m_s;
         asked.distance_m = distance_m;
-        SimOptions sim = in.sim;
-        sim.plant["draw"] = static_cast<double>(asked.draw);
-        return walk_terrain(in.robot, in.preset, sim, task, task.levels[static_cast<std::size_t>(level)],
-                            asked);
+        return walk_terrain(in.robot, in.preset, plants[i], task,
+                            task.levels[static_cast<std::size_t>(level)], asked);
       },
       in.parallel);
   return out;
@@ -57,12 +65,25 @@ TerrainOutcome climb(const ExperimentInput& in, const TerrainTask& task, const G
   return out;
 }
 
+/// @throws std::invalid_argument for a gait that there is not, or that does not go.
+std::vector<GaitConfig> gaits_of(const RobotConfig& robot, const std::string& asked) {
+  std::vector<GaitConfig> out;
+  for (const GaitConfig& gait : robot.gaits)
+    if (gait.fastest_forward_m_s > 0.0) out.push_back(gait);
+  if (asked.empty()) return out;
+  const GaitConfig& one = robot.gaits[static_cast<std::size_t>(gait_index(robot, asked))];
+  if (!(one.fastest_forward_m_s > 0.0)) throw std::invalid_argument("gait " + asked + " goes nowhere");
+  return {one};
+}
+
 ExperimentOutput run_terrain(const ExperimentInput& in, const Options& options) {
+  if (!(options.distance_m >= kLeastDistance_m && options.distance_m <= kMostDistance_m))
+    throw std::invalid_argument("--distance: expected 1 to 100 m, found " +
+                                report::number_text(options.distance_m));
   ExperimentOutput out;
   for (const TerrainTask& task : terrain_tasks()) {
-    if (!options.only.empty() && options.only != task.name) continue;
-    for (const GaitConfig& gait : in.robot.gaits) {
-      if (!(gait.fastest_forward_m_s > 0.0) || (!options.gait.empty() && options.gait != gait.name)) continue;
+    if (options.only != kAll && options.only != task.name) continue;
+    for (const GaitConfig& gait : gaits_of(in.robot, options.gait)) {
       const TerrainOutcome outcome = climb(in, task, gait, options.distance_m);
       out.rows.push_back(terrain_row(outcome));
       out.sections.push_back(terrain_section(outcome));
@@ -97,7 +118,7 @@ report::Section terrain_section(const TerrainOutcome& outcome) {
   for (const TerrainOutcome::Tried& tried : outcome.tried) {
     std::string why;
     for (const TerrainRun& run : tried.runs)
-      if (!run.passed()) why += (why.empty() ? "" : "; ") + std::to_string(run.draw) + ": " + run.why;
+      if (!run.passed()) why += (why.empty() ? "" : "; ") + report::number_text(run.draw) + ": " + run.why;
     table.rows.push_back({outcome.task->levels[static_cast<std::size_t>(tried.level)], tried.passed(),
                           tried.runs.size(), why});
   }
@@ -107,13 +128,15 @@ report::Section terrain_section(const TerrainOutcome& outcome) {
 
 Experiment terrain_experiment() {
   const auto options = std::make_shared<Options>();
-  Experiment out = gait_experiment("terrain", "Slopes and floors of little friction, harder and harder.",
+  Experiment out = gait_experiment("terrain",
+                                   "Ramps, hills and floors of little friction, harder and harder.",
                                    "Where does the robot walk?");
   out.seed_help = "which ten drawn plants it is tried on, and their noise; 0 was used for tuning";
-  out.in_all = {};
-  out.own.choice("--only", options->only, task_names(), "one task");
-  out.own.option("--gait", options->gait, "one gait");
-  out.own.option("--distance", options->distance_m, "m, of each run");
+  out.in_all = {};  // all tasks and gaits take longer than everything else there
+  out.draws_plants = true;
+  out.own.choice("--only", options->only, task_names(), "which tasks");
+  out.own.option("--gait", options->gait, "one alone; default: all that go forward");
+  out.own.option("--distance", options->distance_m, "m, of each run; ramps and hills begin 0.8 m ahead");
   out.run = [options](const ExperimentInput& in) { return run_terrain(in, *options); };
   return out;
 }

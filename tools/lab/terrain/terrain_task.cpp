@@ -3,12 +3,14 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "robots/config_error.h"
+#include "signals/angles.h"
 #include "tools/lab/gait/walking_robot.h"
 
 namespace sprung {
 namespace {
 
-constexpr double kRadian = 3.14159265358979323846 / 180.0;
+constexpr double kRadian = kPi / 180.0;
 constexpr double kBegins_m = 0.8;  // ahead of where the trunk begins
 using Plant = std::map<std::string, double>;
 
@@ -22,8 +24,6 @@ const std::vector<double>& slopes() {
 Plant sloping(const char* key, double angle_deg) {
   return {{key, angle_deg * kRadian}, {"ground_begins", kBegins_m}};
 }
-
-double heading_way_m(const SimTruth& truth) { return truth.com_in_world_m[0]; }
 
 std::string failure_of(const TerrainRun& run, const MotionState& motion) {
   if (run.vitals.fell) return "fell: " + run.vitals.why;
@@ -67,19 +67,23 @@ TerrainRun walk_terrain(const RobotConfig& robot, const std::string& preset, con
                         const TerrainTask& task, double level, TerrainRun run) {
   SimOptions sim = lying(plant);
   for (const auto& [key, value] : task.plant(level)) sim.plant[key] = value;
+  const auto draw = sim.plant.find("draw");
+  if (draw != sim.plant.end()) run.draw = draw->second;
   try {
     WalkingRobot walker(robot, preset, sim);
     const Vec3 speed{run.speed_m_s, 0.0, 0.0};
     walker.walk(run.gait, speed);
     walker.run(speed_reached_s(robot, preset, run.gait, speed));
-    const double from_m = heading_way_m(walker.robot().truth());
+    const double from_m = walker.robot().truth().com_in_world_m[0];
     const double lasts_s = run.distance_m / run.speed_m_s;
     double time_s = 0.0;
     for (; time_s < lasts_s && walker.upright(); time_s += 0.5) walker.run(0.5);
-    run.went_m_s = (heading_way_m(walker.robot().truth()) - from_m) / time_s;
+    run.went_m_s = (walker.robot().truth().com_in_world_m[0] - from_m) / time_s;
     run.vitals = walker.vitals();
     run.simulated_s = walker.simulated_s();
     run.why = failure_of(run, walker.robot().motion_state());
+  } catch (const ConfigError&) {
+    throw;
   } catch (const std::runtime_error& error) {
     run.why = error.what();
   }

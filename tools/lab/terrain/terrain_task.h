@@ -25,11 +25,11 @@ struct TerrainTask {
 const std::vector<TerrainTask>& terrain_tasks();
 
 struct TerrainRun {
-  std::uint64_t draw = 0;  ///< of variation.yaml
+  double draw = 0.0;  ///< of variation.yaml; 0: the nominal plant
   std::string gait;
   double speed_m_s = 0.0;   ///< asked for
   double distance_m = 0.0;  ///< asked for
-  double went_m_s = 0.0;    ///< true mean, over the ground as seen from above
+  double went_m_s = 0.0;    ///< true mean, along world x, which it starts along
   WalkVitals vitals;
   std::string why;  ///< it did not pass; empty: it did
   double simulated_s = 0.0;
@@ -37,9 +37,10 @@ struct TerrainRun {
   bool passed() const noexcept { return why.empty(); }
 };
 
-/// Stands up on it, walks that way, and must not fall, trip, stop, or go slower than kLeastSpeedShare.
-/// Nobody pushes. A plant that fails, and a robot that does not stand up, are failures of the run.
-/// @param run what is asked for; what became of it is returned in it.
+/// Stands up, walks along world x, and must not fall, trip, stop, or go slower than kLeastSpeedShare. Nobody
+/// pushes. A plant that fails, and a robot that does not stand up, are failures of the run.
+/// @param plant without its ground. @param run what is asked for; what became of it is returned in it.
+/// @throws ConfigError for a plant that there is not, std::invalid_argument for a gait that there is not.
 TerrainRun walk_terrain(const RobotConfig& robot, const std::string& preset, const SimOptions& plant,
                         const TerrainTask& task, double level, TerrainRun run);
 

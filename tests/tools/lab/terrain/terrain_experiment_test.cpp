@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "robots/robot_loader.h"
+
 namespace sprung {
 namespace {
 
@@ -40,14 +42,40 @@ TEST(TerrainExperiment, SectionTellsWhoDidNotPassAndWhy) {
   const TerrainTask task = slope();
   TerrainOutcome outcome = reached(task, "trot", 0);
   TerrainRun passed, fell;
-  passed.draw = 1001;
-  fell.draw = 1002;
+  passed.draw = 1001.0;
+  fell.draw = 1002.0;
   fell.why = "fell: tilted";
   outcome.tried = {{1, {passed, fell}}};
   EXPECT_EQ(outcome.tried.front().passed(), 1);
   const report::Section section = terrain_section(outcome);
   ASSERT_EQ(section.tables.size(), 1u);
   ASSERT_EQ(section.tables.front().rows.size(), 1u);
+  EXPECT_EQ(section.tables.front().rows.front().back().text, "1002: fell: tilted");
+}
+
+ExperimentOutput tried(const char* option, const char* value) {
+  Experiment experiment = terrain_experiment();
+  CommandLine line("terrain", "");
+  experiment.own.add_to(line);
+  line.action([] { return 0; });
+  const char* const words[] = {"terrain", option, value};
+  EXPECT_EQ(line.run(3, words), 0);
+  ExperimentRequest request;
+  request.robot = "pegasus";
+  return experiment.run(experiment_input(experiment, request, load_robot("pegasus")));
+}
+
+TEST(TerrainExperiment, WrongWordsAreRefused) {
+  EXPECT_THROW(tried("--gait", "amble"), std::invalid_argument);
+  EXPECT_THROW(tried("--gait", "stand"), std::invalid_argument);
+  EXPECT_THROW(tried("--distance", "0"), std::invalid_argument);
+}
+
+TEST(TerrainExperiment, ItDrawsItsPlantsItself) {
+  ExperimentRequest request;
+  request.robot = "pegasus";
+  request.plants = 3;
+  EXPECT_THROW(experiment_input(terrain_experiment(), request, load_robot("pegasus")), WrongUse);
 }
 
 }  // namespace

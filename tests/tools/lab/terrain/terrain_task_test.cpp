@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "robots/config_error.h"
 #include "robots/robot_loader.h"
 
 namespace sprung {
@@ -65,6 +66,15 @@ TEST(TerrainTask, WhoFallsOrComesToNothingHasNotPassedAndSaysWhy) {
   const TerrainRun run = trot("slope_up", 30.0);
   EXPECT_FALSE(run.passed());
   EXPECT_FALSE(run.why.empty());
+}
+
+TEST(TerrainTask, APlantThatThereIsNotIsRefusedAndNoFailureOfTheRobot) {
+  SimOptions sim;
+  sim.plant["drow"] = 7.0;
+  TerrainRun asked;
+  asked.gait = "trot";
+  asked.speed_m_s = asked.distance_m = 0.3;
+  EXPECT_THROW(walk_terrain(load_robot("pegasus"), "best", sim, task("friction"), 0.8, asked), ConfigError);
 }
 
 }  // namespace
