@@ -13,7 +13,10 @@ constexpr double kLearned_m_s = 0.1;  // 20 mm in half a swing of a trot
 /// above it the crawl's touchdowns on stones grow harder.
 constexpr double kSmooth_m = 0.01;
 constexpr double kSlopePeriods = 0.75;  // in which two thirds of a smooth slope are learned
-constexpr double kRoughPeriods = 6.0;   // in which roughness that was seen fades
+/// Over which it is seen whether the footprints' slope goes one way, as on a ramp, or to and fro, as on
+/// stones.
+constexpr double kTrendPeriods = 2.0;
+constexpr double kRoughPeriods = 6.0;  // in which roughness that was seen fades
 /// Spread of the footprints below which they show no slope; pegasus' lie 0.7 x 0.35 m apart.
 constexpr double kLeastSpread_m = 0.03;
 
@@ -65,12 +68,23 @@ void GroundPlane::carry_prints(const Feet& feet, double turned_rad) noexcept {
   }
 }
 
-/// As a filter would whose footprints are as uncertain as the ground is rough.
+/// How much of what the slope is off by has one direction, 0..1: Trigg and Leach 1967, "Exponential smoothing
+/// with an adaptive response rate", their tracking signal.
+double GroundPlane::trend(const Eigen::Vector2d& off, double period_s, double dt_s) noexcept {
+  const double share = std::min(1.0, dt_s / (kTrendPeriods * period_s));
+  off_ += share * (off - off_);
+  off_length_ += share * (off.norm() - off_length_);
+  return off_length_ > 0.0 ? std::min(1.0, off_.norm() / off_length_) : 0.0;
+}
+
+/// As a filter would whose footprints are as uncertain as the ground is rough, unless all of them say that
+/// the ground begins to slope.
 void GroundPlane::learn(double period_s, double dt_s) noexcept {
   const Fit found = fit();
   const double fades = std::min(1.0, dt_s / (kRoughPeriods * period_s));
   rough_m2_ = std::max(found.rough_m2, rough_m2_ + fades * (found.rough_m2 - rough_m2_));
-  const double doubt = 1.0 + rough_m2_ / (kSmooth_m * kSmooth_m);
+  const double to_and_fro = 1.0 - trend(found.slope - slope_, period_s, dt_s);
+  const double doubt = 1.0 + to_and_fro * to_and_fro * rough_m2_ / (kSmooth_m * kSmooth_m);
   slope_ += std::min(1.0, dt_s / (doubt * kSlopePeriods * period_s)) * (found.slope - slope_);
   newest_slope_ = slope_ + (found.slope - slope_) / doubt;
 }
@@ -78,7 +92,8 @@ void GroundPlane::learn(double period_s, double dt_s) noexcept {
 void GroundPlane::follow(const Feet& feet, double yaw_rad, double period_s, double dt_s) noexcept {
   const double turned_rad = wrapped_rad(yaw_rad - yaw_rad_);
   yaw_rad_ = yaw_rad;
-  slope_ = turned({slope_.x(), slope_.y(), 0.0}, -turned_rad).head<2>();
+  for (Eigen::Vector2d* slope : {&slope_, &off_})
+    *slope = turned({slope->x(), slope->y(), 0.0}, -turned_rad).head<2>();
   carry_prints(feet, turned_rad);
   before_ = feet;
   z_m_ += sunk_m_;

@@ -47,11 +47,14 @@ class GroundPlane {
   static constexpr double kSteepest = 0.4;
 
  private:
+  /// [design choice] so that a first stone is not a ramp
+  static constexpr double kUsualOff = 0.1;
   struct Fit {
     Eigen::Vector2d slope;
     double rough_m2 = 0.0;  ///< variance of a footprint's height: four of them leave one degree of freedom
   };
   Fit fit() const noexcept;
+  double trend(const Eigen::Vector2d& off, double period_s, double dt_s) noexcept;
   void learn(double period_s, double dt_s) noexcept;
   void carry_prints(const Feet& feet, double turned_rad) noexcept;
 
@@ -59,7 +62,9 @@ class GroundPlane {
   Eigen::Vector2d slope_ = Eigen::Vector2d::Zero();
   Eigen::Vector2d newest_slope_ = Eigen::Vector2d::Zero();
   double sunk_m_ = 0.0;
-  double rough_m2_ = 0.0;  ///< of late
+  double rough_m2_ = 0.0;                          ///< of late
+  Eigen::Vector2d off_ = Eigen::Vector2d::Zero();  ///< of the slope from the footprints', smoothed
+  double off_length_ = kUsualOff;                  ///< the same of its length
   double yaw_rad_ = 0.0;
   Feet before_{};
   std::array<Eigen::Vector3d, kMostLegs> print_m_{};  ///< written where has_print_

@@ -12,6 +12,7 @@ constexpr double kLateAfter_s = 0.02;  // contact is felt a little after it is m
 constexpr double kStumbleFor_s = 0.02;
 constexpr double kLeastHeight_m = 0.05;     // of the hip over a standing foot; lower, nothing walks
 constexpr double kClearance_m = 0.02;       // that a stumble adds to the lift
+constexpr double kBack = 1.0;               // of a late foot, for each metre down
 constexpr double kClearanceRate_m_s = 0.2;  // so that the foot is not jerked
 
 /// Of a place on the ground, as the body sees it.
@@ -102,10 +103,19 @@ void LegStep::swing(const StepPlan& plan, const Eigen::Vector3d& foothold_m) noe
   wanted_m_s_ = point.velocity_m_s;
   wanted_m_s2_ = point.acceleration_m_s2;
   const double over_s = in_swing_s_ - plan.swing_s;
+  if (waits && over_s > 0.0) search_back(plan, over_s);
   if (!waits && over_s > 0.0 && control_ != GaitControl::kHybrid) {
     wanted_m_.z() -= plan.approach_m_s() * over_s;
     wanted_m_s_.z() = -plan.approach_m_s();
   }
+}
+
+void LegStep::search_back(const StepPlan& plan, double over_s) noexcept {
+  const double ahead_m = plan.ahead_m.norm(), back_m_s = kBack * plan.approach_m_s();
+  if (!(ahead_m > 0.0)) return;
+  const double back_m = std::min(back_m_s * over_s, ahead_m);
+  wanted_m_.head<2>() -= plan.ahead_m * (back_m / ahead_m);
+  if (back_m < ahead_m) wanted_m_s_.head<2>() -= plan.ahead_m * (back_m_s / ahead_m);
 }
 
 void LegStep::look(const StepPlan& plan, bool contact) noexcept {

@@ -4,7 +4,8 @@
 ///
 ///   swing       the foot goes along its path; contact on its way up is a stumble: it lifts higher
 ///   pre-stance  the last share of the swing: contact ends it (early contact); late, the foot steps down at
-///               the approach speed (late contact) as far as step_down, and then gives up (no ground)
+///               the approach speed (late contact), and back toward where its leg hangs plumb, so that a leg
+///               that reached far ahead is long enough; as far as step_down, and then it gives up (no ground)
 ///   stance      the foot is wanted where it landed, carried along as the body is to move over it
 #include <Eigen/Geometry>
 
@@ -26,6 +27,8 @@ struct StepPlan {
   double sunk_m = 0.0;  ///< of the trunk toward the ground, as the standing feet show it, in this cycle
   /// Of a foot's ball: while it stands it rolls after the body.
   double foot_radius_m = 0.0;
+  /// Of its foothold from where the leg hangs plumb.
+  Eigen::Vector2d ahead_m = Eigen::Vector2d::Zero();
 
   double approach_m_s() const noexcept {
     return gait->approach_m_s > 0.0 ? gait->approach_m_s : law->approach_m_s;
@@ -67,6 +70,7 @@ class LegStep {
  private:
   void enter(LegPhase phase) noexcept;
   void swing(const StepPlan& plan, const Eigen::Vector3d& foothold_m) noexcept;
+  void search_back(const StepPlan& plan, double over_s) noexcept;
   void look(const StepPlan& plan, bool contact) noexcept;
   bool landed(const StepPlan& plan, bool contact) noexcept;
 

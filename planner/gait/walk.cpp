@@ -203,7 +203,9 @@ void Walk::step_legs(const JointState& in, double dt_s) noexcept {
   for (std::size_t i = 0; i < shape_.legs; ++i) {
     plan.foot_radius_m = shape_.foot_radius_m[i];
     if (clock_.swings(i) && steps_[i].stands()) steps_[i].lift(view_.foot_m[i]);
-    if (!steps_[i].step(plan, view_.foot_m[i], foothold_m(i), touches(i, in.legs[i]))) continue;
+    const Eigen::Vector3d foothold = foothold_m(i);
+    plan.ahead_m = (foothold - under_hip_m(i)).head<2>();
+    if (!steps_[i].step(plan, view_.foot_m[i], foothold, touches(i, in.legs[i]))) continue;
     clock_.land(i);
     if (halting_) weight_.stay();  // it came over three feet, and stands on four as well
     join(i);

@@ -189,6 +189,24 @@ TEST_F(LegStepTest, WithoutGroundItGivesUpAtTheLimitOfSteppingDown) {
   EXPECT_EQ(count(LegEvent::kNoGround), 3);
 }
 
+/// A leg that reaches ahead is too short for what is further down.
+TEST_F(LegStepTest, LateFootSearchesDownAndBackToUnderItsHip) {
+  plan_.body_m_s.setZero();
+  plan_.ahead_m = {0.015, -0.02};
+  law_.step_down_m = 0.06;
+  floor_m_ = -9.0;
+  lift();
+  swing_to(1.0);
+  const Eigen::Vector3d before_m = leg_.wanted_m();
+  swing_to(1.0 + 0.01 / law_.approach_m_s / plan_.swing_s);
+  EXPECT_NEAR(before_m.z() - leg_.wanted_m().z(), 0.01, 5e-4);
+  EXPECT_TRUE((before_m - leg_.wanted_m()).head<2>().isApprox(Eigen::Vector2d(0.006, -0.008), 0.05));
+  EXPECT_TRUE(leg_.wanted_m_s().head<2>().isApprox(Eigen::Vector2d(-0.12, 0.16), 1e-9));
+  land();
+  EXPECT_TRUE((before_m - leg_.wanted_m()).head<2>().isApprox(plan_.ahead_m, 1e-9));
+  EXPECT_EQ(leg_.wanted_m_s().head<2>().norm(), 0.0);
+}
+
 TEST_F(LegStepTest, PlainHybridTrustsItsClockWhateverTheGroundDoes) {
   floor_m_ = -9.0;
   lift(GaitControl::kHybrid);
