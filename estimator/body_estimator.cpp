@@ -28,6 +28,10 @@ constexpr double kPlausible_m_s = 0.1;
 constexpr double kHeightHolds_s = 0.05;
 constexpr double kStands = 0.1;  ///< weight of all feet from which the robot is not in flight
 
+Covariance3 row_by_row(const Eigen::Matrix3d& m) noexcept {
+  return {m(0, 0), m(0, 1), m(0, 2), m(1, 0), m(1, 1), m(1, 2), m(2, 0), m(2, 1), m(2, 2)};
+}
+
 }  // namespace
 
 void BodyMotion::reset() noexcept {
@@ -107,6 +111,7 @@ void BodyEstimator::reset() noexcept {
   feet_.reset();
   attitude_.reset();
   motion_.reset();
+  filter_.stop();
 }
 
 void BodyEstimator::step(const std::vector<EstimatedLeg>& legs,
@@ -117,9 +122,43 @@ void BodyEstimator::step(const std::vector<EstimatedLeg>& legs,
   attitude_.step(reading, feet_, dt_s);
   if (attitude_.known())
     motion_.step(reading, {attitude_.trunk_to_world(), attitude_.angular_velocity_rad_s()}, feet_, dt_s);
+  locate(reading, dt_s);
   out = EstimatedBody{};
-  out.uses_imu = reading != nullptr;
+  out.uses_imu = uses_imu_ = reading != nullptr;
   write(out);
+}
+
+void BodyEstimator::locate(const ImuReading* reading, double dt_s) noexcept {
+  if (!filter_.runs()) {
+    if (motion_.known()) filter_.start(attitude_.trunk_to_world());
+    return;
+  }
+  BodyMeasurement measured;
+  measured.by_imu = reading != nullptr;
+  measured.angular_velocity_rad_s = attitude_.angular_velocity_rad_s();
+  if (reading != nullptr) measured.specific_force_m_s2 = reading->specific_force_m_s2;
+  measured.has_up = reading == nullptr || reading->has_attitude;
+  measured.up = (reading != nullptr ? reading->attitude : attitude_.trunk_to_world()).conjugate() *
+                Eigen::Vector3d::UnitZ();
+  filter_.step(measured, feet_, dt_s);
+}
+
+void BodyEstimator::odometry(BodyState& out) const noexcept {
+  const Stamp stamp = out.stamp;
+  out = BodyState{};
+  out.stamp = stamp;
+  out.uses_imu = uses_imu_;
+  out.slips = filter_.slips();
+  if (!filter_.runs()) return;
+  const Eigen::Quaterniond& q = filter_.trunk_to_world();
+  out.estimated_quaternion_wxyz = {q.w(), q.x(), q.y(), q.z()};
+  out.estimated_position_in_world_m = to_vec3(filter_.position_in_world_m());
+  out.estimated_velocity_m_s = to_vec3(filter_.velocity_in_trunk_m_s());
+  out.estimated_rate_bias_rad_s = to_vec3(filter_.rate_bias_rad_s());
+  out.estimated_force_bias_m_s2 = to_vec3(filter_.force_bias_m_s2());
+  out.position_covariance_m2 = row_by_row(filter_.position_covariance_m2());
+  out.attitude_covariance_rad2 = row_by_row(filter_.attitude_covariance_rad2());
+  out.velocity_covariance_m2_s2 = row_by_row(filter_.velocity_covariance_m2_s2());
 }
 
 void BodyEstimator::write(EstimatedBody& out) const noexcept {

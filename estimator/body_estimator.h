@@ -4,8 +4,10 @@
 #include <Eigen/Geometry>
 
 #include "estimator/body_attitude.h"
+#include "estimator/body_filter.h"
 #include "estimator/imu_input.h"
 #include "estimator/standing_feet.h"
+#include "signals/body_state.h"
 #include "signals/joint_state.h"
 #include "signals/sensors.h"
 
@@ -65,10 +67,13 @@ class BodyEstimator {
   /// Never NaN else.
   void step(const std::vector<EstimatedLeg>& legs, const std::vector<Eigen::Vector3d>& last_link_rates_rad_s,
             const Imu* imu, std::int64_t seq, double dt_s, EstimatedBody& out) noexcept;
+  /// Odometry after the last step; stamp left out. NaN until an attitude was known and a foot stood.
+  void odometry(BodyState& out) const noexcept;
   std::int64_t newest_imu_seq() const noexcept { return imu_.newest_seq(); }  ///< -1: none has come
 
  private:
   void write(EstimatedBody& out) const noexcept;
+  void locate(const ImuReading* reading, double dt_s) noexcept;
 
   double cycle_s_;
   bool has_imu_;
@@ -76,6 +81,8 @@ class BodyEstimator {
   StandingFeet feet_;
   BodyAttitude attitude_;
   BodyMotion motion_;
+  BodyFilter filter_;
+  bool uses_imu_ = false;
 };
 
 }  // namespace sprung

@@ -67,4 +67,11 @@ void EstimatorCore::step(const DriveState& in, JointState& out, const Imu* imu) 
   out = answer;
 }
 
+bool EstimatorCore::body_state(BodyState& out) const noexcept {
+  if (!impl_->body) return false;
+  impl_->body->odometry(out);
+  out.stamp = impl_->newest;
+  return true;
+}
+
 }  // namespace sprung

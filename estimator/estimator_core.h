@@ -15,6 +15,7 @@
 #include <memory>
 
 #include "robots/robot_config.h"
+#include "signals/body_state.h"
 #include "signals/drive_state.h"
 #include "signals/joint_state.h"
 #include "signals/sensors.h"
@@ -38,6 +39,8 @@ class EstimatorCore {
   /// @param imu newest sample, for a robot with a body (robot.body); nullptr: none. Other robots' JOINT_STATE
   /// does not depend on it, and says nothing of a body.
   void step(const DriveState& in, JointState& out, const Imu* imu = nullptr) noexcept;
+  /// BODY_STATE of the newest cycle. @return false: a robot without a trunk, `out` is left as it is.
+  bool body_state(BodyState& out) const noexcept;
 
  private:
   struct Impl;

@@ -1,4 +1,5 @@
-/// sprung-torque-estimator: DRIVE_STATE(k), and IMU(k) of robots that have one, in; JOINT_STATE(k) out.
+/// sprung-torque-estimator: DRIVE_STATE(k), and IMU(k) of robots that have one, in; JOINT_STATE(k) out, and
+/// of robots with a trunk BODY_STATE of every fifth cycle.
 #include <optional>
 
 #include "estimator/estimator_core.h"
@@ -19,7 +20,8 @@ class EstimatorShell final : public ResponderShell {
         watchdogs_(process.watchdogs()),
         drive_states_(in_),
         answers_(out_),
-        joint_states_(process.node().publisher<JointState>(channels::kJointState)) {
+        joint_states_(process.node().publisher<JointState>(channels::kJointState)),
+        body_states_(process.node().publisher<BodyState>(channels::kBodyState)) {
     restart();
     process.node().subscribe(channels::kDriveState, CountLimits::exactly(robot_.actuators.size()),
                              drive_states_);
@@ -36,6 +38,7 @@ class EstimatorShell final : public ResponderShell {
     core_->step(in_, out_, measured ? &imu_ : nullptr);
     answers_.keep(out_);
     joint_states_.publish(out_);
+    if (in_.stamp.seq % kBodyState_cycles == 0 && core_->body_state(body_)) body_states_.publish(body_);
     if (const std::string* note = misfit_note_.update(out_)) process_.set_standing_note(*note);
     return in_.stamp;
   }
@@ -62,6 +65,8 @@ class EstimatorShell final : public ResponderShell {
   Slot<Imu> imus_{imu_};  ///< stays empty where nobody publishes it
   AnswerStore<JointState> answers_;
   Publisher<JointState> joint_states_;
+  BodyState body_;
+  Publisher<BodyState> body_states_;
   std::optional<EstimatorCore> core_;
   MisfitNote misfit_note_{robot_};
 };

@@ -11,6 +11,7 @@ inline constexpr const char* kOperatorCommand = "OPERATOR_COMMAND";
 inline constexpr const char* kOperatorReply = "OPERATOR_REPLY";
 inline constexpr const char* kProcessStatus = "PROCESS_STATUS";
 inline constexpr const char* kBusState = "BUS_STATE";
+inline constexpr const char* kBodyState = "BODY_STATE";
 inline constexpr const char* kAuxiliaryState = "AUXILIARY_STATE";
 inline constexpr const char* kCanTrace = "CAN_TRACE";
 inline constexpr const char* kSimControl = "SIM_CONTROL";

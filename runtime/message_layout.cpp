@@ -120,6 +120,10 @@ MessageLayout layout_of<sprung_msgs::sim_control_t>() {
   return event<sprung_msgs::sim_control_t>(Proof::kRepeatedEvent);
 }
 template <>
+MessageLayout layout_of<sprung_msgs::body_state_t>() {
+  return without_counts<sprung_msgs::body_state_t>(0);
+}
+template <>
 MessageLayout layout_of<sprung_msgs::imu_t>() {
   return without_counts<sprung_msgs::imu_t>(0);
 }

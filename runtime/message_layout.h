@@ -8,6 +8,7 @@
 
 #include "signals/message_mac.h"
 #include "sprung_msgs/auxiliary_state_t.hpp"
+#include "sprung_msgs/body_state_t.hpp"
 #include "sprung_msgs/bus_state_t.hpp"
 #include "sprung_msgs/can_trace_t.hpp"
 #include "sprung_msgs/drive_command_t.hpp"
@@ -83,6 +84,8 @@ template <>
 MessageLayout layout_of<sprung_msgs::sim_control_t>();
 template <>
 MessageLayout layout_of<sprung_msgs::imu_t>();
+template <>
+MessageLayout layout_of<sprung_msgs::body_state_t>();
 template <>
 MessageLayout layout_of<sprung_msgs::torque_sensor_t>();
 template <>

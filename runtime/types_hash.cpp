@@ -19,8 +19,8 @@ std::int64_t hash_of() noexcept {
 
 std::int64_t types_hash() noexcept {
   using namespace sprung_msgs;
-  return hash_of<auxiliary_state_t, bus_state_t, can_trace_t, drive_command_t, drive_state_t, imu_t,
-                 joint_state_t, leg_command_t, motion_state_t, operator_command_t, operator_reply_t,
+  return hash_of<auxiliary_state_t, body_state_t, bus_state_t, can_trace_t, drive_command_t, drive_state_t,
+                 imu_t, joint_state_t, leg_command_t, motion_state_t, operator_command_t, operator_reply_t,
                  process_status_t, safety_state_t, sim_control_t, sim_truth_t, torque_sensor_t>();
 }
 

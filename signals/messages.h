@@ -9,6 +9,7 @@
 
 #include "signals/reading.h"
 #include "sprung_msgs/auxiliary_state_t.hpp"
+#include "sprung_msgs/body_state_t.hpp"
 #include "sprung_msgs/bus_state_t.hpp"
 #include "sprung_msgs/drive_command_t.hpp"
 #include "sprung_msgs/drive_state_t.hpp"
@@ -35,6 +36,7 @@ struct MotionState;
 struct OperatorCommand;
 struct OperatorReply;
 struct AuxiliaryState;
+struct BodyState;
 struct SafetyState;
 struct SimControl;
 struct SimTruth;
@@ -49,6 +51,7 @@ void to_message(const SafetyState& in, std::int64_t session, sprung_msgs::safety
 void to_message(const OperatorCommand& in, std::int64_t session, sprung_msgs::operator_command_t& out);
 void to_message(const OperatorReply& in, std::int64_t session, sprung_msgs::operator_reply_t& out);
 void to_message(const BusState& in, std::int64_t session, sprung_msgs::bus_state_t& out);
+void to_message(const BodyState& in, std::int64_t session, sprung_msgs::body_state_t& out);
 void to_message(const AuxiliaryState& in, std::int64_t session, sprung_msgs::auxiliary_state_t& out);
 void to_message(const SimControl& in, std::int64_t session, sprung_msgs::sim_control_t& out);
 void to_message(const SimTruth& in, std::int64_t session, sprung_msgs::sim_truth_t& out);
@@ -66,6 +69,7 @@ void to_message(const TorqueSensor& in, std::int64_t session, sprung_msgs::torqu
 /// `answered_by` and `reason` point into `in` and live as long as it.
 [[nodiscard]] Reading from_message(const sprung_msgs::operator_reply_t& in, OperatorReply& out);
 [[nodiscard]] Reading from_message(const sprung_msgs::bus_state_t& in, BusState& out);
+[[nodiscard]] Reading from_message(const sprung_msgs::body_state_t& in, BodyState& out);
 [[nodiscard]] Reading from_message(const sprung_msgs::auxiliary_state_t& in, AuxiliaryState& out);
 /// Also not good for numbers that no experiment has.
 [[nodiscard]] Reading from_message(const sprung_msgs::sim_control_t& in, SimControl& out);
@@ -79,6 +83,10 @@ struct MessageOfSignal;
 template <class Signal>
 using MessageOf = typename MessageOfSignal<Signal>::Type;
 
+template <>
+struct MessageOfSignal<BodyState> {
+  using Type = sprung_msgs::body_state_t;
+};
 template <>
 struct MessageOfSignal<AuxiliaryState> {
   using Type = sprung_msgs::auxiliary_state_t;

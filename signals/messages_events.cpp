@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "signals/auxiliary_state.h"
+#include "signals/body_state.h"
 #include "signals/bus_state.h"
 #include "signals/message_fields.h"
 #include "signals/messages.h"
@@ -173,6 +174,20 @@ const auto kAuxiliaryState = [](auto& way, auto& m, auto& s) {
   way(m.battery_temperature_degC, s.battery_temperature_degC);
 };
 
+const auto kBodyState = [](auto& way, auto& m, auto& s) {
+  fields::stamp(way, m, s);
+  way(m.estimated_position_in_world_m, s.estimated_position_in_world_m);
+  way(m.estimated_quaternion_wxyz, s.estimated_quaternion_wxyz);
+  way(m.estimated_velocity_m_s, s.estimated_velocity_m_s);
+  way(m.estimated_rate_bias_rad_s, s.estimated_rate_bias_rad_s);
+  way(m.estimated_force_bias_m_s2, s.estimated_force_bias_m_s2);
+  way(m.position_covariance_m2, s.position_covariance_m2);
+  way(m.attitude_covariance_rad2, s.attitude_covariance_rad2);
+  way(m.velocity_covariance_m2_s2, s.velocity_covariance_m2_s2);
+  way(m.slips, s.slips);
+  way(m.uses_imu, s.uses_imu);
+};
+
 const auto kBusState = [](auto& way, auto& m, auto& s) {
   fields::stamp(way, m, s);
   way.elements(m.n_buses, m.buses, s.buses, kBusHealth);
@@ -210,6 +225,9 @@ void to_message(const SimControl& in, std::int64_t session, sprung_msgs::sim_con
 void to_message(const BusState& in, std::int64_t session, sprung_msgs::bus_state_t& out) {
   write(kBusState, in, session, out);
 }
+void to_message(const BodyState& in, std::int64_t session, sprung_msgs::body_state_t& out) {
+  write(kBodyState, in, session, out);
+}
 void to_message(const AuxiliaryState& in, std::int64_t session, sprung_msgs::auxiliary_state_t& out) {
   write(kAuxiliaryState, in, session, out);
 }
@@ -238,6 +256,9 @@ Reading from_message(const sprung_msgs::sim_control_t& in, SimControl& out) {
   Reading reading = read(kSimControl, in, out);
   reading.good = reading.good && is_an_experiment(out);
   return reading;
+}
+Reading from_message(const sprung_msgs::body_state_t& in, BodyState& out) {
+  return read(kBodyState, in, out);
 }
 Reading from_message(const sprung_msgs::auxiliary_state_t& in, AuxiliaryState& out) {
   return read(kAuxiliaryState, in, out);

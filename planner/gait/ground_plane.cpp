@@ -68,8 +68,8 @@ void GroundPlane::carry_prints(const Feet& feet, double turned_rad) noexcept {
   }
 }
 
-/// How much of what the slope is off by has one direction, 0..1: Trigg and Leach 1967, "Exponential smoothing
-/// with an adaptive response rate", their tracking signal.
+/// How much of what the slope is off by has one direction, 0..1: the tracking signal of
+/// facts D15.
 double GroundPlane::trend(const Eigen::Vector2d& off, double period_s, double dt_s) noexcept {
   const double share = std::min(1.0, dt_s / (kTrendPeriods * period_s));
   off_ += share * (off - off_);

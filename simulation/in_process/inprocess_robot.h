@@ -92,6 +92,8 @@ class InProcessRobot {
   std::int64_t cycle() const { return drive_state_.stamp.seq; }
   const DriveState& drive_state() const { return drive_state_; }
   const JointState& joint_state() const { return joint_state_; }
+  /// @return false: a robot without a trunk.
+  bool body_state(BodyState& out) const { return estimator_.body_state(out); }
   const LegCommand& leg_command() const { return leg_command_; }
   const MotionState& motion_state() const { return motion_state_; }
   const DriveCommand& drive_command() const { return drive_command_; }

@@ -173,6 +173,34 @@ TEST_F(BodyEstimatorTest, RobotWithoutAnImuIgnoresOne) {
   EXPECT_FALSE(body_.uses_imu);
 }
 
+TEST_F(BodyEstimatorTest, OdometryTellsPlaceVelocityAndHowSureThatIsAndGoesOnAfterAReset) {
+  run(ImuStatus::kGood, true, 1.0);
+  trots_ = true;
+  trunk_.foot_noise_m_s = 0.05;
+  const Eigen::Vector3d from_m = trunk_.pose(time_s_).in_world_m;
+  BodyState before, after;
+  estimator_.odometry(before);
+  run(ImuStatus::kGood, true, 5.0);
+  estimator_.odometry(after);
+  const Eigen::Vector3d went_m = to_eigen(after.estimated_position_in_world_m) -
+                                 to_eigen(before.estimated_position_in_world_m);
+  EXPECT_LT((went_m - (trunk_.pose(time_s_).in_world_m - from_m)).norm(), 0.03);
+  EXPECT_LT((to_eigen(after.estimated_velocity_m_s) - trunk_.velocity_m_s(time_s_)).norm(), 0.05);
+  EXPECT_GT(after.position_covariance_m2[0], before.position_covariance_m2[0]);
+  EXPECT_GT(after.attitude_covariance_rad2[8], before.attitude_covariance_rad2[8]);
+  EXPECT_TRUE(after.uses_imu);
+  estimator_.reset();
+  BodyState unknown;
+  estimator_.odometry(unknown);
+  EXPECT_TRUE(std::isnan(unknown.estimated_position_in_world_m[0]));
+  const Eigen::Vector3d reset_at_m = trunk_.pose(time_s_).in_world_m;
+  run(ImuStatus::kGood, true, 1.0);
+  estimator_.odometry(unknown);
+  const Eigen::Vector3d since_m = to_eigen(unknown.estimated_position_in_world_m) -
+                                  to_eigen(after.estimated_position_in_world_m);
+  EXPECT_LT((since_m - (trunk_.pose(time_s_).in_world_m - reset_at_m)).norm(), 0.05);
+}
+
 TEST_F(BodyEstimatorTest, SilenceOfFiveCyclesIsBridgedAndThenTheFeetTakeOver) {
   run(ImuStatus::kGood, true, 0.3);
   Imu last = noisy_imu();

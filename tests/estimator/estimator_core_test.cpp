@@ -266,6 +266,25 @@ TEST_F(EstimatorCoreTest, RobotWithoutABodySaysNothingOfOne) {
   core_.step(drives_, out_, &imu);
   EXPECT_TRUE(std::isnan(out_.body.estimated_quaternion_wxyz[0]));
   EXPECT_FALSE(out_.body.uses_imu);
+  BodyState left_alone;
+  left_alone.slips = 3;
+  EXPECT_FALSE(core_.body_state(left_alone));
+  EXPECT_EQ(left_alone.slips, 3);
+}
+
+TEST(EstimatorCoreWithABody, BodyStateIsOfTheNewestCycleAndKnowsNoPlaceBeforeAFootStood) {
+  const RobotConfig robot = load_robot("pegasus");
+  EstimatorCore core(robot);
+  DriveState drives(robot.actuators.size());
+  JointState out(robot.joints.size(), robot.legs.size());
+  drives.stamp = {12000, 6};
+  core.step(drives, out, nullptr);
+  BodyState state;
+  ASSERT_TRUE(core.body_state(state));
+  EXPECT_EQ(state.stamp.seq, 6);
+  EXPECT_EQ(state.stamp.utime_us, 12000);
+  EXPECT_TRUE(std::isnan(state.estimated_position_in_world_m[0]));
+  EXPECT_FALSE(state.uses_imu);
 }
 
 /// And the answer to a repeated cycle is the same again, whatever the IMU says by then.

@@ -4,6 +4,7 @@
 #include "runtime/process_status.h"
 #include "runtime/receive_guard.h"
 #include "signals/auxiliary_state.h"
+#include "signals/body_state.h"
 #include "signals/bus_state.h"
 #include "signals/drive_command.h"
 #include "signals/drive_state.h"
@@ -100,15 +101,23 @@ Channel of_signal() {
 }
 
 const std::vector<Channel>& channels() {
-  static const std::vector<Channel> all = {
-      of_signal<DriveState>(),     of_signal<DriveCommand>(),
-      of_signal<JointState>(),     of_signal<LegCommand>(),
-      of_signal<MotionState>(),    of_signal<SafetyState>(),
-      of_signal<BusState>(),       of_signal<OperatorCommand>(),
-      of_signal<OperatorReply>(),  of_signal<SimControl>(),
-      of_signal<SimTruth>(),       of_signal<Imu>(),
-      of_signal<TorqueSensor>(),   of_signal<ProcessStatus>(),
-      of_signal<AuxiliaryState>(), channel<NoSignal, sprung_msgs::can_trace_t>()};
+  static const std::vector<Channel> all = {of_signal<DriveState>(),
+                                           of_signal<DriveCommand>(),
+                                           of_signal<JointState>(),
+                                           of_signal<LegCommand>(),
+                                           of_signal<MotionState>(),
+                                           of_signal<SafetyState>(),
+                                           of_signal<BusState>(),
+                                           of_signal<OperatorCommand>(),
+                                           of_signal<OperatorReply>(),
+                                           of_signal<SimControl>(),
+                                           of_signal<SimTruth>(),
+                                           of_signal<Imu>(),
+                                           of_signal<TorqueSensor>(),
+                                           of_signal<ProcessStatus>(),
+                                           of_signal<AuxiliaryState>(),
+                                           of_signal<BodyState>(),
+                                           channel<NoSignal, sprung_msgs::can_trace_t>()};
   return all;
 }
 

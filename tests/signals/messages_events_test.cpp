@@ -6,6 +6,7 @@
 #include <string>
 
 #include "signals/auxiliary_state.h"
+#include "signals/body_state.h"
 #include "signals/messages.h"
 #include "signals/motion_state.h"
 #include "signals/operator.h"
@@ -55,6 +56,38 @@ TEST(EventMessages, SimControlOfNumbersThatNoExperimentHasIsRefused) {
 }
 
 TEST(EventMessages, TorqueSensorSurvivesBitForBit) { expect_round_trip<TorqueSensor>(); }
+
+TEST(EventMessages, BodyStateKeepsPlaceAttitudeCovariancesAndSlips) {
+  BodyState signal;
+  signal.stamp = {10, 20};
+  signal.estimated_position_in_world_m = {1.0, 2.0, 3.0};
+  signal.estimated_quaternion_wxyz = {0.5, 0.5, 0.5, 0.5};
+  signal.estimated_rate_bias_rad_s = {0.1, 0.2, 0.3};
+  signal.estimated_force_bias_m_s2 = {0.4, 0.5, 0.6};
+  for (std::size_t i = 0; i < 9; ++i) {
+    signal.position_covariance_m2[i] = 1.0 + static_cast<double>(i);
+    signal.attitude_covariance_rad2[i] = 10.0 + static_cast<double>(i);
+    signal.velocity_covariance_m2_s2[i] = 20.0 + static_cast<double>(i);
+  }
+  signal.slips = 7;
+  signal.uses_imu = true;
+  sprung_msgs::body_state_t message{};
+  to_message(signal, 5, message);
+  EXPECT_EQ(message.session, 5);
+  EXPECT_TRUE(std::isnan(message.estimated_velocity_m_s[0]));
+  BodyState back;
+  ASSERT_TRUE(from_message(message, back));
+  EXPECT_EQ(back.stamp.seq, 20);
+  EXPECT_EQ(back.estimated_position_in_world_m, signal.estimated_position_in_world_m);
+  EXPECT_EQ(back.estimated_quaternion_wxyz, signal.estimated_quaternion_wxyz);
+  EXPECT_EQ(back.estimated_rate_bias_rad_s, signal.estimated_rate_bias_rad_s);
+  EXPECT_EQ(back.estimated_force_bias_m_s2, signal.estimated_force_bias_m_s2);
+  EXPECT_EQ(back.position_covariance_m2, signal.position_covariance_m2);
+  EXPECT_EQ(back.attitude_covariance_rad2, signal.attitude_covariance_rad2);
+  EXPECT_EQ(back.velocity_covariance_m2_s2, signal.velocity_covariance_m2_s2);
+  EXPECT_EQ(back.slips, 7);
+  EXPECT_TRUE(back.uses_imu);
+}
 
 TEST(EventMessages, AuxiliaryStateKeepsEachActuatorsTemperatureAndTheBattery) {
   AuxiliaryState signal(2);

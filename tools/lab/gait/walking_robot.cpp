@@ -64,6 +64,16 @@ double speed_reached_s(const RobotConfig& robot, const std::string& preset, cons
   return longest_s + kSettling_s;
 }
 
+std::vector<GaitConfig> going_gaits(const RobotConfig& robot, const std::string& asked) {
+  std::vector<GaitConfig> out;
+  for (const GaitConfig& gait : robot.gaits)
+    if (gait.fastest_forward_m_s > 0.0) out.push_back(gait);
+  if (asked.empty()) return out;
+  const GaitConfig& one = robot.gaits[static_cast<std::size_t>(gait_index(robot, asked))];
+  if (!(one.fastest_forward_m_s > 0.0)) throw std::invalid_argument("gait " + asked + " goes nowhere");
+  return {one};
+}
+
 Experiment gait_experiment(const std::string& name, const std::string& what, const std::string& question) {
   Experiment out;
   out.name = name;

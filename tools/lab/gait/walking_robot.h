@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "signals/operator.h"
 #include "signals/vec3.h"
@@ -54,6 +55,10 @@ class WalkingRobot {
 /// @param speed forward, left (m/s), turning (rad/s). @throws as gait_index().
 double speed_reached_s(const RobotConfig& robot, const std::string& preset, const std::string& gait,
                        const Vec3& speed);
+
+/// Those that go forward, or the one that is asked for. @throws std::invalid_argument for one that there is
+/// not, or that goes nowhere.
+std::vector<GaitConfig> going_gaits(const RobotConfig& robot, const std::string& asked);
 
 /// One of a robot in a gait, but its own options and its run.
 Experiment gait_experiment(const std::string& name, const std::string& what, const std::string& question);

@@ -5,6 +5,7 @@
 #include "tools/lab/estimation/adaptation_experiment.h"
 #include "tools/lab/estimation/estimator_experiment.h"
 #include "tools/lab/estimation/model_watch_experiment.h"
+#include "tools/lab/estimation/odometry_experiment.h"
 #include "tools/lab/faults/fault_experiment.h"
 #include "tools/lab/friction/drag.h"
 #include "tools/lab/friction/friction_sweep.h"
@@ -30,7 +31,7 @@ std::vector<Experiment> experiments() {
           endurance_experiment(),     faults_experiment(),       friction_sweep_experiment(),
           drag_experiment(),          estimator_experiment(),    commission_experiment(),
           bring_up_experiment(),      adaptation_experiment(),   parameter_experiment(),
-          model_watch_experiment(),   terrain_experiment()};
+          model_watch_experiment(),   terrain_experiment(),      odometry_experiment()};
 }
 
 namespace {

@@ -65,17 +65,6 @@ TerrainOutcome climb(const ExperimentInput& in, const TerrainTask& task, const G
   return out;
 }
 
-/// @throws std::invalid_argument for a gait that there is not, or that does not go.
-std::vector<GaitConfig> gaits_of(const RobotConfig& robot, const std::string& asked) {
-  std::vector<GaitConfig> out;
-  for (const GaitConfig& gait : robot.gaits)
-    if (gait.fastest_forward_m_s > 0.0) out.push_back(gait);
-  if (asked.empty()) return out;
-  const GaitConfig& one = robot.gaits[static_cast<std::size_t>(gait_index(robot, asked))];
-  if (!(one.fastest_forward_m_s > 0.0)) throw std::invalid_argument("gait " + asked + " goes nowhere");
-  return {one};
-}
-
 ExperimentOutput run_terrain(const ExperimentInput& in, const Options& options) {
   if (!(options.distance_m >= kLeastDistance_m && options.distance_m <= kMostDistance_m))
     throw std::invalid_argument("--distance: expected 1 to 100 m, found " +
@@ -83,7 +72,7 @@ ExperimentOutput run_terrain(const ExperimentInput& in, const Options& options) 
   ExperimentOutput out;
   for (const TerrainTask& task : terrain_tasks()) {
     if (options.only != kAll && options.only != task.name) continue;
-    for (const GaitConfig& gait : gaits_of(in.robot, options.gait)) {
+    for (const GaitConfig& gait : going_gaits(in.robot, options.gait)) {
       const TerrainOutcome outcome = climb(in, task, gait, options.distance_m);
       out.rows.push_back(terrain_row(outcome));
       out.sections.push_back(terrain_section(outcome));

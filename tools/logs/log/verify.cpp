@@ -32,10 +32,11 @@ std::string microseconds_between(std::int64_t from, std::int64_t to) {
 
 bool is_ours(std::string_view channel) {
   using namespace channels;
-  const std::string_view ours[] = {
-      kDriveState,      kDriveCommand,  kJointState,    kLegCommand, kMotionState, kSafetyState, kSimControl,
-      kOperatorCommand, kOperatorReply, kProcessStatus, kBusState,   kCanTrace,    kSimTruth,    kImu,
-      kTorqueSensor,    kLogMetadata,   kLogEnd};
+  const std::string_view ours[] = {kDriveState,    kDriveCommand,  kJointState,    kLegCommand,
+                                   kMotionState,   kSafetyState,   kSimControl,    kOperatorCommand,
+                                   kOperatorReply, kProcessStatus, kBusState,      kCanTrace,
+                                   kSimTruth,      kImu,           kTorqueSensor,  kLogMetadata,
+                                   kLogEnd,        kBodyState,     kAuxiliaryState};
   return std::find(std::begin(ours), std::end(ours), channel) != std::end(ours);
 }
 

@@ -55,6 +55,8 @@ void InProcessLog::on_cycle(const InProcessRobot& robot) {
   write(channels::kDriveState, robot.drive_state());
   if (robot.imu().stamp.seq >= 0) write(channels::kImu, robot.imu());
   write(channels::kJointState, robot.joint_state());
+  BodyState body;
+  if (robot.cycle() % kBodyState_cycles == 0 && robot.body_state(body)) write(channels::kBodyState, body);
   write(channels::kDriveCommand, robot.drive_command());
   write(channels::kLegCommand, robot.leg_command());
   if (robot.planned()) write(channels::kMotionState, robot.motion_state());

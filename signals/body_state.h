@@ -1,0 +1,30 @@
+#pragma once
+/// BODY_STATE: the trunk's odometry. Units and frames: lcmtypes/body_state.lcm.
+#include <array>
+#include <cstdint>
+
+#include "signals/stamp.h"
+#include "signals/vec3.h"
+
+namespace sprung {
+
+using Covariance3 = std::array<double, 9>;  ///< row by row
+
+inline constexpr std::int64_t
+    kBodyState_cycles = 5;  ///< it is sent in every fifth: what maps and operators follow
+
+struct BodyState {
+  Stamp stamp;
+  Vec3 estimated_position_in_world_m{kNaN, kNaN, kNaN};
+  std::array<double, 4> estimated_quaternion_wxyz{kNaN, kNaN, kNaN, kNaN};
+  Vec3 estimated_velocity_m_s{kNaN, kNaN, kNaN};  ///< trunk axes
+  Vec3 estimated_rate_bias_rad_s{};               ///< of the IMU, trunk axes
+  Vec3 estimated_force_bias_m_s2{};
+  Covariance3 position_covariance_m2{};     ///< world axes
+  Covariance3 attitude_covariance_rad2{};   ///< of a small turn about world axes
+  Covariance3 velocity_covariance_m2_s2{};  ///< world axes
+  std::int32_t slips = 0;                   ///< of standing feet, since the estimator began
+  bool uses_imu = false;
+};
+
+}  // namespace sprung

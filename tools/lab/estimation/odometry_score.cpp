@@ -1,0 +1,61 @@
+#include "tools/lab/estimation/odometry_score.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "estimator/rotation.h"
+#include "model/leg_kinematics.h"
+
+namespace sprung {
+namespace {
+
+Eigen::Quaterniond quaternion(const std::array<double, 4>& q) { return {q[0], q[1], q[2], q[3]}; }
+
+double nees(const Eigen::Vector3d& error, const Covariance3& covariance) {
+  const Eigen::Matrix3d c = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(covariance.data());
+  return error.dot(c.inverse() * error);
+}
+
+}  // namespace
+
+void OdometryScore::begin(const BodyState& estimated, const SimTruth& truth) {
+  begun_ = true;
+  ours_from_true_ = turned_about_z(yaw_rad(quaternion(estimated.estimated_quaternion_wxyz)) -
+                                   yaw_rad(quaternion(truth.base_quaternion_wxyz)));
+  last_m_ = to_eigen(truth.base_in_world_m);
+  origin_m_ = last_m_ - ours_from_true_.conjugate() * to_eigen(estimated.estimated_position_in_world_m);
+}
+
+void OdometryScore::add(const BodyState& estimated, const SimTruth& truth) {
+  if (!std::isfinite(estimated.estimated_position_in_world_m[0])) return;
+  if (!begun_) begin(estimated, truth);
+  const Eigen::Vector3d true_m = to_eigen(truth.base_in_world_m);
+  way_m_ += (true_m - last_m_).head<2>().norm();
+  last_m_ = true_m;
+  place_m_ = to_eigen(estimated.estimated_position_in_world_m) - ours_from_true_ * (true_m - origin_m_);
+  position_nees_ = nees(place_m_, estimated.position_covariance_m2);
+
+  const Eigen::Quaterniond ours = quaternion(estimated.estimated_quaternion_wxyz);
+  const Eigen::Quaterniond off = ours *
+                                 (ours_from_true_ * quaternion(truth.base_quaternion_wxyz)).conjugate();
+  turn_rad_ = std::copysign(2.0, off.w()) * off.vec();
+  worst_tilt_rad_ = std::max(worst_tilt_rad_, turn_rad_.head<2>().norm());
+
+  const Eigen::Vector3d velocity_m_s = ours * to_eigen(estimated.estimated_velocity_m_s) -
+                                       ours_from_true_ * to_eigen(truth.base_velocity_m_s);
+  worst_velocity_m_s_ = std::max(worst_velocity_m_s_, velocity_m_s.norm());
+  velocity_sum_m2_s2_ += velocity_m_s.squaredNorm();
+  velocity_nees_sum_ += nees(velocity_m_s, estimated.velocity_covariance_m2_s2);
+  ++cycles_;
+}
+
+double OdometryScore::velocity_rms_m_s() const noexcept {
+  return cycles_ > 0 ? std::sqrt(velocity_sum_m2_s2_ / cycles_) : kNaN;
+}
+
+double OdometryScore::velocity_nees() const noexcept {
+  return cycles_ > 0 ? velocity_nees_sum_ / cycles_ : kNaN;
+}
+
+}  // namespace sprung

@@ -1,0 +1,44 @@
+#pragma once
+/// How far BODY_STATE is from the simulation's truth, and whether it is as sure as it says.
+#include <Eigen/Geometry>
+
+#include "signals/body_state.h"
+#include "signals/simulation.h"
+
+namespace sprung {
+
+class OdometryScore {
+ public:
+  /// One cycle. The first in which BODY_STATE knows a place says where and how its world lies in the true
+  /// one.
+  void add(const BodyState& estimated, const SimTruth& truth);
+
+  bool begun() const noexcept { return begun_; }
+  double way_m() const noexcept { return way_m_; }                      ///< truly gone, along the ground
+  double position_error_m() const noexcept { return place_m_.norm(); }  ///< now
+  double heading_error_rad() const noexcept { return turn_rad_.z(); }   ///< now
+  double worst_tilt_rad() const noexcept { return worst_tilt_rad_; }
+  double velocity_rms_m_s() const noexcept;
+  double worst_velocity_m_s() const noexcept { return worst_velocity_m_s_; }
+  /// Normalised squared errors of three numbers each (Bar-Shalom 2001): 3 where the covariance is right, in
+  /// 95 of 100 independent cases from 0.22 to 9.35. Position now, velocity on average since it was first
+  /// known.
+  double position_nees() const noexcept { return position_nees_; }
+  double velocity_nees() const noexcept;
+
+ private:
+  void begin(const BodyState& estimated, const SimTruth& truth);
+
+  bool begun_ = false;
+  Eigen::Quaterniond ours_from_true_ = Eigen::Quaterniond::Identity();
+  Eigen::Vector3d origin_m_ = Eigen::Vector3d::Zero();  ///< of our world in the true one
+  Eigen::Vector3d last_m_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d place_m_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d turn_rad_ = Eigen::Vector3d::Zero();
+  double way_m_ = 0.0;
+  double worst_tilt_rad_ = 0.0, worst_velocity_m_s_ = 0.0;
+  double velocity_sum_m2_s2_ = 0.0, velocity_nees_sum_ = 0.0, position_nees_ = 0.0;
+  int cycles_ = 0;
+};
+
+}  // namespace sprung
