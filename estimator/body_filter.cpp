@@ -70,7 +70,7 @@ void BodyFilter::start(const Eigen::Quaterniond& tilted) noexcept {
   const double heading_rad2 = was_started_
                                   ? covariance_(kTurn + 2, kTurn + 2) + kStartTilt_rad * kStartTilt_rad
                                   : 0.0;
-  const Eigen::Vector3d place_m2 = position_covariance_m2().diagonal();
+  const Eigen::Matrix3d place_m2 = place_covariance_m2();
   attitude_ = (turned_about_z(heading_rad - yaw_rad(tilted)) * tilted).normalized();
   runs_ = was_started_ = true;
   velocity_m_s_.setZero();
@@ -84,7 +84,11 @@ void BodyFilter::start(const Eigen::Quaterniond& tilted) noexcept {
   covariance_.setZero();
   variance(kTurn, kStartTilt_rad);
   covariance_(kTurn + 2, kTurn + 2) = heading_rad2;  // at first it is what it is called
-  covariance_.diagonal().segment<3>(kPlace) = place_m2;
+  // The place is as sure as before, whichever way the trunk is turned: its right-invariant error is not.
+  const Eigen::Matrix3d carried = cross(position_m_) * covariance_.block<3, 3>(kTurn, kTurn);
+  covariance_.block<3, 3>(kPlace, kTurn) = carried;
+  covariance_.block<3, 3>(kTurn, kPlace) = carried.transpose();
+  covariance_.block<3, 3>(kPlace, kPlace) = place_m2 - carried * cross(position_m_);
   variance(kSpeed, kStartSpeed_m_s);
   variance(kRateBias, kRateBias_rad_s);
   variance(kForceBias, kForceBias_m_s2);
@@ -259,11 +263,15 @@ Eigen::Matrix3d BodyFilter::velocity_covariance_m2_s2() const noexcept {
   return out;
 }
 
-Eigen::Matrix3d BodyFilter::position_covariance_m2() const noexcept {
+Eigen::Matrix3d BodyFilter::place_covariance_m2() const noexcept {
   Eigen::Matrix<double, 3, kStates> by = Eigen::Matrix<double, 3, kStates>::Zero();
   by.block<3, 3>(0, kTurn) = -cross(position_m_);
   by.block<3, 3>(0, kPlace).setIdentity();
-  Eigen::Matrix3d out = by * covariance_ * by.transpose();
+  return by * covariance_ * by.transpose();
+}
+
+Eigen::Matrix3d BodyFilter::position_covariance_m2() const noexcept {
+  Eigen::Matrix3d out = place_covariance_m2();
   out.diagonal().array() += kWay * way_m_ * kWay * way_m_;
   return out;
 }

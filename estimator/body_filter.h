@@ -1,9 +1,9 @@
 #pragma once
 /// Where the trunk is, how it moves, and how sure that is. Pure: no heap.
 ///
-/// A contact-aided invariant extended Kalman filter (facts D14): attitude, velocity and position of the
-/// trunk, biases of gyro and specific force, and the place of each foot that stands. Errors are
-/// right-invariant, in world axes, so that what no sensor shows, heading and position, is never taken for
+/// A contact-aided invariant extended Kalman filter (facts D14, docs/sources.md): attitude, velocity and
+/// position of the trunk, biases of gyro and specific force, and the place of each foot that stands. Errors
+/// are right-invariant, in world axes, so that what no sensor shows, heading and position, is never taken for
 /// seen. Gyro and specific force predict; that a standing foot stays where it is, but for its ball's rolling,
 /// and a tilt, correct.
 ///
@@ -70,6 +70,7 @@ class BodyFilter {
   void add_rate_noise(double density, double dt_s) noexcept;
   void correct_tilt(const BodyMeasurement& measured, double dt_s) noexcept;
   void follow_foot(int leg, const StandingFoot& foot, double dt_s) noexcept;
+  Eigen::Matrix3d place_covariance_m2() const noexcept;  ///< without what is the same all the time
   void anchor(int leg, const StandingFoot& foot) noexcept;
   void release(int leg) noexcept;
   void move_by(const Eigen::Matrix<double, kStates, 1>& error) noexcept;

@@ -162,13 +162,15 @@ TEST_F(BodyFilterTest, NewStartGoesOnWhereItWasLessSure) {
   run(10.0);
   const Eigen::Vector3d before_m = filter_.position_in_world_m();
   const double heading_rad = yaw_rad(filter_.trunk_to_world());
-  const double doubt_rad2 = filter_.attitude_covariance_rad2()(2, 2);
+  const double doubt_rad2 = heading_variance_rad2();
+  const Eigen::Matrix3d place_m2 = filter_.position_covariance_m2();
   filter_.stop();
   EXPECT_FALSE(filter_.runs());
   filter_.start(test::rpy(0.02, 0.0, 2.5));
   EXPECT_EQ(filter_.position_in_world_m(), before_m);
   EXPECT_NEAR(yaw_rad(filter_.trunk_to_world()), heading_rad, 1e-9);
-  EXPECT_GT(filter_.attitude_covariance_rad2()(2, 2), doubt_rad2);
+  EXPECT_GT(heading_variance_rad2(), doubt_rad2);
+  EXPECT_TRUE(filter_.position_covariance_m2().isApprox(place_m2, 1e-9));
   EXPECT_EQ(filter_.velocity_in_world_m_s().norm(), 0.0);
 }
 

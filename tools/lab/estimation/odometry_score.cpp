@@ -31,8 +31,11 @@ void OdometryScore::add(const BodyState& estimated, const SimTruth& truth) {
   if (!std::isfinite(estimated.estimated_position_in_world_m[0])) return;
   if (!begun_) begin(estimated, truth);
   const Eigen::Vector3d true_m = to_eigen(truth.base_in_world_m);
-  way_m_ += (true_m - last_m_).head<2>().norm();
-  last_m_ = true_m;
+  const double step_m = (true_m - last_m_).head<2>().norm();
+  if (step_m >= kStep_m) {
+    way_m_ += step_m;
+    last_m_ = true_m;
+  }
   place_m_ = to_eigen(estimated.estimated_position_in_world_m) - ours_from_true_ * (true_m - origin_m_);
   position_nees_ = nees(place_m_, estimated.position_covariance_m2);
 

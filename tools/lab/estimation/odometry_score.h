@@ -14,7 +14,9 @@ class OdometryScore {
   void add(const BodyState& estimated, const SimTruth& truth);
 
   bool begun() const noexcept { return begun_; }
-  double way_m() const noexcept { return way_m_; }                      ///< truly gone, along the ground
+  /// Truly gone, along the ground; in steps of kStep_m, so that a trunk that sways goes no further.
+  double way_m() const noexcept { return way_m_; }
+  static constexpr double kStep_m = 0.3;
   double position_error_m() const noexcept { return place_m_.norm(); }  ///< now
   double heading_error_rad() const noexcept { return turn_rad_.z(); }   ///< now
   double worst_tilt_rad() const noexcept { return worst_tilt_rad_; }

@@ -10,13 +10,15 @@ namespace {
 using Entry = std::pair<std::string_view, std::string_view>;
 
 /// What a name ends with, longest first.
-constexpr std::array<Entry, 25> kEndings{{
+constexpr std::array<Entry, 28> kEndings{{
     {"_Nm_s_rad", "Nm s/rad"},
     {"_Nm_rad", "Nm/rad"},
     {"_rad_s2", "rad/s2"},
+    {"_m2_s2", "m2/s2"},
     {"_rad_s", "rad/s"},
     {"_N_s_m", "N s/m"},
     {"_m_s2", "m/s2"},
+    {"_rad2", "rad2"},
     {"_share", "1"},
     {"_utime", "us"},
     {"_degC", "degC"},
@@ -24,6 +26,7 @@ constexpr std::array<Entry, 25> kEndings{{
     {"_m_s", "m/s"},
     {"_rad", "rad"},
     {"_deg", "deg"},
+    {"_m2", "m2"},
     {"_us", "us"},
     {"_ms", "ms"},
     {"_mm", "mm"},

@@ -46,6 +46,12 @@ TEST(OdometryScore, ErrorsAreOfTheWayFromWhereTheEstimateBeganWhateverItsWorldIs
   EXPECT_NEAR(score.heading_error_rad(), 0.0, 1e-12);
 }
 
+TEST(OdometryScore, SwayingIsNoWay) {
+  OdometryScore score;
+  for (int k = 0; k < 100; ++k) score.add(said({}), truth(k % 2 == 0 ? 0.1 : -0.1));
+  EXPECT_EQ(score.way_m(), 0.0);
+}
+
 TEST(OdometryScore, VelocityIsThatOfTheTrunkAndItsSurenessAnAverage) {
   OdometryScore score;
   score.add(said({}, {0.3, 0.0, 0.0}), truth(0.0, 0.3));

@@ -46,7 +46,7 @@ TEST(Experiments, ALegJumpsAndARobotThatWalksHasExperimentsOfItsOwn) {
                                    "adaptation", "estimator", "model_watch", "bring_up"}));
   EXPECT_EQ(names_of(experiments_of(load_robot("pegasus"))),
             (std::set<std::string>{"foot_return", "stand_push", "walk", "ground_error", "push", "endurance",
-                                   "adaptation", "estimator", "model_watch", "bring_up"}));
+                                   "adaptation", "estimator", "model_watch", "bring_up", "odometry"}));
 }
 
 TEST(Experiments, AJointAloneHasThoseThatNeedNoLeg) {

@@ -19,6 +19,9 @@ TEST(Units, AreReadFromTheEndOfTheName) {
   EXPECT_EQ(unit_of("valid_until_utime"), "us");
   EXPECT_EQ(unit_of("utime"), "us");
   EXPECT_EQ(unit_of("memory_kB"), "kB");
+  EXPECT_EQ(unit_of("position_covariance_m2"), "m2");
+  EXPECT_EQ(unit_of("attitude_covariance_rad2"), "rad2");
+  EXPECT_EQ(unit_of("velocity_covariance_m2_s2"), "m2/s2");
 }
 
 TEST(Units, NamesWithoutOneHaveNone) {
