@@ -47,8 +47,12 @@ void OdometryScore::add(const BodyState& estimated, const SimTruth& truth) {
 
   const Eigen::Vector3d velocity_m_s = ours * to_eigen(estimated.estimated_velocity_m_s) -
                                        ours_from_true_ * to_eigen(truth.base_velocity_m_s);
-  worst_velocity_m_s_ = std::max(worst_velocity_m_s_, velocity_m_s.norm());
-  velocity_sum_m2_s2_ += velocity_m_s.squaredNorm();
+  const double in_trunk_m_s = (to_eigen(estimated.estimated_velocity_m_s) -
+                               quaternion(truth.base_quaternion_wxyz).conjugate() *
+                                   to_eigen(truth.base_velocity_m_s))
+                                  .norm();
+  worst_velocity_m_s_ = std::max(worst_velocity_m_s_, in_trunk_m_s);
+  velocity_sum_m2_s2_ += in_trunk_m_s * in_trunk_m_s;
   velocity_nees_sum_ += nees(velocity_m_s, estimated.velocity_covariance_m2_s2);
   ++cycles_;
 }

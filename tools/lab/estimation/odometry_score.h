@@ -20,6 +20,7 @@ class OdometryScore {
   double position_error_m() const noexcept { return place_m_.norm(); }  ///< now
   double heading_error_rad() const noexcept { return turn_rad_.z(); }   ///< now
   double worst_tilt_rad() const noexcept { return worst_tilt_rad_; }
+  /// In trunk axes: a heading that is off is no error of the speed.
   double velocity_rms_m_s() const noexcept;
   double worst_velocity_m_s() const noexcept { return worst_velocity_m_s_; }
   /// Normalised squared errors of three numbers each (Bar-Shalom 2001): 3 where the covariance is right, in

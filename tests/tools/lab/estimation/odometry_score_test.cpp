@@ -61,6 +61,16 @@ TEST(OdometryScore, VelocityIsThatOfTheTrunkAndItsSurenessAnAverage) {
   EXPECT_NEAR(score.velocity_nees(), 4.5, 1e-9);
 }
 
+TEST(OdometryScore, AHeadingThatIsOffIsNoErrorOfTheTrunksSpeedButOfTheWorlds) {
+  OdometryScore score;
+  score.add(said({}), truth(0.0));
+  BodyState estimated = said({}, {0.3, 0.0, 0.0});
+  estimated.estimated_quaternion_wxyz = {std::cos(0.05), 0.0, 0.0, std::sin(0.05)};
+  score.add(estimated, truth(0.0, 0.3));
+  EXPECT_NEAR(score.worst_velocity_m_s(), 0.0, 1e-12);
+  EXPECT_GT(score.velocity_nees(), 1.0);
+}
+
 TEST(OdometryScore, TiltAndHeadingAreToldApart) {
   OdometryScore score;
   BodyState estimated = said({});
