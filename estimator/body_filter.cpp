@@ -37,6 +37,9 @@ constexpr double kCorrects_s = 0.01 - 1e-9;
 /// Weights from which a foot has come to stand, with which it says something, and below which it leaves: one
 /// that bears little is already on its way.
 constexpr double kAnchors = 0.7, kSays = 0.5, kLeaves = 0.3;
+/// [design choice] A jump is over by then; and how fast a trunk that hangs or is carried goes: 0.5 m/s for a
+/// second, so that after a quarter of an hour its place is known to 15 m.
+constexpr double kUnheld_s = 0.5, kAtRest_m2_s = 0.5 * 0.5 * 1.0;
 constexpr double kSurprise = 16.27;  // chi-square of three degrees of freedom, passed once in 1000 times
 /// [design choice] What is the same all the time and nobody measures: an IMU askew by a degree, feet that
 /// roll, and legs and their zeros, which make each step longer or shorter by a hundredth.
@@ -77,7 +80,7 @@ void BodyFilter::start(const Eigen::Quaterniond& tilted) noexcept {
   rate_bias_rad_s_.setZero();
   force_bias_m_s2_.setZero();
   feet_ = {};
-  uncorrected_s_ = 0.0;
+  uncorrected_s_ = unheld_s_ = 0.0;
   const auto variance = [this](int at, double std) {
     covariance_.diagonal().segment<3>(at).setConstant(std * std);
   };
@@ -102,6 +105,9 @@ void BodyFilter::step(const BodyMeasurement& measured, const StandingFeet& feet,
   correct_tilt(measured, uncorrected_s_);
   const int legs = std::min(kLegs, static_cast<int>(feet.feet().size()));
   for (int i = 0; i < legs; ++i) follow_foot(i, feet.feet()[static_cast<std::size_t>(i)], uncorrected_s_);
+  const bool held = std::any_of(feet_.begin(), feet_.end(), [](const Foot& foot) { return foot.anchored; });
+  unheld_s_ = held ? 0.0 : unheld_s_ + uncorrected_s_;
+  if (unheld_s_ > kUnheld_s) rest(uncorrected_s_);
   uncorrected_s_ = 0.0;
   // What rounding leaves unequal would grow.
   covariance_ = (0.5 * (covariance_ + covariance_.transpose())).eval();
@@ -188,6 +194,16 @@ void BodyFilter::correct_tilt(const BodyMeasurement& measured, double dt_s) noex
   const Eigen::Matrix2d spread_2 = seen.middleRows<2>(kTurn) + noise * Eigen::Matrix2d::Identity();
   const Eigen::Matrix<double, kStates, 2> gain = seen * spread_2.inverse();
   move_by(gain * surprise);
+  covariance_.noalias() -= gain * seen.transpose();
+}
+
+/// Its velocity is 0, more or less.
+void BodyFilter::rest(double dt_s) noexcept {
+  const Gain seen = covariance_.middleCols<3>(kSpeed);
+  const Eigen::Matrix3d spread_m2_s2 = seen.middleRows<3>(kSpeed) +
+                                       kAtRest_m2_s / dt_s * Eigen::Matrix3d::Identity();
+  const Gain gain = seen * spread_m2_s2.inverse();
+  move_by(gain * velocity_m_s_);
   covariance_.noalias() -= gain * seen.transpose();
 }
 

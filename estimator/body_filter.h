@@ -7,6 +7,9 @@
 /// seen. Gyro and specific force predict; that a standing foot stays where it is, but for its ball's rolling,
 /// and a tilt, correct.
 ///
+/// A trunk that no foot has held for half a second hangs, or lies: it is taken to be about at rest, or the
+/// force's bias would carry it away by kilometres in an hour.
+///
 /// A foot whose place surprises more than its uncertainty allows slips, or never stood: it is taken to
 /// stand anew where it is, and counted.
 #include <Eigen/Geometry>
@@ -69,6 +72,7 @@ class BodyFilter {
   void flow(const Block& block, bool biases, double dt_s) const noexcept;
   void add_rate_noise(double density, double dt_s) noexcept;
   void correct_tilt(const BodyMeasurement& measured, double dt_s) noexcept;
+  void rest(double dt_s) noexcept;
   void follow_foot(int leg, const StandingFoot& foot, double dt_s) noexcept;
   Eigen::Matrix3d place_covariance_m2() const noexcept;  ///< without what is the same all the time
   void anchor(int leg, const StandingFoot& foot) noexcept;
@@ -84,7 +88,8 @@ class BodyFilter {
   Eigen::Vector3d force_bias_m_s2_ = Eigen::Vector3d::Zero();
   std::array<Foot, kLegs> feet_{};
   double uncorrected_s_ = 0.0;
-  double way_m_ = 0.0;  ///< along the ground
+  double unheld_s_ = 0.0;  ///< for which no foot has held it
+  double way_m_ = 0.0;     ///< along the ground
   int slips_ = 0;
   Covariance covariance_ = Covariance::Zero();
 };

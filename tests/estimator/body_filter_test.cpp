@@ -148,6 +148,32 @@ TEST_F(BodyFilterTest, AFootThatSlidesIsFoundAndMovesNobody) {
   EXPECT_LT(velocity_error_m_s().norm(), 0.03);
 }
 
+/// A robot that sits, or hangs from its crane, is still about there when it stands up.
+TEST_F(BodyFilterTest, TrunkThatNoFootHoldsForLongStaysAboutWhereItIsAndKnowsHowSurely) {
+  run(0.9);
+  feet_.reset();
+  BodyMeasurement at_rest;
+  at_rest.by_imu = at_rest.has_up = true;
+  at_rest.angular_velocity_rad_s = rate_bias_rad_s_;
+  at_rest.specific_force_m_s2 = Eigen::Vector3d(0.0, 0.0, kGravity_m_s2) + force_bias_m_s2_;
+  const double before_m2 = place_variance_m2();
+  for (int k = 0; k < 300 * 500; ++k) filter_.step(at_rest, feet_, kFilterCycle_s);  // five minutes
+  EXPECT_LT(error_m().norm(), 2.0);
+  EXPECT_LT(filter_.velocity_in_world_m_s().norm(), 0.02);
+  EXPECT_GT(place_variance_m2() - before_m2, error_m().squaredNorm());
+}
+
+TEST_F(BodyFilterTest, AShortFlightIsTheImus) {
+  run(0.9);
+  feet_.reset();
+  BodyMeasurement falls;
+  falls.by_imu = true;
+  falls.angular_velocity_rad_s = rate_bias_rad_s_;
+  falls.specific_force_m_s2 = force_bias_m_s2_;
+  for (int k = 0; k < 200; ++k) filter_.step(falls, feet_, kFilterCycle_s);
+  EXPECT_NEAR(filter_.velocity_in_world_m_s().z(), -kGravity_m_s2 * 0.4, 0.05);
+}
+
 TEST_F(BodyFilterTest, FeetThatRollSayTheSameAsPoints) {
   for (LegConfig& leg : trunk_.robot.legs) leg.foot_radius_m = 0.02;
   trunk_.link_turning_rad_s = {0.2, 1.0, 0.1};  // the balls' centres go at 20 mm/s
