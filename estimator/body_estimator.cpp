@@ -144,9 +144,7 @@ void BodyEstimator::locate(const ImuReading* reading, double dt_s) noexcept {
 }
 
 void BodyEstimator::odometry(BodyState& out) const noexcept {
-  const Stamp stamp = out.stamp;
   out = BodyState{};
-  out.stamp = stamp;
   out.uses_imu = uses_imu_;
   out.slips = filter_.slips();
   if (!filter_.runs()) return;

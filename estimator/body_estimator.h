@@ -67,7 +67,7 @@ class BodyEstimator {
   /// Never NaN else.
   void step(const std::vector<EstimatedLeg>& legs, const std::vector<Eigen::Vector3d>& last_link_rates_rad_s,
             const Imu* imu, std::int64_t seq, double dt_s, EstimatedBody& out) noexcept;
-  /// Odometry after the last step; stamp left out. NaN until an attitude was known and a foot stood.
+  /// Odometry after the last step, without a stamp. NaN until an attitude was known and a foot stood.
   void odometry(BodyState& out) const noexcept;
   std::int64_t newest_imu_seq() const noexcept { return imu_.newest_seq(); }  ///< -1: none has come
 

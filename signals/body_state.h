@@ -10,8 +10,8 @@ namespace sprung {
 
 using Covariance3 = std::array<double, 9>;  ///< row by row
 
-inline constexpr std::int64_t
-    kBodyState_cycles = 5;  ///< it is sent in every fifth: what maps and operators follow
+/// It is sent in every fifth cycle: what maps and operators follow.
+inline constexpr std::int64_t kBodyState_cycles = 5;
 
 struct BodyState {
   Stamp stamp;
