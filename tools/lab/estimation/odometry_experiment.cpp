@@ -53,8 +53,10 @@ void add_rows(const GaitConfig& gait, const EightRun& run, std::vector<ReportRow
   rows.push_back(row(name + ".way", "m", of(score.way_m())));
   rows.push_back(
       row(name + ".position_error", "%", of(100.0 * score.position_error_m() / score.way_m()), at_most(3.0)));
-  rows.push_back(row(name + ".heading_error", "deg", of(kDegrees_per_rad * std::abs(score.heading_error_rad()))));
-  rows.push_back(row(name + ".tilt_worst", "deg", of(kDegrees_per_rad * score.worst_tilt_rad()), at_most(1.0)));
+  rows.push_back(
+      row(name + ".heading_error", "deg", of(kDegrees_per_rad * std::abs(score.heading_error_rad()))));
+  rows.push_back(
+      row(name + ".tilt_worst", "deg", of(kDegrees_per_rad * score.worst_tilt_rad()), at_most(1.0)));
   rows.push_back(row(name + ".velocity_rms", "mm/s", of(1e3 * score.velocity_rms_m_s())));
   rows.push_back(row(name + ".velocity_worst", "mm/s", of(1e3 * score.worst_velocity_m_s()), at_most(50.0)));
   rows.push_back(row(name + ".position_nees", "", of(score.position_nees()), at_most(9.35)));
