@@ -45,20 +45,31 @@ void StuckEncoderWatch::compare_with_link(const StuckEncoderInputs& in) noexcept
                 (in.time_us - still_.time_us >= kStill_us && moved_rad > kLinkMoves_rad + twist_rad);
 }
 
+/// A link encoder that repeats one value, or misses a sample, does not say that the joint is held.
+void StuckEncoderWatch::watch_link(const StuckEncoderInputs& in) noexcept {
+  link_seen_ = link_seen_ && std::isfinite(in.link_position_rad);
+  link_alive_ = link_alive_ || in.link_position_rad != first_.link_position_rad;
+}
+
+void StuckEncoderWatch::begin(const StuckEncoderInputs& in) noexcept {
+  any_ = true;
+  first_ = in;
+  since_us_ = in.time_us;
+  link_seen_ = std::isfinite(in.link_position_rad);
+  link_alive_ = false;
+}
+
 void StuckEncoderWatch::add(const StuckEncoderInputs& in) noexcept {
   now_us_ = in.time_us;
   compare_with_link(in);
   if (begins_anew(in)) {
-    any_ = true;
     stuck_ = false;
-    first_ = in;
-    since_us_ = in.time_us;
-    return;
+    return begin(in);
   }
-  stuck_ = stuck_ || (still_us() >= kStill_us && mate_moved(in));
-  if (stuck_ || still_us() < kWindow_us) return;
-  first_ = in;
-  since_us_ = in.time_us;
+  watch_link(in);
+  const bool held = link_seen_ && link_alive_;
+  stuck_ = stuck_ || (still_us() >= kStill_us && mate_moved(in) && !held);
+  if (!stuck_ && still_us() >= kWindow_us) begin(in);
 }
 
 void StuckEncoderWatch::forget() noexcept { *this = StuckEncoderWatch(limit_Nm_); }

@@ -3,9 +3,11 @@
 /// that moves nothing, and friction or a stop may hold a joint whose torque changes; but in a leg that
 /// thrusts hip and knee move. So an encoder is stuck that has not moved by one count for 20 ms, under more
 /// than half of the torque limit all the time, while the other of the two has moved by 0.06 rad within 30 ms.
-/// Less would stop healthy robots that are pushed or pulled (docs/safety.md): one that sticks under less
-/// torque is found where a link encoder sees the joint move by 4 mrad, and by what its gear gives way as the
-/// motor's torque changes, while the motor's has not moved by one count for 20 ms. Pure; once a sample.
+/// Less would stop healthy robots that are pushed or pulled (docs/safety.md). Where there is a link encoder,
+/// it decides: one that sticks, under whatever torque, is found when the link encoder sees the joint move by
+/// 4 mrad, and by what its gear gives way as the motor's torque changes, while the motor's has not moved by
+/// one count for 20 ms; and friction holds a joint whose link encoder is alive and sees less. Pure; once a
+/// sample.
 #include <cstdint>
 
 #include "signals/vec3.h"
@@ -34,7 +36,9 @@ class StuckEncoderWatch {
   void forget() noexcept;
 
  private:
+  void begin(const StuckEncoderInputs& in) noexcept;
   bool begins_anew(const StuckEncoderInputs& in) noexcept;
+  void watch_link(const StuckEncoderInputs& in) noexcept;
   void compare_with_link(const StuckEncoderInputs& in) noexcept;
   bool mate_moved(const StuckEncoderInputs& in) const noexcept;
 
@@ -45,6 +49,8 @@ class StuckEncoderWatch {
   std::int64_t now_us_ = 0;
   StuckEncoderInputs still_;       ///< since which the position has not changed, and the link was seen
   double torque_change_Nm_ = 0.0;  ///< at most, since still_
+  bool link_seen_ = false;         ///< in every sample since first_
+  bool link_alive_ = false;        ///< it has changed since
   bool any_ = false;
   bool link_moved_ = false;
   bool stuck_ = false;

@@ -93,6 +93,28 @@ TEST_F(StuckEncoderWatchTest, LinkEncoderThatMovesOnFindsItUnderAnyTorque) {
   EXPECT_EQ(after_ms(kNaN, 0.0), -1);
 }
 
+/// A leg that meets the ground at speed: friction holds its hip against half of the limit while its knee
+/// moves at 4 rad/s, as in sprung experiment push --robot pegasus, 60 N s forward.
+TEST_F(StuckEncoderWatchTest, LinkEncoderThatSeesTheJointHeldIsBelieved) {
+  const auto stuck_after_ms = [](double link_amplitude_rad, bool link_fails) {
+    StuckEncoderWatch watch(100.0);
+    for (int i = 0; i < 200; ++i) {
+      StuckEncoderInputs in;
+      in.time_us = 1000 * i;
+      in.position_rad = 0.5;
+      in.measured_torque_Nm = 60.0;
+      in.mate_position_rad = 0.004 * i;
+      in.link_position_rad = link_fails && i % 7 == 3 ? kNaN : 0.7 + link_amplitude_rad * (i % 3);
+      watch.add(in);
+      if (watch.stuck()) return i;
+    }
+    return -1;
+  };
+  EXPECT_EQ(stuck_after_ms(1e-4, false), -1);
+  EXPECT_EQ(stuck_after_ms(0.0, false), 20) << "a card that repeats itself says nothing";
+  EXPECT_EQ(stuck_after_ms(1e-4, true), 20) << "nor one that misses samples";
+}
+
 TEST_F(StuckEncoderWatchTest, GearThatGivesWayUnderItsTorqueIsWell) {
   const auto stuck = [](double motor_Nm, double stiffness_Nm_rad, double friction_Nm) {
     StuckEncoderWatch watch(100.0);
