@@ -9,8 +9,8 @@
 #include <mutex>
 
 #include "robots/robot_loader.h"
-#include "simulation/plant/foot_weight.h"
 #include "simulation/plant/mujoco_row.h"
+#include "simulation/plant/point_mass.h"
 
 namespace sprung::sim {
 
@@ -181,7 +181,9 @@ void size_feet(mjModel& model, const PlantIndex& index, double factor) {
   }
 }
 
-void hang_weights(mjModel& model, const PlantIndex& index, const PlantConfig& config) {
+void load_weights(mjModel& model, const PlantIndex& index, const PlantConfig& config) {
+  if (config.payload.mass_kg > 0.0)
+    add_point_mass(model, index.base_body, config.payload.place_m.data(), config.payload.mass_kg);
   if (config.foot_weight_kg <= 0.0) return;
   for (const int foot : index.foot_geom)
     add_point_mass(model, model.geom_bodyid[foot], row(model.geom_pos, foot, 3), config.foot_weight_kg);
@@ -282,7 +284,7 @@ PlantModel load_plant_model(const RobotConfig& robot, const PlantConfig& config)
   model.opt.timestep = config.step_s;
   write_bodies(model, config);
   size_feet(model, plant.index, config.foot_radius_factor);
-  hang_weights(model, plant.index, config);
+  load_weights(model, plant.index, config);
   write_joints(model, plant.index, config);
   plant.index.linkages = link_rotors(model, plant.index.joint_dof, robot, config);
   write_rail(model, config);

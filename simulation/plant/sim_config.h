@@ -30,11 +30,18 @@ struct ContactConfig {
   double friction = 0.0;  ///< Coulomb coefficient, foot on floor
 };
 
+/// A point mass fixed to the trunk, as what somebody straps on its back.
+struct PayloadConfig {
+  double mass_kg = 0.0;
+  Vec3 place_m{0.0, 0.0, 0.15};  ///< trunk axes
+};
+
 struct PlantConfig {
   double step_s = 0.0;
-  double suspended_m = 0.0;         ///< the base hangs fixed at this height; 0 = it is free
-  bool lies = false;                ///< it starts on the floor, joints at `lying`; else at `initial`
-  double foot_weight_kg = 0.0;      ///< clamped to every foot's centre
+  double suspended_m = 0.0;     ///< the base hangs fixed at this height; 0 = it is free
+  bool lies = false;            ///< it starts on the floor, joints at `lying`; else at `initial`
+  double foot_weight_kg = 0.0;  ///< clamped to every foot's centre
+  PayloadConfig payload;
   double foot_radius_factor = 1.0;  ///< on the radius that model.xml gives the feet
   double roll_rad = 0.0;  ///< of a free trunk at the start, against the floor below it: it may lie on its
                           ///< side or back

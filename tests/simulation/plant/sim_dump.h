@@ -71,15 +71,20 @@ inline void dump_value(ValueDump& dump, const std::string& at, const PlantJointC
               name, initial, lying, armature, min, max, friction, thermal, torsion);
 }
 
+inline void dump_value(ValueDump& dump, const std::string& at, const PayloadConfig& value) {
+  const auto& [mass_kg, place_m] = value;
+  dump.fields(at, "mass_kg place_m", mass_kg, place_m);
+}
+
 inline void dump_value(ValueDump& dump, const std::string& at, const PlantConfig& value) {
-  const auto& [step_s, suspended_m, lies, foot_weight_kg, foot_radius_factor, roll_rad, rail_x_locked,
-               floor_height_m, ground, ambient_degC, torsion, bodies, joints, contact] = value;
+  const auto& [step_s, suspended_m, lies, foot_weight_kg, payload, foot_radius_factor, roll_rad,
+               rail_x_locked, floor_height_m, ground, ambient_degC, torsion, bodies, joints, contact] = value;
   dump.fields(at,
-              "step_s suspended_m lies foot_weight_kg foot_radius_factor roll_rad rail_x_locked "
+              "step_s suspended_m lies foot_weight_kg payload foot_radius_factor roll_rad rail_x_locked "
               "floor_height_m ground "
               "ambient_degC torsion bodies "
               "joints contact",
-              step_s, suspended_m, lies, foot_weight_kg, foot_radius_factor, roll_rad, rail_x_locked,
+              step_s, suspended_m, lies, foot_weight_kg, payload, foot_radius_factor, roll_rad, rail_x_locked,
               floor_height_m, ground, ambient_degC, torsion, bodies, joints, contact);
 }
 

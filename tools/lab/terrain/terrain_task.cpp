@@ -1,11 +1,14 @@
 #include "tools/lab/terrain/terrain_task.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
 #include "robots/config_error.h"
 #include "signals/angles.h"
 #include "tools/lab/gait/walking_robot.h"
+#include "tools/lab/run/dice.h"
 
 namespace sprung {
 namespace {
@@ -25,6 +28,17 @@ Plant sloping(const char* key, double angle_deg) {
   return {{key, angle_deg * kRadian}, {"ground_begins", kBegins_m}};
 }
 
+/// Anywhere between the hips, drawn; as high as a box of 0.15 m on a trunk like pegasus'.
+Plant loaded(const RobotConfig& robot, double mass_kg, double draw) {
+  constexpr double kHigh_m = 0.15;
+  std::array<double, 2> most_m{};
+  for (const LegConfig& leg : robot.legs)
+    for (std::size_t i = 0; i < 2; ++i) most_m[i] = std::max(most_m[i], std::abs(leg.hip_in_trunk_m[i]));
+  Dice dice(static_cast<std::uint64_t>(draw));
+  const double x_m = most_m[0] * dice.between(-1.0, 1.0), y_m = most_m[1] * dice.between(-1.0, 1.0);
+  return {{"payload", mass_kg}, {"payload_x", x_m}, {"payload_y", y_m}, {"payload_z", kHigh_m}};
+}
+
 std::string failure_of(const TerrainRun& run, const MotionState& motion) {
   if (run.vitals.fell) return "fell: " + run.vitals.why;
   if (run.vitals.trips > 0) return "tripped: " + run.vitals.why;
@@ -39,15 +53,17 @@ std::string failure_of(const TerrainRun& run, const MotionState& motion) {
 const std::vector<TerrainTask>& terrain_tasks() {
   static const std::map<std::string, double> kSlopes{{"trot", 8.4}, {"crawl", 13.5}};
   static const std::vector<TerrainTask> tasks{
-      {"slope_up", "a ramp, up", "deg", slopes(), [](double v) { return sloping("slope", v); }, kSlopes},
-      {"slope_down", "a ramp, down", "deg", slopes(), [](double v) { return sloping("slope", -v); }, kSlopes},
+      {"slope_up", "a ramp, up", "deg", slopes(),
+       [](const RobotConfig&, double v, double) { return sloping("slope", v); }, kSlopes},
+      {"slope_down", "a ramp, down", "deg", slopes(),
+       [](const RobotConfig&, double v, double) { return sloping("slope", -v); }, kSlopes},
       {"slope_across", "a slope that falls to the right", "deg", slopes(),
-       [](double v) { return sloping("side_slope", v); }, kSlopes},
+       [](const RobotConfig&, double v, double) { return sloping("side_slope", v); }, kSlopes},
       {"wave",
        "hills and hollows, 1 m from hill to hill; amplitude",
        "mm",
        {10, 20, 30, 40, 50, 60, 80},
-       [](double v) {
+       [](const RobotConfig&, double v, double) {
          return Plant{{"wave", 1e-3 * v}, {"ground_begins", kBegins_m}};
        },
        {{"trot", 30.0}, {"crawl", 50.0}}},
@@ -55,10 +71,16 @@ const std::vector<TerrainTask>& terrain_tasks() {
        "a level floor of little friction",
        "",
        {0.8, 0.6, 0.5, 0.4, 0.35, 0.3, 0.25, 0.2, 0.15},
-       [](double v) {
+       [](const RobotConfig&, double v, double) {
          return Plant{{"ground_friction", v}};
        },
        {{"trot", 0.3}, {"crawl", 0.25}}},
+      {"payload",
+       "a weight that nobody told it of, anywhere on its back",
+       "kg",
+       {1, 2, 3, 4, 5, 6, 8, 10, 12},
+       loaded,
+       {{"trot", 3.0}, {"crawl", 6.0}}},
   };
   return tasks;
 }
@@ -66,9 +88,9 @@ const std::vector<TerrainTask>& terrain_tasks() {
 TerrainRun walk_terrain(const RobotConfig& robot, const std::string& preset, const SimOptions& plant,
                         const TerrainTask& task, double level, TerrainRun run) {
   SimOptions sim = lying(plant);
-  for (const auto& [key, value] : task.plant(level)) sim.plant[key] = value;
   const auto draw = sim.plant.find("draw");
   if (draw != sim.plant.end()) run.draw = draw->second;
+  for (const auto& [key, value] : task.plant(robot, level, run.draw)) sim.plant[key] = value;
   try {
     WalkingRobot walker(robot, preset, sim);
     const Vec3 speed{run.speed_m_s, 0.0, 0.0};

@@ -17,8 +17,8 @@ struct TerrainTask {
   std::string what;            ///< for people
   std::string unit;            ///< of its levels
   std::vector<double> levels;  ///< ascending in difficulty
-  /// Keys of `--plant` that make this level.
-  std::function<std::map<std::string, double>(double level)> plant;
+  /// Keys of `--plant` that make this level, on this draw of variation.yaml.
+  std::function<std::map<std::string, double>(const RobotConfig& robot, double level, double draw)> plant;
   std::map<std::string, double> wanted;  ///< level that a gait is to pass, by its name
 };
 

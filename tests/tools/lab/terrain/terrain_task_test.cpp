@@ -34,7 +34,7 @@ TEST(TerrainTask, EveryOneHasLevelsOfGrowingDifficultyOnAPlantThatThereIs) {
                       : std::is_sorted(one.levels.rbegin(), one.levels.rend()))
         << one.name;
     SimOptions sim;
-    sim.plant = one.plant(one.levels.front());
+    sim.plant = one.plant(load_robot("pegasus"), one.levels.front(), 7.0);
     EXPECT_FALSE(sim.plant.empty());
     EXPECT_NO_THROW(SimCore(load_robot("pegasus"), sim)) << one.name;
     for (const auto& [gait, level] : one.wanted)

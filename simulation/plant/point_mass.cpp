@@ -1,4 +1,4 @@
-#include "simulation/plant/foot_weight.h"
+#include "simulation/plant/point_mass.h"
 
 #include "simulation/plant/mujoco_row.h"
 

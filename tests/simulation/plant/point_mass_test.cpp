@@ -1,7 +1,8 @@
-#include "simulation/plant/foot_weight.h"
+#include "simulation/plant/point_mass.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "robots/robot_loader.h"
@@ -25,7 +26,7 @@ std::vector<double> holding_Nm(const RobotConfig& robot, const std::map<std::str
   return out;
 }
 
-TEST(FootWeight, LoadsJointsByItsLevers) {
+TEST(PointMass, AtAFootLoadsJointsByItsLevers) {
   const RobotConfig robot = load_robot(test::source_dir() + "/robots/single_leg");
   const SimConfig config = load_sim_config(robot, {});
   const std::vector<double> without = holding_Nm(robot, {}), with = holding_Nm(robot, {{"foot_weight", 5.0}});
@@ -39,7 +40,7 @@ TEST(FootWeight, LoadsJointsByItsLevers) {
   EXPECT_NEAR(with[1] - without[1], 5.0 * 9.81 * shank_m, 0.05);
 }
 
-TEST(FootWeight, BodyAndWeightHaveTheInertiaOfBoth) {
+TEST(PointMass, BodyAndWeightHaveTheInertiaOfBoth) {
   const RobotConfig robot = load_robot(test::source_dir() + "/robots/single_leg");
   const PlantModel plant = load_plant_model(robot, load_sim_config(robot, {}).plant);
   mjModel& model = *plant.model;
@@ -59,6 +60,22 @@ TEST(FootWeight, BodyAndWeightHaveTheInertiaOfBoth) {
   EXPECT_NEAR(after - before, 2.0 * mass_kg * 2.0 / (mass_kg + 2.0) * distance_m * distance_m, 1e-9);
   mju_sub3(apart, foot, row(model.body_ipos, body, 3));
   EXPECT_NEAR(mju_norm3(apart), distance_m * mass_kg / (mass_kg + 2.0), 1e-12);
+}
+
+TEST(PointMass, PayloadIsCarriedByTheTrunkWhereItWasPut) {
+  const RobotConfig robot = load_robot(test::source_dir() + "/robots/pegasus");
+  const auto trunk = [&](const std::map<std::string, double>& changes) {
+    const PlantModel plant = load_plant_model(robot, load_sim_config(robot, changes).plant);
+    const int body = plant.index.base_body;
+    const mjtNum* centre = row(plant.model->body_ipos, body, 3);
+    return std::array<double, 4>{plant.model->body_mass[body], centre[0], centre[1], centre[2]};
+  };
+  const auto empty = trunk({});
+  const auto loaded = trunk({{"payload", 4.0}, {"payload_x", 0.2}, {"payload_y", -0.1}, {"payload_z", 0.12}});
+  EXPECT_DOUBLE_EQ(loaded[0], empty[0] + 4.0);
+  const double place[] = {0.2, -0.1, 0.12};
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_NEAR(loaded[i + 1], (empty[0] * empty[i + 1] + 4.0 * place[i]) / loaded[0], 1e-12);
 }
 
 }  // namespace

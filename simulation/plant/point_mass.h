@@ -1,5 +1,6 @@
 #pragma once
-/// A point mass clamped to a body, as the known weight that `sprung identify` hangs at a foot. Start-up only.
+/// A point mass clamped to a body: the known weight that `sprung identify` hangs at a foot, or a payload on
+/// the trunk. Start-up only.
 #include <mujoco/mujoco.h>
 
 namespace sprung::sim {
