@@ -193,9 +193,13 @@ fs::path usual_robots() {
 
 }  // namespace
 
-std::string robot_folder(const std::string& robot) {
+std::string robots_folder() {
   const char* variable = std::getenv("SPRUNG_ROBOTS");
-  const fs::path robots = variable != nullptr && *variable != '\0' ? variable : usual_robots();
+  return variable != nullptr && *variable != '\0' ? variable : usual_robots().string();
+}
+
+std::string robot_folder(const std::string& robot) {
+  const fs::path robots = robots_folder();
   std::error_code unreadable;  // the current folder may be somebody else's: sudo -u, services
   for (const fs::path& folder : {fs::path(robot), robots / robot}) {
     if (!robot.empty() && fs::exists(folder / "robot.yaml", unreadable)) {

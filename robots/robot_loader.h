@@ -31,5 +31,7 @@ RobotConfig read_robot_text(const std::string& yaml, const std::string& name);
 /// tree, else in /usr/local/share/sprung/robots and /usr/share/sprung/robots.
 /// @throws ConfigError naming the folders looked in and the robots found there.
 std::string robot_folder(const std::string& robot);
+/// Where robots of a name are: of the variable SPRUNG_ROBOTS, else the source tree's, else the package's.
+std::string robots_folder();
 
 }  // namespace sprung

@@ -8,6 +8,7 @@
 #include "lcmtypes/channels.h"
 #include "simulation/plant/plant_draw.h"
 #include "simulation/plant/torque_sensor.h"
+#include "simulation/plant/world.h"
 
 namespace sprung {
 
@@ -16,8 +17,11 @@ std::map<std::string, double> parse_plant(const std::vector<std::string>& texts)
   for (const std::string& text : texts) {
     const std::size_t equals = text.find('=');
     const std::string number = equals == std::string::npos ? "" : text.substr(equals + 1);
-    if (text.rfind("family=", 0) == 0 && !number.empty()) {
-      plant[sim::kFamilyKey + number] = 1.0;
+    if (const char* named = text.rfind("family=", 0) == 0  ? sim::kFamilyKey
+                            : text.rfind("world=", 0) == 0 ? sim::kWorldKey
+                                                           : nullptr;
+        named != nullptr && !number.empty()) {
+      plant[named + number] = 1.0;
       continue;
     }
     char* end = nullptr;

@@ -31,18 +31,33 @@ Share within(double x_m, double from_m, double length_m) noexcept {
   return length_m <= 0.0 || begun_m < left_m ? ramp(begun_m, 1.0) : ramp(left_m, -1.0);
 }
 
+/// From 0 to 1, and flat at both.
+Share smooth(double share) noexcept {
+  return {share * share * (3.0 - 2.0 * share), 6.0 * share * (1.0 - share)};
+}
+
 Vec3 upward(double gradient_x, double gradient_y) noexcept {
   const double length = std::sqrt(1.0 + gradient_x * gradient_x + gradient_y * gradient_y);
   return {-gradient_x / length, -gradient_y / length, 1.0 / length};
 }
 
-/// Uniform in -1 .. 1.
-double draw(std::uint64_t seed, std::uint64_t leg, std::int64_t stone) noexcept {
-  const std::uint64_t bits = mix_bits(mix_bits(mix_bits(seed) ^ leg) ^ static_cast<std::uint64_t>(stone));
+/// Uniform in -1 .. 1. @param which of several rows of draws: a leg, a column. @param nth of it.
+double draw(std::uint64_t seed, std::uint64_t which, std::int64_t nth) noexcept {
+  const std::uint64_t bits = mix_bits(mix_bits(mix_bits(seed) ^ which) ^ static_cast<std::uint64_t>(nth));
   return 2.0 * static_cast<double>(bits >> 11) / 9007199254740992.0 - 1.0;  // 2^53
 }
 
 }  // namespace
+
+void GroundConfig::scale_heights(double scale) noexcept {
+  const auto steeper = [scale](double rad) { return std::atan(scale * std::tan(rad)); };
+  slope_rad = steeper(slope_rad);
+  side_slope_rad = steeper(side_slope_rad);
+  for (double GroundConfig::*height : {&GroundConfig::wave_m, &GroundConfig::rough_m, &GroundConfig::error_m})
+    this->*height *= scale;
+  for (GroundStep& step : steps) step.height_m *= scale;
+  for (GroundRamp& ramp : ramps) ramp.slope_rad = steeper(ramp.slope_rad);
+}
 
 Ground::Ground(const GroundConfig& config, double height_m, std::size_t legs)
     : config_(config), reset_height_m_(height_m), height_m_(height_m), footholds_(legs) {
@@ -65,7 +80,7 @@ void Ground::set_height(int leg, double height_m) noexcept {
 
 bool Ground::uneven() const noexcept {
   return config_.slope_rad != 0.0 || config_.wave_m > 0.0 || config_.side_slope_rad != 0.0 ||
-         config_.error_m > 0.0 || !config_.steps.empty();
+         config_.rough_m > 0.0 || config_.error_m > 0.0 || !config_.steps.empty() || !config_.ramps.empty();
 }
 
 double Ground::Place::distance_m(const Vec3& point) const noexcept {
@@ -84,7 +99,46 @@ void Ground::notice(std::size_t leg, const Vec3& foot_in_world_m) noexcept {
   foothold.left = left;
 }
 
-/// Slopes and waves.
+double Ground::friction(double x_m, double y_m, double elsewhere) const noexcept {
+  double out = elsewhere;
+  for (const GroundPatch& patch : config_.patches)
+    if (patch.area.holds(x_m, y_m)) out = patch.friction;
+  return out;
+}
+
+double Ground::corner_m(std::int64_t column, std::int64_t line) const noexcept {
+  return config_.rough_m * draw(config_.error_seed, static_cast<std::uint64_t>(column), line);
+}
+
+/// Between four corners; as flat as they are at each of them, so that there is no edge between two squares.
+Ground::Rise Ground::rough(double x_m, double y_m) const noexcept {
+  if (config_.rough_m <= 0.0) return {};
+  const double column = std::floor(x_m / config_.rough_grid_m), line = std::floor(y_m / config_.rough_grid_m);
+  const Share x = smooth(x_m / config_.rough_grid_m - column), y = smooth(y_m / config_.rough_grid_m - line);
+  const auto i = static_cast<std::int64_t>(column), k = static_cast<std::int64_t>(line);
+  const double near_m = corner_m(i, k), far_m = corner_m(i + 1, k);
+  const double near_left_m = corner_m(i, k + 1), far_left_m = corner_m(i + 1, k + 1);
+  const double right_m = near_m + x.value * (far_m - near_m);
+  const double left_m = near_left_m + x.value * (far_left_m - near_left_m);
+  Rise out;
+  out.height_m = right_m + y.value * (left_m - right_m);
+  out.gradient_x = x.slope_1_m / config_.rough_grid_m *
+                   ((1.0 - y.value) * (far_m - near_m) + y.value * (far_left_m - near_left_m));
+  out.gradient_y = y.slope_1_m / config_.rough_grid_m * (left_m - right_m);
+  return out;
+}
+
+Ground::Rise Ground::ramps(double x_m) const noexcept {
+  Rise out;
+  for (const GroundRamp& ramp : config_.ramps) {
+    const double in_m = std::clamp(x_m - ramp.from_m, 0.0, ramp.length_m), slope = std::tan(ramp.slope_rad);
+    out.height_m += slope * in_m;
+    if (in_m > 0.0 && in_m < ramp.length_m) out.gradient_x += slope;
+  }
+  return out;
+}
+
+/// Slopes, waves and roughness.
 Ground::Rise Ground::rolling(double x_m, double y_m) const noexcept {
   const bool everywhere = !std::isfinite(config_.begins_m);
   const double in_m = everywhere ? x_m : std::max(0.0, x_m - config_.begins_m);
@@ -94,21 +148,27 @@ Ground::Rise Ground::rolling(double x_m, double y_m) const noexcept {
   const double slope = everywhere || in_m > 0.0 ? std::tan(config_.slope_rad) : 0.0;
   const double side = std::tan(config_.side_slope_rad);
   const double k_1_m = kTurn_rad / config_.wave_length_m, wave_m = config_.wave_m;
-  const double across = side * y_m + wave_m * std::sin(k_1_m * in_m) * std::cos(k_1_m * y_m);
+  const Rise rough_here = rough(x_m, y_m);
+  const double across = side * y_m + wave_m * std::sin(k_1_m * in_m) * std::cos(k_1_m * y_m) +
+                        rough_here.height_m;
   Rise out;
   out.height_m = slope * in_m + grown * across;
   out.gradient_x = slope + growth_1_m * across +
-                   grown * wave_m * k_1_m * std::cos(k_1_m * in_m) * std::cos(k_1_m * y_m);
-  out.gradient_y = grown * (side - wave_m * k_1_m * std::sin(k_1_m * in_m) * std::sin(k_1_m * y_m));
+                   grown * (wave_m * k_1_m * std::cos(k_1_m * in_m) * std::cos(k_1_m * y_m) +
+                            rough_here.gradient_x);
+  out.gradient_y = grown * (side - wave_m * k_1_m * std::sin(k_1_m * in_m) * std::sin(k_1_m * y_m) +
+                            rough_here.gradient_y);
   return out;
 }
 
 Ground::Place Ground::raised(double height_m, double x_m, double y_m) const noexcept {
-  const Rise rise = rolling(x_m, y_m);
-  double height = height_m + rise.height_m, gradient_x = rise.gradient_x, gradient_y = rise.gradient_y;
+  const Rise rise = rolling(x_m, y_m), ramped = ramps(x_m);
+  double height = height_m + rise.height_m + ramped.height_m;
+  double gradient_x = rise.gradient_x + ramped.gradient_x, gradient_y = rise.gradient_y;
   for (const GroundStep& step : config_.steps) {
-    const Share x = within(x_m, step.from_m, step.length_m);
-    const Share y = step.width_m > 0.0 ? within(y_m, step.right_m, step.width_m) : Share{};
+    const GroundArea& area = step.area;
+    const Share x = within(x_m, area.from_m, area.length_m);
+    const Share y = area.width_m > 0.0 ? within(y_m, area.right_m, area.width_m) : Share{};
     height += step.height_m * x.value * y.value;
     gradient_x += step.height_m * x.slope_1_m * y.value;
     gradient_y += step.height_m * x.value * y.slope_1_m;
@@ -120,9 +180,6 @@ Ground::Place Ground::under(std::size_t leg, double x_m, double y_m) const noexc
   return raised(footholds_[leg].height_m + footholds_[leg].error_m, x_m, y_m);
 }
 
-Ground::Place Ground::below_trunk(double x_m, double y_m) const noexcept {
-  const Rise rise = rolling(x_m, y_m);
-  return {{x_m, y_m, height_m_ + rise.height_m}, upward(rise.gradient_x, rise.gradient_y)};
-}
+Ground::Place Ground::below(double x_m, double y_m) const noexcept { return raised(height_m_, x_m, y_m); }
 
 }  // namespace sprung::sim

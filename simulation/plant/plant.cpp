@@ -95,6 +95,7 @@ void Plant::reset() noexcept {
   for (auto& wrench : foot_wrench_) wrench.fill(0.0);
   touch_floor();
   if (config_.suspended_m > 0.0) suspend(config_.suspended_m);
+  const UnevenFloor floor = uneven_floor();
   mj_forward(model_.get(), data_.get());
   mju_zero(data_->qacc_warmstart, model_->nv);  // else a second life differs in its bits: facts physics 7
   check();
@@ -128,16 +129,31 @@ void Plant::place_floor(int geom, const Ground::Place& place) noexcept {
   mju_quatZ2Vec(row(model_->geom_quat, geom, 4), place.normal.data());
 }
 
-/// At where the trunk is: its skids and knees are not far. After mj_kinematics.
+/// After mj_kinematics.
 Ground::Place Plant::below_trunk() const noexcept {
   const Vec3 trunk_m = vec3(row(data_->xpos, index_.base_body, 3));
-  return ground_.below_trunk(trunk_m[0], trunk_m[1]);
+  return ground_.below(trunk_m[0], trunk_m[1]);
 }
 
+/// The floor of all that is not a foot is where the ground below each part is (UnevenFloor). Its plane only
+/// has to be so high that MuJoCo leaves no part out for being above it.
 void Plant::place_floors() noexcept {
-  place_floor(index_.floor_geom, below_trunk());
+  constexpr double kHigh_m = 10.0;
+  Ground::Place floor = below_trunk();
+  if (ground_.uneven()) floor = {{floor.point_m[0], floor.point_m[1], floor.point_m[2] + kHigh_m}};
+  place_floor(index_.floor_geom, floor);
   for (std::size_t leg = 0; leg < foot_m_.size(); ++leg)
     place_floor(index_.leg_floor_geom[leg], ground_.under(leg, foot_m_[leg][0], foot_m_[leg][1]));
+}
+
+UnevenFloor Plant::uneven_floor() const noexcept { return {ground_, index_.floor_geom, index_.foot_geom}; }
+
+/// Each part has the friction of the place that it is over.
+void Plant::feel_patches() noexcept {
+  for (const int geom : index_.ground_geom) {
+    const mjtNum* centre = row(data_->geom_xpos, geom, 3);
+    set_friction(*model_, geom, ground_.friction(centre[0], centre[1], config_.contact.friction));
+  }
 }
 
 /// After mj_kinematics.
@@ -171,7 +187,7 @@ void Plant::touch_floor() noexcept {
     const Vec3 centre_m = vec3(row(data_->geom_xpos, geom, 3));
     const auto foot = std::find(index_.foot_geom.begin(), index_.foot_geom.end(), geom);
     const auto leg = static_cast<std::size_t>(foot - index_.foot_geom.begin());
-    const Ground::Place place = foot == index_.foot_geom.end() ? below_trunk()
+    const Ground::Place place = foot == index_.foot_geom.end() ? ground_.below(centre_m[0], centre_m[1])
                                                                : ground_.under(leg, centre_m[0], centre_m[1]);
     const double over_m = place.distance_m(centre_m) - row(model_->geom_size, geom, 3)[0];
     lowest_m = std::min(lowest_m, over_m / place.normal[2]);
@@ -185,6 +201,8 @@ void Plant::step(const std::vector<double>& motor_torque_Nm) noexcept {
   std::copy(motor_torque_Nm.begin(), motor_torque_Nm.end(), motor_torque_Nm_.begin());
   apply_torques();
   push_feet();
+  if (ground_.slippery_in_places()) feel_patches();
+  const UnevenFloor floor = uneven_floor();
   if (index_.linkages.empty()) {
     mj_step(model_.get(), data_.get());
   } else {
@@ -328,6 +346,7 @@ void Plant::suspend(double height_m) noexcept {
   mj_kinematics(model_.get(), data_.get());  // positions may be newer than poses
   if (height_m > 0.0 && index_.height_qpos >= 0)
     data_->qpos[index_.height_qpos] += height_m - row(data_->xpos, index_.base_body, 3)[2];
+  const UnevenFloor floor = uneven_floor();
   mj_forward(model_.get(), data_.get());
 }
 

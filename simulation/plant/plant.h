@@ -11,6 +11,7 @@
 #include "simulation/plant/elastic_gear.h"
 #include "simulation/plant/gear_friction.h"
 #include "simulation/plant/ground.h"
+#include "simulation/plant/ground_contact.h"
 #include "simulation/plant/imu_sensor.h"
 #include "simulation/plant/plant_model.h"
 #include "simulation/plant/presliding.h"
@@ -86,6 +87,8 @@ class Plant {
   void touch_floor() noexcept;
   void note_feet() noexcept;
   Ground::Place below_trunk() const noexcept;
+  UnevenFloor uneven_floor() const noexcept;
+  void feel_patches() noexcept;
   void place_floors() noexcept;
   void place_floor(int geom, const Ground::Place& place) noexcept;
   void apply_torques() noexcept;

@@ -140,6 +140,7 @@ constexpr Change kChanges[] = {
     {"ground_damping", 0, 1e6, [](SimConfig& c, double v) { c.plant.contact.damping_N_s_m = v; }},
     {"ground_error", 0, 1, [](SimConfig& c, double v) { c.plant.ground.error_m = v; }},
     {"ground_friction", 0, 10, [](SimConfig& c, double v) { c.plant.contact.friction = v; }},
+    {"ground_scale", 0, 10, [](SimConfig& c, double v) { c.plant.ground.scale_heights(v); }},
     {"ground_seed", 0, 1e9,
      [](SimConfig& c, double v) { c.plant.ground.error_seed = static_cast<std::uint64_t>(v); }},
     {"ground_stiffness", 1, 1e7, [](SimConfig& c, double v) { c.plant.contact.stiffness_N_m = v; }},
@@ -166,6 +167,10 @@ constexpr Change kChanges[] = {
     {"mode_delay_us", 0, 1e6,
      [](SimConfig& c, double v) { each_drive(c, [v](SimDriveConfig& d) { d.mode_delay_s = 1e-6 * v; }); }},
     {"noise_scale", 0, 100, scale_noise},
+    {"patch_friction", 0, 10,
+     [](SimConfig& c, double v) {
+       for (GroundPatch& patch : c.plant.ground.patches) patch.friction = v;
+     }},
     {"payload", 0, 100, [](SimConfig& c, double v) { c.plant.payload.mass_kg = v; }},
     {"payload_x", -2, 2, [](SimConfig& c, double v) { c.plant.payload.place_m[0] = v; }},
     {"payload_y", -2, 2, [](SimConfig& c, double v) { c.plant.payload.place_m[1] = v; }},
@@ -188,11 +193,11 @@ constexpr Change kChanges[] = {
     {"slope", -1, 1, [](SimConfig& c, double v) { c.plant.ground.slope_rad = v; }},
     {"starts_in_fault", 0, 1,
      [](SimConfig& c, double v) { each_drive(c, [v](SimDriveConfig& d) { d.starts_in_fault = v != 0.0; }); }},
-    {"step_from", -1000, 1000, [](SimConfig& c, double v) { step(c).from_m = v; }},
+    {"step_from", -1000, 1000, [](SimConfig& c, double v) { step(c).area.from_m = v; }},
     {"step_height", -1, 1, [](SimConfig& c, double v) { step(c).height_m = v; }},
-    {"step_length", 0, 1000, [](SimConfig& c, double v) { step(c).length_m = v; }},
-    {"step_right", -1000, 1000, [](SimConfig& c, double v) { step(c).right_m = v; }},
-    {"step_width", 0, 1000, [](SimConfig& c, double v) { step(c).width_m = v; }},
+    {"step_length", 0, 1000, [](SimConfig& c, double v) { step(c).area.length_m = v; }},
+    {"step_right", -1000, 1000, [](SimConfig& c, double v) { step(c).area.right_m = v; }},
+    {"step_width", 0, 1000, [](SimConfig& c, double v) { step(c).area.width_m = v; }},
     {"step_us", 50, 1000, [](SimConfig& c, double v) { c.plant.step_s = 1e-6 * v; }},
     {"supply_resistance", 1e-4, 100,
      [](SimConfig& c, double v) { supply(c, "supply_resistance").resistance_ohm = v; }},
@@ -213,7 +218,7 @@ constexpr Change kChanges[] = {
 };
 
 const Change& find_change(const std::string& key) {
-  std::string known = "draw, family=NAME";
+  std::string known = "draw, family=NAME, world=NAME";
   for (const Change& change : kChanges) {
     if (key == change.key) return change;
     known += std::string(", ") + change.key;

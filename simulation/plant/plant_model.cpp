@@ -9,44 +9,13 @@
 #include <mutex>
 
 #include "robots/robot_loader.h"
+#include "simulation/plant/ground_contact.h"
 #include "simulation/plant/mujoco_row.h"
 #include "simulation/plant/point_mass.h"
 
 namespace sprung::sim {
 
 namespace {
-
-mjfCollision& plane_sphere() { return mjCOLLISIONFUNC[mjGEOM_PLANE][mjGEOM_SPHERE]; }
-
-mjfCollision mujocos_own() {
-  static const mjfCollision own = plane_sphere();
-  return own;
-}
-
-int contact_at_lowest_point(const mjModel* model, const mjData* data, mjContact* contacts, int plane,
-                            int sphere, mjtNum margin) {
-  const int count = mujocos_own()(model, data, contacts, plane, sphere, margin);
-  for (int i = 0; i < count; ++i) {
-    const mjtNum* normal = contacts[i].frame;
-    mju_addScl3(contacts[i].pos, row(data->geom_xpos, sphere, 3), normal, -*row(model->geom_size, sphere, 3));
-  }
-  return count;
-}
-
-void keep_silent(const char* /*message*/) {}
-
-/// Lets contact of a sphere with a plane act at the sphere's lowest point. MuJoCo's own is half-way into the
-/// ground: with the soft ground of facts C2 (60 mm at 500 N) that is 30 mm up the shank, a lever for friction
-/// that no real foot has. Also keeps MuJoCo from writing MUJOCO_LOG.TXT; warnings are read from mjData. For
-/// the whole process, any number of calls from any thread.
-void use_foot_contact() {
-  static std::once_flag once;  // other threads may already be simulating
-  std::call_once(once, [] {
-    mujocos_own();  // remembered before it is replaced
-    plane_sphere() = contact_at_lowest_point;
-    mju_user_warning = keep_silent;
-  });
-}
 
 /// Impedance of a spring-like contact, facts physics 3: 0.1 is 8 % soft, 0.005 triples the cost.
 constexpr double kContactImpedance = 0.02;

@@ -6,6 +6,7 @@
 #include "robots/robot_loader.h"
 #include "robots/yaml_reader.h"
 #include "simulation/plant/plant_draw.h"
+#include "simulation/plant/world.h"
 
 namespace sprung::sim {
 namespace {
@@ -95,32 +96,6 @@ ContactConfig read_contact(const YamlMap& map) {
   contact.friction = map.quantity("friction", "", 0, 10);
   map.finish();
   return contact;
-}
-
-GroundStep read_step(const YamlMap& map) {
-  GroundStep step;
-  step.from_m = map.quantity("from", "m", -1000, 1000);
-  step.length_m = map.quantity_or("length", "m", 0, 1000, 0.0);
-  step.right_m = map.quantity_or("right", "m", -1000, 1000, 0.0);
-  step.width_m = map.quantity_or("width", "m", 0, 1000, 0.0);
-  step.height_m = map.quantity("height", "m", -1, 1);
-  map.finish();
-  return step;
-}
-
-GroundConfig read_ground(const YamlMap& map) {
-  GroundConfig ground;
-  ground.slope_rad = map.quantity_or("slope", "rad", -1, 1, 0.0);
-  ground.side_slope_rad = map.quantity_or("side_slope", "rad", -1, 1, 0.0);
-  ground.begins_m = map.quantity_or("begins", "m", -1000, 1000, kNaN);
-  ground.wave_m = map.quantity_or("wave", "m", 0, 1, 0.0);
-  ground.wave_length_m = map.quantity_or("wave_length", "m", 0.05, 1000, ground.wave_length_m);
-  ground.error_m = map.quantity_or("error", "m", 0, 1, 0.0);
-  if (map.has("steps")) {
-    for (const YamlMap& step : map.list("steps")) ground.steps.push_back(read_step(step));
-  }
-  map.finish();
-  return ground;
 }
 
 PlantBodyConfig read_body(const YamlMap& map) {
@@ -259,6 +234,7 @@ SimConfig load_sim_config(const RobotConfig& robot, const std::map<std::string, 
   SimConfig config = read_sim_config(YamlMap::load(robot.folder + "/sim.yaml"), robot);
   std::map<std::string, double> others = changes;
   if (const auto draw = take_draw(others)) draw_plant(robot, load_variation(robot), *draw, config);
+  take_world(robot, others, config.plant);
   apply_plant_changes(others, config);
   return config;
 }

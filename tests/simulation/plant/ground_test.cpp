@@ -31,7 +31,7 @@ TEST(Ground, RisesForwardAndToTheLeftByItsSlopes) {
   EXPECT_NEAR(place.normal[0] / place.normal[2], -std::tan(0.2), 1e-12);
   EXPECT_NEAR(place.normal[1] / place.normal[2], std::tan(0.1), 1e-12);
   // The trunk's plane is the same one.
-  EXPECT_NEAR(ground.below_trunk(0.5, 0.7).distance_m(place.point_m), 0.0, 1e-12);
+  EXPECT_NEAR(ground.below(0.5, 0.7).distance_m(place.point_m), 0.0, 1e-12);
 }
 
 /// Level ground before, and everywhere a gradient that is its own height's.
@@ -59,7 +59,7 @@ TEST(Ground, SlopesAndWavesBeginWhereTheyAreSaidTo) {
                   1e-6);
       EXPECT_NEAR(-normal[1] / normal[2], (height_m(0, kNear_m) - height_m(0, -kNear_m)) / (2 * kNear_m),
                   1e-6);
-      EXPECT_NEAR(ground.below_trunk(x, y).point_m[2], height_m(0, 0), 1e-12);
+      EXPECT_NEAR(ground.below(x, y).point_m[2], height_m(0, 0), 1e-12);
     }
 }
 
@@ -73,7 +73,7 @@ TEST(Ground, WavesEverywhereAreAsHighAsTheyAreSaidTo) {
 
 TEST(Ground, StepIsItsHeightInsideAndRampsAtItsEdges) {
   GroundConfig config;
-  config.steps = {{1.0, 0.5, -0.2, 0.4, 0.02}};  // x 1.0 to 1.5, y -0.2 to 0.2
+  config.steps = {{{1.0, 0.5, -0.2, 0.4}, 0.02}};  // x 1.0 to 1.5, y -0.2 to 0.2
   const Ground ground(config, 0.0, 1);
   EXPECT_EQ(ground.under(0, 1.25, 0.0).point_m[2], 0.02);
   EXPECT_EQ(ground.under(0, 1.25, 0.0).normal[2], 1.0);
@@ -87,10 +87,82 @@ TEST(Ground, StepIsItsHeightInsideAndRampsAtItsEdges) {
 
 TEST(Ground, StepWithoutLengthAndWidthGoesOn) {
   GroundConfig config;
-  config.steps = {{1.0, 0.0, 0.0, 0.0, -0.1}};
+  config.steps = {{{1.0, 0.0, 0.0, 0.0}, -0.1}};
   const Ground ground(config, 0.0, 1);
   EXPECT_EQ(ground.under(0, 50.0, -7.0).point_m[2], -0.1);
   EXPECT_EQ(ground.under(0, 0.9, -7.0).point_m[2], 0.0);
+}
+
+void expect_own_gradients(const Ground& ground, double x, double y) {
+  constexpr double kNear_m = 1e-6;
+  const auto height_m = [&](double dx, double dy) { return ground.under(0, x + dx, y + dy).point_m[2]; };
+  const Vec3 normal = ground.under(0, x, y).normal;
+  const double along = (height_m(kNear_m, 0) - height_m(-kNear_m, 0)) / (2 * kNear_m);
+  const double across = (height_m(0, kNear_m) - height_m(0, -kNear_m)) / (2 * kNear_m);
+  EXPECT_NEAR(-normal[0] / normal[2], along, 1e-6) << x << ", " << y;
+  EXPECT_NEAR(-normal[1] / normal[2], across, 1e-6) << x << ", " << y;
+}
+
+TEST(Ground, RoughFloorIsSmoothWithinItsHeightsAndOfItsSeed) {
+  GroundConfig config;
+  config.rough_m = 0.03;
+  config.rough_grid_m = 0.25;
+  const Ground ground(config, 0.0, 1);
+  EXPECT_TRUE(ground.uneven());
+  config.error_seed = 2;
+  const Ground another(config, 0.0, 1);
+  std::set<double> heights;
+  int differ = 0;
+  for (double x = -1.03; x < 1.0; x += 0.11)
+    for (double y = -0.97; y < 1.0; y += 0.13) {
+      const double height_m = ground.under(0, x, y).point_m[2];
+      EXPECT_LE(std::abs(height_m), 0.03);
+      heights.insert(height_m);
+      differ += height_m != another.under(0, x, y).point_m[2] ? 1 : 0;
+      expect_own_gradients(ground, x, y);
+    }
+  EXPECT_GT(heights.size(), 200u);
+  EXPECT_GT(differ, 200);
+}
+
+TEST(Ground, RampsFollowOneAnotherFromTheHeightThatWasReached) {
+  GroundConfig config;
+  config.ramps = {{1.0, 2.0, 0.1}, {4.0, 1.0, -0.2}};
+  const Ground ground(config, 0.5, 1);
+  EXPECT_TRUE(ground.uneven());
+  const double top_m = 0.5 + 2.0 * std::tan(0.1);
+  EXPECT_EQ(ground.under(0, 0.9, 0).point_m[2], 0.5);
+  EXPECT_NEAR(ground.under(0, 3.5, 7).point_m[2], top_m, 1e-12);
+  EXPECT_NEAR(ground.below(9.0, 0).point_m[2], top_m - std::tan(0.2), 1e-12);
+  for (const double x : {0.5, 1.5, 3.5, 4.5, 6.0}) expect_own_gradients(ground, x, 0.3);
+}
+
+TEST(Ground, LastPatchThatLiesThereHasTheFriction) {
+  GroundConfig config;
+  config.patches = {{{1.0, 1.0, 0.0, 0.0}, 0.2}, {{1.5, 0.0, -0.5, 0.5}, 0.3}};
+  const Ground ground(config, 0.0, 1);
+  EXPECT_TRUE(ground.slippery_in_places());
+  EXPECT_FALSE(ground.uneven());
+  EXPECT_EQ(ground.friction(0.9, 0.0, 0.6), 0.6);
+  EXPECT_EQ(ground.friction(1.2, -7.0, 0.6), 0.2);
+  EXPECT_EQ(ground.friction(1.7, -0.2, 0.6), 0.3);
+  EXPECT_EQ(ground.friction(1.7, 0.2, 0.6), 0.2);
+  EXPECT_EQ(ground.friction(99.0, -0.2, 0.6), 0.3);
+  EXPECT_EQ(ground.friction(99.0, 0.2, 0.6), 0.6);
+}
+
+TEST(Ground, HeightsAreScaledAndWaysAreNot) {
+  GroundConfig config;
+  config.slope_rad = 0.1;
+  config.wave_m = 0.02;
+  config.rough_m = 0.01;
+  config.steps = {{{1.0, 0.5}, 0.04}};
+  config.ramps = {{2.0, 1.0, -0.1}};
+  const Ground by_itself(config, 0.0, 1);
+  config.scale_heights(2.5);
+  const Ground scaled(config, 0.0, 1);
+  for (const double x : {0.3, 1.01, 1.2, 2.7, 4.0})
+    EXPECT_NEAR(scaled.below(x, 0.2).point_m[2], 2.5 * by_itself.below(x, 0.2).point_m[2], 1e-12);
 }
 
 TEST(Ground, HeightIsOfOneLegOrOfAll) {
@@ -98,7 +170,7 @@ TEST(Ground, HeightIsOfOneLegOrOfAll) {
   ground.set_height(1, 0.02);
   EXPECT_EQ(ground.under(0, 0, 0).point_m[2], 0.0);
   EXPECT_EQ(ground.under(1, 0, 0).point_m[2], 0.02);
-  EXPECT_EQ(ground.below_trunk(0, 0).point_m[2], 0.0);
+  EXPECT_EQ(ground.below(0, 0).point_m[2], 0.0);
   ground.set_height(-1, -0.1);
   for (std::size_t leg = 0; leg < 3; ++leg) EXPECT_EQ(ground.under(leg, 0, 0).point_m[2], -0.1);
   ground.set_height(3, 9.0);  // no such leg

@@ -141,11 +141,11 @@ TEST_P(PlantChanges, GroundKeysReachTheGround) {
                                        {"step_width", 0.4}})
                                    .plant.ground;
   ASSERT_EQ(stepped.steps.size(), 1U);
-  EXPECT_EQ(stepped.steps[0].from_m, 1.0);
+  EXPECT_EQ(stepped.steps[0].area.from_m, 1.0);
   EXPECT_EQ(stepped.steps[0].height_m, -0.02);
-  EXPECT_EQ(stepped.steps[0].length_m, 0.3);
-  EXPECT_EQ(stepped.steps[0].right_m, -0.1);
-  EXPECT_EQ(stepped.steps[0].width_m, 0.4);
+  EXPECT_EQ(stepped.steps[0].area.length_m, 0.3);
+  EXPECT_EQ(stepped.steps[0].area.right_m, -0.1);
+  EXPECT_EQ(stepped.steps[0].area.width_m, 0.4);
   EXPECT_EQ(config({{"step_us", 500}}).plant.step_s, 0.0005);
 }
 

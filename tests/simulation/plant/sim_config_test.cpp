@@ -87,8 +87,8 @@ TEST_F(SimConfigTest, GroundHasSlopesErrorAndSteps) {
   EXPECT_EQ(ground.wave_length_m, 0.8);
   EXPECT_EQ(ground.error_m, 0.02);
   ASSERT_EQ(ground.steps.size(), 2U);
-  EXPECT_EQ(ground.steps[0].length_m, 0.0);
-  EXPECT_EQ(ground.steps[1].right_m, -0.2);
+  EXPECT_EQ(ground.steps[0].area.length_m, 0.0);
+  EXPECT_EQ(ground.steps[1].area.right_m, -0.2);
   EXPECT_NE(refusal("  floor_height:", "  ground: {ceiling: 3 m}\n  floor_height:").find("ceiling"),
             std::string::npos);
 }

@@ -20,16 +20,35 @@ inline void dump_value(ValueDump& dump, const std::string& at, const ContactConf
   dump.fields(at, "stiffness_N_m damping_N_s_m friction", stiffness_N_m, damping_N_s_m, friction);
 }
 
+inline void dump_value(ValueDump& dump, const std::string& at, const GroundArea& value) {
+  const auto& [from_m, length_m, right_m, width_m] = value;
+  dump.fields(at, "from_m length_m right_m width_m", from_m, length_m, right_m, width_m);
+}
+
 inline void dump_value(ValueDump& dump, const std::string& at, const GroundStep& value) {
-  const auto& [from_m, length_m, right_m, width_m, height_m] = value;
-  dump.fields(at, "from_m length_m right_m width_m height_m", from_m, length_m, right_m, width_m, height_m);
+  const auto& [area, height_m] = value;
+  dump.fields(at, "area height_m", area, height_m);
+}
+
+inline void dump_value(ValueDump& dump, const std::string& at, const GroundRamp& value) {
+  const auto& [from_m, length_m, slope_rad] = value;
+  dump.fields(at, "from_m length_m slope_rad", from_m, length_m, slope_rad);
+}
+
+inline void dump_value(ValueDump& dump, const std::string& at, const GroundPatch& value) {
+  const auto& [area, friction] = value;
+  dump.fields(at, "area friction", area, friction);
 }
 
 inline void dump_value(ValueDump& dump, const std::string& at, const GroundConfig& value) {
-  const auto& [slope_rad, side_slope_rad, begins_m, wave_m, wave_length_m, error_m, error_seed,
-               steps] = value;
-  dump.fields(at, "slope_rad side_slope_rad begins_m wave_m wave_length_m error_m error_seed steps",
-              slope_rad, side_slope_rad, begins_m, wave_m, wave_length_m, error_m, error_seed, steps);
+  const auto& [slope_rad, side_slope_rad, begins_m, wave_m, wave_length_m, rough_m, rough_grid_m, error_m,
+               error_seed, steps, ramps, patches] = value;
+  dump.fields(
+      at,
+      "slope_rad side_slope_rad begins_m wave_m wave_length_m rough_m rough_grid_m error_m error_seed "
+      "steps ramps patches",
+      slope_rad, side_slope_rad, begins_m, wave_m, wave_length_m, rough_m, rough_grid_m, error_m, error_seed,
+      steps, ramps, patches);
 }
 
 inline void dump_value(ValueDump& dump, const std::string& at, const FrictionTemperatureConfig& value) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "simulation/plant/world.h"
 #include "tools/lab/gait/walking_robot.h"
 #include "tools/lab/run/drawn_plants.h"
 
@@ -19,6 +20,7 @@ constexpr const char* kAll = "all";
 struct Options {
   std::string only = kAll;  ///< task
   std::string gait;         ///< empty: all that go forward
+  std::string world;        ///< name or file: it alone instead of the tasks
   double distance_m = 3.0;
 };
 
@@ -65,13 +67,24 @@ TerrainOutcome climb(const ExperimentInput& in, const TerrainTask& task, const G
   return out;
 }
 
+std::vector<TerrainTask> wanted_tasks(const ExperimentInput& in, const Options& options) {
+  if (!options.world.empty()) {
+    if (options.only != kAll) throw std::invalid_argument("--world and --only: the one or the other");
+    (void)sim::world_path(in.robot, options.world);
+    return {world_task(options.world)};
+  }
+  std::vector<TerrainTask> out;
+  for (const TerrainTask& task : terrain_tasks())
+    if (options.only == kAll || options.only == task.name) out.push_back(task);
+  return out;
+}
+
 ExperimentOutput run_terrain(const ExperimentInput& in, const Options& options) {
   if (!(options.distance_m >= kLeastDistance_m && options.distance_m <= kMostDistance_m))
     throw std::invalid_argument("--distance: expected 1 to 100 m, found " +
                                 report::number_text(options.distance_m));
   ExperimentOutput out;
-  for (const TerrainTask& task : terrain_tasks()) {
-    if (options.only != kAll && options.only != task.name) continue;
+  for (const TerrainTask& task : wanted_tasks(in, options)) {
     for (const GaitConfig& gait : going_gaits(in.robot, options.gait)) {
       const TerrainOutcome outcome = climb(in, task, gait, options.distance_m);
       out.rows.push_back(terrain_row(outcome));
@@ -118,13 +131,15 @@ report::Section terrain_section(const TerrainOutcome& outcome) {
 Experiment terrain_experiment() {
   const auto options = std::make_shared<Options>();
   Experiment out = gait_experiment("terrain",
-                                   "Ramps, hills and floors of little friction, harder and harder.",
+                                   "Ramps, hills, stairs, slippery floors and payloads, harder and harder.",
                                    "Where does the robot walk?");
   out.seed_help = "which ten drawn plants it is tried on, and their noise; 0 was used for tuning";
   out.in_all = {};  // all tasks and gaits take longer than everything else there
   out.draws_plants = true;
   out.own.choice("--only", options->only, task_names(), "which tasks");
   out.own.option("--gait", options->gait, "one alone; default: all that go forward");
+  out.own.option("--world", options->world,
+                 "one of robots/worlds, or a file like them, instead of the tasks: how much of its heights");
   out.own.option("--distance", options->distance_m, "m, of each run; ramps and hills begin 0.8 m ahead");
   out.run = [options](const ExperimentInput& in) { return run_terrain(in, *options); };
   return out;

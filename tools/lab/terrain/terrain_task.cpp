@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <stdexcept>
 
 #include "robots/config_error.h"
 #include "signals/angles.h"
+#include "simulation/plant/world.h"
 #include "tools/lab/gait/walking_robot.h"
 #include "tools/lab/run/dice.h"
 
@@ -37,6 +39,13 @@ Plant loaded(const RobotConfig& robot, double mass_kg, double draw) {
   Dice dice(static_cast<std::uint64_t>(draw));
   const double x_m = most_m[0] * dice.between(-1.0, 1.0), y_m = most_m[1] * dice.between(-1.0, 1.0);
   return {{"payload", mass_kg}, {"payload_x", x_m}, {"payload_y", y_m}, {"payload_z", kHigh_m}};
+}
+
+/// Heights that robots/worlds have by themselves.
+constexpr double kStairsRise_mm = 50.0, kRubble_mm = 30.0;
+
+Plant in_world(const std::string& world, double scale) {
+  return {{sim::kWorldKey + world, 1.0}, {"ground_scale", scale}};
 }
 
 std::string failure_of(const TerrainRun& run, const MotionState& motion) {
@@ -75,6 +84,28 @@ const std::vector<TerrainTask>& terrain_tasks() {
          return Plant{{"ground_friction", v}};
        },
        {{"trot", 0.3}, {"crawl", 0.25}}},
+      {"stairs",
+       "four steps up, a landing, four down; treads of 30 cm; rise",
+       "mm",
+       {20, 30, 40, 50, 60, 80, 110},
+       [](const RobotConfig&, double v, double) { return in_world("stairs", v / kStairsRise_mm); },
+       {}},
+      {"rough",
+       "a rough floor with boards and kerbs; the tallest",
+       "mm",
+       {10, 20, 30, 40, 50, 60, 80},
+       [](const RobotConfig&, double v, double) { return in_world("rubble", v / kRubble_mm); },
+       {}},
+      {"patch",
+       "slippery patches on a dry floor; their friction",
+       "",
+       {0.4, 0.3, 0.25, 0.2, 0.15, 0.1, 0.05},
+       [](const RobotConfig&, double v, double) {
+         Plant out = in_world("ice", 1.0);
+         out["patch_friction"] = v;
+         return out;
+       },
+       {{"trot", 0.15}, {"crawl", 0.15}}},
       {"payload",
        "a weight that nobody told it of, anywhere on its back",
        "kg",
@@ -110,6 +141,15 @@ TerrainRun walk_terrain(const RobotConfig& robot, const std::string& preset, con
     run.why = error.what();
   }
   return run;
+}
+
+TerrainTask world_task(const std::string& world) {
+  return {std::filesystem::path(world).stem().string(),
+          "the world " + world + "; its heights and slopes against those that it has by itself",
+          "x",
+          {0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 2.0},
+          [world](const RobotConfig&, double v, double) { return in_world(world, v); },
+          {}};
 }
 
 int hardest_level(int levels, const std::function<bool(int level)>& passes) {

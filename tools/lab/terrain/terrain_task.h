@@ -23,6 +23,8 @@ struct TerrainTask {
 };
 
 const std::vector<TerrainTask>& terrain_tasks();
+/// Of a world alone (simulation/plant/world.h): levels are shares of its heights, named after its file.
+TerrainTask world_task(const std::string& world);
 
 struct TerrainRun {
   double draw = 0.0;  ///< of variation.yaml; 0: the nominal plant

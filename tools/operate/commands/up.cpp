@@ -15,6 +15,8 @@
 #include "runtime/transport/lcm_address.h"
 #include "runtime/utc_text.h"
 #include "simulation/plant/robot_check.h"
+#include "simulation/plant/sim_config.h"
+#include "simulation/sim_shell.h"
 #include "tools/commands.h"
 #include "tools/logs/commands/recording_options.h"
 #include "tools/operate/client/model_report.h"
@@ -110,12 +112,19 @@ void refuse_disagreeing_files(const LaunchRequest& request, const RobotConfig& r
   std::printf("note: started unchecked, though\n%s", text.c_str());
 }
 
+/// A world that there is not, or that is wrong, would only be seen by simulated drives that do not start.
+void refuse_wrong_plant(const LaunchRequest& request, const RobotConfig& robot) {
+  if (!request.simulation) return;
+  (void)sim::load_sim_config(robot, parse_plant(request.plant));
+}
+
 int run_up(const LaunchRequest& request, bool plain, bool unchecked) {
   start_log("sprung");
   check_installed_release(program_folder());
   RobotConfig robot = load_robot(request.robot);
   refuse_contradictions(request, robot);
   refuse_disagreeing_files(request, robot, unchecked);
+  refuse_wrong_plant(request, robot);
   if (request.maintenance) robot = for_maintenance(std::move(robot));
   ServiceNotify service;
   Launcher launcher(request, robot);
@@ -159,6 +168,7 @@ void add_up(CommandLine& sprung) {
   const auto request = std::make_shared<LaunchRequest>();
   const auto no_record = std::make_shared<bool>(false);
   const auto no_truth = std::make_shared<bool>(false);
+  const auto world = std::make_shared<std::string>();
   const auto plain = std::make_shared<bool>(false);
   const auto unchecked = std::make_shared<bool>(false);
   request->lcm_url = kDefaultLcmUrl;
@@ -181,6 +191,7 @@ void add_up(CommandLine& sprung) {
   up.option("--seed", request->seed, "simulation: seed of every noise");
   up.option("--plant", request->plant,
             "simulation: KEY=VALUE changes the plant, e.g. friction_scale=1.2; may be repeated");
+  up.option("--world", *world, "simulation: one of robots/worlds, or a file like them: stairs, ramps, ...");
   up.option("--speed", request->speed, "lock-step: at most so many times real time, 0 = no limit");
   up.option("--timeout", request->timeout_s,
             "seconds for each process to get ready, and for the drives; more on a slow machine");
@@ -203,6 +214,7 @@ void add_up(CommandLine& sprung) {
   up.example("sprung up single_leg --sim");
   up.action([=] {
     request->truth = !*no_truth;
+    if (!world->empty()) request->plant.push_back("world=" + *world);
     request->command_line = typed_command_line();
     if (*no_record) {
       request->log_folder.clear();

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "robots/config_error.h"
 #include "robots/robot_loader.h"
 
 namespace sprung {
@@ -69,6 +70,10 @@ TEST(TerrainExperiment, WrongWordsAreRefused) {
   EXPECT_THROW(tried("--gait", "amble"), std::invalid_argument);
   EXPECT_THROW(tried("--gait", "stand"), std::invalid_argument);
   EXPECT_THROW(tried("--distance", "0"), std::invalid_argument);
+}
+
+TEST(TerrainExperiment, AWorldThatThereIsNotIsRefusedBeforeAnythingRuns) {
+  EXPECT_THROW(tried("--world", "mars"), ConfigError);
 }
 
 TEST(TerrainExperiment, ItDrawsItsPlantsItself) {

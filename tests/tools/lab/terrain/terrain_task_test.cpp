@@ -42,6 +42,27 @@ TEST(TerrainTask, EveryOneHasLevelsOfGrowingDifficultyOnAPlantThatThereIs) {
   }
 }
 
+TEST(TerrainTask, AWorldsLevelsAreSharesOfItsHeights) {
+  const TerrainTask hills = world_task("some/where/hills.yaml");
+  EXPECT_EQ(hills.name, "hills");
+  EXPECT_NE(std::find(hills.levels.begin(), hills.levels.end(), 1.0), hills.levels.end());
+  EXPECT_EQ(hills.plant(load_robot("pegasus"), 0.5, 1.0).at("ground_scale"), 0.5);
+}
+
+TEST(TerrainTask, PayloadsLieAnywhereBetweenTheHipsWithTheDraw) {
+  const RobotConfig robot = load_robot("pegasus");
+  std::set<double> places_m;
+  for (double draw = 1.0; draw <= 50.0; ++draw) {
+    const auto plant = task("payload").plant(robot, 3.0, draw);
+    EXPECT_EQ(plant.at("payload"), 3.0);
+    EXPECT_LE(std::abs(plant.at("payload_x")), 0.33);
+    EXPECT_LE(std::abs(plant.at("payload_y")), 0.12);
+    places_m.insert(plant.at("payload_x"));
+  }
+  EXPECT_EQ(places_m.size(), 50u);
+  EXPECT_GT(*places_m.rbegin() - *places_m.begin(), 0.5);
+}
+
 TEST(TerrainTask, TheHardestLevelIsFoundWithoutTryingAll) {
   for (int hardest = -1; hardest < 9; ++hardest) {
     int tried = 0;
