@@ -1,4 +1,5 @@
 /// sprung-sim-drives: the simulated robot behind the CAN frames of the real one.
+#include "simulation/plant/plant_words.h"
 #include "simulation/sim_shell.h"
 
 int main(int argc, char** argv) {

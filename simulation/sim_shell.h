@@ -1,6 +1,5 @@
 #pragma once
 /// What the simulated drives' process does around the core in each clock.
-#include <map>
 #include <string>
 #include <vector>
 
@@ -18,10 +17,6 @@ struct SimProgramOptions {
   std::vector<std::string> plant;       ///< KEY=VALUE
   SimOptions sim;
 };
-
-/// `family=NAME` becomes the key "family.NAME" (plant_draw.h).
-/// @throws std::invalid_argument on any other text that is no KEY=NUMBER.
-std::map<std::string, double> parse_plant(const std::vector<std::string>& texts);
 
 /// SIM_TRUTH, IMU and TORQUE_SENSOR out, SIM_CONTROL in; refuses to go on when the plant has failed.
 class SimShell {

@@ -60,7 +60,12 @@ void GroundConfig::scale_heights(double scale) noexcept {
 }
 
 Ground::Ground(const GroundConfig& config, double height_m, std::size_t legs)
-    : config_(config), reset_height_m_(height_m), height_m_(height_m), footholds_(legs) {
+    : config_(config),
+      slope_(std::tan(config.slope_rad)),
+      side_slope_(std::tan(config.side_slope_rad)),
+      reset_height_m_(height_m),
+      height_m_(height_m),
+      footholds_(legs) {
   reset();
 }
 
@@ -131,33 +136,36 @@ Ground::Rise Ground::rough(double x_m, double y_m) const noexcept {
 Ground::Rise Ground::ramps(double x_m) const noexcept {
   Rise out;
   for (const GroundRamp& ramp : config_.ramps) {
-    const double in_m = std::clamp(x_m - ramp.from_m, 0.0, ramp.length_m), slope = std::tan(ramp.slope_rad);
-    out.height_m += slope * in_m;
-    if (in_m > 0.0 && in_m < ramp.length_m) out.gradient_x += slope;
+    if (x_m <= ramp.from_m) continue;
+    const double slope = std::tan(ramp.slope_rad);
+    out.height_m += slope * std::min(x_m - ramp.from_m, ramp.length_m);
+    if (x_m - ramp.from_m < ramp.length_m) out.gradient_x += slope;
   }
   return out;
+}
+
+Ground::Rise Ground::waves(double in_m, double y_m) const noexcept {
+  if (config_.wave_m <= 0.0) return {};
+  const double k_1_m = kTurn_rad / config_.wave_length_m, wave_m = config_.wave_m;
+  const double sin_x = std::sin(k_1_m * in_m), cos_x = std::cos(k_1_m * in_m);
+  const double sin_y = std::sin(k_1_m * y_m), cos_y = std::cos(k_1_m * y_m);
+  return {wave_m * sin_x * cos_y, wave_m * k_1_m * cos_x * cos_y, -wave_m * k_1_m * sin_x * sin_y};
 }
 
 /// Slopes, waves and roughness.
 Ground::Rise Ground::rolling(double x_m, double y_m) const noexcept {
   const bool everywhere = !std::isfinite(config_.begins_m);
-  const double in_m = everywhere ? x_m : std::max(0.0, x_m - config_.begins_m);
-  const bool grows = !everywhere && in_m > 0.0 && in_m < GroundConfig::kGrows_m;
-  const double grown = everywhere ? 1.0 : std::min(1.0, in_m / GroundConfig::kGrows_m);
-  const double growth_1_m = grows ? 1.0 / GroundConfig::kGrows_m : 0.0;
-  const double slope = everywhere || in_m > 0.0 ? std::tan(config_.slope_rad) : 0.0;
-  const double side = std::tan(config_.side_slope_rad);
-  const double k_1_m = kTurn_rad / config_.wave_length_m, wave_m = config_.wave_m;
-  const Rise rough_here = rough(x_m, y_m);
-  const double across = side * y_m + wave_m * std::sin(k_1_m * in_m) * std::cos(k_1_m * y_m) +
-                        rough_here.height_m;
+  const double in_m = everywhere ? x_m : x_m - config_.begins_m;
+  if (!everywhere && in_m <= 0.0) return {};
+  const bool grows = !everywhere && in_m < GroundConfig::kGrows_m;
+  const double grown = grows ? in_m / GroundConfig::kGrows_m : 1.0;
+  const Rise wave = waves(in_m, y_m), rough_here = rough(x_m, y_m);
+  const double across = side_slope_ * y_m + wave.height_m + rough_here.height_m;
   Rise out;
-  out.height_m = slope * in_m + grown * across;
-  out.gradient_x = slope + growth_1_m * across +
-                   grown * (wave_m * k_1_m * std::cos(k_1_m * in_m) * std::cos(k_1_m * y_m) +
-                            rough_here.gradient_x);
-  out.gradient_y = grown * (side - wave_m * k_1_m * std::sin(k_1_m * in_m) * std::sin(k_1_m * y_m) +
-                            rough_here.gradient_y);
+  out.height_m = slope_ * in_m + grown * across;
+  out.gradient_x = slope_ + grown * (wave.gradient_x + rough_here.gradient_x);
+  if (grows) out.gradient_x += across / GroundConfig::kGrows_m;
+  out.gradient_y = grown * (side_slope_ + wave.gradient_y + rough_here.gradient_y);
   return out;
 }
 

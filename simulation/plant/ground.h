@@ -49,11 +49,13 @@ class Ground {
   };
   Rise rolling(double x_m, double y_m) const noexcept;
   double corner_m(std::int64_t column, std::int64_t line) const noexcept;
+  Rise waves(double in_m, double y_m) const noexcept;
   Rise rough(double x_m, double y_m) const noexcept;
   Rise ramps(double x_m) const noexcept;
   Place raised(double height_m, double x_m, double y_m) const noexcept;
 
   GroundConfig config_;
+  double slope_, side_slope_;  ///< tangents
   double reset_height_m_;
   double height_m_;
   std::vector<Foothold> footholds_;

@@ -9,7 +9,7 @@
 
 #include "robots/robot_loader.h"
 #include "simulation/plant/plant.h"
-#include "simulation/sim_shell.h"
+#include "simulation/plant/plant_words.h"
 #include "tests/simulation/plant/sim_dump.h"
 #include "tests/support/paths.h"
 #include "tests/support/refusal.h"

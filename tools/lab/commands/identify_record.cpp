@@ -7,7 +7,7 @@
 #include "lcmtypes/channels.h"
 #include "robots/robot_loader.h"
 #include "runtime/log.h"
-#include "simulation/sim_shell.h"
+#include "simulation/plant/plant_words.h"
 #include "tools/lab/identify/identify_recording.h"
 #include "tools/lab/identify/record_in_process.h"
 #include "tools/lab/identify/record_log.h"

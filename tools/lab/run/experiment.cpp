@@ -7,7 +7,7 @@
 #include <map>
 
 #include "robots/robot_loader.h"
-#include "simulation/sim_shell.h"
+#include "simulation/plant/plant_words.h"
 #include "tools/lab/run/drawn_plants.h"
 #include "tools/lab/run/separate_run.h"
 

@@ -12,8 +12,8 @@
 #include "robots/robot_loader.h"
 #include "robots/robot_numbers.h"
 #include "signals/spelling.h"
+#include "simulation/plant/plant_words.h"
 #include "simulation/sim_core.h"
-#include "simulation/sim_shell.h"
 #include "tools/lab/run/experiment_line.h"
 #include "tools/lab/study/study_json.h"
 

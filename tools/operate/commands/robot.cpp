@@ -11,9 +11,9 @@
 #include "robots/robot_loader.h"
 #include "robots/yaml_text.h"
 #include "simulation/plant/plant_draw.h"
+#include "simulation/plant/plant_words.h"
 #include "simulation/plant/robot_check.h"
 #include "simulation/plant/sim_config.h"
-#include "simulation/sim_shell.h"
 #include "tools/commands.h"
 
 namespace sprung::commands {

@@ -6,6 +6,7 @@
 
 #include "sprung_embedded/station_app_js.h"
 #include "sprung_embedded/station_footfalls_js.h"
+#include "sprung_embedded/station_ground_js.h"
 #include "sprung_embedded/station_html.h"
 #include "sprung_embedded/station_layers_js.h"
 #include "sprung_embedded/station_orbit_controls_js.h"
@@ -30,13 +31,19 @@ struct Module {
   const char* (*text)() noexcept;
 };
 
-constexpr std::array kModules = {
-    Module{"three", station_three_js},           Module{"orbit_controls", station_orbit_controls_js},
-    Module{"uplot", station_uplot_js},           Module{"source", station_source_js},
-    Module{"shapes", station_shapes_js},         Module{"sharpness", station_sharpness_js},
-    Module{"robot_view", station_robot_view_js}, Module{"layers", station_layers_js},
-    Module{"plots", station_plots_js},           Module{"footfalls", station_footfalls_js},
-    Module{"timeline", station_timeline_js},     Module{"app", station_app_js}};
+constexpr std::array kModules = {Module{"three", station_three_js},
+                                 Module{"orbit_controls", station_orbit_controls_js},
+                                 Module{"uplot", station_uplot_js},
+                                 Module{"source", station_source_js},
+                                 Module{"shapes", station_shapes_js},
+                                 Module{"sharpness", station_sharpness_js},
+                                 Module{"ground", station_ground_js},
+                                 Module{"robot_view", station_robot_view_js},
+                                 Module{"layers", station_layers_js},
+                                 Module{"plots", station_plots_js},
+                                 Module{"footfalls", station_footfalls_js},
+                                 Module{"timeline", station_timeline_js},
+                                 Module{"app", station_app_js}};
 
 /// Text in a script element of HTML: nothing in it may look like a tag.
 std::string json_text(const nlohmann::json& json) {

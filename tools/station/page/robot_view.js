@@ -1,6 +1,7 @@
 // The robot in 3-D. World: x forward, y left, z up, metres; the floor is z = 0.
 import * as THREE from "three";
 import {OrbitControls} from "orbit_controls";
+import {Ground} from "ground";
 import {merged, place} from "shapes";
 import {PictureClock, Sharpness} from "sharpness";
 import {index_of_fields} from "source";
@@ -187,6 +188,11 @@ export class RobotView {
     this.grid.add(this.floor, lines);
     // What lies under each foot: a spot on the floor tells how high the foot is.
     this.three.add(this.grid);
+    if (this.scene.ground) {
+      this.ground = new Ground(this.scene.ground);
+      this.grid.visible = false;
+      this.three.add(this.ground.mesh);
+    }
     for (const {shapes, material} of this.parts_of(this.scene.world_shapes)) {
       const geometry = merged(shapes, this.scene.meshes);
       if (geometry !== null) this.three.add(new THREE.Mesh(geometry, material));
@@ -268,6 +274,7 @@ export class RobotView {
     const dark = theme === "dark";
     this.three.background = new THREE.Color(dark ? 0x14181d : 0xeef1f4);
     this.floor.material.uniforms.colour.value.set(dark ? 0x1d2329 : 0xdfe4e8).convertLinearToSRGB();
+    this.ground?.set_theme(theme);
     this.lines.material.vertexColors = false;
     this.lines.material.color.set(dark ? 0x323b44 : 0xc3cad1);
     this.lines.material.needsUpdate = true;

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "robots/robot_loader.h"
+#include "tools/station/scene/ground_scene.h"
 #include "tools/station/scene/scene.h"
 
 namespace sprung::station {
@@ -47,7 +48,9 @@ LoggedScene scene_of_log(RobotConfig robot, const std::optional<sprung_msgs::log
         found.note = "The shapes are those of " + robot.folder +
                      "/model.xml, whose robot.yaml has other lengths than this log's.";
     }
-    found.scene = std::make_shared<nlohmann::json>(make_scene(robot, metadata ? metadata->preset : ""));
+    nlohmann::json scene = make_scene(robot, metadata ? metadata->preset : "");
+    scene["ground"] = metadata ? ground_scene(robot, metadata->command_line) : nullptr;
+    found.scene = std::make_shared<nlohmann::json>(std::move(scene));
     found.model_xml = file_text(robot.folder + "/model.xml");
   } catch (const std::exception& error) {
     found.missing = std::string("No model of this robot is here: ") + error.what();

@@ -13,6 +13,7 @@
 #include "sprung_embedded/console_panels_js.h"
 #include "sprung_embedded/console_parameters_js.h"
 #include "sprung_embedded/console_view_js.h"
+#include "sprung_embedded/station_ground_js.h"
 #include "sprung_embedded/station_layers_js.h"
 #include "sprung_embedded/station_orbit_controls_js.h"
 #include "sprung_embedded/station_plots_css.h"
@@ -60,6 +61,7 @@ const WebFile* console_file(std::string_view path) {
       // The log's page has these too; they import each other by the names of index.html's import map.
       NamedFile{"lib/three.js", {kScript, station_three_js()}},
       NamedFile{"lib/orbit_controls.js", {kScript, station_orbit_controls_js()}},
+      NamedFile{"lib/ground.js", {kScript, station_ground_js()}},
       NamedFile{"lib/robot_view.js", {kScript, station_robot_view_js()}},
       NamedFile{"lib/shapes.js", {kScript, station_shapes_js()}},
       NamedFile{"lib/sharpness.js", {kScript, station_sharpness_js()}},

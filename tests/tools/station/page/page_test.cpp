@@ -18,7 +18,7 @@ TEST(Page, HasEverythingInItAndAsksNobody) {
   EXPECT_THAT(page, HasSubstr("id=\"data\">QUJD</script>"));
   EXPECT_THAT(page, Not(HasSubstr("{{")));
   for (const char* module :
-       {"three", "uplot", "orbit_controls", "app", "source", "robot_view", "shapes", "sharpness"})
+       {"three", "uplot", "orbit_controls", "app", "source", "ground", "robot_view", "shapes", "sharpness"})
     EXPECT_THAT(page, HasSubstr("data-module=\"" + std::string(module) + "\"")) << module;
   EXPECT_THAT(page, Not(HasSubstr("src=\"")));
   EXPECT_THAT(page, Not(HasSubstr("<link rel=\"stylesheet\"")));

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -43,6 +44,39 @@ TEST(LoggedScene, OfAFileWithOtherLengthsComesWithANote) {
   const LoggedScene found = scene_of_log(read_robot_text(yaml, "log"), metadata_of(yaml));
   EXPECT_TRUE(found.scene);
   EXPECT_THAT(found.note, HasSubstr("other lengths than this log's"));
+}
+
+TEST(LoggedScene, HasTheGroundOfTheWorldThatTheLogsCommandNames) {
+  const std::string yaml = log::robot_yaml("pegasus");
+  sprung_msgs::log_metadata_t metadata = metadata_of(yaml);
+  metadata.command_line = "sprung up pegasus --sim --world stairs --plain";
+  const LoggedScene found = scene_of_log(read_robot_text(yaml, "log"), metadata);
+  ASSERT_TRUE(found.scene);
+  const auto& ground = (*found.scene)["ground"];
+  const int columns = ground["columns"], lines = ground["lines"];
+  ASSERT_EQ(ground["heights_mm"].size(), static_cast<std::size_t>(columns * lines));
+  const auto height_mm = [&](double x_m) -> int {
+    const double from_m = ground["from_m"][0], spacing_m = ground["spacing_m"];
+    return ground["heights_mm"][static_cast<std::size_t>(std::lround((x_m - from_m) / spacing_m))];
+  };
+  EXPECT_EQ(height_mm(0.5), 0);
+  EXPECT_EQ(height_mm(1.0), 50);
+  EXPECT_EQ(height_mm(2.5), 200);
+  EXPECT_EQ(height_mm(5.0), 0);
+  metadata.command_line = "sprung up pegasus --sim --world mars";
+  EXPECT_TRUE((*scene_of_log(read_robot_text(yaml, "log"), metadata).scene)["ground"].is_null());
+  metadata.command_line = "sprung up pegasus --sim";
+  EXPECT_TRUE((*scene_of_log(read_robot_text(yaml, "log"), metadata).scene)["ground"].is_null());
+}
+
+TEST(LoggedScene, HasThePatchesOfAWorldThatIsLevel) {
+  const std::string yaml = log::robot_yaml("pegasus");
+  sprung_msgs::log_metadata_t metadata = metadata_of(yaml);
+  metadata.command_line = "sprung up pegasus --sim --plant world=ice --plant patch_friction=0.2";
+  const LoggedScene found = scene_of_log(read_robot_text(yaml, "log"), metadata);
+  ASSERT_TRUE(found.scene);
+  ASSERT_EQ((*found.scene)["ground"]["patches"].size(), 2u);
+  EXPECT_EQ((*found.scene)["ground"]["patches"][0]["friction"], 0.2);
 }
 
 /// The installed robots are a copy in which this one's robot.yaml cannot be read.

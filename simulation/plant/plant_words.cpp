@@ -1,0 +1,50 @@
+#include "simulation/plant/plant_words.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <sstream>
+#include <stdexcept>
+
+#include "simulation/plant/plant_draw.h"
+#include "simulation/plant/world.h"
+
+namespace sprung {
+
+std::map<std::string, double> parse_plant(const std::vector<std::string>& texts) {
+  std::map<std::string, double> plant;
+  for (const std::string& text : texts) {
+    const std::size_t equals = text.find('=');
+    const std::string number = equals == std::string::npos ? "" : text.substr(equals + 1);
+    if (const char* named = text.rfind("family=", 0) == 0  ? sim::kFamilyKey
+                            : text.rfind("world=", 0) == 0 ? sim::kWorldKey
+                                                           : nullptr;
+        named != nullptr && !number.empty()) {
+      plant[named + number] = 1.0;
+      continue;
+    }
+    char* end = nullptr;
+    const double value = std::strtod(number.c_str(), &end);
+    if (equals == 0 || number.empty() || *end != '\0' || !std::isfinite(value)) {
+      throw std::invalid_argument(
+          "--plant " + text + ": expected KEY=NUMBER, for example friction_scale=1.2; the number is finite");
+    }
+    plant[text.substr(0, equals)] = value;
+  }
+  return plant;
+}
+
+std::map<std::string, double> plant_of_command(const std::string& command_line) {
+  std::map<std::string, double> plant;
+  std::istringstream words(command_line);
+  for (std::string word, before; words >> word; before = word) {
+    const std::string text = before == "--world" ? "world=" + word : before == "--plant" ? word : "";
+    if (text.empty()) continue;
+    try {
+      plant.merge(parse_plant({text}));
+    } catch (const std::invalid_argument&) {  // of a newer sprung
+    }
+  }
+  return plant;
+}
+
+}  // namespace sprung

@@ -1,0 +1,19 @@
+#pragma once
+/// The ground of a simulated run, to be drawn under its robot. Start-up only.
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "robots/robot_config.h"
+
+namespace sprung::station {
+
+/// ```
+/// {"from_m": [x, y], "spacing_m": 0.05, "columns": along x, "lines": along y,
+///  "heights_mm": [of the first line, of the next, ...],
+///  "patches": [{"from_m", "length_m", "right_m", "width_m", "friction"}], lengths and widths 0: without end}
+/// ```
+/// Without the stones that feet find. null where it is level and of one friction everywhere, as on a robot.
+/// @param command_line that made the run, as logs hold it. A world that is not here any more is level.
+nlohmann::json ground_scene(const RobotConfig& robot, const std::string& command_line);
+
+}  // namespace sprung::station
