@@ -1,6 +1,7 @@
 #include "simulation/plant/plant_words.h"
 
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <sstream>
 #include <stdexcept>
@@ -45,6 +46,25 @@ std::map<std::string, double> plant_of_command(const std::string& command_line) 
     }
   }
   return plant;
+}
+
+std::string plant_text(const std::map<std::string, double>& plant) {
+  std::string text;
+  for (const auto& [key, value] : plant) {
+    text += " --plant ";
+    bool named = false;
+    for (const char* prefix : {sim::kFamilyKey, sim::kWorldKey}) {
+      const std::string begins(prefix);
+      if (key.rfind(begins, 0) != 0) continue;
+      text += begins.substr(0, begins.size() - 1) + "=" + key.substr(begins.size());
+      named = true;
+    }
+    if (named) continue;
+    char number[32];
+    std::snprintf(number, sizeof number, "=%.17g", value);
+    text += key + number;
+  }
+  return text;
 }
 
 }  // namespace sprung

@@ -14,4 +14,7 @@ std::map<std::string, double> parse_plant(const std::vector<std::string>& texts)
 /// it is left out: it has run.
 std::map<std::string, double> plant_of_command(const std::string& command_line);
 
+/// The same words again, each after a space: " --plant draw=7 --plant world=yard".
+std::string plant_text(const std::map<std::string, double>& plant);
+
 }  // namespace sprung

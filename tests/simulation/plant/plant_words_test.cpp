@@ -23,5 +23,13 @@ TEST(PlantWords, OfACommandAreWhatFollowsPlantAndWorld) {
   EXPECT_EQ(plant_of_command(""), Words{});
 }
 
+TEST(PlantWords, AreWrittenAsTheyWereTyped) {
+  const Words plant{{"draw", 7.0}, {"family.erob_50", 1.0}, {"slope", 0.1}, {"world.a/b.yaml", 1.0}};
+  EXPECT_EQ(
+      plant_text(plant),
+      " --plant draw=7 --plant family=erob_50 --plant slope=0.10000000000000001 --plant world=a/b.yaml");
+  EXPECT_EQ(plant_of_command("sprung up pegasus --sim" + plant_text(plant)), plant);
+}
+
 }  // namespace
 }  // namespace sprung

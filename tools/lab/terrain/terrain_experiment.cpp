@@ -1,6 +1,7 @@
 #include "tools/lab/terrain/terrain_experiment.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "simulation/plant/world.h"
@@ -22,6 +23,8 @@ struct Options {
   std::string gait;         ///< empty: all that go forward
   std::string world;        ///< name or file: it alone instead of the tasks
   double distance_m = 3.0;
+  double level = kNaN;     ///< alone, without search
+  int runs = kTriedDraws;  ///< of each level
 };
 
 std::vector<std::string> task_names() {
@@ -30,15 +33,15 @@ std::vector<std::string> task_names() {
   return out;
 }
 
-std::vector<SimOptions> plants_of(const ExperimentInput& in) {
+std::vector<SimOptions> plants_of(const ExperimentInput& in, int runs) {
   SimOptions first = in.sim;
   first.plant.emplace("draw", static_cast<double>(kFirstDraw + in.sim.seed * kTriedDraws));
-  return drawn_plants(first, kTriedDraws);
+  return drawn_plants(first, runs);
 }
 
 TerrainOutcome::Tried try_level(const ExperimentInput& in, const TerrainTask& task, const GaitConfig& gait,
-                                int level, double distance_m) {
-  const std::vector<SimOptions> plants = plants_of(in);
+                                int level, const Options& options) {
+  const std::vector<SimOptions> plants = plants_of(in, options.runs);
   TerrainOutcome::Tried out;
   out.level = level;
   out.runs = parallel_map(
@@ -47,7 +50,7 @@ TerrainOutcome::Tried try_level(const ExperimentInput& in, const TerrainTask& ta
         TerrainRun asked;
         asked.gait = gait.name;
         asked.speed_m_s = kAskedShare * gait.fastest_forward_m_s;
-        asked.distance_m = distance_m;
+        asked.distance_m = options.distance_m;
         return walk_terrain(in.robot, in.preset, plants[i], task,
                             task.levels[static_cast<std::size_t>(level)], asked);
       },
@@ -55,16 +58,38 @@ TerrainOutcome::Tried try_level(const ExperimentInput& in, const TerrainTask& ta
   return out;
 }
 
+/// @throws std::invalid_argument for a level that the task has not.
+int index_of(const TerrainTask& task, double level) {
+  const auto at = std::find(task.levels.begin(), task.levels.end(), level);
+  if (at != task.levels.end()) return static_cast<int>(at - task.levels.begin());
+  std::string known;
+  for (const double one : task.levels) known += (known.empty() ? "" : ", ") + report::number_text(one);
+  throw std::invalid_argument("--level: " + task.name + " has " + known);
+}
+
 TerrainOutcome climb(const ExperimentInput& in, const TerrainTask& task, const GaitConfig& gait,
-                     double distance_m) {
+                     const Options& options) {
   TerrainOutcome out;
   out.task = &task;
   out.gait = gait.name;
-  out.level = hardest_level(static_cast<int>(task.levels.size()), [&](int level) {
-    out.tried.push_back(try_level(in, task, gait, level, distance_m));
-    return out.tried.back().passed() >= kMustPass;
-  });
+  const auto passes = [&](int level) {
+    out.tried.push_back(try_level(in, task, gait, level, options));
+    return out.tried.back().passed() >= kMustPass * options.runs / static_cast<double>(kTriedDraws);
+  };
+  const int only = std::isfinite(options.level) ? index_of(task, options.level) : -1;
+  if (only < 0)
+    out.level = hardest_level(static_cast<int>(task.levels.size()), passes);
+  else if (passes(only))
+    out.level = only;
   return out;
+}
+
+/// Names the command that shows a run that did not pass.
+std::string again(const ExperimentInput& in, const TerrainOutcome& outcome, double level, double draw) {
+  return "sprung experiment terrain --robot " + in.asked.robot + " --seed " + std::to_string(in.sim.seed) +
+         " --only " + outcome.task->name + " --gait " + outcome.gait + " --level " +
+         report::number_text(level) + " --plant draw=" + report::number_text(draw) +
+         " --runs 1 --logs F; sprung play F/*.lcm";
 }
 
 std::vector<TerrainTask> wanted_tasks(const ExperimentInput& in, const Options& options) {
@@ -83,12 +108,15 @@ ExperimentOutput run_terrain(const ExperimentInput& in, const Options& options) 
   if (!(options.distance_m >= kLeastDistance_m && options.distance_m <= kMostDistance_m))
     throw std::invalid_argument("--distance: expected 1 to 100 m, found " +
                                 report::number_text(options.distance_m));
+  if (!(options.runs >= 1 && options.runs <= 1000))
+    throw std::invalid_argument("--runs: expected 1 to 1000, found " + std::to_string(options.runs));
   ExperimentOutput out;
   for (const TerrainTask& task : wanted_tasks(in, options)) {
     for (const GaitConfig& gait : going_gaits(in.robot, options.gait)) {
-      const TerrainOutcome outcome = climb(in, task, gait, options.distance_m);
+      const TerrainOutcome outcome = climb(in, task, gait, options);
       out.rows.push_back(terrain_row(outcome));
-      out.sections.push_back(terrain_section(outcome));
+      out.sections.push_back(terrain_section(
+          outcome, [&](double level, double draw) { return again(in, outcome, level, draw); }));
       for (const TerrainOutcome::Tried& tried : outcome.tried)
         for (const TerrainRun& run : tried.runs) out.simulated_s += run.simulated_s;
     }
@@ -113,18 +141,23 @@ ReportRow terrain_row(const TerrainOutcome& outcome) {
   return row(name, task.unit, level, grows ? at_least(wanted->second) : at_most(wanted->second));
 }
 
-report::Section terrain_section(const TerrainOutcome& outcome) {
+report::Section terrain_section(const TerrainOutcome& outcome, const HowToSee& how_to_see) {
   report::Section out{outcome.task->what + ", " + outcome.gait};
-  report::Table table{"Levels tried",
-                      {"level (" + outcome.task->unit + ")", "passed", "of", "who did not (draw), and why"}};
+  const std::string level_head = "level (" + outcome.task->unit + ")";
+  report::Table tried_levels{"Levels tried", {level_head, "passed", "of"}};
+  report::Table failures{"Who did not pass",
+                         {level_head, "draw", "what became of it", "after (s)", "to see it"}};
   for (const TerrainOutcome::Tried& tried : outcome.tried) {
-    std::string why;
+    const double level = outcome.task->levels[static_cast<std::size_t>(tried.level)];
+    tried_levels.rows.push_back({level, tried.passed(), tried.runs.size()});
     for (const TerrainRun& run : tried.runs)
-      if (!run.passed()) why += (why.empty() ? "" : "; ") + report::number_text(run.draw) + ": " + run.why;
-    table.rows.push_back({outcome.task->levels[static_cast<std::size_t>(tried.level)], tried.passed(),
-                          tried.runs.size(), why});
+      if (!run.passed())
+        failures.rows.push_back({level, run.draw, run.why, run.vitals.fell ? run.vitals.fell_at_s : kNaN,
+                                 how_to_see(level, run.draw)});
   }
-  out.tables = {table};
+  failures.note = "Seconds of who fell, from standing up on. A log has some 4 MB a second.";
+  out.tables = {tried_levels};
+  if (!failures.rows.empty()) out.tables.push_back(failures);
   return out;
 }
 
@@ -140,6 +173,8 @@ Experiment terrain_experiment() {
   out.own.option("--gait", options->gait, "one alone; default: all that go forward");
   out.own.option("--world", options->world,
                  "one of robots/worlds, or a file like them, instead of the tasks: how much of its heights");
+  out.own.option("--level", options->level, "this one alone, without search");
+  out.own.option("--runs", options->runs, "drawn plants for each level; eight of ten must pass");
   out.own.option("--distance", options->distance_m, "m, of each run; ramps and hills begin 0.8 m ahead");
   out.run = [options](const ExperimentInput& in) { return run_terrain(in, *options); };
   return out;

@@ -1,5 +1,9 @@
 #pragma once
 /// `sprung experiment terrain`: the hardest level of each task that a robot passes in each gait.
+#include <functional>
+#include <string>
+#include <vector>
+
 #include "tools/lab/run/experiment.h"
 #include "tools/lab/terrain/terrain_task.h"
 
@@ -21,8 +25,10 @@ struct TerrainOutcome {
 
 /// terrain.TASK.GAIT.level: pure. NaN where not even the easiest was passed.
 ReportRow terrain_row(const TerrainOutcome& outcome);
-/// Levels tried, and of each run that did not pass its draw and why. Pure.
-report::Section terrain_section(const TerrainOutcome& outcome);
+/// The command that repeats a run with a log, and plays it.
+using HowToSee = std::function<std::string(double level, double draw)>;
+/// Levels tried, and of each run that did not pass its draw, what became of it and when. Pure.
+report::Section terrain_section(const TerrainOutcome& outcome, const HowToSee& how_to_see);
 
 Experiment terrain_experiment();
 

@@ -7,6 +7,7 @@
 #include "lcmtypes/channels.h"
 #include "runtime/log.h"
 #include "signals/messages.h"
+#include "simulation/plant/plant_words.h"
 #include "tools/logs/recorder/log_metadata.h"
 
 namespace sprung {
@@ -66,11 +67,11 @@ void InProcessLog::on_cycle(const InProcessRobot& robot) {
 InProcessRobot::ObserverSource logs_into(const std::string& folder, const std::string& command_line) {
   std::filesystem::create_directories(folder);
   const auto count = std::make_shared<std::atomic<int>>(0);
-  return [=](const RobotConfig& robot, const std::string& preset, const SimOptions&) {
+  return [=](const RobotConfig& robot, const std::string& preset, const SimOptions& sim) {
     char number[16];
     std::snprintf(number, sizeof number, "-%03d.lcm", (*count)++);
     return std::make_unique<InProcessLog>((std::filesystem::path(folder) / (robot.name + number)).string(),
-                                          robot, preset, command_line);
+                                          robot, preset, command_line + plant_text(sim.plant));
   };
 }
 

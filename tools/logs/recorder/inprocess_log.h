@@ -34,6 +34,7 @@ class InProcessLog : public InProcessObserver {
 
 /// One log for each robot that is made: FOLDER/ROBOT-000.lcm, -001, ...; makes the folder. Where robots run
 /// in several threads, their numbers are in no order.
+/// @param command_line for LOG_METADATA; the words of the robot's plant follow it.
 InProcessRobot::ObserverSource logs_into(const std::string& folder, const std::string& command_line);
 
 }  // namespace sprung

@@ -46,12 +46,23 @@ TEST(TerrainExperiment, SectionTellsWhoDidNotPassAndWhy) {
   passed.draw = 1001.0;
   fell.draw = 1002.0;
   fell.why = "fell: tilted";
+  fell.vitals.fell = true;
+  fell.vitals.fell_at_s = 3.5;
   outcome.tried = {{1, {passed, fell}}};
   EXPECT_EQ(outcome.tried.front().passed(), 1);
-  const report::Section section = terrain_section(outcome);
-  ASSERT_EQ(section.tables.size(), 1u);
-  ASSERT_EQ(section.tables.front().rows.size(), 1u);
-  EXPECT_EQ(section.tables.front().rows.front().back().text, "1002: fell: tilted");
+  const auto how_to_see = [](double level, double draw) {
+    return report::number_text(level) + ", " + report::number_text(draw);
+  };
+  const report::Section section = terrain_section(outcome, how_to_see);
+  ASSERT_EQ(section.tables.size(), 2u);
+  ASSERT_EQ(section.tables.back().rows.size(), 1u);
+  const auto& row = section.tables.back().rows.front();
+  EXPECT_EQ(row[1].text, "1002");
+  EXPECT_EQ(row[2].text, "fell: tilted");
+  EXPECT_EQ(row[3].text, "3.5");
+  EXPECT_EQ(row[4].text, "4, 1002");
+  outcome.tried = {{1, {passed}}};
+  EXPECT_EQ(terrain_section(outcome, how_to_see).tables.size(), 1u);
 }
 
 ExperimentOutput tried(const char* option, const char* value) {
@@ -70,6 +81,8 @@ TEST(TerrainExperiment, WrongWordsAreRefused) {
   EXPECT_THROW(tried("--gait", "amble"), std::invalid_argument);
   EXPECT_THROW(tried("--gait", "stand"), std::invalid_argument);
   EXPECT_THROW(tried("--distance", "0"), std::invalid_argument);
+  EXPECT_THROW(tried("--runs", "0"), std::invalid_argument);
+  EXPECT_THROW(tried("--level", "8.5"), std::invalid_argument);
 }
 
 TEST(TerrainExperiment, AWorldThatThereIsNotIsRefusedBeforeAnythingRuns) {
