@@ -86,10 +86,10 @@ TerrainOutcome climb(const ExperimentInput& in, const TerrainTask& task, const G
 
 /// Names the command that shows a run that did not pass.
 std::string again(const ExperimentInput& in, const TerrainOutcome& outcome, double level, double draw) {
-  return "sprung experiment terrain --robot " + in.asked.robot + " --seed " + std::to_string(in.sim.seed) +
-         " --only " + outcome.task->name + " --gait " + outcome.gait + " --level " +
-         report::number_text(level) + " --plant draw=" + report::number_text(draw) +
-         " --runs 1 --logs F; sprung play F/*.lcm";
+  return "sprung experiment --logs F terrain --robot " + in.asked.robot + " --seed " +
+         std::to_string(in.sim.seed) + " --only " + outcome.task->name + " --gait " + outcome.gait +
+         " --level " + report::number_text(level) + " --plant draw=" + report::number_text(draw) +
+         " --runs 1; sprung play F/*.lcm";
 }
 
 std::vector<TerrainTask> wanted_tasks(const ExperimentInput& in, const Options& options) {
