@@ -1,7 +1,6 @@
 #include "simulation/plant/ground_contact.h"
 
 #include <algorithm>
-#include <mutex>
 
 #include "simulation/plant/mujoco_row.h"
 
@@ -34,12 +33,14 @@ void keep_silent(const char* /*message*/) {}
 }  // namespace
 
 void use_foot_contact() {
-  static std::once_flag once;  // other threads may already be simulating
-  std::call_once(once, [] {
+  // Once, for other threads may already be simulating.
+  static const bool used = [] {
     mujocos_own();  // remembered before it is replaced
     plane_sphere() = contact_at_lowest_point;
     mju_user_warning = keep_silent;
-  });
+    return true;
+  }();
+  (void)used;
 }
 
 UnevenFloor::UnevenFloor(const Ground& ground, int floor, const std::vector<int>& feet) noexcept

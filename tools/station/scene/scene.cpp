@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "robots/config_error.h"
+#include "simulation/plant/mujoco_row.h"
 #include "simulation/plant/plant_model.h"
 #include "simulation/plant/sim_config.h"
 
@@ -74,8 +75,8 @@ class SceneMaker {
     for (int body = 1; body < model_.nbody; ++body) {
       Json one{{"name", name_of(mjOBJ_BODY, body)},
                {"parent", model_.body_parentid[body] - 1},
-               {"position_m", numbers(model_.body_pos + 3 * body, 3)},
-               {"quaternion_wxyz", numbers(model_.body_quat + 4 * body, 4)},
+               {"position_m", numbers(sim::row(model_.body_pos, body, 3), 3)},
+               {"quaternion_wxyz", numbers(sim::row(model_.body_quat, body, 4), 4)},
                {"shapes", shapes_of(body)}};
       const int joint = hinge_of(body);
       if (joint >= 0) one["joint"] = joint_of(joint);
@@ -94,8 +95,8 @@ class SceneMaker {
   Json joint_of(int joint) const {
     return {{"name", name_of(mjOBJ_JOINT, joint)},
             {"type", "hinge"},
-            {"axis", numbers(model_.jnt_axis + 3 * joint, 3)},
-            {"position_m", numbers(model_.jnt_pos + 3 * joint, 3)},
+            {"axis", numbers(sim::row(model_.jnt_axis, joint, 3), 3)},
+            {"position_m", numbers(sim::row(model_.jnt_pos, joint, 3), 3)},
             {"zero", model_.qpos0[model_.jnt_qposadr[joint]]}};
   }
 
@@ -110,11 +111,12 @@ class SceneMaker {
   }
   Json shape_of(int geom, const char* kind) const {
     const int material = model_.geom_matid[geom];
-    const float* const rgba = material >= 0 ? model_.mat_rgba + 4 * material : model_.geom_rgba + 4 * geom;
+    const float* const rgba = material >= 0 ? sim::row(model_.mat_rgba, material, 4)
+                                            : sim::row(model_.geom_rgba, geom, 4);
     Json shape{{"kind", kind},
-               {"size_m", numbers(model_.geom_size + 3 * geom, 3)},
-               {"position_m", numbers(model_.geom_pos + 3 * geom, 3)},
-               {"quaternion_wxyz", numbers(model_.geom_quat + 4 * geom, 4)},
+               {"size_m", numbers(sim::row(model_.geom_size, geom, 3), 3)},
+               {"position_m", numbers(sim::row(model_.geom_pos, geom, 3), 3)},
+               {"quaternion_wxyz", numbers(sim::row(model_.geom_quat, geom, 4), 4)},
                {"rgba", std::vector<float>(rgba, rgba + 4)}};
     if (model_.geom_type[geom] == mjGEOM_MESH) shape["mesh"] = model_.geom_dataid[geom];
     for (const LegConfig& leg : robot_.legs)
@@ -124,10 +126,11 @@ class SceneMaker {
   Json meshes() const {
     Json out = Json::array();
     for (int mesh = 0; mesh < model_.nmesh; ++mesh) {
-      const float* const vertices = model_.mesh_vert + 3 * model_.mesh_vertadr[mesh];
-      const int* const faces = model_.mesh_face + 3 * model_.mesh_faceadr[mesh];
-      out.push_back({{"vertices_m", std::vector<float>(vertices, vertices + 3 * model_.mesh_vertnum[mesh])},
-                     {"triangles", std::vector<int>(faces, faces + 3 * model_.mesh_facenum[mesh])}});
+      const float* const vertices = sim::row(model_.mesh_vert, model_.mesh_vertadr[mesh], 3);
+      const int* const faces = sim::row(model_.mesh_face, model_.mesh_faceadr[mesh], 3);
+      out.push_back(
+          {{"vertices_m", std::vector<float>(vertices, sim::row(vertices, model_.mesh_vertnum[mesh], 3))},
+           {"triangles", std::vector<int>(faces, sim::row(faces, model_.mesh_facenum[mesh], 3))}});
     }
     return out;
   }
@@ -165,7 +168,7 @@ class SceneMaker {
     const int foot = mj_name2id(&model_, mjOBJ_GEOM, (leg.name + "_foot").c_str());
     if (foot < 0) return out;
     out["foot_body"] = model_.geom_bodyid[foot] - 1;
-    out["foot_in_body_m"] = numbers(model_.geom_pos + 3 * foot, 3);
+    out["foot_in_body_m"] = numbers(sim::row(model_.geom_pos, foot, 3), 3);
     return out;
   }
 
