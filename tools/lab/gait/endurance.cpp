@@ -9,7 +9,9 @@
 #include <stdexcept>
 
 #include "robots/gait_speed.h"
+#include "simulation/plant/plant_words.h"
 #include "tools/lab/bench/stopwatch.h"
+#include "tools/lab/gait/endurance_world.h"
 #include "tools/lab/gait/walking_robot.h"
 #include "tools/lab/run/dice.h"
 
@@ -128,7 +130,9 @@ bool obey(WalkingRobot& walker, const EnduranceStep& step) {
 EnduranceOutcome endure(const RobotConfig& robot, const EnduranceRequest& request, std::size_t place) {
   const double began_s = processor_s();
   const std::uint64_t seed = request.seed + place;
-  SimOptions sim{seed, endurance_plant(kMostSeeds * (request.ensemble - 1) + place + 1)};
+  const std::uint64_t number = kMostSeeds * (request.ensemble - 1) + place + 1;
+  SimOptions sim{seed, endurance_plant(number)};
+  if (request.worlds) sim.plant.merge(endurance_world(number));
   for (const auto& [key, value] : request.plant) sim.plant[key] = value;
   EnduranceOutcome out;
   out.seed = seed;
@@ -159,7 +163,8 @@ std::vector<EnduranceOutcome> run_endurance(const RobotConfig& robot, const Endu
       request.parallel);
 }
 
-std::vector<ReportRow> endurance_rows(const std::vector<EnduranceOutcome>& outcomes) {
+std::vector<ReportRow> endurance_rows(const std::vector<EnduranceOutcome>& outcomes, bool worlds) {
+  const std::string name = worlds ? "endurance.worlds." : "endurance.all.";
   int falls = 0, uncaught = 0, trips = 0, refusals = 0, requests = 0;
   double watched_s = 0.0, saturated = 0.0, fastest_rad_s = 0.0, strongest_Nm = 0.0, reserve = kNaN;
   for (const EnduranceOutcome& o : outcomes) {
@@ -174,16 +179,16 @@ std::vector<ReportRow> endurance_rows(const std::vector<EnduranceOutcome>& outco
     strongest_Nm = std::max(strongest_Nm, o.vitals.strongest_Nm);
     reserve = std::fmin(reserve, o.reserve.least);
   }
-  std::vector<ReportRow> rows = {row("endurance.all.falls", "", falls, at_most(0.0)),
-                                 row("endurance.all.limit_trips", "", trips, at_most(0.0)),
-                                 row("endurance.all.uncaught_falls", "", uncaught, at_most(0.0)),
-                                 row("endurance.all.watched", "min", watched_s / 60.0),
-                                 row("endurance.all.requests", "", requests),
-                                 row("endurance.all.refusals", "", refusals),
-                                 row("endurance.all.saturated_worst", "%", 100.0 * saturated),
-                                 row("endurance.all.joint_speed_max", "rad/s", fastest_rad_s),
-                                 row("endurance.all.motor_torque_max", "Nm", strongest_Nm)};
-  if (std::isfinite(reserve)) rows.push_back(row("endurance.all.voltage_reserve", "%", 100.0 * reserve));
+  std::vector<ReportRow> rows = {row(name + "falls", "", falls, at_most(worlds ? 1.0 : 0.0)),
+                                 row(name + "limit_trips", "", trips, at_most(0.0)),
+                                 row(name + "uncaught_falls", "", uncaught, at_most(0.0)),
+                                 row(name + "watched", "min", watched_s / 60.0),
+                                 row(name + "requests", "", requests),
+                                 row(name + "refusals", "", refusals),
+                                 row(name + "saturated_worst", "%", 100.0 * saturated),
+                                 row(name + "joint_speed_max", "rad/s", fastest_rad_s),
+                                 row(name + "motor_torque_max", "Nm", strongest_Nm)};
+  if (std::isfinite(reserve)) rows.push_back(row(name + "voltage_reserve", "%", 100.0 * reserve));
   return rows;
 }
 
@@ -192,13 +197,13 @@ report::Section endurance_section(const std::vector<EnduranceOutcome>& outcomes)
   report::Table table{
       "",
       {"seed", "friction", "mass", "floor friction", "watched (s)", "requests", "saturated (%)",
-       "joint speed (rad/s)", "motor torque (Nm)", "voltage reserve (%)", "what befell it"}};
+       "joint speed (rad/s)", "motor torque (Nm)", "voltage reserve (%)", "plant", "what befell it"}};
   for (const EnduranceOutcome& o : outcomes) {
     const bool well = !o.vitals.fell && o.vitals.trips == 0;
     table.rows.push_back({o.seed, o.plant.at("friction_scale"), o.plant.at("mass_scale"),
                           o.plant.at("ground_friction"), o.vitals.watched_s, o.requests,
                           100.0 * o.vitals.saturated_share, o.vitals.fastest_rad_s, o.vitals.strongest_Nm,
-                          100.0 * o.reserve.least,
+                          100.0 * o.reserve.least, plant_text(o.plant),
                           well ? report::Cell{"nothing", report::Mark::kGood}
                                : report::Cell{o.vitals.why + " (" + o.doing + ")", report::Mark::kBad}});
   }
@@ -222,21 +227,23 @@ Experiment endurance_experiment() {
     int seeds = 20;
     double minutes = 10.0;
     std::uint64_t ensemble = 1;
+    bool worlds = false;
   };
   const auto own = std::make_shared<Own>();
   Experiment out = gait_experiment(
-      "endurance", "Minutes of an operator's commands at random on drawn plants, flat floor.",
+      "endurance", "Minutes of an operator's commands at random on drawn plants.",
       "Does the robot stay up, and do its limits hold, whatever an operator asks of it?");
   out.seed_help = "of every noise and of the operator; 0 was used for tuning";
   out.own.option("--seeds", own->seeds, "how many, from --seed on, each on another plant");
   out.own.option("--ensemble", own->ensemble, "which plants are drawn about sim.yaml's");
   out.own.option("--minutes", own->minutes, "of commands for each");
+  out.own.flag("--worlds", own->worlds, "on drawn slopes, hills and hollows, some with a payload");
   out.shorten = [own] { own->minutes = 1.0; };
   out.run = [own](const ExperimentInput& in) {
     const std::vector<EnduranceOutcome> outcomes = run_endurance(
-        in.robot,
-        {in.preset, in.sim.seed, own->seeds, own->minutes, in.sim.plant, in.parallel, own->ensemble});
-    ExperimentOutput output{endurance_rows(outcomes), 0.0, {endurance_section(outcomes)}};
+        in.robot, {in.preset, in.sim.seed, own->seeds, own->minutes, in.sim.plant, in.parallel, own->ensemble,
+                   own->worlds});
+    ExperimentOutput output{endurance_rows(outcomes, own->worlds), 0.0, {endurance_section(outcomes)}};
     for (const EnduranceOutcome& o : outcomes) output.simulated_s += o.simulated_s;
     char text[80];
     std::snprintf(text, sizeof text, "whole stack in one process: %.1f x real time on one core",

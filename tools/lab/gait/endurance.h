@@ -1,6 +1,6 @@
 #pragma once
-/// `sprung experiment endurance`: minutes of an operator's commands at random on drawn plants, flat floor:
-/// who falls, what trips.
+/// `sprung experiment endurance`: minutes of an operator's commands at random on drawn plants, on a flat
+/// floor or in drawn worlds: who falls, what trips.
 #include <cstdint>
 #include <map>
 #include <string>
@@ -42,7 +42,8 @@ struct EnduranceRequest {
   std::map<std::string, double> plant;  ///< changes over what is drawn
   ParallelOptions parallel;
   std::uint64_t
-      ensemble = 1;  ///< of plants: those of another seed are the same, with other noise and requests
+      ensemble = 1;     ///< of plants: those of another seed are the same, with other noise and requests
+  bool worlds = false;  ///< each in a world of its own: endurance_world.h
 };
 
 struct EnduranceOutcome {
@@ -63,8 +64,9 @@ EnduranceOutcome endure(const RobotConfig& robot, const EnduranceRequest& reques
 /// @throws CaseError where a simulation fails, std::invalid_argument for what cannot be asked.
 std::vector<EnduranceOutcome> run_endurance(const RobotConfig& robot, const EnduranceRequest& request);
 
-/// Rows endurance.all.*: pure, the same bits whatever the machine does.
-std::vector<ReportRow> endurance_rows(const std::vector<EnduranceOutcome>& outcomes);
+/// Rows endurance.all.*, or endurance.worlds.*, of which one fall is borne if it is noticed: pure, the same
+/// bits whatever the machine does.
+std::vector<ReportRow> endurance_rows(const std::vector<EnduranceOutcome>& outcomes, bool worlds = false);
 report::Section endurance_section(const std::vector<EnduranceOutcome>& outcomes);
 /// Simulated time over a core's time: a measurement of this machine, and so no row. NaN where nothing was
 /// measured.

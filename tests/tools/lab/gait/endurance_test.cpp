@@ -106,6 +106,34 @@ TEST(EnduranceRows, FallsAndTripsAreNotAllowed) {
   EXPECT_FALSE(endurance_row(rows, "limit_trips").ok());
 }
 
+TEST(EnduranceRows, InWorldsOneFallIsBorne) {
+  std::vector<EnduranceOutcome> outcomes(3);
+  outcomes[1].vitals.fell = true;
+  outcomes[1].vitals.caught = true;
+  const auto well = [&] {
+    bool ok = true;
+    for (const ReportRow& row : endurance_rows(outcomes, true)) {
+      EXPECT_EQ(row.name.rfind("endurance.worlds.", 0), 0u) << row.name;
+      ok = ok && row.ok();
+    }
+    return ok;
+  };
+  EXPECT_TRUE(well());
+  outcomes[2].vitals.fell = true;
+  EXPECT_FALSE(well());
+  outcomes[2].vitals.fell = outcomes[1].vitals.caught = false;
+  EXPECT_FALSE(well()) << "it was not noticed";
+}
+
+TEST(EndurancePlants, WorldsAreDrawnBesidesThemAndWhatIsAskedForCounts) {
+  EnduranceRequest request;
+  request.minutes = 0.02;
+  request.worlds = true;
+  EXPECT_GT(endure(pegasus(), request, 0).plant.count("ground_begins"), 0u);
+  request.plant = {{"ground_begins", 1.5}};
+  EXPECT_EQ(endure(pegasus(), request, 0).plant.at("ground_begins"), 1.5);
+}
+
 TEST(EnduranceRows, WorstOfAllSeedsAndTheSumOfTheirTime) {
   std::vector<EnduranceOutcome> outcomes(2);
   outcomes[0].vitals.watched_s = 30.0;

@@ -1,0 +1,13 @@
+#pragma once
+/// Grounds and payloads that an endurance run is drawn on besides its plant. Pure.
+#include <cstdint>
+#include <map>
+#include <string>
+
+namespace sprung {
+
+/// Keys of `--plant`: a slope in any direction or hills and hollows, of what every gait of pegasus passes in
+/// `sprung experiment terrain` at most; a payload on every other. The same number gives the same.
+std::map<std::string, double> endurance_world(std::uint64_t number);
+
+}  // namespace sprung
