@@ -49,16 +49,6 @@ double draw(std::uint64_t seed, std::uint64_t which, std::int64_t nth) noexcept 
 
 }  // namespace
 
-void GroundConfig::scale_heights(double scale) noexcept {
-  const auto steeper = [scale](double rad) { return std::atan(scale * std::tan(rad)); };
-  slope_rad = steeper(slope_rad);
-  side_slope_rad = steeper(side_slope_rad);
-  for (double GroundConfig::*height : {&GroundConfig::wave_m, &GroundConfig::rough_m, &GroundConfig::error_m})
-    this->*height *= scale;
-  for (GroundStep& step : steps) step.height_m *= scale;
-  for (GroundRamp& ramp : ramps) ramp.slope_rad = steeper(ramp.slope_rad);
-}
-
 Ground::Ground(const GroundConfig& config, double height_m, std::size_t legs)
     : config_(config),
       slope_(std::tan(config.slope_rad)),

@@ -135,12 +135,14 @@ Ground::Place Plant::below_trunk() const noexcept {
   return ground_.below(trunk_m[0], trunk_m[1]);
 }
 
-/// The floor of all that is not a foot is where the ground below each part is (UnevenFloor). Its plane only
-/// has to be so high that MuJoCo leaves no part out for being above it.
+/// Spheres that are no feet meet the ground below each of them (UnevenFloor): for them the plane only has to
+/// be so high that MuJoCo leaves none out for being above it. Other shapes meet the plane itself, the ground
+/// below the trunk.
 void Plant::place_floors() noexcept {
   constexpr double kHigh_m = 10.0;
   Ground::Place floor = below_trunk();
-  if (ground_.uneven()) floor = {{floor.point_m[0], floor.point_m[1], floor.point_m[2] + kHigh_m}};
+  if (ground_.uneven() && !index_.others_meet_floor)
+    floor = {{floor.point_m[0], floor.point_m[1], floor.point_m[2] + kHigh_m}};
   place_floor(index_.floor_geom, floor);
   for (std::size_t leg = 0; leg < foot_m_.size(); ++leg)
     place_floor(index_.leg_floor_geom[leg], ground_.under(leg, foot_m_[leg][0], foot_m_[leg][1]));

@@ -102,8 +102,10 @@ PlantIndex find_parts(const mjModel& model, const RobotConfig& robot) {
   }
   for (int geom = 0; geom < model.ngeom; ++geom) {
     const bool moves = model.body_weldid[model.geom_bodyid[geom]] != 0;
-    if (moves && model.geom_type[geom] == mjGEOM_SPHERE && meets_anything(model, geom))
-      index.ground_geom.push_back(geom);
+    if (!moves || !meets_anything(model, geom)) continue;
+    const bool is_sphere = model.geom_type[geom] == mjGEOM_SPHERE;
+    if (is_sphere) index.ground_geom.push_back(geom);
+    index.others_meet_floor = index.others_meet_floor || !is_sphere;
   }
   return index;
 }

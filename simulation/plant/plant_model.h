@@ -41,6 +41,7 @@ struct PlantIndex {
   std::vector<int> foot_geom;       ///< of RobotConfig::legs
   std::vector<int> leg_floor_geom;  ///< `<leg>_floor`, else floor_geom
   std::vector<int> ground_geom;     ///< spheres of moving bodies that may meet a floor, feet among them
+  bool others_meet_floor = false;   ///< moving bodies have shapes besides spheres that meet something
 };
 
 struct PlantModel {

@@ -38,7 +38,11 @@ std::map<std::string, double> plant_of_command(const std::string& command_line) 
   std::map<std::string, double> plant;
   std::istringstream words(command_line);
   for (std::string word, before; words >> word; before = word) {
-    const std::string text = before == "--world" ? "world=" + word : before == "--plant" ? word : "";
+    // "--world NAME" or "--world=NAME"
+    const std::size_t equals = word.rfind("--", 0) == 0 ? word.find('=') : std::string::npos;
+    const std::string option = equals == std::string::npos ? before : word.substr(0, equals);
+    const std::string value = equals == std::string::npos ? word : word.substr(equals + 1);
+    const std::string text = option == "--world" ? "world=" + value : option == "--plant" ? value : "";
     if (text.empty()) continue;
     try {
       plant.merge(parse_plant({text}));

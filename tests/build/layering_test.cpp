@@ -50,7 +50,7 @@ const std::regex kForbidden(
     R"(#include\s+[<"](lcm/|spdlog/|CLI/|runtime/(?!transport/lcm_address|message_layout)|chrono|thread|mutex|condition_variable|sys/socket|sys/time|time\.h|ctime|poll\.h|unistd\.h|iostream|fstream|random|drivers/can/(can_bus|udp_bus|socketcan_bus|lockstep_link)))");
 const std::regex kMessageHeader(R"(#include\s+[<"]sprung_msgs/)");
 /// The plant's and the robot's files are read once, when a core is built.
-const std::regex kReadsFiles(R"((sim_config|plant_model|model_places|plant|foot_contact)\.(h|cpp)$)");
+const std::regex kReadsFiles(R"((sim_config|plant_model|model_places|plant)\.(h|cpp)$)");
 /// A profile's folder holds both sides of the cable; the simulated one is told by its name.
 const std::regex kSimulatedDevice(R"(drivers/profiles/[^/]+/\w+_device\w*\.(h|cpp)$)");
 

@@ -3,10 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 
 #include "robots/robot_loader.h"
 #include "simulation/plant/mujoco_row.h"
 #include "simulation/plant/plant.h"
+#include "tests/support/own_folder.h"
 #include "tests/support/paths.h"
 
 namespace sprung::sim {
@@ -46,8 +50,8 @@ struct Lying {
   Vec3 began_m{}, ended_m{};
 };
 
-Lying lie_on(const GroundConfig& ground) {
-  const RobotConfig robot = load_robot(test::source_dir() + "/robots/pegasus");
+Lying lie_on(const GroundConfig& ground, const std::string& folder = test::source_dir() + "/robots/pegasus") {
+  const RobotConfig robot = load_robot(folder);
   PlantConfig config = load_sim_config(robot, {{"lying", 1.0}}).plant;
   config.ground = ground;
   Plant plant(robot, config);
@@ -69,6 +73,29 @@ TEST(UnevenFloor, TrunkLiesOnABoardThatNoFootIsOn) {
   const double level_m = lie_on({}).ended_m[2];
   EXPECT_GT(lie_on(board).ended_m[2], level_m + 0.01);
   EXPECT_LT(lie_on(board).ended_m[2], level_m + 0.045);
+}
+
+/// Somebody else's robot may have a hull: MuJoCo has no ground below it but the plane.
+TEST(UnevenFloor, RobotWithABoxLiesOnASlope) {
+  const test::OwnFolder folder("hulled");
+  std::filesystem::copy(test::source_dir() + "/robots/pegasus", folder / "pegasus",
+                        std::filesystem::copy_options::recursive);
+  const std::string path = folder / "pegasus/model.xml";
+  std::ifstream in(path);
+  std::string text{std::istreambuf_iterator<char>(in), {}};
+  const auto insert = [&text](const std::string& before, const std::string& what) {
+    const std::size_t at = text.find(before);
+    ASSERT_NE(at, std::string::npos) << before;
+    text.insert(at, what);
+  };
+  insert("<geom name=\"trunk_fl_top\"", "<geom name=\"hull\" type=\"box\" size=\"0.2 0.1 0.02\"/>\n");
+  insert("<pair geom1=\"floor\"", "<pair geom1=\"floor\" geom2=\"hull\"/>\n");
+  std::ofstream(path) << text;
+  GroundConfig slope;
+  slope.slope_rad = 0.15;
+  const Vec3 as_shipped_m = lie_on(slope).ended_m;
+  const Vec3 with_hull_m = lie_on(slope, folder / "pegasus").ended_m;
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(with_hull_m[i], as_shipped_m[i], 0.01);
 }
 
 TEST(SetFriction, RobotSlidesDownWhereItIsSlipperyAlone) {

@@ -19,6 +19,8 @@ TEST(PlantWords, AreKeysAndNumbersButForFamiliesAndWorlds) {
 TEST(PlantWords, OfACommandAreWhatFollowsPlantAndWorld) {
   EXPECT_EQ(plant_of_command("sprung up pegasus --sim --world yard --plant draw=7 --plant wrong --seed 3"),
             (Words{{"world.yard", 1.0}, {"draw", 7.0}}));
+  EXPECT_EQ(plant_of_command("sprung up pegasus --sim --world=yard --plant=draw=7 --preset=best"),
+            (Words{{"world.yard", 1.0}, {"draw", 7.0}}));
   EXPECT_EQ(plant_of_command("sprung up pegasus --sim --plant"), Words{});
   EXPECT_EQ(plant_of_command(""), Words{});
 }

@@ -8,6 +8,7 @@
 #include "robots/robot_loader.h"
 #include "simulation/sim_core.h"
 #include "tests/support/paths.h"
+#include "tests/support/refusal.h"
 
 namespace sprung::sim {
 namespace {
@@ -15,12 +16,7 @@ namespace {
 World world_of(const std::string& yaml) { return read_world(YamlMap::parse(yaml, "w.yaml")); }
 
 std::string refused_world(const std::string& yaml) {
-  try {
-    (void)world_of(yaml);
-  } catch (const ConfigError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of<ConfigError>([&] { (void)world_of(yaml); });
 }
 
 RobotConfig pegasus() { return load_robot(test::source_dir() + "/robots/pegasus"); }
@@ -74,13 +70,9 @@ TEST(World, EveryOneThatIsShippedHoldsARobot) {
 }
 
 TEST(World, OfANameThatThereIsNotSaysWhichThereAre) {
-  try {
-    (void)world_path(pegasus(), "mars");
-    FAIL();
-  } catch (const ConfigError& error) {
-    EXPECT_NE(std::string(error.what()).find("no world 'mars'"), std::string::npos) << error.what();
-    EXPECT_NE(std::string(error.what()).find("stairs"), std::string::npos) << error.what();
-  }
+  const std::string refused = test::refusal_of<ConfigError>([] { (void)world_path(pegasus(), "mars"); });
+  EXPECT_NE(refused.find("no world 'mars'"), std::string::npos) << refused;
+  EXPECT_NE(refused.find("stairs"), std::string::npos) << refused;
   EXPECT_THROW((void)world_path(pegasus(), "/nowhere/x.yaml"), ConfigError);
 }
 

@@ -132,7 +132,7 @@ EnduranceOutcome endure(const RobotConfig& robot, const EnduranceRequest& reques
   const std::uint64_t seed = request.seed + place;
   const std::uint64_t number = kMostSeeds * (request.ensemble - 1) + place + 1;
   SimOptions sim{seed, endurance_plant(number)};
-  if (request.worlds) sim.plant.merge(endurance_world(number));
+  if (request.worlds) sim.plant.merge(endurance_world(robot, number));
   for (const auto& [key, value] : request.plant) sim.plant[key] = value;
   EnduranceOutcome out;
   out.seed = seed;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "signals/angles.h"
+#include "tools/lab/gait/drawn_payload.h"
 #include "tools/lab/run/dice.h"
 
 namespace sprung {
@@ -12,11 +13,10 @@ namespace {
 constexpr double kWorldSteepest_rad = 8.4 / 180.0 * kPi, kWorldWave_m = 0.03, kWorldPayload_kg = 3.0;
 constexpr double kShortestWave_m = 0.8, kLongestWave_m = 2.0;
 constexpr double kWorldBegins_m = 0.8;  // ahead: it stands up on level ground, unless the slope is across
-constexpr double kWorldPayloadX_m = 0.3, kWorldPayloadY_m = 0.1;
 
 }  // namespace
 
-std::map<std::string, double> endurance_world(std::uint64_t number) {
+std::map<std::string, double> endurance_world(const RobotConfig& robot, std::uint64_t number) {
   Dice dice(number ^ 0x5107E5ULL);  // neither the script's nor the plant's
   std::map<std::string, double> plant{{"ground_begins", kWorldBegins_m}};
   if (dice.one_in(2)) {
@@ -29,9 +29,8 @@ std::map<std::string, double> endurance_world(std::uint64_t number) {
     plant["wave_length"] = dice.between(kShortestWave_m, kLongestWave_m);
   }
   if (dice.one_in(2)) {
-    plant["payload"] = dice.between(0.0, kWorldPayload_kg);
-    plant["payload_x"] = dice.between(-kWorldPayloadX_m, kWorldPayloadX_m);
-    plant["payload_y"] = dice.between(-kWorldPayloadY_m, kWorldPayloadY_m);
+    const double mass_kg = dice.between(0.0, kWorldPayload_kg);
+    plant.merge(drawn_payload(robot, mass_kg, dice));
   }
   return plant;
 }

@@ -4,10 +4,12 @@
 #include <map>
 #include <string>
 
+#include "robots/robot_config.h"
+
 namespace sprung {
 
 /// Keys of `--plant`: a slope in any direction or hills and hollows, of what every gait of pegasus passes in
 /// `sprung experiment terrain` at most; a payload on every other. The same number gives the same.
-std::map<std::string, double> endurance_world(std::uint64_t number);
+std::map<std::string, double> endurance_world(const RobotConfig& robot, std::uint64_t number);
 
 }  // namespace sprung

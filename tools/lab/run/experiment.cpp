@@ -14,15 +14,14 @@
 namespace sprung {
 namespace {
 
-std::string command_of(const Experiment& experiment, const ExperimentRequest& request,
-                       const std::string& preset) {
-  std::string line = "sprung experiment " + experiment.name + " --robot " + request.robot;
+std::string common_words_of(const Experiment& experiment, const ExperimentRequest& request,
+                            const std::string& preset) {
+  std::string line = " --robot " + request.robot;
   if (experiment.takes.count(Common::kPreset) > 0) line += " --preset " + preset;
   for (const std::string& number : request.set) line += " --set " + number;
   line += plant_words(request);
   if (!request.position_loop.empty()) line += " --position-loop " + request.position_loop;
-  return line + " --seed " + std::to_string(request.seed) + experiment.own.words() +
-         (request.separate ? " --separate" : "");
+  return line + " --seed " + std::to_string(request.seed);
 }
 
 std::string preset_of(const Experiment& experiment, const ExperimentRequest& request,
@@ -155,7 +154,9 @@ ExperimentInput experiment_input(const Experiment& experiment, const ExperimentR
   input.sim.plant = parse_plant(request.plant);
   input.run = script_runner(request.separate);
   input.parallel.jobs = request.separate ? 1 : request.jobs;
-  input.command = command_of(experiment, request, input.preset);
+  input.common_words = common_words_of(experiment, request, input.preset);
+  input.command = "sprung experiment " + experiment.name + input.common_words + experiment.own.words() +
+                  (request.separate ? " --separate" : "");
   return input;
 }
 

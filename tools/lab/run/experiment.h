@@ -44,7 +44,8 @@ struct ExperimentInput {
   SimOptions sim;      ///< of --seed and --plant
   ScriptRunner run;    ///< as --separate says
   ParallelOptions parallel;
-  std::string command;  ///< the line that makes it again
+  std::string command;       ///< the line that makes it again
+  std::string common_words;  ///< of it, each after a space: robot, preset, numbers, plant, loop, seed
 };
 
 /// Of experiments whose hands feel where the robot is in every cycle. @throws std::invalid_argument with

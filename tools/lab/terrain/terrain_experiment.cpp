@@ -84,23 +84,18 @@ TerrainOutcome climb(const ExperimentInput& in, const TerrainTask& task, const G
   return out;
 }
 
-/// Names the command that shows a run that did not pass.
-std::string again(const ExperimentInput& in, const TerrainOutcome& outcome, double level, double draw) {
-  return "sprung experiment --logs F terrain --robot " + in.asked.robot + " --seed " +
-         std::to_string(in.sim.seed) + " --only " + outcome.task->name + " --gait " + outcome.gait +
-         " --level " + report::number_text(level) + " --plant draw=" + report::number_text(draw) +
-         " --runs 1; sprung play F/*.lcm";
-}
-
 std::vector<TerrainTask> wanted_tasks(const ExperimentInput& in, const Options& options) {
   if (!options.world.empty()) {
     if (options.only != kAll) throw std::invalid_argument("--world and --only: the one or the other");
     (void)sim::world_path(in.robot, options.world);
-    return {world_task(options.world)};
   }
   std::vector<TerrainTask> out;
+  if (!options.world.empty()) out.push_back(world_task(options.world));
   for (const TerrainTask& task : terrain_tasks())
-    if (options.only == kAll || options.only == task.name) out.push_back(task);
+    if (options.world.empty() && (options.only == kAll || options.only == task.name)) out.push_back(task);
+  // Before anything runs.
+  if (std::isfinite(options.level))
+    for (const TerrainTask& task : out) (void)index_of(task, options.level);
   return out;
 }
 
@@ -115,8 +110,9 @@ ExperimentOutput run_terrain(const ExperimentInput& in, const Options& options) 
     for (const GaitConfig& gait : going_gaits(in.robot, options.gait)) {
       const TerrainOutcome outcome = climb(in, task, gait, options);
       out.rows.push_back(terrain_row(outcome));
-      out.sections.push_back(terrain_section(
-          outcome, [&](double level, double draw) { return again(in, outcome, level, draw); }));
+      out.sections.push_back(terrain_section(outcome, [&](double level, double draw) {
+        return terrain_repeat(in.common_words, outcome, level, draw, options.distance_m);
+      }));
       for (const TerrainOutcome::Tried& tried : outcome.tried)
         for (const TerrainRun& run : tried.runs) out.simulated_s += run.simulated_s;
     }
@@ -139,6 +135,15 @@ ReportRow terrain_row(const TerrainOutcome& outcome) {
   if (wanted == task.wanted.end()) return row(name, task.unit, level);
   const bool grows = task.levels.back() > task.levels.front();
   return row(name, task.unit, level, grows ? at_least(wanted->second) : at_most(wanted->second));
+}
+
+std::string terrain_repeat(const std::string& common_words, const TerrainOutcome& outcome, double level,
+                           double draw, double distance_m) {
+  const TerrainTask& task = *outcome.task;
+  const std::string which = task.world.empty() ? " --only " + task.name : " --world " + task.world;
+  return "sprung experiment --logs F terrain" + common_words + " --plant draw=" + report::number_text(draw) +
+         which + " --gait " + outcome.gait + " --level " + report::number_text(level) + " --distance " +
+         report::number_text(distance_m) + " --runs 1; sprung play F/*.lcm";
 }
 
 report::Section terrain_section(const TerrainOutcome& outcome, const HowToSee& how_to_see) {

@@ -25,7 +25,10 @@ struct TerrainOutcome {
 
 /// terrain.TASK.GAIT.level: pure. NaN where not even the easiest was passed.
 ReportRow terrain_row(const TerrainOutcome& outcome);
-/// The command that repeats a run with a log, and plays it.
+/// The command that repeats one run with a log, and plays it. Pure.
+/// @param common_words as ExperimentInput's: a later `--plant draw=` counts.
+std::string terrain_repeat(const std::string& common_words, const TerrainOutcome& outcome, double level,
+                           double draw, double distance_m);
 using HowToSee = std::function<std::string(double level, double draw)>;
 /// Levels tried, and of each run that did not pass its draw, what became of it and when. Pure.
 report::Section terrain_section(const TerrainOutcome& outcome, const HowToSee& how_to_see);

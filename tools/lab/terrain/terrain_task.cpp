@@ -1,7 +1,5 @@
 #include "tools/lab/terrain/terrain_task.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 #include <stdexcept>
@@ -9,14 +7,15 @@
 #include "robots/config_error.h"
 #include "signals/angles.h"
 #include "simulation/plant/world.h"
+#include "tools/lab/gait/drawn_payload.h"
 #include "tools/lab/gait/walking_robot.h"
-#include "tools/lab/run/dice.h"
 
 namespace sprung {
 namespace {
 
 constexpr double kRadian = kPi / 180.0;
-constexpr double kBegins_m = 0.8;  // ahead of where the trunk begins
+constexpr double kNoticed_s = 1.0;  // in which a fall is to be noticed
+constexpr double kBegins_m = 0.8;   // ahead of where the trunk begins
 using Plant = std::map<std::string, double>;
 
 /// [D13] and two easier ones.
@@ -30,15 +29,9 @@ Plant sloping(const char* key, double angle_deg) {
   return {{key, angle_deg * kRadian}, {"ground_begins", kBegins_m}};
 }
 
-/// Anywhere between the hips, drawn; as high as a box of 0.15 m on a trunk like pegasus'.
 Plant loaded(const RobotConfig& robot, double mass_kg, double draw) {
-  constexpr double kHigh_m = 0.15;
-  std::array<double, 2> most_m{};
-  for (const LegConfig& leg : robot.legs)
-    for (std::size_t i = 0; i < 2; ++i) most_m[i] = std::max(most_m[i], std::abs(leg.hip_in_trunk_m[i]));
   Dice dice(static_cast<std::uint64_t>(draw));
-  const double x_m = most_m[0] * dice.between(-1.0, 1.0), y_m = most_m[1] * dice.between(-1.0, 1.0);
-  return {{"payload", mass_kg}, {"payload_x", x_m}, {"payload_y", y_m}, {"payload_z", kHigh_m}};
+  return drawn_payload(robot, mass_kg, dice);
 }
 
 /// Heights that robots/worlds have by themselves.
@@ -49,8 +42,10 @@ Plant in_world(const std::string& world, double scale) {
 }
 
 std::string failure_of(const TerrainRun& run, const MotionState& motion) {
-  if (run.vitals.fell) return "fell: " + run.vitals.why;
-  if (run.vitals.trips > 0) return "tripped: " + run.vitals.why;
+  const bool tripped_first = run.vitals.why.rfind("fell", 0) != 0;
+  if (run.vitals.trips > 0 && tripped_first) return "tripped: " + run.vitals.why;
+  if (run.vitals.fell && !run.vitals.caught) return "fell, and the planner did not notice";
+  if (run.vitals.fell) return run.vitals.why;
   if (motion.state != MotionPhase::kWalking) return std::string("stopped: ") + motion.last_transition;
   if (!(run.went_m_s >= kLeastSpeedShare * run.speed_m_s))
     return "slow: " + std::to_string(std::lround(1e3 * run.went_m_s)) + " mm/s";
@@ -85,7 +80,7 @@ const std::vector<TerrainTask>& terrain_tasks() {
        },
        {{"trot", 0.3}, {"crawl", 0.25}}},
       {"stairs",
-       "four steps up, a landing, four down; treads of 30 cm; rise",
+       "stairs with treads of 30 cm, up and, beyond 4 m, down again; rise",
        "mm",
        {20, 30, 40, 50, 60, 80, 110},
        [](const RobotConfig&, double v, double) { return in_world("stairs", v / kStairsRise_mm); },
@@ -132,6 +127,7 @@ TerrainRun walk_terrain(const RobotConfig& robot, const std::string& preset, con
     double time_s = 0.0;
     for (; time_s < lasts_s && walker.upright(); time_s += 0.5) walker.run(0.5);
     run.went_m_s = (walker.robot().truth().com_in_world_m[0] - from_m) / time_s;
+    if (!walker.upright()) walker.run(kNoticed_s);
     run.vitals = walker.vitals();
     run.simulated_s = walker.simulated_s();
     run.why = failure_of(run, walker.robot().motion_state());
@@ -149,7 +145,8 @@ TerrainTask world_task(const std::string& world) {
           "x",
           {0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 2.0},
           [world](const RobotConfig&, double v, double) { return in_world(world, v); },
-          {}};
+          {},
+          world};
 }
 
 int hardest_level(int levels, const std::function<bool(int level)>& passes) {

@@ -127,7 +127,7 @@ void check_request(const LaunchRequest& request, const RobotConfig& robot) {
     throw std::invalid_argument("--inject makes faults for tests: add --sim");
   }
   if (!request.simulation && (!request.plant.empty() || request.seed != 1)) {
-    throw std::invalid_argument("--plant and --seed are the simulation's: add --sim");
+    throw std::invalid_argument("--plant, --world and --seed are the simulation's: add --sim");
   }
   const auto is_bridge = [](const ProcessConfig& process) { return process.program == kBridgeProgram; };
   if (!std::any_of(robot.processes.begin(), robot.processes.end(), is_bridge)) {

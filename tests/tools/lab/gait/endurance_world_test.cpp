@@ -11,11 +11,12 @@ namespace sprung {
 namespace {
 
 TEST(EnduranceWorld, IsASlopeOrWavesOfWhatEveryGaitPassesWithAPayloadOnHalfOfThem) {
+  const RobotConfig pegasus = load_robot("pegasus");
   int slopes = 0, waves = 0, payloads = 0;
   double steepest = 0.0, up = 0.0, down = 0.0;
   for (std::uint64_t number = 1; number <= 200; ++number) {
-    const auto world = endurance_world(number);
-    EXPECT_EQ(world, endurance_world(number));
+    const auto world = endurance_world(pegasus, number);
+    EXPECT_EQ(world, endurance_world(pegasus, number));
     payloads += static_cast<int>(world.count("payload"));
     if (world.count("wave") > 0) {
       ++waves;
@@ -37,10 +38,11 @@ TEST(EnduranceWorld, IsASlopeOrWavesOfWhatEveryGaitPassesWithAPayloadOnHalfOfThe
 }
 
 TEST(EnduranceWorld, IsAPlantThatThereIs) {
+  const RobotConfig pegasus = load_robot("pegasus");
   for (std::uint64_t number = 1; number <= 4; ++number) {
     SimOptions sim;
-    sim.plant = endurance_world(number);
-    EXPECT_NO_THROW(SimCore(load_robot("pegasus"), sim));
+    sim.plant = endurance_world(pegasus, number);
+    EXPECT_NO_THROW(SimCore(pegasus, sim));
   }
 }
 

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <sstream>
 
 #include "robots/config_error.h"
 #include "robots/robot_loader.h"
+#include "tools/lab/run/experiment_line.h"
 
 namespace sprung {
 namespace {
@@ -83,10 +85,38 @@ TEST(TerrainExperiment, WrongWordsAreRefused) {
   EXPECT_THROW(tried("--distance", "0"), std::invalid_argument);
   EXPECT_THROW(tried("--runs", "0"), std::invalid_argument);
   EXPECT_THROW(tried("--level", "8.5"), std::invalid_argument);
+  EXPECT_THROW(tried("--level", "8.4"), std::invalid_argument) << "slopes have it, others have not";
 }
 
 TEST(TerrainExperiment, AWorldThatThereIsNotIsRefusedBeforeAnythingRuns) {
   EXPECT_THROW(tried("--world", "mars"), ConfigError);
+}
+
+/// What is asked for beside the tasks is in it, and sprung takes it.
+TEST(TerrainExperiment, CommandThatShowsAFailureRepeatsThatRunAlone) {
+  const auto words_of = [](const TerrainTask& task) {
+    const std::string line = terrain_repeat(
+        " --robot pegasus --preset best --set a=1 --plant draw=3 --seed 2", reached(task, "trot", 0), 0.5,
+        1002.0, 4.0);
+    EXPECT_EQ(line.rfind("sprung experiment --logs F terrain ", 0), 0u) << line;
+    std::istringstream in(line.substr(std::string("sprung experiment --logs F ").size()));
+    std::vector<std::string> words;
+    for (std::string word; in >> word && word.find(';') == std::string::npos;) words.push_back(word);
+    words.push_back("1");  // of "--runs 1;"
+    return words;
+  };
+  for (const TerrainTask& task : {slope(), world_task("some/hills.yaml")}) {
+    const auto asked = asked_experiment(words_of(task));
+    EXPECT_EQ(asked->request.seed, 2u);
+    EXPECT_EQ(asked->request.set, std::vector<std::string>{"a=1"});
+    EXPECT_EQ(asked->request.plant, (std::vector<std::string>{"draw=3", "draw=1002"}));
+    const std::string own = asked->experiment.own.words();
+    for (const char* part : {" --gait trot", " --level 0.5", " --runs 1", " --distance 4"})
+      EXPECT_NE(own.find(part), std::string::npos) << own;
+    EXPECT_NE(own.find(task.world.empty() ? " --only slope_up" : " --world some/hills.yaml"),
+              std::string::npos)
+        << own;
+  }
 }
 
 TEST(TerrainExperiment, ItDrawsItsPlantsItself) {
