@@ -34,6 +34,7 @@ Motion::Motion(const RobotConfig& robot, const PresetConfig& preset)
     : preset_(preset),
       jump_(robot, preset),
       walk_(robot, preset),
+      payload_(robot),
       falls_(robot.body),
       adaptive_landing_(adaptive_landings(robot, preset)),
       adaptive_said_(robot.legs.size()),
@@ -169,6 +170,7 @@ void Motion::enter(MotionPhase from, const JointState& in) noexcept {
       break;
     case MotionPhase::kRising:
       enabled_ = false;
+      payload_.forget();
       kept_m_.assign(kept_m_.size(), Vec3{});
       break;
     case MotionPhase::kMovingJoint:
@@ -197,9 +199,13 @@ void Motion::enter(MotionPhase from, const JointState& in) noexcept {
       move_all(preset_.sit_length_m, preset_.rise_time_s);
       break;
     case MotionPhase::kStanding:
+      if (from == MotionPhase::kRising && payload_.rise_ended()) walk_.carry(payload_.used());
+      break;
+    case MotionPhase::kWalking:
+      payload_.begin_anew();
+      break;
     case MotionPhase::kLanding:
     case MotionPhase::kComplying:
-    case MotionPhase::kWalking:
     case MotionPhase::kFallen:
       break;
   }
@@ -277,6 +283,8 @@ void Motion::update(const JointState& in) noexcept {
 
 void Motion::update_walk(const JointState& in) noexcept {
   walk_.step(in);
+  payload_.add(in, walk_.view());
+  if (walk_.period_ended() && payload_.period_ended()) walk_.carry(payload_.used());
   if (walk_.ended()) process(MotionEvent::kWalkEnded, in);
 }
 
@@ -304,6 +312,7 @@ void Motion::update_rising(const JointState& in) noexcept {
     enabled_ = true;
     move_all(preset_.stand_length_m, preset_.rise_time_s);
   }
+  payload_.add_rise(in);
   if (since(move_began_us_) >= preset_.rise_time_s) process(MotionEvent::kRisen, in);
 }
 

@@ -8,6 +8,7 @@
 #include "planner/comply_request.h"
 #include "planner/fall_detector.h"
 #include "planner/foot_move.h"
+#include "planner/gait/payload_estimator.h"
 #include "planner/gait/walk.h"
 #include "planner/joint_motion.h"
 #include "planner/jump.h"
@@ -136,6 +137,7 @@ class Motion {
   MotionStateMachine machine_;
   Jump jump_;
   Walk walk_;
+  PayloadEstimator payload_;
   FallDetector falls_;
   ComplyRequest compliance_;
   std::vector<AdaptiveLanding> adaptive_landing_;     ///< one for each leg

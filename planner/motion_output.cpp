@@ -89,10 +89,12 @@ void Motion::write_adaptive_landing(std::size_t leg, const JointState& in, Desir
 
 void Motion::write(MotionState& out) const noexcept {
   out.state = state();
-  for (MotionLeg& leg : out.legs) leg = {leg_phase(state()), in_phase_s(), LegEvent::kNone, {}};
+  for (MotionLeg& leg : out.legs) leg = {leg_phase(state()), in_phase_s(), LegEvent::kNone, {}, kNaN, kNaN};
   out.gait = -1;
   out.gait_phase = 0.0;
   out.desired_speed = {};
+  out.estimated_ground_slope = out.estimated_ground_slope_bound = {kNaN, kNaN};
+  out.payload = payload_.estimate();
   if (state() == MotionPhase::kWalking) walk_.write(out);
   out.jumps_done = jump_.done();
   out.jumps_left = jump_.left();

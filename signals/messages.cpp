@@ -156,6 +156,7 @@ const auto kSimTruth = [](auto& way, auto& m, auto& s) {
   way(m.base_angular_velocity_rad_s, s.base_angular_velocity_rad_s);
   way(m.com_in_world_m, s.com_in_world_m);
   way(m.com_velocity_m_s, s.com_velocity_m_s);
+  way(m.true_base_contact_force_N, s.true_base_contact_force_N);
 };
 
 const auto kImu = [](auto& way, auto& m, auto& s) {

@@ -25,6 +25,8 @@ const auto kMotionLeg = [](auto& way, auto& m, auto& s) {
   way(m.phase_time_s, s.phase_time_s);
   way(m.last_event, s.last_event);
   way(m.event_counts, s.event_counts);
+  way(m.estimated_ground_z_m, s.estimated_ground_z_m);
+  way(m.estimated_ground_z_bound_m, s.estimated_ground_z_bound_m);
 };
 
 const auto kMotionState = [](auto& way, auto& m, auto& s) {
@@ -39,6 +41,11 @@ const auto kMotionState = [](auto& way, auto& m, auto& s) {
   way(m.gait, s.gait);
   way(m.gait_phase, s.gait_phase);
   way(m.desired_speed, s.desired_speed);
+  way(m.estimated_ground_slope, s.estimated_ground_slope);
+  way(m.estimated_ground_slope_bound, s.estimated_ground_slope_bound);
+  way(m.estimated_payload_kg, s.payload.mass_kg);
+  way(m.estimated_payload_bound_kg, s.payload.mass_bound_kg);
+  way(m.estimated_payload_in_trunk_m, s.payload.in_trunk_m);
 };
 
 const auto kSafetyState = [](auto& way, auto& m, auto& s) {

@@ -51,6 +51,7 @@ struct SimTruth {
   Vec3 base_angular_velocity_rad_s{};                      ///< base axes
   Vec3 com_in_world_m{};                                   ///< of the whole robot
   Vec3 com_velocity_m_s{};
+  Vec3 true_base_contact_force_N{};  ///< ground on the base itself, not on its legs; world axes
   SimTruth() = default;
   SimTruth(std::size_t joint_count, std::size_t leg_count) : joints(joint_count), legs(leg_count) {}
 };

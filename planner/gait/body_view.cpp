@@ -45,7 +45,14 @@ Eigen::Vector3d BodyShape::com_in_trunk_m(const JointState& in) const noexcept {
     moment += hip_mass_kg_[i] * (hip_in_trunk_m[i] + foot_beside_hip_m[i]) +
               leg_mass_kg_[i] * (hip_in_trunk_m[i] + middle_m);
   }
-  return moment / mass_kg;
+  Eigen::Vector3d com_m = moment / (mass_kg - load_.mass_kg);
+  com_m.head<2>() += load_.com_shift_m;
+  return com_m;
+}
+
+void BodyShape::carry(const LoadOnTrunk& load) noexcept {
+  mass_kg += load.mass_kg - load_.mass_kg;
+  load_ = load;
 }
 
 BodyView BodyView::of(const JointState& in, const BodyShape& shape) noexcept {

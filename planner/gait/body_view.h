@@ -10,12 +10,18 @@
 
 namespace sprung {
 
-/// The robot as a body on legs: what does not change.
+/// What its trunk carries beyond robot.yaml's masses, as far as laws use it.
+struct LoadOnTrunk {
+  double mass_kg = 0.0;
+  Eigen::Vector2d com_shift_m = Eigen::Vector2d::Zero();  ///< of all; trunk axes, forward and left
+};
+
+/// The robot as a body on legs: what does not change but by what it carries.
 struct BodyShape {
   explicit BodyShape(const RobotConfig& robot);
 
   std::size_t legs = 0;
-  double mass_kg = 0.0;  ///< of all
+  double mass_kg = 0.0;  ///< of all, load included
   std::array<Eigen::Vector3d, kMostLegs> hip_in_trunk_m{};
   /// Foot of a leg that stands straight under its hip, from the hip: sideways by the leg's own offset.
   std::array<Eigen::Vector3d, kMostLegs> foot_beside_hip_m{};
@@ -24,8 +30,10 @@ struct BodyShape {
   std::array<std::vector<int>, kMostLegs> joints{};  ///< indices into JOINT_STATE's
 
   Eigen::Vector3d com_in_trunk_m(const JointState& in) const noexcept;
+  void carry(const LoadOnTrunk& load) noexcept;
 
  private:
+  LoadOnTrunk load_;
   BodyConfig body_;
   std::array<double, kMostLegs> hip_mass_kg_{};
   std::array<double, kMostLegs> leg_mass_kg_{};

@@ -19,6 +19,9 @@ constexpr double kTrendPeriods = 2.0;
 constexpr double kRoughPeriods = 6.0;  // in which roughness that was seen fades
 /// Spread of the footprints below which they show no slope; pegasus' lie 0.7 x 0.35 m apart.
 constexpr double kLeastSpread_m = 0.03;
+constexpr double
+    kFootHeight_m = 0.005;         // [design choice] of a foot by its leg's kinematics, standard deviation
+constexpr double kTwoSigma = 2.0;  // standard deviations
 
 Eigen::Vector3d turned(const Eigen::Vector3d& v, double by_rad) noexcept {
   const double c = std::cos(by_rad), s = std::sin(by_rad);
@@ -118,7 +121,12 @@ GroundPlane::Fit GroundPlane::fit() const noexcept {
     middle_m += print_m_[i];
     ++prints;
   }
-  if (prints < 3) return {slope_, rough_m2_};
+  if (prints < 3) {
+    Fit none;
+    none.slope = slope_;
+    none.rough_m2 = rough_m2_;
+    return none;
+  }
   middle_m /= prints;
   Eigen::Matrix2d spread = Eigen::Matrix2d::Identity() * (kLeastSpread_m * kLeastSpread_m);
   Eigen::Vector2d rise = Eigen::Vector2d::Zero();
@@ -130,6 +138,7 @@ GroundPlane::Fit GroundPlane::fit() const noexcept {
   }
   Fit out;
   out.slope = spread.inverse() * rise;
+  out.slope_per_m2 = spread.inverse().diagonal();
   for (std::size_t i = 0; i < print_m_.size(); ++i) {
     if (!has_print_[i]) continue;
     const Eigen::Vector3d from_m = print_m_[i] - middle_m;
@@ -138,6 +147,14 @@ GroundPlane::Fit GroundPlane::fit() const noexcept {
   }
   if (out.slope.norm() > kSteepest) out.slope *= kSteepest / out.slope.norm();
   return out;
+}
+
+Eigen::Vector2d GroundPlane::slope_bound() const noexcept {
+  return kTwoSigma * std::sqrt(rough_m2_ + kFootHeight_m * kFootHeight_m) * fit().slope_per_m2.cwiseSqrt();
+}
+
+double GroundPlane::z_bound_m() const noexcept {
+  return kTwoSigma * std::sqrt(rough_m2_ + kFootHeight_m * kFootHeight_m);
 }
 
 }  // namespace sprung

@@ -39,6 +39,10 @@ class GroundPlane {
   }
   /// Rise over way, along x (heading) and y (left).
   const Eigen::Vector2d& slope() const noexcept { return slope_; }
+  /// Of the slope along x and y, and of the ground's height where a foot is to come down: errors are below
+  /// them at about 95 %, as far as footprints and their roughness show.
+  Eigen::Vector2d slope_bound() const noexcept;
+  double z_bound_m() const noexcept;
   /// By which the trunk came down toward the plane in the last cycle, as the feet show that stood before and
   /// after it.
   double sunk_m() const noexcept { return sunk_m_; }
@@ -51,6 +55,7 @@ class GroundPlane {
   static constexpr double kUsualOff = 0.1;
   struct Fit {
     Eigen::Vector2d slope;
+    Eigen::Vector2d slope_per_m2 = Eigen::Vector2d::Constant(kNaN);  ///< its variance, by that of heights
     double rough_m2 = 0.0;  ///< variance of a footprint's height: four of them leave one degree of freedom
   };
   Fit fit() const noexcept;

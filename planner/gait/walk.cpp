@@ -68,6 +68,7 @@ void Walk::begin(const JointState& in, const WalkRequest& request) noexcept {
   height_m_ = -ground_.z_m();
   heading_rad_ = view_.attitude.yaw_rad;
   body_m_s_.setZero();
+  period_ended_ = false;
   last_us_ = in.stamp.utime_us;
   stopping_ = halting_ = ended_ = false;
   placing_ = false;
@@ -197,7 +198,9 @@ void Walk::step_legs(const JointState& in, double dt_s) noexcept {
   waits_ = weight_.holds();
   for (std::size_t i = 0; i < shape_.legs; ++i)
     waits_ = waits_ || (clock_.swings(i) && clock_.swing_share(i) >= 1.0 && !steps_[i].stands());
+  const double phase = clock_.phase();
   clock_.advance(waits_ ? 0.0 : dt_s);
+  period_ended_ = gait().duty < 1.0 && clock_.phase() < phase;
   StepPlan plan{&gait(),          &law_,     request_.control, dt_s,
                 clock_.swing_s(), body_m_s_, turning_rad_s_,   ground_.sunk_m()};
   for (std::size_t i = 0; i < shape_.legs; ++i) {

@@ -44,6 +44,8 @@ class Walk {
   const WalkRequest& request() const noexcept { return request_; }
   /// Gains and gaits are others now: of the same gaits, in the same order.
   void adjust(const AdjustableConfig& config) noexcept;
+  /// From the next cycle on.
+  void carry(const LoadOnTrunk& load) noexcept { shape_.carry(load); }
   /// As far as that gait goes now.
   WalkRequest within_limits(WalkRequest request) const noexcept;
   /// Slows down and sets every foot in its place once, then stands.
@@ -56,6 +58,9 @@ class Walk {
   const char* failure() const noexcept { return failure_; }
 
   void step(const JointState& in) noexcept;
+  /// In this cycle, of a gait that steps: every leg has had its turn since the last time.
+  bool period_ended() const noexcept { return period_ended_; }
+  const BodyView& view() const noexcept { return view_; }  ///< of this cycle
   void write(std::size_t leg, DesiredLeg& out) const noexcept;
   void write(MotionState& out) const noexcept;
 
@@ -141,6 +146,7 @@ class Walk {
   bool halting_ = false;
   double halt_left_s_ = 0.0;
   bool ended_ = true;
+  bool period_ended_ = false;
   double lead_s_ = 0.0;   ///< how long the body goes on until it is over a foot that lands now
   bool placing_ = false;  ///< each foot is set once more: where its place is when the body rests
   std::int64_t last_us_ = 0;

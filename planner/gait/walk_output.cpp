@@ -49,8 +49,16 @@ void Walk::write(MotionState& out) const noexcept {
   out.gait_phase = ended_ ? 0.0 : clock_.phase();
   out.desired_speed = desired_speed();
   for (std::size_t i = 0; i < out.legs.size() && i < shape_.legs; ++i) {
-    out.legs[i] = {steps_[i].phase(), steps_[i].in_phase_s(), steps_[i].last_event(), steps_[i].counts()};
+    out.legs[i] = {steps_[i].phase(),
+                   steps_[i].in_phase_s(),
+                   steps_[i].last_event(),
+                   steps_[i].counts(),
+                   ground_.expected_z_m(view_.foot_m[i]),
+                   ground_.z_bound_m()};
   }
+  out.estimated_ground_slope = {ground_.slope().x(), ground_.slope().y()};
+  const Eigen::Vector2d bound = ground_.slope_bound();
+  out.estimated_ground_slope_bound = {bound.x(), bound.y()};
 }
 
 }  // namespace sprung

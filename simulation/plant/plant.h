@@ -109,7 +109,9 @@ class Plant {
   double gear_load_Nm(std::size_t gear) const noexcept;
   double dry_friction_Nm(std::size_t joint) const noexcept;
   TrueJoint true_joint(std::size_t joint) const noexcept;
-  Vec3 contact_force_N(int geom) const noexcept;  ///< ground on foot, world axes
+  /// Of the ground, world axes. @param met of geoms: whether it counts.
+  template <class Met>
+  Vec3 contact_force_N(Met met) const noexcept;
 
   PlantConfig config_;
   ModelPtr model_;

@@ -123,6 +123,21 @@ BaseMotion Plant::base_motion() const noexcept {
   return motion;
 }
 
+template <class Met>
+Vec3 Plant::contact_force_N(Met met) const noexcept {
+  Vec3 sum{};
+  for (int i = 0; i < data_->ncon; ++i) {
+    const mjContact& contact = data_->contact[i];
+    if (!met(contact.geom2)) continue;
+    mjtNum force[6];
+    mj_contactForce(model_.get(), data_.get(), i, force);
+    mjtNum world[3];
+    mju_rotVecMatT(world, force, contact.frame);
+    for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += world[axis];
+  }
+  return sum;
+}
+
 void Plant::fill_truth(SimTruth& truth) noexcept {
   const BaseMotion motion = base_motion();
   refresh_poses();
@@ -133,11 +148,13 @@ void Plant::fill_truth(SimTruth& truth) noexcept {
   for (std::size_t leg = 0; leg < index_.foot_geom.size(); ++leg) {
     const int geom = index_.foot_geom[leg];
     truth.legs[leg].true_foot_in_world_m = vec3(row(data_->geom_xpos, geom, 3));
-    truth.legs[leg].true_contact_force_N = contact_force_N(geom);
+    truth.legs[leg].true_contact_force_N = contact_force_N([geom](int met) { return met == geom; });
     const Vec3& foot_m = truth.legs[leg].true_foot_in_world_m;
     truth.legs[leg].true_ground_height_m = ground_.under(leg, foot_m[0], foot_m[1]).point_m[2];
   }
   const int base = index_.base_body;
+  truth.true_base_contact_force_N = contact_force_N(
+      [this](int met) { return model_->geom_bodyid[met] == index_.base_body; });
   mjtNum velocity[6];
   mj_objectVelocity(model_.get(), data_.get(), mjOBJ_BODY, base, velocity, 0);
   truth.base_in_world_m = vec3(row(data_->xpos, base, 3));
@@ -147,20 +164,6 @@ void Plant::fill_truth(SimTruth& truth) noexcept {
   truth.com_in_world_m = vec3(row(data_->subtree_com, base, 3));
   truth.com_velocity_m_s = vec3(row(data_->subtree_linvel, base, 3));
   std::copy(row(data_->xquat, base, 4), row(data_->xquat, base, 4) + 4, truth.base_quaternion_wxyz.begin());
-}
-
-Vec3 Plant::contact_force_N(int geom) const noexcept {
-  Vec3 sum{};
-  for (int i = 0; i < data_->ncon; ++i) {
-    const mjContact& contact = data_->contact[i];
-    if (contact.geom2 != geom) continue;
-    mjtNum force[6];
-    mj_contactForce(model_.get(), data_.get(), i, force);
-    mjtNum world[3];
-    mju_rotVecMatT(world, force, contact.frame);
-    for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += world[axis];
-  }
-  return sum;
 }
 
 }  // namespace sprung::sim

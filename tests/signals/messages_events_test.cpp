@@ -110,7 +110,7 @@ TEST(EventMessages, AuxiliaryStateKeepsEachActuatorsTemperatureAndTheBattery) {
 TEST(EventMessages, MotionStateKeepsItsNumbersAndTexts) {
   MotionState signal(2);
   signal.stamp = {10, 20};
-  signal.legs[1] = {LegPhase::kPreStance, 0.25, LegEvent::kSlip, {0, 1, 2, 3, 4, 5}};
+  signal.legs[1] = {LegPhase::kPreStance, 0.25, LegEvent::kSlip, {0, 1, 2, 3, 4, 5}, -0.5, 0.01};
   signal.state = MotionPhase::kThrust;
   signal.jumps_done = 3;
   signal.jumps_left = 4;
@@ -119,6 +119,9 @@ TEST(EventMessages, MotionStateKeepsItsNumbersAndTexts) {
   signal.gait = 3;
   signal.gait_phase = 0.625;
   signal.desired_speed = {0.3, -0.1, 0.2};
+  signal.estimated_ground_slope = {0.1, -0.05};
+  signal.estimated_ground_slope_bound = {0.02, 0.04};
+  signal.payload = {4.5, 1.5, {0.2, -0.1}};
   signal.last_transition = "crouch ended";
   sprung_msgs::motion_state_t message{};
   to_message(signal, 5, message);
@@ -137,6 +140,13 @@ TEST(EventMessages, MotionStateKeepsItsNumbersAndTexts) {
   EXPECT_EQ(back.gait, 3);
   EXPECT_EQ(back.gait_phase, 0.625);
   EXPECT_EQ(back.desired_speed, (Vec3{0.3, -0.1, 0.2}));
+  EXPECT_EQ(back.legs[1].estimated_ground_z_m, -0.5);
+  EXPECT_EQ(back.legs[1].estimated_ground_z_bound_m, 0.01);
+  EXPECT_EQ(back.estimated_ground_slope, (std::array<double, 2>{0.1, -0.05}));
+  EXPECT_EQ(back.estimated_ground_slope_bound, (std::array<double, 2>{0.02, 0.04}));
+  EXPECT_EQ(back.payload.mass_kg, 4.5);
+  EXPECT_EQ(back.payload.mass_bound_kg, 1.5);
+  EXPECT_EQ(back.payload.in_trunk_m, (std::array<double, 2>{0.2, -0.1}));
   EXPECT_EQ(back.jumps_left, 4);
 }
 

@@ -56,6 +56,17 @@ TEST_F(BodyViewTest, MassGoesWithAFootThatIsSwungAheadAndIgnoresOneThatIsNotKnow
   EXPECT_TRUE(shape_.com_in_trunk_m(in_).allFinite());
 }
 
+TEST_F(BodyViewTest, LoadIsCarriedAndTakenOffAgain) {
+  BodyShape loaded(robot_);
+  loaded.carry({5.0, {0.03, -0.01}});
+  EXPECT_NEAR(loaded.mass_kg, 35.0, 1e-9);
+  const Eigen::Vector3d by_m = loaded.com_in_trunk_m(in_) - shape_.com_in_trunk_m(in_);
+  EXPECT_TRUE(by_m.isApprox(Eigen::Vector3d(0.03, -0.01, 0.0), 1e-9)) << by_m.transpose();
+  loaded.carry({});
+  EXPECT_NEAR(loaded.mass_kg, 30.0, 1e-9);
+  EXPECT_TRUE(loaded.com_in_trunk_m(in_).isApprox(shape_.com_in_trunk_m(in_), 1e-12));
+}
+
 TEST_F(BodyViewTest, WhatIsNotKnownCountsAsLevelAndAtRest) {
   const BodyView seen = view();
   EXPECT_TRUE(seen.level_from_trunk.isIdentity());

@@ -207,5 +207,17 @@ TEST_F(GroundPlaneTest, TwoFeetShowNoSlopeAndNothingIsSteeperThanTheSteepest) {
   EXPECT_NEAR(ground_.slope().norm(), GroundPlane::kSteepest, 1e-12);
 }
 
+TEST_F(GroundPlaneTest, BoundsAreOfKinematicsOnSmoothGroundAndGrowWithStones) {
+  EXPECT_NEAR(ground_.z_bound_m(), 0.01, 1e-3);
+  // 5 mm at four feet, 0.35 m before and behind, 0.18 m beside
+  EXPECT_NEAR(ground_.slope_bound().x(), 2.0 * 0.005 / 0.7, 1e-3);
+  EXPECT_NEAR(ground_.slope_bound().y(), 2.0 * 0.005 / 0.36, 2e-3);
+  const double smooth_m = ground_.z_bound_m();
+  GroundPlane::Feet stone = standing(-0.5);
+  stone[0].at_m.z() += 0.04;
+  follow(stone, 50);
+  EXPECT_GT(ground_.z_bound_m(), 2.0 * smooth_m);
+}
+
 }  // namespace
 }  // namespace sprung

@@ -48,6 +48,7 @@ TEST(UnevenFloor, SphereMeetsTheStepBelowItself) {
 /// Where the trunk of a robot is that lies without power for a second, and where it began.
 struct Lying {
   Vec3 began_m{}, ended_m{};
+  double on_trunk_N = 0.0;  ///< vertical, of the ground
 };
 
 Lying lie_on(const GroundConfig& ground, const std::string& folder = test::source_dir() + "/robots/pegasus") {
@@ -64,7 +65,15 @@ Lying lie_on(const GroundConfig& ground, const std::string& folder = test::sourc
   EXPECT_FALSE(plant.failed()) << plant.failure();
   plant.fill_truth(truth);
   out.ended_m = truth.base_in_world_m;
+  out.on_trunk_N = truth.true_base_contact_force_N[2];
   return out;
+}
+
+TEST(UnevenFloor, TrunkThatLiesIsCarriedByTheGround) {
+  constexpr double kTrunk_N = 12.0 * 9.81, kRobot_N = 30.0 * 9.81;
+  const double on_trunk_N = lie_on({}).on_trunk_N;
+  EXPECT_GT(on_trunk_N, kTrunk_N);
+  EXPECT_LE(on_trunk_N, kRobot_N + 1.0);
 }
 
 TEST(UnevenFloor, TrunkLiesOnABoardThatNoFootIsOn) {

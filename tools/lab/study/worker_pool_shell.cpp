@@ -21,7 +21,7 @@ using Clock = std::chrono::steady_clock;
 constexpr int kTries = 10;       // a run that ends its worker so often would end every worker
 constexpr int kLookAt_ms = 200;  // for Ctrl-C
 
-struct Slot {
+struct WorkerSlot {
   std::unique_ptr<PipedChild> worker;
   std::size_t run = 0;
   bool is_busy = false;
@@ -39,18 +39,18 @@ class Pool {
 
   PoolResult run() {
     while (!options_.stops()) {
-      for (Slot& slot : slots_) hand_out(slot);
-      if (std::none_of(slots_.begin(), slots_.end(), [](const Slot& slot) { return slot.is_busy; }))
+      for (WorkerSlot& slot : slots_) hand_out(slot);
+      if (std::none_of(slots_.begin(), slots_.end(), [](const WorkerSlot& slot) { return slot.is_busy; }))
         return result_;
       wait();
-      for (Slot& slot : slots_) end_if_late(slot);
+      for (WorkerSlot& slot : slots_) end_if_late(slot);
     }
     result_.stopped = true;
     return result_;
   }
 
  private:
-  void hand_out(Slot& slot) {
+  void hand_out(WorkerSlot& slot) {
     if (slot.is_busy || waiting_.empty()) return;
     if (!slot.worker) slot.worker = std::make_unique<PipedChild>(options_.worker);
     slot.run = waiting_.front();
@@ -63,8 +63,8 @@ class Pool {
 
   void wait() {
     std::vector<pollfd> files;
-    std::vector<Slot*> of;
-    for (Slot& slot : slots_) {
+    std::vector<WorkerSlot*> of;
+    for (WorkerSlot& slot : slots_) {
       if (!slot.is_busy) continue;
       files.push_back({slot.worker->output(), POLLIN, 0});
       of.push_back(&slot);
@@ -78,20 +78,20 @@ class Pool {
   /// Until the first run is late, but not too long to hear Ctrl-C.
   int patience_ms() const {
     auto until = Clock::now() + std::chrono::milliseconds(kLookAt_ms);
-    for (const Slot& slot : slots_) {
+    for (const WorkerSlot& slot : slots_) {
       if (slot.is_busy) until = std::min(until, slot.until);
     }
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(until - Clock::now()).count();
     return std::max(0, static_cast<int>(left) + 1);
   }
 
-  void take(Slot& slot) {
+  void take(WorkerSlot& slot) {
     const bool lives = slot.worker->read_more();
     if (const std::optional<std::string> line = slot.worker->line()) return take_answer(slot, *line);
     if (!lives) lose(slot);
   }
 
-  void take_answer(Slot& slot, const std::string& line) {
+  void take_answer(WorkerSlot& slot, const std::string& line) {
     const std::int64_t number = missing_[slot.run].number;
     WorkerAnswer answer;
     try {
@@ -107,7 +107,7 @@ class Pool {
     tell();
   }
 
-  void lose(Slot& slot) {
+  void lose(WorkerSlot& slot) {
     const std::string how = slot.worker->end();
     slot.worker.reset();
     slot.is_busy = false;
@@ -117,7 +117,7 @@ class Pool {
          "its worker ended " + std::to_string(kTries) + " times, the last one: " + how);
   }
 
-  void end_if_late(Slot& slot) {
+  void end_if_late(WorkerSlot& slot) {
     if (!slot.is_busy || Clock::now() < slot.until) return;
     slot.worker.reset();
     slot.is_busy = false;
@@ -143,7 +143,7 @@ class Pool {
   const PoolOptions& options_;
   std::vector<int> tries_;
   std::deque<std::size_t> waiting_;
-  std::vector<Slot> slots_;
+  std::vector<WorkerSlot> slots_;
   PoolResult result_;
 };
 

@@ -17,6 +17,7 @@ constexpr double kLeastDistance_m = 1.0, kMostDistance_m = 100.0;  // shorter en
 constexpr double kAskedShare = 7.0 / 8.0;                          // of the gait's fastest
 
 constexpr const char* kAll = "all";
+constexpr const char* kPayloadTask = "payload";  // of terrain_tasks()
 
 struct Options {
   std::string only = kAll;  ///< task
@@ -110,6 +111,8 @@ ExperimentOutput run_terrain(const ExperimentInput& in, const Options& options) 
     for (const GaitConfig& gait : going_gaits(in.robot, options.gait)) {
       const TerrainOutcome outcome = climb(in, task, gait, options);
       out.rows.push_back(terrain_row(outcome));
+      if (task.name == kPayloadTask)
+        for (ReportRow& row : payload_rows(outcome)) out.rows.push_back(std::move(row));
       out.sections.push_back(terrain_section(outcome, [&](double level, double draw) {
         return terrain_repeat(in.common_words, outcome, level, draw, options.distance_m);
       }));
@@ -135,6 +138,29 @@ ReportRow terrain_row(const TerrainOutcome& outcome) {
   if (wanted == task.wanted.end()) return row(name, task.unit, level);
   const bool grows = task.levels.back() > task.levels.front();
   return row(name, task.unit, level, grows ? at_least(wanted->second) : at_most(wanted->second));
+}
+
+std::vector<ReportRow> payload_rows(const TerrainOutcome& outcome) {
+  struct Figure {
+    const char* name;
+    const char* unit;
+    double scale;
+    double TerrainRun::*of;
+  };
+  constexpr Figure kFigures[] = {{"stood_mass_off", "kg", 1.0, &TerrainRun::stood_mass_off_kg},
+                                 {"stood_com_off", "mm", 1e3, &TerrainRun::stood_com_off_m},
+                                 {"walked_mass_off", "kg", 1.0, &TerrainRun::walked_mass_off_kg},
+                                 {"walked_com_off", "mm", 1e3, &TerrainRun::walked_com_off_m}};
+  std::vector<ReportRow> out;
+  const auto hardest = std::find_if(outcome.tried.begin(), outcome.tried.end(),
+                                    [&](const auto& tried) { return tried.level == outcome.level; });
+  if (hardest == outcome.tried.end()) return out;
+  for (const Figure& figure : kFigures) {
+    double worst = kNaN;
+    for (const TerrainRun& run : hardest->runs) worst = std::fmax(worst, figure.scale * run.*figure.of);
+    out.push_back(row("terrain.payload." + outcome.gait + "." + figure.name, figure.unit, worst));
+  }
+  return out;
 }
 
 std::string terrain_repeat(const std::string& common_words, const TerrainOutcome& outcome, double level,

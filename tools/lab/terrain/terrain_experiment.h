@@ -25,6 +25,9 @@ struct TerrainOutcome {
 
 /// terrain.TASK.GAIT.level: pure. NaN where not even the easiest was passed.
 ReportRow terrain_row(const TerrainOutcome& outcome);
+/// terrain.payload.GAIT.*: how far what the robot says of its payload is off, worst of those who passed the
+/// hardest level, after they stood up and when they had walked. Pure; none where nobody passed.
+std::vector<ReportRow> payload_rows(const TerrainOutcome& outcome);
 /// The command that repeats one run with a log, and plays it. Pure.
 /// @param common_words as ExperimentInput's: a later `--plant draw=` counts.
 std::string terrain_repeat(const std::string& common_words, const TerrainOutcome& outcome, double level,

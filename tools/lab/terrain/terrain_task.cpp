@@ -9,6 +9,7 @@
 #include "simulation/plant/world.h"
 #include "tools/lab/gait/drawn_payload.h"
 #include "tools/lab/gait/walking_robot.h"
+#include "tools/lab/terrain/payload_score.h"
 
 namespace sprung {
 namespace {
@@ -39,6 +40,14 @@ constexpr double kStairsRise_mm = 50.0, kRubble_mm = 30.0;
 
 Plant in_world(const std::string& world, double scale) {
   return {{sim::kWorldKey + world, 1.0}, {"ground_scale", scale}};
+}
+
+void score_payload(const PayloadScore& score, const EstimatedPayload& stood, const EstimatedPayload& walked,
+                   TerrainRun& run) {
+  run.stood_mass_off_kg = score.mass_off_kg(stood);
+  run.walked_mass_off_kg = score.mass_off_kg(walked);
+  run.stood_com_off_m = score.com_off_m(stood);
+  run.walked_com_off_m = score.com_off_m(walked);
 }
 
 std::string failure_of(const TerrainRun& run, const MotionState& motion) {
@@ -119,18 +128,22 @@ TerrainRun walk_terrain(const RobotConfig& robot, const std::string& preset, con
   for (const auto& [key, value] : task.plant(robot, level, run.draw)) sim.plant[key] = value;
   try {
     WalkingRobot walker(robot, preset, sim);
+    const EstimatedPayload stood = walker.robot().motion_state().payload;
+    PayloadScore score(robot);
     const Vec3 speed{run.speed_m_s, 0.0, 0.0};
     walker.walk(run.gait, speed);
     walker.run(speed_reached_s(robot, preset, run.gait, speed));
     const double from_m = walker.robot().truth().com_in_world_m[0];
     const double lasts_s = run.distance_m / run.speed_m_s;
     double time_s = 0.0;
-    for (; time_s < lasts_s && walker.upright(); time_s += 0.5) walker.run(0.5);
+    for (; time_s < lasts_s && walker.upright(); time_s += 0.5)
+      walker.run(0.5, [&score](InProcessRobot& r) { score.add(r); });
     run.went_m_s = (walker.robot().truth().com_in_world_m[0] - from_m) / time_s;
     if (!walker.upright()) walker.run(kNoticed_s);
     run.vitals = walker.vitals();
     run.simulated_s = walker.simulated_s();
     run.why = failure_of(run, walker.robot().motion_state());
+    if (run.passed()) score_payload(score, stood, walker.robot().motion_state().payload, run);
   } catch (const ConfigError&) {
     throw;
   } catch (const std::runtime_error& error) {

@@ -36,6 +36,9 @@ struct TerrainRun {
   WalkVitals vitals;
   std::string why;  ///< it did not pass; empty: it did
   double simulated_s = 0.0;
+  /// Of what the robot says that it carries: after it stood up, and when it had walked.
+  double stood_mass_off_kg = kNaN, walked_mass_off_kg = kNaN;
+  double stood_com_off_m = kNaN, walked_com_off_m = kNaN;
 
   bool passed() const noexcept { return why.empty(); }
 };

@@ -1,5 +1,6 @@
 #include "tools/operate/client/motion_report.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -32,6 +33,28 @@ Json leg_json(const RobotConfig& robot, const sprung_msgs::motion_leg_t& leg, st
   out["last_event"] = name(static_cast<LegEvent>(leg.last_event));
   out["events"] = events_json(leg);
   return out;
+}
+
+Json ground_json(const sprung_msgs::motion_state_t& motion) {
+  if (!std::isfinite(motion.estimated_ground_slope_bound[0])) return nullptr;
+  return {{"slope", motion.estimated_ground_slope}, {"slope_bound", motion.estimated_ground_slope_bound}};
+}
+
+Json payload_json(const sprung_msgs::motion_state_t& motion) {
+  if (!std::isfinite(motion.estimated_payload_kg)) return nullptr;
+  Json out{{"mass_kg", motion.estimated_payload_kg}, {"bound_kg", motion.estimated_payload_bound_kg}};
+  out["in_trunk_m"] = Json::array();
+  for (const double at_m : motion.estimated_payload_in_trunk_m)
+    out["in_trunk_m"].push_back(finite_or_null(at_m));
+  return out;
+}
+
+Json place_json(const std::optional<sprung_msgs::body_state_t>& odometry) {
+  if (!odometry || !std::isfinite(odometry->estimated_position_in_world_m[0])) return nullptr;
+  const auto& variance_m2 = odometry->position_covariance_m2;
+  return {{"position_m", odometry->estimated_position_in_world_m},
+          {"bound_m", 2.0 * std::sqrt(std::max(variance_m2[0], variance_m2[4]))},
+          {"slips", odometry->slips}};
 }
 
 Json gait_name(const RobotConfig& robot, const sprung_msgs::motion_state_t& motion) {
@@ -78,6 +101,48 @@ std::string body_line(const Json& body) {
          stale_text(body, "the torque estimator");
 }
 
+std::string side(double left_m) { return left_m < 0.0 ? "right" : "left"; }
+
+std::string place_line(const Json& place) {
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "place   %.2f m forward, %.2f m to the %s of where it began, within %.2f m; %d feet slipped",
+                place["position_m"][0].get<double>(), std::abs(place["position_m"][1].get<double>()),
+                side(place["position_m"][1].get<double>()).c_str(), place["bound_m"].get<double>(),
+                place["slips"].get<int>());
+  return text;
+}
+
+std::string ground_line(const Json& ground) {
+  char text[160];
+  const auto angle = [&](const char* key, int axis) {
+    return kDegrees_per_rad * std::atan(ground[key][axis].get<double>());
+  };
+  std::snprintf(text, sizeof text,
+                "ground  rises %.1f deg forward, within %.1f; %.1f deg to the left, within %.1f",
+                angle("slope", 0), angle("slope_bound", 0), angle("slope", 1), angle("slope_bound", 1));
+  return text;
+}
+
+std::string payload_line(const Json& payload) {
+  char text[160];
+  const double mass_kg = payload["mass_kg"].get<double>(), bound_kg = payload["bound_kg"].get<double>();
+  if (std::abs(mass_kg) <= bound_kg) {
+    std::snprintf(text, sizeof text, "load    none that is felt, within %.1f kg", bound_kg);
+  } else if (mass_kg < 0.0) {
+    std::snprintf(text, sizeof text, "load    %.1f kg, within %.1f: lighter than robot.yaml says", mass_kg,
+                  bound_kg);
+  } else {
+    const double forward_m = payload["in_trunk_m"][0].get<double>(),
+                 left_m = payload["in_trunk_m"][1].get<double>();
+    std::snprintf(text, sizeof text,
+                  "load    %.1f kg, within %.1f, %.2f m %s and %.2f m %s of the middle of the hips", mass_kg,
+                  bound_kg, std::abs(forward_m), forward_m < 0.0 ? "behind" : "before", std::abs(left_m),
+                  side(left_m).c_str());
+  }
+  return text;
+}
+
 std::string leg_line(const Json& leg) {
   char text[64];
   std::snprintf(text, sizeof text, "leg     %-10s %s for %.2f s", leg["name"].get<std::string>().c_str(),
@@ -107,6 +172,8 @@ Json motion_json(const RobotConfig& robot, const std::optional<sprung_msgs::moti
     out["gait"] = gait_name(robot, *motion);
     out["gait_phase"] = motion->gait_phase;
     out["desired_speed"] = motion->desired_speed;
+    out["ground"] = ground_json(*motion);
+    out["payload"] = payload_json(*motion);
   }
   for (std::size_t i = 0; i < motion->legs.size(); ++i)
     out["legs"].push_back(leg_json(robot, motion->legs[i], i));
@@ -114,7 +181,7 @@ Json motion_json(const RobotConfig& robot, const std::optional<sprung_msgs::moti
 }
 
 Json body_json(const RobotConfig& robot, const std::optional<sprung_msgs::joint_state_t>& joints,
-               double age_s) {
+               double age_s, const std::optional<sprung_msgs::body_state_t>& odometry) {
   if (!joints || !(robot.body.mass_kg > 0.0)) return nullptr;
   const auto& body = joints->body;
   std::array<double, 4> wxyz{};
@@ -130,6 +197,7 @@ Json body_json(const RobotConfig& robot, const std::optional<sprung_msgs::joint_
            {"stale", age_s > kStale_s},
            {"velocity_m_s", Json::array()}};
   for (const double v : body.estimated_velocity_m_s) out["velocity_m_s"].push_back(finite_or_null(v));
+  out["place"] = place_json(odometry);
   return out;
 }
 
@@ -142,6 +210,10 @@ std::vector<std::string> motion_lines(const Json& motion, const Json& body) {
   const bool walks = motion.contains("gait") && !motion["gait"].is_null();
   if (walks) out.push_back(gait_line(motion));
   if (!body.is_null()) out.push_back(body_line(body));
+  if (!body.is_null() && !body["place"].is_null()) out.push_back(place_line(body["place"]));
+  if (walks && !motion["ground"].is_null()) out.push_back(ground_line(motion["ground"]));
+  if (motion.contains("payload") && !motion["payload"].is_null())
+    out.push_back(payload_line(motion["payload"]));
   for (const Json& leg : motion["legs"]) {
     const bool befell = leg.contains("events") && !events_text(leg).empty();
     if (walks || befell) out.push_back(leg_line(leg));

@@ -81,7 +81,7 @@ Json health_json(const RobotConfig& robot, const HeardRobot& heard) {
   out["auxiliary"] = auxiliary_json(robot, heard.auxiliary.message);
   out["motion"] = motion_json(robot, heard.motion.message, heard.motion.age_s(heard.now_us));
   out["models"] = models_json(robot, heard.joints.message);
-  out["body"] = body_json(robot, heard.joints.message, heard.joints.age_s(heard.now_us));
+  out["body"] = body_json(robot, heard.joints.message, heard.joints.age_s(heard.now_us), heard.body.message);
   return out;
 }
 

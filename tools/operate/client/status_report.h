@@ -30,6 +30,7 @@ struct HeardRobot {
   std::map<std::string, sprung_msgs::process_status_t> processes;  ///< the last word of each
   Newest<sprung_msgs::motion_state_t> motion;
   Newest<sprung_msgs::joint_state_t> joints;
+  Newest<sprung_msgs::body_state_t> body;
   Newest<sprung_msgs::safety_state_t> safety;
   Newest<sprung_msgs::bus_state_t> buses;
   Newest<sprung_msgs::auxiliary_state_t> auxiliary;

@@ -48,6 +48,7 @@ HeardRobot listen(const RunInfo& info, const RobotConfig& robot) {
   InputQueue<sprung_msgs::process_status_t> processes(256);
   InputQueue<sprung_msgs::motion_state_t> motions(1 << 16);
   InputQueue<sprung_msgs::joint_state_t> joint_states(64);  // only the newest counts
+  InputQueue<sprung_msgs::body_state_t> bodies(64);
   InputQueue<sprung_msgs::safety_state_t> safeties(256);
   InputQueue<sprung_msgs::bus_state_t> buses(256);
   InputQueue<sprung_msgs::auxiliary_state_t> auxiliaries(16);
@@ -57,6 +58,7 @@ HeardRobot listen(const RunInfo& info, const RobotConfig& robot) {
   node.subscribe_message(channels::kMotionState, CountLimits::up_to(64), motions);
   node.subscribe_message(channels::kJointState, CountLimits::exactly(robot.joints.size(), robot.legs.size()),
                          joint_states);
+  node.subscribe_message(channels::kBodyState, CountLimits::none(), bodies);
   node.subscribe_message(channels::kSafetyState, CountLimits::none(), safeties);
   const std::size_t nodes = robot.actuators.size() + robot.encoder_cards.size();
   node.subscribe_message(channels::kBusState, CountLimits::exactly(robot.buses.size(), nodes), buses);
@@ -75,6 +77,7 @@ HeardRobot listen(const RunInfo& info, const RobotConfig& robot) {
     while (auto status = processes.pop()) heard.processes[status->process] = *status;
     take(motions, heard.motion, now_us);
     take(joint_states, heard.joints, now_us);
+    take(bodies, heard.body, now_us);
     take(safeties, heard.safety, now_us);
     take(buses, heard.buses, now_us);
     take(auxiliaries, heard.auxiliary, now_us);

@@ -41,6 +41,24 @@ TEST(TerrainExperiment, OfFrictionLessIsHarder) {
   EXPECT_TRUE(terrain_row(reached(task, "trot", 2)).ok());
 }
 
+TEST(TerrainExperiment, PayloadRowsAreTheWorstOfWhoPassedTheHardestLevel) {
+  const TerrainTask task = slope();
+  TerrainOutcome outcome = reached(task, "trot", 1);
+  TerrainRun near, far, fell;
+  near.stood_mass_off_kg = 1.0;
+  far.stood_mass_off_kg = 2.5;
+  far.walked_com_off_m = 0.012;
+  fell.why = "fell: tilted";
+  outcome.tried = {{2, {fell}}, {1, {near, far, fell}}};
+  const std::vector<ReportRow> rows = payload_rows(outcome);
+  ASSERT_EQ(rows.size(), 4u);
+  EXPECT_EQ(rows[0].name, "terrain.payload.trot.stood_mass_off");
+  EXPECT_EQ(rows[0].value, 2.5);
+  EXPECT_NEAR(rows[3].value, 12.0, 1e-9);
+  EXPECT_TRUE(std::isnan(rows[2].value)) << "nobody said";
+  EXPECT_TRUE(payload_rows(reached(task, "trot", -1)).empty());
+}
+
 TEST(TerrainExperiment, SectionTellsWhoDidNotPassAndWhy) {
   const TerrainTask task = slope();
   TerrainOutcome outcome = reached(task, "trot", 0);

@@ -135,6 +135,8 @@ TEST(EveryType, RealNumbersHaveUnitsOrAreListedAsPlain) {
                                     "dry_friction_factor",
                                     "viscous_friction_factor",
                                     "gait_phase",
+                                    "estimated_ground_slope",
+                                    "estimated_ground_slope_bound",
                                     "parameter_value",
                                     "value"};
   RandomBytes random(5);

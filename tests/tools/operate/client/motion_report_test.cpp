@@ -11,9 +11,11 @@
 namespace sprung {
 namespace {
 
+using testing::Contains;
 using testing::Each;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsSupersetOf;
 using testing::Not;
 
 class MotionReport : public testing::Test {
@@ -30,6 +32,7 @@ class MotionReport : public testing::Test {
     motion_->state_name = "walking";
     motion_->last_transition = "walk requested";
     motion_->gait = 1;
+    motion_->estimated_ground_slope_bound[0] = motion_->estimated_payload_kg = kNaN;
     motion_->gait_phase = 0.25;
     motion_->desired_speed[0] = 0.3;
     motion_->desired_speed[2] = -0.1;
@@ -70,6 +73,39 @@ TEST_F(MotionReport, WalkingRobotSaysGaitBodyAndWhatBefellItsLegs) {
           "body    roll 5.7 deg, pitch 0.0 deg, yaw 0.0 deg, height 0.500 m; attitude from the IMU",
           "leg     left       swing for 0.12 s",
           "leg     right      stance for 0.00 s; so far 3 early contact, 1 slip"));
+}
+
+TEST_F(MotionReport, WalkingRobotSaysHowTheGroundLiesAndWhatItCarries) {
+  motion_->estimated_ground_slope[0] = 0.1;
+  motion_->estimated_ground_slope[1] = -0.05;
+  motion_->estimated_ground_slope_bound[0] = 0.01;
+  motion_->estimated_ground_slope_bound[1] = 0.02;
+  motion_->estimated_payload_kg = 6.0;
+  motion_->estimated_payload_bound_kg = 1.5;
+  motion_->estimated_payload_in_trunk_m[0] = 0.2;
+  motion_->estimated_payload_in_trunk_m[1] = -0.06;
+  EXPECT_THAT(lines(),
+              IsSupersetOf({"ground  rises 5.7 deg forward, within 0.6; -2.9 deg to the left, within 1.1",
+                            "load    6.0 kg, within 1.5, 0.20 m before and 0.06 m right of the "
+                            "middle of the hips"}));
+  motion_->estimated_payload_kg = -1.0;
+  EXPECT_THAT(lines(), Contains("load    none that is felt, within 1.5 kg"));
+  motion_->estimated_payload_kg = -2.0;
+  EXPECT_THAT(lines(), Contains("load    -2.0 kg, within 1.5: lighter than robot.yaml says"));
+}
+
+TEST_F(MotionReport, SaysWhereItIsOnceItKnows) {
+  sprung_msgs::body_state_t odometry{};
+  odometry.estimated_position_in_world_m[0] = kNaN;
+  EXPECT_TRUE(body_json(robot_, joints_, 0.0, odometry)["place"].is_null());
+  odometry.estimated_position_in_world_m[0] = 3.25;
+  odometry.estimated_position_in_world_m[1] = -0.5;
+  odometry.position_covariance_m2[0] = 0.0025;
+  odometry.position_covariance_m2[4] = 0.0001;
+  odometry.slips = 2;
+  EXPECT_THAT(motion_lines(motion_json(robot_, motion_), body_json(robot_, joints_, 0.0, odometry)),
+              Contains("place   3.25 m forward, 0.50 m to the right of where it began, within 0.10 m; 2 feet "
+                       "slipped"));
 }
 
 TEST_F(MotionReport, StandingRobotHasNoGaitAndOnlyLegsThatSomethingBefell) {
