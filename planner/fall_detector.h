@@ -1,26 +1,53 @@
 #pragma once
-/// Whether a robot on legs has fallen: tilted too far, or too low over its feet. Pure.
-#include "robots/gait_config.h"
+/// Whether a robot on legs falls or has fallen. Pure: no heap.
+///
+///   It lies      tilted too far, or too low over its feet (robot.yaml's `fallen`).
+///   It will      the capture point is so far beyond all feet that no step of any gait brings it back; by an
+///                IMU, since the legs alone do not show a trunk that tips over its feet.
+///   Unheld       two neighbouring feet (front, hind, left, right) have found no ground for longer than a
+///   gait
+///                lifts them: it lies on its nose or side. With an IMU only where it is tilted as well.
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "planner/gait/body_view.h"
+#include "robots/robot_config.h"
 #include "signals/joint_state.h"
 
 namespace sprung {
 
+enum class Fall { kNone, kFalls, kLies };
+
 class FallDetector {
  public:
-  explicit FallDetector(const BodyConfig& body) noexcept
-      : tilt_rad_(body.fallen_tilt_rad), height_m_(body.fallen_height_m), has_body_(body.mass_kg > 0.0) {}
+  explicit FallDetector(const RobotConfig& robot);
+  void adjust(const BodyConfig& body) noexcept;
 
-  /// Of a robot that ought to be upright. What is not known says nothing.
-  bool fell(const EstimatedBody& body) const noexcept;
+  /// What was seen before counts no more.
+  void begin_anew() noexcept;
+  /// One cycle of a robot that ought to be upright. What is not known says nothing.
+  /// @param swing_s for which its gait lifts a foot at most; below 0: it does not step, and may hang.
+  Fall step(const JointState& in, double swing_s) noexcept;
+  Fall found() const noexcept { return found_; }  ///< in the last cycle
   /// Too far over to get up from; nullptr: it may stand up.
   const char* why_not_up(const EstimatedBody& body) const noexcept;
 
  private:
-  bool tilted(const EstimatedBody& body) const noexcept;
+  bool lies(const EstimatedBody& body) const noexcept;
+  bool tilted(const EstimatedBody& body, double by_rad) const noexcept;
+  bool will_fall(const JointState& in, double dt_s) noexcept;
+  bool unheld(const JointState& in, double swing_s, double dt_s) noexcept;
 
-  double tilt_rad_;
-  double height_m_;
+  BodyShape shape_;
+  double tilt_rad_ = 0.0;
+  double height_m_ = 0.0;
   bool has_body_;
+  std::array<std::vector<std::size_t>, 4> neighbours_;  ///< legs: front, hind, left, right
+  std::array<double, 4> unheld_s_{};
+  double beyond_s_ = 0.0;
+  std::int64_t last_us_ = 0;
+  Fall found_ = Fall::kNone;
 };
 
 }  // namespace sprung

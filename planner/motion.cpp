@@ -35,7 +35,9 @@ Motion::Motion(const RobotConfig& robot, const PresetConfig& preset)
       jump_(robot, preset),
       walk_(robot, preset),
       payload_(robot),
-      falls_(robot.body),
+      falls_(robot),
+      reflex_(robot),
+      meets_falls_(robot.body.meets_falls),
       adaptive_landing_(adaptive_landings(robot, preset)),
       adaptive_said_(robot.legs.size()),
       joints_(robot),
@@ -88,7 +90,7 @@ void Motion::change_walk(const WalkRequest& request) noexcept {
 void Motion::adjust(const JointState& in, const AdjustableConfig& config) noexcept {
   const double higher_m = config.preset.stand_length_m - preset_.stand_length_m;
   preset_ = config.preset;  // of the same sizes: no heap
-  falls_ = FallDetector(config.body);
+  falls_.adjust(config.body);
   for (AdaptiveLanding& landing : adaptive_landing_) landing.adjust(config.preset);
   walk_.adjust(config);
   if (state() != MotionPhase::kStanding || higher_m == 0.0) return;
@@ -167,6 +169,7 @@ void Motion::enter(MotionPhase from, const JointState& in) noexcept {
   switch (state()) {
     case MotionPhase::kIdle:
       jump_.abandon();
+      reflex_.end();
       break;
     case MotionPhase::kRising:
       enabled_ = false;
@@ -206,7 +209,12 @@ void Motion::enter(MotionPhase from, const JointState& in) noexcept {
       break;
     case MotionPhase::kLanding:
     case MotionPhase::kComplying:
+      break;
     case MotionPhase::kFallen:
+      sinks_from_us_ = now_us_;
+      reflex_.end();
+      if (falls_.found() == Fall::kFalls && meets_falls_)
+        reflex_.begin(in, preset_.sit_length_m, preset_.stand_length_m);
       break;
   }
 }
@@ -273,7 +281,9 @@ void Motion::update(const JointState& in) noexcept {
       update_walk(in);
       break;
     case MotionPhase::kFallen:
-      if (in_phase_s() >= kSinkTime_s) process(MotionEvent::kSat, in);
+      reflex_.step(in);
+      if (reflex_.acts()) sinks_from_us_ = now_us_;
+      if (since(sinks_from_us_) >= kSinkTime_s) process(MotionEvent::kSat, in);
       break;
     case MotionPhase::kIdle:
     case MotionPhase::kStanding:
@@ -291,7 +301,9 @@ void Motion::update_walk(const JointState& in) noexcept {
 bool Motion::fell(const JointState& in) noexcept {
   const bool upright = state() == MotionPhase::kStanding || state() == MotionPhase::kWalking ||
                        state() == MotionPhase::kComplying || state() == MotionPhase::kRecover;
-  return upright && falls_.fell(in.body) && process(MotionEvent::kFell, in);
+  const double swing_s = state() == MotionPhase::kWalking ? walk_.swing_s() : -1.0;
+  if (!upright) falls_.begin_anew();
+  return upright && falls_.step(in, swing_s) != Fall::kNone && process(MotionEvent::kFell, in);
 }
 
 bool Motion::lost(const JointState& in) noexcept {

@@ -7,6 +7,7 @@
 #include "planner/adaptive_landing.h"
 #include "planner/comply_request.h"
 #include "planner/fall_detector.h"
+#include "planner/fall_reflex.h"
 #include "planner/foot_move.h"
 #include "planner/gait/payload_estimator.h"
 #include "planner/gait/walk.h"
@@ -139,6 +140,8 @@ class Motion {
   Walk walk_;
   PayloadEstimator payload_;
   FallDetector falls_;
+  FallReflex reflex_;
+  const bool meets_falls_;  ///< else it is damped alone
   ComplyRequest compliance_;
   std::vector<AdaptiveLanding> adaptive_landing_;     ///< one for each leg
   std::vector<AdaptiveLandingOutput> adaptive_said_;  ///< in the last cycle
@@ -150,9 +153,10 @@ class Motion {
   std::int64_t now_us_ = 0;
   std::int64_t phase_began_us_ = 0;
   std::int64_t move_began_us_ = 0;
-  bool walk_failed_ = false;  ///< stands, or is about to, since a walk ended by itself
-  bool lost_ = false;         ///< idle because something was lost, not by sitting down or a restart
-  bool joint_moves_ = false;  ///< or waits for its drives
+  std::int64_t sinks_from_us_ = 0;  ///< in kFallen: its legs are damped since then
+  bool walk_failed_ = false;        ///< stands, or is about to, since a walk ended by itself
+  bool lost_ = false;               ///< idle because something was lost, not by sitting down or a restart
+  bool joint_moves_ = false;        ///< or waits for its drives
   double recover_s_ = 0.0;
   bool let_go_ = false;  ///< sitting down from single joints or half a rise: damped, since no foot can be led
   bool enabled_ = false;  ///< all drives have been since the stand or the first joint move was requested

@@ -49,6 +49,9 @@ void Motion::write(const JointState& in, LegCommand& out) noexcept {
       joints_.write(i, now_us_, leg);
     } else if (state() == MotionPhase::kWalking) {
       walk_.write(i, leg);
+    } else if (reflex_.acts()) {
+      reflex_.write(i, leg);
+      continue;
     } else if (lands_adaptively()) {
       write_adaptive_landing(i, in, leg);
     } else {

@@ -38,6 +38,7 @@ struct BodyConfig {
   ImuDriverConfig imu_driver;
   double fallen_tilt_rad = 0.0;  ///< roll or pitch beyond which the robot counts as fallen
   double fallen_height_m = 0.0;  ///< height of the hips over the standing feet, below which it does
+  bool meets_falls = true;       ///< with its legs, before it is down; else they are damped alone
 };
 
 /// A pattern of steps: data, checked when it is read. A leg swings from its offset for (1 - duty) of the

@@ -115,6 +115,7 @@ BodyConfig read_body(const YamlMap& map) {
   const YamlMap fallen = map.map("fallen");
   body.fallen_tilt_rad = fallen.quantity("tilt", "rad", 0.1, 3.15);
   body.fallen_height_m = fallen.quantity("height", "m", 0, 2);
+  if (fallen.has("met")) body.meets_falls = fallen.flag("met");
   fallen.finish();
   map.finish();
   return body;

@@ -60,7 +60,8 @@ class Walk {
   void step(const JointState& in) noexcept;
   /// In this cycle, of a gait that steps: every leg has had its turn since the last time.
   bool period_ended() const noexcept { return period_ended_; }
-  const BodyView& view() const noexcept { return view_; }  ///< of this cycle
+  const BodyView& view() const noexcept { return view_; }       ///< of this cycle
+  double swing_s() const noexcept { return clock_.swing_s(); }  ///< of a foot of its gait
   void write(std::size_t leg, DesiredLeg& out) const noexcept;
   void write(MotionState& out) const noexcept;
 

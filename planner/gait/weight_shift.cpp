@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "model/leg_kinematics.h"
+#include "planner/gait/capture_point.h"
 #include "planner/gait/support_triangle.h"
 
 namespace sprung {
@@ -17,14 +17,6 @@ constexpr double kLeanTime = 0.16;  // share of the period in which nine tenths 
 constexpr double kFurther = 0.5;    // of the sway, that it leans besides where it has waited for
 constexpr double kFurtherIn_s = 0.5;
 constexpr double kFarAhead_s = 1.0;  // further the feet's way is not foreseen
-
-/// A body in motion is as near to tipping as one at rest that is its speed times this further on (Hof 2008).
-double capture_s(const BodyView& view) noexcept {
-  double lowest_m = 0.0;
-  for (const Eigen::Vector3d& foot_m : view.foot_m)
-    lowest_m = std::min(lowest_m, foot_m.z() - view.com_m.z());
-  return std::sqrt(-lowest_m / kGravity_m_s2);
-}
 
 std::array<Eigen::Vector2d, 3> others_m(const BodyView& view, std::size_t lifted) noexcept {
   std::array<Eigen::Vector2d, 3> feet_m;

@@ -4,70 +4,158 @@
 
 #include <cmath>
 
+#include "model/leg_kinematics.h"
+#include "robots/robot_loader.h"
+
 namespace sprung {
 namespace {
 
-BodyConfig body() {
-  BodyConfig config;
-  config.mass_kg = 12.0;
-  config.fallen_tilt_rad = 0.7;
-  config.fallen_height_m = 0.25;
-  return config;
-}
+constexpr double kStands = -1.0;  // no gait
+constexpr double kSwing_s = 0.4;
 
-EstimatedBody tilted(double angle_rad, bool roll) {
-  EstimatedBody out;
-  out.estimated_quaternion_wxyz = {std::cos(0.5 * angle_rad), roll ? std::sin(0.5 * angle_rad) : 0.0,
-                                   roll ? 0.0 : std::sin(0.5 * angle_rad), 0.0};
-  out.estimated_height_m = 0.5;
-  out.uses_imu = true;
-  return out;
-}
+/// pegasus on level ground at rest, all feet loaded.
+class FallDetectorTest : public testing::Test {
+ protected:
+  FallDetectorTest() {
+    const BodyShape shape(robot_);
+    in_.body.estimated_angular_velocity_rad_s = {0.0, 0.0, 0.0};
+    in_.body.estimated_velocity_m_s = {0.0, 0.0, 0.0};
+    in_.body.uses_imu = true;
+    in_.body.estimated_height_m = 0.5;
+    tilt(0.0, true);
+    for (std::size_t i = 0; i < 4; ++i) {
+      Eigen::Vector3d foot = shape.foot_beside_hip_m[i];
+      foot.z() = -0.5;
+      in_.legs[i].estimated_foot_in_hip_m = to_vec3(foot);
+      in_.legs[i].contact = true;
+    }
+  }
+  void tilt(double angle_rad, bool roll) {
+    in_.body.estimated_quaternion_wxyz = {std::cos(0.5 * angle_rad), roll ? std::sin(0.5 * angle_rad) : 0.0,
+                                          roll ? 0.0 : std::sin(0.5 * angle_rad), 0.0};
+  }
+  void hold(bool fl, bool fr, bool hl, bool hr) {
+    const bool held[] = {fl, fr, hl, hr};
+    for (std::size_t i = 0; i < 4; ++i) in_.legs[i].contact = held[i];
+  }
+  /// The last of the cycles.
+  Fall after(double duration_s, double swing_s = kSwing_s) {
+    Fall out = Fall::kNone;
+    for (double t_s = 0.0; t_s < duration_s - 1e-9; t_s += 0.002) {
+      in_.stamp.utime_us += 2000;
+      out = falls_.step(in_, swing_s);
+    }
+    return out;
+  }
 
-TEST(FallDetectorTest, TiltBeyondTheLimitToAnySideIsAFall) {
-  const FallDetector falls(body());
+  RobotConfig robot_ = load_robot("pegasus");
+  FallDetector falls_{robot_};
+  JointState in_{12, 4};
+};
+
+TEST_F(FallDetectorTest, TiltBeyondTheLimitToAnySideIsAFall) {
   for (const bool roll : {true, false}) {
     for (const double sign : {-1.0, 1.0}) {
-      EXPECT_FALSE(falls.fell(tilted(sign * 0.69, roll)));
-      EXPECT_TRUE(falls.fell(tilted(sign * 0.71, roll)));
+      tilt(sign * 0.69, roll);
+      EXPECT_EQ(after(0.002), Fall::kNone);
+      tilt(sign * 0.71, roll);
+      EXPECT_EQ(after(0.002), Fall::kLies);
     }
   }
 }
 
-TEST(FallDetectorTest, HipsTooLowOverTheFeetAreAFall) {
-  const FallDetector falls(body());
-  EstimatedBody low = tilted(0.0, true);
-  low.estimated_height_m = 0.251;
-  EXPECT_FALSE(falls.fell(low));
-  low.estimated_height_m = 0.249;
-  EXPECT_TRUE(falls.fell(low));
+TEST_F(FallDetectorTest, HipsTooLowOverTheFeetAreAFall) {
+  in_.body.estimated_height_m = 0.251;
+  EXPECT_EQ(after(0.002), Fall::kNone);
+  in_.body.estimated_height_m = 0.249;
+  EXPECT_EQ(after(0.002), Fall::kLies);
 }
 
-TEST(FallDetectorTest, WhatIsNotKnownSaysNothing) {
-  const FallDetector falls(body());
-  EXPECT_FALSE(falls.fell(EstimatedBody{}));
-  EXPECT_EQ(falls.why_not_up(EstimatedBody{}), nullptr);
+TEST_F(FallDetectorTest, CapturePointFarBeyondTheFeetWillBeAFallAndAJumpOfTheVelocityIsNone) {
+  in_.body.estimated_velocity_m_s = {0.0, 1.2, 0.0};  // 0.27 m ahead, 0.07 beyond the left feet
+  EXPECT_EQ(after(0.5), Fall::kNone);
+  in_.body.estimated_velocity_m_s = {0.0, 2.0, 0.0};  // 0.25 m beyond
+  EXPECT_EQ(after(0.008), Fall::kNone);
+  in_.body.estimated_velocity_m_s = {0.0, 0.0, 0.0};
+  EXPECT_EQ(after(0.002), Fall::kNone);
+  in_.body.estimated_velocity_m_s = {0.0, 2.0, 0.0};
+  EXPECT_EQ(after(0.008), Fall::kNone) << "it counts anew";
+  EXPECT_EQ(after(0.008), Fall::kFalls);
+  EXPECT_EQ(falls_.found(), Fall::kFalls);
 }
 
-TEST(FallDetectorTest, RobotWithoutABodyCannotFall) {
-  const FallDetector falls{BodyConfig{}};
-  EXPECT_FALSE(falls.fell(tilted(2.0, true)));
-  EXPECT_EQ(falls.why_not_up(tilted(2.0, true)), nullptr);
+TEST_F(FallDetectorTest, LegsAloneDoNotShowThatItWillFall) {
+  in_.body.uses_imu = false;
+  in_.body.estimated_velocity_m_s = {0.0, 3.0, 0.0};
+  EXPECT_EQ(after(0.5), Fall::kNone);
 }
 
-TEST(FallDetectorTest, GettingUpIsRefusedOnASideOrBackButNotLyingFlat) {
-  const FallDetector falls(body());
-  EstimatedBody flat = tilted(0.05, false);
-  flat.estimated_height_m = 0.08;
-  EXPECT_EQ(falls.why_not_up(flat), nullptr);
-  EXPECT_STREQ(falls.why_not_up(tilted(1.5, true)), "lying on its side or back: turn it over");
-  EXPECT_STREQ(falls.why_not_up(tilted(3.1, false)), "lying on its side or back: turn it over");
+TEST_F(FallDetectorTest, NeighboursWithoutGroundForLongerThanASwingAreAFallWhereItIsTilted) {
+  hold(true, true, false, false);
+  tilt(0.25, false);
+  EXPECT_EQ(after(0.5 + kSwing_s - 0.01), Fall::kNone);
+  hold(true, true, true, false);
+  EXPECT_EQ(after(0.002), Fall::kNone);
+  hold(true, true, false, false);
+  EXPECT_EQ(after(0.5 + kSwing_s - 0.01), Fall::kNone) << "it counts anew";
+  EXPECT_EQ(after(0.02), Fall::kLies);
+  tilt(0.1, false);
+  EXPECT_EQ(after(0.02), Fall::kNone) << "nearly level: a step, or a hand";
 }
 
-TEST(FallDetectorTest, WithoutAnImuTheFeetDoNotSayHowItLies) {
-  EstimatedBody body_without_imu = tilted(1.5, true);
-  body_without_imu.uses_imu = false;
-  EXPECT_EQ(FallDetector(body()).why_not_up(body_without_imu), nullptr);
+TEST_F(FallDetectorTest, WithoutAnImuNeighboursWithoutGroundAreEnough) {
+  in_.body.uses_imu = false;
+  hold(false, true, false, true);
+  EXPECT_EQ(after(0.5 + kSwing_s + 0.01), Fall::kLies);
+}
+
+TEST_F(FallDetectorTest, DiagonalFeetThatTakeTurnsAreATrot) {
+  in_.body.uses_imu = false;
+  for (int i = 0; i < 10; ++i) {
+    hold(i % 2 == 0, i % 2 == 1, i % 2 == 1, i % 2 == 0);
+    EXPECT_EQ(after(0.6), Fall::kNone);
+  }
+}
+
+TEST_F(FallDetectorTest, RobotThatHangsIsNoneThatFellUnlessItWalks) {
+  in_.body.uses_imu = false;
+  hold(false, false, false, false);
+  EXPECT_EQ(after(2.0, kStands), Fall::kNone);
+  EXPECT_EQ(after(2.0), Fall::kLies);
+  falls_.begin_anew();
+  EXPECT_EQ(after(0.5), Fall::kNone);
+}
+
+TEST_F(FallDetectorTest, WhatIsNotKnownSaysNothing) {
+  for (double& q : in_.body.estimated_quaternion_wxyz) q = kNaN;
+  in_.body.estimated_height_m = kNaN;
+  in_.body.estimated_velocity_m_s = {kNaN, kNaN, kNaN};
+  EXPECT_EQ(after(0.1), Fall::kNone);
+  EXPECT_EQ(falls_.why_not_up(in_.body), nullptr);
+}
+
+TEST_F(FallDetectorTest, RobotWithoutABodyCannotFall) {
+  robot_.body = BodyConfig{};
+  falls_ = FallDetector(robot_);
+  tilt(2.0, true);
+  EXPECT_EQ(after(0.1), Fall::kNone);
+  EXPECT_EQ(falls_.why_not_up(in_.body), nullptr);
+}
+
+TEST_F(FallDetectorTest, GettingUpIsRefusedOnASideOrBackButNotLyingFlat) {
+  tilt(0.05, false);
+  in_.body.estimated_height_m = 0.08;
+  EXPECT_EQ(falls_.why_not_up(in_.body), nullptr);
+  tilt(1.5, true);
+  EXPECT_STREQ(falls_.why_not_up(in_.body), "lying on its side or back: turn it over");
+  tilt(3.1, false);
+  EXPECT_STREQ(falls_.why_not_up(in_.body), "lying on its side or back: turn it over");
+}
+
+TEST_F(FallDetectorTest, WithoutAnImuTheFeetDoNotSayHowItLies) {
+  tilt(1.5, true);
+  in_.body.uses_imu = false;
+  EXPECT_EQ(falls_.why_not_up(in_.body), nullptr);
 }
 
 }  // namespace

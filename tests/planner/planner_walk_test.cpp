@@ -234,6 +234,30 @@ TEST_F(PlannerWalkTest, FallIsDampedForASecondAndThenOff) {
   }
 }
 
+TEST_F(PlannerWalkTest, FallThatComesIsMetWithFoldedLegsThenDampedThenOff) {
+  stand_up();
+  walk(kStand);
+  run(0.5);
+  state_.body.uses_imu = true;
+  state_.body.estimated_velocity_m_s = {0.0, 3.0, 0.0};
+  state_.body.estimated_height_m = 0.5;
+  const auto on = [this](double duration_s) {
+    for (double t_s = 0.0; t_s < duration_s; t_s += 0.002) {
+      state_.stamp.utime_us += 2000;
+      ++state_.stamp.seq;
+      planner_.step(state_, legs_, motion_);
+    }
+  };
+  on(0.02);
+  ASSERT_EQ(motion_.state, MotionPhase::kFallen);
+  EXPECT_TRUE(every_leg(ControlMode::kCompliance));
+  on(FallReflex::kLasts_s + 0.02);
+  EXPECT_EQ(motion_.state, MotionPhase::kFallen);
+  EXPECT_TRUE(every_leg(ControlMode::kDamping));
+  on(kSinkTime_s);
+  EXPECT_EQ(motion_.state, MotionPhase::kIdle);
+}
+
 TEST_F(PlannerWalkTest, HipsThatSinkToTheFeetAreAFallToo) {
   stand_up();
   walk(kStand);

@@ -10,6 +10,7 @@
 #include "tools/lab/friction/drag.h"
 #include "tools/lab/friction/friction_sweep.h"
 #include "tools/lab/gait/endurance.h"
+#include "tools/lab/gait/fall_experiment.h"
 #include "tools/lab/gait/ground_error.h"
 #include "tools/lab/gait/parameter_experiment.h"
 #include "tools/lab/gait/push_experiment.h"
@@ -31,7 +32,8 @@ std::vector<Experiment> experiments() {
           endurance_experiment(),     faults_experiment(),       friction_sweep_experiment(),
           drag_experiment(),          estimator_experiment(),    commission_experiment(),
           bring_up_experiment(),      adaptation_experiment(),   parameter_experiment(),
-          model_watch_experiment(),   terrain_experiment(),      odometry_experiment()};
+          model_watch_experiment(),   terrain_experiment(),      odometry_experiment(),
+          fall_experiment()};
 }
 
 namespace {

@@ -1,0 +1,14 @@
+#pragma once
+/// Where a robot in motion would come to rest over its feet (Hof 2008), and how
+/// far that is beyond them. Level axes. Pure.
+#include "planner/gait/body_view.h"
+
+namespace sprung {
+
+/// A body in motion is as near to tipping as one at rest that is its speed times this further on.
+double capture_s(const BodyView& view) noexcept;
+/// Seen from above, of the capture point from the polygon about all feet, also those in the air; negative
+/// inside. Beyond a corner it is less than the distance. Fewer than three feet: NaN.
+double beyond_feet_m(const BodyView& view, std::size_t legs) noexcept;
+
+}  // namespace sprung

@@ -1,0 +1,57 @@
+#include "planner/gait/capture_point.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "model/leg_kinematics.h"
+
+namespace sprung {
+namespace {
+
+/// Feet at the corners of 0.8 x 0.4 m, 0.5 m below the centre of mass.
+BodyView standing() {
+  BodyView view;
+  view.com_m = {0.0, 0.0, 0.0};
+  view.foot_m = {Eigen::Vector3d(0.4, 0.2, -0.5), Eigen::Vector3d(0.4, -0.2, -0.5),
+                 Eigen::Vector3d(-0.4, 0.2, -0.5), Eigen::Vector3d(-0.4, -0.2, -0.5)};
+  view.velocity_known = true;
+  return view;
+}
+
+TEST(CapturePoint, TimeIsThatOfAPendulumOfTheHeight) {
+  EXPECT_NEAR(capture_s(standing()), std::sqrt(0.5 / kGravity_m_s2), 1e-12);
+}
+
+TEST(CapturePoint, AtRestItIsInsideByTheNearestSide) {
+  BodyView view = standing();
+  EXPECT_NEAR(beyond_feet_m(view, 4), -0.2, 1e-12);
+  view.com_m.x() = 0.3;
+  EXPECT_NEAR(beyond_feet_m(view, 4), -0.1, 1e-12);
+  view.com_m.y() = -0.35;
+  EXPECT_NEAR(beyond_feet_m(view, 4), 0.15, 1e-12);
+}
+
+TEST(CapturePoint, SpeedTakesItAhead) {
+  BodyView view = standing();
+  view.velocity_m_s.y() = 0.3 / capture_s(view);
+  EXPECT_NEAR(beyond_feet_m(view, 4), 0.1, 1e-12);
+}
+
+TEST(CapturePoint, FootInsideTheOthersMakesNoSide) {
+  BodyView view = standing();
+  view.foot_m[3] = {0.2, 0.1, -0.5};
+  view.com_m = {-0.3, -0.3, 0.0};
+  EXPECT_GT(beyond_feet_m(view, 4), 0.2);
+  EXPECT_NEAR(beyond_feet_m(view, 4), beyond_feet_m(view, 3), 1e-12);
+}
+
+TEST(CapturePoint, OfTwoFeetNothingIsKnownAndALineHasNoInside) {
+  BodyView view = standing();
+  EXPECT_TRUE(std::isnan(beyond_feet_m(view, 2)));
+  for (std::size_t i = 0; i < 4; ++i) view.foot_m[i].y() = 0.0;
+  EXPECT_NEAR(beyond_feet_m(view, 4), 0.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace sprung
