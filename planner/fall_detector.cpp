@@ -13,8 +13,9 @@ namespace {
 /// (pegasus, draws 1001 to 1020, pushes of 20 to 60 N s in stand, trot and crawl), all that were further
 /// fell.
 constexpr double kBeyond = 0.38;
-constexpr double kBeyond_s = 0.01;  // that long: a velocity may jump at touchdown
-constexpr double kUnheld_s = 0.5;   // [design choice] and the swing
+constexpr double kTipping_rad = 0.1;  // [design choice] whoever slides is as far beyond, and may stay up
+constexpr double kBeyond_s = 0.01;    // that long: a velocity may jump at touchdown
+constexpr double kUnheld_s = 0.5;     // [design choice] and the swing
 /// [design choice] Feet without ground are no fall before: stairs and hands lift as well.
 constexpr double kLeaning_rad = 0.2;
 constexpr double kLongestCycle_s = 0.1;
@@ -49,7 +50,8 @@ bool FallDetector::lies(const EstimatedBody& body) const noexcept {
 }
 
 bool FallDetector::will_fall(const JointState& in, double dt_s) noexcept {
-  const bool known = in.body.uses_imu && std::isfinite(in.body.estimated_height_m);
+  const bool known = in.body.uses_imu && tilted(in.body, kTipping_rad) &&
+                     std::isfinite(in.body.estimated_height_m);
   const BodyView view = BodyView::of(in, shape_);
   const bool beyond = known && view.velocity_known &&
                       beyond_feet_m(view, shape_.legs) > kBeyond * in.body.estimated_height_m;

@@ -1,12 +1,12 @@
 #pragma once
 /// Whether a robot on legs falls or has fallen. Pure: no heap.
 ///
-///   It lies      tilted too far, or too low over its feet (robot.yaml's `fallen`).
-///   It will      the capture point is so far beyond all feet that no step of any gait brings it back; by an
-///                IMU, since the legs alone do not show a trunk that tips over its feet.
-///   Unheld       two neighbouring feet (front, hind, left, right) have found no ground for longer than a
-///   gait
-///                lifts them: it lies on its nose or side. With an IMU only where it is tilted as well.
+/// - It lies: tilted too far, or too low over its feet (robot.yaml's `fallen`).
+/// - It will fall: it tips, and the capture point is so far beyond all feet that no step of any gait brings
+/// it
+///   back. By an IMU: legs alone do not show a trunk that tips over its feet.
+/// - Two neighbouring feet (front, hind, left, right) have found no ground for longer than a gait lifts them:
+///   it lies on its nose or side. With an IMU only where it is tilted as well.
 #include <array>
 #include <cstdint>
 #include <vector>

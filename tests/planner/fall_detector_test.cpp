@@ -72,9 +72,10 @@ TEST_F(FallDetectorTest, HipsTooLowOverTheFeetAreAFall) {
 }
 
 TEST_F(FallDetectorTest, CapturePointFarBeyondTheFeetWillBeAFallAndAJumpOfTheVelocityIsNone) {
-  in_.body.estimated_velocity_m_s = {0.0, 1.2, 0.0};  // 0.27 m ahead, 0.07 beyond the left feet
+  tilt(-0.12, true);                                  // to its left
+  in_.body.estimated_velocity_m_s = {0.0, 1.2, 0.0};  // 0.27 m ahead, 0.13 beyond the left feet
   EXPECT_EQ(after(0.5), Fall::kNone);
-  in_.body.estimated_velocity_m_s = {0.0, 2.0, 0.0};  // 0.25 m beyond
+  in_.body.estimated_velocity_m_s = {0.0, 2.0, 0.0};  // 0.31 m beyond
   EXPECT_EQ(after(0.008), Fall::kNone);
   in_.body.estimated_velocity_m_s = {0.0, 0.0, 0.0};
   EXPECT_EQ(after(0.002), Fall::kNone);
@@ -84,8 +85,15 @@ TEST_F(FallDetectorTest, CapturePointFarBeyondTheFeetWillBeAFallAndAJumpOfTheVel
   EXPECT_EQ(falls_.found(), Fall::kFalls);
 }
 
+TEST_F(FallDetectorTest, RobotThatSlidesWithoutTippingIsNoneThatWillFall) {
+  tilt(0.08, true);
+  in_.body.estimated_velocity_m_s = {0.0, 3.0, 0.0};
+  EXPECT_EQ(after(0.5), Fall::kNone);
+}
+
 TEST_F(FallDetectorTest, LegsAloneDoNotShowThatItWillFall) {
   in_.body.uses_imu = false;
+  tilt(0.2, true);
   in_.body.estimated_velocity_m_s = {0.0, 3.0, 0.0};
   EXPECT_EQ(after(0.5), Fall::kNone);
 }

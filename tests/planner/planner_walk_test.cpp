@@ -238,6 +238,7 @@ TEST_F(PlannerWalkTest, FallThatComesIsMetWithFoldedLegsThenDampedThenOff) {
   stand_up();
   walk(kStand);
   run(0.5);
+  tilt(0.2);
   state_.body.uses_imu = true;
   state_.body.estimated_velocity_m_s = {0.0, 3.0, 0.0};
   state_.body.estimated_height_m = 0.5;
