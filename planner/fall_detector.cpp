@@ -15,7 +15,7 @@ namespace {
 constexpr double kBeyond = 0.38;
 constexpr double kTipping_rad = 0.1;  // [design choice] whoever slides is as far beyond, and may stay up
 constexpr double kBeyond_s = 0.01;    // that long: a velocity may jump at touchdown
-constexpr double kUnheld_s = 0.5;     // [design choice] and the swing
+constexpr double kUnheld_s = 1.0;  // [design choice] and the swing: who is pushed and rocks back takes 0.6 s
 /// [design choice] Feet without ground are no fall before: stairs and hands lift as well.
 constexpr double kLeaning_rad = 0.2;
 constexpr double kLongestCycle_s = 0.1;
