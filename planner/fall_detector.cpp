@@ -15,8 +15,9 @@ namespace {
 constexpr double kBeyond = 0.38;
 constexpr double kTipping_rad = 0.1;  // [design choice] whoever slides is as far beyond, and may stay up
 constexpr double kBeyond_s = 0.01;    // that long: a velocity may jump at touchdown
-constexpr double kUnheld_s = 1.0;  // [design choice] and the swing: who is pushed and rocks back takes 0.6 s
-/// [design choice] Feet without ground are no fall before: stairs and hands lift as well.
+/// [design choice] and the swing. A robot in position control that was pushed rocked back from two feet after
+/// 1.2 s; without an IMU there is no tilt to tell with.
+constexpr double kUnheld_s = 1.5, kUnheldWithoutImu_s = 0.5;
 constexpr double kLeaning_rad = 0.2;
 constexpr double kLongestCycle_s = 0.1;
 
@@ -60,13 +61,14 @@ bool FallDetector::will_fall(const JointState& in, double dt_s) noexcept {
 }
 
 bool FallDetector::unheld(const JointState& in, double swing_s, double dt_s) noexcept {
+  const double longest_s = in.body.uses_imu ? kUnheld_s : kUnheldWithoutImu_s;
   const auto held = [&in](std::size_t leg) { return in.legs[leg].contact; };
   bool any = false;
   for (std::size_t side = 0; side < neighbours_.size(); ++side) {
     const auto& legs = neighbours_[side];
     const bool none = !legs.empty() && std::none_of(legs.begin(), legs.end(), held);
     unheld_s_[side] = none ? unheld_s_[side] + dt_s : 0.0;
-    any = any || unheld_s_[side] > kUnheld_s + std::max(0.0, swing_s);
+    any = any || unheld_s_[side] > longest_s + std::max(0.0, swing_s);
   }
   const bool hangs = swing_s < 0.0 && std::none_of(in.legs.begin(), in.legs.end(),
                                                    [](const EstimatedLeg& leg) { return leg.contact; });

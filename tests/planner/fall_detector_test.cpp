@@ -101,11 +101,11 @@ TEST_F(FallDetectorTest, LegsAloneDoNotShowThatItWillFall) {
 TEST_F(FallDetectorTest, NeighboursWithoutGroundForLongerThanASwingAreAFallWhereItIsTilted) {
   hold(true, true, false, false);
   tilt(0.25, false);
-  EXPECT_EQ(after(1.0 + kSwing_s - 0.01), Fall::kNone);
+  EXPECT_EQ(after(1.5 + kSwing_s - 0.01), Fall::kNone);
   hold(true, true, true, false);
   EXPECT_EQ(after(0.002), Fall::kNone);
   hold(true, true, false, false);
-  EXPECT_EQ(after(1.0 + kSwing_s - 0.01), Fall::kNone) << "it counts anew";
+  EXPECT_EQ(after(1.5 + kSwing_s - 0.01), Fall::kNone) << "it counts anew";
   EXPECT_EQ(after(0.02), Fall::kLies);
   tilt(0.1, false);
   EXPECT_EQ(after(0.02), Fall::kNone) << "nearly level: a step, or a hand";
@@ -114,7 +114,7 @@ TEST_F(FallDetectorTest, NeighboursWithoutGroundForLongerThanASwingAreAFallWhere
 TEST_F(FallDetectorTest, WithoutAnImuNeighboursWithoutGroundAreEnough) {
   in_.body.uses_imu = false;
   hold(false, true, false, true);
-  EXPECT_EQ(after(1.0 + kSwing_s + 0.01), Fall::kLies);
+  EXPECT_EQ(after(0.5 + kSwing_s + 0.01), Fall::kLies);
 }
 
 TEST_F(FallDetectorTest, DiagonalFeetThatTakeTurnsAreATrot) {

@@ -15,7 +15,7 @@ namespace sprung {
 namespace {
 
 constexpr double kRadian = kPi / 180.0;
-constexpr double kNoticed_s = 1.0;  // in which a fall is to be noticed
+constexpr double kNoticed_s = 2.5;  // in which a fall is to be noticed
 constexpr double kBegins_m = 0.8;   // ahead of where the trunk begins
 using Plant = std::map<std::string, double>;
 
