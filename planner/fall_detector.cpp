@@ -19,7 +19,7 @@ constexpr double kBeyond_s = 0.01;    // that long: a velocity may jump at touch
 /// 1.2 s; without an IMU there is no tilt to tell with.
 constexpr double kUnheld_s = 1.5, kUnheldWithoutImu_s = 0.5;
 constexpr double kLeaning_rad = 0.2;
-constexpr double kLongestCycle_s = 0.1;
+constexpr double kLongestCycle_s = 0.005;  // that counts: nobody was seen to fall in a gap
 
 }  // namespace
 
@@ -39,6 +39,7 @@ void FallDetector::adjust(const BodyConfig& body) noexcept {
 void FallDetector::begin_anew() noexcept {
   unheld_s_.fill(0.0);
   beyond_s_ = 0.0;
+  last_us_ = -1;
 }
 
 bool FallDetector::tilted(const EstimatedBody& body, double by_rad) const noexcept {
@@ -61,22 +62,25 @@ bool FallDetector::will_fall(const JointState& in, double dt_s) noexcept {
 }
 
 bool FallDetector::unheld(const JointState& in, double swing_s, double dt_s) noexcept {
-  const double longest_s = in.body.uses_imu ? kUnheld_s : kUnheldWithoutImu_s;
+  if (in.body.uses_imu != used_imu_) unheld_s_.fill(0.0);
+  used_imu_ = in.body.uses_imu;
+  const double longest_s = used_imu_ ? kUnheld_s : kUnheldWithoutImu_s;
+  const bool leans = !used_imu_ || tilted(in.body, kLeaning_rad);
   const auto held = [&in](std::size_t leg) { return in.legs[leg].contact; };
   bool any = false;
   for (std::size_t side = 0; side < neighbours_.size(); ++side) {
     const auto& legs = neighbours_[side];
-    const bool none = !legs.empty() && std::none_of(legs.begin(), legs.end(), held);
+    const bool none = leans && !legs.empty() && std::none_of(legs.begin(), legs.end(), held);
     unheld_s_[side] = none ? unheld_s_[side] + dt_s : 0.0;
     any = any || unheld_s_[side] > longest_s + std::max(0.0, swing_s);
   }
   const bool hangs = swing_s < 0.0 && std::none_of(in.legs.begin(), in.legs.end(),
                                                    [](const EstimatedLeg& leg) { return leg.contact; });
-  return any && !hangs && (!in.body.uses_imu || tilted(in.body, kLeaning_rad));
+  return any && !hangs;
 }
 
 Fall FallDetector::step(const JointState& in, double swing_s) noexcept {
-  const double passed_s = 1e-6 * static_cast<double>(in.stamp.utime_us - last_us_);
+  const double passed_s = last_us_ < 0 ? 0.0 : 1e-6 * static_cast<double>(in.stamp.utime_us - last_us_);
   const double dt_s = std::clamp(passed_s, 0.0, kLongestCycle_s);
   last_us_ = in.stamp.utime_us;
   found_ = Fall::kNone;

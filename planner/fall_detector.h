@@ -46,7 +46,8 @@ class FallDetector {
   std::array<std::vector<std::size_t>, 4> neighbours_;  ///< legs: front, hind, left, right
   std::array<double, 4> unheld_s_{};
   double beyond_s_ = 0.0;
-  std::int64_t last_us_ = 0;
+  bool used_imu_ = false;
+  std::int64_t last_us_ = -1;  ///< -1: none
   Fall found_ = Fall::kNone;
 };
 

@@ -1,6 +1,7 @@
 #include "planner/fall_reflex.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "model/leg_kinematics.h"
 
@@ -13,6 +14,7 @@ constexpr double kFold_m_s = 3.0;   // as fast as the motors go
 constexpr double kReach_m_s = 2.0;  // along the ground
 constexpr double kLead_s = 0.4;     // of the body's speed, that a foot goes ahead
 constexpr double kReach = 0.75;     // of a straight leg's length, at most
+constexpr double kOver_rad = 1.2;   // tilted by more no leg is below it any more
 constexpr double kFolded = 1.1;     // of the length in which it sits: a way to spring in is left
 /// Per mass of the robot: 3000 N/m and 150 N s/m of 30 kg.
 constexpr double kStiffness_1_s2 = 100.0, kDamping_1_s = 5.0;
@@ -29,15 +31,18 @@ void FallReflex::begin(const JointState& in, double folded_m, double straight_m)
   step(in);
   for (std::size_t i = 0; i < shape_.legs; ++i)
     from_m_[i] = level_from_trunk_ * to_eigen(in.legs[i].estimated_foot_in_hip_m);
+  for (std::size_t i = 0; i < shape_.legs; ++i) active_ = active_ && from_m_[i].allFinite();
 }
 
 void FallReflex::step(const JointState& in) noexcept {
   if (!active_) return;
   const BodyView view = BodyView::of(in, shape_);
+  const bool known = std::isfinite(in.body.estimated_quaternion_wxyz[0]);
   since_s_ = 1e-6 * static_cast<double>(in.stamp.utime_us - began_us_);
-  level_from_trunk_ = view.level_from_trunk;
+  if (known) level_from_trunk_ = view.level_from_trunk;
   if (view.velocity_known) speed_m_s_ = view.velocity_m_s.head<2>();
-  active_ = since_s_ < kLasts_s;
+  const double tilt_rad = std::max(std::abs(view.attitude.roll_rad), std::abs(view.attitude.pitch_rad));
+  active_ = since_s_ < kLasts_s && tilt_rad < kOver_rad;
 }
 
 void FallReflex::write(std::size_t leg, DesiredLeg& out) const noexcept {
@@ -50,8 +55,9 @@ void FallReflex::write(std::size_t leg, DesiredLeg& out) const noexcept {
   const double went_m = std::min(way_m.norm(), kReach_m_s * since_s_);
   Eigen::Vector3d foot_m = from_m;
   if (way_m.norm() > 0.0) foot_m.head<2>() += went_m / way_m.norm() * way_m;
-  foot_m.z() = std::min(from_m.z() + kFold_m_s * since_s_, -folded_m_);
-  const Eigen::Vector3d speed_m_s(0.0, 0.0, foot_m.z() < -folded_m_ ? kFold_m_s : 0.0);
+  const double up_to_m = std::max(from_m.z(), -folded_m_);
+  foot_m.z() = std::min(from_m.z() + kFold_m_s * since_s_, up_to_m);
+  const Eigen::Vector3d speed_m_s(0.0, 0.0, foot_m.z() < up_to_m ? kFold_m_s : 0.0);
   const Eigen::Matrix3d trunk_from_level = level_from_trunk_.transpose();
   const double along_N_m = kStiffnessAlong_1_s2 * shape_.mass_kg, up_N_m = kStiffness_1_s2 * shape_.mass_kg;
   const double along_N_s_m = kDampingAlong_1_s * shape_.mass_kg, up_N_s_m = kDamping_1_s * shape_.mass_kg;

@@ -202,11 +202,9 @@ void Motion::enter(MotionPhase from, const JointState& in) noexcept {
       move_all(preset_.sit_length_m, preset_.rise_time_s);
       break;
     case MotionPhase::kStanding:
-      if (from == MotionPhase::kRising && payload_.rise_ended()) walk_.carry(payload_.used());
+      if (from == MotionPhase::kRising) weigh_rise();
       break;
     case MotionPhase::kWalking:
-      payload_.begin_anew();
-      break;
     case MotionPhase::kLanding:
     case MotionPhase::kComplying:
       break;
@@ -291,10 +289,20 @@ void Motion::update(const JointState& in) noexcept {
   }
 }
 
+/// What was carried before the rise counts no more, also where it could not be weighed.
+void Motion::weigh_rise() noexcept {
+  payload_.rise_ended();
+  walk_.carry(payload_.used());
+}
+
 void Motion::update_walk(const JointState& in) noexcept {
   walk_.step(in);
   payload_.add(in, walk_.view());
-  if (walk_.period_ended() && payload_.period_ended()) walk_.carry(payload_.used());
+  if (walk_.whole_period_ended()) {
+    if (payload_.period_ended()) walk_.carry(payload_.used());
+  } else if (walk_.period_begins()) {
+    payload_.begin_anew();
+  }
   if (walk_.ended()) process(MotionEvent::kWalkEnded, in);
 }
 

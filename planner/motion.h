@@ -108,6 +108,7 @@ class Motion {
   void keep_feet() noexcept;
   void move_all(double length_m, double duration_s) noexcept;
   void update_walk(const JointState& in) noexcept;
+  void weigh_rise() noexcept;
   bool fell(const JointState& in) noexcept;
   void note_departure(const JointState& in) noexcept;
   bool on_spring(std::size_t leg) const noexcept;  ///< by the last command

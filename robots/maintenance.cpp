@@ -5,6 +5,7 @@ namespace sprung {
 RobotConfig for_maintenance(RobotConfig robot) {
   robot.hold_to_run = true;
   robot.lowering_s /= kMaintenanceSpeed;
+  robot.body.meets_falls = false;  // hands are near: nothing moves fast
   for (ActuatorConfig& actuator : robot.actuators) {
     actuator.speed_limit_rad_s *= kMaintenanceSpeed;
     actuator.torque_limit_Nm *= kMaintenanceTorque;

@@ -23,15 +23,16 @@ bool is_side(const BodyView& view, std::size_t legs, std::size_t from, std::size
 
 }  // namespace
 
-double capture_s(const BodyView& view) noexcept {
+double capture_s(const BodyView& view, std::size_t legs) noexcept {
   double lowest_m = 0.0;
-  for (const Eigen::Vector3d& foot_m : view.foot_m)
-    lowest_m = std::min(lowest_m, foot_m.z() - view.com_m.z());
+  for (std::size_t i = 0; i < legs; ++i) lowest_m = std::min(lowest_m, view.foot_m[i].z() - view.com_m.z());
   return std::sqrt(-lowest_m / kGravity_m_s2);
 }
 
 double beyond_feet_m(const BodyView& view, std::size_t legs) noexcept {
-  const Eigen::Vector2d point_m = (view.com_m + capture_s(view) * view.velocity_m_s).head<2>();
+  for (std::size_t i = 0; i < legs; ++i)
+    if (!view.foot_m[i].allFinite()) return kNaN;
+  const Eigen::Vector2d point_m = (view.com_m + capture_s(view, legs) * view.velocity_m_s).head<2>();
   double beyond_m = -std::numeric_limits<double>::infinity();
   int sides = 0;
   for (std::size_t from = 0; from < legs; ++from) {
@@ -44,7 +45,7 @@ double beyond_feet_m(const BodyView& view, std::size_t legs) noexcept {
       ++sides;
     }
   }
-  return sides >= 3 ? beyond_m : std::numeric_limits<double>::quiet_NaN();
+  return sides >= 3 ? beyond_m : kNaN;
 }
 
 }  // namespace sprung

@@ -6,9 +6,10 @@
 namespace sprung {
 
 /// A body in motion is as near to tipping as one at rest that is its speed times this further on.
-double capture_s(const BodyView& view) noexcept;
+double capture_s(const BodyView& view, std::size_t legs) noexcept;
 /// Seen from above, of the capture point from the polygon about all feet, also those in the air; negative
-/// inside. Beyond a corner it is less than the distance. Fewer than three feet: NaN.
+/// inside. Beyond a corner it is less than the distance. Fewer than three feet, or
+/// one that is not known: NaN.
 double beyond_feet_m(const BodyView& view, std::size_t legs) noexcept;
 
 }  // namespace sprung

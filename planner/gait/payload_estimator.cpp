@@ -33,7 +33,7 @@ void PayloadEstimator::add(const JointState& in, const BodyView& view) noexcept 
   if (!(in.body.estimated_height_m > least_height_m_) || !view.velocity_known) return;
   const double dt_s = 1e-6 * static_cast<double>(in.stamp.utime_us - window_.last_us);
   window_.last_us = in.stamp.utime_us;
-  window_.ends_m_s = view.velocity_m_s.z();
+  window_.ends_m_s = view.velocity_m_s;
   if (window_.time_s <= 0.0) window_.began_m_s = window_.ends_m_s;
   // The first cycle after a beginning has none before it.
   constexpr double kGap_s = 0.1;
@@ -47,17 +47,23 @@ void PayloadEstimator::add(const JointState& in, const BodyView& view) noexcept 
     bound_N2 += in.legs[i].foot_force_bound_N[2] * in.legs[i].foot_force_bound_N[2];
   }
   window_.bound_Ns += dt_s * std::sqrt(bound_N2);
-  window_.com_ms += dt_s * (view.level_from_trunk * shape_.com_in_trunk_m(in)).head<2>();
+  const Eigen::Vector3d com_m = view.level_from_trunk * shape_.com_in_trunk_m(in);
+  window_.com_ms += dt_s * com_m.head<2>();
+  window_.height_ms += dt_s * (in.body.estimated_height_m + com_m.z());
 }
 
-/// The mean force is m (g + change of speed / time).
+/// The mean force is m (g + change of speed / time); speed gained along the ground pulls the centre of mass
+/// ahead of the middle of pressure.
 bool PayloadEstimator::weigh(Weight& out) const noexcept {
   const Window& w = window_;
   if (!(w.time_s >= kShortestWeighing_s && w.time_s <= kLongestWeighing_s)) return false;
-  const double pull_m_s2 = kGravity_m_s2 + (w.ends_m_s - w.began_m_s) / w.time_s;
+  const Eigen::Vector3d gained_m_s2 = (w.ends_m_s - w.began_m_s) / w.time_s;
+  const double pull_m_s2 = kGravity_m_s2 + gained_m_s2.z();
   out.mass_kg = w.impulse_Ns / (w.time_s * pull_m_s2);
   out.bound_kg = w.bound_Ns / (w.time_s * pull_m_s2);
-  out.com_shift_m = w.moment_Nms / w.impulse_Ns - w.com_ms / w.time_s;
+  out.com_m = w.com_ms / w.time_s;
+  out.com_shift_m = w.moment_Nms / w.impulse_Ns - out.com_m +
+                    w.height_ms / w.time_s / pull_m_s2 * gained_m_s2.head<2>();
   const bool on_its_feet = out.mass_kg > kLightest * shape_.mass_kg &&
                            out.mass_kg < kHeaviest * shape_.mass_kg;
   return on_its_feet && std::isfinite(out.bound_kg) && out.com_shift_m.norm() < kFarthestShift_m;
@@ -78,9 +84,10 @@ bool PayloadEstimator::period_ended() noexcept {
   if (!good) return false;
   found.bound_kg *= kBothWays;
   // One period knows the mass better than a rise does, and the shift as well.
-  const double mass_share = known_ && now_.bound_kg < 1.5 * found.bound_kg ? kNewShare : 1.0;
+  const double mass_share = known_ && now_.bound_kg < 1.2 * found.bound_kg ? kNewShare : 1.0;
   now_.mass_kg += mass_share * (found.mass_kg - now_.mass_kg);
   now_.bound_kg = found.bound_kg;
+  now_.com_m = found.com_m;
   now_.com_shift_m += (known_ ? kNewShare : 1.0) * (found.com_shift_m - now_.com_shift_m);
   known_ = true;
   return true;
@@ -92,7 +99,7 @@ EstimatedPayload PayloadEstimator::estimate() const noexcept {
   out.mass_kg = now_.mass_kg - shape_.mass_kg;
   out.mass_bound_kg = now_.bound_kg;
   if (!(out.mass_kg > out.mass_bound_kg)) return out;
-  const Eigen::Vector2d at_m = now_.com_shift_m * (now_.mass_kg / out.mass_kg);
+  const Eigen::Vector2d at_m = now_.com_m + now_.com_shift_m * (now_.mass_kg / out.mass_kg);
   out.in_trunk_m = {at_m.x(), at_m.y()};
   return out;
 }

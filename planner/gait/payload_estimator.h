@@ -4,8 +4,9 @@
 ///
 /// Joints at rest hide kilograms in their gears' stiction, so a robot is weighed while its joints move: over
 /// the rise from its belly to standing, and then over each whole period of a gait, in which friction of both
-/// directions cancels. Over such times the forces' mean is the weight plus the change of vertical momentum,
-/// and the middle of pressure is below the centre of mass.
+/// directions cancels. Over such times the forces' mean is the weight plus the change of momentum, and the
+/// middle of pressure is below the centre of mass but for what the change along the ground shifts it. Level
+/// axes count for trunk axes: they differ by the trunk's tilt.
 #include <Eigen/Core>
 
 #include "planner/gait/body_view.h"
@@ -40,14 +41,16 @@ class PayloadEstimator {
     double bound_Ns = 0.0;                                 ///< of it, at about 95 %
     Eigen::Vector2d moment_Nms = Eigen::Vector2d::Zero();  ///< of it, about the middle of the hips
     Eigen::Vector2d com_ms = Eigen::Vector2d::Zero();      ///< robot.yaml's centre of mass, times time
-    double began_m_s = 0.0, ends_m_s = 0.0;                ///< the trunk's speed upward
+    double height_ms = 0.0;                               ///< of the centre of mass over the feet, times time
+    Eigen::Vector3d began_m_s = Eigen::Vector3d::Zero();  ///< the trunk's speed
+    Eigen::Vector3d ends_m_s = Eigen::Vector3d::Zero();
     std::int64_t last_us = 0;
-    bool known = true;
   };
   struct Weight {
     double mass_kg = 0.0;  ///< of all
     double bound_kg = 0.0;
-    Eigen::Vector2d com_shift_m = Eigen::Vector2d::Zero();
+    Eigen::Vector2d com_m = Eigen::Vector2d::Zero();        ///< robot.yaml's, from the middle of the hips
+    Eigen::Vector2d com_shift_m = Eigen::Vector2d::Zero();  ///< from there
   };
   static double least_height(const RobotConfig& robot) noexcept;
   bool weigh(Weight& out) const noexcept;

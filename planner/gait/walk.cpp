@@ -68,7 +68,7 @@ void Walk::begin(const JointState& in, const WalkRequest& request) noexcept {
   height_m_ = -ground_.z_m();
   heading_rad_ = view_.attitude.yaw_rad;
   body_m_s_.setZero();
-  period_ended_ = false;
+  period_begins_ = whole_period_ended_ = false;
   last_us_ = in.stamp.utime_us;
   stopping_ = halting_ = ended_ = false;
   placing_ = false;
@@ -119,6 +119,16 @@ void Walk::start_clock() noexcept {
   const auto place = static_cast<std::size_t>(now_.gait);
   clock_.begin(now_.backward ? backward_gaits_[place] : gaits_[place], shape_.legs);
   lead_s_ = 0.5 * clock_.stance_s();
+  whole_period_ = false;
+}
+
+void Walk::advance_clock(double dt_s) noexcept {
+  const double phase = clock_.phase();
+  clock_.advance(waits_ ? 0.0 : dt_s);
+  period_begins_ = gait().duty < 1.0 && clock_.phase() < phase;
+  whole_period_ = whole_period_ && !clock_.holds();
+  whole_period_ended_ = period_begins_ && whole_period_;
+  if (period_begins_) whole_period_ = !clock_.holds();
 }
 
 void Walk::fail(const char* why) noexcept {
@@ -198,9 +208,7 @@ void Walk::step_legs(const JointState& in, double dt_s) noexcept {
   waits_ = weight_.holds();
   for (std::size_t i = 0; i < shape_.legs; ++i)
     waits_ = waits_ || (clock_.swings(i) && clock_.swing_share(i) >= 1.0 && !steps_[i].stands());
-  const double phase = clock_.phase();
-  clock_.advance(waits_ ? 0.0 : dt_s);
-  period_ended_ = gait().duty < 1.0 && clock_.phase() < phase;
+  advance_clock(dt_s);
   StepPlan plan{&gait(),          &law_,     request_.control, dt_s,
                 clock_.swing_s(), body_m_s_, turning_rad_s_,   ground_.sunk_m()};
   for (std::size_t i = 0; i < shape_.legs; ++i) {

@@ -58,8 +58,10 @@ class Walk {
   const char* failure() const noexcept { return failure_; }
 
   void step(const JointState& in) noexcept;
-  /// In this cycle, of a gait that steps: every leg has had its turn since the last time.
-  bool period_ended() const noexcept { return period_ended_; }
+  /// In this cycle, of a gait that steps: its clock begins a period; one in which every leg had its turn ends
+  /// with that, none that was held or began in its middle.
+  bool period_begins() const noexcept { return period_begins_; }
+  bool whole_period_ended() const noexcept { return whole_period_ended_; }
   const BodyView& view() const noexcept { return view_; }       ///< of this cycle
   double swing_s() const noexcept { return clock_.swing_s(); }  ///< of a foot of its gait
   void write(std::size_t leg, DesiredLeg& out) const noexcept;
@@ -94,6 +96,7 @@ class Walk {
   void share_weight() noexcept;
   GaitOrder order_of(const WalkRequest& request) const noexcept;
   void start_clock() noexcept;
+  void advance_clock(double dt_s) noexcept;
   bool comes_to_rest() const noexcept;
   void next_gait() noexcept;
   void place_feet() noexcept;
@@ -147,9 +150,11 @@ class Walk {
   bool halting_ = false;
   double halt_left_s_ = 0.0;
   bool ended_ = true;
-  bool period_ended_ = false;
-  double lead_s_ = 0.0;   ///< how long the body goes on until it is over a foot that lands now
-  bool placing_ = false;  ///< each foot is set once more: where its place is when the body rests
+  bool period_begins_ = false;
+  bool whole_period_ended_ = false;
+  bool whole_period_ = false;  ///< so far, of the one that is under way
+  double lead_s_ = 0.0;        ///< how long the body goes on until it is over a foot that lands now
+  bool placing_ = false;       ///< each foot is set once more: where its place is when the body rests
   std::int64_t last_us_ = 0;
   const char* failure_ = nullptr;
 };

@@ -53,7 +53,7 @@ void Walk::write(MotionState& out) const noexcept {
                    steps_[i].in_phase_s(),
                    steps_[i].last_event(),
                    steps_[i].counts(),
-                   ground_.expected_z_m(view_.foot_m[i]),
+                   ground_.expected_z_m(view_.foot_m[i]) - shape_.foot_radius_m[i],
                    ground_.z_bound_m()};
   }
   out.estimated_ground_slope = {ground_.slope().x(), ground_.slope().y()};

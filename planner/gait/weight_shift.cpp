@@ -70,7 +70,7 @@ void WeightShift::step(const GaitClock& clock, const BodyView& view, const Eigen
                                          ? Eigen::Vector2d(view.velocity_m_s.head<2>() - speed_m_s)
                                          : Eigen::Vector2d::Zero();
   const bool due = clock.all_stand() && until_s <= 2.0 * dt_s;  // else it left in the next cycle
-  const double margin_m = support.margin_m(com_m + capture_s(view) * beyond_m_s);
+  const double margin_m = support.margin_m(com_m + capture_s(view, legs_) * beyond_m_s);
   holds_ = due && !(margin_m >= kNeeded * sway_m);  // unknown is not safe
   if (holds_) waited_s_ = waited_s + dt_s;
 }

@@ -85,6 +85,23 @@ TEST_F(FallDetectorTest, CapturePointFarBeyondTheFeetWillBeAFallAndAJumpOfTheVel
   EXPECT_EQ(falls_.found(), Fall::kFalls);
 }
 
+TEST_F(FallDetectorTest, AfterAPauseOneBadSampleIsNoFall) {
+  EXPECT_EQ(after(0.1), Fall::kNone);
+  falls_.begin_anew();
+  in_.stamp.utime_us += 1'000'000;
+  tilt(-0.12, true);
+  in_.body.estimated_velocity_m_s = {0.0, 2.0, 0.0};
+  EXPECT_EQ(after(0.002), Fall::kNone);
+}
+
+TEST_F(FallDetectorTest, NoseThatIsHeldUpAndThenTiltedIsNoFallAtOnce) {
+  hold(false, false, true, true);
+  EXPECT_EQ(after(3.0, kStands), Fall::kNone);
+  tilt(-0.25, false);
+  EXPECT_EQ(after(1.4, kStands), Fall::kNone);
+  EXPECT_EQ(after(0.2, kStands), Fall::kLies);
+}
+
 TEST_F(FallDetectorTest, RobotThatSlidesWithoutTippingIsNoneThatWillFall) {
   tilt(0.08, true);
   in_.body.estimated_velocity_m_s = {0.0, 3.0, 0.0};

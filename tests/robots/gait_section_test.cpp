@@ -81,6 +81,13 @@ TEST_F(WalkingPegasus, BodyIsRead) {
   EXPECT_TRUE(body.imu);
   EXPECT_DOUBLE_EQ(body.fallen_tilt_rad, 0.7);
   EXPECT_DOUBLE_EQ(body.fallen_height_m, 0.25);
+  EXPECT_TRUE(body.meets_falls);
+}
+
+TEST_F(WalkingPegasus, FallsThatAreNotToBeMetAreSaidSo) {
+  std::string text = text_;
+  text.insert(text.find("tilt: 0.7 rad"), "met: false, ");
+  EXPECT_FALSE(folder_.load(text).body.meets_falls);
 }
 
 TEST_F(WalkingPegasus, RobotWithoutABodyOrGaitsHasNone) {

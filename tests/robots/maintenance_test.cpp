@@ -22,6 +22,12 @@ TEST(MaintenanceTest, LowersEverySpeedAndTorqueAndAsksForAHold) {
   }
 }
 
+TEST(MaintenanceTest, FallIsNotMetByLegsThatMoveFast) {
+  const RobotConfig robot = load_robot("pegasus");
+  EXPECT_TRUE(robot.body.meets_falls);
+  EXPECT_FALSE(for_maintenance(robot).body.meets_falls);
+}
+
 TEST(MaintenanceTest, WhatARobotIsBuiltForStaysAsItWas) {
   const RobotConfig robot = load_robot("pegasus");
   const RobotConfig reduced = for_maintenance(robot);

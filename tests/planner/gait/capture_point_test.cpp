@@ -20,7 +20,7 @@ BodyView standing() {
 }
 
 TEST(CapturePoint, TimeIsThatOfAPendulumOfTheHeight) {
-  EXPECT_NEAR(capture_s(standing()), std::sqrt(0.5 / kGravity_m_s2), 1e-12);
+  EXPECT_NEAR(capture_s(standing(), 4), std::sqrt(0.5 / kGravity_m_s2), 1e-12);
 }
 
 TEST(CapturePoint, AtRestItIsInsideByTheNearestSide) {
@@ -34,7 +34,7 @@ TEST(CapturePoint, AtRestItIsInsideByTheNearestSide) {
 
 TEST(CapturePoint, SpeedTakesItAhead) {
   BodyView view = standing();
-  view.velocity_m_s.y() = 0.3 / capture_s(view);
+  view.velocity_m_s.y() = 0.3 / capture_s(view, 4);
   EXPECT_NEAR(beyond_feet_m(view, 4), 0.1, 1e-12);
 }
 
@@ -49,6 +49,9 @@ TEST(CapturePoint, FootInsideTheOthersMakesNoSide) {
 TEST(CapturePoint, OfTwoFeetNothingIsKnownAndALineHasNoInside) {
   BodyView view = standing();
   EXPECT_TRUE(std::isnan(beyond_feet_m(view, 2)));
+  view.foot_m[3].x() = kNaN;
+  EXPECT_TRUE(std::isnan(beyond_feet_m(view, 4)));
+  view = standing();
   for (std::size_t i = 0; i < 4; ++i) view.foot_m[i].y() = 0.0;
   EXPECT_NEAR(beyond_feet_m(view, 4), 0.0, 1e-12);
 }

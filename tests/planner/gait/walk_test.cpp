@@ -330,5 +330,17 @@ TEST_F(WalkTest, SameInputsGiveTheSameBits) {
   }
 }
 
+TEST_F(WalkTest, PeriodIsWholeOnlyFromItsBeginningOn) {
+  begin(request("crawl", {0.05, 0.0, 0.0}));
+  int began = 0, whole = 0;
+  for (int k = 0; k < 6000; ++k) {
+    cycle();
+    began += walk_.period_begins() ? 1 : 0;
+    whole += walk_.whole_period_ended() ? 1 : 0;
+  }
+  EXPECT_GE(began, 3);
+  EXPECT_EQ(whole, began - 1) << "the first begins in its middle";
+}
+
 }  // namespace
 }  // namespace sprung

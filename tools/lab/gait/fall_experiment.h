@@ -41,8 +41,8 @@ FallOutcome fall_once(const RobotConfig& robot, const std::string& preset, const
                       const FallCase& config);
 
 /// fall.*: means over the pairs in which both fell, ratios of the means; falls that the planner did not
-/// notice, and safety's trips before a fall. Pure.
-std::vector<ReportRow> fall_rows(const std::vector<FallPair>& pairs);
+/// notice. Pure. @param foreseen by an IMU: else no fall is met, and nothing is demanded of the ratio.
+std::vector<ReportRow> fall_rows(const std::vector<FallPair>& pairs, bool foreseen = true);
 
 Experiment fall_experiment();
 

@@ -25,6 +25,7 @@ class PayloadScore {
 
   const BodyShape shape_;  ///< without a load
   double cycles_ = 0.0;
+  Eigen::Vector2d com_m_ = Eigen::Vector2d::Zero();    ///< the same of robot.yaml's centre of mass
   double force_N_ = 0.0;                               ///< sum over cycles: vertical, of all feet
   Eigen::Vector2d shift_m_ = Eigen::Vector2d::Zero();  ///< the same: true centre of mass from robot.yaml's
 };
