@@ -14,7 +14,7 @@ constexpr double kFold_m_s = 3.0;   // as fast as the motors go
 constexpr double kReach_m_s = 2.0;  // along the ground
 constexpr double kLead_s = 0.4;     // of the body's speed, that a foot goes ahead
 constexpr double kReach = 0.75;     // of a straight leg's length, at most
-constexpr double kOver_rad = 1.2;   // tilted by more no leg is below it any more
+constexpr double kOver_rad = 2.2;   // on its back: until then legs soften how it rolls over its side
 constexpr double kFolded = 1.1;     // of the length in which it sits: a way to spring in is left
 /// Per mass of the robot: 3000 N/m and 150 N s/m of 30 kg.
 constexpr double kStiffness_1_s2 = 100.0, kDamping_1_s = 5.0;
