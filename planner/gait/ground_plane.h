@@ -5,6 +5,7 @@
 #include <array>
 
 #include "planner/gait/gait_clock.h"
+#include "signals/vec3.h"
 
 namespace sprung {
 
