@@ -9,9 +9,8 @@
 namespace sprung {
 namespace {
 
-/// Of the height over the feet: capture points of pushed robots that did not fall were at most 0.28 beyond
-/// (pegasus, draws 1001 to 1020, pushes of 20 to 60 N s in stand, trot and crawl), all that were further
-/// fell.
+/// Of the height over the feet: further than of any robot that was pushed in a gait and stayed up (rows
+/// push.*.capture_beyond).
 constexpr double kBeyond = 0.38;
 constexpr double kTipping_rad = 0.1;  // [design choice] whoever slides is as far beyond, and may stay up
 constexpr double kBeyond_s = 0.01;    // that long: a velocity may jump at touchdown
@@ -52,12 +51,8 @@ bool FallDetector::lies(const EstimatedBody& body) const noexcept {
 }
 
 bool FallDetector::will_fall(const JointState& in, double dt_s) noexcept {
-  const bool known = in.body.uses_imu && tilted(in.body, kTipping_rad) &&
-                     std::isfinite(in.body.estimated_height_m);
-  const BodyView view = BodyView::of(in, shape_);
-  const bool beyond = known && view.velocity_known &&
-                      beyond_feet_m(view, shape_.legs) > kBeyond * in.body.estimated_height_m;
-  beyond_s_ = beyond ? beyond_s_ + dt_s : 0.0;
+  const bool tips = in.body.uses_imu && tilted(in.body, kTipping_rad);
+  beyond_s_ = tips && capture_beyond(in, shape_) > kBeyond ? beyond_s_ + dt_s : 0.0;
   return beyond_s_ > kBeyond_s;
 }
 

@@ -8,7 +8,7 @@
 namespace sprung {
 namespace {
 
-// Tuned on pegasus, draws 1001 to 1024, pushes of 60 and 80 N s, for the force on the trunk:
+// Tuned on pegasus, draws 1001 to 1064, pushes of 60 and 80 N s, for the force on the trunk:
 // docs/locomotion.md.
 constexpr double kFold_m_s = 3.0;   // as fast as the motors go
 constexpr double kReach_m_s = 2.0;  // along the ground

@@ -35,6 +35,7 @@ LegPhase leg_phase(MotionPhase phase) noexcept {
 const char* Motion::last_transition() const noexcept {
   const bool failing = state() == MotionPhase::kWalking && walk_.failure() != nullptr;
   if (failing || walk_failed_) return walk_.failure();
+  if (reflex_.acts()) return "a fall is coming: legs fold and spring";
   return machine_.last() != nullptr ? machine_.last()->reason : "";
 }
 

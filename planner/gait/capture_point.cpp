@@ -48,4 +48,9 @@ double beyond_feet_m(const BodyView& view, std::size_t legs) noexcept {
   return sides >= 3 ? beyond_m : kNaN;
 }
 
+double capture_beyond(const JointState& in, const BodyShape& shape) noexcept {
+  const BodyView view = BodyView::of(in, shape);
+  return view.velocity_known ? beyond_feet_m(view, shape.legs) / in.body.estimated_height_m : kNaN;
+}
+
 }  // namespace sprung

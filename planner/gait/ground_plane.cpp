@@ -19,9 +19,9 @@ constexpr double kTrendPeriods = 2.0;
 constexpr double kRoughPeriods = 6.0;  // in which roughness that was seen fades
 /// Spread of the footprints below which they show no slope; pegasus' lie 0.7 x 0.35 m apart.
 constexpr double kLeastSpread_m = 0.03;
-constexpr double
-    kFootHeight_m = 0.005;         // [design choice] of a foot by its leg's kinematics, standard deviation
-constexpr double kTwoSigma = 2.0;  // standard deviations
+/// [design choice] of a foot by its leg's kinematics, standard deviation
+constexpr double kFootHeight_m = 0.005;
+constexpr double kTwoSigma = 2.0;  // 95 %
 
 Eigen::Vector3d turned(const Eigen::Vector3d& v, double by_rad) noexcept {
   const double c = std::cos(by_rad), s = std::sin(by_rad);

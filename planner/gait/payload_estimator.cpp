@@ -19,11 +19,6 @@ constexpr double kNewShare = 0.4;  // of a period's weight that is believed
 
 }  // namespace
 
-/// Lower the trunk may lie on the ground.
-double PayloadEstimator::least_height(const RobotConfig& robot) noexcept {
-  return robot.body.fallen_height_m;
-}
-
 void PayloadEstimator::forget() noexcept {
   known_ = false;
   begin_anew();

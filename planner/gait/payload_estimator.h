@@ -16,7 +16,8 @@ namespace sprung {
 
 class PayloadEstimator {
  public:
-  explicit PayloadEstimator(const RobotConfig& robot) : shape_(robot), least_height_m_(least_height(robot)) {}
+  explicit PayloadEstimator(const RobotConfig& robot)
+      : shape_(robot), least_height_m_(robot.body.fallen_height_m) {}
 
   /// Nothing is known any more: before a rise.
   void forget() noexcept;
@@ -52,11 +53,10 @@ class PayloadEstimator {
     Eigen::Vector2d com_m = Eigen::Vector2d::Zero();        ///< robot.yaml's, from the middle of the hips
     Eigen::Vector2d com_shift_m = Eigen::Vector2d::Zero();  ///< from there
   };
-  static double least_height(const RobotConfig& robot) noexcept;
   bool weigh(Weight& out) const noexcept;
 
-  BodyShape shape_;  ///< without a load
-  double least_height_m_;
+  BodyShape shape_;        ///< without a load
+  double least_height_m_;  ///< lower the trunk may lie on the ground
   Window window_;
   bool known_ = false;
   Weight now_;

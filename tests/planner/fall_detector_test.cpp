@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "model/leg_kinematics.h"
 #include "robots/robot_loader.h"
+#include "tests/planner/gait/standing_robot.h"
 
 namespace sprung {
 namespace {
@@ -16,20 +16,6 @@ constexpr double kSwing_s = 0.4;
 /// pegasus on level ground at rest, all feet loaded.
 class FallDetectorTest : public testing::Test {
  protected:
-  FallDetectorTest() {
-    const BodyShape shape(robot_);
-    in_.body.estimated_angular_velocity_rad_s = {0.0, 0.0, 0.0};
-    in_.body.estimated_velocity_m_s = {0.0, 0.0, 0.0};
-    in_.body.uses_imu = true;
-    in_.body.estimated_height_m = 0.5;
-    tilt(0.0, true);
-    for (std::size_t i = 0; i < 4; ++i) {
-      Eigen::Vector3d foot = shape.foot_beside_hip_m[i];
-      foot.z() = -0.5;
-      in_.legs[i].estimated_foot_in_hip_m = to_vec3(foot);
-      in_.legs[i].contact = true;
-    }
-  }
   void tilt(double angle_rad, bool roll) {
     in_.body.estimated_quaternion_wxyz = {std::cos(0.5 * angle_rad), roll ? std::sin(0.5 * angle_rad) : 0.0,
                                           roll ? 0.0 : std::sin(0.5 * angle_rad), 0.0};
@@ -50,7 +36,7 @@ class FallDetectorTest : public testing::Test {
 
   RobotConfig robot_ = load_robot("pegasus");
   FallDetector falls_{robot_};
-  JointState in_{12, 4};
+  JointState in_ = test::standing(robot_);
 };
 
 TEST_F(FallDetectorTest, TiltBeyondTheLimitToAnySideIsAFall) {

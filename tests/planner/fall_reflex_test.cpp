@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "model/leg_kinematics.h"
 #include "robots/robot_loader.h"
+#include "tests/planner/gait/standing_robot.h"
 
 namespace sprung {
 namespace {
@@ -14,17 +14,7 @@ constexpr double kFolded_m = 0.24, kStraight_m = 0.52;
 
 class FallReflexTest : public testing::Test {
  protected:
-  FallReflexTest() {
-    const BodyShape shape(robot_);
-    in_.body.estimated_quaternion_wxyz = {1.0, 0.0, 0.0, 0.0};
-    in_.body.estimated_velocity_m_s = {0.5, 0.0, 0.0};
-    in_.body.estimated_height_m = 0.5;
-    for (std::size_t i = 0; i < 4; ++i) {
-      Eigen::Vector3d foot = shape.foot_beside_hip_m[i];
-      foot.z() = -0.5;
-      in_.legs[i].estimated_foot_in_hip_m = to_vec3(foot);
-    }
-  }
+  FallReflexTest() { in_.body.estimated_velocity_m_s = {0.5, 0.0, 0.0}; }
   DesiredLeg at(double time_s, std::size_t leg = 0) {
     in_.stamp.utime_us = static_cast<std::int64_t>(1e6 * time_s);
     reflex_.step(in_);
@@ -36,7 +26,7 @@ class FallReflexTest : public testing::Test {
 
   const RobotConfig robot_ = load_robot("pegasus");
   FallReflex reflex_{robot_};
-  JointState in_{12, 4};
+  JointState in_ = test::standing(robot_);
 };
 
 TEST_F(FallReflexTest, BeginsWhereTheFeetAreAndFoldsThemAsSprings) {

@@ -251,6 +251,7 @@ TEST_F(PlannerWalkTest, FallThatComesIsMetWithFoldedLegsThenDampedThenOff) {
   };
   on(0.02);
   ASSERT_EQ(motion_.state, MotionPhase::kFallen);
+  EXPECT_STREQ(motion_.last_transition, "a fall is coming: legs fold and spring");
   EXPECT_TRUE(every_leg(ControlMode::kCompliance));
   on(FallReflex::kLasts_s + 0.02);
   EXPECT_EQ(motion_.state, MotionPhase::kFallen);

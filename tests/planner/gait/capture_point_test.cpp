@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "model/leg_kinematics.h"
+#include "robots/robot_loader.h"
+#include "tests/planner/gait/standing_robot.h"
 
 namespace sprung {
 namespace {
@@ -54,6 +56,18 @@ TEST(CapturePoint, OfTwoFeetNothingIsKnownAndALineHasNoInside) {
   view = standing();
   for (std::size_t i = 0; i < 4; ++i) view.foot_m[i].y() = 0.0;
   EXPECT_NEAR(beyond_feet_m(view, 4), 0.0, 1e-12);
+}
+
+TEST(CapturePoint, ShareOfTheHeightIsKnownWhereSpeedAndHeightAre) {
+  const RobotConfig robot = load_robot("pegasus");
+  const BodyShape shape(robot);
+  JointState in = test::standing(robot);
+  EXPECT_NEAR(capture_beyond(in, shape), -0.2 / 0.5, 0.01) << "feet 0.2 m beside the middle";
+  in.body.estimated_velocity_m_s = {kNaN, kNaN, kNaN};
+  EXPECT_TRUE(std::isnan(capture_beyond(in, shape)));
+  in = test::standing(robot);
+  in.body.estimated_height_m = kNaN;
+  EXPECT_TRUE(std::isnan(capture_beyond(in, shape)));
 }
 
 }  // namespace

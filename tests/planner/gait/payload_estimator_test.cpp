@@ -7,6 +7,7 @@
 
 #include "model/leg_kinematics.h"
 #include "robots/robot_loader.h"
+#include "tests/planner/gait/standing_robot.h"
 
 namespace sprung {
 namespace {
@@ -17,15 +18,7 @@ constexpr double kStep_s = 0.002;
 class PayloadEstimatorTest : public testing::Test {
  protected:
   PayloadEstimatorTest() {
-    in_.body.estimated_quaternion_wxyz = {1.0, 0.0, 0.0, 0.0};
-    in_.body.estimated_angular_velocity_rad_s = {0.0, 0.0, 0.0};
-    in_.body.estimated_height_m = 0.5;
-    for (std::size_t i = 0; i < 4; ++i) {
-      Eigen::Vector3d foot = shape_.foot_beside_hip_m[i];
-      foot.z() = -0.5;
-      in_.legs[i].estimated_foot_in_hip_m = to_vec3(foot);
-      in_.legs[i].foot_force_bound_N = {10.0, 10.0, 10.0};
-    }
+    for (EstimatedLeg& leg : in_.legs) leg.foot_force_bound_N = {10.0, 10.0, 10.0};
   }
 
   /// Statics of four feet at the corners of a rectangle, lifted by an acceleration; the trunk's speed
@@ -60,7 +53,7 @@ class PayloadEstimatorTest : public testing::Test {
   const RobotConfig robot_ = load_robot("pegasus");
   const BodyShape shape_{robot_};
   PayloadEstimator payload_{robot_};
-  JointState in_{12, 4};
+  JointState in_ = test::standing(robot_);
   double up_m_s_ = 0.0;
 };
 

@@ -15,13 +15,6 @@ constexpr double kImpulses_Ns_kg[] = {2.0, 2.7};  // of the robot's mass: 60 and
 constexpr double kAskedSpeed = 0.75;              // of the gait's fastest
 constexpr double kFirstFallDraw = 1001.0;
 
-std::array<double, 2> along(PushDirection direction, double impulse_Ns) noexcept {
-  const bool sideways = direction == PushDirection::kLeft || direction == PushDirection::kRight;
-  const bool ahead = direction == PushDirection::kLeft || direction == PushDirection::kForward;
-  const double signed_Ns = ahead ? impulse_Ns : -impulse_Ns;
-  return sideways ? std::array<double, 2>{0.0, signed_Ns} : std::array<double, 2>{signed_Ns, 0.0};
-}
-
 double length(const Vec3& v) noexcept { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
 
 RobotConfig that_meets(RobotConfig robot, bool meets) {
@@ -95,10 +88,15 @@ FallOutcome fall_once(const RobotConfig& robot, const std::string& preset, const
   WalkingRobot walker(robot, preset, plant);
   walker.walk(config.gait, {config.speed_m_s, 0.0, 0.0});
   walker.run(kSettleBefore_s);
-  walker.push(along(config.direction, config.impulse_Ns), kPushOver_s);
+  walker.push(impulse_vector_Ns(config.direction, config.impulse_Ns), kPushOver_s);
   FallOutcome out;
-  walker.run(kWatched_s, [&out](InProcessRobot& r) {
-    out.trunk_peak_N = std::max(out.trunk_peak_N, length(r.truth().true_base_contact_force_N));
+  double time_s = 0.0;
+  walker.run(kWatched_s, [&](InProcessRobot& r) {
+    time_s += robot.cycle_s;
+    if (r.motion_state().state == MotionPhase::kFallen) out.noticed_s = std::fmin(out.noticed_s, time_s);
+    const double trunk_N = length(r.truth().true_base_contact_force_N);
+    if (trunk_N > 0.0) out.down_s = std::fmin(out.down_s, time_s);
+    out.trunk_peak_N = std::max(out.trunk_peak_N, trunk_N);
     for (const TrueJoint& joint : r.truth().joints)
       out.gear_peak_Nm = std::max(out.gear_peak_Nm, std::abs(joint.true_gear_output_torque_Nm));
   });
@@ -111,6 +109,8 @@ std::vector<ReportRow> fall_rows(const std::vector<FallPair>& pairs, bool forese
   FallOutcome met, damped;
   int both = 0, unnoticed = 0, stayed_up = 0;
   double worst_N = 0.0;
+  double warned_s = 0.0;
+  int warned = 0;
   for (const FallPair& p : pairs) {
     for (const FallOutcome* one : {&p.met, &p.damped}) {
       unnoticed += one->vitals.fell && !one->vitals.caught ? 1 : 0;
@@ -118,6 +118,11 @@ std::vector<ReportRow> fall_rows(const std::vector<FallPair>& pairs, bool forese
     }
     if (!p.met.vitals.fell || !p.damped.vitals.fell) continue;
     ++both;
+    const double warning_s = p.damped.down_s - p.damped.noticed_s;
+    if (std::isfinite(warning_s)) {
+      warned_s += warning_s;
+      ++warned;
+    }
     worst_N = std::max(worst_N, p.met.trunk_peak_N);
     met.trunk_peak_N += p.met.trunk_peak_N;
     met.gear_peak_Nm += p.met.gear_peak_Nm;
@@ -132,6 +137,7 @@ std::vector<ReportRow> fall_rows(const std::vector<FallPair>& pairs, bool forese
           row("fall.trunk_peak.worst", "N", worst_N),
           row("fall.gear_peak.met", "Nm", met.gear_peak_Nm / n),
           row("fall.gear_peak.damped", "Nm", damped.gear_peak_Nm / n),
+          row("fall.warning", "ms", 1e3 * warned_s / (warned > 0 ? warned : kNaN)),
           row("fall.pairs", "", both),
           row("fall.stayed_up", "", stayed_up),
           row("fall.unnoticed", "", unnoticed, at_most(0.0))};

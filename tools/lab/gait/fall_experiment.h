@@ -25,6 +25,8 @@ struct FallOutcome {
   WalkVitals vitals;
   double trunk_peak_N = 0.0;  ///< ground on the trunk itself, largest of all cycles
   double gear_peak_Nm = 0.0;  ///< at any gear's output
+  /// Since the push: when the planner noticed, and when the ground met the trunk; NaN: never.
+  double noticed_s = kNaN, down_s = kNaN;
   double simulated_s = 0.0;
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "planner/gait/body_frame.h"
+#include "planner/gait/capture_point.h"
 #include "tools/lab/gait/walking_robot.h"
 
 namespace sprung {
@@ -16,20 +17,6 @@ constexpr PushDirection kDirections[] = {PushDirection::kLeft, PushDirection::kR
 
 bool is_sideways(PushDirection direction) noexcept {
   return direction == PushDirection::kLeft || direction == PushDirection::kRight;
-}
-
-std::array<double, 2> vector_Ns(PushDirection direction, double impulse_Ns) noexcept {
-  switch (direction) {
-    case PushDirection::kLeft:
-      return {0.0, impulse_Ns};
-    case PushDirection::kRight:
-      return {0.0, -impulse_Ns};
-    case PushDirection::kForward:
-      return {impulse_Ns, 0.0};
-    case PushDirection::kBackward:
-      break;
-  }
-  return {-impulse_Ns, 0.0};
 }
 
 /// Until the gait's clock passes this share of its period; at most two periods.
@@ -46,6 +33,20 @@ void wait_for_phase(WalkingRobot& walker, const RobotConfig& robot, const PushCa
 
 }  // namespace
 
+std::array<double, 2> impulse_vector_Ns(PushDirection direction, double impulse_Ns) noexcept {
+  switch (direction) {
+    case PushDirection::kLeft:
+      return {0.0, impulse_Ns};
+    case PushDirection::kRight:
+      return {0.0, -impulse_Ns};
+    case PushDirection::kForward:
+      return {impulse_Ns, 0.0};
+    case PushDirection::kBackward:
+      break;
+  }
+  return {-impulse_Ns, 0.0};
+}
+
 std::vector<PushCase> push_cases() {
   const std::vector<double> standing{10, 15, 20, 25, 30, 35, 40, 45, 50, 60, 80};
   return {{"held", "", 0.0, 1, standing, 0.0},
@@ -58,16 +59,18 @@ PushOutcome push_once(const RobotConfig& robot, const PushTask& task, const Push
   WalkingRobot walker(robot, task.preset, lying(task.sim));
   if (!config.gait.empty()) walker.walk(config.gait, {config.speed_m_s, 0.0, 0.0});
   walker.run(kSettlePushed_s);
+  const BodyShape shape(robot);
   PushOutcome out;
   out.name = config.name;
   out.impulse_Ns = impulse_Ns;
   out.direction = direction;
   for (int i = 0; i < config.phases && walker.upright(); ++i) {
     wait_for_phase(walker, robot, config, static_cast<double>(i) / config.phases);
-    walker.push(vector_Ns(direction, impulse_Ns), kPush_s);
+    walker.push(impulse_vector_Ns(direction, impulse_Ns), kPush_s);
     walker.run(kRecover_s, [&](InProcessRobot& r) {
       const Attitude tilt = attitude(r.truth().base_quaternion_wxyz);
       out.tilt_most_rad = std::max({out.tilt_most_rad, std::abs(tilt.roll_rad), std::abs(tilt.pitch_rad)});
+      out.capture_beyond = std::fmax(out.capture_beyond, capture_beyond(r.joint_state(), shape));
     });
     if (walker.upright()) ++out.survived;
   }
@@ -116,15 +119,17 @@ std::vector<ReportRow> push_rows(const std::vector<PushCase>& cases,
     rows.push_back(
         row("push." + c.name + ".survived_foreaft", "N s", survived_impulse_Ns(c, outcomes, false)));
     int uncaught = 0, trips = 0;
-    double reserve = kNaN;
+    double reserve = kNaN, beyond = kNaN;
     for (const PushOutcome& o : outcomes) {
       if (o.name != c.name) continue;
       if (o.stayed_up()) reserve = std::fmin(reserve, o.reserve);
+      if (o.stayed_up()) beyond = std::fmax(beyond, o.capture_beyond);
       uncaught += o.vitals.fell && !o.vitals.caught ? 1 : 0;
       trips += o.vitals.trips;
     }
     rows.push_back(row("push." + c.name + ".uncaught_falls", "", uncaught, at_most(0.0)));
     rows.push_back(row("push." + c.name + ".trips", "", trips, at_most(0.0)));
+    if (std::isfinite(beyond)) rows.push_back(row("push." + c.name + ".capture_beyond", "", beyond));
     if (std::isfinite(reserve))
       rows.push_back(row("push." + c.name + ".voltage_reserve", "%", 100.0 * reserve));
   }

@@ -2,6 +2,7 @@
 /// `sprung experiment push`: impulses at the trunk's centre while the robot holds its stance in position
 /// control, stands on its springs, or trots; up to what is survived by every push, and whether a fall beyond
 /// that is caught.
+#include <array>
 #include <string>
 #include <vector>
 
@@ -33,12 +34,16 @@ constexpr auto words_of(PushDirection) {
   });
 }
 
+/// World axes.
+std::array<double, 2> impulse_vector_Ns(PushDirection direction, double impulse_Ns) noexcept;
+
 struct PushOutcome {
   std::string name;
   double impulse_Ns = 0.0;
   PushDirection direction = PushDirection::kLeft;
   int survived = 0;  ///< pushes, of the case's phases, one after the other on the same robot
   double tilt_most_rad = 0.0;
+  double capture_beyond = kNaN;  ///< capture_beyond(), largest
   WalkVitals vitals;
   double reserve = kNaN;  ///< VoltageReserve, least
   double simulated_s = 0.0;

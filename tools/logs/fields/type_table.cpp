@@ -5,6 +5,7 @@
 #include "sprung_embedded/november_21_lcm_text.h"
 #include "sprung_embedded/november_26_lcm_text.h"
 #include "sprung_embedded/november_27_lcm_text.h"
+#include "sprung_embedded/november_29_lcm_text.h"
 #include "tools/logs/fields/lcm_files.h"
 #include "tools/logs/fields/lcm_text.h"
 
@@ -108,7 +109,8 @@ std::size_t size_of(Wire wire) noexcept {
 const std::deque<TypeTable>& TypeTable::former() {
   static const std::deque<TypeTable>& tables = []() -> std::deque<TypeTable>& {
     static std::deque<TypeTable> before;
-    for (const char* text : {november_21_lcm_text(), november_26_lcm_text(), november_27_lcm_text()})
+    for (const char* text :
+         {november_21_lcm_text(), november_26_lcm_text(), november_27_lcm_text(), november_29_lcm_text()})
       before.emplace_back().add({text});
     return before;
   }();

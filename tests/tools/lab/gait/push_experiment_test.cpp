@@ -61,6 +61,17 @@ TEST(PushRows, TheVoltageReserveIsThatOfWhoStayedUp) {
       << "reported alone";
 }
 
+TEST(PushRows, HowFarTheCapturePointWasIsOfWhoStayedUp) {
+  std::vector<PushOutcome> outcomes{outcome(10, PushDirection::kLeft, false),
+                                    outcome(20, PushDirection::kLeft, true)};
+  EXPECT_THROW((void)push_experiment_row(push_rows({kCase}, outcomes), "stand.capture_beyond"),
+               std::out_of_range)
+      << "nobody measured it";
+  outcomes[0].capture_beyond = 0.1;
+  outcomes[1].capture_beyond = 0.9;
+  EXPECT_EQ(push_experiment_row(push_rows({kCase}, outcomes), "stand.capture_beyond").value, 0.1);
+}
+
 TEST(PushRows, AFallMustBeCaught) {
   std::vector<PushOutcome> outcomes{outcome(30, PushDirection::kLeft, true)};
   EXPECT_TRUE(push_experiment_row(push_rows({kCase}, outcomes), "stand.uncaught_falls").ok());
