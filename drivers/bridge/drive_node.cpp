@@ -115,12 +115,19 @@ void DriveNode::accept_sample() noexcept {
   implausible_ = motion != Motion::kGood;
   if (implausible_) ++implausible_samples_;
   if (enabled()) noise_.add(sample_.measured_position_rad, samples.sample_sync_us());
-  if (enabled() && !implausible_) impact_.add(sample_.measured_position_rad, samples.sample_sync_us());
+  watch_impacts(samples.sample_sync_us());
   distrusted_ = distrusted_ || implausible_ || noise_.noisy();
   // Also an absolute encoder's: what it shows from now on is not the place that the reference was found for.
   if (motion == Motion::kJumped) reference_.lose("reference lost: encoder jumped");
   if (impact_.hit()) reference_.lose("reference lost: hit harder than its gear bears");
   sampled_ = true;
+}
+
+/// Where a link encoder shows whether the gear slipped, and whether direction and zero are true, a robot that
+/// is hit, stumbles or falls is not stopped for that.
+void DriveNode::watch_impacts(std::int64_t sync_us) noexcept {
+  if (std::isfinite(measured_link_position_rad_)) return impact_.forget();
+  if (enabled() && !implausible_) impact_.add(sample_.measured_position_rad, sync_us);
 }
 
 void DriveNode::judge_motion(double mate_rad) noexcept {

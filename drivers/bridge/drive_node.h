@@ -101,6 +101,7 @@ class DriveNode final : public BusNode {
   void take_sample(const CanFrame& frame, std::int64_t time_us) noexcept;
   void take_display(const CanFrame& frame) noexcept;
   void accept_sample() noexcept;
+  void watch_impacts(std::int64_t sync_us) noexcept;
   bool enabled() const noexcept { return power_state_ == PowerState::kOperationEnabled; }
   bool in_fault() const noexcept;
   bool drive_fault(Fault& out) const noexcept;

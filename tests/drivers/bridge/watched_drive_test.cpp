@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "signals/angles.h"
 #include "tests/support/bridge_bench.h"
 
 namespace sprung {
@@ -13,8 +15,8 @@ using test::BridgeBench;
 using ::testing::HasSubstr;
 
 /// Two joints of which motor and gear are known.
-RobotConfig robot_with_inertia() {
-  RobotConfig robot = test::with_leg(test::two_drive_robot());
+RobotConfig robot_with_inertia(const RobotConfig& drives = test::two_drive_robot()) {
+  RobotConfig robot = test::with_leg(drives);
   for (JointConfig& joint : robot.joints) joint.armature_kg_m2 = 0.82;
   return robot;
 }
@@ -52,6 +54,33 @@ TEST(WatchedDrive, JointThatRunsIntoItsStopStopsTheRobot) {
   expect_stop(bench, SafetyCause::kImplausible, "hip_motor: hit something: its speed changed by -");
   EXPECT_FALSE(bench.bridge->reference(0).known) << "its gear may have slipped";
   EXPECT_EQ(bench.drives[0].power, PowerState::kOperationEnabled) << "its encoder is believed: it damps";
+}
+
+/// A foot that is stubbed, a robot that is pushed: gear, direction and zero are seen to be good.
+TEST(WatchedDrive, JointOfALinkEncoderThatIsHitGoesOnAndOneWhoseGearSlippedStops) {
+  for (const bool slips : {false, true}) {
+    BridgeBench bench(robot_with_inertia(test::robot_with_card()));
+    ASSERT_TRUE(bench.boot());
+    bench.enable();
+    const double link_counts = -1048576.0 / (2.0 * kPi) / 2e6;  // for each of the motor's, behind its gear
+    std::int64_t slipped = 0;
+    const auto move = [&](std::int64_t counts) {
+      bench.drives[0].position_counts += static_cast<std::int32_t>(counts);
+      const auto link = std::llround(link_counts * static_cast<double>(bench.drives[0].position_counts)) -
+                        slipped;
+      bench.cards[0].sample.counts[0] = static_cast<std::uint32_t>(link & 0xFFFFF);
+      bench.tick();
+    };
+    for (int i = 0; i < 60; ++i) move(280 * std::min(i, 50));
+    for (int i = 0; i < 20; ++i) move(0);
+    ASSERT_EQ(bench.bridge->safety().level, SafetyLevel::kOperational) << bench.detail();
+    EXPECT_TRUE(bench.bridge->reference(0).known);
+    if (!slips) continue;
+    slipped = 10'000;  // 60 mrad
+    for (int i = 0; i < 13; ++i) move(20);
+    expect_stop(bench, SafetyCause::kImplausible, "hip_motor: motor encoder says");
+    EXPECT_FALSE(bench.bridge->reference(0).known);
+  }
 }
 
 TEST(WatchedDrive, WindingThatIsFarTooWarmStopsTheRobot) {
