@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planner/gait/body_frame.h"
 #include "planner/gait/capture_point.h"
 
 namespace sprung {
@@ -19,6 +18,12 @@ constexpr double kBeyond_s = 0.01;    // that long: a velocity may jump at touch
 constexpr double kUnheld_s = 1.5, kUnheldWithoutImu_s = 0.5;
 constexpr double kLeaning_rad = 0.2;
 constexpr double kLongestCycle_s = 0.005;  // that counts: nobody was seen to fall in a gap
+
+bool tilted(const EstimatedBody& body, double by_rad, const Attitude& from = {}) noexcept {
+  const Attitude now = attitude(body.estimated_quaternion_wxyz);
+  return std::abs(now.roll_rad - from.roll_rad) > by_rad ||
+         std::abs(now.pitch_rad - from.pitch_rad) > by_rad;  // false for NaN
+}
 
 }  // namespace
 
@@ -41,26 +46,21 @@ void FallDetector::begin_anew() noexcept {
   last_us_ = -1;
 }
 
-bool FallDetector::tilted(const EstimatedBody& body, double by_rad) const noexcept {
-  const Attitude now = attitude(body.estimated_quaternion_wxyz);
-  return std::abs(now.roll_rad) > by_rad || std::abs(now.pitch_rad) > by_rad;  // false for NaN
-}
-
 bool FallDetector::lies(const EstimatedBody& body) const noexcept {
   return tilted(body, tilt_rad_) || body.estimated_height_m < height_m_;
 }
 
-bool FallDetector::will_fall(const JointState& in, double dt_s) noexcept {
-  const bool tips = in.body.uses_imu && tilted(in.body, kTipping_rad);
+bool FallDetector::will_fall(const JointState& in, const Attitude& along, double dt_s) noexcept {
+  const bool tips = in.body.uses_imu && tilted(in.body, kTipping_rad, along);
   beyond_s_ = tips && capture_beyond(in, shape_) > kBeyond ? beyond_s_ + dt_s : 0.0;
   return beyond_s_ > kBeyond_s;
 }
 
-bool FallDetector::unheld(const JointState& in, double swing_s, double dt_s) noexcept {
+bool FallDetector::unheld(const JointState& in, double swing_s, const Attitude& along, double dt_s) noexcept {
   if (in.body.uses_imu != used_imu_) unheld_s_.fill(0.0);
   used_imu_ = in.body.uses_imu;
   const double longest_s = used_imu_ ? kUnheld_s : kUnheldWithoutImu_s;
-  const bool leans = !used_imu_ || tilted(in.body, kLeaning_rad);
+  const bool leans = !used_imu_ || tilted(in.body, kLeaning_rad, along);
   const auto held = [&in](std::size_t leg) { return in.legs[leg].contact; };
   bool any = false;
   for (std::size_t side = 0; side < neighbours_.size(); ++side) {
@@ -74,13 +74,14 @@ bool FallDetector::unheld(const JointState& in, double swing_s, double dt_s) noe
   return any && !hangs;
 }
 
-Fall FallDetector::step(const JointState& in, double swing_s) noexcept {
+Fall FallDetector::step(const JointState& in, double swing_s, const Attitude& along) noexcept {
   const double passed_s = last_us_ < 0 ? 0.0 : 1e-6 * static_cast<double>(in.stamp.utime_us - last_us_);
   const double dt_s = std::clamp(passed_s, 0.0, kLongestCycle_s);
   last_us_ = in.stamp.utime_us;
   found_ = Fall::kNone;
   if (!has_body_) return found_;
-  const bool without_ground = unheld(in, swing_s, dt_s), will = will_fall(in, dt_s);  // each counts its time
+  // Each counts its time.
+  const bool without_ground = unheld(in, swing_s, along, dt_s), will = will_fall(in, along, dt_s);
   if (lies(in.body) || without_ground) {
     found_ = Fall::kLies;
   } else if (will) {

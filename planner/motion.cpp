@@ -309,9 +309,14 @@ void Motion::update_walk(const JointState& in) noexcept {
 bool Motion::fell(const JointState& in) noexcept {
   const bool upright = state() == MotionPhase::kStanding || state() == MotionPhase::kWalking ||
                        state() == MotionPhase::kComplying || state() == MotionPhase::kRecover;
-  const double swing_s = state() == MotionPhase::kWalking ? walk_.swing_s() : -1.0;
-  if (!upright) falls_.begin_anew();
-  return upright && falls_.step(in, swing_s) != Fall::kNone && process(MotionEvent::kFell, in);
+  const bool walks = state() == MotionPhase::kWalking;
+  if (!upright) {
+    falls_.begin_anew();
+    along_ground_ = {};
+  }
+  if (walks) along_ground_ = walk_.wanted_trunk();
+  return upright && falls_.step(in, walks ? walk_.swing_s() : -1.0, along_ground_) != Fall::kNone &&
+         process(MotionEvent::kFell, in);
 }
 
 bool Motion::lost(const JointState& in) noexcept {

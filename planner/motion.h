@@ -141,6 +141,7 @@ class Motion {
   Walk walk_;
   PayloadEstimator payload_;
   FallDetector falls_;
+  Attitude along_ground_;  ///< of a trunk so, as last walked on since it was lying
   FallReflex reflex_;
   const bool meets_falls_;  ///< else it is damped alone
   ComplyRequest compliance_;

@@ -29,7 +29,7 @@ class FallDetectorTest : public testing::Test {
     Fall out = Fall::kNone;
     for (double t_s = 0.0; t_s < duration_s - 1e-9; t_s += 0.002) {
       in_.stamp.utime_us += 2000;
-      out = falls_.step(in_, swing_s);
+      out = falls_.step(in_, swing_s, along_);
     }
     return out;
   }
@@ -37,6 +37,7 @@ class FallDetectorTest : public testing::Test {
   RobotConfig robot_ = load_robot("pegasus");
   FallDetector falls_{robot_};
   JointState in_ = test::standing(robot_);
+  Attitude along_;
 };
 
 TEST_F(FallDetectorTest, TiltBeyondTheLimitToAnySideIsAFall) {
@@ -69,6 +70,22 @@ TEST_F(FallDetectorTest, CapturePointFarBeyondTheFeetWillBeAFallAndAJumpOfTheVel
   EXPECT_EQ(after(0.008), Fall::kNone) << "it counts anew";
   EXPECT_EQ(after(0.008), Fall::kFalls);
   EXPECT_EQ(falls_.found(), Fall::kFalls);
+}
+
+TEST_F(FallDetectorTest, WhoLiesAlongARampDoesNotTipAndWhoLiesLevelOnItDoes) {
+  in_.body.estimated_velocity_m_s = {0.0, 2.0, 0.0};
+  along_.roll_rad = -0.15;
+  tilt(-0.15, true);
+  EXPECT_EQ(after(0.1), Fall::kNone) << "it slides";
+  tilt(-0.3, true);
+  EXPECT_EQ(after(0.1), Fall::kFalls);
+  along_.roll_rad = 0.15;
+  falls_.begin_anew();
+  tilt(0.0, true);
+  EXPECT_EQ(after(0.1), Fall::kFalls);
+  tilt(0.71, true);
+  along_.roll_rad = 0.71;
+  EXPECT_EQ(after(0.002), Fall::kLies) << "gravity's";
 }
 
 TEST_F(FallDetectorTest, AfterAPauseOneBadSampleIsNoFall) {
