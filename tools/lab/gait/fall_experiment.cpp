@@ -22,18 +22,23 @@ RobotConfig that_meets(RobotConfig robot, bool meets) {
   return robot;
 }
 
+/// "yes", or what happened instead.
+std::string noticed(const FallPair& pair) {
+  for (const FallOutcome* one : {&pair.met, &pair.damped})
+    if (one->unnoticed()) return "NO: " + one->vitals.why;
+  return "yes";
+}
+
 report::Section section(const std::vector<FallPair>& pairs) {
   report::Section out{"Each push"};
   report::Table table{"On one draw, once with legs that meet the fall, once damped",
                       {"gait", "impulse (N s)", "direction", "draw", "trunk, met (N)", "trunk, damped (N)",
                        "gear, met (Nm)", "gear, damped (Nm)", "noticed"}};
   for (const FallPair& p : pairs) {
-    const auto seen = [](const WalkVitals& v) { return !v.fell || v.caught; };
-    const bool noticed = seen(p.met.vitals) && seen(p.damped.vitals);
     table.rows.push_back({p.config.gait, p.config.impulse_Ns, name(p.config.direction), p.config.draw,
                           p.met.vitals.fell ? p.met.trunk_peak_N : kNaN,
                           p.damped.vitals.fell ? p.damped.trunk_peak_N : kNaN, p.met.gear_peak_Nm,
-                          p.damped.gear_peak_Nm, noticed ? "yes" : "NO"});
+                          p.damped.gear_peak_Nm, noticed(p)});
   }
   table.note = "A robot that stays up has no force on its trunk.";
   out.tables = {table};
@@ -113,7 +118,7 @@ std::vector<ReportRow> fall_rows(const std::vector<FallPair>& pairs, bool forese
   int warned = 0;
   for (const FallPair& p : pairs) {
     for (const FallOutcome* one : {&p.met, &p.damped}) {
-      unnoticed += one->vitals.fell && !one->vitals.caught ? 1 : 0;
+      unnoticed += one->unnoticed() ? 1 : 0;
       stayed_up += one->vitals.fell ? 0 : 1;
     }
     if (!p.met.vitals.fell || !p.damped.vitals.fell) continue;

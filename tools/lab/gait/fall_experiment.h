@@ -28,6 +28,7 @@ struct FallOutcome {
   /// Since the push: when the planner noticed, and when the ground met the trunk; NaN: never.
   double noticed_s = kNaN, down_s = kNaN;
   double simulated_s = 0.0;
+  bool unnoticed() const noexcept { return vitals.fell && !vitals.caught; }
 };
 
 struct FallPair {

@@ -7,6 +7,7 @@
 #include "simulation/plant/world.h"
 #include "tools/lab/gait/walking_robot.h"
 #include "tools/lab/run/drawn_plants.h"
+#include "tools/lab/terrain/terrain_levels.h"
 
 namespace sprung {
 namespace {
@@ -92,7 +93,7 @@ std::vector<TerrainTask> wanted_tasks(const ExperimentInput& in, const Options& 
   }
   std::vector<TerrainTask> out;
   if (!options.world.empty()) out.push_back(world_task(options.world));
-  for (const TerrainTask& task : terrain_tasks())
+  for (const TerrainTask& task : terrain_tasks_of(in.robot))
     if (options.world.empty() && (options.only == kAll || options.only == task.name)) out.push_back(task);
   // Before anything runs.
   if (std::isfinite(options.level))

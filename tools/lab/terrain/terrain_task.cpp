@@ -64,42 +64,37 @@ std::string failure_of(const TerrainRun& run, const MotionState& motion) {
 }  // namespace
 
 const std::vector<TerrainTask>& terrain_tasks() {
-  static const std::map<std::string, double> kSlopes{{"trot", 8.4}, {"crawl", 13.5}};
   static const std::vector<TerrainTask> tasks{
       {"slope_up", "a ramp, up", "deg", slopes(),
-       [](const RobotConfig&, double v, double) { return sloping("slope", v); }, kSlopes},
+       [](const RobotConfig&, double v, double) { return sloping("slope", v); }},
       {"slope_down", "a ramp, down", "deg", slopes(),
-       [](const RobotConfig&, double v, double) { return sloping("slope", -v); }, kSlopes},
+       [](const RobotConfig&, double v, double) { return sloping("slope", -v); }},
       {"slope_across", "a slope that falls to the right", "deg", slopes(),
-       [](const RobotConfig&, double v, double) { return sloping("side_slope", v); }, kSlopes},
+       [](const RobotConfig&, double v, double) { return sloping("side_slope", v); }},
       {"wave",
        "hills and hollows, 1 m from hill to hill; amplitude",
        "mm",
        {10, 20, 30, 40, 50, 60, 80},
        [](const RobotConfig&, double v, double) {
          return Plant{{"wave", 1e-3 * v}, {"ground_begins", kBegins_m}};
-       },
-       {{"trot", 30.0}, {"crawl", 50.0}}},
+       }},
       {"friction",
        "a level floor of little friction",
        "",
        {0.8, 0.6, 0.5, 0.4, 0.35, 0.3, 0.25, 0.2, 0.15},
        [](const RobotConfig&, double v, double) {
          return Plant{{"ground_friction", v}};
-       },
-       {{"trot", 0.3}, {"crawl", 0.25}}},
+       }},
       {"stairs",
        "stairs with treads of 30 cm, up and, beyond 4 m, down again; rise",
        "mm",
        {20, 30, 40, 50, 60, 80, 110},
-       [](const RobotConfig&, double v, double) { return in_world("stairs", v / kStairsRise_mm); },
-       {}},
+       [](const RobotConfig&, double v, double) { return in_world("stairs", v / kStairsRise_mm); }},
       {"rough",
        "a rough floor with boards and kerbs; the tallest",
        "mm",
        {10, 20, 30, 40, 50, 60, 80},
-       [](const RobotConfig&, double v, double) { return in_world("rubble", v / kRubble_mm); },
-       {}},
+       [](const RobotConfig&, double v, double) { return in_world("rubble", v / kRubble_mm); }},
       {"patch",
        "slippery patches on a dry floor; their friction",
        "",
@@ -108,14 +103,12 @@ const std::vector<TerrainTask>& terrain_tasks() {
          Plant out = in_world("ice", 1.0);
          out["patch_friction"] = v;
          return out;
-       },
-       {{"trot", 0.15}, {"crawl", 0.15}}},
+       }},
       {"payload",
        "a weight that nobody told it of, anywhere on its back",
        "kg",
        {1, 2, 3, 4, 5, 6, 8, 10, 12},
-       loaded,
-       {{"trot", 3.0}, {"crawl", 6.0}}},
+       loaded},
   };
   return tasks;
 }

@@ -16,11 +16,11 @@ struct TerrainTask {
   std::string name;            ///< of rows, and of --only but for a world's
   std::string what;            ///< for people
   std::string unit;            ///< of its levels
-  std::vector<double> levels;  ///< ascending in difficulty
+  std::vector<double> levels;  ///< ascending in difficulty; a robot may have its own: terrain_levels.h
   /// Keys of `--plant` that make this level, on this draw of variation.yaml.
   std::function<std::map<std::string, double>(const RobotConfig& robot, double level, double draw)> plant;
-  std::map<std::string, double> wanted;  ///< level that a gait is to pass, by its name
-  std::string world{};                   ///< as it was typed; empty: it is one of terrain_tasks()
+  std::map<std::string, double> wanted{};  ///< level that a gait is to pass, by its name
+  std::string world{};                     ///< as it was typed; empty: it is one of terrain_tasks()
 };
 
 const std::vector<TerrainTask>& terrain_tasks();
