@@ -104,11 +104,16 @@ void BodyMotion::follow_height(const Attitude& attitude, const StandingFeet& fee
 }
 
 BodyEstimator::BodyEstimator(const RobotConfig& robot)
-    : cycle_s_(robot.cycle_s), has_imu_(robot.body.imu), feet_(robot.legs) {}
+    : cycle_s_(robot.cycle_s),
+      has_imu_(robot.body.imu),
+      imu_(robot.body.imu_latency_s),
+      feet_(robot.legs),
+      past_feet_(kPast, feet_) {}
 
 void BodyEstimator::reset() noexcept {
   imu_.reset();
   feet_.reset();
+  std::fill(past_feet_.begin(), past_feet_.end(), feet_);
   attitude_.reset();
   motion_.reset();
   filter_.stop();
@@ -117,15 +122,34 @@ void BodyEstimator::reset() noexcept {
 void BodyEstimator::step(const std::vector<EstimatedLeg>& legs,
                          const std::vector<Eigen::Vector3d>& last_link_rates_rad_s, const Imu* imu,
                          std::int64_t seq, double dt_s, EstimatedBody& out) noexcept {
-  const ImuReading* const reading = imu_.update(has_imu_ ? imu : nullptr, seq, cycle_s_);
+  const ImuReading* const reading = in_trunk_axes(imu_.update(has_imu_ ? imu : nullptr, seq, cycle_s_));
   feet_.update(legs, last_link_rates_rad_s, dt_s);
+  past_feet_[++cycles_ % kPast] = feet_;
   attitude_.step(reading, feet_, dt_s);
   if (attitude_.known())
     motion_.step(reading, {attitude_.trunk_to_world(), attitude_.angular_velocity_rad_s()}, feet_, dt_s);
   locate(reading, dt_s);
+  if (reading != nullptr && attitude_.known()) {
+    mounting_.step(attitude_.trunk_to_world(), feet_);
+  }
   out = EstimatedBody{};
   out.uses_imu = uses_imu_ = reading != nullptr;
   write(out);
+}
+
+const ImuReading* BodyEstimator::in_trunk_axes(const ImuReading* reading) noexcept {
+  if (reading == nullptr) return nullptr;
+  const Eigen::Quaterniond to_trunk = mounting_.sensor_to_trunk();
+  reading_ = *reading;
+  reading_.angular_velocity_rad_s = to_trunk * reading->angular_velocity_rad_s;
+  reading_.specific_force_m_s2 = to_trunk * reading->specific_force_m_s2;
+  reading_.attitude = reading->attitude * to_trunk.conjugate();
+  return &reading_;
+}
+
+const StandingFeet& BodyEstimator::feet_before(double late_s) const noexcept {
+  const auto cycles = static_cast<std::size_t>(std::lround(std::max(0.0, late_s) / cycle_s_));
+  return past_feet_[(cycles_ + kPast - std::min(cycles, kPast - 1)) % kPast];
 }
 
 void BodyEstimator::locate(const ImuReading* reading, double dt_s) noexcept {
@@ -136,11 +160,25 @@ void BodyEstimator::locate(const ImuReading* reading, double dt_s) noexcept {
   BodyMeasurement measured;
   measured.by_imu = reading != nullptr;
   measured.angular_velocity_rad_s = attitude_.angular_velocity_rad_s();
-  if (reading != nullptr) measured.specific_force_m_s2 = reading->specific_force_m_s2;
   measured.has_up = reading == nullptr || reading->has_attitude;
-  measured.up = (reading != nullptr ? reading->attitude : attitude_.trunk_to_world()).conjugate() *
-                Eigen::Vector3d::UnitZ();
-  filter_.step(measured, feet_, dt_s);
+  late_s_ = reading != nullptr ? reading->late_s : 0.0;
+  Eigen::Quaterniond attitude = attitude_.trunk_to_world();
+  if (reading != nullptr) {
+    measured.specific_force_m_s2 = reading->specific_force_m_s2;
+    attitude = reading->attitude * turned_by(-late_s_ * reading->angular_velocity_rad_s);
+  }
+  measured.up = attitude.conjugate() * Eigen::Vector3d::UnitZ();
+  filter_.step(measured, feet_before(late_s_), dt_s);
+  acceleration_m_s2_ = reading != nullptr ? filter_.acceleration_in_world_m_s2(measured)
+                                          : Eigen::Vector3d::Zero();
+}
+
+/// With how far the IMU may be askew; without one the ground is taken for level, which is as far off.
+Eigen::Matrix3d BodyEstimator::attitude_covariance_rad2() const noexcept {
+  Eigen::Matrix3d askew_rad2 = Eigen::Matrix3d::Zero();
+  askew_rad2.topLeftCorner<2, 2>() = mounting_.covariance_rad2();
+  const Eigen::Matrix3d to_world = filter_.trunk_to_world().toRotationMatrix();
+  return filter_.attitude_covariance_rad2() + to_world * askew_rad2 * to_world.transpose();
 }
 
 void BodyEstimator::odometry(BodyState& out) const noexcept {
@@ -148,14 +186,22 @@ void BodyEstimator::odometry(BodyState& out) const noexcept {
   out.uses_imu = uses_imu_;
   out.slips = filter_.slips();
   if (!filter_.runs()) return;
-  const Eigen::Quaterniond& q = filter_.trunk_to_world();
+  // What the filter knows was so when the IMU measured; it goes on as it was.
+  const Eigen::Quaterniond q = filter_.trunk_to_world() *
+                               turned_by(late_s_ * attitude_.angular_velocity_rad_s());
+  const Eigen::Vector3d velocity_m_s = filter_.velocity_in_world_m_s() + late_s_ * acceleration_m_s2_;
   out.estimated_quaternion_wxyz = {q.w(), q.x(), q.y(), q.z()};
-  out.estimated_position_in_world_m = to_vec3(filter_.position_in_world_m());
-  out.estimated_velocity_m_s = to_vec3(filter_.velocity_in_trunk_m_s());
+  out.estimated_position_in_world_m = to_vec3(filter_.position_in_world_m() +
+                                              late_s_ * filter_.velocity_in_world_m_s());
+  out.estimated_velocity_m_s = to_vec3(q.conjugate() * velocity_m_s);
   out.estimated_rate_bias_rad_s = to_vec3(filter_.rate_bias_rad_s());
   out.estimated_force_bias_m_s2 = to_vec3(filter_.force_bias_m_s2());
+  out.estimated_imu_tilt_rad = {mounting_.tilt_rad().x(), mounting_.tilt_rad().y()};
+  out.estimated_sinking_m_N = filter_.sinks_m_N();
+  const Eigen::Matrix2d tilt_rad2 = mounting_.covariance_rad2();
+  out.imu_tilt_covariance_rad2 = {tilt_rad2(0, 0), tilt_rad2(0, 1), tilt_rad2(1, 0), tilt_rad2(1, 1)};
   out.position_covariance_m2 = row_by_row(filter_.position_covariance_m2());
-  out.attitude_covariance_rad2 = row_by_row(filter_.attitude_covariance_rad2());
+  out.attitude_covariance_rad2 = row_by_row(attitude_covariance_rad2());
   out.velocity_covariance_m2_s2 = row_by_row(filter_.velocity_covariance_m2_s2());
 }
 

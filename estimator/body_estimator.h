@@ -6,6 +6,7 @@
 #include "estimator/body_attitude.h"
 #include "estimator/body_filter.h"
 #include "estimator/imu_input.h"
+#include "estimator/imu_mounting.h"
 #include "estimator/standing_feet.h"
 #include "signals/body_state.h"
 #include "signals/joint_state.h"
@@ -58,7 +59,7 @@ class BodyEstimator {
  public:
   explicit BodyEstimator(const RobotConfig& robot);
 
-  /// Starts anew; heading goes on.
+  /// Starts anew; heading goes on, and how the IMU is mounted.
   void reset() noexcept;
   /// @param legs of this cycle. @param last_link_rates_rad_s with them: what their feet roll with, seen from
   /// the trunk, trunk axes. @param imu newest sample, nullptr: none, as always without robot.body.imu;
@@ -73,15 +74,26 @@ class BodyEstimator {
 
  private:
   void write(EstimatedBody& out) const noexcept;
+  const ImuReading* in_trunk_axes(const ImuReading* reading) noexcept;
+  const StandingFeet& feet_before(double late_s) const noexcept;
   void locate(const ImuReading* reading, double dt_s) noexcept;
+  Eigen::Matrix3d attitude_covariance_rad2() const noexcept;
 
   double cycle_s_;
   bool has_imu_;
   ImuInput imu_;
+  ImuMounting mounting_;
+  ImuReading reading_;
   StandingFeet feet_;
+  /// As they were when the IMU measured: what is late must not be held against what is not.
+  static constexpr std::size_t kPast = 16;
+  std::vector<StandingFeet> past_feet_;
+  std::size_t cycles_ = 0;
   BodyAttitude attitude_;
   BodyMotion motion_;
   BodyFilter filter_;
+  double late_s_ = 0.0;                                          ///< of what the filter knows
+  Eigen::Vector3d acceleration_m_s2_ = Eigen::Vector3d::Zero();  ///< world axes
   bool uses_imu_ = false;
 };
 

@@ -10,7 +10,8 @@
 namespace sprung {
 namespace {
 
-constexpr int kTurn = 0, kSpeed = 3, kPlace = 6, kRateBias = 9, kForceBias = 12, kFeet = 15;
+constexpr int kTurn = 0, kSpeed = 3, kPlace = 6, kRateBias = 9, kForceBias = 12, kFeet = 15,
+              kSinks = kFeet + 3 * BodyFilter::kLegs;
 
 // Densities of white noise. Of good MEMS units noise itself is a tenth of these: samples come late, trunks
 // shake.
@@ -29,6 +30,9 @@ constexpr double kTilt_rad2_s = 0.004 * 0.004 * 10.0;
 constexpr double kTiltOfFeet_rad2_s = 0.05 * 0.05 * 0.05;
 /// Of a foot's place as the encoders say it: 1.5 mm for 10 ms.
 constexpr double kFoot_m2_s = 0.0015 * 0.0015 * 0.01;
+/// Rubber on a hard floor, 30 kN/m, or softer; on stone it is nothing.
+constexpr double kSinks_m_N = 1.0 / 30e3, kSinksStd_m_N = 1.0 / 40e3, kMostSinks_m_N = 1.0 / 5e3;
+constexpr double kSinksWalk_m2_N2_s = 1e-13;  // [design choice] another ground after some minutes
 /// A foot that stands creeps, and where the trunk moves over it legs and zeros that are a little off make it
 /// seem to move by a share of that, which lasts for a stance.
 constexpr double kCreep_m2_s = 0.001 * 0.001, kSeems = 0.03, kStance_s = 0.5;
@@ -41,9 +45,9 @@ constexpr double kAnchors = 0.7, kSays = 0.5, kLeaves = 0.3;
 /// second, so that after a quarter of an hour its place is known to 15 m.
 constexpr double kUnheld_s = 0.5, kAtRest_m2_s = 0.5 * 0.5 * 1.0;
 constexpr double kSurprise = 16.27;  // chi-square of three degrees of freedom, passed once in 1000 times
-/// [design choice] What is the same all the time and nobody measures: an IMU askew by a degree, feet that
-/// roll, and legs and their zeros, which make each step longer or shorter by a hundredth.
-constexpr double kAskew_rad = 0.01, kWay = 0.01, kSpeedShare = 0.02;
+/// [design choice] What is the same all the time and nobody measures: feet that roll, and legs and their
+/// zeros, which make each step longer or shorter by 0.4 percent.
+constexpr double kWay = 0.004, kSpeedShare = 0.008;
 
 Eigen::Matrix3d cross(const Eigen::Vector3d& v) noexcept {
   Eigen::Matrix3d out;
@@ -67,6 +71,8 @@ struct ColumnsOf {
 };
 
 }  // namespace
+
+BodyFilter::BodyFilter() noexcept : sinks_m_N_(kSinks_m_N) {}
 
 void BodyFilter::start(const Eigen::Quaterniond& tilted) noexcept {
   const double heading_rad = was_started_ ? yaw_rad(attitude_) : yaw_rad(tilted);
@@ -95,6 +101,7 @@ void BodyFilter::start(const Eigen::Quaterniond& tilted) noexcept {
   variance(kSpeed, kStartSpeed_m_s);
   variance(kRateBias, kRateBias_rad_s);
   variance(kForceBias, kForceBias_m_s2);
+  covariance_(kSinks, kSinks) = kSinksStd_m_N * kSinksStd_m_N;
 }
 
 void BodyFilter::step(const BodyMeasurement& measured, const StandingFeet& feet, double dt_s) noexcept {
@@ -113,12 +120,15 @@ void BodyFilter::step(const BodyMeasurement& measured, const StandingFeet& feet,
   covariance_ = (0.5 * (covariance_ + covariance_.transpose())).eval();
 }
 
+Eigen::Vector3d BodyFilter::acceleration_in_world_m_s2(const BodyMeasurement& measured) const noexcept {
+  if (!measured.specific_force_m_s2.allFinite()) return Eigen::Vector3d::Zero();
+  return attitude_ * (measured.specific_force_m_s2 - force_bias_m_s2_) -
+         kGravity_m_s2 * Eigen::Vector3d::UnitZ();
+}
+
 void BodyFilter::predict(const BodyMeasurement& measured, const StandingFeet& feet, double dt_s) noexcept {
   const Eigen::Vector3d rate_rad_s = measured.angular_velocity_rad_s - rate_bias_rad_s_;
-  Eigen::Vector3d acceleration_m_s2 = Eigen::Vector3d::Zero();
-  if (measured.specific_force_m_s2.allFinite())
-    acceleration_m_s2 = attitude_ * (measured.specific_force_m_s2 - force_bias_m_s2_) -
-                        kGravity_m_s2 * Eigen::Vector3d::UnitZ();
+  const Eigen::Vector3d acceleration_m_s2 = acceleration_in_world_m_s2(measured);
   position_m_ += dt_s * (velocity_m_s_ + 0.5 * dt_s * acceleration_m_s2);
   velocity_m_s_ += dt_s * acceleration_m_s2;
   attitude_ = (attitude_ * turned_by(dt_s * rate_rad_s)).normalized();
@@ -177,6 +187,7 @@ void BodyFilter::spread(const BodyMeasurement& measured, const StandingFeet& fee
     grow(kRateBias, kRateWalk_rad2_s3);
     grow(kForceBias, kForceWalk_m2_s5);
   }
+  covariance_(kSinks, kSinks) += kSinksWalk_m2_N2_s * dt_s;
   for (int i = 0; i < kLegs && i < static_cast<int>(feet.feet().size()); ++i) {
     const auto leg = static_cast<std::size_t>(i);
     const double seems_m_s = kSeems * feet.feet()[leg].velocity_m_s.norm();
@@ -216,10 +227,12 @@ void BodyFilter::follow_foot(int leg, const StandingFoot& foot, double dt_s) noe
   }
   if (foot.weight < kSays) return;
   const int at = kFeet + 3 * leg;
-  const Eigen::Vector3d surprise_m = attitude_ * foot.in_trunk_m + position_m_ - mine.in_world_m;
-  const Gain seen = covariance_.middleCols<3>(kPlace) - covariance_.middleCols<3>(at);
-  const Eigen::Matrix3d spread_m2 = seen.middleRows<3>(kPlace) - seen.middleRows<3>(at) +
-                                    kFoot_m2_s / (dt_s * foot.weight) * Eigen::Matrix3d::Identity();
+  const Eigen::Vector3d surprise_m = ground_below(foot) - mine.in_world_m;
+  Gain seen = covariance_.middleCols<3>(kPlace) - covariance_.middleCols<3>(at);
+  seen.col(2) += foot.load_N * covariance_.col(kSinks);
+  Eigen::Matrix3d spread_m2 = seen.middleRows<3>(kPlace) - seen.middleRows<3>(at);
+  spread_m2.row(2) += foot.load_N * seen.row(kSinks);
+  spread_m2 += kFoot_m2_s / (dt_s * foot.weight) * Eigen::Matrix3d::Identity();
   const Eigen::Matrix3d certainty = spread_m2.inverse();
   if (surprise_m.dot(certainty * surprise_m) > kSurprise) {
     ++slips_;
@@ -230,16 +243,24 @@ void BodyFilter::follow_foot(int leg, const StandingFoot& foot, double dt_s) noe
   covariance_.noalias() -= gain * seen.transpose();
 }
 
+/// Where it would be without a load: it sinks in by that.
+Eigen::Vector3d BodyFilter::ground_below(const StandingFoot& foot) const noexcept {
+  return position_m_ + attitude_ * foot.in_trunk_m + foot.load_N * sinks_m_N_ * Eigen::Vector3d::UnitZ();
+}
+
 /// It stands where the encoders say, as uncertain as the trunk, and a little more.
 void BodyFilter::anchor(int leg, const StandingFoot& foot) noexcept {
   release(leg);
   Foot& mine = feet_[static_cast<std::size_t>(leg)];
   mine.anchored = true;
-  mine.in_world_m = position_m_ + attitude_ * foot.in_trunk_m;
+  mine.in_world_m = ground_below(foot);
   const int at = kFeet + 3 * leg;
-  const Rows as_trunk = covariance_.middleRows<3>(kPlace);
+  Rows as_trunk = covariance_.middleRows<3>(kPlace);
+  as_trunk.row(2) += foot.load_N * covariance_.row(kSinks);
   covariance_.middleRows<3>(at) = as_trunk;
-  covariance_.middleCols<3>(at) = covariance_.middleCols<3>(kPlace).eval();
+  Gain likewise = covariance_.middleCols<3>(kPlace);
+  likewise.col(2) += foot.load_N * covariance_.col(kSinks);
+  covariance_.middleCols<3>(at) = likewise;
   covariance_.diagonal().segment<3>(at).array() += kFoot_m2_s / 0.01;
 }
 
@@ -257,6 +278,7 @@ void BodyFilter::move_by(const Eigen::Matrix<double, kStates, 1>& error) noexcep
   position_m_ = back * (position_m_ - error.segment<3>(kPlace));
   rate_bias_rad_s_ -= error.segment<3>(kRateBias);
   force_bias_m_s2_ -= error.segment<3>(kForceBias);
+  sinks_m_N_ = std::clamp(sinks_m_N_ - error(kSinks), 0.0, kMostSinks_m_N);
   for (int i = 0; i < kLegs; ++i) {
     Foot& foot = feet_[static_cast<std::size_t>(i)];
     if (foot.anchored) foot.in_world_m = back * (foot.in_world_m - error.segment<3>(kFeet + 3 * i));
@@ -264,9 +286,7 @@ void BodyFilter::move_by(const Eigen::Matrix<double, kStates, 1>& error) noexcep
 }
 
 Eigen::Matrix3d BodyFilter::attitude_covariance_rad2() const noexcept {
-  Eigen::Matrix3d out = covariance_.block<3, 3>(kTurn, kTurn);
-  out.diagonal().head<2>().array() += kAskew_rad * kAskew_rad;
-  return out;
+  return covariance_.block<3, 3>(kTurn, kTurn);
 }
 
 /// An error of a place is what is left when both are turned alike, less what the turn does to it.

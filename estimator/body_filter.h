@@ -4,8 +4,9 @@
 /// A contact-aided invariant extended Kalman filter (facts D14, docs/sources.md): attitude, velocity and
 /// position of the trunk, biases of gyro and specific force, and the place of each foot that stands. Errors
 /// are right-invariant, in world axes, so that what no sensor shows, heading and position, is never taken for
-/// seen. Gyro and specific force predict; that a standing foot stays where it is, but for its ball's rolling,
-/// and a tilt, correct.
+/// seen. Gyro and specific force predict; that a standing foot stays where it is, but for its ball's rolling
+/// and what it sinks in by its load, and a tilt, correct. How far a newton makes it sink is learned: feet
+/// come down to a load and leave without one, and would otherwise lift the world a little with each step.
 ///
 /// A trunk that no foot has held for half a second hangs, or lies: it is taken to be about at rest, or the
 /// force's bias would carry it away by kilometres in an hour.
@@ -31,8 +32,9 @@ struct BodyMeasurement {
 
 class BodyFilter {
  public:
+  BodyFilter() noexcept;
   static constexpr int kLegs = 4;  ///< more are not looked at
-  static constexpr int kStates = 15 + 3 * kLegs;
+  static constexpr int kStates = 15 + 3 * kLegs + 1;
 
   /// Heading and position go on from before, if there was one; else the heading is that of `tilted`.
   void start(const Eigen::Quaterniond& tilted) noexcept;
@@ -45,13 +47,17 @@ class BodyFilter {
   const Eigen::Quaterniond& trunk_to_world() const noexcept { return attitude_; }
   /// Of the trunk's origin from where it was first known; world axes.
   const Eigen::Vector3d& position_in_world_m() const noexcept { return position_m_; }
+  /// By what was measured, less biases. Zero where the force is none.
+  Eigen::Vector3d acceleration_in_world_m_s2(const BodyMeasurement& measured) const noexcept;
   const Eigen::Vector3d& velocity_in_world_m_s() const noexcept { return velocity_m_s_; }
   Eigen::Vector3d velocity_in_trunk_m_s() const noexcept { return attitude_.conjugate() * velocity_m_s_; }
   const Eigen::Vector3d& rate_bias_rad_s() const noexcept { return rate_bias_rad_s_; }
   const Eigen::Vector3d& force_bias_m_s2() const noexcept { return force_bias_m_s2_; }
 
-  /// Of small errors about world axes; of position and velocity in world axes. With what no sensor here can
-  /// show: an IMU that is mounted askew, legs that are longer than robot.yaml says.
+  double sinks_m_N() const noexcept { return sinks_m_N_; }  ///< foot and ground together
+
+  /// Of small errors about world axes, but for an IMU that is mounted askew; of position and velocity in
+  /// world axes, with what no sensor here can show: legs that are longer than robot.yaml says.
   Eigen::Matrix3d attitude_covariance_rad2() const noexcept;
   Eigen::Matrix3d velocity_covariance_m2_s2() const noexcept;
   Eigen::Matrix3d position_covariance_m2() const noexcept;
@@ -75,6 +81,7 @@ class BodyFilter {
   void rest(double dt_s) noexcept;
   void follow_foot(int leg, const StandingFoot& foot, double dt_s) noexcept;
   Eigen::Matrix3d place_covariance_m2() const noexcept;  ///< without what is the same all the time
+  Eigen::Vector3d ground_below(const StandingFoot& foot) const noexcept;
   void anchor(int leg, const StandingFoot& foot) noexcept;
   void release(int leg) noexcept;
   void move_by(const Eigen::Matrix<double, kStates, 1>& error) noexcept;
@@ -87,6 +94,7 @@ class BodyFilter {
   Eigen::Vector3d rate_bias_rad_s_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d force_bias_m_s2_ = Eigen::Vector3d::Zero();
   std::array<Foot, kLegs> feet_{};
+  double sinks_m_N_;
   double uncorrected_s_ = 0.0;
   double unheld_s_ = 0.0;  ///< for which no foot has held it
   double way_m_ = 0.0;     ///< along the ground

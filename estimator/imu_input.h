@@ -51,14 +51,17 @@ inline constexpr std::int64_t kOldestImu_cycles = 5;
 struct ImuReading {
   Eigen::Vector3d angular_velocity_rad_s = Eigen::Vector3d::Zero();  ///< trunk axes
   Eigen::Vector3d specific_force_m_s2 = Eigen::Vector3d::Zero();
-  /// Now: turned on by the rate for as long as it is old.
+  /// Now: turned on by the rate for as long as it is late.
   Eigen::Quaterniond attitude = Eigen::Quaterniond::Identity();
   bool has_attitude = false;
+  double late_s = 0.0;  ///< since when rate and force were so
 };
 
 class ImuInput {
  public:
-  void reset() noexcept { *this = ImuInput(); }
+  /// @param latency_s from the measurement to the cycle that a sample belongs to, BodyConfig's.
+  explicit ImuInput(double latency_s = 0.0) noexcept : latency_s_(latency_s) {}
+  void reset() noexcept { *this = ImuInput(latency_s_); }
   /// @param newest that has come; nullptr: none. A sample that says kStarting is none.
   /// @param seq of this cycle.
   /// @return nullptr without a sample that can be used: none, too old, or one that says that it is not good.
@@ -68,6 +71,7 @@ class ImuInput {
   std::int64_t newest_seq() const noexcept { return judged_seq_; }
 
  private:
+  double latency_s_;
   ImuWatch watch_;
   std::int64_t judged_seq_ = -1;
   bool trusted_ = true;

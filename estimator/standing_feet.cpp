@@ -44,6 +44,7 @@ void StandingFeet::update_foot(Leg& leg, const EstimatedLeg& estimated,
   foot.velocity_m_s = to_eigen(estimated.estimated_foot_velocity_m_s);
   foot.link_rate_rad_s = link_rate_rad_s;
   foot.radius_m = leg.radius_m;
+  foot.load_N = estimated.foot_force_N[2];
   const double load = estimated.foot_force_N[2] / leg.loaded_N;
   const bool known = foot.in_trunk_m.allFinite() && foot.velocity_m_s.allFinite() &&
                      link_rate_rad_s.allFinite() && std::isfinite(load);

@@ -14,6 +14,7 @@ struct StandingFoot {
   Eigen::Vector3d velocity_m_s = Eigen::Vector3d::Zero();     ///< as seen from the trunk
   Eigen::Vector3d link_rate_rad_s = Eigen::Vector3d::Zero();  ///< of the link that it is on, from the trunk
   double radius_m = 0.0;
+  double load_N = 0.0;  ///< estimated, along trunk z
   double weight = 0.0;  ///< how much it counts, 0..1; 0: it does not stand
 };
 

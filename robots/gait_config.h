@@ -35,6 +35,8 @@ struct BodyConfig {
   std::array<double, 3> com_in_trunk_m{};  ///< from the middle of the hips
   std::array<double, 3> inertia_kg_m2{};   ///< about its axes
   bool imu = false;                        ///< somebody publishes IMU
+  /// From what an IMU sample measured to the SYNC of its cycle: its filter's, which no driver takes off.
+  double imu_latency_s = 0.0;
   ImuDriverConfig imu_driver;
   double fallen_tilt_rad = 0.0;  ///< roll or pitch beyond which the robot counts as fallen
   double fallen_height_m = 0.0;  ///< height of the hips over the standing feet, below which it does

@@ -188,8 +188,11 @@ const auto kBodyState = [](auto& way, auto& m, auto& s) {
   way(m.estimated_velocity_m_s, s.estimated_velocity_m_s);
   way(m.estimated_rate_bias_rad_s, s.estimated_rate_bias_rad_s);
   way(m.estimated_force_bias_m_s2, s.estimated_force_bias_m_s2);
+  way(m.estimated_imu_tilt_rad, s.estimated_imu_tilt_rad);
+  way(m.estimated_sinking_m_N, s.estimated_sinking_m_N);
   way(m.position_covariance_m2, s.position_covariance_m2);
   way(m.attitude_covariance_rad2, s.attitude_covariance_rad2);
+  way(m.imu_tilt_covariance_rad2, s.imu_tilt_covariance_rad2);
   way(m.velocity_covariance_m2_s2, s.velocity_covariance_m2_s2);
   way(m.slips, s.slips);
   way(m.uses_imu, s.uses_imu);

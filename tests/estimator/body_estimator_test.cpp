@@ -119,6 +119,44 @@ TEST_F(BodyEstimatorTest, TrotWithImuIsKnownToHalfADegreeThreeCentimetresASecond
   EXPECT_LT(errors.height_m, 0.005);
 }
 
+/// Of the odometry's velocity, worst, of a trunk that bounces and sways, with an IMU that is 6 ms late.
+double worst_odometry_m_s(double latency_s) {
+  TrunkSample trunk([](double t) {
+    return TrunkPose{{0.02 * std::sin(5 * M_PI * t), 0.0, 0.42 + 0.01 * std::sin(8 * M_PI * t)},
+                     test::rpy(0.01 * std::sin(6 * M_PI * t), 0.01 * std::cos(7 * M_PI * t), 0.0)};
+  });
+  trunk.robot.body.imu_latency_s = latency_s;
+  BodyEstimator estimator(trunk.robot);
+  EstimatedBody body;
+  BodyState odometry;
+  double worst_m_s = 0.0;
+  for (std::int64_t seq = 10; seq < 2000; ++seq) {
+    const double now_s = kCycle_s * static_cast<double>(seq);
+    Imu late = trunk.imu(now_s - 0.006, seq, 0.0);
+    estimator.step(trunk.legs(now_s), trunk.link_rates_rad_s(now_s), &late, seq, kCycle_s, body);
+    estimator.odometry(odometry);
+    if (seq < 1000) continue;
+    const Eigen::Vector3d off_m_s = to_eigen(odometry.estimated_velocity_m_s) - trunk.velocity_m_s(now_s);
+    worst_m_s = std::max(worst_m_s, off_m_s.norm());
+  }
+  return worst_m_s;
+}
+
+TEST_F(BodyEstimatorTest, OdometryHoldsAnImuThatIsLateAgainstFeetOfThatTime) {
+  EXPECT_GT(worst_odometry_m_s(0.0), 0.02);
+  EXPECT_LT(worst_odometry_m_s(0.006), 0.01);
+}
+
+TEST_F(BodyEstimatorTest, HowTheImuIsMountedIsTold) {
+  run(ImuStatus::kGood, true, 0.3);
+  BodyState odometry;
+  estimator_.odometry(odometry);
+  EXPECT_NEAR(odometry.imu_tilt_covariance_rad2[0], 0.012 * 0.012 + 0.003 * 0.003, 1e-5);
+  EXPECT_NEAR(odometry.estimated_imu_tilt_rad[0], 0.0, 0.001);
+  const double tilt_rad2 = odometry.attitude_covariance_rad2[0];
+  EXPECT_GT(tilt_rad2, odometry.imu_tilt_covariance_rad2[0]) << "it is part of it";
+}
+
 TEST_F(BodyEstimatorTest, TrotWithAnImuThatGivesNoAttitudeIsKnownToOneDegree) {
   run(ImuStatus::kNoAttitude, true, 0.3);
   trots_ = true;

@@ -59,6 +59,12 @@ class BodyFilterTest : public testing::Test {
     time_s_ += kFilterCycle_s;
     if (walks_) place_feet();
     std::vector<EstimatedLeg> legs = trunk_.legs(time_s_);
+    for (std::size_t i = 0; i < 4 && sinks_m_N_ > 0.0; ++i) {
+      const double stood_s = std::fmod(time_s_ + (i == 0 || i == 3 ? 0.0 : 0.25), 0.5);
+      const double load_N = 300.0 * std::clamp(std::min(stood_s, 0.26 - stood_s) / 0.08, 0.1, 1.0);
+      legs[i].foot_force_N[2] = load_N;
+      legs[i].estimated_foot_in_hip_m[2] -= sinks_m_N_ * load_N;
+    }
     if (slides_m_s_ != 0.0) {
       slid_m_ += slides_m_s_ * kFilterCycle_s;
       legs[2].estimated_foot_in_hip_m[1] += slid_m_;
@@ -93,6 +99,7 @@ class BodyFilterTest : public testing::Test {
   Eigen::Vector3d rate_bias_rad_s_{0.002, -0.001, 0.003}, force_bias_m_s2_{0.05, -0.03, 0.04};
   bool imu_ = true, has_up_ = true, walks_ = false;
   double slides_m_s_ = 0.0, slid_m_ = 0.0;
+  double sinks_m_N_ = 0.0;
   double time_s_ = 0.0;
 };
 
@@ -104,6 +111,21 @@ TEST_F(BodyFilterTest, WayAndHeadingOfACircleAreKnownThoughTheImuHasABiasThatNob
   EXPECT_LT(velocity_error_m_s().norm(), 0.02);
   EXPECT_LT((filter_.rate_bias_rad_s() - rate_bias_rad_s_).norm(), 0.001);
   EXPECT_EQ(filter_.slips(), 0);
+}
+
+TEST_F(BodyFilterTest, HowFarFeetSinkInIsLearnedAndLiftsNoWorld) {
+  for (const double sinks_m_N : {1.0 / 15e3, 1.0 / 60e3}) {
+    time_s_ = 1.0;
+    filter_ = BodyFilter();
+    feet_.reset();
+    walks_ = true;
+    sinks_m_N_ = sinks_m_N;
+    run(20.0);
+    EXPECT_NEAR(filter_.sinks_m_N(), sinks_m_N, 0.15 / 30e3);
+    const double gone_m = filter_.position_in_world_m().z() - trunk_.pose(time_s_).in_world_m.z() +
+                          trunk_.pose(1.0).in_world_m.z();
+    EXPECT_NEAR(gone_m, 0.0, 0.01);
+  }
 }
 
 TEST_F(BodyFilterTest, HeadingAndPlaceAreNeverTakenForSeen) {

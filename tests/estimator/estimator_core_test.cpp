@@ -289,7 +289,8 @@ TEST(EstimatorCoreWithABody, BodyStateIsOfTheNewestCycleAndKnowsNoPlaceBeforeAFo
 
 /// And the answer to a repeated cycle is the same again, whatever the IMU says by then.
 TEST(EstimatorCoreWithABody, TakesTheImuOfItsCycle) {
-  const RobotConfig robot = load_robot("pegasus");
+  RobotConfig robot = load_robot("pegasus");
+  robot.body.imu_latency_s = 0.0;
   EstimatorCore core(robot);
   DriveState drives(robot.actuators.size());
   JointState out(robot.joints.size(), robot.legs.size());

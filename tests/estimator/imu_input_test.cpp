@@ -39,6 +39,17 @@ TEST(ImuInput, OldSampleIsTurnedOnByItsRateAndAfterFiveCyclesSilence) {
   EXPECT_EQ(input.update(&imu, 13, kImuInputCycle_s), nullptr);
 }
 
+TEST(ImuInput, WhatIsKnownToBeLateIsTurnedOnAsWell) {
+  ImuInput input(0.005);
+  input.reset();
+  const Imu imu = sample(7);
+  ASSERT_NE(input.update(&imu, 7, kImuInputCycle_s), nullptr);
+  const ImuReading* reading = input.update(nullptr, 8, kImuInputCycle_s);
+  ASSERT_NE(reading, nullptr);
+  EXPECT_NEAR(reading->late_s, 0.007, 1e-12);
+  EXPECT_NEAR(yaw_rad(reading->attitude), 2.0 * (7 * kImuInputCycle_s + 0.007), 1e-9);
+}
+
 TEST(ImuInput, SampleThatIsAheadIsTurnedBack) {
   ImuInput input;
   const Imu imu = sample(9);

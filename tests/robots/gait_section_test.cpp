@@ -79,6 +79,7 @@ TEST_F(WalkingPegasus, BodyIsRead) {
   EXPECT_DOUBLE_EQ(body.mass_kg, 12.0);
   EXPECT_DOUBLE_EQ(body.inertia_kg_m2[1], 0.513);
   EXPECT_TRUE(body.imu);
+  EXPECT_DOUBLE_EQ(body.imu_latency_s, 0.005);
   EXPECT_DOUBLE_EQ(body.fallen_tilt_rad, 0.7);
   EXPECT_DOUBLE_EQ(body.fallen_height_m, 0.25);
   EXPECT_TRUE(body.meets_falls);

@@ -251,10 +251,13 @@ inline void dump_value(test::ValueDump& dump, const std::string& at, const ImuDr
 }
 
 inline void dump_value(test::ValueDump& dump, const std::string& at, const BodyConfig& value) {
-  const auto& [mass_kg, com, inertia, imu, imu_driver, fallen_tilt_rad, fallen_height_m, meets_falls] = value;
-  dump.fields(
-      at, "mass_kg com_in_trunk_m inertia_kg_m2 imu imu_driver fallen_tilt_rad fallen_height_m meets_falls",
-      mass_kg, com, inertia, imu, imu_driver, fallen_tilt_rad, fallen_height_m, meets_falls);
+  const auto& [mass_kg, com, inertia, imu, imu_latency_s, imu_driver, fallen_tilt_rad, fallen_height_m,
+               meets_falls] = value;
+  dump.fields(at,
+              "mass_kg com_in_trunk_m inertia_kg_m2 imu imu_latency_s imu_driver fallen_tilt_rad "
+              "fallen_height_m meets_falls",
+              mass_kg, com, inertia, imu, imu_latency_s, imu_driver, fallen_tilt_rad, fallen_height_m,
+              meets_falls);
 }
 
 inline void dump_value(test::ValueDump& dump, const std::string& at, const GaitConfig& value) {

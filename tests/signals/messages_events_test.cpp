@@ -64,6 +64,9 @@ TEST(EventMessages, BodyStateKeepsPlaceAttitudeCovariancesAndSlips) {
   signal.estimated_quaternion_wxyz = {0.5, 0.5, 0.5, 0.5};
   signal.estimated_rate_bias_rad_s = {0.1, 0.2, 0.3};
   signal.estimated_force_bias_m_s2 = {0.4, 0.5, 0.6};
+  signal.estimated_imu_tilt_rad = {0.7, 0.8};
+  signal.estimated_sinking_m_N = 0.9;
+  signal.imu_tilt_covariance_rad2 = {30.0, 31.0, 32.0, 33.0};
   for (std::size_t i = 0; i < 9; ++i) {
     signal.position_covariance_m2[i] = 1.0 + static_cast<double>(i);
     signal.attitude_covariance_rad2[i] = 10.0 + static_cast<double>(i);
@@ -82,6 +85,9 @@ TEST(EventMessages, BodyStateKeepsPlaceAttitudeCovariancesAndSlips) {
   EXPECT_EQ(back.estimated_quaternion_wxyz, signal.estimated_quaternion_wxyz);
   EXPECT_EQ(back.estimated_rate_bias_rad_s, signal.estimated_rate_bias_rad_s);
   EXPECT_EQ(back.estimated_force_bias_m_s2, signal.estimated_force_bias_m_s2);
+  EXPECT_EQ(back.estimated_imu_tilt_rad, signal.estimated_imu_tilt_rad);
+  EXPECT_EQ(back.estimated_sinking_m_N, signal.estimated_sinking_m_N);
+  EXPECT_EQ(back.imu_tilt_covariance_rad2, signal.imu_tilt_covariance_rad2);
   EXPECT_EQ(back.position_covariance_m2, signal.position_covariance_m2);
   EXPECT_EQ(back.attitude_covariance_rad2, signal.attitude_covariance_rad2);
   EXPECT_EQ(back.velocity_covariance_m2_s2, signal.velocity_covariance_m2_s2);

@@ -6,6 +6,7 @@
 
 #include "estimator/rotation.h"
 #include "model/leg_kinematics.h"
+#include "signals/angles.h"
 
 namespace sprung {
 namespace {
@@ -27,6 +28,17 @@ void OdometryScore::begin(const BodyState& estimated, const SimTruth& truth) {
   origin_m_ = last_m_ - ours_from_true_.conjugate() * to_eigen(estimated.estimated_position_in_world_m);
 }
 
+void OdometryScore::add_tilt(const Eigen::Quaterniond& truly) {
+  const double tilt_rad = turn_rad_.head<2>().norm();
+  worst_tilt_rad_ = std::max(worst_tilt_rad_, tilt_rad);
+  const double now_rad = yaw_rad(ours_from_true_ * truly);
+  heading_rad_ += std::remainder(now_rad - heading_rad_, 2.0 * kPi);
+  leftmost_rad_ = std::max(leftmost_rad_, heading_rad_);
+  rightmost_rad_ = std::min(rightmost_rad_, heading_rad_);
+  if (leftmost_rad_ - rightmost_rad_ < kTurned_rad) return;
+  worst_turned_rad_ = std::fmax(worst_turned_rad_, tilt_rad);  // a NaN is less
+}
+
 void OdometryScore::add(const BodyState& estimated, const SimTruth& truth) {
   if (!std::isfinite(estimated.estimated_position_in_world_m[0])) return;
   if (!begun_) begin(estimated, truth);
@@ -43,7 +55,7 @@ void OdometryScore::add(const BodyState& estimated, const SimTruth& truth) {
   const Eigen::Quaterniond off = ours *
                                  (ours_from_true_ * quaternion(truth.base_quaternion_wxyz)).conjugate();
   turn_rad_ = std::copysign(2.0, off.w()) * off.vec();
-  worst_tilt_rad_ = std::max(worst_tilt_rad_, turn_rad_.head<2>().norm());
+  add_tilt(quaternion(truth.base_quaternion_wxyz));
 
   const Eigen::Vector3d velocity_m_s = ours * to_eigen(estimated.estimated_velocity_m_s) -
                                        ours_from_true_ * to_eigen(truth.base_velocity_m_s);

@@ -4,6 +4,7 @@
 
 #include "signals/body_state.h"
 #include "signals/simulation.h"
+#include "signals/vec3.h"
 
 namespace sprung {
 
@@ -20,6 +21,10 @@ class OdometryScore {
   double position_error_m() const noexcept { return place_m_.norm(); }  ///< now
   double heading_error_rad() const noexcept { return turn_rad_.z(); }   ///< now
   double worst_tilt_rad() const noexcept { return worst_tilt_rad_; }
+  /// Since its heading first spanned kTurned_rad: who only went straight cannot know how the IMU is mounted.
+  /// NaN before.
+  double worst_tilt_when_turned_rad() const noexcept { return worst_turned_rad_; }
+  static constexpr double kTurned_rad = 1.5;
   /// In trunk axes: a heading that is off is no error of the speed.
   double velocity_rms_m_s() const noexcept;
   double worst_velocity_m_s() const noexcept { return worst_velocity_m_s_; }
@@ -31,6 +36,7 @@ class OdometryScore {
 
  private:
   void begin(const BodyState& estimated, const SimTruth& truth);
+  void add_tilt(const Eigen::Quaterniond& truly);
 
   bool begun_ = false;
   Eigen::Quaterniond ours_from_true_ = Eigen::Quaterniond::Identity();
@@ -39,6 +45,8 @@ class OdometryScore {
   Eigen::Vector3d place_m_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d turn_rad_ = Eigen::Vector3d::Zero();
   double way_m_ = 0.0;
+  double heading_rad_ = 0.0, rightmost_rad_ = 0.0, leftmost_rad_ = 0.0;  ///< truly, since the beginning
+  double worst_turned_rad_ = kNaN;
   double worst_tilt_rad_ = 0.0, worst_velocity_m_s_ = 0.0;
   double velocity_sum_m2_s2_ = 0.0, velocity_nees_sum_ = 0.0, position_nees_ = 0.0;
   int cycles_ = 0;

@@ -26,8 +26,9 @@ ExperimentOutput eight(std::vector<const char*> words) {
 TEST(OdometryExperiment, AGaitsEightHasARowForEachErrorAndIsWithinItsBounds) {
   std::map<std::string, ReportRow> rows;
   for (const ReportRow& row : eight({"--gait", "trot", "--distance", "3"}).rows) rows[row.name] = row;
-  EXPECT_EQ(rows.size(), 9u);
+  EXPECT_EQ(rows.size(), 10u);
   EXPECT_NEAR(rows["odometry.trot.way"].value, 3.0, 0.7);
+  EXPECT_TRUE(std::isnan(rows["odometry.trot.tilt_when_turned"].value)) << "it turned by too little";
   for (const char* bounded :
        {"position_error", "tilt_worst", "velocity_worst", "position_nees", "velocity_nees"}) {
     const ReportRow& row = rows[std::string("odometry.trot.") + bounded];

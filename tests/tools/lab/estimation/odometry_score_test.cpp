@@ -46,6 +46,28 @@ TEST(OdometryScore, ErrorsAreOfTheWayFromWhereTheEstimateBeganWhateverItsWorldIs
   EXPECT_NEAR(score.heading_error_rad(), 0.0, 1e-12);
 }
 
+TEST(OdometryScore, TiltCountsOfItsOwnOnceTheRobotHasTurned) {
+  OdometryScore score;
+  const auto at = [](double heading_rad) {
+    SimTruth out = truth(0.0);
+    out.base_quaternion_wxyz = {std::cos(0.5 * heading_rad), 0.0, 0.0, std::sin(0.5 * heading_rad)};
+    return out;
+  };
+  const auto tilted = [](double tilt_rad, double heading_rad) {
+    BodyState out = said({});
+    const double c = std::cos(0.5 * heading_rad), s = std::sin(0.5 * heading_rad);
+    out.estimated_quaternion_wxyz = {c, 0.5 * tilt_rad * c, 0.5 * tilt_rad * s, s};
+    return out;
+  };
+  score.add(tilted(0.02, 0.0), at(0.0));
+  score.add(tilted(0.03, 1.0), at(1.0));
+  EXPECT_NEAR(score.worst_tilt_rad(), 0.03, 1e-4);
+  EXPECT_TRUE(std::isnan(score.worst_tilt_when_turned_rad()));
+  score.add(tilted(0.01, -0.6), at(-0.6));
+  score.add(tilted(0.005, 0.0), at(0.0));
+  EXPECT_NEAR(score.worst_tilt_when_turned_rad(), 0.01, 1e-4);
+}
+
 TEST(OdometryScore, SwayingIsNoWay) {
   OdometryScore score;
   for (int k = 0; k < 100; ++k) score.add(said({}), truth(k % 2 == 0 ? 0.1 : -0.1));

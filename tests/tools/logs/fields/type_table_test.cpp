@@ -47,12 +47,15 @@ constexpr std::int64_t kFormerBusStateHash = 0x78035c76d2a3c128;
 /// The same at 148009d1.
 constexpr auto kFormerMotionHash = static_cast<std::int64_t>(0xc1c2d8b625cebf5bU);
 constexpr auto kFormerTruthHash = static_cast<std::int64_t>(0x97c4e53311c98d99U);
+/// The same at b926dedc.
+constexpr auto kFormerBodyHash = static_cast<std::int64_t>(0xc687c3ca59f4461cU);
 
 TEST(TypeTable, TypesOfLogsOfBeforeAreFoundByHashAndKeepTheirFields) {
   for (const auto& [hash, name, field] : {std::tuple{kFormerReplyHash, "operator_reply_t", "from"},
                                           std::tuple{kFormerBusStateHash, "bus_state_t", "recovering"},
                                           std::tuple{kFormerMotionHash, "motion_state_t", "gait_phase"},
-                                          std::tuple{kFormerTruthHash, "sim_truth_t", "com_in_world_m"}}) {
+                                          std::tuple{kFormerTruthHash, "sim_truth_t", "com_in_world_m"},
+                                          std::tuple{kFormerBodyHash, "body_state_t", "slips"}}) {
     const StructType* const type = TypeTable::sprung().by_hash(hash);
     ASSERT_NE(type, nullptr) << name;
     EXPECT_EQ(type->name, name);
