@@ -108,7 +108,8 @@ BodyEstimator::BodyEstimator(const RobotConfig& robot)
       has_imu_(robot.body.imu),
       imu_(robot.body.imu_latency_s),
       feet_(robot.legs),
-      past_feet_(kPast, feet_) {}
+      past_feet_(1 + static_cast<std::size_t>(std::lround(robot.body.imu_latency_s / robot.cycle_s)), feet_),
+      late_s_(robot.body.imu_latency_s) {}
 
 void BodyEstimator::reset() noexcept {
   imu_.reset();
@@ -117,6 +118,7 @@ void BodyEstimator::reset() noexcept {
   attitude_.reset();
   motion_.reset();
   filter_.stop();
+  acceleration_m_s2_.setZero();
 }
 
 void BodyEstimator::step(const std::vector<EstimatedLeg>& legs,
@@ -124,14 +126,12 @@ void BodyEstimator::step(const std::vector<EstimatedLeg>& legs,
                          std::int64_t seq, double dt_s, EstimatedBody& out) noexcept {
   const ImuReading* const reading = in_trunk_axes(imu_.update(has_imu_ ? imu : nullptr, seq, cycle_s_));
   feet_.update(legs, last_link_rates_rad_s, dt_s);
-  past_feet_[++cycles_ % kPast] = feet_;
+  past_feet_[++cycles_ % past_feet_.size()] = feet_;
   attitude_.step(reading, feet_, dt_s);
   if (attitude_.known())
     motion_.step(reading, {attitude_.trunk_to_world(), attitude_.angular_velocity_rad_s()}, feet_, dt_s);
   locate(reading, dt_s);
-  if (reading != nullptr && attitude_.known()) {
-    mounting_.step(attitude_.trunk_to_world(), feet_);
-  }
+  if (reading != nullptr && attitude_.known()) learn_mounting(dt_s);
   out = EstimatedBody{};
   out.uses_imu = uses_imu_ = reading != nullptr;
   write(out);
@@ -147,9 +147,15 @@ const ImuReading* BodyEstimator::in_trunk_axes(const ImuReading* reading) noexce
   return &reading_;
 }
 
-const StandingFeet& BodyEstimator::feet_before(double late_s) const noexcept {
-  const auto cycles = static_cast<std::size_t>(std::lround(std::max(0.0, late_s) / cycle_s_));
-  return past_feet_[(cycles_ + kPast - std::min(cycles, kPast - 1)) % kPast];
+/// What it learns turns all that the IMU says from the next cycle on, and what the filter made of that with
+/// it.
+void BodyEstimator::learn_mounting(double dt_s) noexcept {
+  const Eigen::Vector2d before_rad = mounting_.tilt_rad();
+  mounting_.step(attitude_.trunk_to_world(), feet_);
+  filter_.turn_trunk(
+      {before_rad.x() - mounting_.tilt_rad().x(), before_rad.y() - mounting_.tilt_rad().y(), 0.0});
+  const double speed_m_s = filter_.velocity_in_world_m_s().head<2>().norm();
+  unsure_z_m_ += dt_s * speed_m_s * std::sqrt(mounting_.covariance_rad2().diagonal().maxCoeff());
 }
 
 void BodyEstimator::locate(const ImuReading* reading, double dt_s) noexcept {
@@ -161,22 +167,21 @@ void BodyEstimator::locate(const ImuReading* reading, double dt_s) noexcept {
   measured.by_imu = reading != nullptr;
   measured.angular_velocity_rad_s = attitude_.angular_velocity_rad_s();
   measured.has_up = reading == nullptr || reading->has_attitude;
-  late_s_ = reading != nullptr ? reading->late_s : 0.0;
-  Eigen::Quaterniond attitude = attitude_.trunk_to_world();
-  if (reading != nullptr) {
-    measured.specific_force_m_s2 = reading->specific_force_m_s2;
-    attitude = reading->attitude * turned_by(-late_s_ * reading->angular_velocity_rad_s);
-  }
-  measured.up = attitude.conjugate() * Eigen::Vector3d::UnitZ();
-  filter_.step(measured, feet_before(late_s_), dt_s);
+  if (reading != nullptr) measured.specific_force_m_s2 = reading->specific_force_m_s2;
+  const Eigen::Quaterniond now = reading != nullptr ? reading->attitude : attitude_.trunk_to_world();
+  const Eigen::Quaterniond then = now * turned_by(-late_s_ * measured.angular_velocity_rad_s);
+  measured.up = then.conjugate() * Eigen::Vector3d::UnitZ();
+  filter_.step(measured, past_feet_[(cycles_ + 1) % past_feet_.size()], dt_s);
   acceleration_m_s2_ = reading != nullptr ? filter_.acceleration_in_world_m_s2(measured)
                                           : Eigen::Vector3d::Zero();
 }
 
-/// With how far the IMU may be askew; without one the ground is taken for level, which is as far off.
+/// With how far the IMU may be askew, or how far from level the ground, which is then taken for it.
 Eigen::Matrix3d BodyEstimator::attitude_covariance_rad2() const noexcept {
+  constexpr double kSlope_rad = 0.05;  // [design choice]
   Eigen::Matrix3d askew_rad2 = Eigen::Matrix3d::Zero();
-  askew_rad2.topLeftCorner<2, 2>() = mounting_.covariance_rad2();
+  askew_rad2.topLeftCorner<2, 2>() = uses_imu_ ? mounting_.covariance_rad2()
+                                               : kSlope_rad * kSlope_rad * Eigen::Matrix2d::Identity();
   const Eigen::Matrix3d to_world = filter_.trunk_to_world().toRotationMatrix();
   return filter_.attitude_covariance_rad2() + to_world * askew_rad2 * to_world.transpose();
 }
@@ -200,7 +205,9 @@ void BodyEstimator::odometry(BodyState& out) const noexcept {
   out.estimated_sinking_m_N = filter_.sinks_m_N();
   const Eigen::Matrix2d tilt_rad2 = mounting_.covariance_rad2();
   out.imu_tilt_covariance_rad2 = {tilt_rad2(0, 0), tilt_rad2(0, 1), tilt_rad2(1, 0), tilt_rad2(1, 1)};
-  out.position_covariance_m2 = row_by_row(filter_.position_covariance_m2());
+  Eigen::Matrix3d place_m2 = filter_.position_covariance_m2();
+  place_m2(2, 2) += unsure_z_m_ * unsure_z_m_;
+  out.position_covariance_m2 = row_by_row(place_m2);
   out.attitude_covariance_rad2 = row_by_row(attitude_covariance_rad2());
   out.velocity_covariance_m2_s2 = row_by_row(filter_.velocity_covariance_m2_s2());
 }

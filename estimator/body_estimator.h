@@ -75,7 +75,7 @@ class BodyEstimator {
  private:
   void write(EstimatedBody& out) const noexcept;
   const ImuReading* in_trunk_axes(const ImuReading* reading) noexcept;
-  const StandingFeet& feet_before(double late_s) const noexcept;
+  void learn_mounting(double dt_s) noexcept;
   void locate(const ImuReading* reading, double dt_s) noexcept;
   Eigen::Matrix3d attitude_covariance_rad2() const noexcept;
 
@@ -85,14 +85,14 @@ class BodyEstimator {
   ImuMounting mounting_;
   ImuReading reading_;
   StandingFeet feet_;
-  /// As they were when the IMU measured: what is late must not be held against what is not.
-  static constexpr std::size_t kPast = 16;
+  /// The last ones, as many as the IMU is late: what is late must not be held against what is not.
   std::vector<StandingFeet> past_feet_;
   std::size_t cycles_ = 0;
   BodyAttitude attitude_;
   BodyMotion motion_;
   BodyFilter filter_;
-  double late_s_ = 0.0;                                          ///< of what the filter knows
+  double late_s_;            ///< of what the filter knows
+  double unsure_z_m_ = 0.0;  ///< how far up it may have gone, by an IMU that is askew
   Eigen::Vector3d acceleration_m_s2_ = Eigen::Vector3d::Zero();  ///< world axes
   bool uses_imu_ = false;
 };

@@ -32,7 +32,7 @@ constexpr double kTiltOfFeet_rad2_s = 0.05 * 0.05 * 0.05;
 constexpr double kFoot_m2_s = 0.0015 * 0.0015 * 0.01;
 /// Rubber on a hard floor, 30 kN/m, or softer; on stone it is nothing.
 constexpr double kSinks_m_N = 1.0 / 30e3, kSinksStd_m_N = 1.0 / 40e3, kMostSinks_m_N = 1.0 / 5e3;
-constexpr double kSinksWalk_m2_N2_s = 1e-13;  // [design choice] another ground after some minutes
+constexpr double kSinksWalk_m2_N2_s = 1e-12;  // [design choice] another ground after some minutes
 /// A foot that stands creeps, and where the trunk moves over it legs and zeros that are a little off make it
 /// seem to move by a share of that, which lasts for a stance.
 constexpr double kCreep_m2_s = 0.001 * 0.001, kSeems = 0.03, kStance_s = 0.5;
@@ -187,7 +187,8 @@ void BodyFilter::spread(const BodyMeasurement& measured, const StandingFeet& fee
     grow(kRateBias, kRateWalk_rad2_s3);
     grow(kForceBias, kForceWalk_m2_s5);
   }
-  covariance_(kSinks, kSinks) += kSinksWalk_m2_N2_s * dt_s;
+  double& sinks = covariance_(kSinks, kSinks);
+  sinks = std::min(sinks + kSinksWalk_m2_N2_s * dt_s, kSinksStd_m_N * kSinksStd_m_N);
   for (int i = 0; i < kLegs && i < static_cast<int>(feet.feet().size()); ++i) {
     const auto leg = static_cast<std::size_t>(i);
     const double seems_m_s = kSeems * feet.feet()[leg].velocity_m_s.norm();

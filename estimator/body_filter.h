@@ -16,6 +16,7 @@
 #include <Eigen/Geometry>
 #include <array>
 
+#include "estimator/rotation.h"
 #include "estimator/standing_feet.h"
 
 namespace sprung {
@@ -41,6 +42,8 @@ class BodyFilter {
   /// Until the next start.
   void stop() noexcept { runs_ = false; }
   bool runs() const noexcept { return runs_; }
+  /// The trunk's axes are others than was thought, by this, in trunk axes: its attitude, and that alone.
+  void turn_trunk(const Eigen::Vector3d& by_rad) noexcept { attitude_ = attitude_ * turned_by(by_rad); }
   /// Predicts; every hundredth of a second it corrects.
   void step(const BodyMeasurement& measured, const StandingFeet& feet, double dt_s) noexcept;
 

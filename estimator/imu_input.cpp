@@ -94,9 +94,9 @@ const ImuReading* ImuInput::update(const Imu* newest, std::int64_t seq, double c
   const std::array<double, 4>& q = last_.measured_quaternion_wxyz;
   const Eigen::Quaterniond measured(q[0], q[1], q[2], q[3]);
   reading_.has_attitude = last_.status == ImuStatus::kGood && std::abs(measured.norm() - 1.0) < kLengthError;
-  reading_.late_s = latency_s_ + cycle_s * static_cast<double>(age_cycles);
+  const double late_s = latency_s_ + cycle_s * static_cast<double>(age_cycles);
   if (reading_.has_attitude)
-    reading_.attitude = measured.normalized() * turned_by(reading_.late_s * reading_.angular_velocity_rad_s);
+    reading_.attitude = measured.normalized() * turned_by(late_s * reading_.angular_velocity_rad_s);
   return &reading_;
 }
 

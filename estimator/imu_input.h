@@ -54,7 +54,6 @@ struct ImuReading {
   /// Now: turned on by the rate for as long as it is late.
   Eigen::Quaterniond attitude = Eigen::Quaterniond::Identity();
   bool has_attitude = false;
-  double late_s = 0.0;  ///< since when rate and force were so
 };
 
 class ImuInput {

@@ -59,13 +59,6 @@ void ImuMounting::compare(const Eigen::Quaterniond& trunk_to_world, const Eigen:
   by << apart_m.head<2>(), apart_in_trunk_m.cross(up_in_trunk).head<2>();
   const double surprise_m = apart_m.z() - slope_.dot(apart_m.head<2>());
   const double noise_m2 = kFootprint_m * kFootprint_m * others;
-  static const bool dbg = getenv("DBG") != nullptr;
-  if (dbg)
-    fprintf(stderr, "M %.4f %.4f %.4f %.4f %.4f %.3f %.4f %.4f %.2f %.3f %.3f\n", slope_.x(), slope_.y(),
-            tilt_rad_.x(), tilt_rad_.y(), surprise_m,
-            surprise_m / std::sqrt(by.dot(covariance_ * by) + noise_m2), std::sqrt(covariance_(2, 2)),
-            std::sqrt(covariance_(3, 3)), yaw_rad(trunk_to_world), apart_in_trunk_m.x(),
-            apart_in_trunk_m.y());
   if (surprise_m * surprise_m > kOtherGround * (by.dot(covariance_ * by) + noise_m2)) {
     covariance_.topRows<2>().setZero();
     covariance_.leftCols<2>().setZero();

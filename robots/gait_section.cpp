@@ -108,6 +108,8 @@ BodyConfig read_body(const YamlMap& map) {
   body.com_in_trunk_m = read_axes(map.map("com"), "m", -1, 1);
   body.inertia_kg_m2 = read_axes(map.map("inertia"), "kg m^2", 1e-4, 500);
   body.imu = map.flag("imu");
+  if (map.has("imu_latency") && !body.imu)
+    map.fail("imu_latency", "there is one, but imu: false says that nobody publishes IMU");
   if (map.has("imu_latency")) body.imu_latency_s = map.quantity("imu_latency", "s", 0, 0.02);
   if (map.has("imu_driver")) {
     if (!body.imu) map.fail("imu_driver", "there is one, but imu: false says that nobody publishes IMU");

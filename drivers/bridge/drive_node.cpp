@@ -123,11 +123,9 @@ void DriveNode::accept_sample() noexcept {
   sampled_ = true;
 }
 
-/// Where a link encoder shows whether the gear slipped, and whether direction and zero are true, a robot that
-/// is hit, stumbles or falls is not stopped for that.
 void DriveNode::watch_impacts(std::int64_t sync_us) noexcept {
-  if (std::isfinite(measured_link_position_rad_)) return impact_.forget();
-  if (enabled() && !implausible_) impact_.add(sample_.measured_position_rad, sync_us);
+  if (!enabled() || implausible_) return;
+  impact_.add({sample_.measured_position_rad, measured_link_position_rad_, measured_torque_Nm()}, sync_us);
 }
 
 void DriveNode::judge_motion(double mate_rad) noexcept {

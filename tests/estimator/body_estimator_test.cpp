@@ -147,6 +147,58 @@ TEST_F(BodyEstimatorTest, OdometryHoldsAnImuThatIsLateAgainstFeetOfThatTime) {
   EXPECT_LT(worst_odometry_m_s(0.006), 0.01);
 }
 
+/// Walks a circle, its IMU askew by `askew` (sensor to trunk): how far the attitude is off at its end.
+TEST(BodyEstimatorMounting, AnImuThatIsAskewIsLearnedInACircleTakenOffAndKeptOverAReset) {
+  const Eigen::Quaterniond askew = turned_by({0.012, -0.01, 0.0});
+  double now_s = 0.0;
+  TrunkSample trunk([](double t) {
+    const double turned = 0.3 * t;
+    return TrunkPose{{std::sin(turned), 1.0 - std::cos(turned), 0.42},
+                     test::rpy(0.02 * std::sin(7 * t), 0.02 * std::sin(8 * t), turned)};
+  });
+  BodyEstimator estimator(trunk.robot);
+  EstimatedBody body;
+  BodyState odometry;
+  const auto run_to = [&](double end_s) {
+    for (; now_s < end_s; now_s += kCycle_s) {
+      const auto seq = std::llround(now_s / kCycle_s);
+      for (std::size_t i = 0; i < 4; ++i) {
+        const double since = std::fmod(now_s + (i == 0 || i == 3 ? 0.0 : 0.25), 0.5);
+        const bool stands = since < 0.26;
+        if (stands && !trunk.stands[i]) {
+          const TrunkPose then = trunk.pose(now_s + 0.13);
+          trunk.feet_in_world_m[i] = then.in_world_m + turned_about_z(yaw_rad(then.to_world)) *
+                                                           to_eigen(trunk.robot.legs[i].hip_in_trunk_m);
+          trunk.feet_in_world_m[i].z() = 0.0;
+        }
+        trunk.stands[i] = stands;
+      }
+      Imu imu = trunk.imu(now_s, seq);
+      const auto to_sensor = [&](const Vec3& v) { return to_vec3(askew.conjugate() * to_eigen(v)); };
+      imu.measured_angular_velocity_rad_s = to_sensor(imu.measured_angular_velocity_rad_s);
+      imu.measured_specific_force_m_s2 = to_sensor(imu.measured_specific_force_m_s2);
+      const Eigen::Quaterniond q = trunk.pose(now_s).to_world * askew;
+      imu.measured_quaternion_wxyz = {q.w(), q.x(), q.y(), q.z()};
+      estimator.step(trunk.legs(now_s), trunk.link_rates_rad_s(now_s), &imu, seq, kCycle_s, body);
+    }
+    estimator.odometry(odometry);
+  };
+  const auto tilt_off_rad = [&](const Eigen::Quaterniond& estimated) {
+    return tilt_rad(estimated * trunk.pose(now_s - kCycle_s).to_world.conjugate());
+  };
+  run_to(0.5);
+  EXPECT_GT(tilt_off_rad(test::quaternion(body)), 0.012);
+  run_to(20.0);
+  const auto& q = odometry.estimated_quaternion_wxyz;
+  EXPECT_LT(tilt_off_rad(test::quaternion(body)), 0.003);
+  EXPECT_LT(tilt_off_rad({q[0], q[1], q[2], q[3]}), 0.004);
+  EXPECT_NEAR(odometry.estimated_imu_tilt_rad[0], 0.012, 0.003);
+  EXPECT_NEAR(odometry.estimated_imu_tilt_rad[1], -0.01, 0.003);
+  estimator.reset();
+  run_to(20.6);
+  EXPECT_LT(tilt_off_rad(test::quaternion(body)), 0.004);
+}
+
 TEST_F(BodyEstimatorTest, HowTheImuIsMountedIsTold) {
   run(ImuStatus::kGood, true, 0.3);
   BodyState odometry;

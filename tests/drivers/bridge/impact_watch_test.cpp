@@ -17,7 +17,8 @@ class Impact : public ::testing::TestWithParam<double> {
   double found(const std::function<double(double)>& position_rad) {
     for (double t_s = 0.0; t_s < 1.0; t_s += GetParam()) {
       time_us_ += std::llround(1e6 * GetParam());
-      watch_.add(position_rad(t_s), time_us_);
+      const double now_rad = position_rad(t_s);
+      watch_.add({now_rad, link_rad_ ? link_rad_(now_rad) : kNaN, torque_Nm_}, time_us_);
       if (watch_.hit()) return t_s;
     }
     return -1.0;
@@ -27,6 +28,8 @@ class Impact : public ::testing::TestWithParam<double> {
   }
 
   ImpactWatch watch_{171.6, 0.82, GetParam()};
+  std::function<double(double)> link_rad_;  ///< by the motor's; none: there is no link encoder
+  double torque_Nm_ = 0.0;
   std::int64_t time_us_ = 0;
 };
 
@@ -47,6 +50,38 @@ TEST_P(Impact, StopThatIsHitIsFoundWithinTwelveMilliseconds) {
 }
 
 TEST_P(Impact, SlowerOneIsNoMoreThanALandingMayBe) { EXPECT_EQ(found(stops_at_half_a_second(5.0)), -1.0); }
+
+TEST_P(Impact, JointWhoseLinkEncoderWentAlongMayBeStopped) {
+  link_rad_ = [](double motor_rad) { return motor_rad - 0.3; };
+  EXPECT_EQ(found(stops_at_half_a_second(4.8 * 1.5)), -1.0);
+  torque_Nm_ = 0.4 * 171.6;
+  watch_.forget();
+  EXPECT_EQ(found(stops_at_half_a_second(4.8 * 1.5)), -1.0);
+}
+
+TEST_P(Impact, ButNotIfItsMotorGoesOnToPushItThere) {
+  link_rad_ = [](double motor_rad) { return motor_rad - 0.3; };
+  torque_Nm_ = -0.6 * 171.6;
+  const double found_s = found(stops_at_half_a_second(4.8 * 1.5));
+  EXPECT_GE(found_s, 0.56);
+  EXPECT_LE(found_s, 0.58);
+}
+
+TEST_P(Impact, NorIfItBouncesBackAndIsFreeItCounts) {
+  link_rad_ = [](double motor_rad) { return motor_rad - 0.3; };
+  torque_Nm_ = -0.6 * 171.6;
+  const auto bounces = [](double t_s) {
+    return t_s < 0.5 ? 7.2 * (t_s - 0.5) : std::min(0.1, 1.5 * (t_s - 0.5)) * -1.0;
+  };
+  EXPECT_EQ(found(bounces), -1.0);
+}
+
+TEST_P(Impact, LinkEncoderThatStandsStillProvesNothing) {
+  link_rad_ = [](double) { return 0.1; };
+  const double found_s = found(stops_at_half_a_second(-7.2));
+  EXPECT_GE(found_s, 0.5);
+  EXPECT_LE(found_s, 0.512);
+}
 
 TEST_P(Impact, StaysUntilItIsForgotten) {
   ASSERT_GT(found(stops_at_half_a_second(12.0)), 0.0);

@@ -63,7 +63,8 @@ void add_rows(const ExperimentInput& in, const GaitConfig& gait, const EightRun&
       row(name + ".heading_error", "deg", of(kDegrees_per_rad * std::abs(score.heading_error_rad()))));
   rows.push_back(row(name + ".tilt_worst", "deg", of(kDegrees_per_rad * score.worst_tilt_rad())));
   rows.push_back(row(name + ".tilt_when_turned", "deg",
-                     of(kDegrees_per_rad * score.worst_tilt_when_turned_rad()), at_most(1.0)));
+                     of(kDegrees_per_rad * score.worst_tilt_when_turned_rad()),
+                     demanded(std::isfinite(score.worst_tilt_when_turned_rad()), at_most(1.0))));
   rows.push_back(row(name + ".velocity_rms", "mm/s", of(1e3 * score.velocity_rms_m_s())));
   rows.push_back(row(name + ".velocity_worst", "mm/s", of(1e3 * score.worst_velocity_m_s()), at_most(50.0)));
   rows.push_back(row(name + ".position_nees", "", of(score.position_nees()), nees_bounds(in)));

@@ -25,6 +25,7 @@ void OdometryScore::begin(const BodyState& estimated, const SimTruth& truth) {
   ours_from_true_ = turned_about_z(yaw_rad(quaternion(estimated.estimated_quaternion_wxyz)) -
                                    yaw_rad(quaternion(truth.base_quaternion_wxyz)));
   last_m_ = to_eigen(truth.base_in_world_m);
+  heading_rad_ = leftmost_rad_ = rightmost_rad_ = yaw_rad(quaternion(estimated.estimated_quaternion_wxyz));
   origin_m_ = last_m_ - ours_from_true_.conjugate() * to_eigen(estimated.estimated_position_in_world_m);
 }
 

@@ -29,12 +29,18 @@ TEST(OdometryExperiment, AGaitsEightHasARowForEachErrorAndIsWithinItsBounds) {
   EXPECT_EQ(rows.size(), 10u);
   EXPECT_NEAR(rows["odometry.trot.way"].value, 3.0, 0.7);
   EXPECT_TRUE(std::isnan(rows["odometry.trot.tilt_when_turned"].value)) << "it turned by too little";
-  for (const char* bounded :
-       {"position_error", "tilt_worst", "velocity_worst", "position_nees", "velocity_nees"}) {
+  for (const char* bounded : {"position_error", "velocity_worst", "position_nees", "velocity_nees"}) {
     const ReportRow& row = rows[std::string("odometry.trot.") + bounded];
     EXPECT_TRUE(row.ok()) << bounded << " " << row.value;
     EXPECT_GT(row.value, 0.0) << bounded;
   }
+}
+
+TEST(OdometryExperiment, WhoTurnsHasItsTiltJudged) {
+  std::map<std::string, ReportRow> rows;
+  for (const ReportRow& row : eight({"--gait", "trot", "--distance", "12"}).rows) rows[row.name] = row;
+  EXPECT_GT(rows["odometry.trot.tilt_when_turned"].value, 0.0);
+  EXPECT_LT(rows["odometry.trot.tilt_when_turned"].value, 1.0);
 }
 
 TEST(OdometryExperiment, WrongWordsAreRefused) {
