@@ -13,7 +13,7 @@ constexpr double kMostAmplitude = 3.0;   // no curve is tried beyond
 constexpr double kAmplitudeStep = 0.01;  // of the search for the highest that can be followed
 constexpr double kPresetCurve = 1.0;     // amplitude of the preset's curve as it is
 /// Learned: how much faster than the leg the hip may leave soft ground.
-constexpr double kMostSpeedShare = 2.0;
+constexpr double kMostShareOfLimit = 2.0;
 constexpr double kFarthestForward_m = 0.5;  // far beyond what a leg can
 
 std::string millimetres(double length_m) { return std::to_string(std::lround(1e3 * length_m)); }
@@ -194,7 +194,7 @@ void Jump::touch_down(const JointState& in) noexcept {
   estimated_height_m_ = rise_from_surface_m(risen_m, share);
   if (!adaptation_.learns()) return;
   adaptation_.learn(request_.mode, request_.height_m, estimated_height_m_);
-  speed_share_ = std::clamp(share, 1.0 / kMostSpeedShare, kMostSpeedShare);
+  speed_share_ = std::clamp(share, 1.0 / kMostShareOfLimit, kMostShareOfLimit);
 }
 
 }  // namespace sprung

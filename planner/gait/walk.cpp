@@ -9,8 +9,6 @@
 namespace sprung {
 namespace {
 
-/// [design choice] A walk that is to end rests after this: its operator may be gone.
-constexpr double kStop_s = 0.6;
 constexpr double kHeadingGain_1_s = 1.0;
 constexpr double kMostHeadingCorrection_rad_s = 0.2;
 constexpr double kHeightRate_m_s = 0.05;  // of a wanted height or width
@@ -74,45 +72,6 @@ void Walk::begin(const JointState& in, const WalkRequest& request) noexcept {
   placing_ = false;
   failure_ = nullptr;
   share_weight();
-}
-
-void Walk::change(const WalkRequest& request) noexcept {
-  request_ = request;
-  stopping_ = halting_ = false;
-  placing_ = false;
-  weight_.move();
-  ramp_.want(request.speed);
-  wanted_ = order_of(request);
-  if (!(wanted_ == now_) && !comes_to_rest()) {
-    clock_.hold();
-  } else {
-    clock_.resume();
-  }
-}
-
-void Walk::stop() noexcept {
-  stopping_ = true;
-  ramp_.stop(kStop_s);
-  if (!ended_ && failure_ == nullptr) place_feet();
-  if (wanted_ == now_ || failure_ != nullptr || ended_) return;
-  wanted_ = now_;  // not the gait that was to come: this one sets the feet in their places
-  clock_.resume();
-}
-
-void Walk::halt() noexcept {
-  stop();
-  if (halting_) return;
-  halting_ = true;
-  halt_left_s_ = kHalt_s;
-}
-
-/// Turning or sideways alone it keeps the order that it has.
-GaitOrder Walk::order_of(const WalkRequest& request) const noexcept {
-  const auto place = static_cast<std::size_t>(request.gait);
-  const bool mirrored = backward_gaits_[place].offsets != gaits_[place].offsets;
-  const double forward_m_s = request.speed[0];
-  const bool backward = forward_m_s < 0.0 || (forward_m_s == 0.0 && wanted_.backward);
-  return {request.gait, mirrored && backward};
 }
 
 void Walk::start_clock() noexcept {
@@ -270,35 +229,6 @@ void Walk::yield(std::size_t leg) noexcept {
   stretch_m.z() = 0.0;
   const double length_m = stretch_m.norm();
   if (length_m > kMostStretch_m) step.shift((kMostStretch_m / length_m - 1.0) * stretch_m);
-}
-
-/// To a gait that never swings: the one that does slows down first, and sets each foot in its place once
-/// more.
-bool Walk::comes_to_rest() const noexcept { return gait().duty < 1.0 && gaits_[wanted_.gait].duty >= 1.0; }
-
-void Walk::place_feet() noexcept {
-  if (placing_ || gait().duty >= 1.0) return;
-  clock_.count_anew();
-  placing_ = true;
-}
-
-bool Walk::rests() const noexcept { return weight_.upright() || (halting_ && weight_.rests()); }
-
-void Walk::next_gait() noexcept {
-  const bool all_stand = clock_.all_stand();
-  if (comes_to_rest() && ramp_.arrived()) place_feet();
-  if (placing_ && clock_.rounds() > 0) clock_.hold();
-  const bool settled = std::all_of(
-      steps_.begin(), steps_.begin() + static_cast<std::ptrdiff_t>(shape_.legs),
-      [&](const LegStep& s) { return s.stands() && s.in_phase_s() >= law_.force_rise_s; });
-  const bool placed = placing_ && clock_.rounds() > 0;
-  const bool done = gait().duty >= 1.0 || failure_ != nullptr || placed || (halting_ && clock_.holds());
-  if (stopping_ && ramp_.arrived() && settled && all_stand && done && rests()) ended_ = true;
-  if (!stopping_ && all_stand && (placed || !comes_to_rest()) && !(wanted_ == now_)) {
-    now_ = wanted_;
-    placing_ = false;
-    start_clock();
-  }
 }
 
 }  // namespace sprung

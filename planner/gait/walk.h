@@ -98,6 +98,8 @@ class Walk {
   void start_clock() noexcept;
   void advance_clock(double dt_s) noexcept;
   bool comes_to_rest() const noexcept;
+  bool slow_enough() const noexcept;
+  void hold_for_next() noexcept;
   void next_gait() noexcept;
   void place_feet() noexcept;
   void follow_lead(double dt_s) noexcept;

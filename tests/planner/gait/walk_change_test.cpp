@@ -104,6 +104,31 @@ TEST_F(WalkChangeTest, OtherGaitBeginsWhenAllFeetStand) {
   EXPECT_NEAR(motion_.desired_speed[0], 0.3, 1e-9);
 }
 
+/// A trot backward that is to be a walk forward: on a ramp the first leg that the walk lifts is the one that
+/// it falls on.
+TEST_F(WalkChangeTest, OtherGaitBeginsWhenTheBodyGoesNoFasterThanItAndNotTheOtherWay) {
+  begin(request("trot", {-0.28, 0.0, 0.0}));
+  run(6.0);
+  change(request("walk", {0.1, 0.05, 0.0}));
+  double switched_m_s = -1.0;
+  run(4.0, [&] {
+    if (switched_m_s == -1.0 && motion_.gait == gait("walk")) switched_m_s = motion_.desired_speed[0];
+  });
+  EXPECT_EQ(motion_.gait, gait("walk"));
+  EXPECT_GT(switched_m_s, -0.03);
+  change(request("trot", {-0.2, 0.0, 0.0}));
+  run(4.0);
+  EXPECT_EQ(motion_.gait, gait("trot")) << "which goes both ways";
+  begin(request("trot", {0.4, 0.0, 0.0}));
+  run(6.0);
+  change(request("walk", {0.2, 0.0, 0.0}));
+  run(4.0, [&] {
+    if (motion_.gait != gait("walk")) return;
+    EXPECT_LE(motion_.desired_speed[0], 0.21 + 1e-9);
+  });
+  EXPECT_EQ(motion_.gait, gait("walk"));
+}
+
 /// A robot whose feet stop swinging at speed would fall over them.
 TEST_F(WalkChangeTest, GaitThatNeverSwingsBeginsOnlyWhenTheRobotStandsStillOverItsFeet) {
   for (const char* name : {"crawl", "walk", "trot"}) {

@@ -8,8 +8,9 @@
 
 namespace sprung {
 
-/// Keys of `--plant`: a slope in any direction or hills and hollows, of what every gait of pegasus passes in
-/// `sprung experiment terrain` at most; a payload on every other. The same number gives the same.
+/// Keys of `--plant`: a slope in any direction, everywhere (one that begins somewhere is there as much
+/// steeper as it is far to the side), or hills and hollows, of what every gait of pegasus passes in `sprung
+/// experiment terrain` at most; a payload on every other. The same number gives the same.
 std::map<std::string, double> endurance_world(const RobotConfig& robot, std::uint64_t number);
 
 }  // namespace sprung
