@@ -186,19 +186,25 @@ Eigen::Matrix3d BodyEstimator::attitude_covariance_rad2() const noexcept {
   return filter_.attitude_covariance_rad2() + to_world * askew_rad2 * to_world.transpose();
 }
 
+/// What the filter knows was so when the IMU measured; it goes on as it was.
+Eigen::Quaterniond BodyEstimator::trunk_to_world() const noexcept {
+  return filter_.trunk_to_world() * turned_by(late_s_ * attitude_.angular_velocity_rad_s());
+}
+
+Eigen::Vector3d BodyEstimator::velocity_in_trunk_m_s() const noexcept {
+  return trunk_to_world().conjugate() * (filter_.velocity_in_world_m_s() + late_s_ * acceleration_m_s2_);
+}
+
 void BodyEstimator::odometry(BodyState& out) const noexcept {
   out = BodyState{};
   out.uses_imu = uses_imu_;
   out.slips = filter_.slips();
   if (!filter_.runs()) return;
-  // What the filter knows was so when the IMU measured; it goes on as it was.
-  const Eigen::Quaterniond q = filter_.trunk_to_world() *
-                               turned_by(late_s_ * attitude_.angular_velocity_rad_s());
-  const Eigen::Vector3d velocity_m_s = filter_.velocity_in_world_m_s() + late_s_ * acceleration_m_s2_;
+  const Eigen::Quaterniond q = trunk_to_world();
   out.estimated_quaternion_wxyz = {q.w(), q.x(), q.y(), q.z()};
   out.estimated_position_in_world_m = to_vec3(filter_.position_in_world_m() +
                                               late_s_ * filter_.velocity_in_world_m_s());
-  out.estimated_velocity_m_s = to_vec3(q.conjugate() * velocity_m_s);
+  out.estimated_velocity_m_s = to_vec3(velocity_in_trunk_m_s());
   out.estimated_rate_bias_rad_s = to_vec3(filter_.rate_bias_rad_s());
   out.estimated_force_bias_m_s2 = to_vec3(filter_.force_bias_m_s2());
   out.estimated_imu_tilt_rad = {mounting_.tilt_rad().x(), mounting_.tilt_rad().y()};
@@ -218,7 +224,8 @@ void BodyEstimator::write(EstimatedBody& out) const noexcept {
   out.estimated_quaternion_wxyz = {q.w(), q.x(), q.y(), q.z()};
   out.estimated_angular_velocity_rad_s = to_vec3(attitude_.angular_velocity_rad_s());
   if (!motion_.known()) return;
-  out.estimated_velocity_m_s = to_vec3(motion_.velocity_m_s());
+  const bool by_filter = uses_imu_ && filter_.runs();
+  out.estimated_velocity_m_s = to_vec3(by_filter ? velocity_in_trunk_m_s() : motion_.velocity_m_s());
   out.estimated_height_m = motion_.height_m();
 }
 

@@ -78,6 +78,8 @@ class BodyEstimator {
   void learn_mounting(double dt_s) noexcept;
   void locate(const ImuReading* reading, double dt_s) noexcept;
   Eigen::Matrix3d attitude_covariance_rad2() const noexcept;
+  Eigen::Quaterniond trunk_to_world() const noexcept;
+  Eigen::Vector3d velocity_in_trunk_m_s() const noexcept;
 
   double cycle_s_;
   bool has_imu_;
