@@ -28,7 +28,7 @@ void VitalsWatch::watch_fall(const VitalSigns& now) {
 
 void VitalsWatch::watch_safety(const VitalSigns& now) {
   const bool good = now.safety.level == SafetyLevel::kOperational;
-  if (operational_ && !good) {
+  if (operational_ && !good && !result_.fell) {
     ++result_.trips;
     if (result_.why.empty())
       result_.why = std::string(name(now.safety.cause)) + ": " + now.safety.detail.data();

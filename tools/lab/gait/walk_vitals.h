@@ -27,7 +27,7 @@ struct WalkVitals {
   bool caught = false;  ///< the planner noticed, and damped
   double fell_at_s = kNaN;
   std::string why;  ///< of the fall, or of the first trip
-  int trips = 0;    ///< times that safety left `operational`
+  int trips = 0;    ///< times that safety left `operational`; who has fallen may hit what he likes
   double watched_s = 0.0;
   double saturated_share = 0.0;  ///< of all joints and cycles: drive at its torque limit
   double fastest_rad_s = 0.0;    ///< true joint speed

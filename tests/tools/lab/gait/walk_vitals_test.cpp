@@ -75,6 +75,14 @@ TEST_F(WalkVitalsTest, AFallThatThePlannerNoticesIsCaughtAlsoWhenItNoticesLate) 
   EXPECT_NEAR(result().fell_at_s, robot_.cycle_s, 1e-9);
 }
 
+TEST_F(WalkVitalsTest, AStopOfARobotThatHasFallenIsNoTrip) {
+  motion_.state = MotionPhase::kFallen;
+  add();
+  safety_.level = SafetyLevel::kDamping;
+  add();
+  EXPECT_EQ(result().trips, 0);
+}
+
 TEST_F(WalkVitalsTest, EachTimeThatSafetyLeavesOperationalIsATrip) {
   for (int i = 0; i < 2; ++i) {
     safety_.level = SafetyLevel::kQuickStop;
