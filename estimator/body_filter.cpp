@@ -46,8 +46,8 @@ constexpr double kAnchors = 0.7, kSays = 0.5, kLeaves = 0.3;
 constexpr double kUnheld_s = 0.5, kAtRest_m2_s = 0.5 * 0.5 * 1.0;
 constexpr double kSurprise = 16.27;  // chi-square of three degrees of freedom, passed once in 1000 times
 /// [design choice] What is the same all the time and nobody measures: feet that roll, and legs and their
-/// zeros, which make each step longer or shorter by 0.4 percent.
-constexpr double kWay = 0.004, kSpeedShare = 0.008;
+/// zeros, which make each step longer or shorter by 0.3 percent.
+constexpr double kWay = 0.003, kSpeedShare = 0.008;
 
 Eigen::Matrix3d cross(const Eigen::Vector3d& v) noexcept {
   Eigen::Matrix3d out;
