@@ -82,7 +82,7 @@ int begin(const std::string& folder, const std::string& from) {
   if (fs::exists(target / "robot.yaml"))
     throw WrongUse(folder + " holds a robot.yaml already: name a folder that does not, or remove it");
   fs::create_directories(target);
-  for (const char* file : {"robot.yaml", "sim.yaml", "variation.yaml", "model.xml"}) {
+  for (const char* file : {"robot.yaml", "sim.yaml", "variation.yaml", "terrain.yaml", "model.xml"}) {
     if (!fs::exists(fs::path(pattern.folder) / file)) continue;
     std::string text = text_of(fs::path(pattern.folder) / file);
     replace_first(text, "robot: " + pattern.name + "\n", "robot: " + name + "\n");
