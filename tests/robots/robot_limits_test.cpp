@@ -38,7 +38,7 @@ constexpr const char* kNoLimits[] = {
     R"(actuators\[\]\.(offset|link_encoder\..*|reference\..*|speed_limit_object|position_limits_object))",
     R"(joints\[\]\.(armature|coulomb_friction|friction\..*|identified\..*|uncertainty\..*))",
     R"(legs\[\]\.(hip_in_trunk\..|links\[\]\..*|transmission|foot_radius))",
-    R"(body\.(mass|com\..|inertia\..))",
+    R"(body\.(mass|com\..|inertia\..|imu_latency))",
     // what the estimator takes for granted
     R"(estimation\..*)",
     // gains, and what contact is
