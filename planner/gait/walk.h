@@ -98,6 +98,7 @@ class Walk {
   void start_clock() noexcept;
   void advance_clock(double dt_s) noexcept;
   bool comes_to_rest() const noexcept;
+  bool has_a_way(std::size_t gait) const noexcept;
   bool slow_enough() const noexcept;
   void hold_for_next() noexcept;
   void next_gait() noexcept;

@@ -23,14 +23,18 @@ void Walk::change(const WalkRequest& request) noexcept {
   hold_for_next();
 }
 
+/// Its legs follow each other differently backward.
+bool Walk::has_a_way(std::size_t gait) const noexcept {
+  return backward_gaits_[gait].offsets != gaits_[gait].offsets;
+}
+
 /// The legs of the gait that is to come follow each other for its own speeds, and for the way that it goes:
 /// until the body goes no faster, and not the other way, the present gait goes on.
 bool Walk::slow_enough() const noexcept {
   constexpr double kOtherWay_m_s = 0.02;
   const auto place = static_cast<std::size_t>(wanted_.gait);
-  const bool mirrored = backward_gaits_[place].offsets != gaits_[place].offsets;
   const double forward_m_s = ramp_.now()[0];
-  const bool its_way = !mirrored || (wanted_.backward ? -forward_m_s : forward_m_s) > -kOtherWay_m_s;
+  const bool its_way = !has_a_way(place) || (wanted_.backward ? -forward_m_s : forward_m_s) > -kOtherWay_m_s;
   return its_way && speed_share(gaits_[place], ramp_.now()) <= kMostSpeedShare;
 }
 
@@ -58,10 +62,9 @@ void Walk::halt() noexcept {
 /// Turning or sideways alone it keeps the order that it has.
 GaitOrder Walk::order_of(const WalkRequest& request) const noexcept {
   const auto place = static_cast<std::size_t>(request.gait);
-  const bool mirrored = backward_gaits_[place].offsets != gaits_[place].offsets;
   const double forward_m_s = request.speed[0];
   const bool backward = forward_m_s < 0.0 || (forward_m_s == 0.0 && wanted_.backward);
-  return {request.gait, mirrored && backward};
+  return {request.gait, has_a_way(place) && backward};
 }
 
 /// To a gait that never swings: the one that does slows down first, and sets each foot in its place once
