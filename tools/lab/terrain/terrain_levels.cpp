@@ -30,7 +30,7 @@ void read_wanted(const RobotConfig& robot, const YamlMap& map, TerrainTask& task
 }
 
 void read_task(const RobotConfig& robot, const YamlMap& map, TerrainTask& task) {
-  task.levels = map.quantities("levels", task.unit, 0.0, kMostLevel);
+  if (map.has("levels")) task.levels = map.quantities("levels", task.unit, 0.0, kMostLevel);
   if (task.levels.empty()) map.fail("levels", "expected one or more, from easy to hard");
   if (!one_way(task.levels)) map.fail("levels", "expected from easy to hard, each once: all up, or all down");
   if (map.has("wanted")) read_wanted(robot, map, task);

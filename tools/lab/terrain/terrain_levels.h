@@ -7,8 +7,8 @@
 
 namespace sprung {
 
-/// terrain_tasks() with the robot's levels, and what each gait is to pass; as they are without the file, or
-/// where it does not name them.
+/// terrain_tasks() with the robot's own levels where it names them, and what each gait is to pass; as they
+/// are without the file.
 /// @throws ConfigError naming file, line and remedy: a task or gait that there is not, levels that do not all
 /// go one way, or something wanted that is no level.
 std::vector<TerrainTask> terrain_tasks_of(const RobotConfig& robot);
