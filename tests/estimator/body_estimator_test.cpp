@@ -32,20 +32,6 @@ struct Errors {
 
 class BodyEstimatorTest : public testing::Test {
  protected:
-  /// Diagonal pairs in turn, each set down where its hip will be over it in the middle of its stance.
-  void place_feet(double t) {
-    for (std::size_t i = 0; i < 4; ++i) {
-      const double offset = i == 0 || i == 3 ? 0.0 : 0.25;
-      const double since = std::fmod(t + 10.0 + offset, 0.5);
-      const bool stands = since < 0.26;
-      if (stands && !trunk_.stands[i]) {
-        const Eigen::Vector3d hip = to_eigen(trunk_.robot.legs[i].hip_in_trunk_m);
-        trunk_.feet_in_world_m[i] = trunk_.pose(t + 0.13).in_world_m + hip;
-        trunk_.feet_in_world_m[i].z() = 0.0;
-      }
-      trunk_.stands[i] = stands;
-    }
-  }
   /// As robots/pegasus/sim.yaml.
   Imu noisy_imu() {
     Imu imu = trunk_.imu(time_s_, seq_, 0.7);
@@ -66,7 +52,7 @@ class BodyEstimatorTest : public testing::Test {
   void next() {
     time_s_ += kCycle_s;
     ++seq_;
-    if (trots_) place_feet(time_s_);
+    if (trots_) trunk_.trot(time_s_);
   }
   Errors run(ImuStatus status, bool imu, double duration_s) {
     Errors errors;
@@ -162,17 +148,7 @@ TEST(BodyEstimatorMounting, AnImuThatIsAskewIsLearnedInACircleTakenOffAndKeptOve
   const auto run_to = [&](double end_s) {
     for (; now_s < end_s; now_s += kCycle_s) {
       const auto seq = std::llround(now_s / kCycle_s);
-      for (std::size_t i = 0; i < 4; ++i) {
-        const double since = std::fmod(now_s + (i == 0 || i == 3 ? 0.0 : 0.25), 0.5);
-        const bool stands = since < 0.26;
-        if (stands && !trunk.stands[i]) {
-          const TrunkPose then = trunk.pose(now_s + 0.13);
-          trunk.feet_in_world_m[i] = then.in_world_m + turned_about_z(yaw_rad(then.to_world)) *
-                                                           to_eigen(trunk.robot.legs[i].hip_in_trunk_m);
-          trunk.feet_in_world_m[i].z() = 0.0;
-        }
-        trunk.stands[i] = stands;
-      }
+      trunk.trot(now_s);
       Imu imu = trunk.imu(now_s, seq);
       const auto to_sensor = [&](const Vec3& v) { return to_vec3(askew.conjugate() * to_eigen(v)); };
       imu.measured_angular_velocity_rad_s = to_sensor(imu.measured_angular_velocity_rad_s);

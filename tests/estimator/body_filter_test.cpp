@@ -24,21 +24,6 @@ TrunkPose circling(double t) {
 
 class BodyFilterTest : public testing::Test {
  protected:
-  /// Diagonal pairs in turn, set down under their hips once they walk.
-  void place_feet() {
-    if (time_s_ < 1.0) return;
-    for (std::size_t i = 0; i < 4; ++i) {
-      const double since = std::fmod(time_s_ + (i == 0 || i == 3 ? 0.0 : 0.25), 0.5);
-      const bool stands = since < 0.26;
-      if (stands && !trunk_.stands[i]) {
-        const TrunkPose then = trunk_.pose(time_s_ + 0.13);
-        trunk_.feet_in_world_m[i] = then.in_world_m + turned_about_z(yaw_rad(then.to_world)) *
-                                                          to_eigen(trunk_.robot.legs[i].hip_in_trunk_m);
-        trunk_.feet_in_world_m[i].z() = 0.0;
-      }
-      trunk_.stands[i] = stands;
-    }
-  }
   BodyMeasurement measured() {
     BodyMeasurement out;
     const Eigen::Quaterniond true_attitude = trunk_.pose(time_s_).to_world;
@@ -57,7 +42,7 @@ class BodyFilterTest : public testing::Test {
   }
   void step() {
     time_s_ += kFilterCycle_s;
-    if (walks_) place_feet();
+    if (walks_ && time_s_ >= 1.0) trunk_.trot(time_s_);
     std::vector<EstimatedLeg> legs = trunk_.legs(time_s_);
     for (std::size_t i = 0; i < 4 && sinks_m_N_ > 0.0; ++i) {
       const double stood_s = std::fmod(time_s_ + (i == 0 || i == 3 ? 0.0 : 0.25), 0.5);

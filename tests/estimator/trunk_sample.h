@@ -75,6 +75,20 @@ class TrunkSample {
     return sum / n;
   }
 
+  /// Diagonal pairs in turn, each set down where its hip will be over it in the middle of its stance.
+  void trot(double t) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const double since = std::fmod(t + (i == 0 || i == 3 ? 0.0 : 0.25), 0.5);
+      const bool lands = since < 0.26 && !stands[i];
+      stands[i] = since < 0.26;
+      if (!lands) continue;
+      const TrunkPose then = pose(t + 0.13);
+      feet_in_world_m[i] = then.in_world_m +
+                           turned_about_z(yaw_rad(then.to_world)) * to_eigen(robot.legs[i].hip_in_trunk_m);
+      feet_in_world_m[i].z() = 0.0;
+    }
+  }
+
   std::vector<EstimatedLeg> legs(double t) {
     std::vector<EstimatedLeg> out(4);
     for (std::size_t i = 0; i < 4; ++i) {

@@ -10,6 +10,8 @@
 namespace sprung {
 namespace {
 
+constexpr double kHard_rad_s = 7.2;
+
 /// 171.6 Nm on 0.82 kg m^2: three times that takes 5.02 rad/s away in 8 ms.
 class Impact : public ::testing::TestWithParam<double> {
  protected:
@@ -53,32 +55,32 @@ TEST_P(Impact, SlowerOneIsNoMoreThanALandingMayBe) { EXPECT_EQ(found(stops_at_ha
 
 TEST_P(Impact, JointWhoseLinkEncoderWentAlongMayBeStopped) {
   link_rad_ = [](double motor_rad) { return motor_rad - 0.3; };
-  EXPECT_EQ(found(stops_at_half_a_second(4.8 * 1.5)), -1.0);
+  EXPECT_EQ(found(stops_at_half_a_second(kHard_rad_s)), -1.0);
   torque_Nm_ = 0.4 * 171.6;
   watch_.forget();
-  EXPECT_EQ(found(stops_at_half_a_second(4.8 * 1.5)), -1.0);
+  EXPECT_EQ(found(stops_at_half_a_second(kHard_rad_s)), -1.0);
 }
 
 TEST_P(Impact, ButNotIfItsMotorGoesOnToPushItThere) {
   link_rad_ = [](double motor_rad) { return motor_rad - 0.3; };
   torque_Nm_ = -0.6 * 171.6;
-  const double found_s = found(stops_at_half_a_second(4.8 * 1.5));
+  const double found_s = found(stops_at_half_a_second(kHard_rad_s));
   EXPECT_GE(found_s, 0.56);
   EXPECT_LE(found_s, 0.58);
 }
 
-TEST_P(Impact, NorIfItBouncesBackAndIsFreeItCounts) {
+TEST_P(Impact, JointThatBouncesBackFromWhereItWasStoppedGoesOn) {
   link_rad_ = [](double motor_rad) { return motor_rad - 0.3; };
   torque_Nm_ = -0.6 * 171.6;
   const auto bounces = [](double t_s) {
-    return t_s < 0.5 ? 7.2 * (t_s - 0.5) : std::min(0.1, 1.5 * (t_s - 0.5)) * -1.0;
+    return t_s < 0.5 ? kHard_rad_s * (t_s - 0.5) : std::min(0.1, 1.5 * (t_s - 0.5)) * -1.0;
   };
   EXPECT_EQ(found(bounces), -1.0);
 }
 
 TEST_P(Impact, LinkEncoderThatStandsStillProvesNothing) {
   link_rad_ = [](double) { return 0.1; };
-  const double found_s = found(stops_at_half_a_second(-7.2));
+  const double found_s = found(stops_at_half_a_second(-kHard_rad_s));
   EXPECT_GE(found_s, 0.5);
   EXPECT_LE(found_s, 0.512);
 }
