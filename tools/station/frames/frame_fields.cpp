@@ -123,6 +123,8 @@ void add_messages(const RobotConfig& robot, std::vector<FrameField>& out) {
       .add_members("motion.", "",
                    {"state", "jumps_done", "estimated_jump_height_m", "gait_phase", "desired_speed"});
   ChannelFields(out, channels::kSafetyState, "safety_state_t").add_members("safety.", "", {"level", "cause"});
+  ChannelFields(out, channels::kBodyState, "body_state_t")
+      .add_members("odometry.", "", {"estimated_position_in_world_m", "estimated_quaternion_wxyz", "slips"});
   ChannelFields(out, channels::kImu, "imu_t")
       .add_members("imu.", "", {"measured_angular_velocity_rad_s", "measured_specific_force_m_s2"});
   add_auxiliary(robot, out);
@@ -141,7 +143,8 @@ std::vector<FrameField> frame_fields(const RobotConfig& robot) {
     fields.push_back({std::string("trunk.") + name, "m", {}, "", ""});
   for (const char* name : {"qw", "qx", "qy", "qz"})
     fields.push_back({std::string("trunk.") + name, "", {}, "", ""});
-  fields.push_back({"trunk.source", "", {{0, "legs"}, {1, "estimate"}, {2, "simulation"}}, "", ""});
+  fields.push_back(
+      {"trunk.source", "", {{0, "legs"}, {1, "estimate"}, {2, "simulation"}, {3, "odometry"}}, "", ""});
   for (const JointConfig& joint : robot.joints)
     fields.push_back({"joints." + joint.name + ".desired_position_rad", "rad", {}, "", ""});
   return fields;

@@ -12,9 +12,10 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// false: it comes when something changes, or once a second.
+/// false: it comes when something changes, once a second, or in every fifth cycle.
 bool comes_every_cycle(const std::string& channel) {
-  return channel != channels::kSafetyState && channel != channels::kAuxiliaryState;
+  return channel != channels::kSafetyState && channel != channels::kAuxiliaryState &&
+         channel != channels::kBodyState;
 }
 
 }  // namespace
@@ -39,6 +40,8 @@ Frames::Frames(const RobotConfig& robot)
   attitude_ = index("body.estimated_quaternion_wxyz.w");
   velocity_ = index("body.estimated_velocity_m_s.x");
   height_ = index("body.estimated_height_m");
+  odometry_ = index("odometry.estimated_position_in_world_m.x");
+  odometry_attitude_ = index("odometry.estimated_quaternion_wxyz.w");
   trunk_field_ = index("trunk.x_m");
   ghost_field_ = static_cast<int>(fields_.size() - robot.joints.size());
 }
@@ -135,9 +138,9 @@ Eigen::Quaterniond Frames::quaternion(int field) const {
 }
 
 void Frames::place_trunk() {
-  TrunkInput input{vector(true_position_), quaternion(true_attitude_),
-                   quaternion(attitude_),  vector(velocity_),
-                   value(height_),         {}};
+  TrunkInput input{
+      vector(true_position_), quaternion(true_attitude_), quaternion(attitude_),          vector(velocity_),
+      value(height_),         vector(odometry_),          quaternion(odometry_attitude_), {}};
   for (const Leg& leg : legs_) input.foot_in_hip_m.push_back(vector(leg.foot));
   trunk_.update(input, last_time_s_ ? std::max(0.0, time_s_ - *last_time_s_) : 0.0);
   double* out = &working_[static_cast<std::size_t>(trunk_field_)];

@@ -37,9 +37,10 @@ class Frames {
   /// A channel that fields come from.
   struct Source {
     std::string channel;
-    bool every_cycle = true;       ///< false: SAFETY_STATE, AUXILIARY_STATE, whose messages begin no cycle
-    std::int64_t seq = -1;         ///< of its newest message
-    std::int64_t decoded = 0;      ///< messages
+    bool every_cycle = true;   ///< false: SAFETY_STATE, AUXILIARY_STATE, BODY_STATE, whose messages begin no
+                               ///< cycle
+    std::int64_t seq = -1;     ///< of its newest message
+    std::int64_t decoded = 0;  ///< messages
     std::int64_t not_decoded = 0;  ///< whose type is none of this version's nor of one before
   };
 
@@ -89,6 +90,7 @@ class Frames {
   std::vector<Leg> legs_;
   TrunkPose trunk_;
   int true_position_, true_attitude_, attitude_, velocity_, height_;  ///< indices of their first field
+  int odometry_, odometry_attitude_;
   int trunk_field_, ghost_field_;
   std::vector<int> position_fields_;  ///< of each joint
   std::vector<double> working_;       ///< of the cycle that is being filled

@@ -13,11 +13,7 @@ bool finite(const Eigen::Quaterniond& q) { return q.coeffs().allFinite() && q.no
 
 }  // namespace
 
-void TrunkPose::reset() {
-  position_m_.setZero();
-  attitude_.setIdentity();
-  source_ = TrunkSource::kLegs;
-}
+void TrunkPose::reset() { *this = TrunkPose(std::move(legs_)); }
 
 void TrunkPose::update(const TrunkInput& input, double dt_s) {
   if (finite(input.true_position_m) && finite(input.true_attitude)) {
@@ -33,13 +29,29 @@ void TrunkPose::update(const TrunkInput& input, double dt_s) {
 }
 
 void TrunkPose::estimate(const TrunkInput& input, double dt_s) {
-  attitude_ = input.estimated_attitude.normalized();
   source_ = TrunkSource::kEstimate;
+  attitude_ = into_odometry_ * input.estimated_attitude.normalized();
+  go_on(input, dt_s);
+  if (!finite(input.odometry_m) || !finite(input.odometry_attitude)) return;
+  source_ = TrunkSource::kOdometry;
+  if (!odometry_m_ || *odometry_m_ != input.odometry_m) take_odometry(input);
+}
+
+void TrunkPose::go_on(const TrunkInput& input, double dt_s) {
   if (finite(input.estimated_velocity_m_s)) {
     const Eigen::Vector3d travelled_m = attitude_ * input.estimated_velocity_m_s * dt_s;
     position_m_.head<2>() += travelled_m.head<2>();
   }
-  if (std::isfinite(input.estimated_height_m)) position_m_.z() = input.estimated_height_m;
+  if (!odometry_m_ && std::isfinite(input.estimated_height_m)) position_m_.z() = input.estimated_height_m;
+}
+
+/// It comes in every fifth cycle; between two the trunk goes on by the estimate.
+void TrunkPose::take_odometry(const TrunkInput& input) {
+  if (!odometry_m_) began_m_ = position_m_ - input.odometry_m;
+  odometry_m_ = input.odometry_m;
+  position_m_ = began_m_ + input.odometry_m;
+  into_odometry_ = input.odometry_attitude.normalized() * input.estimated_attitude.normalized().conjugate();
+  attitude_ = input.odometry_attitude.normalized();
 }
 
 double TrunkPose::height_on_feet_m(const TrunkInput& input) const {

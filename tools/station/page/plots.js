@@ -39,6 +39,8 @@ export function plot_choices(layout) {
     {title: "Phase of each leg", curves: legs("phase")},
     {title: "Trunk height", curves: [{name: "trunk.z_m", label: "height"}]},
     {title: "Trunk along the floor", curves: [{name: "trunk.x_m", label: "x"}, {name: "trunk.y_m", label: "y"}]},
+    {title: "Trunk's place by odometry", curves: axes("odometry.estimated_position_in_world_m")},
+    {title: "Feet that slipped, by odometry", curves: [{name: "odometry.slips", label: "so far"}]},
     {title: "Trunk velocity, estimated", curves: axes("body.estimated_velocity_m_s")},
     {title: "Specific force, measured", curves: axes("imu.measured_specific_force_m_s2")},
     {title: "Angular velocity, measured", curves: axes("imu.measured_angular_velocity_rad_s")},

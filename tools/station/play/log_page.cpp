@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <stdexcept>
 
 #include "lcmtypes/channels.h"
@@ -101,10 +102,15 @@ std::vector<std::string> damage_notes(const log::LogInfo& info) {
   return notes;
 }
 
-std::string trunk_note(bool simulated, bool estimated) {
-  if (simulated)
+std::string trunk_note(const std::set<TrunkSource>& sources) {
+  const auto by = [&](TrunkSource source) { return sources.count(source) > 0; };
+  if (by(TrunkSource::kSimulation))
     return "Where the trunk is comes from the simulation's truth (SIM_TRUTH), which no controller sees.";
-  if (estimated)
+  if (by(TrunkSource::kOdometry))
+    return "Where the trunk is: as odometry says (BODY_STATE), from where it began; it drifts by a percent "
+           "or "
+           "two of the way. Ground that nobody has described is drawn level.";
+  if (by(TrunkSource::kEstimate))
     return "Where the trunk is: attitude and height as estimated; the way along the floor is the estimated "
            "velocity summed up, and drifts.";
   return "Nothing measures the trunk: it is drawn level, its lowest foot on the floor; flight is not seen.";
@@ -155,14 +161,12 @@ class FramePass {
   const LogColumns& columns() const { return columns_; }
   const Json& phases() const { return phases_.phases(); }
   bool posed() const { return posed_; }
-  std::string trunk_note() const { return station::trunk_note(simulated_, estimated_); }
+  std::string trunk_note() const { return station::trunk_note(sources_); }
 
  private:
   void take(const Frame& frame) {
-    const auto source = static_cast<TrunkSource>(
-        static_cast<int>(frame.values[static_cast<std::size_t>(source_)]));
-    simulated_ = simulated_ || source == TrunkSource::kSimulation;
-    estimated_ = estimated_ || source == TrunkSource::kEstimate;
+    sources_.insert(
+        static_cast<TrunkSource>(static_cast<int>(frame.values[static_cast<std::size_t>(source_)])));
     posed_ = posed_ || frames_.has_pose(frame);
     columns_.add(frame);
     phases_.add(frame);
@@ -172,7 +176,8 @@ class FramePass {
   LogColumns columns_;
   PhaseList phases_;
   int source_;
-  bool simulated_ = false, estimated_ = false, posed_ = false;
+  std::set<TrunkSource> sources_;
+  bool posed_ = false;
 };
 
 std::int64_t cycles_in(const log::LogInfo& info) {

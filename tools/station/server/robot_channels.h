@@ -27,6 +27,7 @@ void visit_robot_channels(const RobotConfig& robot, Visit visit) {
   visit(RobotChannel<motion_state_t>{channels::kMotionState, CountLimits::exactly(legs)});
   visit(RobotChannel<safety_state_t>{channels::kSafetyState, CountLimits::none()});
   visit(RobotChannel<imu_t>{channels::kImu, CountLimits::none()});
+  visit(RobotChannel<body_state_t>{channels::kBodyState, CountLimits::none()});
   visit(RobotChannel<sim_truth_t>{channels::kSimTruth, CountLimits::exactly(joints, legs)});
   visit(RobotChannel<bus_state_t>{channels::kBusState, CountLimits::exactly(robot.buses.size(), nodes)});
   visit(RobotChannel<auxiliary_state_t>{channels::kAuxiliaryState, CountLimits::exactly(actuators)});

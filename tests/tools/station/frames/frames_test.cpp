@@ -7,6 +7,8 @@
 #include "robots/robot_loader.h"
 #include "signals/modes.h"
 #include "sprung_msgs/auxiliary_state_t.hpp"
+#include "sprung_msgs/body_state_t.hpp"
+#include "sprung_msgs/joint_state_t.hpp"
 #include "sprung_msgs/leg_command_t.hpp"
 #include "sprung_msgs/sim_truth_t.hpp"
 #include "tests/tools/logs/log/robot_sample.h"
@@ -174,6 +176,27 @@ TEST_F(FramesTest, TheTrunkIsWhereTheSimulationSays) {
   EXPECT_FLOAT_EQ(value(*frame, "trunk.z_m"), 0.61F);
   EXPECT_EQ(value(*frame, "trunk.qw"), 1.0F);
   EXPECT_EQ(value(*frame, "trunk.source"), static_cast<float>(TrunkSource::kSimulation));
+}
+
+TEST_F(FramesTest, WithoutASimulationTheTrunkIsWhereOdometrySays) {
+  auto odometry = log::stamped<sprung_msgs::body_state_t>(0);
+  odometry.estimated_position_in_world_m[0] = 2.0;
+  odometry.estimated_quaternion_wxyz[0] = 1.0;
+  const auto say = [&] { return add(log::kept(channels::kBodyState, 0, log::encoded(odometry))); };
+  EXPECT_EQ(say(), nullptr) << "it begins no cycle";
+  auto joints = log::stamped<sprung_msgs::joint_state_t>(1);
+  joints.body.estimated_quaternion_wxyz[0] = 1.0;
+  add(log::kept(channels::kJointState, 1, log::encoded(joints)));
+  ASSERT_NE(frames_.finish(), nullptr);
+  odometry.estimated_position_in_world_m[0] = 2.5;
+  say();
+  joints.seq = 2;
+  add(log::kept(channels::kJointState, 2, log::encoded(joints)));
+  const Frame* const frame = frames_.finish();
+  ASSERT_NE(frame, nullptr);
+  EXPECT_EQ(value(*frame, "trunk.source"), static_cast<float>(TrunkSource::kOdometry));
+  EXPECT_FLOAT_EQ(value(*frame, "trunk.x_m"), 0.5F);
+  EXPECT_FLOAT_EQ(value(*frame, "odometry.estimated_position_in_world_m.x"), 2.5F);
 }
 
 TEST_F(FramesTest, TheGhostReachesTheDesiredFoot) {

@@ -11,7 +11,9 @@ namespace {
 const Eigen::Vector3d kUnknown{kNaN, kNaN, kNaN};
 const Eigen::Quaterniond kNoAttitude{kNaN, kNaN, kNaN, kNaN};
 
-TrunkInput nothing() { return {kUnknown, kNoAttitude, kNoAttitude, kUnknown, kNaN, {}}; }
+TrunkInput nothing() {
+  return {kUnknown, kNoAttitude, kNoAttitude, kUnknown, kNaN, kUnknown, kNoAttitude, {}};
+}
 
 /// To the left by 90 degrees.
 Eigen::Quaterniond turned() {
@@ -53,6 +55,39 @@ TEST(TrunkPose, InFlightTheLastHeightStays) {
   input.estimated_height_m = kNaN;
   pose.update(input, 0.1);
   EXPECT_EQ(pose.position_m(), Eigen::Vector3d(0, 0, 0.42));
+}
+
+TEST(TrunkPose, OdometryIsFollowedFromWhereItBeginsAndGoneOnFromBetween) {
+  TrunkPose pose(load_robot("pegasus").legs);
+  TrunkInput input = nothing();
+  input.estimated_attitude = Eigen::Quaterniond::Identity();
+  input.estimated_velocity_m_s = {0.5, 0, 0};
+  input.estimated_height_m = 0.42;
+  pose.update(input, 0.0);
+  input.odometry_m = {0, 0, 0};
+  input.odometry_attitude = turned();
+  pose.update(input, 0.1);
+  EXPECT_EQ(pose.source(), TrunkSource::kOdometry);
+  EXPECT_TRUE(pose.position_m().isApprox(Eigen::Vector3d(0.05, 0, 0.42))) << "no jump when it begins";
+  EXPECT_TRUE(pose.attitude().isApprox(turned()));
+  pose.update(input, 0.1);
+  EXPECT_TRUE(pose.position_m().isApprox(Eigen::Vector3d(0.05, 0.05, 0.42))) << "no news";
+  input.odometry_m = {0.0, 0.2, 0.03};
+  pose.update(input, 0.1);
+  EXPECT_TRUE(pose.position_m().isApprox(Eigen::Vector3d(0.05, 0.2, 0.45))) << "up a ramp";
+}
+
+TEST(TrunkPose, OfAnotherSessionNothingIsKept) {
+  TrunkPose pose(load_robot("pegasus").legs);
+  TrunkInput input = nothing();
+  input.estimated_attitude = Eigen::Quaterniond::Identity();
+  input.odometry_m = {3, 0, 0};
+  input.odometry_attitude = turned();
+  pose.update(input, 0.0);
+  pose.reset();
+  EXPECT_EQ(pose.position_m(), Eigen::Vector3d::Zero());
+  pose.update(input, 0.0);
+  EXPECT_EQ(pose.position_m(), Eigen::Vector3d::Zero()) << "begins anew";
 }
 
 TEST(TrunkPose, WithoutAttitudeTheLowestFootStandsOnTheFloor) {
