@@ -9,6 +9,7 @@
 #include "tools/commands.h"
 #include "tools/common/progress_bar.h"
 #include "tools/common/report/report_shell.h"
+#include "tools/lab/commands/play_pages.h"
 #include "tools/lab/run/experiment_index.h"
 #include "tools/lab/run/experiment_line.h"
 #include "tools/lab/run/experiments.h"
@@ -62,6 +63,7 @@ int run_one(const Experiment& experiment, const ExperimentOptions& options, cons
   request.pages = !options.out.empty() || !options.report.empty();
   const RobotConfig robot = loaded(request);
   ExperimentInput input = experiment_input(experiment, request, robot);
+  if (!options.out.empty()) input.play_page = play_pages_into(options.out);
   const FinishedExperiment finished = with_progress(experiment.name, [&](ProgressBar& bar) {
     input.parallel.on_progress = [&bar](std::size_t done, std::size_t count) { bar.show(done, count); };
     return run_experiment(experiment, input);
@@ -155,7 +157,7 @@ std::shared_ptr<std::string> add_log_folder(CommandLine& experiment) {
         std::call_once(*begin, [&] {
           if (!folder->empty()) *logs = logs_into(*folder, "sprung experiment --logs " + *folder);
         });
-        return *logs ? (*logs)(robot, preset, sim) : nullptr;
+        return *logs ? (*logs)(robot, preset, sim) : observer_for_page(robot, preset, sim);
       });
   return folder;
 }

@@ -36,6 +36,11 @@ struct ExperimentRequest {
   bool pages = false;              ///< figures and tables will be read
 };
 
+/// Runs something again that makes one robot in this thread, and writes a page that plays what became of it
+/// beside the experiment's own. Threads may call it at once. @param name of the page, without ".html".
+/// @return its file's name; empty: there was no robot. @throws std::runtime_error where it has no cycle.
+using PlayPage = std::function<std::string(const std::string& name, const std::function<void()>& again)>;
+
 /// What an experiment runs on, and how.
 struct ExperimentInput {
   ExperimentRequest asked;
@@ -44,6 +49,7 @@ struct ExperimentInput {
   SimOptions sim;      ///< of --seed and --plant
   ScriptRunner run;    ///< as --separate says
   ParallelOptions parallel;
+  PlayPage play_page;        ///< empty: there is no folder for pages
   std::string command;       ///< the line that makes it again
   std::string common_words;  ///< of it, each after a space: robot, preset, numbers, plant, loop, seed
 };

@@ -17,6 +17,12 @@ constexpr std::uint64_t kFirstDraw = 1001;  // of seed 0: beyond those that gait
 constexpr double kLeastDistance_m = 1.0, kMostDistance_m = 100.0;  // shorter ends before the ramp begins
 constexpr double kAskedShare = 7.0 / 8.0;                          // of the gait's fastest
 
+report::Cell linked(const std::string& text, const std::string& page) {
+  report::Cell out(text);
+  out.link = page;
+  return out;
+}
+
 constexpr const char* kAll = "all";
 constexpr const char* kPayloadTask = "payload";  // of terrain_tasks()
 
@@ -41,23 +47,47 @@ std::vector<SimOptions> plants_of(const ExperimentInput& in, int runs) {
   return drawn_plants(first, runs);
 }
 
+TerrainRun walk_one(const ExperimentInput& in, const TerrainTask& task, const GaitConfig& gait, int level,
+                    const SimOptions& plant, const Options& options) {
+  TerrainRun asked;
+  asked.gait = gait.name;
+  asked.speed_m_s = kAskedShare * gait.fastest_forward_m_s;
+  asked.distance_m = options.distance_m;
+  return walk_terrain(in.robot, in.preset, plant, task, task.levels[static_cast<std::size_t>(level)], asked);
+}
+
 TerrainOutcome::Tried try_level(const ExperimentInput& in, const TerrainTask& task, const GaitConfig& gait,
                                 int level, const Options& options) {
   const std::vector<SimOptions> plants = plants_of(in, options.runs);
   TerrainOutcome::Tried out;
   out.level = level;
   out.runs = parallel_map(
-      plants.size(),
-      [&](std::size_t i) {
-        TerrainRun asked;
-        asked.gait = gait.name;
-        asked.speed_m_s = kAskedShare * gait.fastest_forward_m_s;
-        asked.distance_m = options.distance_m;
-        return walk_terrain(in.robot, in.preset, plants[i], task,
-                            task.levels[static_cast<std::size_t>(level)], asked);
-      },
+      plants.size(), [&](std::size_t i) { return walk_one(in, task, gait, level, plants[i], options); },
       in.parallel);
   return out;
+}
+
+/// Of all who did not pass.
+void add_pages(const ExperimentInput& in, const GaitConfig& gait, const Options& options,
+               TerrainOutcome& outcome) {
+  struct Failure {
+    int level;
+    std::size_t plant;
+    TerrainRun* run;
+  };
+  std::vector<Failure> failures;
+  for (TerrainOutcome::Tried& tried : outcome.tried)
+    for (std::size_t i = 0; i < tried.runs.size(); ++i)
+      if (!tried.runs[i].passed()) failures.push_back({tried.level, i, &tried.runs[i]});
+  const std::vector<SimOptions> plants = plants_of(in, options.runs);
+  const auto make_page = [&](std::size_t i) {
+    const auto& [level, plant, run] = failures[i];
+    const std::string name = terrain_page_name(outcome, level, run->draw);
+    run->page = in.play_page(name, [&, &at = plants[plant], &how_hard = level] {
+      (void)walk_one(in, *outcome.task, gait, how_hard, at, options);
+    });
+  };
+  run_parallel(failures.size(), make_page, in.parallel);
 }
 
 /// @throws std::invalid_argument for a level that the task has not.
@@ -110,7 +140,8 @@ ExperimentOutput run_terrain(const ExperimentInput& in, const Options& options) 
   ExperimentOutput out;
   for (const TerrainTask& task : wanted_tasks(in, options)) {
     for (const GaitConfig& gait : going_gaits(in.robot, options.gait)) {
-      const TerrainOutcome outcome = climb(in, task, gait, options);
+      TerrainOutcome outcome = climb(in, task, gait, options);
+      if (in.play_page) add_pages(in, gait, options, outcome);
       out.rows.push_back(terrain_row(outcome));
       if (task.name == kPayloadTask)
         for (ReportRow& row : payload_rows(outcome)) out.rows.push_back(std::move(row));
@@ -164,6 +195,12 @@ std::vector<ReportRow> payload_rows(const TerrainOutcome& outcome) {
   return out;
 }
 
+std::string terrain_page_name(const TerrainOutcome& outcome, int level, double draw) {
+  return "terrain." + outcome.task->name + "." + outcome.gait + "." +
+         report::number_text(outcome.task->levels[static_cast<std::size_t>(level)]) + ".draw" +
+         report::number_text(draw);
+}
+
 std::string terrain_repeat(const std::string& common_words, const TerrainOutcome& outcome, double level,
                            double draw, double distance_m) {
   const TerrainTask& task = *outcome.task;
@@ -184,10 +221,12 @@ report::Section terrain_section(const TerrainOutcome& outcome, const HowToSee& h
     tried_levels.rows.push_back({level, tried.passed(), tried.runs.size()});
     for (const TerrainRun& run : tried.runs)
       if (!run.passed())
-        failures.rows.push_back({level, run.draw, run.why, run.vitals.fell ? run.vitals.fell_at_s : kNaN,
-                                 how_to_see(level, run.draw)});
+        failures.rows.push_back({level, run.draw, linked(run.why, run.page),
+                                 run.vitals.fell ? run.vitals.fell_at_s : kNaN, how_to_see(level, run.draw)});
   }
-  failures.note = "Seconds of who fell, from standing up on. A log has some 4 MB a second.";
+  failures.note =
+      "What became of it leads to a page that plays it, where there is a folder for pages (--out). Seconds "
+      "of who fell, from standing up on. A log has some 4 MB a second.";
   out.tables = {tried_levels};
   if (!failures.rows.empty()) out.tables.push_back(failures);
   return out;
@@ -199,6 +238,7 @@ Experiment terrain_experiment() {
                                    "Ramps, hills, stairs, slippery floors and payloads, harder and harder.",
                                    "Where does the robot walk?");
   out.seed_help = "which ten drawn plants it is tried on, and their noise; 0 was used for tuning";
+  out.out_note = ", and a page of half a megabyte a second of each run that did not pass, which plays it";
   out.in_all = {};  // all tasks and gaits take longer than everything else there
   out.draws_plants = true;
   out.own.choice("--only", options->only, task_names(), "which tasks");

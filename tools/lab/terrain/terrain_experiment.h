@@ -28,6 +28,8 @@ ReportRow terrain_row(const TerrainOutcome& outcome);
 /// terrain.payload.GAIT.*: how far what the robot says of its payload is off, worst of those who passed the
 /// hardest level, after they stood up and when they had walked. Pure; none where nobody passed.
 std::vector<ReportRow> payload_rows(const TerrainOutcome& outcome);
+/// Of the page that plays one run, without ".html". Pure. @param level index.
+std::string terrain_page_name(const TerrainOutcome& outcome, int level, double draw);
 /// The command that repeats one run with a log, and plays it. Pure.
 /// @param common_words as ExperimentInput's: a later `--plant draw=` counts.
 std::string terrain_repeat(const std::string& common_words, const TerrainOutcome& outcome, double level,

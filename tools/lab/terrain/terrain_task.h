@@ -34,7 +34,8 @@ struct TerrainRun {
   double distance_m = 0.0;  ///< asked for
   double went_m_s = 0.0;    ///< true mean, along world x, which it starts along
   WalkVitals vitals;
-  std::string why;  ///< it did not pass; empty: it did
+  std::string why;   ///< it did not pass; empty: it did
+  std::string page;  ///< that plays it, beside the experiment's; empty: none
   double simulated_s = 0.0;
   /// Of what the robot says that it carries: after it stood up, and when it had walked.
   double stood_mass_off_kg = kNaN, walked_mass_off_kg = kNaN;

@@ -85,6 +85,49 @@ TEST(TerrainExperiment, SectionTellsWhoDidNotPassAndWhy) {
   EXPECT_EQ(terrain_section(outcome, how_to_see).tables.size(), 1u);
 }
 
+TEST(TerrainExperiment, PageOfAFailureIsNamedAfterWhatWasTriedAndLedTo) {
+  const TerrainTask task = slope();
+  TerrainOutcome outcome = reached(task, "trot", 0);
+  EXPECT_EQ(terrain_page_name(outcome, 2, 1012.0), "terrain.slope_up.trot.8.draw1012");
+  TerrainRun fell;
+  fell.why = "fell: tilted";
+  fell.page = "a.html";
+  outcome.tried = {{2, {fell}}};
+  const report::Section section = terrain_section(outcome, [](double, double) { return ""; });
+  EXPECT_EQ(section.tables.back().rows.front()[2].link, "a.html");
+}
+
+/// A trot on the steepest ramp does not pass; what is asked to be played again falls as it did.
+TEST(TerrainExperiment, OfWhoDoesNotPassThereIsAPageWhereThereIsAFolderForIt) {
+  Experiment experiment = terrain_experiment();
+  CommandLine line("terrain", "");
+  experiment.own.add_to(line);
+  line.action([] { return 0; });
+  const char* const words[] = {"terrain", "--only", "slope_up", "--gait", "trot",
+                               "--level", "21.3",   "--runs",   "1"};
+  ASSERT_EQ(line.run(9, words), 0);
+  ExperimentRequest request;
+  request.robot = "pegasus";
+  ExperimentInput input = experiment_input(experiment, request, load_robot("pegasus"));
+  std::vector<std::string> pages;
+  int robots = 0;
+  InProcessRobot::observe_all_by([&](const RobotConfig&, const std::string&, const SimOptions&) {
+    ++robots;
+    return nullptr;
+  });
+  input.play_page = [&](const std::string& name, const std::function<void()>& again) {
+    pages.push_back(name);
+    robots = 0;
+    again();
+    return name + ".html";
+  };
+  const ExperimentOutput out = experiment.run(input);
+  InProcessRobot::observe_all_by({});
+  ASSERT_EQ(pages, std::vector<std::string>{"terrain.slope_up.trot.21.3.draw1011"});
+  EXPECT_EQ(robots, 1) << "the first is the one that is played";
+  EXPECT_EQ(out.sections.front().tables.back().rows.front()[2].link, pages.front() + ".html");
+}
+
 ExperimentOutput tried(const char* option, const char* value) {
   Experiment experiment = terrain_experiment();
   CommandLine line("terrain", "");
