@@ -130,5 +130,14 @@ TEST_F(SecondQuadruped, TrotsCrawlsAndStopsWithoutAFallOrATrip) {
   EXPECT_NEAR(robot_->truth().base_in_world_m[2], config_.preset("best").stand_length_m, 0.03);
 }
 
+/// Drives whose own position loops smooth their set-points over less than a cycle: what they measure of the
+/// current is not its mean, so that legs felt forces that were none, and looked for ground that was there.
+TEST_F(SecondQuadruped, TrotsOnADrawnPlantWhoseDrivesSmoothTheirSetPoints) {
+  start({{"draw", 1021}, {"lying", 1.0}});
+  order(OperatorKind::kHome, 1.0);
+  order(OperatorKind::kStand, 3.0);
+  EXPECT_NEAR(walk("trot", 0.25, 6.0, 3.0), 0.25 * 6.0, 0.4);
+}
+
 }  // namespace
 }  // namespace sprung
