@@ -12,6 +12,9 @@ namespace sprung {
 ///   simulation, bridge, estimator, planner, controller (_cycle)
 ///                          median of a cycle, us, and its ratio to the reference loop
 ///   cores_cycle            estimator, planner and controller without the force distribution, by the medians
+///   cores_processor_mean, _p9999
+///                          processor time of this thread for all three, force distribution included; of
+///                          fewer than 20,000 cycles (40 s) the latter is the second worst at most
 ///   force_distribution     one call, two feet standing (a trot) and four, as above
 ///   simulation_over_mj_step, stack_over_mj_step
 ///                          speed against bare mj_step of the same model and step, standing
