@@ -36,6 +36,7 @@ RunInfo describe_run(const LaunchRequest& request, const RobotConfig& robot) {
   info.preset = robot.preset(request.preset).name;
   info.clock = request.clock;
   info.simulation = request.simulation;
+  info.plant = request.plant;
   info.maintenance = request.maintenance;
   info.session = random_session();
   info.epoch_us = monotonic_us();

@@ -34,6 +34,7 @@ Json to_json(const RunInfo& info) {
            {"session", info.session},   {"epoch_us", info.epoch_us}, {"lcm_url", info.lcm_url},
            {"log", info.log},           {"can", info.can},           {"launcher_pid", info.launcher_pid}};
   out["maintenance"] = info.maintenance;
+  out["plant"] = info.plant;
   out["buses"] = info.buses;
   out["via"] = info.via;
   out["processes"] = Json::array();
@@ -51,6 +52,7 @@ RunInfo from_json(const Json& in) {
   info.preset = in.at("preset");
   info.clock = in.at("clock");
   info.simulation = in.at("simulation");
+  info.plant = in.at("plant").get<std::vector<std::string>>();
   info.maintenance = in.at("maintenance");
   info.session = in.at("session");
   info.epoch_us = in.at("epoch_us");

@@ -24,6 +24,7 @@ struct RunInfo {
   std::string preset;
   std::string clock;  ///< realtime or lockstep
   bool simulation = false;
+  std::vector<std::string> plant;  ///< KEY=VALUE of a simulation, as it was typed
   bool maintenance = false;
   std::int64_t session = 0;
   std::int64_t epoch_us = 0;  ///< CLOCK_MONOTONIC at the session's begin

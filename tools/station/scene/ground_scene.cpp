@@ -5,7 +5,6 @@
 
 #include "robots/config_error.h"
 #include "simulation/plant/ground.h"
-#include "simulation/plant/plant_words.h"
 #include "simulation/plant/sim_config.h"
 
 namespace sprung::station {
@@ -44,9 +43,9 @@ Json patches(const sim::GroundConfig& config) {
 
 }  // namespace
 
-Json ground_scene(const RobotConfig& robot, const std::string& command_line) {
+Json ground_scene(const RobotConfig& robot, const std::map<std::string, double>& asked) {
   try {
-    const sim::PlantConfig plant = sim::load_sim_config(robot, plant_of_command(command_line)).plant;
+    const sim::PlantConfig plant = sim::load_sim_config(robot, asked).plant;
     const sim::Ground ground(plant.ground, plant.floor_height_m, robot.legs.size());
     if (!ground.uneven() && !ground.slippery_in_places()) return nullptr;
     return {{"from_m", {kFromX_m, kFromY_m}},     {"spacing_m", kSpacing_m},

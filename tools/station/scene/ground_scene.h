@@ -1,5 +1,6 @@
 #pragma once
 /// The ground of a simulated run, to be drawn under its robot. Start-up only.
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
@@ -13,7 +14,7 @@ namespace sprung::station {
 ///  "patches": [{"from_m", "length_m", "right_m", "width_m", "friction"}], lengths and widths 0: without end}
 /// ```
 /// Without the stones that feet find. null where it is level and of one friction everywhere, as on a robot.
-/// @param command_line that made the run, as logs hold it. A world that is not here any more is level.
-nlohmann::json ground_scene(const RobotConfig& robot, const std::string& command_line);
+/// @param asked of the plant. A world that is not here any more is level.
+nlohmann::json ground_scene(const RobotConfig& robot, const std::map<std::string, double>& asked);
 
 }  // namespace sprung::station

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "robots/robot_loader.h"
+#include "simulation/plant/plant_words.h"
 #include "tools/station/scene/ground_scene.h"
 #include "tools/station/scene/scene.h"
 
@@ -49,7 +50,7 @@ LoggedScene scene_of_log(RobotConfig robot, const std::optional<sprung_msgs::log
                      "/model.xml, whose robot.yaml has other lengths than this log's.";
     }
     nlohmann::json scene = make_scene(robot, metadata ? metadata->preset : "");
-    scene["ground"] = metadata ? ground_scene(robot, metadata->command_line) : nullptr;
+    scene["ground"] = metadata ? ground_scene(robot, plant_of_command(metadata->command_line)) : nullptr;
     found.scene = std::make_shared<nlohmann::json>(std::move(scene));
     found.model_xml = file_text(robot.folder + "/model.xml");
   } catch (const std::exception& error) {

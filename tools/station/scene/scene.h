@@ -21,7 +21,7 @@ namespace sprung::station {
 ///  "joints": [{"name", "body", "min_rad", "max_rad", "torque_limit_Nm"}], as robot.yaml has them,
 ///  "legs": [{"name", "joints": [index, ...], "foot_body": index, "foot_in_body_m": [...],
 ///            "foot_radius_m", "hip_in_base_m": [...]}],
-///  "ground": of a log alone: ground_scene.h,
+///  "ground": of a simulated run, by who asks for the scene: ground_scene.h,
 ///  "friction_coefficient": 0.6, "friction_source": "robot.yaml, floor_friction of preset best"}
 /// ```
 /// Positions and turns of a body are in its parent's axes, at joint angle `zero`; of a shape in its body's.

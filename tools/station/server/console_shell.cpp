@@ -16,7 +16,7 @@
 #include "tools/operate/launcher/torque_watch.h"
 #include "tools/station/foxglove/robot_messages.h"
 #include "tools/station/frames/frame_layout.h"
-#include "tools/station/scene/scene.h"
+#include "tools/station/scene/run_scene.h"
 #include "tools/station/server/console_session.h"
 #include "tools/station/server/foxglove_session.h"
 #include "tools/station/server/frame_bytes.h"
@@ -55,15 +55,6 @@ std::string random_token() {
   return text;
 }
 
-/// A robot that cannot be drawn is shown by its panels: the page says why.
-std::string scene_of(const RobotConfig& robot, const std::string& preset) {
-  try {
-    return make_scene(robot, preset).dump();
-  } catch (const std::exception& error) {
-    return OrderedJson({{"missing", error.what()}}).dump();
-  }
-}
-
 std::uint64_t utc_ns() { return static_cast<std::uint64_t>(utc_us()) * 1000; }
 
 /// For viewers; nothing of a robot that cannot be drawn.
@@ -85,7 +76,7 @@ class Console {
         joints_(robot_.joints.size(), robot_.legs.size()),
         nonce_(random_token()),
         page_text_(console_page(nonce_)),
-        scene_text_(scene_of(robot_, info.preset)),
+        scene_text_(scene_of_run(robot_, info).dump()),
         layout_text_(frame_layout(robot_, link_.frame_fields()).dump()),
         drawn_(drawn_robot(robot_, scene_text_, link_.frame_fields())),
         viewers_(robot_.name, RobotLink::channels_heard(), drawn_ ? drawn_->shapes(utc_ns()) : ""),

@@ -36,6 +36,7 @@ class RunFileTest : public testing::Test {
     info.lcm_url = "udpm://239.255.76.67:7667?ttl=0";
     info.launcher_pid = getpid();
     info.can = {"leg=socketcan:can1"};
+    info.plant = {"world=stairs"};
     info.processes = {{"sprung-can-bridge", 12}};
     return info;
   }
@@ -50,6 +51,7 @@ TEST_F(RunFileTest, WhatIsWrittenIsReadBack) {
   EXPECT_EQ(info->robot, "single_leg");
   EXPECT_EQ(info->session, 0x7123456789ABCDEF);
   EXPECT_EQ(info->can, std::vector<std::string>{"leg=socketcan:can1"});
+  EXPECT_EQ(info->plant, std::vector<std::string>{"world=stairs"});
   ASSERT_EQ(info->processes.size(), 1u);
   EXPECT_EQ(info->processes[0].pid, 12);
 }
