@@ -8,6 +8,8 @@
 namespace sprung {
 namespace {
 
+constexpr double kCarries = 0.05;  // of the weight
+
 template <class Values>
 bool known(const Values& values) noexcept {
   return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
@@ -65,9 +67,12 @@ BodyView BodyView::of(const JointState& in, const BodyShape& shape) noexcept {
   out.velocity_known = known(body.estimated_velocity_m_s);
   if (out.velocity_known) out.velocity_m_s = out.level_from_trunk * to_eigen(body.estimated_velocity_m_s);
   out.com_m = out.level_from_trunk * shape.com_in_trunk_m(in);
-  for (std::size_t i = 0; i < shape.legs; ++i)
-    out.foot_m[i] = out.level_from_trunk *
-                    (shape.hip_in_trunk_m[i] + to_eigen(in.legs[i].estimated_foot_in_hip_m));
+  for (std::size_t i = 0; i < shape.legs; ++i) {
+    const EstimatedLeg& leg = in.legs[i];
+    out.foot_m[i] = out.level_from_trunk * (shape.hip_in_trunk_m[i] + to_eigen(leg.estimated_foot_in_hip_m));
+    const double up_N = (out.level_from_trunk * to_eigen(leg.foot_force_N)).z();
+    out.carries[i] = leg.contact || up_N > kCarries * shape.mass_kg * kGravity_m_s2;
+  }
   out.uses_imu = body.uses_imu;
   return out;
 }

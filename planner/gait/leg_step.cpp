@@ -15,15 +15,10 @@ constexpr double kClearance_m = 0.02;       // that a stumble adds to the lift
 constexpr double kBack = 1.0;               // of a late foot, for each metre down
 constexpr double kClearanceRate_m_s = 0.2;  // so that the foot is not jerked
 
-/// Of a place on the ground, as the body sees it.
-Eigen::Vector3d ground_m_s(const StepPlan& plan, const Eigen::Vector3d& place_m) noexcept {
-  return -plan.body_m_s - Eigen::Vector3d(0.0, 0.0, plan.turning_rad_s).cross(place_m);
-}
-
 /// Of the centre of a standing foot's ball, as the body sees it. The leg turns about where the ball touches
 /// the ground, and so takes the centre along: radius over height of the hip as fast as the hip.
 Eigen::Vector3d standing_m_s(const StepPlan& plan, const Eigen::Vector3d& foot_m) noexcept {
-  Eigen::Vector3d out = ground_m_s(plan, foot_m);
+  Eigen::Vector3d out = plan.ground_m_s(foot_m);
   const double height_m = std::max(kLeastHeight_m, -foot_m.z());
   out.head<2>() *= height_m / (height_m + plan.foot_radius_m);
   return out;
@@ -57,13 +52,15 @@ void LegStep::lift(const Eigen::Vector3d& foot_m) noexcept {
   stumbled_ = false;
   held_up_s_ = 0.0;
   gave_up_ = false;
-  from_m_ = foot_m;
+  riser_.forget();
+  from_m_ = left_m_ = foot_m;
   stretch_at_lift_m_ = wanted_m_ - foot_m;
 }
 
 bool LegStep::step(const StepPlan& plan, const Eigen::Vector3d& foot_m, const Eigen::Vector3d& foothold_m,
                    bool contact) noexcept {
   in_phase_s_ += plan.dt_s;
+  riser_.carry(plan.ground_m_s(riser_.held_m()), plan.dt_s);
   if (stands()) {
     wanted_m_s_ = standing_m_s(plan, wanted_m_);
     wanted_m_ += wanted_m_s_ * plan.dt_s;
@@ -76,9 +73,12 @@ bool LegStep::step(const StepPlan& plan, const Eigen::Vector3d& foot_m, const Ei
     ground_z_m_ += plan.sunk_m;
     from_m_.z() += plan.sunk_m;
   }
+  left_m_ += plan.ground_m_s(left_m_) * plan.dt_s;
   in_swing_s_ += plan.dt_s;
-  swing(plan, foothold_m);
+  const Eigen::Vector3d goal_m = riser_.foothold_m(foothold_m);
+  swing(plan, goal_m);
   look(plan, contact);
+  mind_riser(plan, foot_m, goal_m);
   if (!landed(plan, contact)) return false;
   const bool gave_up = gave_up_;
   stand(foot_m);
@@ -94,6 +94,10 @@ void LegStep::swing(const StepPlan& plan, const Eigen::Vector3d& foothold_m) noe
   path.ground_m_s = -plan.body_m_s;
   path.duration_s = plan.swing_s;
   path.lift_m = plan.gait->lift_m + extra_lift_m_;
+  if (riser_.goes_over()) {
+    path.lift_m = std::max(path.lift_m, riser_.top_m(ground_z_m_) - 0.5 * (from_m_.z() + ground_z_m_));
+    path.aside_m = riser_.aside_m();
+  }
   // Whoever waits for contact comes down slowly; plain hybrid trusts its clock.
   const bool waits = control_ == GaitControl::kAdaptive;
   path.approach_s = waits ? plan.gait->pre_stance * plan.swing_s : 0.0;
@@ -107,6 +111,19 @@ void LegStep::swing(const StepPlan& plan, const Eigen::Vector3d& foothold_m) noe
   if (!waits && over_s > 0.0 && control_ != GaitControl::kHybrid) {
     wanted_m_.z() -= plan.approach_m_s() * over_s;
     wanted_m_s_.z() = -plan.approach_m_s();
+  }
+}
+
+void LegStep::mind_riser(const StepPlan& plan, const Eigen::Vector3d& foot_m,
+                         const Eigen::Vector3d& foothold_m) noexcept {
+  if (!plan.may_wait || control_ != GaitControl::kAdaptive || in_swing_s_ >= plan.swing_s) return;
+  if (riser_.step((foothold_m - left_m_).head<2>(), wanted_m_, foot_m, plan.dt_s)) {
+    note(LegEvent::kStumble);
+    enter(LegPhase::kSwing);
+    from_m_ = foot_m;
+    in_swing_s_ = plan.dt_s;
+    held_up_s_ = 0.0;
+    swing(plan, riser_.foothold_m(foothold_m));
   }
 }
 
@@ -136,7 +153,8 @@ void LegStep::look(const StepPlan& plan, bool contact) noexcept {
 bool LegStep::landed(const StepPlan& plan, bool contact) noexcept {
   const double share = in_swing_s_ / plan.swing_s;
   if (control_ == GaitControl::kHybrid) return share >= 1.0;
-  if (contact && share >= kStumbleTo) {
+  const bool ground = share >= kStumbleTo && !(riser_.on_edge() && share < 1.0);
+  if (contact && ground) {
     if (share < 1.0 - 0.5 * plan.gait->pre_stance) note(LegEvent::kEarlyContact);
     return true;
   }

@@ -2,13 +2,15 @@
 /// Phases of one leg in a gait: swing, pre-stance, stance; where its foot is wanted, and what befalls it.
 /// Level axes (body_frame.h). Pure.
 ///
-///   swing       the foot goes along its path; contact on its way up is a stumble: it lifts higher
+///   swing       the foot goes along its path; contact on its way up is a stumble: it lifts higher. In a gait
+///               that waits for each foot, one that is held up begins anew (riser_reflex.h)
 ///   pre-stance  the last share of the swing: contact ends it (early contact); late, the foot steps down at
 ///               the approach speed (late contact), and back toward where its leg hangs plumb, so that a leg
 ///               that reached far ahead is long enough; as far as step_down, and then it gives up (no ground)
 ///   stance      the foot is wanted where it landed, carried along as the body is to move over it
 #include <Eigen/Geometry>
 
+#include "planner/gait/riser_reflex.h"
 #include "planner/gait/swing_path.h"
 #include "robots/gait_config.h"
 #include "signals/modes.h"
@@ -27,9 +29,14 @@ struct StepPlan {
   double sunk_m = 0.0;  ///< of the trunk toward the ground, as the standing feet show it, in this cycle
   /// Of a foot's ball: while it stands it rolls after the body.
   double foot_radius_m = 0.0;
+  bool may_wait = false;  ///< the others stand safely while a swing begins anew
   /// Of its foothold from where the leg hangs plumb.
   Eigen::Vector2d ahead_m = Eigen::Vector2d::Zero();
 
+  /// Of a place on the ground, as the body sees it.
+  Eigen::Vector3d ground_m_s(const Eigen::Vector3d& place_m) const noexcept {
+    return -body_m_s - Eigen::Vector3d(0.0, 0.0, turning_rad_s).cross(place_m);
+  }
   double approach_m_s() const noexcept {
     return gait->approach_m_s > 0.0 ? gait->approach_m_s : law->approach_m_s;
   }
@@ -55,6 +62,10 @@ class LegStep {
   bool gave_up() const noexcept { return gave_up_; }
   /// Beyond the end of the swing, still looking for the ground.
   bool late(const StepPlan& plan) const noexcept { return !stands() && in_swing_s_ >= plan.swing_s; }
+  /// In this swing, so that it began anew.
+  bool held_up() const noexcept { return !stands() && riser_.goes_over(); }
+  /// Its swing, which began anew, is younger than one of the clock's is now.
+  bool behind(double age_s) const noexcept { return held_up() && in_swing_s_ < age_s; }
   const Eigen::Vector3d& wanted_m() const noexcept { return wanted_m_; }
   const Eigen::Vector3d& wanted_m_s() const noexcept { return wanted_m_s_; }
   const Eigen::Vector3d& wanted_m_s2() const noexcept { return wanted_m_s2_; }
@@ -70,6 +81,8 @@ class LegStep {
  private:
   void enter(LegPhase phase) noexcept;
   void swing(const StepPlan& plan, const Eigen::Vector3d& foothold_m) noexcept;
+  void mind_riser(const StepPlan& plan, const Eigen::Vector3d& foot_m,
+                  const Eigen::Vector3d& foothold_m) noexcept;
   void search_back(const StepPlan& plan, double over_s) noexcept;
   void look(const StepPlan& plan, bool contact) noexcept;
   bool landed(const StepPlan& plan, bool contact) noexcept;
@@ -80,6 +93,8 @@ class LegStep {
   double extra_lift_m_ = 0.0;  ///< as ramped since it stumbled
   double held_up_s_ = 0.0;     ///< contact on the way up, so far
   bool stumbled_ = false;      ///< in this swing
+  RiserReflex riser_;
+  Eigen::Vector3d left_m_ = Eigen::Vector3d::Zero();  ///< where it stood, carried along with the ground
   GaitControl control_ = GaitControl::kAdaptive;
   bool gave_up_ = false;
   double ground_z_m_ = 0.0;  ///< where this swing expects it, from its first cycle on

@@ -17,6 +17,14 @@ Point smooth(double u) noexcept {
           60.0 * u * (1.0 - u) * (1.0 - 2.0 * u)};
 }
 
+/// From 0 to 1 at a third of the time and back, at rest at both ends.
+Point detour(double u) noexcept {
+  constexpr double kScale = 729.0 / 16.0;
+  const double v = 1.0 - u;
+  return {kScale * u * u * v * v * v * v, kScale * 2.0 * u * v * v * v * (1.0 - 3.0 * u),
+          kScale * 2.0 * v * v * (1.0 - 10.0 * u + 15.0 * u * u)};
+}
+
 /// Cubic with the value and the rate that are given at each end of its duration.
 struct Cubic {
   double from, from_rate, to, to_rate, duration;
@@ -65,6 +73,11 @@ SwingPoint SwingPath::at(double time_s) const noexcept {
   out.position_m = from_m + over_ground_m * way.value + ground_m_s * t;
   out.velocity_m_s = over_ground_m * (way.rate / way_s) + ground_m_s;
   out.acceleration_m_s2 = over_ground_m * (way.rate2 / (way_s * way_s));
+
+  const Point off = detour(std::min(1.0, t / way_s));
+  out.position_m.head<2>() += aside_m * off.value;
+  out.velocity_m_s.head<2>() += aside_m * (off.rate / way_s);
+  out.acceleration_m_s2.head<2>() += aside_m * (off.rate2 / (way_s * way_s));
 
   const Point z = height(*this, time_s);
   out.position_m.z() = z.value + ground_m_s.z() * t;

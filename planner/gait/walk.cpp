@@ -55,6 +55,7 @@ void Walk::begin(const JointState& in, const WalkRequest& request) noexcept {
   heat_.begin(in);
   heat_lean_.reset();
   waits_ = false;
+  careful_s_ = 0.0;
   pace_.reset();
   for (std::size_t i = 0; i < shape_.legs; ++i) {
     steps_[i].stand(view_.foot_m[i], law_.force_rise_s);  // it carries its share already
@@ -162,16 +163,22 @@ void Walk::run_out(double dt_s) noexcept {
   if (halt_left_s_ < clock_.swing_s()) clock_.hold();
 }
 
+/// Its swing goes on for longer than the clock's.
+bool Walk::looks_on(std::size_t leg) const noexcept {
+  const double share = clock_.swing_share(leg);
+  return !steps_[leg].stands() && (share >= 1.0 || steps_[leg].behind(share * clock_.swing_s()));
+}
+
 void Walk::step_legs(const JointState& in, double dt_s) noexcept {
   if (halting_) run_out(dt_s);
   waits_ = weight_.holds();
-  for (std::size_t i = 0; i < shape_.legs; ++i)
-    waits_ = waits_ || (clock_.swings(i) && clock_.swing_share(i) >= 1.0 && !steps_[i].stands());
+  for (std::size_t i = 0; i < shape_.legs; ++i) waits_ = waits_ || (clock_.swings(i) && looks_on(i));
   advance_clock(dt_s);
   StepPlan plan{&gait(),          &law_,     request_.control, dt_s,
                 clock_.swing_s(), body_m_s_, turning_rad_s_,   ground_.sunk_m()};
   for (std::size_t i = 0; i < shape_.legs; ++i) {
     plan.foot_radius_m = shape_.foot_radius_m[i];
+    plan.may_wait = gait().sway_m > 0.0;
     if (clock_.swings(i) && steps_[i].stands()) steps_[i].lift(view_.foot_m[i]);
     const Eigen::Vector3d foothold = foothold_m(i);
     plan.ahead_m = (foothold - under_hip_m(i)).head<2>();
@@ -214,7 +221,8 @@ void Walk::look_for_slip(std::size_t leg) noexcept {
   LegStep& step = steps_[leg];
   if (!step.stands()) return;
   Eigen::Vector3d by_m = view_.foot_m[leg] + pull_m(leg) - step.wanted_m();
-  by_m.z() = 0.0;
+  const bool fell = gait().sway_m > 0.0 && by_m.z() < -kSlip_m;  // off an edge
+  if (!fell) by_m.z() = 0.0;
   if (!(by_m.norm() > kSlip_m)) return;
   step.note(LegEvent::kSlip);
   step.shift(by_m);

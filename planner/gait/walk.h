@@ -85,6 +85,7 @@ class Walk {
   Pace::Speed desired_speed() const noexcept;
   void steer(double dt_s) noexcept;
   void lean(double dt_s) noexcept;
+  bool looks_on(std::size_t leg) const noexcept;
   void step_legs(const JointState& in, double dt_s) noexcept;
   bool touches(std::size_t i, const EstimatedLeg& leg) const noexcept;
   void look_for_slip(std::size_t leg) noexcept;
@@ -130,6 +131,7 @@ class Walk {
   GaitClock clock_;
   SpeedRamp ramp_;
   MotorHeat heat_;
+  double careful_s_ = 0.0;  ///< for which it goes on minding that a foot was held up
   HeatLean heat_lean_;
   ForceDistribution distribution_;
   std::array<LegStep, kMostLegs> steps_;

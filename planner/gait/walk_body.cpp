@@ -11,6 +11,7 @@ constexpr double kLeans_m = 0.03;  // [design choice] of a body that is not over
 /// [design choice] Of a body's speed from the wanted one, what its springs lag and sway by: feet set by that
 /// would be behind in every step, and the walk slower.
 constexpr double kPushed_m_s = 0.06;
+constexpr double kCarefulFor_s = 15.0;   // [design choice] four rounds of a crawl
 constexpr double kHeightGain_1_s = 3.0;  // in which the feet's places follow the wanted height
 
 /// What of a vector is longer than that.
@@ -27,6 +28,10 @@ BodyWrench turned(const Eigen::Matrix3d& by, const BodyWrench& wrench) noexcept 
 
 void Walk::lean(double dt_s) noexcept {
   const Eigen::Vector2d speed_m_s = pace_.now() * Eigen::Vector2d(pace_.speed()[0], pace_.speed()[1]);
+  careful_s_ = std::max(0.0, careful_s_ - dt_s);
+  for (std::size_t i = 0; i < shape_.legs; ++i)
+    if (steps_[i].held_up()) careful_s_ = kCarefulFor_s;
+  weight_.be_careful(careful_s_ > 0.0);
   weight_.step(clock_, view_, speed_m_s, dt_s);
   if (weight_.gave_up()) fail("the body cannot be brought over three feet");
   const Eigen::Vector2d over_ground_m_s = speed_m_s + weight_.speed_m_s();

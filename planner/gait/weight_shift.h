@@ -18,6 +18,10 @@ class WeightShift {
   void step(const GaitClock& clock, const BodyView& view, const Eigen::Vector2d& speed_m_s,
             double dt_s) noexcept;
 
+  /// The ground holds feet up: with more margin, over feet that are felt to carry, from where the weight was
+  /// found to be.
+  void be_careful(bool careful) noexcept { careful_ = careful; }
+
   /// The leg whose turn it is must not leave yet.
   bool holds() const noexcept { return holds_; }
   /// It has been waiting for kGiveUp_s.
@@ -39,11 +43,14 @@ class WeightShift {
 
  private:
   std::size_t lifted(const GaitClock& clock) const noexcept;
+  void learn(const BodyView& view, std::size_t lifted, double dt_s) noexcept;
   void follow(const GaitClock& clock, const Eigen::Vector2d& wanted_m, double waited_s, double dt_s) noexcept;
 
   const std::size_t legs_;
   Lean lean_;
+  Eigen::Vector2d off_m_ = Eigen::Vector2d::Zero();  ///< of the weight from where robot.yaml has it
   double waited_s_ = 0.0;
+  bool careful_ = false;
   bool holds_ = false;
   bool stays_ = false;
 };

@@ -326,5 +326,61 @@ TEST_F(LegStepTest, TrunkThatSinksUnderASwingLeavesItsPathOverTheGround) {
   EXPECT_NEAR((leg_.wanted_m() - level.wanted_m()).head<2>().norm(), 0.0, 1e-12);
 }
 
+/// A stair of 80 mm, 60 mm ahead: the foot is where it is wanted but for that.
+class LegStepAtAStair : public LegStepTest {
+ protected:
+  LegStepAtAStair() {
+    plan_.may_wait = true;
+    plan_.swing_s = 0.6;
+    plan_.body_m_s.setZero();
+    gait_.pre_stance = 0.13;
+    foothold_m_ = kPlace_m + Eigen::Vector3d(0.15, 0.0, 0.0);
+  }
+  bool climb() {
+    const bool landed = leg_.step(plan_, foot_m_, foothold_m_, contact_ || on_ground_);
+    Eigen::Vector3d to_m = leg_.wanted_m();
+    if (foot_m_.x() <= kRiser_m && to_m.z() < kStair_m) to_m.x() = std::min(to_m.x(), kRiser_m);
+    const double floor_m = to_m.x() > kRiser_m ? kStair_m : kGround_m;
+    on_ground_ = to_m.z() <= floor_m;
+    to_m.z() = std::max(to_m.z(), floor_m);
+    foot_m_ = to_m;
+    return landed;
+  }
+  bool lands(int cycles = 2000) {
+    for (int k = 0; k < cycles; ++k)
+      if (climb()) return true;
+    return false;
+  }
+
+  static constexpr double kStair_m = kGround_m + 0.08;
+  const double kRiser_m = kPlace_m.x() + 0.06;
+  bool on_ground_ = false;
+};
+
+TEST_F(LegStepAtAStair, FootThatIsHeldUpBeginsAnewAndStandsOnTheStair) {
+  lift();
+  ASSERT_TRUE(lands());
+  EXPECT_NEAR(foot_m_.z(), kStair_m, 0.005);
+  EXPECT_GT(foot_m_.x(), kRiser_m + 0.06);
+  EXPECT_GE(count(LegEvent::kStumble), 1);
+  EXPECT_FALSE(leg_.gave_up());
+}
+
+TEST_F(LegStepAtAStair, WhereNobodyWaitsItDoesNot) {
+  plan_.may_wait = false;
+  lift();
+  ASSERT_TRUE(lands());
+  EXPECT_NEAR(foot_m_.z(), kGround_m, 0.005);
+}
+
+TEST_F(LegStepAtAStair, ItsSwingIsYoungerThanTheClocks) {
+  lift();
+  double age_s = 0.0;
+  for (; !leg_.held_up() && age_s < 1.0; age_s += plan_.dt_s) climb();
+  ASSERT_TRUE(leg_.held_up());
+  EXPECT_TRUE(leg_.behind(age_s));
+  EXPECT_FALSE(leg_.behind(plan_.dt_s));
+}
+
 }  // namespace
 }  // namespace sprung

@@ -132,5 +132,26 @@ TEST(SwingPathTest, GroundThatMovesALittleMovesThePathALittle) {
     EXPECT_LE((moved.at(time_s).position_m - path(0.08).at(time_s).position_m).norm(), 0.0018);
 }
 
+TEST(SwingPathTest, ADetourGoesAsideInTheFirstThirdAndEndsWhereItWould) {
+  const SwingPath straight = path(0.05);
+  SwingPath aside = straight;
+  aside.aside_m = {-0.03, 0.01};
+  const double third_s = (straight.duration_s - straight.approach_s) / 3.0;
+  EXPECT_TRUE((aside.at(third_s).position_m - straight.at(third_s).position_m)
+                  .isApprox(Eigen::Vector3d(-0.03, 0.01, 0.0), 1e-9));
+  for (const double time_s : {0.0, straight.duration_s - straight.approach_s, straight.duration_s}) {
+    EXPECT_TRUE(aside.at(time_s).position_m.isApprox(straight.at(time_s).position_m, 1e-12)) << time_s;
+    EXPECT_TRUE(aside.at(time_s).velocity_m_s.isApprox(straight.at(time_s).velocity_m_s, 1e-9)) << time_s;
+  }
+  for (double time_s = 0.01; time_s < 0.18; time_s += 0.01) {
+    const SwingPoint before = aside.at(time_s - kSwingPathStep_s),
+                     after = aside.at(time_s + kSwingPathStep_s);
+    const Eigen::Vector3d rate = (after.position_m - before.position_m) / (2.0 * kSwingPathStep_s);
+    const Eigen::Vector3d rate2 = (after.velocity_m_s - before.velocity_m_s) / (2.0 * kSwingPathStep_s);
+    EXPECT_LT((rate - aside.at(time_s).velocity_m_s).norm(), 1e-4) << time_s;
+    EXPECT_LT((rate2 - aside.at(time_s).acceleration_m_s2).head<2>().norm(), 1e-2) << time_s;
+  }
+}
+
 }  // namespace
 }  // namespace sprung

@@ -235,6 +235,19 @@ TEST_F(WalkTest, FootThatMovesAgainstTheOthersSlippedAndIsWantedWhereItIs) {
   EXPECT_NEAR(wanted_[3].desired_foot_in_hip_m[0] - before_m, 0.035, 1e-3);
 }
 
+TEST_F(WalkTest, FootThatFellOffAnEdgeIsWantedWhereItIsInAGaitThatStandsOnThree) {
+  for (const char* name : {"crawl", "trot"}) {
+    begin(request(name));
+    while (standing() != 4) cycle();
+    const std::int32_t before = count(LegEvent::kSlip);
+    floor_m_[3] -= 0.06;
+    cycle();
+    cycle();
+    EXPECT_EQ(count(LegEvent::kSlip) - before, name == std::string("crawl") ? 1 : 0) << name;
+    floor_m_[3] += 0.06;
+  }
+}
+
 TEST_F(WalkTest, FeetThatAllMoveTogetherWerePushedAndDoNotSlip) {
   begin(request("stand"));
   slipped_m_.fill(0.06);

@@ -20,6 +20,7 @@ GaitConfig crawl(double sway_m = 0.1) {
 class WeightShiftTest : public testing::Test {
  protected:
   void begin(const GaitConfig& gait) {
+    view_.carries.fill(true);
     gait_ = gait;
     clock_.begin(gait_, 4);
   }
@@ -154,6 +155,37 @@ TEST_F(WeightShiftTest, GaitsWithoutSwayNeitherLeanNorWait) {
     for (std::size_t i = 0; i < 4; ++i)
       if (clock_.swings(i) && clock_.swing_share(i) >= 1.0) clock_.land(i);
   }
+}
+
+TEST_F(WeightShiftTest, WhoIsCarefulWaitsForFeetThatAreFeltToCarryButNotForLong) {
+  for (const bool careful : {false, true}) {
+    begin(crawl());
+    shift_.begin(Eigen::Vector2d::Zero());
+    shift_.be_careful(careful);
+    view_.carries[1] = false;
+    double waited_s = 0.0;
+    for (int k = 0; k < 3000 && !any_swings(); ++k) {
+      cycle();
+      if (shift_.holds()) waited_s += kWeightShiftCycle_s;
+    }
+    EXPECT_TRUE(any_swings());
+    EXPECT_NEAR(waited_s, careful ? 0.3 : 0.0, 0.01);
+  }
+}
+
+TEST_F(WeightShiftTest, TheWeightIsFartherFromAFootThatCarriesNothingWhichWhoIsCarefulMinds) {
+  begin(crawl());
+  while (!any_swings()) cycle();
+  view_.carries[1] = false;  // front right
+  for (int k = 0; k < 150; ++k) cycle();
+  view_.carries[1] = true;
+  for (int k = 0; k < 100; ++k) cycle();
+  const Eigen::Vector2d careless_m = shift_.at_m();
+  shift_.be_careful(true);
+  for (int k = 0; k < 100; ++k) cycle();
+  const Eigen::Vector2d more_m = shift_.at_m() - careless_m;
+  EXPECT_GT(more_m.dot(Eigen::Vector2d(0.22, -0.15).normalized()), 0.005) << "toward that foot";
+  EXPECT_LT(more_m.norm(), 0.035);
 }
 
 }  // namespace
