@@ -5,8 +5,8 @@
 
 #include "robots/robot_config.h"
 #include "signals/simulation.h"
-#include "simulation/plant/sim_config.h"
 #include "simulation/sim_core.h"
+#include "tools/lab/gait/motor_windings.h"
 
 namespace sprung {
 
@@ -35,16 +35,8 @@ class VoltageReserveWatch {
   const VoltageReserve& result() const noexcept { return result_; }
 
  private:
-  struct Watched {
-    int actuator = 0;
-    double supply_V = 0.0;                        ///< where the plant has no supply of its own
-    int joint = -1;                               ///< that it turns alone; -1: none
-    double copper_V_Nm = 0.0, emf_V_s_rad = 0.0;  ///< of torque and speed at the gear's output
-  };
-  static Watched watched(const ActuatorConfig& actuator, const sim::SimDriveConfig& drive);
-
   std::vector<std::string> names_;
-  std::vector<Watched> watched_;  ///< those with a winding
+  std::vector<MotorWinding> windings_;
   VoltageReserve result_;
 };
 

@@ -131,6 +131,10 @@ void add_gait(const GaitOutcome& g, double torque_limit_Nm, std::vector<ReportRo
   rows.push_back(row("walk." + name + ".velocity_rms", "mm/s", arrived ? 1e3 * g.velocity_rms_m_s : kNaN,
                      bounds(at_most(kMostVelocityRms_mm_s))));
   rows.push_back(row("walk." + name + ".velocity_off", "%", 100.0 * g.velocity_off));
+  if (std::isfinite(g.power_W)) {
+    rows.push_back(row("walk." + name + ".power", "W", arrived ? g.power_W : kNaN));
+    rows.push_back(row("walk." + name + ".transport_cost", "", arrived ? g.transport_cost : kNaN));
+  }
   rows.push_back(row("walk." + name + ".trips", "", g.vitals.trips, bounds(at_most(0.0))));
 }
 
@@ -162,14 +166,18 @@ report::Section gaits_section(const WalkExperiment& result) {
   report::Table table{
       "From when the speed is reached",
       {"gait", "asked (m/s)", "speed (m/s)", "over (m)", "turned (deg)", "joint speed, most (rad/s)",
-       "motor torque, most (Nm)", "at a limit (%)", "voltage reserve, least (%)", "of", "what befell it"}};
+       "motor torque, most (Nm)", "at a limit (%)", "voltage reserve, least (%)", "of", "power (W)",
+       "cost of transport", "what befell it"}};
   for (const GaitOutcome& g : result.gaits)
     table.rows.push_back({g.config.gait, g.config.speed_m_s, g.speed_m_s, g.distance_m,
                           g.drift_rad * kDegrees, g.vitals.fastest_rad_s, g.vitals.strongest_Nm,
                           100.0 * g.vitals.saturated_share, 100.0 * g.reserve.least, g.reserve.actuator,
-                          g.vitals.why.empty() ? "nothing" : g.vitals.why});
+                          g.power_W, g.transport_cost, g.vitals.why.empty() ? "nothing" : g.vitals.why});
   table.note = "The drives' no-load speed is " + report::number_text(result.limits.speed_rad_s) + " rad/s. " +
-               kReserveNote;
+               kReserveNote + " Power: all that is taken from the supply, " +
+               report::number_text(TransportCost::kComputer_W) + " W for the computer and " +
+               report::number_text(TransportCost::kDrive_W) +
+               " W for each drive included; over weight and speed it is the cost of transport.";
   out.tables = {table};
   return out;
 }
@@ -224,17 +232,19 @@ GaitOutcome go(const RobotConfig& robot, const WalkTask& task, const GaitCase& c
   walker.run(speed_reached_s(robot, task.preset, config.gait, {config.speed_m_s, 0.0, 0.0}));
   TravelScore travel;
   VelocityScore velocity;
+  TransportCost cost(robot, lying(task.sim));
   const double longest_s = kTimeout * task.distance_m / config.speed_m_s;
   for (double time_s = 0.0; time_s < longest_s && walker.upright(); time_s += 0.1) {
     walker.run(0.1, [&](InProcessRobot& r) {
       travel.add(r.truth(), robot.cycle_s);
       velocity.add(r.joint_state(), r.truth());
+      cost.add(r.truth());
     });
     if (travel.distance_m() >= task.distance_m) break;
   }
-  return {config,          travel.speed_m_s(),   travel.drift_rad(), travel.distance_m(),
-          walker.vitals(), walker.simulated_s(), walker.reserve(),   velocity.rms_m_s(),
-          velocity.off()};
+  return {config,          travel.speed_m_s(),   travel.drift_rad(),         travel.distance_m(),
+          walker.vitals(), walker.simulated_s(), walker.reserve(),           velocity.rms_m_s(),
+          velocity.off(),  cost.mean_W(),        cost.at(travel.speed_m_s())};
 }
 
 WalkExperiment run_walk_experiment(const RobotConfig& robot, const WalkTask& task) {

@@ -9,6 +9,7 @@
 #include "tools/common/report/report.h"
 #include "tools/lab/gait/manoeuvres.h"
 #include "tools/lab/gait/step_score.h"
+#include "tools/lab/gait/transport_cost.h"
 #include "tools/lab/gait/voltage_reserve.h"
 #include "tools/lab/gait/walk_vitals.h"
 #include "tools/lab/run/experiment.h"
@@ -59,6 +60,7 @@ struct GaitOutcome {
   /// Of the estimated from the true trunk's velocity, trunk axes: rms, and how much it is faster ahead on the
   /// mean, share of the true.
   double velocity_rms_m_s = kNaN, velocity_off = kNaN;
+  double power_W = kNaN, transport_cost = kNaN;  ///< transport_cost.h
 };
 
 /// What the rows of one robot are held against.
