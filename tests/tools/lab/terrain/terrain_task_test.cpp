@@ -80,6 +80,18 @@ TEST(TerrainTask, ARampIsTrottedUpFromLevelGround) {
   EXPECT_LT(run.went_m_s, 0.4);
 }
 
+/// Felt, not seen: it fell at the first riser of 40 mm before feet that are held up began their swing anew.
+TEST(TerrainTask, StairsAreCrawledUp) {
+  TerrainRun asked;
+  asked.gait = "crawl";
+  asked.speed_m_s = 0.09;
+  asked.distance_m = 1.2;
+  SimOptions sim;
+  sim.plant = {{"draw", 1001.0}};
+  const TerrainRun run = walk_terrain(load_robot("pegasus"), "best", sim, task("stairs"), 40.0, asked);
+  EXPECT_EQ(run.why, "");
+}
+
 TEST(TerrainTask, WhoFallsOrComesToNothingHasNotPassedAndSaysWhy) {
   const TerrainRun run = trot("slope_up", 30.0);
   EXPECT_FALSE(run.passed());
