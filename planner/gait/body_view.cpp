@@ -71,7 +71,7 @@ BodyView BodyView::of(const JointState& in, const BodyShape& shape) noexcept {
     const EstimatedLeg& leg = in.legs[i];
     out.foot_m[i] = out.level_from_trunk * (shape.hip_in_trunk_m[i] + to_eigen(leg.estimated_foot_in_hip_m));
     const double up_N = (out.level_from_trunk * to_eigen(leg.foot_force_N)).z();
-    out.carries[i] = leg.contact || up_N > kCarries * shape.mass_kg * kGravity_m_s2;
+    out.carries[i] = leg.contact || !(up_N <= kCarries * shape.mass_kg * kGravity_m_s2);
   }
   out.uses_imu = body.uses_imu;
   return out;

@@ -46,7 +46,7 @@ struct BodyView {
   Eigen::Vector3d angular_velocity_rad_s = Eigen::Vector3d::Zero();
   Eigen::Vector3d com_m = Eigen::Vector3d::Zero();  ///< from the middle of the hips, level axes
   std::array<Eigen::Vector3d, kMostLegs> foot_m{};  ///< the same
-  std::array<bool, kMostLegs> carries{};            ///< something, as far as is felt
+  std::array<bool, kMostLegs> carries{};            ///< something, or nobody knows
   bool uses_imu = false;
   bool velocity_known = false;
 

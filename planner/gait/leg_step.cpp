@@ -72,10 +72,12 @@ bool LegStep::step(const StepPlan& plan, const Eigen::Vector3d& foot_m, const Ei
   } else {
     ground_z_m_ += plan.sunk_m;
     from_m_.z() += plan.sunk_m;
+    riser_.sink(plan.sunk_m);
   }
   left_m_ += plan.ground_m_s(left_m_) * plan.dt_s;
   in_swing_s_ += plan.dt_s;
   const Eigen::Vector3d goal_m = riser_.foothold_m(foothold_m);
+  further_m_ = (goal_m - foothold_m).head<2>();
   swing(plan, goal_m);
   look(plan, contact);
   mind_riser(plan, foot_m, goal_m);
@@ -116,7 +118,8 @@ void LegStep::swing(const StepPlan& plan, const Eigen::Vector3d& foothold_m) noe
 
 void LegStep::mind_riser(const StepPlan& plan, const Eigen::Vector3d& foot_m,
                          const Eigen::Vector3d& foothold_m) noexcept {
-  if (!plan.may_wait || control_ != GaitControl::kAdaptive || in_swing_s_ >= plan.swing_s) return;
+  const bool stands = plan.carries && phase_ == LegPhase::kPreStance;
+  if (!plan.may_wait || stands || control_ != GaitControl::kAdaptive || in_swing_s_ >= plan.swing_s) return;
   if (riser_.step((foothold_m - left_m_).head<2>(), wanted_m_, foot_m, plan.dt_s)) {
     note(LegEvent::kStumble);
     enter(LegPhase::kSwing);
@@ -128,11 +131,12 @@ void LegStep::mind_riser(const StepPlan& plan, const Eigen::Vector3d& foot_m,
 }
 
 void LegStep::search_back(const StepPlan& plan, double over_s) noexcept {
-  const double ahead_m = plan.ahead_m.norm(), back_m_s = kBack * plan.approach_m_s();
+  const Eigen::Vector2d way_m = plan.ahead_m + further_m_;
+  const double ahead_m = way_m.norm(), back_m_s = kBack * plan.approach_m_s();
   if (!(ahead_m > 0.0)) return;
   const double back_m = std::min(back_m_s * over_s, ahead_m);
-  wanted_m_.head<2>() -= plan.ahead_m * (back_m / ahead_m);
-  if (back_m < ahead_m) wanted_m_s_.head<2>() -= plan.ahead_m * (back_m_s / ahead_m);
+  wanted_m_.head<2>() -= way_m * (back_m / ahead_m);
+  if (back_m < ahead_m) wanted_m_s_.head<2>() -= way_m * (back_m_s / ahead_m);
 }
 
 void LegStep::look(const StepPlan& plan, bool contact) noexcept {
@@ -153,7 +157,8 @@ void LegStep::look(const StepPlan& plan, bool contact) noexcept {
 bool LegStep::landed(const StepPlan& plan, bool contact) noexcept {
   const double share = in_swing_s_ / plan.swing_s;
   if (control_ == GaitControl::kHybrid) return share >= 1.0;
-  const bool ground = share >= kStumbleTo && !(riser_.on_edge() && share < 1.0);
+  const bool on_edge = riser_.on_edge() && share < 1.0 && !plan.carries;
+  const bool ground = share >= kStumbleTo && !on_edge;
   if (contact && ground) {
     if (share < 1.0 - 0.5 * plan.gait->pre_stance) note(LegEvent::kEarlyContact);
     return true;

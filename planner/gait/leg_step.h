@@ -30,6 +30,7 @@ struct StepPlan {
   /// Of a foot's ball: while it stands it rolls after the body.
   double foot_radius_m = 0.0;
   bool may_wait = false;  ///< the others stand safely while a swing begins anew
+  bool carries = false;   ///< so much on its way down that it can only stand
   /// Of its foothold from where the leg hangs plumb.
   Eigen::Vector2d ahead_m = Eigen::Vector2d::Zero();
 
@@ -94,7 +95,8 @@ class LegStep {
   double held_up_s_ = 0.0;     ///< contact on the way up, so far
   bool stumbled_ = false;      ///< in this swing
   RiserReflex riser_;
-  Eigen::Vector3d left_m_ = Eigen::Vector3d::Zero();  ///< where it stood, carried along with the ground
+  Eigen::Vector2d further_m_ = Eigen::Vector2d::Zero();  ///< than the plan's foothold, over a riser
+  Eigen::Vector3d left_m_ = Eigen::Vector3d::Zero();     ///< where it stood, carried along with the ground
   GaitControl control_ = GaitControl::kAdaptive;
   bool gave_up_ = false;
   double ground_z_m_ = 0.0;  ///< where this swing expects it, from its first cycle on

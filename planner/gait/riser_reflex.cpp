@@ -12,9 +12,11 @@ constexpr double kHeldUpFor_s = 0.01;
 constexpr double kOnEdge_m = 0.012;     // [design choice] so far behind, what it touches is no ground
 constexpr double kLeastSwing_m = 0.03;  // of a swing that can be held up
 constexpr double kOver_m = 0.07;        // [design choice] over where it was held up: a ball, and what is left
-constexpr double kHighest_m = 0.24;     // over the expected ground
+constexpr double
+    kHighest = 0.4;  // over the expected ground, share of the hips' height: knees fold no further
 constexpr double
     kTread_m = 0.12;  // [design choice] beyond what held it up: of its own stair, and not on its edge
+constexpr double kMostFurther_m = 0.1;  // a leg that reaches far ahead does not reach far down
 constexpr double kBackOff_m = 0.03;
 constexpr int kMostTries = 3;
 
@@ -42,12 +44,13 @@ bool RiserReflex::step(const Eigen::Vector2d& way_m, const Eigen::Vector3d& want
 Eigen::Vector3d RiserReflex::foothold_m(const Eigen::Vector3d& foothold_m) const noexcept {
   if (tries_ == 0) return foothold_m;
   Eigen::Vector3d out = foothold_m;
-  out.head<2>() += std::max(0.0, kTread_m - (foothold_m - held_m_).head<2>().dot(ahead_)) * ahead_;
+  const double beyond_m = (foothold_m - held_m_).head<2>().dot(ahead_);
+  out.head<2>() += std::clamp(kTread_m - beyond_m, 0.0, kMostFurther_m) * ahead_;
   return out;
 }
 
 double RiserReflex::top_m(double ground_z_m) const noexcept {
-  return std::min(held_m_.z() + kOver_m, ground_z_m + kHighest_m);
+  return std::min(held_m_.z() + kOver_m, (1.0 - kHighest) * ground_z_m);
 }
 
 Eigen::Vector2d RiserReflex::aside_m() const noexcept {

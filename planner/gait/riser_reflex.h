@@ -1,8 +1,7 @@
 #pragma once
 /// A foot that is held up on its way along the ground, by a stair or a kerb. Blind: it is felt. Its swing
 /// begins anew from where it is: back a little, over what holds it up, and beyond that by so much that it
-/// does not come down on an edge. Where the robot tips meanwhile, the foot is set down wherever it is. Level
-/// axes. Pure.
+/// does not come down on an edge. Level axes. Pure.
 #include <Eigen/Core>
 
 namespace sprung {
@@ -15,6 +14,8 @@ class RiserReflex {
             double dt_s) noexcept;
   /// One cycle. @param ground_m_s as the body sees it.
   void carry(const Eigen::Vector3d& ground_m_s, double dt_s) noexcept { held_m_ += ground_m_s * dt_s; }
+  /// As the body sees the ground, whose trunk has sunk toward it.
+  void sink(double by_m) noexcept { held_m_.z() += by_m; }
   const Eigen::Vector3d& held_m() const noexcept { return held_m_; }
   /// A swing begins.
   void forget() noexcept { *this = RiserReflex(); }
@@ -25,7 +26,7 @@ class RiserReflex {
   bool goes_over() const noexcept { return tries_ > 0; }
   /// Where that swing is to end. @param foothold_m where it would else.
   Eigen::Vector3d foothold_m(const Eigen::Vector3d& foothold_m) const noexcept;
-  /// How high it is to go. @param ground_z_m expected.
+  /// How high it is to go. @param ground_z_m expected, from the middle of the hips.
   double top_m(double ground_z_m) const noexcept;
   /// How far aside of its way, back from the riser, while it rises.
   Eigen::Vector2d aside_m() const noexcept;

@@ -19,7 +19,7 @@ struct SwingPath {
   double lift_m = 0.0;
   double approach_s = 0.0;  ///< at the end: straight down at approach_m_s; 0: none
   double approach_m_s = 0.0;
-  /// That far off its way along the ground in the first third, while it rises: away from what held it up.
+  /// That far off its way along the ground at a third of it, while it rises: away from what held it up.
   Eigen::Vector2d aside_m = Eigen::Vector2d::Zero();
 
   /// @param time_s since the foot left; beyond duration_s it goes on down at the approach speed, or rests on

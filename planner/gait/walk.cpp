@@ -149,10 +149,10 @@ void Walk::follow_lead(double dt_s) noexcept {
 /// The estimator says so, or a foot on its way down carries so much that it can only stand: a slow touchdown
 /// is within what friction hides, and a foot that nobody believes to stand would push the robot over. Not
 /// before: the quick part of a swing feigns as much.
-bool Walk::touches(std::size_t i, const EstimatedLeg& leg) const noexcept {
+bool Walk::bears(std::size_t i, const EstimatedLeg& leg) const noexcept {
   /// Of the weight: more than slow swings were seen to feign (90 N of 294 N)
   constexpr double kCertain = 0.35;
-  if (leg.contact || steps_[i].phase() != LegPhase::kPreStance) return leg.contact;
+  if (steps_[i].phase() != LegPhase::kPreStance) return false;
   const Eigen::Vector3d force_N = view_.level_from_trunk * to_eigen(leg.foot_force_N);
   return force_N.z() > kCertain * shape_.mass_kg * kGravity_m_s2;
 }
@@ -176,13 +176,14 @@ void Walk::step_legs(const JointState& in, double dt_s) noexcept {
   advance_clock(dt_s);
   StepPlan plan{&gait(),          &law_,     request_.control, dt_s,
                 clock_.swing_s(), body_m_s_, turning_rad_s_,   ground_.sunk_m()};
+  plan.may_wait = gait().sway_m > 0.0 && !halting_ && failure_ == nullptr;
   for (std::size_t i = 0; i < shape_.legs; ++i) {
     plan.foot_radius_m = shape_.foot_radius_m[i];
-    plan.may_wait = gait().sway_m > 0.0;
+    plan.carries = bears(i, in.legs[i]);
     if (clock_.swings(i) && steps_[i].stands()) steps_[i].lift(view_.foot_m[i]);
     const Eigen::Vector3d foothold = foothold_m(i);
     plan.ahead_m = (foothold - under_hip_m(i)).head<2>();
-    if (!steps_[i].step(plan, view_.foot_m[i], foothold, touches(i, in.legs[i]))) continue;
+    if (!steps_[i].step(plan, view_.foot_m[i], foothold, in.legs[i].contact || plan.carries)) continue;
     clock_.land(i);
     if (halting_) weight_.stay();  // it came over three feet, and stands on four as well
     join(i);
@@ -215,14 +216,20 @@ Eigen::Vector3d Walk::pull_m(std::size_t joining) const noexcept {
   return feet == 0 ? sum_m : Eigen::Vector3d(sum_m / feet);
 }
 
+/// Off an edge, in a gait that stands on three: no further than feet look for the ground.
+bool Walk::fell(std::size_t leg, double by_m) const noexcept {
+  const double lowest_m = ground_.z_m(view_.foot_m[leg]) - law_.step_down_m;
+  return gait().sway_m > 0.0 && law_.distribute_force && !view_.carries[leg] && by_m < -kSlip_m &&
+         steps_[leg].wanted_m().z() + by_m > lowest_m;
+}
+
 /// A standing foot that moved against the others slips: it is wanted where it is now, so that its spring does
 /// not drag it further.
 void Walk::look_for_slip(std::size_t leg) noexcept {
   LegStep& step = steps_[leg];
   if (!step.stands()) return;
   Eigen::Vector3d by_m = view_.foot_m[leg] + pull_m(leg) - step.wanted_m();
-  const bool fell = gait().sway_m > 0.0 && by_m.z() < -kSlip_m;  // off an edge
-  if (!fell) by_m.z() = 0.0;
+  if (!fell(leg, by_m.z())) by_m.z() = 0.0;
   if (!(by_m.norm() > kSlip_m)) return;
   step.note(LegEvent::kSlip);
   step.shift(by_m);

@@ -87,7 +87,8 @@ class Walk {
   void lean(double dt_s) noexcept;
   bool looks_on(std::size_t leg) const noexcept;
   void step_legs(const JointState& in, double dt_s) noexcept;
-  bool touches(std::size_t i, const EstimatedLeg& leg) const noexcept;
+  bool bears(std::size_t i, const EstimatedLeg& leg) const noexcept;
+  bool fell(std::size_t leg, double by_m) const noexcept;
   void look_for_slip(std::size_t leg) noexcept;
   void yield(std::size_t leg) noexcept;
   GroundPlane::Feet ground_feet() const noexcept;

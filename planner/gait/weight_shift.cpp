@@ -17,9 +17,9 @@ constexpr double kCareful = 0.3;    // on ground that has held a foot up lately
 constexpr double kLeanTime = 0.16;  // share of the period in which nine tenths of the way are done
 constexpr double kFurther = 0.5;    // of the sway, that it leans besides where it has waited for
 constexpr double kFurtherIn_s = 0.5;
-constexpr double kFeltWithin_s = 0.3;                     // that a foot carries; friction may hide it
-constexpr double kLearns_m_s = 0.1, kForgetsIn_s = 20.0;  // [design choice] where the weight is
-constexpr double kMostOff_m = 0.03;        // [design choice] of masses that are not where robot.yaml has them
+constexpr double kFeltWithin_s = 0.3;                      // that a foot carries; friction may hide it
+constexpr double kLearns_m_s = 0.05, kForgetsIn_s = 20.0;  // [design choice] where the weight is
+constexpr double kMostOff_m = 0.02;        // [design choice] of masses that are not where robot.yaml has them
 constexpr double kWaitsCarefully_s = 1.0;  // more than kNeeded may be more than there is
 constexpr double kFarAhead_s = 1.0;        // further the feet's way is not foreseen
 
@@ -41,6 +41,7 @@ bool others_carry(const BodyView& view, std::size_t lifted) noexcept {
 void WeightShift::begin(const Eigen::Vector2d& at_m) noexcept {
   lean_.rest_at(at_m);
   waited_s_ = 0.0;
+  off_m_.setZero();
   holds_ = stays_ = false;
 }
 

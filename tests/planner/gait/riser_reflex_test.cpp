@@ -45,16 +45,19 @@ TEST_F(RiserReflexTest, AFootThatHardlyMovesCannotBe) {
 TEST_F(RiserReflexTest, ThenItGoesBackOverAndBeyondTheEdge) {
   ASSERT_EQ(lag(0.025), 1);
   EXPECT_NEAR(riser_.top_m(-0.5), -0.446 + 0.07, 1e-12);
-  EXPECT_NEAR(riser_.top_m(-0.65), -0.65 + 0.24, 1e-12) << "no leg folds further";
+  EXPECT_NEAR(riser_.top_m(-0.9), -0.54, 1e-12) << "no leg folds further";
   EXPECT_LT(riser_.aside_m().x(), -0.02);
   EXPECT_NEAR(riser_.foothold_m({0.12, 0.2, -0.5}).x(), 0.1 + 0.12, 1e-12);
   EXPECT_EQ(riser_.foothold_m({0.3, 0.2, -0.5}).x(), 0.3) << "far enough already";
+  EXPECT_NEAR(riser_.foothold_m({0.0, 0.2, -0.5}).x(), 0.1, 1e-12) << "no leg reaches further";
 }
 
 TEST_F(RiserReflexTest, WhereItWasHeldUpGoesAlongWithTheGround) {
   ASSERT_EQ(lag(0.025), 1);
   for (int k = 0; k < 100; ++k) riser_.carry({-0.1, 0.0, 0.0}, 0.002);
   EXPECT_NEAR(riser_.held_m().x(), 0.08, 1e-12);
+  riser_.sink(0.03);
+  EXPECT_NEAR(riser_.held_m().z(), -0.416, 1e-12);
 }
 
 TEST_F(RiserReflexTest, WhatItTouchesOnItsWayIsAnEdgeAndNoGround) {

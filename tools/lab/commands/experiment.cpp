@@ -157,7 +157,8 @@ std::shared_ptr<std::string> add_log_folder(CommandLine& experiment) {
         std::call_once(*begin, [&] {
           if (!folder->empty()) *logs = logs_into(*folder, "sprung experiment --logs " + *folder);
         });
-        return *logs ? (*logs)(robot, preset, sim) : observer_for_page(robot, preset, sim);
+        if (auto for_page = observer_for_page(robot, preset, sim)) return for_page;
+        return *logs ? (*logs)(robot, preset, sim) : nullptr;
       });
   return folder;
 }

@@ -18,7 +18,7 @@ thread_local const InProcessRobot::ObserverSource* logs_of_this_thread = nullptr
 class PassingLogs {
  public:
   explicit PassingLogs(fs::path folder)
-      : folder_(std::move(folder)), source_(logs_into(folder_.string(), "sprung experiment")) {
+      : folder_(emptied(std::move(folder))), source_(logs_into(folder_.string(), "sprung experiment")) {
     logs_of_this_thread = &source_;
   }
   ~PassingLogs() {
@@ -38,6 +38,11 @@ class PassingLogs {
   }
 
  private:
+  static fs::path emptied(fs::path folder) {
+    fs::remove_all(folder);  // of a run that was killed
+    return folder;
+  }
+
   fs::path folder_;
   InProcessRobot::ObserverSource source_;
 };

@@ -24,7 +24,7 @@ void TransportCost::add(const SimTruth& truth) {
     const TrueJoint& joint = truth.joints[static_cast<std::size_t>(one.joint)];
     motors_W += one.power_W(joint.true_motor_torque_Nm, joint.true_velocity_rad_s);
   }
-  sum_W_ += base_W_ + std::max(0.0, motors_W);
+  sum_W_ += base_W_ + (motors_W < 0.0 ? 0.0 : motors_W);  // what is not known stays so
   ++cycles_;
 }
 

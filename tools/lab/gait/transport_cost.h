@@ -1,5 +1,6 @@
 #pragma once
-/// What walking costs: all that the robot takes from its supply, over its weight times its way.
+/// What walking costs: all that the robot takes from its supply, over its weight (robot.yaml's) times its
+/// way.
 #include <vector>
 
 #include "signals/simulation.h"

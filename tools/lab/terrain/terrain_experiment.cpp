@@ -81,11 +81,15 @@ void add_pages(const ExperimentInput& in, const GaitConfig& gait, const Options&
       if (!tried.runs[i].passed()) failures.push_back({tried.level, i, &tried.runs[i]});
   const std::vector<SimOptions> plants = plants_of(in, options.runs);
   const auto make_page = [&](std::size_t i) {
-    const auto& [level, plant, run] = failures[i];
-    const std::string name = terrain_page_name(outcome, level, run->draw);
-    run->page = in.play_page(name, [&, &at = plants[plant], &how_hard = level] {
-      (void)walk_one(in, *outcome.task, gait, how_hard, at, options);
-    });
+    const Failure& failure = failures[i];
+    const auto again = [&] {
+      (void)walk_one(in, *outcome.task, gait, failure.level, plants[failure.plant], options);
+    };
+    try {
+      failure.run->page = in.play_page(terrain_page_name(outcome, failure.level, failure.run->draw), again);
+    } catch (const std::runtime_error&) {
+      failure.run->page.clear();  // rows are worth more than a page of one of them
+    }
   };
   run_parallel(failures.size(), make_page, in.parallel);
 }

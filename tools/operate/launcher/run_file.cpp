@@ -52,7 +52,7 @@ RunInfo from_json(const Json& in) {
   info.preset = in.at("preset");
   info.clock = in.at("clock");
   info.simulation = in.at("simulation");
-  info.plant = in.at("plant").get<std::vector<std::string>>();
+  info.plant = in.value("plant", std::vector<std::string>{});  // other versions' runs are runs
   info.maintenance = in.at("maintenance");
   info.session = in.at("session");
   info.epoch_us = in.at("epoch_us");

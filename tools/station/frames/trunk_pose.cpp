@@ -32,7 +32,7 @@ void TrunkPose::estimate(const TrunkInput& input, double dt_s) {
   source_ = TrunkSource::kEstimate;
   attitude_ = into_odometry_ * input.estimated_attitude.normalized();
   go_on(input, dt_s);
-  if (!finite(input.odometry_m) || !finite(input.odometry_attitude)) return;
+  if (!finite(input.odometry_m) || !finite(input.odometry_attitude)) return odometry_m_.reset();
   source_ = TrunkSource::kOdometry;
   if (!odometry_m_ || *odometry_m_ != input.odometry_m) take_odometry(input);
 }

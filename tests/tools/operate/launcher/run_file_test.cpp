@@ -56,6 +56,15 @@ TEST_F(RunFileTest, WhatIsWrittenIsReadBack) {
   EXPECT_EQ(info->processes[0].pid, 12);
 }
 
+TEST_F(RunFileTest, ARunOfAVersionThatDidNotSayItsPlantIsARun) {
+  const std::string text = run_text(sample());
+  const std::size_t at = text.find("\"plant\"");
+  ASSERT_NE(at, std::string::npos);
+  const std::string former = text.substr(0, at) + text.substr(text.find("\"buses\""));
+  EXPECT_EQ(parse_run(former).robot, "single_leg");
+  EXPECT_TRUE(parse_run(former).plant.empty());
+}
+
 TEST_F(RunFileTest, KeyLiesBesideForItsOwnerAloneAndGoesWithTheRun) {
   const auto key = random_key();
   {

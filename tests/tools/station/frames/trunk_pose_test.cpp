@@ -77,6 +77,25 @@ TEST(TrunkPose, OdometryIsFollowedFromWhereItBeginsAndGoneOnFromBetween) {
   EXPECT_TRUE(pose.position_m().isApprox(Eigen::Vector3d(0.05, 0.2, 0.45))) << "up a ramp";
 }
 
+TEST(TrunkPose, OdometryThatStopsLeavesTheEstimateAndBeginsAnewWhereItIs) {
+  TrunkPose pose(load_robot("pegasus").legs);
+  TrunkInput input = nothing();
+  input.estimated_attitude = Eigen::Quaterniond::Identity();
+  input.estimated_height_m = 0.42;
+  input.odometry_m = {3, 0, 0};
+  input.odometry_attitude = Eigen::Quaterniond::Identity();
+  pose.update(input, 0.0);
+  input.odometry_m = kUnknown;
+  input.estimated_height_m = 0.3;
+  pose.update(input, 0.1);
+  EXPECT_EQ(pose.source(), TrunkSource::kEstimate);
+  pose.update(input, 0.1);
+  EXPECT_EQ(pose.position_m().z(), 0.3);
+  input.odometry_m = {0, 0, 0};
+  pose.update(input, 0.1);
+  EXPECT_TRUE(pose.position_m().isApprox(Eigen::Vector3d(0, 0, 0.3)));
+}
+
 TEST(TrunkPose, OfAnotherSessionNothingIsKept) {
   TrunkPose pose(load_robot("pegasus").legs);
   TrunkInput input = nothing();
