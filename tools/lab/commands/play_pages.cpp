@@ -61,7 +61,7 @@ PlayPage play_pages_into(const std::string& folder) {
     const fs::path log = logs.first();
     if (log.empty()) return "";
     log::Reader reader(log.string());
-    const std::string page = name + ".html";
+    std::string page = name + ".html";
     report::write_text(station::make_log_page(reader).html, fs::path(folder) / page);
     return page;
   };

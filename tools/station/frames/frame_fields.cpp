@@ -1,8 +1,8 @@
 #include "tools/station/frames/frame_fields.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
-#include <limits>
 
 #include "lcmtypes/channels.h"
 #include "tools/logs/fields/type_table.h"
@@ -19,8 +19,7 @@ constexpr const char* kQuaternion = "wxyz";
 std::vector<std::pair<int, std::string>> words_of(const fields::Enumeration* enumeration) {
   std::vector<std::pair<int, std::string>> words;
   if (enumeration == nullptr) return words;
-  for (int value = std::numeric_limits<std::int8_t>::min(); value <= std::numeric_limits<std::int8_t>::max();
-       ++value) {
+  for (int value = INT8_MIN; value <= INT8_MAX; ++value) {
     const char* const text = enumeration->text(static_cast<std::int8_t>(value));
     if (std::strcmp(text, "unknown") != 0) words.emplace_back(value, text);
   }

@@ -172,8 +172,9 @@ void Frames::place_ghost() {
     const std::optional<JointVector> desired = desired_of(leg);
     for (std::size_t i = 0; i < leg.joints.size(); ++i) {
       const bool has = desired && static_cast<Eigen::Index>(i) < desired->size();
-      working_[static_cast<std::size_t>(
-          ghost_field_ + leg.joints[i])] = has ? (*desired)[static_cast<Eigen::Index>(i)] : kNone;
+      working_[static_cast<std::size_t>(ghost_field_) +
+               static_cast<std::size_t>(leg.joints[i])] = has ? (*desired)[static_cast<Eigen::Index>(i)]
+                                                              : kNone;
     }
   }
 }
