@@ -80,7 +80,7 @@ bool LegStep::step(const StepPlan& plan, const Eigen::Vector3d& foot_m, const Ei
   further_m_ = (goal_m - foothold_m).head<2>();
   swing(plan, goal_m);
   look(plan, contact);
-  mind_riser(plan, foot_m, goal_m);
+  mind_riser(plan, foot_m, foothold_m);
   if (!landed(plan, contact)) return false;
   const bool gave_up = gave_up_;
   stand(foot_m);
@@ -116,18 +116,19 @@ void LegStep::swing(const StepPlan& plan, const Eigen::Vector3d& foothold_m) noe
   }
 }
 
+/// A foot that is held up begins its swing anew.
 void LegStep::mind_riser(const StepPlan& plan, const Eigen::Vector3d& foot_m,
                          const Eigen::Vector3d& foothold_m) noexcept {
-  const bool stands = plan.carries && phase_ == LegPhase::kPreStance;
+  const bool stands = plan.bears && phase_ == LegPhase::kPreStance;
   if (!plan.may_wait || stands || control_ != GaitControl::kAdaptive || in_swing_s_ >= plan.swing_s) return;
-  if (riser_.step((foothold_m - left_m_).head<2>(), wanted_m_, foot_m, plan.dt_s)) {
-    note(LegEvent::kStumble);
-    enter(LegPhase::kSwing);
-    from_m_ = foot_m;
-    in_swing_s_ = plan.dt_s;
-    held_up_s_ = 0.0;
-    swing(plan, riser_.foothold_m(foothold_m));
-  }
+  const Eigen::Vector2d way_m = (riser_.foothold_m(foothold_m) - left_m_).head<2>();
+  if (!riser_.step(way_m, wanted_m_, foot_m, plan.dt_s)) return;
+  note(LegEvent::kStumble);
+  enter(LegPhase::kSwing);
+  from_m_ = foot_m;
+  in_swing_s_ = plan.dt_s;
+  held_up_s_ = 0.0;
+  swing(plan, riser_.foothold_m(foothold_m));
 }
 
 void LegStep::search_back(const StepPlan& plan, double over_s) noexcept {
@@ -157,7 +158,7 @@ void LegStep::look(const StepPlan& plan, bool contact) noexcept {
 bool LegStep::landed(const StepPlan& plan, bool contact) noexcept {
   const double share = in_swing_s_ / plan.swing_s;
   if (control_ == GaitControl::kHybrid) return share >= 1.0;
-  const bool on_edge = riser_.on_edge() && share < 1.0 && !plan.carries;
+  const bool on_edge = riser_.on_edge() && share < 1.0 && !plan.bears;
   const bool ground = share >= kStumbleTo && !on_edge;
   if (contact && ground) {
     if (share < 1.0 - 0.5 * plan.gait->pre_stance) note(LegEvent::kEarlyContact);

@@ -30,7 +30,7 @@ struct StepPlan {
   /// Of a foot's ball: while it stands it rolls after the body.
   double foot_radius_m = 0.0;
   bool may_wait = false;  ///< the others stand safely while a swing begins anew
-  bool carries = false;   ///< so much on its way down that it can only stand
+  bool bears = false;     ///< so much, on its way down, that it can only stand
   /// Of its foothold from where the leg hangs plumb.
   Eigen::Vector2d ahead_m = Eigen::Vector2d::Zero();
 

@@ -5,18 +5,18 @@
 namespace sprung {
 namespace {
 
-/// [design choice] Behind its way along the ground: a free foot was seen to lag by 10 mm.
-constexpr double kHeldUp_m = 0.02;
-constexpr double kQuickly_m = 0.01;  // [design choice] on top of these in a swing that goes higher
+/// [design choice] Behind its way along the ground: a free foot was seen to lag by 10 mm. In a swing that
+/// goes higher, and so quicker, that much more.
+constexpr double kHeldUp_m = 0.02, kQuickly_m = 0.01;
 constexpr double kHeldUpFor_s = 0.01;
 constexpr double kOnEdge_m = 0.012;     // [design choice] so far behind, what it touches is no ground
 constexpr double kLeastSwing_m = 0.03;  // of a swing that can be held up
-constexpr double kOver_m = 0.07;        // [design choice] over where it was held up: a ball, and what is left
-constexpr double
-    kHighest = 0.4;  // over the expected ground, share of the hips' height: knees fold no further
-constexpr double
-    kTread_m = 0.12;  // [design choice] beyond what held it up: of its own stair, and not on its edge
-constexpr double kMostFurther_m = 0.1;  // a leg that reaches far ahead does not reach far down
+/// [design choice] Over where it was held up: a ball, and what is left of a stair. No higher over the
+/// expected ground than this share of the hips' height: knees fold no further.
+constexpr double kOver_m = 0.07, kHighest = 0.4;
+/// [design choice] Beyond what held it up: on its own stair, and not on the edge; but no further than else by
+/// kMostFurther_m: a leg that reaches far ahead does not reach far down.
+constexpr double kTread_m = 0.12, kMostFurther_m = 0.1;
 constexpr double kBackOff_m = 0.03;
 constexpr int kMostTries = 3;
 

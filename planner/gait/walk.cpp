@@ -146,7 +146,7 @@ void Walk::follow_lead(double dt_s) noexcept {
   lead_s_ = toward(lead_s_, wanted_s, most_1 * dt_s);
 }
 
-/// The estimator says so, or a foot on its way down carries so much that it can only stand: a slow touchdown
+/// So much, on its way down, that it can only stand, whatever the estimator says of contact: a slow touchdown
 /// is within what friction hides, and a foot that nobody believes to stand would push the robot over. Not
 /// before: the quick part of a swing feigns as much.
 bool Walk::bears(std::size_t i, const EstimatedLeg& leg) const noexcept {
@@ -179,11 +179,11 @@ void Walk::step_legs(const JointState& in, double dt_s) noexcept {
   plan.may_wait = gait().sway_m > 0.0 && !halting_ && failure_ == nullptr;
   for (std::size_t i = 0; i < shape_.legs; ++i) {
     plan.foot_radius_m = shape_.foot_radius_m[i];
-    plan.carries = bears(i, in.legs[i]);
+    plan.bears = bears(i, in.legs[i]);
     if (clock_.swings(i) && steps_[i].stands()) steps_[i].lift(view_.foot_m[i]);
     const Eigen::Vector3d foothold = foothold_m(i);
     plan.ahead_m = (foothold - under_hip_m(i)).head<2>();
-    if (!steps_[i].step(plan, view_.foot_m[i], foothold, in.legs[i].contact || plan.carries)) continue;
+    if (!steps_[i].step(plan, view_.foot_m[i], foothold, in.legs[i].contact || plan.bears)) continue;
     clock_.land(i);
     if (halting_) weight_.stay();  // it came over three feet, and stands on four as well
     join(i);

@@ -13,6 +13,7 @@
 #include "estimator/estimator_core.h"
 #include "planner/gait/force_distribution.h"
 #include "planner/planner_core.h"
+#include "signals/quantile.h"
 #include "simulation/plant/plant_model.h"
 #include "simulation/plant/sim_config.h"
 #include "simulation/sim_core.h"
@@ -156,12 +157,6 @@ class TimedStack {
   std::vector<double> cores_us_;
 };
 
-/// The one below which all but one in ten thousand are.
-double p9999(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(0.9999 * static_cast<double>(values.size() - 1))];
-}
-
 /// Two feet in a diagonal, or all four, under a body that leans a little.
 double distribution_us(const RobotConfig& robot, bool diagonal) {
   ForceDistribution distribution(robot.preset().walk.floor_friction);
@@ -264,7 +259,7 @@ std::vector<ReportRow> bench_stack(const RobotConfig& robot, double seconds) {
   rows.push_back(
       row(prefix + "cores_processor_mean", "us",
           std::accumulate(cycles_us.begin(), cycles_us.end(), 0.0) / static_cast<double>(cycles_us.size())));
-  rows.push_back(row(prefix + "cores_processor_p9999", "us", p9999(cycles_us)));
+  rows.push_back(row(prefix + "cores_processor_p9999", "us", quantile(cycles_us, 0.9999)));
   rows.push_back(row(prefix + "simulation_over_mj_step", "-", bare_us / standing_us));
   rows.push_back(row(prefix + "stack_over_mj_step", "-", bare_us / standing_stack_us));
   return rows;

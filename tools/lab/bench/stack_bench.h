@@ -14,7 +14,7 @@ namespace sprung {
 ///   cores_cycle            estimator, planner and controller without the force distribution, by the medians
 ///   cores_processor_mean, _p9999
 ///                          processor time of this thread for all three, force distribution included; of
-///                          fewer than 20,000 cycles (40 s) the latter is the second worst at most
+///                          10,000 cycles (20 s) or fewer the latter is the worst
 ///   force_distribution     one call, two feet standing (a trot) and four, as above
 ///   simulation_over_mj_step, stack_over_mj_step
 ///                          speed against bare mj_step of the same model and step, standing
